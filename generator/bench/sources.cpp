@@ -6,7 +6,7 @@
 #include "bench/calls.hpp"
 #include "bench/stage_steps.hpp"
 #include "emit/arguments.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "emit/page.hpp"
 #include "emit/writer.hpp"
 #include "model/identifiers.hpp"

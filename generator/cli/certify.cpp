@@ -7,7 +7,7 @@
 #include "cli/beside_header.hpp"
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "input/common/content_hash.hpp"
 #include "report/certificate_report.hpp"
 #include "report/json_text.hpp"

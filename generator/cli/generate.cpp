@@ -42,12 +42,17 @@ struct GenerateArguments : RobotArguments {
   bool is_to_stdout() const { return folder == kStdout; }
 };
 
-struct NamedLanguage {
+// A language, and which options it has.
+struct LanguageChoice {
   Language language;
   const char* name;
+  bool has_form, has_stages, has_scalar, has_namespace;
+  bool is_one_file;  // unless its form is a pair
 };
-const std::map<std::string, NamedLanguage> kLanguages = {
-    {"c++", {Language::cpp, "C++"}}, {"c", {Language::c, "C"}}, {"javascript", {Language::javascript, "JavaScript"}}};
+const std::map<std::string, LanguageChoice> kLanguages = {
+    {"c++", {Language::cpp, "C++", true, true, true, true, true}},
+    {"c", {Language::c, "C", false, false, true, true, false}},
+    {"javascript", {Language::javascript, "JavaScript", false, false, false, false, true}}};
 
 const CLI::Validator kFileName(
     [](const std::string& text) {
@@ -94,17 +99,17 @@ void choose_for_firmware(GenerateArguments& arguments) {
   if (arguments.scalar_given->count() == 0) arguments.scalars = {firmware_target(arguments.firmware).scalar};
 }
 
-// Requires C++ for two files, and for more than one scalar.
+// Requires a language with forms for a pair, and a pair for more than one scalar.
 void check_form(const GenerateArguments& arguments) {
-  const bool is_cpp = arguments.language == "c++";
-  if (arguments.form_given->count() > 0 && !is_cpp) {
-    throw Failure(ExitCode::usage, fmt::format("--form: {} has one form only", kLanguages.at(arguments.language).name),
-                  "leave it out");
+  const LanguageChoice& language = kLanguages.at(arguments.language);
+  if (arguments.form_given->count() > 0 && !language.has_form) {
+    throw Failure(ExitCode::usage, fmt::format("--form: {} has one form only", language.name), "leave it out");
   }
   if (arguments.scalars.size() == 1 || arguments.is_pair()) return;
   throw Failure(ExitCode::usage, "--scalar: one is enough here",
-                is_cpp ? "a header is a template over its scalar: name that of its constants; or use --form pair"
-                       : "name one, and run it again with another --name and --namespace for the other");
+                language.has_form
+                    ? "a header is a template over its scalar: name that of its constants; or use --form pair"
+                    : "name one, and run it again with another --name and --namespace for the other");
 }
 
 // Allows one file at most on stdout.
@@ -114,7 +119,7 @@ void check_stdout(const GenerateArguments& arguments) {
   if (arguments.delivery.check || arguments.delivery.dry_run || !arguments.delivery.depfile.empty()) {
     throw Failure(ExitCode::usage, "-o -: --check, --dry-run and --depfile are about files", "name a folder");
   }
-  if (arguments.language == "c" || arguments.is_pair()) {
+  if (!kLanguages.at(arguments.language).is_one_file || arguments.is_pair()) {
     throw Failure(ExitCode::usage, "-o -: several files result, and stdout has room for one",
                   "name a folder; a header in C++ and a module in JavaScript are one file");
   }
@@ -130,17 +135,17 @@ void check_usage(const GenerateArguments& arguments) {
   if (arguments.fused.size() == 1) {
     throw Failure(ExitCode::usage, "--fuse: one function is no set", "name two or more, separated by commas");
   }
-  if (arguments.language != "c++" && !arguments.staged.empty()) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("--stages: there are none in {}", kLanguages.at(arguments.language).name),
+  const LanguageChoice& language = kLanguages.at(arguments.language);
+  if (!language.has_stages && !arguments.staged.empty()) {
+    throw Failure(ExitCode::usage, fmt::format("--stages: there are none in {}", language.name),
                   "--fuse computes several functions in one call");
   }
-  if (arguments.language != "javascript") return;
-  if (arguments.scalars.front() != "double") {
-    throw Failure(ExitCode::usage, "--scalar: all numbers of JavaScript are doubles", "leave it out");
+  if (!language.has_scalar && arguments.scalars.front() != "double") {
+    throw Failure(ExitCode::usage, fmt::format("--scalar: all numbers of {} are doubles", language.name),
+                  "leave it out");
   }
-  if (!arguments.name_space.empty()) {
-    throw Failure(ExitCode::usage, "--namespace: a module of JavaScript has none",
+  if (!language.has_namespace && !arguments.name_space.empty()) {
+    throw Failure(ExitCode::usage, fmt::format("--namespace: a module of {} has none", language.name),
                   "leave it out; --name names the file");
   }
 }

@@ -3,7 +3,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "report/describe.hpp"
 #include "report/html/page.hpp"
 #include "verify/proof.hpp"
@@ -114,7 +114,7 @@ ExitCode report(const ReportArguments& arguments) {
   content.worst_states = worst;
   const PageCode code = page_code(content);
   if (!arguments.with.empty()) content.certificate = certificate_of(model, code.functions, progress);
-  prove_text(EmittedText::of_javascript(code.text), code.functions, std::nullopt);
+  prove_text(EmittedText(code.text, "number"), code.functions, std::nullopt);
   print_diagnostics(model.diagnostics, arguments);
   nlohmann::ordered_json json = model_json(model, content.snap_effects);
   json["functions"] = functions_json(content.functions, symbol_names(model.mechanism));

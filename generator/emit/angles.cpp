@@ -17,9 +17,7 @@ const MultipleOfPosition& multiple(int index, const HeaderScope& scope) {
   return scope.angles[static_cast<std::size_t>(index - scope.positions)];
 }
 
-std::string fill_name(const HeaderScope& scope) {
-  return scope.dialect.is_cpp() ? "angles" : scope.dialect.global("angles");
-}
+std::string fill_name(const HeaderScope& scope) { return scope.dialect.global("angles"); }
 
 std::string function_of(const std::string& name, const std::vector<std::string>& lines, const HeaderScope& scope) {
   const Dialect& dialect = scope.dialect;
@@ -84,8 +82,8 @@ std::string angles_definition(const HeaderScope& scope) {
     const auto begin = lines.begin() + static_cast<std::ptrdiff_t>(first);
     const std::size_t count = std::min(most, lines.size() - first);
     const std::string part = fmt::format("{}_{}", name, calls.size() + 1);
-    text += function_of(part, {begin, begin + static_cast<std::ptrdiff_t>(count)}, scope) + "\n\n";
-    if (scope.dialect.is_cpp()) text += "template <class Scalar>\n";
+    text += function_of(part, {begin, begin + static_cast<std::ptrdiff_t>(count)}, scope) + "\n\n" +
+            scope.dialect.before_part();
     calls.push_back(code_line(part + "(q, angle);", kStatementIndent));
   }
   return text + function_of(name, calls, scope);

@@ -33,12 +33,11 @@ InputArgument input_argument(InputKind kind, JointCounts counts, int base_parame
 std::string variable_of_input(const Input& input, const std::vector<std::string>& parameters);
 
 // The expression that reads an input: "qd[1]", "parameters.m1".
-std::string access_of_input(const Input& input, const std::vector<std::string>& parameters,
-                            const Dialect& dialect = {});
+std::string access_of_input(const Input& input, const std::vector<std::string>& parameters, const Dialect& dialect);
 
 // The inputs as a list: "q[1..6], qd[0..6], parameters.m1"; "nothing" if there are none.
 std::string list_of_inputs(const std::vector<Input>& inputs, const std::vector<std::string>& parameters,
-                           const Dialect& dialect = {});
+                           const Dialect& dialect);
 
 // Whether the function returns its value: it has one scalar output and cannot fail.
 bool returns_value(const Function& function);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The differences between the languages of emitted code; no other file knows them. Names of variables, the order of
-// statements and the shape of expressions are common to all, so that all forms compute the same bits.
+// The differences between the languages of emitted code, as questions; languages/ has the answers, a file per language.
+// Names of variables, the order of statements and the shape of expressions are common to all, so that all forms compute
+// the same bits. No other file of this folder asks which language it is (`ctest -R Layout`).
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -10,7 +12,9 @@
 
 namespace flatdyn {
 
-enum class Language { cpp, c, javascript };
+struct FunctionText;
+struct HeaderScope;
+struct UndeclaredFunction;
 
 // An array of constants at file or namespace scope.
 struct ConstantArray {
@@ -23,97 +27,104 @@ struct ConstantArray {
 
 inline constexpr const char* kReal = "Real";
 
+// Answers that are given here are those of most languages with the syntax of C.
 class Dialect {
  public:
-  // C++: templates over Scalar, in the robot's namespace; constants have type Real.
-  Dialect() = default;
-  // C99 in one scalar, "double" or "float". `name_space`: that of the C++ form, "a::b", which becomes the prefix a_b_.
-  static Dialect c(const std::string& scalar, const std::string& name_space);
-  // GNU C with vectors of that scalar, one state per lane of a SIMD register. The robot's own numbers are broadcast to
-  // the lanes.
-  static Dialect c_lanes(const std::string& scalar, const std::string& name_space);
-  // JavaScript: names are local to the module; numbers are doubles.
-  static Dialect javascript();
-
-  bool is_cpp() const { return language_ == Language::cpp; }
-  bool is_c() const { return language_ == Language::c; }
-  bool is_javascript() const { return language_ == Language::javascript; }
-  bool is_lanes() const { return is_c() && scalar_ != number_; }
+  // `scalar`: the type of variables; `prefix`: the beginning of names at file scope.
+  Dialect(std::string scalar, std::string prefix) : scalar_(std::move(scalar)), prefix_(std::move(prefix)) {}
+  virtual ~Dialect() = default;
+  Dialect(const Dialect&) = delete;
+  Dialect& operator=(const Dialect&) = delete;
 
   // The type of variables: "Scalar", "float"; "number", which appears in JavaScript's comments.
   const std::string& scalar() const { return scalar_; }
-  // The type of the numbers in variables: "float" also if `scalar` is a vector of floats.
-  const std::string& number() const { return number_; }
   // A name at file or namespace scope: "gravity", "panda_gravity", for lanes "panda_lanes_gravity".
-  std::string global(const std::string& name) const { return prefix_ + (is_lanes() ? kLanes : "") + name; }
-  // A name that other files use.
-  std::string exported(const std::string& name) const { return prefix_ + name; }
+  std::string global(const std::string& name) const { return prefix_ + name; }
   // The name of a count: "joint_count", "PANDA_JOINT_COUNT".
-  std::string count_name(const std::string& name) const;
+  virtual std::string count_name(const std::string& name) const { return name; }
   // Reserved words that variables must avoid beside those of C++.
-  std::vector<std::string> reserved() const;
+  virtual std::vector<std::string> reserved() const = 0;
 
   // A literal: "Scalar(0.0825)", "0.0825f". Throws Failure(input) if the scalar's range is too small for it.
-  std::string literal(const Rational& value) const;
+  virtual std::string literal(const Rational& value) const = 0;
   // A literal in an array of constants: "Real(0.0825)", "0.0825f"; and "Real(-HUGE_VAL)", "-HUGE_VALF".
-  std::string real_literal(const Rational& value) const;
-  std::string infinity(bool negative) const;
+  virtual std::string real_literal(const Rational& value) const { return literal(value); }
+  virtual std::string infinity(bool negative) const = 0;
   // A quoted string constant.
-  std::string text(const std::string& value) const;
-  // The name of a function of <math.h>, such as "sinf", where each scalar has its own.
-  std::string library(const std::string& function) const;
+  virtual std::string text(const std::string& value) const;
 
   // A call of the sign: "detail::sign(x)", "panda_sign(x)", "Math.sign(x)".
-  std::string sign(const std::string& of) const;
+  virtual std::string sign(const std::string& of) const = 0;
   // A call of the square root: "detail::sqrt(x)", "sqrtf(x)", "Math.sqrt(x)".
-  std::string sqrt(const std::string& of) const;
+  virtual std::string sqrt(const std::string& of) const = 0;
   // The value of a free symbol of the robot: "parameters.m_1", "parameters->m_1".
-  std::string parameter(const std::string& member) const;
+  virtual std::string parameter(const std::string& member) const { return "parameters." + member; }
 
-  // Declarations of function arguments. In C, definitions declare outputs `restrict`; declarations, which C++ reads
-  // too, do not. Inputs are never `restrict`: one array may serve as several of them.
-  std::string input(const std::string& name) const;                          // "const Scalar* q"
-  std::string output(const std::string& name, bool restricts = true) const;  // "Scalar* tau"
-  std::string parameters_argument() const;                                   // "const Parameters<Scalar>& parameters"
-  std::string number_output(const std::string& name) const;                  // "Scalar& result", an array of one in C
-  std::string number_definition(const std::string& name) const;              // "result", "result[1]"
-  std::string number_use(const std::string& name) const;                     // "result", "result[0]"
+  // Whether each sine and cosine is evaluated by itself, "Math.sin(q[2])". Otherwise a function reads all of them from
+  // arrays "sine" and "cosine", by index of the angle; it either fills these arrays first, or they are its arguments.
+  virtual bool evaluates_sines() const { return false; }
+  // One of them in an expression. `function`: "sin" or "cos"; `angle`: "q[2]".
+  virtual std::string angle_function(const std::string& function, int index, const std::string& angle) const;
+  // The statements that fill the arrays for the angles of these indices; empty if they are arguments.
+  virtual std::string filled_sines(const std::set<int>& angles, const HeaderScope& scope) const;
+  // Whether a function that needs sines and cosines has a variant with a name of its own that takes them as arguments.
+  virtual bool has_given_variants() const { return false; }
+
+  // Declarations of function arguments. Inputs are never `restrict`: one array may serve as several of them.
+  virtual std::string input(const std::string& name) const;          // "const Scalar* q"
+  virtual std::string output(const std::string& name) const;         // "Scalar* tau", in C "double* restrict tau"
+  virtual std::string parameters_argument() const = 0;               // "const Parameters<Scalar>& parameters"
+  virtual std::string number_output(const std::string& name) const;  // "Scalar& result", an array of one in C
+  virtual std::string number_definition(const std::string& name) const { return array(name, 1); }  // in C++ "result"
+  virtual std::string number_use(const std::string& name) const { return name + "[0]"; }           // in C++ "result"
+  // The type of a stage: "Motion<Scalar>". Only languages that have stages are asked.
+  virtual std::string stage_type(const std::string& stage) const { return stage; }
 
   // Declarations of local variables: the beginning, "const Scalar ", "const "; and an array, or a single number, that
   // is filled later: "Scalar ", and "kept[7]", in JavaScript "kept = new Float64Array(7)".
-  std::string constant() const;
-  std::string arrays() const;
-  std::string array(const std::string& name, std::size_t length) const;
-  std::string condition_type() const;       // "bool"
-  std::string always() const;               // "true"
-  std::string conditions_begin() const;     // "bool positive = "
-  std::string conditions_continue() const;  // "positive &= "
+  virtual std::string constant() const { return "const " + scalar_ + " "; }
+  virtual std::string arrays() const { return scalar_ + " "; }
+  virtual std::string array(const std::string& name, std::size_t length) const;
+  virtual std::string condition_type() const { return "bool"; }
+  virtual std::string always() const { return "true"; }
+  virtual std::string conditions_begin() const { return condition_type() + " positive = "; }
+  virtual std::string conditions_continue() const { return "positive &= "; }
 
-  // The beginning of a function that only functions of the same file call, up to its parameters, and the text after
-  // them.
-  std::string part_begin(const std::string& name) const;
-  std::string function_end() const;  // ") noexcept {"
-  // The beginning of a call of a part by the robot's functions: "detail::f_part_1(".
-  std::string part_call(const std::string& name) const;
+  // The beginning of a function that only functions of the same file call, up to its parameters; the lines before it,
+  // and the text after the parameters.
+  virtual std::string part_begin(const std::string& name) const = 0;                   // "void f_part_1("
+  virtual std::string before_part() const { return ""; }                               // "template <class Scalar>\n"
+  virtual std::string function_end() const { return ") {"; }                           // ") noexcept {"
+  virtual std::string part_call(const std::string& name) const { return name + "("; }  // "detail::f_part_1("
 
-  // Definitions and declarations as lines; names are as emitted. In C, definitions go to the .c file and declarations
-  // to the header.
-  std::string count_definition(const std::string& name, int value) const;
+  // The number of lines that a function may have before it is written in parts, and the number of its lines beside the
+  // body. Compilers optimise best if they see as much as possible.
+  virtual int longest_function() const { return 4000; }
+  virtual int lines_around_body([[maybe_unused]] int arguments) const { return 4; }
+
+  // Completes the text of a function, of which all but the declaration is written: its parameters, and what precedes or
+  // follows from them.
+  virtual void declare(FunctionText& text, const UndeclaredFunction& function) const = 0;
+
+  // Definitions and declarations as lines; names are as emitted.
+  virtual std::string count_definition(const std::string& name, int value) const = 0;
   std::string definition(const ConstantArray& array) const;
-  std::string declaration(const ConstantArray& array) const;
+  // Whether constants are declared in one file and defined in another; counts are then defined where arrays are
+  // declared.
+  virtual bool declares_constants_apart() const { return false; }
+  virtual std::string declaration(const ConstantArray& array) const;  // empty if they are not declared apart
   // A loop of checks: for … positive &= pivots[k] > 0;
-  std::string all_positive(const std::string& array, std::size_t length) const;
+  virtual std::string all_positive(const std::string& array, std::size_t length) const = 0;
+
+ protected:
+  virtual std::string definition_begin(
+      const ConstantArray& array) const = 0;  // "inline constexpr bool x[joint_count] = {"
+  virtual std::string definition_end() const { return "};"; }
+  // The loop of checks, "for (int k = 0; …", with a counter of this type.
+  std::string counted_checks(const std::string& counter, const std::string& array, std::size_t length) const;
 
  private:
-  static constexpr const char* kLanes = "lanes_";
-
-  std::string spread(const std::string& number) const;
-  std::string pointer(const std::string& type, const std::string& name) const;
-  std::string type_of(const ConstantArray& array) const;
-
-  Language language_ = Language::cpp;
-  std::string scalar_ = "Scalar", number_ = "Scalar";
-  std::string prefix_;
+  std::string scalar_, prefix_;
 };
 
 }  // namespace flatdyn

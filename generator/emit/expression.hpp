@@ -17,8 +17,8 @@ using VariableNames = std::vector<std::string>;
 
 class ExpressionPrinter {
  public:
-  ExpressionPrinter(const Graph& graph, const VariableNames& names, Dialect dialect = {})
-      : graph_(graph), names_(names), dialect_(std::move(dialect)), magnitudes_(typical_magnitudes(graph)) {}
+  ExpressionPrinter(const Graph& graph, const VariableNames& names, const Dialect& dialect)
+      : graph_(graph), names_(names), dialect_(dialect), magnitudes_(typical_magnitudes(graph)) {}
 
   // The right-hand side of the node's variable: "c_2 * omega_1_x + s_2 * omega_1_y".
   std::string definition(NodeId id) const { return define(id).code; }
@@ -52,7 +52,7 @@ class ExpressionPrinter {
 
   const Graph& graph_;
   const VariableNames& names_;
-  Dialect dialect_;
+  const Dialect& dialect_;
   std::vector<double> magnitudes_;
 };
 

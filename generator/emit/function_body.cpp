@@ -18,15 +18,7 @@
 namespace flatdyn {
 namespace {
 
-// Compilers handle functions of this many lines, and optimise best if they see as much as possible. V8 gives up on
-// functions of 60 kB of bytecode.
-constexpr int kLongFunction = 4000, kLongInJavaScript = 1000, kLongPart = 1000;
-// The number of a function's lines besides its body. In C names are longer, and each argument that is not read takes a
-// statement.
-int lines_around(const Function& function, const Dialect& dialect) {
-  constexpr int kInCpp = 4, kInC = 6;
-  return dialect.is_c() ? kInC + static_cast<int>(function.inputs.size() + function.outputs.size()) : kInCpp;
-}
+constexpr int kLongPart = 1000;  // lines of a part, unless fewer are asked for
 
 // The arrays that parts share, beside a function's own arguments.
 constexpr const char *kKept = "kept", *kPivots = "pivots", *kStored = "stored", *kResult = "result";
@@ -54,7 +46,8 @@ class BodyWriter {
         name_(name),
         scope_(scope),
         dialect_(scope.dialect),
-        lines_around_(lines_around(function, scope.dialect)),
+        lines_around_(
+            scope.dialect.lines_around_body(static_cast<int>(function.inputs.size() + function.outputs.size()))),
         inputs_(arguments_read(function)),
         schedule_(make_schedule(function)),
         printer_(function.graph, variables_, scope.dialect) {
@@ -85,10 +78,7 @@ class BodyWriter {
   }
 
  private:
-  int longest() const {
-    if (scope_.most_lines > 0) return scope_.most_lines;
-    return dialect_.is_javascript() ? kLongInJavaScript : kLongFunction;
-  }
+  int longest() const { return scope_.most_lines > 0 ? scope_.most_lines : dialect_.longest_function(); }
 
   std::string whole() const {
     std::string text = loads() + trigonometry(false) + sines_and_cosines() + stage();
@@ -179,7 +169,9 @@ class BodyWriter {
 
   std::vector<PartArgument> part_arguments() const {
     std::vector<PartArgument> list = {{"parameters", dialect_.parameters_argument(), "parameters"}};
-    list.push_back({kStored, fmt::format("const {}<Scalar>& {}", scope_.enclosing_stage, kStored), "*this"});
+    if (const std::string& stage = scope_.enclosing_stage; !stage.empty()) {
+      list.push_back({kStored, fmt::format("const {}& {}", dialect_.stage_type(stage), kStored), "*this"});
+    }
     const auto add_input = [&](const std::string& name) { list.push_back({name, dialect_.input(name), name}); };
     const auto add_output = [&](const std::string& name) { list.push_back({name, dialect_.output(name), name}); };
     for (InputKind kind : function_.inputs) add_input(input_argument(kind, 0).name);
@@ -188,7 +180,7 @@ class BodyWriter {
     list.push_back({kResult, dialect_.number_output(kResult), kResult});
     for (const std::string& name : output_names_) {
       if (makes_stage()) {
-        list.push_back({name, scope_.made + "<Scalar>& " + name, name});
+        list.push_back({name, dialect_.stage_type(scope_.made) + "& " + name, name});
       } else {
         add_output(name);
       }
@@ -255,19 +247,11 @@ class BodyWriter {
                        [&](NodeId part) { return part == wanted || (!is_variable(part) && mentions(part, wanted)); });
   }
 
-  // One call for the sines and cosines of all joints, so that they can be evaluated together. In C they are arguments.
-  // In JavaScript they are evaluated one by one, and into arrays only if several parts need them.
+  // All sines and cosines in arrays. If they are evaluated one by one, only several parts need the arrays.
   std::string trigonometry(bool of_parts) const {
-    if (angles_.empty() || dialect_.is_c()) return "";
-    if (dialect_.is_javascript()) return of_parts ? angle_functions_in_arrays() : "";
-    const bool has_others = !scope_.angles.empty();
-    return code_line(fmt::format("Scalar {1}sine[{0}], cosine[{0}];", angle_count_name(scope_),
-                                 has_others ? "angle[" + angle_count_name(scope_) + "], " : ""),
-                     kStatementIndent) +
-           (has_others ? angles_call(scope_) : "") +
-           code_line(
-               fmt::format("sin_cos({}, Joints<{}>(), sine, cosine);", angle_array(scope_), fmt::join(angles_, ", ")),
-               kStatementIndent);
+    if (angles_.empty()) return "";
+    if (!dialect_.evaluates_sines()) return dialect_.filled_sines(angles_, scope_);
+    return of_parts ? angle_functions_in_arrays() : "";
   }
 
   std::string angle_functions_in_arrays() const {
@@ -293,9 +277,8 @@ class BodyWriter {
 
   // A sine or cosine in emitted code: "sine[2]", "Math.sin(q[2])".
   std::string angle_function(NodeId id) const {
-    if (!dialect_.is_javascript()) return given_angle_function(id).text;
-    return fmt::format("Math.{}({})", function_.graph[id].op == Op::sin ? "sin" : "cos",
-                       angle_text(angle_index(function_.graph, id, scope_), scope_));
+    const int index = angle_index(function_.graph, id, scope_);
+    return dialect_.angle_function(function_.graph[id].op == Op::sin ? "sin" : "cos", index, angle_text(index, scope_));
   }
 
   PartSource given_angle_function(NodeId id) const {
@@ -312,8 +295,9 @@ class BodyWriter {
   }
 
   std::string stage() const {
-    return makes_stage() ? code_line(fmt::format("{}<Scalar> {};", scope_.made, output_names_[0]), kStatementIndent)
-                         : "";
+    return makes_stage()
+               ? code_line(fmt::format("{} {};", dialect_.stage_type(scope_.made), output_names_[0]), kStatementIndent)
+               : "";
   }
 
   // The steps without sines and cosines.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Conversion of a Function to the statements of its function in C++, C or JavaScript.
+// Conversion of a Function to the statements of its function.
 #pragma once
 
 #include <set>
@@ -13,7 +13,7 @@ namespace flatdyn {
 
 struct FunctionBody {
   std::string text;                       // indented lines
-  std::string parts;                      // functions that it calls, in C++ for namespace detail; empty if it is short
+  std::string parts;                      // functions that it calls; empty if it is short
   std::vector<Input> inputs;              // the inputs that it reads, without those that an earlier stage has stored
   std::vector<std::string> output_names;  // the outputs' names in the text
   bool uses_sign = false, uses_sqrt = false;

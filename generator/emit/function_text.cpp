@@ -6,10 +6,8 @@
 #include <algorithm>
 
 #include "diagnostics/table.hpp"
-#include "emit/angles.hpp"
 #include "emit/arguments.hpp"
 #include "emit/function_body.hpp"
-#include "emit/writer.hpp"
 
 namespace flatdyn {
 
@@ -27,8 +25,7 @@ class FunctionWriter {
   FunctionText text(const std::string& given_name) const {
     FunctionText text;
     text.name = name_;
-    text.returns = return_type(dialect_.scalar());
-    text.parameters = parameters(kTemplate);
+    text.returns = return_type();
     text.inputs = input_arrays();
     text.outputs = output_arrays();
     text.arguments = argument_lines();
@@ -39,9 +36,7 @@ class FunctionWriter {
     text.uses_sign = body_.uses_sign;
     text.uses_sqrt = body_.uses_sqrt;
     text.uses_trigonometry = body_.uses_trigonometry();
-    if (dialect_.is_c()) in_two(text, given_name);
-    if (dialect_.is_javascript()) text.parameters = c_parameters(false, false);
-    if (is_apart()) set_apart(text);
+    dialect_.declare(text, {body_, scope_, arguments(), given_name});
     return text;
   }
 
@@ -52,103 +47,25 @@ class FunctionWriter {
     return (body_.inputs.empty() ? "" : inputs + " and ") + "what is stored";
   }
 
-  // Splits a C function in two: one takes sines and cosines as arguments; the other one computes them and calls it.
-  void in_two(FunctionText& text, const std::string& given_name) const {
-    text.declared = c_parameters(false, false);
-    text.parameters = c_parameters(false, true);
-    if (!body_.uses_trigonometry()) {
-      text.body = unread() + text.body;
-      return;
-    }
-    GivenText given{given_name, c_parameters(true, true), c_parameters(true, false), {}, angle_array(scope_),
-                    "",         unread() + text.body};
-    for (const CArgument& argument : c_arguments(true)) given.arguments.push_back(argument.name);
-    text.body = body_that_asks(given);
-    text.given = std::move(given);
-  }
-
-  struct CArgument {
-    enum class Kind { parameters, input, output } kind;
-    std::string name;
-    bool is_read;  // or written
-  };
-
-  // The arguments. With `given`, sines and cosines replace q, unless positions themselves are read, too.
-  std::vector<CArgument> c_arguments(bool given) const {
-    std::vector<CArgument> list;
+  std::vector<Argument> arguments() const {
+    std::vector<Argument> list;
     if (!scope_.parameters.empty()) {
-      list.push_back({CArgument::Kind::parameters, "parameters", reads(InputKind::parameter)});
-    }
-    if (given) {
-      list.push_back({CArgument::Kind::input, "sine", body_.takes_sines});
-      list.push_back({CArgument::Kind::input, "cosine", body_.takes_cosines});
+      list.push_back({Argument::Kind::parameters, "parameters", reads(InputKind::parameter)});
     }
     for (InputKind kind : function_.inputs) {
-      if (given && kind == InputKind::q && !body_.uses_positions) continue;
-      list.push_back({CArgument::Kind::input, input_argument(kind, 0).name, reads(kind)});
+      list.push_back({Argument::Kind::input, input_argument(kind, 0).name, reads(kind)});
     }
-    for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_); ++k) {
-      list.push_back({CArgument::Kind::output, body_.output_names[k], function_.outputs[k].is_written()});
-    }
-    return list;
-  }
-
-  std::vector<std::string> c_parameters(bool given, bool restricts) const {
-    std::vector<std::string> list;
-    for (const CArgument& argument : c_arguments(given)) {
-      list.push_back(argument.kind == CArgument::Kind::parameters ? dialect_.parameters_argument()
-                     : argument.kind == CArgument::Kind::input    ? dialect_.input(argument.name)
-                                                                  : dialect_.output(argument.name, restricts));
+    for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_) && !makes_stage(); ++k) {
+      list.push_back({Argument::Kind::output, body_.output_names[k], function_.outputs[k].is_written()});
     }
     return list;
-  }
-
-  // Statements like "(void)qd;", which silence compilers: in C every parameter has a name.
-  std::string unread() const {
-    std::string text;
-    for (const CArgument& argument : c_arguments(body_.uses_trigonometry())) {
-      if (!argument.is_read) text += code_line(fmt::format("(void){};", argument.name), kStatementIndent);
-    }
-    return text;
-  }
-
-  // The angles that are needed, as first and last index of each run of consecutive ones.
-  std::vector<std::pair<int, int>> runs_of_angles() const {
-    std::vector<std::pair<int, int>> runs;
-    for (const int angle : body_.angles) {
-      if (!runs.empty() && runs.back().second + 1 == angle) {
-        runs.back().second = angle;
-      } else {
-        runs.emplace_back(angle, angle);
-      }
-    }
-    return runs;
-  }
-
-  // The body of the function that computes sines and cosines and calls `given`; records in `given` which ones it takes.
-  std::string body_that_asks(GivenText& given) const {
-    const std::string count = angle_count_name(scope_), of = angle_array(scope_);
-    const bool has_others = !scope_.angles.empty();
-    std::string text = code_line(fmt::format("{0} {2}sine[{1}], cosine[{1}];", dialect_.scalar(), count,
-                                             has_others ? "angle[" + count + "], " : ""),
-                                 kStatementIndent);
-    if (has_others) text += angles_call(scope_);
-    for (const auto& [first, last] : runs_of_angles()) {
-      text +=
-          code_line(fmt::format("{}({}, {}, {}, sine, cosine);", dialect_.global("sines_and_cosines"), of, first, last),
-                    kStatementIndent);
-      given.joints += (given.joints.empty() ? "" : ", ") + std::to_string(first);
-      if (last > first) given.joints += ".." + std::to_string(last);
-    }
-    const char* give_back = return_type(dialect_.scalar()) == "void" ? "" : "return ";
-    return text + list_line(fmt::format("{}{}(", give_back, given.name), given.arguments, ");", kStatementIndent);
   }
 
   bool makes_stage() const { return !scope_.made.empty(); }
 
-  std::string return_type(const std::string& scalar) const {
-    if (makes_stage()) return scope_.made + "<" + scalar + ">";
-    return returns_value(function_)                ? scalar
+  std::string return_type() const {
+    if (makes_stage()) return dialect_.stage_type(scope_.made);
+    return returns_value(function_)                ? dialect_.scalar()
            : function_.validity_conditions.empty() ? "void"
                                                    : dialect_.condition_type();
   }
@@ -156,53 +73,6 @@ class FunctionWriter {
   bool reads(InputKind kind) const {
     return std::any_of(body_.inputs.begin(), body_.inputs.end(),
                        [kind](const Input& input) { return input.kind == kind; });
-  }
-
-  // A parameter. One that is not used has no name, so that compilers do not warn.
-  static std::string parameter(const std::string& type, const std::string& name, bool used) {
-    return type + " " + (used ? name : "/* " + name + " */");
-  }
-
-  // The form of C++ parameters: their types, whether unused ones have names, and whether they have defaults.
-  struct Manner {
-    std::string scalar, sin_cos;
-    bool names_all, has_default;
-  };
-  static inline const Manner kTemplate = {"Scalar", "SinCos", false, true};
-
-  std::vector<std::string> parameters(const Manner& manner) const {
-    const std::string array = manner.scalar + "*";
-    const auto is_named = [&manner](bool is_used) { return manner.names_all || is_used; };
-    std::vector<std::string> list;
-    if (!scope_.parameters.empty()) {
-      const std::string type = "const Parameters<" + manner.scalar + ">&";
-      list.push_back(parameter(type, "parameters", is_named(reads(InputKind::parameter))));
-    }
-    for (InputKind kind : function_.inputs) {
-      list.push_back(parameter("const " + array, input_argument(kind, 0).name, is_named(reads(kind))));
-    }
-    for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_) && !makes_stage(); ++k) {
-      list.push_back(parameter(array, body_.output_names[k], is_named(function_.outputs[k].is_written())));
-    }
-    if (body_.uses_trigonometry()) {
-      list.push_back("const " + manner.sin_cos + "& sin_cos" + (manner.has_default ? " = {}" : ""));
-    }
-    return list;
-  }
-
-  bool is_apart() const { return !scope_.compiled.empty(); }
-
-  // Separates declaration and definition: defaults belong to the declaration. The source of sines and cosines is the
-  // header's own.
-  void set_apart(FunctionText& text) const {
-    text.declared = parameters({"Scalar", "SinCos", true, true});
-    text.parameters = parameters({"Scalar", "SinCos", false, false});
-    if (!scope_.enclosing_stage.empty()) return;  // a stage's struct is instantiated as a whole
-    for (const std::string& scalar : scope_.compiled) {
-      text.compiled.push_back({return_type(scalar), parameters({scalar, "LibrarySinCos", true, false})});
-      if (!body_.uses_trigonometry()) continue;
-      text.compiled.push_back({return_type(scalar), parameters({scalar, "GivenSinCos<" + scalar + ">", true, false})});
-    }
   }
 
   JointCounts counts() const {

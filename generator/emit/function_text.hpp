@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Conversion of a Function to the text of one C++ function template, of one or two C functions, or of one JavaScript
-// function.
+// Conversion of a Function to its text: a function, or a function template.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "emit/function_body.hpp"
 #include "emit/header_scope.hpp"
 #include "graph/function.hpp"
 
@@ -33,6 +33,21 @@ struct Instance {
   std::vector<std::string> parameters;  // "const double* q", …
 };
 
+// An argument of a function, before a language declares it.
+struct Argument {
+  enum class Kind { parameters, input, output } kind;
+  std::string name;
+  bool is_used;  // read or written
+};
+
+// A function whose body is written and whose parameters are not.
+struct UndeclaredFunction {
+  const FunctionBody& body;
+  const HeaderScope& scope;
+  std::vector<Argument> arguments;  // in order
+  std::string given_name;           // the name of the variant that takes sines and cosines, where languages have it
+};
+
 struct FunctionText {
   std::string name;
   std::string returns;                  // "void", "bool", "Scalar"
@@ -48,12 +63,10 @@ struct FunctionText {
   std::optional<GivenText> given;       // in C, if sines or cosines are needed
   std::vector<Instance> compiled;       // for C++ in header and source: the instantiations in the source; else empty
   bool uses_sign = false, uses_sqrt = false;
-  bool uses_trigonometry = false;  // then it has a template parameter SinCos and an argument of that type
+  bool uses_trigonometry = false;  // in C++ it then has a template parameter SinCos and an argument of that type
 };
 
-inline bool is_declared_apart(const FunctionText& text) { return !text.declared.empty(); }
-
-// `given_name`: in C, the name of the variant that takes sines and cosines, if there is one.
+// `given_name`: see UndeclaredFunction.
 FunctionText function_text(const Function& function, const std::string& name, const HeaderScope& scope,
                            const std::string& given_name = "");
 

@@ -18,10 +18,7 @@ void take_constants(const Mechanism& mechanism, const Dialect& dialect, NameTabl
     }
     names.unique(dialect.count_name("position_count"));
   }
-  if (!mechanism.angles.empty()) {
-    names.unique(dialect.count_name("angle_count"));
-    if (dialect.is_c()) names.unique(dialect.global("angles"));
-  }
+  if (!mechanism.angles.empty()) names.unique(dialect.count_name("angle_count"));
 }
 
 std::vector<std::string> names_of_base(const Dialect& dialect, NameTable& names) {
@@ -53,7 +50,7 @@ GlobalNames global_names(const Mechanism& mechanism, const std::vector<Function>
   if (has_base) result.base = names_of_base(dialect, names);
   for (const Function& function : functions) {
     result.functions.push_back(names.unique(dialect.global(function.name)));
-    if (dialect.is_c()) result.given.push_back(names.unique(result.functions.back() + "_given"));
+    if (dialect.has_given_variants()) result.given.push_back(names.unique(result.functions.back() + "_given"));
   }
   for (std::size_t k = 0; k < functions.size(); ++k) {
     result.nonzero.push_back(names_of_zeros(functions[k], result.functions[k], names));

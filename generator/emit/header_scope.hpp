@@ -18,7 +18,9 @@ struct MultipleOfPosition {
 };
 
 struct HeaderScope {
-  Dialect dialect;
+  explicit HeaderScope(const Dialect& language) : dialect(language) {}
+
+  const Dialect& dialect;
   int joints = 0;                          // length of qd
   int positions = 0;                       // length of q
   std::vector<MultipleOfPosition> angles;  // angles beyond those of q whose sines and cosines are needed
@@ -29,7 +31,6 @@ struct HeaderScope {
   std::vector<std::string> stored;         // and the names of the stage's fields, by index
   std::string made;                        // for a function that makes a stage, the name of that stage,
   std::vector<std::string> fields;         // and the names of its fields
-  std::vector<std::string> compiled;       // for C++ in header and source: the scalars that the source is compiled for
 
   std::size_t angle_count() const { return static_cast<std::size_t>(positions) + angles.size(); }
 };

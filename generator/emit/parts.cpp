@@ -188,8 +188,7 @@ class Cutter {
   }
 
   void define(const std::string& function) {
-    const std::string before = body_.dialect.is_cpp() ? "template <class Scalar>\n" : "";
-    definitions_ += (definitions_.empty() ? "" : "\n") + (before + function);
+    definitions_ += (definitions_.empty() ? "" : "\n") + (body_.dialect.before_part() + function);
   }
 
   // Replaces as many calls as fit by one call of a new function.

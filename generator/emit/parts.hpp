@@ -40,7 +40,7 @@ struct LongBody {
   std::map<NodeId, PartSource> sources;
   std::vector<PartArgument> arguments;  // the arguments that parts may have, in order
   int most_lines = 0;                   // limit of lines per part, including its first line and its closing brace
-  Dialect dialect = {};
+  const Dialect& dialect;
 };
 
 struct Parts {

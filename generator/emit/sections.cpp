@@ -73,25 +73,8 @@ std::vector<std::string> function_comment(const Function& function, const Functi
   return lines;
 }
 
-std::string template_parameters(const FunctionText& text) {
-  return text.uses_trigonometry ? "class Scalar, class SinCos = LibrarySinCos" : "class Scalar";
-}
-
-std::string signature(const FunctionText& text, const std::string& stage) {
-  const std::string scope = stage.empty() ? "" : stage + "<Scalar>::";
-  const char* const begin = is_declared_apart(text) ? "" : "inline ";
-  return without_newline(list_line(fmt::format("{}{} {}{}(", begin, text.returns, scope, text.name), text.parameters,
-                                   stage.empty() ? ") noexcept {" : ") const noexcept {", 0));
-}
-
-std::string c_signature(const std::string& returns, const std::string& name, const std::vector<std::string>& parameters,
-                        const std::string& end) {
-  return without_newline(list_line(fmt::format("{} {}(", returns, name), parameters, ")" + end, 0));
-}
-
 void write_parts(kainjow::mustache::data& item, const FunctionText& text) {
   item["parts?"] = !text.parts.empty();
-  item["header_parts?"] = !text.parts.empty() && !is_declared_apart(text);
   item["part_of"] = text.name;
   item["parts"] = without_newline(text.parts);
 }

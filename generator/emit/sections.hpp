@@ -20,24 +20,13 @@ std::vector<std::string> function_comment(const Function& function, const Functi
 // The comment with the function's meaning only.
 std::vector<std::string> brief_comment(const Function& function);
 
-// The template parameters: "class Scalar", and the source of sines and cosines if the function needs any.
-std::string template_parameters(const FunctionText& text);
-
-// "inline void gravity(const Scalar* q, Scalar* g) noexcept {"; for a member of `stage`, "… Motion<Scalar>::bias(…
-// const". A function that is declared in a header and defined in a source is not inline.
-std::string signature(const FunctionText& text, const std::string& stage = "");
-
-// In C: "void panda_gravity(const double* q, double* g)", followed by `end`, " {" or ";".
-std::string c_signature(const std::string& returns, const std::string& name, const std::vector<std::string>& parameters,
-                        const std::string& end);
-
 // Fills in the parts of a long body, which come before the function.
 void write_parts(kainjow::mustache::data& item, const FunctionText& text);
 
 // Whether an output is an array of arrays, whose structural zeros are worth a constant.
 bool is_array_of_arrays(const Output& output);
 
-// An example of a call in C and C++, with the declarations of its arguments.
+// An example of a call in a language with the syntax of C, with the declarations of its arguments.
 struct ExampleCall {
   std::string function, result;                 // the exported name, and the type returned
   std::string scalar, zeros;                    // "double", and the initialiser that sets an aggregate to zero: "{0}"

@@ -41,7 +41,7 @@ StageText stage_text(const Stage& stage, const std::string& name, HeaderScope ma
   for (const Function& member : stage.members) {
     text.members.push_back({member, function_text(member, names.unique(member.name), member_scope)});
   }
-  if (!stage.fields.empty()) text.fields = list_line("Scalar ", stage.fields, ";", kStatementIndent);
+  if (!stage.fields.empty()) text.fields = list_line(make_scope.dialect.arrays(), stage.fields, ";", kStatementIndent);
   return text;
 }
 

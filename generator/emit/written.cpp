@@ -7,8 +7,8 @@
 
 namespace flatdyn {
 
-std::vector<std::string> writing_rule(const std::vector<Function>& functions, bool in_c) {
-  const std::string next = in_c ? "" : " All inputs are read before anything is written:";
+std::vector<std::string> writing_rule(const std::vector<Function>& functions, bool inputs_come_first) {
+  const std::string next = inputs_come_first ? " All inputs are read before anything is written:" : "";
   if (std::all_of(functions.begin(), functions.end(), is_whole)) {
     return {"Every entry of an output is written, zeros too." + next};
   }

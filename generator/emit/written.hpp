@@ -9,9 +9,9 @@
 
 namespace flatdyn {
 
-// Lines for the head of the header. In C and JavaScript no output overlaps an input, so the order of reading does not
-// matter.
-std::vector<std::string> writing_rule(const std::vector<Function>& functions, bool in_c);
+// Lines for the head of the header. `inputs_come_first`: whether they say that all inputs are read before anything is
+// written, which matters if an output may overlap an input.
+std::vector<std::string> writing_rule(const std::vector<Function>& functions, bool inputs_come_first);
 
 // " Written: tau[0..2], and nothing else of tau." for each output with entries left out; `outputs`: the function's
 // output arrays.

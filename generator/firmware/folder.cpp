@@ -59,7 +59,7 @@ class FolderWriter {
     page["robot"] = comment_text(mechanism_.name);
     page["version"] = std::string(FLATDYN_VERSION);
     page["name"] = header.substr(0, header.size() - 2);
-    page["prefix"] = dialect_.global("");
+    page["prefix"] = dialect_->global("");
     page["scalar"] = options_.scalar;
     page["is_float"] = options_.scalar == "float";
     page["target"] = std::string(target_.name);
@@ -90,7 +90,7 @@ class FolderWriter {
 
   std::string angle_literals(const Rational& value) const {
     const auto angles = static_cast<std::size_t>(std::max(1, mechanism_.angle_count()));
-    return fmt::format("{}", fmt::join(std::vector<std::string>(angles, dialect_.literal(value)), ", "));
+    return fmt::format("{}", fmt::join(std::vector<std::string>(angles, dialect_->literal(value)), ", "));
   }
 
   std::size_t most_entries() const {
@@ -135,7 +135,7 @@ class FolderWriter {
   std::string member(const std::string& name, const std::vector<double>& values) const {
     constexpr std::size_t kIndent = 6;
     std::vector<std::string> literals;
-    for (const double value : values) literals.push_back(dialect_.literal(Rational(value)));
+    for (const double value : values) literals.push_back(dialect_->literal(Rational(value)));
     return list_line(fmt::format(".{} = {{", name), literals, "},", kIndent);
   }
 
@@ -172,7 +172,7 @@ class FolderWriter {
     }
     const bool gives_bool = !function.validity_conditions.empty();
     const std::string begin = returns_value(function) ? "out[0] = " : gives_bool ? "return " : "";
-    const std::string name = dialect_.global(cpp_identifier(function.name));
+    const std::string name = dialect_->global(cpp_identifier(function.name));
     const std::string line = list_line(begin + name + "(", arguments, ");", kIndent);
     return without_newline(line + (gives_bool ? "" : "  return true;\n"));
   }
@@ -205,7 +205,7 @@ class FolderWriter {
   const std::vector<Function>& functions_;
   const EmitOptions& options_;
   const FirmwareTarget& target_;
-  Dialect dialect_;
+  std::unique_ptr<const Dialect> dialect_;
   TestVectors vectors_;
 };
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "diagnostics/progress.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "firmware/target.hpp"
 #include "model/robot.hpp"
 

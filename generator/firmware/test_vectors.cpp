@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "deviation/expected.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "firmware/proven_bounds.hpp"
 #include "firmware/worst_state_found.hpp"
 #include "model/angles.hpp"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "input/common/content_hash.hpp"
 #include "planning/make_functions.hpp"
 #include "symbolic/notation/number_text.hpp"

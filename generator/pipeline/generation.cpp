@@ -9,30 +9,13 @@
 namespace flatdyn {
 namespace {
 
-struct EmittedCode {
-  std::vector<GeneratedFile> files;
-  EmittedText read_back;
-};
-
-EmittedCode emit_and_read_back(const GenerationResult& result) {
+// Emits the code and reads all of its files back as one text.
+void emit_and_read_back(GenerationResult& result) {
   const Mechanism& mechanism = result.robot.mechanism;
-  const EmitOptions& form = result.form;
-  const std::vector<Function> functions = functions_of(result);
-  const std::string header = header_name(mechanism, form), source = source_name(mechanism, form);
-  if (form.language == Language::cpp && form.form == Form::pair) {
-    const HeaderAndSource text = emit_cpp_pair(mechanism, functions, form, result.stages);
-    return {{{header, text.header}, {source, text.source}}, EmittedText(text.header + text.source)};
-  }
-  if (form.language == Language::cpp) {
-    const std::string text = emit_cpp(mechanism, functions, form, result.stages);
-    return {{{header, text}}, EmittedText(text)};
-  }
-  if (form.language == Language::javascript) {
-    const std::string text = emit_javascript(mechanism, functions, form);
-    return {{{header, text}}, EmittedText::of_javascript(text)};
-  }
-  const HeaderAndSource text = emit_c(mechanism, functions, form);
-  return {{{header, text.header}, {source, text.source}}, EmittedText(text.header, text.source, form.scalar)};
+  result.files = emit_code(mechanism, functions_of(result), result.form, result.stages);
+  std::string text;
+  for (const GeneratedFile& file : result.files) text += file.text;
+  result.read_back = EmittedText(text, dialect_of(mechanism, result.form)->scalar());
 }
 
 // All functions that are written, including the members of stages.
@@ -92,12 +75,10 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   // Emit.
   progress.step("emitting and reading back");
   result.form = stamped(options, result);
-  auto [files, read_back] = emit_and_read_back(result);
-  result.files = std::move(files);
+  emit_and_read_back(result);
   check_narrowed_constants(options, result);
   // Read back: the text must mean what was proven.
-  prove_text(read_back, result.functions, result.stages);
-  result.read_back = std::move(read_back);
+  prove_text(*result.read_back, result.functions, result.stages);
   return result;
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "planning/make_functions.hpp"
 #include "readback/emitted_text.hpp"
 #include "verify/proof.hpp"
@@ -24,12 +24,6 @@ struct GenerationOptions : PipelineOptions {
   std::function<std::string(const std::vector<OptimisedFunction>&)> options_stamp;
 
   bool is_for_float() const;  // whether the code is compiled for float
-};
-
-// A file of the generated code.
-struct GeneratedFile {
-  std::string name;  // without a folder
-  std::string text;
 };
 
 // Proven code with everything known about it.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "diagnostics/diagnostics.hpp"
@@ -60,7 +61,7 @@ class ModuleWriter {
                     module_name(mechanism_, options_));
     page["hash"] = std::string(kHash);
     page["library"] = std::string("_library_") + kShortHash;
-    page["prefix"] = dialect_.global("");
+    page["prefix"] = dialect_->global("");
     page["scalar"] = options_.scalar;
     page["is_float"] = options_.scalar == "float";
     page["joints"] = std::to_string(mechanism_.size());
@@ -150,7 +151,7 @@ class ModuleWriter {
   const Mechanism& mechanism_;
   const std::vector<Function>& functions_;
   const EmitOptions& options_;
-  Dialect dialect_;
+  std::unique_ptr<const Dialect> dialect_;
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 
 namespace flatdyn {
 

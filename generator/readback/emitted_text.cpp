@@ -1,147 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "readback/emitted_text.hpp"
 
-#include <algorithm>
-
-#include "diagnostics/diagnostics.hpp"
 #include "emit/literals.hpp"
 #include "readback/scanned.hpp"
-#include "readback/token_cursor.hpp"
 
 namespace flatdyn {
-namespace {
 
-// Scans namespace scope: structs and function templates.
-class Scanner : TokenCursor {
- public:
-  using TokenCursor::TokenCursor;
-
-  Scanned run() {
-    while (!at_end()) {
-      if (is("namespace")) {
-        open_namespace();
-      } else if (is("template")) {
-        declaration();
-      } else if (is("}")) {
-        close_namespace();
-      } else {
-        skip_past(";");  // a constant
-      }
-    }
-    return std::move(found_);
-  }
-
- private:
-  void open_namespace() {
-    namespaces_.push_back(word(1));
-    skip_to("{");
-    ++at_;
-  }
-
-  void close_namespace() {
-    if (namespaces_.empty()) fail("a } too many");
-    namespaces_.pop_back();
-    ++at_;
-  }
-
-  void declaration() {
-    if (word(1) != "<") {  // an instantiation
-      skip_past(";");
-      return;
-    }
-    skip_to(">");
-    ++at_;
-    if (is("struct")) {
-      structure();
-    } else {
-      function();
-    }
-  }
-
-  // Scans a struct, whose fields are declared as "Scalar x, y;".
-  void structure() {
-    const std::string name = word(1);
-    at_ += 2;
-    const std::size_t begin = at_;
-    skip_past(";");
-    const bool is_plain = std::any_of(std::begin(kPlain), std::end(kPlain), [&](const char* of) { return name == of; });
-    if (!is_plain) return;
-    std::vector<std::string>& fields = found_.fields[name];
-    for (std::size_t k = begin; k + 2 < at_; ++k) {
-      const bool starts = tokens_[k - 1].text == "{" || tokens_[k - 1].text == ";";
-      const bool is_field = tokens_[k + 2].text == "," || tokens_[k + 2].text == ";";
-      if (!starts || tokens_[k].text != "Scalar" || !is_field) continue;
-      for (; k + 1 < at_ && tokens_[k].text != ";"; k += 2) fields.push_back(tokens_[k + 1].text);
-      --k;
-    }
-  }
-
-  void function() {
-    WrittenFunction written;
-    const bool is_part = !namespaces_.empty() && namespaces_.back() == "detail";
-    if (is("inline") || is("static")) ++at_;
-    written.returns = word();
-    while (word() != "(") {
-      if (is("::")) written.member_of = word(-4);  // Motion<Scalar>::
-      ++at_;
-    }
-    written.name = word(-1);
-    parameters(written);
-    while (word() != ";" && word() != "{") ++at_;
-    if (is(";")) {  // defined in the source
-      ++at_;
-      return;
-    }
-    written.begin = at_ + 1;
-    skip_block();
-    written.end = at_ - 1;
-    if (is_no_formula(written.name)) return;
-    if (is_part) {
-      if (!found_.parts.emplace(written.name, written).second) fail("a part made twice");
-    } else {
-      found_.functions.push_back(written);
-    }
-  }
-
-  // Scans parameters of type "const Scalar*" or "Scalar*", and references, which are handed on.
-  void parameters(WrittenFunction& written) {
-    ++at_;
-    while (!is(")")) {
-      const bool is_constant = is("const");
-      std::size_t star = 0;
-      while (word() != "," && word() != ")") {
-        if (is("*")) star = at_;
-        at_ += is("{") ? 2 : 1;  // "= {}"
-      }
-      if (star != 0) written.parameters.push_back({star + 1 < at_ ? tokens_[star + 1].text : "", !is_constant});
-      if (is(",")) ++at_;
-    }
-  }
-
-  static constexpr const char* kPlain[] = {"Parameters", "Configuration", "Motion"};
-
-  std::vector<std::string> namespaces_;
-  Scanned found_;
-};
-
-}  // namespace
-
-EmittedText::EmittedText(std::vector<Token> tokens, std::string scalar)
-    : scalar_(std::move(scalar)), tokens_(std::move(tokens)) {
-  Scanned found = is_cpp()          ? Scanner(tokens_).run()
-                  : is_javascript() ? scanned_javascript(tokens_)
-                                    : scanned_c(tokens_, scalar_);
+EmittedText::EmittedText(const std::string& text, const std::string& scalar)
+    : notation_(notation_of(scalar)), tokens_(tokens_of(text)) {
+  Scanned found = scanned(tokens_, scalar);
   functions_ = std::move(found.functions);
   parts_ = std::move(found.parts);
   fields_ = std::move(found.fields);
 }
-
-EmittedText::EmittedText(const std::string& header) : EmittedText(tokens_of(header), "Scalar") {}
-
-EmittedText::EmittedText(const std::string& header, const std::string& source, const std::string& scalar)
-    : EmittedText(tokens_of(header + source), scalar) {}
-
-EmittedText EmittedText::of_javascript(const std::string& module) { return {tokens_of(module), "number"}; }
 
 Function as_printed(const Function& function, const std::string& scalar) {
   Graph graph;

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "graph/function.hpp"
+#include "readback/notation.hpp"
 #include "readback/straight_line.hpp"
 #include "readback/tokens.hpp"
 
@@ -38,15 +39,13 @@ struct WrittenFunction {
 
 class EmittedText {
  public:
-  // A C++ header, followed by its source if there is one. Throws Failure(bug) if the emitter cannot have written the
-  // text.
-  explicit EmittedText(const std::string& header);
-  // A C header and its source, in "double" or "float".
-  EmittedText(const std::string& header, const std::string& source, const std::string& scalar);
-  static EmittedText of_javascript(const std::string& module);
+  // A header, followed by its source if there is one, or a module. `scalar`: the type of variables, which tells the
+  // language: "Scalar" in C++, "double" or "float" in C, "number" in JavaScript. Throws Failure(bug) if the emitter
+  // cannot have written the text.
+  explicit EmittedText(const std::string& text, const std::string& scalar = "Scalar");
 
   // The type to which constants are rounded: "double" or "float". C++ is printed with constants in double.
-  std::string constants() const { return is_c() ? scalar_ : "double"; }
+  const std::string& constants() const { return notation_.constants; }
 
   // The functions of the robot's namespace, in their order, members of stages included.
   const std::vector<WrittenFunction>& functions() const { return functions_; }
@@ -60,13 +59,9 @@ class EmittedText {
 
  private:
   friend class TextReader;
-  EmittedText(std::vector<Token> tokens, std::string scalar);
-  bool is_cpp() const { return scalar_ == "Scalar"; }
-  bool is_javascript() const { return scalar_ == "number"; }
-  bool is_c() const { return !is_cpp() && !is_javascript(); }
   WrittenFunction as_called(std::size_t k, const Function& like) const;
 
-  std::string scalar_;  // the type of variables; "number" in JavaScript
+  EmittedNotation notation_;
   std::vector<Token> tokens_;
   std::vector<WrittenFunction> functions_;
   std::map<std::string, WrittenFunction> parts_;            // parts that these functions call, by name

@@ -22,7 +22,14 @@ inline bool is_no_formula(const std::string& name) {
   return name.ends_with("rounding_is_as_written") || name.ends_with("close_loops");
 }
 
-// Scans a C header and its source. Throws Failure(bug) if the emitter cannot have written the text.
+// Scans text whose variables have this type, which tells its language. Throws Failure(bug) if the emitter cannot have
+// written the text; so do the following functions, one for each language.
+Scanned scanned(const std::vector<Token>& tokens, const std::string& scalar);
+
+// Scans a C++ header, followed by its source if there is one.
+Scanned scanned_cpp(const std::vector<Token>& tokens);
+
+// Scans a C header and its source.
 Scanned scanned_c(const std::vector<Token>& tokens, const std::string& scalar);
 
 // Scans a JavaScript module. It does not tell which parameters are outputs, nor what a function returns.

@@ -26,7 +26,8 @@ const std::map<std::string, InputKind>& input_kinds() {
 
 class TextReader {
  public:
-  TextReader(const EmittedText& text, const WrittenFunction& written) : text_(text), written_(written) {
+  TextReader(const EmittedText& text, const WrittenFunction& written)
+      : text_(text), notation_(text.notation_), written_(written) {
     for (const WrittenFunction::Parameter& parameter : written.parameters) {
       if (!parameter.is_output) inputs_.push_back(parameter.name);
     }
@@ -101,18 +102,18 @@ class TextReader {
     if (is("const") && word(3) == "new") {
       skip_past(";");  // arrays in JavaScript
     } else if (accept("const")) {
-      if (!text_.is_javascript()) expect(text_.scalar_.c_str());
+      if (notation_.names_types) expect(notation_.scalar.c_str());
       definitions();
-    } else if (word() == text_.scalar_ || word(1) == "<" || is("(") || is("static_assert")) {
+    } else if (word() == notation_.scalar || word(1) == "<" || is("(") || is("static_assert")) {
       skip_past(";");  // arrays, an empty stage, "(void)qd;", and compile-time checks
     } else if (accept("sin_cos")) {
       sines_and_cosines();
-    } else if (text_.is_c() && ends_with(word(), "_sines_and_cosines")) {
+    } else if (notation_.has_c_functions && ends_with(word(), "_sines_and_cosines")) {
       sines_and_cosines_in_c();
-    } else if (accept(text_.is_javascript() ? "let" : "bool")) {
+    } else if (accept(notation_.condition)) {
       positivity("=");
-    } else if (is("positive") && word(1) == and_also()) {
-      positivity(and_also());
+    } else if (is("positive") && word(1) == notation_.and_also) {
+      positivity(notation_.and_also);
     } else if (accept("for")) {
       all_pivots();
     } else if (accept("return")) {
@@ -180,12 +181,10 @@ class TextReader {
     for (int k = first; k <= last; ++k) ask_for_sine(angles, k);
   }
 
-  const char* and_also() const { return text_.is_javascript() ? "&&=" : "&="; }
-
   // Reads "> Scalar(0.0)" or "> 0.0f".
   void above_zero() {
     expect(">");
-    if (!text_.is_cpp()) {
+    if (!notation_.wraps_literals) {
       if (lines_[plain_literal()].value != 0) fail("zero expected");
     } else {
       for (const char* text : {"Scalar", "(", "0.0", ")"}) expect(text);
@@ -206,10 +205,10 @@ class TextReader {
   // Reads for (const Scalar& pivot : pivots) positive &= pivot > Scalar(0.0); or for (int k = 0; k < 7; ++k) { positive
   // &= pivots[k] > 0.0f; }
   void all_pivots() {
-    if (!text_.is_cpp()) {
-      for (const char* text : {"(", text_.is_c() ? "int" : "let", "k", "=", "0", ";", "k", "<"}) expect(text);
+    if (notation_.counts_pivots) {
+      for (const char* text : {"(", notation_.counter, "k", "=", "0", ";", "k", "<"}) expect(text);
       if (index() != static_cast<int>(arrays_["pivots"].size())) fail("another number of pivots");
-      for (const char* text : {";", "+", "+", "k", ")", "{", "positive", and_also(), "pivots", "[", "k", "]"}) {
+      for (const char* text : {";", "+", "+", "k", ")", "{", "positive", notation_.and_also, "pivots", "[", "k", "]"}) {
         expect(text);
       }
     } else {
@@ -219,7 +218,7 @@ class TextReader {
     }
     above_zero();
     expect(";");
-    if (!text_.is_cpp()) expect("}");
+    if (notation_.counts_pivots) expect("}");
     for (const auto& [index, pivot] : arrays_["pivots"]) lines_.validity_conditions.push_back(pivot);
   }
 
@@ -229,7 +228,7 @@ class TextReader {
       call();
       return;
     }
-    if (written_.returns == text_.scalar_) {
+    if (written_.returns == notation_.scalar) {
       const bool is_array = arrays_.count(word()) != 0 && word(1) == ";";
       arrays_[kReturned][0] = is_array ? written_entry(take(), 0) : sum();
     } else if (written_.returns != "bool") {
@@ -245,7 +244,7 @@ class TextReader {
     if (accept("detail")) expect("::");
     const auto part = text_.parts_.find(take());
     if (part == text_.parts_.end()) fail("a call of what is no part");
-    if (!text_.is_cpp()) {
+    if (notation_.passes_by_name) {
       arguments_of(part->second);
     } else {
       skip_past(";");
@@ -344,13 +343,13 @@ class TextReader {
   int factor() {
     if (accept("(")) return in_brackets();
     if (accept("Scalar")) return literal();
-    if (!text_.is_cpp() && begins_with_digit(word())) return plain_literal();
-    if (text_.is_javascript() && accept("Math")) return library_call();
-    if (text_.is_c() && ends_with(word(), "_sign") && word(1) == "(") {
+    if (!notation_.wraps_literals && begins_with_digit(word())) return plain_literal();
+    if (notation_.has_math_object && accept("Math")) return library_call();
+    if (notation_.has_c_functions && ends_with(word(), "_sign") && word(1) == "(") {
       at_ += 2;
       return lines_.sign(in_brackets());
     }
-    if (text_.is_c() && (is("sqrt") || is("sqrtf")) && word(1) == "(") {
+    if (notation_.has_c_functions && (is("sqrt") || is("sqrtf")) && word(1) == "(") {
       at_ += 2;
       return lines_.sqrt(in_brackets());
     }
@@ -403,7 +402,7 @@ class TextReader {
   // Reads a literal of C or JavaScript, 0.0825 in double or 0.0825f in float, rounded only once, in its own type.
   int plain_literal() {
     const std::string text = take();
-    const bool is_float = text_.scalar_ == "float";
+    const bool is_float = notation_.scalar == "float";
     const char* const last = text.data() + text.size() - (is_float ? 1 : 0);
     double value = 0;
     float narrow = 0;
@@ -420,7 +419,7 @@ class TextReader {
       expect("]");
       return entry_of(name, entry);
     }
-    const bool is_pointed_at = text_.is_c() && is("-") && word(1) == ">";
+    const bool is_pointed_at = notation_.has_c_functions && is("-") && word(1) == ">";
     if (is_pointed_at) at_ += 1;
     if (accept(is_pointed_at ? ">" : ".")) {
       const std::string member = take();
@@ -451,6 +450,7 @@ class TextReader {
   static constexpr int kPosition = -1;  // stands for an angle that is an entry of q
 
   const EmittedText& text_;
+  const EmittedNotation& notation_;
   const WrittenFunction& written_;
   std::vector<std::string> inputs_;
   StraightLine lines_;
@@ -464,10 +464,10 @@ class TextReader {
 // The function with the types of its parameters, which in JavaScript follow from their order.
 WrittenFunction EmittedText::as_called(std::size_t k, const Function& like) const {
   WrittenFunction written = functions_.at(k);
-  if (!is_javascript()) return written;
+  if (notation_.names_types) return written;
   const bool has_symbols = !written.parameters.empty() && written.parameters.front().name == "parameters";
   const bool returns = written.parameters.size() == like.inputs.size() + (has_symbols ? 1 : 0);
-  written.returns = returns ? scalar_ : like.validity_conditions.empty() ? "void" : "bool";
+  written.returns = returns ? notation_.scalar : like.validity_conditions.empty() ? "void" : "bool";
   const std::size_t outputs = returns ? 0 : like.outputs.size();
   for (std::size_t p = written.parameters.size() - std::min(outputs, written.parameters.size());
        p < written.parameters.size(); ++p) {

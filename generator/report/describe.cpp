@@ -8,6 +8,7 @@
 
 #include "diagnostics/table.hpp"
 #include "emit/arguments.hpp"
+#include "emit/languages/cpp_dialect.hpp"
 #include "report/number_json.hpp"
 #include "report/scene_report.hpp"
 #include "symbolic/notation/coupled_text.hpp"
@@ -350,7 +351,7 @@ nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& func
     nlohmann::ordered_json item = count_json(each.function.name, count_operations(each.function));
     item["operations_as_derived"] = count_operations(each.derived).arithmetic();
     item["structural_zeros"] = structural_zeros(each.function);
-    item["reads"] = list_of_inputs(inputs_read(each.function), symbols);
+    item["reads"] = list_of_inputs(inputs_read(each.function), symbols, CppDialect());
     if (each.search) item["search"] = search_json(*each.search);
     json.push_back(item);
   }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "functions/function_table.hpp"
 #include "passes/passes.hpp"
 #include "planning/formulations.hpp"

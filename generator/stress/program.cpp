@@ -8,7 +8,7 @@
 #include "bench/calls.hpp"
 #include "bench/toolchain.hpp"
 #include "emit/arguments.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "emit/page.hpp"
 #include "system/process.hpp"
 #include "templates.hpp"

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "emit/arguments.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "model/identifiers.hpp"
 #include "system/process.hpp"
 #include "system/shared_library.hpp"

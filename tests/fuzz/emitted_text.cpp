@@ -39,8 +39,8 @@ void read_text_bytes(std::string_view bytes) {
   };
   const std::string text(bytes);
   read([&] { return EmittedText(text); });
-  read([&] { return EmittedText(std::string(), text, "double"); });
-  read([&] { return EmittedText::of_javascript(text); });
+  read([&] { return EmittedText(text, "double"); });
+  read([&] { return EmittedText(text, "number"); });
 }
 
 }  // namespace flatdyn::testing

@@ -10,7 +10,7 @@
 #include <cstdlib>
 
 #include "emit/arguments.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "golden/golden.hpp"
 #include "model/identifiers.hpp"
 #include "planning/make_functions.hpp"

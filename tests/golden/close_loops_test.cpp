@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "golden/golden.hpp"
 #include "support/robot_models.hpp"
 #include "system/temporary_folder.hpp"

@@ -9,7 +9,7 @@
 
 #include "deviation/expected.hpp"
 #include "emit/arguments.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "golden/golden.hpp"
 #include "planning/make_functions.hpp"
 #include "reference/graph_evaluator.hpp"

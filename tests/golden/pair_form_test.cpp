@@ -9,7 +9,7 @@
 #include <cstdlib>
 
 #include "emit/arguments.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "emit/writer.hpp"
 #include "golden/golden.hpp"
 #include "model/identifiers.hpp"

@@ -15,7 +15,7 @@ Function without_a_term(const Function& function) {
   if (function.name != "gravity") return function;
   for (NodeId id = function.graph.size() - 1; id >= 0; --id) {
     if (function.graph[id].op == Op::sum && function.graph[id].terms.size() > 1) {
-      return testing::mutant(function, id, testing::Mutation::drop_term);
+      return testing::mutant(function, id, testing::MutantKind::drop_term);
     }
   }
   return function;

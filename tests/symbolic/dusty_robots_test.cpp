@@ -7,7 +7,7 @@
 #include <regex>
 #include <sstream>
 
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "graph/count.hpp"
 #include "planning/make_functions.hpp"
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "definition/sampled_base.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "flatdyn/reference/newton_euler.hpp"
 #include "functions/exact_proof.hpp"
 #include "functions/function_table.hpp"

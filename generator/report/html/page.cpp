@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <kainjow/mustache.hpp>
 
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "emit/page.hpp"
 #include "emit/writer.hpp"
 #include "report/describe.hpp"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnostics/diagnostics.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "load/load_robot.hpp"
 #include "passes/passes.hpp"
 #include "readback/emitted_text.hpp"

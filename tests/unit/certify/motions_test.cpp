@@ -9,7 +9,7 @@
 
 #include "certify/error_terms.hpp"
 #include "certify/model_constants.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "load/load_robot.hpp"
 #include "passes/passes.hpp"
 #include "readback/emitted_text.hpp"

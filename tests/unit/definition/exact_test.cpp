@@ -127,20 +127,21 @@ TEST(ProveExactly, CatchesEveryMutant) {
        {"inverse_dynamics", "inertia_matrix", "christoffel", "forward_dynamics", "jacobian_dot_qd"}) {
     const Function function = derive_function(mechanism, name);
     const std::vector<bool> alive = reachable_from(function.graph, roots(function));
-    ASSERT_TRUE(prove_equal(function, testing::mutant(function, -1, testing::Mutation::drop_term), quick).equal);
+    ASSERT_TRUE(prove_equal(function, testing::mutant(function, -1, testing::MutantKind::drop_term), quick).equal);
     for (NodeId id = 0; id < function.graph.size(); ++id) {
       if (!alive[static_cast<std::size_t>(id)]) continue;
       const Op op = function.graph[id].op;
-      std::vector<testing::Mutation> mutations;
-      if (op == Op::sum) mutations = {testing::Mutation::flip_sign, testing::Mutation::drop_term};
-      if (op == Op::sin || op == Op::cos) mutations = {testing::Mutation::swap_trigonometry};
-      for (const testing::Mutation mutation : mutations) {
+      std::vector<testing::MutantKind> mutations;
+      if (op == Op::sum) mutations = {testing::MutantKind::flip_sign, testing::MutantKind::drop_term};
+      if (op == Op::sin || op == Op::cos) mutations = {testing::MutantKind::swap_trigonometry};
+      for (const testing::MutantKind mutation : mutations) {
         const Function wrong = testing::mutant(function, id, mutation);
         EXPECT_FALSE(prove_equal(function, wrong, quick).equal) << name << " node " << id;
         ++mutants;
       }
       if (op == Op::sum && id % 5 == 0) {
-        EXPECT_FALSE(prove_exactly(mechanism, testing::mutant(function, id, testing::Mutation::drop_term), quick).equal)
+        EXPECT_FALSE(
+            prove_exactly(mechanism, testing::mutant(function, id, testing::MutantKind::drop_term), quick).equal)
             << name << " node " << id;
       }
     }

@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "diagnostics/diagnostics.hpp"
-#include "emit/emit.hpp"
 #include "emit/expression.hpp"
+#include "emit/languages/c_dialect.hpp"
+#include "emit/languages/cpp_dialect.hpp"
+#include "emit/languages/emit.hpp"
+#include "emit/languages/lanes_dialect.hpp"
 #include "unit/emit/hand_made.hpp"
 
 namespace flatdyn {
@@ -16,40 +19,40 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 TEST(Dialect, WritesLiterals) {
-  EXPECT_EQ(Dialect().literal(Rational(-1, 4)), "Scalar(-0.25)");
-  EXPECT_EQ(Dialect::c("double", "arm").literal(Rational(-1, 4)), "-0.25");
-  EXPECT_EQ(Dialect::c("float", "arm").literal(Rational(2)), "2.0f");
-  EXPECT_EQ(Dialect::c("float", "arm").infinity(true), "-HUGE_VALF");
+  EXPECT_EQ(CppDialect().literal(Rational(-1, 4)), "Scalar(-0.25)");
+  EXPECT_EQ(CDialect("double", "arm").literal(Rational(-1, 4)), "-0.25");
+  EXPECT_EQ(CDialect("float", "arm").literal(Rational(2)), "2.0f");
+  EXPECT_EQ(CDialect("float", "arm").infinity(true), "-HUGE_VALF");
 }
 
 // A literal rounds like a cast from double: one tenth in float, with as many digits as distinguish it from its
 // neighbours.
 TEST(Dialect, RoundsToFloatByWayOfDouble) {
-  EXPECT_EQ(Dialect::c("float", "arm").literal(Rational(1, 10)), "0.1f");
+  EXPECT_EQ(CDialect("float", "arm").literal(Rational(1, 10)), "0.1f");
   // A number slightly above the middle of two floats whose nearest double is that middle: half to even.
   const Rational middle = 1 + Rational(1, 1 << 24);
   const Rational above = middle + Rational(1, boost::multiprecision::mpz_int(1) << 80);
-  EXPECT_EQ(Dialect::c("float", "arm").literal(above), "1.0f");
-  EXPECT_THROW(Dialect::c("float", "arm").literal(Rational(boost::multiprecision::mpz_int(1) << 128)), Failure);
+  EXPECT_EQ(CDialect("float", "arm").literal(above), "1.0f");
+  EXPECT_THROW(CDialect("float", "arm").literal(Rational(boost::multiprecision::mpz_int(1) << 128)), Failure);
 }
 
 TEST(Dialect, MakesPrefixesOfNamespaces) {
-  EXPECT_EQ(Dialect::c("double", "acme::arm").global("gravity"), "acme_arm_gravity");
-  EXPECT_EQ(Dialect::c("double", "class_").global("gravity"), "class_gravity");
-  EXPECT_EQ(Dialect::c("double", "acme::arm").count_name("joint_count"), "ACME_ARM_JOINT_COUNT");
-  EXPECT_EQ(Dialect().global("gravity"), "gravity");
+  EXPECT_EQ(CDialect("double", "acme::arm").global("gravity"), "acme_arm_gravity");
+  EXPECT_EQ(CDialect("double", "class_").global("gravity"), "class_gravity");
+  EXPECT_EQ(CDialect("double", "acme::arm").count_name("joint_count"), "ACME_ARM_JOINT_COUNT");
+  EXPECT_EQ(CppDialect().global("gravity"), "gravity");
 }
 
 TEST(Dialect, TakesSquareRootsFromTheLibrary) {
-  EXPECT_EQ(Dialect().sqrt("x"), "detail::sqrt(x)");
-  EXPECT_EQ(Dialect::c("double", "arm").sqrt("x"), "sqrt(x)");
-  EXPECT_EQ(Dialect::c("float", "arm").sqrt("x"), "sqrtf(x)");
-  EXPECT_EQ(Dialect::javascript().sqrt("x"), "Math.sqrt(x)");
+  EXPECT_EQ(CppDialect().sqrt("x"), "detail::sqrt(x)");
+  EXPECT_EQ(CDialect("double", "arm").sqrt("x"), "sqrt(x)");
+  EXPECT_EQ(CDialect("float", "arm").sqrt("x"), "sqrtf(x)");
+  EXPECT_EQ(JavascriptDialect().sqrt("x"), "Math.sqrt(x)");
 }
 
 // Vectors of GNU C: every scalar constant must be spread over lanes.
 TEST(Dialect, SpreadsNumbersOverLanes) {
-  const Dialect lanes = Dialect::c_lanes("float", "arm");
+  const LanesDialect lanes("float", "arm");
   EXPECT_EQ(lanes.scalar(), "arm_lanes");
   EXPECT_EQ(lanes.number(), "float");
   EXPECT_EQ(lanes.literal(Rational(-1, 4)), "arm_lanes_all(-0.25f)");
@@ -57,7 +60,7 @@ TEST(Dialect, SpreadsNumbersOverLanes) {
   EXPECT_EQ(lanes.parameters_argument(), "const arm_parameters* parameters");
   EXPECT_EQ(lanes.sqrt("x"), "arm_lanes_sqrt(x)");
   EXPECT_EQ(lanes.conditions_begin() + lanes.always(), "arm_lanes_mask positive = ~(arm_lanes_mask){0}");
-  EXPECT_EQ(Dialect::c("float", "arm").conditions_begin() + Dialect().always(), "bool positive = true");
+  EXPECT_EQ(CDialect("float", "arm").conditions_begin() + CppDialect().always(), "bool positive = true");
 }
 
 TEST(Dialect, WritesExpressionsOfTheSameShape) {
@@ -66,8 +69,7 @@ TEST(Dialect, WritesExpressionsOfTheSameShape) {
   const NodeId a = b.q(0), scaled = b.scaled("-1/2", a);
   VariableNames all(static_cast<std::size_t>(b.graph.size()));
   all[static_cast<std::size_t>(a)] = "a";
-  const ExpressionPrinter printer(b.graph, all, Dialect::c("float", "arm"));
-  EXPECT_EQ(printer.definition(scaled), "-0.5f * a");
+  EXPECT_EQ(ExpressionPrinter(b.graph, all, CDialect("float", "arm")).definition(scaled), "-0.5f * a");
 }
 
 // A C compiler reads "- -0.5f" correctly, but people should not have to.
@@ -77,7 +79,7 @@ TEST(Dialect, NegativeConstantsNeverMeetASign) {
   VariableNames all(static_cast<std::size_t>(b.graph.size()));
   all[static_cast<std::size_t>(a)] = "a";
   all[static_cast<std::size_t>(b.q(1))] = "b";
-  const std::string text = ExpressionPrinter(b.graph, all, Dialect::c("double", "arm")).definition(product);
+  const std::string text = ExpressionPrinter(b.graph, all, CDialect("double", "arm")).definition(product);
   EXPECT_THAT(text, Not(HasSubstr("* -")));
   EXPECT_THAT(text, HasSubstr("0.5"));
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "emit/languages/cpp_dialect.hpp"
 #include "unit/emit/hand_made.hpp"
 
 namespace flatdyn {
@@ -16,7 +17,7 @@ class Expressions : public ::testing::Test {
     names[static_cast<std::size_t>(a)] = "a";
     names[static_cast<std::size_t>(b)] = "b";
     names[static_cast<std::size_t>(c)] = "c";
-    return ExpressionPrinter(build.graph, names).definition(id);
+    return ExpressionPrinter(build.graph, names, CppDialect()).definition(id);
   }
   NodeId negative(NodeId id) { return build.scaled("-1", id); }
 

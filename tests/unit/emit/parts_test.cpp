@@ -7,7 +7,8 @@
 
 #include <sstream>
 
-#include "emit/emit.hpp"
+#include "emit/languages/cpp_dialect.hpp"
+#include "emit/languages/emit.hpp"
 #include "planning/make_functions.hpp"
 #include "support/robot_models.hpp"
 #include "unit/emit/compiled.hpp"
@@ -131,7 +132,8 @@ TEST(Parts, UsePlacesAgain) {
   constexpr int kSteps = 100;
   VariableNames names;
   for (int k = 0; k < kSteps; ++k) names.push_back("x_" + std::to_string(k));
-  const LongBody body{"f", chain_of_steps(kSteps), names, {}, {{"kept", "Scalar* kept", "kept"}}, 10};
+  const CppDialect cpp;
+  const LongBody body{"f", chain_of_steps(kSteps), names, {}, {{"kept", "Scalar* kept", "kept"}}, 10, cpp};
   const Parts parts = in_parts(body, 100);
   EXPECT_EQ(parts.kept, 1);
   EXPECT_GT(parts.calls.size(), 10u);
@@ -141,7 +143,8 @@ TEST(Parts, AreCalledByGroups) {
   constexpr int kSteps = 400;
   VariableNames names;
   for (int k = 0; k < kSteps; ++k) names.push_back("x_" + std::to_string(k));
-  const LongBody body{"f", chain_of_steps(kSteps), names, {}, {{"kept", "Scalar* kept", "kept"}}, 10};
+  const CppDialect cpp;
+  const LongBody body{"f", chain_of_steps(kSteps), names, {}, {{"kept", "Scalar* kept", "kept"}}, 10, cpp};
   const Parts parts = in_parts(body, 4);
   EXPECT_LE(parts.calls.size(), 4u);
   EXPECT_THAT(parts.definitions, HasSubstr("void f_parts_1_to_3(Scalar* kept) noexcept {\n  f_part_1(kept);\n"));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "emit/function_text.hpp"
+#include "emit/languages/cpp_dialect.hpp"
 #include "unit/emit/hand_made.hpp"
 
 namespace flatdyn {
@@ -19,7 +20,10 @@ class Schedules : public ::testing::Test {
     function.graph = build.graph;
     const int rows = static_cast<int>(entries.size());
     function.outputs = {{"y", Layout::vector, rows, 1, std::move(entries), ""}};
-    return function_text(function, "f", {}).body;
+    const CppDialect dialect;
+    HeaderScope scope(dialect);
+    scope.joints = scope.positions = 9;
+    return function_text(function, "f", scope).body;
   }
 
   testing::Builder build;

@@ -10,7 +10,7 @@
 
 #include "certify/certificate.hpp"
 #include "deviation/expected.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "planning/make_functions.hpp"
 #include "readback/emitted_text.hpp"
 #include "readback/straight_line_values.hpp"

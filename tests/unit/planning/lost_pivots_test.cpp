@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "definition/pivot_share.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "model/states.hpp"
 #include "planning/make_functions.hpp"
 #include "support/written_model.hpp"
@@ -131,12 +131,12 @@ TEST(LostPivots, AreCheckedInEveryForm) {
   prove_text(header, made, std::nullopt);
   options.most_lines = 60;
   prove_text(emit_cpp(model.mechanism, functions, options), made, std::nullopt);
-  prove_text(EmittedText::of_javascript(emit_javascript(model.mechanism, functions, options)), made, std::nullopt);
+  prove_text(EmittedText(emit_javascript(model.mechanism, functions, options), "number"), made, std::nullopt);
   for (const char* scalar : {"double", "float"}) {
     options.scalar = scalar;
     options.language = Language::c;
     const HeaderAndSource c = emit_c(model.mechanism, functions, options);
-    prove_text(EmittedText(c.header, c.source, scalar), made, std::nullopt);
+    prove_text(EmittedText(c.header + c.source, scalar), made, std::nullopt);
   }
 }
 

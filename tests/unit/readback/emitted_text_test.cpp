@@ -10,7 +10,7 @@
 #include <random>
 
 #include "diagnostics/diagnostics.hpp"
-#include "emit/emit.hpp"
+#include "emit/languages/emit.hpp"
 #include "emit/writer.hpp"
 #include "support/robot_models.hpp"
 #include "verify/proof.hpp"
@@ -143,11 +143,11 @@ class PrintedOnce {
   }
 
   void prove_javascript(const std::string& module) const {
-    prove_text(EmittedText::of_javascript(module), functions_, std::nullopt);
+    prove_text(EmittedText(module, "number"), functions_, std::nullopt);
   }
 
   void prove(const HeaderAndSource& text, const std::string& source, const std::string& scalar) const {
-    prove_text(EmittedText(text.header, source, scalar), functions_, std::nullopt);
+    prove_text(EmittedText(text.header + source, scalar), functions_, std::nullopt);
   }
 
  private:

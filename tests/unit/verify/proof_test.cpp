@@ -15,14 +15,14 @@
 namespace flatdyn {
 namespace {
 
-using testing::Mutation;
+using testing::MutantKind;
 
-std::vector<Mutation> mutations_of(const Node& node) {
-  if (node.op == Op::sum && node.terms.size() > 1) return {Mutation::flip_sign, Mutation::drop_term};
-  if (node.op == Op::sin || node.op == Op::cos) return {Mutation::swap_trigonometry};
-  if (node.op == Op::input) return {Mutation::wrong_index};
+std::vector<MutantKind> mutations_of(const Node& node) {
+  if (node.op == Op::sum && node.terms.size() > 1) return {MutantKind::flip_sign, MutantKind::drop_term};
+  if (node.op == Op::sin || node.op == Op::cos) return {MutantKind::swap_trigonometry};
+  if (node.op == Op::input) return {MutantKind::wrong_index};
   const bool is_square = node.op == Op::product && node.operands.front() == node.operands.back();
-  if (node.op == Op::product && !is_square) return {Mutation::wrong_operand};
+  if (node.op == Op::product && !is_square) return {MutantKind::wrong_operand};
   return {};
 }
 
@@ -31,7 +31,7 @@ Function with_mistake(const Function& function, std::mt19937& engine) {
   const std::vector<bool> alive = reachable_from(function.graph, roots(function));
   for (;;) {
     const NodeId victim = static_cast<NodeId>(engine() % static_cast<unsigned>(function.graph.size()));
-    const std::vector<Mutation> mutations = mutations_of(function.graph[victim]);
+    const std::vector<MutantKind> mutations = mutations_of(function.graph[victim]);
     if (!alive[static_cast<std::size_t>(victim)] || mutations.empty()) continue;
     return testing::mutant(function, victim, mutations[engine() % mutations.size()]);
   }

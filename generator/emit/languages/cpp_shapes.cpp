@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "emit/shape_section.hpp"
+#include "emit/languages/cpp_shapes.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "emit/emit.hpp"
+#include "emit/emit_options.hpp"
 #include "emit/function_text.hpp"
 #include "emit/stage_text.hpp"
 
@@ -19,10 +19,6 @@ std::vector<std::string> compiled_scalars(const EmitOptions& options);
 // Fills in the names of both files, and the header's text about what is compiled.
 void write_pair(kainjow::mustache::data& page, const std::string& header, const std::string& source,
                 const std::vector<std::string>& scalars);
-
-// Fills in the header's declaration, "void gravity(const Scalar* q, Scalar* g) noexcept;", and the template parameters
-// of the definition.
-void write_declaration(kainjow::mustache::data& item, const FunctionText& text);
 
 // Explicit instantiations: "template void gravity(const double* q, double* g);" for the source, and the same with
 // "extern" for the header. Adding a function adds to both.

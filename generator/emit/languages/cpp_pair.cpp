@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "emit/pair_section.hpp"
+#include "emit/languages/cpp_pair.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -38,12 +38,6 @@ void write_pair(kainjow::mustache::data& page, const std::string& header, const 
       "plain arrays:",
       comment_text(source), fmt::join(scalars, " and "));
   page["compiled"] = fmt::format("// {}", fmt::join(wrapped_words(text, kCommentWidth), "\n// "));
-}
-
-void write_declaration(kainjow::mustache::data& item, const FunctionText& text) {
-  item["source_parameters"] = std::string(text.uses_trigonometry ? "class Scalar, class SinCos" : "class Scalar");
-  item["declaration"] =
-      without_newline(list_line(fmt::format("{} {}(", text.returns, text.name), text.declared, ") noexcept;", 0));
 }
 
 namespace {

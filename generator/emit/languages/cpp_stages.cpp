@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "emit/stage_section.hpp"
+#include "emit/languages/cpp_stages.hpp"
 
 #include <fmt/format.h>
 
+#include "emit/languages/cpp_function.hpp"
 #include "emit/page.hpp"
-#include "emit/pair_section.hpp"
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
 
@@ -77,16 +77,14 @@ data struct_of(const std::vector<StageText>& stages, std::size_t k) {
 data definition(const FunctionText& text, const std::vector<std::string>& comment, const std::string& stage) {
   data item;
   write_parts(item, text);
+  write_template(item, text, stage);
   // If declarations are separate, a member is declared in its struct.
   const bool is_in_header = !is_declared_apart(text) || stage.empty();
   item["in_header?"] = is_in_header;
   item["comment"] = list_of(comment);
   item["header_comment"] = list_of(is_in_header ? comment : std::vector<std::string>{});
-  item["header_parameters"] = template_parameters(text);
-  item["signature"] = signature(text, stage);
   item["asks_scalar?"] = stage.empty();  // a member's scalar is checked when its stage is made
   item["body"] = without_newline(text.body);
-  write_declaration(item, text);
   return item;
 }
 

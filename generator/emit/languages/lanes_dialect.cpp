@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "emit/batch_section.hpp"
+#include "emit/languages/lanes_dialect.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "emit/arguments.hpp"
+#include "emit/page.hpp"
 #include "emit/sections.hpp"
+#include "emit/text_hash.hpp"
 #include "emit/writer.hpp"
+#include "templates.hpp"
 
 namespace flatdyn {
 
@@ -20,7 +23,7 @@ constexpr std::size_t kInFunction = 2, kInLoop = 4;
 // A function that computes many states in one call.
 class BatchFunction {
  public:
-  BatchFunction(const Function& function, const FunctionText& text, const Dialect& dialect)
+  BatchFunction(const Function& function, const FunctionText& text, const LanesDialect& dialect)
       : function_(function),
         text_(text),
         dialect_(dialect),
@@ -105,28 +108,50 @@ class BatchFunction {
 
   const Function& function_;
   const FunctionText& text_;
-  const Dialect& dialect_;
+  const LanesDialect& dialect_;
   bool has_parameters_;
   std::vector<ArrayArgument> results_;
 };
 
 }  // namespace
 
-void write_batch_names(data& page, const std::vector<Function>& functions, const Dialect& dialect) {
-  page["lanes"] = dialect.scalar();
-  page["mask"] = dialect.condition_type();
-  page["number"] = dialect.number();
-  const bool is_float = dialect.number() == "float";
+LanesDialect::LanesDialect(const std::string& number, const std::string& name_space)
+    : CDialect(number, name_space, {"lanes_", CDialect(number, name_space).exported("lanes")}) {}
+
+std::string LanesDialect::spread(const std::string& value) const { return global("all(") + value + ")"; }
+
+std::string LanesDialect::literal(const Rational& value) const { return spread(CDialect::literal(value)); }
+
+std::string LanesDialect::sqrt(const std::string& of) const { return global("sqrt(") + of + ")"; }
+
+std::string LanesDialect::parameter(const std::string& member) const { return spread(CDialect::parameter(member)); }
+
+std::string LanesDialect::condition_type() const { return global("mask"); }
+
+std::string LanesDialect::always() const { return "~(" + condition_type() + "){0}"; }
+
+std::vector<FileTemplate> LanesDialect::files() const { return {{"_batch.c", templates::batch_c}}; }
+
+void LanesDialect::write_function(data& item, const Function& function, const FunctionText& text) const {
+  CDialect::write_function(item, function, text);
+  item["batch"] = without_newline(BatchFunction(function, text, *this).definition());
+}
+
+void LanesDialect::write_page(data& page, const CodeContent& content) const {
+  CDialect::write_page(page, content);
+  page["prefix"] = exported("");
+  page["lanes"] = scalar();
+  page["mask"] = condition_type();
+  page["number"] = number();
+  const bool is_float = number() == "float";
   page["is_float"] = is_float;
   page["integer"] = std::string(is_float ? "int" : "long long");
   page["first_halves"] = std::string(is_float ? "0, 4, 1, 5" : "0, 2");
   page["second_halves"] = std::string(is_float ? "2, 6, 3, 7" : "1, 3");
-  page["checks?"] = std::any_of(functions.begin(), functions.end(),
+  page["checks?"] = std::any_of(content.functions.begin(), content.functions.end(),
                                 [](const Function& function) { return !function.validity_conditions.empty(); });
-}
-
-void write_batch_function(data& item, const Function& function, const FunctionText& text, const Dialect& dialect) {
-  item["batch"] = without_newline(BatchFunction(function, text, dialect).definition());
+  page["hash"] = std::string(kHash);
+  page["sines"] = without_newline(rendered(templates::batch_sines_c, page));
 }
 
 }  // namespace flatdyn

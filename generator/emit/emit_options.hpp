@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The options of emitted code.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace flatdyn {
+
+enum class Language { cpp, c, javascript };
+
+// The form of C++: all in one header, or declarations in a header and definitions in a source that is compiled once.
+enum class Form { header, pair };
+
+struct EmitOptions {
+  std::string name_space;         // empty: from the robot's name
+  std::string scalar = "double";  // default of the template parameter: "double" or "float"
+  std::string options_stamp;      // the options that affect the output, for the stamp
+  std::string input_hash;         // hash of the robot file's content (and of files that it includes)
+  std::string scene_stamp;        // the content of the scene file
+  std::string scene_facts;        // sentences about what a scene has fixed
+  int most_lines = 0;             // limit of lines per function; 0: only that of compilers
+  Language language = Language::cpp;
+  std::string file_name{};  // name of header and source without extension; empty: the robot's name
+  Form form = Form::header;
+  std::vector<std::string> more_scalars{};  // scalars beside `scalar` that the source of a pair is compiled for
+};
+
+}  // namespace flatdyn

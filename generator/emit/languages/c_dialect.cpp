@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/languages/c_dialect.hpp"
+
+#include <fmt/format.h>
+
+#include "emit/angles.hpp"
+#include "emit/arguments.hpp"
+#include "emit/literals.hpp"
+#include "emit/name_space.hpp"
+#include "emit/page.hpp"
+#include "emit/sections.hpp"
+#include "emit/writer.hpp"
+#include "templates.hpp"
+
+namespace flatdyn {
+
+using kainjow::mustache::data;
+
+namespace {
+
+std::string prefix_of(const std::string& name_space) {
+  std::string prefix;
+  for (std::string part : parts_of_namespace(name_space)) {
+    while (part.size() > 1 && part.back() == '_') part.pop_back();  // C++ reserves two underscores in a row
+    prefix += part + "_";
+  }
+  return prefix;
+}
+
+// "void panda_gravity(const double* q, double* g)", followed by `end`, " {" or ";".
+std::string c_signature(const std::string& returns, const std::string& name, const std::vector<std::string>& parameters,
+                        const std::string& end) {
+  return without_newline(list_line(fmt::format("{} {}(", returns, name), parameters, ")" + end, 0));
+}
+
+// The arguments with sines and cosines in place of q, unless positions themselves are read, too.
+std::vector<Argument> with_sines(const UndeclaredFunction& function) {
+  const FunctionBody& body = function.body;
+  std::vector<Argument> list;
+  for (const Argument& argument : function.arguments) {
+    const bool is_input = argument.kind == Argument::Kind::input;
+    if (is_input && !body.uses_positions && argument.name == input_argument(InputKind::q, 0).name) continue;
+    list.push_back(argument);
+  }
+  const bool has_parameters = !list.empty() && list.front().kind == Argument::Kind::parameters;
+  list.insert(list.begin() + (has_parameters ? 1 : 0), {{Argument::Kind::input, "sine", body.takes_sines},
+                                                        {Argument::Kind::input, "cosine", body.takes_cosines}});
+  return list;
+}
+
+// Statements like "(void)qd;", which silence compilers: in C every parameter has a name.
+std::string unread(const std::vector<Argument>& arguments) {
+  std::string text;
+  for (const Argument& argument : arguments) {
+    if (!argument.is_used) text += code_line(fmt::format("(void){};", argument.name), kStatementIndent);
+  }
+  return text;
+}
+
+// The angles that are needed, as first and last index of each run of consecutive ones.
+std::vector<std::pair<int, int>> runs_of(const std::vector<int>& angles) {
+  std::vector<std::pair<int, int>> runs;
+  for (const int angle : angles) {
+    if (!runs.empty() && runs.back().second + 1 == angle) {
+      runs.back().second = angle;
+    } else {
+      runs.emplace_back(angle, angle);
+    }
+  }
+  return runs;
+}
+
+}  // namespace
+
+CDialect::CDialect(const std::string& number, const std::string& name_space)
+    : CDialect(number, name_space, {"", number}) {}
+
+CDialect::CDialect(const std::string& number, const std::string& name_space, const Vectors& vectors)
+    : PageDialect(vectors.scalar, prefix_of(name_space) + vectors.prefix),
+      number_(number),
+      exported_(prefix_of(name_space)) {}
+
+std::string CDialect::library(const std::string& function) const {
+  return number_ == "float" ? function + "f" : function;
+}
+
+std::string CDialect::count_name(const std::string& name) const { return in_capitals(exported(name)); }
+
+std::vector<std::string> CDialect::reserved() const {
+  std::vector<std::string> words = {"restrict", "sin",  "cos",   "sqrt",
+                                    "sinf",     "cosf", "sqrtf", count_name("joint_count")};
+  for (const char* name : {"joint_names", "parameters", "sign", "is_zero", "sines_and_cosines", "angles",
+                           "rounding_is_as_written", "text_hash"}) {
+    words.push_back(global(name));
+  }
+  return words;
+}
+
+std::string CDialect::literal(const Rational& value) const {
+  return number_ == "float" ? float_literal(value) : decimal_literal(value);
+}
+
+std::string CDialect::infinity(bool negative) const {
+  return (negative ? "-" : "") + std::string(number_ == "float" ? "HUGE_VALF" : "HUGE_VAL");
+}
+
+std::string CDialect::sign(const std::string& of) const { return global("sign(") + of + ")"; }
+
+std::string CDialect::sqrt(const std::string& of) const { return library("sqrt") + "(" + of + ")"; }
+
+std::string CDialect::parameter(const std::string& member) const { return "parameters->" + member; }
+
+std::string CDialect::output(const std::string& name) const { return scalar() + "* restrict " + name; }
+
+std::string CDialect::parameters_argument() const { return "const " + exported("parameters") + "* parameters"; }
+
+std::string CDialect::part_begin(const std::string& name) const { return "static void " + name + "("; }
+
+// Names are longer than in C++, and each argument that is not read takes a statement.
+int CDialect::lines_around_body(int arguments) const {
+  constexpr int kBesides = 6;
+  return kBesides + arguments;
+}
+
+// A function that needs sines and cosines is split in two: one takes them as arguments; the other one computes them and
+// calls it.
+void CDialect::declare(FunctionText& text, const UndeclaredFunction& function) const {
+  text.declared = parameters(function.arguments, false);
+  text.parameters = parameters(function.arguments, true);
+  if (!function.body.uses_trigonometry()) {
+    text.body = unread(function.arguments) + text.body;
+    return;
+  }
+  const std::vector<Argument> arguments = with_sines(function);
+  GivenText given{function.given_name,          parameters(arguments, true),
+                  parameters(arguments, false), {},
+                  angle_array(function.scope),  "",
+                  unread(arguments) + text.body};
+  for (const Argument& argument : arguments) given.arguments.push_back(argument.name);
+  text.body = asking_body(function, text.returns, given);
+  text.given = std::move(given);
+}
+
+std::vector<std::string> CDialect::parameters(const std::vector<Argument>& arguments, bool restricts) const {
+  std::vector<std::string> list;
+  for (const Argument& argument : arguments) {
+    list.push_back(argument.kind == Argument::Kind::parameters ? parameters_argument()
+                   : argument.kind == Argument::Kind::input    ? input(argument.name)
+                   : restricts                                 ? output(argument.name)
+                                                               : scalar() + "* " + argument.name);
+  }
+  return list;
+}
+
+// The body of the function that computes sines and cosines and calls `given`; records in `given` which ones it takes.
+std::string CDialect::asking_body(const UndeclaredFunction& function, const std::string& returns,
+                                  GivenText& given) const {
+  const HeaderScope& scope = function.scope;
+  const std::string count = angle_count_name(scope);
+  const bool has_others = !scope.angles.empty();
+  std::string text = code_line(
+      fmt::format("{0} {2}sine[{1}], cosine[{1}];", scalar(), count, has_others ? "angle[" + count + "], " : ""),
+      kStatementIndent);
+  if (has_others) text += angles_call(scope);
+  for (const auto& [first, last] : runs_of(function.body.angles)) {
+    text += code_line(fmt::format("{}({}, {}, {}, sine, cosine);", global("sines_and_cosines"), given.of, first, last),
+                      kStatementIndent);
+    given.joints += (given.joints.empty() ? "" : ", ") + std::to_string(first);
+    if (last > first) given.joints += ".." + std::to_string(last);
+  }
+  const char* const give_back = returns == "void" ? "" : "return ";
+  return text + list_line(fmt::format("{}{}(", give_back, given.name), given.arguments, ");", kStatementIndent);
+}
+
+std::string CDialect::count_definition(const std::string& name, int value) const {
+  return fmt::format("enum {{ {} = {} }};\n", name, value);
+}
+
+std::string CDialect::type_of(const ConstantArray& array) const {
+  if (array.type == kReal) return "const " + scalar();
+  return array.type.back() == '*' ? array.type + " const" : "const " + array.type;
+}
+
+std::string CDialect::definition_begin(const ConstantArray& array) const {
+  return fmt::format("{} {}[{}] = {{", type_of(array), array.name, array.length);
+}
+
+std::string CDialect::declaration(const ConstantArray& array) const {
+  return fmt::format("extern {} {}[{}];\n", type_of(array), array.name, array.length);
+}
+
+std::string CDialect::all_positive(const std::string& array, std::size_t length) const {
+  return counted_checks("int", array, length);
+}
+
+std::vector<FileTemplate> CDialect::files() const { return {{".h", templates::header_h}, {".c", templates::source_c}}; }
+
+// If the function has a variant that takes sines and cosines, it comes before the one that calls it.
+std::string CDialect::definitions(const FunctionText& text) const {
+  const auto definition = [&](const std::string& name, const std::vector<std::string>& parameters,
+                              const std::string& body) {
+    return c_signature(linkage() + text.returns, name, parameters, " {") + "\n" + body + "}";
+  };
+  const std::string own = definition(text.name, text.parameters, text.body);
+  return text.given ? definition(text.given->name, text.given->parameters, text.given->body) + "\n\n" + own : own;
+}
+
+void CDialect::write_function(data& item, const Function& function, const FunctionText& text) const {
+  item["brief"] = list_of(brief_comment(function));
+  item["declaration"] = c_signature(text.returns, text.name, text.declared, ";");
+  item["definitions"] = definitions(text);
+  item["given?"] = text.given.has_value();
+  if (!text.given) return;
+  item["given_comment"] =
+      fmt::format("The same from sine[k] = sin({0}[k]) and cosine[k] = cos({0}[k]) of the caller's, k = {1}.",
+                  text.given->of, text.given->joints);
+  item["given_declaration"] = c_signature(text.returns, text.given->name, text.given->declared, ";");
+}
+
+void CDialect::write_page(data& page, const CodeContent& content) const {
+  const bool is_float = scalar() == "float";
+  page["header_file"] = content.file_name + CDialect::files().front().ending;
+  page["prefix"] = global("");
+  page["count"] = count_name("joint_count");
+  page["sin"] = library("sin");
+  page["cos"] = library("cos");
+  page["f"] = std::string(is_float ? "f" : "");
+  page["half_a_place"] = std::string(is_float ? "0x1.001p-24f" : "0x1.001p-53");
+  page["smallest"] = std::string(is_float ? "0x1p-126f" : "0x1p-1022");
+  if (content.texts.empty()) return;
+  const FunctionText& text = content.texts.front();
+  const std::string type = content.scope.parameters.empty() ? "" : global("parameters");
+  page["example"] = list_of(call_example(text, {text.name, text.returns, scalar(), "{0}", type, "&parameters"}));
+}
+
+}  // namespace flatdyn

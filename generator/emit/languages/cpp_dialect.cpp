@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/languages/cpp_dialect.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "emit/angles.hpp"
+#include "emit/languages/cpp_function.hpp"
+#include "emit/languages/cpp_pair.hpp"
+#include "emit/languages/cpp_shapes.hpp"
+#include "emit/languages/cpp_stages.hpp"
+#include "emit/literals.hpp"
+#include "emit/page.hpp"
+#include "emit/sections.hpp"
+#include "emit/writer.hpp"
+#include "flatdyn/interface.hpp"
+#include "templates.hpp"
+
+namespace flatdyn {
+
+using kainjow::mustache::data;
+
+namespace {
+
+// The shapes of all functions, and of those that are members of stages only.
+std::vector<ShapedFunction> shapes_of(const CodeContent& content) {
+  std::vector<ShapedFunction> shapes;
+  for (std::size_t k = 0; k < content.functions.size(); ++k) {
+    shapes.push_back(shaped(content.functions[k], content.texts[k], content.scope));
+  }
+  add_stages(shapes, content.stages, content.scope);
+  return shapes;
+}
+
+std::vector<std::string> cpp_example(const CodeContent& content) {
+  const FunctionText& text = content.texts.front();
+  const std::string& name_space = content.name_space;
+  const std::string& scalar = content.options.scalar;
+  const std::string result = text.returns == "Scalar" ? scalar : text.returns;
+  const std::string parameters = content.scope.parameters.empty() ? "" : name_space + "::Parameters<>";
+  return call_example(text, {name_space + "::" + text.name, result, scalar, "{}", parameters, "parameters"});
+}
+
+}  // namespace
+
+std::vector<std::string> CppDialect::reserved() const {
+  return {"Scalar",      "Real", "Parameters",    "SinCos",      "Joints",      "LibrarySinCos",
+          "GivenSinCos", "at",   "Configuration", "Motion",      "detail",      "functions",
+          "std",         "sin",  "cos",           "joint_count", "joint_names", "rounding_is_as_written"};
+}
+
+std::string CppDialect::literal(const Rational& value) const { return "Scalar(" + decimal_literal(value) + ")"; }
+
+std::string CppDialect::real_literal(const Rational& value) const { return "Real(" + decimal_literal(value) + ")"; }
+
+std::string CppDialect::infinity(bool negative) const { return negative ? "Real(-HUGE_VAL)" : "Real(HUGE_VAL)"; }
+
+std::string CppDialect::sign(const std::string& of) const { return "detail::sign(" + of + ")"; }
+
+std::string CppDialect::sqrt(const std::string& of) const { return "detail::sqrt(" + of + ")"; }
+
+std::string CppDialect::filled_sines(const std::set<int>& angles, const HeaderScope& scope) const {
+  const std::string count = angle_count_name(scope);
+  const bool has_others = !scope.angles.empty();
+  return code_line(fmt::format("Scalar {1}sine[{0}], cosine[{0}];", count, has_others ? "angle[" + count + "], " : ""),
+                   kStatementIndent) +
+         (has_others ? angles_call(scope) : "") +
+         code_line(fmt::format("sin_cos({}, Joints<{}>(), sine, cosine);", angle_array(scope), fmt::join(angles, ", ")),
+                   kStatementIndent);
+}
+
+void CppDialect::declare(FunctionText& text, const UndeclaredFunction& function) const {
+  declare_template(text, function, compiled_);
+}
+
+std::string CppDialect::count_definition(const std::string& name, int value) const {
+  return fmt::format("inline constexpr int {} = {};\n", name, value);
+}
+
+std::string CppDialect::definition_begin(const ConstantArray& array) const {
+  return fmt::format("inline constexpr {} {}[{}] = {{", array.type, array.name, array.length);
+}
+
+std::string CppDialect::all_positive(const std::string& array, std::size_t) const {
+  return code_line(fmt::format("for (const Scalar& pivot : {}) positive &= pivot > Scalar(0.0);", array),
+                   kStatementIndent);
+}
+
+std::vector<FileTemplate> CppDialect::files() const {
+  std::vector<FileTemplate> files = {{".hpp", templates::header_hpp}};
+  if (is_pair()) files.push_back({".cpp", templates::source_cpp});
+  return files;
+}
+
+void CppDialect::write_function(data& item, const Function& function, const FunctionText& text) const {
+  write_template(item, text);
+  if (is_pair()) item["brief"] = list_of(brief_comment(function));
+}
+
+void CppDialect::write_page(data& page, const CodeContent& content) const {
+  if (!content.texts.empty()) page["example"] = list_of(cpp_example(content));
+  if (!content.stages.empty()) write_stages(page, content.stages, content.name_space);
+  write_shapes(page, shapes_of(content), content.name_space);
+  if (is_pair()) write_instances(page, content);
+  page["interface"] = std::to_string(kInterface);
+  page["asks_runtime?"] = !is_pair();  // header and source are compiled without the runtime
+  page["header_sign?"] = content.uses_sign && !is_pair();
+  page["header_sqrt?"] = content.uses_sqrt && !is_pair();
+  page["header_angles?"] = content.uses_trigonometry && !content.scope.angles.empty() && !is_pair();
+  page["rounding"] = without_newline(templates::rounding_hpp);
+}
+
+void CppDialect::write_instances(data& page, const CodeContent& content) const {
+  Instantiations instances;
+  for (const FunctionText& text : content.texts) instances.add(text);
+  if (!content.stages.empty()) instances.add(content.stages, compiled_);
+  instances.add_rounding(compiled_);
+  write_pair(page, content.file_name + ".hpp", content.file_name + ".cpp", compiled_);
+  page["declared_instances"] = list_of(instances.declared);
+  page["defined_instances"] = list_of(instances.defined);
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// C++17: templates over Scalar, in the robot's namespace; constants have type Real. Stages are structs. Everything is
+// in one header, or declared in a header and defined in a source, which is compiled once.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emit/page_dialect.hpp"
+
+namespace flatdyn {
+
+class CppDialect : public PageDialect {
+ public:
+  // `compiled`: the scalars that the source is compiled for; empty: all is in the header.
+  explicit CppDialect(std::vector<std::string> compiled = {})
+      : PageDialect("Scalar", ""), compiled_(std::move(compiled)) {}
+
+  std::vector<std::string> reserved() const override;
+  std::string literal(const Rational& value) const override;
+  std::string real_literal(const Rational& value) const override;
+  std::string infinity(bool negative) const override;
+  std::string sign(const std::string& of) const override;
+  std::string sqrt(const std::string& of) const override;
+  // One call for the sines and cosines of all joints, so that they can be evaluated together.
+  std::string filled_sines(const std::set<int>& angles, const HeaderScope& scope) const override;
+  std::string parameters_argument() const override { return "const Parameters<Scalar>& parameters"; }
+  std::string number_output(const std::string& name) const override { return "Scalar& " + name; }
+  std::string number_definition(const std::string& name) const override { return name; }
+  std::string number_use(const std::string& name) const override { return name; }
+  std::string stage_type(const std::string& stage) const override { return stage + "<Scalar>"; }
+  std::string part_begin(const std::string& name) const override { return "void " + name + "("; }
+  std::string before_part() const override { return "template <class Scalar>\n"; }
+  std::string function_end() const override { return ") noexcept {"; }
+  std::string part_call(const std::string& name) const override { return "detail::" + name + "("; }
+  void declare(FunctionText& text, const UndeclaredFunction& function) const override;
+  std::string count_definition(const std::string& name, int value) const override;
+  std::string all_positive(const std::string& array, std::size_t length) const override;
+
+  std::vector<FileTemplate> files() const override;
+  bool outputs_may_overlap_inputs() const override { return true; }
+  void write_function(kainjow::mustache::data& item, const Function& function, const FunctionText& text) const override;
+  void write_page(kainjow::mustache::data& page, const CodeContent& content) const override;
+
+ protected:
+  std::string definition_begin(const ConstantArray& array) const override;
+
+ private:
+  bool is_pair() const { return !compiled_.empty(); }
+  void write_instances(kainjow::mustache::data& page, const CodeContent& content) const;
+
+  std::vector<std::string> compiled_;
+};
+
+}  // namespace flatdyn

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/languages/emit.hpp"
+
+#include <stdexcept>
+
+#include "emit/languages/c_dialect.hpp"
+#include "emit/languages/cpp_dialect.hpp"
+#include "emit/languages/cpp_pair.hpp"
+#include "emit/languages/lanes_dialect.hpp"
+#include "emit/name_space.hpp"
+#include "emit/page_writer.hpp"
+
+namespace flatdyn {
+namespace {
+
+HeaderAndSource two_files(const std::vector<std::string>& texts) { return {texts.at(0), texts.at(1)}; }
+
+CDialect c_dialect_of(const Mechanism& mechanism, const EmitOptions& options) {
+  return {options.scalar, namespace_of(mechanism.name, options.name_space)};
+}
+
+}  // namespace
+
+std::unique_ptr<const PageDialect> dialect_of(const Mechanism& mechanism, const EmitOptions& options) {
+  switch (options.language) {
+    case Language::cpp:
+      return std::make_unique<CppDialect>(options.form == Form::pair ? compiled_scalars(options)
+                                                                     : std::vector<std::string>());
+    case Language::c:
+      return std::make_unique<CDialect>(options.scalar, namespace_of(mechanism.name, options.name_space));
+    case Language::javascript:
+      return std::make_unique<JavascriptDialect>();
+  }
+  throw std::logic_error("unknown language");
+}
+
+std::vector<GeneratedFile> emit_code(const Mechanism& mechanism, const std::vector<Function>& functions,
+                                     const EmitOptions& options, const std::optional<Stages>& stages) {
+  const std::unique_ptr<const PageDialect> dialect = dialect_of(mechanism, options);
+  const std::vector<std::string> texts = emitted(*dialect, mechanism, functions, options, stages);
+  const std::vector<FileTemplate> templates = dialect->files();
+  std::vector<GeneratedFile> files;
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    files.push_back({file_name(mechanism, options) + templates[k].ending, texts[k]});
+  }
+  return files;
+}
+
+std::string header_name(const Mechanism& mechanism, const EmitOptions& options) {
+  return file_name(mechanism, options) + dialect_of(mechanism, options)->files().front().ending;
+}
+
+std::string emit_cpp(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
+                     const std::optional<Stages>& stages) {
+  return emitted(CppDialect(), mechanism, functions, options, stages).front();
+}
+
+HeaderAndSource emit_cpp_pair(const Mechanism& mechanism, const std::vector<Function>& functions,
+                              const EmitOptions& options, const std::optional<Stages>& stages) {
+  return two_files(emitted(CppDialect(compiled_scalars(options)), mechanism, functions, options, stages));
+}
+
+HeaderAndSource emit_c(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options) {
+  return two_files(emitted(c_dialect_of(mechanism, options), mechanism, functions, options));
+}
+
+std::vector<StraightCall> straight_calls(const Mechanism& mechanism, const std::vector<Function>& functions,
+                                         const EmitOptions& options) {
+  std::vector<StraightCall> calls;
+  for (const FunctionText& text : function_texts(c_dialect_of(mechanism, options), mechanism, functions, options)) {
+    if (text.given) {
+      calls.push_back({text.given->name, text.given->arguments});
+      continue;
+    }
+    StraightCall call{text.name, {}};
+    if (!mechanism.symbols.empty()) call.arguments.emplace_back("parameters");
+    for (const auto* arrays : {&text.inputs, &text.outputs}) {
+      for (const ArrayArgument& array : *arrays) call.arguments.push_back(array.name);
+    }
+    calls.push_back(std::move(call));
+  }
+  return calls;
+}
+
+std::string emit_c_batch(const Mechanism& mechanism, const std::vector<Function>& functions,
+                         const EmitOptions& options) {
+  const LanesDialect lanes(options.scalar, namespace_of(mechanism.name, options.name_space));
+  return emitted(lanes, mechanism, functions, options).front();
+}
+
+std::string emit_javascript(const Mechanism& mechanism, const std::vector<Function>& functions,
+                            const EmitOptions& options, JavascriptForm form) {
+  return emitted(JavascriptDialect(form), mechanism, functions, options).front();
+}
+
+}  // namespace flatdyn
