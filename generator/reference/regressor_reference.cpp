@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "flatdyn/reference/magnitude.hpp"
+#include "reference/magnitude.hpp"
 #include "symbolic/parameters/base_parameters.hpp"
 
 namespace flatdyn {

@@ -41,7 +41,7 @@ class RegressorReference {
   std::vector<S> base_values_, base_magnitudes_;  // for base_parameters only
 };
 
-// By entry: the sum of the absolute values of its terms (flatdyn/reference/magnitude.hpp). First moments are pairs of
+// By entry: the sum of the absolute values of its terms (reference/magnitude.hpp). First moments are pairs of
 // point masses of ±1/2 kg at 1 m, which may count twice.
 std::vector<double> magnitudes(const RegressorReference<double>& of, const State& state);
 

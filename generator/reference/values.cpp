@@ -4,8 +4,8 @@
 #include <map>
 
 #include "flatdyn/reference/derivatives.hpp"
-#include "flatdyn/reference/magnitude.hpp"
 #include "graph/arithmetic.hpp"
+#include "reference/magnitude.hpp"
 #include "reference/operational_values.hpp"
 
 namespace flatdyn {

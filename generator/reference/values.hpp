@@ -66,7 +66,7 @@ StateOf<S> state_for(const Function& function, StateOf<S> state) {
   return state;
 }
 
-// By entry: the sum of the absolute values of its terms (flatdyn/reference/magnitude.hpp).
+// By entry: the sum of the absolute values of its terms (reference/magnitude.hpp).
 std::vector<double> magnitudes(const Function& function, const reference::Robot<double>& robot, const State& state);
 
 }  // namespace flatdyn
