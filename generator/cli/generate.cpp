@@ -5,6 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/delivery.hpp"
+#include "diagnostics/version.hpp"
 #include "firmware/folder.hpp"
 #include "input/common/content_hash.hpp"
 #include "pipeline/generation.hpp"
@@ -186,7 +187,7 @@ nlohmann::ordered_json manifest_of(const GenerationResult& result, const std::ve
   const LoadedRobot& robot = result.robot;
   const std::vector<GeneratedFile>& files = result.files;
   nlohmann::ordered_json manifest = {
-      {"flatdyn", FLATDYN_VERSION}, {"options", result.form.options_stamp}, {"header", files[0].name}};
+      {"flatdyn", kProgramVersion}, {"options", result.form.options_stamp}, {"header", files[0].name}};
   manifest.update(model_json(robot, effects));
   manifest["functions"] = functions_json(result.functions, symbol_names(robot.mechanism));
   if (result.torque_deviation) manifest["error_budget"] = abbreviation_json(robot, *result.torque_deviation);

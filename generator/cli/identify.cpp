@@ -5,6 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "diagnostics/version.hpp"
 #include "identify/part_file.hpp"
 #include "plot/time_table.hpp"
 #include "report/identification_report.hpp"
@@ -120,7 +121,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 TextFile robot_file(const IdentifyArguments& arguments, const LoadedRobot& robot, const TorqueModel& model,
                     const Identification& found) {
   IdentifiedRobot about{arguments.output,
-                        {"Identified by flatdyn " FLATDYN_VERSION " from measured motion.", ""},
+                        {fmt::format("Identified by flatdyn {} from measured motion.", kProgramVersion), ""},
                         arguments.settings(robot)};
   for (const std::string& line : lines_of(describe_identification(model, found))) about.comments.push_back(line);
   if (!found.doubts.empty()) about.comments.emplace_back();

@@ -11,6 +11,7 @@
 #include "cli/help.hpp"
 #include "cli/usage.hpp"
 #include "diagnostics/exit_codes.hpp"
+#include "diagnostics/version.hpp"
 
 namespace flatdyn {
 namespace {
@@ -60,7 +61,7 @@ int main(int argc, char** argv) {
       exit_codes_text() + "."};
   app.name("flatdyn");
   app.formatter(std::make_shared<NarrowHelp>());
-  app.set_version_flag("--version", "flatdyn " FLATDYN_VERSION);
+  app.set_version_flag("--version", fmt::format("flatdyn {}", kProgramVersion));
   app.require_subcommand(1);
   Run chosen;
   for (const auto add : {add_generate, add_inspect, add_derive, add_verify, add_eval, add_excite, add_identify,

@@ -10,6 +10,7 @@
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/exit_codes.hpp"
 #include "diagnostics/nearest.hpp"
+#include "diagnostics/version.hpp"
 
 namespace flatdyn {
 namespace {
@@ -52,7 +53,7 @@ std::string option_rows(const CLI::App& command) {
 
 std::string head(const std::string& name, const std::string& summary) {
   const std::string full_stop_dropped = summary.substr(0, summary.find_last_not_of('.') + 1);
-  return fmt::format(".TH {} 1 \"\" \"flatdyn {}\" \"flatdyn\"\n", roff(name), FLATDYN_VERSION) +
+  return fmt::format(".TH {} 1 \"\" \"flatdyn {}\" \"flatdyn\"\n", roff(name), kProgramVersion) +
          section("NAME", roff(name) + " \\- " + roff(full_stop_dropped) + "\n");
 }
 

@@ -7,6 +7,7 @@
 #include <kainjow/mustache.hpp>
 
 #include "diagnostics/diagnostics.hpp"
+#include "diagnostics/version.hpp"
 #include "emit/angles.hpp"
 #include "emit/base_constants.hpp"
 #include "emit/facts.hpp"
@@ -98,7 +99,7 @@ class PageWriter {
   void write_documentation(data& header) const {
     header["robot"] = comment_text(mechanism_.name);
     header["summary"] = joints_text(mechanism_);
-    const std::string version = FLATDYN_VERSION;
+    const std::string version = kProgramVersion;
     header["version"] = version;
     std::vector<std::string> stamp;
     if (!options_.options_stamp.empty()) stamp.push_back("Options: " + comment_text(options_.options_stamp));

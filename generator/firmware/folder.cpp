@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "diagnostics/diagnostics.hpp"
+#include "diagnostics/version.hpp"
 #include "emit/arguments.hpp"
 #include "emit/literals.hpp"
 #include "emit/page.hpp"
@@ -57,7 +58,7 @@ class FolderWriter {
     data page;
     const std::string header = header_name(mechanism_, options_);
     page["robot"] = comment_text(mechanism_.name);
-    page["version"] = std::string(FLATDYN_VERSION);
+    page["version"] = std::string(kProgramVersion);
     page["name"] = header.substr(0, header.size() - 2);
     page["prefix"] = dialect_->global("");
     page["scalar"] = options_.scalar;

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "diagnostics/version.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -184,7 +186,7 @@ void check_complete(const std::vector<Part>& parts, Diagnostics& diagnostics) {
 std::string part_text(const Measurement& measurement, const TorqueModel& model, const StreamOptions& options) {
   ordered_json json = {{"kind", kKind},
                        {"version", kVersion},
-                       {"flatdyn", FLATDYN_VERSION},
+                       {"flatdyn", kProgramVersion},
                        {"model", model.fingerprint()},
                        {"part", options.part},
                        {"settings", settings(options)},

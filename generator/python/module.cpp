@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "diagnostics/diagnostics.hpp"
+#include "diagnostics/version.hpp"
 #include "emit/arguments.hpp"
 #include "emit/page.hpp"
 #include "emit/sections.hpp"
@@ -54,7 +55,7 @@ class ModuleWriter {
   data filled() const {
     data page;
     page["robot"] = comment_text(mechanism_.name);
-    page["version"] = std::string(FLATDYN_VERSION);
+    page["version"] = std::string(kProgramVersion);
     page["name"] = module_name(mechanism_, options_);
     page["compile"] =
         fmt::format("cc -std=c99 -O3 -march=native -ffp-contract=off -shared -fPIC {0}.c {0}_batch.c -o lib{0}.so -lm",

@@ -2,8 +2,8 @@
 #include "reference/derivative_references.hpp"
 
 #include "flatdyn/reference/derivatives.hpp"
-#include "flatdyn/reference/magnitude.hpp"
 #include "reference/acceleration_magnitude.hpp"
+#include "reference/magnitude.hpp"
 
 namespace flatdyn::references {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "reference/dynamics_references.hpp"
 
-#include "flatdyn/reference/magnitude.hpp"
 #include "reference/acceleration_magnitude.hpp"
+#include "reference/magnitude.hpp"
 
 namespace flatdyn {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "reference/loop_references.hpp"
 
-#include "flatdyn/reference/magnitude.hpp"
+#include "reference/magnitude.hpp"
 #include "reference/reference_point.hpp"
 
 namespace flatdyn::references {

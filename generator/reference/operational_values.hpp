@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "flatdyn/reference/magnitude.hpp"
 #include "flatdyn/reference/operational.hpp"
 #include "graph/arithmetic.hpp"
 #include "graph/task.hpp"
+#include "reference/magnitude.hpp"
 #include "reference/reference_model.hpp"
 
 namespace flatdyn {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "flatdyn/reference/magnitude.hpp"
+#include "reference/magnitude.hpp"
 #include "symbolic/parameters/base_parameters.hpp"
 
 namespace flatdyn {

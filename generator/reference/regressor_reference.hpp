@@ -33,7 +33,7 @@ class RegressorReference {
   std::vector<reference::Robot<S>> units_;
 };
 
-// By entry of the matrices: the sum of the absolute values of its terms (flatdyn/reference/magnitude.hpp). First
+// By entry of the matrices: the sum of the absolute values of its terms (reference/magnitude.hpp). First
 // moments are pairs of point masses of ±1/2 kg at 1 m, which may count twice.
 reference::MatrixX<double> magnitudes(const RegressorReference<double>& of, const State& state);
 reference::MatrixX<double> adaptive_magnitudes(const RegressorReference<double>& of, const State& state);

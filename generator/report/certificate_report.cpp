@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "diagnostics/table.hpp"
+#include "diagnostics/version.hpp"
 
 namespace flatdyn {
 namespace {
@@ -170,7 +171,7 @@ std::string certificate_markdown(const Certificate& certificate, double enough, 
 
 nlohmann::ordered_json certificate_json(const Certificate& certificate, const std::string& header,
                                         const std::string& hash) {
-  nlohmann::ordered_json json = {{"flatdyn", FLATDYN_VERSION},
+  nlohmann::ordered_json json = {{"flatdyn", kProgramVersion},
                                  {"robot", certificate.robot},
                                  {"scalar", certificate.scalar},
                                  {"header", header},

@@ -11,10 +11,6 @@ namespace flatdyn {
 inline constexpr int kJsonVersion = 1;
 
 // The object as text for printing and writing: with its version first, indented, the last line ended.
-inline std::string json_text(const nlohmann::ordered_json& object) {
-  nlohmann::ordered_json versioned = {{"json_version", kJsonVersion}};
-  versioned.update(object);
-  return versioned.dump(2) + "\n";
-}
+std::string json_text(const nlohmann::ordered_json& object);
 
 }  // namespace flatdyn

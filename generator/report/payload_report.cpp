@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "diagnostics/table.hpp"
+#include "diagnostics/version.hpp"
 #include "report/numbers.hpp"
 #include "report/toml_string.hpp"
 
@@ -84,7 +85,7 @@ std::string payload_robot_text(const LoadedRobot& robot, const PayloadEstimate& 
       "# The payload was identified by flatdyn {} from measured motion.\n{}\n"
       "robot = {}\n{}{}\n[payload]\nlink = {}\nmass = {}\ncom = [{}, {}, {}]\n"
       "inertia = {{ xx = {}, yy = {}, zz = {}, xy = {}, xz = {}, yz = {} }}\ninertia_about = \"com\"\n",
-      FLATDYN_VERSION, comments, toml_string(std::filesystem::relative(robot.robot.file, folder).generic_string()),
+      kProgramVersion, comments, toml_string(std::filesystem::relative(robot.robot.file, folder).generic_string()),
       fmt::join(settings, "\n"), settings.empty() ? "" : "\n", toml_string(robot.mechanism.tip.link), body.mass,
       body.com.x(), body.com.y(), body.com.z(), I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
 }

@@ -13,7 +13,7 @@
 #include <kdl/tree.hpp>
 #include <kdl/treeidsolver_recursive_newton_euler.hpp>
 
-#include "flatdyn/reference/magnitude.hpp"
+#include "reference/magnitude.hpp"
 #include "support/kdl_chain.hpp"
 #include "support/reference_robots.hpp"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "flatdyn/reference/derivatives.hpp"
-#include "flatdyn/reference/magnitude.hpp"
+#include "reference/magnitude.hpp"
 #include "support/reference_robots.hpp"
 
 namespace flatdyn {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "flatdyn/reference/magnitude.hpp"
 #include "flatdyn/reference/tangent.hpp"
 #include "panda.hpp"
+#include "reference/magnitude.hpp"
 #include "reference/reference_model.hpp"
 #include "support/robot_models.hpp"
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <kainjow/mustache.hpp>
 
+#include "diagnostics/version.hpp"
 #include "emit/languages/emit.hpp"
 #include "emit/page.hpp"
 #include "emit/writer.hpp"
@@ -154,7 +155,7 @@ PageCode page_code(const PageContent& content) {
 std::string report_page(const PageContent& content, const PageCode& code) {
   const LoadedRobot& model = content.model;
   data page;
-  page["version"] = std::string(FLATDYN_VERSION);
+  page["version"] = std::string(kProgramVersion);
   page["robot"] = model.mechanism.name;
   page["summary"] = joints_text(model.mechanism);
   page["facts"] = facts_text(model);

@@ -1,27 +1,17 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// The scale for rounding errors. A relative error is meaningless where a torque passes through zero; the size of the
-// terms that are added up is what counts. The magnitude of a torque is the value of the Newton–Euler recursion with
-// every vector replaced by its length and every sign by plus: the sum of the absolute values of the torque's own terms.
-// Code that loses bits by more additions and subtractions than the physics needs shows large errors on this scale;
-// cancellation that is inherent in the robot does not.
-#pragma once
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "reference/magnitude.hpp"
 
-#include "flatdyn/reference/motion_magnitude.hpp"
+#include <algorithm>
 
 namespace flatdyn::reference {
 
-struct MagnitudeOptions {
-  bool gravity = true;
-  bool friction = true;
-  double f_e = 0, mu_e = 0;  // lengths of the tip's force, N, and moment, N m
-};
-
 namespace detail {
+namespace {
 
 // The magnitude of each moving joint's torque for the magnitudes of their motion.
-inline VectorX<double> torque_magnitude_of_tree(const Robot<double>& robot, const VectorX<double>& q,
-                                                const VectorX<double>& qd, const VectorX<double>& qdd,
-                                                const MagnitudeOptions& options) {
+VectorX<double> torque_magnitude_of_tree(const Robot<double>& robot, const VectorX<double>& q,
+                                         const VectorX<double>& qd, const VectorX<double>& qdd,
+                                         const MagnitudeOptions& options) {
   const auto entry = [](const VectorX<double>& v, int index) { return index < 0 ? 0.0 : std::abs(v[index]); };
   std::vector<MotionMagnitude> motions(robot.links.size());
   if (options.gravity) motions[static_cast<std::size_t>(robot.root)].ddp = robot.gravity.norm();
@@ -66,19 +56,18 @@ inline VectorX<double> torque_magnitude_of_tree(const Robot<double>& robot, cons
   return tau;
 }
 
+}  // namespace
 }  // namespace detail
 
-// The magnitude of each entry of inverse_dynamics, N m or N.
-inline VectorX<double> torque_magnitude(const Robot<double>& robot, const VectorX<double>& q, const VectorX<double>& qd,
-                                        const VectorX<double>& qdd, const MagnitudeOptions& options = {}) {
+VectorX<double> torque_magnitude(const Robot<double>& robot, const VectorX<double>& q, const VectorX<double>& qd,
+                                 const VectorX<double>& qdd, const MagnitudeOptions& options) {
   const VectorX<double> tau =
       detail::torque_magnitude_of_tree(robot, detail::of_joints(robot, q), detail::rates_of_joints(robot, q, qd),
                                        detail::accelerations_of_joints(robot, q, qd, qdd), options);
   return robot.coupling.size() == 0 ? tau : VectorX<double>(detail::motion_magnitude(robot, q).transpose() * tau);
 }
 
-// The magnitude of B: that of the torques for unit accelerations.
-inline MatrixX<double> inertia_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+MatrixX<double> inertia_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   const Eigen::Index n = robot.size();
   const VectorX<double> zero = VectorX<double>::Zero(n);
   MatrixX<double> B(n, n);
@@ -88,8 +77,7 @@ inline MatrixX<double> inertia_magnitude(const Robot<double>& robot, const Vecto
   return B;
 }
 
-// The magnitudes of c_ijk, j <= k, laid out as in christoffel(): those of the velocity torque for two unit rates.
-inline MatrixX<double> christoffel_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+MatrixX<double> christoffel_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   const Eigen::Index n = robot.size();
   const VectorX<double> zero = VectorX<double>::Zero(n);
   MatrixX<double> c(n, n * (n + 1) / 2);
@@ -103,9 +91,7 @@ inline MatrixX<double> christoffel_magnitude(const Robot<double>& robot, const V
   return c;
 }
 
-// The magnitude of C: Σ_k mag(c_ijk) |q̇_k|.
-inline MatrixX<double> coriolis_magnitude(const Robot<double>& robot, const VectorX<double>& q,
-                                          const VectorX<double>& qd) {
+MatrixX<double> coriolis_magnitude(const Robot<double>& robot, const VectorX<double>& q, const VectorX<double>& qd) {
   const Eigen::Index n = robot.size();
   const MatrixX<double> c = christoffel_magnitude(robot, q);
   MatrixX<double> C = MatrixX<double>::Zero(n, n);
@@ -118,10 +104,8 @@ inline MatrixX<double> coriolis_magnitude(const Robot<double>& robot, const Vect
   return C;
 }
 
-// The magnitude of the derivatives of inverse_dynamics by q. A rotation by a small angle changes a term by at most its
-// size times the angle; for a prismatic joint a displacement by a unit is used.
-inline MatrixX<double> position_derivative_magnitude(const Robot<double>& robot, const VectorX<double>& q,
-                                                     const VectorX<double>& qd, const VectorX<double>& qdd) {
+MatrixX<double> position_derivative_magnitude(const Robot<double>& robot, const VectorX<double>& q,
+                                              const VectorX<double>& qd, const VectorX<double>& qdd) {
   const MagnitudeOptions options{.friction = false};
   const VectorX<double> positions = detail::of_joints(robot, q), rates = detail::rates_of_joints(robot, q, qd),
                         accelerations = detail::accelerations_of_joints(robot, q, qd, qdd);
@@ -138,9 +122,8 @@ inline MatrixX<double> position_derivative_magnitude(const Robot<double>& robot,
   return A.transpose() * result * A;
 }
 
-// The magnitude of the derivatives by q̇: 2 C and viscous friction.
-inline MatrixX<double> rate_derivative_magnitude(const Robot<double>& robot, const VectorX<double>& q,
-                                                 const VectorX<double>& qd) {
+MatrixX<double> rate_derivative_magnitude(const Robot<double>& robot, const VectorX<double>& q,
+                                          const VectorX<double>& qd) {
   VectorX<double> viscous = VectorX<double>::Zero(robot.joint_count());
   for (const Joint<double>& joint : robot.joints) {
     if (joint.index >= 0) viscous[joint.index] = std::abs(joint.viscous);
@@ -153,8 +136,7 @@ inline MatrixX<double> rate_derivative_magnitude(const Robot<double>& robot, con
   return 2 * coriolis_magnitude(robot, q, qd) + friction;
 }
 
-// The length of the path from the base to the tip's origin along the links, m.
-inline double reach(const Robot<double>& robot, const VectorX<double>& coordinates) {
+double reach(const Robot<double>& robot, const VectorX<double>& coordinates) {
   const VectorX<double> q = detail::of_joints(robot, coordinates);
   double length = robot.p_tip.norm();
   int link = robot.tip;
@@ -168,9 +150,7 @@ inline double reach(const Robot<double>& robot, const VectorX<double>& coordinat
   return length;
 }
 
-// The magnitude of J. The column of a revolute joint is an axis crossed with the difference of two positions, and that
-// axis; that of a prismatic joint is an axis; joints that do not move the tip have zeros.
-inline MatrixX<double> jacobian_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+MatrixX<double> jacobian_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   const double way = reach(robot, q);
   MatrixX<double> J = MatrixX<double>::Zero(6, robot.joint_count());
   int link = robot.tip;
@@ -185,9 +165,8 @@ inline MatrixX<double> jacobian_magnitude(const Robot<double>& robot, const Vect
   return J;
 }
 
-// The magnitudes of J̇ q̇: the tip's acceleration, linear and angular, by the recursion over lengths.
-inline Eigen::Vector2d tip_acceleration_magnitude(const Robot<double>& robot, const VectorX<double>& coordinates,
-                                                  const VectorX<double>& coordinate_rates) {
+Eigen::Vector2d tip_acceleration_magnitude(const Robot<double>& robot, const VectorX<double>& coordinates,
+                                           const VectorX<double>& coordinate_rates) {
   const VectorX<double> q = detail::of_joints(robot, coordinates),
                         qd = detail::rates_of_joints(robot, coordinates, coordinate_rates),
                         qdd = detail::accelerations_of_joints(robot, coordinates, coordinate_rates,
@@ -202,8 +181,7 @@ inline Eigen::Vector2d tip_acceleration_magnitude(const Robot<double>& robot, co
   return {tip.ddp + tip.swing(robot.p_tip.norm()), tip.domega};
 }
 
-// The magnitude of the potential energy: Σ |m| ‖g_0‖ · (length of the path to the centre of mass).
-inline double potential_magnitude(const Robot<double>& robot, const VectorX<double>& coordinates) {
+double potential_magnitude(const Robot<double>& robot, const VectorX<double>& coordinates) {
   const VectorX<double> q = detail::of_joints(robot, coordinates);
   std::vector<double> way(robot.links.size(), 0);
   for (const Joint<double>& joint : robot.joints) {

@@ -1,25 +1,13 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Magnitudes of the joints' motion: the size of the terms that positions, rates and accelerations are sums of and, if
-// loops are closed, of the terms from which the dependent joints are found. Errors of that size in the equations of a
-// loop are multiplied by |Φ_d⁻¹| in their solution.
-#pragma once
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "reference/motion_magnitude.hpp"
 
 #include <algorithm>
-
-#include "flatdyn/reference/kinematics.hpp"
 
 namespace flatdyn::reference {
 
 namespace detail {
 
-struct MotionMagnitude {
-  double omega = 0, domega = 0, ddp = 0;
-
-  double swing(double r) const { return (domega + omega * omega) * r; }
-};
-
-inline MotionMagnitude moved(const MotionMagnitude& parent, const Joint<double>& joint, double q, double qd,
-                             double qdd) {
+MotionMagnitude moved(const MotionMagnitude& parent, const Joint<double>& joint, double q, double qd, double qdd) {
   MotionMagnitude child = parent;
   const double slide = joint.type == JointType::prismatic ? std::abs(q) : 0;
   child.ddp += parent.swing(joint.p_0.norm() + slide);
@@ -33,14 +21,15 @@ inline MotionMagnitude moved(const MotionMagnitude& parent, const Joint<double>&
   return child;
 }
 
-// The summed magnitudes of the terms of the joints' positions.
-inline VectorX<double> of_joints(const Robot<double>& robot, const VectorX<double>& q) {
+VectorX<double> of_joints(const Robot<double>& robot, const VectorX<double>& q) {
   if (robot.coupling.size() == 0) return q.cwiseAbs();
   return robot.coupling.cwiseAbs() * q.cwiseAbs();
 }
 
+namespace {
+
 // One value for each row of a loop: `of_points` for its points, `of_axes` for its axes.
-inline VectorX<double> by_row(const Loop<double>& loop, double of_points, double of_axes) {
+VectorX<double> by_row(const Loop<double>& loop, double of_points, double of_axes) {
   VectorX<double> rows(static_cast<Eigen::Index>(loop.rows.size()));
   for (Eigen::Index r = 0; r < rows.size(); ++r) {
     rows[r] = loop.rows[static_cast<std::size_t>(r)] < kOfPoints ? of_points : of_axes;
@@ -49,8 +38,8 @@ inline VectorX<double> by_row(const Loop<double>& loop, double of_points, double
 }
 
 // The magnitude of one loop's Φ_q by joint: for a revolute joint, the length of the path to the end that it turns.
-inline MatrixX<double> loop_jacobian_magnitude(const Robot<double>& robot, const Loop<double>& loop,
-                                               const VectorX<double>& positions) {
+MatrixX<double> loop_jacobian_magnitude(const Robot<double>& robot, const Loop<double>& loop,
+                                        const VectorX<double>& positions) {
   MatrixX<double> J = MatrixX<double>::Zero(static_cast<Eigen::Index>(loop.rows.size()), robot.joint_count());
   for (int end = 0; end < 2; ++end) {
     double way = loop.points[end].norm();
@@ -72,7 +61,7 @@ inline MatrixX<double> loop_jacobian_magnitude(const Robot<double>& robot, const
 }
 
 // The length of the path from the carrier of a loop to both of its ends, m.
-inline double length_of(const Robot<double>& robot, const Loop<double>& loop, const VectorX<double>& positions) {
+double length_of(const Robot<double>& robot, const Loop<double>& loop, const VectorX<double>& positions) {
   double length = 0;
   for (int end = 0; end < 2; ++end) {
     length += loop.points[end].norm();
@@ -89,8 +78,8 @@ inline double length_of(const Robot<double>& robot, const Loop<double>& loop, co
 }
 
 // The magnitude of Φ̇_q q̇ of one loop: the acceleration of its ends, and of its axes.
-inline VectorX<double> loop_drift_magnitude(const Robot<double>& robot, const Loop<double>& loop,
-                                            const VectorX<double>& positions, const VectorX<double>& rates) {
+VectorX<double> loop_drift_magnitude(const Robot<double>& robot, const Loop<double>& loop,
+                                     const VectorX<double>& positions, const VectorX<double>& rates) {
   std::vector<MotionMagnitude> motions(robot.links.size());
   for (const Joint<double>& joint : robot.joints) {
     const bool is_in_loop = moves_end(robot, loop, joint, 0) || moves_end(robot, loop, joint, 1);
@@ -131,10 +120,10 @@ VectorX<double> completed_magnitude(const Robot<double>& robot, const VectorX<do
   return known;
 }
 
+}  // namespace
 }  // namespace detail
 
-// The magnitude of G.
-inline MatrixX<double> loop_motion_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+MatrixX<double> loop_motion_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   const MatrixX<double> G = loop_motion(robot, q);
   MatrixX<double> result(G.rows(), G.cols());
   for (Eigen::Index a = 0; a < G.cols(); ++a) {
@@ -147,24 +136,19 @@ inline MatrixX<double> loop_motion_magnitude(const Robot<double>& robot, const V
 
 namespace detail {
 
-// The magnitude of A, or of A G.
-inline MatrixX<double> motion_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+MatrixX<double> motion_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   if (robot.loops.empty()) return robot.coupling.cwiseAbs();
   return robot.coupling.cwiseAbs() * loop_motion_magnitude(robot, q);
 }
 
-// The summed magnitudes of the terms of the joints' rates.
-inline VectorX<double> rates_of_joints(const Robot<double>& robot, const VectorX<double>& q,
-                                       const VectorX<double>& qd) {
+VectorX<double> rates_of_joints(const Robot<double>& robot, const VectorX<double>& q, const VectorX<double>& qd) {
   if (robot.coupling.size() == 0) return qd.cwiseAbs();
   return motion_magnitude(robot, q) * qd.cwiseAbs();
 }
 
 }  // namespace detail
 
-// The magnitude of γ.
-inline VectorX<double> loop_drift_magnitude(const Robot<double>& robot, const VectorX<double>& q,
-                                            const VectorX<double>& qd) {
+VectorX<double> loop_drift_magnitude(const Robot<double>& robot, const VectorX<double>& q, const VectorX<double>& qd) {
   const VectorX<double> positions = detail::of_joints(robot, q), rates = detail::rates_of_joints(robot, q, qd);
   const auto drift = [&](const Loop<double>& loop) {
     return detail::loop_drift_magnitude(robot, loop, positions, rates);
@@ -172,8 +156,7 @@ inline VectorX<double> loop_drift_magnitude(const Robot<double>& robot, const Ve
   return detail::completed_magnitude(robot, q, VectorX<double>::Zero(q.size()), loop_drift(robot, q, qd), drift);
 }
 
-// The magnitude of Φ: the lengths of the paths to both ends, and of their axes.
-inline VectorX<double> loop_closure_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+VectorX<double> loop_closure_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   std::vector<double> entries;
   const VectorX<double> positions = detail::of_joints(robot, q);
   for (const Loop<double>& loop : robot.loops) {
@@ -183,8 +166,7 @@ inline VectorX<double> loop_closure_magnitude(const Robot<double>& robot, const 
   return Eigen::Map<const VectorX<double>>(entries.data(), static_cast<Eigen::Index>(entries.size()));
 }
 
-// The magnitude of Φ_q.
-inline MatrixX<double> loop_jacobian_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+MatrixX<double> loop_jacobian_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   const VectorX<double> positions = detail::of_joints(robot, q);
   MatrixX<double> J(0, q.size());
   for (const Loop<double>& loop : robot.loops) {
@@ -195,8 +177,7 @@ inline MatrixX<double> loop_jacobian_magnitude(const Robot<double>& robot, const
   return J;
 }
 
-// The magnitude of the Newton step.
-inline VectorX<double> loop_step_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
+VectorX<double> loop_step_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   const VectorX<double> positions = detail::of_joints(robot, q);
   const auto gap = [&](const Loop<double>& loop) {
     return detail::by_row(loop, detail::length_of(robot, loop, positions), 1);
@@ -206,9 +187,8 @@ inline VectorX<double> loop_step_magnitude(const Robot<double>& robot, const Vec
 
 namespace detail {
 
-// The summed magnitudes of the terms of the joints' accelerations.
-inline VectorX<double> accelerations_of_joints(const Robot<double>& robot, const VectorX<double>& q,
-                                               const VectorX<double>& qd, const VectorX<double>& qdd) {
+VectorX<double> accelerations_of_joints(const Robot<double>& robot, const VectorX<double>& q, const VectorX<double>& qd,
+                                        const VectorX<double>& qdd) {
   if (robot.loops.empty()) return rates_of_joints(robot, q, qdd);
   return rates_of_joints(robot, q, qdd) + robot.coupling.cwiseAbs() * loop_drift_magnitude(robot, q, qd);
 }

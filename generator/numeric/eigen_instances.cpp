@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "numeric/eigen_instances.hpp"
+
+FLATDYN_EIGEN_DECOMPOSITIONS(double, )
+FLATDYN_EIGEN_DECOMPOSITIONS(flatdyn::reference::Real50, )
+FLATDYN_EIGEN_DECOMPOSITIONS_OF_DOUBLE()
