@@ -17,7 +17,7 @@ std::string joined(const Words& words) { return fmt::format("{}", fmt::join(word
 
 // The scalar that the function is compiled for.
 std::string scalar_type(const BenchVariant& variant) {
-  return variant.calling == Calling::batch ? fmt::format("flatdyn::Lanes<{}>", variant.scalar) : variant.scalar;
+  return variant.call_mode == CallMode::batch ? fmt::format("flatdyn::Lanes<{}>", variant.scalar) : variant.scalar;
 }
 
 bool has_angles(const Function& function) { return count_operations(function).trigonometric > 0; }
@@ -29,11 +29,11 @@ std::string given_type(const BenchVariant& variant) {
 // The argument that selects the source of sines and cosines; `given`: the caller's arrays.
 Words sin_cos_argument(const BenchVariant& variant, const std::string& given) {
   switch (variant.trigonometry) {
-    case Trigonometry::library:
+    case SinCosSource::library:
       return {};
-    case Trigonometry::together:
+    case SinCosSource::together:
       return {"flatdyn::TogetherSinCos()"};
-    case Trigonometry::given:
+    case SinCosSource::given:
       return {fmt::format("{}{{{}}}", given_type(variant), given)};
   }
   return {};
@@ -113,7 +113,7 @@ BatchCall batch_call(const Mechanism& mechanism, const CalledFunction& called, c
     arguments.push_back(argument.name);
     columns.push_back(in_column(argument.length, argument.name));
   }
-  if (variant.trigonometry == Trigonometry::given) {
+  if (variant.trigonometry == SinCosSource::given) {
     for (const char* name : {"s", "c"}) {
       parameters.push_back(fmt::format("auto {}", name));
       columns.push_back(in_column(mechanism.position_count(), name));
@@ -145,8 +145,8 @@ std::string template_symbol(const CalledFunction& called, const BenchVariant& va
   if (is_member(called)) return fmt::format("{}<{}>::{}", called.scope, scalar_type(variant), function);
   std::string types = scalar_type(variant);
   if (has_angles(called.function)) {
-    types += variant.trigonometry == Trigonometry::library    ? fmt::format(", {}::LibrarySinCos", called.scope)
-             : variant.trigonometry == Trigonometry::together ? ", flatdyn::TogetherSinCos"
+    types += variant.trigonometry == SinCosSource::library    ? fmt::format(", {}::LibrarySinCos", called.scope)
+             : variant.trigonometry == SinCosSource::together ? ", flatdyn::TogetherSinCos"
                                                               : ", " + given_type(variant);
   }
   // nm separates closing brackets by blanks, and so inner ones, too.
@@ -175,7 +175,7 @@ PlainFunction plain_function(const Mechanism& mechanism, const CalledFunction& c
     parameters.push_back(fmt::format("{}* {}", scalar, result_name(k)));
     if (!returns_value(function)) arguments.push_back(result_name(k));
   }
-  if (variant.trigonometry == Trigonometry::given) {
+  if (variant.trigonometry == SinCosSource::given) {
     for (const char* name : {"s", "c"}) parameters.push_back(fmt::format("const {}* {}", scalar, name));
   }
   append(arguments, sin_cos_argument(variant, "s, c"));

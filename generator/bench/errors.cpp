@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "bench/calls.hpp"
-#include "deviation/judge.hpp"
+#include "deviation/rounding_error_meter.hpp"
 
 namespace flatdyn {
 namespace {

@@ -135,9 +135,9 @@ data robot_page(const BenchSubject& subject) {
     for (const BenchVariant& variant : subject.variants) {
       const std::optional<CalledFunction> called = called_function(subject, k, variant);
       if (!called) continue;
-      if (variant.calling == Calling::single) singles << single_row(subject, *called, variant);
-      if (variant.calling == Calling::staged) staged << staged_row(subject, *called, variant);
-      if (variant.calling == Calling::batch) lanes << batch_row(subject, *called, variant);
+      if (variant.call_mode == CallMode::single) singles << single_row(subject, *called, variant);
+      if (variant.call_mode == CallMode::staged) staged << staged_row(subject, *called, variant);
+      if (variant.call_mode == CallMode::batch) lanes << batch_row(subject, *called, variant);
       functions << size_row(subject, *called, variant);
     }
   }

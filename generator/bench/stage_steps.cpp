@@ -21,7 +21,7 @@ OperationCount& operator+=(OperationCount& sum, const OperationCount& count) {
 
 BenchVariant in_stages() {
   BenchVariant variant = bench_variants().front();
-  variant.calling = Calling::staged;
+  variant.call_mode = CallMode::staged;
   return variant;
 }
 
@@ -83,8 +83,9 @@ class StepWriter {
 
 std::optional<Stages> bench_stages(const LoadedRobot& model, const std::vector<Function>& functions,
                                    const std::vector<BenchVariant>& variants, Progress& progress) {
-  const bool any_staged = std::any_of(variants.begin(), variants.end(),
-                                      [](const BenchVariant& variant) { return variant.calling == Calling::staged; });
+  const bool any_staged = std::any_of(variants.begin(), variants.end(), [](const BenchVariant& variant) {
+    return variant.call_mode == CallMode::staged;
+  });
   std::vector<std::string> names;
   for (const Function& function : functions) {
     const std::vector<InputKind>& inputs = function.inputs;

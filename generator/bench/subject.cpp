@@ -46,7 +46,7 @@ std::string name_space_of_budget(const std::string& budget) { return in_robot(cp
 std::optional<CalledFunction> called_function(const BenchSubject& subject, std::size_t k, const BenchVariant& variant) {
   const Function& whole = subject.functions[k];
   if (!is_made(variant, whole, subject.toolchain.has_xsimd)) return std::nullopt;
-  if (variant.calling == Calling::staged) return member(subject.stages, whole.name);
+  if (variant.call_mode == CallMode::staged) return member(subject.stages, whole.name);
   const std::string budget = variant.budget;
   if (!budget.empty()) return with_budget(subject, whole.name, budget);
   return CalledFunction{whole, kBenchNamespace, in_robot("")};

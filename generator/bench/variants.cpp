@@ -7,34 +7,34 @@ namespace flatdyn {
 
 const std::vector<BenchVariant>& bench_variants() {
   static const std::vector<BenchVariant> table = {
-      {"double", "double", Calling::single, Trigonometry::library},
-      {"double-together", "double", Calling::single, Trigonometry::together},
-      {"double-given", "double", Calling::single, Trigonometry::given},
-      {"double-staged", "double", Calling::staged, Trigonometry::library},
-      {"double-0.01%", "double", Calling::single, Trigonometry::library, "0.01%"},
-      {"double-0.1%", "double", Calling::single, Trigonometry::library, "0.1%"},
-      {"double-1%", "double", Calling::single, Trigonometry::library, "1%"},
-      {"float", "float", Calling::single, Trigonometry::library},
-      {"float-together", "float", Calling::single, Trigonometry::together},
-      {"float-given", "float", Calling::single, Trigonometry::given},
-      {"float-staged", "float", Calling::staged, Trigonometry::library},
-      {"batch-double", "double", Calling::batch, Trigonometry::library},
-      {"batch-double-given", "double", Calling::batch, Trigonometry::given},
-      {"batch-float", "float", Calling::batch, Trigonometry::library},
-      {"batch-float-given", "float", Calling::batch, Trigonometry::given},
-      {"batch-float-0.01%", "float", Calling::batch, Trigonometry::library, "0.01%"},
-      {"batch-float-0.1%", "float", Calling::batch, Trigonometry::library, "0.1%"},
-      {"batch-float-1%", "float", Calling::batch, Trigonometry::library, "1%"},
+      {"double", "double", CallMode::single, SinCosSource::library},
+      {"double-together", "double", CallMode::single, SinCosSource::together},
+      {"double-given", "double", CallMode::single, SinCosSource::given},
+      {"double-staged", "double", CallMode::staged, SinCosSource::library},
+      {"double-0.01%", "double", CallMode::single, SinCosSource::library, "0.01%"},
+      {"double-0.1%", "double", CallMode::single, SinCosSource::library, "0.1%"},
+      {"double-1%", "double", CallMode::single, SinCosSource::library, "1%"},
+      {"float", "float", CallMode::single, SinCosSource::library},
+      {"float-together", "float", CallMode::single, SinCosSource::together},
+      {"float-given", "float", CallMode::single, SinCosSource::given},
+      {"float-staged", "float", CallMode::staged, SinCosSource::library},
+      {"batch-double", "double", CallMode::batch, SinCosSource::library},
+      {"batch-double-given", "double", CallMode::batch, SinCosSource::given},
+      {"batch-float", "float", CallMode::batch, SinCosSource::library},
+      {"batch-float-given", "float", CallMode::batch, SinCosSource::given},
+      {"batch-float-0.01%", "float", CallMode::batch, SinCosSource::library, "0.01%"},
+      {"batch-float-0.1%", "float", CallMode::batch, SinCosSource::library, "0.1%"},
+      {"batch-float-1%", "float", CallMode::batch, SinCosSource::library, "1%"},
   };
   return table;
 }
 
 bool needs_xsimd(const BenchVariant& variant) {
-  return variant.calling == Calling::batch || variant.trigonometry == Trigonometry::together;
+  return variant.call_mode == CallMode::batch || variant.trigonometry == SinCosSource::together;
 }
 
 bool is_whole_call(const BenchVariant& variant) {
-  return variant.trigonometry != Trigonometry::given && variant.calling != Calling::staged;
+  return variant.trigonometry != SinCosSource::given && variant.call_mode != CallMode::staged;
 }
 
 namespace {
@@ -52,8 +52,8 @@ bool asks_for_multiples(const Graph& graph) {
 
 bool is_made(const BenchVariant& variant, const Function& function, bool has_xsimd) {
   const bool has_angles = count_operations(function).trigonometric > 0;
-  if (variant.trigonometry == Trigonometry::given && asks_for_multiples(function.graph)) return false;
-  return (has_xsimd || !needs_xsimd(variant)) && (has_angles || variant.trigonometry == Trigonometry::library);
+  if (variant.trigonometry == SinCosSource::given && asks_for_multiples(function.graph)) return false;
+  return (has_xsimd || !needs_xsimd(variant)) && (has_angles || variant.trigonometry == SinCosSource::library);
 }
 
 }  // namespace flatdyn

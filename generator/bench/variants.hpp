@@ -10,17 +10,17 @@ namespace flatdyn {
 
 // How a generated function is called: one state per call; as a member of a stage (emit/stages.hpp) that is already
 // made; or over SIMD lanes, with all states in one call.
-enum class Calling { single, staged, batch };
+enum class CallMode { single, staged, batch };
 
 // The source of sines and cosines, the last argument of generated functions: the library; all joints' in one call over
 // SIMD lanes; or the caller, so that only the rest is timed.
-enum class Trigonometry { library, together, given };
+enum class SinCosSource { library, together, given };
 
 struct BenchVariant {
   const char* name;
   const char* scalar;  // "double" or "float"
-  Calling calling;
-  Trigonometry trigonometry;
+  CallMode call_mode;
+  SinCosSource trigonometry;
   const char* budget = "";  // error budget by which the function is abbreviated; "": none
 };
 

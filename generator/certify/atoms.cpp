@@ -32,12 +32,12 @@ int Atoms::product(int a, int b) {
   return numbered({Atom::Kind::product, std::min(a, b), std::max(a, b)});
 }
 
-bool Atoms::is_of_sines(int atom) const {
+bool Atoms::is_purely_trigonometric(int atom) const {
   const Atom& of = (*this)[atom];
-  return of.kind == Atom::Kind::one || (of.kind == Atom::Kind::turned && is_of_sines(of.a));
+  return of.kind == Atom::Kind::one || (of.kind == Atom::Kind::turned && is_purely_trigonometric(of.a));
 }
 
-bool Atoms::are_apart(int a, int b) const {
+bool Atoms::have_no_joint_in_common(int a, int b) const {
   for (int x = a; x != kOne; x = (*this)[x].a) {
     for (int y = b; y != kOne; y = (*this)[y].a) {
       if ((*this)[x].joint == (*this)[y].joint) return false;

@@ -40,9 +40,9 @@ class Atoms {
 
   const Atom& operator[](int atom) const { return atoms_[static_cast<std::size_t>(atom)]; }
   // Whether the atom has only sines and cosines as factors: 1, s_1, s_1 c_2.
-  bool is_of_sines(int atom) const;
+  bool is_purely_trigonometric(int atom) const;
   // Whether two products of sines have no joint in common.
-  bool are_apart(int a, int b) const;
+  bool have_no_joint_in_common(int a, int b) const;
   // Whether atom a is later than b in an order in which every atom comes after those that it is made of.
   bool is_later(int a, int b) const { return std::pair(rank(a), a) > std::pair(rank(b), b); }
 

@@ -51,10 +51,10 @@ class Certifier {
         format_(rounding_format(options.scalar)),
         options_(options),
         constants_(function),
-        analysis_(with_constants_apart(text, [this](double literal) { return constants_.is_ambiguous(literal); }),
+        analysis_(with_constants_unshared(text, [this](double literal) { return constants_.is_ambiguous(literal); }),
                   rounding_model(constants_, format_, options), input_limits(mechanism),
-                  std::make_unique<Motions>(mechanism, input_limits(mechanism),
-                                            [this](double literal) { return constants_.exact_size(literal); }),
+                  std::make_unique<MotionRecogniser>(mechanism, input_limits(mechanism),
+                                                     [this](double literal) { return constants_.exact_size(literal); }),
                   options.effort) {
     result_.name = function.name;
   }
@@ -119,8 +119,9 @@ class Certifier {
     const OutputError error = analysis_.error_of(operations_[k], joints_[k]);
     output.bound = error.bound;
     output.terms = error.terms();
-    output.doubt = std::ldexp(error.bound, -bits_more(format_)) +
-                   std::ldexp(analysis_.norms().largest(operations_[k]), -format_.precision - bits_more(format_));
+    output.reference_error =
+        std::ldexp(error.bound, -bits_more(format_)) +
+        std::ldexp(analysis_.norms().largest(operations_[k]), -format_.precision - bits_more(format_));
     if (!error.groups.empty()) result_.scripts.push_back(sum_script(function_.name, output.name, output.unit, error));
   }
 
@@ -128,7 +129,7 @@ class Certifier {
   void ask(Progress& progress) {
     progress.step("asking Gappa about " + function_.name);
     const auto start = std::chrono::steady_clock::now();
-    const std::vector<Verdict> verdicts = ask_gappa(result_.scripts, options_.time_limit);
+    const std::vector<Verdict> verdicts = run_gappa(result_.scripts, options_.time_limit);
     Verdict of_roundings = Verdict::proven;
     for (std::size_t k = 0; k < roundings_; ++k) {
       if (verdicts[k] != Verdict::proven) of_roundings = verdicts[k];
@@ -191,7 +192,7 @@ bool is_refuted(const Certificate& certificate) {
   for (const CertifiedFunction& function : certificate.functions) {
     for (const CertifiedOutput& output : function.outputs) {
       if (certificate.by_gappa && output.verdict == Verdict::refused) return true;
-      if (output.observed > output.bound + output.doubt) return true;
+      if (output.observed > output.bound + output.reference_error) return true;
     }
   }
   return false;

@@ -34,7 +34,7 @@ struct CertifiedOutput {
   std::string unit;                    // "N m"; empty: SI
   double bound = 0;                    // bound of the absolute error
   double observed = 0;                 // largest absolute error seen
-  double doubt = 0;                    // bound of the error of the values that errors are measured against
+  double reference_error = 0;          // bound of the error of the values that errors are measured against
   int terms = 0;                       // number of errors that add up to the bound
   std::optional<double> effort;        // the effort limit of the joint, if the output is a torque
   Verdict verdict = Verdict::refused;  // Gappa's verdict

@@ -24,7 +24,7 @@ class Combinations {
 
   struct Found {
     Eigen::VectorXd coefficients;  // the shortest c
-    double doubt = 0;  // bound of its distance from an exact one, if samples in double are right to kSamples
+    double error_bound = 0;  // bound of its distance from an exact one, if samples in double are right to kSamples
   };
   std::optional<Found> of(const std::vector<F>& y, const Eigen::VectorXd& in_double) const;
 

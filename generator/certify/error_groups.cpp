@@ -42,7 +42,7 @@ ErrorGroup group_of(const std::vector<const ErrorsByDerivative*>& parts, double 
   for (const ErrorsByDerivative* part : parts) result.components.push_back(part->errors);
   std::reverse(result.components.begin(), result.components.end());
   result.sensitivity = rounded_up(sensitivity, kBoundDigits);
-  result.bound = error * result.sensitivity * kUpward;
+  result.bound = error * result.sensitivity * kRoundingMargin;
   return result;
 }
 
@@ -55,16 +55,16 @@ void finish(const Draft& draft, Norms& norms, std::vector<ErrorGroup>& groups) {
     bound += apart.back().bound;
   }
   if (apart.size() > 1) {
-    const double length = std::min(draft.apart * kUpward, norms.largest_length(draft.derivatives));
+    const double length = std::min(draft.apart * kRoundingMargin, norms.largest_length(draft.derivatives));
     const ErrorGroup together = group_of(draft.parts, draft.error, length);
     if (together.bound < bound) apart = {together};
   }
   groups.insert(groups.end(), apart.begin(), apart.end());
 }
 
-bool turn_together(const Draft& draft, int derivative, Norms& norms) {
+bool may_rotate_together(const Draft& draft, int derivative, Norms& norms) {
   return std::any_of(draft.derivatives.begin(), draft.derivatives.end(),
-                     [&](int other) { return norms.turn_together(other, derivative); });
+                     [&](int other) { return norms.may_rotate_together(other, derivative); });
 }
 
 // Adds the part to the draft that gains most by it, or to a new one.
@@ -76,7 +76,7 @@ void add(const ErrorsByDerivative& part, Norms& norms, std::vector<Draft>& draft
   for (std::size_t back = 1; back <= std::min(drafts.size(), kNearby); ++back) {
     const std::size_t k = drafts.size() - back;
     const Draft& draft = drafts[k];
-    if (draft.parts.size() == kMostComponents || !turn_together(draft, part.derivative, norms)) continue;
+    if (draft.parts.size() == kMostComponents || !may_rotate_together(draft, part.derivative, norms)) continue;
     Draft together = draft.with(part, norms);
     const double gained = draft.cost + alone.cost - together.cost;
     if (gained <= most) continue;

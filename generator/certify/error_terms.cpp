@@ -11,7 +11,7 @@
 namespace flatdyn {
 
 ErrorAnalysis::ErrorAnalysis(StraightLine text, RoundingModel model, InputLimits limits,
-                             std::unique_ptr<Motions> motions, int effort)
+                             std::unique_ptr<MotionRecogniser> motions, int effort)
     : lines_(std::move(text)),
       executed_(lines_.size()),
       motions_(std::move(motions)),
@@ -31,14 +31,14 @@ int ErrorAnalysis::product(int a, int b) {
 double ErrorAnalysis::Readers::allow() const {
   double sum = others;
   for (const auto& [joint, by] : turning) sum += std::hypot(by.first, by.second);
-  return std::max(sum * kUpward, Norms::kLeastSize);
+  return std::max(sum * kRoundingMargin, Norms::kLeastSize);
 }
 
 // By operation: the derivative of the output by its result; -1: there is none.
 std::vector<int> ErrorAnalysis::derivatives(int output) {
   std::vector<int> of(static_cast<std::size_t>(output) + 1, -1);
   of.back() = lines_.constant(1);
-  const auto pass_on = [this, &of](int to, int derivative) {
+  const auto propagate = [this, &of](int to, int derivative) {
     int& sum = of[static_cast<std::size_t>(to)];
     sum = sum < 0 ? derivative : lines_.add(sum, derivative);
   };
@@ -48,19 +48,19 @@ std::vector<int> ErrorAnalysis::derivatives(int output) {
     const Operation operation = lines_[k];
     switch (operation.step) {
       case Step::negate:
-        pass_on(operation.a, lines_.negate(derivative));
+        propagate(operation.a, lines_.negate(derivative));
         break;
       case Step::add:
-        pass_on(operation.a, derivative);
-        pass_on(operation.b, derivative);
+        propagate(operation.a, derivative);
+        propagate(operation.b, derivative);
         break;
       case Step::subtract:
-        pass_on(operation.a, derivative);
-        pass_on(operation.b, lines_.negate(derivative));
+        propagate(operation.a, derivative);
+        propagate(operation.b, lines_.negate(derivative));
         break;
       case Step::multiply:
-        pass_on(operation.a, product(derivative, operation.b));
-        pass_on(operation.b, product(derivative, operation.a));
+        propagate(operation.a, product(derivative, operation.b));
+        propagate(operation.b, product(derivative, operation.a));
         break;
       default:
         break;  // Norms throws for divisions, and for signs of values with errors
@@ -70,15 +70,15 @@ std::vector<int> ErrorAnalysis::derivatives(int output) {
 }
 
 // Adds the derivative of operation k to the readers of its operands.
-void ErrorAnalysis::pass_on(double sensitivity, int k, std::vector<Readers>& readers) {
+void ErrorAnalysis::propagate(double sensitivity, int k, std::vector<Readers>& readers) {
   const auto add = [&readers, sensitivity](int to, double factor) {
-    readers[static_cast<std::size_t>(to)].others += sensitivity * factor * kUpward;
+    readers[static_cast<std::size_t>(to)].others += sensitivity * factor * kRoundingMargin;
   };
   const auto add_product = [this, &readers, &add, sensitivity](int to, int factor) {
     const Operation& by = lines_[factor];
     if (!by.is_sine_or_cosine()) return add(to, norms_.largest(factor));
     auto& [cosine, sine] = readers[static_cast<std::size_t>(to)].turning[by.input.index];
-    (by.step == Step::cosine ? cosine : sine) += sensitivity * (1 + 2 * norms_.own_error(factor)) * kUpward;
+    (by.step == Step::cosine ? cosine : sine) += sensitivity * (1 + 2 * norms_.own_error(factor)) * kRoundingMargin;
   };
   const Operation operation = lines_[k];
   switch (operation.step) {
@@ -112,7 +112,7 @@ OutputError ErrorAnalysis::error_of(int output, std::optional<int> joint) {
     int by_k = derivative[static_cast<std::size_t>(k)];
     if (by_k < 0) continue;
     const double sensitivity = norms_.largest(by_k, readers[static_cast<std::size_t>(k)].allow());
-    pass_on(sensitivity, k, readers);
+    propagate(sensitivity, k, readers);
     const double error = norms_.own_error(k);
     if (!(error > 0 && sensitivity > 0)) continue;
     while (lines_[by_k].step == Step::negate) by_k = lines_[by_k].a;

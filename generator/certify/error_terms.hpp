@@ -53,8 +53,8 @@ struct OutputError {
 // A function's operations, and the derivatives that have been asked for.
 class ErrorAnalysis {
  public:
-  ErrorAnalysis(StraightLine text, RoundingModel model, InputLimits limits, std::unique_ptr<Motions> motions = nullptr,
-                int effort = kUsualEffort);
+  ErrorAnalysis(StraightLine text, RoundingModel model, InputLimits limits,
+                std::unique_ptr<MotionRecogniser> motions = nullptr, int effort = kUsualEffort);
 
   const StraightLine& text() const { return lines_; }  // the operations, with derivatives appended
   int executed() const { return executed_; }
@@ -75,12 +75,12 @@ class ErrorAnalysis {
   };
 
   std::vector<int> derivatives(int output);
-  void pass_on(double sensitivity, int k, std::vector<Readers>& readers);
+  void propagate(double sensitivity, int k, std::vector<Readers>& readers);
   int product(int a, int b);
 
   StraightLine lines_;
   int executed_;
-  std::unique_ptr<Motions> motions_;
+  std::unique_ptr<MotionRecogniser> motions_;
   Norms norms_;
 };
 

@@ -29,7 +29,7 @@ bool has_gappa() {
   return found;
 }
 
-std::vector<Verdict> ask_gappa(const std::vector<GappaScript>& scripts, double seconds) {
+std::vector<Verdict> run_gappa(const std::vector<GappaScript>& scripts, double seconds) {
   const TemporaryFolder folder;
   std::vector<Verdict> verdicts(scripts.size(), Verdict::refused);
   std::atomic<std::size_t> next = 0;

@@ -15,6 +15,6 @@ enum class Verdict { proven, refused, out_of_time };
 
 // The verdict on each script. As many scripts run at a time as there are cores; each may take `seconds`. Throws
 // Failure(io).
-std::vector<Verdict> ask_gappa(const std::vector<GappaScript>& scripts, double seconds);
+std::vector<Verdict> run_gappa(const std::vector<GappaScript>& scripts, double seconds);
 
 }  // namespace flatdyn

@@ -19,7 +19,7 @@ double size_of(const Body& body, const std::optional<Value>& limit, const char* 
     throw Failure(ExitCode::unsupported, fmt::format("joint \"{}\" has no limit of {}", body.joint, what),
                   "give it in the robot file, or in [limits] of the scene");
   }
-  return std::abs(nearest_double(limit->number)) * kUpward;
+  return std::abs(nearest_double(limit->number)) * kRoundingMargin;
 }
 
 double limit_of(const Body& body, InputKind kind) {

@@ -18,16 +18,16 @@
 
 namespace flatdyn {
 
-inline constexpr std::size_t kTogether = 64;  // number of states evaluated together
+inline constexpr std::size_t kLaneCount = 64;  // number of states evaluated together
 
 // One number for each of these states.
 template <class T>
 struct Lanes {
-  std::array<T, kTogether> of{};
+  std::array<T, kLaneCount> of{};
 
   template <class Operator>
   Lanes& by(const Lanes& other, Operator apply) {
-    for (std::size_t k = 0; k < kTogether; ++k) of[k] = apply(of[k], other.of[k]);
+    for (std::size_t k = 0; k < kLaneCount; ++k) of[k] = apply(of[k], other.of[k]);
     return *this;
   }
   Lanes& operator+=(const Lanes& b) {
@@ -66,7 +66,7 @@ Lanes<T> filled(T value) {
   return all;
 }
 
-// kTogether states, rounded to the format, so that the text and the graph get the same numbers; rounding never exceeds
+// kLaneCount states, rounded to the format, so that the text and the graph get the same numbers; rounding never exceeds
 // a limit that is itself a number of the format.
 class Batch {
  public:
@@ -79,7 +79,7 @@ class Batch {
   template <class T>
   Lanes<T> input(const Input& input) const {
     Lanes<T> values;
-    for (std::size_t k = 0; k < kTogether; ++k) {
+    for (std::size_t k = 0; k < kLaneCount; ++k) {
       values.of[k] =
           static_cast<T>(format_.toward_zero(states_[k].of(input.kind)[static_cast<std::size_t>(input.index)]));
     }
@@ -94,8 +94,8 @@ class Batch {
 
 // x plus the error where the state's bit of `signs` is set, minus the error elsewhere.
 template <class T>
-Lanes<T> disturbed(Lanes<T> x, T error, std::uint64_t signs) {
-  for (std::size_t k = 0; k < kTogether; ++k) x.of[k] += (signs >> k & 1) != 0 ? error : -error;
+Lanes<T> perturbed(Lanes<T> x, T error, std::uint64_t signs) {
+  for (std::size_t k = 0; k < kLaneCount; ++k) x.of[k] += (signs >> k & 1) != 0 ? error : -error;
   return x;
 }
 
@@ -127,14 +127,16 @@ class TextArithmetic {
   Scalar input(const Input& input) const { return batch_.input<T>(input); }
   Scalar sine(const Input& position) { return sine(input(position)); }
   Scalar cosine(const Input& position) { return cosine(input(position)); }
-  Scalar sine(const Scalar& angle) { return off(sine_or_cosine(angle, false)); }
-  Scalar cosine(const Scalar& angle) { return off(sine_or_cosine(angle, true)); }
+  Scalar sine(const Scalar& angle) { return with_error(sine_or_cosine(angle, false)); }
+  Scalar cosine(const Scalar& angle) { return with_error(sine_or_cosine(angle, true)); }
   Scalar divide(Scalar a, const Scalar& b) const { return a /= b; }
   Scalar sign(const Scalar& x) const { return flatdyn::sign(x); }
   Scalar sqrt(const Scalar& x) const { return square_root(x); }
 
  private:
-  Scalar off(const Scalar& x) { return sine_error_ > 0 ? disturbed(x, static_cast<T>(sine_error_), signs_()) : x; }
+  Scalar with_error(const Scalar& x) {
+    return sine_error_ > 0 ? perturbed(x, static_cast<T>(sine_error_), signs_()) : x;
+  }
 
   const Batch& batch_;
   double sine_error_;

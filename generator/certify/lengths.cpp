@@ -67,7 +67,7 @@ double Norms::length(const Vector& v) {
     Part part;
     for (Index row = 0; row < summand.of.rows(); ++row) {
       const double size = summand.of.row(row).cwiseAbs().sum();
-      if (size > kRest) {
+      if (size > kNegligible) {
         part.rows.insert(row);
       } else {
         rest += size;
@@ -77,7 +77,7 @@ double Norms::length(const Vector& v) {
     if (group >= 0 && places.size() > 1) part.length = std::min(part.length, length_of_motion(summand));
     parts.push_back(std::move(part));
   }
-  return std::min(in_box, (length_of_sum(parts) + rest) * kUpward);
+  return std::min(in_box, (length_of_sum(parts) + rest) * kRoundingMargin);
 }
 
 // The length of a vector of results that belong to one motion.
@@ -91,7 +91,7 @@ double Norms::length_of_motion(const Vector& v) {
     rows.col(k) /= largest_of(atom);
     slack += rows.col(k).norm() * deviation(operations.back()).error;
   }
-  return (motions_->largest_length(operations, rows) + slack) * kUpward;
+  return (motions_->largest_length(operations, rows) + slack) * kRoundingMargin;
 }
 
 }  // namespace flatdyn

@@ -61,7 +61,7 @@ Eigen::Matrix4d quadratic_form(const VectorXd& row) {
 }
 
 double length_of(const Vec3& v) {
-  return std::hypot(nearest_double(v[0]), nearest_double(v[1]), nearest_double(v[2])) * kUpward;
+  return std::hypot(nearest_double(v[0]), nearest_double(v[1]), nearest_double(v[2])) * kRoundingMargin;
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ MotionBounds::MotionBounds(const Mechanism& mechanism, const InputLimits& limits
     Link link;
     if (body.parent >= 0) {
       link = links_[static_cast<std::size_t>(body.parent)];
-      for (double& lever : link.lever) lever = (lever + length_of(body.p)) * kUpward;
+      for (double& lever : link.lever) lever = (lever + length_of(body.p)) * kRoundingMargin;
       link.before.push_back(body.parent);
       link.lever.push_back(length_of({body.p[0], body.p[1], 0}));  // a displacement along the axis has no moment arm
     }
@@ -112,13 +112,13 @@ double MotionBounds::of_motion(int link, const MatrixXd& rows) const {
       result += rates_[static_cast<std::size_t>(of.before[a])] * rate * (of_pairs + 2 * lever);
     }
   }
-  return result * kUpward;
+  return result * kRoundingMargin;
 }
 
 double MotionBounds::of_axis(int joint, int link, const MatrixXd& rows) const {
   const MatrixXd A = rows.middleCols<3>(Basis::kAxis), B = rows.middleCols<3>(Basis::kLever);
-  if (joint == link) return A.col(2).norm() * kUpward;
-  return (spectral_norm(A) + spectral_norm(B) * lever_of(joint, link)) * kUpward;
+  if (joint == link) return A.col(2).norm() * kRoundingMargin;
+  return (spectral_norm(A) + spectral_norm(B) * lever_of(joint, link)) * kRoundingMargin;
 }
 
 double MotionBounds::lever_of(int joint, int link) const {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/motions.hpp"
+#include "certify/motion_recogniser.hpp"
 #include "definition/field_motion.hpp"
 #include "graph/arithmetic.hpp"
 #include "graph/mod_p.hpp"
@@ -32,14 +32,14 @@ class RealPoint {
     const double angle = std::numbers::pi * input({InputKind::q, i});
     return {std::cos(angle), std::sin(angle)};
   }
-  double stranger(std::uint64_t number) const { return drawn(~number); }
+  double unrelated_number(std::uint64_t number) const { return drawn(~number); }
   RealArithmetic<double> arithmetic() const {
     return RealArithmetic<double>([](const Input&) { return 0.0; });
   }
 
  private:
   double drawn(std::uint64_t what) const {
-    return std::ldexp(static_cast<double>(scrambled(seed_, what) >> 11), -52) - 1;
+    return std::ldexp(static_cast<double>(splitmix64(seed_, what) >> 11), -52) - 1;
   }
 
   std::uint64_t seed_;
@@ -64,7 +64,7 @@ class FieldPoint {
     const auto point = arithmetic_.point(input({InputKind::q, i}));
     return {point.c, point.s};
   }
-  Scalar stranger(std::uint64_t number) const { return Scalar(scrambled(seed_, ~number)); }
+  Scalar unrelated_number(std::uint64_t number) const { return Scalar(splitmix64(seed_, ~number)); }
   ModPArithmetic<> arithmetic() const { return arithmetic_; }
 
  private:
@@ -84,22 +84,22 @@ class PointArithmetic {
 
   Scalar constant(double literal) {
     const std::optional<Scalar> known = point_.constant(literal);
-    return known ? *known : stranger();
+    return known ? *known : unrelated_number();
   }
   Scalar input(const Input& input) const { return point_.input(input); }
   Scalar sine(const Input& position) const { return point_.joint(position.index).s; }
   Scalar cosine(const Input& position) const { return point_.joint(position.index).c; }
-  Scalar sine(const Scalar&) { return stranger(); }
-  Scalar cosine(const Scalar&) { return stranger(); }
-  Scalar divide(const Scalar&, const Scalar&) { return stranger(); }
-  Scalar sign(const Scalar&) { return stranger(); }
-  Scalar sqrt(const Scalar&) { return stranger(); }
+  Scalar sine(const Scalar&) { return unrelated_number(); }
+  Scalar cosine(const Scalar&) { return unrelated_number(); }
+  Scalar divide(const Scalar&, const Scalar&) { return unrelated_number(); }
+  Scalar sign(const Scalar&) { return unrelated_number(); }
+  Scalar sqrt(const Scalar&) { return unrelated_number(); }
 
  private:
-  Scalar stranger() { return point_.stranger(strangers_++); }
+  Scalar unrelated_number() { return point_.unrelated_number(unrelated_count_++); }
 
   Point point_;
-  std::uint64_t strangers_ = 0;
+  std::uint64_t unrelated_count_ = 0;
 };
 
 // The inputs that are read; others count as 0.

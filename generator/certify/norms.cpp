@@ -15,7 +15,7 @@ constexpr double kMuchLess = 0.9;
 constexpr const char* kMayOverflow = "it may overflow";
 
 double product_of_sizes(double a, double b) {
-  return a > 0 && b > 0 ? std::max(a * b * kUpward, Norms::kLeastSize) : 0;
+  return a > 0 && b > 0 ? std::max(a * b * kRoundingMargin, Norms::kLeastSize) : 0;
 }
 
 std::optional<double> number_of(const std::vector<std::pair<int, double>>& form) {
@@ -26,8 +26,8 @@ std::optional<double> number_of(const std::vector<std::pair<int, double>>& form)
 
 }  // namespace
 
-Norms::Norms(const StraightLine& lines, int executed, RoundingModel model, InputLimits limits, const Motions* motions,
-             int effort)
+Norms::Norms(const StraightLine& lines, int executed, RoundingModel model, InputLimits limits,
+             const MotionRecogniser* motions, int effort)
     : lines_(lines),
       executed_(executed),
       model_(std::move(model)),
@@ -36,10 +36,11 @@ Norms::Norms(const StraightLine& lines, int executed, RoundingModel model, Input
       effort_(effort) {}
 
 // Whether all terms are products of sines, few enough to be multiplied out.
-bool Norms::is_of_sines(const Form& form) const {
+bool Norms::is_purely_trigonometric(const Form& form) const {
   constexpr std::size_t kMost = 4;
-  return form.size() <= kMost &&
-         std::all_of(form.begin(), form.end(), [this](const auto& term) { return atoms_.is_of_sines(term.first); });
+  return form.size() <= kMost && std::all_of(form.begin(), form.end(), [this](const auto& term) {
+           return atoms_.is_purely_trigonometric(term.first);
+         });
 }
 
 double Norms::largest_of(int atom) {
@@ -91,7 +92,7 @@ void Norms::add(Expansion& to, double c, const Form& form) {
       ++i;
     }
     if (total != 0) result.emplace_back(atom, total);
-    if (lost > 0) to.slack += lost * largest_of(atom) * kUpward;
+    if (lost > 0) to.slack += lost * largest_of(atom) * kRoundingMargin;
   }
   result.insert(result.end(), i, to.form.end());
   to.form = std::move(result);
@@ -134,7 +135,7 @@ void Norms::bound(int k, Expansion& expansion) {
     expansion.own_error = model_.format.half_ulp(size);
   }
   if (of_motion > kMuchLess * by_operation) return;
-  largest_[k] = (size + expansion.own_error) * kUpward;
+  largest_[k] = (size + expansion.own_error) * kRoundingMargin;
   expansion.form = {{atoms_.given(k), 1}};
   expansion.slack = 0;
   expansion.has_all_errors = true;
@@ -149,9 +150,10 @@ double Norms::largest_of_motion(int k) {
 
 Norms::Deviation Norms::deviation_before_rounding(int k) {
   const Deviation a = deviation(lines_[k].a), b = deviation(lines_[k].b);
-  if (lines_[k].step != Step::multiply) return {(a.size + b.size) * kUpward, (a.error + b.error) * kUpward};
+  if (lines_[k].step != Step::multiply)
+    return {(a.size + b.size) * kRoundingMargin, (a.error + b.error) * kRoundingMargin};
   return {product_of_sizes(a.size, b.size),
-          (product_of_sizes(a.error, b.size) + product_of_sizes(a.size, b.error)) * kUpward};
+          (product_of_sizes(a.error, b.size) + product_of_sizes(a.size, b.error)) * kRoundingMargin};
 }
 
 const Norms::Deviation& Norms::deviation(int k) {
@@ -171,12 +173,12 @@ const Norms::Deviation& Norms::deviation(int k) {
   } else {
     result = {largest(k), expansion(k).own_error};
   }
-  return deviations_[k] = {result.size * kUpward, result.error * kUpward};
+  return deviations_[k] = {result.size * kRoundingMargin, result.error * kRoundingMargin};
 }
 
 double Norms::largest_by_operands(int k) {
   const double a = largest(lines_[k].a), b = largest(lines_[k].b);
-  return lines_[k].step == Step::multiply ? product_of_sizes(a, b) : (a + b) * kUpward;
+  return lines_[k].step == Step::multiply ? product_of_sizes(a, b) : (a + b) * kRoundingMargin;
 }
 
 Norms::Expansion Norms::unrounded(int k) {
@@ -243,12 +245,12 @@ Norms::Expansion Norms::distributed(const Expansion& sines, int k) {
   for (const auto& term_of_sines : sines.form) {
     const int sine = term_of_sines.first;
     const double c = term_of_sines.second;
-    const bool is_apart =
-        is_of_sines(x.form) && std::abs(c) == 1 && std::all_of(x.form.begin(), x.form.end(), [&](const auto& term) {
-          return std::abs(term.second) == 1 && atoms_.are_apart(sine, term.first);
-        });
+    const bool is_apart = is_purely_trigonometric(x.form) && std::abs(c) == 1 &&
+                          std::all_of(x.form.begin(), x.form.end(), [&](const auto& term) {
+                            return std::abs(term.second) == 1 && atoms_.have_no_joint_in_common(sine, term.first);
+                          });
     if (sine == Atoms::kOne || is_apart) {
-      result.slack += std::abs(c) * x.slack * kUpward;
+      result.slack += std::abs(c) * x.slack * kRoundingMargin;
       for (const auto& [atom, d] : x.form) add(result, c, {{atoms_.product(sine, atom), d}});
     } else {
       add(result, c, {{atoms_.product(sine, whole.atom), whole.coefficient}});
@@ -266,7 +268,7 @@ Norms::Expansion Norms::product(int k) {
   }
   for (const auto& [x, y] : {std::pair(a, b), std::pair(b, a)}) {
     const Expansion& of_x = expansion(x);
-    if (is_of_sines(of_x.form)) return distributed(of_x, y);
+    if (is_purely_trigonometric(of_x.form)) return distributed(of_x, y);
   }
   const Factor x = factor(a), y = factor(b);
   Expansion result;
@@ -281,7 +283,7 @@ double Norms::largest(int k, double known) {
   const Expansion& of = expansion(k);
   if (const auto found = largest_.find(k); found != largest_.end()) return std::min(found->second, known);
   const double size = is_rounded(k) ? of.before_rounding + of.own_error : norm(of.form) + of.slack;
-  return largest_[k] = std::min(size * kUpward, known);
+  return largest_[k] = std::min(size * kRoundingMargin, known);
 }
 
 }  // namespace flatdyn

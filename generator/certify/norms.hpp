@@ -12,10 +12,10 @@
 //     largest eigenvalue times |(x_1, ...)|².
 // Where only some rows contain the part that is replaced by x, and also other terms y, |x + y|² ≤ (1 + λ) |x|² + (1 +
 // 1/λ) |y|² for any λ > 0. In the end only inputs are left, which have limits. Many results are motions of links, see
-// motions.hpp. The bounds of these do not depend on the formulation, and where they are smaller, the results stay
-// atoms; those of one link are bounded together. Rounding errors are included: an operation's result is its exact value
-// plus any part of an error of at most half a unit in the last place. So the bounds hold for exact values, for computed
-// ones, and for all in between.
+// motion_recogniser.hpp. The bounds of these do not depend on the formulation, and where they are smaller, the results
+// stay atoms; those of one link are bounded together. Rounding errors are included: an operation's result is its exact
+// value plus any part of an error of at most half a unit in the last place. So the bounds hold for exact values, for
+// computed ones, and for all in between.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,7 +28,7 @@
 #include "certify/atoms.hpp"
 #include "certify/effort.hpp"
 #include "certify/input_limits.hpp"
-#include "certify/motions.hpp"
+#include "certify/motion_recogniser.hpp"
 #include "certify/rounding.hpp"
 #include "certify/vector_bounds.hpp"
 #include "readback/straight_line.hpp"
@@ -47,7 +47,7 @@ class Norms {
   // The first `executed` operations of `lines` round; operations that are added later are exact. `motions`, if given,
   // must have recognised every operation before it is used here.
   Norms(const StraightLine& lines, int executed, RoundingModel model, InputLimits limits,
-        const Motions* motions = nullptr, int effort = kUsualEffort);
+        const MotionRecogniser* motions = nullptr, int effort = kUsualEffort);
 
   // Bounds of operation k: its size, its size before rounding, and its own error (of a sine, of a constant, or of a
   // rounding). Throws Failure(unsupported) for divisions and roots.
@@ -65,7 +65,7 @@ class Norms {
 
   // Whether both results may be components of one turning vector: their sums have terms with the same factor, turned by
   // the same joint.
-  bool turn_together(int j, int k);
+  bool may_rotate_together(int j, int k);
 
  private:
   // A sum of coefficient · atom, by atom.
@@ -87,7 +87,7 @@ class Norms {
     Eigen::MatrixXd of;
   };
   // A vector, and a bound of the errors' contribution to its length.
-  struct Written {
+  struct BoundedVector {
     Vector vector;
     double slack = 0;
   };
@@ -121,7 +121,7 @@ class Norms {
   Expansion distributed(const Expansion& sines, int k);
   Factor factor(int k);
   bool is_rounded(int k) const;
-  bool is_of_sines(const Form& form) const;
+  bool is_purely_trigonometric(const Form& form) const;
   void add(Expansion& to, double c, const Form& form);
   double largest_of(int atom);
 
@@ -137,7 +137,7 @@ class Norms {
 
   // norms_of_vectors.cpp: vectors of atoms. `effort`: how many alternatives may be tried.
   double norm(const Vector& v, int effort);
-  double norm(const Written& v, int effort) { return norm(v.vector, effort) + v.slack; }
+  double norm(const BoundedVector& v, int effort) { return norm(v.vector, effort) + v.slack; }
   double norm_of_unit(const Vector& v, int effort);
   double norm_by_rotation(const Vector& v, int joint, int effort);
   double norm_by_opening(const Vector& v, int factor, int effort);
@@ -147,13 +147,13 @@ class Norms {
   Chosen chosen(const Vector& v, const std::function<bool(const Atom&)>& is_chosen) const;
   int latest(const Vector& v) const;
   int latest_factor(const Vector& v) const;
-  Written written_out(const Vector& v);
+  BoundedVector substituted(const Vector& v);
 
   const StraightLine& lines_;
   int executed_;
   RoundingModel model_;
   InputLimits limits_;
-  const Motions* motions_;
+  const MotionRecogniser* motions_;
   int effort_;
   Atoms atoms_;
   std::map<int, Expansion> expansions_;

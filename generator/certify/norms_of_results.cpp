@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "certify/atom_numbering.hpp"
 #include "certify/norms.hpp"
-#include "certify/places.hpp"
 
 namespace flatdyn {
 
@@ -11,7 +11,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 double Norms::norm(const std::vector<Form>& rows, int effort) {
-  Places places;
+  AtomNumbering places;
   for (const Form& row : rows) {
     for (const auto& term : row) places(term.first);
   }
@@ -32,7 +32,7 @@ double Norms::largest_length(const std::vector<int>& operations, int effort) {
     rows.push_back(expansion(k).form);
     slack = std::hypot(slack, expansion(k).slack);
   }
-  return (norm(rows, effort) + slack) * kUpward;
+  return (norm(rows, effort) + slack) * kRoundingMargin;
 }
 
 // The joint by whose angle the latest term of a sum is turned, followed by the factor that it turns.
@@ -51,7 +51,7 @@ std::vector<int> Norms::turned_last(const Form& form) const {
   return result;
 }
 
-bool Norms::turn_together(int j, int k) {
+bool Norms::may_rotate_together(int j, int k) {
   if (motions_ != nullptr && motions_->group(j) >= 0 && motions_->group(j) == motions_->group(k)) return true;
   const std::vector<int> a = turned_last(expansion(j).form), b = turned_last(expansion(k).form);
   return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();

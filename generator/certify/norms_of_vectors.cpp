@@ -5,8 +5,8 @@
 #include <numeric>
 #include <set>
 
+#include "certify/atom_numbering.hpp"
 #include "certify/norms.hpp"
-#include "certify/places.hpp"
 
 namespace flatdyn {
 namespace {
@@ -36,7 +36,7 @@ class Columns {
     double factor;
   };
   const MatrixXd& of_;
-  Places places_;
+  AtomNumbering places_;
   std::vector<Part> parts_;
 };
 
@@ -95,9 +95,9 @@ double Norms::norm(const Vector& v, int effort) {
     known = {effort, std::min(known.norm, norm_of_unit(unit, effort))};
     known_[std::move(key)] = known;
   }
-  // In a column, rounding to digits loses less than kRest in each row, and row_echelon twice as much in all.
-  const double rows = static_cast<double>(digits.rows()), lost = (2 + std::sqrt(rows)) * kRest;
-  return (known.norm + static_cast<double>(v.of.cols()) * lost) * size * kUpward;
+  // In a column, rounding to digits loses less than kNegligible in each row, and row_echelon twice as much in all.
+  const double rows = static_cast<double>(digits.rows()), lost = (2 + std::sqrt(rows)) * kNegligible;
+  return (known.norm + static_cast<double>(v.of.cols()) * lost) * size * kRoundingMargin;
 }
 
 // The latest atom that can be replaced; -1: there is none.
@@ -166,7 +166,7 @@ Norms::Chosen Norms::chosen(const Vector& v, const std::function<bool(const Atom
 double Norms::norm_by_rotation(const Vector& v, int joint, int effort) {
   const Chosen turning =
       chosen(v, [joint](const Atom& of) { return of.kind == Atom::Kind::turned && of.joint == joint; });
-  Places factors;
+  AtomNumbering factors;
   for (const int atom : turning.atoms) factors(atoms_[atom].a);
   MatrixXd A = MatrixXd::Zero(turning.rows.of.rows(), factors.size()), B = A;
   for (Index k = 0; k < turning.rows.of.cols(); ++k) {
@@ -174,7 +174,8 @@ double Norms::norm_by_rotation(const Vector& v, int joint, int effort) {
     (of.is_cosine ? A : B).col(factors(of.a)) = turning.rows.of.col(k);
   }
   // If a vector x is longer by this much, every sum with it is longer by no more.
-  return (norm_of_sum({factors.atoms(), of_any_angle(A, B)}, turning, effort) + kRestOfAngles) * kUpward;
+  return (norm_of_sum({factors.atoms(), bound_over_all_angles(A, B)}, turning, effort) + kNegligibleOfAngles) *
+         kRoundingMargin;
 }
 
 // A bound by expanding one factor of products.
@@ -197,7 +198,7 @@ double Norms::norm_by_opening(const Vector& v, int factor, int effort) {
     const int other = of.a == factor ? of.b : of.a;
     // The slack times another factor; times the same one, (x + e)² = x² + x e + e (x + e).
     const double of_slack = largest_of(other) + (other == factor ? size_of_sum : 0);
-    slack += v.of.col(k).norm() * (sum.slack * of_slack / size) * kUpward;
+    slack += v.of.col(k).norm() * (sum.slack * of_slack / size) * kRoundingMargin;
     for (const auto& [x, c] : sum.form) {
       for (const auto& [y, d] : other == factor ? sum.form : Form{{other, 1}}) {
         const int product = atoms_.product(x, y);
@@ -219,7 +220,7 @@ double Norms::norm_by_factors(const Vector& v, int left, int effort) {
   const Chosen products = chosen(v, [&sides](const Atom& of) {
     return of.kind == Atom::Kind::product && (sides.is_between(of.a, of.b) || sides.is_between(of.b, of.a));
   });
-  Places lefts, rights;
+  AtomNumbering lefts, rights;
   std::vector<std::pair<Index, Index>> places;
   for (const int atom : products.atoms) {
     const Atom& of = atoms_[atom];
@@ -240,7 +241,7 @@ double Norms::norm_by_factors(const Vector& v, int left, int effort) {
     x.of(l, l) = weight;
     of_rights = stacked(of_rights, Y / weight);
   }
-  const double of_lefts = std::min(norm(written_out(x), effort), length(x));
+  const double of_lefts = std::min(norm(substituted(x), effort), length(x));
   return norm_of_sum({rights.atoms(), of_lefts * of_rights}, products, effort);
 }
 
@@ -248,7 +249,7 @@ double Norms::norm_by_factors(const Vector& v, int left, int effort) {
 // entries, or not.
 double Norms::norm_by_squares(const Vector& v, bool in_units, int effort) {
   const Chosen products = chosen(v, [](const Atom& of) { return of.kind == Atom::Kind::product; });
-  Places factors;
+  AtomNumbering factors;
   double largest = 0;
   for (const int atom : products.atoms) {
     for (const int factor : {atoms_[atom].a, atoms_[atom].b}) {
@@ -277,7 +278,7 @@ double Norms::norm_by_squares(const Vector& v, bool in_units, int effort) {
     all.row(row) = form.reshaped().transpose();
   }
   if (all.rows() > 1) squares = std::min(squares, largest_eigenvalue(all * all.transpose()));
-  const double of_x = std::min(norm(written_out(x), effort), length(x));
+  const double of_x = std::min(norm(substituted(x), effort), length(x));
   return norm_of_sum({{Atoms::kOne}, MatrixXd::Constant(1, 1, std::sqrt(squares) * of_x * of_x)}, products, effort);
 }
 
@@ -287,27 +288,27 @@ double Norms::norm_of_sum(const Vector& x, const Chosen& chosen, int effort) {
   const Vector y = {chosen.others, chosen.rows.coupled};
   const MatrixXd& z = chosen.rows.apart;
   double of_x = length(x), of_y = length(y), slack = chosen.rows.lost;
-  if (effort >= kForTheRatio && of_y > kRest && of_x > kRest) {
-    of_x = std::min(of_x, norm(written_out(x), 1));
-    of_y = std::min(of_y, norm(written_out(y), 1));
+  if (effort >= kForTheRatio && of_y > kNegligible && of_x > kNegligible) {
+    of_x = std::min(of_x, norm(substituted(x), 1));
+    of_y = std::min(of_y, norm(substituted(y), 1));
   }
   Vector sum = {x.atoms, {}};
   sum.atoms.insert(sum.atoms.end(), y.atoms.begin(), y.atoms.end());
-  if (of_y <= kRest) {
+  if (of_y <= kNegligible) {
     slack += of_y;
     sum.of = block_diagonal(x.of, z);
-  } else if (of_x <= kRest) {
+  } else if (of_x <= kNegligible) {
     slack += of_x;
     sum.of = block_diagonal(MatrixXd::Zero(0, x.of.cols()), stacked(y.of, z));
   } else {
     const double ratio = of_y / of_x;
     sum.of = block_diagonal(std::sqrt(1 + ratio) * x.of, stacked(std::sqrt(1 + 1 / ratio) * y.of, z));
   }
-  return (std::min(norm(written_out(sum), effort), length(sum)) + slack) * kUpward;
+  return (std::min(norm(substituted(sum), effort), length(sum)) + slack) * kRoundingMargin;
 }
 
 // Expands results in it into their sums.
-Norms::Written Norms::written_out(const Vector& v) {
+Norms::BoundedVector Norms::substituted(const Vector& v) {
   Columns written(v.of);
   double slack = 0;
   for (Index k = 0; k < v.of.cols(); ++k) {
@@ -319,7 +320,7 @@ Norms::Written Norms::written_out(const Vector& v) {
     const Expansion& sum = expansion(atoms_[atom].a);
     const double size = largest_of(atom);
     if (!(size > 0)) continue;
-    slack += v.of.col(k).norm() * (sum.slack / size) * kUpward;
+    slack += v.of.col(k).norm() * (sum.slack / size) * kRoundingMargin;
     for (const auto& [b, coefficient] : sum.form) written.add(b, k, coefficient * (largest_of(b) / size));
   }
   return {{written.atoms(), written.sum()}, slack};

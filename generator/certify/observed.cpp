@@ -58,7 +58,7 @@ struct Comparison {
 
   // Draws states. In every second one all inputs but positions are at their limits, since errors are larger there.
   std::vector<State> drawn(unsigned seed) const {
-    std::vector<State> states = source.draw(kTogether, seed);
+    std::vector<State> states = source.draw(kLaneCount, seed);
     for (std::size_t k = 1; k < states.size(); k += 2) {
       for (const auto& [input, limit] : limits) {
         double& x = entry(states[k], input);
@@ -91,7 +91,7 @@ Lanes<double> expected_squares(const StraightLine& lines, const std::vector<Lane
   const std::vector<Lanes<T>> by = derivatives(lines, values, output);
   Lanes<double> sum;
   for (std::size_t k = 0; k < by.size(); ++k) {
-    for (std::size_t s = 0; s < kTogether; ++s) {
+    for (std::size_t s = 0; s < kLaneCount; ++s) {
       const double term = static_cast<double>(by[k].of[s]) * static_cast<double>(values[k].of[s]);
       sum.of[s] += term * term;
     }
@@ -115,7 +115,7 @@ State expected_worst(const Comparison& comparison, std::size_t output, unsigned 
     const Lanes<double> squares =
         expected_squares(comparison.lines, executed<T>(comparison.lines, result, batch, 0), result);
     if (k == 0) worst = batch.states().front();  // in case all are NaN
-    for (std::size_t s = 0; s < kTogether; ++s) {
+    for (std::size_t s = 0; s < kLaneCount; ++s) {
       if (!(squares.of[s] > most)) continue;
       most = squares.of[s];
       worst = batch.states()[s];
@@ -135,7 +135,7 @@ class Observer {
   std::vector<double> run() {
     if (worst_.empty()) return {};
     const auto count =
-        static_cast<unsigned>((static_cast<std::size_t>(comparison_.options.states) + kTogether - 1) / kTogether);
+        static_cast<unsigned>((static_cast<std::size_t>(comparison_.options.states) + kLaneCount - 1) / kLaneCount);
     expect(std::clamp(count / (8 * static_cast<unsigned>(worst_.size())), 8u, 128u));
     const unsigned random = (count + 1) / 2, each = kBatches * static_cast<unsigned>(worst_.size());
     go_through(0, random, false);
@@ -202,7 +202,7 @@ class Observer {
       for (std::size_t k = 0; k < worst.size(); ++k) {
         const Lanes<T>& x = computed[static_cast<std::size_t>(comparison_.of[k])];
         const Lanes<Wide>& y = exact[static_cast<std::size_t>(comparison_.exact[k])];
-        for (std::size_t s = 0; s < kTogether; ++s) {
+        for (std::size_t s = 0; s < kLaneCount; ++s) {
           const auto error = static_cast<double>(std::abs(static_cast<Wide>(x.of[s]) - y.of[s]));
           if (error > worst[k].error) worst[k] = {error, b, s, batch.states()[s]};
         }

@@ -31,7 +31,7 @@ double length_in_box(const MatrixXd& M) {
   return M.rows() == 1 ? M.cwiseAbs().sum() : std::sqrt((M.transpose() * M).cwiseAbs().sum());
 }
 
-MatrixXd of_any_angle(const MatrixXd& C, const MatrixXd& S) {
+MatrixXd bound_over_all_angles(const MatrixXd& C, const MatrixXd& S) {
   const Index rows = C.rows();
   const MatrixXd both = stacked(C, S);
   if (rows <= 1) return both;
@@ -51,7 +51,7 @@ MatrixXd of_any_angle(const MatrixXd& C, const MatrixXd& S) {
 
 GatheredRows gathered(const MatrixXd& chosen, const MatrixXd& others) {
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(chosen);
-  const Index rank = (qr.matrixQR().diagonal().array().abs() > kRest).count();
+  const Index rank = (qr.matrixQR().diagonal().array().abs() > kNegligible).count();
   const MatrixXd of = turned(qr, chosen), rest = turned(qr, others);
   const Index below = of.rows() - rank;
   return {of.topRows(rank), rest.topRows(rank), last_rows(rest, below), length_in_box(last_rows(of, below))};
@@ -62,7 +62,7 @@ MatrixXd row_echelon(MatrixXd M) {
   VectorXd essential, workspace(M.cols());
   for (Index column = 0; column < M.cols() && row < M.rows(); ++column) {
     const Index below = M.rows() - row;
-    if (M.col(column).tail(below).norm() < kRest) continue;
+    if (M.col(column).tail(below).norm() < kNegligible) continue;
     essential.resize(below - 1);
     double factor = 0, diagonal = 0;
     M.col(column).tail(below).makeHouseholder(essential, factor, diagonal);

@@ -368,9 +368,9 @@ void RobotArguments::report(const Diagnostics& found) const {
   print_diagnostics(found, *this);
 }
 
-void RobotArguments::warn_of(const std::vector<std::string>& doubts, const std::string& file) const {
+void RobotArguments::warn_of(const std::vector<std::string>& warning_texts, const std::string& file) const {
   Diagnostics warnings;
-  for (const std::string& doubt : doubts) warnings.warning({file, 0}, doubt);
+  for (const std::string& warning_text : warning_texts) warnings.warning({file, 0}, warning_text);
   report(warnings);
 }
 

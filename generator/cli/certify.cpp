@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "cli/beside_header.hpp"
 #include "cli/commands.hpp"
+#include "cli/outdated_files.hpp"
 #include "cli/output_file.hpp"
 #include "emit/languages/emit.hpp"
 #include "input/common/content_hash.hpp"

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-#include "cli/telling.hpp"
+#include "cli/messages.hpp"
 #include "identify/motion_stream.hpp"
 #include "planning/make_functions.hpp"
 #include "symbolic/parameters/parameters.hpp"
@@ -15,7 +15,7 @@ namespace flatdyn {
 using Run = std::function<ExitCode()>;
 
 // The options of every subcommand that reads a robot.
-struct RobotArguments : Manner {
+struct RobotArguments : OutputStyle {
   std::string robot;
   std::string snap = "1e-5";
   std::string scene;
@@ -43,7 +43,7 @@ struct RobotArguments : Manner {
   // findings.
   void report(const Diagnostics& found) const;
   // Warns of findings in a file that belong to no particular line.
-  void warn_of(const std::vector<std::string>& doubts, const std::string& file) const;
+  void warn_of(const std::vector<std::string>& warning_texts, const std::string& file) const;
 };
 
 // The description of the robot argument in all subcommands.

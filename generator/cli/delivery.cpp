@@ -8,7 +8,7 @@
 #include <iterator>
 #include <optional>
 
-#include "cli/beside_header.hpp"
+#include "cli/outdated_files.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "input/common/sources.hpp"
 

@@ -15,7 +15,7 @@ struct Delivery {
   std::string depfile;  // for a build tool, in the syntax of make; empty: none
 
   void add_to(CLI::App& command);
-  bool is_only_told() const { return check || dry_run; }  // only the printed text is the result
+  bool only_prints() const { return check || dry_run; }  // only the printed text is the result
 
   // Delivers the files, the first of which is the header; an outdated certificate is removed. Returns lines for people.
   // `inputs`: all files that were read. Throws Failure(outdated) if --check finds a difference, and what

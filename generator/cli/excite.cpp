@@ -43,7 +43,7 @@ ExitCode excite(const ExciteArguments& arguments) {
   Progress progress(arguments.quiet);
   const TorqueModel torques(model, parameter_set(arguments.parameters), progress);
   const Excitation excitation = make_excitation(torques, plan_of(arguments), progress, Interruption::happened);
-  write_and_tell(
+  write_and_print(
       {{csv, excitation_csv(excitation.motion)}, {svg, excitation_plot(torques.mechanism(), excitation.motion)}},
       {describe_excitation(torques, excitation) + "\n", excitation_json(torques, excitation)}, arguments);
   if (!Interruption::happened()) return ExitCode::ok;

@@ -260,7 +260,7 @@ ExitCode generate(GenerateArguments arguments) {
   const GenerationOptions options = generation_options(arguments);
   GenerationResult result = generated(arguments, options);
   const LoadedRobot& robot = result.robot;
-  if (!arguments.quiet) ask_for_rounded_angles(robot, options, result.functions, result.findings);
+  if (!arguments.quiet) note_rounded_angles(robot, options, result.functions, result.findings);
   const std::vector<double> effects = snap_effects(robot, options.read);
   const std::string manifest = json_text(manifest_of(result, effects));
   const std::string done = arguments.delivery.deliver(files_to_write(result, manifest, arguments), robot.robot.files);
@@ -272,7 +272,7 @@ ExitCode generate(GenerateArguments arguments) {
     if (!arguments.quiet) {
       print_result(tables(result, effects, arguments, rounding_of_constants(result, options)));
     }
-    if (!arguments.quiet || arguments.delivery.is_only_told()) print_result(done);
+    if (!arguments.quiet || arguments.delivery.only_prints()) print_result(done);
   }
   return ExitCode::ok;
 }

@@ -124,8 +124,8 @@ TextFile robot_file(const IdentifyArguments& arguments, const LoadedRobot& robot
                         {fmt::format("Identified by flatdyn {} from measured motion.", kProgramVersion), ""},
                         arguments.settings(robot)};
   for (const std::string& line : lines_of(describe_identification(model, found))) about.comments.push_back(line);
-  if (!found.doubts.empty()) about.comments.emplace_back();
-  about.comments.insert(about.comments.end(), found.doubts.begin(), found.doubts.end());
+  if (!found.warning_texts.empty()) about.comments.emplace_back();
+  about.comments.insert(about.comments.end(), found.warning_texts.begin(), found.warning_texts.end());
   return {arguments.output, identified_robot_text(robot, parameter_set(arguments.parameters), found.physical, about)};
 }
 
@@ -168,10 +168,10 @@ ExitCode identify(const IdentifyArguments& arguments) {
     const bool inertial_only = parameter_set(arguments.parameters) == ParameterSet::inertial;
     found.physical =
         physical_parameters(inertial_only ? model.mechanism() : robot.mechanism, model.base(), found.estimate);
-    found.doubts = doubts_about(model, found);
-    arguments.warn_of(found.doubts, arguments.source());
-    write_and_tell(result_files(arguments, robot, model, found),
-                   {describe_identification(model, found), identification_json(model, found)}, arguments);
+    found.warning_texts = plausibility_warnings(model, found);
+    arguments.warn_of(found.warning_texts, arguments.source());
+    write_and_print(result_files(arguments, robot, model, found),
+                    {describe_identification(model, found), identification_json(model, found)}, arguments);
   }
   return ExitCode::ok;
 }

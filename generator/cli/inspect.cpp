@@ -21,7 +21,7 @@ ExitCode inspect(const InspectArguments& arguments) {
   const PipelineOptions options = arguments.options();
   const LoadedRobot model = load_robot(arguments.robot, options);
   Diagnostics findings = model.diagnostics;
-  ask_for_rounded_angles(model, options, {}, findings);
+  note_rounded_angles(model, options, {}, findings);
   print_diagnostics(findings, arguments);
   const ParameterSet set = parameter_set(arguments.parameters);
   const std::vector<double> effects = snap_effects(model, options.read);

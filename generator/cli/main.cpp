@@ -29,22 +29,22 @@ ExitCode run(const Run& command) {
   return code;
 }
 
-ExitCode run(const Run& command, const Manner& manner) {
-  prepare_for_interruption(manner);
+ExitCode run(const Run& command, const OutputStyle& style) {
+  prepare_for_interruption(style);
   try {
     return run(command);
   } catch (const BadInput& bad) {
-    return tell(bad, manner);
+    return report_failure(bad, style);
   } catch (const Failure& failure) {
-    return tell(failure, manner);
+    return report_failure(failure, style);
   } catch (const std::filesystem::filesystem_error& error) {
-    return tell(Failure(ExitCode::io, error.what()), manner);
+    return report_failure(Failure(ExitCode::io, error.what()), style);
   } catch (const std::system_error& error) {
-    return tell(Failure(ExitCode::io, std::string("standard output: ") + error.what()), {});
+    return report_failure(Failure(ExitCode::io, std::string("standard output: ") + error.what()), {});
   } catch (const std::exception& error) {
-    return tell(
+    return report_failure(
         Failure(ExitCode::bug, std::string("internal error: ") + error.what(), "please report it with the robot file"),
-        manner);
+        style);
   }
 }
 
@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    return static_cast<int>(tell(usage_failure(app, error), manner_of(argc, argv)));
+    return static_cast<int>(report_failure(usage_failure(app, error), output_style_of(argc, argv)));
   }
-  return static_cast<int>(run(chosen, manner_of(app)));
+  return static_cast<int>(run(chosen, output_style_of(app)));
 }

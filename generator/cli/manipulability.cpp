@@ -44,7 +44,7 @@ Positions read_positions(const ManipulabilityArguments& arguments, const Mechani
   arguments.report(found);
   Diagnostics asked;
   const std::vector<std::optional<CsvSource>> q(columns.begin(), columns.end());
-  ask_about_positions(table, q, mechanism, file, asked);
+  warn_of_positions(table, q, mechanism, file, asked);
   arguments.report(asked);
   positions.first_line = table.lines.front();
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
@@ -121,8 +121,8 @@ ExitCode run_manipulability(const ManipulabilityArguments& arguments) {
   if (!arguments.plot.empty()) {
     files.push_back({arguments.plot, picture(arguments, name, arm.task(), poses, spacing)});
   }
-  write_and_tell(files, {describe_manipulability(arm.task(), poses), manipulability_json(name, arm.task(), poses)},
-                 arguments);
+  write_and_print(files, {describe_manipulability(arm.task(), poses), manipulability_json(name, arm.task(), poses)},
+                  arguments);
   return ExitCode::ok;
 }
 

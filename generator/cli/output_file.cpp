@@ -97,19 +97,19 @@ void write_files(const std::vector<TextFile>& wanted, const std::vector<fs::path
   }
 }
 
-void write_and_tell(const std::vector<TextFile>& files, const CommandOutput& told, const Manner& manner) {
+void write_and_print(const std::vector<TextFile>& files, const CommandOutput& output, const OutputStyle& style) {
   const bool is_on_stdout =
       std::any_of(files.begin(), files.end(), [](const TextFile& file) { return is_stdout(file.path); });
-  if (is_on_stdout && manner.json) refuse_two_on_stdout();
+  if (is_on_stdout && style.json) refuse_two_on_stdout();
   write_files(files);
-  if (manner.json) {
-    nlohmann::ordered_json json = told.json;
+  if (style.json) {
+    nlohmann::ordered_json json = output.json;
     for (const TextFile& file : files) json["files"].push_back(file.path.string());
     print_result(json_text(json));
     return;
   }
-  if (is_on_stdout || (manner.quiet && !files.empty())) return;
-  print_result(told.text);
+  if (is_on_stdout || (style.quiet && !files.empty())) return;
+  print_result(output.text);
   for (const TextFile& file : files) print_result(fmt::format("wrote {}\n", file.path.string()));
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/messages.hpp"
 #include "cli/replace_files.hpp"
-#include "cli/telling.hpp"
 
 namespace flatdyn {
 
@@ -29,7 +29,7 @@ struct CommandOutput {
 
 // Writes the files, then prints the output with their names. Nothing is printed if a file goes to stdout or, with
 // --quiet, if there are files.
-void write_and_tell(const std::vector<TextFile>& files, const CommandOutput& told, const Manner& manner);
+void write_and_print(const std::vector<TextFile>& files, const CommandOutput& output, const OutputStyle& style);
 
 // Throws Failure(usage).
 [[noreturn]] void refuse_two_on_stdout();

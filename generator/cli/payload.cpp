@@ -107,13 +107,13 @@ ExitCode payload(const PayloadArguments& arguments) {
     Progress progress(arguments.quiet);
     found = arguments.wrist ? from_wrist(robot, arguments, progress) : from_torques(robot, arguments, progress);
   }
-  const std::vector<std::string> doubts = doubts_about(found, hint_of(arguments));
-  arguments.warn_of(doubts, arguments.logs.front());
+  const std::vector<std::string> warning_texts = plausibility_warnings(found, hint_of(arguments));
+  arguments.warn_of(warning_texts, arguments.logs.front());
   std::vector<TextFile> files;
   if (!arguments.output.empty()) {
-    files.push_back({arguments.output, payload_robot_text(robot, found, arguments.output, settings, doubts)});
+    files.push_back({arguments.output, payload_robot_text(robot, found, arguments.output, settings, warning_texts)});
   }
-  write_and_tell(files, {describe_payload(robot, found), payload_json(robot, found)}, arguments);
+  write_and_print(files, {describe_payload(robot, found), payload_json(robot, found)}, arguments);
   return ExitCode::ok;
 }
 

@@ -118,7 +118,7 @@ ExitCode report(const ReportArguments& arguments) {
   print_diagnostics(model.diagnostics, arguments);
   nlohmann::ordered_json json = model_json(model, content.snap_effects);
   json["functions"] = functions_json(content.functions, symbol_names(model.mechanism));
-  write_and_tell({{arguments.file, report_page(content, code)}}, {"", json}, arguments);
+  write_and_print({{arguments.file, report_page(content, code)}}, {"", json}, arguments);
   return ExitCode::ok;
 }
 

@@ -67,7 +67,7 @@ PaceLimits limits_of(const ScaleArguments& arguments, const LoadedRobot& model) 
 
 [[noreturn]] void refuse_static_load(const ScaleArguments& arguments, const LoadedRobot& model,
                                      const ScaledMotion& motion, const PathCoefficients& path) {
-  const LimitUsed load = most_static_load(path, motion.limits);
+  const LargestLimitUse load = largest_static_load(path, motion.limits);
   Diagnostics found;
   found.error(
       {arguments.trajectory, 0},
@@ -107,7 +107,7 @@ class Scaling {
     motion_.tau_after = torques.torques(motion_.after);
     motion_.sides_after = with_both_sides(motion_.after);
     motion_.tau_sides_after = torques.torques(motion_.sides_after);
-    motion_.used = most_used(motion_.sides_after, motion_.tau_sides_after, motion_.limits);
+    motion_.used = largest_limit_use(motion_.sides_after, motion_.tau_sides_after, motion_.limits);
     if (motion_.used.part > 1 + kLimitTolerance) {
       throw Failure(ExitCode::bug, fmt::format("the scaled motion uses {:.12g} of a limit", motion_.used.part),
                     "please report it with the robot file and the trajectory");
@@ -152,7 +152,7 @@ class Scaling {
     pace.slowed_by = slow_down_to_limits(torques);
     if (!finer_.points.empty()) {
       const Trajectory between = slowed(paced_between(finer_, pace.law), pace.slowed_by);
-      pace.between = most_used(between, torques.torques(between), motion_.limits);
+      pace.between = largest_limit_use(between, torques.torques(between), motion_.limits);
     }
     motion_.optimal = std::move(pace);
   }
@@ -161,7 +161,7 @@ class Scaling {
   // is linearised, but at most to the pace of the linear law. Returns the factor.
   double slow_down_to_limits(PathTorques& torques) {
     const Trajectory sides = with_both_sides(motion_.after);
-    if (most_used(sides, torques.torques(sides), motion_.limits).part <= 1 + kLimitTolerance) return 1;
+    if (largest_limit_use(sides, torques.torques(sides), motion_.limits).part <= 1 + kLimitTolerance) return 1;
     const auto again = linear_scaling(sides, torques.coefficients(sides), motion_.limits, 1);
     const double linear = motion_.linear.c * motion_.before.duration();
     const bool is_faster = again && again->c * motion_.after.duration() < linear;
@@ -192,8 +192,8 @@ ExitCode scale(const ScaleArguments& arguments) {
                                                motion_panels(model.mechanism, motion.after.has_tip_force()),
                                                picture_format(arguments.plot))});
   }
-  write_and_tell(files, {describe_scaling(model.mechanism, motion) + "\n", scaling_json(model.mechanism, motion)},
-                 arguments);
+  write_and_print(files, {describe_scaling(model.mechanism, motion) + "\n", scaling_json(model.mechanism, motion)},
+                  arguments);
   return ExitCode::ok;
 }
 

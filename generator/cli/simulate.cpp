@@ -71,7 +71,7 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
   if (!arguments.plot.empty()) {
     files.push_back({arguments.plot, simulation_plot(model.mechanism, table, picture_format(arguments.plot))});
   }
-  write_and_tell(
+  write_and_print(
       files, {describe_simulation(model.mechanism, motion, seconds), simulation_json(model.mechanism, motion, seconds)},
       arguments);
   if (!motion.interrupted) return ExitCode::ok;

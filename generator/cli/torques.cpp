@@ -42,10 +42,10 @@ ExitCode torques(const TorquesArguments& arguments) {
     history = torque_history(terms, trajectory);
   }
   arguments.report(exceeded_limits(model.mechanism, trajectory, history.tau, arguments.trajectory));
-  write_and_tell(torque_files(arguments, model, trajectory, history),
-                 {describe_torques(model.mechanism, trajectory, history) + "\n",
-                  torques_json(model.mechanism, trajectory, history)},
-                 arguments);
+  write_and_print(torque_files(arguments, model, trajectory, history),
+                  {describe_torques(model.mechanism, trajectory, history) + "\n",
+                   torques_json(model.mechanism, trajectory, history)},
+                  arguments);
   return ExitCode::ok;
 }
 

@@ -86,7 +86,7 @@ Failure usage_failure(const CLI::App& app, const CLI::ParseError& error) {
   return {ExitCode::usage, as_part_of_a_line(error.what()), hint};
 }
 
-Manner manner_of(const CLI::App& app) {
+OutputStyle output_style_of(const CLI::App& app) {
   const CLI::App& command = chosen(app);
   const auto is_given = [&command](const char* name) {
     const CLI::Option* option = command.get_option_no_throw(name);
@@ -95,7 +95,7 @@ Manner manner_of(const CLI::App& app) {
   return {is_given("--quiet"), is_given("--verbose"), is_given("--json")};
 }
 
-Manner manner_of(int argc, const char* const* argv) {
+OutputStyle output_style_of(int argc, const char* const* argv) {
   const auto is_json = [](std::string_view word) { return word == "--json"; };
   return {.json = std::any_of(argv, argv + argc, is_json)};
 }

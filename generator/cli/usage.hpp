@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "diagnostics/command_output.hpp"
+#include "diagnostics/findings_text.hpp"
 
 namespace flatdyn {
 
@@ -12,7 +12,7 @@ namespace flatdyn {
 Failure usage_failure(const CLI::App& app, const CLI::ParseError& error);
 
 // The manner of output of the chosen subcommand, as far as the command line tells it before anything is parsed.
-Manner manner_of(const CLI::App& app);
-Manner manner_of(int argc, const char* const* argv);
+OutputStyle output_style_of(const CLI::App& app);
+OutputStyle output_style_of(int argc, const char* const* argv);
 
 }  // namespace flatdyn

@@ -44,7 +44,7 @@ void at_point(std::uint64_t seed, const Compare& compare, std::set<MismatchKey>&
   constexpr int kAttempts = 64;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     try {
-      ModPArithmetic<P> arithmetic(scrambled(seed, static_cast<std::uint64_t>(attempt)));
+      ModPArithmetic<P> arithmetic(splitmix64(seed, static_cast<std::uint64_t>(attempt)));
       compare(arithmetic, mismatches);
       return;
     } catch (const std::domain_error&) {
@@ -58,7 +58,7 @@ template <class Compare>
 std::set<MismatchKey> at_all_points(const ExactOptions& options, const Compare& compare) {
   std::set<MismatchKey> mismatches;
   for (int point = 0; point < options.points; ++point) {
-    const std::uint64_t seed = scrambled(options.seed, static_cast<std::uint64_t>(point));
+    const std::uint64_t seed = splitmix64(options.seed, static_cast<std::uint64_t>(point));
     at_point<kMersenne61>(seed, compare, mismatches);
     at_point<kPrime61b>(seed, compare, mismatches);
     at_point<kPrime61c>(seed, compare, mismatches);

@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "model/joint_points.hpp"
-#include "symbolic/dynamics/workbench.hpp"
+#include "symbolic/dynamics/derivation_context.hpp"
 
 namespace flatdyn {
 
 // By body: the sign of its joint's rate, from the inputs of this kind.
 template <class Arithmetic, class F = typename Arithmetic::Scalar>
 std::vector<F> joint_signs(const Mechanism& mechanism, Arithmetic& arithmetic, InputKind kind) {
-  Derivation derivation(Workbench::parameters(mechanism));
+  Derivation derivation(DerivationContext::parameters(mechanism));
   std::vector<NodeId> signs;
   for (const Number& rate : joint_motion(mechanism, derivation, kind)) {
     signs.push_back(derivation.node(derivation.sign(rate, "sgn")));

@@ -30,11 +30,12 @@ ExpectedValues::ExpectedValues(const Robot& robot, const Mechanism& mechanism, u
 
 Expected ExpectedValues::of(const Function& function) const {
   const NumericReference& reference = row_of(function).reference;
-  const auto rounded_robot = seen_by(function, robot_, rounded_);
-  const auto exact = reference.exact({mechanism_, seen_by(function, robot_, exact_), symbols_}, function);
+  const auto rounded_robot = robot_for_function(function, robot_, rounded_);
+  const auto exact = reference.exact({mechanism_, robot_for_function(function, robot_, exact_), symbols_}, function);
   const auto rounded = reference.in_double({mechanism_, rounded_robot, symbols_}, function);
   const auto magnitude = reference.magnitude({mechanism_, rounded_robot, symbols_}, function);
-  const auto in_float = reference.in_float({mechanism_, seen_by(function, robot_, in_float_), symbols_}, function);
+  const auto in_float =
+      reference.in_float({mechanism_, robot_for_function(function, robot_, in_float_), symbols_}, function);
   return {[exact](const State& s) { return exact(widened<Real50>(s)); }, rounded,
           [magnitude](const State& s) { return absolute(magnitude(s)); },
           [in_float](const State& s) { return doubles(in_float(widened<float>(s))); },

@@ -4,29 +4,29 @@
 #include <algorithm>
 
 #include "deviation/extreme_states.hpp"
-#include "deviation/judge.hpp"
+#include "deviation/rounding_error_meter.hpp"
 #include "graph/tape.hpp"
 
 namespace flatdyn {
 namespace {
 
 constexpr int kRandom = 100, kExtreme = 200;
-constexpr std::size_t kDear = 8;  // number of states if one needs many recursions
+constexpr std::size_t kStatesIfCostly = 8;  // number of states if one needs many recursions
 constexpr unsigned kSeed = 1;
 
-double loss_at(const Function& function, RoundingJudge& judge, const std::vector<State>& states) {
+double loss_at(const Function& function, RoundingErrorMeter& meter, const std::vector<State>& states) {
   Tape tape(function);
   std::vector<double> values(tape.results());
   double worst = 0, reference = 1;
-  const std::size_t count = costs_many_recursions(function) ? std::min(kDear, states.size()) : states.size();
+  const std::size_t count = costs_many_recursions(function) ? std::min(kStatesIfCostly, states.size()) : states.size();
   for (std::size_t k = 0; k < count; ++k) {
     const State& state = states[k];
-    const auto truth = judge.truth(state);
+    const auto truth = meter.truth(state);
     TapeInputs inputs;
     for (const InputKind kind : kStateKinds) inputs[kind] = state.of(kind);
     if (!truth || !tape.run(inputs, values)) continue;
-    worst = std::max(worst, judge.error(values, *truth).scaled);
-    reference = std::max(reference, judge.error(judge.reference(state), *truth).scaled);
+    worst = std::max(worst, meter.error(values, *truth).scaled);
+    reference = std::max(reference, meter.error(meter.reference(state), *truth).scaled);
   }
   return worst / reference;
 }
@@ -39,8 +39,8 @@ RoundingCheck::RoundingCheck(const Robot& robot, const Mechanism& mechanism)
       extreme_(with_parameters(extreme_states(mechanism, kExtreme, kSeed), expected_.symbols())) {}
 
 double RoundingCheck::loss(const Function& function) const {
-  RoundingJudge judge(function, expected_.of(function), "double");
-  return std::max(loss_at(function, judge, random_), loss_at(function, judge, extreme_));
+  RoundingErrorMeter meter(function, expected_.of(function), "double");
+  return std::max(loss_at(function, meter, random_), loss_at(function, meter, extreme_));
 }
 
 }  // namespace flatdyn

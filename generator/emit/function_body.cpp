@@ -416,7 +416,7 @@ class BodyWriter {
     const auto unsigned_text = [](const std::string& text) { return text[0] == '-' ? text.substr(1) : text; };
     const std::string scale = printer_.use(*pivot.scale);
     const bool is_negative = value[0] == '-', is_below = scale[0] == '-';
-    return fmt::format("{} {} {} * {} {} {}", scale, is_negative ? '-' : '+', dialect_.literal(kLeastShare),
+    return fmt::format("{} {} {} * {} {} {}", scale, is_negative ? '-' : '+', dialect_.literal(kPivotSignificance),
                        unsigned_text(value), is_below ? '+' : '-', unsigned_text(scale));
   }
 

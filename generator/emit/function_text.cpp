@@ -22,7 +22,7 @@ class FunctionWriter {
         dialect_(scope.dialect),
         body_(function_body(function, name, scope)) {}
 
-  FunctionText text(const std::string& given_name) const {
+  FunctionText text(const std::string& sin_cos_variant_name) const {
     FunctionText text;
     text.name = name_;
     text.returns = return_type();
@@ -36,7 +36,7 @@ class FunctionWriter {
     text.uses_sign = body_.uses_sign;
     text.uses_sqrt = body_.uses_sqrt;
     text.uses_trigonometry = body_.uses_trigonometry();
-    dialect_.declare(text, {body_, scope_, arguments(), given_name});
+    dialect_.declare(text, {body_, scope_, arguments(), sin_cos_variant_name});
     return text;
   }
 
@@ -144,8 +144,8 @@ class FunctionWriter {
 }  // namespace
 
 FunctionText function_text(const Function& function, const std::string& name, const HeaderScope& scope,
-                           const std::string& given_name) {
-  return FunctionWriter(function, name, scope).text(given_name);
+                           const std::string& sin_cos_variant_name) {
+  return FunctionWriter(function, name, scope).text(sin_cos_variant_name);
 }
 
 }  // namespace flatdyn

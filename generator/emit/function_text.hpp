@@ -18,7 +18,7 @@ struct ArrayArgument {
 };
 
 // In C, the variant of a function that takes sines and cosines; the other variant calls it.
-struct GivenText {
+struct SinCosVariant {
   std::string name;                     // "panda_gravity_given"
   std::vector<std::string> parameters;  // parameters of the definition
   std::vector<std::string> declared;    // parameters of the declaration
@@ -44,30 +44,30 @@ struct Argument {
 struct UndeclaredFunction {
   const FunctionBody& body;
   const HeaderScope& scope;
-  std::vector<Argument> arguments;  // in order
-  std::string given_name;           // the name of the variant that takes sines and cosines, where languages have it
+  std::vector<Argument> arguments;   // in order
+  std::string sin_cos_variant_name;  // the name of the variant that takes sines and cosines, where languages have it
 };
 
 struct FunctionText {
   std::string name;
-  std::string returns;                  // "void", "bool", "Scalar"
-  std::vector<std::string> parameters;  // "const Scalar* q", …
-  std::vector<std::string> declared;    // parameters of a separate declaration; in C without "restrict"
-  std::vector<ArrayArgument> inputs;    // in the order of the parameters, after the robot's own parameters
-  std::vector<ArrayArgument> outputs;   // empty for a function that returns its value
-  std::vector<std::string> arguments;   // lines of documentation
-  std::string reads;                    // "q[1..6]"
-  std::string result;                   // the value returned; empty for void
-  std::string body;                     // indented lines
-  std::string parts;                    // functions that only a long body calls; else empty
-  std::optional<GivenText> given;       // in C, if sines or cosines are needed
-  std::vector<Instance> compiled;       // for C++ in header and source: the instantiations in the source; else empty
+  std::string returns;                           // "void", "bool", "Scalar"
+  std::vector<std::string> parameters;           // "const Scalar* q", …
+  std::vector<std::string> declared;             // parameters of a separate declaration; in C without "restrict"
+  std::vector<ArrayArgument> inputs;             // in the order of the parameters, after the robot's own parameters
+  std::vector<ArrayArgument> outputs;            // empty for a function that returns its value
+  std::vector<std::string> arguments;            // lines of documentation
+  std::string reads;                             // "q[1..6]"
+  std::string result;                            // the value returned; empty for void
+  std::string body;                              // indented lines
+  std::string parts;                             // functions that only a long body calls; else empty
+  std::optional<SinCosVariant> sin_cos_variant;  // in C, if sines or cosines are needed
+  std::vector<Instance> compiled;  // for C++ in header and source: the instantiations in the source; else empty
   bool uses_sign = false, uses_sqrt = false;
   bool uses_trigonometry = false;  // in C++ it then has a template parameter SinCos and an argument of that type
 };
 
-// `given_name`: see UndeclaredFunction.
+// `sin_cos_variant_name`: see UndeclaredFunction.
 FunctionText function_text(const Function& function, const std::string& name, const HeaderScope& scope,
-                           const std::string& given_name = "");
+                           const std::string& sin_cos_variant_name = "");
 
 }  // namespace flatdyn

@@ -50,7 +50,8 @@ GlobalNames global_names(const Mechanism& mechanism, const std::vector<Function>
   if (has_base) result.base = names_of_base(dialect, names);
   for (const Function& function : functions) {
     result.functions.push_back(names.unique(dialect.global(function.name)));
-    if (dialect.has_given_variants()) result.given.push_back(names.unique(result.functions.back() + "_given"));
+    if (dialect.has_given_variants())
+      result.sin_cos_variants.push_back(names.unique(result.functions.back() + "_given"));
   }
   for (std::size_t k = 0; k < functions.size(); ++k) {
     result.nonzero.push_back(names_of_zeros(functions[k], result.functions[k], names));

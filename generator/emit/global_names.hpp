@@ -15,7 +15,7 @@ namespace flatdyn {
 
 struct GlobalNames {
   std::vector<std::string> functions;
-  std::vector<std::string> given;                 // of the variants that take sines and cosines, if there are any
+  std::vector<std::string> sin_cos_variants;      // of the variants that take sines and cosines, if there are any
   std::vector<std::vector<std::string>> nonzero;  // names of a matrix's structural zeros, by function and output
   std::vector<std::string> base;                  // names of kBaseConstants; empty if no function needs them
   std::set<std::string> taken;                    // all of these, the names of constants, and the language's own

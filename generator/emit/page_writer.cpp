@@ -17,9 +17,9 @@
 #include "emit/name_space.hpp"
 #include "emit/names.hpp"
 #include "emit/page.hpp"
+#include "emit/partial_output.hpp"
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
-#include "emit/written.hpp"
 #include "model/identifiers.hpp"
 #include "model/loop_closure.hpp"
 #include "symbolic/notation/coupled_text.hpp"
@@ -59,7 +59,7 @@ class PageWriter {
     }
     fill_scope();
     for (std::size_t k = 0; k < functions.size(); ++k) {
-      const std::string given = dialect.has_given_variants() ? names_.given[k] : "";
+      const std::string given = dialect.has_given_variants() ? names_.sin_cos_variants[k] : "";
       content_.texts.push_back(function_text(functions[k], names_.functions[k], scope_, given));
       note_needs(content_.texts.back());
     }
@@ -109,7 +109,7 @@ class PageWriter {
     }
     header["stamp"] = list_of(stamp);
     header["joint_table"] = list_of(joint_table(mechanism_));
-    header["writes"] = list_of(writing_rule(functions_, dialect_.outputs_may_overlap_inputs()));
+    header["writes"] = list_of(partial_output_rule(functions_, dialect_.outputs_may_overlap_inputs()));
     header["facts"] = list_of(wrapped_words(facts_of(mechanism_, options_.scene_facts), kCommentWidth));
     header["guard"] = guard_of(namespace_, dialect_.files().front().ending.substr(1),
                                {version, options_.options_stamp, options_.input_hash, options_.scene_stamp});

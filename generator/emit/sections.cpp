@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "emit/literals.hpp"
+#include "emit/partial_output.hpp"
 #include "emit/writer.hpp"
-#include "emit/written.hpp"
 #include "graph/count.hpp"
 #include "symbolic/dynamics/euler_angles.hpp"
 
@@ -67,7 +67,7 @@ std::vector<std::string> function_comment(const Function& function, const Functi
   std::string facts = "Reads " + text.reads + ". Operations: " + to_string(count_operations(function)) + ".";
   if (function.at_rest) facts += " Holds where qd = 0, and does not read it.";
   facts += task_facts(function.task);
-  facts += written_text(function, text.outputs);
+  facts += partial_output_text(function, text.outputs);
   for (std::size_t o = 0; o < function.outputs.size(); ++o) facts += zeros(function, o, text);
   for (const std::string& line : wrapped_words(facts, kCommentWidth)) lines.push_back(line);
   return lines;

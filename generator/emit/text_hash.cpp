@@ -15,7 +15,7 @@ void fill_in_hash(std::initializer_list<std::string*> texts) {
   const std::string named = content_hash(contents);  // "sha1:…"
   const std::string hash = named.substr(named.find(':') + 1);
   for (std::string* text : texts) {
-    *text = with_replaced(with_replaced(*text, kHash, hash), kShortHash, hash.substr(0, kShort));
+    *text = with_replaced(with_replaced(*text, kHashPlaceholder, hash), kShortHashPlaceholder, hash.substr(0, kShort));
   }
 }
 

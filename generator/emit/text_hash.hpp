@@ -8,7 +8,7 @@
 namespace flatdyn {
 
 // Placeholders for all 40 digits and for the first 8. These characters do not occur in texts otherwise.
-inline constexpr const char *kHash = "\x01", *kShortHash = "\x02";
+inline constexpr const char *kHashPlaceholder = "\x01", *kShortHashPlaceholder = "\x02";
 
 // Fills the hash of all these texts, which belong together, into each.
 void fill_in_hash(std::initializer_list<std::string *> texts);

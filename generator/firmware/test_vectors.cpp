@@ -117,7 +117,7 @@ class VectorMaker {
       const State state = state_for(function, given);
       const std::vector<Real50> exact = expected_[f].exact(state);
       const std::vector<double> scale = expected_[f].scale(state), proven = bounds.at(state);
-      const double unit = kAllowedUnits * largest_turn(mechanism_) * angle_rounding(state) * epsilon();
+      const double unit = kAllowedUnits * largest_angle_factor(mechanism_) * angle_rounding(state) * epsilon();
       std::size_t k = 0;
       for (const Output& output : function.outputs) {
         for (std::size_t e = 0; e < output.entries.size(); ++e, ++k) {

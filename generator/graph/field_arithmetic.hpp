@@ -18,7 +18,7 @@
 namespace flatdyn {
 
 // The finaliser of splitmix64: mixes two numbers into a hash.
-inline std::uint64_t scrambled(std::uint64_t seed, std::uint64_t value) {
+inline std::uint64_t splitmix64(std::uint64_t seed, std::uint64_t value) {
   std::uint64_t z = seed + 0x9e3779b97f4a7c15ULL * (value + 1);
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
@@ -58,7 +58,7 @@ class FieldArithmetic {
   F input(const Input& input) const {
     if (at_rest_ && input.kind == InputKind::qd) return F(0);
     const auto kind = static_cast<std::uint64_t>(input.kind);
-    return Traits::draw(scrambled(seed_, (kind << 32) + static_cast<std::uint64_t>(input.index)));
+    return Traits::draw(splitmix64(seed_, (kind << 32) + static_cast<std::uint64_t>(input.index)));
   }
 
   F divide(const F& a, const F& b) const { return a / b; }
@@ -86,7 +86,7 @@ class FieldArithmetic {
 
  private:
   F drawn(const F& value, std::uint64_t purpose) const {
-    return Traits::draw(scrambled(scrambled(seed_, Traits::key(value)), purpose));
+    return Traits::draw(splitmix64(splitmix64(seed_, Traits::key(value)), purpose));
   }
 
   static CirclePoint conjugate(const CirclePoint& a) { return {a.c, -a.s}; }
@@ -115,7 +115,7 @@ class FieldArithmetic {
     const Node& node = graph[angle];
     if (node.op == Op::sum) {
       // The values of the terms are unknown here. Only inputs, whose values are drawn, and sums of them are expanded.
-      if (looks_linear(graph, angle)) {
+      if (is_linear_in_inputs(graph, angle)) {
         for (const Term& term : node.terms) add_angles(graph, term.node, factor * term.coefficient, F(0), total);
         total = add(total, point(constant(factor * node.value)));
         return;
@@ -131,12 +131,12 @@ class FieldArithmetic {
   }
 
   // Whether the angle is a sum, possibly nested, of inputs.
-  static bool looks_linear(const Graph& graph, NodeId angle) {
+  static bool is_linear_in_inputs(const Graph& graph, NodeId angle) {
     const Node& node = graph[angle];
     if (node.op == Op::input) return true;
     if (node.op != Op::sum) return false;
     for (const Term& term : node.terms) {
-      if (!looks_linear(graph, term.node)) return false;
+      if (!is_linear_in_inputs(graph, term.node)) return false;
     }
     return true;
   }
@@ -152,8 +152,8 @@ struct FieldTraits<Rational> {
     return Rational(static_cast<std::int64_t>(bits % 2001) - 1000, static_cast<std::int64_t>((bits >> 32) % 97) + 1);
   }
   static std::uint64_t key(const Rational& value) {
-    return scrambled(mpz_fdiv_ui(numerator(value).backend().data(), 0xffffffffffffffc5UL),
-                     mpz_fdiv_ui(denominator(value).backend().data(), 0xffffffffffffffc5UL));
+    return splitmix64(mpz_fdiv_ui(numerator(value).backend().data(), 0xffffffffffffffc5UL),
+                      mpz_fdiv_ui(denominator(value).backend().data(), 0xffffffffffffffc5UL));
   }
   static bool is_negative(const Rational& value) { return value < 0; }
   static Rational sqrt(const Rational& value) {

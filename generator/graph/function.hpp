@@ -49,13 +49,13 @@ struct Function {
   std::vector<NodeId> validity_conditions;
   // The diagonal entries b_kk for the first of `validity_conditions`, which are pivots: pivot k is b_kk less what
   // elimination subtracts from it, so that rounding may cancel all digits of it. It counts as positive only if
-  // kLeastShare of it still changes b_kk in the scalar's arithmetic.
+  // kPivotSignificance of it still changes b_kk in the scalar's arithmetic.
   std::vector<NodeId> pivot_diagonals{};
   int loop_conditions = 0;  // the number of conditions, at the end, that require a closed loop not to be singular
 };
 
-// A pivot below 1/(2 kLeastShare) units in the last place of its diagonal entry is mostly rounding error.
-inline const Rational kLeastShare{1, 64};
+// A pivot below 1/(2 kPivotSignificance) units in the last place of its diagonal entry is mostly rounding error.
+inline const Rational kPivotSignificance{1, 64};
 
 // The nodes that must be kept: output entries, validity conditions and pivot diagonals, in this order.
 std::vector<NodeId> roots(const Function& function);

@@ -160,7 +160,7 @@ NodeId Graph::product(std::vector<NodeId> factors) {
   return make_product(coefficient, std::move(flat));
 }
 
-NodeId Graph::kept_product(const std::vector<NodeId>& factors) {
+NodeId Graph::product_without_folding(const std::vector<NodeId>& factors) {
   Rational coefficient = 1;
   std::vector<NodeId> flat;
   flat.reserve(factors.size());
@@ -281,7 +281,7 @@ NodeId Graph::copy(const Node& node, const std::vector<NodeId>& image) {
     case Op::product: {
       std::vector<NodeId> factors = node.operands;
       for (NodeId& factor : factors) factor = at(factor);
-      return kept_product(factors);
+      return product_without_folding(factors);
     }
     case Op::quotient:
       return quotient(at(node.operands[0]), at(node.operands[1]));

@@ -50,7 +50,8 @@ enum class Op : std::uint8_t { constant, input, sum, product, quotient, sin, cos
 //             A single term with value 0 is a scaled node (coefficient not 1).
 //             From sum_without_folding only: a term ±1 · a scaled node.
 //   product   Π operands, sorted, repeated for powers, at least two; none a constant, a product or a scaled node.
-//             From kept_product only: an operand may be a product, or a scaled node whose coefficient is not -1.
+//             From product_without_folding only: an operand may be a product, or a scaled node whose coefficient is not
+//             -1.
 //   quotient  operands[0] / operands[1]; neither is a scaled node, the denominator is not a constant
 //   sin, cos, sign   of operands[0], which is not scaled by a negative number (sign: not scaled at all); sign(0) = 0
 //   sqrt      of operands[0], which is not 0 and not 1
@@ -87,7 +88,7 @@ class Graph {
   // As sum and product, but operands that are scaled nodes or products stay as they are instead of being folded in.
   // Passes use them to keep such a node as an operand where several uses share it, and to copy their results.
   NodeId sum_without_folding(std::vector<Term> terms, const Rational& constant = 0);
-  NodeId kept_product(const std::vector<NodeId>& factors);
+  NodeId product_without_folding(const std::vector<NodeId>& factors);
 
   // Copies `node` of any graph into this one, operand k becoming image[k]. Nothing is folded.
   NodeId copy(const Node& node, const std::vector<NodeId>& image);

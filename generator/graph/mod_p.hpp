@@ -52,10 +52,10 @@ class ModP {
   // The inverse, by Fermat's little theorem. Throws std::domain_error for 0.
   ModP inverse() const {
     if (value_ == 0) throw std::domain_error("GF(p): division by zero");
-    return to_the(P - 2);
+    return raised_to(P - 2);
   }
 
-  ModP to_the(std::uint64_t exponent) const {
+  ModP raised_to(std::uint64_t exponent) const {
     ModP result(1), power = *this;
     for (; exponent > 0; exponent >>= 1) {
       if ((exponent & 1) != 0) result *= power;
@@ -64,7 +64,7 @@ class ModP {
     return result;
   }
 
-  bool is_square() const { return value_ == 0 || to_the((P - 1) / 2).value_ == 1; }
+  bool is_square() const { return value_ == 0 || raised_to((P - 1) / 2).value_ == 1; }
 
   // The smaller of the two square roots, by Tonelli and Shanks (Cohen, A Course in Computational Algebraic Number
   // Theory, algorithm 1.5.1). Throws std::domain_error if there is none.
@@ -75,8 +75,8 @@ class ModP {
     while (odd % 2 == 0) odd /= 2;
     ModP generator(2);
     while (generator.is_square()) generator += ModP(1);
-    generator = generator.to_the(odd);
-    ModP root = to_the((odd + 1) / 2), rest = to_the(odd);  // root² = rest · *this; the order of rest is 2^k
+    generator = generator.raised_to(odd);
+    ModP root = raised_to((odd + 1) / 2), rest = raised_to(odd);  // root² = rest · *this; the order of rest is 2^k
     while (rest.value_ != 1) {
       ModP step = generator;
       while ((rest * step * step).order() >= rest.order()) step *= step;

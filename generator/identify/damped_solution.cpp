@@ -31,7 +31,7 @@ Solution damped_solution(const MatrixXd& factor, const VectorXd& prior, double d
     parts += svd.V.col(k).cwiseAbs();
   }
   const Index known = b - static_cast<Index>(solution.damped.size());
-  for (const double part : parts) solution.told.push_back(part < kRounding);
+  for (const double part : parts) solution.determined.push_back(part < kRounding);
   solution.singular_values = svd.s;
   solution.root_information = svd.s.head(known).asDiagonal() * svd.V.leftCols(known).transpose() * scale.asDiagonal();
   const MatrixXd spread = scale.cwiseInverse().asDiagonal() * svd.V * inverse.asDiagonal();
@@ -44,7 +44,7 @@ Solution damped_solution(const MatrixXd& factor, const VectorXd& prior, double d
 }
 
 // Works along the principal directions of the covariance. A hidden direction keeps the variance that the prior leaves.
-void hide_noise(Solution& solution, double plausible) {
+void damp_hidden_directions(Solution& solution, double plausible) {
   constexpr double kClearly = 5;  // standard deviations
   constexpr double kMuch = 0.1;   // share of the plausible size
   if (solution.coordinates.size() == 0) return;
@@ -68,7 +68,7 @@ void hide_noise(Solution& solution, double plausible) {
   solution.spread = directions;
   const VectorXd left = directions(Eigen::all, hidden).rowwise().norm();
   for (Index k = 0; k < left.size(); ++k) {
-    if (left(k) > kMuch * plausible) solution.told[static_cast<std::size_t>(k)] = false;
+    if (left(k) > kMuch * plausible) solution.determined[static_cast<std::size_t>(k)] = false;
   }
 }
 

@@ -27,7 +27,7 @@ struct Solution {
   Eigen::MatrixXd spread;
   Eigen::VectorXd coordinates;
   Eigen::MatrixXd root_information;  // r × b: root_information (π - values) has covariance 1, r ≤ b
-  std::vector<bool> told;            // true for parameters without a part in the directions below
+  std::vector<bool> determined;      // true for parameters without a part in the directions below
   Eigen::VectorXd singular_values;   // columns scaled to unit norm, descending
   std::vector<DampedDirection> damped;
   std::vector<HiddenDirection> hidden;
@@ -42,6 +42,6 @@ Solution damped_solution(const Eigen::MatrixXd& factor, const Eigen::VectorXd& p
 // that parameters can have, and the data do not clearly contradict the prior along it. Along hidden directions the
 // solution becomes that of a prior with standard deviation `plausible`. A parameter that keeps more than a tenth of
 // `plausible` as uncertainty there counts as not told.
-void hide_noise(Solution& solution, double plausible);
+void damp_hidden_directions(Solution& solution, double plausible);
 
 }  // namespace flatdyn

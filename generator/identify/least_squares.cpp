@@ -96,11 +96,12 @@ Estimate estimate(const Observations& observations, const VectorXd& prior, const
     deviations = updated;
   }
   const double plausible = prior.cwiseAbs().maxCoeff();
-  if (plausible > 0) hide_noise(solution, plausible);
+  if (plausible > 0) damp_hidden_directions(solution, plausible);
   result.values = solution.values;
   result.standard_deviations = solution.spread.rowwise().norm();
-  for (std::size_t k = 0; k < solution.told.size(); ++k) {
-    if (!solution.told[k]) result.standard_deviations(static_cast<Index>(k)) = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < solution.determined.size(); ++k) {
+    if (!solution.determined[k])
+      result.standard_deviations(static_cast<Index>(k)) = std::numeric_limits<double>::infinity();
   }
   result.singular_values = solution.singular_values;
   result.damped = std::move(solution.damped);

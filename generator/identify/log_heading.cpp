@@ -23,7 +23,7 @@ class LayoutReader {
     if (torques) {
       tau = columns_.require(CsvQuantity::tau, "torques");
     } else {
-      columns_.pass_over(CsvQuantity::tau);
+      columns_.allow_unused(CsvQuantity::tau);
     }
     const std::vector<CsvSource> qd = columns_.all_or_none(CsvQuantity::qd),
                                  qdd = columns_.all_or_none(CsvQuantity::qdd),

@@ -45,7 +45,7 @@ LogReader::LogReader(const std::filesystem::path& path, const Mechanism& mechani
     : path_(path.string()), lines_(path, LineReader::Reading::again), diagnostics_(diagnostics) {
   std::string_view line;
   if (!lines_.next_row(line)) {
-    complain("no samples in the file", "a heading such as t,q1,q2,tau1,tau2 and a line for each sample");
+    report_error("no samples in the file", "a heading such as t,q1,q2,tau1,tau2 and a line for each sample");
     return;
   }
   if (!is_csv_heading(line, place(), diagnostics)) return;
@@ -68,7 +68,7 @@ LogReader::LogReader(const std::filesystem::path& path, LogHeading heading, Diag
   lines_.next_row(line);
 }
 
-bool LogReader::complain(const std::string& message, const std::string& hint) {
+bool LogReader::report_error(const std::string& message, const std::string& hint) {
   diagnostics_.error(place(), message, hint);
   return ++errors_ < kMostErrors;
 }
@@ -89,23 +89,24 @@ bool LogReader::next(double* channels) {
       last_time_ = time;
       return true;
     }
-    complain(time < last_time_ ? fmt::format("time does not grow: {} s after {} s", time, last_time_)
-                               : fmt::format("time does not grow: {} s twice, to the 16 digits that are kept", time),
-             "sort the log by time, and give each run a file of its own");
+    report_error(time < last_time_
+                     ? fmt::format("time does not grow: {} s after {} s", time, last_time_)
+                     : fmt::format("time does not grow: {} s twice, to the 16 digits that are kept", time),
+                 "sort the log by time, and give each run a file of its own");
     last_time_ = time;
   }
   return false;
 }
 
 // Reports an entry that is not a number.
-void LogReader::complain_about(std::string_view entry, const LogColumn& column) {
+void LogReader::report_bad_entry(std::string_view entry, const LogColumn& column) {
   if (entry.empty()) {
-    complain(fmt::format("column \"{}\": missing value", column.name), "leave out lines that are not complete");
+    report_error(fmt::format("column \"{}\": missing value", column.name), "leave out lines that are not complete");
   } else {
-    complain(fmt::format("column \"{}\": \"{}\" is not a finite number", column.name,
-                         is_utf8(entry) ? entry : "(text that is not UTF-8)"),
-             marks_.may_be_commas() ? "numbers have decimal points, or all of them decimal commas"
-                                    : "numbers have a decimal point, columns are separated by commas");
+    report_error(fmt::format("column \"{}\": \"{}\" is not a finite number", column.name,
+                             is_utf8(entry) ? entry : "(text that is not UTF-8)"),
+                 marks_.may_be_commas() ? "numbers have decimal points, or all of them decimal commas"
+                                        : "numbers have a decimal point, columns are separated by commas");
   }
 }
 
@@ -131,7 +132,7 @@ const char* LogReader::parse_number(const LogColumn& column, const char* at, con
     if (!is_number) last = end_of_entry(at, end, ',');
   }
   if (!is_number) {
-    complain_about({at, static_cast<std::size_t>(last - at)}, column);
+    report_bad_entry({at, static_cast<std::size_t>(last - at)}, column);
     return nullptr;
   }
   channels[column.channel] = value * column.factor;
@@ -145,12 +146,12 @@ const char* LogReader::parse_entry(const LogColumn& column, const char* at, cons
   std::string text = unquoted({at, static_cast<std::size_t>(last - at)});
   if (column.role == LogColumn::Role::fixed_text) {
     if (text == column.text) return last;
-    complain(fmt::format("column \"{}\" is not \"{}\", as in the first row", column.name, column.text),
-             "the joints change their order, or these are messages of several senders: keep one of them");
+    report_error(fmt::format("column \"{}\" is not \"{}\", as in the first row", column.name, column.text),
+                 "the joints change their order, or these are messages of several senders: keep one of them");
     return nullptr;
   }
   if (!marks_.normalise(text)) {
-    complain_about(text, column);
+    report_bad_entry(text, column);
     return nullptr;
   }
   (column.role == LogColumn::Role::time ? time_ : nanoseconds_) = std::move(text);
@@ -173,7 +174,7 @@ bool LogReader::set_time(double* channels) {
   const auto column = std::find_if(heading_.columns.begin(), heading_.columns.end(),
                                    [](const LogColumn& each) { return each.role == LogColumn::Role::time; });
   const std::string text = heading_.has_nanoseconds ? fmt::format("{}, {}", time_, nanoseconds_) : time_;
-  complain(
+  report_error(
       fmt::format("column \"{}\": \"{}\" is no time", column->name, is_utf8(text) ? text : "(text that is not UTF-8)"),
       "whole numbers of seconds and nanoseconds, or a decimal number");
   return false;
@@ -186,8 +187,8 @@ bool LogReader::parse(std::string_view line, double* channels) {
   const char* const end = at + line.size();
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (at > end) {
-      complain(fmt::format("{} entries, but the heading has {} columns", k, columns.size()),
-               "leave out lines that are not complete");
+      report_error(fmt::format("{} entries, but the heading has {} columns", k, columns.size()),
+                   "leave out lines that are not complete");
       return false;
     }
     while (at < end && is_blank(*at) && !tabs) ++at;
@@ -196,8 +197,8 @@ bool LogReader::parse(std::string_view line, double* channels) {
     at = last + 1;
   }
   if (at <= end)
-    complain(fmt::format("more than the {} entries that the heading has", columns.size()),
-             "numbers have a decimal point, columns are separated by commas");
+    report_error(fmt::format("more than the {} entries that the heading has", columns.size()),
+                 "numbers have a decimal point, columns are separated by commas");
   return at > end;
 }
 

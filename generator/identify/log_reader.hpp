@@ -39,8 +39,8 @@ class LogReader {
   const char* parse_number(const LogColumn& column, const char* at, const char* end, double* channels);
   bool read_marked_number(std::string_view entry, double& value);
   bool set_time(double* channels);
-  void complain_about(std::string_view entry, const LogColumn& column);
-  bool complain(const std::string& message, const std::string& hint = {});
+  void report_bad_entry(std::string_view entry, const LogColumn& column);
+  bool report_error(const std::string& message, const std::string& hint = {});
 
   std::string path_;
   LineReader lines_;

@@ -99,7 +99,7 @@ Measurement measure(const TorqueModel& model, const std::vector<std::filesystem:
   Measurement result;
   std::vector<PlannedLog> planned = planned_logs(model, logs, options, diagnostics);
   if (diagnostics.has_errors()) return result;
-  BlockShares shares(options.part, options.parts);
+  BlockPartition shares(options.part, options.parts);
   for (PlannedLog& log : planned) {
     progress.step("reading " + log.path.string());
     const auto sink = [&, at = static_cast<int>(result.logs.size())](const MeasuredMotion& motion) {

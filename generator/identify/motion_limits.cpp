@@ -47,7 +47,7 @@ std::vector<JointLimits> within_margin(std::vector<JointLimits> limits, double m
   return limits;
 }
 
-void raise(LimitUse& use, const JointLimits& limits, double q, double qd, double qdd, double tau) {
+void update_use(LimitUse& use, const JointLimits& limits, double q, double qd, double qdd, double tau) {
   use.position = std::max(use.position, std::abs(q - limits.middle()) / limits.reach());
   use.speed = std::max(use.speed, std::abs(qd) / limits.speed);
   use.acceleration = std::max(use.acceleration, std::abs(qdd) / limits.acceleration);

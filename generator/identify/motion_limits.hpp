@@ -31,6 +31,6 @@ struct LimitUse {
 };
 
 // Raises `use` to what this sample needs: q, qd, qdd in rad or m and seconds, tau in N m or N.
-void raise(LimitUse& use, const JointLimits& limits, double q, double qd, double qdd, double tau);
+void update_use(LimitUse& use, const JointLimits& limits, double q, double qd, double qdd, double tau);
 
 }  // namespace flatdyn

@@ -113,7 +113,7 @@ class MotionFilter {
 // One log on its way through reader, window and filter.
 class Stream {
  public:
-  Stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan, BlockShares& shares,
+  Stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan, BlockPartition& shares,
          Diagnostics& diagnostics)
       : reader_(log, plan.heading, diagnostics),
         diagnostics_(diagnostics),
@@ -188,7 +188,7 @@ class Stream {
   RateCheck rates_;
   const StreamPlan& plan_;
   int half_window_;
-  BlockShares& shares_;
+  BlockPartition& shares_;
   Window window_;
   std::optional<MotionFilter> filter_;
   Eigen::VectorXd sample_;
@@ -201,13 +201,13 @@ class Stream {
 }  // namespace
 
 StreamCount stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan,
-                   BlockShares& shares, const MotionSink& sink, Diagnostics& diagnostics) {
+                   BlockPartition& shares, const MotionSink& sink, Diagnostics& diagnostics) {
   return Stream(log, mechanism, plan, shares, diagnostics).run(sink);
 }
 
 StreamCount stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan,
                    const MotionSink& sink, Diagnostics& diagnostics) {
-  BlockShares whole;
+  BlockPartition whole;
   return stream(log, mechanism, plan, whole, sink, diagnostics);
 }
 

@@ -9,7 +9,7 @@
 #include <functional>
 #include <optional>
 
-#include "identify/block_shares.hpp"
+#include "identify/block_partition.hpp"
 #include "identify/log_layout.hpp"
 
 namespace flatdyn {
@@ -73,7 +73,7 @@ StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechan
 // over all samples read: by q against the joint limits, by speeds that no robot has, and by q̇ and q̈ against the
 // change of q. They are errors, or warnings if they may be right. A position far outside the limits ends the reading.
 StreamCount stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan,
-                   BlockShares& shares, const MotionSink& sink, Diagnostics& diagnostics);
+                   BlockPartition& shares, const MotionSink& sink, Diagnostics& diagnostics);
 // Passes all used samples of the log to `sink`.
 StreamCount stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamPlan& plan,
                    const MotionSink& sink, Diagnostics& diagnostics);

@@ -56,7 +56,7 @@ std::vector<LimitUse> use_of(const TorqueModel& model, const std::vector<JointLi
   std::vector<LimitUse> use(limits.size());
   for (std::size_t k = 0; k < samples.size(); ++k) {
     for (std::size_t i = 0; i < limits.size(); ++i) {
-      raise(use[i], limits[i], samples[k].q[i], samples[k].qd[i], samples[k].qdd[i], torques[k][i]);
+      update_use(use[i], limits[i], samples[k].q[i], samples[k].qd[i], samples[k].qdd[i], torques[k][i]);
     }
   }
   return use;

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "model/number.hpp"
-#include "model/unit_doubts.hpp"
+#include "model/unit_plausibility.hpp"
 
 namespace flatdyn {
 namespace {

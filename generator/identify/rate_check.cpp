@@ -66,8 +66,7 @@ void RateCheck::RatePair::finish(const Place& place, Diagnostics& diagnostics) c
   }
 }
 
-void RateCheck::complain_about_jump(int channel, const double* channels, const Place& place,
-                                    Diagnostics& diagnostics) const {
+void RateCheck::report_jump(int channel, const double* channels, const Place& place, Diagnostics& diagnostics) const {
   const auto q = static_cast<std::size_t>(channel);
   diagnostics.warning(
       place,

@@ -29,7 +29,7 @@ class RateCheck {
       const auto jumps = [&](int q) { return std::abs(channels[q] - last_[static_cast<std::size_t>(q)]) > farthest; };
       const auto jump = std::find_if(angles_.begin(), angles_.end(), jumps);
       if (jump != angles_.end()) {
-        complain_about_jump(*jump, channels, place(), diagnostics);
+        report_jump(*jump, channels, place(), diagnostics);
         angles_.erase(jump);
       }
     }
@@ -63,7 +63,7 @@ class RateCheck {
     void finish(const Place& place, Diagnostics& diagnostics) const;
   };
 
-  void complain_about_jump(int channel, const double* channels, const Place& place, Diagnostics& diagnostics) const;
+  void report_jump(int channel, const double* channels, const Place& place, Diagnostics& diagnostics) const;
 
   double dt_;
   std::vector<std::string> names_;  // names of the channels

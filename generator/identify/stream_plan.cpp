@@ -60,7 +60,7 @@ void check_time(const RateCheck& rates, const StreamPlan& plan, const Place& pla
   const double dt = plan.filter.dt;
   if (dt < kFarApart) return;
   const char* const unit = plan.layout().has_rates ? rates.unit_of_times() : unit_by_size(dt);
-  if (unit != nullptr) ask_for_unit_of_time(dt, unit, plan.heading.channel_names().front(), place, diagnostics);
+  if (unit != nullptr) warn_of_time_unit(dt, unit, plan.heading.channel_names().front(), place, diagnostics);
 }
 
 // Reports only errors of positions and rates, before a long log is read; warnings follow when all of it is.

@@ -36,7 +36,7 @@ std::vector<std::vector<int>> nonzero_columns(const Function& regressor) {
 }  // namespace
 
 TorqueModel::TorqueModel(const LoadedRobot& model, ParameterSet set, Progress& progress)
-    : model_(with_mechanism(model, carrying(model.mechanism, set))) {
+    : model_(with_mechanism(model, with_parameter_set(model.mechanism, set))) {
   require_numbers(model.robot, "measured motion");
   base_ = base_parameters(model_.mechanism);
   for (const Number& value : base_values(model.mechanism, base_)) {

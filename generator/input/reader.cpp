@@ -133,7 +133,7 @@ void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   robot.rounded_angles = context.rounded_angles;
   snap_dust(dust_part(context.options), robot);
   validate_values(robot, payload_places(attachments, robot.scene), context.diagnostics);
-  ask_about_units(robot, context);
+  warn_of_units(robot, context);
 }
 
 // "arm" of arm.toml and of arm.urdf.xacro; stdin and pipes have no name.
@@ -160,7 +160,7 @@ std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOpt
   if (!options.scene_file.empty()) robot.files.push_back(options.scene_file);
   robot.symbols = context.symbols.in_order();
   if (robot.name.empty()) take_name_of_file(robot.file, found, robot);
-  if (!found.has_errors()) settle_loops(robot, found);
+  if (!found.has_errors()) couple_linear_loops(robot, found);
   if (!found.has_errors()) check_assembly(robot, found);
   if (!found.has_errors()) check_coordinates(robot, found);
   hand_over(found, diagnostics);

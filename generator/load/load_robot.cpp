@@ -10,7 +10,7 @@
 namespace flatdyn {
 namespace {
 
-Needs needs_of(const LoadOptions& options, const Scene& scene) {
+TorqueScope torque_scope_of(const LoadOptions& options, const Scene& scene) {
   const std::vector<std::string> names = functions_asked_for(options.functions, scene);
   const bool only_gravity = !names.empty() && std::all_of(names.begin(), names.end(), [](const std::string& name) {
     const FunctionRow* row = find_row(name);
@@ -24,7 +24,7 @@ std::optional<Abbreviation> abbreviation_of(const Robot& robot, const Mechanism&
   const Scene& scene = robot.scene;
   if (!scene.error_budget) return std::nullopt;
   try {
-    return abbreviated(mechanism, *scene.error_budget, needs_of(options, scene));
+    return abbreviated(mechanism, *scene.error_budget, torque_scope_of(options, scene));
   } catch (const Failure& failure) {
     throw Failure(failure.code(), robot.file + ": " + failure.what(), failure.hint());
   }

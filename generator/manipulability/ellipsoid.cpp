@@ -80,7 +80,7 @@ std::vector<std::string> poses_to_tip(const Mechanism& mechanism) {
 
 // The half axes of the image of the unit ball under onto · axes · lengths. With the SVD U Σ Vᵀ, it is the image under U
 // Σ.
-Eigen::Matrix2d shadow(const Ellipsoid& ellipsoid, const Eigen::MatrixXd& onto) {
+Eigen::Matrix2d projected_axes(const Ellipsoid& ellipsoid, const Eigen::MatrixXd& onto) {
   const Eigen::MatrixXd half = onto * ellipsoid.axes * ellipsoid.lengths.asDiagonal();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(half, Eigen::ComputeThinU);
   Eigen::Matrix2d axes = Eigen::Matrix2d::Zero();

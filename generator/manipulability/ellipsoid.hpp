@@ -27,7 +27,7 @@ struct Ellipsoid {
 
 // The half axes, as columns, of the ellipse that a parallel projection makes of an ellipsoid, the longer one first.
 // onto: 2 × d.
-Eigen::Matrix2d shadow(const Ellipsoid& ellipsoid, const Eigen::MatrixXd& onto);
+Eigen::Matrix2d projected_axes(const Ellipsoid& ellipsoid, const Eigen::MatrixXd& onto);
 
 // The summed length, m, of the lines between consecutive points.
 double length_of(const std::vector<Eigen::Vector3d>& skeleton);

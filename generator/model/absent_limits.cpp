@@ -29,8 +29,8 @@ NamedLimits named_limits(Limits& limits) {
 }
 
 // Takes away those of which `is_absent` is true of the index and the value; a note that begins with `what`.
-void take_away(Joint& joint, const std::function<bool(std::size_t, const Number&)>& is_absent, const std::string& what,
-               const char* kind, Diagnostics& diagnostics) {
+void remove_limit(Joint& joint, const std::function<bool(std::size_t, const Number&)>& is_absent,
+                  const std::string& what, const char* kind, Diagnostics& diagnostics) {
   std::vector<std::string> taken;
   Place place;
   const NamedLimits all = named_limits(joint.limits);
@@ -53,17 +53,17 @@ bool is_exactly(const std::optional<Value>& limit, int number) {
 
 }  // namespace
 
-void take_away_absent_limits(Joint& joint, Diagnostics& diagnostics) {
+void remove_absent_limits(Joint& joint, Diagnostics& diagnostics) {
   const Limits& limits = joint.limits;
   const bool is_zero_range = is_exactly(limits.lower, 0) && is_exactly(limits.upper, 0);
-  take_away(
+  remove_limit(
       joint, [&](std::size_t i, const Number& limit) { return vanishes(limit) && (i > 1 || is_zero_range); },
       "limits of 0", "joints with limits of 0, which are taken as not given", diagnostics);
-  take_away(
+  remove_limit(
       joint, [](std::size_t i, const Number& limit) { return magnitude(limit) > (i > 1 ? kLargestRate : kFarthest); },
       "limits beyond what a joint reaches", "joints with huge limits, which are taken as not given", diagnostics);
   if (!is_exactly(limits.lower, 1) || !is_exactly(limits.upper, 0)) return;
-  take_away(
+  remove_limit(
       joint, [](std::size_t i, const Number&) { return i <= 1; }, "limits from 1 to 0, Bullet's word for none,",
       "joints with limits from 1 to 0, which are taken as not given", diagnostics);
 }

@@ -11,6 +11,6 @@ namespace flatdyn {
 //   - zeros that exporters write for what nobody gave: lower = upper = 0, velocity = 0, ...
 //   - positions beyond 1e4 rad or m; velocities, accelerations and efforts beyond 1e6 (Gazebo writes 1e16);
 //   - lower = 1 and upper = 0, which is Bullet's word for no limit.
-void take_away_absent_limits(Joint& joint, Diagnostics& diagnostics);
+void remove_absent_limits(Joint& joint, Diagnostics& diagnostics);
 
 }  // namespace flatdyn

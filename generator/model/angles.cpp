@@ -39,13 +39,13 @@ std::vector<CoordinateMultiple> further_angles(const Mechanism& mechanism) {
   return angles;
 }
 
-double largest_turn(const Mechanism& mechanism) {
+double largest_angle_factor(const Mechanism& mechanism) {
   double largest = 1;
   for (const CoordinateMultiple& angle : mechanism.angles) largest = std::max(largest, nearest_double(angle.factor));
   return largest;
 }
 
-std::vector<Number> turns_of(const Mechanism& mechanism, int i) {
+std::vector<Number> angle_factors(const Mechanism& mechanism, int i) {
   std::vector<Number> turns(at_index(mechanism.angle_count()), 0);
   const std::vector<Number>& factors = mechanism.coupling[at_index(i)];
   for (std::size_t k = 0; k < factors.size(); ++k) {

@@ -15,10 +15,10 @@ std::vector<CoordinateMultiple> further_angles(const Mechanism& mechanism);
 
 // The number of last places by which the angle of a joint is off, at most, when a coordinate is rounded in its last
 // place: the largest of these multiples, 1 if there are none.
-double largest_turn(const Mechanism& mechanism);
+double largest_angle_factor(const Mechanism& mechanism);
 
 // The factor of each angle in the position of body i's joint, -2 to 2: first the entries of q, then mechanism.angles.
 // The mechanism must have coupled joints.
-std::vector<Number> turns_of(const Mechanism& mechanism, int i);
+std::vector<Number> angle_factors(const Mechanism& mechanism, int i);
 
 }  // namespace flatdyn

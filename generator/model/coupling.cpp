@@ -18,14 +18,14 @@ bool has_own_coordinate(const Joint& joint) {
 }
 
 // Follows the names from joint to joint until it reaches coordinates, each joint once.
-class Follower {
+class CouplingResolver {
  public:
-  struct Stranger {
+  struct UnknownLeader {
     int follower;
     const Reference* name;  // a name that no joint has
   };
 
-  explicit Follower(const Robot& robot) : robot_(robot), known_(robot.joints.size()) {
+  explicit CouplingResolver(const Robot& robot) : robot_(robot), known_(robot.joints.size()) {
     for (std::size_t j = 0; j < robot.joints.size(); ++j) {
       joint_of_name_.emplace(robot.joints[j].name, static_cast<int>(j));
     }
@@ -37,7 +37,7 @@ class Follower {
     return *known;
   }
 
-  const std::vector<Stranger>& strangers() const { return strangers_; }
+  const std::vector<UnknownLeader>& unknown_leaders() const { return unknown_leaders_; }
   const std::vector<std::vector<int>>& circles() const { return circles_; }  // cycles of joints that follow each other
 
  private:
@@ -46,9 +46,9 @@ class Follower {
     if (follower.type == JointType::fixed) return {{}, follower.held ? follower.held->position : Number(0)};
     if (!follower.coupled) return {{{joint, 1}}, 0};
     LinearPosition result{{}, follower.coupled->offset};
-    way_.push_back(joint);
+    path_.push_back(joint);
     for (const Coupled::Term& term : follower.coupled->terms) add(joint, term, result);
-    way_.pop_back();
+    path_.pop_back();
     std::erase_if(result.factors, [](const auto& factor) { return vanishes(factor.second); });
     for (auto& [coordinate, factor] : result.factors) factor = rationalised(factor);
     return result;
@@ -57,15 +57,15 @@ class Follower {
   void add(int follower, const Coupled::Term& term, LinearPosition& result) {
     const auto leader = joint_of_name_.find(term.joint.name);
     if (leader == joint_of_name_.end()) {
-      strangers_.push_back({follower, &term.joint});
+      unknown_leaders_.push_back({follower, &term.joint});
       return;
     }
     if (has_own_coordinate(robot_.joints[static_cast<std::size_t>(leader->second)])) {
       result.factors[leader->second] += term.factor;
       return;
     }
-    if (const auto before = std::find(way_.begin(), way_.end(), leader->second); before != way_.end()) {
-      circles_.emplace_back(before, way_.end());
+    if (const auto before = std::find(path_.begin(), path_.end(), leader->second); before != path_.end()) {
+      circles_.emplace_back(before, path_.end());
       return;
     }
     const LinearPosition& leading = position(leader->second);
@@ -76,18 +76,20 @@ class Follower {
   const Robot& robot_;
   std::map<std::string, int> joint_of_name_;
   std::vector<std::optional<LinearPosition>> known_;
-  std::vector<int> way_;
-  std::vector<Stranger> strangers_;
+  std::vector<int> path_;
+  std::vector<UnknownLeader> unknown_leaders_;
   std::vector<std::vector<int>> circles_;
 };
 
-void report_stranger(const Robot& robot, const Follower::Stranger& stranger, Diagnostics& diagnostics) {
-  const Joint& joint = robot.joints[static_cast<std::size_t>(stranger.follower)];
+void report_unknown_leader(const Robot& robot, const CouplingResolver::UnknownLeader& unknown_leader,
+                           Diagnostics& diagnostics) {
+  const Joint& joint = robot.joints[static_cast<std::size_t>(unknown_leader.follower)];
   std::vector<std::string> known;
   for (const Joint& each : robot.joints) known.push_back(each.name);
-  diagnostics.error(joint.coupled->place,
-                    "joint \"" + joint.name + "\" follows joint \"" + stranger.name->name + "\", which does not exist",
-                    hint_for_unknown(stranger.name->name, known, "joints"));
+  diagnostics.error(
+      joint.coupled->place,
+      "joint \"" + joint.name + "\" follows joint \"" + unknown_leader.name->name + "\", which does not exist",
+      hint_for_unknown(unknown_leader.name->name, known, "joints"));
 }
 
 void report_circle(const Robot& robot, const std::vector<int>& circle, Diagnostics& diagnostics) {
@@ -107,11 +109,12 @@ Number own_factor(const std::string& joint, const Coupled& coupled) {
 }
 
 bool validate_couplings(const Robot& robot, Diagnostics& diagnostics) {
-  Follower follower(robot);
-  for (std::size_t j = 0; j < robot.joints.size(); ++j) follower.position(static_cast<int>(j));
-  for (const Follower::Stranger& stranger : follower.strangers()) report_stranger(robot, stranger, diagnostics);
-  for (const std::vector<int>& circle : follower.circles()) report_circle(robot, circle, diagnostics);
-  return follower.strangers().empty() && follower.circles().empty();
+  CouplingResolver resolver(robot);
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) resolver.position(static_cast<int>(j));
+  for (const CouplingResolver::UnknownLeader& unknown_leader : resolver.unknown_leaders())
+    report_unknown_leader(robot, unknown_leader, diagnostics);
+  for (const std::vector<int>& circle : resolver.circles()) report_circle(robot, circle, diagnostics);
+  return resolver.unknown_leaders().empty() && resolver.circles().empty();
 }
 
 void refuse_factors(const Robot& robot, Diagnostics& diagnostics) {
@@ -145,9 +148,9 @@ bool has_coupled_joints(const Robot& robot) {
 }
 
 std::vector<LinearPosition> joint_positions(const Robot& robot) {
-  Follower follower(robot);
+  CouplingResolver resolver(robot);
   std::vector<LinearPosition> positions;
-  for (std::size_t j = 0; j < robot.joints.size(); ++j) positions.push_back(follower.position(static_cast<int>(j)));
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) positions.push_back(resolver.position(static_cast<int>(j)));
   return positions;
 }
 

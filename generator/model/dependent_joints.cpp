@@ -32,7 +32,7 @@ OpenLoop open_loop(Loop& written, const Mechanism& tree) {
   OpenLoop loop{&written, LoopSample(tree, closure).rows(), {}};
   std::set<int> bodies;
   for (const LoopClosure::End& end : closure.ends) {
-    for (const int body : way_to(tree, end.body)) {
+    for (const int body : path_to(tree, end.body)) {
       if (!bodies.insert(body).second) bodies.erase(body);  // it moves both ends
     }
   }

@@ -136,15 +136,16 @@ std::vector<Solution> linear_solutions(const CutLoop& loop) {
   return solutions;
 }
 
-class LoopSettler {
+class LinearLoopCoupler {
  public:
-  LoopSettler(Robot& robot, Diagnostics& diagnostics) : robot_(robot), diagnostics_(diagnostics) {}
+  LinearLoopCoupler(Robot& robot, Diagnostics& diagnostics) : robot_(robot), diagnostics_(diagnostics) {}
 
   // Whether its dependent joints are coupled now.
   bool settle(const Loop& loop) {
     CutLoop cut;
     cut.tree = make_mechanism(open_tree());
-    if (!find_ends(loop, cut) || !find_joints(loop, cut) || !is_of_points(loop, robot_, diagnostics_)) return false;
+    if (!find_ends(loop, cut) || !find_joints(loop, cut) || !is_determined_by_points(loop, robot_, diagnostics_))
+      return false;
     constexpr std::size_t kMostDependent = 2, kMostIndependent = 3;
     std::vector<Solution> solutions;
     if (cut.dependent.size() <= kMostDependent && cut.independent.size() <= kMostIndependent) {
@@ -196,10 +197,10 @@ class LoopSettler {
 
   // Joints of the loop: on the ways from its ends to the base, but not on both.
   bool find_joints(const Loop& loop, CutLoop& cut) {
-    const std::vector<int> a = way_to(cut.tree, cut.ends[0].body), b = way_to(cut.tree, cut.ends[1].body);
+    const std::vector<int> a = path_to(cut.tree, cut.ends[0].body), b = path_to(cut.tree, cut.ends[1].body);
     std::vector<int> bodies;
-    const auto is_on = [](const std::vector<int>& way, int body) {
-      return std::find(way.begin(), way.end(), body) != way.end();
+    const auto is_on = [](const std::vector<int>& path, int body) {
+      return std::find(path.begin(), path.end(), body) != path.end();
     };
     std::copy_if(a.begin(), a.end(), std::back_inserter(bodies), [&](int body) { return !is_on(b, body); });
     std::copy_if(b.begin(), b.end(), std::back_inserter(bodies), [&](int body) { return !is_on(a, body); });
@@ -287,7 +288,7 @@ class LoopSettler {
 
 }  // namespace
 
-void settle_loops(Robot& robot, Diagnostics& diagnostics) {
+void couple_linear_loops(Robot& robot, Diagnostics& diagnostics) {
   close_at_zero(robot);
   Diagnostics choices;
   find_dependent_joints(robot, choices);
@@ -295,7 +296,7 @@ void settle_loops(Robot& robot, Diagnostics& diagnostics) {
     for (const Diagnostic& choice : choices.all()) diagnostics.add(choice);
   };
   if (choices.has_errors()) return tell();
-  std::erase_if(robot.loops, [&](const Loop& loop) { return LoopSettler(robot, diagnostics).settle(loop); });
+  std::erase_if(robot.loops, [&](const Loop& loop) { return LinearLoopCoupler(robot, diagnostics).settle(loop); });
   if (diagnostics.has_errors()) return;
   if (!robot.loops.empty()) check_loops(robot, open_mechanism(robot), diagnostics);
   if (!diagnostics.has_errors()) tell();

@@ -11,6 +11,6 @@ namespace flatdyn {
 // tried, and kept if the loop stays closed for all positions and all values of symbols: decided modulo a large prime at
 // random points. These loops are done with then; others stay, and are checked, see loop_closure.hpp. For a robot that
 // has been validated.
-void settle_loops(Robot& robot, Diagnostics& diagnostics);
+void couple_linear_loops(Robot& robot, Diagnostics& diagnostics);
 
 }  // namespace flatdyn

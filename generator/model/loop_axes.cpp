@@ -26,7 +26,7 @@ ExactPose placed(const ExactPose& a, const Mat3& R, const Vec3& p) {
 
 ExactPose pose_at_zero(const Mechanism& tree, int body) {
   ExactPose pose;
-  for (const int each : way_to(tree, body)) {
+  for (const int each : path_to(tree, body)) {
     const Body& joint = tree.bodies[static_cast<std::size_t>(each)];
     pose = placed(pose, rotation_z(joint.beta) * rotation_x(joint.alpha) * rotation_z(joint.theta), joint.p);
   }
@@ -61,7 +61,7 @@ void close_at_zero(Robot& robot) {
   }
 }
 
-bool is_of_points(const Loop& loop, const Robot& robot, Diagnostics& diagnostics) {
+bool is_determined_by_points(const Loop& loop, const Robot& robot, Diagnostics& diagnostics) {
   if (!loop.axes) return true;
   const Mechanism tree = with_coupling(open_mechanism(robot));
   const LoopClosure closure = closure_of(loop, tree);

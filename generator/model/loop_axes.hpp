@@ -15,7 +15,7 @@ void close_at_zero(Robot& robot);
 // in a mechanism in a plane. Other loops along axes take coordinates more, a revolute joint in space two. Axes that are
 // never parallel are an error. Decided in 50 digits at one position. `robot`: has the loop's links, between which
 // joints move.
-bool is_of_points(const Loop& loop, const Robot& robot, Diagnostics& diagnostics);
+bool is_determined_by_points(const Loop& loop, const Robot& robot, Diagnostics& diagnostics);
 
 // LoopClosure::sense in the robot's tree.
 int sense_of_axes(const Robot& robot, const Mechanism& tree, const LoopClosure& loop);

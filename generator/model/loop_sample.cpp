@@ -8,7 +8,7 @@
 
 #include "model/joint_points.hpp"
 #include "model/rational_rotation.hpp"
-#include "model/still_points.hpp"
+#include "model/spherical_centres.hpp"
 
 namespace flatdyn {
 namespace {
@@ -42,16 +42,17 @@ void set_axes(const Loop& written, const Mechanism& tree, LoopClosure& loop) {
 // The body that all of a loop moves with, and the bodies from there to each end.
 struct Chains {
   int carrier = -1;
-  std::array<std::vector<int>, 2> ways;
+  std::array<std::vector<int>, 2> paths;
 };
 
 Chains chains_of(const Mechanism& tree, const LoopClosure& loop) {
-  Chains chains{-1, {way_to(tree, loop.ends[0].body), way_to(tree, loop.ends[1].body)}};
-  auto& [a, b] = chains.ways;
+  Chains chains{-1, {path_to(tree, loop.ends[0].body), path_to(tree, loop.ends[1].body)}};
+  auto& [a, b] = chains.paths;
   std::size_t common = 0;
   while (common < a.size() && common < b.size() && a[common] == b[common]) ++common;
   if (common > 0) chains.carrier = a[common - 1];
-  for (std::vector<int>& way : chains.ways) way.erase(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(common));
+  for (std::vector<int>& path : chains.paths)
+    path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(common));
   return chains;
 }
 
@@ -67,10 +68,10 @@ std::optional<Mat3> axes_of_turning(const Mechanism& tree, const std::vector<int
   return std::nullopt;
 }
 
-Mat3 axes_of(const Mechanism& tree, const std::array<std::vector<int>, 2>& ways) {
-  const bool longer = ways[1].size() >= ways[0].size();
-  for (const std::vector<int>* way : {&ways[longer], &ways[!longer]}) {
-    if (const std::optional<Mat3> axes = axes_of_turning(tree, *way)) return *axes;
+Mat3 axes_of(const Mechanism& tree, const std::array<std::vector<int>, 2>& paths) {
+  const bool longer = paths[1].size() >= paths[0].size();
+  for (const std::vector<int>* path : {&paths[longer], &paths[!longer]}) {
+    if (const std::optional<Mat3> axes = axes_of_turning(tree, *path)) return *axes;
   }
   return identity_matrix();
 }
@@ -96,7 +97,7 @@ bool holds_points(const Mechanism& tree, const LoopClosure& loop) {
 // Along an axis, any of its points will do: in a spherical linkage its centre, where they are together anyway.
 void cut_at_centre(const Mechanism& tree, LoopClosure& loop) {
   if (loop.components == LoopClosure::kOfPoints) return;
-  const std::optional<std::array<Vec3, 2>> points = still_points(tree, loop);
+  const std::optional<std::array<Vec3, 2>> points = spherical_centres(tree, loop);
   if (!points) return;
   LoopClosure moved = loop;
   for (std::size_t e = 0; e < 2; ++e) moved.ends[e].p = (*points)[e];
@@ -140,7 +141,7 @@ LoopClosure closure_of(const Loop& written, const Mechanism& tree) {
   for (std::size_t e = 0; e < 2; ++e) loop.ends[e] = end_of(tree, written.links[e].name, written.points[e]);
   const Chains chains = chains_of(tree, loop);
   loop.carrier = chains.carrier;
-  loop.axes = axes_of(tree, chains.ways);
+  loop.axes = axes_of(tree, chains.paths);
   set_axes(written, tree, loop);
   cut_at_centre(tree, loop);
   find_rows(tree, loop);

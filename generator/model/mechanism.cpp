@@ -12,11 +12,11 @@ Mat3 joint_axes(const Body& joint) {
   return expanded(joint.prismatic ? axes * rotation_z(joint.theta) : axes);
 }
 
-std::vector<int> way_to(const Mechanism& mechanism, int body, int from) {
-  std::vector<int> way;
-  for (; body != from; body = mechanism.bodies[static_cast<std::size_t>(body)].parent) way.push_back(body);
-  std::reverse(way.begin(), way.end());
-  return way;
+std::vector<int> path_to(const Mechanism& mechanism, int body, int from) {
+  std::vector<int> path;
+  for (; body != from; body = mechanism.bodies[static_cast<std::size_t>(body)].parent) path.push_back(body);
+  std::reverse(path.begin(), path.end());
+  return path;
 }
 
 bool InertialParameters::is_zero() const {

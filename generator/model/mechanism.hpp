@@ -188,7 +188,7 @@ inline JointRange Mechanism::joints() const { return JointRange(*this); }
 
 // The bodies on the path from body `from` (-1: the base), which is left out, outwards to `body`, which is the last.
 // `from` must be on the path from the base.
-std::vector<int> way_to(const Mechanism& mechanism, int body, int from = -1);
+std::vector<int> path_to(const Mechanism& mechanism, int body, int from = -1);
 
 // R_i^parent at q = 0, without the joint's own motion: Rz(beta) Rx(alpha) Rz(theta).
 Mat3 constant_rotation(const Body& body);

@@ -48,8 +48,8 @@ bool rational_root(const Number& square, Number& root) {
   return true;
 }
 
-bool is_rest(const Number& a, const Number& whole) {
-  static const Number kPart = GiNaC::pow(GiNaC::numeric(10), -kRestDigits);
+bool is_residue(const Number& a, const Number& whole) {
+  static const Number kPart = GiNaC::pow(GiNaC::numeric(10), -kResidueDigits);
   if (!is_rational(a) || !is_rational(whole)) return false;
   return GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(a)) < GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(kPart * whole));
 }
@@ -63,12 +63,12 @@ Number coefficient_of(const Number& term) {
 }  // namespace
 
 Number snap_residue_to_zero(const Number& a, const Number& whole) {
-  if (is_rational(a)) return is_rest(a, whole) ? Number(0) : a;
+  if (is_rational(a)) return is_residue(a, whole) ? Number(0) : a;
   const Number sum = a.expand();
-  if (!GiNaC::is_a<GiNaC::add>(sum)) return is_rest(coefficient_of(sum), 1) ? Number(0) : a;
+  if (!GiNaC::is_a<GiNaC::add>(sum)) return is_residue(coefficient_of(sum), 1) ? Number(0) : a;
   Number result = 0;
   for (const Number& term : sum) {
-    if (is_rational(term) ? !is_rest(term, whole) : !is_rest(coefficient_of(term), 1)) result += term;
+    if (is_rational(term) ? !is_residue(term, whole) : !is_residue(coefficient_of(term), 1)) result += term;
   }
   return result;
 }
@@ -116,8 +116,8 @@ PlanarRotation direction_of(const Number& x, const Number& y) {
 
 PlanarRotation snap_residue_to_zero(const PlanarRotation& a) {
   const auto sign = [](const Number& x) { return x.info(GiNaC::info_flags::negative) ? -1 : 1; };
-  if (is_rest(a.c, a.s)) return {0, sign(a.s)};
-  if (is_rest(a.s, a.c)) return {sign(a.c), 0};
+  if (is_residue(a.c, a.s)) return {0, sign(a.s)};
+  if (is_residue(a.s, a.c)) return {sign(a.c), 0};
   return a;
 }
 

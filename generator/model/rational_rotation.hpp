@@ -18,7 +18,7 @@ Vec3 rationalised(const Vec3& a);
 // Numbers that cancel in the robot leave a residue where irrational ones among them have been replaced one by one: 0.3
 // + 0.2 - 0.5 of such angles is about 1e-58. A number this many digits smaller than the one that it may be a residue of
 // is zero.
-inline constexpr int kRestDigits = 40;
+inline constexpr int kResidueDigits = 40;
 
 // `a`, or 0 if it may be a residue of `whole`. In an expression in free symbols, terms are left out whose coefficients
 // may be residues of 1.

@@ -16,7 +16,7 @@ double rounded_up(double value, int digits) {
     const std::string text = fmt::format("{:.{}g}", raised, digits);
     double read = 0;
     std::from_chars(text.data(), text.data() + text.size(), read);
-    if (read >= value * kUpward) return read;
+    if (read >= value * kRoundingMargin) return read;
   }
 }
 

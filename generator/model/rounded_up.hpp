@@ -4,7 +4,7 @@
 namespace flatdyn {
 
 // Covers the rounding errors of bounds that are sums and products of positive doubles.
-inline constexpr double kUpward = 1 + 1e-9;
+inline constexpr double kRoundingMargin = 1 + 1e-9;
 
 // A number of so many decimal digits (1 to 17) that exceeds `value` by at least a few rounding errors, so that a bound
 // that people or Gappa read stays a bound. 0 for a value that is not positive.

@@ -7,8 +7,8 @@
 
 #include "model/physical_inertia.hpp"
 #include "model/rational_rotation.hpp"
+#include "model/snap_axis_angles.hpp"
 #include "model/snap_dust.hpp"
-#include "model/snap_turns.hpp"
 
 namespace flatdyn {
 namespace {
@@ -35,7 +35,7 @@ class CancelledDust {
   // The order matters: distances depend on the frames' orientations, moments on their origins, products on the centres
   // of mass.
   Mechanism run() {
-    snap_turns(part_, robot_, mechanism_);
+    snap_axis_angles(part_, robot_, mechanism_);
     for (int body = 0; body < mechanism_.body_count(); ++body) snap_distances(body);
     for (int body = 0; body < mechanism_.body_count(); ++body) snap_first_moments(body);
     for (int body = 0; body < mechanism_.body_count(); ++body) snap_products(body);

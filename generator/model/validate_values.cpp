@@ -130,7 +130,7 @@ void check_range(const Joint& joint, Diagnostics& diagnostics) {
 }
 
 void check_limits(Joint& joint, Diagnostics& diagnostics) {
-  take_away_absent_limits(joint, diagnostics);
+  remove_absent_limits(joint, diagnostics);
   check_range(joint, diagnostics);
   const std::array<std::pair<const char*, const std::optional<Value>*>, 3> magnitudes = {
       {{"velocity", &joint.limits.velocity},

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "definition/pivot_share.hpp"
+#include "definition/pivot_ratio.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/nearest.hpp"
 #include "functions/function_table.hpp"
@@ -114,7 +114,7 @@ std::optional<Function> formulation(const Mechanism& mechanism, const std::strin
 bool may_lose_pivots(const Mechanism& mechanism, const std::string& name) {
   // In float, about 2^-17 is lost beside 1; results are poor well before that.
   constexpr double kLeast = 0x1p-14;
-  return parsed(mechanism, name).row->traits.divides_by_pivots && smallest_pivot_share(mechanism) < kLeast;
+  return parsed(mechanism, name).row->traits.divides_by_pivots && smallest_pivot_ratio(mechanism) < kLeast;
 }
 
 bool has_choices(const Mechanism& mechanism, const std::string& name) {

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <optional>
 
-#include "definition/pivot_share.hpp"
+#include "definition/pivot_ratio.hpp"
 #include "functions/function_table.hpp"
 #include "input/common/context.hpp"
 #include "planning/formulations.hpp"
 #include "planning/plan.hpp"
-#include "planning/plan_together.hpp"
+#include "planning/plan_fusion.hpp"
 #include "planning/search.hpp"
 #include "symbolic/dynamics/factorisation.hpp"
 
@@ -57,7 +57,7 @@ void note_lost_pivots(const LoadedRobot& model, const std::vector<Plan>& plans, 
   constexpr double kLost = 0x1p-47;  // smallest pivot relative to its diagonal entry, in double
   const bool divides = std::any_of(plans.begin(), plans.end(),
                                    [](const Plan& plan) { return !plan.optimised.function.pivot_diagonals.empty(); });
-  if (!divides || smallest_pivot_share(effective_mechanism(model)) >= kLost) return;
+  if (!divides || smallest_pivot_ratio(effective_mechanism(model)) >= kLost) return;
   findings.note({model.robot.file, 0},
                 "B(q) is singular to the last place of a double at some positions: what divides by its pivots, such as "
                 "forward dynamics, returns false there",
@@ -73,7 +73,7 @@ Diagnostics mending(const Robot& robot, const std::string& function, const Singu
     found.unsupported(
         link.place,
         fmt::format("{}: B(q) is singular, because joint \"{}\" ({}) moves no inertia: link \"{}\" has {}", function,
-                    joint.name, line_seen_from(link.place, joint.place), link.name,
+                    joint.name, relative_place_text(link.place, joint.place), link.name,
                     joint.type == JointType::prismatic ? "no mass" : "none about its axis"),
         "give the link its mass and inertia, or the joint an armature or a motor, or hold it still: --fix " +
             joint.name);
@@ -157,7 +157,7 @@ std::vector<OptimisedFunction> make_functions(const LoadedRobot& model, const Pi
 
 OptimisedFusion make_fusion(const LoadedRobot& model, const std::vector<std::string>& functions, Progress& progress) {
   check_names(model.mechanism, functions);
-  return planned_together(model, functions, progress);
+  return planned_fusion(model, functions, progress);
 }
 
 std::vector<Function> functions_of(const std::vector<OptimisedFunction>& optimised) {

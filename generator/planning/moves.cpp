@@ -24,12 +24,12 @@ void add_units(std::vector<Move>& moves, const Mechanism& raised) {
   }
 }
 
-void add_rises(std::vector<Move>& moves, const Mechanism& raised) {
+void add_axial_shifts(std::vector<Move>& moves, const Mechanism& raised) {
   for (int i = 0; i < raised.size(); ++i) {
-    for (const Number& rise : possible_rises(raised, i)) {
-      moves.emplace_back([i, rise](Choices& choices) {
-        Number& sum = choices.joints[static_cast<std::size_t>(i)].rise;
-        sum = (sum + rise).expand();
+    for (const Number& axial_shift : possible_axial_shifts(raised, i)) {
+      moves.emplace_back([i, axial_shift](Choices& choices) {
+        Number& sum = choices.joints[static_cast<std::size_t>(i)].axial_shift;
+        sum = (sum + axial_shift).expand();
         return true;
       });
     }
@@ -40,14 +40,14 @@ void add_rises(std::vector<Move>& moves, const Mechanism& raised) {
 
 std::vector<Move> possible_moves(const Mechanism& mechanism, const Choices& choices) {
   std::vector<Move> moves;
-  const Mechanism raised = in_raised_frames(mechanism, choices);
+  const Mechanism raised = with_shifted_frames(mechanism, choices);
   add_units(moves, raised);
   for (std::size_t k = 0; k < choices.joints.size(); ++k) {
     for (const Balance balance : kBalances) {
       moves.emplace_back([k, balance](Choices& c) { return changed(c.joints[k].grouping.balance, balance); });
     }
   }
-  add_rises(moves, raised);
+  add_axial_shifts(moves, raised);
   for (std::size_t k = 0; k < choices.joints.size(); ++k) {
     for (const Grouping grouping : kGroupings) {
       moves.emplace_back([k, grouping](Choices& c) { return changed(c.joints[k].grouping.grouping, grouping); });

@@ -63,7 +63,7 @@ std::function<OptimisedFunction(const Choices&)> maker(const LoadedRobot& model,
 // Makes sure that the function does not lose digits. Masses that balance first moments may cost digits if they are far
 // away or beside far lighter links. If they do, takes the cheapest formulation without such masses that loses none, or
 // the one that loses least.
-void keep_digits(const LoadedRobot& model, const std::string& name, Plan& plan) {
+void avoid_digit_loss(const LoadedRobot& model, const std::string& name, Plan& plan) {
   if (!may_lose_digits(model, plan)) return;
   const RoundingCheck check(model.robot, model.mechanism);
   double least = check.loss(plan.optimised.function);
@@ -128,7 +128,7 @@ Plan cheapest_plan(const LoadedRobot& model, const std::string& name, Progress& 
 
 Plan planned(const LoadedRobot& model, const std::string& name, Progress& progress) {
   Plan plan = cheapest_plan(model, name, progress);
-  keep_digits(model, name, plan);
+  avoid_digit_loss(model, name, plan);
   return plan;
 }
 

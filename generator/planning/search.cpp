@@ -13,16 +13,16 @@ ChoiceSearch::ChoiceSearch(const Mechanism& mechanism, Choices start, const Func
     : mechanism_(&mechanism),
       make_(std::move(make)),
       best_(std::move(start)),
-      before_(best_),
-      here_(best_),
+      previous_(best_),
+      current_(best_),
       cost_(cost(made)),
-      cost_here_(cost_),
+      current_cost_(cost_),
       has_moves_(moves) {}
 
 void ChoiceSearch::start_round() {
   is_improved_ = false;
   next_move_ = 0;
-  moves_ = possible_moves(*mechanism_, here_);
+  moves_ = possible_moves(*mechanism_, current_);
 }
 
 // The next candidate: a move that changes the current choices; after the last move another order, then random restarts.
@@ -30,10 +30,10 @@ ChoiceSearch::Candidate ChoiceSearch::next() {
   constexpr unsigned kOrders = 10;
   if (has_moves_ && is_round_over() && is_improved_) start_round();
   while (!is_round_over()) {
-    Choices candidate = here_;
+    Choices candidate = current_;
     if (moves_[next_move_++](candidate)) return {std::move(candidate)};
   }
-  if (has_moves_ && last_order_ >= kOrders) return {shaken(), true};
+  if (has_moves_ && last_order_ >= kOrders) return {randomly_changed(), true};
   return {in_other_order()};
 }
 
@@ -43,7 +43,7 @@ Choices ChoiceSearch::in_other_order() {
   return candidate;
 }
 
-Choices ChoiceSearch::shaken() {
+Choices ChoiceSearch::randomly_changed() {
   constexpr int kChanges = 3;
   Choices candidate = best_;
   for (int k = 0; k < kChanges; ++k) {
@@ -54,19 +54,19 @@ Choices ChoiceSearch::shaken() {
 }
 
 void ChoiceSearch::step() {
-  before_ = best_;
+  previous_ = best_;
   Candidate candidate = next();
   const int found = cost(make_(candidate.choices));
-  if (found >= cost_here_ && !candidate.is_start) return;
-  here_ = std::move(candidate.choices);
-  cost_here_ = found;
+  if (found >= current_cost_ && !candidate.is_start) return;
+  current_ = std::move(candidate.choices);
+  current_cost_ = found;
   is_improved_ = true;
   if (found >= cost_) return;
-  best_ = here_;
+  best_ = current_;
   cost_ = found;
 }
 
-void ChoiceSearch::step_back() { best_ = before_; }
+void ChoiceSearch::step_back() { best_ = previous_; }
 
 int run_searches(std::vector<ChoiceSearch>& searches, const SearchLimit& limit) {
   using Clock = std::chrono::steady_clock;

@@ -38,12 +38,12 @@ class ChoiceSearch {
   bool is_round_over() const { return next_move_ == moves_.size(); }
   void start_round();
   Choices in_other_order();
-  Choices shaken();
+  Choices randomly_changed();
 
   const Mechanism* mechanism_;
   MakeFunction make_;
-  Choices best_, before_, here_;  // here_: the current choices of the descent
-  int cost_, cost_here_;
+  Choices best_, previous_, current_;  // current_: the current choices of the descent
+  int cost_, current_cost_;
   std::vector<Move> moves_;
   std::size_t next_move_ = 0;
   bool has_moves_, is_improved_ = true;

@@ -60,8 +60,8 @@ class ModuleWriter {
     page["compile"] =
         fmt::format("cc -std=c99 -O3 -march=native -ffp-contract=off -shared -fPIC {0}.c {0}_batch.c -o lib{0}.so -lm",
                     module_name(mechanism_, options_));
-    page["hash"] = std::string(kHash);
-    page["library"] = std::string("_library_") + kShortHash;
+    page["hash"] = std::string(kHashPlaceholder);
+    page["library"] = std::string("_library_") + kShortHashPlaceholder;
     page["prefix"] = dialect_->global("");
     page["scalar"] = options_.scalar;
     page["is_float"] = options_.scalar == "float";

@@ -2,13 +2,13 @@
 #include "readback/emitted_text.hpp"
 
 #include "emit/literals.hpp"
-#include "readback/scanned.hpp"
+#include "readback/scan.hpp"
 
 namespace flatdyn {
 
 EmittedText::EmittedText(const std::string& text, const std::string& scalar)
     : notation_(notation_of(scalar)), tokens_(tokens_of(text)) {
-  Scanned found = scanned(tokens_, scalar);
+  ScannedText found = scanned(tokens_, scalar);
   functions_ = std::move(found.functions);
   parts_ = std::move(found.parts);
   fields_ = std::move(found.fields);
@@ -32,8 +32,8 @@ Function as_printed(const Function& function, const std::string& scalar) {
   for (std::size_t k = 0; k < function.validity_conditions.size(); ++k) {
     if (always_holds(function, k)) continue;
     const NodeId value = image[static_cast<std::size_t>(function.validity_conditions[k])];
-    result.validity_conditions.push_back(k < function.pivot_diagonals.size() ? result.graph.scaled(kLeastShare, value)
-                                                                             : value);
+    result.validity_conditions.push_back(
+        k < function.pivot_diagonals.size() ? result.graph.scaled(kPivotSignificance, value) : value);
   }
   return result;
 }

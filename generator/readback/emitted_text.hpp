@@ -24,7 +24,7 @@
 namespace flatdyn {
 
 // A function of the text: its tokens.
-struct WrittenFunction {
+struct ScannedFunction {
   struct Parameter {
     std::string name;  // empty: unnamed, or not part of the text
     bool is_output = false;
@@ -48,7 +48,7 @@ class EmittedText {
   const std::string& constants() const { return notation_.constants; }
 
   // The functions of the robot's namespace, in their order, members of stages included.
-  const std::vector<WrittenFunction>& functions() const { return functions_; }
+  const std::vector<ScannedFunction>& functions() const { return functions_; }
 
   // Function k as it is executed, with the outputs of `like`. Throws Failure(bug) if the text is not such a function.
   StraightLine operations(std::size_t k, const Function& like) const;
@@ -59,12 +59,12 @@ class EmittedText {
 
  private:
   friend class TextReader;
-  WrittenFunction as_called(std::size_t k, const Function& like) const;
+  ScannedFunction as_called(std::size_t k, const Function& like) const;
 
   EmittedNotation notation_;
   std::vector<Token> tokens_;
-  std::vector<WrittenFunction> functions_;
-  std::map<std::string, WrittenFunction> parts_;            // parts that these functions call, by name
+  std::vector<ScannedFunction> functions_;
+  std::map<std::string, ScannedFunction> parts_;            // parts that these functions call, by name
   std::map<std::string, std::vector<std::string>> fields_;  // fields of structs, by name
 };
 

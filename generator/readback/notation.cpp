@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "readback/notation.hpp"
 
-#include "readback/scanned.hpp"
+#include "readback/scan.hpp"
 
 namespace flatdyn {
 namespace {
@@ -30,9 +30,9 @@ EmittedNotation notation_of(const std::string& scalar) {
   return notation;
 }
 
-Scanned scanned(const std::vector<Token>& tokens, const std::string& scalar) {
+ScannedText scanned(const std::vector<Token>& tokens, const std::string& scalar) {
   if (is_cpp_scalar(scalar)) return scanned_cpp(tokens);
-  return is_javascript_scalar(scalar) ? scanned_javascript(tokens) : scanned_c(tokens, scalar);
+  return is_javascript_scalar(scalar) ? scan_javascript(tokens) : scan_c(tokens, scalar);
 }
 
 }  // namespace flatdyn

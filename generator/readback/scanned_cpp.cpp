@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 
-#include "readback/scanned.hpp"
+#include "readback/scan.hpp"
 #include "readback/token_cursor.hpp"
 
 namespace flatdyn {
@@ -12,7 +12,7 @@ class CppScanner : TokenCursor {
  public:
   using TokenCursor::TokenCursor;
 
-  Scanned run() {
+  ScannedText run() {
     while (!at_end()) {
       if (is("namespace")) {
         open_namespace();
@@ -73,7 +73,7 @@ class CppScanner : TokenCursor {
   }
 
   void function() {
-    WrittenFunction written;
+    ScannedFunction written;
     const bool is_part = !namespaces_.empty() && namespaces_.back() == "detail";
     if (is("inline") || is("static")) ++at_;
     written.returns = word();
@@ -91,7 +91,7 @@ class CppScanner : TokenCursor {
     written.begin = at_ + 1;
     skip_block();
     written.end = at_ - 1;
-    if (is_no_formula(written.name)) return;
+    if (is_helper_function(written.name)) return;
     if (is_part) {
       if (!found_.parts.emplace(written.name, written).second) fail("a part made twice");
     } else {
@@ -100,7 +100,7 @@ class CppScanner : TokenCursor {
   }
 
   // Scans parameters of type "const Scalar*" or "Scalar*", and references, which are handed on.
-  void parameters(WrittenFunction& written) {
+  void parameters(ScannedFunction& written) {
     ++at_;
     while (!is(")")) {
       const bool is_constant = is("const");
@@ -117,11 +117,11 @@ class CppScanner : TokenCursor {
   static constexpr const char* kPlain[] = {"Parameters", "Configuration", "Motion"};
 
   std::vector<std::string> namespaces_;
-  Scanned found_;
+  ScannedText found_;
 };
 
 }  // namespace
 
-Scanned scanned_cpp(const std::vector<Token>& tokens) { return CppScanner(tokens).run(); }
+ScannedText scanned_cpp(const std::vector<Token>& tokens) { return CppScanner(tokens).run(); }
 
 }  // namespace flatdyn

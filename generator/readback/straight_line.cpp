@@ -28,12 +28,12 @@ int StraightLine::divide(int a, int b) { return make({Step::divide, a, b}); }
 int StraightLine::sign(int a) { return make({Step::sign, a}); }
 int StraightLine::sqrt(int a) { return make({Step::sqrt, a}); }
 
-StraightLine with_constants_apart(const StraightLine& lines, const std::function<bool(double)>& is_apart) {
+StraightLine with_constants_unshared(const StraightLine& lines, const std::function<bool(double)>& is_unshared) {
   StraightLine result;
   std::vector<int> image;
   const auto of = [&](int k) {
     if (k < 0) return k;
-    const bool is_new = lines[k].step == Step::constant && is_apart(lines[k].value);
+    const bool is_new = lines[k].step == Step::constant && is_unshared(lines[k].value);
     return is_new ? result.append(lines[k]) : image[static_cast<std::size_t>(k)];
   };
   for (int k = 0; k < lines.size(); ++k) {

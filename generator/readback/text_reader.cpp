@@ -26,9 +26,9 @@ const std::map<std::string, InputKind>& input_kinds() {
 
 class TextReader {
  public:
-  TextReader(const EmittedText& text, const WrittenFunction& written)
+  TextReader(const EmittedText& text, const ScannedFunction& written)
       : text_(text), notation_(text.notation_), written_(written) {
-    for (const WrittenFunction::Parameter& parameter : written.parameters) {
+    for (const ScannedFunction::Parameter& parameter : written.parameters) {
       if (!parameter.is_output) inputs_.push_back(parameter.name);
     }
   }
@@ -36,7 +36,7 @@ class TextReader {
   StraightLine read(const Function& like) {
     carry_out(written_);
     std::vector<std::string> outputs;
-    for (const WrittenFunction::Parameter& parameter : written_.parameters) {
+    for (const ScannedFunction::Parameter& parameter : written_.parameters) {
       if (parameter.is_output) outputs.push_back(parameter.name);
     }
     if (written_.returns != "void" && written_.returns != "bool") outputs = {kReturned};
@@ -88,7 +88,7 @@ class TextReader {
   }
 
   // Executes a function or a part. It has variables of its own; arrays are common to all. No part is called twice.
-  void carry_out(const WrittenFunction& function) {
+  void carry_out(const ScannedFunction& function) {
     if (!carried_out_.insert(&function).second) fail("a second call of one part");
     const std::size_t back = at_;
     std::map<std::string, int> others = std::move(variables_);
@@ -253,9 +253,9 @@ class TextReader {
   }
 
   // Checks that every argument has the name of the part's parameter.
-  void arguments_of(const WrittenFunction& part) {
+  void arguments_of(const ScannedFunction& part) {
     const char* before = "(";
-    for (const WrittenFunction::Parameter& parameter : part.parameters) {
+    for (const ScannedFunction::Parameter& parameter : part.parameters) {
       expect(before);
       expect(parameter.name.c_str());
       before = ",";
@@ -451,19 +451,19 @@ class TextReader {
 
   const EmittedText& text_;
   const EmittedNotation& notation_;
-  const WrittenFunction& written_;
+  const ScannedFunction& written_;
   std::vector<std::string> inputs_;
   StraightLine lines_;
   std::map<std::string, int> variables_;
   std::map<std::string, std::map<int, int>> arrays_;
-  std::set<const WrittenFunction*> carried_out_;
+  std::set<const ScannedFunction*> carried_out_;
   std::size_t at_ = 0;
   int depth_ = 0;
 };
 
 // The function with the types of its parameters, which in JavaScript follow from their order.
-WrittenFunction EmittedText::as_called(std::size_t k, const Function& like) const {
-  WrittenFunction written = functions_.at(k);
+ScannedFunction EmittedText::as_called(std::size_t k, const Function& like) const {
+  ScannedFunction written = functions_.at(k);
   if (notation_.names_types) return written;
   const bool has_symbols = !written.parameters.empty() && written.parameters.front().name == "parameters";
   const bool returns = written.parameters.size() == like.inputs.size() + (has_symbols ? 1 : 0);
@@ -477,7 +477,7 @@ WrittenFunction EmittedText::as_called(std::size_t k, const Function& like) cons
 }
 
 StraightLine EmittedText::operations(std::size_t k, const Function& like) const {
-  const WrittenFunction written = as_called(k, like);
+  const ScannedFunction written = as_called(k, like);
   return TextReader(*this, written).read(like);
 }
 

@@ -17,7 +17,7 @@ namespace flatdyn {
 template <class S>
 struct ReferenceModel {
   const Mechanism& mechanism;  // the frames that parameters refer to
-  reference::Robot<S> robot;   // whose tip is the frame that the function is about, see seen_by()
+  reference::Robot<S> robot;   // whose tip is the frame that the function is about, see robot_for_function()
   const SymbolValues& symbols;
 };
 
@@ -47,7 +47,7 @@ struct NumericReference {
 
 // The robot for a function: a function of a named link ("jacobian:hand") has that link's frame as its tip.
 template <class S>
-reference::Robot<S> seen_by(const Function& function, const Robot& written, reference::Robot<S> robot) {
+reference::Robot<S> robot_for_function(const Function& function, const Robot& written, reference::Robot<S> robot) {
   const std::size_t colon = function.name.find(':');
   if (colon == std::string::npos) return robot;
   for (std::size_t l = 0; l < written.links.size(); ++l) {

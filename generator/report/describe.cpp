@@ -255,7 +255,7 @@ nlohmann::ordered_json search_json(const SearchRecord& search) {
   if (search.is_closed_form) return json;
   json["length_unit"] = plain_number_text(search.choices.length_unit);
   for (const JointChoice& joint : search.choices.joints) {
-    json["joints"].push_back({{"origin_raised_by", plain_number_text(joint.rise)},
+    json["joints"].push_back({{"origin_raised_by", plain_number_text(joint.axial_shift)},
                               {"cancelled_inertia", name_of(joint.grouping.grouping)},
                               {"cancelled_first_moment_of_parent", name_of(joint.grouping.balance)},
                               {"axes", joint.axes == Axes::still ? "still" : "turning"}});

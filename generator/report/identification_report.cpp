@@ -154,7 +154,7 @@ nlohmann::ordered_json identification_json(const TorqueModel& model, const Ident
                       {"largest_misfit", found.physical.largest_misfit},
                       {"divergence", found.physical.divergence},
                       {"converged", found.physical.converged}};
-  json["doubts"] = found.doubts;
+  json["doubts"] = found.warning_texts;
   json["damped"] = json["hidden"] = nlohmann::ordered_json::array();
   for (const auto& [singular_value, components] : estimate.damped) {
     json["damped"].push_back({{"relative_singular_value", singular_value}, {"components", list(components)}});

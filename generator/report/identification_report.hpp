@@ -17,11 +17,11 @@ struct Identification {
   Estimate estimate;
   std::optional<Eigen::VectorXd> joint_by_joint;  // the textbook's sequential procedure, for comparison
   PhysicalParameters physical;
-  std::vector<std::string> doubts;  // doubts_about() the other members
+  std::vector<std::string> warning_texts;  // plausibility_warnings() the other members
 };
 
 // Sentences on results that are hardly right, each with a possible reason.
-std::vector<std::string> doubts_about(const TorqueModel& model, const Identification& found);
+std::vector<std::string> plausibility_warnings(const TorqueModel& model, const Identification& found);
 
 std::string describe_identification(const TorqueModel& model, const Identification& found);
 nlohmann::ordered_json identification_json(const TorqueModel& model, const Identification& found);

@@ -156,7 +156,7 @@ std::optional<Reach> reach_of(const LoadedRobot& model) {
   const Mechanism& mechanism = model.mechanism;
   if (!has_values(model) || mechanism.has_loops() || mechanism.tip.body < 0) return std::nullopt;
   const std::vector<LinkInFile> links = links_in_file(model);
-  const std::vector<int> way = way_to(mechanism, mechanism.tip.body);
+  const std::vector<int> way = path_to(mechanism, mechanism.tip.body);
   Reach reach;
   reach.first_joint = mechanism.bodies[static_cast<std::size_t>(way.front())].joint;
   for (const int i : way) {

@@ -39,7 +39,7 @@ Eigen::MatrixXd projection(const std::vector<int>& task, const View& view) {
 // The ellipses to draw, with half axes as columns: the outline, and for an ellipsoid in space also those through two of
 // its axes.
 std::vector<Eigen::Matrix2d> ellipses(const Ellipsoid& ellipsoid, const Eigen::MatrixXd& onto, const View& view) {
-  std::vector<Eigen::Matrix2d> all = {shadow(ellipsoid, onto)};
+  std::vector<Eigen::Matrix2d> all = {projected_axes(ellipsoid, onto)};
   const Eigen::MatrixXd half = onto * ellipsoid.axes * ellipsoid.lengths.asDiagonal();
   if (!view.is_oblique || half.cols() != 3) return all;
   for (Eigen::Index k = 0; k < 3; ++k) {
@@ -109,7 +109,8 @@ Drawing drawing_of(const std::vector<int>& task, const std::vector<ManipulablePo
     for (const View& view : views) {
       const Eigen::MatrixXd onto = projection(task, view);
       const Ellipsoid& ellipsoid = poses[k].ellipsoid;
-      largest = std::max({largest, longest_axis(shadow(ellipsoid, onto)), (onto * ellipsoid.centre).norm() / 2});
+      largest =
+          std::max({largest, longest_axis(projected_axes(ellipsoid, onto)), (onto * ellipsoid.centre).norm() / 2});
     }
   }
   const double part = drawing.is_path() ? kDrawnPartOfPath : kDrawnPart;
@@ -264,14 +265,14 @@ std::string workspace_plot(const std::string& robot, const std::vector<int>& tas
     cells.push_back(cell_of(pose, poses.front(), view, spacing));
     add_point(measure, view.onto * pose.skeleton.back());
     measure.value.push_back(pose.ellipsoid.measure);
-    longest.push_back(longest_axis(shadow(pose.ellipsoid, onto)));
+    longest.push_back(longest_axis(projected_axes(pose.ellipsoid, onto)));
   }
   const int stride = stride_of(cells);
   const double common = quantile(longest, kCommonPart), scale = common > 0 ? 0.5 * stride * spacing / common : 1;
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const bool is_drawn = cells[k].x() % stride == 0 && cells[k].y() % stride == 0;
     if (!is_drawn || longest[k] > kUncommon * common) continue;
-    add_outline(outlines, view.onto * poses[k].skeleton.back(), scale * shadow(poses[k].ellipsoid, onto),
+    add_outline(outlines, view.onto * poses[k].skeleton.back(), scale * projected_axes(poses[k].ellipsoid, onto),
                 kOutlinePointsOfMap);
   }
   const double middle = quantile(measure.value, 0.5);

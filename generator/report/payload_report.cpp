@@ -32,19 +32,19 @@ Centred centred(const Eigen::VectorXd& ten) {
 
 }  // namespace
 
-std::vector<std::string> doubts_about(const PayloadEstimate& payload, const std::string& hint) {
+std::vector<std::string> plausibility_warnings(const PayloadEstimate& payload, const std::string& hint) {
   constexpr double kMuch = 5, kClearly = 3;  // standard deviations
-  std::vector<std::string> doubts;
+  std::vector<std::string> warning_texts;
   if (payload.largest_misfit > kMuch) {
-    doubts.push_back(fmt::format(
+    warning_texts.push_back(fmt::format(
         "the nearest body is {:.2g} standard deviations from the estimate, more than noise explains: motion, torques "
         "or forces, units or geometry cannot be right",
         payload.largest_misfit));
   }
   if (payload.values(0) < -kClearly * payload.standard_deviations(0)) {
-    doubts.push_back("the mass is negative: " + hint);
+    warning_texts.push_back("the mass is negative: " + hint);
   }
-  return doubts;
+  return warning_texts;
 }
 
 std::string describe_payload(const LoadedRobot& robot, const PayloadEstimate& payload) {
@@ -75,12 +75,12 @@ nlohmann::ordered_json payload_json(const LoadedRobot& robot, const PayloadEstim
 
 std::string payload_robot_text(const LoadedRobot& robot, const PayloadEstimate& payload,
                                const std::filesystem::path& file, const std::vector<std::string>& settings,
-                               const std::vector<std::string>& doubts) {
+                               const std::vector<std::string>& warning_texts) {
   const Centred body = centred(payload.body);
   const auto& I = body.inertia;
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   std::string comments;
-  for (const std::string& doubt : doubts) comments += "# " + doubt + "\n";
+  for (const std::string& warning_text : warning_texts) comments += "# " + warning_text + "\n";
   return fmt::format(
       "# The payload was identified by flatdyn {} from measured motion.\n{}\n"
       "robot = {}\n{}{}\n[payload]\nlink = {}\nmass = {}\ncom = [{}, {}, {}]\n"

@@ -10,7 +10,7 @@
 namespace flatdyn {
 
 // Sentences on estimates that no payload explains; none for others. `hint`: a possible reason of a negative mass.
-std::vector<std::string> doubts_about(const PayloadEstimate& payload, const std::string& hint);
+std::vector<std::string> plausibility_warnings(const PayloadEstimate& payload, const std::string& hint);
 
 std::string describe_payload(const LoadedRobot& robot, const PayloadEstimate& payload);
 nlohmann::ordered_json payload_json(const LoadedRobot& robot, const PayloadEstimate& payload);
@@ -19,6 +19,6 @@ nlohmann::ordered_json payload_json(const LoadedRobot& robot, const PayloadEstim
 // [payload] on the tip's link.
 std::string payload_robot_text(const LoadedRobot& robot, const PayloadEstimate& payload,
                                const std::filesystem::path& file, const std::vector<std::string>& settings,
-                               const std::vector<std::string>& doubts);
+                               const std::vector<std::string>& warning_texts);
 
 }  // namespace flatdyn

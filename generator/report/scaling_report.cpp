@@ -52,7 +52,7 @@ std::string torque_table_text(const Mechanism& mechanism, const ScaledMotion& mo
 }
 
 std::string decision_text(const Mechanism& mechanism, const ScaledMotion& motion) {
-  const std::optional<LimitUsed>& by = motion.linear.decided_by;
+  const std::optional<LargestLimitUse>& by = motion.linear.decided_by;
   if (!by) return "the motion keeps all limits as it is\n";
   const double time = motion.sides_before.points[by->point].time;
   return fmt::format("decided by the {}, at {:.6g} s of the motion as given, {:.6g} s of the scaled one\n",
@@ -69,7 +69,7 @@ std::string optimal_text(const OptimalPace& pace, const LinearScaling& linear) {
          fmt::format("dynamics evaluated in {:.3g} ms, law found in {:.3g} ms\n", pace.coefficients_ms, pace.solve_ms);
 }
 
-nlohmann::ordered_json use_json(const Mechanism& mechanism, const LimitUsed& used, const Trajectory& trajectory) {
+nlohmann::ordered_json use_json(const Mechanism& mechanism, const LargestLimitUse& used, const Trajectory& trajectory) {
   return {{"joint", mechanism.joints()[used.joint].joint},
           {"limit", name_of_limit(used.kind)},
           {"part", used.part},

@@ -12,8 +12,8 @@ namespace flatdyn {
 // Facts on a time-optimal law, beside its motion.
 struct OptimalPace {
   TimeLaw law;
-  std::optional<LimitUsed> between;  // largest use between the grid's points, if it can be computed
-  double slowed_by = 1;              // factor on the whole motion that restores limits which the law alone exceeds
+  std::optional<LargestLimitUse> between;  // largest use between the grid's points, if it can be computed
+  double slowed_by = 1;  // factor on the whole motion that restores limits which the law alone exceeds
   double coefficients_ms = 0, solve_ms = 0;  // time to evaluate the dynamics, and to find the law
 };
 
@@ -26,7 +26,7 @@ struct ScaledMotion {
   // The points at both sides of every jump, of the motion as given (`linear` counts these) and at its new pace.
   Trajectory sides_before, sides_after;
   std::vector<std::vector<double>> tau_sides_before, tau_sides_after;
-  LimitUsed used;  // use of limits by sides_after, computed separately
+  LargestLimitUse used;  // use of limits by sides_after, computed separately
 };
 
 std::string describe_scaling(const Mechanism& mechanism, const ScaledMotion& motion);

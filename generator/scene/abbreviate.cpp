@@ -149,10 +149,10 @@ class Abbreviator {
  public:
   // `values`: the base parameters' values in their places, and zeros elsewhere.
   Abbreviator(const Mechanism& mechanism, std::vector<InertialParameters> values, const ErrorBudget& budget,
-              const Needs& needs)
+              const TorqueScope& scope)
       : values_(std::move(values)),
-        has_inertias_(!needs.only_gravity),
-        motions_(largest_motions(mechanism, needs.at_rest)),
+        has_inertias_(!scope.only_gravity),
+        motions_(largest_motions(mechanism, scope.at_rest)),
         check_(mechanism) {
     result_.mechanism = mechanism;
     for (const Body& body : mechanism.bodies) {
@@ -208,7 +208,7 @@ class Abbreviator {
     for (int i = k; i >= 0;) {
       const auto at = static_cast<std::size_t>(i);
       const Body& body = result_.mechanism.bodies[at];
-      result[at] = kUpward * value * (body.prismatic ? pull.force : pull.moment + lever * pull.force);
+      result[at] = kRoundingMargin * value * (body.prismatic ? pull.force : pull.moment + lever * pull.force);
       lever += motions_[at].step;
       i = body.parent;
     }
@@ -218,7 +218,7 @@ class Abbreviator {
   void drop_if_it_fits(const Candidate& candidate) {
     const DroppedParameter& parameter = candidate.parameter;
     for (std::size_t i = 0; i < result_.bound.size(); ++i) {
-      if (kUpward * (result_.bound[i] + parameter.bound[i]) > result_.budget[i]) return;
+      if (kRoundingMargin * (result_.bound[i] + parameter.bound[i]) > result_.budget[i]) return;
     }
     InertialParameters& inertia = result_.mechanism.bodies[static_cast<std::size_t>(parameter.body)].inertia;
     const InertialParameters before = inertia;
@@ -247,7 +247,7 @@ class Abbreviator {
 
 // Only base parameters are dropped, so that no budget is spent on parameters without effect. The model keeps the other
 // ones as they are: how they are grouped is chosen later.
-Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, const Needs& needs) {
+Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, const TorqueScope& scope) {
   if (!mechanism.symbols.empty()) {
     throw Failure(ExitCode::unsupported, "error budget: the robot has free symbols", "give them numbers");
   }
@@ -261,7 +261,7 @@ Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, 
   for (const Body& body : with_base_parameters(mechanism, base, base_values(mechanism, base)).bodies) {
     values.push_back(body.inertia);
   }
-  return Abbreviator(mechanism, std::move(values), budget, needs).run();
+  return Abbreviator(mechanism, std::move(values), budget, scope).run();
 }
 
 }  // namespace flatdyn

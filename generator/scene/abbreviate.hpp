@@ -34,7 +34,7 @@ struct Abbreviation {
 };
 
 // The torques that are needed: only those for q̇ = 0, or only gravity torques, which moments of inertia do not affect.
-struct Needs {
+struct TorqueScope {
   bool at_rest = false, only_gravity = false;
 };
 
@@ -42,6 +42,6 @@ struct Needs {
 // dropped first. Parameters that B needs to stay positive definite are kept: B is tested at 200 random positions, as
 // bounds of torques do not ensure it. Throws Failure(unsupported) if limits are missing, the robot has free symbols, or
 // joints are coupled.
-Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, const Needs& needs = {});
+Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, const TorqueScope& scope = {});
 
 }  // namespace flatdyn

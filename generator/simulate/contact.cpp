@@ -80,8 +80,8 @@ ContactMotion motion_of(const Eigen::MatrixXd& B, const Eigen::VectorXd& r, cons
   return motion;
 }
 
-Contacts decided(const Eigen::MatrixXd& B, const Eigen::VectorXd& r, const Eigen::VectorXd& coulomb,
-                 const Eigen::VectorXd& qd, const std::vector<int>& stops) {
+Contacts decided_contacts(const Eigen::MatrixXd& B, const Eigen::VectorXd& r, const Eigen::VectorXd& coulomb,
+                          const Eigen::VectorXd& qd, const std::vector<int>& stops) {
   Contacts contacts(stops.size());
   BoundedForces forces;
   Eigen::VectorXd driven = r;
@@ -108,7 +108,8 @@ Contacts decided(const Eigen::MatrixXd& B, const Eigen::VectorXd& r, const Eigen
   return contacts;
 }
 
-Eigen::VectorXd stopped(const Eigen::MatrixXd& B, const Eigen::VectorXd& qd, const std::vector<int>& stops) {
+Eigen::VectorXd speeds_after_impact(const Eigen::MatrixXd& B, const Eigen::VectorXd& qd,
+                                    const std::vector<int>& stops) {
   BoundedForces impulses;
   for (std::size_t i = 0; i < stops.size(); ++i) {
     if (stops[i] == 0) continue;

@@ -37,11 +37,11 @@ ContactMotion motion_of(const Eigen::MatrixXd& B, const Eigen::VectorXd& r, cons
 
 // Decides which joints are held from now on: of the joints with speed exactly 0, those that have dry friction or are at
 // a stop; the others slide in the direction of their speed. `stops`: one per joint, as JointContact::stop.
-Contacts decided(const Eigen::MatrixXd& B, const Eigen::VectorXd& r, const Eigen::VectorXd& coulomb,
-                 const Eigen::VectorXd& qd, const std::vector<int>& stops);
+Contacts decided_contacts(const Eigen::MatrixXd& B, const Eigen::VectorXd& r, const Eigen::VectorXd& coulomb,
+                          const Eigen::VectorXd& qd, const std::vector<int>& stops);
 
 // The speeds after joints have hit their stops, all at once and without bouncing: the speeds nearest to q̇ in the norm
 // of the kinetic energy among those that do not pass a stop.
-Eigen::VectorXd stopped(const Eigen::MatrixXd& B, const Eigen::VectorXd& qd, const std::vector<int>& stops);
+Eigen::VectorXd speeds_after_impact(const Eigen::MatrixXd& B, const Eigen::VectorXd& qd, const std::vector<int>& stops);
 
 }  // namespace flatdyn

@@ -134,7 +134,7 @@ bool MotionEquation::meet_event(MotionState& x, double t, std::vector<MotionEven
     Eigen::Map<Eigen::VectorXd> qd(x.data() + n_, n_);
     dynamics_.at(x.data(), qd.data());
     const double before = kinetic_energy(x);
-    qd = stopped(dynamics_.last().B, qd, stops(x));
+    qd = speeds_after_impact(dynamics_.last().B, qd, stops(x));
     settle(x);
     x[2 * n + 1] += before - kinetic_energy(x);
   }
@@ -156,7 +156,8 @@ void MotionEquation::decide(const MotionState& x, double t, std::vector<MotionEv
   const Eigen::VectorXd tau = law_.at(t, q, qd);
   const MotionTerms& terms = dynamics_.at(q, qd);
   const Contacts before = contacts_;
-  contacts_ = decided(terms.B, tau - terms.n, dynamics_.coulomb(), Eigen::Map<const Eigen::VectorXd>(qd, n_), stops(x));
+  contacts_ = decided_contacts(terms.B, tau - terms.n, dynamics_.coulomb(), Eigen::Map<const Eigen::VectorXd>(qd, n_),
+                               stops(x));
   record(before, t, events);
 }
 

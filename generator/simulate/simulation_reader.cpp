@@ -198,11 +198,11 @@ class SimulationReader {
   Units units_;
 };
 
-void ask_about_times(const TorqueSamples& samples, const std::string& column, const Place& place,
-                     Diagnostics& diagnostics) {
+void warn_of_times(const TorqueSamples& samples, const std::string& column, const Place& place,
+                   Diagnostics& diagnostics) {
   if (samples.times.size() < 2) return;
   const double step = (samples.times.back() - samples.times.front()) / static_cast<double>(samples.times.size() - 1);
-  if (step >= kFarApart) ask_for_unit_of_time(step, unit_by_size(step), column, place, diagnostics);
+  if (step >= kFarApart) warn_of_time_unit(step, unit_by_size(step), column, place, diagnostics);
 }
 
 }  // namespace
@@ -232,7 +232,7 @@ TorqueSamples read_torques(const std::string& file, const Mechanism& mechanism, 
     }
   }
   const bool has_unit = time->clock.per_second > 1;
-  if (!has_unit) ask_about_times(samples, heading.name(time->column), {file, table.heading_line}, diagnostics);
+  if (!has_unit) warn_of_times(samples, heading.name(time->column), {file, table.heading_line}, diagnostics);
   return samples;
 }
 

@@ -70,7 +70,7 @@ OneRobot::OneRobot(const PlainRobot& robot, unsigned seed, bool is_usual, const 
   for (const std::string& name : options.functions) {
     try {
       Function function = is_usual ? usual(model_, name) : drawn(model_, name, engine);
-      functions_.push_back(options.spoil ? options.spoil(function) : std::move(function));
+      functions_.push_back(options.corrupt ? options.corrupt(function) : std::move(function));
     } catch (const Failure& failure) {
       if (failure.code() != ExitCode::unsupported) throw;
     }
@@ -85,9 +85,7 @@ OneRobot::OneRobot(const PlainRobot& robot, unsigned seed, bool is_usual, const 
   }
 }
 
-std::vector<double> OneRobot::carried_out(std::size_t k, const State& state) const {
-  return outputs_of(lines_[k], state);
-}
+std::vector<double> OneRobot::executed(std::size_t k, const State& state) const { return outputs_of(lines_[k], state); }
 
 double OneRobot::error(std::size_t k, const State& state, const std::vector<double>& values) const {
   return scaled_error(values, expected_[k].exact(state), expected_[k].scale(state));
@@ -110,7 +108,7 @@ std::optional<RandomRobotFault> fault_of(const OneRobot& robot, const RandomRobo
   for (const State& state : robot.states()) {
     RandomRobotValues all{robot.model(), robot.functions(), state, {}};
     for (std::size_t k = 0; k < robot.functions().size(); ++k) {
-      all.values.push_back(robot.carried_out(k, state));
+      all.values.push_back(robot.executed(k, state));
       const auto fault = fault_of(robot, k, state, all.values.back(), RandomRobotFault::How::text, options, report);
       if (fault) return fault;
     }

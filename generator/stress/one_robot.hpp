@@ -26,7 +26,7 @@ class OneRobot {
   const std::string& header() const { return header_; }
 
   // The values of function k: its text executed in double.
-  std::vector<double> carried_out(std::size_t k, const State& state) const;
+  std::vector<double> executed(std::size_t k, const State& state) const;
   // The scaled error of values of function k; infinite where the function reports that it has no value.
   double error(std::size_t k, const State& state, const std::vector<double>& values) const;
 

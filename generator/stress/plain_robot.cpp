@@ -10,9 +10,9 @@
 namespace flatdyn {
 namespace {
 
-class Dice {
+class RandomSource {
  public:
-  explicit Dice(unsigned seed) : engine_(seed) {}
+  explicit RandomSource(unsigned seed) : engine_(seed) {}
 
   int from(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
   bool one_in(int times) { return from(1, times) == 1; }
@@ -32,66 +32,66 @@ struct Kind {
 };
 
 // The carrier of a motor: the joint's parent, or a link before it.
-int carrier_of(Dice& dice, const std::vector<PlainLink>& links, int parent) {
-  while (parent != 0 && dice.one_in(2)) parent = links[static_cast<std::size_t>(parent - 1)].parent;
+int carrier_of(RandomSource& random, const std::vector<PlainLink>& links, int parent) {
+  while (parent != 0 && random.one_in(2)) parent = links[static_cast<std::size_t>(parent - 1)].parent;
   return parent;
 }
 
-PlainMotor motor_of(Dice& dice, const std::vector<PlainLink>& links, const PlainLink& link) {
+PlainMotor motor_of(RandomSource& random, const std::vector<PlainLink>& links, const PlainLink& link) {
   PlainMotor motor;
-  motor.mass = dice.from(0, 99);
-  motor.inertia = dice.from(1, 99);
-  motor.ratio = dice.from(1, 120) * (dice.one_in(4) ? -1 : 1);
-  motor.position = dice.vector(30);
-  if (dice.one_in(2)) motor.axis = {dice.from(-99, 99), dice.from(-99, 99), 100};
-  if (dice.one_in(3)) motor.carrier = carrier_of(dice, links, link.parent);
+  motor.mass = random.from(0, 99);
+  motor.inertia = random.from(1, 99);
+  motor.ratio = random.from(1, 120) * (random.one_in(4) ? -1 : 1);
+  motor.position = random.vector(30);
+  if (random.one_in(2)) motor.axis = {random.from(-99, 99), random.from(-99, 99), 100};
+  if (random.one_in(3)) motor.carrier = carrier_of(random, links, link.parent);
   return motor;
 }
 
 // The parent of the next link: the base, the last link, or one a little before that.
-int parent_of(Dice& dice, const Kind& kind, int links) {
-  return kind.is_chain ? links : dice.from(std::max(0, links - 2), links);
+int parent_of(RandomSource& random, const Kind& kind, int links) {
+  return kind.is_chain ? links : random.from(std::max(0, links - 2), links);
 }
 
-PlainLink link_of(Dice& dice, const Kind& kind, const std::vector<PlainLink>& before) {
+PlainLink link_of(RandomSource& random, const Kind& kind, const std::vector<PlainLink>& before) {
   PlainLink link;
-  link.parent = parent_of(dice, kind, static_cast<int>(before.size()));
-  link.is_prismatic = kind.has_prismatic && dice.one_in(3);
-  link.has_quarter_turns = kind.is_nice || dice.one_in(4);
-  link.xyz = dice.vector(99);
-  if (dice.one_in(3)) link.xyz[0] = link.xyz[1] = 0;
-  link.rpy = dice.vector(link.has_quarter_turns ? 2 : 99);
-  if (!link.has_quarter_turns) link.axis = {dice.from(-99, 99), dice.from(-99, 99), dice.one_in(2) ? 100 : -50};
-  link.mass = dice.from(10, 500);
-  link.com = dice.vector(50);
+  link.parent = parent_of(random, kind, static_cast<int>(before.size()));
+  link.is_prismatic = kind.has_prismatic && random.one_in(3);
+  link.has_quarter_turns = kind.is_nice || random.one_in(4);
+  link.xyz = random.vector(99);
+  if (random.one_in(3)) link.xyz[0] = link.xyz[1] = 0;
+  link.rpy = random.vector(link.has_quarter_turns ? 2 : 99);
+  if (!link.has_quarter_turns) link.axis = {random.from(-99, 99), random.from(-99, 99), random.one_in(2) ? 100 : -50};
+  link.mass = random.from(10, 500);
+  link.com = random.vector(50);
   for (std::size_t k = 0; k < 3; ++k) {
-    link.particles[k] = dice.from(10, 99);
-    link.arms[k] = dice.vector(30);
+    link.particles[k] = random.from(10, 99);
+    link.arms[k] = random.vector(30);
   }
-  if (kind.has_friction) link.viscous = dice.from(0, 99);
-  if (kind.has_friction && dice.one_in(2)) link.coulomb = dice.from(1, 99);
-  link.has_motor = kind.has_motors && !dice.one_in(3);
-  if (link.has_motor) link.motor = motor_of(dice, before, link);
+  if (kind.has_friction) link.viscous = random.from(0, 99);
+  if (kind.has_friction && random.one_in(2)) link.coulomb = random.from(1, 99);
+  link.has_motor = kind.has_motors && !random.one_in(3);
+  if (link.has_motor) link.motor = motor_of(random, before, link);
   return link;
 }
 
 // Couples a joint to its neighbours or to all before it, like a gripper's second finger or a belt's angle.
-void couple(Dice& dice, PlainRobot& robot) {
+void couple(RandomSource& random, PlainRobot& robot) {
   for (std::size_t k = 1; k < robot.links.size(); ++k) {
     PlainLink& link = robot.links[k];
-    if (dice.one_in(2)) continue;
+    if (random.one_in(2)) continue;
     const int before = static_cast<int>(k);
-    const int leaders = dice.one_in(3) ? 2 : 1;
+    const int leaders = random.one_in(3) ? 2 : 1;
     const int most = robot.links.size() > 5 ? 1 : 2;  // turns multiply along followers of followers
     for (int i = 0; i < leaders && i < before; ++i) {
-      const bool is_whole = !link.is_prismatic && dice.one_in(2);
-      const int factor = is_whole ? 100 * dice.from(-most, most) : dice.from(-150, 150);
+      const bool is_whole = !link.is_prismatic && random.one_in(2);
+      const int factor = is_whole ? 100 * random.from(-most, most) : random.from(-150, 150);
       const bool slides = robot.links[static_cast<std::size_t>(before - i - 1)].is_prismatic;
       if (factor != 0 && (link.is_prismatic || !slides)) link.follows.push_back({before - i, factor});
     }
     if (link.follows.empty()) continue;
-    link.has_coordinate = dice.one_in(4);
-    if (dice.one_in(2)) link.offset = dice.from(-99, 99);
+    link.has_coordinate = random.one_in(4);
+    if (random.one_in(2)) link.offset = random.from(-99, 99);
   }
 }
 
@@ -201,13 +201,13 @@ void add_link(const PlainLink& link, int before, Lines& lines) {
 }  // namespace
 
 PlainRobot plain_robot(unsigned seed) {
-  Dice dice(seed);
+  RandomSource random(seed);
   static constexpr int kJoints[] = {1, 1, 1, 2, 2, 2, 2, 3, 3, 4};
-  const int joints = dice.one_in(100) ? dice.from(5, 8) : kJoints[dice.from(0, 9)];
-  const Kind kind{dice.one_in(2), dice.one_in(2), dice.one_in(2), dice.one_in(2), dice.one_in(2)};
+  const int joints = random.one_in(100) ? random.from(5, 8) : kJoints[random.from(0, 9)];
+  const Kind kind{random.one_in(2), random.one_in(2), random.one_in(2), random.one_in(2), random.one_in(2)};
   PlainRobot robot{fmt::format("random_{}", seed), {}};
-  for (int k = 0; k < joints; ++k) robot.links.push_back(link_of(dice, kind, robot.links));
-  if (dice.one_in(3)) couple(dice, robot);
+  for (int k = 0; k < joints; ++k) robot.links.push_back(link_of(random, kind, robot.links));
+  if (random.one_in(3)) couple(random, robot);
   return robot;
 }
 

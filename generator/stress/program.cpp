@@ -38,7 +38,7 @@ data variant_row(const Mechanism& mechanism, const Function& function, std::size
   row["symbol"] = symbol_of(k, variant);
   row["scalar"] = std::string(variant.scalar);
   row["entries"] = std::to_string(entry_count(function));
-  if (variant.calling == Calling::batch) {
+  if (variant.call_mode == CallMode::batch) {
     const BatchCall call = batch_call(mechanism, called, variant);
     row["batch"] = true;
     row["capture"] = call.capture;
@@ -71,7 +71,7 @@ data argument_rows(const State& like) {
 std::vector<BenchVariant> stress_variants() {
   std::vector<BenchVariant> variants;
   for (const BenchVariant& variant : bench_variants()) {
-    if (variant.calling != Calling::staged && *variant.budget == '\0') variants.push_back(variant);
+    if (variant.call_mode != CallMode::staged && *variant.budget == '\0') variants.push_back(variant);
   }
   return variants;
 }

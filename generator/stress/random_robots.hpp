@@ -38,7 +38,7 @@ struct RandomRobotsOptions {
   int usual_one_in = 200;
 
   // A faulty pass, for tests of this check.
-  std::function<Function(const Function&)> spoil;
+  std::function<Function(const Function&)> corrupt;
   // An independent check of the values: returns the largest scaled error. Called for every state.
   std::function<double(const RandomRobotValues&)> witness;
 };

@@ -19,11 +19,11 @@ namespace {
 // The number of random states per batch, so that memory does not grow in a long run.
 constexpr int kChunk = 10'000;
 // The number of suspects of each kind that are examined, and of states next to each.
-constexpr std::size_t kSuspects = 3;
+constexpr std::size_t kRecheckedStates = 3;
 constexpr int kNeighbours = 24;
 constexpr std::size_t kMostPoints = 400;
 // The least error attributed to the reference: one rounding of the terms.
-constexpr double kLuck = 1;
+constexpr double kChanceRatio = 1;
 constexpr double kLongDoubleServes = 64;
 constexpr const char* kEdge = "edge";
 
@@ -57,10 +57,10 @@ struct Suspect {
 class Suspects {
  public:
   void add(const State& state, double error) {
-    if (all_.size() == kSuspects && error <= all_.back().error) return;
+    if (all_.size() == kRecheckedStates && error <= all_.back().error) return;
     all_.push_back({state, error});
     std::stable_sort(all_.begin(), all_.end(), [](const Suspect& a, const Suspect& b) { return a.error > b.error; });
-    if (all_.size() > kSuspects) all_.pop_back();
+    if (all_.size() > kRecheckedStates) all_.pop_back();
   }
   const std::vector<Suspect>& all() const { return all_; }
 
@@ -71,8 +71,9 @@ class Suspects {
 // The stress run of one function in one scalar.
 class StressRun {
  public:
-  StressRun(const Function& function, RoundingJudge judge, std::vector<StressCall> calls, const StressOptions& options)
-      : judge_(std::move(judge)), calls_(std::move(calls)), options_(options), entries_(entry_count(function)) {
+  StressRun(const Function& function, RoundingErrorMeter meter, std::vector<StressCall> calls,
+            const StressOptions& options)
+      : meter_(std::move(meter)), calls_(std::move(calls)), options_(options), entries_(entry_count(function)) {
     row_.function = function.name;
     row_.inputs = function.inputs;
     for (const StressCall& call : calls_) row_.variants.emplace_back(call.variant.name, 0);
@@ -128,7 +129,7 @@ class StressRun {
     for (std::size_t v = 0; v < calls_.size(); ++v) {
       result.by_variant.push_back(0);
       if (!evaluate(calls_[v], given, out)) continue;
-      const RoundingError error = judge_.error(out, truth);
+      const RoundingError error = meter_.error(out, truth);
       result.by_variant.back() = error.scaled;
       if (result.error && error.scaled <= result.error->scaled) continue;
       result.error = error;
@@ -138,8 +139,8 @@ class StressRun {
   }
 
   Judged worst_variant(const State& state) {
-    const State given = judge_.given(state);
-    const auto truth = judge_.truth(given);
+    const State given = meter_.given(state);
+    const auto truth = meter_.truth(given);
     return truth ? judged(given, *truth) : Judged{};
   }
 
@@ -158,8 +159,8 @@ class StressRun {
   }
 
   void look_at(const std::string& where, const State& state) {
-    const State given = judge_.given(state);
-    const Judged found = judged(given, judge_.exact_truth(given));
+    const State given = meter_.given(state);
+    const Judged found = judged(given, meter_.exact_truth(given));
     if (!found.error) return;
     StressFinding finding{where, calls_[found.variant].variant.name, given, *found.error};
     compare_with_reference(finding, calls_[found.variant]);
@@ -174,16 +175,16 @@ class StressRun {
   void compare_with_reference(StressFinding& finding, const StressCall& call) {
     finding.near = finding.error.scaled;
     for (const State& state : neighbours_of(finding.state, options_.seed)) {
-      const State given = judge_.given(state);
+      const State given = meter_.given(state);
       // Where the code loses much, so does its graph in long double.
       if (finding.error.scaled > kLongDoubleServes) {
-        compare_with_reference(finding, call, given, judge_.exact_truth(given));
-      } else if (const auto truth = judge_.truth(given)) {
+        compare_with_reference(finding, call, given, meter_.exact_truth(given));
+      } else if (const auto truth = meter_.truth(given)) {
         compare_with_reference(finding, call, given, *truth);
       }
     }
     // If both are infinite, an entry that should be zero is not, in both.
-    finding.ratio = finding.near == finding.reference ? 1 : finding.near / std::max(finding.reference, kLuck);
+    finding.ratio = finding.near == finding.reference ? 1 : finding.near / std::max(finding.reference, kChanceRatio);
   }
 
   template <class Wide>
@@ -191,11 +192,11 @@ class StressRun {
                               const EntryTruth<Wide>& truth) const {
     std::vector<double> out(entries_);
     if (!evaluate(call, given, out)) return;
-    finding.near = std::max(finding.near, judge_.error(out, truth).scaled);
-    finding.reference = std::max(finding.reference, judge_.error(judge_.reference(given), truth).scaled);
+    finding.near = std::max(finding.near, meter_.error(out, truth).scaled);
+    finding.reference = std::max(finding.reference, meter_.error(meter_.reference(given), truth).scaled);
   }
 
-  RoundingJudge judge_;
+  RoundingErrorMeter meter_;
   std::vector<StressCall> calls_;
   StressOptions options_;
   std::size_t entries_;
@@ -257,9 +258,10 @@ StressRow row_of(const Function& function, const StressProgram& program, std::si
                  const ExpectedValues& expected, const StressStates& source, const Mechanism& mechanism,
                  StressOptions options) {
   options.evaluations = affordable(function, mechanism, options.evaluations);
-  options.bound *= largest_turn(mechanism);
+  options.bound *= largest_angle_factor(mechanism);
   options.edges = affordable(function, mechanism, options.edges);
-  StressRun run(function, RoundingJudge(function, expected.of(function), scalar), program.calls(k, scalar), options);
+  StressRun run(function, RoundingErrorMeter(function, expected.of(function), scalar), program.calls(k, scalar),
+                options);
   int left = affordable(function, mechanism, options.states);
   std::vector<State> pool = source.random(std::min(left, kChunk), 0);
   for (int chunk = 0; left > 0; left -= kChunk, ++chunk) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "deviation/judge.hpp"
+#include "deviation/rounding_error_meter.hpp"
 #include "diagnostics/progress.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"

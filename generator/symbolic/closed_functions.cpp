@@ -143,7 +143,7 @@ class ClosedModel {
 
   const Mechanism& mechanism_;
   ClosedForm form_;
-  Names names_;
+  FactorNames names_;
   AngleRewriter angles_;
   Derivation derivation_;
   std::size_t terms_ = 0;

@@ -101,7 +101,7 @@ void forget_when_interrupted(pid_t child) {
   }
 }
 
-void say_when_interrupted(std::string_view text) {
+void print_when_interrupted(std::string_view text) {
   const std::lock_guard lock(changing);
   length_of_last_words = 0;
   length_of_last_words = static_cast<std::sig_atomic_t>(text.copy(last_words.data(), last_words.size()));

@@ -32,6 +32,6 @@ void end_when_interrupted(pid_t child);
 void forget_when_interrupted(pid_t child);  // after it has ended
 
 // The last words on standard output of a program that a signal ends; "": none. At most 1000 characters.
-void say_when_interrupted(std::string_view text);
+void print_when_interrupted(std::string_view text);
 
 }  // namespace flatdyn

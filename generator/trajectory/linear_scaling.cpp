@@ -13,11 +13,11 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // An open interval that must not contain u.
 struct Forbidden {
   double least = 0, greatest = kInfinite;
-  LimitUsed by;
+  LargestLimitUse by;
 };
 
 // Forbids the u > 0 at which a u² + b u + c > 0.
-void forbid_positive(double a, double b, double c, const LimitUsed& by, std::vector<Forbidden>& all) {
+void forbid_positive(double a, double b, double c, const LargestLimitUse& by, std::vector<Forbidden>& all) {
   const auto add = [&](double least, double greatest) {
     if (greatest > std::max(least, 0.0)) all.push_back({std::max(least, 0.0), greatest, by});
   };
@@ -50,7 +50,7 @@ std::vector<Forbidden> forbidden(const Trajectory& trajectory, const PathCoeffic
       const std::size_t k = p * path.joints + i;
       const double L = limits.torque[i];
       if (std::isfinite(L)) {
-        const LimitUsed torque{1, LimitKind::torque, i, p};
+        const LargestLimitUse torque{1, LimitKind::torque, i, p};
         forbid_positive(path.a[k], path.b[k], path.d[k] - L, torque, all);
         forbid_positive(-path.a[k], -path.b[k], -path.d[k] - L, torque, all);
       }
@@ -84,8 +84,8 @@ std::optional<LinearScaling> linear_scaling(const Trajectory& trajectory, const 
   return result;
 }
 
-LimitUsed most_static_load(const PathCoefficients& path, const PaceLimits& limits) {
-  LimitUsed most;
+LargestLimitUse largest_static_load(const PathCoefficients& path, const PaceLimits& limits) {
+  LargestLimitUse most;
   for (std::size_t k = 0; k < path.d.size(); ++k) {
     const std::size_t joint = k % path.joints;
     const double part = std::abs(path.d[k]) / limits.torque[joint];

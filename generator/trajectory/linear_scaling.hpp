@@ -14,7 +14,7 @@ namespace flatdyn {
 
 struct LinearScaling {
   double c = 1;
-  std::optional<LimitUsed> decided_by;  // the limit that a smaller c would exceed; none if c is the least allowed
+  std::optional<LargestLimitUse> decided_by;  // the limit that a smaller c would exceed; none if c is the least allowed
 };
 
 // The smallest c ≥ least_c > 0 that keeps all limits at all points; nullopt if there is none because torques that do
@@ -23,7 +23,7 @@ std::optional<LinearScaling> linear_scaling(const Trajectory& trajectory, const 
                                             const PaceLimits& limits, double least_c);
 
 // The largest |d| as a share of its torque limit, and where it occurs.
-LimitUsed most_static_load(const PathCoefficients& path, const PaceLimits& limits);
+LargestLimitUse largest_static_load(const PathCoefficients& path, const PaceLimits& limits);
 
 // The trajectory, made c times as long.
 Trajectory slowed(Trajectory trajectory, double c);

@@ -31,16 +31,16 @@ PaceLimits given_limits(const Mechanism& mechanism) {
   return limits;
 }
 
-LimitUsed most_used(const Trajectory& trajectory, const std::vector<std::vector<double>>& tau,
-                    const PaceLimits& limits) {
-  LimitUsed most;
+LargestLimitUse largest_limit_use(const Trajectory& trajectory, const std::vector<std::vector<double>>& tau,
+                                  const PaceLimits& limits) {
+  LargestLimitUse most;
   for (std::size_t p = 0; p < trajectory.points.size(); ++p) {
     const TrajectoryPoint& point = trajectory.points[p];
     for (std::size_t i = 0; i < point.q.size(); ++i) {
-      const LimitUsed uses[] = {{std::abs(tau[p][i]) / limits.torque[i], LimitKind::torque, i, p},
-                                {std::abs(point.qd[i]) / limits.speed[i], LimitKind::speed, i, p},
-                                {std::abs(point.qdd[i]) / limits.acceleration[i], LimitKind::acceleration, i, p}};
-      for (const LimitUsed& use : uses) {
+      const LargestLimitUse uses[] = {{std::abs(tau[p][i]) / limits.torque[i], LimitKind::torque, i, p},
+                                      {std::abs(point.qd[i]) / limits.speed[i], LimitKind::speed, i, p},
+                                      {std::abs(point.qdd[i]) / limits.acceleration[i], LimitKind::acceleration, i, p}};
+      for (const LargestLimitUse& use : uses) {
         if (use.part > most.part) most = use;
       }
     }

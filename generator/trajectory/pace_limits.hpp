@@ -21,13 +21,13 @@ struct PaceLimits {
 PaceLimits given_limits(const Mechanism& mechanism);
 
 // The largest use of a limit, as a share of it, and where it occurs; the share is 0 without limits.
-struct LimitUsed {
+struct LargestLimitUse {
   double part = 0;
   LimitKind kind = LimitKind::torque;
   std::size_t joint = 0, point = 0;
 };
 // The largest use by the trajectory with torques tau by point, N m or N.
-LimitUsed most_used(const Trajectory& trajectory, const std::vector<std::vector<double>>& tau,
-                    const PaceLimits& limits);
+LargestLimitUse largest_limit_use(const Trajectory& trajectory, const std::vector<std::vector<double>>& tau,
+                                  const PaceLimits& limits);
 
 }  // namespace flatdyn

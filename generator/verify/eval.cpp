@@ -189,7 +189,7 @@ class Evaluator {
   std::optional<std::vector<S>> from_reference(const StateOf<S>& state) {
     // The robot's numbers change only with its symbols.
     if (!reference_ || !symbols_.empty()) {
-      reference_ = seen_by(function_, robot_, reference_robot<S>(robot_, symbols_));
+      reference_ = robot_for_function(function_, robot_, reference_robot<S>(robot_, symbols_));
       expected_ = row_of(function_).reference.template over<S>()({mechanism_, *reference_, symbols_}, function_);
     }
     const reference::VectorX<S> q = vector_of(state.q);
@@ -303,12 +303,12 @@ CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Fu
   if (!diagnostics.has_errors()) {
     say_what_is_missing(columns, inputs, function, {file, states.heading_line}, diagnostics);
   }
-  for (const InputKind kind : function.inputs) heading.pass_over(quantity_of(kind));
-  heading.pass_over(CsvQuantity::time);
+  for (const InputKind kind : function.inputs) heading.allow_unused(quantity_of(kind));
+  heading.allow_unused(CsvQuantity::time);
   heading.finish();
   check_entries(result, columns.sources(), heading, file, diagnostics);
   if (diagnostics.has_errors()) return {};
-  ask_about_positions(result, columns.positions(), mechanism, file, diagnostics);
+  warn_of_positions(result, columns.positions(), mechanism, file, diagnostics);
   warn_of_open_loops(robot, mechanism, result, columns, file, diagnostics);
   for (const Output& output : function.outputs) {
     for (const std::string& name : output_columns(output)) result.columns.push_back(name);

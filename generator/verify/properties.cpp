@@ -154,8 +154,8 @@ Vector50 rates_of(const Functions& f, const ExactState& state) {
 }  // namespace
 
 std::vector<Property> check_properties(const std::vector<Function>& functions, const std::vector<State>& states,
-                                       double largest_turn) {
-  const double tolerance = kTolerance * largest_turn * largest_turn;
+                                       double largest_angle_factor) {
+  const double tolerance = kTolerance * largest_angle_factor * largest_angle_factor;
   constexpr std::size_t kStates = 5;
   const Functions f(functions);
   std::vector<ExactState> exact;

@@ -49,8 +49,8 @@ std::string saving(const char* tolerance, const LoadedRobot& model, const Pipeli
 
 }  // namespace
 
-void ask_for_rounded_angles(const LoadedRobot& model, const PipelineOptions& options,
-                            const std::vector<OptimisedFunction>& functions, Diagnostics& findings) {
+void note_rounded_angles(const LoadedRobot& model, const PipelineOptions& options,
+                         const std::vector<OptimisedFunction>& functions, Diagnostics& findings) {
   const std::vector<Snap>& angles = model.robot.rounded_angles;
   if (angles.empty()) return;
   const Snap& first = angles.front();

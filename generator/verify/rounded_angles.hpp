@@ -9,7 +9,7 @@ namespace flatdyn {
 // If there are such angles, adds a note with the --snap tolerance that snaps them. `functions`: those made of the
 // model. If inverse_dynamics is one of them, and the robot is small enough for a second derivation within seconds, the
 // note says how many operations that would save.
-void ask_for_rounded_angles(const LoadedRobot& model, const PipelineOptions& options,
-                            const std::vector<OptimisedFunction>& functions, Diagnostics& findings);
+void note_rounded_angles(const LoadedRobot& model, const PipelineOptions& options,
+                         const std::vector<OptimisedFunction>& functions, Diagnostics& findings);
 
 }  // namespace flatdyn

@@ -138,7 +138,7 @@ VerifyReport verify(const Robot& robot, const Mechanism& mechanism, const std::v
                     const VerifyOptions& options, Progress& progress) {
   VerifyReport report;
   progress.step("compiling the emitted code");
-  const double bound = options.bound * largest_turn(mechanism);
+  const double bound = options.bound * largest_angle_factor(mechanism);
   const Comparison comparison(robot, mechanism, functions, options);
   for (std::size_t k = 0; k < functions.size(); ++k) {
     FunctionReport row;
@@ -152,7 +152,7 @@ VerifyReport verify(const Robot& robot, const Mechanism& mechanism, const std::v
                  row.at_edges.largest <= bound;
     report.functions.push_back(row);
   }
-  report.properties = check_properties(functions, comparison.random(), largest_turn(mechanism));
+  report.properties = check_properties(functions, comparison.random(), largest_angle_factor(mechanism));
   return report;
 }
 

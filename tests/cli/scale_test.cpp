@@ -140,7 +140,7 @@ TEST(Scale, TimeOptimalOfSevenJointsIsQuick) {
 // Viscous friction is linearised, so the law alone may exceed a limit slightly: then the whole motion is slowed down.
 TEST(Scale, TimeOptimalKeepsLimitsWithFriction) {
   const Scratch scratch;
-  scratch.write("arm.toml", kRubbingArm);
+  scratch.write("arm.toml", kFrictionalArm);
   scratch.write("plan.toml",
                 "start = [0, 0]\n[[segment]]\nby = [0.4, -0.4]\nprofile = \"triangular\"\nduration = 2\n[[segment]]\n"
                 "dwell = 0.25\n[[segment]]\nby = [-0.8, 0]\nprofile = \"trapezoidal\"\nduration = 1\n"

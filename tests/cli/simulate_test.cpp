@@ -141,7 +141,7 @@ TEST(Simulate, FollowsATrajectory) {
 // The impact of one joint frees the other from its stop, which falls back, and so on: they come to rest nevertheless.
 TEST(Simulate, JointsAtTheirStopsSettle) {
   const Scratch scratch;
-  scratch.write("arm.toml", kRubbingArm);
+  scratch.write("arm.toml", kFrictionalArm);
   scratch.write("run.toml",
                 "duration = 3\nrate = 10\njoint_limits = \"stop\"\n[start]\nq = [-0.38, 0.25]\nqd = [1.9, 0]\n"
                 "[torque]\nconstant = [-17.26, 15.92]\n");
@@ -156,7 +156,7 @@ TEST(Simulate, JointsAtTheirStopsSettle) {
 
 TEST(Simulate, EndsWhereAControllerIsUnstable) {
   const Scratch scratch;
-  scratch.write("arm.toml", kRubbingArm);
+  scratch.write("arm.toml", kFrictionalArm);
   scratch.write("run.toml",
                 "duration = 20\n[torque.pd]\nkp = [200, 100]\nkd = [20, 10]\nposition = [0.2, 0.3]\nperiod = 0.1\n");
   const Outcome outcome = run_flatdyn(fmt::format("simulate {} -q --simulation {} -o {}", scratch.path("arm.toml"),

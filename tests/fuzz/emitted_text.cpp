@@ -9,10 +9,10 @@ namespace {
 constexpr std::size_t kEntries = 64;  // entries of every output
 
 // A function with as many outputs as that of the text.
-Function function_like(const WrittenFunction& written) {
+Function function_like(const ScannedFunction& written) {
   Function like;
   like.name = written.name;
-  for (const WrittenFunction::Parameter& parameter : written.parameters) {
+  for (const ScannedFunction::Parameter& parameter : written.parameters) {
     if (!parameter.is_output) continue;
     Output output;
     output.rows = kEntries;

@@ -31,7 +31,7 @@ TEST(RandomRobots, WithAMistakeAreFoundAndMadeSmall) {
   options.robots = 40;
   options.functions = {"gravity"};
   EXPECT_TRUE(report_of(options).passed());
-  options.spoil = without_a_term;
+  options.corrupt = without_a_term;
   const RandomRobotsReport report = report_of(options);
   ASSERT_FALSE(report.passed());
   for (const RandomRobotFailure& failure : report.failures) {

@@ -4,7 +4,7 @@
 namespace flatdyn::testing {
 
 // Two links with friction and limits.
-inline constexpr const char* kRubbingArm = R"(name = "rubbing_arm"
+inline constexpr const char* kFrictionalArm = R"(name = "rubbing_arm"
 gravity = [0, "-9.81", 0]
 dh = "standard"
 

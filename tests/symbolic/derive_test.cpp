@@ -143,11 +143,11 @@ TEST(DeriveText, RefusesLongChains) {
 TEST(AngleRewriter, KnowsWhatIsShorter) {
   const Mechanism mechanism = make_mechanism(three_link_planar());
   const ClosedForm form = closed_form(mechanism);
-  const Names names(mechanism, form);
+  const FactorNames names(mechanism, form);
   const AngleRewriter rewriter(mechanism);
-  Pretty pretty(names, mechanism.size(), Notation::text, 10);
+  SumFormatter formatter(names, mechanism.size(), Notation::text, 10);
   const auto text = [&](const Number& e) {
-    return pretty.text(rewriter.rewritten(names.readable(reduced(e, form))), GroupBy::motion);
+    return formatter.text(rewriter.rewritten(names.readable(reduced(e, form))), GroupBy::motion);
   };
   const auto &c = form.c, &s = form.s;
   EXPECT_EQ(text(c[0] * c[1] - s[0] * s[1]), "c_12");

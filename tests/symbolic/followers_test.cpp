@@ -323,8 +323,8 @@ TEST(FollowerByAFraction, MayBeOffByAsManyLastPlacesAsItTurnsMore) {
   std::string text = kGripper;
   text.replace(text.find("-0.28833"), 8, "-200.5");
   const LoadedRobot model = testing::model_of_toml(text);
-  EXPECT_EQ(largest_turn(model.mechanism), 200.5);
-  EXPECT_EQ(largest_turn(testing::model_of_toml(kGripper).mechanism), 1);
+  EXPECT_EQ(largest_angle_factor(model.mechanism), 200.5);
+  EXPECT_EQ(largest_angle_factor(testing::model_of_toml(kGripper).mechanism), 1);
   Progress quiet(true);
   VerifyOptions options;
   options.states = 20;

@@ -132,13 +132,13 @@ void CDialect::declare(FunctionText& text, const UndeclaredFunction& function) c
     return;
   }
   const std::vector<Argument> arguments = with_sines(function);
-  GivenText given{function.given_name,          parameters(arguments, true),
-                  parameters(arguments, false), {},
-                  angle_array(function.scope),  "",
-                  unread(arguments) + text.body};
+  SinCosVariant given{function.sin_cos_variant_name, parameters(arguments, true),
+                      parameters(arguments, false),  {},
+                      angle_array(function.scope),   "",
+                      unread(arguments) + text.body};
   for (const Argument& argument : arguments) given.arguments.push_back(argument.name);
   text.body = asking_body(function, text.returns, given);
-  text.given = std::move(given);
+  text.sin_cos_variant = std::move(given);
 }
 
 std::vector<std::string> CDialect::parameters(const std::vector<Argument>& arguments, bool restricts) const {
@@ -154,7 +154,7 @@ std::vector<std::string> CDialect::parameters(const std::vector<Argument>& argum
 
 // The body of the function that computes sines and cosines and calls `given`; records in `given` which ones it takes.
 std::string CDialect::asking_body(const UndeclaredFunction& function, const std::string& returns,
-                                  GivenText& given) const {
+                                  SinCosVariant& given) const {
   const HeaderScope& scope = function.scope;
   const std::string count = angle_count_name(scope);
   const bool has_others = !scope.angles.empty();
@@ -202,19 +202,23 @@ std::string CDialect::definitions(const FunctionText& text) const {
     return c_signature(linkage() + text.returns, name, parameters, " {") + "\n" + body + "}";
   };
   const std::string own = definition(text.name, text.parameters, text.body);
-  return text.given ? definition(text.given->name, text.given->parameters, text.given->body) + "\n\n" + own : own;
+  return text.sin_cos_variant
+             ? definition(text.sin_cos_variant->name, text.sin_cos_variant->parameters, text.sin_cos_variant->body) +
+                   "\n\n" + own
+             : own;
 }
 
 void CDialect::write_function(data& item, const Function& function, const FunctionText& text) const {
   item["brief"] = list_of(brief_comment(function));
   item["declaration"] = c_signature(text.returns, text.name, text.declared, ";");
   item["definitions"] = definitions(text);
-  item["given?"] = text.given.has_value();
-  if (!text.given) return;
+  item["given?"] = text.sin_cos_variant.has_value();
+  if (!text.sin_cos_variant) return;
   item["given_comment"] =
       fmt::format("The same from sine[k] = sin({0}[k]) and cosine[k] = cos({0}[k]) of the caller's, k = {1}.",
-                  text.given->of, text.given->joints);
-  item["given_declaration"] = c_signature(text.returns, text.given->name, text.given->declared, ";");
+                  text.sin_cos_variant->of, text.sin_cos_variant->joints);
+  item["given_declaration"] =
+      c_signature(text.returns, text.sin_cos_variant->name, text.sin_cos_variant->declared, ";");
 }
 
 void CDialect::write_page(data& page, const CodeContent& content) const {

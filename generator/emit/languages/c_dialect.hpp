@@ -56,7 +56,7 @@ class CDialect : public PageDialect {
 
  private:
   std::vector<std::string> parameters(const std::vector<Argument>& arguments, bool restricts) const;
-  std::string asking_body(const UndeclaredFunction& function, const std::string& returns, GivenText& given) const;
+  std::string asking_body(const UndeclaredFunction& function, const std::string& returns, SinCosVariant& given) const;
   std::string definitions(const FunctionText& text) const;
   std::string type_of(const ConstantArray& array) const;
 

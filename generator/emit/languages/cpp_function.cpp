@@ -15,22 +15,22 @@ std::string parameter(const std::string& type, const std::string& name, bool is_
 }
 
 // The form of parameters: their types, whether unused ones have names, and whether they have defaults.
-struct Manner {
+struct ParameterStyle {
   std::string scalar, sin_cos;
   bool names_all, has_default;
 };
 
-std::vector<std::string> parameters_of(const UndeclaredFunction& function, const Manner& manner) {
-  const std::string array = manner.scalar + "*";
+std::vector<std::string> parameters_of(const UndeclaredFunction& function, const ParameterStyle& style) {
+  const std::string array = style.scalar + "*";
   std::vector<std::string> list;
   for (const Argument& argument : function.arguments) {
-    const std::string type = argument.kind == Argument::Kind::parameters ? "const Parameters<" + manner.scalar + ">&"
+    const std::string type = argument.kind == Argument::Kind::parameters ? "const Parameters<" + style.scalar + ">&"
                              : argument.kind == Argument::Kind::input    ? "const " + array
                                                                          : array;
-    list.push_back(parameter(type, argument.name, manner.names_all || argument.is_used));
+    list.push_back(parameter(type, argument.name, style.names_all || argument.is_used));
   }
   if (function.body.uses_trigonometry()) {
-    list.push_back("const " + manner.sin_cos + "& sin_cos" + (manner.has_default ? " = {}" : ""));
+    list.push_back("const " + style.sin_cos + "& sin_cos" + (style.has_default ? " = {}" : ""));
   }
   return list;
 }

@@ -68,8 +68,8 @@ std::vector<StraightCall> straight_calls(const Mechanism& mechanism, const std::
                                          const EmitOptions& options) {
   std::vector<StraightCall> calls;
   for (const FunctionText& text : function_texts(c_dialect_of(mechanism, options), mechanism, functions, options)) {
-    if (text.given) {
-      calls.push_back({text.given->name, text.given->arguments});
+    if (text.sin_cos_variant) {
+      calls.push_back({text.sin_cos_variant->name, text.sin_cos_variant->arguments});
       continue;
     }
     StraightCall call{text.name, {}};

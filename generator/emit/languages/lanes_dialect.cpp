@@ -150,7 +150,7 @@ void LanesDialect::write_page(data& page, const CodeContent& content) const {
   page["second_halves"] = std::string(is_float ? "2, 6, 3, 7" : "1, 3");
   page["checks?"] = std::any_of(content.functions.begin(), content.functions.end(),
                                 [](const Function& function) { return !function.validity_conditions.empty(); });
-  page["hash"] = std::string(kHash);
+  page["hash"] = std::string(kHashPlaceholder);
   page["sines"] = without_newline(rendered(templates::batch_sines_c, page));
 }
 

@@ -81,7 +81,7 @@ bool is_held(const std::string& joint, const ReadContext& context) {
                      [&](const JointPosition& held) { return held.joint == joint; });
 }
 
-std::string line_seen_from(const Place& here, const Place& place) {
+std::string relative_place_text(const Place& here, const Place& place) {
   const std::string line = std::to_string(place.line);
   return place.file == here.file ? "line " + line : place.file + ":" + line;
 }

@@ -57,7 +57,7 @@ struct ReadContext {
 bool is_held(const std::string& joint, const ReadContext& context);
 
 // "line 3", or "arm.urdf:3" where the place is in another file than the message is about.
-std::string line_seen_from(const Place& here, const Place& place);
+std::string relative_place_text(const Place& here, const Place& place);
 
 // Index of the link of this name, or nullopt and a diagnostic; `what` says who refers to it.
 std::optional<int> find_link(const Robot& robot, const Reference& link, const std::string& what,

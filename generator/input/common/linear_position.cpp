@@ -6,7 +6,7 @@
 
 #include "input/common/expression.hpp"
 #include "input/common/units.hpp"
-#include "model/unit_doubts.hpp"
+#include "model/unit_plausibility.hpp"
 
 namespace flatdyn {
 
@@ -108,7 +108,7 @@ std::optional<Coupled> read_linear_position(const std::string& text, JointType t
   const Number written = coupled->offset, angle = in_radians(written, units, spot, context.diagnostics);
   coupled->offset = canonical_angle(angle, spot, context.diagnostics);
   if (!units.degrees && may_be_degrees(coupled->offset)) {
-    ask_for_degrees(coupled->offset, spot, degrees_hint(written), context.diagnostics);
+    warn_of_degrees(coupled->offset, spot, degrees_hint(written), context.diagnostics);
   }
   return coupled;
 }

@@ -130,7 +130,7 @@ void SymbolTable::check_quantity(Entry& entry, Quantity quantity, const Place& p
   } else if (entry.quantity != quantity) {
     diagnostics.error(place,
                       "symbol \"" + entry.symbol.name + "\" is used as " + with_article(quantity) + " here and as " +
-                          with_article(entry.quantity) + " in " + line_seen_from(place, entry.quantity_place),
+                          with_article(entry.quantity) + " in " + relative_place_text(place, entry.quantity_place),
                       "give each quantity a symbol of its own");
   }
 }

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "model/unit_doubts.hpp"
+#include "model/unit_plausibility.hpp"
 
 namespace flatdyn {
 namespace {
@@ -40,7 +40,7 @@ std::string hint_for_millimetres(const LongLength& length) {
 }
 
 // The trace of an inertia tensor is twice the mass times the square of how far, on average, it is from the point.
-void ask_about_inertia(const Link& link, const Inertial& inertial, Diagnostics& diagnostics) {
+void warn_of_inertia(const Link& link, const Inertial& inertial, Diagnostics& diagnostics) {
   const Number trace = inertial.tensor[0][0] + inertial.tensor[1][1] + inertial.tensor[2][2];
   if (has_symbols(trace) || has_symbols(inertial.mass.number) || vanishes(inertial.mass.number)) return;
   const double radius = std::sqrt(std::abs(nearest_double(trace / inertial.mass.number) / 2));
@@ -50,7 +50,7 @@ void ask_about_inertia(const Link& link, const Inertial& inertial, Diagnostics& 
       fmt::format("link \"{}\": its inertia is that of a body of {:.3g} m beside {:.6g} kg; were kg mm^2 "
                   "meant?",
                   link.name, 2 * radius, nearest_double(inertial.mass.number)),
-      "if so, divide by 1e6: moments of inertia are in kg m^2, also in a file in millimetres", kLengthDoubts);
+      "if so, divide by 1e6: moments of inertia are in kg m^2, also in a file in millimetres", kLengthWarnings);
 }
 
 // The first of a joint's two limits that is odd; nullptr if none is.
@@ -70,14 +70,14 @@ std::string hint_for_limit(const Value& limit, const Robot& robot) {
          (is_urdf ? " but type=\"continuous\"" : "");
 }
 
-void ask_about_angular_limits(const Robot& robot, Diagnostics& diagnostics) {
+void warn_of_angular_limits(const Robot& robot, Diagnostics& diagnostics) {
   for (const Joint& joint : robot.joints) {
     const bool turns = joint.type == JointType::revolute || joint.type == JointType::continuous;
     const Value* limit = turns ? odd_limit(joint.limits, limit_may_be_degrees) : nullptr;
     if (limit == nullptr) continue;
     diagnostics.warning(limit->place,
                         fmt::format("joint \"{}\", limit: {}", joint.name, degrees_question(limit->number)),
-                        hint_for_limit(*limit, robot), kLimitDoubts);
+                        hint_for_limit(*limit, robot), kLimitWarnings);
   }
 }
 
@@ -88,7 +88,7 @@ bool is_long_stroke(const Number& limit) {
   return size > kLong && size < kBeyond && decades != std::round(decades);
 }
 
-void ask_about_strokes(const Robot& robot, Diagnostics& diagnostics) {
+void warn_of_strokes(const Robot& robot, Diagnostics& diagnostics) {
   for (const Joint& joint : robot.joints) {
     const bool slides = joint.type == JointType::prismatic;
     const Value* limit = slides ? odd_limit(joint.limits, is_long_stroke) : nullptr;
@@ -97,7 +97,7 @@ void ask_about_strokes(const Robot& robot, Diagnostics& diagnostics) {
     const std::string what = fmt::format("joint \"{}\", limit", joint.name);
     diagnostics.warning(
         limit->place, fmt::format("{}: {:.6g} m is far; were millimetres meant?", what, nearest_double(limit->number)),
-        hint_for_millimetres({limit->number, {limit->place, what}, has_key}), kLengthDoubts);
+        hint_for_millimetres({limit->number, {limit->place, what}, has_key}), kLengthWarnings);
   }
 }
 
@@ -138,8 +138,8 @@ Number decimal_angle(const Number& decimal, std::string_view written, const Unit
   return snapped.is_equal(rational) ? exact : snapped;
 }
 
-void ask_for_degrees(const Number& angle, const Spot& spot, const std::string& hint, Diagnostics& diagnostics) {
-  diagnostics.warning(spot.place, spot.what + ": " + degrees_question(angle), hint, kAngleDoubts);
+void warn_of_degrees(const Number& angle, const Spot& spot, const std::string& hint, Diagnostics& diagnostics) {
+  diagnostics.warning(spot.place, spot.what + ": " + degrees_question(angle), hint, kAngleWarnings);
 }
 
 Number rate_in_si(const Number& written, const Body& joint, const Units& units, const Spot& spot,
@@ -150,7 +150,7 @@ Number rate_in_si(const Number& written, const Body& joint, const Units& units, 
 Number position_in_si(const Number& written, const Body& joint, const Units& units, const Spot& spot,
                       Diagnostics& diagnostics) {
   const bool is_odd = !joint.prismatic && !units.degrees && may_be_degrees(written, joint.limits, joint.continuous);
-  if (is_odd) ask_for_degrees(written, spot, degrees_hint(written), diagnostics);
+  if (is_odd) warn_of_degrees(written, spot, degrees_hint(written), diagnostics);
   return rate_in_si(written, joint, units, spot, diagnostics);
 }
 
@@ -159,8 +159,8 @@ void note_length(const Number& metres, const Spot& spot, const Units& units, Rea
   context.long_lengths.push_back({metres, spot, units.has_keys});
 }
 
-void ask_about_units(const Robot& robot, ReadContext& context) {
-  ask_about_angular_limits(robot, context.diagnostics);
+void warn_of_units(const Robot& robot, ReadContext& context) {
+  warn_of_angular_limits(robot, context.diagnostics);
   const double mass = known_mass(robot);
   if (mass >= kHeavy) return;
   const std::string beside = mass > 0 ? fmt::format(" beside {:.3g} kg in all", mass) : "";
@@ -168,11 +168,11 @@ void ask_about_units(const Robot& robot, ReadContext& context) {
     context.diagnostics.warning(length.spot.place,
                                 fmt::format("{}: {:.6g} m is long{}; were millimetres meant?", length.spot.what,
                                             nearest_double(length.metres), beside),
-                                hint_for_millimetres(length), kLengthDoubts);
+                                hint_for_millimetres(length), kLengthWarnings);
   }
-  ask_about_strokes(robot, context.diagnostics);
+  warn_of_strokes(robot, context.diagnostics);
   for (const Link& link : robot.links) {
-    for (const Inertial& inertial : link.inertials) ask_about_inertia(link, inertial, context.diagnostics);
+    for (const Inertial& inertial : link.inertials) warn_of_inertia(link, inertial, context.diagnostics);
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Numbers of files that are written in degrees and millimetres, exactly: 90 is pi/2, 180.7 is 1807/10000. And of those
-// that are not, but perhaps should say so (model/unit_doubts.hpp).
+// that are not, but perhaps should say so (model/unit_plausibility.hpp).
 #pragma once
 
 #include "input/common/context.hpp"
@@ -19,7 +19,7 @@ Number decimal_angle(const Number& decimal, std::string_view written, const Unit
                      ReadContext& context);
 
 // A warning that asks whether an angle, rad, was meant in degrees. hint: what to do then.
-void ask_for_degrees(const Number& angle, const Spot& spot, const std::string& hint, Diagnostics& diagnostics);
+void warn_of_degrees(const Number& angle, const Spot& spot, const std::string& hint, Diagnostics& diagnostics);
 
 // A rate, or a position, of a joint in a motion's file with the key `angles`, in rad (m); odd positions are asked
 // about.
@@ -33,6 +33,6 @@ void note_length(const Number& metres, const Spot& spot, const Units& units, Rea
 
 // Warnings that ask about joints' limits; and, unless the robot weighs tons, about the lengths that were noted and
 // about moments of inertia.
-void ask_about_units(const Robot& robot, ReadContext& context);
+void warn_of_units(const Robot& robot, ReadContext& context);
 
 }  // namespace flatdyn

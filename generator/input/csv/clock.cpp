@@ -94,8 +94,8 @@ const char* unit_since_1970(std::string_view text) {
 
 const char* unit_by_size(double step) { return step < 1e3 ? "ms" : step < 1e6 ? "us" : "ns"; }
 
-void ask_for_unit_of_time(double step, const std::string& unit, const std::string& column, const Place& place,
-                          Diagnostics& diagnostics) {
+void warn_of_time_unit(double step, const std::string& unit, const std::string& column, const Place& place,
+                       Diagnostics& diagnostics) {
   diagnostics.warning(place, fmt::format("from one sample to the next, {:.6g} s pass", step),
                       fmt::format("is the time in {0}? Then write the column's heading as {1} [{0}]", unit, column));
 }

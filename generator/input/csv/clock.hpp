@@ -51,7 +51,7 @@ inline constexpr double kFarApart = 1;
 const char* unit_by_size(double step);
 
 // Whether the times of a column are in this unit: a warning that asks.
-void ask_for_unit_of_time(double step, const std::string& unit, const std::string& column, const Place& place,
-                          Diagnostics& diagnostics);
+void warn_of_time_unit(double step, const std::string& unit, const std::string& column, const Place& place,
+                       Diagnostics& diagnostics);
 
 }  // namespace flatdyn

@@ -85,7 +85,7 @@ std::vector<std::size_t> CsvHeading::columns_of(CsvQuantity quantity) const {
   return columns;
 }
 
-void CsvHeading::pass_over(CsvQuantity quantity) {
+void CsvHeading::allow_unused(CsvQuantity quantity) {
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     if (columns_[c].quantity == quantity) used_.insert(c);
   }
@@ -111,7 +111,7 @@ std::vector<std::optional<CsvSource>> CsvHeading::find(CsvQuantity quantity, int
                        "leave one of them out: a joint is named once, by its number or by its name");
     wrong_.insert(quantity);
   }
-  if (length > 1 && !found.back()) doubt_count(quantity, length);
+  if (length > 1 && !found.back()) warn_of_numbering(quantity, length);
   return found;
 }
 
@@ -186,7 +186,7 @@ bool CsvHeading::is_counted_well(CsvQuantity quantity, const std::vector<std::si
 }
 
 // q1 to q5 of six joints: the first five, or the last five of a set from q0 to q5 whose first column is missing.
-void CsvHeading::doubt_count(CsvQuantity quantity, int length) {
+void CsvHeading::warn_of_numbering(CsvQuantity quantity, int length) {
   std::set<int> numbers;
   for (const std::size_t column : columns_of(quantity)) {
     if (!columns_[column].number || joint_name_of(column)) return;
@@ -239,15 +239,15 @@ bool CsvHeading::has_joint_names(const std::vector<std::size_t>& columns) const 
 // Messages have an order of their own, and may have joints that the robot does not have.
 void CsvHeading::place_by_joint_names(CsvQuantity quantity, const std::vector<std::size_t>& columns, Entries& entries) {
   for (const std::size_t column : columns) {
-    const std::optional<std::size_t> told = joint_name_of(column);
-    if (!told) {
+    const std::optional<std::size_t> name_column = joint_name_of(column);
+    if (!name_column) {
       diagnostics_.error(place_, fmt::format("no column tells which joint \"{}\" belongs to", name(column)),
                          "other entries of the array have one: add it, or leave all of them out");
       wrong_.insert(quantity);
       continue;
     }
-    const std::string joint = first_text(*told);
-    fixed_texts_[*told] = joint;
+    const std::string joint = first_text(*name_column);
+    fixed_texts_[*name_column] = joint;
     if (const std::optional<int> entry = entry_of_joint(quantity, joint, mechanism_)) entries[column] = *entry;
   }
 }

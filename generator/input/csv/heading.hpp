@@ -48,7 +48,7 @@ class CsvHeading {
   std::optional<CsvTime> find_time();
   std::optional<CsvTime> require_time();
   // Columns of this quantity need not be used.
-  void pass_over(CsvQuantity quantity);
+  void allow_unused(CsvQuantity quantity);
 
   // Columns of text that say which joint is meant: their entries must stay what they are in the first row.
   const std::map<std::size_t, std::string>& fixed_texts() const { return fixed_texts_; }
@@ -65,7 +65,7 @@ class CsvHeading {
   Entries entries_of(CsvQuantity quantity, int length);
   void place_numbered(CsvQuantity quantity, const std::vector<std::size_t>& columns, int length, Entries& entries);
   bool is_counted_well(CsvQuantity quantity, const std::vector<std::size_t>& columns, int length);
-  void doubt_count(CsvQuantity quantity, int length);
+  void warn_of_numbering(CsvQuantity quantity, int length);
   void count_from_zero(const std::vector<std::size_t>& columns);
   void leave_out(CsvQuantity quantity, std::size_t column, int length);
   void place_by_joint_names(CsvQuantity quantity, const std::vector<std::size_t>& columns, Entries& entries);
@@ -77,7 +77,7 @@ class CsvHeading {
   std::optional<std::size_t> only_column(CsvQuantity quantity);
   CsvTime time_of(std::size_t column);
   std::optional<CsvTime> time_in_two_columns(std::size_t seconds);
-  void note_origin(CsvTime& time, const std::string& told);
+  void note_origin(CsvTime& time, const std::string& explanation);
   std::string first_text(std::size_t column) const;
   std::string names_of(const std::vector<std::size_t>& columns) const;
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "input/common/units.hpp"
-#include "model/unit_doubts.hpp"
+#include "model/unit_plausibility.hpp"
 
 namespace flatdyn {
 namespace {
@@ -25,8 +25,8 @@ std::optional<std::size_t> odd_row(const CsvTable& table, const CsvSource& sourc
 
 }  // namespace
 
-void ask_about_positions(const CsvTable& table, const std::vector<std::optional<CsvSource>>& q,
-                         const Mechanism& mechanism, const std::string& file, Diagnostics& diagnostics) {
+void warn_of_positions(const CsvTable& table, const std::vector<std::optional<CsvSource>>& q,
+                       const Mechanism& mechanism, const std::string& file, Diagnostics& diagnostics) {
   for (std::size_t p = 0; p < q.size(); ++p) {
     const Body& joint = mechanism.joint_at(static_cast<int>(p));
     if (joint.prismatic || !q[p] || !q[p]->factor.is_equal(1)) continue;
@@ -34,7 +34,7 @@ void ask_about_positions(const CsvTable& table, const std::vector<std::optional<
     if (column.find_first_of("[(") != std::string::npos) continue;  // it has a unit
     const std::optional<std::size_t> row = odd_row(table, *q[p], joint);
     if (!row) continue;
-    ask_for_degrees(exact_value(table, *row, *q[p]), {{file, table.lines[*row]}, column},
+    warn_of_degrees(exact_value(table, *row, *q[p]), {{file, table.lines[*row]}, column},
                     fmt::format("if so, write the column's heading as {} [deg]", column), diagnostics);
   }
 }

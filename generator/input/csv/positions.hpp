@@ -6,10 +6,10 @@
 
 namespace flatdyn {
 
-// A warning that asks (model/unit_doubts.hpp), once for each joint that turns and whose column has no unit. A joint
-// without limits counts as one that turns without end: states are not always those of a robot that moves.
-// `q`: the columns, by entries of q; what is not there is passed over. Entries have to be decimals.
-void ask_about_positions(const CsvTable& table, const std::vector<std::optional<CsvSource>>& q,
-                         const Mechanism& mechanism, const std::string& file, Diagnostics& diagnostics);
+// A warning that asks (model/unit_plausibility.hpp), once for each joint that turns and whose column has no unit. A
+// joint without limits counts as one that turns without end: states are not always those of a robot that moves. `q`:
+// the columns, by entries of q; what is not there is passed over. Entries have to be decimals.
+void warn_of_positions(const CsvTable& table, const std::vector<std::optional<CsvSource>>& q,
+                       const Mechanism& mechanism, const std::string& file, Diagnostics& diagnostics);
 
 }  // namespace flatdyn

@@ -55,18 +55,18 @@ CsvTime CsvHeading::time_of(std::size_t column) {
   const CsvName& written = columns_[column];
   used_.insert(column);
   CsvTime time{column};
-  std::string told;
+  std::string explanation;
   if (!written.unit.empty()) {
     time.clock.per_second = nearest_double(1 / factor_of(column, CsvQuantity::time, 0));
   } else if (is_of_bag(written) && is_digits(first_text(column))) {
     time.clock.per_second = per_second("ns");
-    told = "nanoseconds, as ROS writes them";
+    explanation = "nanoseconds, as ROS writes them";
   } else if (const char* unit = unit_since_1970(first_text(column)); unit != nullptr && unit != std::string("s")) {
     time.clock.per_second = per_second(unit);
-    told = fmt::format("{} since 1970, by the size of {}", long_name(unit), first_text(column));
+    explanation = fmt::format("{} since 1970, by the size of {}", long_name(unit), first_text(column));
   }
   if (const std::optional<ExactTime> first = ExactTime::read(first_text(column))) time.clock.start_at(*first);
-  note_origin(time, told);
+  note_origin(time, explanation);
   return time;
 }
 
@@ -87,12 +87,12 @@ std::optional<CsvTime> CsvHeading::time_in_two_columns(std::size_t seconds) {
   return time;
 }
 
-void CsvHeading::note_origin(CsvTime& time, const std::string& told) {
+void CsvHeading::note_origin(CsvTime& time, const std::string& explanation) {
   const std::string counted = time.clock.origin ? "times count from the first row" : "";
-  if (told.empty() && counted.empty()) return;
+  if (explanation.empty() && counted.empty()) return;
   diagnostics_.note(place_,
-                    fmt::format("column \"{}\": {}{}{}", name(time.column), told,
-                                told.empty() || counted.empty() ? "" : "; ", counted),
+                    fmt::format("column \"{}\": {}{}{}", name(time.column), explanation,
+                                explanation.empty() || counted.empty() ? "" : "; ", counted),
                     {}, "clocks that were converted");
 }
 

@@ -7,7 +7,7 @@
 #include "diagnostics/nearest.hpp"
 #include "input/common/units.hpp"
 #include "model/coupling.hpp"
-#include "model/unit_doubts.hpp"
+#include "model/unit_plausibility.hpp"
 
 namespace flatdyn {
 
@@ -68,7 +68,7 @@ bool ask_about(const Number& position, const HeldJoint& written, const Joint& jo
     return false;
   }
   if (!may_be_degrees(position, joint.limits, type == JointType::continuous)) return false;
-  ask_for_degrees(position, spot, hint_for_degrees(written), context.diagnostics);
+  warn_of_degrees(position, spot, hint_for_degrees(written), context.diagnostics);
   return true;
 }
 

@@ -19,7 +19,7 @@ constexpr std::array<const char*, 2> kOverKeys = {"urdf", "robot"};
 
 class OverlayReader {
  public:
-  OverlayReader(std::string file, ReadContext& context, Robot& robot, Carriers& carriers)
+  OverlayReader(std::string file, ReadContext& context, Robot& robot, MotorCarriers& carriers)
       : file_(std::move(file)),
         context_(context),
         diagnostics_(context.diagnostics),
@@ -154,7 +154,7 @@ class OverlayReader {
   ReadContext& context_;
   Diagnostics& diagnostics_;
   Robot& robot_;
-  Carriers& carriers_;
+  MotorCarriers& carriers_;
 };
 
 }  // namespace
@@ -164,7 +164,7 @@ bool is_overlay(const TomlTable& table) {
 }
 
 Attachments read_overlay(TomlTable& table, const std::string& file, ReadContext& context, Robot& robot,
-                         Carriers& carriers) {
+                         MotorCarriers& carriers) {
   return OverlayReader(file, context, robot, carriers).read(table);
 }
 

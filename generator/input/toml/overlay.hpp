@@ -12,6 +12,6 @@ bool is_overlay(const TomlTable& table);
 // Reads that robot file into `robot`, then the [[link]] and [[joint]] tables over it. `file` is the TOML file that
 // `table` is of: the other's path is relative to it. Returns what the other file attaches to the robot.
 Attachments read_overlay(TomlTable& table, const std::string& file, ReadContext& context, Robot& robot,
-                         Carriers& carriers);
+                         MotorCarriers& carriers);
 
 }  // namespace flatdyn

@@ -75,7 +75,7 @@ void settle_armature(const TomlTable& table, ReadContext& context, Joint& joint)
   if (table.has("armature")) context.rotor_joints.erase(joint.name);
   if (!joint.motor || vanishes(joint.armature.number) || !(table.has("motor") || table.has("armature"))) return;
   const Place& motor = joint.motor->place;
-  const std::string armature = line_seen_from(motor, joint.armature.place);
+  const std::string armature = relative_place_text(motor, joint.armature.place);
   if (context.rotor_joints.erase(joint.name) > 0) {
     context.diagnostics.note(motor,
                              table.what() + ": its motor replaces the rotor inertia of the URDF (" + armature + ")",
@@ -111,11 +111,11 @@ std::string read_choice(TomlTable& table, const std::string& key, const std::vec
   return "";
 }
 
-void Carriers::add(const std::string& joint, const Reference& link, const std::string& what) {
+void MotorCarriers::add(const std::string& joint, const Reference& link, const std::string& what) {
   carriers_[joint] = {link, what};
 }
 
-void Carriers::find_in(Robot& robot, Diagnostics& diagnostics) const {
+void MotorCarriers::find_in(Robot& robot, Diagnostics& diagnostics) const {
   for (Joint& joint : robot.joints) {
     const auto found = carriers_.find(joint.name);
     if (found == carriers_.end() || !joint.motor) continue;
@@ -151,7 +151,7 @@ Limits read_limits(TomlTable& table, JointType type) {
   return limits;
 }
 
-void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint, Carriers& carriers) {
+void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint, MotorCarriers& carriers) {
   std::optional<Reference> carrier;
   if (auto coupled = table.linear_position("position", joint.type)) joint.coupled = *coupled;
   if (auto viscous = table.number("viscous", Quantity::viscous_friction)) joint.viscous = *viscous;

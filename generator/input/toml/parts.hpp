@@ -34,7 +34,7 @@ std::string read_choice(TomlTable& table, const std::string& key, const std::vec
 Units read_units(TomlTable& table, Diagnostics& diagnostics);
 
 // The links that carry motors, as the file names them: they are looked up when all links are known.
-class Carriers {
+class MotorCarriers {
  public:
   void add(const std::string& joint, const Reference& link, const std::string& what);
   void find_in(Robot& robot, Diagnostics& diagnostics) const;
@@ -53,6 +53,6 @@ std::optional<Inertial> read_inertial(TomlTable& table, Diagnostics& diagnostics
 Limits read_limits(TomlTable& table, JointType type);
 
 // viscous, coulomb, armature, limits, motor of a [[link]] or [[joint]]; what is not there stays as it is.
-void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint, Carriers& carriers);
+void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint, MotorCarriers& carriers);
 
 }  // namespace flatdyn

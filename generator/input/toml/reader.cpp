@@ -271,7 +271,7 @@ class TomlReader {
   Robot& robot_;
   DhConvention convention_ = DhConvention::none;
   bool convention_missed_ = false;  // and that was said
-  Carriers carriers_;
+  MotorCarriers carriers_;
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "input/common/expression.hpp"
 #include "input/common/linear_position.hpp"
 #include "input/common/units.hpp"
-#include "model/unit_doubts.hpp"
+#include "model/unit_plausibility.hpp"
 
 namespace flatdyn {
 
@@ -316,7 +316,7 @@ Number TomlTable::angle_of(const toml::node& node, std::string_view key) {
                            ? canonical_angle(in_si(written, Quantity::angle, where), where, context.diagnostics)
                            : decimal_angle(written, source_.text_of(node.source()), source_.units(), where, context);
   if (!source_.units().degrees && may_be_degrees(angle)) {
-    ask_for_degrees(angle, where, degrees_hint(written), context.diagnostics);
+    warn_of_degrees(angle, where, degrees_hint(written), context.diagnostics);
   }
   return angle;
 }

@@ -223,7 +223,7 @@ Value gear_ratio_of(const Reflected& reflected, const UrdfValues& values, const 
 
 // A gear alone moves nothing: people expect the motor's inertia to count, and it does only if it is given.
 void note_idle_reduction(const Reflected& reflected, const UrdfValues& values, const std::string& what) {
-  if (reflected.reductions.empty() || says_the_same(reflected.reductions.back().text, "1")) return;
+  if (reflected.reductions.empty() || are_equivalent_texts(reflected.reductions.back().text, "1")) return;
   const UrdfText& ratio = reflected.reductions.back();
   values.context().diagnostics.note(
       ratio.spot.place, what + ": mechanicalReduction " + ratio.text + " has no effect without a rotor inertia",

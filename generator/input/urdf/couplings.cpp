@@ -61,14 +61,14 @@ class CouplingReader {
     const std::optional<int> successor = link_of(element, tags.successor, what);
     const std::optional<Number> ratio = ratio_of(element, tags, what);
     if (!predecessor || !successor || !ratio) return;
-    std::vector<int> before = way_to_link(*predecessor), after = way_to_link(*successor);
+    std::vector<int> before = path_to_link(*predecessor), after = path_to_link(*successor);
     const auto [b, a] = std::mismatch(before.begin(), before.end(), after.begin(), after.end());
     before.erase(before.begin(), b);
     after.erase(after.begin(), a);
     std::erase_if(before, [this](int j) { return !moves(joint(j)); });
     std::erase_if(after, [this](int j) { return !moves(joint(j)); });
     if (before.empty() || after.empty()) {
-      refuse_way(element, what, before.empty() ? tags.predecessor : tags.successor);
+      refuse_path(element, what, before.empty() ? tags.predecessor : tags.successor);
       return;
     }
     CouplingEquation equation{what, values_.place(element), {}, {}};
@@ -116,7 +116,7 @@ class CouplingReader {
   }
 
   // The joints from the root to a link; links that form a cycle are reported where trees are checked.
-  std::vector<int> way_to_link(int link) const {
+  std::vector<int> path_to_link(int link) const {
     std::vector<int> way;
     for (auto above = joint_above_.find(link); above != joint_above_.end() && way.size() < robot_.joints.size();
          above = joint_above_.find(joint(way.back()).parent)) {
@@ -126,7 +126,7 @@ class CouplingReader {
     return way;
   }
 
-  void refuse_way(const XMLElement& element, const std::string& what, const std::string& tag) {
+  void refuse_path(const XMLElement& element, const std::string& what, const std::string& tag) {
     diagnostics_.error(values_.place(element),
                        what + ": there is no joint between its " + tag +
                            " and the nearest link that carries both links, and so no position that the ratio is about",

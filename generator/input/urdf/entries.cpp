@@ -72,7 +72,7 @@ const UrdfElement* known_urdf_element(std::string_view tag) {
   return found == kElements.end() ? nullptr : &found->second;
 }
 
-std::string home_of_value(std::string_view name) {
+std::string element_of_value(std::string_view name) {
   for (const char* tag : {"origin", "inertia", "dynamics", "limit"}) {
     if (has_key(*known_urdf_element(tag), name)) return tag;
   }
@@ -132,7 +132,7 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-bool says_the_same(const std::string& a, const std::string& b) {
+bool are_equivalent_texts(const std::string& a, const std::string& b) {
   const std::vector<std::string> first = words_of(a), second = words_of(b);
   return std::equal(first.begin(), first.end(), second.begin(), second.end(),
                     [](const std::string& x, const std::string& y) {
@@ -146,7 +146,7 @@ std::string single_word(const std::string& text) {
   return words.size() == 1 ? words[0] : text;
 }
 
-bool says_zero(const std::string& text) {
+bool is_zero_text(const std::string& text) {
   const std::vector<std::string> words = words_of(text);
   return std::all_of(words.begin(), words.end(), [](const std::string& word) {
     const std::optional<Number> number = number_of(word);

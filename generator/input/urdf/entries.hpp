@@ -41,7 +41,7 @@ const UrdfElement* known_urdf_element(std::string_view tag);
 
 // The element that a value of this name is read from, where there is only one for it: "dynamics" of "damping"; "" if
 // there is none.
-std::string home_of_value(std::string_view name);
+std::string element_of_value(std::string_view name);
 
 // The names of the keys, for messages.
 std::vector<std::string> key_names_of(const UrdfElement& element);
@@ -61,10 +61,10 @@ std::string value_of(const tinyxml2::XMLElement& element);
 std::vector<UrdfEntry> entries_of(const tinyxml2::XMLElement& element);
 
 // Whether two texts are the same words, or words for the same numbers: "0 0 1" and "0 0 1.0".
-bool says_the_same(const std::string& a, const std::string& b);
+bool are_equivalent_texts(const std::string& a, const std::string& b);
 
 // Whether the text is zeros only: "0 0.0 0".
-bool says_zero(const std::string& text);
+bool is_zero_text(const std::string& text);
 
 std::vector<std::string> words_of(const std::string& text);
 

@@ -101,7 +101,7 @@ class LoopReader {
       const XMLElement* own = element.FirstChildElement(end.axis.c_str());
       if (common == nullptr || own == nullptr) continue;
       const auto axis = values_.text(*common, "xyz", what), other = values_.text(*own, "xyz", what);
-      if (axis && other && says_the_same(axis->text, other->text)) continue;
+      if (axis && other && are_equivalent_texts(axis->text, other->text)) continue;
       diagnostics_.error(values_.place(*own), what + " has both <axis> and <" + end.axis + ">, which differ",
                          "keep the one that is right");
     }

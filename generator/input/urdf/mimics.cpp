@@ -7,7 +7,7 @@
 
 #include "diagnostics/nearest.hpp"
 #include "input/urdf/children.hpp"
-#include "input/urdf/words.hpp"
+#include "input/urdf/spelling.hpp"
 
 namespace flatdyn {
 
@@ -129,7 +129,7 @@ class MimicReader {
 
   void check_same(const XMLElement& first, const XMLElement& other, const std::string& what) const {
     const std::string text = trimmed_text_of(first), another = trimmed_text_of(other);
-    if (says_the_same(text, another)) return;
+    if (are_equivalent_texts(text, another)) return;
     diagnostics_.error(values_.place(other), what + " is given twice, as " + text + " and as " + another,
                        "keep the one that is right");
   }

@@ -9,10 +9,10 @@
 #include "diagnostics/nearest.hpp"
 #include "input/urdf/actuators.hpp"
 #include "input/urdf/children.hpp"
+#include "input/urdf/spelling.hpp"
 #include "input/urdf/unknown.hpp"
 #include "input/urdf/unread.hpp"
 #include "input/urdf/unsupported.hpp"
-#include "input/urdf/words.hpp"
 
 namespace flatdyn {
 
@@ -132,7 +132,7 @@ class NameChecker {
       const std::string name = a->Name();
       if (std::find(kOfRotor.begin(), kOfRotor.end(), name) != kOfRotor.end()) continue;
       const std::string hint = hint_for_unknown(name, kOfRotor, "attributes");
-      if (!is_of_rotor(name) && !hint.starts_with("did you mean")) continue;
+      if (!is_rotor_name(name) && !hint.starts_with("did you mean")) continue;
       diagnostics_.error(values_.place(part), what + ": unknown attribute \"" + name + "\"", hint);
     }
   }

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "input/urdf/children.hpp"
+#include "input/urdf/spelling.hpp"
 #include "input/urdf/unsupported.hpp"
-#include "input/urdf/words.hpp"
 
 namespace flatdyn {
 
@@ -45,7 +45,8 @@ class SimulatorChecker {
   void check_mujoco(const XMLElement& mujoco) {
     for (const XMLElement* option : elements_in(mujoco, "option")) {
       const std::string gravity = attribute_of(*option, "gravity");
-      if (!gravity.empty() && !says_the_same(gravity, "0 0 -9.81")) note(*option, "mujoco, option gravity", gravity);
+      if (!gravity.empty() && !are_equivalent_texts(gravity, "0 0 -9.81"))
+        note(*option, "mujoco, option gravity", gravity);
     }
     for (const XMLElement* compiler : elements_in(mujoco, "compiler")) check_compiler(*compiler);
     for (const XMLElement* defaults : elements_in(mujoco, "default")) check_defaults(*defaults);
@@ -100,7 +101,7 @@ class SimulatorChecker {
     const std::string value = value_of(part);
     const bool turns_off = (name == "turngravityoff" && says_true(value)) || (name == "gravity" && is_false(value));
     const bool is_number = (!is_still && is_one_of(name, kOfJoints)) || is_one_of(name, kOfBodies);
-    if (turns_off || (is_number && !says_zero(value))) note(part, what, value);
+    if (turns_off || (is_number && !is_zero_text(value))) note(part, what, value);
   }
 
   // Values as attributes, as URDF has them.
@@ -114,14 +115,15 @@ class SimulatorChecker {
     }
     for (const char* key : {"damping", "friction", "armature"}) {
       const std::string value = attribute_of(dynamics, key);
-      if (!says_zero(value)) note(dynamics, what + ", " + key, value);
+      if (!is_zero_text(value)) note(dynamics, what + ", " + key, value);
     }
   }
 
   void check_compiler(const XMLElement& compiler) {
     for (const char* key : {"settotalmass", "boundmass", "boundinertia"}) {
       const std::string value = attribute_of(compiler, key);
-      if (!says_zero(value) && !value.starts_with('-')) note(compiler, std::string("mujoco, compiler ") + key, value);
+      if (!is_zero_text(value) && !value.starts_with('-'))
+        note(compiler, std::string("mujoco, compiler ") + key, value);
     }
     for (const char* key : {"inertiafromgeom", "balanceinertia"}) {
       const std::string value = attribute_of(compiler, key);
@@ -134,7 +136,7 @@ class SimulatorChecker {
     for (const XMLElement* joint : elements_in(defaults, "joint")) {
       for (const char* key : {"armature", "damping", "frictionloss", "stiffness"}) {
         const std::string value = attribute_of(*joint, key);
-        if (!says_zero(value)) note(*joint, std::string("mujoco, default joint ") + key, value);
+        if (!is_zero_text(value)) note(*joint, std::string("mujoco, default joint ") + key, value);
       }
     }
     for (const XMLElement* nested : elements_in(defaults, "default")) check_defaults(*nested);

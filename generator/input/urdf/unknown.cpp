@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "diagnostics/nearest.hpp"
+#include "input/urdf/spelling.hpp"
 #include "input/urdf/unread.hpp"
-#include "input/urdf/words.hpp"
 
 namespace flatdyn {
 
@@ -78,22 +78,22 @@ bool UnknownEntries::refuse(const XMLElement& element, const UrdfEntry& entry, c
                        "convert the value to SI units (m, rad, kg, s, N), and delete the unit");
     return true;
   }
-  if (const std::string meant = known_in_other_letters(entry.name, key_names_of(known.element)); !meant.empty()) {
+  if (const std::string meant = known_spelling_of(entry.name, key_names_of(known.element)); !meant.empty()) {
     diagnostics_.error(place, what + ": unknown " + called(entry), "did you mean \"" + meant + "\"?");
     return true;
   }
-  if (const std::string home = home_of_element(entry.name); entry.form == Form::child && !home.empty()) {
+  if (const std::string home = parent_of_element(entry.name); entry.form == Form::child && !home.empty()) {
     diagnostics_.error(place, what + ": <" + entry.name + "> has no effect here",
                        "it is read from <" + home + ">: write it there, or delete it");
     return true;
   }
-  const std::string home = home_of_value(entry.name);
-  if (!home.empty() && home != element.Name() && !says_zero(entry.text)) {
+  const std::string home = element_of_value(entry.name);
+  if (!home.empty() && home != element.Name() && !is_zero_text(entry.text)) {
     diagnostics_.error(place, what + ": " + shown(entry) + " has no effect here",
                        "it is read from <" + home + ">: write it there, or delete it");
     return true;
   }
-  const bool is_rotor = has_key(known.element, "armature") && is_of_rotor(entry.name) && !says_zero(entry.text);
+  const bool is_rotor = has_key(known.element, "armature") && is_rotor_name(entry.name) && !is_zero_text(entry.text);
   const std::string hint =
       is_rotor ? "write armature, which is gear_ratio^2 * rotor_inertia" : known.hint_for(entry.name);
   if (hint.empty()) return false;
@@ -120,7 +120,7 @@ void UnknownEntries::check(const XMLElement& element, const std::string& what) {
   Names left_out;
   for (const UrdfEntry& entry : entries) {
     if (!key_of(known.element, entry).empty()) continue;
-    const bool is_meant = !known_in_other_letters(entry.name, key_names_of(known.element)).empty();
+    const bool is_meant = !known_spelling_of(entry.name, key_names_of(known.element)).empty();
     if (has_namespace(entry.name) && !is_meant) continue;
     if (entry.form == Form::text) {
       diagnostics_.error(values_.place(element),
@@ -136,9 +136,9 @@ void UnknownEntries::check(const XMLElement& element, const std::string& what) {
 void UnknownEntries::check_misplaced(const XMLElement& holder, const std::string& what) {
   for (const tinyxml2::XMLAttribute* a = holder.FirstAttribute(); a != nullptr; a = a->Next()) {
     const UrdfEntry entry{a->Name(), a->Value(), holder.GetLineNum(), Form::attribute};
-    const std::string home = home_of_value(entry.name);
+    const std::string home = element_of_value(entry.name);
     const bool is_element = known_urdf_element(entry.name) != nullptr;
-    if ((home.empty() && !is_element) || has_namespace(entry.name) || says_zero(entry.text)) continue;
+    if ((home.empty() && !is_element) || has_namespace(entry.name) || is_zero_text(entry.text)) continue;
     diagnostics_.error(values_.place(holder), what + ": " + shown(entry) + " has no effect here",
                        is_element ? "write an element: <" + entry.name + " .../>"
                                   : "it is read from <" + home + ">: write it there, or delete it");

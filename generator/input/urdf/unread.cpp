@@ -6,7 +6,7 @@
 
 #include "diagnostics/nearest.hpp"
 #include "input/urdf/children.hpp"
-#include "input/urdf/words.hpp"
+#include "input/urdf/spelling.hpp"
 
 namespace flatdyn {
 
@@ -21,7 +21,7 @@ bool is_in_list(const NameList& names, std::string_view name) {
 
 std::string tag_of(const XMLElement& element) { return "<" + std::string(element.Name()) + ">"; }
 
-bool is_all_zero(const std::string& text) { return words_of(text).empty() || says_zero(text); }
+bool is_all_zero(const std::string& text) { return words_of(text).empty() || is_zero_text(text); }
 
 // Whether there is nothing in an element but its name, or zeros.
 bool is_nothing(const XMLElement& element) {
@@ -86,7 +86,7 @@ bool holds_values(const XMLElement& element) {
 
 }  // namespace
 
-std::string home_of_element(std::string_view name) {
+std::string parent_of_element(std::string_view name) {
   static const std::map<std::string, const char*, std::less<>> kHomes = {{"mass", "inertial"},
                                                                          {"inertia", "inertial"},
                                                                          {"inertial", "link"},
@@ -127,7 +127,7 @@ void UnreadElements::note(const Element& element, const std::string& what) {
 bool UnreadElements::refuse_spelling(const Element& element, const std::string& what, const NameList& read) {
   const std::string_view name = element.Name();
   const std::string message = what + ": unknown element " + tag_of(element);
-  if (const std::string meant = known_in_other_letters(name, read); !meant.empty()) {
+  if (const std::string meant = known_spelling_of(name, read); !meant.empty()) {
     diagnostics_.error(values_.place(element), message,
                        "names in URDF are told apart by case and prefix: write <" + meant + ">");
     return true;
@@ -146,7 +146,7 @@ bool UnreadElements::refuse_words_of_sdf(const Element& element, const std::stri
 }
 
 bool UnreadElements::refuse_place(const Element& element, const std::string& what) {
-  const std::string of_element = home_of_element(element.Name()), of_value = home_of_value(element.Name());
+  const std::string of_element = parent_of_element(element.Name()), of_value = element_of_value(element.Name());
   const std::string& home = of_element.empty() && holds_values(element) ? of_value : of_element;
   if (home.empty()) return false;
   if ((of_element.empty() || known_urdf_element(element.Name()) != nullptr) && is_nothing(element)) return true;
@@ -175,7 +175,7 @@ void UnreadElements::check_one(const Element& element, const std::string& what, 
     return;
   }
   if (refuse_words_of_sdf(element, what) || refuse_place(element, what)) return;
-  if (names.holder_moves && is_of_dynamics(name) && !is_nothing(element)) {
+  if (names.holder_moves && is_dynamics_name(name) && !is_nothing(element)) {
     diagnostics_.unsupported(values_.place(element),
                              what + ": " + tag_of(element) +
                                  " is not known, and by its name it "
@@ -212,7 +212,7 @@ void UnreadElements::check_bodies_in(const Element& element, const std::string& 
   const XMLElement* body = body_below(element, kBodies);
   if (body == nullptr || is_nothing(*body)) return;
   diagnostics_.error(values_.place(*body), what + ": <" + body->Name() + "> in " + tag_of(element) + " has no effect",
-                     "write it in <" + home_of_element(body->Name()) + ">, or delete it");
+                     "write it in <" + parent_of_element(body->Name()) + ">, or delete it");
 }
 
 }  // namespace flatdyn

@@ -52,6 +52,6 @@ class UnreadElements {
 };
 
 // Where an element of this name is read from: "joint"; "" if no values are read from such elements.
-std::string home_of_element(std::string_view name);
+std::string parent_of_element(std::string_view name);
 
 }  // namespace flatdyn

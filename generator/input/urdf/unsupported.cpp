@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "input/urdf/children.hpp"
-#include "input/urdf/words.hpp"
+#include "input/urdf/spelling.hpp"
 
 namespace flatdyn {
 
@@ -60,13 +60,13 @@ class Refuser {
     if (is_at_rest(robot_, joint.Attribute("name"))) return;
     for (const XMLElement* element : elements_in(joint)) {
       const std::string_view tag = element->Name();
-      if (tag != "param" && is_of_dynamics(tag) && tag.find("mimic") == std::string_view::npos) {
+      if (tag != "param" && is_dynamics_name(tag) && tag.find("mimic") == std::string_view::npos) {
         refuse_unsupported(*element, " in <ros2_control>", "write it in the joint itself, or delete it", values_);
       }
     }
     for (const XMLElement* parameter : elements_in(joint)) {
       const char* name = parameter->Attribute("name");
-      if (name == nullptr || std::string_view(parameter->Name()) != "param" || says_zero(value_of(*parameter)))
+      if (name == nullptr || std::string_view(parameter->Name()) != "param" || is_zero_text(value_of(*parameter)))
         continue;
       const std::vector<std::string> words = words_of_name(name);
       const auto has = [&words](const char* word) {
@@ -74,7 +74,7 @@ class Refuser {
       };
       if (has("inertia") || has("armature") || (has("rotor") && has("mass"))) {
         refuse_unsupported(*parameter, " in <ros2_control>", kArmatureHint, values_);
-      } else if (is_of_dynamics(name) && !has("mimic")) {
+      } else if (is_dynamics_name(name) && !has("mimic")) {
         diagnostics_.note(values_.place(*parameter),
                           "ros2_control, " + named(joint) + ": " + named(*parameter) + " is not read",
                           "friction and armature of a joint are read from its <dynamics>",

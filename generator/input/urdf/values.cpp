@@ -7,7 +7,7 @@
 #include "diagnostics/utf8.hpp"
 #include "input/common/units.hpp"
 #include "input/urdf/quaternion.hpp"
-#include "model/unit_doubts.hpp"
+#include "model/unit_plausibility.hpp"
 
 namespace flatdyn {
 
@@ -70,7 +70,7 @@ std::optional<UrdfEntry> UrdfValues::written(const Holders& holders, const std::
     const UrdfElement* known = known_urdf_element(holder->Name());
     for (const UrdfEntry& entry : entries_of(*holder)) {
       if ((known == nullptr ? entry.name : key_of(*known, entry)) != key) continue;
-      if (found && !says_the_same(found->text, entry.text)) {
+      if (found && !are_equivalent_texts(found->text, entry.text)) {
         context_.diagnostics.error({file_, entry.line},
                                    what + ": " + key + " is given twice, as \"" + found->text + "\" in " +
                                        words_for_place(*holder_of_found, *found) + " and as \"" + entry.text +
@@ -272,7 +272,7 @@ Number UrdfValues::angle_of(const Number& decimal, const std::string& written, c
   const Number angle = snapped_angle(decimal, written, spot, context_);
   if (may_be_degrees(angle)) {
     const std::string hint = "if so, write " + radians_text(decimal, AngleText::decimal) + ": URDF has radians";
-    ask_for_degrees(angle, spot, hint, context_.diagnostics);
+    warn_of_degrees(angle, spot, hint, context_.diagnostics);
   }
   return angle;
 }

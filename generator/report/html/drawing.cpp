@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "passes/passes.hpp"
+#include "symbolic/dynamics/derivation_context.hpp"
 #include "symbolic/dynamics/kinematics.hpp"
-#include "symbolic/dynamics/workbench.hpp"
 
 namespace flatdyn {
 namespace {
@@ -78,23 +78,26 @@ class DrawingMaker {
   }
 
   Function function() const {
-    Workbench bench(mechanism_);
+    DerivationContext context(mechanism_);
     std::vector<NodeId> points, axes, gravity;
-    const auto add = [&bench](std::vector<NodeId>& list, const Number& entry) { list.push_back(bench.node(entry)); };
+    const auto add = [&context](std::vector<NodeId>& list, const Number& entry) {
+      list.push_back(context.node(entry));
+    };
     for (const LinkFrame& frame : frames_) {
-      for (const Number& entry : pose(bench.frames, frame).p) add(points, entry);
+      for (const Number& entry : pose(context.frames, frame).p) add(points, entry);
     }
     const auto add_axis = [&](int body) {
       LinkFrame frame;
       frame.body = body;
-      for (const Vec3& row : pose(bench.frames, frame).R) add(axes, row[2]);
+      for (const Vec3& row : pose(context.frames, frame).R) add(axes, row[2]);
     };
     for (int k = 0; k < mechanism_.size(); ++k) add_axis(mechanism_.body_of(k));
     for (const int i : followers()) add_axis(i);
     for (const Number& entry : mechanism_.gravity) add(gravity, entry);
-    Function drawing = finished(bench, {vector_output("points", points, "where links are, base frame, m"),
-                                        vector_output("axes", axes, "unit vectors along the joints' axes, base frame"),
-                                        vector_output("g_0", gravity, "gravity, base frame, m/s^2")});
+    Function drawing =
+        finished(context, {vector_output("points", points, "where links are, base frame, m"),
+                           vector_output("axes", axes, "unit vectors along the joints' axes, base frame"),
+                           vector_output("g_0", gravity, "gravity, base frame, m/s^2")});
     drawing.name = "drawing";
     drawing.summary = "The points and axes from which the robot is drawn";
     drawing.inputs = {InputKind::q};

@@ -12,8 +12,8 @@
 
 #include "model/angles.hpp"
 #include "model/rational_rotation.hpp"
+#include "symbolic/kernel/axis_rotations.hpp"
 #include "symbolic/kernel/jacobian_column.hpp"
-#include "symbolic/kernel/turns.hpp"
 
 namespace flatdyn {
 namespace {
@@ -21,19 +21,21 @@ namespace {
 Vec3 expanded_vector(const Vec3& v) { return {v[0].expand(), v[1].expand(), v[2].expand()}; }
 
 // Rz T Rzᵀ for symmetric T, with s² already replaced by 1 - c².
-Mat3 turn_z(const PlanarRotation& a, const Mat3& T) {
+Mat3 rotate_z(const PlanarRotation& a, const Mat3& T) {
   const Number shift = a.c * a.c * (T[0][0] - T[1][1]) - 2 * a.c * a.s * T[0][1];
   Mat3 result = T;
   result[0][0] = T[1][1] + shift;
   result[1][1] = T[0][0] - shift;
   result[0][1] = result[1][0] = a.c * a.s * (T[0][0] - T[1][1]) + (2 * a.c * a.c - 1) * T[0][1];
-  const Vec3 column = turn_z(a, Vec3{T[0][2], T[1][2], 0});
+  const Vec3 column = rotate_z(a, Vec3{T[0][2], T[1][2], 0});
   result[0][2] = result[2][0] = column[0];
   result[1][2] = result[2][1] = column[1];
   for (Vec3& row : result) row = expanded_vector(row);
   return result;
 }
-Mat3 turn_x(const PlanarRotation& a, const Mat3& T) { return cycled(cycled(turn_z(a, cycled(T)))); }
+Mat3 rotate_x(const PlanarRotation& a, const Mat3& T) {
+  return with_axes_cycled(with_axes_cycled(rotate_z(a, with_axes_cycled(T))));
+}
 
 class Lagrange {
  public:
@@ -86,7 +88,7 @@ class Lagrange {
 
   // The cosine and sine of joint i's angle, a sum of multiples, by the addition theorems.
   PlanarRotation turn_of_joint(int i) const {
-    const std::vector<Number> turns = mechanism_.is_coupled() ? turns_of(mechanism_, i) : factors_of(i);
+    const std::vector<Number> turns = mechanism_.is_coupled() ? angle_factors(mechanism_, i) : factors_of(i);
     PlanarRotation total;
     for (std::size_t k = 0; k < turns.size(); ++k) {
       const int times = GiNaC::ex_to<GiNaC::numeric>(turns[k]).to_int();
@@ -118,22 +120,23 @@ class Lagrange {
   Vec3 displacement(int i) const {
     const Body& b = body(i);
     if (!b.prismatic) return b.p;
-    return b.p + turn_z(b.beta, turn_x(b.alpha, Vec3{0, 0, slide_[at(i)]}));
+    return b.p + rotate_z(b.beta, rotate_x(b.alpha, Vec3{0, 0, slide_[at(i)]}));
   }
 
   // A free vector of the parent, rotated to frame i by the transpose of Rz(beta) Rx(alpha) Rz(theta) Rz(q).
   Vec3 to_child(int i, const Vec3& v) const {
     const Body& b = body(i);
-    const Vec3 fixed = expanded_vector(turn_z(inverse(b.theta), turn_x(inverse(b.alpha), turn_z(inverse(b.beta), v))));
+    const Vec3 fixed =
+        expanded_vector(rotate_z(inverse(b.theta), rotate_x(inverse(b.alpha), rotate_z(inverse(b.beta), v))));
     if (b.prismatic) return fixed;
-    return expanded_vector(turn_z(inverse(angle_[at(i)]), fixed));
+    return expanded_vector(rotate_z(inverse(angle_[at(i)]), fixed));
   }
 
   template <class Quantity>  // a vector or symmetric tensor of frame i, in its parent's axes
   Quantity to_parent(int i, Quantity v) const {
     const Body& b = body(i);
-    if (!b.prismatic) v = turn_z(angle_[at(i)], v);
-    return turn_z(b.beta, turn_x(b.alpha, turn_z(b.theta, v)));
+    if (!b.prismatic) v = rotate_z(angle_[at(i)], v);
+    return rotate_z(b.beta, rotate_x(b.alpha, rotate_z(b.theta, v)));
   }
 
   // Adds the columns j of the Jacobians of frame i, in its own axes, for all joints between it and the base: (7.18),

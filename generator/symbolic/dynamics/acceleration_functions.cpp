@@ -10,18 +10,18 @@ namespace flatdyn {
 
 namespace {
 
-Function finished_accelerations(Workbench& bench, const std::vector<Number>& qdd, Conditions conditions) {
-  const std::vector<NodeId> entries = bench.nodes(qdd);
-  return finished(bench, {vector_output("qdd", entries, "joint accelerations, rad/s^2 (m/s^2 for prismatic joints)")},
+Function finished_accelerations(DerivationContext& context, const std::vector<Number>& qdd, Conditions conditions) {
+  const std::vector<NodeId> entries = context.nodes(qdd);
+  return finished(context, {vector_output("qdd", entries, "joint accelerations, rad/s^2 (m/s^2 for prismatic joints)")},
                   std::move(conditions));
 }
 
 }  // namespace
 
 Function derive_forward_dynamics(const Mechanism& mechanism, const Choices& choices) {
-  return derived(mechanism, choices, [](Workbench& bench) {
-    const Factorisation B(bench.frames, bench.inertia());
-    return finished_accelerations(bench, accelerations(bench, B), conditions_of(bench, B));
+  return derived(mechanism, choices, [](DerivationContext& context) {
+    const Factorisation B(context.frames, context.inertia());
+    return finished_accelerations(context, accelerations(context, B), conditions_of(context, B));
   });
 }
 
@@ -29,11 +29,11 @@ Function derive_forward_dynamics(const Mechanism& mechanism, const Choices& choi
 std::optional<Function> derive_forward_dynamics_by_articulated_bodies(const Mechanism& mechanism,
                                                                       const Choices& choices) {
   if (!has_articulated_form(mechanism) || choices.guards_pivots) return std::nullopt;
-  return derived(mechanism, choices, [](Workbench& bench) {
-    const Motion motion{bench.joint_motion(InputKind::qd), bench.joint_drift(), bench.mechanism.gravity, true};
-    const std::vector<Number> tau = bench.all(InputKind::tau);
-    const ArticulatedSolution solution = articulated_accelerations(bench.frames, motion, tau);
-    return finished_accelerations(bench, solution.qdd, {bench.nodes(solution.pivots), {}});
+  return derived(mechanism, choices, [](DerivationContext& context) {
+    const Motion motion{context.joint_motion(InputKind::qd), context.joint_drift(), context.mechanism.gravity, true};
+    const std::vector<Number> tau = context.all(InputKind::tau);
+    const ArticulatedSolution solution = articulated_accelerations(context.frames, motion, tau);
+    return finished_accelerations(context, solution.qdd, {context.nodes(solution.pivots), {}});
   });
 }
 
@@ -41,12 +41,12 @@ std::optional<Function> derive_forward_dynamics_by_articulated_bodies(const Mech
 std::optional<Function> derive_forward_dynamics_by_composite_bodies(const Mechanism& mechanism,
                                                                     const Choices& choices) {
   if (mechanism.has_prismatic_joint() || mechanism.has_loops()) return std::nullopt;
-  return derived(mechanism, choices, [](Workbench& bench) {
-    const Factorisation B(bench.frames, bench.inertia());
-    const Motion motion{bench.joint_motion(InputKind::qd), bench.joint_drift(), bench.mechanism.gravity, true};
+  return derived(mechanism, choices, [](DerivationContext& context) {
+    const Factorisation B(context.frames, context.inertia());
+    const Motion motion{context.joint_motion(InputKind::qd), context.joint_drift(), context.mechanism.gravity, true};
     const std::vector<Number> bias =
-        bench.at_coordinates(composite_bias_torques(bench.frames, motion, composites(bench.frames)));
-    return finished_accelerations(bench, accelerations(bench, B, bias), conditions_of(bench, B));
+        context.at_coordinates(composite_bias_torques(context.frames, motion, composites(context.frames)));
+    return finished_accelerations(context, accelerations(context, B, bias), conditions_of(context, B));
   });
 }
 

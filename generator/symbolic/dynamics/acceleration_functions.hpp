@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "symbolic/dynamics/workbench.hpp"
+#include "symbolic/dynamics/derivation_context.hpp"
 
 namespace flatdyn {
 

@@ -2,16 +2,16 @@
 // The accelerations q̈ from torques, (7.115), (7.116).
 #pragma once
 
+#include "symbolic/dynamics/derivation_context.hpp"
 #include "symbolic/dynamics/factorisation.hpp"
-#include "symbolic/dynamics/workbench.hpp"
 
 namespace flatdyn {
 
 // The bias torques C q̇ + g + friction.
-std::vector<Number> bias_torques(Workbench& bench);
+std::vector<Number> bias_torques(DerivationContext& context);
 
 // The solution q̈ of B q̈ = τ - bias, with B factorised. The bias is bias_torques(), or as given.
-std::vector<Number> accelerations(Workbench& bench, const Factorisation& B);
-std::vector<Number> accelerations(Workbench& bench, const Factorisation& B, const std::vector<Number>& bias);
+std::vector<Number> accelerations(DerivationContext& context, const Factorisation& B);
+std::vector<Number> accelerations(DerivationContext& context, const Factorisation& B, const std::vector<Number>& bias);
 
 }  // namespace flatdyn

@@ -38,7 +38,7 @@ InertialParameters composite_in_parent(Frames& frames, int i, const InertialPara
 
 // Calls visit(k, wrench) for i and every body k between it and the base, with the unit wrench of i in frame k.
 template <class Visit>
-void climb(Frames& frames, int i, Wrench wrench, Visit visit) {
+void visit_ancestors(Frames& frames, int i, Wrench wrench, Visit visit) {
   Derivation& d = frames.derivation();
   const auto& rotor = frames.body(i).rotor;
   for (int k = i;; k = parent_of(frames, k)) {
@@ -61,7 +61,7 @@ Wrench unit_wrench(Frames& frames, int i, const InertialParameters& composite) {
   return {{-h[1], h[0], 0}, {composite.inertia[0][2], composite.inertia[1][2], composite.inertia[2][2]}};
 }
 
-Wrench swept_by(const Body& body, const Wrench& wrench) {
+Wrench derivative_by_joint(const Body& body, const Wrench& wrench) {
   const Vec3 &f = wrench.f, &mu = wrench.mu;
   if (body.prismatic) return {zero_vector(), {-f[1], f[0], 0}};
   return {{-f[1], f[0], 0}, {-mu[1], mu[0], 0}};
@@ -91,9 +91,9 @@ Rows inertia_matrix(Frames& frames) {
   Rows B(n, std::vector<Number>(n, 0));
   for (std::size_t j = 0; j < n; ++j) {
     const int jj = static_cast<int>(j);
-    climb(frames, jj, unit_wrench(frames, jj, bodies[j]), [&](int i, const Wrench& wrench) {
+    visit_ancestors(frames, jj, unit_wrench(frames, jj, bodies[j]), [&](int i, const Wrench& wrench) {
       const auto ii = static_cast<std::size_t>(i);
-      Number b = felt(frames, i, wrench);
+      Number b = joint_component(frames, i, wrench);
       if (i == jj) b += d.named(reflected_inertia(frames.body(i)), "I_r" + label(i));
       B[ii][j] = B[j][ii] = d.named(b, "b_" + label(i) + "_" + label(jj));
     });
@@ -139,9 +139,9 @@ HalfDerivatives half_derivatives(Frames& frames) {  // the frames' mechanism has
   HalfDerivatives result;
   for (int j = 0; j < frames.mechanism().body_count(); ++j) {
     const auto jj = static_cast<std::size_t>(j);
-    climb(frames, j, unit_wrench(frames, j, bodies[jj]), [&](int k, const Wrench& wrench) {
+    visit_ancestors(frames, j, unit_wrench(frames, j, bodies[jj]), [&](int k, const Wrench& wrench) {
       const std::string n = label(j) + "_" + label(k);
-      const Wrench swept = swept_by(frames.body(k), wrench);
+      const Wrench swept = derivative_by_joint(frames.body(k), wrench);
       for (const auto& [i, twist] : twists[static_cast<std::size_t>(k)]) {
         if (i < k) result.swept[{i, k, j}] = d.named(power(twist, swept), "db_" + label(i) + n);
       }

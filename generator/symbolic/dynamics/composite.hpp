@@ -16,7 +16,7 @@ std::vector<InertialParameters> composites(Frames& frames);
 Wrench unit_wrench(Frames& frames, int i, const InertialParameters& composite);
 
 // S_i ×* wrench: the derivative by q_i of a wrench that moves with joint i, in frame i.
-Wrench swept_by(const Body& body, const Wrench& wrench);
+Wrench derivative_by_joint(const Body& body, const Wrench& wrench);
 
 // The inertia matrix B. Upper and lower entries are the same Number. Entries of joints on different branches are 0.
 Rows inertia_matrix(Frames& frames);

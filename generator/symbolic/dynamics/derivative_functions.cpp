@@ -9,22 +9,23 @@
 namespace flatdyn {
 namespace {
 
-Output derivative_output(Workbench& bench, const std::string& name, const Rows& rows, const std::string& meaning) {
-  return matrix_output(name, bench.size(), bench.size(), bench.nodes(rows), meaning);
+Output derivative_output(DerivationContext& context, const std::string& name, const Rows& rows,
+                         const std::string& meaning) {
+  return matrix_output(name, context.size(), context.size(), context.nodes(rows), meaning);
 }
 
-TorqueDerivatives derivatives_at_coordinates(Workbench& bench, const Motion& motion) {
-  const TorqueDerivatives tau = torque_derivatives(bench.frames, motion);
-  const auto folded = [&bench](const Rows& rows, const std::string& name) {
-    return at_coordinates(bench.mechanism, bench.derivation, rows, Shape::general, name);
+TorqueDerivatives derivatives_at_coordinates(DerivationContext& context, const Motion& motion) {
+  const TorqueDerivatives tau = torque_derivatives(context.frames, motion);
+  const auto folded = [&context](const Rows& rows, const std::string& name) {
+    return at_coordinates(context.mechanism, context.derivation, rows, Shape::general, name);
   };
   return {folded(tau.dq, "dtau"), folded(tau.dqd, "dtaud")};
 }
 
 // The accelerations A q̈ of all bodies' joints.
-std::vector<Number> accelerations_of_joints(Workbench& bench, const Factorisation& B) {
-  const std::vector<Number> qdd = accelerations(bench, B);
-  return joint_motion(bench.mechanism, bench.derivation, qdd, "qdd_j");
+std::vector<Number> accelerations_of_joints(DerivationContext& context, const Factorisation& B) {
+  const std::vector<Number> qdd = accelerations(context, B);
+  return joint_motion(context.mechanism, context.derivation, qdd, "qdd_j");
 }
 
 // -B⁻¹ times a matrix.
@@ -39,27 +40,27 @@ Rows solved(const Factorisation& B, const Rows& matrix, const std::string& name)
   return result;
 }
 
-Function torque_derivatives_function(Workbench& bench) {
-  const Motion motion{bench.joint_motion(InputKind::qd), bench.joint_motion(InputKind::qdd), bench.mechanism.gravity,
-                      true};
-  const TorqueDerivatives tau = derivatives_at_coordinates(bench, motion);
-  return finished(bench, {derivative_output(bench, "dtau_dq", tau.dq, "row i, column k: of tau[i] by q[k]"),
-                          derivative_output(bench, "dtau_dqd", tau.dqd, "row i, column k: of tau[i] by qd[k]")});
+Function torque_derivatives_function(DerivationContext& context) {
+  const Motion motion{context.joint_motion(InputKind::qd), context.joint_motion(InputKind::qdd),
+                      context.mechanism.gravity, true};
+  const TorqueDerivatives tau = derivatives_at_coordinates(context, motion);
+  return finished(context, {derivative_output(context, "dtau_dq", tau.dq, "row i, column k: of tau[i] by q[k]"),
+                            derivative_output(context, "dtau_dqd", tau.dqd, "row i, column k: of tau[i] by qd[k]")});
 }
 
 // Differentiates B q̈ + n(q, q̇) = τ: B ∂q̈ = -∂(B q̈ + n) at this q̈.
-Function acceleration_derivatives_function(Workbench& bench) {
-  const Factorisation B(bench.frames, bench.inertia());
-  const Motion motion{bench.joint_motion(InputKind::qd), accelerations_of_joints(bench, B), bench.mechanism.gravity,
-                      true};
-  const TorqueDerivatives tau = derivatives_at_coordinates(bench, motion);
+Function acceleration_derivatives_function(DerivationContext& context) {
+  const Factorisation B(context.frames, context.inertia());
+  const Motion motion{context.joint_motion(InputKind::qd), accelerations_of_joints(context, B),
+                      context.mechanism.gravity, true};
+  const TorqueDerivatives tau = derivatives_at_coordinates(context, motion);
   const Rows dq = solved(B, tau.dq, "dqdd"), dqd = solved(B, tau.dqd, "dqddd");
   const Rows dtau = B.inverse("a");
-  Conditions conditions = conditions_of(bench, B);
-  return finished(bench,
-                  {derivative_output(bench, "dqdd_dq", dq, "row i, column k: of qdd[i] by q[k]"),
-                   derivative_output(bench, "dqdd_dqd", dqd, "row i, column k: of qdd[i] by qd[k]"),
-                   derivative_output(bench, "dqdd_dtau", dtau, "the inverse of B")},
+  Conditions conditions = conditions_of(context, B);
+  return finished(context,
+                  {derivative_output(context, "dqdd_dq", dq, "row i, column k: of qdd[i] by q[k]"),
+                   derivative_output(context, "dqdd_dqd", dqd, "row i, column k: of qdd[i] by qd[k]"),
+                   derivative_output(context, "dqdd_dtau", dtau, "the inverse of B")},
                   std::move(conditions));
 }
 

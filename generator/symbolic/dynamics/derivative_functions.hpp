@@ -2,7 +2,7 @@
 // Derivatives of inverse and forward dynamics as functions, from the mechanism's parameters as they are.
 #pragma once
 
-#include "symbolic/dynamics/workbench.hpp"
+#include "symbolic/dynamics/derivation_context.hpp"
 
 namespace flatdyn {
 

@@ -77,7 +77,7 @@ class TorqueDerivation {
   };
 
   // The torque of joint i as a function of a field of accelerations of composite body i.
-  Row felt_by(int i) {
+  Row component_at(int i) {
     const Momenta& momenta = at(momenta_, i);
     const Wrench wrench = unit_wrench(frames_, i, at(bodies_, i));
     if (frames_.body(i).prismatic) return {wrench, {2 * momenta.P[1], -2 * momenta.P[0], 0}};
@@ -86,7 +86,7 @@ class TorqueDerivation {
 
   // Computes ∂τ_i/∂q_k and ∂τ_i/∂q̇_k for k = i and every joint before it.
   void row(int i) {
-    Row row = felt_by(i);
+    Row row = component_at(i);
     const Body& body = frames_.body(i);
     for (int k = i, below = i; k >= 0; below = k, k = frames_.body(k).parent) {
       const std::string n = label(i) + "_" + label(k);
@@ -122,8 +122,9 @@ class TorqueDerivation {
 
   // Computes ∂τ_i/∂q_k for the joints i before k.
   void column_of_position(int k) {
-    const Wrench relative = applied(k, field_of_position(k)), turned = swept_by(frames_.body(k), at(wrenches_, k));
-    climb(k, {relative.f + turned.f, relative.mu + turned.mu}, zero_vector(), result_.dq, "q");
+    const Wrench relative = applied(k, field_of_position(k)),
+                 turned = derivative_by_joint(frames_.body(k), at(wrenches_, k));
+    add_along_path(k, {relative.f + turned.f, relative.mu + turned.mu}, zero_vector(), result_.dq, "q");
   }
 
   void column_of_rate(int k) {
@@ -131,11 +132,11 @@ class TorqueDerivation {
     const bool carried = rotor && rotor->carrier >= 0;
     const Vec3 at_carrier =
         carried ? cross(at(links_, rotor->carrier).omega, rotor_momentum(frames_, k)) : zero_vector();
-    climb(k, applied(k, field_of_rate(k)), at_carrier, result_.dqd, "qd");
+    add_along_path(k, applied(k, field_of_rate(k)), at_carrier, result_.dqd, "qd");
   }
 
   // The torques at the joints before k of a wrench on composite body k, and of a moment on the carrier of its rotor.
-  void climb(int k, Wrench wrench, const Vec3& at_carrier, Rows& result, const std::string& what) {
+  void add_along_path(int k, Wrench wrench, const Vec3& at_carrier, Rows& result, const std::string& what) {
     for (int i = k; frames_.body(i).parent >= 0;) {
       const std::string n = what + label(k) + "_" + label(i);
       wrench = {d_.named(wrench.f, "df_" + n), d_.named(wrench.mu, "dmu_" + n)};
@@ -143,7 +144,7 @@ class TorqueDerivation {
       i = frames_.body(i).parent;
       const auto& rotor = frames_.body(k).rotor;
       if (rotor && rotor->carrier == i) wrench.mu = wrench.mu + at_carrier;
-      set(result, i, k, felt(frames_, i, wrench), "dtau_" + what);
+      set(result, i, k, joint_component(frames_, i, wrench), "dtau_" + what);
     }
   }
 

@@ -6,16 +6,16 @@
 namespace flatdyn {
 
 Function derive_kinetic_energy(const Mechanism& mechanism, const Choices& choices) {
-  return derived(mechanism, choices, [](Workbench& bench) {
-    const NodeId T = bench.node(kinetic_energy(bench.frames));
-    return finished(bench, {scalar_output("T", T, "kinetic energy, J")});
+  return derived(mechanism, choices, [](DerivationContext& context) {
+    const NodeId T = context.node(kinetic_energy(context.frames));
+    return finished(context, {scalar_output("T", T, "kinetic energy, J")});
   });
 }
 
 Function derive_potential_energy(const Mechanism& mechanism, const Choices& choices) {
-  return derived(mechanism, choices, [](Workbench& bench) {
-    const NodeId U = bench.node(potential_energy(bench.frames));
-    return finished(bench, {scalar_output("U", U, "potential energy, J; zero at the base frame's origin")});
+  return derived(mechanism, choices, [](DerivationContext& context) {
+    const NodeId U = context.node(potential_energy(context.frames));
+    return finished(context, {scalar_output("U", U, "potential energy, J; zero at the base frame's origin")});
   });
 }
 

@@ -2,7 +2,7 @@
 // The energies of a robot as functions.
 #pragma once
 
-#include "symbolic/dynamics/workbench.hpp"
+#include "symbolic/dynamics/derivation_context.hpp"
 
 namespace flatdyn {
 

@@ -9,10 +9,10 @@
 namespace flatdyn {
 namespace {
 
-Vec3 last_axis(Workbench& bench, Orientation orientation) {
-  const Mat3 R = pose(bench.frames, bench.mechanism.tip).R;
+Vec3 last_axis(DerivationContext& context, Orientation orientation) {
+  const Mat3 R = pose(context.frames, context.mechanism.tip).R;
   const std::size_t column = orientation == Orientation::zyz ? 2 : 0;
-  return bench.derivation.named(Vec3{R[0][column], R[1][column], R[2][column]}, "axis_e");
+  return context.derivation.named(Vec3{R[0][column], R[1][column], R[2][column]}, "axis_e");
 }
 
 }  // namespace
@@ -26,9 +26,9 @@ void fail_without_angles(Orientation orientation) {
                             is_zyz ? "rpy" : "zyz"));
 }
 
-EulerRates::EulerRates(Workbench& bench, Orientation orientation) : derivation_(bench.derivation) {
+EulerRates::EulerRates(DerivationContext& context, Orientation orientation) : derivation_(context.derivation) {
   Derivation& d = derivation_;
-  const Vec3 a = last_axis(bench, orientation);
+  const Vec3 a = last_axis(context, orientation);
   w_ = a[2];
   s2_ = d.named(a[0] * a[0] + a[1] * a[1], "s2_e");
   if (vanishes(s2_)) fail_without_angles(orientation);

@@ -7,14 +7,14 @@
 #pragma once
 
 #include "graph/task.hpp"
-#include "symbolic/dynamics/workbench.hpp"
+#include "symbolic/dynamics/derivation_context.hpp"
 
 namespace flatdyn {
 
 class EulerRates {
  public:
   // Throws Failure(unsupported) if s is zero at every position.
-  EulerRates(Workbench& bench, Orientation orientation);
+  EulerRates(DerivationContext& context, Orientation orientation);
 
   // (φ̇, θ̇, ψ̇) for an angular velocity in base axes.
   Vec3 of(const Vec3& omega) const;

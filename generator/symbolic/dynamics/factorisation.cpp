@@ -54,7 +54,7 @@ void Factorisation::factorise(const std::function<void(std::size_t)>& fail_as_ze
   for (std::size_t k = 0; k < L_.size(); ++k) pivots_.push_back(L_[k][k]);
 }
 
-std::vector<Number> Factorisation::half_solved(std::vector<Number> b, const std::string& name) const {
+std::vector<Number> Factorisation::solved_transposed(std::vector<Number> b, const std::string& name) const {
   for (std::size_t k = b.size(); k-- > 0;) {
     for (int i = parent(k); i >= 0; i = parent(index(i))) {
       b[index(i)] = derivation_.named(b[index(i)] - L_[k][index(i)] * b[k],
@@ -75,7 +75,7 @@ std::vector<Number> Factorisation::finished(const std::vector<Number>& y, const 
 }
 
 std::vector<Number> Factorisation::solve(std::vector<Number> b, const std::string& name) const {
-  return finished(half_solved(std::move(b), "y"), name);
+  return finished(solved_transposed(std::move(b), "y"), name);
 }
 
 // Column k is found from L x = D⁻¹ y, Lᵀ y = e_k. The entries of x before k are known from the previous columns, by

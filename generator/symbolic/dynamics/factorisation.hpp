@@ -30,7 +30,7 @@ class Factorisation {
 
   // solve() in two halves: y of Lᵀ y = b, then x of L x = D⁻¹ y. a · B⁻¹ b is Σ y_a y_b / D with only the first half of
   // each done.
-  std::vector<Number> half_solved(std::vector<Number> b, const std::string& name) const;
+  std::vector<Number> solved_transposed(std::vector<Number> b, const std::string& name) const;
   std::vector<Number> finished(const std::vector<Number>& y, const std::string& name) const;
 
   // The solution x of B x = b. `name`: prefix of its entries' names in emitted code.

@@ -42,7 +42,7 @@ std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link) {
   const Vec3 p_e = point_in_base(frames, link.body, link.p, "p");
   // Goes from the base outwards: two columns of each frame's rotation are needed to place the next axis and origin.
   SymbolicPose here;
-  for (const int i : way_to(frames.mechanism(), link.body)) {
+  for (const int i : path_to(frames.mechanism(), link.body)) {
     const std::string n = label(i);
     const Vec3 z = d.named(here.R * frames.axis_in_parent(i), "z_" + n);
     const Vec3 origin = d.named(here.p + here.R * frames.p(i) + frames.slide(i) * z, "p_" + n);
@@ -67,7 +67,7 @@ namespace {
 Vec3 angular_acceleration(Frames& frames, int body, const std::vector<LinkMotion>& links, const Motion& motion) {
   Derivation& d = frames.derivation();
   Vec3 domega = zero_vector();
-  for (const int i : way_to(frames.mechanism(), body)) {
+  for (const int i : path_to(frames.mechanism(), body)) {
     const auto k = static_cast<std::size_t>(i);
     domega = frames.to_child(i, domega, "domega_f_" + label(i));
     if (frames.body(i).prismatic) continue;
@@ -95,7 +95,7 @@ JacobianColumn jacobian_dot_qd(Frames& frames, const LinkFrame& link) {
 Wrench wrench_on_body(Frames& frames, const LinkFrame& link, const Wrench& wrench) {
   if (link.body < 0) return {};
   Wrench local = wrench;
-  for (const int i : way_to(frames.mechanism(), link.body)) {
+  for (const int i : path_to(frames.mechanism(), link.body)) {
     local = {frames.to_child(i, local.f, "f_e" + label(i)), frames.to_child(i, local.mu, "mu_e" + label(i))};
   }
   return {local.f, local.mu + cross(frames.derivation().named(link.p, "p_e"), local.f)};

@@ -2,7 +2,7 @@
 // Kinematics of the frame of a link, or of the tip, as functions.
 #pragma once
 
-#include "symbolic/dynamics/workbench.hpp"
+#include "symbolic/dynamics/derivation_context.hpp"
 
 namespace flatdyn {
 

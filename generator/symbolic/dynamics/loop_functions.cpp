@@ -8,8 +8,8 @@
 namespace flatdyn {
 namespace {
 
-ClosedLoops loops_of(Workbench& bench) {
-  if (bench.mechanism.has_loops()) return {bench.mechanism, bench.derivation};
+ClosedLoops loops_of(DerivationContext& context) {
+  if (context.mechanism.has_loops()) return {context.mechanism, context.derivation};
   throw Failure(ExitCode::unsupported, "the robot has no loops that have to be closed",
                 "its joints are independent, or follow others linearly: q is all that there is to know");
 }
@@ -28,39 +28,39 @@ std::vector<Number> along(const Rows& G, const std::vector<Number>& coordinates)
 }  // namespace
 
 Function derive_loop_closure(const Mechanism& mechanism) {
-  Workbench bench(mechanism);
-  const std::vector<NodeId> phi = bench.nodes(loops_of(bench).closure());
-  return finished(bench,
+  DerivationContext context(mechanism);
+  const std::vector<NodeId> phi = context.nodes(loops_of(context).closure());
+  return finished(context,
                   {vector_output("phi", phi,
-                                 aligns_axes(bench.mechanism)
+                                 aligns_axes(context.mechanism)
                                      ? "loop by loop: m between points that meet, cosines where axes do; 0 if closed"
                                      : "loop by loop, m: what lies between the points that meet; 0 if closed")});
 }
 
 Function derive_loop_jacobian(const Mechanism& mechanism) {
-  Workbench bench(mechanism);
-  const Rows J = loops_of(bench).jacobian();
-  return finished(bench, {matrix_output("phi_q", static_cast<int>(J.size()), bench.mechanism.position_count(),
-                                        bench.nodes(J), "row i, column k: of phi[i] by q[k]")});
+  DerivationContext context(mechanism);
+  const Rows J = loops_of(context).jacobian();
+  return finished(context, {matrix_output("phi_q", static_cast<int>(J.size()), context.mechanism.position_count(),
+                                          context.nodes(J), "row i, column k: of phi[i] by q[k]")});
 }
 
 Function derive_loop_step(const Mechanism& mechanism) {
-  Workbench bench(mechanism);
-  const std::vector<NodeId> step = bench.nodes(loops_of(bench).step());
+  DerivationContext context(mechanism);
+  const std::vector<NodeId> step = context.nodes(loops_of(context).step());
   return finished(
-      bench, {vector_output("dq", step, "to be added to q, again and again; 0 for independent joints, which stay")});
+      context, {vector_output("dq", step, "to be added to q, again and again; 0 for independent joints, which stay")});
 }
 
 Function derive_loop_motion(const Mechanism& mechanism) {
-  Workbench bench(mechanism);
-  const Rows G = loops_of(bench).motion();
-  const std::vector<Number> rates = along(G, bench.all(InputKind::qd)),
-                            drift = loops_of(bench).drift(bench.joint_motion(InputKind::qd),
-                                                          bench.joint_motion(InputKind::qd), "drift");
-  std::vector<Number> accelerations = along(G, bench.all(InputKind::qdd));
+  DerivationContext context(mechanism);
+  const Rows G = loops_of(context).motion();
+  const std::vector<Number> rates = along(G, context.all(InputKind::qd)),
+                            drift = loops_of(context).drift(context.joint_motion(InputKind::qd),
+                                                            context.joint_motion(InputKind::qd), "drift");
+  std::vector<Number> accelerations = along(G, context.all(InputKind::qdd));
   for (std::size_t k = 0; k < accelerations.size(); ++k) accelerations[k] += drift[k];
-  return finished(bench, {vector_output("rates", bench.nodes(rates), "dq/dt of every entry of q"),
-                          vector_output("accelerations", bench.nodes(accelerations), "its derivative")});
+  return finished(context, {vector_output("rates", context.nodes(rates), "dq/dt of every entry of q"),
+                            vector_output("accelerations", context.nodes(accelerations), "its derivative")});
 }
 
 }  // namespace flatdyn

@@ -2,7 +2,7 @@
 // The functions that a user needs to close loops: positions, rates and accelerations of all joints.
 #pragma once
 
-#include "symbolic/dynamics/workbench.hpp"
+#include "symbolic/dynamics/derivation_context.hpp"
 
 namespace flatdyn {
 

@@ -154,7 +154,7 @@ Number reflected_inertia(const Body& body) {
   return inertia;
 }
 
-Number felt(Frames& frames, int i, const Wrench& wrench) {
+Number joint_component(Frames& frames, int i, const Wrench& wrench) {
   return frames.body(i).prismatic ? wrench.f[2] : wrench.mu[2];
 }
 
@@ -175,7 +175,7 @@ Number joint_torque(Frames& frames, int i, const Wrench& wrench, const std::vect
   const Body& body = frames.body(i);
   const auto k = static_cast<std::size_t>(i);
   const std::string n = label(i);
-  Number tau = felt(frames, i, wrench);
+  Number tau = joint_component(frames, i, wrench);
   if (body.rotor && body.rotor->carrier >= 0) {
     const Rotor& rotor = *body.rotor;
     const Number krI = d.named(rotor.gear_ratio * rotor.inertia, "kI_" + n);

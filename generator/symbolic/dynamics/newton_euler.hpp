@@ -58,7 +58,7 @@ Vec3 rotor_momentum(Frames& frames, int i);
 Number reflected_inertia(const Body& body);
 
 // The component of a wrench along joint i: its torque or force.
-Number felt(Frames& frames, int i, const Wrench& wrench);
+Number joint_component(Frames& frames, int i, const Wrench& wrench);
 
 // A wrench on body i, given about its frame's origin, in the frame of its parent about the parent's origin.
 Wrench to_parent(Frames& frames, int i, const Wrench& wrench, const std::string& name);

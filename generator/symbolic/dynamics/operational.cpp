@@ -17,15 +17,15 @@ namespace {
 // The matrices of the task, with rows for its directions and for joints, and sums over the joints.
 class OperationalSpace {
  public:
-  explicit OperationalSpace(Workbench& bench)
-      : bench_(bench),
-        task_{task_rows(bench.mechanism), bench.mechanism.task.orientation, bench.mechanism.task.damping},
-        B_(bench.frames, bench.inertia()),
-        J_(task_jacobian(bench, task_.rows, task_.orientation)),
-        Y_(half_solved_rows()),
+  explicit OperationalSpace(DerivationContext& context)
+      : context_(context),
+        task_{task_rows(context.mechanism), context.mechanism.task.orientation, context.mechanism.task.damping},
+        B_(context.frames, context.inertia()),
+        J_(task_jacobian(context, task_.rows, task_.orientation)),
+        Y_(solved_transposed_rows()),
         Z_(divided_by_pivots()),
         mobility_(damped_mobility()),
-        factors_(bench.derivation, chain(size()), mobility_, "J B^-1 J^T", "m_") {}
+        factors_(context.derivation, chain(size()), mobility_, "J B^-1 J^T", "m_") {}
 
   std::size_t size() const { return task_.rows.size(); }
   const Task& task() const { return task_; }
@@ -40,7 +40,7 @@ class OperationalSpace {
   // M ≥ max λ and tr M^-1 ≥ 1 / min λ, it is between min λ / max λ and r² times that.
   Number condition(const Rows& inverse) const {
     if (size() == 1) return 1;
-    Derivation& d = bench_.derivation;
+    Derivation& d = context_.derivation;
     Number trace = 0, trace_of_inverse = 0;
     for (std::size_t i = 0; i < size(); ++i) {
       trace += mobility_[i][i];
@@ -52,7 +52,7 @@ class OperationalSpace {
 
   // J B^-1 b, where b has an entry per joint.
   std::vector<Number> acceleration(const std::vector<Number>& b, const std::string& name) const {
-    const std::vector<Number> y = B_.half_solved(b, "y_" + name);
+    const std::vector<Number> y = B_.solved_transposed(b, "y_" + name);
     std::vector<Number> result;
     for (std::size_t i = 0; i < size(); ++i) {
       Number sum = 0;
@@ -80,13 +80,13 @@ class OperationalSpace {
 
   Function finished(std::vector<Output> outputs) const {
     // Every arm has poses in which J B⁻¹ Jᵀ is singular, so its pivots are always guarded, and come first.
-    Conditions conditions{bench_.nodes(factors_.pivots()), bench_.nodes(factors_.diagonal())};
-    const Conditions of_B = conditions_of(bench_, B_);
+    Conditions conditions{context_.nodes(factors_.pivots()), context_.nodes(factors_.diagonal())};
+    const Conditions of_B = conditions_of(context_, B_);
     conditions.validity_conditions.insert(conditions.validity_conditions.end(), of_B.validity_conditions.begin(),
                                           of_B.validity_conditions.end());
     conditions.pivot_diagonals.insert(conditions.pivot_diagonals.end(), of_B.pivot_diagonals.begin(),
                                       of_B.pivot_diagonals.end());
-    Function function = flatdyn::finished(bench_, std::move(outputs), std::move(conditions));
+    Function function = flatdyn::finished(context_, std::move(outputs), std::move(conditions));
     function.task = task_;
     return function;
   }
@@ -100,12 +100,13 @@ class OperationalSpace {
   }
 
   Number named(const Number& value, const std::string& name, std::size_t row) const {
-    return bench_.derivation.named(value, name + "_" + label(static_cast<int>(row)));
+    return context_.derivation.named(value, name + "_" + label(static_cast<int>(row)));
   }
 
-  Rows half_solved_rows() const {
+  Rows solved_transposed_rows() const {
     Rows Y;
-    for (std::size_t i = 0; i < size(); ++i) Y.push_back(B_.half_solved(J_[i], "y_" + label(static_cast<int>(i))));
+    for (std::size_t i = 0; i < size(); ++i)
+      Y.push_back(B_.solved_transposed(J_[i], "y_" + label(static_cast<int>(i))));
     return Y;
   }
 
@@ -133,16 +134,16 @@ class OperationalSpace {
     return M;
   }
 
-  Workbench& bench_;
+  DerivationContext& context_;
   Task task_;
   Factorisation B_;
   Rows J_, Y_, Z_, mobility_;
   Factorisation factors_;
 };
 
-std::vector<Number> coriolis_torques(Workbench& bench) {
-  return bench.at_coordinates(
-      torques(bench.frames, {bench.joint_motion(InputKind::qd), bench.joint_drift(), zero_vector(), false}));
+std::vector<Number> coriolis_torques(DerivationContext& context) {
+  return context.at_coordinates(
+      torques(context.frames, {context.joint_motion(InputKind::qd), context.joint_drift(), zero_vector(), false}));
 }
 
 std::string of_task(const std::string& what, const OperationalSpace& space) {
@@ -156,48 +157,49 @@ std::string condition_meaning(const OperationalSpace& space) {
              : "0..1, r^2 / (tr M tr M^-1) of M = J B^-1 J^T: 0 where the task is singular";
 }
 
-Function operational_inertia_at(Workbench& bench) {
-  const OperationalSpace space(bench);
+Function operational_inertia_at(DerivationContext& context) {
+  const OperationalSpace space(context);
   const Rows B_A = space.inertia(), X = space.inverse_inertia_times_jacobian();
-  const int r = static_cast<int>(space.size()), n = bench.size();
+  const int r = static_cast<int>(space.size()), n = context.size();
   std::vector<NodeId> J_bar;
   for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k) {
     for (std::size_t j = 0; j < space.size(); ++j) {
       Number sum = 0;
       for (std::size_t i = 0; i < space.size(); ++i) sum += X[i][k] * B_A[i][j];
-      J_bar.push_back(bench.node(sum));
+      J_bar.push_back(context.node(sum));
     }
   }
   return space.finished(
-      {matrix_output("B_A", r, r, bench.nodes(B_A), of_task("inertia matrix", space) + ", symmetric, SI units"),
+      {matrix_output("B_A", r, r, context.nodes(B_A), of_task("inertia matrix", space) + ", symmetric, SI units"),
        matrix_output("J_bar", n, r, J_bar, "B^-1 J^T B_A: J_bar^T tau is the force on the task, SI units"),
-       vector_output("condition", {bench.node(space.condition(B_A))}, condition_meaning(space))});
+       vector_output("condition", {context.node(space.condition(B_A))}, condition_meaning(space))});
 }
 
-Function operational_bias_at(Workbench& bench) {
-  const OperationalSpace space(bench);
-  const std::vector<Number> drift = task_drift(bench, space.task().rows, space.task().orientation);
-  std::vector<Number> c = space.acceleration(coriolis_torques(bench), "c");
+Function operational_bias_at(DerivationContext& context) {
+  const OperationalSpace space(context);
+  const std::vector<Number> drift = task_drift(context, space.task().rows, space.task().orientation);
+  std::vector<Number> c = space.acceleration(coriolis_torques(context), "c");
   for (std::size_t i = 0; i < space.size(); ++i) c[i] -= drift[i];
-  const std::vector<Number> g = space.acceleration(bench.at_coordinates(gravity_torques(bench.frames)), "g");
+  const std::vector<Number> g = space.acceleration(context.at_coordinates(gravity_torques(context.frames)), "g");
   const std::vector<Number> c_A = space.inertia_times(c, "c_a"), g_A = space.inertia_times(g, "g_a");
-  return space.finished({vector_output("c_A", bench.nodes(c_A), of_task("C_A times the velocity", space) + ", N, N m"),
-                         vector_output("g_A", bench.nodes(g_A), of_task("gravity", space) + ", N, N m")});
+  return space.finished(
+      {vector_output("c_A", context.nodes(c_A), of_task("C_A times the velocity", space) + ", N, N m"),
+       vector_output("g_A", context.nodes(g_A), of_task("gravity", space) + ", N, N m")});
 }
 
-Function null_space_torque_at(Workbench& bench) {
-  const OperationalSpace space(bench);
-  if (static_cast<int>(space.size()) == bench.size()) {
+Function null_space_torque_at(DerivationContext& context) {
+  const OperationalSpace space(context);
+  if (static_cast<int>(space.size()) == context.size()) {
     throw Failure(ExitCode::unsupported,
                   fmt::format("null_space_torque: the task {} takes all joints",
                               task_text(space.task().rows, space.task().orientation)),
                   "name fewer directions in the scene's `task`");
   }
-  const std::vector<Number> tau = bench.all(InputKind::tau);
+  const std::vector<Number> tau = context.all(InputKind::tau);
   const std::vector<Number> f = space.inertia_times(space.acceleration(tau, "tau"), "f");
   std::vector<Number> rest = space.torques_of(f);
   for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = tau[k] - rest[k];
-  return space.finished({vector_output("tau_n", bench.nodes(rest),
+  return space.finished({vector_output("tau_n", context.nodes(rest),
                                        of_task("what of tau does not accelerate the tip along any", space) + ", N m")});
 }
 

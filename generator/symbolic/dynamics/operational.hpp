@@ -5,7 +5,7 @@
 // 1 replaces J B^-1 Jᵀ wherever these functions invert it.
 #pragma once
 
-#include "symbolic/dynamics/workbench.hpp"
+#include "symbolic/dynamics/derivation_context.hpp"
 
 namespace flatdyn {
 

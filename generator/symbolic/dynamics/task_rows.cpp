@@ -19,10 +19,11 @@ namespace flatdyn {
 namespace {
 
 // The rates of Euler angles, if any of the rows needs them.
-std::optional<EulerRates> euler_rates(Workbench& bench, const std::vector<int>& rows, Orientation orientation) {
+std::optional<EulerRates> euler_rates(DerivationContext& context, const std::vector<int>& rows,
+                                      Orientation orientation) {
   const bool turns = std::any_of(rows.begin(), rows.end(), [](int row) { return row >= 3; });
   if (!turns || orientation == Orientation::angular_velocity) return std::nullopt;
-  return EulerRates(bench, orientation);
+  return EulerRates(context, orientation);
 }
 
 std::vector<Number> chosen_rows(const Vec3& linear, const Vec3& angular, const std::vector<int>& rows) {
@@ -34,8 +35,8 @@ std::vector<Number> chosen_rows(const Vec3& linear, const Vec3& angular, const s
   return result;
 }
 
-std::vector<JacobianColumn> tip_jacobian(Workbench& bench) {
-  return at_coordinates(bench.mechanism, bench.derivation, jacobian(bench.frames, bench.mechanism.tip));
+std::vector<JacobianColumn> tip_jacobian(DerivationContext& context) {
+  return at_coordinates(context.mechanism, context.derivation, jacobian(context.frames, context.mechanism.tip));
 }
 
 using FieldColumns = std::vector<std::vector<ModP<kMersenne61>>>;
@@ -68,10 +69,10 @@ FieldColumns columns_somewhere(const Function& jacobian, Orientation orientation
 // These rows of the Jacobian at a random point, as columns by joint. If they are independent, or not zero, anywhere,
 // they are so at this point, except with a probability of about 1e-17.
 FieldColumns columns_of(const Mechanism& mechanism, const std::vector<int>& rows) {
-  Workbench bench(mechanism);
-  const std::vector<NodeId> entries = bench.nodes(task_jacobian(bench, rows, mechanism.task.orientation));
+  DerivationContext context(mechanism);
+  const std::vector<NodeId> entries = context.nodes(task_jacobian(context, rows, mechanism.task.orientation));
   const Function jacobian =
-      finished(bench, {matrix_output("J", static_cast<int>(rows.size()), bench.size(), entries, "")});
+      finished(context, {matrix_output("J", static_cast<int>(rows.size()), context.size(), entries, "")});
   return columns_somewhere(jacobian, mechanism.task.orientation);
 }
 
@@ -98,10 +99,10 @@ std::string task_text(const std::vector<int>& rows, Orientation orientation) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-Rows task_jacobian(Workbench& bench, const std::vector<int>& rows, Orientation orientation) {
-  const std::optional<EulerRates> rates = euler_rates(bench, rows, orientation);
+Rows task_jacobian(DerivationContext& context, const std::vector<int>& rows, Orientation orientation) {
+  const std::optional<EulerRates> rates = euler_rates(context, rows, orientation);
   Rows J(rows.size());
-  for (const JacobianColumn& column : tip_jacobian(bench)) {
+  for (const JacobianColumn& column : tip_jacobian(context)) {
     const std::vector<Number> entries =
         chosen_rows(column.linear, rates ? rates->of(column.angular) : column.angular, rows);
     for (std::size_t i = 0; i < rows.size(); ++i) J[i].push_back(entries[i]);
@@ -109,15 +110,15 @@ Rows task_jacobian(Workbench& bench, const std::vector<int>& rows, Orientation o
   return J;
 }
 
-std::vector<Number> task_drift(Workbench& bench, const std::vector<int>& rows, Orientation orientation) {
-  const JacobianColumn drift = jacobian_dot_qd(bench.frames, bench.mechanism.tip);
-  const std::optional<EulerRates> rates = euler_rates(bench, rows, orientation);
+std::vector<Number> task_drift(DerivationContext& context, const std::vector<int>& rows, Orientation orientation) {
+  const JacobianColumn drift = jacobian_dot_qd(context.frames, context.mechanism.tip);
+  const std::optional<EulerRates> rates = euler_rates(context, rows, orientation);
   if (!rates) return chosen_rows(drift.linear, drift.angular, rows);
   Vec3 omega = zero_vector();
-  const std::vector<JacobianColumn> columns = tip_jacobian(bench);
-  const std::vector<Number> qd = bench.all(InputKind::qd);
+  const std::vector<JacobianColumn> columns = tip_jacobian(context);
+  const std::vector<Number> qd = context.all(InputKind::qd);
   for (std::size_t k = 0; k < columns.size(); ++k) omega = omega + qd[k] * columns[k].angular;
-  return chosen_rows(drift.linear, rates->changes(bench.derivation.named(omega, "omega_e"), drift.angular), rows);
+  return chosen_rows(drift.linear, rates->changes(context.derivation.named(omega, "omega_e"), drift.angular), rows);
 }
 
 std::vector<int> task_rows(const Mechanism& mechanism) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "graph/task.hpp"
-#include "symbolic/dynamics/workbench.hpp"
+#include "symbolic/dynamics/derivation_context.hpp"
 
 namespace flatdyn {
 
@@ -23,9 +23,9 @@ std::vector<int> moved_directions(const Mechanism& mechanism);
 std::string task_text(const std::vector<int>& rows, Orientation orientation = Orientation::angular_velocity);
 
 // The task's Jacobian, by row of `rows` and by joint: the geometric one, or the analytical one, (3.62).
-Rows task_jacobian(Workbench& bench, const std::vector<int>& rows, Orientation orientation);
+Rows task_jacobian(DerivationContext& context, const std::vector<int>& rows, Orientation orientation);
 
 // J̇ q̇ of the same rows.
-std::vector<Number> task_drift(Workbench& bench, const std::vector<int>& rows, Orientation orientation);
+std::vector<Number> task_drift(DerivationContext& context, const std::vector<int>& rows, Orientation orientation);
 
 }  // namespace flatdyn

@@ -2,7 +2,7 @@
 // Joint torques as functions: inverse dynamics, gravity and the bias.
 #pragma once
 
-#include "symbolic/dynamics/workbench.hpp"
+#include "symbolic/dynamics/derivation_context.hpp"
 
 namespace flatdyn {
 

@@ -12,9 +12,9 @@ bool contains(const std::vector<Number>& numbers, const Number& number) {
   return std::any_of(numbers.begin(), numbers.end(), [&](const Number& each) { return vanishes(each - number); });
 }
 
-void add_rise(std::vector<Number>& rises, const Number& rise) {
-  const Number value = rise.expand();
-  if (is_rational(value) && !vanishes(value) && !contains(rises, value)) rises.push_back(value);
+void add_axial_shift(std::vector<Number>& axial_shifts, const Number& axial_shift) {
+  const Number value = axial_shift.expand();
+  if (is_rational(value) && !vanishes(value) && !contains(axial_shifts, value)) axial_shifts.push_back(value);
 }
 
 Vec3 axis_of(const Body& body) {
@@ -31,17 +31,17 @@ Number foot_of_common_normal(const Body& child) {
 
 }  // namespace
 
-Mechanism in_raised_frames(const Mechanism& mechanism, const Choices& choices) {
+Mechanism with_shifted_frames(const Mechanism& mechanism, const Choices& choices) {
   Mechanism result = mechanism;
   for (std::size_t k = 0; k < choices.joints.size(); ++k) {
-    const Number& rise = choices.joints[k].rise;
-    if (!vanishes(rise)) result = with_frame_raised(result, static_cast<int>(k), rise);
+    const Number& axial_shift = choices.joints[k].axial_shift;
+    if (!vanishes(axial_shift)) result = with_frame_shifted(result, static_cast<int>(k), axial_shift);
   }
   return result;
 }
 
 Mechanism chosen(const Mechanism& mechanism, const Choices& choices) {
-  Mechanism result = in_raised_frames(mechanism, choices);
+  Mechanism result = with_shifted_frames(mechanism, choices);
   if (!choices.length_unit.is_equal(1)) result = in_length_unit(result, choices.length_unit);
   std::vector<JointGrouping> groupings;
   for (const JointChoice& joint : choices.joints) groupings.push_back(joint.grouping);
@@ -84,19 +84,19 @@ std::vector<Axes> axes_of(const Choices& choices) {
   return axes;
 }
 
-std::vector<Number> possible_rises(const Mechanism& mechanism, int i) {
-  std::vector<Number> rises;
+std::vector<Number> possible_axial_shifts(const Mechanism& mechanism, int i) {
+  std::vector<Number> axial_shifts;
   const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
-  if (body.prismatic) return rises;
+  if (body.prismatic) return axial_shifts;
   const Vec3 axis = axis_of(body);
-  add_rise(rises, -dot(body.p, axis));
+  add_axial_shift(axial_shifts, -dot(body.p, axis));
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!vanishes(axis[k])) add_rise(rises, -body.p[k] / axis[k]);
+    if (!vanishes(axis[k])) add_axial_shift(axial_shifts, -body.p[k] / axis[k]);
   }
   for (const Body& child : mechanism.bodies) {
-    if (child.parent == i && !child.prismatic) add_rise(rises, foot_of_common_normal(child));
+    if (child.parent == i && !child.prismatic) add_axial_shift(axial_shifts, foot_of_common_normal(child));
   }
-  return rises;
+  return axial_shifts;
 }
 
 std::vector<Number> possible_length_units(const Mechanism& mechanism) {

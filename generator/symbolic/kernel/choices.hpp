@@ -13,7 +13,7 @@
 namespace flatdyn {
 
 struct JointChoice {
-  Number rise = 0;  // offset of the frame's origin along the joint's axis, m; rational
+  Number axial_shift = 0;  // offset of the frame's origin along the joint's axis, m; rational
   JointGrouping grouping;
   Axes axes = Axes::turning;  // axes of the link's frame
 };
@@ -27,7 +27,7 @@ struct Choices {
 };
 
 // The mechanism with these frames, and nothing else changed.
-Mechanism in_raised_frames(const Mechanism& mechanism, const Choices& choices);
+Mechanism with_shifted_frames(const Mechanism& mechanism, const Choices& choices);
 
 // The mechanism with these frames, units and parameters.
 Mechanism chosen(const Mechanism& mechanism, const Choices& choices);
@@ -45,7 +45,7 @@ std::vector<Axes> axes_of(const Choices& choices);
 
 // Other useful places for the origin of a revolute joint's frame, relative to its present one, m: where the parent
 // needs fewer numbers to reach it, and where it needs fewer to reach its children. They are rational, each listed once.
-std::vector<Number> possible_rises(const Mechanism& mechanism, int i);
+std::vector<Number> possible_axial_shifts(const Mechanism& mechanism, int i);
 
 // Useful units of length, m: distances between neighbouring frames, each of which becomes 1 in its unit; each listed
 // once, the most frequent first. Empty if a joint is prismatic, as lengths are then not free.

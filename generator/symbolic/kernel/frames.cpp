@@ -5,7 +5,7 @@
 
 #include "model/angles.hpp"
 #include "model/rational_rotation.hpp"
-#include "symbolic/kernel/turns.hpp"
+#include "symbolic/kernel/axis_rotations.hpp"
 
 namespace flatdyn {
 
@@ -36,7 +36,7 @@ Mat3 turn_tensor_z(Derivation& d, const PlanarRotation& a, const Mat3& T, const 
 }
 
 Mat3 turn_tensor_x(Derivation& d, const PlanarRotation& a, const Mat3& T, const std::string& name) {
-  return cycled(cycled(turn_tensor_z(d, a, cycled(T), name)));
+  return with_axes_cycled(with_axes_cycled(turn_tensor_z(d, a, with_axes_cycled(T), name)));
 }
 
 }  // namespace
@@ -73,8 +73,9 @@ Frames::Turn Frames::turn_by_joint(int i) {
   if (body.prismatic) return turn;
   turn.angles = label(i);
   if (mechanism_.is_coupled()) {
-    turn.multiples = turns_of(mechanism_, i);
-    turn.gamma = named(derivation_, turn_by(mechanism_, derivation_, turn.multiples) * turn.constant, label(i) + "t");
+    turn.multiples = angle_factors(mechanism_, i);
+    turn.gamma =
+        named(derivation_, rotation_by(mechanism_, derivation_, turn.multiples) * turn.constant, label(i) + "t");
     return turn;
   }
   const Number q = joint_position(mechanism_, derivation_, i);
@@ -90,30 +91,31 @@ void Frames::hold(int i) {
   const std::string n = label(i);
   const Turn held = turns_[k];
   InertialParameters& body = inertia_[k];
-  body.first_moment = derivation_.named(turn_z(held.gamma, body.first_moment), "mr_" + n);
+  body.first_moment = derivation_.named(rotate_z(held.gamma, body.first_moment), "mr_" + n);
   body.inertia =
       turned_tensor_z(derivation_, held.gamma, derivation_.named_symmetric(body.inertia, "I_" + n), "I_t" + n);
   turns_[k].gamma = {};
   p_in_own_axes_[k].reset();
   for (int other = 0; other < mechanism_.body_count(); ++other) {
     const Body& each = mechanism_.bodies[static_cast<std::size_t>(other)];
-    if (each.parent == i) hand_on(held, other);
+    if (each.parent == i) pass_to_child(held, other);
     if (!each.rotor || each.rotor->carrier != i) continue;
     Vec3& axis = rotor_axis_[static_cast<std::size_t>(other)];
-    axis = derivation_.named(turn_z(held.gamma, axis), "z_m" + label(other));
+    axis = derivation_.named(rotate_z(held.gamma, axis), "z_m" + label(other));
   }
 }
 
 // Transfers the angle of a link with still axes to a child with a parallel axis: Rz(held) Rz(beta) Rx(alpha) Rz(gamma),
 // alpha = 0 or pi, is Rx(alpha) followed by a rotation by the sum of all these angles, in which the first ones change
 // sign if alpha = pi.
-void Frames::hand_on(const Turn& held, int child) {
+void Frames::pass_to_child(const Turn& held, int child) {
   const auto k = static_cast<std::size_t>(child);
   Turn& turn = turns_[k];
-  const Vec3 in_own_axes = turn_z(inverse(turn.gamma), turn_x(inverse(turn.alpha), turn_z(inverse(turn.beta), p_[k])));
+  const Vec3 in_own_axes =
+      rotate_z(inverse(turn.gamma), rotate_x(inverse(turn.alpha), rotate_z(inverse(turn.beta), p_[k])));
   p_in_own_axes_[k] = derivation_.named(in_own_axes, "p_own_" + label(child));
-  p_[k] = derivation_.named(turn_z(held.gamma, p_[k]), "p_" + label(child));
-  if (mechanism_.is_coupled()) return hand_on_multiples(held, child);
+  p_[k] = derivation_.named(rotate_z(held.gamma, p_[k]), "p_" + label(child));
+  if (mechanism_.is_coupled()) return pass_multiples_to_child(held, child);
   const std::string before = held.angles + "_b" + label(child);
   PlanarRotation first = named(derivation_, held.gamma * turn.beta, before);
   if (turn.alpha.c.is_equal(-1)) first = inverse(first);
@@ -123,7 +125,7 @@ void Frames::hand_on(const Turn& held, int child) {
 }
 
 // The same for coupled joints: the multiples of coordinates are added up first, as some may cancel.
-void Frames::hand_on_multiples(const Turn& held, int child) {
+void Frames::pass_multiples_to_child(const Turn& held, int child) {
   Turn& turn = turns_[static_cast<std::size_t>(child)];
   const bool flips = turn.alpha.c.is_equal(-1);
   PlanarRotation constant = held.constant * turn.beta;
@@ -134,12 +136,12 @@ void Frames::hand_on_multiples(const Turn& held, int child) {
     turn.multiples[k] += flips ? -held.multiples[k] : held.multiples[k];
   }
   turn.angles = held.angles + "_" + label(child);
-  turn.gamma = named(derivation_, turn_by(mechanism_, derivation_, turn.multiples) * turn.constant, turn.angles);
+  turn.gamma = named(derivation_, rotation_by(mechanism_, derivation_, turn.multiples) * turn.constant, turn.angles);
   turn.beta = {};
 }
 
 Vec3 Frames::to_child(int i, const Vec3& v, const std::string& name) {
-  return derivation_.named(turn_z(inverse(turn_of(i).gamma), down_to_axis(i, v, name)), name);
+  return derivation_.named(rotate_z(inverse(turn_of(i).gamma), down_to_axis(i, v, name)), name);
 }
 
 Vec3 Frames::to_parent(int i, const Vec3& v, const std::string& name) {
@@ -147,17 +149,17 @@ Vec3 Frames::to_parent(int i, const Vec3& v, const std::string& name) {
 }
 
 Vec3 Frames::down_to_axis(int i, const Vec3& v, const std::string& name) {
-  const Vec3 a = derivation_.named(turn_z(inverse(turn_of(i).beta), v), name + "_b");
-  return derivation_.named(turn_x(inverse(turn_of(i).alpha), a), name + "_a");
+  const Vec3 a = derivation_.named(rotate_z(inverse(turn_of(i).beta), v), name + "_b");
+  return derivation_.named(rotate_x(inverse(turn_of(i).alpha), a), name + "_a");
 }
 
 Vec3 Frames::up_to_axis(int i, const Vec3& v, const std::string& name) {
-  return derivation_.named(turn_z(turn_of(i).gamma, v), name + "_t");
+  return derivation_.named(rotate_z(turn_of(i).gamma, v), name + "_t");
 }
 
 Vec3 Frames::up_from_axis(int i, const Vec3& v, const std::string& name) {
-  const Vec3 b = derivation_.named(turn_x(turn_of(i).alpha, v), name + "_a");
-  return derivation_.named(turn_z(turn_of(i).beta, b), name);
+  const Vec3 b = derivation_.named(rotate_x(turn_of(i).alpha, v), name + "_a");
+  return derivation_.named(rotate_z(turn_of(i).beta, b), name);
 }
 
 // Rotates the columns, then the rows.
@@ -184,7 +186,7 @@ Mat3 Frames::to_parent(int i, const Mat3& tensor, const std::string& name) {
 
 Vec3 Frames::axis_in_parent(int i) const {
   const Turn& turn = turn_of(i);
-  return turn_z(turn.beta, turn_x(turn.alpha, {0, 0, 1}));
+  return rotate_z(turn.beta, rotate_x(turn.alpha, {0, 0, 1}));
 }
 
 }  // namespace flatdyn

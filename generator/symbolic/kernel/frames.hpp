@@ -70,8 +70,8 @@ class Frames {
 
   Turn turn_by_joint(int i);
   void hold(int i);
-  void hand_on(const Turn& held, int child);
-  void hand_on_multiples(const Turn& held, int child);
+  void pass_to_child(const Turn& held, int child);
+  void pass_multiples_to_child(const Turn& held, int child);
 
   const Turn& turn_of(int i) const { return turns_[static_cast<std::size_t>(i)]; }
 

@@ -56,7 +56,7 @@ PlanarRotation named(Derivation& derivation, const PlanarRotation& rotation, con
   return {derivation.named(rotation.c, "c_" + name), derivation.named(rotation.s, "s_" + name)};
 }
 
-PlanarRotation turn_by(const Mechanism& mechanism, Derivation& d, const std::vector<Number>& multiples) {
+PlanarRotation rotation_by(const Mechanism& mechanism, Derivation& d, const std::vector<Number>& multiples) {
   std::vector<Number> so_far(multiples.size(), 0);
   PlanarRotation total;
   for (std::size_t k = 0; k < multiples.size(); ++k) {

@@ -22,9 +22,9 @@ Number sum_of(const std::vector<Number>& factors, const std::vector<Number>& val
 // The rotation with its entries named c_name, s_name.
 PlanarRotation named(Derivation& derivation, const PlanarRotation& rotation, const std::string& name);
 
-// The cosine and sine of a sum of whole multiples of the mechanism's angles (turns_of), by the addition theorems. So
-// only the cosines and sines of these angles, most of them coordinates, have to be evaluated or given.
-PlanarRotation turn_by(const Mechanism& mechanism, Derivation& derivation, const std::vector<Number>& multiples);
+// The cosine and sine of a sum of whole multiples of the mechanism's angles (angle_factors), by the addition theorems.
+// So only the cosines and sines of these angles, most of them coordinates, have to be evaluated or given.
+PlanarRotation rotation_by(const Mechanism& mechanism, Derivation& derivation, const std::vector<Number>& multiples);
 
 // The position of body i's joint, rad or m.
 Number joint_position(const Mechanism& mechanism, Derivation& derivation, int i);

@@ -47,9 +47,9 @@ ClosedLoops::ClosedLoops(const Mechanism& mechanism, Derivation& derivation)
 Number ClosedLoops::factor(int body, std::size_t position) const { return mechanism_.coupling[at(body)][position]; }
 
 // From the carrier outwards, as the Jacobian of a frame.
-ClosedLoops::Way ClosedLoops::way_to(const LoopClosure& closure, std::size_t end, const std::string& name) {
-  const std::vector<int> bodies = flatdyn::way_to(mechanism_, closure.ends[end].body, closure.carrier);
-  std::vector<Joint> way;
+ClosedLoops::Path ClosedLoops::path_to(const LoopClosure& closure, std::size_t end, const std::string& name) {
+  const std::vector<int> bodies = flatdyn::path_to(mechanism_, closure.ends[end].body, closure.carrier);
+  std::vector<Joint> path;
   std::vector<Vec3> origins;
   Mat3 R = transpose(closure.axes);
   Vec3 origin = zero_vector();
@@ -58,20 +58,20 @@ ClosedLoops::Way ClosedLoops::way_to(const LoopClosure& closure, std::size_t end
     const Vec3 z = d_.named(R * frames_.axis_in_parent(i), "z_" + n);
     origin = d_.named(origin + R * frames_.p(i) + frames_.slide(i) * z, "p_" + n);
     origins.push_back(origin);
-    way.push_back({i, frames_.body(i).prismatic, z, zero_vector(), zero_vector()});
+    path.push_back({i, frames_.body(i).prismatic, z, zero_vector(), zero_vector()});
     for (std::size_t k = 0; k < 3; ++k) R[k] = frames_.to_child(i, R[k], "R_" + n + std::to_string(k));
   }
   const Vec3 point = d_.named(origin + R * closure.ends[end].p, "p_" + name + "e");
-  for (std::size_t k = 0; k < way.size(); ++k) {
-    const std::string n = name + label(way[k].body);
-    const Vec3& next = k + 1 < way.size() ? origins[k + 1] : point;
-    way[k].link = d_.named(next - origins[k], "r_" + n);
-    way[k].column = way[k].slides ? way[k].axis : d_.named(cross(way[k].axis, point - origins[k]), "J_" + n);
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    const std::string n = name + label(path[k].body);
+    const Vec3& next = k + 1 < path.size() ? origins[k + 1] : point;
+    path[k].link = d_.named(next - origins[k], "r_" + n);
+    path[k].column = path[k].slides ? path[k].axis : d_.named(cross(path[k].axis, point - origins[k]), "J_" + n);
   }
-  return {std::move(way), point, R};
+  return {std::move(path), point, R};
 }
 
-void ClosedLoops::find_axes(const LoopClosure& closure, const Way& first, const Way& second, const std::string& name,
+void ClosedLoops::find_axes(const LoopClosure& closure, const Path& first, const Path& second, const std::string& name,
                             Loop& loop) {
   loop.axis = d_.named(second.R * closure.axis, "a_" + name);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -85,10 +85,10 @@ void ClosedLoops::find_axes(const LoopClosure& closure, const Way& first, const 
 ClosedLoops::Loop ClosedLoops::geometry(const LoopClosure& closure, std::size_t l) {
   Loop loop;
   const std::string name = "l" + label(static_cast<int>(l));
-  const Way ways[] = {way_to(closure, 0, name + "a"), way_to(closure, 1, name + "b")};
-  for (std::size_t e = 0; e < 2; ++e) loop.ways[e] = ways[e].joints;
-  loop.gap = list_of(d_.named(ways[1].end - ways[0].end, "phi_" + name));
-  if (closure.aligns_axes()) find_axes(closure, ways[0], ways[1], name, loop);
+  const Path paths[] = {path_to(closure, 0, name + "a"), path_to(closure, 1, name + "b")};
+  for (std::size_t e = 0; e < 2; ++e) loop.paths[e] = paths[e].joints;
+  loop.gap = list_of(d_.named(paths[1].end - paths[0].end, "phi_" + name));
+  if (closure.aligns_axes()) find_axes(closure, paths[0], paths[1], name, loop);
   const auto column_of = [&loop](const Joint& joint, std::size_t row) -> Number {
     if (row < LoopClosure::kOfPoints) return joint.column[row];
     return joint.slides ? Number(0) : dot(joint.axis, loop.normals[row - LoopClosure::kOfPoints]);
@@ -97,7 +97,7 @@ ClosedLoops::Loop ClosedLoops::geometry(const LoopClosure& closure, std::size_t 
   for (const std::size_t row : closure.rows) {
     loop.J.emplace_back(m, 0);
     for (std::size_t e = 0; e < 2; ++e) {
-      for (const Joint& joint : loop.ways[e]) {
+      for (const Joint& joint : loop.paths[e]) {
         const Number column = column_of(joint, row), part = e == 0 ? Number(-column) : column;
         for (std::size_t k = 0; k < m; ++k) loop.J.back()[k] += factor(joint.body, k) * part;
       }
@@ -162,12 +162,12 @@ Rows ClosedLoops::motion() const {
 
 // Accelerations are symmetric in the two motions, which may be the same one. A link that turns swings what it carries,
 // and takes the axes beyond it along.
-ClosedLoops::Motion ClosedLoops::motion_of(const std::vector<Joint>& way, const std::vector<Number>& u,
+ClosedLoops::Motion ClosedLoops::motion_of(const std::vector<Joint>& path, const std::vector<Number>& u,
                                            const std::vector<Number>& v) const {
   const Number half = Number(1) / 2;
   Motion motion;
   auto& [omega_u, omega_v, domega, sum] = motion;
-  for (const Joint& joint : way) {
+  for (const Joint& joint : path) {
     const std::string n = label(joint.body);
     const Vec3 spin_u = u[at(joint.body)] * joint.axis, spin_v = v[at(joint.body)] * joint.axis;
     const Vec3 carried = half * (cross(omega_u, spin_v) + cross(omega_v, spin_u));
@@ -212,7 +212,7 @@ std::vector<Number> ClosedLoops::axis_drift(const Loop& loop, const Motion& firs
 
 std::vector<Number> ClosedLoops::drift_of(const Loop& loop, std::size_t l, const std::vector<Number>& rates,
                                           const std::vector<Number>& rates_r) const {
-  const Motion first = motion_of(loop.ways[0], rates, rates_r), second = motion_of(loop.ways[1], rates, rates_r);
+  const Motion first = motion_of(loop.paths[0], rates, rates_r), second = motion_of(loop.paths[1], rates, rates_r);
   std::vector<Number> all = list_of(second.a - first.a);
   if (mechanism_.loops[l].aligns_axes()) {
     for (const Number& each : axis_drift(loop, first, second)) all.push_back(each);
@@ -232,18 +232,18 @@ std::vector<Number> ClosedLoops::step() const {
 }
 
 // The lengths of the links beyond joint j of a path, and of the strokes of prismatic joints beyond it.
-ClosedLoops::Lengths ClosedLoops::lengths_beyond(const std::vector<Joint>& way, std::size_t j,
+ClosedLoops::Lengths ClosedLoops::lengths_beyond(const std::vector<Joint>& path, std::size_t j,
                                                  const LoopClosure::End& end) const {
-  if (way[j].slides) return {1, 1};  // its column is a unit vector
+  if (path[j].slides) return {1, 1};  // its column is a unit vector
   Lengths lengths{0, 0};
   const auto add = [&lengths](const Number& square) {
     lengths.squares += square;
     ++lengths.count;
   };
-  for (std::size_t i = j; i + 1 < way.size(); ++i) {
-    const int next = way[i + 1].body;
+  for (std::size_t i = j; i + 1 < path.size(); ++i) {
+    const int next = path[i + 1].body;
     add(dot(frames_.p(next), frames_.p(next)));
-    if (way[i + 1].slides) add(frames_.slide(next) * frames_.slide(next));
+    if (path[i + 1].slides) add(frames_.slide(next) * frames_.slide(next));
   }
   add(dot(end.p, end.p));
   return lengths;
@@ -254,14 +254,14 @@ ClosedLoops::Lengths ClosedLoops::lengths_beyond(const std::vector<Joint>& way, 
 ClosedLoops::Reach ClosedLoops::reach_of(std::size_t l, int position) const {
   Lengths column{0, 0}, turns{0, 0};
   for (std::size_t e = 0; e < 2; ++e) {
-    const std::vector<Joint>& way = loops_[l].ways[e];
-    for (std::size_t j = 0; j < way.size(); ++j) {
-      const Number times = factor(way[j].body, at(position));
+    const std::vector<Joint>& path = loops_[l].paths[e];
+    for (std::size_t j = 0; j < path.size(); ++j) {
+      const Number times = factor(path[j].body, at(position));
       if (vanishes(times)) continue;
-      const Lengths beyond = lengths_beyond(way, j, mechanism_.loops[l].ends[e]);
+      const Lengths beyond = lengths_beyond(path, j, mechanism_.loops[l].ends[e]);
       column.squares += times * times * beyond.squares;
       column.count += beyond.count;
-      if (way[j].slides) continue;
+      if (path[j].slides) continue;
       turns.squares += times * times;
       ++turns.count;
     }

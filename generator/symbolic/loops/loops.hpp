@@ -46,13 +46,13 @@ class ClosedLoops {
     Vec3 link;          // from the joint's frame to the next one's, or to the end
   };
   // From the carrier to one end, in the loop's axes.
-  struct Way {
+  struct Path {
     std::vector<Joint> joints;
     Vec3 end;
     Mat3 R;  // from the end's body
   };
   struct Loop {
-    std::vector<Joint> ways[2];
+    std::vector<Joint> paths[2];
     std::vector<Number> gap;  // by component
     Rows J;                   // by row, by entry of q
     Number determinant, reciprocal;
@@ -66,14 +66,15 @@ class ClosedLoops {
     Vec3 domega = zero_vector(), a = zero_vector();
   };
 
-  Way way_to(const LoopClosure& closure, std::size_t end, const std::string& name);
+  Path path_to(const LoopClosure& closure, std::size_t end, const std::string& name);
   Loop geometry(const LoopClosure& closure, std::size_t l);
-  void find_axes(const LoopClosure& closure, const Way& first, const Way& second, const std::string& name, Loop& loop);
+  void find_axes(const LoopClosure& closure, const Path& first, const Path& second, const std::string& name,
+                 Loop& loop);
   Number factor(int body, std::size_t position) const;
   // Values of all entries of q: those of the independent ones as given, those of the dependent ones so that
   // Φ_q values + extra = 0.
   std::vector<Number> completed(std::vector<Number> values, const Extra& extra, const std::string& name) const;
-  Motion motion_of(const std::vector<Joint>& way, const std::vector<Number>& rates,
+  Motion motion_of(const std::vector<Joint>& path, const std::vector<Number>& rates,
                    const std::vector<Number>& rates_r) const;
   std::vector<Number> drift_of(const Loop& loop, std::size_t l, const std::vector<Number>& rates,
                                const std::vector<Number>& rates_r) const;
@@ -86,7 +87,7 @@ class ClosedLoops {
   struct Reach {
     Number moves, turns;  // of the end, of its axis
   };
-  Lengths lengths_beyond(const std::vector<Joint>& way, std::size_t j, const LoopClosure::End& end) const;
+  Lengths lengths_beyond(const std::vector<Joint>& path, std::size_t j, const LoopClosure::End& end) const;
   Reach reach_of(std::size_t l, int position) const;
   Number length_scale(std::size_t l) const;
   Number largest_determinant(std::size_t l, const Number& scale) const;

@@ -47,7 +47,7 @@ class Deriver {
         form_(closed_form(mechanism)),
         names_(mechanism, form_),
         angles_(mechanism),
-        pretty_(names_, mechanism.size(), notation, options.digits, mechanism.angles) {}
+        formatter_(names_, mechanism.size(), notation, options.digits, mechanism.angles) {}
 
   DerivedModel run() {
     add_joints();
@@ -56,7 +56,7 @@ class Deriver {
     add_christoffel_symbols();
     for (int i = 0; i < n(); ++i) {
       g_.push_back(readable(form_.g[at(i)]));
-      model_.gravity.push_back(line("g" + pretty_.subscript({i}), g_.back(), GroupBy::motion));
+      model_.gravity.push_back(line("g" + formatter_.subscript({i}), g_.back(), GroupBy::motion));
     }
     for (int i = 0; i < n(); ++i) add_equation(i);
     add_notes();
@@ -67,9 +67,9 @@ class Deriver {
   int n() const { return mechanism_.size(); }
 
   Readable readable(const Number& expression) const {
-    constexpr int kHope = 4;  // rewriting angles seldom saves more than this factor
+    constexpr int kLargestReduction = 4;  // rewriting angles seldom saves more than this factor
     const int terms = GiNaC::is_a<GiNaC::add>(expression) ? static_cast<int>(expression.nops()) : 1;
-    if (terms > kHope * options_.max_terms) return {{}, terms, true};
+    if (terms > kLargestReduction * options_.max_terms) return {{}, terms, true};
     ReadableSum sum = angles_.rewritten(names_.readable(expression));
     const int left = static_cast<int>(sum.size());
     return {left > options_.max_terms ? ReadableSum{} : std::move(sum), left, left > options_.max_terms};
@@ -79,15 +79,15 @@ class Deriver {
 
   DerivedLine line(const std::string& name, const Readable& value, GroupBy group_by) {
     if (value.left_out) return {name, left_out_text(value.terms), value.terms, true};
-    return {name, pretty_.text(value.sum, group_by), value.terms, false};
+    return {name, formatter_.text(value.sum, group_by), value.terms, false};
   }
 
   void add_joints() {
     for (int i = 0; i < n(); ++i) {
       const Body& body = mechanism_.joint(i);
-      const bool slides = (body.prismatic || moves_a_slide(i)) && !pretty_.long_names();
+      const bool slides = (body.prismatic || moves_a_slide(i)) && !formatter_.long_names();
       const std::string type = body.prismatic ? "prismatic" : body.continuous ? "continuous" : "revolute";
-      model_.joints.push_back({pretty_.coordinate("q", i) + (slides ? " = " + pretty_.coordinate("d", i) : ""),
+      model_.joints.push_back({formatter_.coordinate("q", i) + (slides ? " = " + formatter_.coordinate("d", i) : ""),
                                fmt::format("{} ({})", body.joint, type), 0, false});
     }
   }
@@ -101,7 +101,7 @@ class Deriver {
   }
 
   void add_coupled_joints() {
-    const auto coordinate = [this](int k) { return pretty_.coordinate("q", k); };
+    const auto coordinate = [this](int k) { return formatter_.coordinate("q", k); };
     for (const std::string& text : coupled_joint_texts(mechanism_, coordinate)) model_.coupled.push_back(text);
   }
 
@@ -111,9 +111,9 @@ class Deriver {
       for (int j = 0; j < n(); ++j) {
         b_[at(i)].push_back(j < i ? b_[at(j)][at(i)] : readable(form_.B[at(i)][at(j)]));
         if (j < i) continue;
-        const std::string name = "b" + pretty_.subscript({i, j});
+        const std::string name = "b" + formatter_.subscript({i, j});
         model_.inertia.push_back(
-            line(i == j ? name : name + " = b" + pretty_.subscript({j, i}), b_[at(i)].back(), GroupBy::parameters));
+            line(i == j ? name : name + " = b" + formatter_.subscript({j, i}), b_[at(i)].back(), GroupBy::parameters));
       }
     }
   }
@@ -149,10 +149,11 @@ class Deriver {
     std::erase_if(in_order, [&](const ReadableSum* sum) { return uses[*sum] < 2; });
     std::map<ReadableSum, std::string> names;
     for (std::size_t k = 0; k < in_order.size(); ++k) {
-      const std::string name = shared_name() + (in_order.size() == 1 ? "" : pretty_.subscript({static_cast<int>(k)}));
+      const std::string name =
+          shared_name() + (in_order.size() == 1 ? "" : formatter_.subscript({static_cast<int>(k)}));
       names[*in_order[k]] = name;
       const int terms = static_cast<int>(in_order[k]->size());
-      model_.shared.push_back({name, pretty_.text(*in_order[k], GroupBy::parameters), terms, false});
+      model_.shared.push_back({name, formatter_.text(*in_order[k], GroupBy::parameters), terms, false});
     }
     for (int i = 0; i < n(); ++i) {
       for (int j = 0; j < n(); ++j) {
@@ -164,8 +165,8 @@ class Deriver {
   void add_christoffel_line(int i, int j, int k, const std::map<ReadableSum, std::string>& names) {
     const Readable& c = c_[at(i)][{j, k}];
     if (c.sum.empty() && !c.left_out) return;
-    std::string name = "c" + pretty_.subscript({i, j, k});
-    if (j != k) name += " = c" + pretty_.subscript({i, k, j});
+    std::string name = "c" + formatter_.subscript({i, j, k});
+    if (j != k) name += " = c" + formatter_.subscript({i, k, j});
     DerivedLine result = line(name, c, GroupBy::parameters);
     if (const auto same = names.find(c.sum); same != names.end()) {
       result.text = same->second;
@@ -185,7 +186,7 @@ class Deriver {
 
   // Adds the equation Σ b_ij qdd_j + Σ c_ijj qd_j² + Σ 2 c_ijk qd_j qd_k + friction + g_i = tau_i.
   void add_equation(int i) {
-    std::vector<Piece> pieces;
+    std::vector<SignedTerm> pieces;
     int terms = 0;
     bool complete = true;
     const auto add = [&](const Readable& value, int factor, const std::string& suffix, GroupBy group_by) {
@@ -194,32 +195,32 @@ class Deriver {
       if (value.sum.empty()) return;
       ReadableSum sum = value.sum;
       for (auto& term : sum) term.second *= factor;
-      const std::vector<Piece> summands = pretty_.pieces(sum, group_by);
+      const std::vector<SignedTerm> summands = formatter_.pieces(sum, group_by);
       if (suffix.empty()) {
         pieces.insert(pieces.end(), summands.begin(), summands.end());
       } else {
-        pieces.push_back(Pretty::times(summands, suffix));
+        pieces.push_back(SumFormatter::times(summands, suffix));
       }
     };
-    for (int j = 0; j < n(); ++j) add(b_[at(i)][at(j)], 1, pretty_.coordinate("qdd", j), GroupBy::parameters);
+    for (int j = 0; j < n(); ++j) add(b_[at(i)][at(j)], 1, formatter_.coordinate("qdd", j), GroupBy::parameters);
     for (const auto& [joints, c] : c_[at(i)]) {
       const auto [j, k] = joints;
-      const std::string first = pretty_.coordinate("qd", j);
-      const std::string rates = j == k ? first + "^2" : first + " " + pretty_.coordinate("qd", k);
+      const std::string first = formatter_.coordinate("qd", j);
+      const std::string rates = j == k ? first + "^2" : first + " " + formatter_.coordinate("qd", k);
       add(c, j == k ? 1 : 2, rates, GroupBy::parameters);
     }
     for (const auto& [factor, friction] : friction_of(i)) add(readable(friction), 1, factor, GroupBy::parameters);
     add(g_[at(i)], 1, "", GroupBy::motion);
     const bool left_out = !complete || terms > options_.max_terms;
-    model_.equations.push_back(
-        {pretty_.coordinate("tau", i), left_out ? left_out_text(terms) : Pretty::joined(pieces), terms, left_out});
+    model_.equations.push_back({formatter_.coordinate("tau", i),
+                                left_out ? left_out_text(terms) : SumFormatter::joined(pieces), terms, left_out});
   }
 
   // The friction terms of equation i: functions of velocity, each with its coefficient.
   std::vector<std::pair<std::string, Number>> friction_of(int i) const {
     if (!mechanism_.is_coupled()) {
       const Body& body = mechanism_.joint(i);
-      const std::string rate = pretty_.coordinate("qd", i);
+      const std::string rate = formatter_.coordinate("qd", i);
       return {{rate, body.viscous}, {sign_of(rate), body.coulomb}};
     }
     std::vector<std::pair<std::string, Number>> terms;
@@ -227,7 +228,7 @@ class Deriver {
     for (int k = 0; k < n(); ++k) {
       Number viscous = 0;
       for (std::size_t r = 0; r < A.size(); ++r) viscous += A[r][at(i)] * A[r][at(k)] * mechanism_.bodies[r].viscous;
-      terms.emplace_back(pretty_.coordinate("qd", k), viscous);
+      terms.emplace_back(formatter_.coordinate("qd", k), viscous);
     }
     for (std::size_t r = 0; r < A.size(); ++r) {
       terms.emplace_back(sign_of(rate_text(A[r])), A[r][at(i)] * mechanism_.bodies[r].coulomb);
@@ -237,15 +238,15 @@ class Deriver {
 
   // A joint's rate as text: "qd_2 - qd_1".
   std::string rate_text(const std::vector<Number>& factors) const {
-    std::vector<Piece> pieces;
+    std::vector<SignedTerm> pieces;
     for (std::size_t k = 0; k < factors.size(); ++k) {
       if (vanishes(factors[k])) continue;
       const bool negative = nearest_double(factors[k]) < 0;
       const Number magnitude = negative ? -factors[k] : factors[k];
       const std::string times = magnitude.is_equal(1) ? "" : to_decimal(magnitude, options_.digits) + " ";
-      pieces.push_back({negative, times + pretty_.coordinate("qd", static_cast<int>(k))});
+      pieces.push_back({negative, times + formatter_.coordinate("qd", static_cast<int>(k))});
     }
-    return Pretty::joined(pieces);
+    return SumFormatter::joined(pieces);
   }
 
   std::string sign_of(const std::string& rate) const {
@@ -255,12 +256,12 @@ class Deriver {
   void add_notes() {
     const bool turns = std::any_of(mechanism_.bodies.begin(), mechanism_.bodies.end(),
                                    [](const Body& body) { return !body.prismatic; });
-    if (turns && !pretty_.long_names()) {
+    if (turns && !formatter_.long_names()) {
       model_.notes.emplace_back(
           "c_1 = cos(q_1), s_1 = sin(q_1), c_12 = cos(q_1 + q_2); c_ijk to the left of = is a "
           "Christoffel symbol");
     }
-    if (pretty_.rounded()) model_.notes.push_back(fmt::format("numbers are rounded to {} digits", options_.digits));
+    if (formatter_.rounded()) model_.notes.push_back(fmt::format("numbers are rounded to {} digits", options_.digits));
     int count = 0, terms = 0;
     for (const auto* lines : {&model_.inertia, &model_.christoffel, &model_.gravity, &model_.equations}) {
       for (const DerivedLine& line : *lines) {
@@ -278,9 +279,9 @@ class Deriver {
   const Mechanism& mechanism_;
   const DeriveOptions& options_;
   ClosedForm form_;
-  Names names_;
+  FactorNames names_;
   AngleRewriter angles_;
-  Pretty pretty_;
+  SumFormatter formatter_;
   DerivedModel model_;
   std::vector<std::vector<Readable>> b_;
   std::vector<std::map<std::pair<int, int>, Readable>> c_;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/mechanism.hpp"
-#include "symbolic/notation/pretty.hpp"
+#include "symbolic/notation/sum_formatter.hpp"
 
 namespace flatdyn {
 

@@ -39,8 +39,8 @@ std::string factor_text(const Number& factor) {
 
 std::string NumberText::operator()(const Number& number) const {
   if (!has_symbols(number)) return plain_number_text(number, digits_);
-  Pretty pretty(names_, 0, Notation::text, digits_);
-  return pretty.text(names_.readable(number), GroupBy::parameters);
+  SumFormatter formatter(names_, 0, Notation::text, digits_);
+  return formatter.text(names_.readable(number), GroupBy::parameters);
 }
 
 std::string NumberText::operator()(const Vec3& vector) const {

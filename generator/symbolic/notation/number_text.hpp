@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "symbolic/notation/pretty.hpp"
+#include "symbolic/notation/sum_formatter.hpp"
 
 namespace flatdyn {
 
@@ -20,7 +20,7 @@ class NumberText {
 
  private:
   ClosedForm no_motion_;  // constants contain neither sines nor coordinates of joints
-  Names names_;
+  FactorNames names_;
   int digits_;
 };
 

@@ -124,7 +124,7 @@ std::strong_ordering Factor::operator<=>(const Factor& b) const {
   return kind <=> b.kind;
 }
 
-Names::Names(const Mechanism& mechanism, const ClosedForm& form) : form_(form) {
+FactorNames::FactorNames(const Mechanism& mechanism, const ClosedForm& form) : form_(form) {
   for (const FreeSymbol& symbol : mechanism.symbols) {
     entries_.push_back({symbol.name, kind_of(symbol.symbol, mechanism), symbol.symbol});
   }
@@ -155,7 +155,7 @@ Names::Names(const Mechanism& mechanism, const ClosedForm& form) : form_(form) {
   for (const Entry& entry : entries_) names_.push_back(entry.name);
 }
 
-void Names::multiply(const Number& factor, int exponent, Monomial& monomial, Rational& coefficient) const {
+void FactorNames::multiply(const Number& factor, int exponent, Monomial& monomial, Rational& coefficient) const {
   if (is_rational(factor)) {
     for (int k = 0; k < exponent; ++k) coefficient *= to_rational(factor);
     return;
@@ -181,7 +181,7 @@ void Names::multiply(const Number& factor, int exponent, Monomial& monomial, Rat
   throw Failure(ExitCode::unsupported, "the closed form has a factor that cannot be printed: " + plain_text(factor));
 }
 
-ReadableSum Names::readable(const Number& expression) const {
+ReadableSum FactorNames::readable(const Number& expression) const {
   ReadableSum sum;
   for_terms(expression.expand(), [&](const Number& term) {
     Monomial monomial;

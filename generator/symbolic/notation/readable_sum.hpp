@@ -33,9 +33,9 @@ using ReadableSum = std::map<Monomial, Rational>;
 // The names of the factors in a robot's sums, in the order in which people list them: by the number at the name's end
 // (the link), then by the letters between underscore and number, then by those before: I_l1, m_l1, I_m1, I_l2. A factor
 // is a free symbol, its sine or cosine, or the reciprocal of an expression in free symbols.
-class Names {
+class FactorNames {
  public:
-  Names(const Mechanism& mechanism, const ClosedForm& form);
+  FactorNames(const Mechanism& mechanism, const ClosedForm& form);
 
   // The expression as a sum. Throws Failure(unsupported) if it is not a polynomial in the known factors.
   ReadableSum readable(const Number& expression) const;

@@ -7,7 +7,7 @@
 #include "diagnostics/diagnostics.hpp"
 #include "graph/mod_p.hpp"
 #include "model/field_mechanism.hpp"
-#include "symbolic/dynamics/workbench.hpp"
+#include "symbolic/dynamics/derivation_context.hpp"
 #include "symbolic/kernel/elimination.hpp"
 #include "symbolic/parameters/regressor.hpp"
 
@@ -16,12 +16,12 @@ namespace {
 
 // The regressor of the tree's base parameters, at the coordinates.
 Function sampled_function(const Mechanism& mechanism, const BaseParameters& base) {
-  Workbench bench(mechanism);
-  const std::vector<Number> qd = bench.joint_motion(InputKind::qd);
-  const JointMotion motion{qd, qd, bench.joint_motion(InputKind::qdd), mechanism.gravity};
-  const Rows Y = regressor(bench.frames, motion, base.columns);
-  const std::vector<NodeId> entries = bench.nodes(rows_at_coordinates(mechanism, bench.derivation, Y, "y"));
-  return finished(bench, {matrix_output("Y_b", bench.size(), base.size(), entries, "")});
+  DerivationContext context(mechanism);
+  const std::vector<Number> qd = context.joint_motion(InputKind::qd);
+  const JointMotion motion{qd, qd, context.joint_motion(InputKind::qdd), mechanism.gravity};
+  const Rows Y = regressor(context.frames, motion, base.columns);
+  const std::vector<NodeId> entries = context.nodes(rows_at_coordinates(mechanism, context.derivation, Y, "y"));
+  return finished(context, {matrix_output("Y_b", context.size(), base.size(), entries, "")});
 }
 
 using F = ModP<kMersenne61>;

@@ -78,7 +78,7 @@ Vec3 third_axis(const LoopClosure& loop) { return {loop.axes[0][2], loop.axes[1]
 std::optional<Vec3> carried_axis(const Mechanism& mechanism, const LoopClosure& loop, const LoopClosure::End& end,
                                  const Size& size) {
   Vec3 axis = third_axis(loop);
-  for (const int body : way_to(mechanism, end.body, loop.carrier)) {
+  for (const int body : path_to(mechanism, end.body, loop.carrier)) {
     const Body& joint = mechanism.bodies[static_cast<std::size_t>(body)];
     axis = expanded(transpose(joint_axes(joint)) * axis);
     if (joint.prismatic) continue;
@@ -124,7 +124,7 @@ ParameterForm products_round_loop(const Mechanism& mechanism, const LoopClosure&
     const LoopClosure::End& end = loop.ends[is_second];
     const int sign = is_second ? -1 : 1;
     Vec3 next = end.p;
-    std::vector<int> way = way_to(mechanism, end.body, loop.carrier);
+    std::vector<int> way = path_to(mechanism, end.body, loop.carrier);
     for (; !way.empty(); way.pop_back()) {
       const Body& joint = mechanism.bodies[static_cast<std::size_t>(way.back())];
       if (joint.prismatic) return {};

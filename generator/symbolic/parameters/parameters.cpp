@@ -76,7 +76,7 @@ std::vector<bool> parameters_in(const Mechanism& mechanism, ParameterSet set) {
   return present;
 }
 
-Mechanism carrying(const Mechanism& mechanism, ParameterSet set) {
+Mechanism with_parameter_set(const Mechanism& mechanism, ParameterSet set) {
   const std::vector<bool> present = parameters_in(mechanism, set);
   const std::vector<Number> values = dynamic_parameters(mechanism);
   Mechanism changed = mechanism;

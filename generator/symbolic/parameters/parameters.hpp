@@ -47,6 +47,6 @@ std::vector<bool> parameters_in(const Mechanism& mechanism, ParameterSet set);
 
 // The same mechanism with a rotor, viscous and Coulomb friction at exactly the joints where `set` has them; missing
 // ones are set to 1. Its regressor with the given parameters is that of `mechanism` with the parameters of `set`.
-Mechanism carrying(const Mechanism& mechanism, ParameterSet set);
+Mechanism with_parameter_set(const Mechanism& mechanism, ParameterSet set);
 
 }  // namespace flatdyn

@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "symbolic/dynamics/workbench.hpp"
+#include "symbolic/dynamics/derivation_context.hpp"
 #include "symbolic/parameters/base_parameters.hpp"
 #include "symbolic/parameters/regressor.hpp"
 
@@ -12,17 +12,17 @@ namespace {
 
 constexpr const char* kColumnMeaning = "column k is the torque for base parameter k = 1, the others 0";
 
-Rows regressor_at_coordinates(Workbench& bench, const JointMotion& motion, const std::vector<int>& columns) {
-  return rows_at_coordinates(bench.mechanism, bench.derivation, regressor(bench.frames, motion, columns), "y");
+Rows regressor_at_coordinates(DerivationContext& context, const JointMotion& motion, const std::vector<int>& columns) {
+  return rows_at_coordinates(context.mechanism, context.derivation, regressor(context.frames, motion, columns), "y");
 }
 
 Function regressor_of(const Mechanism& mechanism, const std::vector<int>& columns, const std::string& name,
                       const std::string& meaning) {
-  Workbench bench(mechanism);
-  const std::vector<Number> qd = bench.joint_motion(InputKind::qd);
-  const JointMotion motion{qd, qd, bench.joint_motion(InputKind::qdd), mechanism.gravity};
-  const std::vector<NodeId> entries = bench.nodes(regressor_at_coordinates(bench, motion, columns));
-  return finished(bench, {matrix_output(name, bench.size(), static_cast<int>(columns.size()), entries, meaning)});
+  DerivationContext context(mechanism);
+  const std::vector<Number> qd = context.joint_motion(InputKind::qd);
+  const JointMotion motion{qd, qd, context.joint_motion(InputKind::qdd), mechanism.gravity};
+  const std::vector<NodeId> entries = context.nodes(regressor_at_coordinates(context, motion, columns));
+  return finished(context, {matrix_output(name, context.size(), static_cast<int>(columns.size()), entries, meaning)});
 }
 
 }  // namespace
@@ -38,13 +38,13 @@ Function derive_base_regressor(const Mechanism& mechanism) {
 }
 
 Function derive_base_parameters(const Mechanism& mechanism) {
-  Workbench bench(mechanism);
+  DerivationContext context(mechanism);
   const std::vector<Number> values = base_values(mechanism, base_parameters(mechanism));
-  return finished(bench, {vector_output("pi_b", bench.nodes(values), "base parameters, SI units")});
+  return finished(context, {vector_output("pi_b", context.nodes(values), "base parameters, SI units")});
 }
 
 Function derive_inverse_dynamics_base(const Mechanism& mechanism) {
-  Derivation derivation(Workbench::parameters(mechanism));
+  Derivation derivation(DerivationContext::parameters(mechanism));
   const BaseParameters base = base_parameters(mechanism);
   const Mechanism run_time = with_base_parameters(mechanism, base, inputs(derivation, InputKind::pi_b, base.size()));
   Frames frames(run_time, derivation);
@@ -60,13 +60,13 @@ Function derive_inverse_dynamics_base(const Mechanism& mechanism) {
 }
 
 Function derive_adaptive_regressor(const Mechanism& mechanism) {
-  Workbench bench(mechanism);
-  const JointMotion motion{bench.joint_motion(InputKind::qd), bench.joint_motion(InputKind::qd_r),
-                           bench.joint_motion(InputKind::qdd_r), mechanism.gravity};
+  DerivationContext context(mechanism);
+  const JointMotion motion{context.joint_motion(InputKind::qd), context.joint_motion(InputKind::qd_r),
+                           context.joint_motion(InputKind::qdd_r), mechanism.gravity};
   const std::vector<int> columns = base_parameters(mechanism).columns;
-  const std::vector<NodeId> entries = bench.nodes(regressor_at_coordinates(bench, motion, columns));
-  return finished(bench,
-                  {matrix_output("Y_b", bench.size(), static_cast<int>(columns.size()), entries, kColumnMeaning)});
+  const std::vector<NodeId> entries = context.nodes(regressor_at_coordinates(context, motion, columns));
+  return finished(context,
+                  {matrix_output("Y_b", context.size(), static_cast<int>(columns.size()), entries, kColumnMeaning)});
 }
 
 }  // namespace flatdyn

@@ -28,7 +28,7 @@ TEST(Combinations, AreDecidedExactly) {
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->coefficients(0), 2, 1e-12);
   EXPECT_NEAR(found->coefficients(1), -1, 1e-12);
-  EXPECT_LT(found->doubt, 1e-8);
+  EXPECT_LT(found->error_bound, 1e-8);
   EXPECT_FALSE(combinations.of(nearly, real_y));
 }
 

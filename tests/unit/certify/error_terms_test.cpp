@@ -60,7 +60,7 @@ TEST_P(SumTimesThree, IsProvenByGappa) {
   EXPECT_THAT(scripts[0].text, ::testing::HasSubstr("rnd(qd_1 + qd_2) - (qd_1 + qd_2)"));
   scripts.push_back(sum_script("f", "tau[0]", "N m", error));
   EXPECT_EQ(scripts[1].name, "f.tau_0.g");
-  EXPECT_THAT(ask_gappa(scripts, kSeconds), ::testing::Each(Verdict::proven));
+  EXPECT_THAT(run_gappa(scripts, kSeconds), ::testing::Each(Verdict::proven));
 }
 
 TEST_P(SumTimesThree, WithABoundThatIsTooSmallIsRefused) {
@@ -73,7 +73,7 @@ TEST_P(SumTimesThree, WithABoundThatIsTooSmallIsRefused) {
   ASSERT_NE(at, std::string::npos) << roundings.text;
   roundings.text.replace(at, of_sum.size(), fmt::format("[-1b{0}, 1b{0}]", -format_.precision - 1));
   scripts.push_back(roundings);
-  EXPECT_THAT(ask_gappa(scripts, kSeconds), ::testing::Each(Verdict::refused));
+  EXPECT_THAT(run_gappa(scripts, kSeconds), ::testing::Each(Verdict::refused));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scalars, SumTimesThree, ::testing::Values("double", "float"),
@@ -127,7 +127,7 @@ TEST(ErrorAnalysis, BoundsErrorsOfAVectorTogether) {
   EXPECT_NEAR(vector->bound, by_hand, 0.005 * by_hand);
   const GappaScript script = sum_script("f", "tau[0]", "N m", error);
   EXPECT_THAT(script.text, ::testing::HasSubstr(fmt::format("sqrt(r{0} * r{0} + r{1} * r{1})", x, y)));
-  EXPECT_THAT(ask_gappa({script}, kSeconds), ::testing::Each(Verdict::proven));
+  EXPECT_THAT(run_gappa({script}, kSeconds), ::testing::Each(Verdict::proven));
 }
 
 // 2^k x is exact, but it may overflow all the same.

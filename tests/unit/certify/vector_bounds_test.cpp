@@ -44,10 +44,10 @@ TEST(OfAnyAngle, IsAsLongAsTheVectorAtEveryAngle) {
     MatrixXd C = random(rows, cols), S = random(rows, cols);
     const double size = std::hypot(C.norm(), S.norm());
     C /= size, S /= size;
-    const MatrixXd N = of_any_angle(C, S);
+    const MatrixXd N = bound_over_all_angles(C, S);
     const VectorXd phi = random(cols, 1);
     const double seen = seen_at_all_angles(C, S, phi), bound = (N * phi).norm();
-    EXPECT_LE(seen, std::hypot(bound, kRestOfAngles) + kRounding);
+    EXPECT_LE(seen, std::hypot(bound, kNegligibleOfAngles) + kRounding);
     EXPECT_LE(bound, 1.2 * std::hypot((C * phi).norm(), (S * phi).norm()));  // the value that (C, S) could reach
   }
 }
@@ -57,7 +57,7 @@ TEST(OfAnyAngle, IsNoLongerWhereRowsTurnIntoEachOther) {
   MatrixXd C(3, 3), S(3, 3);
   C << 1, 0, 0, 0, 1, 0, 0, 0, 1;
   S << 0, -1, 0, 1, 0, 0, 0, 0, 0;
-  const MatrixXd N = of_any_angle(C, S);
+  const MatrixXd N = bound_over_all_angles(C, S);
   EXPECT_TRUE((N.transpose() * N).isApprox(MatrixXd::Identity(3, 3), 1e-9));
 }
 

@@ -100,7 +100,7 @@ void expect_roots() {
   using F = ModP<P>;
   int roots = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    const F x(scrambled(seed, P));
+    const F x(splitmix64(seed, P));
     if (x.is_square()) {
       EXPECT_EQ(x.sqrt() * x.sqrt(), x);
       ++roots;

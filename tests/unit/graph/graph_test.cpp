@@ -96,8 +96,8 @@ TEST_F(GraphTest, KeepsSharedOperandsIfAskedTo) {
   EXPECT_TRUE(sum.op == Op::sum && (sum.terms[0].node == doubled || sum.terms[1].node == doubled ||
                                     graph[sum.terms[0].node].terms.size() == 2));
   EXPECT_EQ(graph.sum_without_folding({{3, doubled}, {1, b}}), graph.sum({{6, a}, {1, b}}));
-  EXPECT_EQ(graph[graph.kept_product({ab, c})].operands, (std::vector<NodeId>{c, ab}));
-  EXPECT_EQ(graph.kept_product({minus(a), b}), minus(ab));
+  EXPECT_EQ(graph[graph.product_without_folding({ab, c})].operands, (std::vector<NodeId>{c, ab}));
+  EXPECT_EQ(graph.product_without_folding({minus(a), b}), minus(ab));
 }
 
 TEST_F(GraphTest, KeepsTheFirstName) {

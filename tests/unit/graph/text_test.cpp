@@ -24,7 +24,7 @@ Function one_of_each() {
   g.set_name(s, "s_2");
   const NodeId sum = g.sum({{Rational(1, 2), s}, {-1, c}}, Rational(-981, 100));
   const NodeId product = g.product({sum, sum, pi}), quotient = g.quotient(product, root);
-  const NodeId kept = g.kept_product({g.scaled(3, sum), sign});
+  const NodeId kept = g.product_without_folding({g.scaled(3, sum), sign});
   f.outputs.push_back({"tau", Layout::vector, 3, 1, {quotient, g.constant(0), kept}, "joint torques, N m", {}});
   f.outputs.push_back({"B", Layout::matrix, 1, 2, {g.constant(0), g.constant(Rational(7, 3))}, "", {true, false}});
   f.validity_conditions = {root, product};

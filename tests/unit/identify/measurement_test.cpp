@@ -244,7 +244,7 @@ TEST(BlockSharesTest, AreEqual) {
   constexpr int kParts = 4;
   const long lengths[] = {10, 3 * kBlock + 5, 0, kBlock, 2 * kBlock - 1, 77, 1, 40000};
   std::vector<long> lines(kParts, 0);
-  std::vector<BlockShares> shares;
+  std::vector<BlockPartition> shares;
   for (int k = 1; k <= kParts; ++k) shares.emplace_back(k, kParts);
   for (const long length : lengths) {
     for (long line = 0; line < length; ++line) {
@@ -257,7 +257,7 @@ TEST(BlockSharesTest, AreEqual) {
       ASSERT_EQ(owners, 1) << line << " of " << length;
     }
     shares[1].owns(length + 2 * kBlock);  // lines beyond the end have no effect
-    for (BlockShares& share : shares) share.end_log(length);
+    for (BlockPartition& share : shares) share.end_log(length);
     const auto [least, most] = std::minmax_element(lines.begin(), lines.end());
     EXPECT_LE(*most - *least, kBlock);
   }

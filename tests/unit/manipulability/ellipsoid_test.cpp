@@ -172,7 +172,7 @@ TEST(Shadow, IsTheOutline) {
     const Eigen::Matrix3d axes = Eigen::Quaterniond::UnitRandom().toRotationMatrix();
     const Ellipsoid ellipsoid{Eigen::Vector3d::Zero(), axes, Eigen::Vector3d(3, 2, trial % 3), 0};
     const Eigen::MatrixXd onto = Eigen::Quaterniond::UnitRandom().toRotationMatrix().topRows<2>();
-    const Eigen::Matrix2d half = shadow(ellipsoid, onto);
+    const Eigen::Matrix2d half = projected_axes(ellipsoid, onto);
     EXPECT_NEAR(half.col(0).dot(half.col(1)), 0, 1e-12);
     double farthest = 0;
     for (int k = 0; k < 20000; ++k) {

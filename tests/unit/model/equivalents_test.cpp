@@ -13,7 +13,7 @@ namespace {
 // The poses of links determine where the frames are.
 TEST(RaisedFrames, LeaveLinksWhereTheyAre) {
   const Mechanism arm = testing::model_of("panda.urdf").mechanism;
-  const Mechanism raised = with_frame_raised(with_frame_raised(arm, 2, Number(1) / 3), 6, Number(-2) / 7);
+  const Mechanism raised = with_frame_shifted(with_frame_shifted(arm, 2, Number(1) / 3), 6, Number(-2) / 7);
   EXPECT_FALSE(vanishes(raised.bodies[2].p[1] - arm.bodies[2].p[1]));
   for (const char* name : {"forward_kinematics", "jacobian", "forward_kinematics:panda_link3", "inverse_dynamics"}) {
     EXPECT_TRUE(prove_exactly(arm, derive_function(raised, name)).equal) << name;
@@ -24,7 +24,7 @@ TEST(RaisedFrames, AreThoseOfRevoluteJoints) {
   const Mechanism scara = testing::model_of("scara.toml").mechanism;
   for (int i = 0; i < scara.size(); ++i) {
     if (scara.bodies[static_cast<std::size_t>(i)].prismatic) {
-      EXPECT_THROW(with_frame_raised(scara, i, 1), Failure);
+      EXPECT_THROW(with_frame_shifted(scara, i, 1), Failure);
     }
   }
   EXPECT_TRUE(scara.has_prismatic_joint());

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "definition/pivot_share.hpp"
+#include "definition/pivot_ratio.hpp"
 #include "emit/languages/emit.hpp"
 #include "model/states.hpp"
 #include "planning/make_functions.hpp"
@@ -49,11 +49,11 @@ std::vector<OptimisedFunction> that_divide_by_pivots(const LoadedRobot& model) {
 }
 
 TEST(LostPivots, AreASmallShareOfTheDiagonal) {
-  EXPECT_GT(smallest_pivot_share(arm_with_link_of_mass("1").mechanism), 1e-3);
-  const double share = smallest_pivot_share(arm_with_link_of_mass("1e-9").mechanism);
+  EXPECT_GT(smallest_pivot_ratio(arm_with_link_of_mass("1").mechanism), 1e-3);
+  const double share = smallest_pivot_ratio(arm_with_link_of_mass("1e-9").mechanism);
   EXPECT_LT(share, 1e-7);
   EXPECT_GT(share, 1e-11);
-  EXPECT_LT(smallest_pivot_share(arm_with_link_of_mass("1e-30").mechanism), 1e-15);
+  EXPECT_LT(smallest_pivot_ratio(arm_with_link_of_mass("1e-30").mechanism), 1e-15);
 }
 
 TEST(LostPivots, AreCheckedOnlyWhereTheyMayBeLost) {

@@ -60,7 +60,7 @@ TEST(EmittedText, IsWhatWasPrinted) {
 TEST(EmittedText, HasTheFunctionsInOrder) {
   const EmittedText text(printed("scara.toml", kNames, 40).header);
   std::vector<std::string> names;
-  for (const WrittenFunction& function : text.functions()) names.push_back(function.member_of + ":" + function.name);
+  for (const ScannedFunction& function : text.functions()) names.push_back(function.member_of + ":" + function.name);
   EXPECT_THAT(names,
               ::testing::ElementsAre(":inverse_dynamics", ":inertia_matrix", ":forward_dynamics", ":kinetic_energy",
                                      ":forward_kinematics", ":at", "Configuration:inertia_matrix", "Configuration:with",

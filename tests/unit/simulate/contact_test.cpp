@@ -26,7 +26,7 @@ TEST(Contact, HoldsAJointUpToItsDryFriction) {
   const VectorXd coulomb = VectorXd::Constant(1, 3), rest = VectorXd::Zero(1);
   for (const double r : {-3.0, 0.0, 2.9}) {
     const VectorXd torque = VectorXd::Constant(1, r);
-    const Contacts contacts = decided(B, torque, coulomb, rest, {0});
+    const Contacts contacts = decided_contacts(B, torque, coulomb, rest, {0});
     EXPECT_TRUE(contacts[0].held);
     const ContactMotion motion = motion_of(B, torque, coulomb, contacts);
     EXPECT_EQ(motion.qdd(0), 0);
@@ -34,7 +34,7 @@ TEST(Contact, HoldsAJointUpToItsDryFriction) {
   }
   for (const double r : {-5.0, 5.0}) {
     const VectorXd torque = VectorXd::Constant(1, r);
-    const Contacts contacts = decided(B, torque, coulomb, rest, {0});
+    const Contacts contacts = decided_contacts(B, torque, coulomb, rest, {0});
     EXPECT_EQ(contacts[0].sliding, r > 0 ? 1 : -1);
     EXPECT_DOUBLE_EQ(motion_of(B, torque, coulomb, contacts).qdd(0), r > 0 ? 1 : -1);
   }
@@ -43,7 +43,7 @@ TEST(Contact, HoldsAJointUpToItsDryFriction) {
 // The other joint's motion drags a joint that its own torque would not move.
 TEST(Contact, DecidesUponCoupledJointsTogether) {
   const VectorXd coulomb = vector({0.5, 0}), r = vector({0, 6});
-  const Contacts contacts = decided(pair(), r, coulomb, VectorXd::Zero(2), {0, 0});
+  const Contacts contacts = decided_contacts(pair(), r, coulomb, VectorXd::Zero(2), {0, 0});
   EXPECT_FALSE(contacts[0].held);
   EXPECT_EQ(contacts[0].sliding, -1);
   EXPECT_FALSE(contacts[1].held);
@@ -53,16 +53,16 @@ TEST(Contact, DecidesUponCoupledJointsTogether) {
 TEST(Contact, AStopPushesAndNeverPulls) {
   const MatrixXd B = MatrixXd::Identity(1, 1);
   const VectorXd none = VectorXd::Zero(1);
-  EXPECT_TRUE(decided(B, VectorXd::Constant(1, -2), none, none, {-1})[0].held);
-  EXPECT_FALSE(decided(B, VectorXd::Constant(1, 2), none, none, {-1})[0].held);
-  EXPECT_TRUE(decided(B, VectorXd::Constant(1, 2), none, none, {1})[0].held);
+  EXPECT_TRUE(decided_contacts(B, VectorXd::Constant(1, -2), none, none, {-1})[0].held);
+  EXPECT_FALSE(decided_contacts(B, VectorXd::Constant(1, 2), none, none, {-1})[0].held);
+  EXPECT_TRUE(decided_contacts(B, VectorXd::Constant(1, 2), none, none, {1})[0].held);
 }
 
 TEST(Contact, AnImpactTakesTheSpeedThatGoesThroughTheStopAndSharesTheRest) {
-  const VectorXd before = vector({-1, 0}), after = stopped(pair(), before, {-1, 0});
+  const VectorXd before = vector({-1, 0}), after = speeds_after_impact(pair(), before, {-1, 0});
   EXPECT_EQ(after(0), 0);
   EXPECT_NEAR(after(1), -1.0 / 3, 1e-15);  // B q̇ is kept along the other joint: 1·(−1) = 3·q̇_2
-  EXPECT_EQ(stopped(pair(), -before, {-1, 0}), -before);
+  EXPECT_EQ(speeds_after_impact(pair(), -before, {-1, 0}), -before);
 }
 
 // Coulomb's law, for random arms: holding forces stay within F_s, and sliding is opposed by all of it.
@@ -79,7 +79,8 @@ TEST(Contact, KeepsCoulombsLaw) {
     const int n = 1 + k % 8;
     const MatrixXd A = random(n, n), B = A * A.transpose() + 0.1 * MatrixXd::Identity(n, n);
     const VectorXd r = random(n, 1), coulomb = random(n, 1).cwiseAbs();
-    const Contacts contacts = decided(B, r, coulomb, VectorXd::Zero(n), std::vector<int>(static_cast<std::size_t>(n)));
+    const Contacts contacts =
+        decided_contacts(B, r, coulomb, VectorXd::Zero(n), std::vector<int>(static_cast<std::size_t>(n)));
     const ContactMotion motion = motion_of(B, r, coulomb, contacts);
     EXPECT_LE((B * motion.qdd - r - motion.lambda).norm(), 1e-11 * (1 + r.norm()));
     for (int i = 0; i < n; ++i) {

@@ -92,9 +92,9 @@ TEST_P(ScalingOf, TheLinearLawIsTheLeast) {
   ASSERT_TRUE(law && law->decided_by);
   const auto use = [&](double pace) {
     const Trajectory scaled = slowed(c.sides, pace);
-    return most_used(scaled, c.torques.torques(scaled), c.limits);
+    return largest_limit_use(scaled, c.torques.torques(scaled), c.limits);
   };
-  const LimitUsed used = use(law->c);
+  const LargestLimitUse used = use(law->c);
   EXPECT_NEAR(used.part, 1, 1e-12);
   EXPECT_EQ(used.kind, law->decided_by->kind);
   EXPECT_EQ(used.joint, law->decided_by->joint);
@@ -111,7 +111,7 @@ TEST_P(ScalingOf, TheTimeOptimalLawKeepsLimitsAndIsNeverSlower) {
     const Trajectory fast = paced(c.trajectory, law);
     const Trajectory both = with_both_sides(fast);
     EXPECT_GT(both.points.size(), 1.9 * static_cast<double>(fast.points.size()));
-    EXPECT_LE(most_used(both, c.torques.torques(both), c.limits).part, 1 + 1e-9) << part;
+    EXPECT_LE(largest_limit_use(both, c.torques.torques(both), c.limits).part, 1 + 1e-9) << part;
     EXPECT_LT(fast.duration(), linear->c * c.trajectory.duration() * (1 - 1e-3)) << part;
     for (std::size_t k = 1; k < law.time.size(); ++k) ASSERT_GT(law.time[k], law.time[k - 1]);
     EXPECT_NEAR(waiting_time(fast), 0.1 * std::min(1.0, linear->c), 1e-9) << part;
@@ -152,7 +152,7 @@ TEST(TimeOptimal, LinearisesFrictionUntilItIsExact) {
   EXPECT_GT(law.rounds, 1);
   EXPECT_LT(law.rounds, 40);
   const Trajectory fast = paced(c.trajectory, law);
-  const LimitUsed used = most_used(fast, c.torques.torques(fast), c.limits);
+  const LargestLimitUse used = largest_limit_use(fast, c.torques.torques(fast), c.limits);
   EXPECT_LE(used.part, 1 + 1e-9);
   EXPECT_GT(used.part, 1 - 1e-4);
 }
@@ -201,7 +201,7 @@ TEST(LinearScaling, IsRefusedWhereRestIsTooMuch) {
   c.limits.torque[1] = 0.9 * std::abs(c.path.d[worst * 6 + 1]);
   c.limits.torque[2] = 1e6;
   EXPECT_FALSE(linear_scaling(c.sides, c.path, c.limits, 1e-6));
-  const LimitUsed load = most_static_load(c.path, c.limits);
+  const LargestLimitUse load = largest_static_load(c.path, c.limits);
   EXPECT_EQ(load.joint, 1u);
   EXPECT_EQ(load.point, worst);
   EXPECT_NEAR(load.part, 1 / 0.9, 1e-12);

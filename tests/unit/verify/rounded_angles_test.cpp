@@ -29,7 +29,7 @@ class RoundedAngles : public RobotFiles {
     Diagnostics findings, none;
     std::vector<OptimisedFunction> functions;
     if (with_functions) functions = make_functions(model, options, silent, none);
-    ask_for_rounded_angles(model, options, functions, findings);
+    note_rounded_angles(model, options, functions, findings);
     return findings;
   }
 };

@@ -24,7 +24,7 @@ class CsvPositions : public RobotFiles {
     Diagnostics found;
     const CsvTable table = read_csv(write("states.csv", states), found);
     CsvHeading heading = table.heading("states.csv", mechanism, found);
-    ask_about_positions(table, heading.find(CsvQuantity::q), mechanism, "states.csv", found);
+    warn_of_positions(table, heading.find(CsvQuantity::q), mechanism, "states.csv", found);
     std::vector<std::string> messages;
     for (const Diagnostic& each : found.all()) messages.push_back(to_string(each));
     return messages;

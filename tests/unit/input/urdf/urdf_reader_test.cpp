@@ -351,7 +351,7 @@ TEST_F(UrdfReader, AJointThatTurnsMayMimicByAFraction) {
   EXPECT_EQ(mechanism.size(), 1);
   ASSERT_EQ(mechanism.angles.size(), 1U);
   EXPECT_EQ(mechanism.angles[0].factor, Number(113) / 100);
-  EXPECT_EQ(turns_of(mechanism, 1), (std::vector<Number>{0, 1}));
+  EXPECT_EQ(angle_factors(mechanism, 1), (std::vector<Number>{0, 1}));
 }
 
 TEST_F(UrdfReader, AFollowerOfAHeldJointIsHeldToo) {

@@ -12,7 +12,7 @@
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
 #include "symbolic/dynamics/centres.hpp"
-#include "symbolic/dynamics/workbench.hpp"
+#include "symbolic/dynamics/derivation_context.hpp"
 #include "symbolic/parameters/base_parameters.hpp"
 
 namespace flatdyn {
@@ -109,8 +109,8 @@ TEST(BaseRegressor, CostsFewOperations) {
 
 TEST(Centres, AreWhereThreeAxesMeet) {
   const Mechanism mechanism = testing::model_of("panda.urdf").mechanism;
-  Workbench bench(mechanism);
-  Centres centres(bench.frames);
+  DerivationContext context(mechanism);
+  Centres centres(context.frames);
   for (const int shoulder : {0, 1, 2}) EXPECT_EQ(centres.centre_of(shoulder), 0);
   for (const int other : {3, 4, 5, 6}) EXPECT_EQ(centres.centre_of(other), -1);
   const Vec3 elbow = centres.lever(0, 2);  // along the third axis

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The parts of emitted text outside of function bodies.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "readback/emitted_text.hpp"
+
+namespace flatdyn {
+
+struct ScannedText {
+  std::vector<ScannedFunction> functions;                  // the robot's functions, in order
+  std::map<std::string, ScannedFunction> parts;            // parts that only these call, by name
+  std::map<std::string, std::vector<std::string>> fields;  // fields of structs, by name
+};
+
+// Whether a function of the text is not one of the robot's formulas: rounding_is_as_written, and close_loops, which
+// calls the robot's functions in a loop.
+inline bool is_helper_function(const std::string& name) {
+  return name.ends_with("rounding_is_as_written") || name.ends_with("close_loops");
+}
+
+// Scans text whose variables have this type, which tells its language. Throws Failure(bug) if the emitter cannot have
+// written the text; so do the following functions, one for each language.
+ScannedText scanned(const std::vector<Token>& tokens, const std::string& scalar);
+
+// Scans a C++ header, followed by its source if there is one.
+ScannedText scanned_cpp(const std::vector<Token>& tokens);
+
+// Scans a C header and its source.
+ScannedText scan_c(const std::vector<Token>& tokens, const std::string& scalar);
+
+// Scans a JavaScript module. It does not tell which parameters are outputs, nor what a function returns.
+ScannedText scan_javascript(const std::vector<Token>& tokens);
+
+}  // namespace flatdyn
