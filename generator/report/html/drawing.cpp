@@ -97,7 +97,7 @@ class DrawingMaker {
                                  vector_output("axes", axes, "unit vectors along the joints' axes, base frame"),
                                  vector_output("g_0", gravity, "gravity, base frame, m/s^2")});
     drawing.name = "drawing";
-    drawing.summary = "What the robot is drawn from";
+    drawing.summary = "The points and axes that the robot is drawn from";
     return drawing;
   }
 
