@@ -74,7 +74,7 @@ bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scal
   return positive;
 }
 
-// What depends on positions only and is needed more than once.
+// Computes the terms that depend on positions only and are needed more than once.
 //   q[2]  in  joint positions, rad or m
 // Reads q[0..1]. Operations: 0 mul, 0 add, 4 sin/cos.
 template <class Scalar, class SinCos>
@@ -100,7 +100,7 @@ void Configuration<Scalar>::gravity(Scalar* g) const noexcept {
   g[0] = hu_2_t_x + Scalar(784.8) * c_1;
 }
 
-// What depends on velocities, too, and is needed more than once.
+// Computes the terms that depend on velocities, too, and are needed more than once.
 //   qd[2]  in  joint velocities, rad/s or m/s
 // Reads qd[0..1] and what is stored. Operations: 5 mul, 2 add.
 template <class Scalar>

@@ -38,7 +38,7 @@ using Real = double;
 
 inline constexpr int joint_count = 2;
 
-// As the robot file names them.
+// The names of the joints in the robot file.
 inline constexpr const char* joint_names[joint_count] = {"theta_1", "theta_2"};
 
 // A list of joints by their indices.
@@ -125,14 +125,14 @@ template <class Scalar>
 struct Configuration {
   // Gravity torques g(q) (7.39).
   void gravity(Scalar* g) const noexcept;
-  // What depends on velocities, too, and is needed more than once.
+  // Computes the terms that depend on velocities, too, and are needed more than once.
   Motion<Scalar> with(const Scalar* qd) const noexcept;
 
   // The terms that these functions share.
   Scalar c_1, s_1, c_2, s_2;
 };
 
-// What depends on positions only and is needed more than once.
+// Computes the terms that depend on positions only and are needed more than once.
 //   q[2]  in  joint positions, rad or m
 // Reads q[0..1]. Operations: 0 mul, 0 add, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>

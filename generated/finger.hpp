@@ -55,7 +55,7 @@ inline constexpr int joint_count = 3;
 // by which coupled joints turn.
 inline constexpr int angle_count = 4;
 
-// As the robot file names them.
+// The names of the joints in the robot file.
 inline constexpr const char* joint_names[joint_count] = {"spread", "mcp", "pip"};
 
 // Smallest position, rad or m.

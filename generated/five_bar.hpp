@@ -58,7 +58,7 @@ using Real = double;
 inline constexpr int joint_count = 2;
 inline constexpr int position_count = 4;
 
-// As the robot file names them.
+// The names of the joints in the robot file.
 inline constexpr const char* joint_names[joint_count] = {"left", "right"};
 
 // The joints of q.

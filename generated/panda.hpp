@@ -56,7 +56,7 @@ using Real = double;
 
 inline constexpr int joint_count = 7;
 
-// As the robot file names them.
+// The names of the joints in the robot file.
 inline constexpr const char* joint_names[joint_count] = {
     "panda_joint1", "panda_joint2", "panda_joint3", "panda_joint4", "panda_joint5", "panda_joint6",
     "panda_joint7"};

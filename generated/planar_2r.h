@@ -45,7 +45,7 @@ extern "C" {
 
 enum { PLANAR_2R_JOINT_COUNT = 2 };
 
-// As the robot file names them.
+// The names of the joints in the robot file.
 extern const char* const planar_2r_joint_names[PLANAR_2R_JOINT_COUNT];
 
 // The symbols that the robot file leaves open, an argument of every function. Units as in the file.

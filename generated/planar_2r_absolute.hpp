@@ -51,7 +51,7 @@ using Real = double;
 
 inline constexpr int joint_count = 2;
 
-// As the robot file names them.
+// The names of the joints in the robot file.
 inline constexpr const char* joint_names[joint_count] = {"theta_1", "theta_2"};
 
 // The symbols that the robot file leaves open, an argument of every function. Units as in the file.

@@ -60,7 +60,7 @@ using Real = double;
 
 inline constexpr int joint_count = 12;
 
-// As the robot file names them.
+// The names of the joints in the robot file.
 inline constexpr const char* joint_names[joint_count] = {
     "FL_HAA", "FL_HFE", "FL_KFE", "FR_HAA", "FR_HFE", "FR_KFE", "HL_HAA", "HL_HFE", "HL_KFE",
     "HR_HAA", "HR_HFE", "HR_KFE"};

@@ -53,7 +53,7 @@ using Real = double;
 
 inline constexpr int joint_count = 6;
 
-// As the robot file names them.
+// The names of the joints in the robot file.
 inline constexpr const char* joint_names[joint_count] = {
     "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"};
 

@@ -57,7 +57,7 @@ using Real = double;
 inline constexpr int joint_count = 1;
 inline constexpr int position_count = 3;
 
-// As the robot file names them.
+// The names of the joints in the robot file.
 inline constexpr const char* joint_names[joint_count] = {"theta_1"};
 
 // The joints of q.

@@ -53,7 +53,7 @@ using Real = double;
 
 inline constexpr int joint_count = 6;
 
-// As the robot file names them.
+// The names of the joints in the robot file.
 inline constexpr const char* joint_names[joint_count] = {
     "shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint",
     "wrist_3_joint"};

@@ -130,7 +130,8 @@ class PageWriter {
       std::vector<std::string> joints;
       for (const Body& body : mechanism_.joints()) joints.push_back(dialect_.text(body.joint));
       content_.exports.emplace_back("joint_names");
-      constants << constant("As the robot file names them", per_joint("const char*", "joint_names", joints));
+      constants << constant("The names of the joints in the robot file",
+                            per_joint("const char*", "joint_names", joints));
     }
     if (mechanism_.has_loops()) write_position_constants(header, constants);
     for (const LimitColumn& kind : limits_given(mechanism_)) {

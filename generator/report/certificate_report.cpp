@@ -144,9 +144,9 @@ std::string certificate_markdown(const Certificate& certificate, double enough, 
                                  const std::string& hash) {
   std::string text = fmt::format(
       "# Rounding errors of {} in {}\n\n"
-      "Of the text of `{}` ({}): how far a result can be from the exact value of the model, with the model's exact "
-      "numbers, at the same inputs.\n\n"
-      "This holds\n\n"
+      "The bounds below say how far a result of the text of `{}` ({}) can be from the exact value of the model, with "
+      "the model's exact numbers, at the same inputs.\n\n"
+      "They hold\n\n"
       "- within the limits of position, speed, acceleration and torque that the header states;\n"
       "- for {};\n"
       "- in builds in which `rounding_is_as_written<{}>()` is true.\n\n"

@@ -35,9 +35,9 @@ std::string summary(const std::vector<Snap>& snaps, const std::vector<double>& t
   for (const Snap& snap : snaps) ++count_of[snap.kind];
   std::vector<std::string> counts;
   for (const auto& [kind, count] : count_of) counts.push_back(counted(kind, count));
-  return fmt::format("{} taken as exact ({}); the largest torque change is {:.1g} N m; -v lists them\n",
-                     snaps.size() == 1 ? "1 number near an exact one was"
-                                       : fmt::format("{} numbers near exact ones were", snaps.size()),
+  return fmt::format("{} ({}); the largest torque change is {:.1g} N m; -v lists them\n",
+                     snaps.size() == 1 ? "1 number was snapped to an exact one near it"
+                                       : fmt::format("{} numbers were snapped to exact ones near them", snaps.size()),
                      fmt::join(counts, ", "), *std::max_element(torque_changes.begin(), torque_changes.end()));
 }
 
@@ -45,7 +45,7 @@ std::string summary(const std::vector<Snap>& snaps, const std::vector<double>& t
 
 std::string snap_text(const Snap& snap, double torque_change) {
   const std::string unit = snap.kind == Snap::Kind::axis ? "" : fmt::format(" {}", unit_of(snap.kind));
-  return fmt::format("{}: {} taken for {}: off by {:.1e}{}, changes torques by up to {:.1e}", snap.what, snap.written,
+  return fmt::format("{}: {} snapped to {}: off by {:.1e}{}, changes torques by up to {:.1e}", snap.what, snap.written,
                      plain_number_text(snap.exact), nearest_double(snap.difference), unit, torque_change);
 }
 
@@ -54,7 +54,7 @@ std::string describe_snaps(const std::vector<Snap>& snaps, const std::vector<dou
   if (snaps.empty()) return "";
   if (detail == SnapDetail::one_line) return "\n" + summary(snaps, torque_changes);
   std::string text =
-      "\nnumbers taken for exact ones near them (--snap 0 leaves them; torques in N m, at random states within "
+      "\nnumbers snapped to exact ones near them (--snap 0 leaves them; torques in N m, at random states within "
       "limits):\n";
   for (std::size_t k = 0; k < snaps.size(); ++k) {
     const Place& place = snaps[k].place;

@@ -17,7 +17,7 @@ enum class SnapDetail { one_line, each };
 std::string describe_snaps(const std::vector<Snap>& snaps, const std::vector<double>& torque_changes,
                            SnapDetail detail);
 
-// A snap without its place: 'joint "j", origin, rpy: 1.5708 taken for pi/2: off by -3.7e-06 rad, changes torques by up
+// A snap without its place: 'joint "j", origin, rpy: 1.5708 snapped to pi/2: off by -3.7e-06 rad, changes torques by up
 // to 1e-05'.
 std::string snap_text(const Snap& snap, double torque_change);
 

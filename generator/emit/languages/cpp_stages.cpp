@@ -46,8 +46,9 @@ std::string declaration(const FunctionText& text) {
 }
 
 std::vector<std::string> comment_of_maker(const StageText& stage) {
-  const std::string what = stage.make.name == "at" ? "What depends on positions only and is needed more than once."
-                                                   : "What depends on velocities, too, and is needed more than once.";
+  const std::string what = stage.make.name == "at"
+                               ? "Computes the terms that depend on positions only and are needed more than once."
+                               : "Computes the terms that depend on velocities, too, and are needed more than once.";
   std::vector<std::string> lines = {what};
   for (const std::string& argument : stage.make.arguments) lines.push_back("  " + comment_text(argument));
   const std::string facts = "Reads " + stage.make.reads + ". Operations: " + stage.operations + ".";

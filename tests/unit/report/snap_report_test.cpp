@@ -21,19 +21,19 @@ const std::vector<double> kChanges = {3e-6, 2e-15, 3e-15, 4e-18};
 TEST(SnapReport, IsOneLine) {
   EXPECT_EQ(
       describe_snaps(some_snaps(), kChanges, SnapDetail::one_line),
-      "\n4 numbers near exact ones were taken as exact (1 angle, 2 components of axes, 1 product of inertia); the "
+      "\n4 numbers were snapped to exact ones near them (1 angle, 2 components of axes, 1 product of inertia); the "
       "largest torque change is 3e-06 N m; -v lists them\n");
   EXPECT_EQ(describe_snaps({some_snaps()[1]}, {2e-15}, SnapDetail::one_line),
-            "\n1 number near an exact one was taken as exact (1 component of axes); the largest torque change is 2e-15 "
+            "\n1 number was snapped to an exact one near it (1 component of axes); the largest torque change is 2e-15 "
             "N m; -v lists them\n");
   EXPECT_EQ(describe_snaps({}, {}, SnapDetail::one_line), "");
 }
 
 TEST(SnapReport, ListsEach) {
   const std::string text = describe_snaps(some_snaps(), kChanges, SnapDetail::each);
-  EXPECT_THAT(text, HasSubstr("  arm.urdf:12: joint \"j\", origin, rpy: 1.5708 taken for pi/2: off by -3.7e-06 rad, "
+  EXPECT_THAT(text, HasSubstr("  arm.urdf:12: joint \"j\", origin, rpy: 1.5708 snapped to pi/2: off by -3.7e-06 rad, "
                               "changes torques by up to 3.0e-06\n"));
-  EXPECT_THAT(text, HasSubstr("  arm.urdf:12: joint \"j\", axis, x: -1.2e-15 taken for 0: off by 1.2e-15, changes "));
+  EXPECT_THAT(text, HasSubstr("  arm.urdf:12: joint \"j\", axis, x: -1.2e-15 snapped to 0: off by 1.2e-15, changes "));
   EXPECT_THAT(text, HasSubstr("off by -3.7e-19 kg m^2, changes torques by up to 4.0e-18\n"));
 }
 
