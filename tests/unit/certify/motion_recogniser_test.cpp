@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, TextOfArm, ::testing::Values("/robots/rx90.toml
                            return std::string(test.param).find("rx90") != std::string::npos ? "rx90" : "general_7r";
                          });
 
-TEST(Motions, AreNoneOfPrismaticJoints) {
+TEST(MotionRecogniser, AreNoneOfPrismaticJoints) {
   const Mechanism mechanism = testing::limited_robot("scara.toml");
   ASSERT_TRUE(mechanism.has_prismatic_joint());
   const ReadMotions read(mechanism);
@@ -133,7 +133,7 @@ TEST(Motions, AreNoneOfPrismaticJoints) {
 }
 
 // 0.1 stands for two numbers, so its products cannot be recognised as those of a motion.
-TEST(Motions, NeedExactConstants) {
+TEST(MotionRecogniser, NeedExactConstants) {
   const Mechanism mechanism = testing::limited_robot("rx90.toml");
   StraightLine lines;
   const int rate = lines.input({InputKind::qd, 0});

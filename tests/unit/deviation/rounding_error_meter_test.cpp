@@ -15,7 +15,7 @@ RoundingErrorMeter judge_in(const std::string& scalar) {
   return {nothing, {}, scalar};
 }
 
-TEST(RoundingJudge, MeasuresInLastPlacesOfTheTermsSize) {
+TEST(RoundingErrorMeter, MeasuresInLastPlacesOfTheTermsSize) {
   const double eps = std::numeric_limits<double>::epsilon();
   const EntryTruth<long double> truth{{1, 2}, {8, 2}};
   const RoundingError error = judge_in("double").error({1 + 4 * eps, 2}, truth);
@@ -24,25 +24,25 @@ TEST(RoundingJudge, MeasuresInLastPlacesOfTheTermsSize) {
   EXPECT_EQ(error.relative, 4);
 }
 
-TEST(RoundingJudge, CountsInTheLastPlacesOfFloat) {
+TEST(RoundingErrorMeter, CountsInTheLastPlacesOfFloat) {
   const double eps = std::numeric_limits<float>::epsilon();
   EXPECT_EQ(judge_in("float").error({1 + eps}, EntryTruth<long double>{{1}, {1}}).scaled, 1);
 }
 
-TEST(RoundingJudge, TakesAnEntryWithoutTermsForZeroToTheLastBit) {
+TEST(RoundingErrorMeter, TakesAnEntryWithoutTermsForZeroToTheLastBit) {
   const EntryTruth<Real50> truth{{Real50(0)}, {0}};
   EXPECT_EQ(judge_in("double").error({0}, truth).scaled, 0);
   EXPECT_EQ(judge_in("double").error({1e-300}, truth).scaled, std::numeric_limits<double>::infinity());
 }
 
-TEST(RoundingJudge, TakesWhatIsNoNumberForInfinitelyWrong) {
+TEST(RoundingErrorMeter, TakesWhatIsNoNumberForInfinitelyWrong) {
   const EntryTruth<long double> truth{{1}, {1}};
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   EXPECT_EQ(judge_in("double").error({nan}, truth).scaled, inf);
   EXPECT_EQ(judge_in("double").error({inf}, truth).scaled, inf);
 }
 
-TEST(RoundingJudge, ForgivesDigitsLostBelowTheSmallestNormalNumber) {
+TEST(RoundingErrorMeter, ForgivesDigitsLostBelowTheSmallestNormalNumber) {
   const EntryTruth<long double> truth{{0}, {1e-320}};
   EXPECT_LE(judge_in("double").error({5e-324}, truth).scaled, 1);
 }
