@@ -240,8 +240,7 @@ void add_functions_option(CLI::App& command, std::vector<std::string>& functions
       if (row.traits.on_request == on_request) rows.push_back({"", row.name, row.summary});
     }
   }
-  command.footer("Functions:\n" + aligned_table(rows) +
-                 "forward_kinematics, jacobian and jacobian_dot_qd also take a link: jacobian:LINK.");
+  command.footer("Functions:\n" + aligned_table(rows) + functions_of_links() + " also take a link: jacobian:LINK.");
 }
 
 CLI::Option* add_names_option(CLI::App& command, const std::string& option, std::vector<std::string>& names,

@@ -313,7 +313,7 @@ void add_form_options(CLI::App& command, GenerateArguments& arguments) {
 Run add_generate(CLI::App& app) {
   auto* command = app.add_subcommand(
       "generate",
-      "Write a header that computes the robot's dynamics.\n\n"
+      "Write code that computes the robot's dynamics.\n\n"
       "  flatdyn generate robots/panda.urdf -o out/\n"
       "  flatdyn generate robots/puma560.toml -o out/ --functions inverse_dynamics,gravity --scalar float");
   const auto arguments = std::make_shared<GenerateArguments>();

@@ -54,7 +54,7 @@ ExitCode run(const Run& command, const OutputStyle& style) {
 int main(int argc, char** argv) {
   using namespace flatdyn;
   CLI::App app{
-      "Flat, dependency-free C++ for the dynamics of one robot.\n\n"
+      "Flat, dependency-free C++, C or JavaScript for the dynamics of one robot.\n\n"
       "  flatdyn generate robots/panda.urdf -o out/\n"
       "  flatdyn verify robots/panda.urdf\n\n"
       "Exit codes: " +

@@ -11,7 +11,7 @@ namespace flatdyn {
 // The failure with a hint: the nearest name for a misspelt option, for anything else the page to read.
 Failure usage_failure(const CLI::App& app, const CLI::ParseError& error);
 
-// The manner of output of the chosen subcommand, as far as the command line tells it before anything is parsed.
+// The output style of the chosen subcommand, as far as the command line tells it before anything is parsed.
 OutputStyle output_style_of(const CLI::App& app);
 OutputStyle output_style_of(int argc, const char* const* argv);
 

@@ -46,8 +46,7 @@ class ExpectedValues {
   reference::Robot<float> in_float_;
 };
 
-// Whether one state of the function needs many recursions: Christoffel symbols by polarisation need n², regressors one
-// per column.
+// The row's NumericReference::needs_many_recursions.
 bool costs_many_recursions(const Function& function);
 
 // The number of states, at most `wanted`, for a comparison in 50 digits: fewer for large n and for functions that need

@@ -53,7 +53,7 @@ struct FunctionTraits {
   bool divides_by_pivots = false;        // whether it is computed by B = Lᵀ D L, or by articulated bodies
   bool uses_task = false;                // whether it depends on the scene's task
   bool uses_base_parameters = false;     // whether it has a column or an entry per base parameter
-  bool is_one_whole = false;             // whether its entries cannot be compared one by one with the definition
+  bool is_all_or_nothing = false;        // whether its entries cannot be compared one by one with the definition
   bool depends_on_gravity_only = false;  // whether inertia and friction do not change it
 };
 
@@ -69,7 +69,7 @@ struct FunctionRow {
   FunctionTraits traits = {};
 
   // Whether the function applies to the robot.
-  bool is_of(const Mechanism& mechanism) const { return !traits.needs_loops || mechanism.has_loops(); }
+  bool applies_to(const Mechanism& mechanism) const { return !traits.needs_loops || mechanism.has_loops(); }
   // Whether its cost depends on choices of frames and units.
   bool has_choices() const { return derivation.from_choices != nullptr; }
 };

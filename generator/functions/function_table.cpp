@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "functions/function_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "definition/derivative_definitions.hpp"
@@ -220,7 +222,7 @@ const std::vector<FunctionRow> kRows = {
      .definition = definitions::forward_dynamics_derivatives,
      .reference = references::forward_dynamics_derivatives,
      // The derivatives depend on the inverse of B that comes with them.
-     .traits = {.on_request = true, .divides_by_pivots = true, .is_one_whole = true}},
+     .traits = {.on_request = true, .divides_by_pivots = true, .is_all_or_nothing = true}},
     {.name = "operational_inertia",
      .summary = "B_A and the consistent inverse of J: the inertia that the tip moves with",
      .equation = "(7.130), (7.138)",
@@ -269,7 +271,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_mechanism = derive_base_regressor},
      .definition = definitions::base_regressor,
      .reference = references::base_regressor,
-     .traits = {.on_request = true, .uses_base_parameters = true, .is_one_whole = true}},
+     .traits = {.on_request = true, .uses_base_parameters = true, .is_all_or_nothing = true}},
     {.name = "base_parameters",
      .summary = "pi_b of this robot: Y_b pi_b = tau",
      .equation = "",
@@ -278,7 +280,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_mechanism = derive_base_parameters},
      .definition = definitions::base_parameters,
      .reference = references::base_parameters,
-     .traits = {.on_request = true, .uses_base_parameters = true, .is_one_whole = true}},
+     .traits = {.on_request = true, .uses_base_parameters = true, .is_all_or_nothing = true}},
     {.name = "inverse_dynamics_base",
      .summary = "tau = B qdd + C qd + g + friction with the base parameters pi_b as an argument",
      .equation = "(7.42)",
@@ -296,7 +298,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_mechanism = derive_adaptive_regressor},
      .definition = definitions::adaptive_regressor,
      .reference = references::adaptive_regressor,
-     .traits = {.on_request = true, .uses_base_parameters = true, .is_one_whole = true}},
+     .traits = {.on_request = true, .uses_base_parameters = true, .is_all_or_nothing = true}},
 };
 
 }  // namespace
@@ -308,6 +310,16 @@ const FunctionRow* find_row(const std::string& name) {
   const auto found =
       std::find_if(kRows.begin(), kRows.end(), [&stem](const FunctionRow& row) { return stem == row.name; });
   return found == kRows.end() ? nullptr : &*found;
+}
+
+std::string functions_of_links() {
+  std::vector<std::string> names;
+  for (const FunctionRow& row : function_table()) {
+    if (row.derivation.of_link != nullptr) names.emplace_back(row.name);
+  }
+  const std::string last = names.back();
+  names.pop_back();
+  return fmt::format("{} and {}", fmt::join(names, ", "), last);
 }
 
 const FunctionRow& row_of(const Function& function) {

@@ -16,6 +16,9 @@ const std::vector<FunctionRow>& function_table();
 // for a fused function.
 const FunctionRow* find_row(const std::string& name);
 
+// "forward_kinematics, jacobian and jacobian_dot_qd": the functions that can be those of any link.
+std::string functions_of_links();
+
 // The row of a function. Throws Failure(bug) if there is none.
 const FunctionRow& row_of(const Function& function);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The share of lines that each of the N parts of an identification folds.
+// The lines that each of the N parts of an identification folds.
 #pragma once
 
 #include <cstddef>

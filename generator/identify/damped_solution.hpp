@@ -41,7 +41,7 @@ Solution damped_solution(const Eigen::MatrixXd& factor, const Eigen::VectorXd& p
 // may go anywhere. A direction counts as hidden if its standard deviation is larger than `plausible`, the largest size
 // that parameters can have, and the data do not clearly contradict the prior along it. Along hidden directions the
 // solution becomes that of a prior with standard deviation `plausible`. A parameter that keeps more than a tenth of
-// `plausible` as uncertainty there counts as not told.
+// `plausible` as uncertainty there counts as not determined.
 void damp_hidden_directions(Solution& solution, double plausible);
 
 }  // namespace flatdyn

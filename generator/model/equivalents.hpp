@@ -7,8 +7,8 @@
 
 namespace flatdyn {
 
-// The mechanism with the frame of body i shifted along its own axis by `rise` (m). A prismatic joint's frame has no
-// such freedom, as its origin is on the axis at q = 0: throws Failure(bug) for one.
+// The mechanism with the frame of body i shifted along its own axis by `axial_shift` (m). A prismatic joint's frame has
+// no such freedom, as its origin is on the axis at q = 0: throws Failure(bug) for one.
 Mechanism with_frame_shifted(const Mechanism& mechanism, int i, const Number& axial_shift);
 
 // The mechanism with lengths in units of `unit` (m) and masses in units of 1/unit² (kg): energies, torques and moments

@@ -195,7 +195,7 @@ class LinearLoopCoupler {
     return true;
   }
 
-  // Joints of the loop: on the ways from its ends to the base, but not on both.
+  // Joints of the loop: on the paths from its ends to the base, but not on both.
   bool find_joints(const Loop& loop, CutLoop& cut) {
     const std::vector<int> a = path_to(cut.tree, cut.ends[0].body), b = path_to(cut.tree, cut.ends[1].body);
     std::vector<int> bodies;

@@ -37,16 +37,6 @@ struct Request {
   const LinkFrame* link = nullptr;
 };
 
-std::string functions_of_links() {
-  std::vector<std::string> names;
-  for (const FunctionRow& row : function_table()) {
-    if (row.derivation.of_link != nullptr) names.emplace_back(row.name);
-  }
-  const std::string last = names.back();
-  names.pop_back();
-  return fmt::format("{} and {}", fmt::join(names, ", "), last);
-}
-
 Request parsed(const Mechanism& mechanism, const std::string& name) {
   const std::size_t colon = name.find(':');
   Request request{&known_row(name.substr(0, colon)), nullptr};

@@ -84,7 +84,7 @@ Diagnostics mending(const Robot& robot, const std::string& function, const Singu
 std::vector<std::string> names_of_functions(bool on_request, const Mechanism& mechanism) {
   std::vector<std::string> names;
   for (const FunctionRow& row : function_table()) {
-    if (row.traits.on_request == on_request && row.is_of(mechanism)) names.emplace_back(row.name);
+    if (row.traits.on_request == on_request && row.applies_to(mechanism)) names.emplace_back(row.name);
   }
   return names;
 }

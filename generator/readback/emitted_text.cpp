@@ -8,7 +8,7 @@ namespace flatdyn {
 
 EmittedText::EmittedText(const std::string& text, const std::string& scalar)
     : notation_(notation_of(scalar)), tokens_(tokens_of(text)) {
-  ScannedText found = scanned(tokens_, scalar);
+  ScannedText found = scan(tokens_, scalar);
   functions_ = std::move(found.functions);
   parts_ = std::move(found.parts);
   fields_ = std::move(found.fields);

@@ -30,8 +30,8 @@ EmittedNotation notation_of(const std::string& scalar) {
   return notation;
 }
 
-ScannedText scanned(const std::vector<Token>& tokens, const std::string& scalar) {
-  if (is_cpp_scalar(scalar)) return scanned_cpp(tokens);
+ScannedText scan(const std::vector<Token>& tokens, const std::string& scalar) {
+  if (is_cpp_scalar(scalar)) return scan_cpp(tokens);
   return is_javascript_scalar(scalar) ? scan_javascript(tokens) : scan_c(tokens, scalar);
 }
 

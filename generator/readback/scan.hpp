@@ -24,10 +24,10 @@ inline bool is_helper_function(const std::string& name) {
 
 // Scans text whose variables have this type, which tells its language. Throws Failure(bug) if the emitter cannot have
 // written the text; so do the following functions, one for each language.
-ScannedText scanned(const std::vector<Token>& tokens, const std::string& scalar);
+ScannedText scan(const std::vector<Token>& tokens, const std::string& scalar);
 
 // Scans a C++ header, followed by its source if there is one.
-ScannedText scanned_cpp(const std::vector<Token>& tokens);
+ScannedText scan_cpp(const std::vector<Token>& tokens);
 
 // Scans a C header and its source.
 ScannedText scan_c(const std::vector<Token>& tokens, const std::string& scalar);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "reference/regressor_references.hpp"
 
-#include "reference/regressor_reference.hpp"
+#include "reference/regressor_by_columns.hpp"
 
 namespace flatdyn::references {
 namespace {

@@ -26,8 +26,8 @@ void warn_of_joints(const TorqueModel& model, const Identification& found, std::
   }
 }
 
-// Reports base parameters of implausible size, caused by wrong units or by directions that are hardly told but not
-// damped.
+// Reports base parameters of implausible size, caused by wrong units or by directions that are hardly determined but
+// not damped.
 void warn_of_sizes(const TorqueModel& model, const Estimate& estimate, std::vector<std::string>& warning_texts) {
   constexpr double kMuch = 100;
   double largest = 0;

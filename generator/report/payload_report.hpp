@@ -15,8 +15,8 @@ std::vector<std::string> plausibility_warnings(const PayloadEstimate& payload, c
 std::string describe_payload(const LoadedRobot& robot, const PayloadEstimate& payload);
 nlohmann::ordered_json payload_json(const LoadedRobot& robot, const PayloadEstimate& payload);
 
-// TOML over the robot file: `doubts` as comments, `settings` (lines that repeat the options that shaped the model), and
-// [payload] on the tip's link.
+// TOML over the robot file: `warning_texts` as comments, `settings` (lines that repeat the options that shaped the
+// model), and [payload] on the tip's link.
 std::string payload_robot_text(const LoadedRobot& robot, const PayloadEstimate& payload,
                                const std::filesystem::path& file, const std::vector<std::string>& settings,
                                const std::vector<std::string>& warning_texts);

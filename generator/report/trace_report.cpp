@@ -17,7 +17,7 @@ std::string operations_text(const OperationCount& count) {
 std::string describe_trace(const std::vector<Progress::Step>& steps, const std::vector<OptimisedFunction>& functions) {
   std::vector<std::vector<std::string>> stages = {{"step", "s"}};
   for (const Progress::Step& step : steps) stages.push_back({step.what, fmt::format("{:.3f}", step.seconds)});
-  std::vector<std::vector<std::string>> passes = {{"function", "round", "pass", "mul / add", "after", "ms"}};
+  std::vector<std::vector<std::string>> passes = {{"function", "round", "pass", "mul / add before", "after", "ms"}};
   for (const OptimisedFunction& each : functions) {
     for (const PassRecord& record : each.passes) {
       passes.push_back({each.function.name, std::to_string(record.round), record.pass, operations_text(record.before),

@@ -9,6 +9,7 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/nearest.hpp"
+#include "functions/function_table.hpp"
 
 namespace flatdyn {
 namespace {
@@ -37,11 +38,25 @@ std::vector<int> dimensions(const Output& output) {
   return {};
 }
 
-// Whether an index counts joints. Poses and accelerations of the tip, and the rows of a Jacobian, count axes instead.
-bool counts_joints(const Output& output, std::size_t dimension) {
-  if (output.name == "J") return dimension == 1;
-  if (output.name == "Y") return dimension == 0;
-  return output.name != "R" && output.name != "p" && output.name != "a";
+// An index counts, as the function's row says: joints, axes, directions of the task, …
+Extent counted(const Function& function, const Output& output, std::size_t dimension) {
+  if (output.layout == Layout::christoffel) return Extent::joints;
+  for (const OutputRow& row : row_of(function).outputs) {
+    if (output.name == row.name) return dimension == 0 ? row.rows : row.cols;
+  }
+  return Extent::one;
+}
+
+// The names of the joints that an index counts; none where it counts something else.
+std::vector<std::string> names_counted(const Mechanism& mechanism, Extent extent) {
+  std::vector<std::string> names;
+  if (extent == Extent::joints) {
+    for (const Body& body : mechanism.joints()) names.push_back(body.joint);
+  }
+  for (int k = 0; extent == Extent::positions && k < mechanism.position_count(); ++k) {
+    names.push_back(mechanism.joint_at(k).joint);
+  }
+  return names;
 }
 
 std::size_t place_of(const Output& output, const std::vector<int>& indices) {
@@ -76,10 +91,9 @@ Parts parts_of(const std::string& text) {
 
 class IndexReader {
  public:
-  IndexReader(const Mechanism& mechanism, const Output& output, std::size_t dimension)
-      : mechanism_(mechanism),
-        output_(output),
-        by_joint_(counts_joints(output, dimension)),
+  IndexReader(const Mechanism& mechanism, const Function& function, const Output& output, std::size_t dimension)
+      : output_(output),
+        joints_(names_counted(mechanism, counted(function, output, dimension))),
         size_(dimensions(output)[dimension]) {}
 
   Range range(const std::string& text) const {
@@ -103,20 +117,16 @@ class IndexReader {
   }
 
   int index_of_joint(const std::string& name) const {
-    if (!by_joint_) {
+    if (joints_.empty()) {
       refuse(fmt::format("\"{}\" is no index of {}", name, output_.name), fmt::format("write 0 to {}", size_ - 1));
     }
-    std::vector<std::string> known;
-    for (const Body& body : mechanism_.joints()) {
-      if (body.joint == name) return static_cast<int>(known.size());
-      known.push_back(body.joint);
-    }
-    refuse("there is no joint \"" + name + "\" that moves", hint_for_unknown(name, known, "joints"));
+    const auto found = std::find(joints_.begin(), joints_.end(), name);
+    if (found != joints_.end()) return static_cast<int>(found - joints_.begin());
+    refuse("there is no joint \"" + name + "\" that moves", hint_for_unknown(name, joints_, "joints"));
   }
 
-  const Mechanism& mechanism_;
   const Output& output_;
-  bool by_joint_;
+  std::vector<std::string> joints_;  // by index
   int size_;
 };
 
@@ -168,7 +178,8 @@ EntrySelection selected_entries(const Function& function, const Mechanism& mecha
   std::vector<Range> ranges;
   for (std::size_t d = 0; d < sizes.size(); ++d) {
     const bool is_given = d < parts.indices.size();
-    ranges.push_back(is_given ? IndexReader(mechanism, output, d).range(parts.indices[d]) : Range{0, sizes[d] - 1});
+    ranges.push_back(is_given ? IndexReader(mechanism, function, output, d).range(parts.indices[d])
+                              : Range{0, sizes[d] - 1});
   }
   std::vector<int> indices;
   add_entries(output, ranges, indices, selection.entries);

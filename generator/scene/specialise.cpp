@@ -52,7 +52,7 @@ Function at_rest(const Function& function) {
 
 Function with_outputs(const Function& function, const Mechanism& mechanism, const SceneOutputs& wanted,
                       Diagnostics& diagnostics) {
-  if (row_of(function).traits.is_one_whole) {
+  if (row_of(function).traits.is_all_or_nothing) {
     diagnostics.unsupported(wanted.function.place, "outputs: " + function.name + " cannot be made in part",
                             "ask for the function in `functions`");
     return function;

@@ -18,7 +18,7 @@ namespace {
 
 // The number of random states per batch, so that memory does not grow in a long run.
 constexpr int kChunk = 10'000;
-// The number of suspects of each kind that are examined, and of states next to each.
+// The number of states of each kind that are checked again in 50 digits, and of states next to each.
 constexpr std::size_t kRecheckedStates = 3;
 constexpr int kNeighbours = 24;
 constexpr std::size_t kMostPoints = 400;

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "definition/sampled_base.hpp"
-#include "reference/regressor_reference.hpp"
+#include "reference/regressor_by_columns.hpp"
 #include "support/names.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"

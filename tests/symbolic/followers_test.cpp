@@ -113,7 +113,7 @@ TEST_F(Machine, HasACoordinateForEachIndependentJoint) {
 TEST_F(Machine, EveryFunctionIsTheLagrangians) {
   for (const FunctionRow& entry : function_table()) {
     // The robot has three coordinates: the operational functions have tests of their own below.
-    if (!entry.is_of(model_.mechanism) || entry.traits.uses_task) continue;
+    if (!entry.applies_to(model_.mechanism) || entry.traits.uses_task) continue;
     const Function function = derive_function(model_.mechanism, entry.name);
     EXPECT_TRUE(prove_exactly(model_.mechanism, function).equal) << entry.name;
   }
@@ -285,7 +285,7 @@ TEST(FollowerByAFraction, BaseParametersAreThoseOfTheSamples) {
 TEST(FollowerByAFraction, EveryFunctionIsTheLagrangians) {
   const Mechanism mechanism = testing::model_of_toml(kGripper).mechanism;
   for (const FunctionRow& entry : function_table()) {
-    if (!entry.is_of(mechanism) || entry.traits.uses_task) continue;  // the robot has two coordinates
+    if (!entry.applies_to(mechanism) || entry.traits.uses_task) continue;  // the robot has two coordinates
     EXPECT_TRUE(prove_exactly(mechanism, derive_function(mechanism, entry.name)).equal) << entry.name;
   }
 }

@@ -13,7 +13,7 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 SingularInertia::SingularInertia(const Body& body)
     : Failure(ExitCode::unsupported,
-              fmt::format("forward_dynamics: B(q) is singular, because joint \"{}\" moves no inertia", body.joint),
+              fmt::format("B(q) is singular, because joint \"{}\" moves no inertia", body.joint),
               "give the links that it moves their inertia, or its motor a rotor"),
       joint(body.joint) {}
 

@@ -8,8 +8,8 @@ namespace flatdyn {
 
 namespace {
 
-// Adds the contribution of closed loops: (A G)ᵀ B times the second derivatives of the joints' positions. `bench`: that
-// of half the inertia.
+// Adds the contribution of closed loops: (A G)ᵀ B times the second derivatives of the joints' positions. `context`:
+// that of half the inertia.
 void add_curvature(DerivationContext& context, ChristoffelSymbols& symbols) {
   Rows B = inertia_matrix(context.frames);
   for (std::vector<Number>& row : B) {

@@ -15,7 +15,7 @@ namespace flatdyn {
 // The kinds of factors, in the order in which they are written: k_r^2 I_m, m a g d_1 c_2 s_12.
 enum class FactorKind { gear, dynamic, other, gravity, coordinate, cosine, sine };
 
-// A factor. gear … gravity: `index` into Names; coordinate: d of joint `index`; cosine, sine: of Σ angle[i] q_i,
+// A factor. gear … gravity: `index` into FactorNames; coordinate: d of joint `index`; cosine, sine: of Σ angle[i] q_i,
 // followed by multiples of Mechanism::angles.
 struct Factor {
   FactorKind kind = FactorKind::other;

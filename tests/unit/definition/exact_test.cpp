@@ -21,7 +21,7 @@ namespace {
 std::vector<std::string> function_names(const Mechanism& mechanism) {
   std::vector<std::string> names;
   for (const FunctionRow& entry : function_table()) {
-    if (entry.is_of(mechanism)) names.emplace_back(entry.name);
+    if (entry.applies_to(mechanism)) names.emplace_back(entry.name);
   }
   return names;
 }

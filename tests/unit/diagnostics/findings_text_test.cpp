@@ -8,7 +8,7 @@
 namespace flatdyn {
 namespace {
 
-TEST(CommandOutput, NotesOfOneKindShareALine) {
+TEST(FindingsText, NotesOfOneKindShareALine) {
   Diagnostics found;
   for (const int line : {12, 25, 40, 41, 57}) found.note({"arm.urdf", line}, "each", "h", "limits of 0 left out");
   found.note({"arm.urdf", 3}, "of no kind", "do this");
@@ -18,20 +18,20 @@ TEST(CommandOutput, NotesOfOneKindShareALine) {
             "note: -v lists each by itself\n");
 }
 
-TEST(CommandOutput, ASingleOneOfAKindIsToldAsItIs) {
+TEST(FindingsText, ASingleOneOfAKindIsToldAsItIs) {
   Diagnostics found;
   found.note({"arm.urdf", 12}, "each", "h", "limits of 0 left out");
   EXPECT_EQ(findings_text(found, {}), "arm.urdf:12: note: each\n    hint: h\n");
 }
 
-TEST(CommandOutput, PlacesNameTheirFilesAndStandOnce) {
+TEST(FindingsText, PlacesNameTheirFilesAndStandOnce) {
   Diagnostics found;
   for (const char* file : {"a.urdf", "b.toml", "b.toml"}) found.note({file, 7}, "each", "", "things");
   found.note({}, "each", "", "things");
   EXPECT_EQ(findings_text(found, {}), "note: 4 things (a.urdf:7, b.toml:7)\nnote: -v lists each by itself\n");
 }
 
-TEST(CommandOutput, NotesTakeTenLinesAtMostAndErrorsAsManyAsTheyNeed) {
+TEST(FindingsText, NotesTakeTenLinesAtMostAndErrorsAsManyAsTheyNeed) {
   Diagnostics found;
   for (int line = 1; line <= 30; ++line) {
     found.error({"arm.urdf", line}, "wrong", "mend it");
@@ -43,7 +43,7 @@ TEST(CommandOutput, NotesTakeTenLinesAtMostAndErrorsAsManyAsTheyNeed) {
   EXPECT_LT(text.find("21 more"), text.find("error"));
 }
 
-TEST(CommandOutput, VerboseTellsEachAndQuietNoNotes) {
+TEST(FindingsText, VerboseTellsEachAndQuietNoNotes) {
   Diagnostics found;
   for (const int line : {1, 2}) found.note({"a", line}, "odd", "h", "odd things");
   for (const int line : {3, 4}) found.warning({"a", line}, "doubtful", "", "doubts");

@@ -48,7 +48,7 @@ class RowsOf : public ::testing::TestWithParam<const char*> {};
 TEST_P(RowsOf, SayTheShapesArgumentsAndUnitsOfDerivedFunctions) {
   const Mechanism mechanism = mechanism_of(GetParam());
   for (const FunctionRow& row : function_table()) {
-    if (!row.is_of(mechanism)) continue;
+    if (!row.applies_to(mechanism)) continue;
     std::optional<Function> function;
     try {
       function = derive_function(mechanism, row.name);

@@ -16,26 +16,26 @@ Limits within(const char* lower, const char* upper) {
   return limits;
 }
 
-TEST(UnitDoubts, AskAboutAnglesBeyondAWholeTurn) {
+TEST(UnitPlausibility, AskAboutAnglesBeyondAWholeTurn) {
   for (const char* odd : {"6.3", "-6.3", "90", "-180", "17.3"}) EXPECT_TRUE(may_be_degrees(decimal(odd))) << odd;
   for (const char* fine : {"0", "1.57", "-3.1416", "6.28", "6.2832", "-6.283185308", "5"}) {
     EXPECT_FALSE(may_be_degrees(decimal(fine))) << fine;
   }
 }
 
-TEST(UnitDoubts, TakeExpressionsInPiAsTheyAre) {
+TEST(UnitPlausibility, TakeExpressionsInPiAsTheyAre) {
   EXPECT_FALSE(may_be_degrees(30 * GiNaC::Pi));
   EXPECT_FALSE(may_be_degrees(GiNaC::symbol("alpha_1")));
   EXPECT_FALSE(limit_may_be_degrees(60 * GiNaC::Pi));
 }
 
-TEST(UnitDoubts, ExpectPositionsWithinTheJointsLimits) {
+TEST(UnitPlausibility, ExpectPositionsWithinTheJointsLimits) {
   EXPECT_FALSE(may_be_degrees(decimal("90"), within("-100", "100"), false));
   EXPECT_TRUE(may_be_degrees(decimal("90"), within("-3", "3"), false));
   EXPECT_FALSE(may_be_degrees(decimal("6"), within("-3", "3"), false));
 }
 
-TEST(UnitDoubts, ExpectAJointWithoutLimitsToTurnOnceAndAContinuousOneMoreOften) {
+TEST(UnitPlausibility, ExpectAJointWithoutLimitsToTurnOnceAndAContinuousOneMoreOften) {
   EXPECT_TRUE(may_be_degrees(decimal("7"), {}, false));
   EXPECT_FALSE(may_be_degrees(decimal("7"), {}, true));
   EXPECT_FALSE(may_be_degrees(decimal("49.9"), {}, true));
@@ -43,7 +43,7 @@ TEST(UnitDoubts, ExpectAJointWithoutLimitsToTurnOnceAndAContinuousOneMoreOften) 
   EXPECT_TRUE(may_be_degrees(decimal("-45"), {}, true));
 }
 
-TEST(UnitDoubts, AskAboutLimitsOfManyTurnsUnlessTheyStandForNone) {
+TEST(UnitPlausibility, AskAboutLimitsOfManyTurnsUnlessTheyStandForNone) {
   for (const char* odd : {"170", "-360", "100", "50.1", "45", "-30"}) {
     EXPECT_TRUE(limit_may_be_degrees(decimal(odd))) << odd;
   }
@@ -52,7 +52,7 @@ TEST(UnitDoubts, AskAboutLimitsOfManyTurnsUnlessTheyStandForNone) {
   }
 }
 
-TEST(UnitDoubts, SayHowManyTurnsItIsAndWhatToWrite) {
+TEST(UnitPlausibility, SayHowManyTurnsItIsAndWhatToWrite) {
   EXPECT_EQ(degrees_question(decimal("90")), "90 rad is 14 turns; were degrees meant?");
   EXPECT_EQ(degrees_question(decimal("-7")), "-7 rad is 1.1 turns; were degrees meant?");
   EXPECT_EQ(radians_text(90, AngleText::expression), "\"pi/2\"");

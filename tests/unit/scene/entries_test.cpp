@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "diagnostics/diagnostics.hpp"
 
 namespace flatdyn {
@@ -18,26 +20,34 @@ class Entries : public ::testing::Test {
     mechanism.bodies.resize(3);
     const char* names[] = {"base", "elbow", "hand"};
     for (std::size_t i = 0; i < 3; ++i) mechanism.bodies[i].joint = names[i];
-    function.name = "many";
-    const auto add = [this](const char* name, Layout layout, int rows, int cols) {
-      Output output{name, layout, rows, cols, {}, ""};
-      output.entries.assign(static_cast<std::size_t>(rows * cols), 0);
-      function.outputs.push_back(output);
+    const auto add = [this](const char* name, Output output) {
+      output.entries.assign(static_cast<std::size_t>(output.rows * output.cols), 0);
+      Function function;
+      function.name = name;
+      function.outputs = {output};
+      functions[output.name] = function;
     };
-    add("tau", Layout::vector, 3, 1);
-    add("B", Layout::matrix, 3, 3);
-    add("c", Layout::christoffel, 3, 6);
-    add("J", Layout::matrix, 6, 3);
-    add("p", Layout::vector, 3, 1);
-    add("T", Layout::scalar, 1, 1);
+    add("inverse_dynamics", {"tau", Layout::vector, 3, 1, {}, ""});
+    add("inertia_matrix", {"B", Layout::matrix, 3, 3, {}, ""});
+    add("christoffel", {"c", Layout::christoffel, 3, 6, {}, ""});
+    add("jacobian:hand", {"J", Layout::matrix, 6, 3, {}, ""});
+    add("forward_kinematics", {"p", Layout::vector, 3, 1, {}, ""});
+    add("kinetic_energy", {"T", Layout::scalar, 1, 1, {}, ""});
+    add("operational_bias", {"g_A", Layout::vector, 2, 1, {}, ""});
+    add("operational_inertia", {"J_bar", Layout::matrix, 3, 2, {}, ""});
   }
 
+  // The function with the output that the text names; else inverse dynamics.
+  const Function& function_of(const std::string& text) const {
+    const auto found = functions.find(text.substr(0, text.find('[')));
+    return found == functions.end() ? functions.at("tau") : found->second;
+  }
   std::vector<std::size_t> of(const std::string& text) const {
-    return selected_entries(function, mechanism, text).entries;
+    return selected_entries(function_of(text), mechanism, text).entries;
   }
   std::string refusal(const std::string& text) const {
     try {
-      selected_entries(function, mechanism, text);
+      selected_entries(function_of(text), mechanism, text);
     } catch (const Failure& failure) {
       return std::string(failure.what()) + "; " + failure.hint();
     }
@@ -45,7 +55,7 @@ class Entries : public ::testing::Test {
   }
 
   Mechanism mechanism;
-  Function function;
+  std::map<std::string, Function> functions;  // by their only output
 };
 
 TEST_F(Entries, AreNumbersRangesAndJoints) {
@@ -57,6 +67,7 @@ TEST_F(Entries, AreNumbersRangesAndJoints) {
   EXPECT_THAT(of("B[1]"), ElementsAre(3, 4, 5));
   EXPECT_THAT(of("B[elbow][0..1]"), ElementsAre(3, 4));
   EXPECT_THAT(of("J[5][hand]"), ElementsAre(17));
+  EXPECT_THAT(of("J_bar[hand][0]"), ElementsAre(4));
   EXPECT_THAT(of("T"), ElementsAre(0));
 }
 
@@ -68,7 +79,7 @@ TEST_F(Entries, OfChristoffelSymbolsAreSymmetric) {
 }
 
 TEST_F(Entries, ThatAreWrongAreRefusedWithAHint) {
-  EXPECT_THAT(refusal("tua[0]"), HasSubstr("known outputs: tau, B"));
+  EXPECT_THAT(refusal("tua[0]"), HasSubstr("known outputs: tau"));
   EXPECT_THAT(refusal("tau[3]"), HasSubstr("indices here go from 0 to 2"));
   EXPECT_THAT(refusal("tau[2..1]"), HasSubstr("is empty"));
   EXPECT_THAT(refusal("tau[0][0]"), HasSubstr("has 1 and not 2 indices"));
@@ -77,11 +88,13 @@ TEST_F(Entries, ThatAreWrongAreRefusedWithAHint) {
   EXPECT_THAT(refusal("tau 0"), HasSubstr("there is no output \"tau 0\""));
   EXPECT_THAT(refusal("p[elbow]"), HasSubstr("\"elbow\" is no index of p"));
   EXPECT_THAT(refusal("J[elbow]"), HasSubstr("write 0 to 5"));
+  EXPECT_THAT(refusal("g_A[hand]"), HasSubstr("\"hand\" is no index of g_A"));
+  EXPECT_THAT(refusal("J_bar[0][hand]"), HasSubstr("write 0 to 1"));
   EXPECT_THAT(refusal("tau[-1]"), HasSubstr("there is no index -1"));
 }
 
 TEST_F(Entries, ThatAreWrittenAreNamedInRuns) {
-  Output tau = function.outputs[0], B = function.outputs[1];
+  Output tau = functions.at("tau").outputs[0], B = functions.at("B").outputs[0];
   tau.left_out = {false, true, false};
   EXPECT_EQ(written_entries(tau), "tau[0], tau[2]");
   B.left_out = {true, true, true, true, false, false, false, false, false};

@@ -41,7 +41,7 @@ class Verify : public ::testing::Test {
 TEST_F(Verify, PassesWhatIsRight) {
   std::vector<Function> functions;
   for (const FunctionRow& entry : function_table()) {
-    if (entry.is_of(mechanism)) functions.push_back(derive(entry.name));
+    if (entry.applies_to(mechanism)) functions.push_back(derive(entry.name));
   }
   const std::string link = robot.links.at(2).name;
   for (const char* stem : {"forward_kinematics:", "jacobian:", "jacobian_dot_qd:"}) {

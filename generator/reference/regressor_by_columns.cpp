@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "reference/regressor_reference.hpp"
+#include "reference/regressor_by_columns.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -122,6 +122,6 @@ class CppScanner : TokenCursor {
 
 }  // namespace
 
-ScannedText scanned_cpp(const std::vector<Token>& tokens) { return CppScanner(tokens).run(); }
+ScannedText scan_cpp(const std::vector<Token>& tokens) { return CppScanner(tokens).run(); }
 
 }  // namespace flatdyn
