@@ -38,7 +38,7 @@ std::vector<int> dimensions(const Output& output) {
   return {};
 }
 
-// An index counts, as the function's row says: joints, axes, directions of the task, …
+// The things that an index counts, from the function's row: joints, axes, directions of the task, …
 Extent counted(const Function& function, const Output& output, std::size_t dimension) {
   if (output.layout == Layout::christoffel) return Extent::joints;
   for (const OutputRow& row : row_of(function).outputs) {
