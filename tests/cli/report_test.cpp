@@ -101,7 +101,7 @@ void expect_near(const std::vector<double>& shown, const std::vector<double>& ex
   }
 }
 
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using ByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 class MovedReport : public Report, public ::testing::WithParamInterface<const char*> {};
 
@@ -119,15 +119,16 @@ TEST_P(MovedReport, ShowsWhatEvalComputes) {
 
   // (7.148), with torques scaled by the limits if every joint has one.
   const auto n = static_cast<Eigen::Index>(g.size());
-  const Matrix B = Eigen::Map<const Matrix>(entries.data(), n, n);
+  const Eigen::MatrixXd B = Eigen::Map<const ByRows>(entries.data(), n, n);
   const std::vector<double> rows = evaluated(robot, "jacobian", csv);
-  const Matrix J = Eigen::Map<const Matrix>(rows.data(), 6, n).topRows(3);
-  const Eigen::VectorXd shift = -J * B.inverse() * Eigen::Map<const Eigen::VectorXd>(g.data(), n);
+  const Eigen::MatrixXd J = Eigen::Map<const ByRows>(rows.data(), 6, n).topRows(3);
+  const Eigen::VectorXd gravity = Eigen::Map<const Eigen::VectorXd>(g.data(), n);
+  const Eigen::VectorXd falling = B.llt().solve(gravity), shift = -J * falling;
   const json model = json::parse(run_flatdyn(fmt::format("inspect {} -q --json", robot)).out);
   bool has_limits = true;
   for (const json& joint : model.at("joints")) has_limits = has_limits && joint.contains("effort");
-  const Eigen::CompleteOrthogonalDecomposition<Matrix> decomposition(J);
-  Matrix core = B * decomposition.pseudoInverse();
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition(J);
+  Eigen::MatrixXd core = B * decomposition.pseudoInverse();
   for (Eigen::Index k = 0; k < n && has_limits; ++k) {
     core.row(k) /= model.at("joints").at(static_cast<std::size_t>(k)).at("effort").get<double>();
   }
