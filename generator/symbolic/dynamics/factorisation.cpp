@@ -12,8 +12,7 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 SingularInertia::SingularInertia(const Body& body)
-    : Failure(ExitCode::unsupported,
-              fmt::format("B(q) is singular, because joint \"{}\" moves no inertia", body.joint),
+    : Failure(ExitCode::unsupported, fmt::format("B(q) is singular, because joint \"{}\" moves no inertia", body.joint),
               "give the links that it moves their inertia, or its motor a rotor"),
       joint(body.joint) {}
 
