@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What dynamics must be, by Lagrange's equations. Equations are cited in lagrangian.hpp.
+// Dynamics by Lagrange's equations, whose numbers lagrangian.hpp cites.
 #pragma once
 
 #include "definition/definition.hpp"

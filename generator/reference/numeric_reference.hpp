@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a function must return at a state by the recursive reference, which is written without a look at the derivation,
+// The values that a function must return at a state by the recursive reference, which is written without a look at the derivation,
 // in float, double and 50 digits; and the size of the terms of its entries, for scaled errors.
 #pragma once
 
