@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The values that a function must return at a state by the recursive reference, which is written without a look at the derivation,
-// in float, double and 50 digits; and the size of the terms of its entries, for scaled errors.
+// The values that a function must return at a state by the recursive reference, which is written without a look at the
+// derivation, in float, double and 50 digits; and the size of the terms of its entries, for scaled errors.
 #pragma once
 
 #include <functional>
