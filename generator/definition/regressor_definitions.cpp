@@ -41,11 +41,12 @@ class RegressorDefinition {
     return entries;
   }
 
-  // Y_b K for the function's own Y_b, with the terms that vanish only where the loops are closed. `all_columns`:
-  // returns Y, which only robots with loops need.
-  Values expanded(const Values& own, Matrix<F> (RegressorDefinition::*all_columns)() const) const {
+  // Y_b K for the function's own Y_b, with the terms that vanish only where the loops are closed. `AllColumns`: a
+  // function object without state that returns Y of this object, which only robots with loops need.
+  template <class AllColumns>
+  Values expanded(const Values& own) const {
     const BaseParameters base = flatdyn::base_parameters(point_.mechanism);
-    const Matrix<F> Y = base.shifts.empty() ? Matrix<F>() : (this->*all_columns)();
+    const Matrix<F> Y = base.shifts.empty() ? Matrix<F>() : AllColumns{}(*this);
     const auto columns = static_cast<std::size_t>(kParametersPerJoint * point_.mechanism.body_count());
     const auto b = static_cast<std::size_t>(base.size());
     Values product;
@@ -125,6 +126,22 @@ constexpr double no_factor(const Mechanism&, const Function&) { return 1; }
 // Y_b π_b is compared with Y π.
 constexpr double one_factor_more(const Mechanism&, const Function&) { return 2; }
 
+// The definition of a base regressor, which is compared in all columns. `AllColumns`: as for expanded().
+template <class AllColumns>
+constexpr Definition compared_in_all_columns(AllColumns) {
+  return {
+      .expected = rules([](auto& at, const Output&) {
+        const auto regressors = regressors_at(at);
+        return regressors.given_columns(AllColumns{}(regressors));
+      }),
+      .found = rules([](auto& at, const Output& output) {
+        return regressors_at(at).template expanded<AllColumns>(at.own(output));
+      }),
+      .degree_factor = no_factor,
+      .is_over_parameters = true,
+  };
+}
+
 }  // namespace
 
 constinit const Definition regressor = {
@@ -134,18 +151,8 @@ constinit const Definition regressor = {
     .is_over_parameters = true,
 };
 
-constinit const Definition base_regressor = {
-    .expected = rules([](auto& at, const Output&) {
-      const auto regressors = regressors_at(at);
-      return regressors.given_columns(regressors.actual());
-    }),
-    .found = rules([](auto& at, const Output& output) {
-      const auto regressors = regressors_at(at);
-      return regressors.expanded(at.own(output), &std::decay_t<decltype(regressors)>::actual);
-    }),
-    .degree_factor = no_factor,
-    .is_over_parameters = true,
-};
+constinit const Definition base_regressor =
+    compared_in_all_columns([](const auto& regressors) { return regressors.actual(); });
 
 constinit const Definition base_parameters = {
     .expected = rules([](auto& at, const Output&) {
@@ -168,17 +175,7 @@ constinit const Definition inverse_dynamics_base = {
     .is_over_parameters = true,
 };
 
-constinit const Definition adaptive_regressor = {
-    .expected = rules([](auto& at, const Output&) {
-      const auto regressors = regressors_at(at);
-      return regressors.given_columns(regressors.adaptive());
-    }),
-    .found = rules([](auto& at, const Output& output) {
-      const auto regressors = regressors_at(at);
-      return regressors.expanded(at.own(output), &std::decay_t<decltype(regressors)>::adaptive);
-    }),
-    .degree_factor = no_factor,
-    .is_over_parameters = true,
-};
+constinit const Definition adaptive_regressor =
+    compared_in_all_columns([](const auto& regressors) { return regressors.adaptive(); });
 
 }  // namespace flatdyn::definitions
