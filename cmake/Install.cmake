@@ -12,10 +12,11 @@ if(TARGET flatdyn)
   install(TARGETS flatdyn EXPORT flatdynTargets)
 
   # The program writes the manual pages and the completion at install time, so that a build of the program alone can be
-  # installed.
+  # installed. The lock keeps two installations at once from removing each other's pages.
   set(manual ${CMAKE_CURRENT_BINARY_DIR}/manual)
   find_program(GZIP gzip REQUIRED)
   install(CODE "
+    file(LOCK \"${manual}.lock\" GUARD PROCESS)
     file(REMOVE_RECURSE \"${manual}\")
     file(MAKE_DIRECTORY \"${manual}\")
     execute_process(COMMAND \"$<TARGET_FILE:flatdyn>\" man -o \"${manual}/man1\" COMMAND_ERROR_IS_FATAL ANY)
