@@ -271,6 +271,13 @@ void add_stream_options(CLI::App& command, StreamOptions& options) {
                   "use every N-th sample; default: three samples per period of the band")
       ->check(positive_number())
       ->type_name("N");
+  command
+      .add_option("--rest-speed", options.rest_speed,
+                  "a joint rests while it is slower than this (rad/s, m/s; one number, or one for each joint): its "
+                  "friction may then be anything, and its equation is left out; default: estimated from the log")
+      ->delimiter(',')
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("V[,V...]");
 }
 
 void add_trajectory_option(CLI::App& command, std::string& file) {

@@ -161,7 +161,11 @@ ExitCode identify(const IdentifyArguments& arguments) {
     }
     progress.step("estimating");
     const Eigen::VectorXd file = as_vector(model.file_values());
-    found.estimate = estimate(found.measurement.observations, file, arguments.estimate);
+    EstimateOptions options = arguments.estimate;
+    options.acceleration_rows = [&](const EquationInstant& instant) {
+      return model.acceleration_rows(instant.q.data());
+    };
+    found.estimate = estimate(found.measurement.observations, file, options);
     if (arguments.sequential) found.joint_by_joint = estimate_joint_by_joint(found.measurement.observations, file);
     progress.step("finding links that a body can have");
     // Friction and rotors that the estimate leaves out are left out of the robot that it is applied to, too.

@@ -34,10 +34,6 @@ void check_payload_usage(const PayloadArguments& arguments, const LoadedRobot& r
   }
 }
 
-void stop_at_errors(const Diagnostics& found) {
-  if (found.has_errors()) throw BadInput(ExitCode::input, found);
-}
-
 void require_samples(long used) {
   if (used > 0) return;
   throw Failure(ExitCode::input, "no sample can be used: the logs are shorter than the filter's window",
@@ -64,27 +60,14 @@ PayloadEstimate from_torques(const LoadedRobot& robot, const PayloadArguments& a
 }
 
 PayloadEstimate from_wrist(const LoadedRobot& robot, const PayloadArguments& arguments, Progress& progress) {
-  WristObserver observer(robot.robot);
   StreamOptions options = arguments.stream;
   options.torques = false;
   Diagnostics found;
-  long used = 0;
-  double correlation = 1;
-  for (const std::string& log : arguments.logs) {
-    const StreamPlan plan = plan_stream(log, robot.mechanism, options, found);
-    if (!found.has_errors() && !plan.layout().has_tip_force) {
-      found.error({log, 1}, "no columns fx, fy, fz, mx, my, mz (or h_e1, ...) of the sensor at the wrist");
-    }
-    stop_at_errors(found);
-    progress.step("reading " + log);
-    const auto sink = [&](const MeasuredMotion& motion) { observer.add(motion); };
-    used += stream(log, robot.mechanism, plan, sink, found).used;
-    correlation = std::max(correlation, plan.filter.correlation());
-    stop_at_errors(found);
-  }
+  const Measurement measurement = measure(WristEquations(robot.robot), robot.mechanism,
+                                          {arguments.logs.begin(), arguments.logs.end()}, options, progress, found);
   arguments.report(found);
-  require_samples(used);
-  return observer.estimate(correlation);
+  require_samples(measurement.count.used);
+  return estimate_payload_at_wrist(measurement.observations);
 }
 
 // A possible reason of a negative mass.

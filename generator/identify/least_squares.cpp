@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <limits>
 
 #include "diagnostics/diagnostics.hpp"
@@ -36,11 +37,48 @@ MatrixXd weighted_factor(const Observations& observations, const VectorXd& devia
   return triangular_factor_of(stacked);
 }
 
-// σ_i from the residual of joint i and its remaining degrees of freedom. The fit takes more of them where noise is
-// correlated, which is the √c in `spread`. A residual below a small share of the largest torque is rounding, not noise;
-// without torques, the same number of N m or N is used.
+// By joint: the share of its rows' degrees of freedom that the fit leaves. The fit takes more of them where noise is
+// correlated, which is the √c in `spread`.
+VectorXd shares_of_freedom(const Observations& observations, const Solution& solution, const VectorXd& deviations) {
+  VectorXd result(deviations.size());
+  for (Index i = 0; i < result.size(); ++i) {
+    const JointObservations& joint = observations.joints[static_cast<std::size_t>(i)];
+    const double leverage = (joint.A() * solution.spread(joint.columns, Eigen::all) / deviations(i)).squaredNorm();
+    const double rows = std::max(static_cast<double>(joint.rows), 1.0);
+    result(i) = std::max(rows - leverage, 1.0) / rows;
+  }
+  return result;
+}
+
+// Gives the solution the covariance that the noise left in the equations makes, instead of that of white noise, and
+// takes off the bias that noise of positions makes.
+void set_noise(Solution& solution, const Observations& observations, const VectorXd& deviations,
+               const AccelerationRows& rows) {
+  constexpr double kLeast = 1e-4;  // share of the variance of white noise
+  if (observations.instants.empty() || solution.coordinates.size() == 0) return;
+  VectorXd weights = deviations.cwiseAbs2().cwiseInverse();
+  for (Index i = 0; i < weights.size(); ++i) {
+    weights(i) /= observations.joints[static_cast<std::size_t>(i)].correlation;
+  }
+  const VectorXd freedom = shares_of_freedom(observations, solution, deviations);
+  const ResidualNoise noise = residual_noise(observations, solution.values, freedom, rows);
+  const MatrixXd scores = score_covariance(observations, solution.values, weights, noise, rows);
+  const VectorXd bias = solution.spread.transpose() * score_bias(observations, solution.values, weights, noise, rows);
+  solution.values += solution.spread * bias;
+  solution.coordinates += bias;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(solution.spread.transpose() * scores * solution.spread);
+  const VectorXd root = eigen.eigenvalues().cwiseMax(kLeast).cwiseSqrt();
+  const MatrixXd turned = root.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
+  solution.spread *= eigen.eigenvectors() * root.asDiagonal();
+  solution.coordinates = turned * solution.coordinates;
+  solution.root_information = turned * solution.root_information;
+}
+
+// σ_i from the residual of joint i and its remaining degrees of freedom. A residual below a small share of the largest
+// torque is rounding, not noise; without torques, the same number of N m or N is used.
 VectorXd residual_deviations(const Observations& observations, const Solution& solution, const VectorXd& deviations) {
   constexpr double kRounding = 1e-13;
+  const VectorXd freedom = shares_of_freedom(observations, solution, deviations);
   const auto n = static_cast<Index>(observations.joints.size());
   VectorXd result(n);
   double largest_torque = 0;
@@ -49,10 +87,7 @@ VectorXd residual_deviations(const Observations& observations, const Solution& s
   }
   for (Index i = 0; i < n; ++i) {
     const JointObservations& joint = observations.joints[static_cast<std::size_t>(i)];
-    const double leverage = (joint.A() * solution.spread(joint.columns, Eigen::all) / deviations(i)).squaredNorm();
-    const auto rows = static_cast<double>(joint.rows);
-    const double freedom = std::max(rows - leverage, 1.0);
-    result(i) = joint.rms_residual(solution.values) * std::sqrt(rows / freedom);
+    result(i) = joint.rms_residual(solution.values) / std::sqrt(freedom(i));
     result(i) = std::max({result(i), kRounding * largest_torque, kRounding});
   }
   return result;
@@ -85,16 +120,19 @@ void require_enough(const Observations& observations) {
 Estimate estimate(const Observations& observations, const VectorXd& prior, const EstimateOptions& options) {
   constexpr int kMostIterations = 50;
   constexpr double kStable = 1e-9;
+  constexpr double kRounding = 1e-13;  // relative singular values that are rounding, and no information
   Estimate result;
   require_enough(observations);
+  const double damping = std::max(options.damping, kRounding);
   VectorXd deviations = VectorXd::Ones(static_cast<Index>(observations.joints.size()));
   Solution solution;
   for (; result.iterations < kMostIterations && !result.converged; ++result.iterations) {
-    solution = damped_solution(weighted_factor(observations, deviations), prior, options.damping);
+    solution = damped_solution(weighted_factor(observations, deviations), prior, damping);
     const VectorXd updated = residual_deviations(observations, solution, deviations);
     result.converged = ((updated - deviations).cwiseAbs().array() <= kStable * deviations.array()).all();
     deviations = updated;
   }
+  set_noise(solution, observations, deviations, options.acceleration_rows);
   const double plausible = prior.cwiseAbs().maxCoeff();
   if (plausible > 0) damp_hidden_directions(solution, plausible);
   result.values = solution.values;

@@ -3,13 +3,15 @@
 #pragma once
 
 #include "identify/damped_solution.hpp"
-#include "identify/observations.hpp"
+#include "identify/residual_noise.hpp"
 
 namespace flatdyn {
 
 struct EstimateOptions {
   // Directions of the column-scaled regressor are damped if their singular value is below this share of the largest.
   double damping = 1e-8;
+  // ∂Y/∂q̈. Null: noise of positions counts as noise of torques.
+  AccelerationRows acceleration_rows = nullptr;
 };
 
 struct Estimate {
@@ -32,8 +34,10 @@ struct Estimate {
 // Weights start equal and are reset from each joint's residual until they change by less than 1e-9, 50 times at most.
 // σ_i takes account of the degrees of freedom that the fit takes from joint i (its leverage). Where rank is short,
 // damped least squares approaches the solution nearest to `prior`. Where noise hides a direction, judged by the sizes
-// of `prior`, the solution stays near `prior`, too. Throws Failure(input) unless there are more equations than
-// unknowns, since nothing is left to estimate the noise from.
+// of `prior`, the solution stays near `prior`, too. Standard deviations follow from the noise that is left, with its
+// correlation across time and joints (residual_noise.hpp), where the observations have instants; else it counts as
+// white but for JointObservations::correlation. Throws Failure(input) unless there are more equations than unknowns,
+// since nothing is left to estimate the noise from.
 Estimate estimate(const Observations& observations, const Eigen::VectorXd& prior, const EstimateOptions& options = {});
 
 // The information on the first `count` parameters, whatever the others are: count².

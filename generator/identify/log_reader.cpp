@@ -80,6 +80,11 @@ long LogReader::skip(long count) {
   return done;
 }
 
+void LogReader::jump(double share) {
+  lines_.jump(share);
+  last_time_ = -std::numeric_limits<double>::infinity();
+}
+
 bool LogReader::next(double* channels) {
   std::string_view line;
   while (errors_ < kMostErrors && lines_.next_row(line)) {

@@ -31,6 +31,8 @@ class LogReader {
   bool next(double* channels);
   // Skips up to `count` samples without reading their numbers; returns how many there were.
   long skip(long count);
+  // Goes to the sample behind a place in the file, 0 … 1 of its bytes; place() is meaningless from there on.
+  void jump(double share);
 
  private:
   bool parse(std::string_view line, double* channels);

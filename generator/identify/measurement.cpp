@@ -5,18 +5,12 @@
 
 #include <algorithm>
 #include <fstream>
-#include <tuple>
 
+#include "identify/torque_equations.hpp"
 #include "input/common/content_hash.hpp"
 
 namespace flatdyn {
 namespace {
-
-void drop_every_other(std::vector<MotionSample>& samples) {
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < samples.size(); k += 2) std::swap(samples[kept++], samples[k]);
-  samples.resize(kept);
-}
 
 LogIdentity identity_of(const std::filesystem::path& log) {
   constexpr std::size_t kBeginning = 65536;
@@ -35,11 +29,13 @@ struct PlannedLog {
 
 // The logs in the order of their identities: a shell on another machine may list them in another order, and the share
 // of each part depends on it.
-std::vector<PlannedLog> planned_logs(const TorqueModel& model, const std::vector<std::filesystem::path>& logs,
-                                     const StreamOptions& options, Diagnostics& diagnostics) {
+std::vector<PlannedLog> planned_logs(const EquationModel& equations, const Mechanism& mechanism,
+                                     const std::vector<std::filesystem::path>& logs, const StreamOptions& options,
+                                     Diagnostics& diagnostics) {
   std::vector<PlannedLog> planned;
   for (const std::filesystem::path& log : logs) {
-    StreamPlan plan = plan_stream(log, model.mechanism(), options, diagnostics);
+    StreamPlan plan = plan_stream(log, mechanism, options, diagnostics);
+    if (!diagnostics.has_errors()) equations.require(plan.layout(), {log.string(), 1}, diagnostics);
     if (diagnostics.has_errors()) return planned;
     planned.push_back({log, std::move(plan), identity_of(log)});
   }
@@ -56,28 +52,6 @@ std::vector<PlannedLog> planned_logs(const TorqueModel& model, const std::vector
 
 }  // namespace
 
-void ThinnedSamples::offer(const TorqueModel& model, const MeasuredMotion& motion, int log) {
-  if (offered_++ % stride_ != 0) return;
-  const int n = model.joints();
-  const auto numbers = [n](const double* from) { return std::vector<double>(from, from + n); };
-  const int positions = model.mechanism().position_count();
-  MotionSample sample{log,
-                      motion.time,
-                      std::vector<double>(motion.q, motion.q + positions),
-                      numbers(motion.qd),
-                      numbers(motion.qdd),
-                      numbers(motion.tau)};
-  if (motion.h_e != nullptr) {
-    std::vector<double> tip(static_cast<std::size_t>(n));
-    model.tip_torque(motion.q, motion.h_e, tip.data());
-    for (std::size_t i = 0; i < tip.size(); ++i) sample.tau[i] -= tip[i];
-  }
-  kept_.push_back(std::move(sample));
-  if (kept_.size() < kMost) return;
-  drop_every_other(kept_);
-  stride_ *= 2;
-}
-
 std::vector<SampleFilter> Measurement::filters() const {
   std::vector<SampleFilter> different;
   for (const MeasuredLog& log : logs) {
@@ -86,53 +60,68 @@ std::vector<SampleFilter> Measurement::filters() const {
   return different;
 }
 
-double Measurement::correlation() const {
-  double largest = 1;
-  for (const SampleFilter& filter : filters()) largest = std::max(largest, filter.correlation());
+std::vector<double> Measurement::rest_speeds() const {
+  std::vector<double> largest;
+  for (const MeasuredLog& log : logs) {
+    largest.resize(log.rest_speed.size(), 0);
+    for (std::size_t i = 0; i < largest.size(); ++i) largest[i] = std::max(largest[i], log.rest_speed[i]);
+  }
   return largest;
+}
+
+void set_shapes(Measurement& measurement) {
+  double correlation = 1;
+  for (const MeasuredLog& log : measurement.logs) {
+    measurement.observations.shapes.push_back(noise_shape(log.filter, log.derivatives));
+    correlation = std::max(correlation, measurement.observations.shapes.back().correlation());
+  }
+  measurement.observations.set_correlation(correlation);
 }
 
 Measurement measure(const TorqueModel& model, const std::vector<std::filesystem::path>& logs,
                     const StreamOptions& options, Progress& progress, Diagnostics& diagnostics) {
-  ObservationFolder folder(model);
-  ThinnedSamples samples;
+  return measure(TorqueEquations(model), model.mechanism(), logs, options, progress, diagnostics);
+}
+
+Measurement measure(const EquationModel& equations, const Mechanism& mechanism,
+                    const std::vector<std::filesystem::path>& logs, const StreamOptions& options, Progress& progress,
+                    Diagnostics& diagnostics) {
+  ObservationFolder folder(equations);
+  InstantSample instants;
   Measurement result;
-  std::vector<PlannedLog> planned = planned_logs(model, logs, options, diagnostics);
+  std::vector<PlannedLog> planned = planned_logs(equations, mechanism, logs, options, diagnostics);
   if (diagnostics.has_errors()) return result;
   BlockPartition shares(options.part, options.parts);
   for (PlannedLog& log : planned) {
     progress.step("reading " + log.path.string());
-    const auto sink = [&, at = static_cast<int>(result.logs.size())](const MeasuredMotion& motion) {
-      folder.add(motion);
-      samples.offer(model, motion, at);
+    const StreamPlan& plan = log.plan;
+    const LogDerivatives derivatives = derivatives_of(plan.layout());
+    const NoiseShape shape = noise_shape(plan.filter, derivatives);
+    const auto sink = [&, at = static_cast<int>(result.logs.size())](const FilteredEquations& each) {
+      if (!shares.owns(each.line)) return;
+      folder.add(each);
+      instants.offer(each, equations, at, shape);
+      ++result.count.used;
     };
-    const StreamCount count = stream(log.path, model.mechanism(), log.plan, shares, sink, diagnostics);
+    EquationFilter filter(plan, equations, sink);
+    const StreamCount count = stream(log.path, mechanism, plan, shares, filter, diagnostics);
     if (diagnostics.has_errors()) return result;
-    result.count.lines += count.lines;
-    result.count.used += count.used;
-    result.count.gaps += count.gaps;
-    result.logs.push_back({std::move(log.identity), log.plan.filter});
+    result.count.add(count);
+    result.logs.push_back(
+        {std::move(log.identity), plan.filter, derivatives, plan.rest_speed, plan.q_noise, plan.tau_noise});
   }
   result.observations = folder.observations();
-  result.observations.set_correlation(result.correlation());
-  result.samples = samples.kept();
+  instants.move_to(result.observations);
+  set_shapes(result);
   return result;
 }
 
 Measurement joined(const std::vector<Measurement>& measurements) {
   Measurement result = measurements.front();
   for (std::size_t k = 1; k < measurements.size(); ++k) {
-    const Measurement& next = measurements[k];
-    result.observations = joined(result.observations, next.observations);
-    result.samples.insert(result.samples.end(), next.samples.begin(), next.samples.end());
-    result.count.lines += next.count.lines;
-    result.count.used += next.count.used;
-    result.count.gaps += next.count.gaps;
+    result.observations = joined(result.observations, measurements[k].observations);
+    result.count.add(measurements[k].count);
   }
-  std::stable_sort(result.samples.begin(), result.samples.end(), [](const MotionSample& a, const MotionSample& b) {
-    return std::tie(a.log, a.time) < std::tie(b.log, b.time);
-  });
-  while (result.samples.size() > ThinnedSamples::kMost) drop_every_other(result.samples);
   return result;
 }
 

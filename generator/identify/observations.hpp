@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "identify/motion_stream.hpp"
-#include "identify/torque_model.hpp"
+#include "identify/equation_filter.hpp"
+#include "identify/noise_shape.hpp"
 #include "identify/triangular_factor.hpp"
 
 namespace flatdyn {
@@ -17,7 +17,7 @@ struct JointObservations {
   std::vector<int> columns;  // columns of Y_b that row i has, ascending
   Eigen::MatrixXd R;         // (columns + 1)², upper triangular
   long rows = 0;             // samples folded
-  double correlation = 1;    // correlation of the noise, SampleFilter::correlation()
+  double correlation = 1;    // correlation of the noise, NoiseShape::correlation()
 
   Eigen::MatrixXd A() const { return R.leftCols(R.cols() - 1); }
   Eigen::VectorXd b() const { return R.col(R.cols() - 1); }
@@ -28,28 +28,57 @@ struct JointObservations {
   double rms_torque() const;
 };
 
+// The equations of one instant.
+struct EquationInstant {
+  int log = 0;     // index into Observations::shapes
+  long index = 0;  // FilteredEquations::index
+  double time = 0;
+  std::vector<double> q{}, qd{}, qdd{};
+  int first = 0;  // the first equation; those before it and behind the last one have no rows at this instant
+  std::vector<double> entries{}, right{};  // of each equation its columns, one equation behind the other
+  std::vector<std::uint8_t> used{};        // by equation
+  int run = 1;                             // NoiseShape::run of its log
+};
+
 struct Observations {
   int parameters = 0;  // b
   std::vector<JointObservations> joints;
+  std::vector<EquationInstant> instants{};  // some of all, in the order of logs and times
+  long stride = 1;                          // every stride-th run of instants is kept
+  std::vector<NoiseShape> shapes{};         // by log
 
   void set_correlation(double correlation);  // sets it for all joints
 };
 
-// Folds motion as it arrives, in 2 (columns)² operations per row.
+// Keeps at most kMost instants, in runs of consecutive ones (NoiseShape::run) that are spread evenly: where there are
+// more, every other run is dropped. Which are kept depends on their indices alone, and not on the part that has them.
+class InstantSample {
+ public:
+  static constexpr std::size_t kMost = 1024;
+
+  void offer(const FilteredEquations& equations, const EquationModel& model, int log, const NoiseShape& shape);
+  void move_to(Observations& observations);
+
+ private:
+  long stride_ = 1;
+  std::vector<EquationInstant> kept_;
+};
+
+// Folds equations as they arrive, in 2 (columns)² operations per row.
 class ObservationFolder {
  public:
-  explicit ObservationFolder(const TorqueModel& model);
+  explicit ObservationFolder(const EquationModel& model);
 
-  void add(const MeasuredMotion& motion);
+  void add(const FilteredEquations& equations);
+  // The observations, without instants.
   Observations observations();
 
  private:
-  const TorqueModel& model_;
+  const EquationModel& model_;
   std::vector<TriangularFactor> factors_;
-  std::vector<double> y_, tip_;
 };
 
-// Joins observations of the same model.
+// Joins observations of the same equations and the same logs.
 Observations joined(const Observations& a, const Observations& b);
 
 }  // namespace flatdyn

@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* kKind = "part of an identification";
 // The version of the file's format: it rises whenever the contents or their meaning change.
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 ordered_json numbers(const Eigen::MatrixXd& upper) {
   ordered_json list = ordered_json::array();
@@ -41,19 +41,36 @@ Eigen::MatrixXd upper_triangle(const ordered_json& list, Eigen::Index size) {
 ordered_json settings(const StreamOptions& options) {
   ordered_json json = {{"parts", options.parts}};
   json["band"] = options.band ? ordered_json(*options.band) : ordered_json();
+  json["rest_speed"] = options.rest_speed;
   json["decimate"] = options.decimate ? ordered_json(*options.decimate) : ordered_json();
   return json;
 }
 
+ordered_json json_of(const std::vector<ChannelNoise>& channels) {
+  ordered_json list = ordered_json::array();
+  for (const auto& [step, deviation] : channels) list.push_back({step, deviation});
+  return list;
+}
+
+std::vector<ChannelNoise> channels_from(const ordered_json& json) {
+  std::vector<ChannelNoise> channels;
+  for (const ordered_json& each : json) channels.push_back({each.at(0), each.at(1)});
+  return channels;
+}
+
 ordered_json logs_of(const Measurement& measurement) {
   ordered_json logs = ordered_json::array();
-  for (const auto& [identity, filter] : measurement.logs) {
-    logs.push_back({{"name", identity.name},
-                    {"bytes", identity.bytes},
-                    {"beginning", identity.beginning},
-                    {"dt", filter.dt},
-                    {"filter_band", filter.band},
-                    {"decimation", filter.decimate}});
+  for (const MeasuredLog& log : measurement.logs) {
+    logs.push_back({{"name", log.identity.name},
+                    {"bytes", log.identity.bytes},
+                    {"beginning", log.identity.beginning},
+                    {"dt", log.filter.dt},
+                    {"filter_band", log.filter.band},
+                    {"decimation", log.filter.decimate},
+                    {"derivatives", static_cast<int>(log.derivatives)},
+                    {"rest_speed", log.rest_speed},
+                    {"q_noise", json_of(log.q_noise)},
+                    {"tau_noise", json_of(log.tau_noise)}});
   }
   return logs;
 }
@@ -62,7 +79,11 @@ std::vector<MeasuredLog> logs_from(const ordered_json& json) {
   std::vector<MeasuredLog> logs;
   for (const ordered_json& log : json) {
     logs.push_back({{log.at("name"), log.at("bytes"), log.at("beginning")},
-                    {log.at("dt"), log.at("filter_band"), log.at("decimation")}});
+                    {log.at("dt"), log.at("filter_band"), log.at("decimation")},
+                    static_cast<LogDerivatives>(log.at("derivatives").get<int>()),
+                    log.at("rest_speed"),
+                    channels_from(log.at("q_noise")),
+                    channels_from(log.at("tau_noise"))});
   }
   return logs;
 }
@@ -83,12 +104,18 @@ Measurement measurement_of(const ordered_json& json, const TorqueModel& model) {
     result.observations.joints.push_back(
         {model.columns_of(i), upper_triangle(joint.at("R"), size), joint.at("rows").get<long>()});
   }
-  for (const ordered_json& sample : json.at("samples")) {
-    result.samples.push_back({sample.at(0), sample.at(1), sample.at(2), sample.at(3), sample.at(4), sample.at(5)});
+  for (const ordered_json& each : json.at("instants")) {
+    EquationInstant instant{each.at(0), each.at(1), each.at(2), each.at(3), each.at(4), each.at(5)};
+    instant.entries = each.at(6).get<std::vector<double>>();
+    instant.right = each.at(7).get<std::vector<double>>();
+    instant.used = each.at(8).get<std::vector<std::uint8_t>>();
+    instant.run = each.at(9);
+    result.observations.instants.push_back(std::move(instant));
   }
-  result.count = {json.at("lines"), json.at("used"), json.at("gaps")};
+  result.observations.stride = json.at("stride");
+  result.count = {json.at("lines"), json.at("used"), json.at("gaps"), json.at("interpolated")};
   result.logs = logs_from(json.at("logs"));
-  result.observations.set_correlation(result.correlation());
+  set_shapes(result);
   return result;
 }
 
@@ -193,13 +220,16 @@ std::string part_text(const Measurement& measurement, const TorqueModel& model, 
                        {"logs", logs_of(measurement)},
                        {"lines", measurement.count.lines},
                        {"used", measurement.count.used},
-                       {"gaps", measurement.count.gaps}};
+                       {"gaps", measurement.count.gaps},
+                       {"interpolated", measurement.count.interpolated}};
   for (const JointObservations& joint : measurement.observations.joints) {
     json["joints"].push_back({{"rows", joint.rows}, {"R", numbers(joint.R)}});
   }
-  json["samples"] = ordered_json::array();
-  for (const MotionSample& sample : measurement.samples) {
-    json["samples"].push_back({sample.log, sample.time, sample.q, sample.qd, sample.qdd, sample.tau});
+  json["stride"] = measurement.observations.stride;
+  json["instants"] = ordered_json::array();
+  for (const EquationInstant& each : measurement.observations.instants) {
+    json["instants"].push_back(
+        {each.log, each.index, each.time, each.q, each.qd, each.qdd, each.entries, each.right, each.used, each.run});
   }
   return json.dump() + "\n";
 }

@@ -46,14 +46,40 @@ JointObservations folded(const MatrixXd& rows, std::vector<int> columns, const J
   return {std::move(columns), triangular_factor_of(rows), of.rows, of.correlation};
 }
 
+// An instant with other columns: those of each equation times `change`, and then, if `keeps` is true, as they were.
+EquationInstant changed(const EquationInstant& instant, const Observations& of, const MatrixXd& change, bool keeps,
+                        const VectorXd& origin) {
+  EquationInstant result = instant;
+  result.entries.clear();
+  const double* entries = instant.entries.data();
+  for (std::size_t i = 0; i < instant.used.size(); ++i) {
+    const std::vector<int>& columns = of.joints[i].columns;
+    const Eigen::Map<const Eigen::RowVectorXd> row(entries, static_cast<Index>(columns.size()));
+    const Eigen::RowVectorXd moved = row * change(columns, Eigen::all);
+    result.entries.insert(result.entries.end(), moved.begin(), moved.end());
+    if (keeps) result.entries.insert(result.entries.end(), row.begin(), row.end());
+    result.right[i] -= row * origin(columns);
+    entries += columns.size();
+  }
+  return result;
+}
+
+std::vector<MatrixXd> times(std::vector<MatrixXd> rows, const MatrixXd& change) {
+  for (MatrixXd& each : rows) each = each * change;
+  return rows;
+}
+
 // The observations in the unknowns x of a linear substitution π_b = origin + change x.
 Observations substituted(const Observations& observations, const VectorXd& origin, const MatrixXd& change) {
   const Index unknowns = change.cols();
-  Observations result{static_cast<int>(unknowns), {}};
+  Observations result{static_cast<int>(unknowns), {}, {}, observations.stride, observations.shapes};
   for (const JointObservations& joint : observations.joints) {
     MatrixXd rows(joint.R.rows(), unknowns + 1);
     rows << joint.A() * change(joint.columns, Eigen::all), joint.b() - joint.A() * joint.restricted(origin);
     result.joints.push_back(folded(rows, columns_from(0, unknowns), joint));
+  }
+  for (const EquationInstant& instant : observations.instants) {
+    result.instants.push_back(changed(instant, observations, change, false, origin));
   }
   return result;
 }
@@ -66,7 +92,7 @@ Observations side_by_side(const Observations& with, const Observations& without,
     for (int& column : columns) column += static_cast<int>(unknowns);
     return columns;
   };
-  Observations result{static_cast<int>(unknowns) + with.parameters, {}};
+  Observations result{static_cast<int>(unknowns) + with.parameters, {}, {}, with.stride, with.shapes};
   for (const JointObservations& joint : with.joints) {
     MatrixXd rows(joint.R.rows(), unknowns + joint.R.cols());
     rows << joint.A() * change(joint.columns, Eigen::all), joint.R;
@@ -77,6 +103,16 @@ Observations side_by_side(const Observations& with, const Observations& without,
   for (const JointObservations& joint : without.joints) {
     result.joints.push_back({behind(joint.columns), joint.R, joint.rows, joint.correlation});
   }
+  const VectorXd origin = VectorXd::Zero(with.parameters);
+  for (const EquationInstant& instant : with.instants) {
+    result.instants.push_back(changed(instant, with, change, true, origin));
+  }
+  for (EquationInstant instant : without.instants) {
+    instant.first = static_cast<int>(with.joints.size());
+    instant.log += static_cast<int>(with.shapes.size());
+    result.instants.push_back(std::move(instant));
+  }
+  result.shapes.insert(result.shapes.end(), without.shapes.begin(), without.shapes.end());
   return result;
 }
 
@@ -94,16 +130,31 @@ PayloadEstimate payload_of(const Estimate& estimate) {
 
 PayloadEstimate estimate_payload(const TorqueModel& model, const Observations& with_payload,
                                  const VectorXd& without_payload) {
-  const Observations change = substituted(with_payload, without_payload, base_change(model));
-  return payload_of(estimate(change, VectorXd::Zero(kInertialPerBody)));
+  const MatrixXd change = base_change(model);
+  EstimateOptions options;
+  options.acceleration_rows = [&](const EquationInstant& instant) {
+    return times(model.acceleration_rows(instant.q.data()), change);
+  };
+  const Observations observations = substituted(with_payload, without_payload, change);
+  return payload_of(estimate(observations, VectorXd::Zero(kInertialPerBody), options));
 }
 
 PayloadEstimate estimate_payload(const TorqueModel& model, const Observations& with_payload,
                                  const Observations& without_payload, const VectorXd& prior) {
-  const Observations both = side_by_side(with_payload, without_payload, base_change(model));
+  const MatrixXd change = base_change(model);
+  const Observations both = side_by_side(with_payload, without_payload, change);
   VectorXd start = VectorXd::Zero(both.parameters);
   start.tail(prior.size()) = prior;
-  return payload_of(estimate(both, start));
+  EstimateOptions options;
+  const Index unknowns = both.parameters;
+  MatrixXd without = MatrixXd::Zero(prior.size(), unknowns);
+  without.rightCols(prior.size()).setIdentity();
+  MatrixXd with = without;
+  with.leftCols(kInertialPerBody) = change;
+  options.acceleration_rows = [&](const EquationInstant& instant) {
+    return times(model.acceleration_rows(instant.q.data()), instant.first == 0 ? with : without);
+  };
+  return payload_of(estimate(both, start, options));
 }
 
 }  // namespace flatdyn

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "identify/least_squares.hpp"
+#include "identify/torque_model.hpp"
 
 namespace flatdyn {
 

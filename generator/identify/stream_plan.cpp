@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "identify/log_reader.hpp"
+#include "identify/log_survey.hpp"
 #include "identify/motion_stream.hpp"
 #include "identify/position_check.hpp"
 #include "identify/rate_check.hpp"
@@ -81,6 +82,14 @@ void check_units(const Mechanism& mechanism, const StreamPlan& plan, const std::
   check_time(rates, plan, heading, diagnostics);
 }
 
+// Three rows per period of the band, of which each is a whole number of strides behind the one before it.
+int default_decimation(double band, double rate) {
+  constexpr double kRowsPerBand = 3, kMotionsPerBand = 12;
+  if (band == 0) return 1;
+  const int stride = std::max(1, static_cast<int>(rate / (kMotionsPerBand * band)));
+  return stride * std::max(1, static_cast<int>(rate / (kRowsPerBand * band * stride)));
+}
+
 void choose_filter(StreamPlan& plan, const StreamOptions& options, const Place& place, Diagnostics& diagnostics) {
   constexpr double kDefaultBand = 10, kUnevenTime = 0.02;
   auto& [dt, band, decimate] = plan.filter;
@@ -96,8 +105,7 @@ void choose_filter(StreamPlan& plan, const StreamOptions& options, const Place& 
                       fmt::format("--band less than a third of the sampling rate, {:.4g} Hz", rate / 3));
     return;
   }
-  const double samples_per_band = band > 0 ? rate / (3 * band) : 1;
-  decimate = options.decimate.value_or(std::max(1, static_cast<int>(samples_per_band)));
+  decimate = options.decimate.value_or(default_decimation(band, rate));
   if (band > 0 && plan.jitter > kUnevenTime) {
     diagnostics.warning(place,
                         fmt::format("time is not even: steps differ by {:.1f} % of {:.4g} s", 100 * plan.jitter, dt),
@@ -110,18 +118,47 @@ void choose_filter(StreamPlan& plan, const StreamOptions& options, const Place& 
   }
 }
 
-}  // namespace
-
-int SampleFilter::half_window() const { return band > 0 ? zero_phase_half_window(band, dt) : 0; }
-
-// The correlation of the filtered noise. Noise of power 1 at every sample has power Σ w² after the filter and keeps its
-// density below the edge. White noise at every N-th sample has that density if its power is 1/N.
-double SampleFilter::correlation() const {
-  if (band == 0) return 1;
-  double power = 0;
-  for (const double w : zero_phase_kernel(band, dt).weights[0]) power += w * w;
-  return std::max(1.0, 1 / (decimate * power));
+double norm(const std::vector<double>& weights) {
+  double squares = 0;
+  for (const double w : weights) squares += w * w;
+  return std::sqrt(squares);
 }
+
+// Below this speed a joint may stand still: five standard deviations of the noise in its filtered speed. The reading of
+// an encoder that creeps is no white noise: steps that follow each other slower than the filter's edge pass it.
+double rest_speed_of(const StreamPlan& plan, const LogSurvey& log, int position, int joint) {
+  constexpr double kDeviations = 5;
+  constexpr double kLeast = 1e-8;  // rad/s or m/s: rounding of doubles, in derivatives
+  const LogLayout& layout = plan.layout();
+  const auto at = [](int channel) { return static_cast<std::size_t>(channel); };
+  const double band = plan.filter.band;
+  if (layout.has_rates) {
+    const double noise = log.all[at(layout.qd() + joint)].deviation;
+    const double part = band > 0 ? norm(zero_phase_kernel(plan.filter.motion_band(), plan.filter.dt).weights[0]) : 1;
+    return std::max(kDeviations * noise * part, kLeast);
+  }
+  const auto [step, deviation] = log.all[at(LogLayout::q() + position)];
+  const double growth = norm(zero_phase_kernel(plan.filter.motion_band(), plan.filter.dt).weights[1]);
+  return std::max({kDeviations * deviation * growth, plan.filter.motion_band() * step, kLeast});
+}
+
+void set_rest_speeds(StreamPlan& plan, const LogSurvey& log, const Mechanism& mechanism,
+                     const std::vector<double>& given, const Place& place, Diagnostics& diagnostics) {
+  const auto n = static_cast<std::size_t>(mechanism.size());
+  if (given.size() > 1 && given.size() != n) {
+    diagnostics.error(place, fmt::format("--rest-speed has {} numbers, and the robot has {} joints", given.size(), n),
+                      "one number for all joints, or one for each");
+    return;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto joint = static_cast<int>(i);
+    double speed = log.moves ? rest_speed_of(plan, log, mechanism.position_of(joint), joint) : 0;
+    if (!given.empty()) speed = given.size() == 1 ? given.front() : given[i];
+    plan.rest_speed.push_back(speed);
+  }
+}
+
+}  // namespace
 
 StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamOptions& options,
                        Diagnostics& diagnostics) {
@@ -139,8 +176,19 @@ StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechan
   const std::vector<double> steps = time_steps(samples);
   plan.filter.dt = median(steps);
   plan.jitter = jitter_of(steps, plan.filter.dt);
-  check_units(mechanism, plan, samples, {log.string(), 1}, diagnostics);
-  choose_filter(plan, options, {log.string(), 1}, diagnostics);
+  plan.start = samples.front().channels.front();
+  const Place heading{log.string(), 1};
+  check_units(mechanism, plan, samples, heading, diagnostics);
+  choose_filter(plan, options, heading, diagnostics);
+  if (diagnostics.has_errors()) return plan;
+  const LogSurvey found = survey(log, plan.heading, plan.filter.dt);
+  set_rest_speeds(plan, found, mechanism, options.rest_speed, heading, diagnostics);
+  const LogLayout& layout = plan.layout();
+  const auto channels = [](const std::vector<ChannelNoise>& of, int first, int count) {
+    return std::vector<ChannelNoise>(of.begin() + first, of.begin() + first + count);
+  };
+  plan.q_noise = channels(found.all, LogLayout::q(), layout.positions);
+  if (layout.has_torques) plan.tau_noise = channels(found.typical, layout.tau(), layout.joints);
   return plan;
 }
 

@@ -59,6 +59,22 @@ void TorqueModel::regressor(const double* q, const double* qd, const double* qdd
   compiled_->evaluate(kRegressor, in, y);
 }
 
+std::vector<Eigen::MatrixXd> TorqueModel::acceleration_rows(const double* q) const {
+  using RowByRow = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const int n = joints();
+  RowByRow y(n, parameters()), at_rest(n, parameters());
+  const std::vector<double> still(static_cast<std::size_t>(n), 0);
+  regressor(q, still.data(), still.data(), at_rest.data());
+  std::vector<Eigen::MatrixXd> rows;
+  for (int j = 0; j < n; ++j) {
+    std::vector<double> qdd = still;
+    qdd[static_cast<std::size_t>(j)] = 1;
+    regressor(q, still.data(), qdd.data(), y.data());
+    rows.emplace_back(y - at_rest);
+  }
+  return rows;
+}
+
 void TorqueModel::tip_torque(const double* q, const double* h_e, double* tau) const {
   constexpr int kWrench = 6;
   const int n = joints();

@@ -2,6 +2,7 @@
 // τ = Y_b(q, q̇, q̈) π_b of one robot as a fast function of doubles: the emitted base regressor, compiled and loaded.
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,6 +36,8 @@ class TorqueModel {
 
   // Writes Y_b(q, q̇, q̈), n × b row by row, to y. Units: rad or m, and seconds; row i times π_b is in N m or N.
   void regressor(const double* q, const double* qd, const double* qdd, double* y) const;
+  // ∂Y_b/∂q̈_j by joint j, each n × b: (∂Y_b/∂q̈_j) π_b is column j of B(q).
+  std::vector<Eigen::MatrixXd> acceleration_rows(const double* q) const;
   // Writes J_eᵀ h_e, n numbers, to tau: the joint torques, (7.42), of the force and moment h_e (6 numbers, base axes)
   // that the tip exerts on its environment.
   void tip_torque(const double* q, const double* h_e, double* tau) const;

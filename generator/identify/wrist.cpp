@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/wrist.hpp"
 
+#include <numeric>
+
 #include "flatdyn/reference/newton_euler.hpp"
 #include "reference/reference_model.hpp"
 
@@ -40,33 +42,38 @@ Eigen::Matrix<double, kWrench, kInertialPerBody> wrench_regressor(const referenc
 
 }  // namespace
 
-WristObserver::WristObserver(const Robot& robot)
-    : robot_(reference_robot<double>(robot, {})),
-      joints_(static_cast<int>(moving_joints(robot).size())),
-      factors_(kWrench, TriangularFactor(kUnknowns)) {}
+WristEquations::WristEquations(const Robot& robot)
+    : EquationModel(kUnknowns),
+      robot_(reference_robot<double>(robot, {})),
+      joints_(static_cast<int>(moving_joints(robot).size())) {
+  std::vector<int> inertial(kInertialPerBody);
+  std::iota(inertial.begin(), inertial.end(), 0);
+  for (int k = 0; k < kWrench; ++k) {
+    columns_.push_back(inertial);
+    columns_.back().push_back(kInertialPerBody + k);
+    has_friction_.push_back(false);
+  }
+}
 
-void WristObserver::add(const MeasuredMotion& motion) {
+void WristEquations::evaluate(const MeasuredMotion& motion, double* entries, double* known) const {
   const auto vector = [this](const double* from) { return VectorXd(Eigen::Map<const VectorXd>(from, joints_)); };
   const auto motions =
       reference::link_motions<double>(robot_, vector(motion.q), vector(motion.qd), vector(motion.qdd), true);
   const auto A = wrench_regressor(motions[static_cast<std::size_t>(robot_.tip)]);
   for (int k = 0; k < kWrench; ++k) {
-    auto row = factors_[static_cast<std::size_t>(k)].next_row();
-    row.setZero();
-    row.head<kInertialPerBody>() = A.row(k);
-    row[kInertialPerBody + k] = 1;
-    row[kUnknowns] = motion.h_e[k];
+    for (int column = 0; column < kInertialPerBody; ++column) *entries++ = A(k, column);
+    *entries++ = 1;
+    known[k] = 0;
   }
 }
 
-PayloadEstimate WristObserver::estimate(double correlation) {
-  Observations observations{kUnknowns, {}};
-  std::vector<int> columns;
-  for (int k = 0; k < kUnknowns; ++k) columns.push_back(k);
-  for (TriangularFactor& factor : factors_) {
-    observations.joints.push_back({columns, factor.factor(), factor.count(), correlation});
-  }
-  return payload_of(flatdyn::estimate(observations, VectorXd::Zero(kUnknowns)));
+void WristEquations::require(const LogLayout& layout, const Place& place, Diagnostics& diagnostics) const {
+  if (layout.has_tip_force) return;
+  diagnostics.error(place, "no columns fx, fy, fz, mx, my, mz (or h_e1, ...) of the sensor at the wrist");
+}
+
+PayloadEstimate estimate_payload_at_wrist(const Observations& observations) {
+  return payload_of(estimate(observations, VectorXd::Zero(kUnknowns)));
 }
 
 }  // namespace flatdyn

@@ -7,21 +7,22 @@
 
 namespace flatdyn {
 
-// Folds samples as they arrive. The log's h_e is what the sensor measures: the force and moment that the tip's link
-// exerts on the payload, along the axes of that link's frame, about its origin. Constant offsets of the sensor are
-// estimated too.
-class WristObserver {
+// The log's h_e is what the sensor measures: the force and moment that the tip's link exerts on the payload, along the
+// axes of that link's frame, about its origin. The unknowns are the ten parameters of the payload, then constant
+// offsets of the sensor's six components.
+class WristEquations : public EquationModel {
  public:
-  explicit WristObserver(const Robot& robot);
+  explicit WristEquations(const Robot& robot);
 
-  void add(const MeasuredMotion& motion);
-  // correlation: that of the noise, SampleFilter::correlation().
-  PayloadEstimate estimate(double correlation = 1);
+  void evaluate(const MeasuredMotion& motion, double* entries, double* known) const override;
+  void require(const LogLayout& layout, const Place& place, Diagnostics& diagnostics) const override;
+  int measured(const LogLayout& layout) const override { return layout.h_e(); }
 
  private:
   reference::Robot<double> robot_;
   int joints_;
-  std::vector<TriangularFactor> factors_;  // one per component of the wrench
 };
+
+PayloadEstimate estimate_payload_at_wrist(const Observations& observations);
 
 }  // namespace flatdyn

@@ -39,13 +39,17 @@ std::string data_text(const Measurement& measurement) {
   for (const SampleFilter& filter : filters) {
     if (!is_one || filter.band > 0) text += (is_one ? "; " : "; of some logs ") + filter_text(filter);
   }
+  if (measurement.count.interpolated > 0) {
+    text += fmt::format("; {} dropped samples interpolated", measurement.count.interpolated);
+  }
   if (measurement.count.gaps > 0) text += fmt::format("; {} gaps in time", measurement.count.gaps);
   return text + "\n";
 }
 
 std::string torque_table(const TorqueModel& model, const Identification& found) {
-  std::vector<std::vector<std::string>> rows = {
-      {"joint", "torque (rms)", "residual (rms)", "explained", "sigma", "residual of the links (rms)"}};
+  std::vector<std::vector<std::string>> rows = {{"joint", "torque (rms)", "residual (rms)", "explained", "sigma",
+                                                 "residual of the links (rms)", "rests below", "used"}};
+  const std::vector<double> rest_speeds = found.measurement.rest_speeds();
   for (int i = 0; i < model.joints(); ++i) {
     const JointObservations& joint = found.measurement.observations.joints[static_cast<std::size_t>(i)];
     const double torque = joint.rms_torque(), residual = joint.rms_residual(found.estimate.values);
@@ -53,7 +57,10 @@ std::string torque_table(const TorqueModel& model, const Identification& found) 
     rows.push_back({model.mechanism().joints()[static_cast<std::size_t>(i)].joint, fmt::format("{:.4g}", torque),
                     fmt::format("{:.3g}", residual), fmt::format("{:.4g} %", 100 * (1 - part * part)),
                     fmt::format("{:.3g}", found.estimate.torque_deviations(i)),
-                    fmt::format("{:.3g}", joint.rms_residual(found.physical.pi_b))});
+                    fmt::format("{:.3g}", joint.rms_residual(found.physical.pi_b)),
+                    fmt::format("{:.2g}", rest_speeds[static_cast<std::size_t>(i)]),
+                    fmt::format("{:.3g} %", 100.0 * static_cast<double>(joint.rows) /
+                                                static_cast<double>(found.measurement.count.used))});
   }
   return aligned_table(rows);
 }
@@ -127,9 +134,13 @@ nlohmann::ordered_json identification_json(const TorqueModel& model, const Ident
   const Estimate& estimate = found.estimate;
   nlohmann::ordered_json json = {{"samples", found.measurement.count.lines},
                                  {"used", found.measurement.count.used},
-                                 {"gaps", found.measurement.count.gaps}};
-  for (const auto& [identity, filter] : found.measurement.logs) {
-    json["logs"].push_back({{"name", identity.name}, {"filter_band", filter.band}, {"decimation", filter.decimate}});
+                                 {"gaps", found.measurement.count.gaps},
+                                 {"interpolated", found.measurement.count.interpolated}};
+  for (const MeasuredLog& log : found.measurement.logs) {
+    json["logs"].push_back({{"name", log.identity.name},
+                            {"filter_band", log.filter.band},
+                            {"decimation", log.filter.decimate},
+                            {"rest_speed", log.rest_speed}});
   }
   for (int i = 0; i < model.joints(); ++i) {
     const JointObservations& joint = found.measurement.observations.joints[static_cast<std::size_t>(i)];
@@ -137,7 +148,8 @@ nlohmann::ordered_json identification_json(const TorqueModel& model, const Ident
                               {"rms_torque", joint.rms_torque()},
                               {"rms_residual", joint.rms_residual(estimate.values)},
                               {"sigma", estimate.torque_deviations(i)},
-                              {"rms_residual_of_links", joint.rms_residual(found.physical.pi_b)}});
+                              {"rms_residual_of_links", joint.rms_residual(found.physical.pi_b)},
+                              {"rows", joint.rows}});
   }
   for (int k = 0; k < model.parameters(); ++k) {
     json["base_parameters"].push_back({{"kept", parameter_name(model.base().columns[static_cast<std::size_t>(k)])},

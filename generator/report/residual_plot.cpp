@@ -7,7 +7,7 @@ namespace flatdyn {
 namespace {
 
 // The abscissae of the samples: their times; several logs follow each other with a gap between them.
-std::vector<double> places_of(const std::vector<MotionSample>& samples, bool is_one_log) {
+std::vector<double> places_of(const std::vector<EquationInstant>& samples, bool is_one_log) {
   constexpr double kGap = 0.02;  // share of the total time
   double total = 0;
   for (std::size_t k = 1; k < samples.size(); ++k) {
@@ -42,8 +42,8 @@ Panel half_panel(const Body& body, const std::string& what) {
 }  // namespace
 
 std::string residual_plot(const TorqueModel& model, const Identification& found, PictureFormat format) {
-  const int n = model.joints(), b = model.parameters();
-  const std::vector<MotionSample>& samples = found.measurement.samples;
+  const int n = model.joints();
+  const std::vector<EquationInstant>& samples = found.measurement.observations.instants;
   const bool is_one_log = samples.front().log == samples.back().log;
   std::vector<Panel> panels;
   for (const Body& body : model.mechanism().joints()) {
@@ -54,16 +54,19 @@ std::string residual_plot(const TorqueModel& model, const Identification& found,
     panels[k].x_label = is_one_log ? "t in s" : "t in s, one log behind the other";
   }
   const std::vector<double> places = places_of(samples, is_one_log);
-  std::vector<double> y(static_cast<std::size_t>(n * b));
   for (std::size_t k = 0; k < samples.size(); ++k) {
-    const MotionSample& sample = samples[k];
+    const EquationInstant& sample = samples[k];
     const bool is_new = k > 0 && sample.log != samples[k - 1].log;
-    model.regressor(sample.q.data(), sample.qd.data(), sample.qdd.data(), y.data());
+    const double* entries = sample.entries.data();
     for (int i = 0; i < n; ++i) {
       const auto at = static_cast<std::size_t>(i);
-      const Eigen::Map<const Eigen::VectorXd> row(y.data() + i * b, b);
-      add(panels[2 * at].series.front(), places[k], sample.tau[at], is_new);
-      add(panels[2 * at + 1].series.front(), places[k], sample.tau[at] - row.dot(found.estimate.values), is_new);
+      const JointObservations& joint = found.measurement.observations.joints[at];
+      const auto count = static_cast<Eigen::Index>(joint.columns.size());
+      const Eigen::Map<const Eigen::VectorXd> row(entries, count);
+      add(panels[2 * at].series.front(), places[k], sample.right[at], is_new);
+      add(panels[2 * at + 1].series.front(), places[k],
+          sample.right[at] - row.dot(joint.restricted(found.estimate.values)), is_new);
+      entries += count;
     }
   }
   return plot("Torques and residuals of " + model.mechanism().name, panels, format);

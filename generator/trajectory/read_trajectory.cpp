@@ -25,11 +25,18 @@ Trajectory read_samples(const std::filesystem::path& path, const Mechanism& mech
   if (diagnostics.has_errors()) return trajectory;
   require_derivatives(plan.layout(), {path.string(), 1}, diagnostics);
   if (diagnostics.has_errors()) return trajectory;
-  const auto n = static_cast<std::size_t>(mechanism.size());
-  const auto add = [&](const MeasuredMotion& motion) {
-    TrajectoryPoint point{motion.time, {}, {motion.qd, motion.qd + n}, {motion.qdd, motion.qdd + n}, {}};
-    for (int i = 0; i < mechanism.size(); ++i) point.q.push_back(motion.q[mechanism.position_of(i)]);
-    if (plan.layout().has_tip_force) point.h_e.assign(motion.h_e, motion.h_e + LogLayout::kWrench);
+  const LogLayout& layout = plan.layout();
+  const auto numbers = [](const double* from, int count) { return std::vector<double>(from, from + count); };
+  const auto add = [&](const double* channels) {
+    TrajectoryPoint point{channels[LogLayout::time()],
+                          {},
+                          numbers(channels + layout.qd(), layout.joints),
+                          numbers(channels + layout.qdd(), layout.joints),
+                          {}};
+    for (int i = 0; i < mechanism.size(); ++i) {
+      point.q.push_back(channels[LogLayout::q() + mechanism.position_of(i)]);
+    }
+    if (layout.has_tip_force) point.h_e = numbers(channels + layout.h_e(), LogLayout::kWrench);
     trajectory.points.push_back(std::move(point));
   };
   stream(path, mechanism, plan, add, diagnostics);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "identify/least_squares.hpp"
+#include "support/observed.hpp"
 #include "support/robot_models.hpp"
 #include "support/simulated_log.hpp"
 
@@ -24,11 +25,7 @@ struct Arm {
                                              static_cast<Eigen::Index>(torque.parameters()));
   }
   Observations observed(const std::vector<SimulatedSample>& samples) const {
-    ObservationFolder folder(torque);
-    for (const SimulatedSample& each : samples) {
-      folder.add({each.time, each.q.data(), each.qd.data(), each.qdd.data(), each.tau.data(), nullptr});
-    }
-    return folder.observations();
+    return testing::observed(torque, samples);
   }
 };
 

@@ -114,6 +114,15 @@ bool LineReader::next(std::string_view& line) {
   return true;
 }
 
+void LineReader::jump(double share) {
+  file_.clear();
+  file_.seekg(0, std::ios::end);
+  file_.seekg(static_cast<std::streamoff>(share * static_cast<double>(file_.tellg())));
+  begin_ = end_ = 0;
+  std::string_view rest;
+  next(rest);
+}
+
 bool LineReader::next_row(std::string_view& line) {
   constexpr std::string_view kBag = "#ROSBAG";       // no comment
   constexpr std::string_view kSpreadsheet = "sep=";  // which separator follows, for spreadsheets alone

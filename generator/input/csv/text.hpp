@@ -26,6 +26,8 @@ class LineReader {
   bool next_row(std::string_view& line);
   // The number of the line last read, counted from 1.
   int number() const { return number_; }
+  // Goes to the line that begins behind a place in the file, 0 … 1 of its bytes; numbers of lines are lost.
+  void jump(double share);
 
  private:
   bool refill();

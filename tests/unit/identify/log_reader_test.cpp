@@ -47,7 +47,7 @@ class LogTest : public ::testing::Test {
     const StreamPlan plan = plan_stream(file, planar_arm(), {}, found);
     ASSERT_TRUE(found.all().empty());
     stream(
-        file, planar_arm(), plan, [](const MeasuredMotion&) {}, found);
+        file, planar_arm(), plan, [](const double*) {}, found);
   }
 
   // The only error, as "line: message".
@@ -269,7 +269,7 @@ TEST_F(LogTest, MessagesNameColumnsAsTheyAreWritten) {
   write(text);
   const StreamPlan plan = plan_stream(file, planar_arm(), {}, found);
   stream(
-      file, planar_arm(), plan, [](const MeasuredMotion&) {}, found);
+      file, planar_arm(), plan, [](const double*) {}, found);
   EXPECT_THAT(found.all().back().hint, HasSubstr("q0 [deg]"));
 }
 
@@ -299,7 +299,7 @@ TEST_F(LogTest, ManyTurnsAreAWarningOnce) {
   const StreamPlan plan = plan_stream(file, planar_arm(), {}, found);
   EXPECT_TRUE(found.all().empty());
   stream(
-      file, planar_arm(), plan, [](const MeasuredMotion&) {}, found);
+      file, planar_arm(), plan, [](const double*) {}, found);
   ASSERT_EQ(found.all().size(), 1u);
   EXPECT_THAT(found.all()[0].message, HasSubstr("has turned 8 times"));
 }
@@ -339,7 +339,7 @@ TEST_F(LogTest, APositionOutsideTheLimitsIsFoundWhereverItIs) {
   const StreamPlan plan = plan_stream(file, limited, {}, found);
   EXPECT_EQ(error(), "none");
   stream(
-      file, limited, plan, [](const MeasuredMotion&) {}, found);
+      file, limited, plan, [](const double*) {}, found);
   EXPECT_EQ(error(), "15002: q1 = 57 rad is far outside the limits of joint \"theta_1\", -1 to 1 rad");
 }
 
@@ -358,8 +358,8 @@ TEST_F(LogTest, WhatIsNotUsedIsSaidOnceThoughLogsAreReadTwice) {
   write("t,q1,q2,tau1,tau2,qd1,qd2,qdd1,qdd2,room\n0,0,0,0,0,0,0,0,0,1\n1e-2,0,0,0,0,0,0,0,0,1\n");
   const StreamPlan plan = plan_stream(file, planar_arm(), {}, found);
   EXPECT_EQ(stream(
-                file, planar_arm(), plan, [](const MeasuredMotion&) {}, found)
-                .used,
+                file, planar_arm(), plan, [](const double*) {}, found)
+                .lines,
             2);
   EXPECT_EQ(found.all().size(), 1u);
 }

@@ -172,7 +172,7 @@ TEST_F(PartsTest, MakeUpTheWhole) {
   EXPECT_EQ(merged.count.used, whole.count.used);
   EXPECT_EQ(merged.count.lines, whole.count.lines);
   EXPECT_LT(largest_difference(merged.observations, whole.observations), 1e-13);
-  EXPECT_LE(merged.samples.size(), ThinnedSamples::kMost);
+  EXPECT_LE(merged.observations.instants.size(), InstantSample::kMost);
 }
 
 // Filtered samples have correlated noise, in whichever order the logs come and whichever part has them.
@@ -203,10 +203,10 @@ TEST_F(PartsTest, HaveSamplesOfAllLogs) {
   const Measurement merged = merge_parts(files, torque_model(), found);
   ASSERT_FALSE(found.has_errors());
   std::vector<int> of_log(logs.size(), 0);
-  for (const MotionSample& sample : merged.samples) ++of_log.at(static_cast<std::size_t>(sample.log));
+  for (const EquationInstant& sample : merged.observations.instants) ++of_log.at(static_cast<std::size_t>(sample.log));
   for (const int count : of_log) EXPECT_GT(count, 20);
-  EXPECT_TRUE(std::is_sorted(merged.samples.begin(), merged.samples.end(),
-                             [](const MotionSample& a, const MotionSample& b) { return a.log < b.log; }));
+  EXPECT_TRUE(std::is_sorted(merged.observations.instants.begin(), merged.observations.instants.end(),
+                             [](const EquationInstant& a, const EquationInstant& b) { return a.log < b.log; }));
 }
 
 TEST_F(MeasurementTest, TheSameLogTwiceIsRefused) {
@@ -297,9 +297,9 @@ TEST_F(PartsTest, OfOtherLogsAreRefused) {
 
 TEST_F(PartsTest, OfAnotherVersionAreRefused) {
   const std::string text = part_text(measured({log(simulated(arm(), {.samples = 50}))}), torque_model(), {});
-  const std::string version = "\"version\":2,";
+  const std::string version = "\"version\":3,";
   ASSERT_NE(text.find(version), std::string::npos);
-  for (const std::string other : {"", "\"version\":3,", "\"version\":\"2\","}) {
+  for (const std::string other : {"", "\"version\":2,", "\"version\":\"3\","}) {
     found = {};
     std::ofstream(folder / "part.json") << std::string(text).replace(text.find(version), version.size(), other);
     merge_parts({folder / "part.json"}, torque_model(), found);
@@ -312,7 +312,7 @@ TEST_F(PartsTest, OfAnotherVersionAreRefused) {
 // Numbers of parts that no part file can have.
 TEST_F(PartsTest, OfWhichThereAreTooManyAreNoParts) {
   const auto short_log = log(simulated(arm(), {.samples = 50}));
-  for (const StreamOptions options : {StreamOptions{.parts = 1000000000}, StreamOptions{.part = 5, .parts = 4}}) {
+  for (const StreamOptions& options : {StreamOptions{.parts = 1000000000}, StreamOptions{.part = 5, .parts = 4}}) {
     found = {};
     std::ofstream(folder / "part.json") << part_text(measured({short_log}), torque_model(), options);
     merge_parts({folder / "part.json"}, torque_model(), found);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "identify/wrist.hpp"
+#include "support/observed.hpp"
 #include "support/robot_models.hpp"
 #include "support/simulated_log.hpp"
 
@@ -12,6 +13,7 @@ namespace flatdyn {
 namespace {
 
 using Eigen::VectorXd;
+using testing::observed;
 using testing::simulated;
 
 // 1.5 kg at (0.03, -0.02, 0.1) m: m, m l, Î about the frame's origin.
@@ -40,14 +42,6 @@ LoadedRobot with_payload(LoadedRobot model) {
   model.robot.links[static_cast<std::size_t>(model.robot.tip)].inertials.push_back(as_inertial(known_payload()));
   model.mechanism = make_mechanism(model.robot);
   return model;
-}
-
-Observations observed(const TorqueModel& torque, const std::vector<testing::SimulatedSample>& samples) {
-  ObservationFolder folder(torque);
-  for (const testing::SimulatedSample& each : samples) {
-    folder.add({each.time, each.q.data(), each.qd.data(), each.qdd.data(), each.tau.data(), nullptr});
-  }
-  return folder.observations();
 }
 
 TEST(Payload, IsTheChangeOfTheLastLink) {
@@ -146,16 +140,17 @@ TEST(Payload, IsFoundByASensorAtTheWristInSpiteOfItsOffsets) {
   for (Link& link : only_payload.links) link.inertials.clear();
   only_payload.links[static_cast<std::size_t>(only_payload.tip)].inertials.push_back(as_inertial(known_payload()));
   const reference::Robot<double> body = reference_robot<double>(only_payload, {});
-  WristObserver observer(model.robot);
-  for (const testing::SimulatedSample& each : simulated(model, {.samples = 500})) {
+  const auto samples = simulated(model, {.samples = 500});
+  std::vector<std::vector<double>> h_e;
+  for (const testing::SimulatedSample& each : samples) {
     const auto motion = reference::link_motions<double>(body, each.q, each.qd, each.qdd, true);
     Eigen::Vector3d f(1, -2, 3), mu(0.1, 0.2, -0.3);  // the sensor's offsets
     const auto tip = static_cast<std::size_t>(body.tip);
     reference::detail::add_inertial_wrench(body.links[tip], motion[tip], f, mu);
-    const double h_e[] = {f.x(), f.y(), f.z(), mu.x(), mu.y(), mu.z()};
-    observer.add({each.time, each.q.data(), each.qd.data(), each.qdd.data(), each.tau.data(), h_e});
+    h_e.push_back({f.x(), f.y(), f.z(), mu.x(), mu.y(), mu.z()});
   }
-  const PayloadEstimate found = observer.estimate();
+  const PayloadEstimate found =
+      estimate_payload_at_wrist(testing::observed(WristEquations(model.robot), model.mechanism, samples, h_e));
   EXPECT_LT((found.values - known_payload()).cwiseAbs().maxCoeff(), 1e-10);
 }
 

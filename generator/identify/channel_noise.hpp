@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The step and the noise of a sampled signal, estimated from the signal itself.
+#pragma once
+
+#include <array>
+#include <compare>
+
+namespace flatdyn {
+
+struct ChannelNoise {
+  double step = 0;       // smallest change from one sample to the next; of an encoder, its resolution
+  double deviation = 0;  // standard deviation of white noise, the encoder's rounding included
+
+  auto operator<=>(const ChannelNoise&) const = default;
+};
+
+// Differences of order m let a slow signal vanish, and white noise grows by √(2m over m) in them. The order that leaves
+// least is the one that holds least of the signal.
+class ChannelNoiseMeter {
+ public:
+  void add(double value);
+  // Tells that the next sample does not follow the last one.
+  void restart() { held_ = 0; }
+  ChannelNoise noise() const;
+
+ private:
+  static constexpr int kOrders = 6, kLowest = 3;
+
+  std::array<double, kOrders + 1> last_{};  // the last difference of each order; order 0 is the value
+  std::array<double, kOrders + 1> squares_{};
+  std::array<long, kOrders + 1> counts_{};
+  int held_ = 0;  // differences known, 0 … kOrders + 1
+  double step_ = 0;
+};
+
+}  // namespace flatdyn

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/equation_filter.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "identify/zero_phase.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Eigen::VectorXd;
+
+// The weights of the narrow filter at samples that are dt apart.
+VectorXd narrow_weights(double band, double dt) {
+  if (band == 0) return VectorXd::Ones(1);
+  const ZeroPhaseKernel kernel = zero_phase_kernel(band, dt);
+  return Eigen::Map<const VectorXd>(kernel.weights[0].data(), kernel.length());
+}
+
+int half_of(const VectorXd& weights) { return static_cast<int>(weights.size()) / 2; }
+
+// Cubic between two samples `step` apart that have slopes, at a part 0 … 1 of the way.
+double between(double from, double slope_from, double to, double slope_to, double step, double part) {
+  const double u = part, v = 1 - part;
+  return v * v * (from * (1 + 2 * u) + step * slope_from * u) + u * u * (to * (1 + 2 * v) - step * slope_to * v);
+}
+
+double sign(double value) { return static_cast<double>((value > 0) - (value < 0)); }
+
+}  // namespace
+
+EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& model, EquationSink sink)
+    : plan_(plan),
+      model_(model),
+      sink_(std::move(sink)),
+      layout_(plan.layout()),
+      n_(layout_.joints),
+      stride_(plan.filter.stride()),
+      lookahead_(plan.filter.rest_strides()),
+      motion_half_(plan.filter.motion_half_window()),
+      row_half_(plan.filter.row_half_window()),
+      row_weights_(narrow_weights(plan.filter.band, plan.filter.dt * stride_)),
+      sample_weights_(narrow_weights(plan.filter.band, plan.filter.dt)),
+      row_kernel_half_(half_of(row_weights_)),
+      sample_kernel_half_(half_of(sample_weights_)),
+      motion_filter_(plan),
+      raw_(layout_.channels() + 1, motion_half_ + 1 + std::max(motion_half_, (lookahead_ + 1) * stride_)),
+      rows_(motion_at() + layout_.positions + 2 * n_, row_half_ + row_kernel_half_ + 1),
+      samples_window_(unsure_at() + n_, row_half_ * stride_ + sample_kernel_half_ + 1),
+      slow_(static_cast<std::size_t>(n_), 0),
+      entries_(model.entries()),
+      right_(model.equations()),
+      used_(static_cast<std::size_t>(model.equations()), 1) {}
+
+void EquationFilter::restart() {
+  raw_.clear();
+  rows_.clear();
+  samples_window_.clear();
+  pending_.clear();
+  before_.reset();
+  slow_.assign(slow_.size(), 0);
+  samples_ = motions_ = 0;
+}
+
+void EquationFilter::sample(const RawSample& sample) {
+  if (samples_ == 0) first_index_ = sample.index;
+  auto row = raw_.push();
+  row.head(layout_.channels()) = Eigen::Map<const VectorXd>(sample.channels, layout_.channels()).transpose();
+  row[layout_.channels()] = static_cast<double>(sample.line);
+  const long newest = first_index_ + samples_++;
+  const long middle = newest - motion_half_;
+  if (samples_ < 2 * motion_half_ + 1 || middle % stride_ != 0) return;
+  GridMotion motion;
+  motion.index = middle;
+  motion.time = raw_.sample(motion_half_)[LogLayout::time()];
+  motion_filter_.filter(raw_, motion.q, motion.qd, motion.qdd, motion.h_e);
+  motion.rests.assign(static_cast<std::size_t>(n_), 0);
+  pending_.push_back(std::move(motion));
+  mark_rest();
+  if (static_cast<int>(pending_.size()) <= lookahead_) return;
+  GridMotion oldest = std::move(pending_.front());
+  pending_.pop_front();
+  // Whether a joint rests at the first motions depends on samples before the restart.
+  if (motions_++ >= lookahead_) push_row(std::move(oldest));
+}
+
+// A joint rests where it stays slow for longer than the lookahead, from the beginning of that time to its end.
+void EquationFilter::mark_rest() {
+  for (int j = 0; j < n_; ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    const bool is_slow = std::abs(pending_.back().qd[j]) < plan_.rest_speed[at];
+    slow_[at] = is_slow ? slow_[at] + 1 : 0;
+    if (slow_[at] <= lookahead_) continue;
+    pending_.back().rests[at] = 1;
+    if (slow_[at] > lookahead_ + 1) continue;
+    for (auto motion = pending_.rbegin(); motion != pending_.rbegin() + lookahead_ + 1; ++motion) motion->rests[at] = 1;
+  }
+}
+
+// A joint that rests has no speed and no acceleration: those that the filter finds are noise.
+void EquationFilter::push_row(GridMotion motion) {
+  for (int j = 0; j < n_; ++j) {
+    if (motion.rests[static_cast<std::size_t>(j)] != 0) motion.qd[j] = motion.qdd[j] = 0;
+  }
+  const MeasuredMotion measured{motion.time, motion.q.data(), motion.qd.data(), motion.qdd.data(),
+                                layout_.has_tip_force ? motion.h_e.data() : nullptr};
+  model_.evaluate(measured, entries_.data(), right_.data());
+  auto row = rows_.push();
+  row.head(known()) = entries_.transpose();
+  row.segment(known(), model_.equations()) = right_.transpose();
+  row.segment(motion_at(), layout_.positions) = motion.q.transpose();
+  row.segment(motion_at() + layout_.positions, n_) = motion.qd.transpose();
+  row.segment(motion_at() + layout_.positions + n_, n_) = motion.qdd.transpose();
+  if (before_) {
+    for (int part = 1; part < stride_; ++part) push_sample(*before_, motion, part);
+  }
+  push_sample(before_ ? *before_ : motion, motion, stride_);
+  const long index = motion.index - static_cast<long>(row_half_) * stride_;
+  before_ = std::move(motion);
+  if (rows_.full() && samples_window_.full() && index % plan_.filter.decimate == 0) pass_on(index);
+}
+
+// Pushes what is measured, and speeds and their signs, at a sample between two motions.
+void EquationFilter::push_sample(const GridMotion& from, const GridMotion& to, int part) {
+  constexpr double kUnsure = 0.4;  // share of the rest speed, which has five standard deviations of noise
+  const long newest = first_index_ + samples_ - 1, index = to.index - stride_ + part;
+  const auto raw = raw_.sample(static_cast<int>(newest - index));
+  auto sample = samples_window_.push();
+  sample[time_at()] = raw[LogLayout::time()];
+  sample[line_at()] = raw[layout_.channels()];
+  sample.segment(measured_at(), model_.equations()) = raw.segment(model_.measured(layout_), model_.equations());
+  const double step = plan_.filter.dt * stride_, share = static_cast<double>(part) / stride_;
+  for (int j = 0; j < n_; ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    const bool rests = from.rests[at] != 0 || to.rests[at] != 0;
+    const double speed = rests ? 0 : between(from.qd[j], from.qdd[j], to.qd[j], to.qdd[j], step, share);
+    sample[speeds_at() + j] = speed;
+    sample[signs_at() + j] = sign(speed);
+    sample[unsure_at() + j] = std::abs(speed) < kUnsure * plan_.rest_speed[at] ? 1 : 0;
+  }
+}
+
+void EquationFilter::pass_on(long index) {
+  constexpr double kMostUnsure = 0.02;  // share of the filter's weights that may lie on unsure friction
+  const int rows = 2 * row_kernel_half_ + 1, rows_back = row_half_ - row_kernel_half_;
+  const int samples = 2 * sample_kernel_half_ + 1, samples_back = row_half_ * stride_ - sample_kernel_half_;
+  entries_.noalias() = rows_.block(rows_back, rows, 0, model_.entries()).transpose() * row_weights_;
+  right_.noalias() =
+      samples_window_.block(samples_back, samples, measured_at(), model_.equations()).transpose() * sample_weights_;
+  right_.noalias() -= rows_.block(rows_back, rows, known(), model_.equations()).transpose() * row_weights_;
+  const VectorXd friction =
+      samples_window_.block(samples_back, samples, speeds_at(), 2 * n_).transpose() * sample_weights_;
+  for (const FrictionEntry& each : model_.friction()) {
+    entries_[each.entry] = friction[each.joint + (each.law == FrictionEntry::Law::coulomb ? n_ : 0)];
+  }
+  const VectorXd unsure =
+      samples_window_.block(samples_back, samples, unsure_at(), n_).transpose() * sample_weights_.cwiseAbs();
+  for (int i = 0; i < model_.equations(); ++i) {
+    used_[static_cast<std::size_t>(i)] = model_.has_friction(i) && unsure[i] > kMostUnsure ? 0 : 1;
+  }
+  motion_ = rows_.sample(row_half_).segment(motion_at(), layout_.positions + 2 * n_).transpose();
+  FilteredEquations equations;
+  const auto middle = samples_window_.sample(row_half_ * stride_);
+  equations.motion = {middle[time_at()], motion_.data(), motion_.data() + layout_.positions,
+                      motion_.data() + layout_.positions + n_, nullptr};
+  equations.positions = static_cast<std::size_t>(layout_.positions);
+  equations.joints = static_cast<std::size_t>(n_);
+  equations.line = std::lround(middle[line_at()]);
+  equations.index = index / plan_.filter.decimate;
+  equations.entries = entries_.data();
+  equations.right = right_.data();
+  equations.used = used_.data();
+  sink_(equations);
+}
+
+}  // namespace flatdyn

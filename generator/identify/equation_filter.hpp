@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// From the samples of a log to filtered equations (SampleFilter).
+#pragma once
+
+#include <Eigen/Core>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "identify/equation_model.hpp"
+#include "identify/motion_filter.hpp"
+#include "identify/sample_window.hpp"
+
+namespace flatdyn {
+
+// The equations at one instant, valid during the call. An equation that is not used speaks of a joint that rests near
+// this instant, whose friction may be anything up to F_s, or that turns around so slowly that its noise hides when.
+struct FilteredEquations {
+  MeasuredMotion motion;
+  std::size_t positions = 0, joints = 0;  // lengths of q, and of q̇ and q̈
+  long line = 0;                          // of the log, counted from 0
+  long index = 0;                   // counts the instants: 1 more than that of the one before it, unless time has a gap
+  const double* entries = nullptr;  // of Y, filtered
+  const double* right = nullptr;    // what is measured less what is known, filtered
+  const std::uint8_t* used = nullptr;  // by equation
+};
+using EquationSink = std::function<void(const FilteredEquations&)>;
+
+class EquationFilter : public SampleReceiver {
+ public:
+  EquationFilter(const StreamPlan& plan, const EquationModel& model, EquationSink sink);
+
+  void restart() override;
+  void sample(const RawSample& sample) override;
+
+ private:
+  // q, q̇, q̈ at a stride, and which joints rest.
+  struct GridMotion {
+    double time = 0;
+    long index = 0;
+    Eigen::VectorXd q, qd, qdd, h_e;
+    std::vector<std::uint8_t> rests;
+  };
+
+  void mark_rest();
+  void push_row(GridMotion motion);
+  void push_sample(const GridMotion& from, const GridMotion& to, int part);
+  void pass_on(long index);
+
+  // Places in the channels of `rows_`: the entries of Y, then
+  int known() const { return model_.entries(); }
+  int motion_at() const { return known() + model_.equations(); }
+  // and in those of `samples_window_`.
+  static constexpr int time_at() { return 0; }
+  static constexpr int line_at() { return 1; }
+  static constexpr int measured_at() { return 2; }
+  int speeds_at() const { return measured_at() + model_.equations(); }
+  int signs_at() const { return speeds_at() + n_; }
+  int unsure_at() const { return signs_at() + n_; }
+
+  const StreamPlan& plan_;
+  const EquationModel& model_;
+  EquationSink sink_;
+  LogLayout layout_;
+  int n_, stride_, lookahead_;
+  int motion_half_, row_half_;                    // SampleFilter's: in samples, in strides
+  Eigen::VectorXd row_weights_, sample_weights_;  // of Y at its strides, of τ and friction at every sample
+  int row_kernel_half_, sample_kernel_half_;      // their half lengths
+  MotionFilter motion_filter_;
+  SampleWindow raw_, rows_, samples_window_;
+  std::deque<GridMotion> pending_;    // motions for which it is not known yet which joints rest
+  std::optional<GridMotion> before_;  // the last motion that left `pending_`
+  std::vector<int> slow_;             // by joint: for how many strides it has been slow
+  long samples_ = 0, motions_ = 0;    // since the restart
+  long first_index_ = 0;              // RawSample::index of the first sample since the restart
+  Eigen::VectorXd entries_, right_, motion_;
+  std::vector<std::uint8_t> used_;
+};
+
+}  // namespace flatdyn

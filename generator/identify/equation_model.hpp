@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Equations that are linear in parameters: Y(q, q̇, q̈) π + known(q, h_e) = measured, such as those of the joint torques.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "identify/log_layout.hpp"
+
+namespace flatdyn {
+
+// A motion in SI units, valid during a call: q of all joints, q̇ and q̈ of the independent ones; h_e has 6 numbers, null
+// if the log has none.
+struct MeasuredMotion {
+  double time = 0;
+  const double *q = nullptr, *qd = nullptr, *qdd = nullptr, *h_e = nullptr;
+};
+
+// An entry of Y that is a joint's speed (F_v) or its sign (F_s).
+struct FrictionEntry {
+  enum class Law : std::uint8_t { viscous, coulomb };
+
+  int entry = 0;  // index among the entries of Y
+  int joint = 0;
+  Law law = Law::viscous;
+};
+
+class EquationModel {
+ public:
+  virtual ~EquationModel() = default;
+
+  // The columns of each equation that are not zero for every motion, ascending. The entries of Y are those columns, one
+  // equation behind the other.
+  const std::vector<std::vector<int>>& columns() const { return columns_; }
+  // Friction that `evaluate` leaves to the caller: equation i has that of joint i alone.
+  const std::vector<FrictionEntry>& friction() const { return friction_; }
+  // Whether equation i has friction of joint i, which may be anything up to F_s while the joint rests.
+  bool has_friction(int equation) const { return has_friction_[static_cast<std::size_t>(equation)]; }
+  int parameters() const { return parameters_; }
+  int equations() const { return static_cast<int>(columns_.size()); }
+  int entries() const {
+    std::size_t count = 0;
+    for (const std::vector<int>& each : columns_) count += each.size();
+    return static_cast<int>(count);
+  }
+
+  // Writes the entries of Y, without friction(), and what is known of each equation.
+  virtual void evaluate(const MeasuredMotion& motion, double* entries, double* known) const = 0;
+  // Reports an error if a log lacks what is measured.
+  virtual void require(const LogLayout& /*layout*/, const Place& /*place*/, Diagnostics& /*diagnostics*/) const {}
+  // The channel of a log where what is measured begins; there is one channel per equation.
+  virtual int measured(const LogLayout& layout) const = 0;
+
+ protected:
+  explicit EquationModel(int parameters) : parameters_(parameters) {}
+
+  std::vector<std::vector<int>> columns_;
+  std::vector<FrictionEntry> friction_;
+  std::vector<bool> has_friction_;
+
+ private:
+  int parameters_;
+};
+
+}  // namespace flatdyn

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/log_survey.hpp"
+
+#include <algorithm>
+
+#include "identify/log_reader.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr int kRuns = 64, kSamplesPerRun = 256;
+
+class Surveyor {
+ public:
+  Surveyor(const LogLayout& layout, double dt)
+      : layout_(layout),
+        dt_(dt),
+        sample_(static_cast<std::size_t>(layout.channels())),
+        all_(sample_.size()),
+        runs_(sample_.size()) {
+    result_.moves = !layout.has_rates;
+  }
+
+  // Reads a run; returns false if the log ended before it did.
+  bool read_run(LogReader& reader) {
+    std::vector<ChannelNoiseMeter> run(sample_.size());
+    for (ChannelNoiseMeter& meter : all_) meter.restart();
+    double last = 0;
+    int count = 0;
+    for (; count < kSamplesPerRun && reader.next(sample_.data()); ++count) {
+      const bool is_gap = count > 0 && sample_[0] - last > 1.5 * dt_;
+      last = sample_[0];
+      for (std::size_t c = 0; c < sample_.size(); ++c) {
+        for (ChannelNoiseMeter* const meter : {&run[c], &all_[c]}) {
+          if (is_gap) meter->restart();
+          meter->add(sample_[c]);
+        }
+      }
+      const auto rates = sample_.begin() + layout_.qd();
+      if (layout_.has_rates) {
+        result_.moves |= std::any_of(rates, rates + layout_.joints, [](double rate) { return rate != 0; });
+      }
+    }
+    const bool is_whole = count == kSamplesPerRun;
+    if (!is_whole && !runs_.front().empty()) return is_whole;
+    for (std::size_t c = 0; c < run.size(); ++c) runs_[c].push_back(run[c].noise());
+    return is_whole;
+  }
+
+  LogSurvey result() {
+    for (std::size_t c = 0; c < all_.size(); ++c) {
+      std::vector<ChannelNoise>& runs = runs_[c];
+      const auto middle = runs.begin() + static_cast<std::ptrdiff_t>(runs.size() / 2);
+      std::nth_element(runs.begin(), middle, runs.end(),
+                       [](const ChannelNoise& a, const ChannelNoise& b) { return a.deviation < b.deviation; });
+      result_.typical.push_back(*middle);
+      result_.all.push_back(all_[c].noise());
+    }
+    return result_;
+  }
+
+ private:
+  const LogLayout& layout_;
+  double dt_;
+  std::vector<double> sample_;
+  std::vector<ChannelNoiseMeter> all_;
+  std::vector<std::vector<ChannelNoise>> runs_;
+  LogSurvey result_;
+};
+
+}  // namespace
+
+// A log that ends within the first runs is read whole; of a longer one, runs at even places of the file are.
+LogSurvey survey(const std::filesystem::path& log, const LogHeading& heading, double dt) {
+  Diagnostics unheard;
+  LogReader reader(log, heading, unheard);
+  Surveyor surveyor(heading.layout, dt);
+  for (int run = 0; run < kRuns; ++run) {
+    if (!surveyor.read_run(reader)) return surveyor.result();
+  }
+  for (int run = 1; run < kRuns; ++run) {
+    reader.jump(static_cast<double>(run) / kRuns);
+    surveyor.read_run(reader);
+  }
+  return surveyor.result();
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The steps and the noise of a log's channels, from short runs of samples spread over all of it. Parts of a log find
+// the same, whichever lines they own.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "identify/channel_noise.hpp"
+#include "identify/log_layout.hpp"
+
+namespace flatdyn {
+
+struct LogSurvey {
+  // By channel. Steps that a signal makes now and then, such as dry friction in τ, do not count as noise in `typical`:
+  // half of the runs have no more. `all` is that of all runs together.
+  std::vector<ChannelNoise> all, typical;
+  bool moves = false;  // whether any rate is not zero; true for logs without rates
+};
+
+// dt: the usual time between samples, s. Samples that cannot be read are left out.
+LogSurvey survey(const std::filesystem::path& log, const LogHeading& heading, double dt);
+
+}  // namespace flatdyn

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// q, q̇, q̈ and the tip force at the middle of a window of samples: smoothed, and differentiated where the log lacks
+// them.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "identify/motion_stream.hpp"
+#include "identify/sample_window.hpp"
+
+namespace flatdyn {
+
+class MotionFilter {
+ public:
+  explicit MotionFilter(const StreamPlan& plan);
+
+  // Uses the newest samples of the window, an odd number.
+  int length() const { return static_cast<int>(weights_[0].size()); }
+  void filter(const SampleWindow& window, Eigen::VectorXd& q, Eigen::VectorXd& qd, Eigen::VectorXd& qdd,
+              Eigen::VectorXd& h_e) const;
+
+ private:
+  LogLayout layout_;
+  Eigen::VectorXd weights_[3];
+};
+
+}  // namespace flatdyn

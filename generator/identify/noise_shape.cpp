@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/noise_shape.hpp"
+
+#include <algorithm>
+
+#include "identify/zero_phase.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr int kLags = 16, kRun = 32;
+
+VectorXd as_vector(const std::vector<double>& weights) {
+  return Eigen::Map<const VectorXd>(weights.data(), static_cast<Index>(weights.size()));
+}
+
+VectorXd autocorrelation(const VectorXd& kernel, int step) {
+  VectorXd result = VectorXd::Zero(kLags);
+  for (Index lag = 0; lag < kLags; ++lag) {
+    const Index shift = lag * step, common = kernel.size() - shift;
+    if (common > 0) result[lag] = kernel.head(common).dot(kernel.tail(common));
+  }
+  return result;
+}
+
+// `fine` at every sample, then `coarse` at every stride.
+VectorXd cascaded(const VectorXd& fine, const VectorXd& coarse, int stride) {
+  VectorXd result = VectorXd::Zero(fine.size() + (coarse.size() - 1) * stride);
+  for (Index k = 0; k < coarse.size(); ++k) result.segment(k * stride, fine.size()) += coarse[k] * fine;
+  return result;
+}
+
+}  // namespace
+
+// White noise at every row has the density that the filtered noise has below the band if its power is the sum of the
+// autocorrelation over all lags.
+double NoiseShape::correlation() const {
+  const double all = 2 * measured.sum() - measured[0];
+  return std::max(1.0, all / measured[0]);
+}
+
+LogDerivatives derivatives_of(const LogLayout& layout) {
+  if (!layout.has_rates) return LogDerivatives::none;
+  return layout.has_accelerations ? LogDerivatives::both : LogDerivatives::rates;
+}
+
+NoiseShape noise_shape(const SampleFilter& filter, LogDerivatives derivatives) {
+  if (filter.band == 0) return {1, VectorXd::Unit(kLags, 0), VectorXd::Unit(kLags, 0)};
+  const int stride = filter.stride();
+  const VectorXd narrow = as_vector(zero_phase_kernel(filter.band, filter.dt).weights[0]);
+  const VectorXd coarse = as_vector(zero_phase_kernel(filter.band, filter.dt * stride).weights[0]);
+  const ZeroPhaseKernel wide = zero_phase_kernel(filter.motion_band(), filter.dt);
+  const int order = 2 - static_cast<int>(derivatives);
+  return {kRun, autocorrelation(narrow, filter.decimate),
+          autocorrelation(cascaded(as_vector(wide.weights[order]), coarse, stride), filter.decimate)};
+}
+
+}  // namespace flatdyn

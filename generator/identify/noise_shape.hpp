@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// How the filter shapes white noise of a log: the correlation between rows of the equations that are used.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "identify/motion_stream.hpp"
+
+namespace flatdyn {
+
+// Autocorrelations at lags 0, 1, … of rows, for white noise of variance 1 in every sample.
+struct NoiseShape {
+  int run = 1;                   // instants that are looked at together: more than one where noise is correlated
+  Eigen::VectorXd measured;      // of noise in the measured torques
+  Eigen::VectorXd acceleration;  // of noise in the logged q, q̇ or q̈, as it appears in q̈
+
+  // The correlation of the torque's noise, at least 1: this many rows tell as much about what is slow as one row with
+  // white noise of the same size.
+  double correlation() const;
+};
+
+// What a log has of the derivatives of q.
+enum class LogDerivatives : std::uint8_t { none, rates, both };
+LogDerivatives derivatives_of(const LogLayout& layout);
+
+NoiseShape noise_shape(const SampleFilter& filter, LogDerivatives derivatives);
+
+}  // namespace flatdyn

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/residual_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flatdyn {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int kFittedLags = 4;
+
+// Whether b is the instant that is `lag` rows behind a.
+bool follows(const EquationInstant& a, const EquationInstant& b, long lag) {
+  return a.log == b.log && b.index - a.index == lag;
+}
+
+// Residuals of all equations at the instants, NaN where an equation is not used: instants × equations.
+MatrixXd residuals(const Observations& observations, const VectorXd& values) {
+  const auto n = static_cast<Index>(observations.joints.size());
+  MatrixXd result = MatrixXd::Constant(static_cast<Index>(observations.instants.size()), n, std::nan(""));
+  for (Index t = 0; t < result.rows(); ++t) {
+    const EquationInstant& instant = observations.instants[static_cast<std::size_t>(t)];
+    const double* entries = instant.entries.data();
+    for (std::size_t i = 0; i < instant.used.size(); ++i) {
+      const JointObservations& joint = observations.joints[static_cast<std::size_t>(instant.first) + i];
+      const auto count = static_cast<Index>(joint.columns.size());
+      if (instant.used[i] != 0) {
+        const double fitted = Eigen::Map<const VectorXd>(entries, count).dot(joint.restricted(values));
+        result(t, instant.first + static_cast<Index>(i)) = instant.right[i] - fitted;
+      }
+      entries += count;
+    }
+  }
+  return result;
+}
+
+// B(q) of every instant: one row per equation, one column per joint.
+std::vector<MatrixXd> inertias(const Observations& observations, const VectorXd& values, const AccelerationRows& rows) {
+  std::vector<MatrixXd> result;
+  if (!rows) return result;
+  for (const EquationInstant& instant : observations.instants) {
+    const std::vector<MatrixXd> of_joints = rows(instant);
+    MatrixXd B(of_joints.front().rows(), static_cast<Index>(of_joints.size()));
+    for (std::size_t j = 0; j < of_joints.size(); ++j) B.col(static_cast<Index>(j)) = of_joints[j] * values;
+    result.push_back(std::move(B));
+  }
+  return result;
+}
+
+// The x without negative entries that minimises xᵀ H x / 2 - hᵀ x, by coordinates.
+VectorXd nonnegative_minimum(const MatrixXd& H, const VectorXd& h) {
+  constexpr int kRounds = 500;
+  VectorXd x = VectorXd::Zero(h.size());
+  for (int round = 0; round < kRounds; ++round) {
+    for (Index k = 0; k < h.size(); ++k) {
+      if (H(k, k) <= 0) continue;
+      x[k] = std::max(0.0, x[k] + (h[k] - H.row(k).dot(x)) / H(k, k));
+    }
+  }
+  return x;
+}
+
+// The mean products of residuals of two equations that are `lag` rows apart, and what the two kinds of noise make of
+// them: the first equation's torque noise, then each joint's acceleration noise.
+struct Moment {
+  double product = 0;
+  double of_measured = 0;
+  VectorXd of_accelerations;
+  long count = 0;
+};
+
+Moment moment(const Observations& observations, const MatrixXd& left, const std::vector<MatrixXd>& B, Index i, Index k,
+              long lag, Index joints) {
+  Moment result{0, 0, VectorXd::Zero(joints), 0};
+  const std::vector<EquationInstant>& instants = observations.instants;
+  for (std::size_t t = 0; t + static_cast<std::size_t>(lag) < instants.size(); ++t) {
+    const std::size_t later = t + static_cast<std::size_t>(lag);
+    if (!follows(instants[t], instants[later], lag)) continue;
+    const double product = left(static_cast<Index>(t), i) * left(static_cast<Index>(later), k);
+    if (std::isnan(product)) continue;
+    const NoiseShape& shape = observations.shapes[static_cast<std::size_t>(instants[t].log)];
+    result.product += product;
+    if (i == k) result.of_measured += shape.measured[lag];
+    if (!B.empty()) {
+      const Index first = instants[t].first;
+      result.of_accelerations +=
+          shape.acceleration[lag] * B[t].row(i - first).cwiseProduct(B[later].row(k - first)).transpose();
+    }
+    ++result.count;
+  }
+  return result;
+}
+
+// By equation: rows of all instants per row of those that are kept.
+VectorXd row_ratios(const Observations& observations, const MatrixXd& left) {
+  const auto n = static_cast<Index>(observations.joints.size());
+  VectorXd ratios = VectorXd::Zero(n);
+  for (Index i = 0; i < n; ++i) {
+    const auto kept = static_cast<double>(left.col(i).array().isNaN().select(0, VectorXd::Ones(left.rows())).sum());
+    if (kept > 0) ratios[i] = static_cast<double>(observations.joints[static_cast<std::size_t>(i)].rows) / kept;
+  }
+  return ratios;
+}
+
+// Σ over rows s and t of a log of correlation(s - t) rows(s)ᵀ rows(t).
+MatrixXd correlated_sum(const Observations& observations, const MatrixXd& rows, VectorXd NoiseShape::*shape) {
+  MatrixXd smoothed = MatrixXd::Zero(rows.rows(), rows.cols());
+  const std::vector<EquationInstant>& instants = observations.instants;
+  for (std::size_t t = 0; t < instants.size(); ++t) {
+    const VectorXd& correlation = observations.shapes[static_cast<std::size_t>(instants[t].log)].*shape;
+    const auto at = static_cast<Index>(t);
+    smoothed.row(at) += correlation[0] * rows.row(at);
+    for (std::size_t later = t + 1; later < instants.size(); ++later) {
+      const long lag = instants[later].index - instants[t].index;
+      if (instants[later].log != instants[t].log || lag >= correlation.size()) break;
+      smoothed.row(at) += correlation[lag] * rows.row(static_cast<Index>(later));
+      smoothed.row(static_cast<Index>(later)) += correlation[lag] * rows.row(at);
+    }
+  }
+  return rows.transpose() * smoothed;
+}
+
+// The rows of equation i at all instants, zero where it is not used: instants × columns.
+MatrixXd rows_of(const Observations& observations, Index i) {
+  const JointObservations& joint = observations.joints[static_cast<std::size_t>(i)];
+  const auto count = static_cast<Index>(joint.columns.size());
+  MatrixXd rows = MatrixXd::Zero(static_cast<Index>(observations.instants.size()), count);
+  for (Index t = 0; t < rows.rows(); ++t) {
+    const EquationInstant& instant = observations.instants[static_cast<std::size_t>(t)];
+    const Index place = i - instant.first;
+    if (place < 0 || place >= static_cast<Index>(instant.used.size())) continue;
+    if (instant.used[static_cast<std::size_t>(place)] == 0) continue;
+    const double* entries = instant.entries.data();
+    for (Index k = instant.first; k < i; ++k)
+      entries += observations.joints[static_cast<std::size_t>(k)].columns.size();
+    rows.row(t) = Eigen::Map<const Eigen::RowVectorXd>(entries, count);
+  }
+  return rows;
+}
+
+Index joints_of(const std::vector<MatrixXd>& B) { return B.empty() ? 0 : B.front().cols(); }
+
+}  // namespace
+
+ResidualNoise residual_noise(const Observations& observations, const VectorXd& values, const VectorXd& freedom,
+                             const AccelerationRows& rows) {
+  const MatrixXd left = residuals(observations, values);
+  const std::vector<MatrixXd> B = inertias(observations, values, rows);
+  const auto n = static_cast<Index>(observations.joints.size());
+  const Index joints = joints_of(B);
+  MatrixXd H = MatrixXd::Zero(n + joints, n + joints);
+  VectorXd h = VectorXd::Zero(n + joints), sizes(n);
+  for (Index i = 0; i < n; ++i) {
+    const Moment own = moment(observations, left, B, i, i, 0, joints);
+    sizes[i] = own.count > 0 ? own.product / static_cast<double>(own.count) : 0;
+  }
+  for (Index i = 0; i < n; ++i) {
+    for (Index k = 0; k < n; ++k) {
+      const double size = std::sqrt(sizes[i] * sizes[k]);
+      if (size <= 0) continue;
+      for (long lag = 0; lag < kFittedLags; ++lag) {
+        const Moment mean = moment(observations, left, B, i, k, lag, joints);
+        if (mean.count == 0) continue;
+        const double scale = 1 / (size * std::sqrt(static_cast<double>(mean.count)));
+        VectorXd row = VectorXd::Zero(n + joints);
+        row[i] = mean.of_measured;
+        row.tail(joints) = mean.of_accelerations;
+        row *= scale;
+        H += row * row.transpose();
+        h += scale * mean.product / std::sqrt(freedom[i] * freedom[k]) * row;
+      }
+    }
+  }
+  // Both kinds have very different units: each unknown is scaled by its own column.
+  const VectorXd units = H.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
+  const VectorXd x =
+      units.cwiseProduct(nonnegative_minimum(units.asDiagonal() * H * units.asDiagonal(), units.cwiseProduct(h)));
+  return {x.head(n), x.tail(joints)};
+}
+
+MatrixXd score_covariance(const Observations& observations, const VectorXd& values, const VectorXd& weights,
+                          const ResidualNoise& noise, const AccelerationRows& acceleration_rows) {
+  const MatrixXd left = residuals(observations, values);
+  const VectorXd ratios = row_ratios(observations, left);
+  const std::vector<MatrixXd> B = inertias(observations, values, acceleration_rows);
+  const Index joints = joints_of(B), size = observations.parameters;
+  MatrixXd result = MatrixXd::Zero(size, size);
+  std::vector<MatrixXd> of_joints(static_cast<std::size_t>(joints), MatrixXd::Zero(left.rows(), size));
+  for (Index i = 0; i < weights.size(); ++i) {
+    const JointObservations& joint = observations.joints[static_cast<std::size_t>(i)];
+    const MatrixXd rows = rows_of(observations, i);
+    result(joint.columns, joint.columns) += ratios[i] * weights[i] * weights[i] * noise.measured[i] *
+                                            correlated_sum(observations, rows, &NoiseShape::measured);
+    for (Index t = 0; t < rows.rows() && joints > 0; ++t) {
+      const EquationInstant& instant = observations.instants[static_cast<std::size_t>(t)];
+      const Index place = i - instant.first;
+      if (place < 0 || place >= B[static_cast<std::size_t>(t)].rows()) continue;
+      for (Index j = 0; j < joints; ++j) {
+        const double gain = std::sqrt(ratios[i]) * weights[i] * B[static_cast<std::size_t>(t)](place, j);
+        of_joints[static_cast<std::size_t>(j)](t, joint.columns) += gain * rows.row(t);
+      }
+    }
+  }
+  for (Index j = 0; j < joints; ++j) {
+    result += noise.acceleration[j] *
+              correlated_sum(observations, of_joints[static_cast<std::size_t>(j)], &NoiseShape::acceleration);
+  }
+  return result;
+}
+
+VectorXd score_bias(const Observations& observations, const VectorXd& values, const VectorXd& weights,
+                    const ResidualNoise& noise, const AccelerationRows& rows) {
+  VectorXd result = VectorXd::Zero(observations.parameters);
+  if (!rows) return result;
+  const VectorXd ratios = row_ratios(observations, residuals(observations, values));
+  for (const EquationInstant& instant : observations.instants) {
+    const double power = observations.shapes[static_cast<std::size_t>(instant.log)].acceleration[0];
+    const std::vector<MatrixXd> of_joints = rows(instant);
+    for (std::size_t j = 0; j < of_joints.size(); ++j) {
+      const double variance = power * noise.acceleration[static_cast<Index>(j)];
+      if (variance == 0) continue;
+      const VectorXd column = of_joints[j] * values;
+      for (std::size_t i = 0; i < instant.used.size(); ++i) {
+        const auto row = static_cast<Index>(i), equation = instant.first + row;
+        if (instant.used[i] == 0) continue;
+        result += variance * weights[equation] * ratios[equation] * column[row] * of_joints[j].row(row).transpose();
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The noise that is left in the equations after the fit, with its correlation across time and across joints, and what
+// it does to the parameters.
+//
+// Two kinds of white noise enter a log: that of the measured torques, and that of the positions (or rates), such as the
+// rounding of an encoder. The filter shapes both (NoiseShape). Noise of joint j's position enters all equations through
+// column j of B(q), and is strongest where it is fast, so that it hides little of what a slow motion tells: intervals
+// that took it for white would be several times too wide. The variances of both kinds come from the residuals.
+#pragma once
+
+#include <functional>
+
+#include "identify/observations.hpp"
+
+namespace flatdyn {
+
+// ∂Y/∂q̈_j of an instant by joint j: one row per equation of the instant, one column per parameter. Times the
+// parameters, this is column j of B(q).
+using AccelerationRows = std::function<std::vector<Eigen::MatrixXd>(const EquationInstant& instant)>;
+
+struct ResidualNoise {
+  Eigen::VectorXd measured;      // by equation: variance of the torque's noise in one sample, (N m)² or N²
+  Eigen::VectorXd acceleration;  // by joint: variance of the noise of q, q̇ or q̈ in one sample
+};
+
+// The variances that explain the residuals of `values` at lags 0 … 3 of all pairs of equations best, none negative.
+// `freedom`: by equation, the share of its rows that the fit leaves. `rows` may be null: noise of positions then counts
+// as noise of torques.
+ResidualNoise residual_noise(const Observations& observations, const Eigen::VectorXd& values,
+                             const Eigen::VectorXd& freedom, const AccelerationRows& rows);
+
+// The covariance of Σ Y_iᵀ w_i e_i over all equations i and rows, where e is such noise and w_i the weights: b².
+Eigen::MatrixXd score_covariance(const Observations& observations, const Eigen::VectorXd& values,
+                                 const Eigen::VectorXd& weights, const ResidualNoise& noise,
+                                 const AccelerationRows& rows);
+
+// Noise of positions is in Y, too, where least squares takes it for motion and makes parameters smaller than they are:
+// by (Yᵀ W Y)⁻¹ times this vector, E[ΔYᵀ W ΔY] π (bias compensation; Söderström, Automatica 43, 2007).
+Eigen::VectorXd score_bias(const Observations& observations, const Eigen::VectorXd& values,
+                           const Eigen::VectorXd& weights, const ResidualNoise& noise, const AccelerationRows& rows);
+
+}  // namespace flatdyn

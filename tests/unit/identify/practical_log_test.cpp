@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Logs as people have them: encoder steps, noise, joints that are held, idle time, dropped samples. The motion and its
+// torques are those of the recursive reference.
+#include "support/practical_log.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <map>
+
+#include "identify/least_squares.hpp"
+#include "identify/measurement.hpp"
+
+namespace flatdyn {
+namespace {
+
+using testing::PracticalArm;
+using testing::PracticalOptions;
+using testing::SimulatedSample;
+
+constexpr double kEncoderStep = 1e-4;  // rad
+
+// An arm, what it really is, and what identification is told of it.
+class Bench {
+ public:
+  explicit Bench(PracticalArm arm)
+      : arm_(std::move(arm)), real_(arm_.truth()), plain_(arm_.plain()), model_(plain_, ParameterSet::full, quiet_) {
+    for (const Number& value : base_values(real_.mechanism, model_.base())) truth_.push_back(nearest_double(value));
+  }
+
+  const TorqueModel& model() const { return model_; }
+  double truth(int k) const { return truth_[static_cast<std::size_t>(k)]; }
+  double truth(const std::string& name) const { return truth(place_of(name)); }
+  int place_of(const std::string& name) const {
+    for (int k = 0; k < model_.parameters(); ++k) {
+      if (parameter_name(model_.base().columns[static_cast<std::size_t>(k)]) == name) return k;
+    }
+    throw std::invalid_argument(name);
+  }
+  std::vector<SimulatedSample> motion(const PracticalOptions& options) const {
+    return practical_motion(arm_, real_, options);
+  }
+
+  Measurement measured(const std::vector<SimulatedSample>& samples, double step, double noise, unsigned seed = 1,
+                       const StreamOptions& options = {}) {
+    const std::filesystem::path path =
+        std::filesystem::temp_directory_path() / fmt::format("flatdyn-practical-{}.csv", ::getpid());
+    write_practical_log(path, arm_, samples, step, noise, seed);
+    Diagnostics found;
+    Measurement measurement = measure(model_, {path}, options, quiet_, found);
+    std::filesystem::remove(path);
+    EXPECT_FALSE(found.has_errors());
+    return measurement;
+  }
+  Estimate estimated(const Measurement& measurement, double damping = EstimateOptions().damping) const {
+    EstimateOptions options;
+    options.damping = damping;
+    options.acceleration_rows = [this](const EquationInstant& instant) {
+      return model_.acceleration_rows(instant.q.data());
+    };
+    const std::vector<double>& file = model_.file_values();
+    return estimate(measurement.observations,
+                    Eigen::Map<const Eigen::VectorXd>(file.data(), static_cast<Eigen::Index>(file.size())), options);
+  }
+
+ private:
+  PracticalArm arm_;
+  Progress quiet_{true};
+  LoadedRobot real_, plain_;
+  TorqueModel model_;
+  std::vector<double> truth_;
+};
+
+Bench& ur5() {
+  static Bench bench(testing::practical_ur5());
+  return bench;
+}
+
+Bench& panda() {
+  static Bench bench(testing::practical_panda());
+  return bench;
+}
+
+// Counts, by kind of parameter, how many 95 % intervals hold the truth.
+struct Coverage {
+  int inside = 0, all = 0;
+  double share() const { return static_cast<double>(inside) / all; }
+};
+using Coverages = std::map<std::string, Coverage>;
+
+void count(const Bench& bench, const Estimate& found, Coverages& coverages) {
+  constexpr double kTwoSided95 = 1.959964;
+  for (int k = 0; k < bench.model().parameters(); ++k) {
+    const Parameter parameter = parameter_of(bench.model().base().columns[static_cast<std::size_t>(k)]);
+    const bool is_friction = parameter == Parameter::Fv || parameter == Parameter::Fs;
+    const double error = std::abs(found.values(k) - bench.truth(k));
+    for (const char* kind : {"all", is_friction ? "friction" : "others"}) {
+      ++coverages[kind].all;
+      coverages[kind].inside += error <= kTwoSided95 * found.standard_deviations(k) ? 1 : 0;
+    }
+  }
+}
+
+Coverages coverages_of(Bench& bench, unsigned motions, unsigned logs_per_motion) {
+  Coverages coverages;
+  for (unsigned motion = 1; motion <= motions; ++motion) {
+    const std::vector<SimulatedSample> samples = bench.motion({.motion = motion});
+    for (unsigned log = 1; log <= logs_per_motion; ++log) {
+      const unsigned seed = 1000 * motion + log;
+      count(bench, bench.estimated(bench.measured(samples, kEncoderStep, 1, seed)), coverages);
+    }
+  }
+  return coverages;
+}
+
+TEST(PracticalLog, WithoutNoiseEveryParameterComesBack) {
+  Bench& bench = ur5();
+  const Estimate found = bench.estimated(bench.measured(bench.motion({}), 0, 0));
+  for (int k = 0; k < bench.model().parameters(); ++k) EXPECT_NEAR(found.values(k), bench.truth(k), 1e-4) << k;
+}
+
+TEST(PracticalLog, IntervalsHoldTheTruth) {
+  const Coverages coverages = coverages_of(ur5(), 2, 5);
+  EXPECT_GT(coverages.at("all").share(), 0.91);
+  EXPECT_LT(coverages.at("all").share(), 0.985);
+  EXPECT_GT(coverages.at("friction").share(), 0.88);
+}
+
+TEST(PracticalLog, IntervalsOfASixAxisArmHoldTheTruthIn200Logs) {
+  for (const auto& [kind, coverage] : coverages_of(ur5(), 40, 5)) {
+    EXPECT_GE(coverage.share(), 0.93) << kind;
+    EXPECT_LE(coverage.share(), 0.97) << kind;
+  }
+}
+
+TEST(PracticalLog, IntervalsOfASevenAxisArmHoldTheTruthIn50Logs) {
+  for (const auto& [kind, coverage] : coverages_of(panda(), 25, 2)) {
+    EXPECT_GE(coverage.share(), 0.93) << kind;
+    EXPECT_LE(coverage.share(), 0.97) << kind;
+  }
+}
+
+// The encoder of a joint that is held reads noise of one step, and a brake may hold it.
+TEST(PracticalLog, AJointThatStandsStillTellsNothingOfItself) {
+  constexpr int kHeld = 4;
+  Bench& bench = ur5();
+  std::vector<SimulatedSample> samples = bench.motion({.held = {kHeld}});
+  testing::Uniform draw(3);
+  for (SimulatedSample& sample : samples) {
+    sample.tau(kHeld) = 50 * draw();  // the brake's
+    if (draw() > 0.4) sample.q(kHeld) += kEncoderStep;
+  }
+  for (const double step : {kEncoderStep, 0.0}) {
+    const Measurement measurement = bench.measured(samples, step, 1);
+    EXPECT_EQ(measurement.observations.joints[kHeld].rows, 0);
+    for (const double damping : {1e-8, 1e-15, 0.0}) {
+      const Estimate found = bench.estimated(measurement, damping);
+      for (const char* name : {"Fv5", "Fs5", "Im5"}) {
+        const int k = bench.place_of(name);
+        EXPECT_EQ(found.values(k), 0) << name;
+        EXPECT_TRUE(std::isinf(found.standard_deviations(k))) << name;
+      }
+      for (int k = 0; k < bench.model().parameters(); ++k) {
+        if (std::isinf(found.standard_deviations(k))) continue;
+        EXPECT_NEAR(found.values(k), bench.truth(k), 5 * found.standard_deviations(k)) << k;
+      }
+    }
+  }
+}
+
+TEST(PracticalLog, IdleTimeDoesNotSpeakOfFriction) {
+  Bench& bench = ur5();
+  const std::vector<SimulatedSample> samples = bench.motion({.seconds = 30, .idles = true});
+  const Measurement measurement = bench.measured(samples, kEncoderStep, 1);
+  const Estimate found = bench.estimated(measurement);
+  Coverages coverages;
+  count(bench, found, coverages);
+  EXPECT_GT(coverages.at("friction").share(), 0.8);
+  for (const JointObservations& joint : measurement.observations.joints) {
+    EXPECT_LT(static_cast<double>(joint.rows), 0.7 * static_cast<double>(measurement.count.used));
+  }
+  for (const char* name : {"Fs1", "Fs3", "Fs5"}) {
+    EXPECT_NEAR(found.values(bench.place_of(name)), bench.truth(name), 0.01 * bench.truth(name)) << name;
+  }
+  // As every row counts, Coulomb friction comes out far too small.
+  const Estimate all = bench.estimated(bench.measured(samples, kEncoderStep, 1, 1, {.rest_speed = {0}}));
+  EXPECT_LT(all.values(bench.place_of("Fs1")), 0.9 * bench.truth("Fs1"));
+}
+
+TEST(PracticalLog, DroppedSamplesAreInterpolated) {
+  Bench& bench = ur5();
+  std::vector<SimulatedSample> samples = bench.motion({});
+  const auto whole = samples.size();
+  testing::Uniform draw(9);
+  std::erase_if(samples, [&](const SimulatedSample& sample) { return sample.time > 0 && draw() > 0.98; });
+  const Measurement measurement = bench.measured(samples, kEncoderStep, 1);
+  const auto dropped = static_cast<long>(whole - samples.size());
+  EXPECT_GT(dropped, 150);
+  EXPECT_NEAR(static_cast<double>(measurement.count.interpolated), static_cast<double>(dropped), 4);
+  EXPECT_EQ(measurement.count.gaps, 0);
+  Coverages coverages;
+  count(bench, bench.estimated(measurement), coverages);
+  EXPECT_GT(coverages.at("all").share(), 0.85);
+}
+
+TEST(PracticalLog, TheEncodersStepIsFound) {
+  Bench& bench = ur5();
+  const Measurement measurement = bench.measured(bench.motion({.seconds = 5}), kEncoderStep, 1);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_NEAR(measurement.logs[0].q_noise[i].step, kEncoderStep, 1e-9);
+    EXPECT_NEAR(measurement.logs[0].q_noise[i].deviation, kEncoderStep / std::sqrt(12.0), 0.3e-4);
+    EXPECT_NEAR(measurement.logs[0].tau_noise[i].deviation, testing::practical_ur5().noise[i], 0.1);
+  }
+}
+
+}  // namespace
+}  // namespace flatdyn
