@@ -12,15 +12,15 @@ namespace flatdyn {
 // Autocorrelations at lags 0, 1, … of rows, for white noise of variance 1 in every sample.
 struct NoiseShape {
   int run = 1;                   // instants that are looked at together: more than one where noise is correlated
-  Eigen::VectorXd measured;      // of noise in the measured torques
-  Eigen::VectorXd acceleration;  // of noise in the logged q, q̇ or q̈, as it appears in q̈
+  Eigen::VectorXd measured;      // that of noise in the measured torques
+  Eigen::VectorXd acceleration;  // that of noise in the logged q, q̇ or q̈, as it appears in q̈
 
   // The correlation of the torque's noise, at least 1: this many rows tell as much about what is slow as one row with
   // white noise of the same size.
   double correlation() const;
 };
 
-// What a log has of the derivatives of q.
+// The derivatives of q that a log has.
 enum class LogDerivatives : std::uint8_t { none, rates, both };
 LogDerivatives derivatives_of(const LogLayout& layout);
 

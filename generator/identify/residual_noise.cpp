@@ -66,16 +66,16 @@ VectorXd nonnegative_minimum(const MatrixXd& H, const VectorXd& h) {
 
 // The mean products of residuals of two equations that are `lag` rows apart, and what the two kinds of noise make of
 // them: the first equation's torque noise, then each joint's acceleration noise.
-struct Moment {
+struct LaggedProduct {
   double product = 0;
   double of_measured = 0;
   VectorXd of_accelerations;
   long count = 0;
 };
 
-Moment moment(const Observations& observations, const MatrixXd& left, const std::vector<MatrixXd>& B, Index i, Index k,
-              long lag, Index joints) {
-  Moment result{0, 0, VectorXd::Zero(joints), 0};
+LaggedProduct lagged_product(const Observations& observations, const MatrixXd& left, const std::vector<MatrixXd>& B,
+                             Index i, Index k, long lag, Index joints) {
+  LaggedProduct result{0, 0, VectorXd::Zero(joints), 0};
   const std::vector<EquationInstant>& instants = observations.instants;
   for (std::size_t t = 0; t + static_cast<std::size_t>(lag) < instants.size(); ++t) {
     const std::size_t later = t + static_cast<std::size_t>(lag);
@@ -155,7 +155,7 @@ ResidualNoise residual_noise(const Observations& observations, const VectorXd& v
   MatrixXd H = MatrixXd::Zero(n + joints, n + joints);
   VectorXd h = VectorXd::Zero(n + joints), sizes(n);
   for (Index i = 0; i < n; ++i) {
-    const Moment own = moment(observations, left, B, i, i, 0, joints);
+    const LaggedProduct own = lagged_product(observations, left, B, i, i, 0, joints);
     sizes[i] = own.count > 0 ? own.product / static_cast<double>(own.count) : 0;
   }
   for (Index i = 0; i < n; ++i) {
@@ -163,7 +163,7 @@ ResidualNoise residual_noise(const Observations& observations, const VectorXd& v
       const double size = std::sqrt(sizes[i] * sizes[k]);
       if (size <= 0) continue;
       for (long lag = 0; lag < kFittedLags; ++lag) {
-        const Moment mean = moment(observations, left, B, i, k, lag, joints);
+        const LaggedProduct mean = lagged_product(observations, left, B, i, k, lag, joints);
         if (mean.count == 0) continue;
         const double scale = 1 / (size * std::sqrt(static_cast<double>(mean.count)));
         VectorXd row = VectorXd::Zero(n + joints);
