@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # A Panda arm, identified from an excitation trajectory with noise on the torques. The robot file that is given to
-# identify has all masses wrong: its parameters must come from the motion.
+# identify has all masses wrong: its parameters must come from the motion. There is no friction in it, nor in the log.
 #   docs/examples/identify_panda.sh FOLDER
 set -euo pipefail
 folder=$1
@@ -20,4 +20,4 @@ awk -F, -v OFS=, '
   { print }' "$folder/panda_excitation.csv" >"$folder/log.csv"
 
 sed -E 's/(<mass value=")[^"]*/\11.0/' robots/panda.urdf >"$folder/panda_unknown.urdf"
-"$flatdyn" identify "$folder/panda_unknown.urdf" --data "$folder/log.csv" -o "$folder/identified.toml" --plot "$folder/residuals.svg"
+"$flatdyn" identify "$folder/panda_unknown.urdf" --parameters given --data "$folder/log.csv" -o "$folder/identified.toml" --plot "$folder/residuals.svg"

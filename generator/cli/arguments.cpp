@@ -311,7 +311,26 @@ void add_parameters_option(CLI::App& command, std::string& name, const std::stri
       ->capture_default_str();
 }
 
+void add_identified_option(CLI::App& command, std::string& name) {
+  command
+      .add_option("--parameters", name,
+                  "what is identified: ten of every link (inertial), and rotors and friction that the file gives "
+                  "(given), all thirteen (full), or those that are not zero (nonzero); default: full if the file gives "
+                  "no friction, else given")
+      ->check(CLI::IsMember({"inertial", "given", "full", "nonzero"}));
+}
+
 ParameterSet parameter_set(const std::string& name) { return kParameterSets.at(name); }
+
+ParameterSet parameter_set(const std::string& name, const Mechanism& mechanism) {
+  if (!name.empty()) return parameter_set(name);
+  const std::vector<bool> given = parameters_in(mechanism, ParameterSet::given);
+  for (std::size_t index = 0; index < given.size(); ++index) {
+    const Parameter parameter = parameter_of(static_cast<int>(index));
+    if (given[index] && (parameter == Parameter::Fv || parameter == Parameter::Fs)) return ParameterSet::given;
+  }
+  return ParameterSet::full;
+}
 
 std::string stamp(const std::vector<std::pair<std::string, std::string>>& options) {
   std::string text;

@@ -89,8 +89,11 @@ void add_trajectory_option(CLI::App& command, std::string& file);
 void add_plot_option(CLI::App& command, std::string& file, const std::string& meaning);
 
 // Adds --parameters, for the purpose `use`. parameter_set() returns the set of that name.
+void add_identified_option(CLI::App& command, std::string& name);
 void add_parameters_option(CLI::App& command, std::string& name, const std::string& use);
 ParameterSet parameter_set(const std::string& name);
+// The same for identification: of no name, all parameters if the file gives no friction, else those that it gives.
+ParameterSet parameter_set(const std::string& name, const Mechanism& mechanism);
 
 Run add_generate(CLI::App& app);
 Run add_inspect(CLI::App& app);

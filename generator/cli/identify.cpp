@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "cli/commands.hpp"
@@ -18,10 +19,10 @@ namespace {
 struct IdentifyArguments : RobotArguments {
   std::vector<std::string> logs, parts;
   std::string output, part;
-  std::string parameters = "given";
+  std::string parameters;
   StreamOptions stream;
-  EstimateOptions estimate;
-  bool sequential = false;
+  IdentificationOptions identification;
+  bool offsets = false, delay = false, gravity_direction = false;
   std::string plot;
 
   // The file that is read first.
@@ -53,7 +54,11 @@ void check_identify_usage(const IdentifyArguments& arguments) {
     throw Failure(ExitCode::usage, "--band and --decimate have no effect with --merge",
                   "give them with --part, where the logs are read");
   }
-  if (!arguments.part.empty() && (!arguments.plot.empty() || arguments.sequential)) {
+  if ((!arguments.part.empty() || !arguments.parts.empty()) && (arguments.delay || arguments.gravity_direction)) {
+    throw Failure(ExitCode::usage, "--delay and --gravity-direction read the logs more than once",
+                  "give them with --data, without --part");
+  }
+  if (!arguments.part.empty() && (!arguments.plot.empty() || arguments.identification.sequential)) {
     throw Failure(ExitCode::usage, "--plot and --sequential have no effect with --part",
                   "give them with --merge, where the parameters are estimated");
   }
@@ -90,14 +95,15 @@ void check_samples(const Measurement& measurement, const std::string& log, Diagn
                 "log without gaps, or q, qd and qdd, so that there is no filter; a wider --band has a shorter window");
 }
 
-Measurement measured(const IdentifyArguments& arguments, const StreamOptions& options, const TorqueModel& model,
+Measurement measured(const IdentifyArguments& arguments, const StreamOptions& options, const TorqueEquations& equations,
                      Progress& progress) {
   Diagnostics found;
   Measurement measurement;
   if (arguments.parts.empty()) {
-    measurement = measure(model, {arguments.logs.begin(), arguments.logs.end()}, options, progress, found);
+    measurement = measure(equations, equations.model().mechanism(), {arguments.logs.begin(), arguments.logs.end()},
+                          options, progress, found);
   } else {
-    measurement = merge_parts({arguments.parts.begin(), arguments.parts.end()}, model, found);
+    measurement = merge_parts({arguments.parts.begin(), arguments.parts.end()}, equations, found);
   }
   // A single part may have no samples; all parts together must have some.
   const bool is_whole = arguments.part.empty() && !found.has_errors();
@@ -106,8 +112,22 @@ Measurement measured(const IdentifyArguments& arguments, const StreamOptions& op
   return measurement;
 }
 
-Eigen::VectorXd as_vector(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+// Measures again with torques taken later, until what is left of the delay is a small part of a sample.
+Measurement with_delay(const IdentifyArguments& arguments, StreamOptions& options, const TorqueEquations& equations,
+                       Measurement measurement, Progress& progress) {
+  constexpr int kMostRounds = 5;
+  constexpr double kSmall = 1e-5;  // s
+  if (measurement.logs.front().filter.band == 0) {
+    throw Failure(ExitCode::usage, "--delay needs the filter: the log has all derivatives, and is used as it is",
+                  "give --band HZ");
+  }
+  for (int round = 0; round < kMostRounds; ++round) {
+    const double more = remaining_delay(equations, measurement);
+    if (std::abs(more) < kSmall) break;
+    options.delay += more;
+    measurement = measured(arguments, options, equations, progress);
+  }
+  return measurement;
 }
 
 // The lines of a report as comments, wide tables and all.
@@ -126,7 +146,7 @@ TextFile robot_file(const IdentifyArguments& arguments, const LoadedRobot& robot
   for (const std::string& line : lines_of(describe_identification(model, found))) about.comments.push_back(line);
   if (!found.warning_texts.empty()) about.comments.emplace_back();
   about.comments.insert(about.comments.end(), found.warning_texts.begin(), found.warning_texts.end());
-  return {arguments.output, identified_robot_text(robot, parameter_set(arguments.parameters), found.physical, about)};
+  return {arguments.output, identified_robot_text(robot, arguments.identification.set, found.physical, about)};
 }
 
 std::vector<TextFile> result_files(const IdentifyArguments& arguments, const LoadedRobot& robot,
@@ -138,45 +158,51 @@ std::vector<TextFile> result_files(const IdentifyArguments& arguments, const Loa
   return files;
 }
 
-ExitCode identify(const IdentifyArguments& arguments) {
+// Finds gravity's direction with the robot as it is, and loads the robot again with that direction.
+LoadedRobot with_gravity(IdentifyArguments& arguments, const LoadedRobot& robot, const StreamOptions& stream,
+                         Progress& progress) {
+  if (robot.mechanism.has_loops()) {
+    throw Failure(ExitCode::unsupported, "--gravity-direction is for robots without closed loops");
+  }
+  const TorqueModel model(robot, arguments.identification.set, progress);
+  const TorqueEquations equations(model, arguments.offsets);
+  const Measurement measurement = measured(arguments, stream, equations, progress);
+  progress.step("finding gravity's direction");
+  const Eigen::Vector3d gravity = best_gravity(robot, equations, measurement);
+  arguments.gravity = fmt::format("{:.6g},{:.6g},{:.6g}", gravity.x(), gravity.y(), gravity.z());
+  return load_robot(arguments.robot, arguments.options());
+}
+
+ExitCode identify(IdentifyArguments arguments) {
   check_identify_usage(arguments);
   StreamOptions stream = arguments.stream;
   if (!arguments.part.empty()) read_part(arguments.part, stream);
-  const LoadedRobot robot = load_robot(arguments.robot, arguments.options());
+  LoadedRobot robot = load_robot(arguments.robot, arguments.options());
   check_files(arguments, robot.robot);
   print_diagnostics(robot.diagnostics, arguments);
   arguments.note_function_keys(robot);
+  arguments.identification.set = parameter_set(arguments.parameters, robot.mechanism);
   // Settings that cannot be repeated are refused before logs are read.
   if (!arguments.output.empty()) arguments.settings(robot);
-  Identification found;
-  {
-    Progress progress(arguments.quiet);
-    const TorqueModel model(robot, parameter_set(arguments.parameters), progress);
-    found.measurement = measured(arguments, stream, model, progress);
-    if (!arguments.part.empty()) {
-      write_files({{arguments.output, part_text(found.measurement, model, stream)}});
-      fmt::print("wrote {}: part {} of {}, {} samples\n", arguments.output, stream.part, stream.parts,
-                 found.measurement.count.used);
-      return ExitCode::ok;
-    }
-    progress.step("estimating");
-    const Eigen::VectorXd file = as_vector(model.file_values());
-    EstimateOptions options = arguments.estimate;
-    options.acceleration_rows = [&](const EquationInstant& instant) {
-      return model.acceleration_rows(instant.q.data());
-    };
-    found.estimate = estimate(found.measurement.observations, file, options);
-    if (arguments.sequential) found.joint_by_joint = estimate_joint_by_joint(found.measurement.observations, file);
-    progress.step("finding links that a body can have");
-    // Friction and rotors that the estimate leaves out are left out of the robot that it is applied to, too.
-    const bool inertial_only = parameter_set(arguments.parameters) == ParameterSet::inertial;
-    found.physical =
-        physical_parameters(inertial_only ? model.mechanism() : robot.mechanism, model.base(), found.estimate);
-    found.warning_texts = plausibility_warnings(model, found);
-    arguments.warn_of(found.warning_texts, arguments.source());
-    write_and_print(result_files(arguments, robot, model, found),
-                    {describe_identification(model, found), identification_json(model, found)}, arguments);
+  Progress progress(arguments.quiet);
+  if (arguments.gravity_direction) robot = with_gravity(arguments, robot, stream, progress);
+  const TorqueModel model(robot, arguments.identification.set, progress);
+  const TorqueEquations equations(model, arguments.offsets);
+  Measurement measurement = measured(arguments, stream, equations, progress);
+  if (!arguments.part.empty()) {
+    write_files({{arguments.output, part_text(measurement, equations, stream)}});
+    erase_progress();
+    fmt::print("wrote {}: part {} of {}, {} samples\n", arguments.output, stream.part, stream.parts,
+               measurement.count.used);
+    return ExitCode::ok;
   }
+  if (arguments.delay) measurement = with_delay(arguments, stream, equations, std::move(measurement), progress);
+  Identification found = identification(robot, equations, std::move(measurement), arguments.identification, progress);
+  found.delay = stream.delay;
+  found.warning_texts = plausibility_warnings(model, found);
+  arguments.warn_of(found.warning_texts, arguments.source());
+  write_and_print(result_files(arguments, robot, model, found),
+                  {describe_identification(model, found), identification_json(model, found)}, arguments);
   return ExitCode::ok;
 }
 
@@ -200,14 +226,19 @@ Run add_identify(CLI::App& app) {
   add_plot_option(*command, arguments->plot, "torques and residuals over time");
   command->add_option("--part", arguments->part, "read the k-th of N parts of the logs, and write what it says")
       ->type_name("k/N");
-  add_parameters_option(*command, arguments->parameters, "what is identified: ");
+  add_identified_option(*command, arguments->parameters);
   add_stream_options(*command, arguments->stream);
   command
-      ->add_option("--damping", arguments->estimate.damping,
+      ->add_option("--damping", arguments->identification.estimate.damping,
                    "directions whose relative singular value is below this stay near the file's values")
       ->check(number_between(0, 1))
       ->capture_default_str();
-  command->add_flag("--sequential", arguments->sequential, "also the textbook's joint-by-joint procedure");
+  command->add_flag("--offsets", arguments->offsets, "also a constant offset of each joint's torques");
+  command->add_flag("--delay", arguments->delay, "also the time by which all torques are late; reads the logs again");
+  command->add_flag("--gravity-direction", arguments->gravity_direction,
+                    "also the direction of gravity, which is then written into the robot file; reads the logs twice");
+  command->add_flag("--sequential", arguments->identification.sequential,
+                    "also the textbook's joint-by-joint procedure");
   return [arguments] { return identify(*arguments); };
 }
 

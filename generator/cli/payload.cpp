@@ -5,7 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "identify/measurement.hpp"
+#include "identify/torque_equations.hpp"
 #include "identify/wrist.hpp"
 #include "report/payload_report.hpp"
 
@@ -15,6 +15,7 @@ namespace {
 struct PayloadArguments : RobotArguments {
   std::vector<std::string> logs, without;
   std::string output;
+  std::string parameters;
   bool wrist = false;
   StreamOptions stream;
 };
@@ -41,22 +42,34 @@ void require_samples(long used) {
                 "..., qdd1, ... of zeros");
 }
 
-Observations observed(const TorqueModel& model, const std::vector<std::string>& logs, const PayloadArguments& arguments,
-                      Progress& progress) {
+Measurement observed(const TorqueEquations& equations, const std::vector<std::string>& logs,
+                     const PayloadArguments& arguments, Progress& progress) {
   Diagnostics found;
-  Measurement measurement = measure(model, {logs.begin(), logs.end()}, arguments.stream, progress, found);
+  Measurement measurement =
+      measure(equations, equations.model().mechanism(), {logs.begin(), logs.end()}, arguments.stream, progress, found);
   arguments.report(found);
   require_samples(measurement.count.used);
-  return std::move(measurement.observations);
+  return measurement;
 }
 
 // The payload as the change of the last link against the log without payload, or against the robot file.
-PayloadEstimate from_torques(const LoadedRobot& robot, const PayloadArguments& arguments, Progress& progress) {
-  const TorqueModel model(robot, ParameterSet::given, progress);
-  const Eigen::VectorXd file = Eigen::Map<const Eigen::VectorXd>(model.file_values().data(), model.parameters());
-  const Observations with_payload = observed(model, arguments.logs, arguments, progress);
-  if (arguments.without.empty()) return estimate_payload(model, with_payload, file);
-  return estimate_payload(model, with_payload, observed(model, arguments.without, arguments, progress), file);
+FittedPayload from_torques(const LoadedRobot& robot, const PayloadArguments& arguments, Progress& progress) {
+  const TorqueModel model(robot, parameter_set(arguments.parameters, robot.mechanism), progress);
+  const TorqueEquations equations(model);
+  const Measurement with = observed(equations, arguments.logs, arguments, progress);
+  std::vector<MeasuredLog> logs = with.logs;
+  PayloadProblem problem;
+  if (arguments.without.empty()) {
+    problem = payload_problem(model, robot, with.observations);
+  } else {
+    const Measurement without = observed(equations, arguments.without, arguments, progress);
+    logs.insert(logs.end(), without.logs.begin(), without.logs.end());
+    problem = payload_problem(model, with.observations, without.observations, equations.file_values());
+  }
+  FittedPayload found{estimate_payload(problem), {}, {}};
+  found.fits = fit_quality(problem.observations, logs, found.payload.unknowns, problem.acceleration_rows);
+  found.observations = std::move(problem.observations);
+  return found;
 }
 
 PayloadEstimate from_wrist(const LoadedRobot& robot, const PayloadArguments& arguments, Progress& progress) {
@@ -85,16 +98,21 @@ ExitCode payload(const PayloadArguments& arguments) {
   arguments.note_function_keys(robot);
   const std::vector<std::string> settings =
       arguments.output.empty() ? std::vector<std::string>() : arguments.settings(robot);
-  PayloadEstimate found;
+  FittedPayload found;
   {
     Progress progress(arguments.quiet);
-    found = arguments.wrist ? from_wrist(robot, arguments, progress) : from_torques(robot, arguments, progress);
+    if (arguments.wrist) {
+      found.payload = from_wrist(robot, arguments, progress);
+    } else {
+      found = from_torques(robot, arguments, progress);
+    }
   }
-  const std::vector<std::string> warning_texts = plausibility_warnings(found, hint_of(arguments));
+  const std::vector<std::string> warning_texts = plausibility_warnings(robot, found, hint_of(arguments));
   arguments.warn_of(warning_texts, arguments.logs.front());
   std::vector<TextFile> files;
   if (!arguments.output.empty()) {
-    files.push_back({arguments.output, payload_robot_text(robot, found, arguments.output, settings, warning_texts)});
+    files.push_back(
+        {arguments.output, payload_robot_text(robot, found.payload, arguments.output, settings, warning_texts)});
   }
   write_and_print(files, {describe_payload(robot, found), payload_json(robot, found)}, arguments);
   return ExitCode::ok;
@@ -122,6 +140,7 @@ Run add_payload(CLI::App& app) {
   command->add_option("-o,--output", arguments->output, "the robot file with the payload")
       ->check(kNotEmpty)
       ->type_name("FILE");
+  add_identified_option(*command, arguments->parameters);
   add_stream_options(*command, arguments->stream);
   return [arguments] { return payload(*arguments); };
 }

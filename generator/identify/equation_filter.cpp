@@ -11,11 +11,15 @@ namespace {
 
 using Eigen::VectorXd;
 
-// The weights of the narrow filter at samples that are dt apart.
-VectorXd narrow_weights(double band, double dt) {
-  if (band == 0) return VectorXd::Ones(1);
-  const ZeroPhaseKernel kernel = zero_phase_kernel(band, dt);
-  return Eigen::Map<const VectorXd>(kernel.weights[0].data(), kernel.length());
+VectorXd as_weights(const std::vector<double>& weights) {
+  return Eigen::Map<const VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
+}
+
+// The weights of the narrow filter at samples that are dt apart; of order 1, for the rate. Without a filter there is no
+// rate.
+VectorXd narrow_weights(double band, double dt, int order = 0) {
+  if (band == 0) return VectorXd::Constant(1, order == 0 ? 1 : 0);
+  return as_weights(zero_phase_kernel(band, dt).weights[order]);
 }
 
 int half_of(const VectorXd& weights) { return static_cast<int>(weights.size()) / 2; }
@@ -42,6 +46,9 @@ EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& mode
       row_half_(plan.filter.row_half_window()),
       row_weights_(narrow_weights(plan.filter.band, plan.filter.dt * stride_)),
       sample_weights_(narrow_weights(plan.filter.band, plan.filter.dt)),
+      measured_weights_(plan.delay == 0 ? sample_weights_
+                                        : as_weights(weights_ahead(plan.filter.band, plan.filter.dt, plan.delay))),
+      rate_weights_(narrow_weights(plan.filter.band, plan.filter.dt, 1)),
       row_kernel_half_(half_of(row_weights_)),
       sample_kernel_half_(half_of(sample_weights_)),
       motion_filter_(plan),
@@ -51,6 +58,8 @@ EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& mode
       slow_(static_cast<std::size_t>(n_), 0),
       entries_(model.entries()),
       right_(model.equations()),
+      rates_(model.equations()),
+      motion_(layout_.positions + 2 * n_),
       used_(static_cast<std::size_t>(model.equations()), 1) {}
 
 void EquationFilter::restart() {
@@ -147,7 +156,7 @@ void EquationFilter::pass_on(long index) {
   const int samples = 2 * sample_kernel_half_ + 1, samples_back = row_half_ * stride_ - sample_kernel_half_;
   entries_.noalias() = rows_.block(rows_back, rows, 0, model_.entries()).transpose() * row_weights_;
   right_.noalias() =
-      samples_window_.block(samples_back, samples, measured_at(), model_.equations()).transpose() * sample_weights_;
+      samples_window_.block(samples_back, samples, measured_at(), model_.equations()).transpose() * measured_weights_;
   right_.noalias() -= rows_.block(rows_back, rows, known(), model_.equations()).transpose() * row_weights_;
   const VectorXd friction =
       samples_window_.block(samples_back, samples, speeds_at(), 2 * n_).transpose() * sample_weights_;
@@ -159,7 +168,9 @@ void EquationFilter::pass_on(long index) {
   for (int i = 0; i < model_.equations(); ++i) {
     used_[static_cast<std::size_t>(i)] = model_.has_friction(i) && unsure[i] > kMostUnsure ? 0 : 1;
   }
-  motion_ = rows_.sample(row_half_).segment(motion_at(), layout_.positions + 2 * n_).transpose();
+  motion_.noalias() = rows_.block(rows_back, rows, motion_at(), layout_.positions + 2 * n_).transpose() * row_weights_;
+  rates_.noalias() =
+      samples_window_.block(samples_back, samples, measured_at(), model_.equations()).transpose() * rate_weights_;
   FilteredEquations equations;
   const auto middle = samples_window_.sample(row_half_ * stride_);
   equations.motion = {middle[time_at()], motion_.data(), motion_.data() + layout_.positions,
@@ -170,6 +181,7 @@ void EquationFilter::pass_on(long index) {
   equations.index = index / plan_.filter.decimate;
   equations.entries = entries_.data();
   equations.right = right_.data();
+  equations.measured_rates = rates_.data();
   equations.used = used_.data();
   sink_(equations);
 }

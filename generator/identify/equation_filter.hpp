@@ -23,7 +23,8 @@ struct FilteredEquations {
   long index = 0;                   // counts the instants: 1 more than that of the one before it, unless time has a gap
   const double* entries = nullptr;  // of Y, filtered
   const double* right = nullptr;    // what is measured less what is known, filtered
-  const std::uint8_t* used = nullptr;  // by equation
+  const double* measured_rates = nullptr;  // of what is measured, by time; zeros without a filter
+  const std::uint8_t* used = nullptr;      // by equation
 };
 using EquationSink = std::function<void(const FilteredEquations&)>;
 
@@ -64,9 +65,10 @@ class EquationFilter : public SampleReceiver {
   EquationSink sink_;
   LogLayout layout_;
   int n_, stride_, lookahead_;
-  int motion_half_, row_half_;                    // SampleFilter's: in samples, in strides
-  Eigen::VectorXd row_weights_, sample_weights_;  // of Y at its strides, of τ and friction at every sample
-  int row_kernel_half_, sample_kernel_half_;      // their half lengths
+  int motion_half_, row_half_;                                        // SampleFilter's: in samples, in strides
+  Eigen::VectorXd row_weights_;                                       // of Y, at its strides
+  Eigen::VectorXd sample_weights_, measured_weights_, rate_weights_;  // of friction, τ and dτ/dt, at every sample
+  int row_kernel_half_, sample_kernel_half_;                          // their half lengths
   MotionFilter motion_filter_;
   SampleWindow raw_, rows_, samples_window_;
   std::deque<GridMotion> pending_;    // motions for which it is not known yet which joints rest
@@ -74,7 +76,7 @@ class EquationFilter : public SampleReceiver {
   std::vector<int> slow_;             // by joint: for how many strides it has been slow
   long samples_ = 0, motions_ = 0;    // since the restart
   long first_index_ = 0;              // RawSample::index of the first sample since the restart
-  Eigen::VectorXd entries_, right_, motion_;
+  Eigen::VectorXd entries_, right_, rates_, motion_;
   std::vector<std::uint8_t> used_;
 };
 

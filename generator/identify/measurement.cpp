@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <fstream>
 
-#include "identify/torque_equations.hpp"
 #include "input/common/content_hash.hpp"
 
 namespace flatdyn {
@@ -76,11 +75,6 @@ void set_shapes(Measurement& measurement) {
     correlation = std::max(correlation, measurement.observations.shapes.back().correlation());
   }
   measurement.observations.set_correlation(correlation);
-}
-
-Measurement measure(const TorqueModel& model, const std::vector<std::filesystem::path>& logs,
-                    const StreamOptions& options, Progress& progress, Diagnostics& diagnostics) {
-  return measure(TorqueEquations(model), model.mechanism(), logs, options, progress, diagnostics);
 }
 
 Measurement measure(const EquationModel& equations, const Mechanism& mechanism,

@@ -10,7 +10,6 @@
 
 #include "diagnostics/progress.hpp"
 #include "identify/observations.hpp"
-#include "identify/torque_model.hpp"
 
 namespace flatdyn {
 
@@ -45,10 +44,6 @@ struct Measurement {
 };
 
 // Errors go into `diagnostics`, such as a log that is given twice; after an error the result is meaningless.
-Measurement measure(const TorqueModel& model, const std::vector<std::filesystem::path>& logs,
-                    const StreamOptions& options, Progress& progress, Diagnostics& diagnostics);
-
-// The same for other equations of a robot's motion, such as those of a sensor at its wrist.
 Measurement measure(const EquationModel& equations, const Mechanism& mechanism,
                     const std::vector<std::filesystem::path>& logs, const StreamOptions& options, Progress& progress,
                     Diagnostics& diagnostics);

@@ -7,6 +7,7 @@
 #include "identify/log_reader.hpp"
 #include "identify/position_check.hpp"
 #include "identify/rate_check.hpp"
+#include "identify/signal_check.hpp"
 
 namespace flatdyn {
 namespace {
@@ -22,6 +23,7 @@ class Stream {
         diagnostics_(diagnostics),
         positions_(mechanism, plan.heading),
         rates_(mechanism, plan.heading, plan.filter.dt),
+        signals_(plan),
         plan_(plan),
         half_window_(plan.filter.half_window()),
         shares_(shares),
@@ -33,7 +35,7 @@ class Stream {
     for (long line = 0;; ++line) {
       if (!skip_to_needed(line) || !reader_.next(sample_.data())) {
         shares_.end_log(line);
-        if (!diagnostics_.has_errors()) rates_.finish(first_, diagnostics_);
+        if (!diagnostics_.has_errors()) finish();
         return count_;
       }
       if (first_.line == 0) first_ = reader_.place();
@@ -53,6 +55,11 @@ class Stream {
     return shares_.is_whole() || shares_.owns(line - half_window_) || shares_.owns(line + half_window_);
   }
 
+  void finish() {
+    rates_.finish(first_, diagnostics_);
+    signals_.finish(first_, diagnostics_);
+  }
+
   // Skips blocks of other parts. Returns false at the end of the log.
   bool skip_to_needed(long& line) {
     while (!is_needed(line)) {
@@ -67,6 +74,7 @@ class Stream {
 
   void restart() {
     receiver_.restart();
+    signals_.restart();
     contiguous_ = 0;
   }
 
@@ -85,6 +93,7 @@ class Stream {
         if (owned) ++count_.gaps;
       }
     }
+    if (plan_.filter.band > 0) signals_.add(sample_.data());
     before_last_.swap(last_);
     last_ = sample_;
     ++contiguous_;
@@ -110,6 +119,7 @@ class Stream {
   Diagnostics& diagnostics_;
   PositionCheck positions_;
   RateCheck rates_;
+  SignalCheck signals_;
   const StreamPlan& plan_;
   int half_window_;
   BlockPartition& shares_;

@@ -23,6 +23,8 @@ struct StreamOptions {
   std::optional<int> decimate = std::nullopt;
   // A joint that is slower rests, rad/s or m/s: one number for all joints, or one for each. Empty: estimated.
   std::vector<double> rest_speed{};
+  // The torques are those of this time before, s: they are late.
+  double delay = 0;
   // Whether the log must have torques. If false, they are not read.
   bool torques = true;
   // The part k of N, k = 1 … N, whose lines are used.
@@ -35,6 +37,7 @@ struct StreamPlan {
   double jitter = 0;  // standard deviation of the time between samples, divided by dt
   double start = 0;   // time of the first sample, s
   SampleFilter filter;
+  double delay = 0;  // StreamOptions::delay
   // By joint: slower than this a joint may stand still, rad/s or m/s; 0 for logs of poses, in which no joint moves.
   std::vector<double> rest_speed;
   std::vector<ChannelNoise> q_noise, tau_noise;  // by position, by joint; tau_noise is empty without torques

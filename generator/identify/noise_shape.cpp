@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 
 constexpr int kLags = 16, kRun = 32;
 
-VectorXd as_vector(const std::vector<double>& weights) {
+VectorXd vector_of_numbers(const std::vector<double>& weights) {
   return Eigen::Map<const VectorXd>(weights.data(), static_cast<Index>(weights.size()));
 }
 
@@ -50,12 +50,12 @@ LogDerivatives derivatives_of(const LogLayout& layout) {
 NoiseShape noise_shape(const SampleFilter& filter, LogDerivatives derivatives) {
   if (filter.band == 0) return {1, VectorXd::Unit(kLags, 0), VectorXd::Unit(kLags, 0)};
   const int stride = filter.stride();
-  const VectorXd narrow = as_vector(zero_phase_kernel(filter.band, filter.dt).weights[0]);
-  const VectorXd coarse = as_vector(zero_phase_kernel(filter.band, filter.dt * stride).weights[0]);
+  const VectorXd narrow = vector_of_numbers(zero_phase_kernel(filter.band, filter.dt).weights[0]);
+  const VectorXd coarse = vector_of_numbers(zero_phase_kernel(filter.band, filter.dt * stride).weights[0]);
   const ZeroPhaseKernel wide = zero_phase_kernel(filter.motion_band(), filter.dt);
   const int order = 2 - static_cast<int>(derivatives);
   return {kRun, autocorrelation(narrow, filter.decimate),
-          autocorrelation(cascaded(as_vector(wide.weights[order]), coarse, stride), filter.decimate)};
+          autocorrelation(cascaded(vector_of_numbers(wide.weights[order]), coarse, stride), filter.decimate)};
 }
 
 }  // namespace flatdyn

@@ -45,6 +45,7 @@ void InstantSample::offer(const FilteredEquations& equations, const EquationMode
   instant.qdd = numbers(equations.motion.qdd, equations.joints);
   instant.entries = numbers(equations.entries, static_cast<std::size_t>(model.entries()));
   instant.right = numbers(equations.right, n);
+  instant.measured_rates = numbers(equations.measured_rates, n);
   instant.used.assign(equations.used, equations.used + n);
   instant.run = shape.run;
   kept_.push_back(std::move(instant));

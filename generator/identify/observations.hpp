@@ -33,9 +33,10 @@ struct EquationInstant {
   int log = 0;     // index into Observations::shapes
   long index = 0;  // FilteredEquations::index
   double time = 0;
-  std::vector<double> q{}, qd{}, qdd{};
+  std::vector<double> q{}, qd{}, qdd{};  // filtered like the equations
   int first = 0;  // the first equation; those before it and behind the last one have no rows at this instant
   std::vector<double> entries{}, right{};  // of each equation its columns, one equation behind the other
+  std::vector<double> measured_rates{};    // by equation, dτ/dt
   std::vector<std::uint8_t> used{};        // by equation
   int run = 1;                             // NoiseShape::run of its log
 };

@@ -38,8 +38,8 @@ Eigen::MatrixXd upper_triangle(const ordered_json& list, Eigen::Index size) {
 }
 
 // The settings that all parts must share to be joined.
-ordered_json settings(const StreamOptions& options) {
-  ordered_json json = {{"parts", options.parts}};
+ordered_json settings(const StreamOptions& options, bool offsets) {
+  ordered_json json = {{"parts", options.parts}, {"offsets", offsets}};
   json["band"] = options.band ? ordered_json(*options.band) : ordered_json();
   json["rest_speed"] = options.rest_speed;
   json["decimate"] = options.decimate ? ordered_json(*options.decimate) : ordered_json();
@@ -95,14 +95,14 @@ struct Part {
   Measurement measurement;
 };
 
-Measurement measurement_of(const ordered_json& json, const TorqueModel& model) {
+Measurement measurement_of(const ordered_json& json, const TorqueEquations& equations) {
   Measurement result;
-  result.observations.parameters = model.parameters();
-  for (int i = 0; i < model.joints(); ++i) {
+  result.observations.parameters = equations.parameters();
+  for (int i = 0; i < equations.equations(); ++i) {
+    const std::vector<int>& columns = equations.columns()[static_cast<std::size_t>(i)];
     const ordered_json& joint = json.at("joints").at(static_cast<std::size_t>(i));
-    const auto size = static_cast<Eigen::Index>(model.columns_of(i).size()) + 1;
-    result.observations.joints.push_back(
-        {model.columns_of(i), upper_triangle(joint.at("R"), size), joint.at("rows").get<long>()});
+    const auto size = static_cast<Eigen::Index>(columns.size()) + 1;
+    result.observations.joints.push_back({columns, upper_triangle(joint.at("R"), size), joint.at("rows").get<long>()});
   }
   for (const ordered_json& each : json.at("instants")) {
     EquationInstant instant{each.at(0), each.at(1), each.at(2), each.at(3), each.at(4), each.at(5)};
@@ -110,6 +110,7 @@ Measurement measurement_of(const ordered_json& json, const TorqueModel& model) {
     instant.right = each.at(7).get<std::vector<double>>();
     instant.used = each.at(8).get<std::vector<std::uint8_t>>();
     instant.run = each.at(9);
+    instant.measured_rates = each.at(10).get<std::vector<double>>();
     result.observations.instants.push_back(std::move(instant));
   }
   result.observations.stride = json.at("stride");
@@ -148,7 +149,8 @@ std::string names_of(const std::vector<MeasuredLog>& logs) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::optional<Part> read_part(const std::filesystem::path& file, const TorqueModel& model, Diagnostics& diagnostics) {
+std::optional<Part> read_part(const std::filesystem::path& file, const TorqueEquations& equations,
+                              Diagnostics& diagnostics) {
   const Place place{file.string(), 0};
   const ordered_json json = json_of(file);
   try {
@@ -162,7 +164,7 @@ std::optional<Part> read_part(const std::filesystem::path& file, const TorqueMod
                         "make all parts again by this version: flatdyn identify ROBOT --data LOG --part k/N -o FILE");
       return std::nullopt;
     }
-    if (json.at("model") != model.fingerprint()) {
+    if (json.at("model") != equations.model().fingerprint()) {
       diagnostics.error(place, "the part was made with another robot, other parameters or another gravity",
                         "give --merge the robot and the options that the parts were made with");
       return std::nullopt;
@@ -170,7 +172,7 @@ std::optional<Part> read_part(const std::filesystem::path& file, const TorqueMod
     const long parts = whole_number(json.at("settings").at("parts"), kMostParts);
     const long part = whole_number(json.at("part"), parts);
     return Part{file, static_cast<int>(part), static_cast<int>(parts), json.at("settings"),
-                measurement_of(json, model)};
+                measurement_of(json, equations)};
   } catch (const std::exception&) {
     diagnostics.error(place, "this is no part of an identification, or it is not whole",
                       "make it again: flatdyn identify ROBOT --data LOG --part k/N -o FILE");
@@ -210,13 +212,13 @@ void check_complete(const std::vector<Part>& parts, Diagnostics& diagnostics) {
 
 }  // namespace
 
-std::string part_text(const Measurement& measurement, const TorqueModel& model, const StreamOptions& options) {
+std::string part_text(const Measurement& measurement, const TorqueEquations& equations, const StreamOptions& options) {
   ordered_json json = {{"kind", kKind},
                        {"version", kVersion},
                        {"flatdyn", kProgramVersion},
-                       {"model", model.fingerprint()},
+                       {"model", equations.model().fingerprint()},
                        {"part", options.part},
-                       {"settings", settings(options)},
+                       {"settings", settings(options, equations.has_offsets())},
                        {"logs", logs_of(measurement)},
                        {"lines", measurement.count.lines},
                        {"used", measurement.count.used},
@@ -228,17 +230,17 @@ std::string part_text(const Measurement& measurement, const TorqueModel& model, 
   json["stride"] = measurement.observations.stride;
   json["instants"] = ordered_json::array();
   for (const EquationInstant& each : measurement.observations.instants) {
-    json["instants"].push_back(
-        {each.log, each.index, each.time, each.q, each.qd, each.qdd, each.entries, each.right, each.used, each.run});
+    json["instants"].push_back({each.log, each.index, each.time, each.q, each.qd, each.qdd, each.entries, each.right,
+                                each.used, each.run, each.measured_rates});
   }
   return json.dump() + "\n";
 }
 
-Measurement merge_parts(const std::vector<std::filesystem::path>& files, const TorqueModel& model,
+Measurement merge_parts(const std::vector<std::filesystem::path>& files, const TorqueEquations& equations,
                         Diagnostics& diagnostics) {
   std::vector<Part> parts;
   for (const std::filesystem::path& file : files) {
-    if (std::optional<Part> part = read_part(file, model, diagnostics)) parts.push_back(std::move(*part));
+    if (std::optional<Part> part = read_part(file, equations, diagnostics)) parts.push_back(std::move(*part));
   }
   if (!parts.empty()) check_complete(parts, diagnostics);
   if (diagnostics.has_errors()) return {};

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "identify/measurement.hpp"
+#include "identify/torque_equations.hpp"
 
 namespace flatdyn {
 
@@ -13,12 +14,12 @@ namespace flatdyn {
 inline constexpr int kMostParts = 65536;
 
 // The JSON text of a part. Numbers are exact: the shortest text that reads back as the same double.
-std::string part_text(const Measurement& measurement, const TorqueModel& model, const StreamOptions& options);
+std::string part_text(const Measurement& measurement, const TorqueEquations& equations, const StreamOptions& options);
 
 // Joins all parts 1 … N of one N, given in any order. A part that is missing, given twice, of another robot or of other
 // logs, made with other options or by another version of this file is an error in `diagnostics`. Throws Failure(io) for
 // a file that cannot be read.
-Measurement merge_parts(const std::vector<std::filesystem::path>& files, const TorqueModel& model,
+Measurement merge_parts(const std::vector<std::filesystem::path>& files, const TorqueEquations& equations,
                         Diagnostics& diagnostics);
 
 }  // namespace flatdyn

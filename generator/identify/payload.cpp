@@ -35,6 +35,24 @@ MatrixXd base_change(const TorqueModel& model) {
   return change;
 }
 
+// The change of the base parameters by each rotor and friction parameter that the robot file lacks: one column each.
+MatrixXd change_by_lacking(const TorqueModel& model, const LoadedRobot& robot) {
+  const std::vector<bool> given = parameters_in(robot.mechanism, ParameterSet::given);
+  std::vector<VectorXd> columns;
+  for (int index = 0; index < static_cast<int>(given.size()); ++index) {
+    if (given[static_cast<std::size_t>(index)]) continue;
+    VectorXd column = VectorXd::Zero(model.parameters());
+    for (int row = 0; row < model.parameters(); ++row) {
+      const ParameterForm& form = model.base().combination[static_cast<std::size_t>(row)];
+      if (const auto entry = form.find(index); entry != form.end()) column(row) = nearest_double(entry->second);
+    }
+    if (!column.isZero(0)) columns.push_back(std::move(column));
+  }
+  MatrixXd change(model.parameters(), static_cast<Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) change.col(static_cast<Index>(k)) = columns[k];
+  return change;
+}
+
 std::vector<int> columns_from(int first, Index count) {
   std::vector<int> columns(static_cast<std::size_t>(count));
   std::iota(columns.begin(), columns.end(), first);
@@ -120,6 +138,7 @@ Observations side_by_side(const Observations& with, const Observations& without,
 
 PayloadEstimate payload_of(const Estimate& estimate) {
   PayloadEstimate result;
+  result.unknowns = estimate.values;
   result.values = estimate.values.head(kInertialPerBody);
   result.standard_deviations = estimate.standard_deviations.head(kInertialPerBody);
   const NearestBody body = nearest_body(result.values, root_information_of_first(estimate, kInertialPerBody));
@@ -128,33 +147,39 @@ PayloadEstimate payload_of(const Estimate& estimate) {
   return result;
 }
 
-PayloadEstimate estimate_payload(const TorqueModel& model, const Observations& with_payload,
-                                 const VectorXd& without_payload) {
-  const MatrixXd change = base_change(model);
-  EstimateOptions options;
-  options.acceleration_rows = [&](const EquationInstant& instant) {
-    return times(model.acceleration_rows(instant.q.data()), change);
-  };
-  const Observations observations = substituted(with_payload, without_payload, change);
-  return payload_of(estimate(observations, VectorXd::Zero(kInertialPerBody), options));
+PayloadProblem payload_problem(const TorqueModel& model, const LoadedRobot& robot, const Observations& with_payload) {
+  const Eigen::Map<const VectorXd> known(model.file_values().data(), model.parameters());
+  const MatrixXd payload = base_change(model), lacking = change_by_lacking(model, robot);
+  MatrixXd change(payload.rows(), payload.cols() + lacking.cols());
+  change << payload, lacking;
+  return {substituted(with_payload, known, change),
+          [&model, change](const EquationInstant& instant) {
+            return times(model.acceleration_rows(instant.q.data()), change);
+          },
+          VectorXd::Zero(change.cols())};
 }
 
-PayloadEstimate estimate_payload(const TorqueModel& model, const Observations& with_payload,
-                                 const Observations& without_payload, const VectorXd& prior) {
+PayloadProblem payload_problem(const TorqueModel& model, const Observations& with_payload,
+                               const Observations& without_payload, const VectorXd& prior) {
   const MatrixXd change = base_change(model);
-  const Observations both = side_by_side(with_payload, without_payload, change);
-  VectorXd start = VectorXd::Zero(both.parameters);
-  start.tail(prior.size()) = prior;
-  EstimateOptions options;
-  const Index unknowns = both.parameters;
+  PayloadProblem problem{side_by_side(with_payload, without_payload, change), nullptr, {}};
+  const Index unknowns = problem.observations.parameters;
+  problem.prior = VectorXd::Zero(unknowns);
+  problem.prior.tail(prior.size()) = prior;
   MatrixXd without = MatrixXd::Zero(prior.size(), unknowns);
   without.rightCols(prior.size()).setIdentity();
   MatrixXd with = without;
   with.leftCols(kInertialPerBody) = change;
-  options.acceleration_rows = [&](const EquationInstant& instant) {
+  problem.acceleration_rows = [&model, with, without](const EquationInstant& instant) {
     return times(model.acceleration_rows(instant.q.data()), instant.first == 0 ? with : without);
   };
-  return payload_of(estimate(both, start, options));
+  return problem;
+}
+
+PayloadEstimate estimate_payload(const PayloadProblem& problem) {
+  EstimateOptions options;
+  options.acceleration_rows = problem.acceleration_rows;
+  return payload_of(estimate(problem.observations, problem.prior, options));
 }
 
 }  // namespace flatdyn

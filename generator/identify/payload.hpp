@@ -14,17 +14,26 @@ struct PayloadEstimate {
   // The nearest parameters of a real body, in the metric of the estimate's information.
   Eigen::VectorXd body;
   double largest_misfit = 0;  // the largest distance of body from values, in standard deviations
+  Eigen::VectorXd unknowns;   // values of all unknowns of the problem
 };
 
-// Estimates the payload from motion with and without it. Both together decide the robot's own base parameters (`prior`
-// where they do not tell); the uncertainty of these enters that of the payload.
-PayloadEstimate estimate_payload(const TorqueModel& model, const Observations& with_payload,
-                                 const Observations& without_payload, const Eigen::VectorXd& prior);
+// Equations whose first ten unknowns are the payload's parameters.
+struct PayloadProblem {
+  Observations observations;
+  AccelerationRows acceleration_rows;
+  Eigen::VectorXd prior;  // of all unknowns
+};
 
-// Estimates the payload of a robot whose base parameters without it are known: Y_b (π_b + K_L π_payload) = τ, where K_L
-// holds the columns of K for the tip's link.
-PayloadEstimate estimate_payload(const TorqueModel& model, const Observations& with_payload,
-                                 const Eigen::VectorXd& without_payload);
+// Motion with and without the payload. Both together decide the robot's own base parameters (`prior` where they do not
+// tell); the uncertainty of these enters that of the payload. The equations without payload come behind those with it.
+PayloadProblem payload_problem(const TorqueModel& model, const Observations& with_payload,
+                               const Observations& without_payload, const Eigen::VectorXd& prior);
+
+// Motion of a robot whose links are known: Y_b (π_b + K_L π_payload + K_F π_F) = τ, where K_L holds the columns of K
+// for the tip's link, and π_F are the rotors and the friction that the robot file lacks and the model has.
+PayloadProblem payload_problem(const TorqueModel& model, const LoadedRobot& robot, const Observations& with_payload);
+
+PayloadEstimate estimate_payload(const PayloadProblem& problem);
 
 // The first ten parameters of an estimate, and the nearest ones of a real body.
 PayloadEstimate payload_of(const Estimate& estimate);

@@ -18,26 +18,6 @@ bool follows(const EquationInstant& a, const EquationInstant& b, long lag) {
   return a.log == b.log && b.index - a.index == lag;
 }
 
-// Residuals of all equations at the instants, NaN where an equation is not used: instants × equations.
-MatrixXd residuals(const Observations& observations, const VectorXd& values) {
-  const auto n = static_cast<Index>(observations.joints.size());
-  MatrixXd result = MatrixXd::Constant(static_cast<Index>(observations.instants.size()), n, std::nan(""));
-  for (Index t = 0; t < result.rows(); ++t) {
-    const EquationInstant& instant = observations.instants[static_cast<std::size_t>(t)];
-    const double* entries = instant.entries.data();
-    for (std::size_t i = 0; i < instant.used.size(); ++i) {
-      const JointObservations& joint = observations.joints[static_cast<std::size_t>(instant.first) + i];
-      const auto count = static_cast<Index>(joint.columns.size());
-      if (instant.used[i] != 0) {
-        const double fitted = Eigen::Map<const VectorXd>(entries, count).dot(joint.restricted(values));
-        result(t, instant.first + static_cast<Index>(i)) = instant.right[i] - fitted;
-      }
-      entries += count;
-    }
-  }
-  return result;
-}
-
 // B(q) of every instant: one row per equation, one column per joint.
 std::vector<MatrixXd> inertias(const Observations& observations, const VectorXd& values, const AccelerationRows& rows) {
   std::vector<MatrixXd> result;
@@ -145,6 +125,25 @@ MatrixXd rows_of(const Observations& observations, Index i) {
 Index joints_of(const std::vector<MatrixXd>& B) { return B.empty() ? 0 : B.front().cols(); }
 
 }  // namespace
+
+MatrixXd residuals(const Observations& observations, const VectorXd& values) {
+  const auto n = static_cast<Index>(observations.joints.size());
+  MatrixXd result = MatrixXd::Constant(static_cast<Index>(observations.instants.size()), n, std::nan(""));
+  for (Index t = 0; t < result.rows(); ++t) {
+    const EquationInstant& instant = observations.instants[static_cast<std::size_t>(t)];
+    const double* entries = instant.entries.data();
+    for (std::size_t i = 0; i < instant.used.size(); ++i) {
+      const JointObservations& joint = observations.joints[static_cast<std::size_t>(instant.first) + i];
+      const auto count = static_cast<Index>(joint.columns.size());
+      if (instant.used[i] != 0) {
+        const double fitted = Eigen::Map<const VectorXd>(entries, count).dot(joint.restricted(values));
+        result(t, instant.first + static_cast<Index>(i)) = instant.right[i] - fitted;
+      }
+      entries += count;
+    }
+  }
+  return result;
+}
 
 ResidualNoise residual_noise(const Observations& observations, const VectorXd& values, const VectorXd& freedom,
                              const AccelerationRows& rows) {

@@ -18,6 +18,9 @@ namespace flatdyn {
 // parameters, this is column j of B(q).
 using AccelerationRows = std::function<std::vector<Eigen::MatrixXd>(const EquationInstant& instant)>;
 
+// Residuals of all equations at the instants, NaN where an equation is not used: instants × equations.
+Eigen::MatrixXd residuals(const Observations& observations, const Eigen::VectorXd& values);
+
 struct ResidualNoise {
   Eigen::VectorXd measured;      // by equation: variance of the torque's noise in one sample, (N m)² or N²
   Eigen::VectorXd acceleration;  // by joint: variance of the noise of q, q̇ or q̈ in one sample

@@ -176,6 +176,7 @@ StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechan
   const std::vector<double> steps = time_steps(samples);
   plan.filter.dt = median(steps);
   plan.jitter = jitter_of(steps, plan.filter.dt);
+  plan.delay = options.delay;
   plan.start = samples.front().channels.front();
   const Place heading{log.string(), 1};
   check_units(mechanism, plan, samples, heading, diagnostics);

@@ -5,9 +5,10 @@
 
 namespace flatdyn {
 
-TorqueEquations::TorqueEquations(const TorqueModel& model)
-    : EquationModel(model.parameters()),
+TorqueEquations::TorqueEquations(const TorqueModel& model, bool offsets)
+    : EquationModel(model.parameters() + (offsets ? model.joints() : 0)),
       model_(model),
+      offsets_(offsets),
       y_(static_cast<std::size_t>(model.joints() * model.parameters())) {
   const bool is_open = !model.mechanism().has_loops() && !model.mechanism().is_coupled();
   int entry = 0;
@@ -27,14 +28,35 @@ TorqueEquations::TorqueEquations(const TorqueModel& model)
       }
       ++entry;
     }
+    if (!offsets) continue;
+    columns_.back().push_back(model.parameters() + i);
+    ++entry;
   }
+}
+
+Eigen::VectorXd TorqueEquations::file_values() const {
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(parameters());
+  std::copy(model_.file_values().begin(), model_.file_values().end(), values.begin());
+  return values;
+}
+
+AccelerationRows TorqueEquations::acceleration_rows() const {
+  return [this](const EquationInstant& instant) {
+    std::vector<Eigen::MatrixXd> rows = model_.acceleration_rows(instant.q.data());
+    if (!offsets_) return rows;
+    for (Eigen::MatrixXd& each : rows) {
+      each.conservativeResize(Eigen::NoChange, parameters());
+      each.rightCols(model_.joints()).setZero();
+    }
+    return rows;
+  };
 }
 
 void TorqueEquations::evaluate(const MeasuredMotion& motion, double* entries, double* known) const {
   model_.regressor(motion.q, motion.qd, motion.qdd, y_.data());
   const double* row = y_.data();
   for (const std::vector<int>& columns : columns_) {
-    for (const int column : columns) *entries++ = row[column];
+    for (const int column : columns) *entries++ = column < model_.parameters() ? row[column] : 1;
     row += model_.parameters();
   }
   if (motion.h_e != nullptr) {

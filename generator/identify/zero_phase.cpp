@@ -104,4 +104,16 @@ ZeroPhaseKernel zero_phase_kernel(double band, double dt) {
   return kernel;
 }
 
+std::vector<double> weights_ahead(double band, double dt, double ahead) {
+  const double reach = reach_of(band), omega = 2 * std::numbers::pi * 1.5 * band;
+  const int half = zero_phase_half_window(band, dt);
+  std::vector<double> weights;
+  for (int k = -half; k <= half; ++k) {
+    const double t = ahead - k * dt;
+    weights.push_back(std::abs(t) < reach ? (sinc(omega, t) * window(reach, t)).value * dt : 0);
+  }
+  scale(weights, 1 / moment(weights, half, dt, 0));
+  return weights;
+}
+
 }  // namespace flatdyn

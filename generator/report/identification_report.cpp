@@ -13,6 +13,12 @@
 namespace flatdyn {
 namespace {
 
+// The name of a base parameter, or of a joint's offset behind them.
+std::string parameter_label(const TorqueModel& model, int k) {
+  if (k >= model.parameters()) return fmt::format("offset{}", k - model.parameters() + 1);
+  return parameter_name(model.base().columns[static_cast<std::size_t>(k)]);
+}
+
 // The parameters that make up nearly all of a unit direction, largest first.
 std::string main_parameters(const TorqueModel& model, const Eigen::VectorXd& components) {
   constexpr double kShown = 0.2;
@@ -23,7 +29,7 @@ std::string main_parameters(const TorqueModel& model, const Eigen::VectorXd& com
   std::stable_sort(indices.begin(), indices.end(),
                    [&](int a, int b) { return std::abs(components(a)) > std::abs(components(b)); });
   std::string names;
-  for (const int k : indices) names += " " + parameter_name(model.base().columns[static_cast<std::size_t>(k)]);
+  for (const int k : indices) names += " " + parameter_label(model, k);
   return names;
 }
 
@@ -32,7 +38,7 @@ std::string filter_text(const SampleFilter& filter) {
   return fmt::format("zero-phase filter, band {:.4g} Hz, every sample of {}", filter.band, filter.decimate);
 }
 
-std::string data_text(const Measurement& measurement) {
+std::string data_text(const Measurement& measurement, double delay) {
   std::string text = fmt::format("{} samples, {} used", measurement.count.lines, measurement.count.used);
   const std::vector<SampleFilter> filters = measurement.filters();
   const bool is_one = filters.size() == 1;
@@ -42,6 +48,7 @@ std::string data_text(const Measurement& measurement) {
   if (measurement.count.interpolated > 0) {
     text += fmt::format("; {} dropped samples interpolated", measurement.count.interpolated);
   }
+  if (delay != 0) text += fmt::format("; torques taken {:.2f} ms later than the positions", 1000 * delay);
   if (measurement.count.gaps > 0) text += fmt::format("; {} gaps in time", measurement.count.gaps);
   return text + "\n";
 }
@@ -54,15 +61,18 @@ std::string torque_table(const TorqueModel& model, const Identification& found) 
     const JointObservations& joint = found.measurement.observations.joints[static_cast<std::size_t>(i)];
     const double torque = joint.rms_torque(), residual = joint.rms_residual(found.estimate.values);
     const double part = torque > 0 ? residual / torque : 0;
+    const JointFit& fit = found.fits[static_cast<std::size_t>(i)];
     rows.push_back({model.mechanism().joints()[static_cast<std::size_t>(i)].joint, fmt::format("{:.4g}", torque),
                     fmt::format("{:.3g}", residual), fmt::format("{:.4g} %", 100 * (1 - part * part)),
-                    fmt::format("{:.3g}", found.estimate.torque_deviations(i)),
-                    fmt::format("{:.3g}", joint.rms_residual(found.physical.pi_b)),
+                    fmt::format("{:.3g}", fit.ratio), fmt::format("{:.2f}", fit.correlation),
+                    fmt::format("{:.3g}", joint.rms_residual(found.physical_values())),
                     fmt::format("{:.2g}", rest_speeds[static_cast<std::size_t>(i)]),
                     fmt::format("{:.3g} %", 100.0 * static_cast<double>(joint.rows) /
                                                 static_cast<double>(found.measurement.count.used))});
   }
-  return aligned_table(rows);
+  return aligned_table(rows) +
+         "noise ratio: residual to what the noise above the filter's band leaves; correlation: of residuals one row "
+         "apart.\nSound logs have 1 to 1.3 and less than 0.45. Rests below: rad/s or m/s. Used: share of rows.\n";
 }
 
 std::string parameter_table(const TorqueModel& model, const Identification& found) {
@@ -77,6 +87,17 @@ std::string parameter_table(const TorqueModel& model, const Identification& foun
         value != 0 && std::isfinite(deviation) ? fmt::format("{:.2g} %", 100 * deviation / std::abs(value)) : "",
         fmt::format("{:.6g}", model.file_values()[static_cast<std::size_t>(k)]),
         combination_text(model.base(), k)};
+    if (found.joint_by_joint) row.insert(row.begin() + 4, fmt::format("{:.6g}", (*found.joint_by_joint)(k)));
+    rows.push_back(std::move(row));
+  }
+  for (int k = model.parameters(); k < static_cast<int>(found.estimate.values.size()); ++k) {
+    const auto& joint = model.mechanism().joints()[static_cast<std::size_t>(k - model.parameters())];
+    std::vector<std::string> row = {parameter_label(model, k),
+                                    fmt::format("{:.6g}", found.estimate.values(k)),
+                                    deviation_text(found.estimate.standard_deviations(k)),
+                                    "",
+                                    "",
+                                    fmt::format("added to all torques of {}", joint.joint)};
     if (found.joint_by_joint) row.insert(row.begin() + 4, fmt::format("{:.6g}", (*found.joint_by_joint)(k)));
     rows.push_back(std::move(row));
   }
@@ -126,8 +147,9 @@ std::string physical_text(const PhysicalParameters& physical) {
 
 std::string describe_identification(const TorqueModel& model, const Identification& found) {
   const Estimate& estimate = found.estimate;
-  return data_text(found.measurement) + "\n" + torque_table(model, found) + "\n" + parameter_table(model, found) +
-         conditioning_text(estimate) + untold_text(model, estimate) + physical_text(found.physical);
+  return data_text(found.measurement, found.delay) + "\n" + torque_table(model, found) + "\n" +
+         parameter_table(model, found) + conditioning_text(estimate) + untold_text(model, estimate) +
+         physical_text(found.physical);
 }
 
 nlohmann::ordered_json identification_json(const TorqueModel& model, const Identification& found) {
@@ -148,8 +170,10 @@ nlohmann::ordered_json identification_json(const TorqueModel& model, const Ident
                               {"rms_torque", joint.rms_torque()},
                               {"rms_residual", joint.rms_residual(estimate.values)},
                               {"sigma", estimate.torque_deviations(i)},
-                              {"rms_residual_of_links", joint.rms_residual(found.physical.pi_b)},
-                              {"rows", joint.rows}});
+                              {"rms_residual_of_links", joint.rms_residual(found.physical_values())},
+                              {"rows", joint.rows},
+                              {"noise_ratio", found.fits[static_cast<std::size_t>(i)].ratio},
+                              {"residual_correlation", found.fits[static_cast<std::size_t>(i)].correlation}});
   }
   for (int k = 0; k < model.parameters(); ++k) {
     json["base_parameters"].push_back({{"kept", parameter_name(model.base().columns[static_cast<std::size_t>(k)])},
@@ -159,6 +183,11 @@ nlohmann::ordered_json identification_json(const TorqueModel& model, const Ident
                                        {"file", model.file_values()[static_cast<std::size_t>(k)]}});
     if (found.joint_by_joint) json["base_parameters"].back()["joint_by_joint"] = (*found.joint_by_joint)(k);
   }
+  json["offsets"] = nlohmann::ordered_json::array();
+  for (Eigen::Index k = model.parameters(); k < estimate.values.size(); ++k) {
+    json["offsets"].push_back({{"value", estimate.values(k)}, {"standard_deviation", estimate.standard_deviations(k)}});
+  }
+  json["delay"] = found.delay;
   json["singular_values"] = list(estimate.singular_values);
   json["condition_number"] = estimate.condition();
   json["weights"] = {{"stable", estimate.converged}, {"iterations", estimate.iterations}};
@@ -166,6 +195,9 @@ nlohmann::ordered_json identification_json(const TorqueModel& model, const Ident
                       {"largest_misfit", found.physical.largest_misfit},
                       {"divergence", found.physical.divergence},
                       {"converged", found.physical.converged}};
+  if (found.hypothesis) {
+    json["hypothesis"] = {{"text", found.hypothesis->text}, {"explained", found.hypothesis->explained}};
+  }
   json["doubts"] = found.warning_texts;
   json["damped"] = json["hidden"] = nlohmann::ordered_json::array();
   for (const auto& [singular_value, components] : estimate.damped) {

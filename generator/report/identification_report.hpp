@@ -5,20 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "identify/least_squares.hpp"
-#include "identify/measurement.hpp"
-#include "identify/physical_parameters.hpp"
+#include "identify/identification.hpp"
 
 namespace flatdyn {
-
-// The results of one run.
-struct Identification {
-  Measurement measurement;
-  Estimate estimate;
-  std::optional<Eigen::VectorXd> joint_by_joint;  // the textbook's sequential procedure, for comparison
-  PhysicalParameters physical;
-  std::vector<std::string> warning_texts;  // plausibility_warnings() the other members
-};
 
 // Sentences on results that are hardly right, each with a possible reason.
 std::vector<std::string> plausibility_warnings(const TorqueModel& model, const Identification& found);

@@ -18,12 +18,89 @@ void warn_of_joints(const TorqueModel& model, const Identification& found, std::
   for (const JointObservations& joint : joints) largest = std::max(largest, joint.rms_torque());
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const double torque = joints[i].rms_torque(), residual = joints[i].rms_residual(found.estimate.values);
+    if (joints[i].rows == 0) continue;
     if (residual * residual < kHalf * torque * torque || residual < kNoise * largest) continue;
     warning_texts.push_back(fmt::format(
         "joint \"{}\": the model leaves {:.3g} of {:.3g} {} (rms); units, signs or delays of the log, or the robot's "
         "geometry, can hardly be right",
         bodies[i].joint, residual, torque, torque_unit(bodies[i])));
   }
+}
+
+// Reports joints whose rows are all left out, although their torques change: they may have moved.
+void warn_of_frozen(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
+  const auto& bodies = model.mechanism().joints();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (found.measurement.observations.joints[i].rows > 0) continue;
+    warning_texts.push_back(
+        fmt::format("joint \"{}\" stands still in all of the log: its friction and rotor keep the robot file's values; "
+                    "if it moved, "
+                    "its encoder is frozen",
+                    bodies[i].joint));
+  }
+}
+
+// Reports residuals that are no noise, and the reason that explains them, where there is one.
+void warn_of_fit(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
+  constexpr double kGross = 10;  // times the noise
+  const auto& bodies = model.mechanism().joints();
+  std::vector<std::string> bad;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const JointFit& fit = found.fits[i];
+    if (fit.is_sound() || (!found.hypothesis && fit.ratio < kGross)) continue;
+    bad.push_back(fmt::format("{} {:.3g}", bodies[i].joint, fit.ratio));
+    if (!fit.limit) continue;
+    warning_texts.push_back(fmt::format("joint \"{}\": its torques look cut off at {:.3g} {}; leave such times out",
+                                        bodies[i].joint, *fit.limit, torque_unit(bodies[i])));
+  }
+  if (found.hypothesis) {
+    warning_texts.push_back(fmt::format("{}; that explains {:.0f} % of what noise does not", found.hypothesis->text,
+                                        100 * found.hypothesis->explained));
+  }
+  if (bad.empty()) return;
+  warning_texts.push_back(fmt::format(
+      "the model does not fit: residuals to the noise of the log: {}{}", fmt::join(bad, ", "),
+      found.hypothesis ? ""
+                       : "; the model may lack something (friction, rotors, flexibility), or the log have columns, "
+                         "units or times that are not what they say"));
+}
+
+// Reports friction and rotors that are clearly negative, which no joint has.
+void warn_of_signs(const TorqueModel& model, const Estimate& estimate, std::vector<std::string>& warning_texts) {
+  constexpr double kClearly = 5;  // standard deviations
+  std::vector<std::string> names;
+  for (int k = 0; k < model.parameters(); ++k) {
+    const int index = model.base().columns[static_cast<std::size_t>(k)];
+    const bool is_inertial = static_cast<int>(parameter_of(index)) < kInertialPerBody;
+    if (is_inertial || estimate.values(k) > -kClearly * estimate.standard_deviations(k)) continue;
+    names.push_back(fmt::format("{} ({})", parameter_name(index), model.mechanism().joint_at(joint_of(index)).joint));
+  }
+  if (names.empty()) return;
+  warning_texts.push_back(
+      fmt::format("negative, which no friction and no rotor can be: {}; the sign of that joint's torques or positions "
+                  "is reversed, or the model lacks something",
+                  fmt::join(names, ", ")));
+}
+
+// Reports masses that are far larger or smaller than the file's.
+void warn_of_scale(const TorqueModel& model, const Estimate& estimate, std::vector<std::string>& warning_texts) {
+  constexpr double kFar = 5, kAlike = 0.8;  // factor; correlation
+  double of_file = 0, of_both = 0, of_found = 0;
+  for (int k = 0; k < model.parameters(); ++k) {
+    const int index = model.base().columns[static_cast<std::size_t>(k)];
+    const double deviation = estimate.standard_deviations(k);
+    const double file = model.file_values()[static_cast<std::size_t>(k)];
+    if (static_cast<int>(parameter_of(index)) >= kInertialPerBody || !std::isfinite(deviation)) continue;
+    of_file += file * file;
+    of_both += file * estimate.values(k);
+    of_found += estimate.values(k) * estimate.values(k);
+  }
+  const double scale = of_file > 0 ? of_both / of_file : 1;
+  const bool is_alike = of_both * of_both > kAlike * kAlike * of_file * of_found;
+  if (!is_alike || scale <= 0 || (scale < kFar && scale > 1 / kFar)) return;
+  warning_texts.push_back(fmt::format(
+      "masses look {:.3g} times {} than the robot file's; torques of motors before their gears, or another unit?",
+      scale > 1 ? scale : 1 / scale, scale > 1 ? "larger" : "smaller"));
 }
 
 // Reports base parameters of implausible size, caused by wrong units or by directions that are hardly determined but
@@ -58,7 +135,9 @@ void warn_of_links(const TorqueModel& model, const Identification& found, std::v
   if (!physical.converged) warning_texts.emplace_back("the search for the nearest links did not converge");
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const JointObservations& joint = found.measurement.observations.joints[i];
-    const double residual = joint.rms_residual(found.estimate.values), of_links = joint.rms_residual(physical.pi_b);
+    const double residual = joint.rms_residual(found.estimate.values),
+                 of_links = joint.rms_residual(found.physical_values());
+    if (joint.rows == 0) continue;
     if (of_links < std::max(kLarger * residual, kRounding * joint.rms_torque())) continue;
     warning_texts.push_back(fmt::format("joint \"{}\": the links leave {:.3g} {} (rms), where pi_b leaves {:.3g}",
                                         bodies[i].joint, of_links, torque_unit(bodies[i]), residual));
@@ -69,9 +148,14 @@ void warn_of_links(const TorqueModel& model, const Identification& found, std::v
 
 std::vector<std::string> plausibility_warnings(const TorqueModel& model, const Identification& found) {
   std::vector<std::string> warning_texts;
-  warn_of_joints(model, found, warning_texts);
+  warn_of_frozen(model, found, warning_texts);
+  warn_of_fit(model, found, warning_texts);
+  if (!found.hypothesis) warn_of_joints(model, found, warning_texts);
+  warn_of_signs(model, found.estimate, warning_texts);
+  warn_of_scale(model, found.estimate, warning_texts);
   warn_of_sizes(model, found.estimate, warning_texts);
-  warn_of_links(model, found, warning_texts);
+  // Links cannot be near parameters that are those of no robot.
+  if (warning_texts.empty()) warn_of_links(model, found, warning_texts);
   return warning_texts;
 }
 

@@ -30,11 +30,46 @@ Centred centred(const Eigen::VectorXd& ten) {
   return {ten(0), com, I};
 }
 
+// The name of an equation: the joint's, and whether it is that of the log without payload.
+std::string equation_name(const LoadedRobot& robot, std::size_t equation) {
+  const auto& joints = robot.mechanism.joints();
+  const std::string name = joints[equation % joints.size()].joint;
+  return equation < joints.size() ? name : name + ", without payload";
+}
+
+std::string fit_table(const LoadedRobot& robot, const FittedPayload& found) {
+  if (found.fits.empty()) return "";
+  std::vector<std::vector<std::string>> rows = {
+      {"joint", "torque (rms)", "residual (rms)", "noise ratio", "correlation", "rows"}};
+  for (std::size_t i = 0; i < found.fits.size(); ++i) {
+    const JointObservations& joint = found.observations.joints[i];
+    rows.push_back({equation_name(robot, i), fmt::format("{:.4g}", joint.rms_torque()),
+                    fmt::format("{:.3g}", joint.rms_residual(found.payload.unknowns)),
+                    fmt::format("{:.3g}", found.fits[i].ratio), fmt::format("{:.2f}", found.fits[i].correlation),
+                    std::to_string(joint.rows)});
+  }
+  return "\n" + aligned_table(rows);
+}
+
 }  // namespace
 
-std::vector<std::string> plausibility_warnings(const PayloadEstimate& payload, const std::string& hint) {
+std::vector<std::string> plausibility_warnings(const LoadedRobot& robot, const FittedPayload& found,
+                                               const std::string& hint) {
   constexpr double kMuch = 5, kClearly = 3;  // standard deviations
-  std::vector<std::string> warning_texts;
+  constexpr double kGross = 10;              // times the noise
+  const PayloadEstimate& payload = found.payload;
+  std::vector<std::string> warning_texts, bad;
+  for (std::size_t i = 0; i < found.fits.size(); ++i) {
+    if (found.fits[i].is_sound() || found.fits[i].ratio < kGross) continue;
+    bad.push_back(fmt::format("{} {:.3g}", equation_name(robot, i), found.fits[i].ratio));
+  }
+  if (!bad.empty()) {
+    warning_texts.push_back(fmt::format(
+        "the model does not fit: residuals to the noise of the log: {}; friction or rotors that the robot file lacks "
+        "(--parameters full), masses of the file that are not right (--without), or a log that is not what it says "
+        "(flatdyn identify names reasons)",
+        fmt::join(bad, ", ")));
+  }
   if (payload.largest_misfit > kMuch) {
     warning_texts.push_back(fmt::format(
         "the nearest body is {:.2g} standard deviations from the estimate, more than noise explains: motion, torques "
@@ -47,7 +82,8 @@ std::vector<std::string> plausibility_warnings(const PayloadEstimate& payload, c
   return warning_texts;
 }
 
-std::string describe_payload(const LoadedRobot& robot, const PayloadEstimate& payload) {
+std::string describe_payload(const LoadedRobot& robot, const FittedPayload& found) {
+  const PayloadEstimate& payload = found.payload;
   std::vector<std::vector<std::string>> rows = {{"payload", "value", "std dev", "nearest body", "unit"}};
   for (Eigen::Index k = 0; k < payload.values.size(); ++k) {
     rows.push_back({kNames[k], fmt::format("{:.6g}", payload.values(k)), deviation_text(payload.standard_deviations(k)),
@@ -55,12 +91,12 @@ std::string describe_payload(const LoadedRobot& robot, const PayloadEstimate& pa
   }
   return fmt::format(
       "on link {}, in its frame, about its origin\n\n{}\nthe nearest that a body can have is {:.2g} standard "
-      "deviations "
-      "from the estimate at most\n",
-      robot.mechanism.tip.link, aligned_table(rows), payload.largest_misfit);
+      "deviations from the estimate at most\n{}",
+      robot.mechanism.tip.link, aligned_table(rows), payload.largest_misfit, fit_table(robot, found));
 }
 
-nlohmann::ordered_json payload_json(const LoadedRobot& robot, const PayloadEstimate& payload) {
+nlohmann::ordered_json payload_json(const LoadedRobot& robot, const FittedPayload& found) {
+  const PayloadEstimate& payload = found.payload;
   nlohmann::ordered_json json = {{"link", robot.mechanism.tip.link}};
   for (Eigen::Index k = 0; k < payload.values.size(); ++k) {
     json["parameters"].push_back({{"name", kNames[k]},
@@ -70,6 +106,13 @@ nlohmann::ordered_json payload_json(const LoadedRobot& robot, const PayloadEstim
                                   {"nearest_body", payload.body(k)}});
   }
   json["largest_misfit"] = payload.largest_misfit;
+  for (std::size_t i = 0; i < found.fits.size(); ++i) {
+    json["equations"].push_back({{"name", equation_name(robot, i)},
+                                 {"rms_torque", found.observations.joints[i].rms_torque()},
+                                 {"rms_residual", found.observations.joints[i].rms_residual(payload.unknowns)},
+                                 {"noise_ratio", found.fits[i].ratio},
+                                 {"residual_correlation", found.fits[i].correlation}});
+  }
   return json;
 }
 

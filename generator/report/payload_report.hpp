@@ -5,15 +5,25 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "identify/fit_quality.hpp"
 #include "identify/payload.hpp"
 
 namespace flatdyn {
 
-// Sentences on estimates that no payload explains; none for others. `hint`: a possible reason of a negative mass.
-std::vector<std::string> plausibility_warnings(const PayloadEstimate& payload, const std::string& hint);
+// A payload, and how well the equations fit that it comes from: those of the joints with it, then those without it, if
+// there is such a log. Of a sensor at the wrist there are none.
+struct FittedPayload {
+  PayloadEstimate payload;
+  std::vector<JointFit> fits;
+  Observations observations;
+};
 
-std::string describe_payload(const LoadedRobot& robot, const PayloadEstimate& payload);
-nlohmann::ordered_json payload_json(const LoadedRobot& robot, const PayloadEstimate& payload);
+// Sentences on estimates that no payload explains; none for others. `hint`: a possible reason of a negative mass.
+std::vector<std::string> plausibility_warnings(const LoadedRobot& robot, const FittedPayload& found,
+                                               const std::string& hint);
+
+std::string describe_payload(const LoadedRobot& robot, const FittedPayload& found);
+nlohmann::ordered_json payload_json(const LoadedRobot& robot, const FittedPayload& found);
 
 // TOML over the robot file: `warning_texts` as comments, `settings` (lines that repeat the options that shaped the
 // model), and [payload] on the tip's link.

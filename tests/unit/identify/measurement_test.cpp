@@ -30,6 +30,11 @@ const TorqueModel& torque_model() {
   return model;
 }
 
+const TorqueEquations& equations() {
+  static const TorqueEquations equations(torque_model());
+  return equations;
+}
+
 class MeasurementTest : public ::testing::Test {
  protected:
   std::filesystem::path folder =
@@ -47,7 +52,7 @@ class MeasurementTest : public ::testing::Test {
     return path;
   }
   Measurement measured(const std::vector<std::filesystem::path>& paths, const StreamOptions& options = {}) {
-    return measure(torque_model(), paths, options, progress, found);
+    return measure(equations(), arm().mechanism, paths, options, progress, found);
   }
 
  private:
@@ -159,7 +164,7 @@ class PartsTest : public MeasurementTest {
   std::filesystem::path part_of(const std::vector<std::filesystem::path>& logs, int k) {
     const StreamOptions options{.part = k, .parts = kParts};
     const std::filesystem::path file = folder / fmt::format("part{}.json", k);
-    std::ofstream(file) << part_text(measured(logs, options), torque_model(), options);
+    std::ofstream(file) << part_text(measured(logs, options), equations(), options);
     return file;
   }
 };
@@ -167,7 +172,7 @@ class PartsTest : public MeasurementTest {
 // The parts also agree at the edges of blocks, where the filter needs the neighbours' samples.
 TEST_F(PartsTest, MakeUpTheWhole) {
   const Measurement whole = measured({whole_log});
-  const Measurement merged = merge_parts(parts(), torque_model(), found);
+  const Measurement merged = merge_parts(parts(), equations(), found);
   ASSERT_FALSE(found.has_errors());
   EXPECT_EQ(merged.count.used, whole.count.used);
   EXPECT_EQ(merged.count.lines, whole.count.lines);
@@ -183,7 +188,7 @@ TEST_F(PartsTest, OfLogsThatAreFilteredAndThatAreNotMakeUpTheWhole) {
   const Measurement whole = measured(logs);
   std::vector<std::filesystem::path> files;
   for (int k = 1; k <= kParts; ++k) files.push_back(part_of(logs, k));
-  const Measurement merged = merge_parts(files, torque_model(), found);
+  const Measurement merged = merge_parts(files, equations(), found);
   ASSERT_FALSE(found.has_errors());
   EXPECT_GT(whole.observations.joints.back().correlation, 1);
   EXPECT_EQ(merged.observations.joints.back().correlation, whole.observations.joints.back().correlation);
@@ -200,7 +205,7 @@ TEST_F(PartsTest, HaveSamplesOfAllLogs) {
     logs.push_back(log(simulated(arm(), {.samples = 600, .rate = 1000, .seed = seed})));
   }
   for (int k = 1; k <= kParts; ++k) files.push_back(part_of(logs, k));
-  const Measurement merged = merge_parts(files, torque_model(), found);
+  const Measurement merged = merge_parts(files, equations(), found);
   ASSERT_FALSE(found.has_errors());
   std::vector<int> of_log(logs.size(), 0);
   for (const EquationInstant& sample : merged.observations.instants) ++of_log.at(static_cast<std::size_t>(sample.log));
@@ -233,7 +238,7 @@ TEST_F(PartsTest, OfManyShortLogsHaveTheirShareEach) {
     const Measurement part = measured(logs, {.part = k, .parts = kParts});
     EXPECT_NEAR(static_cast<double>(part.count.used) * kParts, static_cast<double>(whole.count.used), 1000) << k;
   }
-  const Measurement merged = merge_parts(files, torque_model(), found);
+  const Measurement merged = merge_parts(files, equations(), found);
   ASSERT_FALSE(found.has_errors());
   EXPECT_EQ(merged.count.used, whole.count.used);
   EXPECT_LT(largest_difference(merged.observations, whole.observations), 1e-13);
@@ -265,21 +270,21 @@ TEST(BlockSharesTest, AreEqual) {
 
 TEST_F(PartsTest, AreMissedCountedTwiceAndToldApart) {
   const std::vector<std::filesystem::path> files = parts();
-  merge_parts({files[0], files[2]}, torque_model(), found);
+  merge_parts({files[0], files[2]}, equations(), found);
   ASSERT_EQ(found.all().size(), 1u);
   EXPECT_EQ(found.all()[0].message, "missing: part 2 of 3");
   found = {};
-  merge_parts({files[0], files[1], files[2], files[1]}, torque_model(), found);
+  merge_parts({files[0], files[1], files[2], files[1]}, equations(), found);
   ASSERT_EQ(found.all().size(), 1u);
   EXPECT_THAT(found.all()[0].message, ::testing::HasSubstr("part 2 is there twice"));
   found = {};
   const TorqueModel other(arm(), ParameterSet::full, progress);
-  merge_parts(files, other, found);
+  merge_parts(files, TorqueEquations(other), found);
   EXPECT_EQ(found.all().size(), 3u);
   EXPECT_THAT(found.all()[0].message, ::testing::HasSubstr("another robot"));
   found = {};
   std::filesystem::resize_file(files[1], 1000);
-  merge_parts(files, torque_model(), found);
+  merge_parts(files, equations(), found);
   EXPECT_THAT(found.all().at(0).message, ::testing::HasSubstr("not whole"));
 }
 
@@ -287,8 +292,8 @@ TEST_F(PartsTest, OfOtherLogsAreRefused) {
   const std::vector<std::filesystem::path> files = parts();
   const StreamOptions options{.part = 2, .parts = kParts};
   const auto other = log(simulated(arm(), {.samples = 150000, .rate = 1000, .seed = 2}), LogDerivatives::none);
-  std::ofstream(files[1]) << part_text(measured({other}, options), torque_model(), options);
-  merge_parts(files, torque_model(), found);
+  std::ofstream(files[1]) << part_text(measured({other}, options), equations(), options);
+  merge_parts(files, equations(), found);
   ASSERT_EQ(found.all().size(), 1u);
   EXPECT_EQ(found.all()[0].place.file, files[1].string());
   EXPECT_THAT(found.all()[0].message, ::testing::HasSubstr("made from other logs than"));
@@ -296,13 +301,13 @@ TEST_F(PartsTest, OfOtherLogsAreRefused) {
 }
 
 TEST_F(PartsTest, OfAnotherVersionAreRefused) {
-  const std::string text = part_text(measured({log(simulated(arm(), {.samples = 50}))}), torque_model(), {});
+  const std::string text = part_text(measured({log(simulated(arm(), {.samples = 50}))}), equations(), {});
   const std::string version = "\"version\":3,";
   ASSERT_NE(text.find(version), std::string::npos);
   for (const std::string other : {"", "\"version\":2,", "\"version\":\"3\","}) {
     found = {};
     std::ofstream(folder / "part.json") << std::string(text).replace(text.find(version), version.size(), other);
-    merge_parts({folder / "part.json"}, torque_model(), found);
+    merge_parts({folder / "part.json"}, equations(), found);
     ASSERT_EQ(found.all().size(), 1u);
     EXPECT_THAT(found.all()[0].message, ::testing::HasSubstr("another version of flatdyn"));
     EXPECT_THAT(found.all()[0].hint, ::testing::HasSubstr("make all parts again by this version"));
@@ -314,8 +319,8 @@ TEST_F(PartsTest, OfWhichThereAreTooManyAreNoParts) {
   const auto short_log = log(simulated(arm(), {.samples = 50}));
   for (const StreamOptions& options : {StreamOptions{.parts = 1000000000}, StreamOptions{.part = 5, .parts = 4}}) {
     found = {};
-    std::ofstream(folder / "part.json") << part_text(measured({short_log}), torque_model(), options);
-    merge_parts({folder / "part.json"}, torque_model(), found);
+    std::ofstream(folder / "part.json") << part_text(measured({short_log}), equations(), options);
+    merge_parts({folder / "part.json"}, equations(), found);
     ASSERT_EQ(found.all().size(), 1u);
     EXPECT_THAT(found.all()[0].message, ::testing::HasSubstr("no part of an identification"));
   }

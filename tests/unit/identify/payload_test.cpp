@@ -51,7 +51,7 @@ TEST(Payload, IsTheChangeOfTheLastLink) {
     const TorqueModel torque(model, ParameterSet::given, quiet);
     const VectorXd without = Eigen::Map<const VectorXd>(torque.file_values().data(), torque.parameters());
     const auto samples = simulated(with_payload(model), {.samples = 800});
-    const PayloadEstimate found = estimate_payload(torque, observed(torque, samples), without);
+    const PayloadEstimate found = estimate_payload(payload_problem(torque, model, observed(torque, samples)));
     EXPECT_LT((found.values - known_payload()).cwiseAbs().maxCoeff(), 1e-9) << robot;
     EXPECT_LT((found.body - known_payload()).cwiseAbs().maxCoeff(), 1e-5) << robot;
   }
@@ -68,7 +68,7 @@ TEST(Payload, IsFoundAgainstALogWithoutIt) {
   const auto samples = simulated(with_payload(truth), {.samples = 800, .noise = 0.01, .seed = 3});
   const auto found_against = [&](int samples_without) {
     const Observations without = observed(torque, simulated(truth, {.samples = samples_without, .noise = 0.01}));
-    return estimate_payload(torque, observed(torque, samples), without, file);
+    return estimate_payload(payload_problem(torque, observed(torque, samples), without, file));
   };
   const PayloadEstimate found = found_against(800);
   EXPECT_NEAR(found.values(0), 1.5, 0.01);
@@ -109,7 +109,7 @@ TEST(Payload, HasHonestIntervalsWhereLogsHaveDifferentNoise) {
     Observations with = observed(torque, repeated);
     with.set_correlation(kTimes);
     const Observations without = observed(torque, with_noise(free, 0.1, random));
-    const PayloadEstimate found = estimate_payload(torque, with, without, file);
+    const PayloadEstimate found = estimate_payload(payload_problem(torque, with, without, file));
     const Eigen::ArrayXd error = (found.values - known_payload()).cwiseAbs();
     inside += static_cast<int>((error <= kTwoSided95 * found.standard_deviations.array()).count());
   }
@@ -125,7 +125,7 @@ TEST(Payload, KeepsItsCentreWhereOnlyPosesWereMeasured) {
   const TorqueModel torque(model, ParameterSet::given, quiet);
   const VectorXd without = Eigen::Map<const VectorXd>(torque.file_values().data(), torque.parameters());
   const auto samples = simulated(with_payload(model), {.samples = 400, .noise = 0.01, .standing = true});
-  const PayloadEstimate found = estimate_payload(torque, observed(torque, samples), without);
+  const PayloadEstimate found = estimate_payload(payload_problem(torque, model, observed(torque, samples)));
   for (Eigen::Index k = 0; k < 4; ++k) {
     EXPECT_NEAR(found.body(k), known_payload()(k), 0.01) << k;
     EXPECT_TRUE(std::isfinite(found.standard_deviations(k))) << k;

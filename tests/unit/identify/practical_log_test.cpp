@@ -1,85 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Logs as people have them: encoder steps, noise, joints that are held, idle time, dropped samples. The motion and its
 // torques are those of the recursive reference.
-#include "support/practical_log.hpp"
+#include "support/practical_bench.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <map>
-
-#include "identify/least_squares.hpp"
-#include "identify/measurement.hpp"
 
 namespace flatdyn {
 namespace {
 
-using testing::PracticalArm;
-using testing::PracticalOptions;
+using testing::kEncoderStep;
+using testing::panda;
 using testing::SimulatedSample;
-
-constexpr double kEncoderStep = 1e-4;  // rad
-
-// An arm, what it really is, and what identification is told of it.
-class Bench {
- public:
-  explicit Bench(PracticalArm arm)
-      : arm_(std::move(arm)), real_(arm_.truth()), plain_(arm_.plain()), model_(plain_, ParameterSet::full, quiet_) {
-    for (const Number& value : base_values(real_.mechanism, model_.base())) truth_.push_back(nearest_double(value));
-  }
-
-  const TorqueModel& model() const { return model_; }
-  double truth(int k) const { return truth_[static_cast<std::size_t>(k)]; }
-  double truth(const std::string& name) const { return truth(place_of(name)); }
-  int place_of(const std::string& name) const {
-    for (int k = 0; k < model_.parameters(); ++k) {
-      if (parameter_name(model_.base().columns[static_cast<std::size_t>(k)]) == name) return k;
-    }
-    throw std::invalid_argument(name);
-  }
-  std::vector<SimulatedSample> motion(const PracticalOptions& options) const {
-    return practical_motion(arm_, real_, options);
-  }
-
-  Measurement measured(const std::vector<SimulatedSample>& samples, double step, double noise, unsigned seed = 1,
-                       const StreamOptions& options = {}) {
-    const std::filesystem::path path =
-        std::filesystem::temp_directory_path() / fmt::format("flatdyn-practical-{}.csv", ::getpid());
-    write_practical_log(path, arm_, samples, step, noise, seed);
-    Diagnostics found;
-    Measurement measurement = measure(model_, {path}, options, quiet_, found);
-    std::filesystem::remove(path);
-    EXPECT_FALSE(found.has_errors());
-    return measurement;
-  }
-  Estimate estimated(const Measurement& measurement, double damping = EstimateOptions().damping) const {
-    EstimateOptions options;
-    options.damping = damping;
-    options.acceleration_rows = [this](const EquationInstant& instant) {
-      return model_.acceleration_rows(instant.q.data());
-    };
-    const std::vector<double>& file = model_.file_values();
-    return estimate(measurement.observations,
-                    Eigen::Map<const Eigen::VectorXd>(file.data(), static_cast<Eigen::Index>(file.size())), options);
-  }
-
- private:
-  PracticalArm arm_;
-  Progress quiet_{true};
-  LoadedRobot real_, plain_;
-  TorqueModel model_;
-  std::vector<double> truth_;
-};
-
-Bench& ur5() {
-  static Bench bench(testing::practical_ur5());
-  return bench;
-}
-
-Bench& panda() {
-  static Bench bench(testing::practical_panda());
-  return bench;
-}
+using testing::ur5;
+using Bench = testing::PracticalBench;
 
 // Counts, by kind of parameter, how many 95 % intervals hold the truth.
 struct Coverage {

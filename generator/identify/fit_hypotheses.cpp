@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/fit_hypotheses.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "identify/gravity_search.hpp"
+#include "identify/row_sample.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+// The place of the lowest value between two places, by thirds.
+double lowest(double low, double high, const std::function<double(double)>& value) {
+  constexpr int kRounds = 14;
+  for (int round = 0; round < kRounds; ++round) {
+    const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+    const bool is_lower = value(a) < value(b);
+    (is_lower ? high : low) = is_lower ? b : a;
+  }
+  return (low + high) / 2;
+}
+
+class HypothesisSearch {
+ public:
+  HypothesisSearch(const TorqueModel& model, const Measurement& measurement, const std::vector<JointFit>& fits)
+      : model_(model), rows_(model, measurement, fits) {
+    for (const Body& body : model.mechanism().joints()) names_.push_back("joint \"" + body.joint + "\"");
+    noise_ = rows_.count();
+    before_ = rows_.cost();
+  }
+
+  std::optional<FitHypothesis> best(const LoadedRobot& robot) {
+    torques();
+    delay();
+    if (!model_.mechanism().has_loops()) {
+      positions();
+      gravity(robot);
+      offsets();
+    }
+    return best_;
+  }
+
+ private:
+  // Remembers the hypothesis if it explains more than those before it, which are as simple or simpler.
+  void consider(double cost, const std::function<std::string()>& text) {
+    constexpr double kHalf = 0.5, kMore = 0.02, kChance = 60;
+    const double explained = (before_ - cost) / std::max(before_ - noise_, 1e-300);
+    if (explained < kHalf || before_ - cost < kChance || (best_ && explained < best_->explained + kMore)) return;
+    best_ = FitHypothesis{text(), std::min(explained, 1.0)};
+  }
+
+  void torques() {
+    const auto n = static_cast<int>(names_.size());
+    for (int i = 0; i < n; ++i) {
+      consider(rows_.cost_with_gain(i, -1),
+               [&] { return names_[at(i)] + ": its torques look as if their sign were reversed"; });
+    }
+    for (int i = 0; i < n; ++i) {
+      for (int k = i + 1; k < n; ++k) {
+        consider(rows_.cost_with_exchanged_torques(i, k),
+                 [&] { return fmt::format("{} and {}: their torques look exchanged", names_[at(i)], names_[at(k)]); });
+      }
+    }
+    for (int i = 0; i < n; ++i) {
+      double offset = 0;
+      const double cost = rows_.cost_with_torque_offset(i, offset);
+      consider(cost, [&] {
+        return fmt::format("{}: its torques look as if {:.3g} {} were added to all of them (--offsets estimates it)",
+                           names_[at(i)], offset, torque_unit(model_.mechanism().joints()[at(i)]));
+      });
+      gain(i);
+    }
+  }
+
+  // The gain with least cost, first among powers of 1.25, then by thirds of the interval about it.
+  void gain(int i) {
+    double best = 1, least = before_;
+    for (int power = -21; power <= 21; ++power) {
+      const double gain = std::pow(1.25, power), cost = rows_.cost_with_gain(i, gain);
+      if (cost < least) std::tie(best, least) = std::pair(gain, cost);
+    }
+    const double found = lowest(best / 1.25, best * 1.25, [&](double gain) { return rows_.cost_with_gain(i, gain); });
+    consider(rows_.cost_with_gain(i, found), [&] {
+      return found > 1 ? fmt::format("{}: its torques look {:.3g} times too large", names_[at(i)], found)
+                       : fmt::format("{}: its torques look {:.3g} times too small", names_[at(i)], 1 / found);
+    });
+  }
+
+  void delay() {
+    double delay = 0;
+    const double cost = rows_.cost_with_delay(delay);
+    consider(cost, [&] {
+      return fmt::format("all torques look {:.2g} ms {} (--delay estimates it)", 1000 * std::abs(delay),
+                         delay > 0 ? "late" : "early");
+    });
+  }
+
+  void positions() {
+    const auto n = static_cast<int>(names_.size());
+    for (int i = 0; i < n; ++i) {
+      consider(rows_.cost_with_positions([&](VectorXd& q) { q[i] = -q[i]; }),
+               [&] { return names_[at(i)] + ": its positions look as if their sign were reversed"; });
+    }
+    for (int i = 0; i < n; ++i) {
+      for (int k = i + 1; k < n; ++k) {
+        consider(rows_.cost_with_positions([&](VectorXd& q) { std::swap(q[i], q[k]); }), [&] {
+          return fmt::format("{} and {}: their positions look exchanged", names_[at(i)], names_[at(k)]);
+        });
+      }
+    }
+  }
+
+  void offsets() {
+    for (int i = 0; i < static_cast<int>(names_.size()); ++i) {
+      if (!model_.mechanism().joints()[at(i)].prismatic) offset(i);
+    }
+  }
+
+  // The offset of a joint's zero with least cost: all around by 15 degrees, then finer.
+  void offset(int i) {
+    const auto cost_of = [&](double offset) { return rows_.cost_with_offset(i, offset); };
+    double best = 0, least = before_;
+    for (int step = -11; step <= 12; ++step) {
+      const double cost = step == 0 ? before_ : cost_of(15 * step * kDegree);
+      if (cost < least) std::tie(best, least) = std::pair(15 * step * kDegree, cost);
+    }
+    const double found = lowest(best - 15 * kDegree, best + 15 * kDegree, cost_of);
+    consider(cost_of(found), [&] {
+      return fmt::format("{}: its zero looks {:.3g} degrees off: as if {:.4g} rad were missing in its positions",
+                         names_[at(i)], std::abs(found) / kDegree, found);
+    });
+  }
+
+  void gravity(const LoadedRobot& robot) {
+    const GravityFit fit = gravity_direction(model_, robot, rows_);
+    consider(fit.cost, [&] {
+      return fmt::format(
+          "gravity looks as if it came from another direction: [{:.3g}, {:.3g}, {:.3g}] m/s^2 in the "
+          "base frame, {:.3g} degrees from the robot file's (--gravity-direction estimates it)",
+          fit.gravity.x(), fit.gravity.y(), fit.gravity.z(), fit.angle / kDegree);
+    });
+  }
+
+  static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+  const TorqueModel& model_;
+  RowSample rows_;
+  std::vector<std::string> names_;
+  double before_ = 0, noise_ = 0;
+  std::optional<FitHypothesis> best_;
+};
+
+}  // namespace
+
+std::optional<FitHypothesis> best_hypothesis(const TorqueModel& model, const LoadedRobot& robot,
+                                             const Measurement& measurement, const std::vector<JointFit>& fits) {
+  return HypothesisSearch(model, measurement, fits).best(robot);
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Reasons for a model that does not fit a log: each is tried on a sample of the log's rows, and the one that leaves
+// least is named.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "identify/fit_quality.hpp"
+#include "identify/torque_model.hpp"
+
+namespace flatdyn {
+
+struct FitHypothesis {
+  std::string text;      // such as: joint "elbow": its torques look 1.2 times too large
+  double explained = 0;  // share of what the noise does not explain of the weighted squares, 0 … 1
+};
+
+// The hypothesis that explains most, if it explains half or more: torques or positions with the other sign, exchanged
+// between joints, or shifted by a constant; torques too large or too late; gravity from another direction. Only
+// for fits that are not sound; the search takes a second or two.
+std::optional<FitHypothesis> best_hypothesis(const TorqueModel& model, const LoadedRobot& robot,
+                                             const Measurement& measurement, const std::vector<JointFit>& fits);
+
+}  // namespace flatdyn

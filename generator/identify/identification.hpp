@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// From the measurement of a robot's motion to its parameters, and to a verdict on both.
+#pragma once
+
+#include <optional>
+
+#include "identify/fit_hypotheses.hpp"
+#include "identify/physical_parameters.hpp"
+#include "identify/torque_equations.hpp"
+
+namespace flatdyn {
+
+struct IdentificationOptions {
+  EstimateOptions estimate;
+  ParameterSet set = ParameterSet::given;
+  bool sequential = false;  // also the textbook's joint-by-joint procedure
+};
+
+// The results of one run.
+struct Identification {
+  Measurement measurement;
+  Estimate estimate;  // π_b, and then the offsets of the torques, where they are estimated
+  std::optional<Eigen::VectorXd> joint_by_joint;
+  PhysicalParameters physical;
+  std::vector<JointFit> fits;                // by joint
+  std::optional<FitHypothesis> hypothesis;   // a reason for a model that does not fit
+  double delay = 0;                          // by which torques were taken to be late, s
+  std::vector<std::string> warning_texts{};  // sentences on results that are hardly right
+
+  // The physical parameters' π_b, with the offsets behind it.
+  Eigen::VectorXd physical_values() const;
+};
+
+Identification identification(const LoadedRobot& robot, const TorqueEquations& equations, Measurement measurement,
+                              const IdentificationOptions& options, Progress& progress);
+
+// By how much torques are late beyond what the measurement takes account of, s: from a sample of its rows.
+double remaining_delay(const TorqueEquations& equations, const Measurement& measurement);
+// The direction of gravity that fits best, from a sample of rows: g_0 in the base frame, m/s².
+Eigen::Vector3d best_gravity(const LoadedRobot& robot, const TorqueEquations& equations,
+                             const Measurement& measurement);
+
+}  // namespace flatdyn

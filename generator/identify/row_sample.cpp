@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/row_sample.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace flatdyn {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using RowByRow = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+constexpr std::size_t kMostInstants = 256;
+
+bool is_friction(const TorqueModel& model, int column) {
+  const Parameter parameter = parameter_of(model.base().columns[static_cast<std::size_t>(column)]);
+  return parameter == Parameter::Fv || parameter == Parameter::Fs;
+}
+
+VectorXd as_vector(const std::vector<double>& values) {
+  return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
+}
+
+}  // namespace
+
+RowSample::RowSample(const TorqueModel& model, const Measurement& measurement, const std::vector<JointFit>& fits)
+    : model_(model) {
+  constexpr double kLeastNoise = 1e-3;  // share of the torque: sharper rows would follow the filter's errors
+  const Observations& observations = measurement.observations;
+  const std::vector<EquationInstant>& instants = observations.instants;
+  const std::size_t step = std::max<std::size_t>(1, (instants.size() + kMostInstants - 1) / kMostInstants);
+  for (std::size_t t = 0; t < instants.size(); t += step) {
+    const EquationInstant& from = instants[t];
+    Instant instant{as_vector(from.q),
+                    as_vector(from.qd),
+                    as_vector(from.qdd),
+                    as_vector(from.right),
+                    as_vector(from.measured_rates),
+                    MatrixXd::Zero(model.joints(), model.parameters())};
+    const double* entries = from.entries.data();
+    for (int i = 0; i < model.joints(); ++i) {
+      for (const int column : observations.joints[static_cast<std::size_t>(i)].columns) {
+        if (column < model.parameters()) instant.Y(i, column) = *entries;
+        ++entries;
+      }
+      instant.used.push_back(from.used[static_cast<std::size_t>(i)] != 0);
+    }
+    instants_.push_back(std::move(instant));
+  }
+  for (int i = 0; i < model.joints(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double torque = observations.joints[at].rms_torque();
+    const double sigma = std::max({fits[at].expected, kLeastNoise * torque, 1e-9});
+    weights_.push_back(1 / (sigma * sigma));
+  }
+  for (int i = 0; i < model.joints(); ++i) normals_.push_back(joint_normal(i, i));
+}
+
+void RowSample::Normal::add(const Eigen::RowVectorXd& row, double tau, double weight) {
+  H.selfadjointView<Eigen::Lower>().rankUpdate(row.transpose(), weight);
+  h += weight * tau * row.transpose();
+  s += weight * tau * tau;
+}
+
+// The least cost, with columns scaled to unit length; directions that the rows do not tell stay at 0.
+double RowSample::least(const Normal& normal, VectorXd* solution) {
+  constexpr double kRidge = 1e-10;
+  const VectorXd scale = normal.H.diagonal().cwiseSqrt().cwiseMax(1e-150).cwiseInverse();
+  MatrixXd H = scale.asDiagonal() * MatrixXd(normal.H.selfadjointView<Eigen::Lower>()) * scale.asDiagonal();
+  H.diagonal().array() += kRidge;
+  const VectorXd h = scale.cwiseProduct(normal.h);
+  const VectorXd x = Eigen::LLT<MatrixXd>(H).solve(h);
+  if (solution != nullptr) *solution = scale.cwiseProduct(x);
+  return std::max(normal.s - h.dot(x), 0.0);
+}
+
+RowSample::Normal RowSample::joint_normal(int joint, int torques_of) const {
+  const Index b = model_.parameters();
+  Normal normal{MatrixXd::Zero(b, b), VectorXd::Zero(b)};
+  for (const Instant& instant : instants_) {
+    if (!instant.used[static_cast<std::size_t>(joint)]) continue;
+    normal.add(instant.Y.row(joint), instant.tau[torques_of], weights_[static_cast<std::size_t>(joint)]);
+  }
+  return normal;
+}
+
+RowSample::Normal RowSample::sum_without(int joint, int other) const {
+  const Index b = model_.parameters();
+  Normal sum{MatrixXd::Zero(b, b), VectorXd::Zero(b)};
+  for (int i = 0; i < model_.joints(); ++i) {
+    if (i == joint || i == other) continue;
+    const Normal& each = normals_[static_cast<std::size_t>(i)];
+    sum.H += each.H;
+    sum.h += each.h;
+    sum.s += each.s;
+  }
+  return sum;
+}
+
+double RowSample::cost() const { return least(sum_without(-1)); }
+
+double RowSample::count() const {
+  double count = 0;
+  for (const Instant& instant : instants_) {
+    count += static_cast<double>(std::count(instant.used.begin(), instant.used.end(), true));
+  }
+  return count;
+}
+
+double RowSample::cost_with_gain(int joint, double gain) const {
+  Normal sum = sum_without(joint);
+  const Normal& own = normals_[static_cast<std::size_t>(joint)];
+  sum.H += gain * gain * own.H;
+  sum.h += gain * own.h;
+  sum.s += own.s;
+  return least(sum);
+}
+
+double RowSample::cost_with_exchanged_torques(int joint, int other) const {
+  Normal sum = sum_without(joint, other);
+  for (const auto& [row, tau] : {std::pair(joint, other), std::pair(other, joint)}) {
+    const Normal exchanged = joint_normal(row, tau);
+    sum.H += exchanged.H;
+    sum.h += exchanged.h;
+    sum.s += exchanged.s;
+  }
+  return least(sum);
+}
+
+double RowSample::cost_with_torque_offset(int joint, double& offset) const {
+  const Index b = model_.parameters();
+  const Normal rest = sum_without(joint);
+  Normal sum{MatrixXd::Zero(b + 1, b + 1), VectorXd::Zero(b + 1), rest.s};
+  sum.H.topLeftCorner(b, b) = rest.H;
+  sum.h.head(b) = rest.h;
+  for (const Instant& instant : instants_) {
+    if (!instant.used[static_cast<std::size_t>(joint)]) continue;
+    Eigen::RowVectorXd row(b + 1);
+    row << instant.Y.row(joint), 1;
+    sum.add(row, instant.tau[joint], weights_[static_cast<std::size_t>(joint)]);
+  }
+  VectorXd solution;
+  const double cost = least(sum, &solution);
+  offset = solution[b];
+  return cost;
+}
+
+// Torques that are late by δ are τ(t - δ), so that Y π = τ + δ dτ/dt to first order.
+double RowSample::cost_with_delay(double& delay) const {
+  const Index b = model_.parameters();
+  Normal sum{MatrixXd::Zero(b + 1, b + 1), VectorXd::Zero(b + 1)};
+  for (const Instant& instant : instants_) {
+    for (int i = 0; i < model_.joints(); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (!instant.used[at]) continue;
+      Eigen::RowVectorXd row(b + 1);
+      row << instant.Y.row(i), -instant.tau_rate[i];
+      sum.add(row, instant.tau[i], weights_[at]);
+    }
+  }
+  VectorXd solution;
+  const double cost = least(sum, &solution);
+  delay = solution[b];
+  return cost;
+}
+
+double RowSample::cost_of(const std::vector<MatrixXd>& Y) const {
+  const Index columns = Y.front().cols();
+  Normal sum{MatrixXd::Zero(columns, columns), VectorXd::Zero(columns)};
+  for (std::size_t t = 0; t < instants_.size(); ++t) {
+    for (int i = 0; i < model_.joints(); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (instants_[t].used[at]) sum.add(Y[t].row(i), instants_[t].tau[i], weights_[at]);
+    }
+  }
+  return least(sum);
+}
+
+// Y at changed motions. `map` is the same change of a vector of the joints: friction is filtered, and moves with it.
+double RowSample::cost_of_changed(const std::function<void(Instant&)>& change,
+                                  const std::function<void(VectorXd&)>& map) const {
+  std::vector<MatrixXd> rows;
+  RowByRow y(model_.joints(), model_.parameters());
+  for (const Instant& instant : instants_) {
+    Instant changed = instant;
+    change(changed);
+    model_.regressor(changed.q.data(), changed.qd.data(), changed.qdd.data(), y.data());
+    for (const Parameter kind : {Parameter::Fv, Parameter::Fs}) {
+      VectorXd friction = VectorXd::Zero(model_.joints());
+      for (int k = 0; k < model_.parameters(); ++k) {
+        const int index = model_.base().columns[static_cast<std::size_t>(k)];
+        if (parameter_of(index) == kind) friction[joint_of(index)] = instant.Y(joint_of(index), k);
+      }
+      map(friction);
+      for (int k = 0; k < model_.parameters(); ++k) {
+        const int index = model_.base().columns[static_cast<std::size_t>(k)];
+        if (is_friction(model_, k) && parameter_of(index) == kind) y(joint_of(index), k) = friction[joint_of(index)];
+      }
+    }
+    rows.emplace_back(y);
+  }
+  return cost_of(rows);
+}
+
+double RowSample::cost_with_positions(const std::function<void(VectorXd&)>& map) const {
+  return cost_of_changed(
+      [&](Instant& instant) {
+        for (VectorXd* each : {&instant.q, &instant.qd, &instant.qdd}) map(*each);
+      },
+      map);
+}
+
+double RowSample::cost_with_offset(int joint, double offset) const {
+  return cost_of_changed([&](Instant& instant) { instant.q[joint] += offset; }, [](VectorXd&) {});
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Some rows of a log, weighted by its noise, with which other readings of the log can be tried quickly. Each cost is
+// the least Σ ((Y_i π - τ_i) / σ_i)² over all parameters π; of a sound log it is near count().
+#pragma once
+
+#include <functional>
+
+#include "identify/fit_quality.hpp"
+#include "identify/torque_model.hpp"
+
+namespace flatdyn {
+
+class RowSample {
+ public:
+  RowSample(const TorqueModel& model, const Measurement& measurement, const std::vector<JointFit>& fits);
+
+  double cost() const;
+  double count() const;
+  // Torques of joint i that are `gain` times the right ones; noise is not part of the gain.
+  double cost_with_gain(int joint, double gain) const;
+  double cost_with_exchanged_torques(int joint, int other) const;
+  // Torques of joint i with a constant added, which is found, N m or N.
+  double cost_with_torque_offset(int joint, double& offset) const;
+  // Torques of all joints that are late by a time, which is found, s; to first order.
+  double cost_with_delay(double& delay) const;
+  // q, q̇ and q̈ changed alike by a linear map.
+  double cost_with_positions(const std::function<void(Eigen::VectorXd&)>& change) const;
+  double cost_with_offset(int joint, double offset) const;
+
+  struct Instant {
+    Eigen::VectorXd q, qd, qdd, tau;
+    Eigen::VectorXd tau_rate;  // dτ/dt
+    Eigen::MatrixXd Y;         // n × b, filtered
+    std::vector<bool> used{};  // by joint
+  };
+  const std::vector<Instant>& instants() const { return instants_; }
+  // The least cost with other rows, one matrix (n × columns) per instant.
+  double cost_of(const std::vector<Eigen::MatrixXd>& Y) const;
+
+ private:
+  // Normal equations of one joint or of several: |Y π - τ|², weighted.
+  struct Normal {
+    Eigen::MatrixXd H;
+    Eigen::VectorXd h;
+    double s = 0;
+    void add(const Eigen::RowVectorXd& row, double tau, double weight);
+  };
+  static double least(const Normal& normal, Eigen::VectorXd* solution = nullptr);
+  Normal joint_normal(int joint, int torques_of) const;
+  Normal sum_without(int joint, int other = -1) const;
+  double cost_of_changed(const std::function<void(Instant&)>& change,
+                         const std::function<void(Eigen::VectorXd&)>& map) const;
+
+  const TorqueModel& model_;
+  std::vector<Instant> instants_;
+  std::vector<double> weights_;  // 1/σ_i²
+  std::vector<Normal> normals_;  // by joint
+};
+
+}  // namespace flatdyn

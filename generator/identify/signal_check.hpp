@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Detects torques and positions that no sensor in order gives: spikes, and blocks in which a reading is frozen or zero.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identify/motion_stream.hpp"
+
+namespace flatdyn {
+
+class SignalCheck {
+ public:
+  explicit SignalCheck(const StreamPlan& plan);
+
+  // Adds the next sample.
+  void add(const double* channels);
+  // Tells that the next sample does not follow the last one.
+  void restart();
+  // One warning for each kind and channel.
+  void finish(const Place& place, Diagnostics& diagnostics) const;
+
+ private:
+  // One channel. `noise`: the standard deviation of its noise; `step`: the least change of its reading.
+  struct Signal {
+    int channel = 0;
+    bool is_torque = false;
+    double noise = 0, step = 0;
+    std::string name;
+
+    // The last two readings, and since when the last one has not changed.
+    double before = 0, last = 0, since = 0, last_time = 0;
+    long held = 0, count = 0;
+    // A block that has ended with a jump; it counts once the next reading is near the one behind the jump.
+    double jump = 0, from = 0, to = 0;
+    bool was_zero = false;
+
+    long spikes = 0, blocks = 0;
+    double first_spike = 0, first_from = 0, first_to = 0;
+    bool first_is_zero = false;
+    void add(double time, double reading);
+    void follow_block(double time, double reading);
+    void follow_spikes(double reading);
+  };
+
+  std::vector<Signal> signals_;
+};
+
+}  // namespace flatdyn

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Logs that are not what they say: each is noticed, and its reason named.
+#include "identify/fit_hypotheses.hpp"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+#include "support/names.hpp"
+#include "support/practical_bench.hpp"
+
+namespace flatdyn {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::kEncoderStep;
+using testing::SimulatedSample;
+using Bench = testing::PracticalBench;
+
+// A change of every sample of a log, and the text that names it.
+struct WrongLog {
+  const char* name;
+  void (*change)(SimulatedSample& sample);
+  const char* text;
+};
+
+constexpr WrongLog kWrongLogs[] = {
+    {"torque_sign", [](SimulatedSample& s) { s.tau(2) *= -1; },
+     "joint \"elbow_joint\": its torques look as if their sign were reversed"},
+    {"position_sign", [](SimulatedSample& s) { s.q(2) *= -1; },
+     "joint \"elbow_joint\": its positions look as if their sign were reversed"},
+    {"torques_exchanged", [](SimulatedSample& s) { std::swap(s.tau(1), s.tau(2)); },
+     "joint \"shoulder_lift_joint\" and joint \"elbow_joint\": their torques look exchanged"},
+    {"positions_exchanged", [](SimulatedSample& s) { std::swap(s.q(3), s.q(4)); },
+     "joint \"wrist_1_joint\" and joint \"wrist_2_joint\": their positions look exchanged"},
+    {"zero_off_by_5_degrees", [](SimulatedSample& s) { s.q(1) += 5 * std::numbers::pi / 180; },
+     "joint \"shoulder_lift_joint\": its zero looks"},
+    {"zero_off_by_90_degrees", [](SimulatedSample& s) { s.q(3) += std::numbers::pi / 2; },
+     "joint \"wrist_1_joint\": its zero looks"},
+    {"gain", [](SimulatedSample& s) { s.tau(1) *= 1.2; },
+     "joint \"shoulder_lift_joint\": its torques look 1.2 times too large"},
+    {"offset", [](SimulatedSample& s) { s.tau(1) += 2; }, "joint \"shoulder_lift_joint\": its torques look as if"},
+};
+
+class LackOfFit : public ::testing::TestWithParam<WrongLog> {
+ protected:
+  Bench& bench = testing::ur5();
+  std::vector<JointFit> fits;
+
+  std::optional<FitHypothesis> reason_of(const std::vector<SimulatedSample>& samples) {
+    const Measurement measurement = bench.measured(samples, kEncoderStep, 1);
+    fits = fit_quality(measurement.observations, measurement.logs, bench.estimated(measurement).values,
+                       bench.acceleration_rows());
+    return best_hypothesis(bench.model(), bench.plain(), measurement, fits);
+  }
+};
+
+TEST_P(LackOfFit, IsNoticedAndNamed) {
+  std::vector<SimulatedSample> samples = bench.motion({.seconds = 12});
+  for (SimulatedSample& sample : samples) GetParam().change(sample);
+  const std::optional<FitHypothesis> reason = reason_of(samples);
+  EXPECT_TRUE(std::any_of(fits.begin(), fits.end(), [](const JointFit& fit) { return fit.is_suspicious(); }));
+  ASSERT_TRUE(reason);
+  EXPECT_THAT(reason->text, HasSubstr(GetParam().text));
+  EXPECT_GT(reason->explained, 0.8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Logs, LackOfFit, ::testing::ValuesIn(kWrongLogs),
+                         [](const auto& wrong) { return std::string(wrong.param.name); });
+
+TEST_F(LackOfFit, IsNotSeenInSoundLogs) {
+  EXPECT_FALSE(reason_of(bench.motion({})));
+  for (const JointFit& fit : fits) {
+    EXPECT_GT(fit.ratio, 0.8);
+    EXPECT_LT(fit.ratio, 1.3);
+    EXPECT_LT(fit.correlation, 0.45);
+    EXPECT_TRUE(fit.is_sound());
+    EXPECT_FALSE(fit.limit);
+  }
+}
+
+TEST_F(LackOfFit, ByTorquesThatAreLateIsNamed) {
+  constexpr std::size_t kLate = 5;  // samples, 1 ms each
+  std::vector<SimulatedSample> samples = bench.motion({.seconds = 12});
+  for (std::size_t k = samples.size() - 1; k >= kLate; --k) samples[k].tau = samples[k - kLate].tau;
+  const std::optional<FitHypothesis> reason = reason_of(samples);
+  ASSERT_TRUE(reason);
+  EXPECT_THAT(reason->text, HasSubstr("all torques look 4."));
+  EXPECT_THAT(reason->text, HasSubstr("ms late"));
+}
+
+TEST_F(LackOfFit, ByTorquesThatAreCutOffIsNoticed) {
+  std::vector<SimulatedSample> samples = bench.motion({.seconds = 12});
+  for (SimulatedSample& sample : samples) sample.tau(1) = std::max(sample.tau(1), -42.0);
+  reason_of(samples);
+  ASSERT_TRUE(fits[1].limit);
+  EXPECT_NEAR(*fits[1].limit, -42, 0.5);
+  EXPECT_FALSE(fits[1].is_sound());
+}
+
+// The base hangs from the ceiling, or leans by 0.3 rad.
+TEST_F(LackOfFit, ByGravityFromElsewhereIsNamed) {
+  for (const double angle : {0.3, std::numbers::pi}) {
+    const testing::PracticalArm arm = bench.arm();
+    const auto exact = [](double value) { return exact_decimal(fmt::format("{:.12f}", value)); };
+    const Vec3 gravity = {exact(9.81 * std::sin(angle)), 0, exact(-9.81 * std::cos(angle))};
+    LoadedRobot leaning = arm.truth();
+    leaning.robot.gravity = gravity;
+    const std::optional<FitHypothesis> reason = reason_of(practical_motion(arm, leaning, {.seconds = 12}));
+    ASSERT_TRUE(reason);
+    EXPECT_THAT(reason->text, HasSubstr("gravity looks as if it came from another direction"));
+    EXPECT_THAT(reason->text, HasSubstr(angle < 1 ? "17." : "180 degrees"));
+  }
+}
+
+TEST_F(LackOfFit, ByReadingsThatAreLostIsNoticed) {
+  const std::vector<SimulatedSample> samples = bench.motion({.seconds = 12});
+  const auto warnings_of = [&](const auto& change) {
+    std::vector<SimulatedSample> changed = samples;
+    change(changed);
+    bench.measured(changed, kEncoderStep, 0.1);
+    return bench.warnings;
+  };
+  EXPECT_TRUE(warnings_of([](auto&) {}).empty());
+  const auto frozen_position = [](auto& all) {
+    for (std::size_t k = 4000; k < 5000; ++k) all[k].q(1) = all[4000].q(1);
+  };
+  EXPECT_THAT(warnings_of(frozen_position),
+              ::testing::Contains("q2: does not change from 4 to 4.999 s, and then jumps"));
+  const auto spikes = [](auto& all) {
+    for (std::size_t k = 1000; k < 11000; k += 1000) all[k].tau(2) += 30;
+  };
+  EXPECT_THAT(warnings_of(spikes), ::testing::Contains("tau3: 10 spikes, the first at 1 s"));
+}
+
+// A log of torques without noise: blocks that are frozen, and blocks of zeros.
+TEST_F(LackOfFit, ByBlocksOfTorquesThatAreLostIsNoticed) {
+  std::vector<SimulatedSample> samples = bench.motion({.seconds = 12});
+  testing::Uniform draw(5);
+  for (SimulatedSample& sample : samples) sample.tau(1) += 0.1 * draw.normal();
+  for (std::size_t k = 3000; k < 4000; ++k) samples[k].tau(1) = 0;
+  for (std::size_t k = 6000; k < 7000; ++k) samples[k].tau(2) = samples[6000].tau(2);
+  bench.measured(samples, kEncoderStep, 0);
+  EXPECT_THAT(bench.warnings, ::testing::Contains("tau2: is 0 from 3 to 3.999 s, and then jumps"));
+  EXPECT_THAT(bench.warnings, ::testing::Contains("tau3: does not change from 6 to 6.999 s, and then jumps"));
+}
+
+}  // namespace
+}  // namespace flatdyn
