@@ -130,6 +130,28 @@ void EquationFilter::push_row(GridMotion motion) {
   if (rows_.full() && samples_window_.full() && index % plan_.filter.decimate == 0) pass_on(index);
 }
 
+// Whether the reading of a joint's position stays the same for far longer than its step explains at a speed: the joint
+// sticks, and the filter smears the speeds before and after. `back`: the sample's place in `raw_`.
+bool EquationFilter::sticks(int joint, int back, double speed) const {
+  constexpr int kLeast = 4, kMost = 64;  // samples
+  constexpr double kTimes = 3, kRounding = 1e-12;
+  const int position =
+      layout_.positions == layout_.joints ? joint : layout_.position_of[static_cast<std::size_t>(joint)];
+  const double step = plan_.q_noise.empty() ? 0 : plan_.q_noise[static_cast<std::size_t>(position)].step;
+  const double expected = kTimes * step / (std::abs(speed) * plan_.filter.dt);
+  if (!(expected < kMost)) return false;
+  const int channel = LogLayout::q() + position;
+  const double reading = raw_.sample(back)[channel];
+  const auto is_same = [&](int at) {
+    return std::abs(raw_.sample(at)[channel] - reading) <= kRounding * std::max(1.0, std::abs(reading));
+  };
+  const int before = std::min({kMost, raw_.held() - 1 - back}), behind = std::min(kMost, back);
+  int run = 1;
+  for (int k = 1; k <= before && is_same(back + k); ++k) ++run;
+  for (int k = 1; k <= behind && is_same(back - k); ++k) ++run;
+  return run > kLeast + expected;
+}
+
 // Pushes what is measured, and speeds and their signs, at a sample between two motions.
 void EquationFilter::push_sample(const GridMotion& from, const GridMotion& to, int part) {
   constexpr double kUnsure = 0.4;  // share of the rest speed, which has five standard deviations of noise
@@ -143,7 +165,8 @@ void EquationFilter::push_sample(const GridMotion& from, const GridMotion& to, i
   for (int j = 0; j < n_; ++j) {
     const auto at = static_cast<std::size_t>(j);
     const bool rests = from.rests[at] != 0 || to.rests[at] != 0;
-    const double speed = rests ? 0 : between(from.qd[j], from.qdd[j], to.qd[j], to.qdd[j], step, share);
+    double speed = rests ? 0 : between(from.qd[j], from.qdd[j], to.qd[j], to.qdd[j], step, share);
+    if (!rests && plan_.filter.band > 0 && sticks(j, static_cast<int>(newest - index), speed)) speed = 0;
     sample[speeds_at() + j] = speed;
     sample[signs_at() + j] = sign(speed);
     sample[unsure_at() + j] = std::abs(speed) < kUnsure * plan_.rest_speed[at] ? 1 : 0;

@@ -47,6 +47,7 @@ class EquationFilter : public SampleReceiver {
   void mark_rest();
   void push_row(GridMotion motion);
   void push_sample(const GridMotion& from, const GridMotion& to, int part);
+  bool sticks(int joint, int back, double speed) const;
   void pass_on(long index);
 
   // Places in the channels of `rows_`: the entries of Y, then

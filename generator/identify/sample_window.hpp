@@ -18,6 +18,7 @@ class SampleWindow {
   }
   void clear() { held_ = 0; }
   bool full() const { return held_ == length_; }
+  int held() const { return held_; }
   // `count` samples of some channels, of which the newest has `back` samples behind it.
   auto block(int back, int count, int first, int channels) const {
     return samples_.block(end_ - back - count, first, count, channels);

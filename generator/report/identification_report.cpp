@@ -54,8 +54,8 @@ std::string data_text(const Measurement& measurement, double delay) {
 }
 
 std::string torque_table(const TorqueModel& model, const Identification& found) {
-  std::vector<std::vector<std::string>> rows = {{"joint", "torque (rms)", "residual (rms)", "explained", "sigma",
-                                                 "residual of the links (rms)", "rests below", "used"}};
+  std::vector<std::vector<std::string>> rows = {{"joint", "torque (rms)", "residual (rms)", "explained", "noise ratio",
+                                                 "correlation", "residual of the links", "rests below", "used"}};
   const std::vector<double> rest_speeds = found.measurement.rest_speeds();
   for (int i = 0; i < model.joints(); ++i) {
     const JointObservations& joint = found.measurement.observations.joints[static_cast<std::size_t>(i)];

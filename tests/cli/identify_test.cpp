@@ -62,6 +62,45 @@ TEST(Identify, WritesARobotFileWhoseTorquesAreThoseMeasured) {
 
 // The robot has neither friction nor rotors, but the file has both. If only inertias are asked for, the robot written
 // has neither.
+// A user's way: a motion, the robot that makes it under a controller, and its log with positions and torques alone. At
+// every change of direction the joints stick for a while.
+TEST(Identify, FindsFrictionAndRotorsOfASimulatedRobot) {
+  constexpr double kViscous = 2, kCoulomb = 2.5, kRotor = 0.35;  // of every joint
+  const Scratch scratch;
+  const std::string plain = fmt::format("{}/robots/ur5.urdf", FLATDYN_SOURCE_DIR);
+  std::string text = fmt::format("robot = \"{}\"\n", plain);
+  for (const char* joint : {"shoulder_pan", "shoulder_lift", "elbow", "wrist_1", "wrist_2", "wrist_3"}) {
+    text += fmt::format("[[joint]]\nname = \"{}_joint\"\nviscous = {}\ncoulomb = {}\narmature = {}\n", joint, kViscous,
+                        kCoulomb, kRotor);
+  }
+  scratch.write("real.toml", text);
+  scratch.write("follow.toml",
+                "duration = 20\nrate = 1000\n[torque.computed_torque]\nkp = 100\nkd = 20\n"
+                "trajectory = \"ur5_excitation.csv\"\n");
+  const std::string real = scratch.path("real.toml");
+  const auto run = [](const std::string& command) {
+    const Outcome outcome = run_flatdyn(command);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome;
+  };
+  run(fmt::format("excite {} -o {} --parameters full --evaluations 200 -q", real, scratch.path("")));
+  run(fmt::format("simulate {} --simulation {} -o {} -q", real, scratch.path("follow.toml"), scratch.path("all.csv")));
+  const std::string columns = "cut -d, -f1-7,20-25";
+  ASSERT_EQ(
+      std::system(fmt::format("{} '{}' > '{}'", columns, scratch.path("all.csv"), scratch.path("log.csv")).c_str()), 0);
+  const Outcome found = run(fmt::format("identify {} -q --json --data {}", plain, scratch.path("log.csv")));
+  int checked = 0;
+  const json result = json::parse(found.out);
+  for (const json& parameter : result["base_parameters"]) {
+    const std::string kind = parameter["kept"].get<std::string>().substr(0, 2);
+    const double truth = kind == "Fv" ? kViscous : kind == "Fs" ? kCoulomb : kind == "Im" ? kRotor : 0;
+    if (truth == 0) continue;
+    EXPECT_NEAR(parameter["value"], truth, 1e-3 * truth) << parameter["kept"];
+    ++checked;
+  }
+  EXPECT_EQ(checked, 16);
+}
+
 TEST(Identify, LeavesFrictionAndRotorsOutWhereOnlyInertiasAreAskedFor) {
   const Scratch scratch;
   const std::string log = scratch.path("log.csv"), output = scratch.path("identified.toml");
@@ -143,6 +182,15 @@ TEST(Identify, SaysItInJsonToo) {
     EXPECT_NEAR(each["value"].get<double>(), each["file"].get<double>(),
                 1e-9 * std::abs(each["file"].get<double>()) + 1e-12)
         << each["kept"];
+  }
+}
+
+TEST(Identify, RefusesOptionsThatReadLogsAgainWithParts) {
+  for (const char* option : {"--delay", "--gravity-direction"}) {
+    const Outcome outcome =
+        run_flatdyn(fmt::format("identify {} {} --data log.csv --part 1/2 -o part.json", kPuma, option));
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("--delay and --gravity-direction read the logs more than once"));
   }
 }
 

@@ -29,6 +29,7 @@ class PracticalBench {
   const PracticalArm& arm() const { return arm_; }
   const LoadedRobot& plain() const { return plain_; }
   const TorqueModel& model() const { return model_; }
+  const TorqueEquations& equations() const { return equations_; }
   double truth(int k) const { return truth_[static_cast<std::size_t>(k)]; }
   double truth(const std::string& name) const { return truth(place_of(name)); }
   int place_of(const std::string& name) const {
@@ -42,12 +43,13 @@ class PracticalBench {
   }
 
   Measurement measured(const std::vector<SimulatedSample>& samples, double step, double noise, unsigned seed = 1,
-                       const StreamOptions& options = {}) {
+                       const StreamOptions& options = {}, const TorqueEquations* other = nullptr) {
     const std::filesystem::path path =
         std::filesystem::temp_directory_path() / fmt::format("flatdyn-practical-{}.csv", ::getpid());
     write_practical_log(path, arm_, samples, step, noise, seed);
     Diagnostics found;
-    Measurement measurement = measure(equations_, plain_.mechanism, {path}, options, quiet_, found);
+    Measurement measurement =
+        measure(other != nullptr ? *other : equations_, plain_.mechanism, {path}, options, quiet_, found);
     std::filesystem::remove(path);
     EXPECT_FALSE(found.has_errors());
     warnings.clear();

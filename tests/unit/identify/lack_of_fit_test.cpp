@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Logs that are not what they say: each is noticed, and its reason named.
-#include "identify/fit_hypotheses.hpp"
+#include "identify/identification.hpp"
 
 #include <gmock/gmock.h>
 
@@ -98,6 +98,41 @@ TEST_F(LackOfFit, ByTorquesThatAreCutOffIsNoticed) {
   EXPECT_FALSE(fits[1].is_sound());
 }
 
+TEST_F(LackOfFit, ByADelayGoesWithIt) {
+  constexpr std::size_t kLate = 5;
+  std::vector<SimulatedSample> samples = bench.motion({.seconds = 12});
+  for (std::size_t k = samples.size() - 1; k >= kLate; --k) samples[k].tau = samples[k - kLate].tau;
+  StreamOptions options;
+  for (int round = 0; round < 3; ++round) {
+    options.delay += remaining_delay(bench.equations(), bench.measured(samples, kEncoderStep, 1, 1, options));
+  }
+  EXPECT_NEAR(options.delay, 0.005, 0.0004);
+  const Measurement measurement = bench.measured(samples, kEncoderStep, 1, 1, options);
+  for (const JointFit& fit : fit_quality(measurement.observations, measurement.logs,
+                                         bench.estimated(measurement).values, bench.acceleration_rows())) {
+    EXPECT_LT(fit.ratio, 1.3);
+  }
+}
+
+TEST_F(LackOfFit, ByOffsetsGoesWithThem) {
+  const double offsets[] = {1, -2, 0.5, 0.2, -0.1, 0.3};
+  std::vector<SimulatedSample> samples = bench.motion({});
+  for (SimulatedSample& sample : samples) {
+    for (int i = 0; i < 6; ++i) sample.tau(i) += offsets[i];
+  }
+  const TorqueEquations equations(bench.model(), true);
+  const Measurement measurement = bench.measured(samples, kEncoderStep, 1, 1, {}, &equations);
+  EstimateOptions options;
+  options.acceleration_rows = equations.acceleration_rows();
+  const Estimate found = estimate(measurement.observations, equations.file_values(), options);
+  ASSERT_EQ(found.values.size(), bench.model().parameters() + 6);
+  for (int i = 0; i < 6; ++i) {
+    const Eigen::Index k = bench.model().parameters() + i;
+    EXPECT_NEAR(found.values(k), offsets[i], 4 * found.standard_deviations(k)) << i;
+    EXPECT_LT(found.standard_deviations(k), 0.2) << i;
+  }
+}
+
 // The base hangs from the ceiling, or leans by 0.3 rad.
 TEST_F(LackOfFit, ByGravityFromElsewhereIsNamed) {
   for (const double angle : {0.3, std::numbers::pi}) {
@@ -110,6 +145,11 @@ TEST_F(LackOfFit, ByGravityFromElsewhereIsNamed) {
     ASSERT_TRUE(reason);
     EXPECT_THAT(reason->text, HasSubstr("gravity looks as if it came from another direction"));
     EXPECT_THAT(reason->text, HasSubstr(angle < 1 ? "17." : "180 degrees"));
+    const Eigen::Vector3d found =
+        best_gravity(bench.plain(), bench.equations(),
+                     bench.measured(practical_motion(arm, leaning, {.seconds = 12}), kEncoderStep, 1));
+    EXPECT_NEAR(found.x(), 9.81 * std::sin(angle), 0.03);
+    EXPECT_NEAR(found.z(), -9.81 * std::cos(angle), 0.03);
   }
 }
 
