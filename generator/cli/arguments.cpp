@@ -292,11 +292,15 @@ void add_trajectory_option(CLI::App& command, std::string& file) {
 }
 
 void add_plot_option(CLI::App& command, std::string& file, const std::string& meaning) {
+  add_picture_option(command, "--plot", file, meaning);
+}
+
+void add_picture_option(CLI::App& command, const std::string& option, std::string& file, const std::string& meaning) {
   const auto is_picture = [](const std::string& name) {
     const std::string extension = std::filesystem::path(name).extension();
     return extension == ".svg" || extension == ".png" ? "" : "the plot's name must end in .svg or .png";
   };
-  command.add_option("--plot", file, meaning + "; needs gnuplot")
+  command.add_option(option, file, meaning + "; needs gnuplot")
       ->check(CLI::Validator(is_picture, ""))
       ->type_name("FILE.svg|FILE.png");
 }

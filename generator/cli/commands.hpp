@@ -87,6 +87,7 @@ void add_trajectory_option(CLI::App& command, std::string& file);
 
 // Adds --plot, a picture whose format follows from its name; `meaning`: the content of the picture.
 void add_plot_option(CLI::App& command, std::string& file, const std::string& meaning);
+void add_picture_option(CLI::App& command, const std::string& option, std::string& file, const std::string& meaning);
 
 // Adds --parameters, for the purpose `use`. parameter_set() returns the set of that name.
 void add_identified_option(CLI::App& command, std::string& name);

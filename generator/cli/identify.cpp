@@ -7,8 +7,10 @@
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "diagnostics/version.hpp"
+#include "identify/huber.hpp"
 #include "identify/part_file.hpp"
 #include "plot/time_table.hpp"
+#include "report/identification_files.hpp"
 #include "report/identification_report.hpp"
 #include "report/identified_robot.hpp"
 #include "report/residual_plot.hpp"
@@ -23,7 +25,9 @@ struct IdentifyArguments : RobotArguments {
   StreamOptions stream;
   IdentificationOptions identification;
   bool offsets = false, delay = false, gravity_direction = false;
-  std::string plot;
+  bool robust = false;
+  std::vector<std::string> validation;
+  std::string plot, validation_plot, covariance, signals;
 
   // The file that is read first.
   const std::string& source() const { return logs.empty() ? parts.front() : logs.front(); }
@@ -54,9 +58,17 @@ void check_identify_usage(const IdentifyArguments& arguments) {
     throw Failure(ExitCode::usage, "--band and --decimate have no effect with --merge",
                   "give them with --part, where the logs are read");
   }
-  if ((!arguments.part.empty() || !arguments.parts.empty()) && (arguments.delay || arguments.gravity_direction)) {
-    throw Failure(ExitCode::usage, "--delay and --gravity-direction read the logs more than once",
+  const bool reads_again =
+      arguments.delay || arguments.gravity_direction || arguments.robust || !arguments.signals.empty();
+  if ((!arguments.part.empty() || !arguments.parts.empty()) && reads_again) {
+    throw Failure(ExitCode::usage, "--delay, --gravity-direction, --robust and --signals read the logs more than once",
                   "give them with --data, without --part");
+  }
+  if (!arguments.part.empty() && (!arguments.validation.empty() || !arguments.covariance.empty())) {
+    throw Failure(ExitCode::usage, "--validate and --covariance have no effect with --part", "give them with --merge");
+  }
+  if (!arguments.validation_plot.empty() && arguments.validation.empty()) {
+    throw Failure(ExitCode::usage, "--validation-plot needs --validate LOG.csv");
   }
   if (!arguments.part.empty() && (!arguments.plot.empty() || arguments.identification.sequential)) {
     throw Failure(ExitCode::usage, "--plot and --sequential have no effect with --part",
@@ -69,7 +81,9 @@ void check_files(const IdentifyArguments& arguments, const Robot& robot) {
   std::vector<std::string> inputs = robot.files;
   inputs.insert(inputs.end(), arguments.logs.begin(), arguments.logs.end());
   inputs.insert(inputs.end(), arguments.parts.begin(), arguments.parts.end());
-  check_outputs({arguments.output, arguments.plot}, inputs);
+  inputs.insert(inputs.end(), arguments.validation.begin(), arguments.validation.end());
+  check_outputs({arguments.output, arguments.plot, arguments.validation_plot, arguments.covariance, arguments.signals},
+                inputs);
 }
 
 // Checks that some samples can be used, and that gaps in time, each of which costs a window of the filter, do not
@@ -95,40 +109,81 @@ void check_samples(const Measurement& measurement, const std::string& log, Diagn
                 "log without gaps, or q, qd and qdd, so that there is no filter; a wider --band has a shorter window");
 }
 
-Measurement measured(const IdentifyArguments& arguments, const StreamOptions& options, const TorqueEquations& equations,
-                     Progress& progress) {
-  Diagnostics found;
-  Measurement measurement;
-  if (arguments.parts.empty()) {
-    measurement = measure(equations, equations.model().mechanism(), {arguments.logs.begin(), arguments.logs.end()},
-                          options, progress, found);
-  } else {
-    measurement = merge_parts({arguments.parts.begin(), arguments.parts.end()}, equations, found);
-  }
-  // A single part may have no samples; all parts together must have some.
-  const bool is_whole = arguments.part.empty() && !found.has_errors();
-  if (is_whole) check_samples(measurement, arguments.source(), found);
-  arguments.report(found);
-  return measurement;
-}
+// The logs of a run. What is found in them is reported when they are read for the first time.
+class Logs {
+ public:
+  Logs(const IdentifyArguments& arguments, StreamOptions options, Progress& progress)
+      : arguments_(arguments), options_(std::move(options)), progress_(progress) {}
 
-// Measures again with torques taken later, until what is left of the delay is a small part of a sample.
-Measurement with_delay(const IdentifyArguments& arguments, StreamOptions& options, const TorqueEquations& equations,
-                       Measurement measurement, Progress& progress) {
-  constexpr int kMostRounds = 5;
-  constexpr double kSmall = 1e-5;  // s
-  if (measurement.logs.front().filter.band == 0) {
-    throw Failure(ExitCode::usage, "--delay needs the filter: the log has all derivatives, and is used as it is",
-                  "give --band HZ");
+  const StreamOptions& options() const { return options_; }
+
+  Measurement measured(const TorqueEquations& equations, const RowWeight& weight = nullptr,
+                       const LogSink& also = nullptr) {
+    Diagnostics found;
+    Measurement measurement;
+    if (arguments_.parts.empty()) {
+      measurement = measure(equations, equations.model().mechanism(), {arguments_.logs.begin(), arguments_.logs.end()},
+                            options_, progress_, found, weight, also);
+    } else {
+      measurement = merge_parts({arguments_.parts.begin(), arguments_.parts.end()}, equations, found);
+    }
+    // A single part may have no samples; all parts together must have some.
+    const bool is_whole = arguments_.part.empty() && !found.has_errors();
+    if (is_whole) check_samples(measurement, arguments_.source(), found);
+    if (!reported_) arguments_.report(found);
+    reported_ = true;
+    return measurement;
   }
-  for (int round = 0; round < kMostRounds; ++round) {
-    const double more = remaining_delay(equations, measurement);
-    if (std::abs(more) < kSmall) break;
-    options.delay += more;
-    measurement = measured(arguments, options, equations, progress);
+
+  // Measures with torques taken later, until what is left of the delay is a small part of a sample.
+  Measurement with_delay(const TorqueEquations& equations, Measurement measurement) {
+    constexpr int kMostRounds = 5;
+    constexpr double kSmall = 1e-5;  // s
+    if (measurement.logs.front().filter.band == 0) {
+      throw Failure(ExitCode::usage, "--delay needs the filter: the log has all derivatives, and is used as it is",
+                    "give --band HZ");
+    }
+    for (int round = 0; round < kMostRounds; ++round) {
+      const double more = remaining_delay(equations, measurement);
+      if (std::abs(more) < kSmall) break;
+      options_.delay += more;
+      measurement = measured(equations);
+    }
+    return measurement;
   }
-  return measurement;
-}
+
+  // Measures with Huber's weights, until these hardly change the parameters.
+  Measurement with_robust_weights(const TorqueEquations& equations, Measurement measurement) {
+    constexpr int kMostRounds = 6;
+    constexpr double kSmall = 0.05;  // standard deviations
+    Estimate before = estimate_of(equations, measurement, arguments_.identification.estimate);
+    for (int round = 0; round < kMostRounds; ++round) {
+      measurement = measured(equations, huber_weights(equations, measurement, before.values));
+      Estimate next = estimate_of(equations, measurement, arguments_.identification.estimate);
+      const Eigen::ArrayXd change = (next.values - before.values).array().abs() / next.standard_deviations.array();
+      before = std::move(next);
+      if (!(change.maxCoeff() > kSmall)) break;
+    }
+    return measurement;
+  }
+
+  Measurement validation(const TorqueEquations& equations) const {
+    Diagnostics found;
+    StreamOptions options = options_;
+    options.part = options.parts = 1;
+    const std::vector<std::filesystem::path> logs(arguments_.validation.begin(), arguments_.validation.end());
+    Measurement measurement = measure(equations, equations.model().mechanism(), logs, options, progress_, found);
+    if (!found.has_errors()) check_samples(measurement, arguments_.validation.front(), found);
+    arguments_.report(found);
+    return measurement;
+  }
+
+ private:
+  const IdentifyArguments& arguments_;
+  StreamOptions options_;
+  Progress& progress_;
+  bool reported_ = false;
+};
 
 // The lines of a report as comments, wide tables and all.
 std::vector<std::string> lines_of(const std::string& text) {
@@ -150,23 +205,33 @@ TextFile robot_file(const IdentifyArguments& arguments, const LoadedRobot& robot
 }
 
 std::vector<TextFile> result_files(const IdentifyArguments& arguments, const LoadedRobot& robot,
-                                   const TorqueModel& model, const Identification& found) {
+                                   const TorqueEquations& equations, const Identification& found, Logs& logs) {
   std::vector<TextFile> files;
+  const TorqueModel& model = equations.model();
+  const Eigen::VectorXd& values = found.estimate.values;
+  const auto plot_of = [&](const Measurement& measurement, const std::string& file) {
+    files.push_back({file, residual_plot(model, measurement.observations, values, picture_format(file))});
+  };
   if (!arguments.output.empty()) files.push_back(robot_file(arguments, robot, model, found));
-  if (!arguments.plot.empty())
-    files.push_back({arguments.plot, residual_plot(model, found, picture_format(arguments.plot))});
+  if (!arguments.plot.empty()) plot_of(found.measurement, arguments.plot);
+  if (!arguments.validation_plot.empty()) plot_of(*found.validation, arguments.validation_plot);
+  if (!arguments.covariance.empty()) files.push_back({arguments.covariance, covariance_csv(equations, found.estimate)});
+  if (!arguments.signals.empty()) {
+    SignalTable table(equations, values);
+    logs.measured(equations, nullptr, [&](const FilteredEquations& each, int log) { table.add(each, log); });
+    files.push_back({arguments.signals, table.csv()});
+  }
   return files;
 }
 
 // Finds gravity's direction with the robot as it is, and loads the robot again with that direction.
-LoadedRobot with_gravity(IdentifyArguments& arguments, const LoadedRobot& robot, const StreamOptions& stream,
-                         Progress& progress) {
+LoadedRobot with_gravity(IdentifyArguments& arguments, const LoadedRobot& robot, Logs& logs, Progress& progress) {
   if (robot.mechanism.has_loops()) {
     throw Failure(ExitCode::unsupported, "--gravity-direction is for robots without closed loops");
   }
   const TorqueModel model(robot, arguments.identification.set, progress);
   const TorqueEquations equations(model, arguments.offsets);
-  const Measurement measurement = measured(arguments, stream, equations, progress);
+  const Measurement measurement = logs.measured(equations);
   progress.step("finding gravity's direction");
   const Eigen::Vector3d gravity = best_gravity(robot, equations, measurement);
   arguments.gravity = fmt::format("{:.6g},{:.6g},{:.6g}", gravity.x(), gravity.y(), gravity.z());
@@ -185,10 +250,11 @@ ExitCode identify(IdentifyArguments arguments) {
   // Settings that cannot be repeated are refused before logs are read.
   if (!arguments.output.empty()) arguments.settings(robot);
   Progress progress(arguments.quiet);
-  if (arguments.gravity_direction) robot = with_gravity(arguments, robot, stream, progress);
+  Logs logs(arguments, stream, progress);
+  if (arguments.gravity_direction) robot = with_gravity(arguments, robot, logs, progress);
   const TorqueModel model(robot, arguments.identification.set, progress);
   const TorqueEquations equations(model, arguments.offsets);
-  Measurement measurement = measured(arguments, stream, equations, progress);
+  Measurement measurement = logs.measured(equations);
   if (!arguments.part.empty()) {
     write_files({{arguments.output, part_text(measurement, equations, stream)}});
     erase_progress();
@@ -196,12 +262,14 @@ ExitCode identify(IdentifyArguments arguments) {
                measurement.count.used);
     return ExitCode::ok;
   }
-  if (arguments.delay) measurement = with_delay(arguments, stream, equations, std::move(measurement), progress);
+  if (arguments.delay) measurement = logs.with_delay(equations, std::move(measurement));
+  if (arguments.robust) measurement = logs.with_robust_weights(equations, std::move(measurement));
   Identification found = identification(robot, equations, std::move(measurement), arguments.identification, progress);
-  found.delay = stream.delay;
+  found.delay = logs.options().delay;
+  if (!arguments.validation.empty()) validate(found, equations, logs.validation(equations));
   found.warning_texts = plausibility_warnings(model, found);
   arguments.warn_of(found.warning_texts, arguments.source());
-  write_and_print(result_files(arguments, robot, model, found),
+  write_and_print(result_files(arguments, robot, equations, found, logs),
                   {describe_identification(model, found), identification_json(model, found)}, arguments);
   return ExitCode::ok;
 }
@@ -224,6 +292,18 @@ Run add_identify(CLI::App& app) {
       ->check(kNotEmpty)
       ->type_name("FILE");
   add_plot_option(*command, arguments->plot, "torques and residuals over time");
+  command->add_option("--validate", arguments->validation, "other logs, on which the parameters are judged")
+      ->type_name("LOG.csv");
+  add_picture_option(*command, "--validation-plot", arguments->validation_plot,
+                     "torques and residuals of --validate over time");
+  command->add_option("--covariance", arguments->covariance, "the covariance of the parameters, as CSV")
+      ->check(kNotEmpty)
+      ->type_name("FILE.csv");
+  command
+      ->add_option("--signals", arguments->signals,
+                   "filtered q, qd, qdd and torques, the model's torques, and which rows were used, as CSV")
+      ->check(kNotEmpty)
+      ->type_name("FILE.csv");
   command->add_option("--part", arguments->part, "read the k-th of N parts of the logs, and write what it says")
       ->type_name("k/N");
   add_identified_option(*command, arguments->parameters);
@@ -235,6 +315,7 @@ Run add_identify(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--offsets", arguments->offsets, "also a constant offset of each joint's torques");
   command->add_flag("--delay", arguments->delay, "also the time by which all torques are late; reads the logs again");
+  command->add_flag("--robust", arguments->robust, "Huber's weights: outliers count less; reads the logs again");
   command->add_flag("--gravity-direction", arguments->gravity_direction,
                     "also the direction of gravity, which is then written into the robot file; reads the logs twice");
   command->add_flag("--sequential", arguments->identification.sequential,

@@ -19,18 +19,18 @@ Estimate without_offsets(const Estimate& estimate, int parameters) {
   return result;
 }
 
-Estimate first_estimate(const TorqueEquations& equations, const Measurement& measurement, EstimateOptions options) {
-  options.acceleration_rows = equations.acceleration_rows();
-  return estimate(measurement.observations, equations.file_values(), options);
-}
-
 RowSample row_sample(const TorqueEquations& equations, const Measurement& measurement) {
-  const Estimate found = first_estimate(equations, measurement, {});
+  const Estimate found = estimate_of(equations, measurement, {});
   return {equations.model(), measurement,
           fit_quality(measurement.observations, measurement.logs, found.values, equations.acceleration_rows())};
 }
 
 }  // namespace
+
+Estimate estimate_of(const TorqueEquations& equations, const Measurement& measurement, EstimateOptions options) {
+  options.acceleration_rows = equations.acceleration_rows();
+  return estimate(measurement.observations, equations.file_values(), options);
+}
 
 Eigen::VectorXd Identification::physical_values() const {
   Eigen::VectorXd values = estimate.values;
@@ -44,7 +44,7 @@ Identification identification(const LoadedRobot& robot, const TorqueEquations& e
   Identification found;
   found.measurement = std::move(measurement);
   progress.step("estimating");
-  found.estimate = first_estimate(equations, found.measurement, options.estimate);
+  found.estimate = estimate_of(equations, found.measurement, options.estimate);
   if (options.sequential) {
     found.joint_by_joint = estimate_joint_by_joint(found.measurement.observations, equations.file_values());
   }
@@ -61,6 +61,12 @@ Identification identification(const LoadedRobot& robot, const TorqueEquations& e
     found.hypothesis = best_hypothesis(model, robot, found.measurement, found.fits);
   }
   return found;
+}
+
+void validate(Identification& found, const TorqueEquations& equations, Measurement validation) {
+  found.validation_fits =
+      fit_quality(validation.observations, validation.logs, found.estimate.values, equations.acceleration_rows());
+  found.validation = std::move(validation);
 }
 
 double remaining_delay(const TorqueEquations& equations, const Measurement& measurement) {

@@ -24,6 +24,8 @@ struct Identification {
   PhysicalParameters physical;
   std::vector<JointFit> fits;                // by joint
   std::optional<FitHypothesis> hypothesis;   // a reason for a model that does not fit
+  std::optional<Measurement> validation{};   // of other logs, which had no part in the estimate
+  std::vector<JointFit> validation_fits{};   // by joint
   double delay = 0;                          // by which torques were taken to be late, s
   std::vector<std::string> warning_texts{};  // sentences on results that are hardly right
 
@@ -31,8 +33,14 @@ struct Identification {
   Eigen::VectorXd physical_values() const;
 };
 
+// Estimates the parameters of the equations.
+Estimate estimate_of(const TorqueEquations& equations, const Measurement& measurement, EstimateOptions options);
+
 Identification identification(const LoadedRobot& robot, const TorqueEquations& equations, Measurement measurement,
                               const IdentificationOptions& options, Progress& progress);
+
+// Judges the parameters by other logs.
+void validate(Identification& found, const TorqueEquations& equations, Measurement validation);
 
 // By how much torques are late beyond what the measurement takes account of, s: from a sample of its rows.
 double remaining_delay(const TorqueEquations& equations, const Measurement& measurement);

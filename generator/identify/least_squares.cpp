@@ -137,6 +137,7 @@ Estimate estimate(const Observations& observations, const VectorXd& prior, const
   if (plausible > 0) damp_hidden_directions(solution, plausible);
   result.values = solution.values;
   result.standard_deviations = solution.spread.rowwise().norm();
+  result.covariance = solution.spread * solution.spread.transpose();
   for (std::size_t k = 0; k < solution.determined.size(); ++k) {
     if (!solution.determined[k])
       result.standard_deviations(static_cast<Index>(k)) = std::numeric_limits<double>::infinity();

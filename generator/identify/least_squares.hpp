@@ -25,6 +25,7 @@ struct Estimate {
   // r × b: |root_information (π_b - values)| is the distance from the estimate in standard deviations. Damped and
   // hidden directions have no row: a deviation along them costs nothing.
   Eigen::MatrixXd root_information;
+  Eigen::MatrixXd covariance;  // b²; finite also along directions that are not told
   int iterations = 0;
   bool converged = false;
 

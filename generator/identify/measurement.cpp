@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "input/common/content_hash.hpp"
@@ -49,6 +50,32 @@ std::vector<PlannedLog> planned_logs(const EquationModel& equations, const Mecha
   return planned;
 }
 
+// Rows times the roots of their weights.
+class WeightedRows {
+ public:
+  explicit WeightedRows(const EquationModel& model) : model_(model) {}
+
+  // The result is valid as long as this object.
+  FilteredEquations weighted(FilteredEquations rows, const RowWeight& weight) {
+    entries_.assign(rows.entries, rows.entries + model_.entries());
+    right_.assign(rows.right, rows.right + model_.equations());
+    auto entry = entries_.begin();
+    for (int i = 0; i < model_.equations(); ++i) {
+      const double root = std::sqrt(weight(rows, i));
+      right_[static_cast<std::size_t>(i)] *= root;
+      const auto end = entry + static_cast<std::ptrdiff_t>(model_.columns()[static_cast<std::size_t>(i)].size());
+      for (; entry != end; ++entry) *entry *= root;
+    }
+    rows.entries = entries_.data();
+    rows.right = right_.data();
+    return rows;
+  }
+
+ private:
+  const EquationModel& model_;
+  std::vector<double> entries_, right_;
+};
+
 }  // namespace
 
 std::vector<SampleFilter> Measurement::filters() const {
@@ -79,7 +106,7 @@ void set_shapes(Measurement& measurement) {
 
 Measurement measure(const EquationModel& equations, const Mechanism& mechanism,
                     const std::vector<std::filesystem::path>& logs, const StreamOptions& options, Progress& progress,
-                    Diagnostics& diagnostics) {
+                    Diagnostics& diagnostics, const RowWeight& weight, const LogSink& also) {
   ObservationFolder folder(equations);
   InstantSample instants;
   Measurement result;
@@ -91,8 +118,11 @@ Measurement measure(const EquationModel& equations, const Mechanism& mechanism,
     const StreamPlan& plan = log.plan;
     const LogDerivatives derivatives = derivatives_of(plan.layout());
     const NoiseShape shape = noise_shape(plan.filter, derivatives);
-    const auto sink = [&, at = static_cast<int>(result.logs.size())](const FilteredEquations& each) {
-      if (!shares.owns(each.line)) return;
+    const auto sink = [&, at = static_cast<int>(result.logs.size())](const FilteredEquations& filtered) {
+      if (!shares.owns(filtered.line)) return;
+      if (also) also(filtered, at);
+      WeightedRows rows(equations);
+      const FilteredEquations each = weight ? rows.weighted(filtered, weight) : filtered;
       folder.add(each);
       instants.offer(each, equations, at, shape);
       ++result.count.used;

@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,10 +44,16 @@ struct Measurement {
   std::vector<double> rest_speeds() const;
 };
 
-// Errors go into `diagnostics`, such as a log that is given twice; after an error the result is meaningless.
+// The weight of an equation's square in the fit.
+using RowWeight = std::function<double(const FilteredEquations& equations, int equation)>;
+// Receives the filtered equations of a log, given by its index.
+using LogSink = std::function<void(const FilteredEquations& equations, int log)>;
+
+// Reads logs of a robot's motion. `weight` may be null: all rows then count alike. Errors go into `diagnostics`, such
+// as a log that is given twice; after an error the result is meaningless.
 Measurement measure(const EquationModel& equations, const Mechanism& mechanism,
                     const std::vector<std::filesystem::path>& logs, const StreamOptions& options, Progress& progress,
-                    Diagnostics& diagnostics);
+                    Diagnostics& diagnostics, const RowWeight& weight = nullptr, const LogSink& also = nullptr);
 
 // Sets the noise shapes and correlations of the observations, from the logs.
 void set_shapes(Measurement& measurement);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "diagnostics/table.hpp"
 #include "report/numbers.hpp"
@@ -143,13 +144,42 @@ std::string physical_text(const PhysicalParameters& physical) {
       physical.largest_misfit, physical.converged ? "" : "; the search did not converge", physical.divergence);
 }
 
+// How the parameters do on other logs, in a table and a sentence.
+std::string validation_text(const TorqueModel& model, const Identification& found) {
+  constexpr double kMuch = 1.5;
+  if (!found.validation) return "";
+  std::vector<std::vector<std::string>> rows = {{"validation", "torque (rms)", "residual (rms)", "explained",
+                                                 "noise ratio", "correlation", "of the links", "used"}};
+  double worst = 0;
+  std::size_t of_joint = 0;
+  for (std::size_t i = 0; i < found.validation_fits.size(); ++i) {
+    const JointObservations& joint = found.validation->observations.joints[i];
+    const double torque = joint.rms_torque(), residual = joint.rms_residual(found.estimate.values);
+    const double part = torque > 0 ? residual / torque : 0;
+    const double before = found.measurement.observations.joints[i].rms_residual(found.estimate.values);
+    if (before > 0 && residual / before > worst) std::tie(worst, of_joint) = std::pair(residual / before, i);
+    rows.push_back({model.mechanism().joints()[i].joint, fmt::format("{:.4g}", torque), fmt::format("{:.3g}", residual),
+                    fmt::format("{:.4g} %", 100 * (1 - part * part)),
+                    fmt::format("{:.3g}", found.validation_fits[i].ratio),
+                    fmt::format("{:.2f}", found.validation_fits[i].correlation),
+                    fmt::format("{:.3g}", joint.rms_residual(found.physical_values())),
+                    fmt::format("{:.3g} %", 100.0 * static_cast<double>(joint.rows) /
+                                                static_cast<double>(found.validation->count.used))});
+  }
+  return "\n" + aligned_table(rows) +
+         fmt::format(
+             "{}: residuals are at most {:.2g} times those of the log that the parameters come from (joint {}).\n",
+             worst < kMuch ? "The parameters hold for other motions" : "The parameters do not hold for this motion",
+             worst, model.mechanism().joints()[of_joint].joint);
+}
+
 }  // namespace
 
 std::string describe_identification(const TorqueModel& model, const Identification& found) {
   const Estimate& estimate = found.estimate;
   return data_text(found.measurement, found.delay) + "\n" + torque_table(model, found) + "\n" +
          parameter_table(model, found) + conditioning_text(estimate) + untold_text(model, estimate) +
-         physical_text(found.physical);
+         physical_text(found.physical) + validation_text(model, found);
 }
 
 nlohmann::ordered_json identification_json(const TorqueModel& model, const Identification& found) {
@@ -197,6 +227,16 @@ nlohmann::ordered_json identification_json(const TorqueModel& model, const Ident
                       {"converged", found.physical.converged}};
   if (found.hypothesis) {
     json["hypothesis"] = {{"text", found.hypothesis->text}, {"explained", found.hypothesis->explained}};
+  }
+  for (std::size_t i = 0; i < found.validation_fits.size(); ++i) {
+    const JointObservations& joint = found.validation->observations.joints[i];
+    json["validation"].push_back({{"name", model.mechanism().joints()[i].joint},
+                                  {"rms_torque", joint.rms_torque()},
+                                  {"rms_residual", joint.rms_residual(estimate.values)},
+                                  {"rms_residual_of_links", joint.rms_residual(found.physical_values())},
+                                  {"noise_ratio", found.validation_fits[i].ratio},
+                                  {"residual_correlation", found.validation_fits[i].correlation},
+                                  {"rows", joint.rows}});
   }
   json["doubts"] = found.warning_texts;
   json["damped"] = json["hidden"] = nlohmann::ordered_json::array();

@@ -41,9 +41,10 @@ Panel half_panel(const Body& body, const std::string& what) {
 
 }  // namespace
 
-std::string residual_plot(const TorqueModel& model, const Identification& found, PictureFormat format) {
+std::string residual_plot(const TorqueModel& model, const Observations& observations, const Eigen::VectorXd& values,
+                          PictureFormat format) {
   const int n = model.joints();
-  const std::vector<EquationInstant>& samples = found.measurement.observations.instants;
+  const std::vector<EquationInstant>& samples = observations.instants;
   const bool is_one_log = samples.front().log == samples.back().log;
   std::vector<Panel> panels;
   for (const Body& body : model.mechanism().joints()) {
@@ -60,12 +61,11 @@ std::string residual_plot(const TorqueModel& model, const Identification& found,
     const double* entries = sample.entries.data();
     for (int i = 0; i < n; ++i) {
       const auto at = static_cast<std::size_t>(i);
-      const JointObservations& joint = found.measurement.observations.joints[at];
+      const JointObservations& joint = observations.joints[at];
       const auto count = static_cast<Eigen::Index>(joint.columns.size());
       const Eigen::Map<const Eigen::VectorXd> row(entries, count);
       add(panels[2 * at].series.front(), places[k], sample.right[at], is_new);
-      add(panels[2 * at + 1].series.front(), places[k],
-          sample.right[at] - row.dot(joint.restricted(found.estimate.values)), is_new);
+      add(panels[2 * at + 1].series.front(), places[k], sample.right[at] - row.dot(joint.restricted(values)), is_new);
       entries += count;
     }
   }

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/identification_files.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "symbolic/parameters/parameters.hpp"
+
+namespace flatdyn {
+namespace {
+
+std::string column_name(const TorqueModel& model, int k) {
+  if (k >= model.parameters()) return fmt::format("offset{}", k - model.parameters() + 1);
+  return parameter_name(model.base().columns[static_cast<std::size_t>(k)]);
+}
+
+}  // namespace
+
+std::string covariance_csv(const TorqueEquations& equations, const Estimate& estimate) {
+  std::string text = "parameter";
+  auto out = std::back_inserter(text);
+  const auto b = static_cast<int>(estimate.values.size());
+  for (int k = 0; k < b; ++k) fmt::format_to(out, ",{}", column_name(equations.model(), k));
+  const auto is_told = [&](int k) { return std::isfinite(estimate.standard_deviations(k)); };
+  for (int i = 0; i < b; ++i) {
+    fmt::format_to(out, "\n{}", column_name(equations.model(), i));
+    for (int k = 0; k < b; ++k) {
+      text += ',';
+      if (is_told(i) && is_told(k)) fmt::format_to(out, "{}", estimate.covariance(i, k));
+    }
+  }
+  return text + "\n";
+}
+
+SignalTable::SignalTable(const TorqueEquations& equations, Eigen::VectorXd values)
+    : equations_(equations), values_(std::move(values)), text_("log,t") {
+  const Mechanism& mechanism = equations.model().mechanism();
+  auto out = std::back_inserter(text_);
+  for (int i = 1; i <= mechanism.position_count(); ++i) fmt::format_to(out, ",q{}", i);
+  for (const char* name : {"qd", "qdd", "tau", "model", "used"}) {
+    for (int i = 1; i <= mechanism.size(); ++i) fmt::format_to(out, ",{}{}", name, i);
+  }
+  text_ += '\n';
+}
+
+void SignalTable::add(const FilteredEquations& filtered, int log) {
+  auto out = std::back_inserter(text_);
+  const auto put = [&](const double* from, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) fmt::format_to(out, ",{:.10g}", from[k]);
+  };
+  fmt::format_to(out, "{},{:.10g}", log + 1, filtered.motion.time);
+  put(filtered.motion.q, filtered.positions);
+  put(filtered.motion.qd, filtered.joints);
+  put(filtered.motion.qdd, filtered.joints);
+  put(filtered.right, filtered.joints);
+  const double* entries = filtered.entries;
+  for (const std::vector<int>& columns : equations_.columns()) {
+    double torque = 0;
+    for (const int column : columns) torque += *entries++ * values_[column];
+    put(&torque, 1);
+  }
+  for (std::size_t i = 0; i < filtered.joints; ++i) fmt::format_to(out, ",{}", filtered.used[i] != 0 ? 1 : 0);
+  text_ += '\n';
+}
+
+}  // namespace flatdyn
