@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <map>
 #include <sstream>
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "diagnostics/version.hpp"
+#include "identify/friction_search.hpp"
 #include "identify/huber.hpp"
 #include "identify/part_file.hpp"
 #include "plot/time_table.hpp"
@@ -18,13 +19,20 @@
 namespace flatdyn {
 namespace {
 
+const std::map<std::string, FrictionLaw> kFrictionLaws = {{"coulomb", FrictionLaw::coulomb},
+                                                          {"asymmetric", FrictionLaw::asymmetric},
+                                                          {"stribeck", FrictionLaw::stribeck},
+                                                          {"smooth", FrictionLaw::smooth}};
+
 struct IdentifyArguments : RobotArguments {
   std::vector<std::string> logs, parts;
   std::string output, part;
   std::string parameters;
   StreamOptions stream;
   IdentificationOptions identification;
-  bool offsets = false, delay = false, gravity_direction = false;
+  FurtherParameters further;
+  std::string friction = "coulomb";
+  bool delay = false, gravity_direction = false;
   bool robust = false;
   std::vector<std::string> validation;
   std::string plot, validation_plot, covariance, signals;
@@ -58,11 +66,13 @@ void check_identify_usage(const IdentifyArguments& arguments) {
     throw Failure(ExitCode::usage, "--band and --decimate have no effect with --merge",
                   "give them with --part, where the logs are read");
   }
-  const bool reads_again =
-      arguments.delay || arguments.gravity_direction || arguments.robust || !arguments.signals.empty();
+  const bool reads_again = arguments.delay || arguments.gravity_direction || arguments.robust ||
+                           !arguments.signals.empty() || has_speed(arguments.further.law);
   if ((!arguments.part.empty() || !arguments.parts.empty()) && reads_again) {
-    throw Failure(ExitCode::usage, "--delay, --gravity-direction, --robust and --signals read the logs more than once",
-                  "give them with --data, without --part");
+    throw Failure(
+        ExitCode::usage,
+        "--delay, --gravity-direction, --robust, --signals and friction with a speed read the logs more than once",
+        "give them with --data, without --part");
   }
   if (!arguments.part.empty() && (!arguments.validation.empty() || !arguments.covariance.empty())) {
     throw Failure(ExitCode::usage, "--validate and --covariance have no effect with --part", "give them with --merge");
@@ -193,12 +203,12 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-TextFile robot_file(const IdentifyArguments& arguments, const LoadedRobot& robot, const TorqueModel& model,
+TextFile robot_file(const IdentifyArguments& arguments, const LoadedRobot& robot, const TorqueEquations& equations,
                     const Identification& found) {
   IdentifiedRobot about{arguments.output,
                         {fmt::format("Identified by flatdyn {} from measured motion.", kProgramVersion), ""},
                         arguments.settings(robot)};
-  for (const std::string& line : lines_of(describe_identification(model, found))) about.comments.push_back(line);
+  for (const std::string& line : lines_of(describe_identification(equations, found))) about.comments.push_back(line);
   if (!found.warning_texts.empty()) about.comments.emplace_back();
   about.comments.insert(about.comments.end(), found.warning_texts.begin(), found.warning_texts.end());
   return {arguments.output, identified_robot_text(robot, arguments.identification.set, found.physical, about)};
@@ -212,7 +222,7 @@ std::vector<TextFile> result_files(const IdentifyArguments& arguments, const Loa
   const auto plot_of = [&](const Measurement& measurement, const std::string& file) {
     files.push_back({file, residual_plot(model, measurement.observations, values, picture_format(file))});
   };
-  if (!arguments.output.empty()) files.push_back(robot_file(arguments, robot, model, found));
+  if (!arguments.output.empty()) files.push_back(robot_file(arguments, robot, equations, found));
   if (!arguments.plot.empty()) plot_of(found.measurement, arguments.plot);
   if (!arguments.validation_plot.empty()) plot_of(*found.validation, arguments.validation_plot);
   if (!arguments.covariance.empty()) files.push_back({arguments.covariance, covariance_csv(equations, found.estimate)});
@@ -230,7 +240,7 @@ LoadedRobot with_gravity(IdentifyArguments& arguments, const LoadedRobot& robot,
     throw Failure(ExitCode::unsupported, "--gravity-direction is for robots without closed loops");
   }
   const TorqueModel model(robot, arguments.identification.set, progress);
-  const TorqueEquations equations(model, arguments.offsets);
+  const TorqueEquations equations(model, arguments.further);
   const Measurement measurement = logs.measured(equations);
   progress.step("finding gravity's direction");
   const Eigen::Vector3d gravity = best_gravity(robot, equations, measurement);
@@ -238,7 +248,19 @@ LoadedRobot with_gravity(IdentifyArguments& arguments, const LoadedRobot& robot,
   return load_robot(arguments.robot, arguments.options());
 }
 
+// Finds the speeds of a friction law from the logs.
+std::vector<double> speeds_of_friction(const TorqueModel& model, const FurtherParameters& further, Logs& logs,
+                                       Progress& progress) {
+  const TorqueEquations linear(model);
+  FurtherParameters with_dictionary{further.law, {}, false, friction_dictionary(linear, logs.measured(linear))};
+  const TorqueEquations equations(model, std::move(with_dictionary));
+  const Measurement measurement = logs.measured(equations);
+  progress.step("finding the speeds of the friction law");
+  return friction_speeds(equations, measurement);
+}
+
 ExitCode identify(IdentifyArguments arguments) {
+  arguments.further.law = kFrictionLaws.at(arguments.friction);
   check_identify_usage(arguments);
   StreamOptions stream = arguments.stream;
   if (!arguments.part.empty()) read_part(arguments.part, stream);
@@ -253,7 +275,9 @@ ExitCode identify(IdentifyArguments arguments) {
   Logs logs(arguments, stream, progress);
   if (arguments.gravity_direction) robot = with_gravity(arguments, robot, logs, progress);
   const TorqueModel model(robot, arguments.identification.set, progress);
-  const TorqueEquations equations(model, arguments.offsets);
+  if (has_speed(arguments.further.law))
+    arguments.further.speeds = speeds_of_friction(model, arguments.further, logs, progress);
+  const TorqueEquations equations(model, arguments.further);
   Measurement measurement = logs.measured(equations);
   if (!arguments.part.empty()) {
     write_files({{arguments.output, part_text(measurement, equations, stream)}});
@@ -270,7 +294,7 @@ ExitCode identify(IdentifyArguments arguments) {
   found.warning_texts = plausibility_warnings(model, found);
   arguments.warn_of(found.warning_texts, arguments.source());
   write_and_print(result_files(arguments, robot, equations, found, logs),
-                  {describe_identification(model, found), identification_json(model, found)}, arguments);
+                  {describe_identification(equations, found), identification_json(equations, found)}, arguments);
   return ExitCode::ok;
 }
 
@@ -313,7 +337,14 @@ Run add_identify(CLI::App& app) {
                    "directions whose relative singular value is below this stay near the file's values")
       ->check(number_between(0, 1))
       ->capture_default_str();
-  command->add_flag("--offsets", arguments->offsets, "also a constant offset of each joint's torques");
+  command
+      ->add_option(
+          "--friction", arguments->friction,
+          "the law: F_v qd + F_s sgn qd (coulomb); with other Coulomb friction backwards (asymmetric); with more "
+          "friction near rest (stribeck); or F_v qd + F_s tanh(qd/v) (smooth)")
+      ->check(CLI::IsMember({"coulomb", "asymmetric", "stribeck", "smooth"}))
+      ->capture_default_str();
+  command->add_flag("--offsets", arguments->further.offsets, "also a constant offset of each joint's torques");
   command->add_flag("--delay", arguments->delay, "also the time by which all torques are late; reads the logs again");
   command->add_flag("--robust", arguments->robust, "Huber's weights: outliers count less; reads the logs again");
   command->add_flag("--gravity-direction", arguments->gravity_direction,

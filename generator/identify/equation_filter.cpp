@@ -30,8 +30,6 @@ double between(double from, double slope_from, double to, double slope_to, doubl
   return v * v * (from * (1 + 2 * u) + step * slope_from * u) + u * u * (to * (1 + 2 * v) - step * slope_to * v);
 }
 
-double sign(double value) { return static_cast<double>((value > 0) - (value < 0)); }
-
 }  // namespace
 
 EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& model, EquationSink sink)
@@ -60,6 +58,7 @@ EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& mode
       right_(model.equations()),
       rates_(model.equations()),
       motion_(layout_.positions + 2 * n_),
+      speeds_(n_),
       used_(static_cast<std::size_t>(model.equations()), 1) {}
 
 void EquationFilter::restart() {
@@ -167,9 +166,12 @@ void EquationFilter::push_sample(const GridMotion& from, const GridMotion& to, i
     const bool rests = from.rests[at] != 0 || to.rests[at] != 0;
     double speed = rests ? 0 : between(from.qd[j], from.qdd[j], to.qd[j], to.qdd[j], step, share);
     if (!rests && plan_.filter.band > 0 && sticks(j, static_cast<int>(newest - index), speed)) speed = 0;
-    sample[speeds_at() + j] = speed;
-    sample[signs_at() + j] = sign(speed);
+    speeds_[j] = speed;
     sample[unsure_at() + j] = std::abs(speed) < kUnsure * plan_.rest_speed[at] ? 1 : 0;
+  }
+  for (std::size_t k = 0; k < model_.friction().size(); ++k) {
+    const FrictionEntry& each = model_.friction()[k];
+    sample[friction_at() + static_cast<int>(k)] = each.value(speeds_[each.joint]);
   }
 }
 
@@ -181,11 +183,10 @@ void EquationFilter::pass_on(long index) {
   right_.noalias() =
       samples_window_.block(samples_back, samples, measured_at(), model_.equations()).transpose() * measured_weights_;
   right_.noalias() -= rows_.block(rows_back, rows, known(), model_.equations()).transpose() * row_weights_;
+  const auto laws = static_cast<int>(model_.friction().size());
   const VectorXd friction =
-      samples_window_.block(samples_back, samples, speeds_at(), 2 * n_).transpose() * sample_weights_;
-  for (const FrictionEntry& each : model_.friction()) {
-    entries_[each.entry] = friction[each.joint + (each.law == FrictionEntry::Law::coulomb ? n_ : 0)];
-  }
+      samples_window_.block(samples_back, samples, friction_at(), laws).transpose() * sample_weights_;
+  for (int k = 0; k < laws; ++k) entries_[model_.friction()[static_cast<std::size_t>(k)].entry] = friction[k];
   const VectorXd unsure =
       samples_window_.block(samples_back, samples, unsure_at(), n_).transpose() * sample_weights_.cwiseAbs();
   for (int i = 0; i < model_.equations(); ++i) {

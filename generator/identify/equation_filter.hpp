@@ -57,9 +57,8 @@ class EquationFilter : public SampleReceiver {
   static constexpr int time_at() { return 0; }
   static constexpr int line_at() { return 1; }
   static constexpr int measured_at() { return 2; }
-  int speeds_at() const { return measured_at() + model_.equations(); }
-  int signs_at() const { return speeds_at() + n_; }
-  int unsure_at() const { return signs_at() + n_; }
+  int friction_at() const { return measured_at() + model_.equations(); }
+  int unsure_at() const { return friction_at() + static_cast<int>(model_.friction().size()); }
 
   const StreamPlan& plan_;
   const EquationModel& model_;
@@ -77,7 +76,7 @@ class EquationFilter : public SampleReceiver {
   std::vector<int> slow_;             // by joint: for how many strides it has been slow
   long samples_ = 0, motions_ = 0;    // since the restart
   long first_index_ = 0;              // RawSample::index of the first sample since the restart
-  Eigen::VectorXd entries_, right_, rates_, motion_;
+  Eigen::VectorXd entries_, right_, rates_, motion_, speeds_;
   std::vector<std::uint8_t> used_;
 };
 

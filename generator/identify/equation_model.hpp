@@ -16,13 +16,22 @@ struct MeasuredMotion {
   const double *q = nullptr, *qd = nullptr, *qdd = nullptr, *h_e = nullptr;
 };
 
-// An entry of Y that is a joint's speed (F_v) or its sign (F_s).
+// An entry of Y that is a function of a joint's speed.
 struct FrictionEntry {
-  enum class Law : std::uint8_t { viscous, coulomb };
+  enum class Law : std::uint8_t {
+    viscous,    // q̇, times F_v
+    coulomb,    // sgn q̇, times F_s
+    asymmetry,  // |sgn q̇|, times half the difference of Coulomb friction in the two directions
+    stribeck,   // exp(-(q̇/v)²) sgn q̇, times what friction near rest has more than F_s
+    smooth      // tanh(q̇/v), times F_s
+  };
 
   int entry = 0;  // index among the entries of Y
   int joint = 0;
   Law law = Law::viscous;
+  double speed = 1;  // v, rad/s or m/s
+
+  double value(double rate) const;
 };
 
 class EquationModel {
@@ -52,14 +61,10 @@ class EquationModel {
   virtual int measured(const LogLayout& layout) const = 0;
 
  protected:
-  explicit EquationModel(int parameters) : parameters_(parameters) {}
-
   std::vector<std::vector<int>> columns_;
   std::vector<FrictionEntry> friction_;
   std::vector<bool> has_friction_;
-
- private:
-  int parameters_;
+  int parameters_ = 0;
 };
 
 }  // namespace flatdyn

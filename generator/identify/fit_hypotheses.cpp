@@ -22,8 +22,8 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 // The place of the lowest value between two places, by thirds.
 double lowest(double low, double high, const std::function<double(double)>& value) {
-  constexpr int kRounds = 14;
-  for (int round = 0; round < kRounds; ++round) {
+  constexpr int kThirds = 14;
+  for (int round = 0; round < kThirds; ++round) {
     const double a = low + (high - low) / 3, b = high - (high - low) / 3;
     const bool is_lower = value(a) < value(b);
     (is_lower ? high : low) = is_lower ? b : a;

@@ -38,7 +38,8 @@ AffineRows affine_rows(const TorqueModel& model, const LoadedRobot& robot, const
   for (const RowSample::Instant& instant : rows.instants()) {
     const VectorXd zero = VectorXd::Zero(instant.qd.size());
     for (int d = -1; d < 3; ++d) {
-      MatrixXd Y(instant.qd.size(), static_cast<Index>(units.size()));
+      const Index more = instant.Y.cols() - model.parameters();
+      MatrixXd Y = MatrixXd::Zero(instant.qd.size(), static_cast<Index>(units.size()) + more);
       for (std::size_t k = 0; k < units.size(); ++k) {
         units[k].gravity = d < 0 ? Vector3d::Zero().eval() : Vector3d::Unit(d).eval();
         Y.col(static_cast<Index>(k)) = reference::inverse_dynamics<double>(
@@ -50,6 +51,7 @@ AffineRows affine_rows(const TorqueModel& model, const LoadedRobot& robot, const
           const Parameter parameter = parameter_of(index);
           if (parameter == Parameter::Fv || parameter == Parameter::Fs) Y.col(index) = instant.Y.col(k);
         }
+        Y.rightCols(more) = instant.Y.rightCols(more);
       }
       (d < 0 ? result.still : result.of[d]).push_back(std::move(Y));
     }

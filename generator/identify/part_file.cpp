@@ -38,8 +38,9 @@ Eigen::MatrixXd upper_triangle(const ordered_json& list, Eigen::Index size) {
 }
 
 // The settings that all parts must share to be joined.
-ordered_json settings(const StreamOptions& options, bool offsets) {
-  ordered_json json = {{"parts", options.parts}, {"offsets", offsets}};
+ordered_json settings(const StreamOptions& options, const FurtherParameters& further) {
+  ordered_json json = {
+      {"parts", options.parts}, {"offsets", further.offsets}, {"friction", static_cast<int>(further.law)}};
   json["band"] = options.band ? ordered_json(*options.band) : ordered_json();
   json["rest_speed"] = options.rest_speed;
   json["decimate"] = options.decimate ? ordered_json(*options.decimate) : ordered_json();
@@ -218,7 +219,7 @@ std::string part_text(const Measurement& measurement, const TorqueEquations& equ
                        {"flatdyn", kProgramVersion},
                        {"model", equations.model().fingerprint()},
                        {"part", options.part},
-                       {"settings", settings(options, equations.has_offsets())},
+                       {"settings", settings(options, equations.further())},
                        {"logs", logs_of(measurement)},
                        {"lines", measurement.count.lines},
                        {"used", measurement.count.used},

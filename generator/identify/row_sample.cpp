@@ -27,7 +27,7 @@ VectorXd as_vector(const std::vector<double>& values) {
 }  // namespace
 
 RowSample::RowSample(const TorqueModel& model, const Measurement& measurement, const std::vector<JointFit>& fits)
-    : model_(model) {
+    : model_(model), parameters_(measurement.observations.parameters) {
   constexpr double kLeastNoise = 1e-3;  // share of the torque: sharper rows would follow the filter's errors
   const Observations& observations = measurement.observations;
   const std::vector<EquationInstant>& instants = observations.instants;
@@ -39,12 +39,11 @@ RowSample::RowSample(const TorqueModel& model, const Measurement& measurement, c
                     as_vector(from.qdd),
                     as_vector(from.right),
                     as_vector(from.measured_rates),
-                    MatrixXd::Zero(model.joints(), model.parameters())};
+                    MatrixXd::Zero(model.joints(), observations.parameters)};
     const double* entries = from.entries.data();
     for (int i = 0; i < model.joints(); ++i) {
       for (const int column : observations.joints[static_cast<std::size_t>(i)].columns) {
-        if (column < model.parameters()) instant.Y(i, column) = *entries;
-        ++entries;
+        instant.Y(i, column) = *entries++;
       }
       instant.used.push_back(from.used[static_cast<std::size_t>(i)] != 0);
     }
@@ -78,7 +77,7 @@ double RowSample::least(const Normal& normal, VectorXd* solution) {
 }
 
 RowSample::Normal RowSample::joint_normal(int joint, int torques_of) const {
-  const Index b = model_.parameters();
+  const Index b = parameters_;
   Normal normal{MatrixXd::Zero(b, b), VectorXd::Zero(b)};
   for (const Instant& instant : instants_) {
     if (!instant.used[static_cast<std::size_t>(joint)]) continue;
@@ -88,7 +87,7 @@ RowSample::Normal RowSample::joint_normal(int joint, int torques_of) const {
 }
 
 RowSample::Normal RowSample::sum_without(int joint, int other) const {
-  const Index b = model_.parameters();
+  const Index b = parameters_;
   Normal sum{MatrixXd::Zero(b, b), VectorXd::Zero(b)};
   for (int i = 0; i < model_.joints(); ++i) {
     if (i == joint || i == other) continue;
@@ -131,7 +130,7 @@ double RowSample::cost_with_exchanged_torques(int joint, int other) const {
 }
 
 double RowSample::cost_with_torque_offset(int joint, double& offset) const {
-  const Index b = model_.parameters();
+  const Index b = parameters_;
   const Normal rest = sum_without(joint);
   Normal sum{MatrixXd::Zero(b + 1, b + 1), VectorXd::Zero(b + 1), rest.s};
   sum.H.topLeftCorner(b, b) = rest.H;
@@ -150,7 +149,7 @@ double RowSample::cost_with_torque_offset(int joint, double& offset) const {
 
 // Torques that are late by δ are τ(t - δ), so that Y π = τ + δ dτ/dt to first order.
 double RowSample::cost_with_delay(double& delay) const {
-  const Index b = model_.parameters();
+  const Index b = parameters_;
   Normal sum{MatrixXd::Zero(b + 1, b + 1), VectorXd::Zero(b + 1)};
   for (const Instant& instant : instants_) {
     for (int i = 0; i < model_.joints(); ++i) {
@@ -200,7 +199,9 @@ double RowSample::cost_of_changed(const std::function<void(Instant&)>& change,
         if (is_friction(model_, k) && parameter_of(index) == kind) y(joint_of(index), k) = friction[joint_of(index)];
       }
     }
-    rows.emplace_back(y);
+    MatrixXd all = instant.Y;
+    all.leftCols(model_.parameters()) = y;
+    rows.push_back(std::move(all));
   }
   return cost_of(rows);
 }

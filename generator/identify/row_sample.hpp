@@ -30,7 +30,7 @@ class RowSample {
   struct Instant {
     Eigen::VectorXd q, qd, qdd, tau;
     Eigen::VectorXd tau_rate;  // dτ/dt
-    Eigen::MatrixXd Y;         // n × b, filtered
+    Eigen::MatrixXd Y;         // n × all parameters, filtered
     std::vector<bool> used{};  // by joint
   };
   const std::vector<Instant>& instants() const { return instants_; }
@@ -52,6 +52,7 @@ class RowSample {
                          const std::function<void(Eigen::VectorXd&)>& map) const;
 
   const TorqueModel& model_;
+  int parameters_;  // with those behind π_b
   std::vector<Instant> instants_;
   std::vector<double> weights_;  // 1/σ_i²
   std::vector<Normal> normals_;  // by joint

@@ -43,9 +43,8 @@ Eigen::Matrix<double, kWrench, kInertialPerBody> wrench_regressor(const referenc
 }  // namespace
 
 WristEquations::WristEquations(const Robot& robot)
-    : EquationModel(kUnknowns),
-      robot_(reference_robot<double>(robot, {})),
-      joints_(static_cast<int>(moving_joints(robot).size())) {
+    : robot_(reference_robot<double>(robot, {})), joints_(static_cast<int>(moving_joints(robot).size())) {
+  parameters_ = kUnknowns;
   std::vector<int> inertial(kInertialPerBody);
   std::iota(inertial.begin(), inertial.end(), 0);
   for (int k = 0; k < kWrench; ++k) {

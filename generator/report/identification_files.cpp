@@ -6,26 +6,15 @@
 #include <cmath>
 #include <iterator>
 
-#include "symbolic/parameters/parameters.hpp"
-
 namespace flatdyn {
-namespace {
-
-std::string column_name(const TorqueModel& model, int k) {
-  if (k >= model.parameters()) return fmt::format("offset{}", k - model.parameters() + 1);
-  return parameter_name(model.base().columns[static_cast<std::size_t>(k)]);
-}
-
-}  // namespace
-
 std::string covariance_csv(const TorqueEquations& equations, const Estimate& estimate) {
   std::string text = "parameter";
   auto out = std::back_inserter(text);
   const auto b = static_cast<int>(estimate.values.size());
-  for (int k = 0; k < b; ++k) fmt::format_to(out, ",{}", column_name(equations.model(), k));
+  for (int k = 0; k < b; ++k) fmt::format_to(out, ",{}", equations.names()[static_cast<std::size_t>(k)]);
   const auto is_told = [&](int k) { return std::isfinite(estimate.standard_deviations(k)); };
   for (int i = 0; i < b; ++i) {
-    fmt::format_to(out, "\n{}", column_name(equations.model(), i));
+    fmt::format_to(out, "\n{}", equations.names()[static_cast<std::size_t>(i)]);
     for (int k = 0; k < b; ++k) {
       text += ',';
       if (is_told(i) && is_told(k)) fmt::format_to(out, "{}", estimate.covariance(i, k));

@@ -14,14 +14,8 @@
 namespace flatdyn {
 namespace {
 
-// The name of a base parameter, or of a joint's offset behind them.
-std::string parameter_label(const TorqueModel& model, int k) {
-  if (k >= model.parameters()) return fmt::format("offset{}", k - model.parameters() + 1);
-  return parameter_name(model.base().columns[static_cast<std::size_t>(k)]);
-}
-
 // The parameters that make up nearly all of a unit direction, largest first.
-std::string main_parameters(const TorqueModel& model, const Eigen::VectorXd& components) {
+std::string main_parameters(const TorqueEquations& equations, const Eigen::VectorXd& components) {
   constexpr double kShown = 0.2;
   std::vector<int> indices;
   for (Eigen::Index k = 0; k < components.size(); ++k) {
@@ -30,7 +24,7 @@ std::string main_parameters(const TorqueModel& model, const Eigen::VectorXd& com
   std::stable_sort(indices.begin(), indices.end(),
                    [&](int a, int b) { return std::abs(components(a)) > std::abs(components(b)); });
   std::string names;
-  for (const int k : indices) names += " " + parameter_label(model, k);
+  for (const int k : indices) names += " " + equations.names()[static_cast<std::size_t>(k)];
   return names;
 }
 
@@ -76,7 +70,27 @@ std::string torque_table(const TorqueModel& model, const Identification& found) 
          "apart.\nSound logs have 1 to 1.3 and less than 0.45. Rests below: rad/s or m/s. Used: share of rows.\n";
 }
 
-std::string parameter_table(const TorqueModel& model, const Identification& found) {
+// The meaning of a parameter behind π_b.
+std::string meaning_of(const TorqueEquations& equations, const std::string& name) {
+  const char* const of_law = equations.further().law == FrictionLaw::asymmetric
+                                 ? "half of what Coulomb friction forwards has more than backwards"
+                                 : "what friction near rest has more than F_s";
+  return name.front() == 'o' ? "added to all torques of the joint" : of_law;
+}
+
+// The speeds of a friction law that has them.
+std::string speeds_text(const TorqueEquations& equations) {
+  if (!has_speed(equations.further().law)) return "";
+  const char* const law = equations.further().law == FrictionLaw::smooth
+                              ? "friction is F_v qd + F_s tanh(qd/v)"
+                              : "friction is F_v qd + (F_s + F_b exp(-(qd/v)^2)) sgn qd";
+  std::string text = fmt::format("{}, with v in rad/s or m/s, by joint:", law);
+  for (const double speed : equations.further().speeds) text += fmt::format(" {:.3g}", speed);
+  return text + "\n";
+}
+
+std::string parameter_table(const TorqueEquations& equations, const Identification& found) {
+  const TorqueModel& model = equations.model();
   std::vector<std::vector<std::string>> rows = {{"pi_b", "value", "std dev", "relative", "file", "combination"}};
   if (found.joint_by_joint) rows.front().insert(rows.front().begin() + 4, "joint by joint");
   for (int k = 0; k < model.parameters(); ++k) {
@@ -91,21 +105,21 @@ std::string parameter_table(const TorqueModel& model, const Identification& foun
     if (found.joint_by_joint) row.insert(row.begin() + 4, fmt::format("{:.6g}", (*found.joint_by_joint)(k)));
     rows.push_back(std::move(row));
   }
-  for (int k = model.parameters(); k < static_cast<int>(found.estimate.values.size()); ++k) {
-    const auto& joint = model.mechanism().joints()[static_cast<std::size_t>(k - model.parameters())];
-    std::vector<std::string> row = {parameter_label(model, k),
+  for (int k = model.parameters(); k < equations.parameters(); ++k) {
+    const std::string& name = equations.names()[static_cast<std::size_t>(k)];
+    std::vector<std::string> row = {name,
                                     fmt::format("{:.6g}", found.estimate.values(k)),
                                     deviation_text(found.estimate.standard_deviations(k)),
                                     "",
                                     "",
-                                    fmt::format("added to all torques of {}", joint.joint)};
+                                    meaning_of(equations, name)};
     if (found.joint_by_joint) row.insert(row.begin() + 4, fmt::format("{:.6g}", (*found.joint_by_joint)(k)));
     rows.push_back(std::move(row));
   }
-  return aligned_table(rows);
+  return aligned_table(rows) + speeds_text(equations);
 }
 
-std::string untold_text(const TorqueModel& model, const Estimate& estimate) {
+std::string untold_text(const TorqueEquations& equations, const Estimate& estimate) {
   std::string text;
   if (!estimate.damped.empty()) {
     text +=
@@ -113,7 +127,7 @@ std::string untold_text(const TorqueModel& model, const Estimate& estimate) {
         "squares), but their parameters may lie in others, too. Relative singular value and parameters of each:\n";
   }
   for (const auto& [singular_value, components] : estimate.damped) {
-    text += fmt::format("  {:8.1e} {}\n", singular_value, main_parameters(model, components));
+    text += fmt::format("  {:8.1e} {}\n", singular_value, main_parameters(equations, components));
   }
   if (!estimate.hidden.empty()) {
     text +=
@@ -121,7 +135,7 @@ std::string untold_text(const TorqueModel& model, const Estimate& estimate) {
         "values stay near the file's. Standard deviation without that, and parameters of each:\n";
   }
   for (const auto& [deviation, components] : estimate.hidden) {
-    text += fmt::format("  {:8.1e} {}\n", deviation, main_parameters(model, components));
+    text += fmt::format("  {:8.1e} {}\n", deviation, main_parameters(equations, components));
   }
   return text;
 }
@@ -175,14 +189,16 @@ std::string validation_text(const TorqueModel& model, const Identification& foun
 
 }  // namespace
 
-std::string describe_identification(const TorqueModel& model, const Identification& found) {
+std::string describe_identification(const TorqueEquations& equations, const Identification& found) {
+  const TorqueModel& model = equations.model();
   const Estimate& estimate = found.estimate;
   return data_text(found.measurement, found.delay) + "\n" + torque_table(model, found) + "\n" +
-         parameter_table(model, found) + conditioning_text(estimate) + untold_text(model, estimate) +
+         parameter_table(equations, found) + conditioning_text(estimate) + untold_text(equations, estimate) +
          physical_text(found.physical) + validation_text(model, found);
 }
 
-nlohmann::ordered_json identification_json(const TorqueModel& model, const Identification& found) {
+nlohmann::ordered_json identification_json(const TorqueEquations& equations, const Identification& found) {
+  const TorqueModel& model = equations.model();
   const Estimate& estimate = found.estimate;
   nlohmann::ordered_json json = {{"samples", found.measurement.count.lines},
                                  {"used", found.measurement.count.used},
@@ -213,10 +229,13 @@ nlohmann::ordered_json identification_json(const TorqueModel& model, const Ident
                                        {"file", model.file_values()[static_cast<std::size_t>(k)]}});
     if (found.joint_by_joint) json["base_parameters"].back()["joint_by_joint"] = (*found.joint_by_joint)(k);
   }
-  json["offsets"] = nlohmann::ordered_json::array();
-  for (Eigen::Index k = model.parameters(); k < estimate.values.size(); ++k) {
-    json["offsets"].push_back({{"value", estimate.values(k)}, {"standard_deviation", estimate.standard_deviations(k)}});
+  json["further_parameters"] = nlohmann::ordered_json::array();
+  for (int k = model.parameters(); k < equations.parameters(); ++k) {
+    json["further_parameters"].push_back({{"name", equations.names()[static_cast<std::size_t>(k)]},
+                                          {"value", estimate.values(k)},
+                                          {"standard_deviation", estimate.standard_deviations(k)}});
   }
+  json["friction_speeds"] = equations.further().speeds;
   json["delay"] = found.delay;
   json["singular_values"] = list(estimate.singular_values);
   json["condition_number"] = estimate.condition();

@@ -12,7 +12,7 @@ namespace flatdyn {
 // Sentences on results that are hardly right, each with a possible reason.
 std::vector<std::string> plausibility_warnings(const TorqueModel& model, const Identification& found);
 
-std::string describe_identification(const TorqueModel& model, const Identification& found);
-nlohmann::ordered_json identification_json(const TorqueModel& model, const Identification& found);
+std::string describe_identification(const TorqueEquations& equations, const Identification& found);
+nlohmann::ordered_json identification_json(const TorqueEquations& equations, const Identification& found);
 
 }  // namespace flatdyn

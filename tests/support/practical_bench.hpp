@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "identify/huber.hpp"
 #include "identify/least_squares.hpp"
 #include "identify/measurement.hpp"
 #include "identify/torque_equations.hpp"
@@ -43,13 +44,14 @@ class PracticalBench {
   }
 
   Measurement measured(const std::vector<SimulatedSample>& samples, double step, double noise, unsigned seed = 1,
-                       const StreamOptions& options = {}, const TorqueEquations* other = nullptr) {
+                       const StreamOptions& options = {}, const TorqueEquations* other = nullptr,
+                       const RowWeight& weight = nullptr) {
     const std::filesystem::path path =
         std::filesystem::temp_directory_path() / fmt::format("flatdyn-practical-{}.csv", ::getpid());
     write_practical_log(path, arm_, samples, step, noise, seed);
     Diagnostics found;
     Measurement measurement =
-        measure(other != nullptr ? *other : equations_, plain_.mechanism, {path}, options, quiet_, found);
+        measure(other != nullptr ? *other : equations_, plain_.mechanism, {path}, options, quiet_, found, weight);
     std::filesystem::remove(path);
     EXPECT_FALSE(found.has_errors());
     warnings.clear();
@@ -62,6 +64,16 @@ class PracticalBench {
     options.damping = damping;
     options.acceleration_rows = acceleration_rows();
     return estimate(measurement.observations, equations_.file_values(), options);
+  }
+
+  // With Huber's weights, three times.
+  Estimate robustly_estimated(const std::vector<SimulatedSample>& samples, double step, double noise) {
+    Measurement measurement = measured(samples, step, noise);
+    for (int round = 0; round < 3; ++round) {
+      const RowWeight weight = huber_weights(equations_, measurement, estimated(measurement).values);
+      measurement = measured(samples, step, noise, 1, {}, nullptr, weight);
+    }
+    return estimated(measurement);
   }
 
   std::vector<std::string> warnings;  // of the log that was measured last

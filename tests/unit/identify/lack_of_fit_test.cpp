@@ -120,7 +120,7 @@ TEST_F(LackOfFit, ByOffsetsGoesWithThem) {
   for (SimulatedSample& sample : samples) {
     for (int i = 0; i < 6; ++i) sample.tau(i) += offsets[i];
   }
-  const TorqueEquations equations(bench.model(), true);
+  const TorqueEquations equations(bench.model(), {.offsets = true});
   const Measurement measurement = bench.measured(samples, kEncoderStep, 1, 1, {}, &equations);
   EstimateOptions options;
   options.acceleration_rows = equations.acceleration_rows();

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/friction_search.hpp"
+
+#include <ceres/ceres.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "identify/identification.hpp"
+#include "identify/triangular_factor.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int kSpeeds = 12;
+
+// Weights of the columns of a dictionary for a speed between its own, by cubic polynomials in the logarithm.
+struct Interpolation {
+  VectorXd weights, slopes;  // slopes: by the place
+};
+
+// place: 0 … size - 1.
+Interpolation interpolation(double place, Index size) {
+  Interpolation result{VectorXd::Zero(size), VectorXd::Zero(size)};
+  const Index first = std::clamp<Index>(static_cast<Index>(std::floor(place)) - 1, 0, size - 4);
+  const double x = place - static_cast<double>(first);
+  for (Index k = 0; k < 4; ++k) {
+    double value = 1, slope = 0;
+    for (Index other = 0; other < 4; ++other) {
+      if (other == k) continue;
+      const double span = static_cast<double>(k - other);
+      slope = slope * (x - static_cast<double>(other)) / span + value / span;
+      value *= (x - static_cast<double>(other)) / span;
+    }
+    result.weights[first + k] = value;
+    result.slopes[first + k] = slope;
+  }
+  return result;
+}
+
+// The weighted rows of all instants, folded: |R (x, -1)|² is the sum of the squares of their residuals.
+MatrixXd folded_rows(const Observations& observations, const std::vector<JointFit>& fits) {
+  TriangularFactor factor(observations.parameters);
+  for (const EquationInstant& instant : observations.instants) {
+    const double* entries = instant.entries.data();
+    for (std::size_t i = 0; i < instant.used.size(); ++i) {
+      const std::vector<int>& columns = observations.joints[i].columns;
+      if (instant.used[i] != 0 && fits[i].expected > 0) {
+        auto row = factor.next_row();
+        row.setZero();
+        for (std::size_t k = 0; k < columns.size(); ++k) row[columns[k]] = entries[k] / fits[i].expected;
+        row[observations.parameters] = instant.right[i] / fits[i].expected;
+      }
+      entries += columns.size();
+    }
+  }
+  return factor.factor();
+}
+
+// Where the columns of one joint's dictionary are.
+struct Dictionary {
+  int joint = 0;
+  Index first = 0;
+  std::vector<double> speeds;
+
+  double speed_at(double place) const {
+    const double part = place / static_cast<double>(speeds.size() - 1);
+    return speeds.front() * std::pow(speeds.back() / speeds.front(), part);
+  }
+};
+
+// Residuals R (x, -1), where x has π and each joint's amplitude times its interpolated columns.
+class FrictionCost : public ceres::CostFunction {
+ public:
+  FrictionCost(MatrixXd R, const std::vector<Dictionary>& dictionaries, Index linear)
+      : R_(std::move(R)), dictionaries_(dictionaries), linear_(linear) {
+    set_num_residuals(static_cast<int>(R_.rows()));
+    for (const Index size : {linear_, joints(), joints()})
+      mutable_parameter_block_sizes()->push_back(static_cast<int>(size));
+  }
+
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+    using RowByRow = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Eigen::Map<VectorXd> r(residuals, R_.rows());
+    r = R_.leftCols(linear_) * Eigen::Map<const VectorXd>(parameters[0], linear_) - R_.rightCols<1>();
+    if (jacobians != nullptr && jacobians[0] != nullptr) {
+      Eigen::Map<RowByRow>(jacobians[0], R_.rows(), linear_) = R_.leftCols(linear_);
+    }
+    for (Index j = 0; j < joints(); ++j) {
+      const Dictionary& each = dictionaries_[static_cast<std::size_t>(j)];
+      const auto size = static_cast<Index>(each.speeds.size());
+      const auto [weights, slopes] = interpolation(parameters[2][j], size);
+      const auto columns = R_.middleCols(each.first, size);
+      const VectorXd by_amplitude = columns * weights;
+      r += parameters[1][j] * by_amplitude;
+      if (jacobians == nullptr) continue;
+      if (jacobians[1] != nullptr) Eigen::Map<RowByRow>(jacobians[1], R_.rows(), joints()).col(j) = by_amplitude;
+      if (jacobians[2] != nullptr) {
+        Eigen::Map<RowByRow>(jacobians[2], R_.rows(), joints()).col(j) = parameters[1][j] * (columns * slopes);
+      }
+    }
+    return true;
+  }
+
+ private:
+  Index joints() const { return static_cast<Index>(dictionaries_.size()); }
+
+  MatrixXd R_;
+  const std::vector<Dictionary>& dictionaries_;
+  Index linear_;
+};
+
+std::vector<Dictionary> dictionaries_of(const TorqueEquations& equations) {
+  std::vector<Dictionary> result;
+  Index first = equations.model().parameters();
+  for (int j = 0; j < equations.equations(); ++j) {
+    const auto more =
+        static_cast<Index>(std::count_if(equations.columns()[static_cast<std::size_t>(j)].begin(),
+                                         equations.columns()[static_cast<std::size_t>(j)].end(),
+                                         [&](int column) { return column >= equations.model().parameters(); }));
+    if (more >= kSpeeds) result.push_back({j, first, equations.further().dictionary[static_cast<std::size_t>(j)]});
+    first += std::min<Index>(more, kSpeeds);
+  }
+  return result;
+}
+
+// The places with least cost if all joints have the same, with the amplitudes and the linear parameters found there.
+void start(const MatrixXd& R, const std::vector<Dictionary>& dictionaries, VectorXd& pi, VectorXd& amplitudes,
+           VectorXd& places) {
+  double least = HUGE_VAL;
+  const Index linear = pi.size(), joints = amplitudes.size();
+  for (Index place = 0; place < kSpeeds; ++place) {
+    MatrixXd A(R.rows(), linear + joints);
+    A.leftCols(linear) = R.leftCols(linear);
+    for (Index j = 0; j < joints; ++j) {
+      A.col(linear + j) = R.col(dictionaries[static_cast<std::size_t>(j)].first + place);
+    }
+    const VectorXd x = A.completeOrthogonalDecomposition().solve(R.rightCols<1>());
+    const double cost = (A * x - R.rightCols<1>()).squaredNorm();
+    if (cost >= least) continue;
+    least = cost;
+    pi = x.head(linear);
+    amplitudes = x.tail(joints);
+    places.setConstant(static_cast<double>(place));
+  }
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> friction_dictionary(const TorqueEquations& equations, const Measurement& measurement) {
+  constexpr double kSlowest = 2, kLeast = 1e-3, kFastest = 0.7;  // of the rest speed; of the largest speed
+  const std::vector<double> rest = measurement.rest_speeds();
+  std::vector<std::vector<double>> dictionary;
+  for (std::size_t j = 0; j < static_cast<std::size_t>(equations.equations()); ++j) {
+    double largest = 0;
+    for (const EquationInstant& instant : measurement.observations.instants) {
+      largest = std::max(largest, std::abs(instant.qd[j]));
+    }
+    const double last = std::max(kFastest * largest, 1e-6),
+                 first = std::min(std::max(kSlowest * rest[j], kLeast * largest), last / 2);
+    dictionary.emplace_back();
+    for (int k = 0; k < kSpeeds; ++k) {
+      dictionary.back().push_back(first * std::pow(last / first, static_cast<double>(k) / (kSpeeds - 1)));
+    }
+  }
+  return dictionary;
+}
+
+std::vector<double> friction_speeds(const TorqueEquations& equations, const Measurement& measurement) {
+  const std::vector<Dictionary> dictionaries = dictionaries_of(equations);
+  std::vector<double> speeds(static_cast<std::size_t>(equations.equations()), 1);
+  if (dictionaries.empty()) return speeds;
+  const VectorXd values = estimate_of(equations, measurement, {}).values;
+  MatrixXd R = folded_rows(measurement.observations, fit_quality(measurement.observations, measurement.logs, values,
+                                                                 equations.acceleration_rows()));
+  const Index linear = equations.model().parameters();
+  if (equations.further().law == FrictionLaw::smooth) {
+    for (Index k = 0; k < linear; ++k) {
+      const int index = equations.model().base().columns[static_cast<std::size_t>(k)];
+      if (parameter_of(index) == Parameter::Fs) R.col(k).setZero();
+    }
+  }
+  VectorXd pi(linear), amplitudes(dictionaries.size()), places(dictionaries.size());
+  start(R, dictionaries, pi, amplitudes, places);
+  ceres::Problem problem;
+  problem.AddResidualBlock(new FrictionCost(R, dictionaries, linear), nullptr, pi.data(), amplitudes.data(),
+                           places.data());
+  for (int j = 0; j < static_cast<int>(places.size()); ++j) {
+    problem.SetParameterLowerBound(places.data(), j, 0);
+    problem.SetParameterUpperBound(places.data(), j, kSpeeds - 1);
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = 200;
+  options.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  for (std::size_t j = 0; j < dictionaries.size(); ++j) {
+    speeds[static_cast<std::size_t>(dictionaries[j].joint)] = dictionaries[j].speed_at(places[static_cast<Index>(j)]);
+  }
+  return speeds;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Friction that is more than F_v q̇ + F_s sgn q̇, in noisy logs.
+#include <gtest/gtest.h>
+
+#include "identify/friction_search.hpp"
+#include "identify/identification.hpp"
+#include "support/practical_bench.hpp"
+
+namespace flatdyn {
+namespace {
+
+using testing::kEncoderStep;
+using testing::SimulatedSample;
+using Bench = testing::PracticalBench;
+
+class FrictionLaws : public ::testing::Test {
+ protected:
+  Bench& bench = testing::ur5();
+
+  // The motion with friction that a law adds to the arm's, given by joint, F_s and speed.
+  template <class More>
+  std::vector<SimulatedSample> motion(const More& more) const {
+    std::vector<SimulatedSample> samples = bench.motion({});
+    for (SimulatedSample& sample : samples) {
+      for (int i = 0; i < 6; ++i) sample.tau(i) += more(coulomb(i), sample.qd(i));
+    }
+    return samples;
+  }
+  double coulomb(int joint) const { return bench.arm().coulomb[static_cast<std::size_t>(joint)]; }
+
+  // The equations of a law, its speeds found from the log where it has some.
+  TorqueEquations equations_of(FrictionLaw law, const std::vector<SimulatedSample>& samples) {
+    FurtherParameters further{law};
+    if (has_speed(law)) {
+      const Measurement linear = bench.measured(samples, kEncoderStep, 1);
+      const TorqueEquations dictionary(bench.model(), {law, {}, false, friction_dictionary(bench.equations(), linear)});
+      further.speeds = friction_speeds(dictionary, bench.measured(samples, kEncoderStep, 1, 1, {}, &dictionary));
+    }
+    return TorqueEquations(bench.model(), further);
+  }
+
+  // Expects a fit that leaves nothing but noise, and parameters named `stem` that are `share` of each joint's F_s.
+  void expect_found(const std::vector<SimulatedSample>& samples, FrictionLaw law, const std::string& stem,
+                    double share) {
+    const TorqueEquations equations = equations_of(law, samples);
+    const Measurement measurement = bench.measured(samples, kEncoderStep, 1, 1, {}, &equations);
+    const Estimate found = estimate_of(equations, measurement, {});
+    for (const JointFit& fit :
+         fit_quality(measurement.observations, measurement.logs, found.values, equations.acceleration_rows())) {
+      EXPECT_LT(fit.ratio, 1.3);
+    }
+    int checked = 0;
+    for (int k = 0; k < equations.parameters(); ++k) {
+      const std::string& name = equations.names()[static_cast<std::size_t>(k)];
+      if (name.substr(0, 2) != stem) continue;
+      const double truth = share * coulomb(name[2] - '1');
+      EXPECT_NEAR(found.values(k), truth, std::max(0.03 * truth, 4 * found.standard_deviations(k))) << name;
+      ++checked;
+    }
+    EXPECT_EQ(checked, 6);
+    for (const double speed : equations.further().speeds) EXPECT_NEAR(speed, kSpeed, 0.05 * kSpeed);
+  }
+
+  static constexpr double kSpeed = 0.08;  // rad/s
+};
+
+TEST_F(FrictionLaws, AsymmetricFrictionIsFound) {
+  const auto samples = motion([](double F_s, double qd) { return qd == 0 ? 0 : 0.15 * F_s; });
+  expect_found(samples, FrictionLaw::asymmetric, "Fa", 0.15);
+}
+
+TEST_F(FrictionLaws, FrictionThatIsLargerNearRestIsFoundWithItsSpeed) {
+  const auto samples = motion([](double F_s, double qd) {
+    return 0.4 * F_s * std::exp(-(qd / kSpeed) * (qd / kSpeed)) * ((qd > 0) - (qd < 0));
+  });
+  expect_found(samples, FrictionLaw::stribeck, "Fb", 0.4);
+}
+
+TEST_F(FrictionLaws, SmoothFrictionIsFoundWithItsSpeed) {
+  const auto samples =
+      motion([](double F_s, double qd) { return F_s * (std::tanh(qd / kSpeed) - ((qd > 0) - (qd < 0))); });
+  expect_found(samples, FrictionLaw::smooth, "Fs", 1);
+}
+
+// A dictionary's columns and offsets together are where the names say.
+TEST_F(FrictionLaws, EveryEntryHasTheValueOfItsLaw) {
+  const TorqueEquations equations(bench.model(), {FrictionLaw::asymmetric, {}, true});
+  EXPECT_EQ(equations.parameters(), bench.model().parameters() + 12);
+  ASSERT_EQ(equations.friction().size(), 18u);
+  int entry = 0;
+  for (int i = 0; i < 6; ++i) {
+    for (const int column : equations.columns()[static_cast<std::size_t>(i)]) {
+      const std::string& name = equations.names()[static_cast<std::size_t>(column)];
+      const auto law = std::find_if(equations.friction().begin(), equations.friction().end(),
+                                    [&](const FrictionEntry& each) { return each.entry == entry; });
+      EXPECT_EQ(law != equations.friction().end(), name.front() == 'F') << name;
+      if (law != equations.friction().end()) {
+        EXPECT_EQ(law->joint, i) << name;
+      }
+      ++entry;
+    }
+  }
+  EXPECT_EQ(entry, equations.entries());
+}
+
+TEST_F(FrictionLaws, HuberWeightsKeepOutliersFromFriction) {
+  std::vector<SimulatedSample> samples = bench.motion({});
+  for (std::size_t k = 3000; k < samples.size(); k += 3000) samples[k].tau(1) += 400;
+  const Measurement plain = bench.measured(samples, kEncoderStep, 1);
+  const Estimate before = bench.estimated(plain);
+  const Estimate after = bench.robustly_estimated(samples, kEncoderStep, 1);
+  const int k = bench.place_of("Fs2");
+  EXPECT_LT(after.standard_deviations(k), 0.6 * before.standard_deviations(k));
+  EXPECT_NEAR(after.values(k), bench.truth(k), 4 * after.standard_deviations(k));
+}
+
+}  // namespace
+}  // namespace flatdyn
