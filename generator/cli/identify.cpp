@@ -9,6 +9,7 @@
 #include "diagnostics/version.hpp"
 #include "identify/friction_search.hpp"
 #include "identify/huber.hpp"
+#include "identify/instrumental_variables.hpp"
 #include "identify/part_file.hpp"
 #include "plot/time_table.hpp"
 #include "report/identification_files.hpp"
@@ -31,7 +32,7 @@ struct IdentifyArguments : RobotArguments {
   StreamOptions stream;
   IdentificationOptions identification;
   FurtherParameters further;
-  std::string friction = "coulomb";
+  std::string friction = "coulomb", estimator = "ls";
   bool delay = false, gravity_direction = false;
   bool robust = false;
   std::vector<std::string> validation;
@@ -67,15 +68,19 @@ void check_identify_usage(const IdentifyArguments& arguments) {
                   "give them with --part, where the logs are read");
   }
   const bool reads_again = arguments.delay || arguments.gravity_direction || arguments.robust ||
-                           !arguments.signals.empty() || has_speed(arguments.further.law);
+                           !arguments.signals.empty() || has_speed(arguments.further.law) ||
+                           arguments.estimator == "iv";
   if ((!arguments.part.empty() || !arguments.parts.empty()) && reads_again) {
-    throw Failure(
-        ExitCode::usage,
-        "--delay, --gravity-direction, --robust, --signals and friction with a speed read the logs more than once",
-        "give them with --data, without --part");
+    throw Failure(ExitCode::usage,
+                  "--delay, --gravity-direction, --robust, --signals, --estimator iv and friction with a speed read "
+                  "the logs more than once",
+                  "give them with --data, without --part");
   }
   if (!arguments.part.empty() && (!arguments.validation.empty() || !arguments.covariance.empty())) {
     throw Failure(ExitCode::usage, "--validate and --covariance have no effect with --part", "give them with --merge");
+  }
+  if (arguments.estimator == "iv" && arguments.robust) {
+    throw Failure(ExitCode::usage, "--estimator iv and --robust exclude each other");
   }
   if (!arguments.validation_plot.empty() && arguments.validation.empty()) {
     throw Failure(ExitCode::usage, "--validation-plot needs --validate LOG.csv");
@@ -177,6 +182,23 @@ class Logs {
     return measurement;
   }
 
+  // Estimates by instrumental variables; the instrument is the motion of the model that least squares found, and then
+  // of the one that the instrument found.
+  Estimate with_instruments(const TorqueEquations& equations, const Measurement& measurement) {
+    constexpr int kRounds = 2;
+    const Estimate least_squares = estimate_of(equations, measurement, arguments_.identification.estimate);
+    Estimate found = least_squares;
+    for (int round = 0; round < kRounds; ++round) {
+      TorqueEquations instrumented(equations.model(), equations.further());
+      instrumented.set_instrument(found.values);
+      InstrumentSums sums(instrumented);
+      const Measurement again =
+          measured(instrumented, nullptr, [&](const FilteredEquations& each, int) { sums.add(each); });
+      found = sums.estimate(again.observations, least_squares, instrumented.acceleration_rows());
+    }
+    return found;
+  }
+
   Measurement validation(const TorqueEquations& equations) const {
     Diagnostics found;
     StreamOptions options = options_;
@@ -236,9 +258,6 @@ std::vector<TextFile> result_files(const IdentifyArguments& arguments, const Loa
 
 // Finds gravity's direction with the robot as it is, and loads the robot again with that direction.
 LoadedRobot with_gravity(IdentifyArguments& arguments, const LoadedRobot& robot, Logs& logs, Progress& progress) {
-  if (robot.mechanism.has_loops()) {
-    throw Failure(ExitCode::unsupported, "--gravity-direction is for robots without closed loops");
-  }
   const TorqueModel model(robot, arguments.identification.set, progress);
   const TorqueEquations equations(model, arguments.further);
   const Measurement measurement = logs.measured(equations);
@@ -273,6 +292,9 @@ ExitCode identify(IdentifyArguments arguments) {
   if (!arguments.output.empty()) arguments.settings(robot);
   Progress progress(arguments.quiet);
   Logs logs(arguments, stream, progress);
+  if (robot.mechanism.has_loops() && (arguments.gravity_direction || arguments.estimator == "iv")) {
+    throw Failure(ExitCode::unsupported, "--gravity-direction and --estimator iv are for robots without closed loops");
+  }
   if (arguments.gravity_direction) robot = with_gravity(arguments, robot, logs, progress);
   const TorqueModel model(robot, arguments.identification.set, progress);
   if (has_speed(arguments.further.law))
@@ -288,6 +310,9 @@ ExitCode identify(IdentifyArguments arguments) {
   }
   if (arguments.delay) measurement = logs.with_delay(equations, std::move(measurement));
   if (arguments.robust) measurement = logs.with_robust_weights(equations, std::move(measurement));
+  if (arguments.estimator == "iv") {
+    arguments.identification.other_estimate = logs.with_instruments(equations, measurement);
+  }
   Identification found = identification(robot, equations, std::move(measurement), arguments.identification, progress);
   found.delay = logs.options().delay;
   if (!arguments.validation.empty()) validate(found, equations, logs.validation(equations));
@@ -346,6 +371,12 @@ Run add_identify(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--offsets", arguments->further.offsets, "also a constant offset of each joint's torques");
   command->add_flag("--delay", arguments->delay, "also the time by which all torques are late; reads the logs again");
+  command
+      ->add_option("--estimator", arguments->estimator,
+                   "least squares (ls), or instrumental variables (iv) against noise in q: the instrument is the "
+                   "simulated motion of the identified model; iv reads the logs again")
+      ->check(CLI::IsMember({"ls", "iv"}))
+      ->capture_default_str();
   command->add_flag("--robust", arguments->robust, "Huber's weights: outliers count less; reads the logs again");
   command->add_flag("--gravity-direction", arguments->gravity_direction,
                     "also the direction of gravity, which is then written into the robot file; reads the logs twice");

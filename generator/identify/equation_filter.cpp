@@ -37,6 +37,7 @@ EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& mode
       model_(model),
       sink_(std::move(sink)),
       layout_(plan.layout()),
+      instrument_(model.instrument()),
       n_(layout_.joints),
       stride_(plan.filter.stride()),
       lookahead_(plan.filter.rest_strides()),
@@ -51,7 +52,7 @@ EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& mode
       sample_kernel_half_(half_of(sample_weights_)),
       motion_filter_(plan),
       raw_(layout_.channels() + 1, motion_half_ + 1 + std::max(motion_half_, (lookahead_ + 1) * stride_)),
-      rows_(motion_at() + layout_.positions + 2 * n_, row_half_ + row_kernel_half_ + 1),
+      rows_(instruments_at() + instrument_entries(), row_half_ + row_kernel_half_ + 1),
       samples_window_(unsure_at() + n_, row_half_ * stride_ + sample_kernel_half_ + 1),
       slow_(static_cast<std::size_t>(n_), 0),
       entries_(model.entries()),
@@ -59,6 +60,7 @@ EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& mode
       rates_(model.equations()),
       motion_(layout_.positions + 2 * n_),
       speeds_(n_),
+      instruments_(instrument_entries()),
       used_(static_cast<std::size_t>(model.equations()), 1) {}
 
 void EquationFilter::restart() {
@@ -69,6 +71,7 @@ void EquationFilter::restart() {
   before_.reset();
   slow_.assign(slow_.size(), 0);
   samples_ = motions_ = 0;
+  if (instrument_) instrument_->restart();
 }
 
 void EquationFilter::sample(const RawSample& sample) {
@@ -83,6 +86,7 @@ void EquationFilter::sample(const RawSample& sample) {
   motion.index = middle;
   motion.time = raw_.sample(motion_half_)[LogLayout::time()];
   motion_filter_.filter(raw_, motion.q, motion.qd, motion.qdd, motion.h_e);
+  if (instrument_) motion.measured = motion_filter_.smoothed(raw_, model_.measured(layout_), model_.equations());
   motion.rests.assign(static_cast<std::size_t>(n_), 0);
   pending_.push_back(std::move(motion));
   mark_rest();
@@ -120,6 +124,10 @@ void EquationFilter::push_row(GridMotion motion) {
   row.segment(motion_at(), layout_.positions) = motion.q.transpose();
   row.segment(motion_at() + layout_.positions, n_) = motion.qd.transpose();
   row.segment(motion_at() + layout_.positions + n_, n_) = motion.qdd.transpose();
+  if (instrument_) {
+    instrument_->step(measured, motion.measured.data(), plan_.filter.dt * stride_, instruments_.data());
+    row.segment(instruments_at(), instrument_entries()) = instruments_.transpose();
+  }
   if (before_) {
     for (int part = 1; part < stride_; ++part) push_sample(*before_, motion, part);
   }
@@ -207,6 +215,11 @@ void EquationFilter::pass_on(long index) {
   equations.right = right_.data();
   equations.measured_rates = rates_.data();
   equations.used = used_.data();
+  if (instrument_) {
+    instruments_.noalias() =
+        rows_.block(rows_back, rows, instruments_at(), instrument_entries()).transpose() * row_weights_;
+    equations.instruments = instruments_.data();
+  }
   sink_(equations);
 }
 

@@ -25,6 +25,7 @@ struct FilteredEquations {
   const double* right = nullptr;    // what is measured less what is known, filtered
   const double* measured_rates = nullptr;  // of what is measured, by time; zeros without a filter
   const std::uint8_t* used = nullptr;      // by equation
+  const double* instruments = nullptr;     // entries of the instrument's Y, filtered; null if there is none
 };
 using EquationSink = std::function<void(const FilteredEquations&)>;
 
@@ -40,7 +41,7 @@ class EquationFilter : public SampleReceiver {
   struct GridMotion {
     double time = 0;
     long index = 0;
-    Eigen::VectorXd q, qd, qdd, h_e;
+    Eigen::VectorXd q, qd, qdd, h_e, measured;
     std::vector<std::uint8_t> rests;
   };
 
@@ -53,6 +54,8 @@ class EquationFilter : public SampleReceiver {
   // Places in the channels of `rows_`: the entries of Y, then
   int known() const { return model_.entries(); }
   int motion_at() const { return known() + model_.equations(); }
+  int instruments_at() const { return motion_at() + layout_.positions + 2 * n_; }
+  int instrument_entries() const { return instrument_ ? model_.entries() : 0; }
   // and in those of `samples_window_`.
   static constexpr int time_at() { return 0; }
   static constexpr int line_at() { return 1; }
@@ -64,6 +67,7 @@ class EquationFilter : public SampleReceiver {
   const EquationModel& model_;
   EquationSink sink_;
   LogLayout layout_;
+  std::unique_ptr<Instrument> instrument_;
   int n_, stride_, lookahead_;
   int motion_half_, row_half_;                                        // SampleFilter's: in samples, in strides
   Eigen::VectorXd row_weights_;                                       // of Y, at its strides
@@ -76,7 +80,7 @@ class EquationFilter : public SampleReceiver {
   std::vector<int> slow_;             // by joint: for how many strides it has been slow
   long samples_ = 0, motions_ = 0;    // since the restart
   long first_index_ = 0;              // RawSample::index of the first sample since the restart
-  Eigen::VectorXd entries_, right_, rates_, motion_, speeds_;
+  Eigen::VectorXd entries_, right_, rates_, motion_, speeds_, instruments_;
   std::vector<std::uint8_t> used_;
 };
 

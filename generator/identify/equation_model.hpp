@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "identify/log_layout.hpp"
@@ -34,6 +35,16 @@ struct FrictionEntry {
   double value(double rate) const;
 };
 
+// A second motion, beside the measured one, whose entries of Y are filtered in the same way.
+class Instrument {
+ public:
+  virtual ~Instrument() = default;
+  // Tells that the next motion does not follow the last one.
+  virtual void restart() = 0;
+  // Goes on by dt, s, and writes the entries of Y. measured: what the log has, smoothed.
+  virtual void step(const MeasuredMotion& motion, const double* measured, double dt, double* entries) = 0;
+};
+
 class EquationModel {
  public:
   virtual ~EquationModel() = default;
@@ -55,6 +66,8 @@ class EquationModel {
 
   // Writes the entries of Y, without friction(), and what is known of each equation.
   virtual void evaluate(const MeasuredMotion& motion, double* entries, double* known) const = 0;
+  // The instrument of these equations; null if they have none.
+  virtual std::unique_ptr<Instrument> instrument() const { return nullptr; }
   // Reports an error if a log lacks what is measured.
   virtual void require(const LogLayout& /*layout*/, const Place& /*place*/, Diagnostics& /*diagnostics*/) const {}
   // The channel of a log where what is measured begins; there is one channel per equation.

@@ -44,7 +44,8 @@ Identification identification(const LoadedRobot& robot, const TorqueEquations& e
   Identification found;
   found.measurement = std::move(measurement);
   progress.step("estimating");
-  found.estimate = estimate_of(equations, found.measurement, options.estimate);
+  found.estimate =
+      options.other_estimate ? *options.other_estimate : estimate_of(equations, found.measurement, options.estimate);
   if (options.sequential) {
     found.joint_by_joint = estimate_joint_by_joint(found.measurement.observations, equations.file_values());
   }

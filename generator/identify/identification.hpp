@@ -13,7 +13,8 @@ namespace flatdyn {
 struct IdentificationOptions {
   EstimateOptions estimate;
   ParameterSet set = ParameterSet::given;
-  bool sequential = false;  // also the textbook's joint-by-joint procedure
+  bool sequential = false;                   // also the textbook's joint-by-joint procedure
+  std::optional<Estimate> other_estimate{};  // instead of least squares
 };
 
 // The results of one run.

@@ -48,6 +48,9 @@ void InstantSample::offer(const FilteredEquations& equations, const EquationMode
   instant.measured_rates = numbers(equations.measured_rates, n);
   instant.used.assign(equations.used, equations.used + n);
   instant.run = shape.run;
+  if (equations.instruments != nullptr) {
+    instant.instruments = numbers(equations.instruments, static_cast<std::size_t>(model.entries()));
+  }
   kept_.push_back(std::move(instant));
   stride_ = thin_out(kept_, stride_);
 }

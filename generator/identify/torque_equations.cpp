@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "identify/simulated_motion.hpp"
+
 namespace flatdyn {
 
 TorqueEquations::TorqueEquations(const TorqueModel& model, FurtherParameters further)
@@ -86,6 +88,11 @@ AccelerationRows TorqueEquations::acceleration_rows() const {
     }
     return rows;
   };
+}
+
+std::unique_ptr<Instrument> TorqueEquations::instrument() const {
+  if (instrument_values_.size() == 0) return nullptr;
+  return std::make_unique<SimulatedMotion>(*this, instrument_values_);
 }
 
 void TorqueEquations::evaluate(const MeasuredMotion& motion, double* entries, double* known) const {

@@ -35,6 +35,10 @@ class TorqueEquations : public EquationModel {
   Eigen::VectorXd file_values() const;
   AccelerationRows acceleration_rows() const;
 
+  // Gives the equations the simulated motion of a model with these parameters as instrument.
+  void set_instrument(Eigen::VectorXd values) { instrument_values_ = std::move(values); }
+  std::unique_ptr<Instrument> instrument() const override;
+
   void evaluate(const MeasuredMotion& motion, double* entries, double* known) const override;
   int measured(const LogLayout& layout) const override { return layout.tau(); }
 
@@ -45,7 +49,8 @@ class TorqueEquations : public EquationModel {
   const TorqueModel& model_;
   FurtherParameters further_;
   std::vector<std::string> names_;
-  int entry_ = 0;  // entries so far
+  Eigen::VectorXd instrument_values_;  // empty: no instrument
+  int entry_ = 0;                      // entries so far
   mutable std::vector<double> y_;
 };
 

@@ -45,13 +45,13 @@ class PracticalBench {
 
   Measurement measured(const std::vector<SimulatedSample>& samples, double step, double noise, unsigned seed = 1,
                        const StreamOptions& options = {}, const TorqueEquations* other = nullptr,
-                       const RowWeight& weight = nullptr) {
+                       const RowWeight& weight = nullptr, const LogSink& also = nullptr) {
     const std::filesystem::path path =
         std::filesystem::temp_directory_path() / fmt::format("flatdyn-practical-{}.csv", ::getpid());
     write_practical_log(path, arm_, samples, step, noise, seed);
     Diagnostics found;
     Measurement measurement =
-        measure(other != nullptr ? *other : equations_, plain_.mechanism, {path}, options, quiet_, found, weight);
+        measure(other != nullptr ? *other : equations_, plain_.mechanism, {path}, options, quiet_, found, weight, also);
     std::filesystem::remove(path);
     EXPECT_FALSE(found.has_errors());
     warnings.clear();
