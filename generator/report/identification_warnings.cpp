@@ -61,8 +61,8 @@ void warn_of_fit(const TorqueModel& model, const Identification& found, std::vec
   warning_texts.push_back(fmt::format(
       "the model does not fit: residuals to the noise of the log: {}{}", fmt::join(bad, ", "),
       found.hypothesis ? ""
-                       : "; the model may lack something (friction, rotors, flexibility), or the log have columns, "
-                         "units or times that are not what they say"));
+                       : "; the model may lack friction or rotors (--parameters full), another law of friction "
+                         "(--friction), or flexibility; or columns, units or times of the log are not what they say"));
 }
 
 // Reports friction and rotors that are clearly negative, which no joint has.

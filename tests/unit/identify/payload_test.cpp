@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "identify/fit_quality.hpp"
 #include "identify/wrist.hpp"
 #include "support/observed.hpp"
+#include "support/practical_bench.hpp"
 #include "support/robot_models.hpp"
 #include "support/simulated_log.hpp"
 
@@ -132,6 +134,47 @@ TEST(Payload, KeepsItsCentreWhereOnlyPosesWereMeasured) {
   }
   for (Eigen::Index k = 4; k < 10; ++k) EXPECT_TRUE(std::isinf(found.standard_deviations(k))) << k;
   EXPECT_LT(found.largest_misfit, 1);
+}
+
+// The robot has friction and rotors that its file lacks, and moves differently with the payload and without it.
+TEST(Payload, IsFoundInSpiteOfFrictionThatTheFileLacks) {
+  testing::PracticalBench& bench = testing::ur5();
+  const auto loaded = practical_motion(bench.arm(), with_payload(bench.arm().truth()), {.seconds = 15});
+  const Measurement with = bench.measured(loaded, testing::kEncoderStep, 1);
+  const Measurement without = bench.measured(bench.motion({.seconds = 15, .motion = 2}), testing::kEncoderStep, 1);
+  const VectorXd file = bench.equations().file_values();
+  for (const PayloadProblem& problem :
+       {payload_problem(bench.model(), bench.plain(), with.observations),
+        payload_problem(bench.model(), with.observations, without.observations, file)}) {
+    const PayloadEstimate found = estimate_payload(problem);
+    for (Eigen::Index k = 0; k < 10; ++k) {
+      EXPECT_NEAR(found.values(k), known_payload()(k), 4 * found.standard_deviations(k)) << k;
+    }
+    EXPECT_LT(found.standard_deviations(0), 0.05 * known_payload()(0));
+    std::vector<MeasuredLog> logs = with.logs;
+    logs.insert(logs.end(), without.logs.begin(), without.logs.end());
+    for (const JointFit& fit : fit_quality(problem.observations, logs, found.unknowns, problem.acceleration_rows)) {
+      EXPECT_LT(fit.ratio, 1.4);
+    }
+  }
+}
+
+// Without friction in the model, the payload is far off, and the verdict says that the model does not fit.
+TEST(Payload, IsDoubtedWhereTheModelLacksFriction) {
+  testing::PracticalBench& bench = testing::ur5();
+  Progress quiet(true);
+  const TorqueModel model(bench.plain(), ParameterSet::given, quiet);
+  const TorqueEquations equations(model);
+  const auto loaded = practical_motion(bench.arm(), with_payload(bench.arm().truth()), {.seconds = 15});
+  const Measurement with = bench.measured(loaded, testing::kEncoderStep, 1, 1, {}, &equations);
+  const PayloadProblem problem = payload_problem(model, bench.plain(), with.observations);
+  const PayloadEstimate found = estimate_payload(problem);
+  const std::vector<JointFit> fits =
+      fit_quality(problem.observations, with.logs, found.unknowns, problem.acceleration_rows);
+  for (const JointFit& fit : fits) {
+    EXPECT_FALSE(fit.is_sound());
+    EXPECT_GT(fit.ratio, 10);
+  }
 }
 
 TEST(Payload, IsFoundByASensorAtTheWristInSpiteOfItsOffsets) {
