@@ -142,6 +142,12 @@ double BodySearch::divergence() const {
   return sum;
 }
 
+double BodySearch::divergence_from_file() const {
+  double sum = 0;
+  for (const LinkShape& link : links_) sum += link.divergence_from_file();
+  return sum;
+}
+
 // Lowers the weight of the divergence step by step: the last steps move only what π_b leaves open.
 bool BodySearch::run() {
   constexpr double kLightest = 1e-3, kLighter = 0.1;

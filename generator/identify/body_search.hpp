@@ -19,11 +19,12 @@ class BodySearch {
 
   // 13 n parameters, in the order of (7.77).
   Eigen::VectorXd bodies() const;
-  // The sum of the links' divergences from the file.
-  double divergence() const;
+  // The sum of the links' divergences from the file, without what the file does not have.
+  double divergence_from_file() const;
 
  private:
   bool improve(double weight);
+  double divergence() const;
   Eigen::VectorXd shapes() const;
   Eigen::VectorXd residual() const { return K_ * shapes() - target_; }
 

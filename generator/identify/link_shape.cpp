@@ -24,6 +24,8 @@ void inertial_entries(const Matrix4d& P, double* ten) {
   }
 }
 
+double divergence_of(double multiple) { return multiple - 1 - std::log(multiple); }
+
 }  // namespace
 
 Matrix4d symmetric_matrix(const double* ten) {
@@ -60,8 +62,14 @@ LinkShape::Matrix LinkShape::changes() const {
 }
 
 double LinkShape::divergence() const {
+  double sum = divergence_from_file();
+  for (int k = 0; k < kOthers; ++k) sum += in_file[k] ? 0 : divergence_of(multiples[k]);
+  return sum;
+}
+
+double LinkShape::divergence_from_file() const {
   double sum = S.squaredNorm() - 4 - 2 * S.diagonal().array().log().sum();
-  for (const double multiple : multiples) sum += multiple - 1 - std::log(multiple);
+  for (int k = 0; k < kOthers; ++k) sum += in_file[k] ? divergence_of(multiples[k]) : 0;
   return std::max(sum, 0.0);  // rounding can make the sum negative
 }
 

@@ -91,7 +91,7 @@ MatrixXd of_bodies(const MatrixXd& K, const std::vector<CarriedRotor>& rotors) {
   return K * adding;
 }
 
-std::vector<LinkShape> shapes_of(const std::vector<double>& file, const std::vector<double>& scale) {
+std::vector<LinkShape> shapes_of(const std::vector<double>& file, const VectorXd& starts) {
   std::vector<LinkShape> shapes;
   const Sizes largest = sizes_of(file);
   for (std::size_t at = 0; at < file.size(); at += kParametersPerJoint) {
@@ -99,7 +99,8 @@ std::vector<LinkShape> shapes_of(const std::vector<double>& file, const std::vec
     shape.L = Eigen::LLT<Matrix4d>(made_definite(pseudo_inertia(&file[at]), largest)).matrixL();
     for (int k = 0; k < LinkShape::kOthers; ++k) {
       const std::size_t place = at + static_cast<std::size_t>(kInertialPerBody + k);
-      shape.others[k] = file[place] > 0 ? file[place] : scale[place];
+      shape.in_file[k] = file[place] > 0;
+      shape.others[k] = shape.in_file[k] ? file[place] : starts(static_cast<Index>(place));
     }
     shapes.push_back(shape);
   }
@@ -114,16 +115,6 @@ MatrixXd combination_matrix(const BaseParameters& base, Index columns) {
     }
   }
   return K;
-}
-
-// The starting value of a parameter that the file lacks: the size that π_b gives it, if it is a base parameter itself.
-std::vector<double> scales(const BaseParameters& base, const VectorXd& pi_b, std::size_t count) {
-  constexpr double kTiny = 1e-9;
-  std::vector<double> result(count, kTiny);
-  for (int k = 0; k < base.size(); ++k) {
-    result[static_cast<std::size_t>(base.columns[static_cast<std::size_t>(k)])] = std::max(std::abs(pi_b(k)), kTiny);
-  }
-  return result;
 }
 
 }  // namespace
@@ -150,6 +141,28 @@ MatrixXd blunted(const MatrixXd& root_information, const VectorXd& values) {
   return (kSharpest / size.array()).min(1).matrix().asDiagonal() * root_information;
 }
 
+// The values from which the search starts with I_m, F_v and F_s that the file lacks, for every place in π: what π_b has
+// beyond the file's links in the base parameter that the missing one is a term of, at least a small share of that base
+// parameter, and no less than the motion shows. What the motion does not tell stays as good as zero.
+VectorXd starts_of_missing(const MatrixXd& K, const VectorXd& file, const Estimate& estimate) {
+  constexpr double kTiny = 1e-9, kShare = 0.01;
+  const VectorXd& pi_b = estimate.values;
+  const VectorXd excess = pi_b - K * file;
+  const double largest = pi_b.cwiseAbs().maxCoeff();
+  const VectorXd information = blunted(estimate.root_information, pi_b).colwise().norm();
+  VectorXd starts = VectorXd::Constant(K.cols(), kTiny);
+  for (Index row = 0; row < K.rows(); ++row) {
+    const bool is_told = information(row) * largest > 1;
+    const double least = is_told ? std::max(kShare * std::abs(pi_b(row)), 1 / information(row)) : 0;
+    for (Index column = 0; column < K.cols(); ++column) {
+      const double coefficient = K(row, column);
+      if (coefficient == 0) continue;
+      starts(column) = std::max({starts(column), excess(row) / coefficient, least / std::abs(coefficient)});
+    }
+  }
+  return starts;
+}
+
 // The parameters nearest to the file that satisfy K π = target, from the links to start with and the rotors they carry.
 PhysicalParameters nearest(std::vector<LinkShape> links, const std::vector<CarriedRotor>& rotors, const MatrixXd& K,
                            const VectorXd& target, const MatrixXd& root_information) {
@@ -165,7 +178,7 @@ PhysicalParameters nearest(std::vector<LinkShape> links, const std::vector<Carri
   const Eigen::Map<const VectorXd> pi(result.pi.data(), static_cast<Index>(result.pi.size()));
   result.pi_b = K * pi;
   if (root.rows() > 0) result.largest_misfit = (whitened * pi - whitened_target).cwiseAbs().maxCoeff();
-  result.divergence = search.divergence();
+  result.divergence = search.divergence_from_file();
   return result;
 }
 
@@ -179,8 +192,8 @@ PhysicalParameters physical_parameters(const Mechanism& mechanism, const BasePar
   const MatrixXd K = combination_matrix(base, static_cast<Index>(file.size()));
   std::vector<double> bodies = file;
   for (const CarriedRotor& rotor : rotors) rotor.add_to(bodies.data(), -1);
-  return nearest(shapes_of(bodies, scales(base, estimate.values, file.size())), rotors, K, estimate.values,
-                 estimate.root_information);
+  const VectorXd starts = starts_of_missing(K, Eigen::Map<const VectorXd>(file.data(), K.cols()), estimate);
+  return nearest(shapes_of(bodies, starts), rotors, K, estimate.values, estimate.root_information);
 }
 
 NearestBody nearest_body(const VectorXd& estimate, const MatrixXd& root_information) {
@@ -188,7 +201,7 @@ NearestBody nearest_body(const VectorXd& estimate, const MatrixXd& root_informat
   std::copy(estimate.begin(), estimate.end(), start.begin());
   const MatrixXd K = MatrixXd::Identity(kInertialPerBody, kParametersPerJoint);
   const PhysicalParameters found =
-      nearest(shapes_of(start, std::vector<double>(kParametersPerJoint, 1)), {}, K, estimate, root_information);
+      nearest(shapes_of(start, VectorXd::Ones(kParametersPerJoint)), {}, K, estimate, root_information);
   return {Eigen::Map<const VectorXd>(found.pi.data(), kInertialPerBody), found.largest_misfit};
 }
 

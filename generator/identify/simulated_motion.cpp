@@ -17,8 +17,7 @@ SimulatedMotion::SimulatedMotion(const TorqueEquations& equations, const VectorX
 
 void SimulatedMotion::evaluate(const VectorXd& q, const VectorXd& qd, const VectorXd& qdd, const double* friction_rates,
                                double* entries) const {
-  equations_.evaluate({0, q.data(), qd.data(), qdd.data(), nullptr}, entries,
-                      known_.data());
+  equations_.evaluate({0, q.data(), qd.data(), qdd.data(), nullptr}, entries, known_.data());
   for (const FrictionEntry& each : equations_.friction()) entries[each.entry] = each.value(friction_rates[each.joint]);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "report/identification_report.hpp"
@@ -8,14 +9,21 @@
 namespace flatdyn {
 namespace {
 
+double largest_rms_torque(const Identification& found) {
+  double largest = 0;
+  for (const JointObservations& joint : found.measurement.observations.joints) {
+    largest = std::max(largest, joint.rms_torque());
+  }
+  return largest;
+}
+
 // Reports joints whose torque the model hardly explains, unless that is noise of a joint that barely moves. Such a
 // joint gets little weight, so the others' residuals do not show it.
 void warn_of_joints(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
   constexpr double kHalf = 0.5, kNoise = 0.05;  // share of the joint's torque, squared; share of the largest torque
   const std::vector<JointObservations>& joints = found.measurement.observations.joints;
   const auto& bodies = model.mechanism().joints();
-  double largest = 0;
-  for (const JointObservations& joint : joints) largest = std::max(largest, joint.rms_torque());
+  const double largest = largest_rms_torque(found);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const double torque = joints[i].rms_torque(), residual = joints[i].rms_residual(found.estimate.values);
     if (joints[i].rows == 0) continue;
@@ -121,24 +129,44 @@ void warn_of_sizes(const TorqueModel& model, const Estimate& estimate, std::vect
       fmt::join(names, ", "), kMuch));
 }
 
-void warn_of_links(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
-  constexpr double kMuch = 10;                       // standard deviations
-  constexpr double kLarger = 1.5, kRounding = 1e-6;  // factor on the residual; share of the torque
-  const auto& bodies = model.mechanism().joints();
-  const PhysicalParameters& physical = found.physical;
-  if (physical.largest_misfit > kMuch) {
+// Whether rotors or friction of some joints are not among the parameters. The model has those that are.
+bool leaves_some_out(const TorqueModel& model) {
+  const std::vector<bool> present = parameters_in(model.mechanism(), ParameterSet::given);
+  return std::find(present.begin(), present.end(), false) != present.end();
+}
+
+// Links that are far from π_b say something about the log only if the search for them came to its end.
+void warn_of_misfit(const TorqueModel& model, const PhysicalParameters& physical,
+                    std::vector<std::string>& warning_texts) {
+  constexpr double kMuch = 10;  // standard deviations
+  if (!physical.converged) {
+    warning_texts.push_back(
+        fmt::format("the search for the nearest links did not converge: it ended {:.2g} standard deviations from pi_b, "
+                    "where nearer "
+                    "links may be; pi_b and its intervals are not affected",
+                    physical.largest_misfit));
+  } else if (physical.largest_misfit > kMuch) {
     warning_texts.push_back(fmt::format(
         "the nearest links are {:.2g} standard deviations from pi_b, more than noise of the torques explains: noise in "
-        "q, which no interval has in it, or motion, torques, units or geometry that cannot be right",
-        physical.largest_misfit));
+        "q, which no interval has in it, or motion, torques, units or geometry that cannot be right{}",
+        physical.largest_misfit,
+        leaves_some_out(model) ? ", or rotors and friction that are left out (--parameters full)" : ""));
   }
-  if (!physical.converged) warning_texts.emplace_back("the search for the nearest links did not converge");
+}
+
+// Reports links that are far from the estimate, and joints of whose torque they leave more than π_b does.
+void warn_of_links(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
+  constexpr double kLarger = 1.5, kRounding = 1e-6;  // factor on the residual; share of the largest torque
+  const auto& bodies = model.mechanism().joints();
+  const PhysicalParameters& physical = found.physical;
+  warn_of_misfit(model, physical, warning_texts);
+  const double negligible = kRounding * largest_rms_torque(found);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const JointObservations& joint = found.measurement.observations.joints[i];
+    if (joint.rows == 0) continue;
     const double residual = joint.rms_residual(found.estimate.values),
                  of_links = joint.rms_residual(found.physical_values());
-    if (joint.rows == 0) continue;
-    if (of_links < std::max(kLarger * residual, kRounding * joint.rms_torque())) continue;
+    if (of_links < std::max(kLarger * residual, negligible)) continue;
     warning_texts.push_back(fmt::format("joint \"{}\": the links leave {:.3g} {} (rms), where pi_b leaves {:.3g}",
                                         bodies[i].joint, of_links, torque_unit(bodies[i]), residual));
   }

@@ -2,6 +2,7 @@
 // The effect of snapping numbers of the robot file to exact ones.
 #pragma once
 
+#include "input/common/read_options.hpp"
 #include "load/loaded_robot.hpp"
 
 namespace flatdyn {

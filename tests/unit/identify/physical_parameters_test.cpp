@@ -5,13 +5,17 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 
 #include "identify/link_shape.hpp"
 #include "support/identified_arm.hpp"
+#include "support/names.hpp"
 
 namespace flatdyn {
 namespace {
 
+namespace fs = std::filesystem;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -111,6 +115,19 @@ TEST(LinkShape, GradientIsThatOfItsDivergence) {
     EXPECT_NEAR((plus.divergence() - minus.divergence()) / (2 * kStep), link.gradient()(k), 1e-8) << k;
     EXPECT_NEAR((plus.divergence() - 2 * link.divergence() + minus.divergence()) / (kStep * kStep), 1, 1e-4) << k;
   }
+}
+
+TEST(LinkShape, DivergesFromTheFileByNothingThatTheFileDoesNotHave) {
+  LinkShape link = some_link();
+  link.in_file[1] = false;
+  LinkShape::Vector y = LinkShape::Vector::Zero();
+  y(kInertialPerBody + 1) = 1;
+  link.move(y.data());
+  EXPECT_NEAR(link.divergence(), 1 - std::log(2), 1e-14);
+  EXPECT_NEAR(link.divergence_from_file(), 0, 1e-14);
+  y(kInertialPerBody) = 1;
+  link.move(y.data());
+  EXPECT_NEAR(link.divergence_from_file(), 1 - std::log(2), 1e-14);
 }
 
 // With the file's own π_b, nothing has to move.
@@ -227,6 +244,124 @@ TEST(PhysicalParameters, LeaveABodyWhenRotorsAreTakenOut) {
   body[static_cast<std::size_t>(Parameter::Izz)] -= I_m;  // its axis is z
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(pseudo_inertia(body.data()));
   EXPECT_GT(eigen.eigenvalues().minCoeff(), 0);
+}
+
+// kg m², from the base to the tip; F_v and F_s are as large, in N m s/rad and N m.
+constexpr double kRotors[] = {0.6, 0.7, 0.5, 0.4, 0.2, 0.15, 0.1};
+
+Mechanism with_rotors(Mechanism mechanism, double factor) {
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    Body& body = mechanism.bodies[i];
+    body.armature = body.viscous = body.coulomb = exact_decimal(fmt::format("{}", factor * kRotors[i]));
+  }
+  return mechanism;
+}
+
+// The links of a rough robot file: some weigh half, some three times as much.
+Mechanism with_other_links(Mechanism mechanism) {
+  bool is_light = true;
+  for (Body& body : mechanism.bodies) {
+    const Number factor = is_light ? Number(1) / 2 : Number(3);
+    body.inertia.mass = factor * body.inertia.mass;
+    body.inertia.first_moment = factor * body.inertia.first_moment;
+    for (Vec3& row : body.inertia.inertia) row = factor * row;
+    is_light = !is_light;
+  }
+  return mechanism;
+}
+
+// An arm whose file has neither rotors nor friction. The Kinova is there if the folder of real robots is.
+class RotorsOfAnArm : public ::testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    const char* given = std::getenv("FLATDYN_EXTRA_ROBOTS");
+    const fs::path sources(FLATDYN_SOURCE_DIR);
+    const fs::path extra = given != nullptr ? fs::path(given) : sources / ".." / "shared" / "robots";
+    const fs::path own = sources / "robots" / GetParam(), file = fs::exists(own) ? own : extra / GetParam();
+    if (!fs::exists(file)) GTEST_SKIP() << "no such file: " << file;
+    plain_ = load_robot(file, {}).mechanism;
+    truth_ = with_rotors(plain_, 1);
+    base_ = base_parameters(truth_);
+  }
+
+  VectorXd pi_b_of(const Mechanism& mechanism) const { return values_of(base_values(mechanism, base_)); }
+
+  // The links from π_b of `truth`, known to this share of itself and of 0.1, with `noise` standard deviations of noise.
+  PhysicalParameters found(const Mechanism& file, const Mechanism& truth, double share, double noise) const {
+    VectorXd pi_b = pi_b_of(truth);
+    const VectorXd deviations = share * (pi_b.cwiseAbs().array() + 0.1);
+    testing::Uniform draw(3);
+    for (Index k = 0; k < pi_b.size(); ++k) pi_b(k) += noise * deviations(k) * draw.normal();
+    const PhysicalParameters result = physical_parameters(file, base_, known(pi_b, deviations));
+    expect_bodies(result.pi);
+    EXPECT_TRUE(result.converged);
+    return result;
+  }
+
+  Mechanism plain_, truth_;
+  BaseParameters base_;
+};
+
+constexpr double kExact = 1e-7, kRough = 1e-2;
+
+TEST_P(RotorsOfAnArm, LeaveLinksThatAreRightWhereTheyAreWhenTheFileHasNone) {
+  const PhysicalParameters links = found(plain_, truth_, kExact, 0);
+  EXPECT_LT(links.largest_misfit, 1e-3);
+  EXPECT_LT(links.divergence, 1e-6);
+  for (int i = 0; i < truth_.size(); ++i) {
+    for (const Parameter which : {Parameter::Im, Parameter::Fv, Parameter::Fs}) {
+      const int place = index_of(i, which);
+      EXPECT_NEAR(links.pi[static_cast<std::size_t>(place)], kRotors[i], 1e-4 * kRotors[i]) << parameter_name(place);
+    }
+  }
+}
+
+TEST_P(RotorsOfAnArm, AreFoundFromARoughFileThatHasNone) {
+  const Mechanism file = with_other_links(plain_);
+  EXPECT_LT(found(file, truth_, kExact, 0).largest_misfit, 0.1);
+  EXPECT_LT(found(file, truth_, kRough, 1).largest_misfit, 3);
+}
+
+TEST_P(RotorsOfAnArm, AreFoundFromARoughFileThatHasOthers) {
+  const Mechanism file = with_rotors(with_other_links(plain_), 0.3);
+  EXPECT_LT(found(file, truth_, kExact, 0).largest_misfit, 0.1);
+  EXPECT_LT(found(file, truth_, kRough, 1).largest_misfit, 3);
+}
+
+// Base parameters with a link's inertia in them may go to a rotor by as much as the search gives it to start with.
+TEST_P(RotorsOfAnArm, StaySmallWhereThereAreNone) {
+  const PhysicalParameters links = found(plain_, plain_, kExact, 0);
+  EXPECT_LT(links.largest_misfit, 0.1);
+  EXPECT_LT(links.divergence, 1);
+  EXPECT_LT(found(plain_, plain_, kRough, 1).largest_misfit, 3);
+  const VectorXd pi_b = pi_b_of(plain_);
+  for (int row = 0; row < base_.size(); ++row) {
+    for (const auto& [place, coefficient] : base_.combination[static_cast<std::size_t>(row)]) {
+      if (parameter_of(place) != Parameter::Im) continue;
+      EXPECT_LT(links.pi[static_cast<std::size_t>(place)], 0.02 * pi_b(row) + 1e-6) << parameter_name(place);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Arms, RotorsOfAnArm, ::testing::Values("ur5.urdf", "panda.urdf", "strict/kinovaGen3V12.urdf"),
+                         testing::name_of_text<const char*>);
+
+// Nothing is known of the last joints: they get no rotors and no friction.
+TEST(PhysicalParameters, HaveNoRotorsThatTheMotionDoesNotTell) {
+  const LoadedRobot model = testing::model_of("ur5.urdf");
+  const BaseParameters base = base_parameters(model.mechanism, ParameterSet::full);
+  Estimate estimate = known(values_of(base_values(model.mechanism, base)), VectorXd::Ones(base.size()));
+  constexpr int kKnown = 2;  // joints
+  for (Index k = 0; k < base.size(); ++k) {
+    if (joint_of(base.columns[static_cast<std::size_t>(k)]) >= kKnown) estimate.root_information.col(k).setZero();
+  }
+  const PhysicalParameters found = physical_parameters(model.mechanism, base, estimate);
+  for (int i = kKnown; i < model.mechanism.size(); ++i) {
+    for (const Parameter which : {Parameter::Im, Parameter::Fv, Parameter::Fs}) {
+      const int place = index_of(i, which);
+      EXPECT_LT(found.pi[static_cast<std::size_t>(place)], 1e-8) << parameter_name(place);
+    }
+  }
 }
 
 }  // namespace

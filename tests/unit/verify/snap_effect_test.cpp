@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "load/load_robot.hpp"
+
 namespace flatdyn {
 namespace {
 
