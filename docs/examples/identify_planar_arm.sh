@@ -43,4 +43,5 @@ motion together 0 0
 motion one_by_one 0 0.5
 measured together 1
 measured one_by_one 2
-"$flatdyn" identify "$robot" --data "$folder/together.csv" "$folder/one_by_one.csv" --sequential -o "$folder/identified.toml" --plot "$folder/residuals.svg"
+"$flatdyn" identify "$robot" --parameters given --sequential --data "$folder/together.csv" "$folder/one_by_one.csv" \
+  -o "$folder/identified.toml" --plot "$folder/residuals.svg"

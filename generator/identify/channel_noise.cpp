@@ -43,4 +43,26 @@ ChannelNoise ChannelNoiseMeter::noise() const {
   return result;
 }
 
+ChannelNoise typical_noise(std::vector<double> run) {
+  constexpr int kLowest = 3, kOrders = 6;
+  constexpr double kNormal = 1.4826;  // standard deviation of a normal number whose magnitude has median 1
+  ChannelNoiseMeter meter;
+  for (const double value : run) meter.add(value);
+  const double step = meter.noise().step;
+  double growth = 1, deviation = -1;
+  for (int order = 1; order <= kOrders && run.size() > 1; ++order) {
+    for (std::size_t k = 0; k + 1 < run.size(); ++k) run[k] = run[k + 1] - run[k];
+    run.pop_back();
+    growth *= 2.0 * (2.0 * order - 1) / order;
+    if (order < kLowest) continue;
+    std::vector<double> sizes;
+    for (const double difference : run) sizes.push_back(std::abs(difference));
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    const double found = kNormal * *middle / std::sqrt(growth);
+    deviation = deviation < 0 ? found : std::min(deviation, found);
+  }
+  return {step, std::max({deviation, step / std::sqrt(12.0), 0.0})};
+}
+
 }  // namespace flatdyn

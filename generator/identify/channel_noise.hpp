@@ -4,6 +4,7 @@
 
 #include <array>
 #include <compare>
+#include <vector>
 
 namespace flatdyn {
 
@@ -32,5 +33,9 @@ class ChannelNoiseMeter {
   int held_ = 0;  // differences known, 0 … kOrders + 1
   double step_ = 0;
 };
+
+// The noise of a run of samples by the medians of such differences, which steps now and then hardly change: dry
+// friction in a torque, or a rate with kinks.
+ChannelNoise typical_noise(std::vector<double> run);
 
 }  // namespace flatdyn

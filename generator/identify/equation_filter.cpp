@@ -110,9 +110,10 @@ void EquationFilter::mark_rest() {
   }
 }
 
-// A joint that rests has no speed and no acceleration: those that the filter finds are noise.
+// A joint that rests has no speed and no acceleration: those that the filter finds are noise. What a log has itself is
+// not.
 void EquationFilter::push_row(GridMotion motion) {
-  for (int j = 0; j < n_; ++j) {
+  for (int j = 0; j < n_ && !layout_.has_rates; ++j) {
     if (motion.rests[static_cast<std::size_t>(j)] != 0) motion.qd[j] = motion.qdd[j] = 0;
   }
   const MeasuredMotion measured{motion.time, motion.q.data(), motion.qd.data(), motion.qdd.data(),

@@ -23,7 +23,7 @@ class Surveyor {
 
   // Reads a run; returns false if the log ended before it did.
   bool read_run(LogReader& reader) {
-    std::vector<ChannelNoiseMeter> run(sample_.size());
+    std::vector<std::vector<double>> run(sample_.size());
     for (ChannelNoiseMeter& meter : all_) meter.restart();
     double last = 0;
     int count = 0;
@@ -31,10 +31,9 @@ class Surveyor {
       const bool is_gap = count > 0 && sample_[0] - last > 1.5 * dt_;
       last = sample_[0];
       for (std::size_t c = 0; c < sample_.size(); ++c) {
-        for (ChannelNoiseMeter* const meter : {&run[c], &all_[c]}) {
-          if (is_gap) meter->restart();
-          meter->add(sample_[c]);
-        }
+        if (is_gap) all_[c].restart();
+        all_[c].add(sample_[c]);
+        run[c].push_back(sample_[c]);
       }
       const auto rates = sample_.begin() + layout_.qd();
       if (layout_.has_rates) {
@@ -43,7 +42,7 @@ class Surveyor {
     }
     const bool is_whole = count == kSamplesPerRun;
     if (!is_whole && !runs_.front().empty()) return is_whole;
-    for (std::size_t c = 0; c < run.size(); ++c) runs_[c].push_back(run[c].noise());
+    for (std::size_t c = 0; c < run.size(); ++c) runs_[c].push_back(typical_noise(std::move(run[c])));
     return is_whole;
   }
 

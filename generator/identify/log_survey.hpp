@@ -12,8 +12,7 @@
 namespace flatdyn {
 
 struct LogSurvey {
-  // By channel. Steps that a signal makes now and then, such as dry friction in τ, do not count as noise in `typical`:
-  // half of the runs have no more. `all` is that of all runs together.
+  // By channel. `typical`: half of the runs have no more, by typical_noise(). `all` is that of all runs together.
   std::vector<ChannelNoise> all, typical;
   bool moves = false;  // whether any rate is not zero; true for logs without rates
 };

@@ -133,7 +133,7 @@ double rest_speed_of(const StreamPlan& plan, const LogSurvey& log, int position,
   const auto at = [](int channel) { return static_cast<std::size_t>(channel); };
   const double band = plan.filter.band;
   if (layout.has_rates) {
-    const double noise = log.all[at(layout.qd() + joint)].deviation;
+    const double noise = log.typical[at(layout.qd() + joint)].deviation;
     const double part = band > 0 ? norm(zero_phase_kernel(plan.filter.motion_band(), plan.filter.dt).weights[0]) : 1;
     return std::max(kDeviations * noise * part, kLeast);
   }

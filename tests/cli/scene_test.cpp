@@ -116,10 +116,11 @@ TEST(Scene, AnglesAndDampingAreTheSameInCAndSaidInTheHeader) {
   ASSERT_EQ(run_in_scene(scratch, generate + " --language c", kTipInAngles).code, 0);
   std::string header = scratch.read("ur5.hpp");
   for (std::size_t at = 0; (at = header.find("\n// ", at)) != std::string::npos;) header.replace(at, 4, " ");
-  for (const char* text : {"task = [x, theta, psi]; orientation = zyz; damping = 0.01", "of the task x, theta, psi",
-                           "R = R_z(phi) R_y(theta) R_z(psi), 0 < theta < pi", "analytical Jacobian",
-                           "lambda = 0.01, so that B_A is never larger than 1 / lambda^2",
-                           "a pivot of B or of J B^-1 J^T + lambda^2 1 is not positive", "condition[1]"}) {
+  for (const char* text :
+       {"task = [x, theta, psi]; orientation = zyz; damping = 0.01", "of the task x, theta, psi",
+        "R = R_z(phi) R_y(theta) R_z(psi), 0 < theta < pi", "analytical Jacobian",
+        "lambda = 0.01, so that B_A is never larger than 1 / lambda^2",
+        "a pivot of B or of J B^-1 J^T + lambda^2 1, or sin(theta), is not positive", "condition[1]"}) {
     EXPECT_THAT(header, HasSubstr(text));
   }
   const std::string use =

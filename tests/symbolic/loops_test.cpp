@@ -435,7 +435,8 @@ TEST(SliderCrank, IsIdentifiedFromALog) {
                      testing::LogDerivatives::none);
   Progress quiet(true);
   Diagnostics found;
-  const Measurement measurement = measure(arm.torque, {folder.path() / "log.csv"}, {}, quiet, found);
+  const Measurement measurement =
+      measure(TorqueEquations(arm.torque), arm.robot.mechanism, {folder.path() / "log.csv"}, {}, quiet, found);
   ASSERT_FALSE(found.has_errors());
   const Eigen::VectorXd truth = arm.truth();
   const Estimate estimated = estimate(measurement.observations, Eigen::VectorXd::Zero(truth.size()));
