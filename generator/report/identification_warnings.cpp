@@ -135,23 +135,25 @@ bool leaves_some_out(const TorqueModel& model) {
   return std::find(present.begin(), present.end(), false) != present.end();
 }
 
-// Links that are far from π_b say something about the log only if the search for them came to its end.
+// Reports links that are far from π_b, which says something about the log only if the search came to its end.
 void warn_of_misfit(const TorqueModel& model, const PhysicalParameters& physical,
                     std::vector<std::string>& warning_texts) {
   constexpr double kMuch = 10;  // standard deviations
-  if (!physical.converged) {
-    warning_texts.push_back(
-        fmt::format("the search for the nearest links did not converge: it ended {:.2g} standard deviations from pi_b, "
-                    "where nearer "
-                    "links may be; pi_b and its intervals are not affected",
-                    physical.largest_misfit));
-  } else if (physical.largest_misfit > kMuch) {
-    warning_texts.push_back(fmt::format(
-        "the nearest links are {:.2g} standard deviations from pi_b, more than noise of the torques explains: noise in "
-        "q, which no interval has in it, or motion, torques, units or geometry that cannot be right{}",
-        physical.largest_misfit,
-        leaves_some_out(model) ? ", or rotors and friction that are left out (--parameters full)" : ""));
-  }
+  if (!physical.converged || physical.largest_misfit <= kMuch) return;
+  warning_texts.push_back(
+      fmt::format("the nearest links are {:.2g} standard deviations from pi_b, more than noise of the torques "
+                  "explains: noise in q, "
+                  "which no interval has in it, or motion, torques, units or geometry that cannot be right{}",
+                  physical.largest_misfit,
+                  leaves_some_out(model) ? ", or rotors and friction that are left out (--parameters full)" : ""));
+}
+
+void warn_of_search(const PhysicalParameters& physical, std::vector<std::string>& warning_texts) {
+  if (physical.converged) return;
+  warning_texts.push_back(
+      fmt::format("the search for the nearest links did not converge: it ended {:.2g} standard deviations from pi_b, "
+                  "where nearer links may be; pi_b and its intervals are not affected",
+                  physical.largest_misfit));
 }
 
 // Reports links that are far from the estimate, and joints of whose torque they leave more than π_b does.
@@ -182,6 +184,7 @@ std::vector<std::string> plausibility_warnings(const TorqueModel& model, const I
   warn_of_signs(model, found.estimate, warning_texts);
   warn_of_scale(model, found.estimate, warning_texts);
   warn_of_sizes(model, found.estimate, warning_texts);
+  warn_of_search(found.physical, warning_texts);
   // Links cannot be near parameters that are those of no robot.
   if (warning_texts.empty()) warn_of_links(model, found, warning_texts);
   return warning_texts;
