@@ -110,10 +110,10 @@ void EquationFilter::mark_rest() {
   }
 }
 
-// A joint that rests has no speed and no acceleration: those that the filter finds are noise. What a log has itself is
-// not.
+// A joint that rests has no speed and no acceleration: those that the filter finds are noise. Without a filter, one
+// slow sample counts as rest, and its acceleration is the log's.
 void EquationFilter::push_row(GridMotion motion) {
-  for (int j = 0; j < n_ && !layout_.has_rates; ++j) {
+  for (int j = 0; j < n_ && plan_.filter.band > 0; ++j) {
     if (motion.rests[static_cast<std::size_t>(j)] != 0) motion.qd[j] = motion.qdd[j] = 0;
   }
   const MeasuredMotion measured{motion.time, motion.q.data(), motion.qd.data(), motion.qdd.data(),
@@ -153,7 +153,7 @@ bool EquationFilter::sticks(int joint, int back, double speed) const {
   const auto is_same = [&](int at) {
     return std::abs(raw_.sample(at)[channel] - reading) <= kRounding * std::max(1.0, std::abs(reading));
   };
-  const int before = std::min({kMost, raw_.held() - 1 - back}), behind = std::min(kMost, back);
+  const int before = std::min(kMost, raw_.held() - 1 - back), behind = std::min(kMost, back);
   int run = 1;
   for (int k = 1; k <= before && is_same(back + k); ++k) ++run;
   for (int k = 1; k <= behind && is_same(back - k); ++k) ++run;

@@ -14,8 +14,7 @@ double SampleFilter::motion_band() const {
 }
 
 int SampleFilter::stride() const {
-  constexpr double kBands = 12;
-  const double widest = band > 0 ? 1 / (kBands * band * dt) : 1;
+  const double widest = band > 0 ? 1 / (kMotionsPerBand * band * dt) : 1;
   for (int stride = std::min(decimate, static_cast<int>(widest)); stride > 1; --stride) {
     if (decimate % stride == 0) return stride;
   }

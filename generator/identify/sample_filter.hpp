@@ -10,14 +10,16 @@
 namespace flatdyn {
 
 struct SampleFilter {
+  static constexpr double kMotionsPerBand = 12;  // how often Y is evaluated in a period of the band, at least
+
   double dt = 0;     // median time between samples of the log, s
   double band = 0;   // edge of the pass band of Y and τ, Hz; 0: no filter
   int decimate = 1;  // the equations of every N-th sample are used
 
   // The edge of the pass band of q, q̇ and q̈, Hz: twice `band`, so that what passes the narrow filter is whole.
   double motion_band() const;
-  // Y is evaluated at every stride()-th sample, a divisor of `decimate`: at 12 bands or more. Friction, which jumps, is
-  // evaluated at every sample.
+  // Y is evaluated at every stride()-th sample, a divisor of `decimate`: at kMotionsPerBand bands or more. Friction,
+  // which jumps, is evaluated at every sample.
   int stride() const;
   // A joint rests if it is slow for half a period of the band: this many strides. 0 without a filter.
   int rest_strides() const;

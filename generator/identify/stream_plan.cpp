@@ -84,9 +84,9 @@ void check_units(const Mechanism& mechanism, const StreamPlan& plan, const std::
 
 // Three rows per period of the band, of which each is a whole number of strides behind the one before it.
 int default_decimation(double band, double rate) {
-  constexpr double kRowsPerBand = 3, kMotionsPerBand = 12;
+  constexpr double kRowsPerBand = 3;
   if (band == 0) return 1;
-  const int stride = std::max(1, static_cast<int>(rate / (kMotionsPerBand * band)));
+  const int stride = std::max(1, static_cast<int>(rate / (SampleFilter::kMotionsPerBand * band)));
   return stride * std::max(1, static_cast<int>(rate / (kRowsPerBand * band * stride)));
 }
 

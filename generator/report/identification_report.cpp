@@ -197,32 +197,30 @@ std::string describe_identification(const TorqueEquations& equations, const Iden
          physical_text(found.physical) + validation_text(model, found);
 }
 
-nlohmann::ordered_json identification_json(const TorqueEquations& equations, const Identification& found) {
+namespace {
+
+// How the parameters do on some logs, by joint.
+nlohmann::ordered_json joints_json(const TorqueModel& model, const Observations& observations,
+                                   const std::vector<JointFit>& fits, const Identification& found) {
+  nlohmann::ordered_json list;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const JointObservations& joint = observations.joints[i];
+    list.push_back({{"name", model.mechanism().joints()[i].joint},
+                    {"rms_torque", joint.rms_torque()},
+                    {"rms_residual", joint.rms_residual(found.estimate.values)},
+                    {"rms_residual_of_links", joint.rms_residual(found.physical_values())},
+                    {"rows", joint.rows},
+                    {"noise_ratio", fits[i].ratio},
+                    {"residual_correlation", fits[i].correlation}});
+  }
+  return list;
+}
+
+void add_parameters(const TorqueEquations& equations, const Identification& found, nlohmann::ordered_json& json) {
   const TorqueModel& model = equations.model();
   const Estimate& estimate = found.estimate;
-  nlohmann::ordered_json json = {{"samples", found.measurement.count.lines},
-                                 {"used", found.measurement.count.used},
-                                 {"gaps", found.measurement.count.gaps},
-                                 {"interpolated", found.measurement.count.interpolated}};
-  for (const MeasuredLog& log : found.measurement.logs) {
-    json["logs"].push_back({{"name", log.identity.name},
-                            {"filter_band", log.filter.band},
-                            {"decimation", log.filter.decimate},
-                            {"rest_speed", log.rest_speed}});
-  }
-  for (int i = 0; i < model.joints(); ++i) {
-    const JointObservations& joint = found.measurement.observations.joints[static_cast<std::size_t>(i)];
-    json["joints"].push_back({{"name", model.mechanism().joints()[static_cast<std::size_t>(i)].joint},
-                              {"rms_torque", joint.rms_torque()},
-                              {"rms_residual", joint.rms_residual(estimate.values)},
-                              {"sigma", estimate.torque_deviations(i)},
-                              {"rms_residual_of_links", joint.rms_residual(found.physical_values())},
-                              {"rows", joint.rows},
-                              {"noise_ratio", found.fits[static_cast<std::size_t>(i)].ratio},
-                              {"residual_correlation", found.fits[static_cast<std::size_t>(i)].correlation}});
-  }
   for (int k = 0; k < model.parameters(); ++k) {
-    json["base_parameters"].push_back({{"kept", parameter_name(model.base().columns[static_cast<std::size_t>(k)])},
+    json["base_parameters"].push_back({{"kept", equations.names()[static_cast<std::size_t>(k)]},
                                        {"combination", combination_text(model.base(), k, kJsonDigits)},
                                        {"value", estimate.values(k)},
                                        {"standard_deviation", estimate.standard_deviations(k)},
@@ -237,6 +235,28 @@ nlohmann::ordered_json identification_json(const TorqueEquations& equations, con
   }
   json["friction_speeds"] = equations.further().speeds;
   json["delay"] = found.delay;
+}
+
+}  // namespace
+
+nlohmann::ordered_json identification_json(const TorqueEquations& equations, const Identification& found) {
+  const TorqueModel& model = equations.model();
+  const Estimate& estimate = found.estimate;
+  nlohmann::ordered_json json = {{"samples", found.measurement.count.lines},
+                                 {"used", found.measurement.count.used},
+                                 {"gaps", found.measurement.count.gaps},
+                                 {"interpolated", found.measurement.count.interpolated}};
+  for (const MeasuredLog& log : found.measurement.logs) {
+    json["logs"].push_back({{"name", log.identity.name},
+                            {"filter_band", log.filter.band},
+                            {"decimation", log.filter.decimate},
+                            {"rest_speed", log.rest_speed}});
+  }
+  json["joints"] = joints_json(model, found.measurement.observations, found.fits, found);
+  for (std::size_t i = 0; i < json["joints"].size(); ++i) {
+    json["joints"][i]["sigma"] = estimate.torque_deviations(static_cast<Eigen::Index>(i));
+  }
+  add_parameters(equations, found, json);
   json["singular_values"] = list(estimate.singular_values);
   json["condition_number"] = estimate.condition();
   json["weights"] = {{"stable", estimate.converged}, {"iterations", estimate.iterations}};
@@ -247,15 +267,8 @@ nlohmann::ordered_json identification_json(const TorqueEquations& equations, con
   if (found.hypothesis) {
     json["hypothesis"] = {{"text", found.hypothesis->text}, {"explained", found.hypothesis->explained}};
   }
-  for (std::size_t i = 0; i < found.validation_fits.size(); ++i) {
-    const JointObservations& joint = found.validation->observations.joints[i];
-    json["validation"].push_back({{"name", model.mechanism().joints()[i].joint},
-                                  {"rms_torque", joint.rms_torque()},
-                                  {"rms_residual", joint.rms_residual(estimate.values)},
-                                  {"rms_residual_of_links", joint.rms_residual(found.physical_values())},
-                                  {"noise_ratio", found.validation_fits[i].ratio},
-                                  {"residual_correlation", found.validation_fits[i].correlation},
-                                  {"rows", joint.rows}});
+  if (found.validation) {
+    json["validation"] = joints_json(model, found.validation->observations, found.validation_fits, found);
   }
   json["doubts"] = found.warning_texts;
   json["damped"] = json["hidden"] = nlohmann::ordered_json::array();
