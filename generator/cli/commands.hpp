@@ -8,6 +8,7 @@
 #include "cli/messages.hpp"
 #include "identify/motion_stream.hpp"
 #include "planning/make_functions.hpp"
+#include "symbolic/parameters/parameter_frames.hpp"
 #include "symbolic/parameters/parameters.hpp"
 
 namespace flatdyn {
@@ -91,6 +92,10 @@ void add_plot_option(CLI::App& command, std::string& file, const std::string& me
 // Adds --parameters, for the purpose `use`. parameter_set() returns the set of that name.
 void add_parameters_option(CLI::App& command, std::string& name, const std::string& use);
 ParameterSet parameter_set(const std::string& name);
+
+// Adds --frames, to which the names of parameters refer. parameter_frames() returns those of that name.
+void add_frames_option(CLI::App& command, std::string& name);
+ParameterFrames parameter_frames(const std::string& name);
 
 Run add_generate(CLI::App& app);
 Run add_inspect(CLI::App& app);

@@ -13,6 +13,7 @@ namespace {
 struct ExciteArguments : RobotArguments {
   std::string folder;
   std::string parameters = "given";
+  std::string frames = "file";
   ExcitationOptions plan;
   std::optional<int> evaluations;
   std::optional<double> time;
@@ -43,9 +44,11 @@ ExitCode excite(const ExciteArguments& arguments) {
   Progress progress(arguments.quiet);
   const TorqueModel torques(model, parameter_set(arguments.parameters), progress);
   const Excitation excitation = make_excitation(torques, plan_of(arguments), progress, Interruption::happened);
+  const ParameterFrames frames = parameter_frames(arguments.frames);
   write_and_print(
       {{csv, excitation_csv(excitation.motion)}, {svg, excitation_plot(torques.mechanism(), excitation.motion)}},
-      {describe_excitation(torques, excitation) + "\n", excitation_json(torques, excitation)}, arguments);
+      {describe_excitation(torques, excitation, frames) + "\n", excitation_json(torques, excitation, frames)},
+      arguments);
   if (!Interruption::happened()) return ExitCode::ok;
   throw Failure(ExitCode::interrupted, "interrupted before the search was at its end",
                 "the best motion so far, which keeps the limits, is in " + csv);
@@ -99,6 +102,7 @@ Run add_excite(CLI::App& app) {
       ->type_name("FOLDER");
   add_plan_options(*command, *arguments);
   add_parameters_option(*command, arguments->parameters, "what is to be identified: ");
+  add_frames_option(*command, arguments->frames);
   return [arguments] { return excite(*arguments); };
 }
 

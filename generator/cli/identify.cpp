@@ -19,6 +19,7 @@ struct IdentifyArguments : RobotArguments {
   std::vector<std::string> logs, parts;
   std::string output, part;
   std::string parameters = "given";
+  std::string frames = "file";
   StreamOptions stream;
   EstimateOptions estimate;
   bool sequential = false;
@@ -149,6 +150,7 @@ ExitCode identify(const IdentifyArguments& arguments) {
   // Settings that cannot be repeated are refused before logs are read.
   if (!arguments.output.empty()) arguments.settings(robot);
   Identification found;
+  found.frames = parameter_frames(arguments.frames);
   {
     Progress progress(arguments.quiet);
     const TorqueModel model(robot, parameter_set(arguments.parameters), progress);
@@ -201,6 +203,7 @@ Run add_identify(CLI::App& app) {
   command->add_option("--part", arguments->part, "read the k-th of N parts of the logs, and write what it says")
       ->type_name("k/N");
   add_parameters_option(*command, arguments->parameters, "what is identified: ");
+  add_frames_option(*command, arguments->frames);
   add_stream_options(*command, arguments->stream);
   command
       ->add_option("--damping", arguments->estimate.damping,

@@ -6,11 +6,13 @@
 #include <string>
 
 #include "identify/excitation.hpp"
+#include "symbolic/parameters/parameter_frames.hpp"
 
 namespace flatdyn {
 
-std::string describe_excitation(const TorqueModel& model, const Excitation& excitation);
-nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitation& excitation);
+// Names of parameters refer to `frames`.
+std::string describe_excitation(const TorqueModel& model, const Excitation& excitation, ParameterFrames frames);
+nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitation& excitation, ParameterFrames frames);
 
 // CSV with columns t, q1, …, qd1, …, qdd1, …, tau1, …, SI. Every number is the shortest text that reads back exactly.
 std::string excitation_csv(const PlannedMotion& motion);

@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "diagnostics/table.hpp"
+#include "report/combination_table.hpp"
 #include "report/numbers.hpp"
-#include "symbolic/notation/combination_text.hpp"
 
 namespace flatdyn {
 namespace {
@@ -66,21 +66,22 @@ std::string torque_table(const TorqueModel& model, const Identification& found) 
 }
 
 std::string parameter_table(const TorqueModel& model, const Identification& found) {
-  std::vector<std::vector<std::string>> rows = {{"pi_b", "value", "std dev", "relative", "file", "combination"}};
-  if (found.joint_by_joint) rows.front().insert(rows.front().begin() + 4, "joint by joint");
+  std::vector<std::string> heading = {"pi_b", "value", "std dev", "relative", "file"};
+  if (found.joint_by_joint) heading.insert(heading.begin() + 4, "joint by joint");
+  std::vector<CombinationRow> rows;
   for (int k = 0; k < model.parameters(); ++k) {
     const double value = found.estimate.values(k), deviation = found.estimate.standard_deviations(k);
-    std::vector<std::string> row = {
-        parameter_name(model.base().columns[static_cast<std::size_t>(k)]),
-        fmt::format("{:.6g}", value),
+    std::vector<std::string> cells = {
+        parameter_name(model.base().columns[static_cast<std::size_t>(k)]), fmt::format("{:.6g}", value),
         deviation_text(deviation),
         value != 0 && std::isfinite(deviation) ? fmt::format("{:.2g} %", 100 * deviation / std::abs(value)) : "",
-        fmt::format("{:.6g}", model.file_values()[static_cast<std::size_t>(k)]),
-        combination_text(model.base(), k)};
-    if (found.joint_by_joint) row.insert(row.begin() + 4, fmt::format("{:.6g}", (*found.joint_by_joint)(k)));
-    rows.push_back(std::move(row));
+        fmt::format("{:.6g}", model.file_values()[static_cast<std::size_t>(k)])};
+    if (found.joint_by_joint) cells.insert(cells.begin() + 4, fmt::format("{:.6g}", (*found.joint_by_joint)(k)));
+    rows.push_back({k, std::move(cells)});
   }
-  return aligned_table(rows);
+  const Combinations combinations(model.mechanism(), model.base(), found.frames);
+  return combination_table(heading, rows, combinations) + note_on_frames(model.mechanism(), found.frames) +
+         note_on_names(model.mechanism(), found.frames);
 }
 
 std::string untold_text(const TorqueModel& model, const Estimate& estimate) {
@@ -122,6 +123,22 @@ std::string physical_text(const PhysicalParameters& physical) {
       physical.largest_misfit, physical.converged ? "" : "; the search did not converge", physical.divergence);
 }
 
+nlohmann::ordered_json base_parameters_json(const TorqueModel& model, const Identification& found) {
+  const Combinations canonical(model.mechanism(), model.base(), ParameterFrames::canonical);
+  const Combinations in_file(model.mechanism(), model.base(), found.frames);
+  nlohmann::ordered_json json;
+  for (int k = 0; k < model.parameters(); ++k) {
+    json.push_back({{"kept", parameter_name(model.base().columns[static_cast<std::size_t>(k)])},
+                    {"combination", canonical.text(k, kJsonDigits)},
+                    {"value", found.estimate.values(k)},
+                    {"standard_deviation", found.estimate.standard_deviations(k)},
+                    {"file", model.file_values()[static_cast<std::size_t>(k)]}});
+    if (found.frames == ParameterFrames::file) json.back()["file_combination"] = in_file.text(k, kJsonDigits);
+    if (found.joint_by_joint) json.back()["joint_by_joint"] = (*found.joint_by_joint)(k);
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string describe_identification(const TorqueModel& model, const Identification& found) {
@@ -151,14 +168,8 @@ nlohmann::ordered_json identification_json(const TorqueModel& model, const Ident
                               {"rms_residual_of_links", joint.rms_residual(found.physical.pi_b)},
                               {"rows", joint.rows}});
   }
-  for (int k = 0; k < model.parameters(); ++k) {
-    json["base_parameters"].push_back({{"kept", parameter_name(model.base().columns[static_cast<std::size_t>(k)])},
-                                       {"combination", combination_text(model.base(), k, kJsonDigits)},
-                                       {"value", estimate.values(k)},
-                                       {"standard_deviation", estimate.standard_deviations(k)},
-                                       {"file", model.file_values()[static_cast<std::size_t>(k)]}});
-    if (found.joint_by_joint) json["base_parameters"].back()["joint_by_joint"] = (*found.joint_by_joint)(k);
-  }
+  json["frames"] = name_of(found.frames);
+  json["base_parameters"] = base_parameters_json(model, found);
   json["singular_values"] = list(estimate.singular_values);
   json["condition_number"] = estimate.condition();
   json["weights"] = {{"stable", estimate.converged}, {"iterations", estimate.iterations}};

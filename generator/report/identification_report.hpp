@@ -8,6 +8,7 @@
 #include "identify/least_squares.hpp"
 #include "identify/measurement.hpp"
 #include "identify/physical_parameters.hpp"
+#include "symbolic/parameters/parameter_frames.hpp"
 
 namespace flatdyn {
 
@@ -17,7 +18,8 @@ struct Identification {
   Estimate estimate;
   std::optional<Eigen::VectorXd> joint_by_joint;  // the textbook's sequential procedure, for comparison
   PhysicalParameters physical;
-  std::vector<std::string> warning_texts;  // plausibility_warnings() the other members
+  ParameterFrames frames = ParameterFrames::file;  // those to which the names of parameters refer
+  std::vector<std::string> warning_texts;          // plausibility_warnings() the other members
 };
 
 // Sentences on results that are hardly right, each with a possible reason.
