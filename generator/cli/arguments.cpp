@@ -336,6 +336,19 @@ ParameterSet parameter_set(const std::string& name, const Mechanism& mechanism) 
   return ParameterSet::full;
 }
 
+void add_frames_option(CLI::App& command, std::string& name) {
+  command
+      .add_option("--frames", name,
+                  "base parameters as combinations of the parameters of links in the robot file, each in its own frame "
+                  "(file), or of moving links in frames with z on the joint's axis (canonical)")
+      ->check(CLI::IsMember({"file", "canonical"}))
+      ->capture_default_str();
+}
+
+ParameterFrames parameter_frames(const std::string& name) {
+  return name == "file" ? ParameterFrames::file : ParameterFrames::canonical;
+}
+
 std::string stamp(const std::vector<std::pair<std::string, std::string>>& options) {
   std::string text;
   for (const auto& [option, value] : options) {

@@ -8,6 +8,7 @@
 #include "cli/messages.hpp"
 #include "identify/motion_stream.hpp"
 #include "planning/make_functions.hpp"
+#include "symbolic/parameters/parameter_frames.hpp"
 #include "symbolic/parameters/parameters.hpp"
 
 namespace flatdyn {
@@ -95,6 +96,10 @@ void add_parameters_option(CLI::App& command, std::string& name, const std::stri
 ParameterSet parameter_set(const std::string& name);
 // The same for identification: of no name, all parameters if the file gives no friction, else those that it gives.
 ParameterSet parameter_set(const std::string& name, const Mechanism& mechanism);
+
+// Adds --frames, to which the names of parameters refer. parameter_frames() returns those of that name.
+void add_frames_option(CLI::App& command, std::string& name);
+ParameterFrames parameter_frames(const std::string& name);
 
 Run add_generate(CLI::App& app);
 Run add_inspect(CLI::App& app);

@@ -14,6 +14,7 @@ struct ExciteArguments : RobotArguments {
   std::string folder;
   std::vector<std::string> logs;
   std::string parameters = "given";
+  std::string frames = "file";
   ExcitationOptions plan;
   std::optional<int> evaluations;
   std::optional<double> time;
@@ -59,9 +60,11 @@ ExitCode excite(const ExciteArguments& arguments) {
   ExcitationOptions plan = plan_of(arguments);
   if (logged) plan.logged = logged->root;
   const Excitation excitation = make_excitation(torques, plan, progress, Interruption::happened);
+  const ParameterFrames frames = parameter_frames(arguments.frames);
   write_and_print(
       {{csv, excitation_csv(excitation.motion)}, {svg, excitation_plot(torques.mechanism(), excitation.motion)}},
-      {describe_excitation(torques, excitation, logged) + "\n", excitation_json(torques, excitation, logged)},
+      {describe_excitation(torques, excitation, logged, frames) + "\n",
+       excitation_json(torques, excitation, logged, frames)},
       arguments);
   if (!Interruption::happened()) return ExitCode::ok;
   throw Failure(ExitCode::interrupted, "interrupted before the search was at its end",
@@ -122,6 +125,7 @@ Run add_excite(CLI::App& app) {
       ->type_name("LOG.csv");
   add_plan_options(*command, *arguments);
   add_parameters_option(*command, arguments->parameters, "what is to be identified: ");
+  add_frames_option(*command, arguments->frames);
   return [arguments] { return excite(*arguments); };
 }
 

@@ -29,7 +29,7 @@ struct GenerateArguments : RobotArguments {
   std::string folder;
   std::vector<std::string> functions, staged, fused;
   std::vector<std::string> scalars = {"double"};
-  std::string language = "c++", form = "header";
+  std::string language = "c++", form = "header", frames = "file";
   std::string name_space, file_name;  // empty: from the robot's name
   std::string firmware;               // a processor; empty: none
   bool python = false;
@@ -73,6 +73,7 @@ std::string stamp_of(const GenerateArguments& arguments, const std::vector<Optim
              {"--form", arguments.is_pair() ? "pair" : ""},
              {"--namespace", arguments.name_space},
              {"--name", arguments.file_name},
+             {"--frames", arguments.frames == "file" ? "" : arguments.frames},
              {"--max-lines", arguments.most_lines == 0 ? "" : std::to_string(arguments.most_lines)}});
   const std::string of_robot = arguments.stamp_of_settings(functions);
   return of_functions + (of_functions.empty() || of_robot.empty() ? "" : " ") + of_robot;
@@ -160,6 +161,7 @@ GenerationOptions generation_options(const GenerateArguments& arguments) {
   options.form.language = kLanguages.at(arguments.language).language;
   options.form.file_name = arguments.file_name;
   options.form.form = arguments.is_pair() ? Form::pair : Form::header;
+  options.form.frames = parameter_frames(arguments.frames);
   options.form.more_scalars = {arguments.scalars.begin() + 1, arguments.scalars.end()};
   options.options_stamp = [&arguments](const std::vector<OptimisedFunction>& functions) {
     return stamp_of(arguments, functions);
@@ -345,6 +347,7 @@ Run add_generate(CLI::App& app) {
                    "no function of the header is longer: longer ones call parts of their own")
       ->check(CLI::Range(kFewestLines, kMostLines))
       ->type_name("N");
+  add_frames_option(*command, arguments->frames);
   add_names_option(*command, "--dump-after", arguments->dumped_passes,
                    "write every function as text after these passes: names of passes, derived (before the first one), "
                    "or all");

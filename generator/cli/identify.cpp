@@ -29,6 +29,7 @@ struct IdentifyArguments : RobotArguments {
   std::vector<std::string> logs, parts;
   std::string output, part;
   std::string parameters;
+  std::string frames = "file";
   StreamOptions stream;
   IdentificationOptions identification;
   FurtherParameters further;
@@ -230,7 +231,8 @@ TextFile robot_file(const IdentifyArguments& arguments, const LoadedRobot& robot
   IdentifiedRobot about{arguments.output,
                         {fmt::format("Identified by flatdyn {} from measured motion.", kProgramVersion), ""},
                         arguments.settings(robot)};
-  for (const std::string& line : lines_of(describe_identification(equations, found))) about.comments.push_back(line);
+  const std::string report = describe_identification(equations, found, parameter_frames(arguments.frames));
+  for (const std::string& line : lines_of(report)) about.comments.push_back(line);
   if (!found.warning_texts.empty()) about.comments.emplace_back();
   about.comments.insert(about.comments.end(), found.warning_texts.begin(), found.warning_texts.end());
   return {arguments.output, identified_robot_text(robot, arguments.identification.set, found.physical, about)};
@@ -318,8 +320,10 @@ ExitCode identify(IdentifyArguments arguments) {
   if (!arguments.validation.empty()) validate(found, equations, logs.validation(equations));
   found.warning_texts = plausibility_warnings(model, found);
   arguments.warn_of(found.warning_texts, arguments.source());
+  const ParameterFrames frames = parameter_frames(arguments.frames);
   write_and_print(result_files(arguments, robot, equations, found, logs),
-                  {describe_identification(equations, found), identification_json(equations, found)}, arguments);
+                  {describe_identification(equations, found, frames), identification_json(equations, found, frames)},
+                  arguments);
   return ExitCode::ok;
 }
 
@@ -356,6 +360,7 @@ Run add_identify(CLI::App& app) {
   command->add_option("--part", arguments->part, "read the k-th of N parts of the logs, and write what it says")
       ->type_name("k/N");
   add_identified_option(*command, arguments->parameters);
+  add_frames_option(*command, arguments->frames);
   add_stream_options(*command, arguments->stream);
   command
       ->add_option("--damping", arguments->identification.estimate.damping,

@@ -15,6 +15,7 @@ namespace {
 struct InspectArguments : RobotArguments {
   bool base = false;
   std::string parameters = "given";
+  std::string frames = "file";
 };
 
 ExitCode inspect(const InspectArguments& arguments) {
@@ -24,15 +25,16 @@ ExitCode inspect(const InspectArguments& arguments) {
   note_rounded_angles(model, options, {}, findings);
   print_diagnostics(findings, arguments);
   const ParameterSet set = parameter_set(arguments.parameters);
+  const ParameterFrames frames = parameter_frames(arguments.frames);
   const std::vector<double> effects = snap_effects(model, options.read);
   if (arguments.json) {
     nlohmann::ordered_json json = model_json(model, effects);
     json.update(links_json(model));
-    if (arguments.base) json.update(base_json(model.mechanism, set));
+    if (arguments.base) json.update(base_json(model.mechanism, set, frames));
     print_result(json_text(json));
   } else if (arguments.base) {
-    print_result(describe_model(model, effects, SnapDetail::each) + "\n" + describe_bodies(model.mechanism) + "\n" +
-                 describe_base(model.mechanism, set));
+    print_result(describe_model(model, effects, SnapDetail::each) + "\n" + describe_bodies(model.mechanism, frames) +
+                 "\n" + describe_base(model.mechanism, set, frames));
   } else {
     print_result(describe_model(model, effects, SnapDetail::each) + "\n" + describe_links(model));
   }
@@ -52,6 +54,7 @@ Run add_inspect(CLI::App& app) {
   command->add_flag("--base", arguments->base,
                     "print the fewest parameters that the torques depend on, and those that they do not depend on");
   add_parameters_option(*command, arguments->parameters, "for --base: ");
+  add_frames_option(*command, arguments->frames);
   return [arguments] { return inspect(*arguments); };
 }
 

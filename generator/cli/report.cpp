@@ -22,6 +22,7 @@ constexpr int kMostJointsOfLargeMaps = 12;
 struct ReportArguments : RobotArguments {
   std::string file;
   std::string parameters = "given";
+  std::string frames = "file";
   std::string with;    // "certificate"; empty: nothing more
   std::string stress;  // path of stress.json; empty: none
 };
@@ -112,14 +113,16 @@ ExitCode report(const ReportArguments& arguments) {
   const std::vector<Proof> proofs = prove(model.mechanism, functions, std::nullopt, std::nullopt);
   progress.step("drawing");
   const std::string parameters = arguments.parameters == "given" ? "" : arguments.parameters;
+  const std::string frames = arguments.frames == "file" ? "" : arguments.frames;
   const std::string settings = arguments.stamp_of_settings({});
-  const std::string of_base = stamp({{"--parameters", parameters}, {"--with", arguments.with}});
+  const std::string of_base = stamp({{"--parameters", parameters}, {"--frames", frames}, {"--with", arguments.with}});
   PageContent content{model,
                       std::move(functions),
                       drawing_of(model.robot, model.mechanism),
                       findings,
                       snap_effects(model, options.read),
                       parameter_set(arguments.parameters),
+                      parameter_frames(arguments.frames),
                       settings + (settings.empty() || of_base.empty() ? "" : " ") + of_base,
                       proof_text(proofs)};
   content.worst_states = worst;
@@ -149,6 +152,7 @@ Run add_report(CLI::App& app) {
       ->check(kNotEmpty)
       ->type_name("FILE.html");
   add_parameters_option(*command, arguments->parameters, "what base parameters are made of: ");
+  add_frames_option(*command, arguments->frames);
   command
       ->add_option("--with", arguments->with,
                    "also on the page: certificate, how large the rounding errors of the torques can be")

@@ -10,6 +10,15 @@ std::size_t text_width(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
+void add_row(std::vector<std::vector<std::string>>& rows, std::vector<std::string> cells,
+             const std::vector<std::string>& last_cell) {
+  for (const std::string& line : last_cell) {
+    rows.push_back(cells);
+    rows.back().push_back(line);
+    cells.assign(cells.size(), "");
+  }
+}
+
 std::vector<std::string> aligned_lines(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {

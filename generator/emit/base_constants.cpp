@@ -13,16 +13,21 @@
 namespace flatdyn {
 namespace {
 
-constexpr const char* kMeaning =
-    "Base parameters pi_b: the fewest that the torques depend on. Link 1 is moved by the first joint, and so on; m2 is "
-    "its mass, m2lx its first moment, I2xx its inertia, all of the link with the motors that it carries, about the "
-    "origin of its frame, which flatdyn inspect describes (z on the joint's axis); Im2 is the rotor inertia, Fv2 and "
-    "Fs2 are the friction of the second joint. Numbers here are rounded.";
+std::string meaning(const Mechanism& mechanism, ParameterFrames frames) {
+  const std::string text =
+      "Base parameters pi_b: the fewest that the torques depend on, as combinations of parameters in ";
+  const char* const names =
+      " Each pi_b has the name of the parameter in canonical frames that it keeps (flatdyn inspect --base --frames "
+      "canonical).";
+  return text + frames_text(mechanism, frames) + "." + (has_names_of_file(mechanism, frames) ? names : "") +
+         " Numbers here are rounded.";
+}
 
-std::vector<std::string> comment_of(const BaseParameters& base) {
-  std::vector<std::string> lines = wrapped_words(kMeaning, kCommentWidth);
+std::vector<std::string> comment_of(const Mechanism& mechanism, const BaseParameters& base, ParameterFrames frames) {
+  std::vector<std::string> lines = wrapped_words(meaning(mechanism, frames), kCommentWidth);
+  const Combinations combinations(mechanism, base, frames);
   for (int k = 0; k < base.size(); ++k) {
-    const std::string text = fmt::format("pi_b[{}] = {}", k, combination_text(base, k));
+    const std::string text = fmt::format("pi_b[{}] = {}", k, combinations.text(k));
     for (const std::string& line : wrapped_words(comment_text(text), kCommentWidth - 4)) {
       const bool begins = line.rfind("pi_b[", 0) == 0;
       lines.push_back((begins ? "  " : "      ") + line);
@@ -38,10 +43,10 @@ bool uses_base_parameters(const Function& function) {
   return function.base_parameters > 0 || (row != nullptr && row->traits.uses_base_parameters);
 }
 
-BaseConstants base_constants(const Mechanism& mechanism, const std::vector<std::string>& names,
+BaseConstants base_constants(const Mechanism& mechanism, const std::vector<std::string>& names, ParameterFrames frames,
                              const Dialect& dialect) {
   const BaseParameters base = base_parameters(mechanism);
-  BaseConstants constants{comment_of(base), base.size(), {}};
+  BaseConstants constants{comment_of(mechanism, base, frames), base.size(), {}};
   if (base.size() == 0) return constants;
   std::vector<std::string> kept, values;
   for (const int index : base.columns) kept.push_back(dialect.text(parameter_name(index)));

@@ -8,6 +8,7 @@
 #include "emit/dialect.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
+#include "symbolic/parameters/parameter_frames.hpp"
 
 namespace flatdyn {
 
@@ -24,7 +25,8 @@ struct BaseConstants {
   std::vector<ConstantArray> arrays;  // values only for a robot without free symbols
 };
 
-// `names`: the names of kBaseConstants in this header.
-BaseConstants base_constants(const Mechanism& mechanism, const std::vector<std::string>& names, const Dialect& dialect);
+// `names`: the names of kBaseConstants in this header; `frames`: those to which names of parameters refer.
+BaseConstants base_constants(const Mechanism& mechanism, const std::vector<std::string>& names, ParameterFrames frames,
+                             const Dialect& dialect);
 
 }  // namespace flatdyn

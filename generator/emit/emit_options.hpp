@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "symbolic/parameters/parameter_frames.hpp"
+
 namespace flatdyn {
 
 enum class Language { cpp, c, javascript };
@@ -23,7 +25,8 @@ struct EmitOptions {
   Language language = Language::cpp;
   std::string file_name{};  // name of header and source without extension; empty: the robot's name
   Form form = Form::header;
-  std::vector<std::string> more_scalars{};  // scalars beside `scalar` that the source of a pair is compiled for
+  ParameterFrames frames = ParameterFrames::file;  // those to which the names of base parameters' parts refer
+  std::vector<std::string> more_scalars{};         // scalars beside `scalar` that the source of a pair is compiled for
 };
 
 }  // namespace flatdyn

@@ -190,7 +190,7 @@ class PageWriter {
   }
 
   void write_base_constants(data& header) {
-    const BaseConstants base = base_constants(mechanism_, names_.base, dialect_);
+    const BaseConstants base = base_constants(mechanism_, names_.base, options_.frames, dialect_);
     const std::string count = dialect_.count_definition(names_.base[0], base.count);
     std::string definitions, declarations;
     content_.exports.push_back(names_.base[0]);

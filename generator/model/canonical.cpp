@@ -400,10 +400,12 @@ void add_motor(const RawTree& tree, const Placer& placer, int body_index, Mechan
                       "\", which is not between the base and the joint",
                   "carry it on the joint's parent link or on a link before it");
   }
-  const InertialParameters still = transformed(still_rotor(*joint.motor), pose.R, pose.p);
+  const InertialParameters still = still_rotor(*joint.motor);
+  WrittenLink& written = mechanism.links[static_cast<std::size_t>(link)];
+  written.inertia = written.inertia + still;
   InertialParameters& carrying =
       carrier < 0 ? mechanism.base : mechanism.bodies[static_cast<std::size_t>(carrier)].inertia;
-  carrying = carrying + still;
+  carrying = carrying + transformed(still, pose.R, pose.p);
   body.rotor =
       Rotor{carrier, rationalised(joint.motor->gear_ratio.number), rationalised(joint.motor->inertia_axial.number),
             snap_residue_to_zero(expanded(pose.R * unit(joint.motor->axis)), 1)};
@@ -413,12 +415,12 @@ void add_links(const RawTree& tree, const Placer& placer, Mechanism& mechanism) 
   const Robot& robot = tree.robot_;
   for (std::size_t l = 0; l < robot.links.size(); ++l) {
     const Transform pose = final_pose(tree, placer, static_cast<int>(l));
-    mechanism.links.push_back({robot.links[l].name, tree.body_of_[l], pose.R, pose.p});
-    for (const Inertial& inertial : robot.links[l].inertials) {
-      const int body = tree.body_of_[l];
-      InertialParameters& target = body < 0 ? mechanism.base : mechanism.bodies[static_cast<std::size_t>(body)].inertia;
-      target = target + transformed(in_link_frame(inertial), pose.R, pose.p);
-    }
+    const int body = tree.body_of_[l];
+    InertialParameters link;
+    for (const Inertial& inertial : robot.links[l].inertials) link = link + in_link_frame(inertial);
+    mechanism.links.push_back({{robot.links[l].name, body, pose.R, pose.p}, link});
+    InertialParameters& target = body < 0 ? mechanism.base : mechanism.bodies[static_cast<std::size_t>(body)].inertia;
+    target = target + transformed(link, pose.R, pose.p);
   }
   const Transform tip = compose(final_pose(tree, placer, robot.tip), exact_transform(robot.tip_offset));
   const auto tip_link = static_cast<std::size_t>(robot.tip);

@@ -74,6 +74,12 @@ struct LinkFrame {
   Vec3 p = zero_vector();
 };
 
+// A written link with what the file fixes to it, in its own frame: its bodies, and the rotors that it carries, held
+// still.
+struct WrittenLink : LinkFrame {
+  InertialParameters inertia;
+};
+
 // A multiple of an entry of q by which joints turn.
 struct CoordinateMultiple {
   int position = 0;
@@ -109,12 +115,12 @@ class JointRange;
 
 struct Mechanism {
   std::string name;
-  std::vector<Body> bodies;      // parents before children
-  std::vector<LinkFrame> links;  // every written link, in file order
-  LinkFrame tip;                 // the frame of the tip
-  Task task;                     // the scene's task; no rows: the independent rows of the tip's Jacobian
-  Vec3 gravity = zero_vector();  // g_0 in the base frame, m/s^2
-  InertialParameters base;       // bodies fixed to the base (only the potential energy's constant depends on them)
+  std::vector<Body> bodies;        // parents before children
+  std::vector<WrittenLink> links;  // every written link, in file order
+  LinkFrame tip;                   // the frame of the tip
+  Task task;                       // the scene's task; no rows: the independent rows of the tip's Jacobian
+  Vec3 gravity = zero_vector();    // g_0 in the base frame, m/s^2
+  InertialParameters base;         // bodies fixed to the base (only the potential energy's constant depends on them)
   std::vector<FreeSymbol> symbols;
   std::vector<std::string> merged;  // names of links that fixed joints have merged into another
 

@@ -165,7 +165,7 @@ class Converter {
     for (const LoopClosure& closure : mechanism.loops) {
       reference::Loop<S> loop;
       for (std::size_t e = 0; e < 2; ++e) {
-        const LinkFrame& link = link_of(mechanism, closure.ends[e].body);
+        const WrittenLink& link = link_of(mechanism, closure.ends[e].body);
         loop.links[e] = index_of(mechanism, link);
         loop.points[e] = matrix(link.R).transpose() * (vector(closure.ends[e].p) - vector(link.p));
         if (e == 1) loop.axis = matrix(link.R).transpose() * vector(closure.axis);
@@ -173,7 +173,7 @@ class Converter {
           loop.across[k] = matrix(link.R).transpose() * vector(closure.across[k]);
         }
       }
-      const LinkFrame& carrier = link_of(mechanism, closure.carrier);
+      const WrittenLink& carrier = link_of(mechanism, closure.carrier);
       loop.carrier = index_of(mechanism, carrier);
       loop.axes = matrix(carrier.R).transpose() * matrix(closure.axes);
       loop.rows.assign(closure.rows.begin(), closure.rows.end());
@@ -183,11 +183,11 @@ class Converter {
     result_.independent = mechanism.independent;
   }
 
-  static const LinkFrame& link_of(const Mechanism& mechanism, int body) {
+  static const WrittenLink& link_of(const Mechanism& mechanism, int body) {
     return *std::find_if(mechanism.links.begin(), mechanism.links.end(),
-                         [body](const LinkFrame& link) { return link.body == body; });
+                         [body](const WrittenLink& link) { return link.body == body; });
   }
-  static int index_of(const Mechanism& mechanism, const LinkFrame& link) {
+  static int index_of(const Mechanism& mechanism, const WrittenLink& link) {
     return static_cast<int>(&link - mechanism.links.data());
   }
 

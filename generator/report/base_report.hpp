@@ -5,14 +5,24 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "symbolic/parameters/base_parameters.hpp"
+#include "symbolic/parameters/file_parameters.hpp"
 
 namespace flatdyn {
 
-std::string describe_base(const Mechanism& mechanism, ParameterSet set);
-// The parameters that cannot be identified, each with its reason.
-nlohmann::ordered_json unidentifiable_json(const Mechanism& mechanism, const BaseParameters& base, ParameterSet set);
-nlohmann::ordered_json base_json(const Mechanism& mechanism, ParameterSet set);
+// Their names refer to parameters in `frames`, whose values stand before them.
+std::string describe_base(const Mechanism& mechanism, ParameterSet set, ParameterFrames frames);
+// Canonical frames always; those of the file as well if `frames` says so.
+nlohmann::ordered_json base_json(const Mechanism& mechanism, ParameterSet set, ParameterFrames frames);
+
+// The number of parameters in the set.
+std::size_t parameter_count(const Mechanism& mechanism, ParameterSet set, ParameterFrames frames);
+
+// The names of parameters that cannot be identified, separated by commas, with the reason that they share.
+std::vector<std::pair<std::string, std::string>> unidentifiable_names(const Mechanism& mechanism,
+                                                                      const BaseParameters& base, ParameterSet set,
+                                                                      ParameterFrames frames);
 
 }  // namespace flatdyn

@@ -13,6 +13,7 @@
 #include "report/scene_report.hpp"
 #include "symbolic/notation/coupled_text.hpp"
 #include "symbolic/notation/number_text.hpp"
+#include "symbolic/parameters/file_parameters.hpp"
 
 namespace flatdyn {
 namespace {
@@ -89,17 +90,44 @@ std::string turn_text(const PlanarRotation& turn, const NumberText& number) {
   return quarters == std::round(quarters) ? fmt::format("{:g} deg", 90 * quarters) : fmt::format("{:.6g} rad", angle);
 }
 
+std::string inertia_about_origin(const InertialParameters& b, const NumberText& number) {
+  return fmt::format(
+      "  m = {} kg, m r = {} kg m\n"
+      "  I = xx {}, yy {}, zz {}, xy {}, xz {}, yz {} kg m^2 about the origin\n",
+      number(b.mass), number(b.first_moment), number(b.inertia[0][0]), number(b.inertia[1][1]), number(b.inertia[2][2]),
+      number(b.inertia[0][1]), number(b.inertia[0][2]), number(b.inertia[1][2]));
+}
+
 // Links are numbered from 1, as in the names of parameters, m1, I1zz, …
 std::string describe_body(const Body& body, int i, const NumberText& number) {
-  const InertialParameters& b = body.inertia;
   const auto turn = [&number](const PlanarRotation& rotation) { return turn_text(rotation, number); };
+  return fmt::format("link {} ({}), frame in its parent: p = {} m, Rz({}) Rx({}) Rz({}{})\n", i + 1, body.link,
+                     number(body.p), turn(body.beta), turn(body.alpha), turn(body.theta),
+                     body.prismatic ? "" : " + q") +
+         inertia_about_origin(body.inertia, number);
+}
+
+std::string describe_canonical_bodies(const Mechanism& mechanism, const NumberText& number) {
   std::string text =
-      fmt::format("link {} ({}), frame in its parent: p = {} m, Rz({}) Rx({}) Rz({}{})\n", i + 1, body.link,
-                  number(body.p), turn(body.beta), turn(body.alpha), turn(body.theta), body.prismatic ? "" : " + q");
-  text += fmt::format("  m = {} kg, m r = {} kg m\n", number(b.mass), number(b.first_moment));
-  text += fmt::format("  I = xx {}, yy {}, zz {}, xy {}, xz {}, yz {} kg m^2 about the origin\n",
-                      number(b.inertia[0][0]), number(b.inertia[1][1]), number(b.inertia[2][2]),
-                      number(b.inertia[0][1]), number(b.inertia[0][2]), number(b.inertia[1][2]));
+      "links in the frames of their parameters, which flatdyn chooses so that most constants are 0 or 1: z along the "
+      "joint's axis\n";
+  for (int i = 0; i < mechanism.body_count(); ++i) {
+    text += describe_body(mechanism.bodies[static_cast<std::size_t>(i)], i, number);
+  }
+  return text;
+}
+
+std::string describe_written_links(const Mechanism& mechanism, const NumberText& number) {
+  std::string text = "links as the robot file has them, in their own frames, with the rotors that they carry\n";
+  for (int i = 0; i < mechanism.body_count(); ++i) {
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
+    for (const WrittenLink* link : links_of(mechanism, i)) {
+      const bool is_moved = link->link == body.link;
+      text += fmt::format("link {}, {} {}\n", link->link, is_moved ? "moved by" : "fixed to",
+                          is_moved ? body.joint : body.link) +
+              inertia_about_origin(link->inertia, number);
+    }
+  }
   return text;
 }
 
@@ -151,15 +179,10 @@ nlohmann::ordered_json position_json(const Mechanism& mechanism, std::size_t bod
 
 }  // namespace
 
-std::string describe_bodies(const Mechanism& mechanism) {
+std::string describe_bodies(const Mechanism& mechanism, ParameterFrames frames) {
   const NumberText number(mechanism);
-  std::string text =
-      "links in the frames of their parameters, which flatdyn chooses so that most constants are 0 or 1: z along the "
-      "joint's axis\n";
-  for (int i = 0; i < mechanism.body_count(); ++i) {
-    text += describe_body(mechanism.bodies[static_cast<std::size_t>(i)], i, number);
-  }
-  return text;
+  return has_names_of_file(mechanism, frames) ? describe_written_links(mechanism, number)
+                                              : describe_canonical_bodies(mechanism, number);
 }
 
 nlohmann::ordered_json model_json(const LoadedRobot& model, const std::vector<double>& snap_effects) {

@@ -8,6 +8,7 @@
 #include "load/loaded_robot.hpp"
 #include "planning/optimised_function.hpp"
 #include "report/snap_report.hpp"
+#include "symbolic/parameters/parameter_frames.hpp"
 
 namespace flatdyn {
 
@@ -16,9 +17,10 @@ namespace flatdyn {
 std::string describe_model(const LoadedRobot& model, const std::vector<double>& snap_effects, SnapDetail detail);
 nlohmann::ordered_json model_json(const LoadedRobot& model, const std::vector<double>& snap_effects);
 
-// The canonical bodies, to which the names of parameters refer: their frames, and their inertial parameters about the
-// frames' origins. report/links_in_file.hpp has the links in the frames of the file.
-std::string describe_bodies(const Mechanism& mechanism);
+// The bodies to which the names of parameters in these frames refer, with their inertial parameters about the frames'
+// origins: the canonical ones with their frames, or the links as written. report/links_in_file.hpp has links together
+// with what is fixed to them.
+std::string describe_bodies(const Mechanism& mechanism, ParameterFrames frames);
 
 // For each function its operation counts, the inputs it reads and its structural zeros.
 std::string describe_functions(const std::vector<OptimisedFunction>& functions,

@@ -9,7 +9,7 @@
 
 #include "diagnostics/table.hpp"
 #include "plot/time_table.hpp"
-#include "symbolic/notation/combination_text.hpp"
+#include "report/combination_table.hpp"
 
 namespace flatdyn {
 namespace {
@@ -55,13 +55,13 @@ double sign_of(const Eigen::VectorXd& direction) {
   return std::copysign(1, direction(largest));
 }
 
-std::string weakest_table(const BaseParameters& base, const Eigen::VectorXd& weakest) {
-  std::vector<std::vector<std::string>> rows = {{"pi_b", "part", "combination"}};
+std::string weakest_table(const TorqueModel& model, const Eigen::VectorXd& weakest, ParameterFrames frames) {
+  std::vector<CombinationRow> rows;
   for (const int k : weakest_first(weakest)) {
-    rows.push_back(
-        {std::to_string(k), fmt::format("{:+.2f}", sign_of(weakest) * weakest(k)), combination_text(base, k)});
+    rows.push_back({k, {std::to_string(k), fmt::format("{:+.2f}", sign_of(weakest) * weakest(k))}});
   }
-  return aligned_table(rows);
+  const Combinations combinations(model.mechanism(), model.base(), frames);
+  return combination_table({"pi_b", "part"}, rows, combinations) + note_on_frames(model.mechanism(), frames);
 }
 
 // Ratios of the parameters' standard deviations after the planned motion to those before, in ascending order; 0 for
@@ -97,7 +97,7 @@ Panel motion_panel(const Mechanism& mechanism, const std::string& title, const s
 }  // namespace
 
 std::string describe_excitation(const TorqueModel& model, const Excitation& excitation,
-                                const std::optional<LoggedInformation>& logged) {
+                                const std::optional<LoggedInformation>& logged, ParameterFrames frames) {
   const PlannedMotion& motion = excitation.motion;
   std::string text =
       fmt::format("{} base parameters, {} samples, {} evaluations{}\n\n", model.parameters(), motion.samples.size(),
@@ -116,11 +116,11 @@ std::string describe_excitation(const TorqueModel& model, const Excitation& exci
   }
   text += "\nlargest part of each limit that is used:\n" + use_table(model.mechanism(), motion.use);
   return text + "\nthe motion shows least, of all combinations of the parameters:\n" +
-         weakest_table(model.base(), after.weakest);
+         weakest_table(model, after.weakest, frames);
 }
 
 nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitation& excitation,
-                                       const std::optional<LoggedInformation>& logged) {
+                                       const std::optional<LoggedInformation>& logged, ParameterFrames frames) {
   const auto numbers = [](const PlannedMotion& motion) {
     return nlohmann::ordered_json{{"relative", motion.conditioning.relative},
                                   {"scaled", motion.conditioning.scaled},
@@ -149,9 +149,13 @@ nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitatio
                                    {"torque", use.torque}});
   }
   const Eigen::VectorXd& weakest = motion.conditioning.weakest;
+  const Combinations canonical(model.mechanism(), model.base(), ParameterFrames::canonical);
+  const Combinations in_file(model.mechanism(), model.base(), frames);
+  json["frames"] = name_of(frames);
   for (const int k : weakest_first(weakest)) {
     json["weakest"].push_back(
-        {{"pi_b", k}, {"combination", combination_text(model.base(), k)}, {"part", sign_of(weakest) * weakest(k)}});
+        {{"pi_b", k}, {"combination", canonical.text(k)}, {"part", sign_of(weakest) * weakest(k)}});
+    if (frames == ParameterFrames::file) json["weakest"].back()["file_combination"] = in_file.text(k);
   }
   for (const FourierSeries& series : motion.trajectory.series()) {
     json["series"].push_back({{"a", series.a}, {"b", series.b}});

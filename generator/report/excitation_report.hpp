@@ -7,14 +7,16 @@
 
 #include "identify/excitation.hpp"
 #include "identify/excitation_log.hpp"
+#include "symbolic/parameters/parameter_frames.hpp"
 
 namespace flatdyn {
 
-// logged: the information of the logs that the motion completes, if there are any.
+// logged: the information of the logs that the motion completes, if there are any. Names of parameters refer to
+// `frames`.
 std::string describe_excitation(const TorqueModel& model, const Excitation& excitation,
-                                const std::optional<LoggedInformation>& logged);
+                                const std::optional<LoggedInformation>& logged, ParameterFrames frames);
 nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitation& excitation,
-                                       const std::optional<LoggedInformation>& logged);
+                                       const std::optional<LoggedInformation>& logged, ParameterFrames frames);
 
 // CSV with columns t, q1, …, qd1, …, qdd1, …, tau1, …, SI. Every number is the shortest text that reads back exactly.
 std::string excitation_csv(const PlannedMotion& motion);

@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "diagnostics/table.hpp"
+#include "report/combination_table.hpp"
 #include "report/numbers.hpp"
-#include "symbolic/notation/combination_text.hpp"
 
 namespace flatdyn {
 namespace {
@@ -89,34 +89,32 @@ std::string speeds_text(const TorqueEquations& equations) {
   return text + "\n";
 }
 
-std::string parameter_table(const TorqueEquations& equations, const Identification& found) {
+// A row of the table of parameters, before the combination.
+std::vector<std::string> parameter_cells(const TorqueEquations& equations, const Identification& found, int k) {
+  const int base = equations.model().parameters();
+  const double value = found.estimate.values(k), deviation = found.estimate.standard_deviations(k);
+  const bool has_share = k < base && value != 0 && std::isfinite(deviation);
+  std::vector<std::string> cells = {equations.names()[static_cast<std::size_t>(k)], fmt::format("{:.6g}", value),
+                                    deviation_text(deviation),
+                                    has_share ? fmt::format("{:.2g} %", 100 * deviation / std::abs(value)) : ""};
+  if (found.joint_by_joint) cells.push_back(fmt::format("{:.6g}", (*found.joint_by_joint)(k)));
+  cells.push_back(k < base ? fmt::format("{:.6g}", equations.model().file_values()[static_cast<std::size_t>(k)]) : "");
+  return cells;
+}
+
+std::string parameter_table(const TorqueEquations& equations, const Identification& found, ParameterFrames frames) {
   const TorqueModel& model = equations.model();
-  std::vector<std::vector<std::string>> rows = {{"pi_b", "value", "std dev", "relative", "file", "combination"}};
-  if (found.joint_by_joint) rows.front().insert(rows.front().begin() + 4, "joint by joint");
-  for (int k = 0; k < model.parameters(); ++k) {
-    const double value = found.estimate.values(k), deviation = found.estimate.standard_deviations(k);
-    std::vector<std::string> row = {
-        parameter_name(model.base().columns[static_cast<std::size_t>(k)]),
-        fmt::format("{:.6g}", value),
-        deviation_text(deviation),
-        value != 0 && std::isfinite(deviation) ? fmt::format("{:.2g} %", 100 * deviation / std::abs(value)) : "",
-        fmt::format("{:.6g}", model.file_values()[static_cast<std::size_t>(k)]),
-        combination_text(model.base(), k)};
-    if (found.joint_by_joint) row.insert(row.begin() + 4, fmt::format("{:.6g}", (*found.joint_by_joint)(k)));
-    rows.push_back(std::move(row));
+  std::vector<std::string> heading = {"pi_b", "value", "std dev", "relative", "file"};
+  if (found.joint_by_joint) heading.insert(heading.begin() + 4, "joint by joint");
+  std::vector<CombinationRow> rows;
+  for (int k = 0; k < equations.parameters(); ++k) {
+    rows.push_back(
+        {k, parameter_cells(equations, found, k),
+         k < model.parameters() ? "" : meaning_of(equations, equations.names()[static_cast<std::size_t>(k)])});
   }
-  for (int k = model.parameters(); k < equations.parameters(); ++k) {
-    const std::string& name = equations.names()[static_cast<std::size_t>(k)];
-    std::vector<std::string> row = {name,
-                                    fmt::format("{:.6g}", found.estimate.values(k)),
-                                    deviation_text(found.estimate.standard_deviations(k)),
-                                    "",
-                                    "",
-                                    meaning_of(equations, name)};
-    if (found.joint_by_joint) row.insert(row.begin() + 4, fmt::format("{:.6g}", (*found.joint_by_joint)(k)));
-    rows.push_back(std::move(row));
-  }
-  return aligned_table(rows) + speeds_text(equations);
+  const Combinations combinations(model.mechanism(), model.base(), frames);
+  return combination_table(heading, rows, combinations) + note_on_frames(model.mechanism(), frames) +
+         note_on_names(model.mechanism(), frames) + speeds_text(equations);
 }
 
 std::string untold_text(const TorqueEquations& equations, const Estimate& estimate) {
@@ -189,11 +187,12 @@ std::string validation_text(const TorqueModel& model, const Identification& foun
 
 }  // namespace
 
-std::string describe_identification(const TorqueEquations& equations, const Identification& found) {
+std::string describe_identification(const TorqueEquations& equations, const Identification& found,
+                                    ParameterFrames frames) {
   const TorqueModel& model = equations.model();
   const Estimate& estimate = found.estimate;
   return data_text(found.measurement, found.delay) + "\n" + torque_table(model, found) + "\n" +
-         parameter_table(equations, found) + conditioning_text(estimate) + untold_text(equations, estimate) +
+         parameter_table(equations, found, frames) + conditioning_text(estimate) + untold_text(equations, estimate) +
          physical_text(found.physical) + validation_text(model, found);
 }
 
@@ -216,16 +215,22 @@ nlohmann::ordered_json joints_json(const TorqueModel& model, const Observations&
   return list;
 }
 
-void add_parameters(const TorqueEquations& equations, const Identification& found, nlohmann::ordered_json& json) {
+void add_parameters(const TorqueEquations& equations, const Identification& found, ParameterFrames frames,
+                    nlohmann::ordered_json& json) {
   const TorqueModel& model = equations.model();
   const Estimate& estimate = found.estimate;
+  const Combinations canonical(model.mechanism(), model.base(), ParameterFrames::canonical);
+  const Combinations in_file(model.mechanism(), model.base(), ParameterFrames::file);
+  json["frames"] = name_of(frames);
   for (int k = 0; k < model.parameters(); ++k) {
     json["base_parameters"].push_back({{"kept", equations.names()[static_cast<std::size_t>(k)]},
-                                       {"combination", combination_text(model.base(), k, kJsonDigits)},
+                                       {"combination", canonical.text(k, kJsonDigits)},
                                        {"value", estimate.values(k)},
                                        {"standard_deviation", estimate.standard_deviations(k)},
                                        {"file", model.file_values()[static_cast<std::size_t>(k)]}});
-    if (found.joint_by_joint) json["base_parameters"].back()["joint_by_joint"] = (*found.joint_by_joint)(k);
+    nlohmann::ordered_json& parameter = json["base_parameters"].back();
+    if (frames == ParameterFrames::file) parameter["file_combination"] = in_file.text(k, kJsonDigits);
+    if (found.joint_by_joint) parameter["joint_by_joint"] = (*found.joint_by_joint)(k);
   }
   json["further_parameters"] = nlohmann::ordered_json::array();
   for (int k = model.parameters(); k < equations.parameters(); ++k) {
@@ -239,7 +244,8 @@ void add_parameters(const TorqueEquations& equations, const Identification& foun
 
 }  // namespace
 
-nlohmann::ordered_json identification_json(const TorqueEquations& equations, const Identification& found) {
+nlohmann::ordered_json identification_json(const TorqueEquations& equations, const Identification& found,
+                                           ParameterFrames frames) {
   const TorqueModel& model = equations.model();
   const Estimate& estimate = found.estimate;
   nlohmann::ordered_json json = {{"samples", found.measurement.count.lines},
@@ -256,7 +262,7 @@ nlohmann::ordered_json identification_json(const TorqueEquations& equations, con
   for (std::size_t i = 0; i < json["joints"].size(); ++i) {
     json["joints"][i]["sigma"] = estimate.torque_deviations(static_cast<Eigen::Index>(i));
   }
-  add_parameters(equations, found, json);
+  add_parameters(equations, found, frames, json);
   json["singular_values"] = list(estimate.singular_values);
   json["condition_number"] = estimate.condition();
   json["weights"] = {{"stable", estimate.converged}, {"iterations", estimate.iterations}};

@@ -6,13 +6,17 @@
 #include <string>
 
 #include "identify/identification.hpp"
+#include "symbolic/parameters/parameter_frames.hpp"
 
 namespace flatdyn {
 
 // Sentences on results that are hardly right, each with a possible reason.
 std::vector<std::string> plausibility_warnings(const TorqueModel& model, const Identification& found);
 
-std::string describe_identification(const TorqueEquations& equations, const Identification& found);
-nlohmann::ordered_json identification_json(const TorqueEquations& equations, const Identification& found);
+// Base parameters are written as combinations of parameters in `frames`.
+std::string describe_identification(const TorqueEquations& equations, const Identification& found,
+                                    ParameterFrames frames);
+nlohmann::ordered_json identification_json(const TorqueEquations& equations, const Identification& found,
+                                           ParameterFrames frames);
 
 }  // namespace flatdyn

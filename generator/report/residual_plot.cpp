@@ -24,9 +24,9 @@ std::vector<double> places_of(const std::vector<EquationInstant>& samples, bool 
 }
 
 void add(Series& series, double x, double y, bool is_new) {
-  constexpr double kBreak = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
   for (std::vector<double>* numbers : {&series.x, &series.y}) {
-    if (is_new) numbers->push_back(kBreak);
+    if (is_new) numbers->push_back(kGap);
   }
   series.x.push_back(x);
   series.y.push_back(y);

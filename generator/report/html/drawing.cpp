@@ -19,7 +19,7 @@ LinkFrame moved_by(LinkFrame frame, const Vec3& point) {
 class DrawingMaker {
  public:
   DrawingMaker(const Robot& robot, const Mechanism& mechanism)
-      : robot_(robot), mechanism_(mechanism), frames_(mechanism.links) {}
+      : robot_(robot), mechanism_(mechanism), frames_(mechanism.links.begin(), mechanism.links.end()) {}
 
   Drawing make() {
     Drawing drawing;

@@ -170,7 +170,7 @@ std::string report_page(const PageContent& content, const PageCode& code) {
   page["maps"] = maps(content.functions);
   write_regressor(page, content.functions);
   write_operations(page, content.functions);
-  write_base(page, model.mechanism, content.parameters);
+  write_base(page, model.mechanism, content.parameters, content.frames);
   write_model(page, model, content.snap_effects);
   write_notes(page, model, content.findings);
   write_certificate(page, content.certificate);

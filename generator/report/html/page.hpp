@@ -11,6 +11,7 @@
 #include "planning/optimised_function.hpp"
 #include "report/html/drawing.hpp"
 #include "report/html/worst_states.hpp"
+#include "symbolic/parameters/parameter_frames.hpp"
 #include "symbolic/parameters/parameters.hpp"
 
 namespace flatdyn {
@@ -24,11 +25,12 @@ struct PageContent {
   Drawing drawing;
   Diagnostics findings;  // in addition to those of the model
   std::vector<double> snap_effects;
-  ParameterSet parameters = ParameterSet::given;  // the set from which base parameters are made
-  std::string options;                            // the options that shaped the page
-  std::string proof;                              // a sentence on what was proven of the functions
-  std::optional<Certificate> certificate{};       // certificate of the torques
-  std::optional<WorstStates> worst_states{};      // worst states found by a search
+  ParameterSet parameters = ParameterSet::given;   // the set from which base parameters are made
+  ParameterFrames frames = ParameterFrames::file;  // the frames to which their names refer
+  std::string options;                             // the options that shaped the page
+  std::string proof;                               // a sentence on what was proven of the functions
+  std::optional<Certificate> certificate{};        // certificate of the torques
+  std::optional<WorstStates> worst_states{};       // worst states found by a search
 };
 
 // The page's functions as JavaScript, the body of a function that returns them, with the functions in their order.

@@ -68,15 +68,9 @@ void write_operations(data& page, const std::vector<OptimisedFunction>& function
 
 namespace {
 
-data unseen_rows(const ordered_json& unseen) {
-  std::vector<std::pair<std::string, std::string>> lines;  // names that share a reason
-  for (const ordered_json& each : unseen) {
-    const std::string why = each.at("why");
-    if (lines.empty() || lines.back().second != why) lines.emplace_back("", why);
-    lines.back().first += (lines.back().first.empty() ? "" : ", ") + each.at("parameter").get<std::string>();
-  }
+data unseen_rows(const std::vector<std::pair<std::string, std::string>>& unseen) {
   data rows(data::type::list);
-  for (const auto& [names, why] : lines) {
+  for (const auto& [names, why] : unseen) {
     data row;
     row["names"] = names;
     row["why"] = why;
@@ -87,26 +81,24 @@ data unseen_rows(const ordered_json& unseen) {
 
 }  // namespace
 
-void write_base(data& page, const Mechanism& mechanism, ParameterSet set) {
+void write_base(data& page, const Mechanism& mechanism, ParameterSet set, ParameterFrames frames) {
   constexpr int kAtOnce = 16;
   const BaseParameters base = base_parameters(mechanism, set);
   const std::vector<Number> values = base_values(mechanism, base);
-  const std::vector<bool> present = parameters_in(mechanism, set);
+  const Combinations combinations(mechanism, base, frames, set);
   const NumberText value_text(mechanism);
   data rows(data::type::list);
   for (int k = 0; k < base.size(); ++k) {
     data row;
     row["index"] = std::to_string(k + 1);
     row["value"] = value_text(values[static_cast<std::size_t>(k)]);
-    row["combination"] = combination_text(base, k);
+    row["combination"] = combinations.text(k);
     rows << row;
   }
-  const ordered_json unseen = unidentifiable_json(mechanism, base, set);
+  const auto unseen = unidentifiable_names(mechanism, base, set, frames);
   page["base_summary"] = fmt::format(
-      "The torques depend on {} base parameters, made of {} parameters of the links, rotors and friction. Link 1 is "
-      "moved "
-      "by the first joint, and so on; its parameters are about the origin of its canonical frame.",
-      base.size(), std::count(present.begin(), present.end(), true));
+      "The torques depend on {} base parameters, made of {} parameters of the links, rotors and friction, in {}.",
+      base.size(), parameter_count(mechanism, set, frames), frames_text(mechanism, frames));
   page["base?"] = base.size() > 0;
   page["base_open?"] = base.size() <= kAtOnce;
   page["base"] = data(rows);

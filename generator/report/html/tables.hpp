@@ -10,6 +10,7 @@
 #include "load/loaded_robot.hpp"
 #include "planning/optimised_function.hpp"
 #include "report/html/worst_states.hpp"
+#include "symbolic/parameters/parameter_frames.hpp"
 #include "symbolic/parameters/parameters.hpp"
 
 namespace flatdyn {
@@ -17,8 +18,9 @@ namespace flatdyn {
 // Operation counts per function, with the savings of each pass.
 void write_operations(kainjow::mustache::data& page, const std::vector<OptimisedFunction>& functions);
 
-// Base parameters with their values, and the parameters that cannot be identified.
-void write_base(kainjow::mustache::data& page, const Mechanism& mechanism, ParameterSet set);
+// Base parameters with their values, and the parameters that cannot be identified; names of parameters refer to
+// `frames`.
+void write_base(kainjow::mustache::data& page, const Mechanism& mechanism, ParameterSet set, ParameterFrames frames);
 
 // Bounds of the torques' rounding errors, if a certificate was asked for.
 void write_certificate(kainjow::mustache::data& page, const std::optional<Certificate>& certificate);

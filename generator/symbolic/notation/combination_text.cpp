@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <vector>
 
+#include "diagnostics/table.hpp"
 #include "model/field_mechanism.hpp"
 #include "symbolic/notation/exact_text.hpp"
 
@@ -41,17 +43,19 @@ struct Summand {
   std::string body;
 };
 
-std::string joined_summands(const std::vector<Summand>& pieces) {
-  std::string text;
+// The summands with their signs: "a", "- b", "+ c".
+std::vector<std::string> signed_texts(const std::vector<Summand>& pieces) {
+  std::vector<std::string> texts;
   for (const Summand& piece : pieces) {
-    const char* sign = piece.negative ? "-" : "+";
-    if (text.empty()) {
-      text = (piece.negative ? "-" : "") + piece.body;
-    } else {
-      text += fmt::format(" {} {}", sign, piece.body);
-    }
+    const std::string sign = piece.negative ? (texts.empty() ? "-" : "- ") : (texts.empty() ? "" : "+ ");
+    texts.push_back(sign + piece.body);
   }
-  return text.empty() ? "0" : text;
+  if (texts.empty()) texts.emplace_back("0");
+  return texts;
+}
+
+std::string joined_summands(const std::vector<Summand>& pieces) {
+  return fmt::format("{}", fmt::join(signed_texts(pieces), " "));
 }
 
 std::string sum_text(const Number& polynomial, int digits);
@@ -117,6 +121,47 @@ Summand coefficient_piece(const Number& coefficient, int digits) {
   return {false, "(" + joined_summands(pieces) + ")" + divisor};
 }
 
+std::vector<CombinationTerm> canonical_terms(const BaseParameters& base, std::size_t k) {
+  std::vector<CombinationTerm> terms = {{parameter_name(base.columns[k]), 1}};
+  for (const auto& [index, coefficient] : base.combination[k]) {
+    if (index != base.columns[k]) terms.push_back({parameter_name(index), coefficient});
+  }
+  return terms;
+}
+
+std::vector<Summand> summands_of(const std::vector<CombinationTerm>& terms, int digits) {
+  std::vector<Summand> pieces;
+  for (const auto& [name, coefficient] : terms) {
+    const Summand factor = coefficient_piece(coefficient, digits);
+    pieces.push_back({factor.negative, factor.body + (factor.body.empty() ? "" : " ") + name});
+  }
+  return pieces;
+}
+
+// The degree of a moment of mass: 0 for m, 1 for m r, 2 for moments of inertia; more for parameters of joints.
+int degree_of(int index) {
+  const Parameter kind = parameter_of(index);
+  if (static_cast<int>(kind) >= kInertialPerBody) return static_cast<int>(kind);
+  return kind == Parameter::m ? 0 : kind < Parameter::Ixx ? 1 : 2;
+}
+
+// The terms of a combination in the file's parameters, in their order, but that the first is of the body and the degree
+// of the kept one in π.
+std::vector<CombinationTerm> file_terms(const ParameterForm& form, const std::vector<FileParameter>& parameters,
+                                        int kept) {
+  std::vector<CombinationTerm> terms;
+  std::optional<std::size_t> first;
+  for (const auto& [f, coefficient] : in_file_parameters(form, parameters)) {
+    const FileParameter& parameter = parameters[static_cast<std::size_t>(f)];
+    const bool is_alike = joint_of(parameter.index) == joint_of(kept) && degree_of(parameter.index) == degree_of(kept);
+    if (is_alike && !first) first = terms.size();
+    terms.push_back({parameter.name, coefficient});
+  }
+  const auto begin = terms.begin(), found = begin + static_cast<std::ptrdiff_t>(first.value_or(0));
+  if (first) std::rotate(begin, found, found + 1);
+  return terms;
+}
+
 }  // namespace
 
 std::string coefficient_text(const Number& coefficient) {
@@ -124,15 +169,46 @@ std::string coefficient_text(const Number& coefficient) {
   return (piece.negative ? "-" : "") + (piece.body.empty() ? "1" : piece.body);
 }
 
-std::string combination_text(const BaseParameters& base, int k, int digits) {
-  const int kept = base.columns[static_cast<std::size_t>(k)];
-  std::vector<Summand> pieces = {{false, parameter_name(kept)}};
-  for (const auto& [index, coefficient] : base.combination[static_cast<std::size_t>(k)]) {
-    if (index == kept) continue;
-    const Summand factor = coefficient_piece(coefficient, digits);
-    pieces.push_back({factor.negative, factor.body + (factor.body.empty() ? "" : " ") + parameter_name(index)});
+Combinations::Combinations(const Mechanism& mechanism, const BaseParameters& base, ParameterFrames frames,
+                           ParameterSet set) {
+  if (!has_names_of_file(mechanism, frames)) {
+    for (std::size_t k = 0; k < base.columns.size(); ++k) terms_.push_back(canonical_terms(base, k));
+    return;
   }
-  return joined_summands(pieces);
+  const std::vector<FileParameter> parameters = file_parameters(mechanism, set);
+  for (std::size_t k = 0; k < base.columns.size(); ++k) {
+    terms_.push_back(file_terms(base.combination[k], parameters, base.columns[k]));
+  }
+}
+
+std::string Combinations::text(int k, int digits) const { return joined_summands(summands_of(terms(k), digits)); }
+
+std::vector<std::string> Combinations::lines(int k, std::size_t width) const {
+  std::vector<std::string> lines;
+  for (const std::string& summand : signed_texts(summands_of(terms(k), kShortDigits))) {
+    if (lines.empty() || text_width(lines.back()) + 1 + text_width(summand) > width) {
+      lines.push_back(summand);
+    } else {
+      lines.back() += " " + summand;
+    }
+  }
+  return lines;
+}
+
+std::string frames_text(const Mechanism& mechanism, ParameterFrames frames) {
+  if (has_names_of_file(mechanism, frames)) {
+    return "the link frames of the robot file: m(L) is the mass of link L, mlx(L) its first moment, Ixx(L) its moment "
+           "of inertia about the origin of its frame, with the rotors that it carries; Im(J) is the rotor inertia, "
+           "Fv(J) and Fs(J) are the friction of joint J";
+  }
+  return fmt::format(
+      "{} (z along the joint's axis): link i is moved by the i-th joint {}, with the links that are fixed to it and "
+      "the "
+      "rotors that it carries; m2 is the mass of link 2, m2lx its first moment, I2xx its moment of inertia about the "
+      "origin of its frame; Im2 is the rotor inertia, Fv2 and Fs2 are the friction of joint 2",
+      has_canonical_links(mechanism) ? "the link frames of the robot file, which are the canonical ones"
+                                     : "canonical frames",
+      mechanism.is_coupled() ? "that moves, in depth-first order" : "of q");
 }
 
 }  // namespace flatdyn

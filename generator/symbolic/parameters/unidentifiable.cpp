@@ -26,6 +26,14 @@ Turning turning_of(const Mechanism& mechanism, int body) {
 
 bool is_moment_of_inertia(Parameter p) { return p >= Parameter::Ixx && p <= Parameter::Izz; }
 
+// The reason for what the joint's motion does not change: it counts as a part of the parent.
+std::string reason_in_parent(const Mechanism& mechanism, int body) {
+  const int parent = mechanism.bodies[static_cast<std::size_t>(body)].parent;
+  if (parent < 0) return "its effect is on the base only";
+  return "it adds only to parameters of link \"" + mechanism.bodies[static_cast<std::size_t>(parent)].link +
+         "\" that are not identifiable themselves";
+}
+
 std::string reason_of(const Mechanism& mechanism, int index) {
   const Turning turning = turning_of(mechanism, joint_of(index));
   const Parameter parameter = parameter_of(index);
@@ -46,22 +54,50 @@ std::string reason_of(const Mechanism& mechanism, int index) {
     return link + "only turns about one direction, and this moment is about another";
   if (turning.parallel && parameter == Parameter::mlz)
     return link + "only turns about one direction: mass moved along it makes no difference";
-  const int parent = mechanism.bodies[static_cast<std::size_t>(joint_of(index))].parent;
-  if (parent < 0) return "its effect is on the base only";
-  return "it adds only to parameters of link \"" + mechanism.bodies[static_cast<std::size_t>(parent)].link +
-         "\" that are not identifiable themselves";
+  return reason_in_parent(mechanism, joint_of(index));
+}
+
+// The reason for a parameter of the file; `seen`: whether the torques depend on a parameter in π. A unit of it adds to
+// several in π, of which the first is of its own kind; some may be seen, and together make no difference.
+std::string reason_in_file(const Mechanism& mechanism, const FileParameter& parameter, const std::vector<bool>& seen) {
+  for (const auto& [index, entry] : parameter.in_canonical) {
+    if (seen[static_cast<std::size_t>(index)]) return reason_in_parent(mechanism, joint_of(index));
+  }
+  return reason_of(mechanism, parameter.in_canonical.begin()->first);
+}
+
+// By index: whether a form has the parameter.
+std::vector<bool> occurring(const std::vector<ParameterForm>& forms, std::size_t size) {
+  std::vector<bool> occurs(size, false);
+  for (const ParameterForm& form : forms) {
+    for (const auto& [index, coefficient] : form) occurs[static_cast<std::size_t>(index)] = true;
+  }
+  return occurs;
 }
 
 }  // namespace
 
 std::vector<Unidentifiable> unidentifiable(const Mechanism& mechanism, const BaseParameters& base, ParameterSet set) {
-  std::vector<bool> unseen = parameters_in(mechanism, set);
-  for (const ParameterForm& form : base.combination) {
-    for (const auto& [index, coefficient] : form) unseen[static_cast<std::size_t>(index)] = false;
-  }
+  const std::vector<bool> present = parameters_in(mechanism, set);
+  const std::vector<bool> seen = occurring(base.combination, present.size());
   std::vector<Unidentifiable> result;
-  for (int k = 0; k < static_cast<int>(unseen.size()); ++k) {
-    if (unseen[static_cast<std::size_t>(k)]) result.push_back({k, reason_of(mechanism, k)});
+  for (std::size_t k = 0; k < present.size(); ++k) {
+    const int index = static_cast<int>(k);
+    if (present[k] && !seen[k]) result.push_back({index, reason_of(mechanism, index)});
+  }
+  return result;
+}
+
+std::vector<Unidentifiable> unidentifiable_in_file(const Mechanism& mechanism, const BaseParameters& base,
+                                                   const std::vector<FileParameter>& parameters) {
+  std::vector<ParameterForm> forms;
+  for (const ParameterForm& form : base.combination) forms.push_back(in_file_parameters(form, parameters));
+  const std::vector<bool> seen = occurring(forms, parameters.size());
+  const auto size_of_pi = static_cast<std::size_t>(kParametersPerJoint * mechanism.body_count());
+  const std::vector<bool> seen_in_pi = occurring(base.combination, size_of_pi);
+  std::vector<Unidentifiable> result;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    if (!seen[k]) result.push_back({static_cast<int>(k), reason_in_file(mechanism, parameters[k], seen_in_pi)});
   }
   return result;
 }

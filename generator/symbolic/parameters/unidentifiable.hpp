@@ -5,16 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "symbolic/parameters/base_parameters.hpp"
+#include "symbolic/parameters/file_parameters.hpp"
 
 namespace flatdyn {
 
 struct Unidentifiable {
-  int index = 0;       // index in π
+  int index = 0;       // index in π, or in the file's parameters
   std::string reason;  // one clause of text
 };
 
 // The parameters of `set` that occur in no base parameter.
 std::vector<Unidentifiable> unidentifiable(const Mechanism& mechanism, const BaseParameters& base, ParameterSet set);
+
+// The same of the file's parameters, by index in `parameters`.
+std::vector<Unidentifiable> unidentifiable_in_file(const Mechanism& mechanism, const BaseParameters& base,
+                                                   const std::vector<FileParameter>& parameters);
 
 }  // namespace flatdyn
