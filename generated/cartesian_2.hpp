@@ -41,7 +41,15 @@
 #ifndef FLATDYN_CARTESIAN_2_HPP_811A5273
 #define FLATDYN_CARTESIAN_2_HPP_811A5273
 
+#include <float.h>
+#include <stdint.h>
+#include <string.h>
+
 #include <cmath>
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "compile this without -ffast-math: it leaves out the checks that results are finite"
+#endif
 
 namespace cartesian_2 {
 
@@ -110,7 +118,7 @@ struct Interface {
 // Reads qdd[0..1], parameters.g, parameters.m_l1, parameters.I_m1, parameters.k_r1,
 // parameters.m_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations: 7 mul, 5 add.
 template <class Scalar>
-inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* /* q */,
+static inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     const Scalar* /* qd */, const Scalar* qdd, Scalar* tau) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
@@ -132,8 +140,9 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 // Reads qdd[0..1], h_e[0], h_e[2], parameters.g, parameters.m_l1, parameters.I_m1, parameters.k_r1,
 // parameters.m_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations: 7 mul, 7 add.
 template <class Scalar>
-inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* /* q */,
-    const Scalar* /* qd */, const Scalar* qdd, const Scalar* h_e, Scalar* tau) noexcept {
+static inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters,
+    const Scalar* /* q */, const Scalar* /* qd */, const Scalar* qdd, const Scalar* h_e,
+    Scalar* tau) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
   const Scalar h_e_1 = h_e[0], h_e_3 = h_e[2];
@@ -158,7 +167,7 @@ inline constexpr bool inertia_matrix_nonzero[4] = {
 // Reads parameters.m_l1, parameters.I_m1, parameters.k_r1, parameters.m_l2, parameters.m_m2,
 // parameters.I_m2, parameters.k_r2. Operations: 4 mul, 4 add. Always zero: 2 of the 4 entries of B.
 template <class Scalar>
-inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* /* q */,
+static inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     Scalar* B) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar m_l1 = parameters.m_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
@@ -181,7 +190,7 @@ inline constexpr bool christoffel_nonzero[6] = {
 //              c_ijk = c_ikj is c[3 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
 // Reads nothing. Operations: 0 mul, 0 add. Always zero: 6 of the 6 entries of c.
 template <class Scalar>
-inline void christoffel(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
+static inline void christoffel(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
     Scalar* c) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   c[0] = c[1] = c[2] = c[3] = c[4] = c[5] = Scalar(0.0);
@@ -199,8 +208,8 @@ inline constexpr bool coriolis_matrix_nonzero[4] = {
 //               2 x 2, row by row: entry (i, j) is C[2 * i + j]
 // Reads nothing. Operations: 0 mul, 0 add. Always zero: 4 of the 4 entries of C.
 template <class Scalar>
-inline void coriolis_matrix(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
-    const Scalar* /* qd */, Scalar* C) noexcept {
+static inline void coriolis_matrix(const Parameters<Scalar>& /* parameters */,
+    const Scalar* /* q */, const Scalar* /* qd */, Scalar* C) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   C[0] = C[1] = C[2] = C[3] = Scalar(0.0);
 }
@@ -211,7 +220,7 @@ inline void coriolis_matrix(const Parameters<Scalar>& /* parameters */, const Sc
 // Reads parameters.g, parameters.m_l1, parameters.m_l2, parameters.m_m2. Operations: 1 mul, 2 add.
 // Always zero: g[1].
 template <class Scalar>
-inline void gravity(const Parameters<Scalar>& parameters, const Scalar* /* q */,
+static inline void gravity(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     Scalar* g) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar g_2 = parameters.g, m_l1 = parameters.m_l1, m_l2 = parameters.m_l2,
@@ -228,7 +237,7 @@ inline void gravity(const Parameters<Scalar>& parameters, const Scalar* /* q */,
 // Reads parameters.g, parameters.m_l1, parameters.m_l2, parameters.m_m2. Operations: 1 mul, 2 add.
 // Always zero: n[1].
 template <class Scalar>
-inline void bias(const Parameters<Scalar>& parameters, const Scalar* /* q */,
+static inline void bias(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     const Scalar* /* qd */, Scalar* n) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar g = parameters.g, m_l1 = parameters.m_l1, m_l2 = parameters.m_l2,
@@ -243,12 +252,13 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* /* q */,
 //   qd[2]   in   joint velocities, rad/s or m/s
 //   tau[2]  in   joint torques or forces, N m or N
 //   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
-// Returns false if the result means nothing, because a pivot of B is not positive or not a number.
+// Returns false if the result means nothing: if a pivot of B is not positive or lost in rounding,
+// or an entry of the result is not a finite number.
 // Reads tau[0..1], parameters.g, parameters.m_l1, parameters.I_m1, parameters.k_r1,
 // parameters.m_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations: 5 mul, 5 add, 2
 // div.
 template <class Scalar>
-inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* /* q */,
+static inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     const Scalar* /* qd */, const Scalar* tau, Scalar* qdd) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar tau_1 = tau[0], tau_2 = tau[1];
@@ -261,9 +271,10 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar mc_1 = m_l2 + m_1;
   const Scalar b_1_1 = mc_1 + I_m1 * k_r1 * k_r1;
   qdd[0] = (tau_1 - g * mc_1) / b_1_1;
-  bool positive = b_1_1 > Scalar(0.0);
-  positive &= b_2_2 > Scalar(0.0);
-  return positive;
+  bool valid = b_1_1 > Scalar(0.0);
+  valid &= b_2_2 > Scalar(0.0);
+  for (int k = 0; k < 2; ++k) valid &= Scalar(0.0) * qdd[k] < Scalar(1.0);
+  return valid;
 }
 
 // Kinetic energy of links and rotors (7.31).
@@ -273,7 +284,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 // Reads qd[0..1], parameters.m_l1, parameters.I_m1, parameters.k_r1, parameters.m_l2,
 // parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations: 10 mul, 5 add.
 template <class Scalar>
-inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* /* q */,
+static inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     const Scalar* qd) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
@@ -295,7 +306,8 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
 // Reads q[0], parameters.g, parameters.m_l1, parameters.m_l2, parameters.m_m2. Operations: 2 mul, 2
 // add.
 template <class Scalar>
-inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q) noexcept {
+static inline Scalar potential_energy(const Parameters<Scalar>& parameters,
+    const Scalar* q) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar q_1 = q[0];
   const Scalar g = parameters.g, m_l1 = parameters.m_l1, m_l2 = parameters.m_l2,
@@ -317,7 +329,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 //   p[3]  out  position of the frame's origin in the base frame, m
 // Reads q[0..1]. Operations: 0 mul, 0 add. Always zero: 6 of the 9 entries of R. Always zero: p[1].
 template <class Scalar>
-inline void forward_kinematics(const Parameters<Scalar>& /* parameters */, const Scalar* q,
+static inline void forward_kinematics(const Parameters<Scalar>& /* parameters */, const Scalar* q,
     Scalar* R, Scalar* p) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar q_1 = q[0], q_2 = q[1];
@@ -343,7 +355,7 @@ inline constexpr bool jacobian_nonzero[12] = {
 //               6 x 2, row by row: entry (i, j) is J[2 * i + j]
 // Reads nothing. Operations: 0 mul, 0 add. Always zero: 10 of the 12 entries of J.
 template <class Scalar>
-inline void jacobian(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
+static inline void jacobian(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
     Scalar* J) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   J[1] = J[4] = Scalar(1.0);
@@ -357,8 +369,8 @@ inline void jacobian(const Parameters<Scalar>& /* parameters */, const Scalar* /
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
 // Reads nothing. Operations: 0 mul, 0 add. Always zero: a[0], a[1], a[2], a[3], a[4], a[5].
 template <class Scalar>
-inline void jacobian_dot_qd(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
-    const Scalar* /* qd */, Scalar* a) noexcept {
+static inline void jacobian_dot_qd(const Parameters<Scalar>& /* parameters */,
+    const Scalar* /* q */, const Scalar* /* qd */, Scalar* a) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   a[0] = a[1] = a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
 }
@@ -469,13 +481,59 @@ struct jacobian_dot_qd {
 
 }  // namespace functions
 
+namespace detail {
+
+// The numbers of a state: multiples of 2^-23 in [-1, 1), which are exact in float, too.
+template <class Scalar>
+static void fill(Scalar* x, int count, uint32_t seed) noexcept {
+  for (int k = 0; k < count; ++k) {
+    seed = seed * 1664525u + 1013904223u;
+    x[k] = (Scalar(seed >> 8) - Scalar(8388608.0)) / Scalar(8388608.0);
+  }
+}
+
+// Sines and cosines of angles; the tangents of their halves are such numbers.
+template <class Scalar>
+static void fill_sines(Scalar* sine, Scalar* cosine, int count, uint32_t seed) noexcept {
+  fill(sine, count, seed);
+  for (int k = 0; k < count; ++k) {
+    const Scalar t = sine[k], square = t * t, divisor = Scalar(1.0) + square;
+    sine[k] = Scalar(2.0) * t / divisor;
+    cosine[k] = (Scalar(1.0) - square) / divisor;
+  }
+}
+
+// Goes on with a hash (FNV-1a) by the bits of results; those that are not numbers count as zero.
+template <class Scalar>
+static uint64_t hash_of(const Scalar* x, int count, uint64_t hash) noexcept {
+  for (int k = 0; k < count; ++k) {
+    const bool is_number = x[k] < Scalar(0.0) || x[k] >= Scalar(0.0);
+    uint64_t bits = 0;
+    if constexpr (sizeof(Scalar) == sizeof(float)) {
+      uint32_t of_float = 0;
+      memcpy(&of_float, x + k, sizeof(of_float));
+      bits = of_float;
+    } else {
+      memcpy(&bits, x + k, sizeof(bits));
+    }
+    hash = (hash ^ (is_number ? bits : 0u)) * 1099511628211u;
+  }
+  return hash;
+}
+
+}  // namespace detail
+
 // Whether the build rounds every operation as it is written, to nearest: compilers fuse products
-// into sums unless they are given -ffp-contract=off, and -ffast-math or x87 registers change more.
-// The rounding errors that certificates bound assume that this is true. The result is that of the
-// calling file, for float and double.
+// into sums unless they are given -ffp-contract=off, and x87 registers or -freciprocal-math change
+// more. The rounding errors that certificates bound assume that this is true. All functions are
+// called at one state, with sines and cosines given, and the bits of their results compared with
+// those of arithmetic as it is written. The answer is for the calling file and thread, for float and
+// double: every file has its own copy of the functions, but shares members of stages with others.
 template <class Scalar = Real>
 static bool rounding_is_as_written() noexcept {
   constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+  constexpr int method = FLT_EVAL_METHOD;
+  if (method != 0 && method != 16 && (is_float || method != 1)) return false;
   const volatile Scalar a = Scalar(0.1), b = Scalar(0.7), one = Scalar(1.0), tiny = Scalar(1e-17),
       nine = Scalar(9.0), seven = Scalar(7.0), half = Scalar(0.5),
       half_a_place = is_float ? Scalar(0x1.001p-24) : Scalar(0x1.001p-53),  // a little more than it
@@ -483,12 +541,56 @@ static bool rounding_is_as_written() noexcept {
   const volatile Scalar product = a * b, quotient = nine / seven, next = one + half_a_place;
   const Scalar x = one, y = tiny;
   const auto is_zero = [](Scalar r) { return !(r < Scalar(0.0)) && !(r > Scalar(0.0)); };
-  return is_zero(a * b - product)                   // no fused multiply-add, no extra digits
-         && next > one                              // no missing digits, rounded only once
-         && is_zero((x + y) - x)                    // no other order, no rounding upward
-         && is_zero((x - y) - x)                    // no rounding downward
-         && is_zero(nine / Scalar(7.0) - quotient)  // no reciprocal
-         && smallest * half > Scalar(0.0);          // nothing is flushed to zero
+  if (!is_zero(a * b - product)                     // fused multiply-add, extra digits
+      || !(next > one)                              // missing digits, rounded twice
+      || !is_zero((x + y) - x)                      // another order, rounding upward
+      || !is_zero((x - y) - x)                      // rounding downward
+      || !is_zero(nine / Scalar(7.0) - quotient)    // a reciprocal
+      || !(smallest * half > Scalar(0.0))) {        // tiny numbers are flushed to zero
+    return false;
+  }
+
+  // All functions at one state.
+  const volatile uint32_t first = 0;
+  const uint32_t seed = first;
+  uint64_t hash = 14695981039346656037u;
+  Scalar q[2], qd[2], qdd[2], tau[2], h_e[6], symbol[9], result[12];
+  detail::fill(q, 2, seed + 1u);
+  detail::fill(qd, 2, seed + 2u);
+  detail::fill(qdd, 2, seed + 3u);
+  detail::fill(tau, 2, seed + 4u);
+  detail::fill(h_e, 6, seed + 5u);
+  detail::fill(symbol, 9, seed + 6u);
+  const Parameters<Scalar> parameters = {
+      symbol[0], symbol[1], symbol[2], symbol[3], symbol[4], symbol[5], symbol[6], symbol[7],
+      symbol[8]};
+  inverse_dynamics(parameters, q, qd, qdd, result);
+  hash = detail::hash_of(result, 2, hash);
+  inverse_dynamics_tip_force(parameters, q, qd, qdd, h_e, result);
+  hash = detail::hash_of(result, 2, hash);
+  inertia_matrix(parameters, q, result);
+  hash = detail::hash_of(result, 4, hash);
+  christoffel(parameters, q, result);
+  hash = detail::hash_of(result, 6, hash);
+  coriolis_matrix(parameters, q, qd, result);
+  hash = detail::hash_of(result, 4, hash);
+  gravity(parameters, q, result);
+  hash = detail::hash_of(result, 2, hash);
+  bias(parameters, q, qd, result);
+  hash = detail::hash_of(result, 2, hash);
+  forward_dynamics(parameters, q, qd, tau, result);
+  hash = detail::hash_of(result, 2, hash);
+  result[0] = kinetic_energy(parameters, q, qd);
+  hash = detail::hash_of(result, 1, hash);
+  result[0] = potential_energy(parameters, q);
+  hash = detail::hash_of(result, 1, hash);
+  forward_kinematics(parameters, q, result, result + 9);
+  hash = detail::hash_of(result, 12, hash);
+  jacobian(parameters, q, result);
+  hash = detail::hash_of(result, 12, hash);
+  jacobian_dot_qd(parameters, q, qd, result);
+  hash = detail::hash_of(result, 6, hash);
+  return hash == (is_float ? 0xf5754813a3dc4f6du : 0xe557e557346eb068u);
 }
 
 }  // namespace cartesian_2

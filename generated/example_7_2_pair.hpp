@@ -94,7 +94,9 @@ void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noexcept;
 //   qd[2]   in   joint velocities, rad/s or m/s
 //   tau[2]  in   joint torques or forces, N m or N
 //   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
-// Returns false if the result means nothing, because a pivot of B is not positive or not a number.
+// Returns false if the result means nothing: if a pivot of B is not positive, or an entry of the
+// result is not a finite number. Proven: at every position each pivot of B is at least 0.42 of the
+// size of its terms, so that rounding cannot cancel it.
 // Reads q[0..1], qd[0..1], tau[0..1]. Operations: 16 mul, 12 add, 1 div, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
@@ -176,9 +178,10 @@ struct forward_dynamics {
 }  // namespace functions
 
 // Whether example_7_2_pair.cpp was compiled so that it rounds every operation as it is written, to
-// nearest: compilers fuse products into sums unless they are given -ffp-contract=off, and
-// -ffast-math or x87 registers change more. The rounding errors that certificates bound assume that
-// this is true.
+// nearest: compilers fuse products into sums unless they are given -ffp-contract=off, and x87
+// registers or -freciprocal-math change more. The rounding errors that certificates bound assume
+// that this is true. All functions are called at one state, with sines and cosines given, and the
+// bits of their results compared with those of arithmetic as it is written, in the calling thread.
 template <class Scalar = Real>
 bool rounding_is_as_written() noexcept;
 

@@ -48,7 +48,15 @@
 #ifndef FLATDYN_FIVE_BAR_HPP_5105D751
 #define FLATDYN_FIVE_BAR_HPP_5105D751
 
+#include <float.h>
+#include <stdint.h>
+#include <string.h>
+
 #include <cmath>
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "compile this without -ffast-math: it leaves out the checks that results are finite"
+#endif
 
 namespace five_bar {
 
@@ -139,12 +147,12 @@ struct GivenSinCos {
 //   qd[2]   in   joint velocities, rad/s or m/s
 //   qdd[2]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[2]  out  joint torques, N m (forces, N, for prismatic joints)
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..3], qd[0..1], qdd[0..1]. Operations: 69 mul, 43 add, 1 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
-    const SinCos& sin_cos = {}) noexcept {
+static inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
+    Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar qdd_1 = qdd[0], qdd_2 = qdd[1];
@@ -188,8 +196,9 @@ inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
   const Scalar t27 = s_4 * t11 - c_4 * t24;
   tau[1] = Scalar(0.000486) * qdd_2 - Scalar(0.00018225) * t27 + t7 * t25 - t14 * t26;
   const Scalar regular_l1 = t5 * t5 - Scalar(1e-12);
-  bool positive = regular_l1 > Scalar(0.0);
-  return positive;
+  bool valid = regular_l1 > Scalar(0.0);
+  for (int k = 0; k < 2; ++k) valid &= Scalar(0.0) * tau[k] < Scalar(1.0);
+  return valid;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -198,12 +207,12 @@ inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qd
 //   qdd[2]  in   joint accelerations, rad/s^2 or m/s^2
 //   h_e[6]  in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[2]  out  joint torques, N m (forces, N, for prismatic joints)
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..3], qd[0..1], qdd[0..1], h_e[0..1], h_e[5]. Operations: 85 mul, 54 add, 1 div, 8
 // sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
+static inline bool inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
@@ -262,8 +271,9 @@ inline bool inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const 
   const Scalar t31 = c_2 * (t28 - Scalar(0.006525) * t26) - t30;
   tau[0] = Scalar(0.000891) * qdd_1 - t17 * N_4_z + Scalar(0.09) * t31 - t9 * mu_2_z;
   const Scalar regular_l1 = t7 * t7 - Scalar(6.561e-17);
-  bool positive = regular_l1 > Scalar(0.0);
-  return positive;
+  bool valid = regular_l1 > Scalar(0.0);
+  for (int k = 0; k < 2; ++k) valid &= Scalar(0.0) * tau[k] < Scalar(1.0);
+  return valid;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -275,11 +285,11 @@ inline constexpr bool inertia_matrix_nonzero[4] = {
 //   q[4]  in   joint positions, rad or m
 //   B[4]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //              2 x 2, row by row: entry (i, j) is B[2 * i + j]
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..3]. Operations: 38 mul, 28 add, 1 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
+static inline bool inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
@@ -312,8 +322,9 @@ inline bool inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {
   const Scalar t14 = t6 * (t9 * t9 * t7 + t11 * (mu_4_3_z + b_2_4h));
   B[3] = Scalar(0.0003645) * c_4 + t14 + Scalar(0.0006075);
   const Scalar regular_l1 = t5 * t5 - Scalar(1e-12);
-  bool positive = regular_l1 > Scalar(0.0);
-  return positive;
+  bool valid = regular_l1 > Scalar(0.0);
+  for (int k = 0; k < 4; ++k) valid &= Scalar(0.0) * B[k] < Scalar(1.0);
+  return valid;
 }
 
 // The entries of c in christoffel that are not always zero.
@@ -325,11 +336,11 @@ inline constexpr bool christoffel_nonzero[6] = {
 //   q[4]  in   joint positions, rad or m
 //   c[6]  out  Christoffel symbols c_ijk = c_ikj, j <= k
 //              c_ijk = c_ikj is c[3 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..3]. Operations: 92 mul, 60 add, 1 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
+static inline bool christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
@@ -399,8 +410,9 @@ inline bool christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) 
   const Scalar t40 = t12 * t4 * t29 + t13 * t18 + t14 * t34 - t17 * t36;
   c[5] = -t40;
   const Scalar regular_l1 = t2 * t2 - Scalar(1e-12);
-  bool positive = regular_l1 > Scalar(0.0);
-  return positive;
+  bool valid = regular_l1 > Scalar(0.0);
+  for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * c[k] < Scalar(1.0);
+  return valid;
 }
 
 // The entries of C in coriolis_matrix that are not always zero.
@@ -413,11 +425,11 @@ inline constexpr bool coriolis_matrix_nonzero[4] = {
 //   qd[2]  in   joint velocities, rad/s or m/s
 //   C[4]   out  c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric
 //               2 x 2, row by row: entry (i, j) is C[2 * i + j]
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..3], qd[0..1]. Operations: 105 mul, 53 add, 1 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
+static inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
@@ -482,8 +494,9 @@ inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
   const Scalar t41 = qd_2 * (b_2_4h * t31 - s_4 * t7 * t37 - t36 * t33);
   C[3] = -t6 * (t41 - qd_1 * t38);
   const Scalar regular_l1 = t5 * t5 - Scalar(1e-12);
-  bool positive = regular_l1 > Scalar(0.0);
-  return positive;
+  bool valid = regular_l1 > Scalar(0.0);
+  for (int k = 0; k < 4; ++k) valid &= Scalar(0.0) * C[k] < Scalar(1.0);
+  return valid;
 }
 
 // Gravity torques g(q) (7.39).
@@ -491,7 +504,7 @@ inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
 //   g[2]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads nothing. Operations: 0 mul, 0 add. Always zero: g[0], g[1].
 template <class Scalar>
-inline void gravity(const Scalar* /* q */, Scalar* g) noexcept {
+static inline void gravity(const Scalar* /* q */, Scalar* g) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   g[0] = g[1] = Scalar(0.0);
 }
@@ -500,11 +513,11 @@ inline void gravity(const Scalar* /* q */, Scalar* g) noexcept {
 //   q[4]   in   joint positions, rad or m
 //   qd[2]  in   joint velocities, rad/s or m/s
 //   n[2]   out  joint torques, N m (forces, N, for prismatic joints)
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..3], qd[0..1]. Operations: 63 mul, 35 add, 1 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
+static inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
@@ -546,8 +559,9 @@ inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
   const Scalar t25 = t6 * (Scalar(0.00018225) * c_4 * t18 + t12 * t24);
   n[1] = t7 * t20 - t10 * t19 - t25;
   const Scalar regular_l1 = t5 * t5 - Scalar(1e-12);
-  bool positive = regular_l1 > Scalar(0.0);
-  return positive;
+  bool valid = regular_l1 > Scalar(0.0);
+  for (int k = 0; k < 2; ++k) valid &= Scalar(0.0) * n[k] < Scalar(1.0);
+  return valid;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -555,12 +569,13 @@ inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
 //   qd[2]   in   joint velocities, rad/s or m/s
 //   tau[2]  in   joint torques or forces, N m or N
 //   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular, or a pivot of B is not positive or not a number.
-// Reads q[0..3], qd[0..1], tau[0..1]. Operations: 84 mul, 53 add, 3 div, 8 sin/cos.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// a pivot of B is not positive or lost in rounding, or an entry of the result is not a finite
+// number.
+// Reads q[0..3], qd[0..1], tau[0..1]. Operations: 84 mul, 54 add, 3 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
-    const SinCos& sin_cos = {}) noexcept {
+static inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
+    Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar tau_1 = tau[0], tau_2 = tau[1];
@@ -613,30 +628,33 @@ inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* ta
   const Scalar mu_2_1_z = t32 + Scalar(0.0005265);
   const Scalar b_1_2h = t12 * t21 + mu_2_1_z;
   const Scalar t33 = t14 * b_1_2h - t9 * b_2_4h;
-  const Scalar t34 = t33 * d_2;
-  const Scalar t35 = t6 * (t9 * t29 + t32 * t20 - t34 * t30);
-  const Scalar t36 = t6 * (Scalar(0.0001215) * t9 * t9 - t33 * t34);
-  const Scalar b_2_1_1 = Scalar(0.0011745) * c_2 + t6 * (t36 + t12 * (mu_2_1_z + b_1_2h)) +
-      Scalar(0.0014175);
-  const Scalar qdd_1 = (t16 * t22 - t13 * t23 + tau_1 - t35) / b_2_1_1;
+  const Scalar t34 = t6 * (t9 * t29 + t32 * t20 - t33 * d_2 * t30);
+  const Scalar t35 = t6 * t33;
+  const Scalar t36 = d_2 * t35 * t35;
+  const Scalar t37 = t6 * (t9 * t9 * t27 + t12 * (mu_2_1_z + b_1_2h));
+  const Scalar b_1_1q = Scalar(0.0011745) * c_2 + t37 + Scalar(0.0014175);
+  const Scalar b_2_1_1 = b_1_1q - t36;
+  const Scalar qdd_1 = (t16 * t22 - t13 * t23 + tau_1 - t34) / b_2_1_1;
   qdd[0] = qdd_1;
-  qdd[1] = d_2 * (t6 * t33 * qdd_1 + t30);
+  qdd[1] = d_2 * (t35 * qdd_1 + t30);
   const Scalar regular_l1 = t5 * t5 - Scalar(1e-12);
-  bool positive = b_2_1_1 > Scalar(0.0);
-  positive &= b_2_2q > Scalar(0.0);
-  positive &= regular_l1 > Scalar(0.0);
-  return positive;
+  const Scalar scale_1 = t36 + b_1_1q;
+  bool valid = scale_1 + Scalar(0.015625) * b_2_1_1 - scale_1 > Scalar(0.0);
+  valid &= b_2_2q > Scalar(0.0);
+  valid &= regular_l1 > Scalar(0.0);
+  for (int k = 0; k < 2; ++k) valid &= Scalar(0.0) * qdd[k] < Scalar(1.0);
+  return valid;
 }
 
 // Kinetic energy of links and rotors (7.31).
 //   q[4]   in   joint positions, rad or m
 //   qd[2]  in   joint velocities, rad/s or m/s
 //   T[1]   out  kinetic energy, J
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..3], qd[0..1]. Operations: 38 mul, 24 add, 1 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
+static inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
@@ -665,8 +683,9 @@ inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
       Scalar(0.000891) * qd_1 * qd_1 + omega_2_z * L_2_z;
   T[0] = Scalar(0.5) * T_2;
   const Scalar regular_l1 = t6 * t6 - Scalar(1e-12);
-  bool positive = regular_l1 > Scalar(0.0);
-  return positive;
+  bool valid = regular_l1 > Scalar(0.0);
+  valid &= Scalar(0.0) * T[0] < Scalar(1.0);
+  return valid;
 }
 
 // Potential energy of links and rotors (7.36).
@@ -674,7 +693,7 @@ inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads nothing. Operations: 0 mul, 0 add.
 template <class Scalar>
-inline Scalar potential_energy(const Scalar* /* q */) noexcept {
+static inline Scalar potential_energy(const Scalar* /* q */) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   return Scalar(0.0);
 }
@@ -693,7 +712,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 // Reads q[0..1]. Operations: 9 mul, 5 add, 4 sin/cos. Always zero: 4 of the 9 entries of R. Always
 // zero: p[2].
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
+static inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
@@ -725,12 +744,12 @@ inline constexpr bool jacobian_nonzero[12] = {
 //   q[4]   in   joint positions, rad or m
 //   J[12]  out  geometric Jacobian in base axes: linear rows, then angular
 //               6 x 2, row by row: entry (i, j) is J[2 * i + j]
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..3]. Operations: 31 mul, 20 add, 1 div, 8 sin/cos. Always zero: 6 of the 12 entries of
 // J.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
+static inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
@@ -765,20 +784,21 @@ inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noe
   J[0] = -p_1u_t_y - J_P2_x * t8;
   J[4] = J[5] = J[6] = J[7] = J[8] = J[9] = Scalar(0.0);
   const Scalar regular_l1 = t5 * t5 - Scalar(6.561e-17);
-  bool positive = regular_l1 > Scalar(0.0);
-  return positive;
+  bool valid = regular_l1 > Scalar(0.0);
+  for (int k = 0; k < 12; ++k) valid &= Scalar(0.0) * J[k] < Scalar(1.0);
+  return valid;
 }
 
 // (dJ/dt) qd of the tip.
 //   q[4]   in   joint positions, rad or m
 //   qd[2]  in   joint velocities, rad/s or m/s
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..3], qd[0..1]. Operations: 60 mul, 31 add, 1 div, 8 sin/cos. Always zero: a[2], a[3],
 // a[4].
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
+static inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
@@ -823,8 +843,9 @@ inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   a[1] = -c_1 * t24 - s_1 * t23;
   a[2] = a[3] = a[4] = Scalar(0.0);
   const Scalar regular_l1 = t9 * t9 - Scalar(6.561e-17);
-  bool positive = regular_l1 > Scalar(0.0);
-  return positive;
+  bool valid = regular_l1 > Scalar(0.0);
+  for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * a[k] < Scalar(1.0);
+  return valid;
 }
 
 // Phi(q): what lies between the points where the loops are closed.
@@ -832,7 +853,7 @@ inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
 //   phi[2]  out  loop by loop, m: what lies between the points that meet; 0 if closed
 // Reads q[0..3]. Operations: 10 mul, 9 add, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void loop_closure(const Scalar* q, Scalar* phi, const SinCos& sin_cos = {}) noexcept {
+static inline void loop_closure(const Scalar* q, Scalar* phi, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
@@ -857,7 +878,8 @@ inline constexpr bool loop_jacobian_nonzero[8] = {
 //                  2 x 4, row by row: entry (i, j) is phi_q[4 * i + j]
 // Reads q[0..3]. Operations: 16 mul, 8 add, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void loop_jacobian(const Scalar* q, Scalar* phi_q, const SinCos& sin_cos = {}) noexcept {
+static inline void loop_jacobian(const Scalar* q, Scalar* phi_q,
+    const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
@@ -881,11 +903,11 @@ inline void loop_jacobian(const Scalar* q, Scalar* phi_q, const SinCos& sin_cos 
 // Newton's step of the dependent joints towards closed loops.
 //   q[4]   in   joint positions, rad or m
 //   dq[4]  out  to be added to q, again and again; 0 for independent joints, which stay
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..3]. Operations: 20 mul, 15 add, 1 div, 8 sin/cos. Always zero: dq[0], dq[2].
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos = {}) noexcept {
+static inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3>(), sine, cosine);
@@ -905,8 +927,9 @@ inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos = {}) n
   dq[3] = t8 * (t1 * t3 - t4 * t6);
   dq[0] = dq[2] = Scalar(0.0);
   const Scalar regular_l1 = t7 * t7 - Scalar(6.561e-17);
-  bool positive = regular_l1 > Scalar(0.0);
-  return positive;
+  bool valid = regular_l1 > Scalar(0.0);
+  for (int k = 0; k < 4; ++k) valid &= Scalar(0.0) * dq[k] < Scalar(1.0);
+  return valid;
 }
 
 // Rates and accelerations of all joints of q, from those of the independent ones.
@@ -915,11 +938,11 @@ inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos = {}) n
 //   qdd[2]            in   joint accelerations, rad/s^2 or m/s^2
 //   rates[4]          out  dq/dt of every entry of q
 //   accelerations[4]  out  its derivative
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..3], qd[0..1], qdd[0..1]. Operations: 54 mul, 30 add, 1 div, 8 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* rates,
+static inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* rates,
     Scalar* accelerations, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
@@ -970,8 +993,10 @@ inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd, Sc
   const Scalar t25 = t8 * qdd_1 - t9 * qdd_2 + t7 * t21 - R_l1b41_x * t23;
   accelerations[1] = -t11 * t25;
   const Scalar regular_l1 = t10 * t10 - Scalar(6.561e-17);
-  bool positive = regular_l1 > Scalar(0.0);
-  return positive;
+  bool valid = regular_l1 > Scalar(0.0);
+  for (int k = 0; k < 4; ++k) valid &= Scalar(0.0) * rates[k] < Scalar(1.0);
+  for (int k = 0; k < 4; ++k) valid &= Scalar(0.0) * accelerations[k] < Scalar(1.0);
+  return valid;
 }
 
 // The functions as types, with the shapes of their arguments, for adapters such as
@@ -1110,7 +1135,7 @@ struct loop_motion {
 // than `tolerance` (m) after `most_steps`: the loops cannot be closed from there, or are singular.
 // If the loops can be closed in several ways, q decides which one is found.
 template <class Scalar>
-inline bool close_loops(Scalar* q, Scalar tolerance, int most_steps = 20) noexcept {
+static inline bool close_loops(Scalar* q, Scalar tolerance, int most_steps = 20) noexcept {
   Scalar here[position_count], next[position_count], dq[position_count], phi[2];
   const auto gap_at = [&](const Scalar* position) {
     loop_closure(position, phi);
@@ -1136,13 +1161,91 @@ inline bool close_loops(Scalar* q, Scalar tolerance, int most_steps = 20) noexce
   return true;
 }
 
+namespace detail {
+
+// The numbers of a state: multiples of 2^-23 in [-1, 1), which are exact in float, too.
+template <class Scalar>
+static void fill(Scalar* x, int count, uint32_t seed) noexcept {
+  for (int k = 0; k < count; ++k) {
+    seed = seed * 1664525u + 1013904223u;
+    x[k] = (Scalar(seed >> 8) - Scalar(8388608.0)) / Scalar(8388608.0);
+  }
+}
+
+// Sines and cosines of angles; the tangents of their halves are such numbers.
+template <class Scalar>
+static void fill_sines(Scalar* sine, Scalar* cosine, int count, uint32_t seed) noexcept {
+  fill(sine, count, seed);
+  for (int k = 0; k < count; ++k) {
+    const Scalar t = sine[k], square = t * t, divisor = Scalar(1.0) + square;
+    sine[k] = Scalar(2.0) * t / divisor;
+    cosine[k] = (Scalar(1.0) - square) / divisor;
+  }
+}
+
+// Goes on with a hash (FNV-1a) by the bits of results; those that are not numbers count as zero.
+template <class Scalar>
+static uint64_t hash_of(const Scalar* x, int count, uint64_t hash) noexcept {
+  for (int k = 0; k < count; ++k) {
+    const bool is_number = x[k] < Scalar(0.0) || x[k] >= Scalar(0.0);
+    uint64_t bits = 0;
+    if constexpr (sizeof(Scalar) == sizeof(float)) {
+      uint32_t of_float = 0;
+      memcpy(&of_float, x + k, sizeof(of_float));
+      bits = of_float;
+    } else {
+      memcpy(&bits, x + k, sizeof(bits));
+    }
+    hash = (hash ^ (is_number ? bits : 0u)) * 1099511628211u;
+  }
+  return hash;
+}
+
+// Whether sines and cosines of the library are right to a unit in the last place: at angles for
+// which libraries that trade digits for speed are not.
+template <class Scalar>
+static bool sines_are_right() noexcept {
+  const volatile Scalar zero = Scalar(0.0);
+  const Scalar angles[8] = {
+      Scalar(0.5), Scalar(0.6875), Scalar(1.28125), Scalar(1.53125), Scalar(1.796875),
+      Scalar(3.125), Scalar(10.28125), Scalar(11.125)
+  };
+  const Scalar sines[8] = {
+      Scalar(0.479425538604203), Scalar(0.6346070800152693), Scalar(0.9583735057581397),
+      Scalar(0.999218145922396), Scalar(0.9745528811569866), Scalar(0.016591892229347906),
+      Scalar(-0.7555360776363961), Scalar(-0.9916361774750792)
+  };
+  const Scalar cosines[8] = {
+      Scalar(0.8775825618903728), Scalar(0.7728349461524715), Scalar(0.28551746612221973),
+      Scalar(0.03953601977196579), Scalar(-0.2241577164155103), Scalar(-0.9998623450816866),
+      Scalar(-0.6551070411694638), Scalar(0.12906467960915324)
+  };
+  const Scalar places = Scalar(sizeof(Scalar) == sizeof(float) ? 8388608.0 : 4503599627370496.0);
+  Scalar x[8], s[8], c[8];
+  for (int k = 0; k < 8; ++k) x[k] = angles[k] + zero;
+  LibrarySinCos()(x, Joints<0, 1, 2, 3, 4, 5, 6, 7>(), s, c);
+  const auto is_near = [places](Scalar a, Scalar b) {
+    const Scalar error = (a - b) * places, size = b < Scalar(0.0) ? -b : b;
+    return error <= size && -error <= size;
+  };
+  bool right = true;
+  for (int k = 0; k < 8; ++k) right &= is_near(s[k], sines[k]) && is_near(c[k], cosines[k]);
+  return right;
+}
+
+}  // namespace detail
+
 // Whether the build rounds every operation as it is written, to nearest: compilers fuse products
-// into sums unless they are given -ffp-contract=off, and -ffast-math or x87 registers change more.
-// The rounding errors that certificates bound assume that this is true. The result is that of the
-// calling file, for float and double.
+// into sums unless they are given -ffp-contract=off, and x87 registers or -freciprocal-math change
+// more. The rounding errors that certificates bound assume that this is true. All functions are
+// called at one state, with sines and cosines given, and the bits of their results compared with
+// those of arithmetic as it is written. The answer is for the calling file and thread, for float and
+// double: every file has its own copy of the functions, but shares members of stages with others.
 template <class Scalar = Real>
 static bool rounding_is_as_written() noexcept {
   constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+  constexpr int method = FLT_EVAL_METHOD;
+  if (method != 0 && method != 16 && (is_float || method != 1)) return false;
   const volatile Scalar a = Scalar(0.1), b = Scalar(0.7), one = Scalar(1.0), tiny = Scalar(1e-17),
       nine = Scalar(9.0), seven = Scalar(7.0), half = Scalar(0.5),
       half_a_place = is_float ? Scalar(0x1.001p-24) : Scalar(0x1.001p-53),  // a little more than it
@@ -1150,12 +1253,62 @@ static bool rounding_is_as_written() noexcept {
   const volatile Scalar product = a * b, quotient = nine / seven, next = one + half_a_place;
   const Scalar x = one, y = tiny;
   const auto is_zero = [](Scalar r) { return !(r < Scalar(0.0)) && !(r > Scalar(0.0)); };
-  return is_zero(a * b - product)                   // no fused multiply-add, no extra digits
-         && next > one                              // no missing digits, rounded only once
-         && is_zero((x + y) - x)                    // no other order, no rounding upward
-         && is_zero((x - y) - x)                    // no rounding downward
-         && is_zero(nine / Scalar(7.0) - quotient)  // no reciprocal
-         && smallest * half > Scalar(0.0);          // nothing is flushed to zero
+  if (!is_zero(a * b - product)                     // fused multiply-add, extra digits
+      || !(next > one)                              // missing digits, rounded twice
+      || !is_zero((x + y) - x)                      // another order, rounding upward
+      || !is_zero((x - y) - x)                      // rounding downward
+      || !is_zero(nine / Scalar(7.0) - quotient)    // a reciprocal
+      || !(smallest * half > Scalar(0.0))) {        // tiny numbers are flushed to zero
+    return false;
+  }
+  if (!detail::sines_are_right<Scalar>()) return false;
+  // All functions at one state.
+  const volatile uint32_t first = 0;
+  const uint32_t seed = first;
+  uint64_t hash = 14695981039346656037u;
+  Scalar q[4], qd[2], qdd[2], tau[2], h_e[6], sine[4], cosine[4], result[12];
+  detail::fill(q, 4, seed + 1u);
+  detail::fill(qd, 2, seed + 2u);
+  detail::fill(qdd, 2, seed + 3u);
+  detail::fill(tau, 2, seed + 4u);
+  detail::fill(h_e, 6, seed + 5u);
+  detail::fill_sines(sine, cosine, 4, seed + 16u);
+  const GivenSinCos<Scalar> given = {sine, cosine};
+  inverse_dynamics(q, qd, qdd, result, given);
+  hash = detail::hash_of(result, 2, hash);
+  inverse_dynamics_tip_force(q, qd, qdd, h_e, result, given);
+  hash = detail::hash_of(result, 2, hash);
+  inertia_matrix(q, result, given);
+  hash = detail::hash_of(result, 4, hash);
+  christoffel(q, result, given);
+  hash = detail::hash_of(result, 6, hash);
+  coriolis_matrix(q, qd, result, given);
+  hash = detail::hash_of(result, 4, hash);
+  gravity(q, result);
+  hash = detail::hash_of(result, 2, hash);
+  bias(q, qd, result, given);
+  hash = detail::hash_of(result, 2, hash);
+  forward_dynamics(q, qd, tau, result, given);
+  hash = detail::hash_of(result, 2, hash);
+  kinetic_energy(q, qd, result, given);
+  hash = detail::hash_of(result, 1, hash);
+  result[0] = potential_energy(q);
+  hash = detail::hash_of(result, 1, hash);
+  forward_kinematics(q, result, result + 9, given);
+  hash = detail::hash_of(result, 12, hash);
+  jacobian(q, result, given);
+  hash = detail::hash_of(result, 12, hash);
+  jacobian_dot_qd(q, qd, result, given);
+  hash = detail::hash_of(result, 6, hash);
+  loop_closure(q, result, given);
+  hash = detail::hash_of(result, 2, hash);
+  loop_jacobian(q, result, given);
+  hash = detail::hash_of(result, 8, hash);
+  loop_step(q, result, given);
+  hash = detail::hash_of(result, 4, hash);
+  loop_motion(q, qd, qdd, result, result + 4, given);
+  hash = detail::hash_of(result, 8, hash);
+  return hash == (is_float ? 0x9043e5260e6c9575u : 0x555c3505b4d61c9au);
 }
 
 }  // namespace five_bar

@@ -48,7 +48,15 @@
 #ifndef FLATDYN_FOUR_BAR_HPP_120CF1DC
 #define FLATDYN_FOUR_BAR_HPP_120CF1DC
 
+#include <float.h>
+#include <stdint.h>
+#include <string.h>
+
 #include <cmath>
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "compile this without -ffast-math: it leaves out the checks that results are finite"
+#endif
 
 namespace four_bar {
 
@@ -158,14 +166,14 @@ struct GivenSinCos {
 //   qd[1]   in   joint velocities, rad/s or m/s
 //   qdd[1]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[1]  out  joint torques, N m (forces, N, for prismatic joints)
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..2], qd[0], qdd[0], parameters.g, parameters.m_1, parameters.l_1, parameters.I_1,
 // parameters.a, parameters.m_2, parameters.l_2, parameters.h_2, parameters.I_2, parameters.m_3,
 // parameters.l_3, parameters.I_3, parameters.b, parameters.c. Operations: 72 mul, 34 add, 1 div, 6
 // sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
+static inline bool inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
@@ -215,8 +223,9 @@ inline bool inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t30 = m_1 * l_1;
   const Scalar I_1_zz = I_1 + l_1 * t30;
   tau[0] = t23 * t30 + qdd_1 * I_1_zz + t24 - t29 + t26;
-  bool positive = t3 * t3 * (t2 * t2 - Scalar(1e-12)) > Scalar(0.0);
-  return positive;
+  bool valid = t3 * t3 * (t2 * t2 - Scalar(1e-12)) > Scalar(0.0);
+  valid &= Scalar(0.0) * tau[0] < Scalar(1.0);
+  return valid;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -225,14 +234,14 @@ inline bool inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 //   qdd[1]  in   joint accelerations, rad/s^2 or m/s^2
 //   h_e[6]  in   force (N), then moment (N m), that the tip exerts on its environment, base frame
 //   tau[1]  out  joint torques, N m (forces, N, for prismatic joints)
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..2], qd[0], qdd[0], h_e[0..1], h_e[5], parameters.g, parameters.m_1, parameters.l_1,
 // parameters.I_1, parameters.a, parameters.m_2, parameters.l_2, parameters.h_2, parameters.I_2,
 // parameters.m_3, parameters.l_3, parameters.I_3, parameters.b, parameters.c. Operations: 81 mul,
 // 46 add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
+static inline bool inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -290,8 +299,9 @@ inline bool inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, con
   tau[0] = g * c_1 * t30 + I_1_zz * qdd_1 - a * s_2 * t28 - a * c_2 * t29 + mu_2_z + t22 -
       t11 * mu_2_z;
   const Scalar t31 = b * c;
-  bool positive = t6 * t6 - Scalar(1e-12) * t31 * t31 > Scalar(0.0);
-  return positive;
+  bool valid = t6 * t6 - Scalar(1e-12) * t31 * t31 > Scalar(0.0);
+  valid &= Scalar(0.0) * tau[0] < Scalar(1.0);
+  return valid;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -302,13 +312,13 @@ inline constexpr bool inertia_matrix_nonzero[1] = {
 //   q[3]  in   joint positions, rad or m
 //   B[1]  out  inertia matrix, symmetric, kg m^2 (kg for prismatic joints)
 //              1 x 1, row by row: entry (i, j) is B[1 * i + j]
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..2], parameters.m_1, parameters.l_1, parameters.I_1, parameters.a, parameters.m_2,
 // parameters.l_2, parameters.h_2, parameters.I_2, parameters.m_3, parameters.l_3, parameters.I_3,
 // parameters.b, parameters.c. Operations: 41 mul, 21 add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* B,
+static inline bool inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* B,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar m_1 = parameters.m_1, l_1 = parameters.l_1, I_1 = parameters.I_1, a = parameters.a,
@@ -336,8 +346,9 @@ inline bool inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q
   const Scalar Ic_3_zz = I_3 + m_3 * l_3 * l_3;
   const Scalar t10 = t6 * (Ic_3_zz * t6 * t9 * t9 - t3 * (mu_2_1_z + b_1_2h));
   B[0] = I_1 + Ic_2_zz - Scalar(2.0) * t8 + a * t7 + m_1 * l_1 * l_1 + t10;
-  bool positive = t5 * t5 - Scalar(1e-12) * t4 * t4 > Scalar(0.0);
-  return positive;
+  bool valid = t5 * t5 - Scalar(1e-12) * t4 * t4 > Scalar(0.0);
+  valid &= Scalar(0.0) * B[0] < Scalar(1.0);
+  return valid;
 }
 
 // The entries of c in christoffel that are not always zero.
@@ -348,13 +359,13 @@ inline constexpr bool christoffel_nonzero[1] = {
 //   q[3]  in   joint positions, rad or m
 //   c[1]  out  Christoffel symbols c_ijk = c_ikj, j <= k
 //              c_ijk = c_ikj is c[1 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..2], parameters.a, parameters.m_2, parameters.l_2, parameters.h_2, parameters.I_2,
 // parameters.m_3, parameters.l_3, parameters.I_3, parameters.b, parameters.c. Operations: 52 mul,
 // 25 add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool christoffel(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* c,
+static inline bool christoffel(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* c,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar a = parameters.a, m_2 = parameters.m_2, l_2 = parameters.l_2, h_2 = parameters.h_2,
@@ -394,8 +405,9 @@ inline bool christoffel(const Parameters<Scalar>& parameters, const Scalar* q, S
   const Scalar t19 = t10 * a * mr_2_y;
   c[0] = t19 - t10 * t19 - t18 + t17;
   const Scalar t20 = b * c_2;
-  bool positive = t5 * t5 - Scalar(1e-12) * t20 * t20 > Scalar(0.0);
-  return positive;
+  bool valid = t5 * t5 - Scalar(1e-12) * t20 * t20 > Scalar(0.0);
+  valid &= Scalar(0.0) * c[0] < Scalar(1.0);
+  return valid;
 }
 
 // The entries of C in coriolis_matrix that are not always zero.
@@ -407,14 +419,14 @@ inline constexpr bool coriolis_matrix_nonzero[1] = {
 //   qd[1]  in   joint velocities, rad/s or m/s
 //   C[1]   out  c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric
 //               1 x 1, row by row: entry (i, j) is C[1 * i + j]
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..2], qd[0], parameters.a, parameters.m_2, parameters.l_2, parameters.h_2,
 // parameters.I_2, parameters.m_3, parameters.l_3, parameters.I_3, parameters.b, parameters.c.
 // Operations: 53 mul, 25 add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    Scalar* C, const SinCos& sin_cos = {}) noexcept {
+static inline bool coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, Scalar* C, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar a = parameters.a, m_2 = parameters.m_2, l_2 = parameters.l_2, h_2 = parameters.h_2,
@@ -454,20 +466,21 @@ inline bool coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* 
   const Scalar t19 = t10 * a * mr_2_y;
   C[0] = qd_1 * (t19 - t10 * t19 - t18 + t17);
   const Scalar t20 = b * c;
-  bool positive = t5 * t5 - Scalar(1e-12) * t20 * t20 > Scalar(0.0);
-  return positive;
+  bool valid = t5 * t5 - Scalar(1e-12) * t20 * t20 > Scalar(0.0);
+  valid &= Scalar(0.0) * C[0] < Scalar(1.0);
+  return valid;
 }
 
 // Gravity torques g(q) (7.39).
 //   q[3]  in   joint positions, rad or m
 //   g[1]  out  joint torques, N m (forces, N, for prismatic joints)
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..2], parameters.g, parameters.m_1, parameters.l_1, parameters.a, parameters.m_2,
 // parameters.l_2, parameters.h_2, parameters.m_3, parameters.l_3, parameters.b, parameters.c.
 // Operations: 32 mul, 13 add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g,
+static inline bool gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar g_2 = parameters.g, m_1 = parameters.m_1, l_1 = parameters.l_1, a = parameters.a,
@@ -487,22 +500,23 @@ inline bool gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scala
   const Scalar t5 = (c_3 * s_1_2 + s_3 * t1) * t4;
   const Scalar t6 = (c * t2 * (c_3 * p_l1ae_y - s_3 * p_l1ae_x) + t3) / t5;
   g[0] = g_2 * ((c_1 * (a * m_2 + m_1 * l_1) - t2) + t6);
-  bool positive = t5 * t5 - Scalar(1e-12) * t4 * t4 > Scalar(0.0);
-  return positive;
+  bool valid = t5 * t5 - Scalar(1e-12) * t4 * t4 > Scalar(0.0);
+  valid &= Scalar(0.0) * g[0] < Scalar(1.0);
+  return valid;
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).
 //   q[3]   in   joint positions, rad or m
 //   qd[1]  in   joint velocities, rad/s or m/s
 //   n[1]   out  joint torques, N m (forces, N, for prismatic joints)
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..2], qd[0], parameters.g, parameters.m_1, parameters.l_1, parameters.a, parameters.m_2,
 // parameters.l_2, parameters.h_2, parameters.I_2, parameters.m_3, parameters.l_3, parameters.I_3,
 // parameters.b, parameters.c. Operations: 67 mul, 29 add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd, Scalar* n,
-    const SinCos& sin_cos = {}) noexcept {
+static inline bool bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
+    Scalar* n, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar g = parameters.g, m_1 = parameters.m_1, l_1 = parameters.l_1, a = parameters.a,
@@ -546,8 +560,9 @@ inline bool bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
   const Scalar t27 = I_3_zz * t5 * (R_l1a21_x * t18 - t1 * t17);
   const Scalar t28 = t11 * (t27 - g * c_3 * t26);
   n[0] = m_1 * l_1 * t22 - t23 - t28 + t25;
-  bool positive = t3 * t3 * (t2 * t2 - Scalar(1e-12)) > Scalar(0.0);
-  return positive;
+  bool valid = t3 * t3 * (t2 * t2 - Scalar(1e-12)) > Scalar(0.0);
+  valid &= Scalar(0.0) * n[0] < Scalar(1.0);
+  return valid;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -555,14 +570,15 @@ inline bool bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 //   qd[1]   in   joint velocities, rad/s or m/s
 //   tau[1]  in   joint torques or forces, N m or N
 //   qdd[1]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular, or a pivot of B is not positive or not a number.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// a pivot of B is not positive or lost in rounding, or an entry of the result is not a finite
+// number.
 // Reads q[0..2], qd[0], tau[0], parameters.g, parameters.m_1, parameters.l_1, parameters.I_1,
 // parameters.a, parameters.m_2, parameters.l_2, parameters.h_2, parameters.I_2, parameters.m_3,
 // parameters.l_3, parameters.I_3, parameters.b, parameters.c. Operations: 75 mul, 40 add, 2 div, 6
 // sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
+static inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
@@ -616,23 +632,24 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
       mu_2_1_z * t8 - t8 * b_1_2h;
   qdd[0] = -t26 / b_1_1q;
   const Scalar t28 = b * c;
-  bool positive = b_1_1q > Scalar(0.0);
-  positive &= t5 * t5 - Scalar(1e-12) * t28 * t28 > Scalar(0.0);
-  return positive;
+  bool valid = b_1_1q > Scalar(0.0);
+  valid &= t5 * t5 - Scalar(1e-12) * t28 * t28 > Scalar(0.0);
+  valid &= Scalar(0.0) * qdd[0] < Scalar(1.0);
+  return valid;
 }
 
 // Kinetic energy of links and rotors (7.31).
 //   q[3]   in   joint positions, rad or m
 //   qd[1]  in   joint velocities, rad/s or m/s
 //   T[1]   out  kinetic energy, J
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..2], qd[0], parameters.m_1, parameters.l_1, parameters.I_1, parameters.a,
 // parameters.m_2, parameters.l_2, parameters.h_2, parameters.I_2, parameters.m_3, parameters.l_3,
 // parameters.I_3, parameters.b, parameters.c. Operations: 45 mul, 18 add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    Scalar* T, const SinCos& sin_cos = {}) noexcept {
+static inline bool kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, Scalar* T, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar m_1 = parameters.m_1, l_1 = parameters.l_1, I_1 = parameters.I_1, a = parameters.a,
@@ -659,8 +676,9 @@ inline bool kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q
   const Scalar I_2_zz = I_2 + m_2 * (l_2 * l_2 + h_2 * h_2);
   const Scalar t9 = (h_2 * s_2 - l_2 * c_2) * qd_1 * t7;
   T[0] = Scalar(-0.5) * (omega_2_z * (Scalar(2.0) * t9 - I_2_zz * omega_2_z) - t8);
-  bool positive = t3 * t3 - Scalar(1e-12) * t2 * t2 > Scalar(0.0);
-  return positive;
+  bool valid = t3 * t3 - Scalar(1e-12) * t2 * t2 > Scalar(0.0);
+  valid &= Scalar(0.0) * T[0] < Scalar(1.0);
+  return valid;
 }
 
 // Potential energy of links and rotors (7.36).
@@ -670,7 +688,7 @@ inline bool kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q
 // parameters.l_2, parameters.h_2, parameters.m_3, parameters.l_3. Operations: 12 mul, 6 add, 5
 // sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q,
+static inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar g = parameters.g, m_1 = parameters.m_1, l_1 = parameters.l_1, a = parameters.a,
@@ -699,8 +717,8 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 // Reads q[0..1], parameters.a, parameters.b. Operations: 9 mul, 5 add, 4 sin/cos. Always zero: 4 of
 // the 9 entries of R. Always zero: p[2].
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void forward_kinematics(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* R,
-    Scalar* p, const SinCos& sin_cos = {}) noexcept {
+static inline void forward_kinematics(const Parameters<Scalar>& parameters, const Scalar* q,
+    Scalar* R, Scalar* p, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar a = parameters.a, b = parameters.b;
   Scalar sine[position_count], cosine[position_count];
@@ -732,12 +750,12 @@ inline constexpr bool jacobian_nonzero[6] = {
 //   q[3]  in   joint positions, rad or m
 //   J[6]  out  geometric Jacobian in base axes: linear rows, then angular
 //              6 x 1, row by row: entry (i, j) is J[1 * i + j]
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..2], parameters.a, parameters.b, parameters.c. Operations: 26 mul, 15 add, 1 div, 6
 // sin/cos. Always zero: 3 of the 6 entries of J.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J,
+static inline bool jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar a = parameters.a, b = parameters.b, c = parameters.c;
@@ -763,21 +781,22 @@ inline bool jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scal
   const Scalar t8 = s_1 * t7 - c_1 * p_2_x;
   J[1] = (t8 + t3) * t6 - t8;
   J[2] = J[3] = J[4] = Scalar(0.0);
-  bool positive = t5 * t5 - Scalar(1e-12) * t4 * t4 > Scalar(0.0);
-  return positive;
+  bool valid = t5 * t5 - Scalar(1e-12) * t4 * t4 > Scalar(0.0);
+  for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * J[k] < Scalar(1.0);
+  return valid;
 }
 
 // (dJ/dt) qd of the tip.
 //   q[3]   in   joint positions, rad or m
 //   qd[1]  in   joint velocities, rad/s or m/s
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..2], qd[0], parameters.a, parameters.b, parameters.c. Operations: 49 mul, 20 add, 1
 // div, 6 sin/cos. Always zero: a[2], a[3], a[4].
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    Scalar* a, const SinCos& sin_cos = {}) noexcept {
+static inline bool jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, Scalar* a, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar a_2 = parameters.a, b = parameters.b, c = parameters.c;
@@ -812,8 +831,9 @@ inline bool jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* 
   a[1] = -s_1 * t17 - c_1 * t16;
   a[2] = a[3] = a[4] = Scalar(0.0);
   const Scalar t18 = b * c;
-  bool positive = t5 * t5 - Scalar(1e-12) * t18 * t18 > Scalar(0.0);
-  return positive;
+  bool valid = t5 * t5 - Scalar(1e-12) * t18 * t18 > Scalar(0.0);
+  for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * a[k] < Scalar(1.0);
+  return valid;
 }
 
 // Phi(q): what lies between the points where the loops are closed.
@@ -822,7 +842,7 @@ inline bool jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* 
 // Reads q[0..2], parameters.a, parameters.d, parameters.b, parameters.c. Operations: 10 mul, 7 add,
 // 6 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void loop_closure(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* phi,
+static inline void loop_closure(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* phi,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar a = parameters.a, d = parameters.d, b = parameters.b, c = parameters.c;
@@ -850,8 +870,8 @@ inline constexpr bool loop_jacobian_nonzero[6] = {
 //                  2 x 3, row by row: entry (i, j) is phi_q[3 * i + j]
 // Reads q[0..2], parameters.a, parameters.b, parameters.c. Operations: 10 mul, 4 add, 6 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void loop_jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* phi_q,
-    const SinCos& sin_cos = {}) noexcept {
+static inline void loop_jacobian(const Parameters<Scalar>& parameters, const Scalar* q,
+    Scalar* phi_q, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar a = parameters.a, b = parameters.b, c = parameters.c;
   Scalar sine[position_count], cosine[position_count];
@@ -872,12 +892,12 @@ inline void loop_jacobian(const Parameters<Scalar>& parameters, const Scalar* q,
 // Newton's step of the dependent joints towards closed loops.
 //   q[3]   in   joint positions, rad or m
 //   dq[3]  out  to be added to q, again and again; 0 for independent joints, which stay
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..2], parameters.a, parameters.d, parameters.b, parameters.c. Operations: 24 mul, 11
 // add, 1 div, 6 sin/cos. Always zero: dq[0].
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool loop_step(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* dq,
+static inline bool loop_step(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* dq,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar a = parameters.a, d = parameters.d, b = parameters.b, c = parameters.c;
@@ -899,8 +919,9 @@ inline bool loop_step(const Parameters<Scalar>& parameters, const Scalar* q, Sca
   dq[1] = -t10 * (t6 * t7 + t3 * t4);
   dq[2] = -t10 * (t5 * t7 - t2 * t4);
   dq[0] = Scalar(0.0);
-  bool positive = t9 * t9 - Scalar(1e-12) * t8 * t8 > Scalar(0.0);
-  return positive;
+  bool valid = t9 * t9 - Scalar(1e-12) * t8 * t8 > Scalar(0.0);
+  for (int k = 0; k < 3; ++k) valid &= Scalar(0.0) * dq[k] < Scalar(1.0);
+  return valid;
 }
 
 // Rates and accelerations of all joints of q, from those of the independent ones.
@@ -909,13 +930,14 @@ inline bool loop_step(const Parameters<Scalar>& parameters, const Scalar* q, Sca
 //   qdd[1]            in   joint accelerations, rad/s^2 or m/s^2
 //   rates[3]          out  dq/dt of every entry of q
 //   accelerations[3]  out  its derivative
-// Returns false if the result means nothing, because a closed loop is within 1e-6 of being
-// singular.
+// Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular, or
+// an entry of the result is not a finite number.
 // Reads q[0..2], qd[0], qdd[0], parameters.a, parameters.b, parameters.c. Operations: 41 mul, 17
 // add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool loop_motion(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    const Scalar* qdd, Scalar* rates, Scalar* accelerations, const SinCos& sin_cos = {}) noexcept {
+static inline bool loop_motion(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, const Scalar* qdd, Scalar* rates, Scalar* accelerations,
+    const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
@@ -954,8 +976,10 @@ inline bool loop_motion(const Parameters<Scalar>& parameters, const Scalar* q, c
   accelerations[2] = t11 * t19 + t6 * (t1 * t17 - t3 * t18);
   accelerations[1] = t6 * (t2 * t18 + t4 * t17) - t12 * t19;
   const Scalar t20 = b * c;
-  bool positive = t5 * t5 - Scalar(1e-12) * t20 * t20 > Scalar(0.0);
-  return positive;
+  bool valid = t5 * t5 - Scalar(1e-12) * t20 * t20 > Scalar(0.0);
+  for (int k = 0; k < 3; ++k) valid &= Scalar(0.0) * rates[k] < Scalar(1.0);
+  for (int k = 0; k < 3; ++k) valid &= Scalar(0.0) * accelerations[k] < Scalar(1.0);
+  return valid;
 }
 
 // The functions as types, with the shapes of their arguments, for adapters such as
@@ -1099,7 +1123,7 @@ struct loop_motion {
 // than `tolerance` (m) after `most_steps`: the loops cannot be closed from there, or are singular.
 // If the loops can be closed in several ways, q decides which one is found.
 template <class Scalar>
-inline bool close_loops(const Parameters<Scalar>& parameters, Scalar* q,
+static inline bool close_loops(const Parameters<Scalar>& parameters, Scalar* q,
     Scalar tolerance, int most_steps = 20) noexcept {
   Scalar here[position_count], next[position_count], dq[position_count], phi[2];
   const auto gap_at = [&](const Scalar* position) {
@@ -1126,13 +1150,91 @@ inline bool close_loops(const Parameters<Scalar>& parameters, Scalar* q,
   return true;
 }
 
+namespace detail {
+
+// The numbers of a state: multiples of 2^-23 in [-1, 1), which are exact in float, too.
+template <class Scalar>
+static void fill(Scalar* x, int count, uint32_t seed) noexcept {
+  for (int k = 0; k < count; ++k) {
+    seed = seed * 1664525u + 1013904223u;
+    x[k] = (Scalar(seed >> 8) - Scalar(8388608.0)) / Scalar(8388608.0);
+  }
+}
+
+// Sines and cosines of angles; the tangents of their halves are such numbers.
+template <class Scalar>
+static void fill_sines(Scalar* sine, Scalar* cosine, int count, uint32_t seed) noexcept {
+  fill(sine, count, seed);
+  for (int k = 0; k < count; ++k) {
+    const Scalar t = sine[k], square = t * t, divisor = Scalar(1.0) + square;
+    sine[k] = Scalar(2.0) * t / divisor;
+    cosine[k] = (Scalar(1.0) - square) / divisor;
+  }
+}
+
+// Goes on with a hash (FNV-1a) by the bits of results; those that are not numbers count as zero.
+template <class Scalar>
+static uint64_t hash_of(const Scalar* x, int count, uint64_t hash) noexcept {
+  for (int k = 0; k < count; ++k) {
+    const bool is_number = x[k] < Scalar(0.0) || x[k] >= Scalar(0.0);
+    uint64_t bits = 0;
+    if constexpr (sizeof(Scalar) == sizeof(float)) {
+      uint32_t of_float = 0;
+      memcpy(&of_float, x + k, sizeof(of_float));
+      bits = of_float;
+    } else {
+      memcpy(&bits, x + k, sizeof(bits));
+    }
+    hash = (hash ^ (is_number ? bits : 0u)) * 1099511628211u;
+  }
+  return hash;
+}
+
+// Whether sines and cosines of the library are right to a unit in the last place: at angles for
+// which libraries that trade digits for speed are not.
+template <class Scalar>
+static bool sines_are_right() noexcept {
+  const volatile Scalar zero = Scalar(0.0);
+  const Scalar angles[8] = {
+      Scalar(0.5), Scalar(0.6875), Scalar(1.28125), Scalar(1.53125), Scalar(1.796875),
+      Scalar(3.125), Scalar(10.28125), Scalar(11.125)
+  };
+  const Scalar sines[8] = {
+      Scalar(0.479425538604203), Scalar(0.6346070800152693), Scalar(0.9583735057581397),
+      Scalar(0.999218145922396), Scalar(0.9745528811569866), Scalar(0.016591892229347906),
+      Scalar(-0.7555360776363961), Scalar(-0.9916361774750792)
+  };
+  const Scalar cosines[8] = {
+      Scalar(0.8775825618903728), Scalar(0.7728349461524715), Scalar(0.28551746612221973),
+      Scalar(0.03953601977196579), Scalar(-0.2241577164155103), Scalar(-0.9998623450816866),
+      Scalar(-0.6551070411694638), Scalar(0.12906467960915324)
+  };
+  const Scalar places = Scalar(sizeof(Scalar) == sizeof(float) ? 8388608.0 : 4503599627370496.0);
+  Scalar x[8], s[8], c[8];
+  for (int k = 0; k < 8; ++k) x[k] = angles[k] + zero;
+  LibrarySinCos()(x, Joints<0, 1, 2, 3, 4, 5, 6, 7>(), s, c);
+  const auto is_near = [places](Scalar a, Scalar b) {
+    const Scalar error = (a - b) * places, size = b < Scalar(0.0) ? -b : b;
+    return error <= size && -error <= size;
+  };
+  bool right = true;
+  for (int k = 0; k < 8; ++k) right &= is_near(s[k], sines[k]) && is_near(c[k], cosines[k]);
+  return right;
+}
+
+}  // namespace detail
+
 // Whether the build rounds every operation as it is written, to nearest: compilers fuse products
-// into sums unless they are given -ffp-contract=off, and -ffast-math or x87 registers change more.
-// The rounding errors that certificates bound assume that this is true. The result is that of the
-// calling file, for float and double.
+// into sums unless they are given -ffp-contract=off, and x87 registers or -freciprocal-math change
+// more. The rounding errors that certificates bound assume that this is true. All functions are
+// called at one state, with sines and cosines given, and the bits of their results compared with
+// those of arithmetic as it is written. The answer is for the calling file and thread, for float and
+// double: every file has its own copy of the functions, but shares members of stages with others.
 template <class Scalar = Real>
 static bool rounding_is_as_written() noexcept {
   constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+  constexpr int method = FLT_EVAL_METHOD;
+  if (method != 0 && method != 16 && (is_float || method != 1)) return false;
   const volatile Scalar a = Scalar(0.1), b = Scalar(0.7), one = Scalar(1.0), tiny = Scalar(1e-17),
       nine = Scalar(9.0), seven = Scalar(7.0), half = Scalar(0.5),
       half_a_place = is_float ? Scalar(0x1.001p-24) : Scalar(0x1.001p-53),  // a little more than it
@@ -1140,12 +1242,66 @@ static bool rounding_is_as_written() noexcept {
   const volatile Scalar product = a * b, quotient = nine / seven, next = one + half_a_place;
   const Scalar x = one, y = tiny;
   const auto is_zero = [](Scalar r) { return !(r < Scalar(0.0)) && !(r > Scalar(0.0)); };
-  return is_zero(a * b - product)                   // no fused multiply-add, no extra digits
-         && next > one                              // no missing digits, rounded only once
-         && is_zero((x + y) - x)                    // no other order, no rounding upward
-         && is_zero((x - y) - x)                    // no rounding downward
-         && is_zero(nine / Scalar(7.0) - quotient)  // no reciprocal
-         && smallest * half > Scalar(0.0);          // nothing is flushed to zero
+  if (!is_zero(a * b - product)                     // fused multiply-add, extra digits
+      || !(next > one)                              // missing digits, rounded twice
+      || !is_zero((x + y) - x)                      // another order, rounding upward
+      || !is_zero((x - y) - x)                      // rounding downward
+      || !is_zero(nine / Scalar(7.0) - quotient)    // a reciprocal
+      || !(smallest * half > Scalar(0.0))) {        // tiny numbers are flushed to zero
+    return false;
+  }
+  if (!detail::sines_are_right<Scalar>()) return false;
+  // All functions at one state.
+  const volatile uint32_t first = 0;
+  const uint32_t seed = first;
+  uint64_t hash = 14695981039346656037u;
+  Scalar q[3], qd[1], qdd[1], tau[1], h_e[6], symbol[15], sine[3], cosine[3], result[12];
+  detail::fill(q, 3, seed + 1u);
+  detail::fill(qd, 1, seed + 2u);
+  detail::fill(qdd, 1, seed + 3u);
+  detail::fill(tau, 1, seed + 4u);
+  detail::fill(h_e, 6, seed + 5u);
+  detail::fill(symbol, 15, seed + 6u);
+  detail::fill_sines(sine, cosine, 3, seed + 16u);
+  const Parameters<Scalar> parameters = {
+      symbol[0], symbol[1], symbol[2], symbol[3], symbol[4], symbol[5], symbol[6], symbol[7],
+      symbol[8], symbol[9], symbol[10], symbol[11], symbol[12], symbol[13], symbol[14]};
+  const GivenSinCos<Scalar> given = {sine, cosine};
+  inverse_dynamics(parameters, q, qd, qdd, result, given);
+  hash = detail::hash_of(result, 1, hash);
+  inverse_dynamics_tip_force(parameters, q, qd, qdd, h_e, result, given);
+  hash = detail::hash_of(result, 1, hash);
+  inertia_matrix(parameters, q, result, given);
+  hash = detail::hash_of(result, 1, hash);
+  christoffel(parameters, q, result, given);
+  hash = detail::hash_of(result, 1, hash);
+  coriolis_matrix(parameters, q, qd, result, given);
+  hash = detail::hash_of(result, 1, hash);
+  gravity(parameters, q, result, given);
+  hash = detail::hash_of(result, 1, hash);
+  bias(parameters, q, qd, result, given);
+  hash = detail::hash_of(result, 1, hash);
+  forward_dynamics(parameters, q, qd, tau, result, given);
+  hash = detail::hash_of(result, 1, hash);
+  kinetic_energy(parameters, q, qd, result, given);
+  hash = detail::hash_of(result, 1, hash);
+  result[0] = potential_energy(parameters, q, given);
+  hash = detail::hash_of(result, 1, hash);
+  forward_kinematics(parameters, q, result, result + 9, given);
+  hash = detail::hash_of(result, 12, hash);
+  jacobian(parameters, q, result, given);
+  hash = detail::hash_of(result, 6, hash);
+  jacobian_dot_qd(parameters, q, qd, result, given);
+  hash = detail::hash_of(result, 6, hash);
+  loop_closure(parameters, q, result, given);
+  hash = detail::hash_of(result, 2, hash);
+  loop_jacobian(parameters, q, result, given);
+  hash = detail::hash_of(result, 6, hash);
+  loop_step(parameters, q, result, given);
+  hash = detail::hash_of(result, 3, hash);
+  loop_motion(parameters, q, qd, qdd, result, result + 3, given);
+  hash = detail::hash_of(result, 6, hash);
+  return hash == (is_float ? 0xca3098dbd062359cu : 0x487afa8f47a1dbb7u);
 }
 
 }  // namespace four_bar

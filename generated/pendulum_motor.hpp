@@ -40,7 +40,15 @@
 #ifndef FLATDYN_PENDULUM_MOTOR_HPP_CDF72301
 #define FLATDYN_PENDULUM_MOTOR_HPP_CDF72301
 
+#include <float.h>
+#include <stdint.h>
+#include <string.h>
+
 #include <cmath>
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "compile this without -ffast-math: it leaves out the checks that results are finite"
+#endif
 
 namespace pendulum_motor {
 
@@ -139,7 +147,7 @@ struct GivenSinCos {
 // Reads q[0], qd[0], qdd[0], parameters.g, parameters.m, parameters.l, parameters.I, parameters.F,
 // parameters.F_m, parameters.k_r, parameters.I_m. Operations: 8 mul, 4 add, 1 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
+static inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
@@ -165,7 +173,7 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 // parameters.F, parameters.F_m, parameters.k_r, parameters.I_m. Operations: 8 mul, 5 add, 1
 // sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
+static inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -193,7 +201,7 @@ inline constexpr bool inertia_matrix_nonzero[1] = {
 //              1 x 1, row by row: entry (i, j) is B[1 * i + j]
 // Reads parameters.I, parameters.k_r, parameters.I_m. Operations: 2 mul, 1 add.
 template <class Scalar>
-inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* /* q */,
+static inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     Scalar* B) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar I = parameters.I, k_r = parameters.k_r, I_m = parameters.I_m;
@@ -210,7 +218,7 @@ inline constexpr bool christoffel_nonzero[1] = {
 //              c_ijk = c_ikj is c[1 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
 // Reads nothing. Operations: 0 mul, 0 add. Always zero: 1 of the 1 entries of c.
 template <class Scalar>
-inline void christoffel(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
+static inline void christoffel(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
     Scalar* c) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   c[0] = Scalar(0.0);
@@ -227,8 +235,8 @@ inline constexpr bool coriolis_matrix_nonzero[1] = {
 //               1 x 1, row by row: entry (i, j) is C[1 * i + j]
 // Reads nothing. Operations: 0 mul, 0 add. Always zero: 1 of the 1 entries of C.
 template <class Scalar>
-inline void coriolis_matrix(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
-    const Scalar* /* qd */, Scalar* C) noexcept {
+static inline void coriolis_matrix(const Parameters<Scalar>& /* parameters */,
+    const Scalar* /* q */, const Scalar* /* qd */, Scalar* C) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   C[0] = Scalar(0.0);
 }
@@ -238,7 +246,7 @@ inline void coriolis_matrix(const Parameters<Scalar>& /* parameters */, const Sc
 //   g[1]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0], parameters.g, parameters.m, parameters.l. Operations: 3 mul, 0 add, 1 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g,
+static inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar g_2 = parameters.g, m = parameters.m, l = parameters.l;
@@ -255,8 +263,8 @@ inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scala
 // Reads q[0], qd[0], parameters.g, parameters.m, parameters.l, parameters.F, parameters.F_m,
 // parameters.k_r. Operations: 6 mul, 2 add, 1 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd, Scalar* n,
-    const SinCos& sin_cos = {}) noexcept {
+static inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
+    Scalar* n, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar g = parameters.g, m = parameters.m, l = parameters.l, F = parameters.F,
@@ -273,11 +281,12 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 //   qd[1]   in   joint velocities, rad/s or m/s
 //   tau[1]  in   joint torques or forces, N m or N
 //   qdd[1]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
-// Returns false if the result means nothing, because a pivot of B is not positive or not a number.
+// Returns false if the result means nothing: if a pivot of B is not positive or lost in rounding,
+// or an entry of the result is not a finite number.
 // Reads q[0], qd[0], tau[0], parameters.g, parameters.m, parameters.l, parameters.I, parameters.F,
 // parameters.F_m, parameters.k_r, parameters.I_m. Operations: 7 mul, 4 add, 1 div, 1 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
+static inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
@@ -291,8 +300,9 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar F_v1 = F + F_m * t1;
   const Scalar b_1_1 = I + I_m * t1;
   qdd[0] = (-g * m * l * s_1 - qd_1 * F_v1 + tau_1) / b_1_1;
-  bool positive = b_1_1 > Scalar(0.0);
-  return positive;
+  bool valid = b_1_1 > Scalar(0.0);
+  valid &= Scalar(0.0) * qdd[0] < Scalar(1.0);
+  return valid;
 }
 
 // Kinetic energy of links and rotors (7.31).
@@ -301,7 +311,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 // Returns T: kinetic energy, J.
 // Reads qd[0], parameters.I, parameters.k_r, parameters.I_m. Operations: 5 mul, 1 add.
 template <class Scalar>
-inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* /* q */,
+static inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* /* q */,
     const Scalar* qd) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
@@ -314,7 +324,7 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[0], parameters.g, parameters.m, parameters.l. Operations: 3 mul, 0 add, 1 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q,
+static inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar g = parameters.g, m = parameters.m, l = parameters.l;
@@ -338,7 +348,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 // Reads q[0]. Operations: 0 mul, 0 add, 2 sin/cos. Always zero: 4 of the 9 entries of R. Always
 // zero: p[0], p[1], p[2].
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void forward_kinematics(const Parameters<Scalar>& /* parameters */, const Scalar* q,
+static inline void forward_kinematics(const Parameters<Scalar>& /* parameters */, const Scalar* q,
     Scalar* R, Scalar* p, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[joint_count], cosine[joint_count];
@@ -366,7 +376,7 @@ inline constexpr bool jacobian_nonzero[6] = {
 //              6 x 1, row by row: entry (i, j) is J[1 * i + j]
 // Reads nothing. Operations: 0 mul, 0 add. Always zero: 5 of the 6 entries of J.
 template <class Scalar>
-inline void jacobian(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
+static inline void jacobian(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
     Scalar* J) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   J[5] = Scalar(1.0);
@@ -379,8 +389,8 @@ inline void jacobian(const Parameters<Scalar>& /* parameters */, const Scalar* /
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
 // Reads nothing. Operations: 0 mul, 0 add. Always zero: a[0], a[1], a[2], a[3], a[4], a[5].
 template <class Scalar>
-inline void jacobian_dot_qd(const Parameters<Scalar>& /* parameters */, const Scalar* /* q */,
-    const Scalar* /* qd */, Scalar* a) noexcept {
+static inline void jacobian_dot_qd(const Parameters<Scalar>& /* parameters */,
+    const Scalar* /* q */, const Scalar* /* qd */, Scalar* a) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   a[0] = a[1] = a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
 }
@@ -491,13 +501,91 @@ struct jacobian_dot_qd {
 
 }  // namespace functions
 
+namespace detail {
+
+// The numbers of a state: multiples of 2^-23 in [-1, 1), which are exact in float, too.
+template <class Scalar>
+static void fill(Scalar* x, int count, uint32_t seed) noexcept {
+  for (int k = 0; k < count; ++k) {
+    seed = seed * 1664525u + 1013904223u;
+    x[k] = (Scalar(seed >> 8) - Scalar(8388608.0)) / Scalar(8388608.0);
+  }
+}
+
+// Sines and cosines of angles; the tangents of their halves are such numbers.
+template <class Scalar>
+static void fill_sines(Scalar* sine, Scalar* cosine, int count, uint32_t seed) noexcept {
+  fill(sine, count, seed);
+  for (int k = 0; k < count; ++k) {
+    const Scalar t = sine[k], square = t * t, divisor = Scalar(1.0) + square;
+    sine[k] = Scalar(2.0) * t / divisor;
+    cosine[k] = (Scalar(1.0) - square) / divisor;
+  }
+}
+
+// Goes on with a hash (FNV-1a) by the bits of results; those that are not numbers count as zero.
+template <class Scalar>
+static uint64_t hash_of(const Scalar* x, int count, uint64_t hash) noexcept {
+  for (int k = 0; k < count; ++k) {
+    const bool is_number = x[k] < Scalar(0.0) || x[k] >= Scalar(0.0);
+    uint64_t bits = 0;
+    if constexpr (sizeof(Scalar) == sizeof(float)) {
+      uint32_t of_float = 0;
+      memcpy(&of_float, x + k, sizeof(of_float));
+      bits = of_float;
+    } else {
+      memcpy(&bits, x + k, sizeof(bits));
+    }
+    hash = (hash ^ (is_number ? bits : 0u)) * 1099511628211u;
+  }
+  return hash;
+}
+
+// Whether sines and cosines of the library are right to a unit in the last place: at angles for
+// which libraries that trade digits for speed are not.
+template <class Scalar>
+static bool sines_are_right() noexcept {
+  const volatile Scalar zero = Scalar(0.0);
+  const Scalar angles[8] = {
+      Scalar(0.5), Scalar(0.6875), Scalar(1.28125), Scalar(1.53125), Scalar(1.796875),
+      Scalar(3.125), Scalar(10.28125), Scalar(11.125)
+  };
+  const Scalar sines[8] = {
+      Scalar(0.479425538604203), Scalar(0.6346070800152693), Scalar(0.9583735057581397),
+      Scalar(0.999218145922396), Scalar(0.9745528811569866), Scalar(0.016591892229347906),
+      Scalar(-0.7555360776363961), Scalar(-0.9916361774750792)
+  };
+  const Scalar cosines[8] = {
+      Scalar(0.8775825618903728), Scalar(0.7728349461524715), Scalar(0.28551746612221973),
+      Scalar(0.03953601977196579), Scalar(-0.2241577164155103), Scalar(-0.9998623450816866),
+      Scalar(-0.6551070411694638), Scalar(0.12906467960915324)
+  };
+  const Scalar places = Scalar(sizeof(Scalar) == sizeof(float) ? 8388608.0 : 4503599627370496.0);
+  Scalar x[8], s[8], c[8];
+  for (int k = 0; k < 8; ++k) x[k] = angles[k] + zero;
+  LibrarySinCos()(x, Joints<0, 1, 2, 3, 4, 5, 6, 7>(), s, c);
+  const auto is_near = [places](Scalar a, Scalar b) {
+    const Scalar error = (a - b) * places, size = b < Scalar(0.0) ? -b : b;
+    return error <= size && -error <= size;
+  };
+  bool right = true;
+  for (int k = 0; k < 8; ++k) right &= is_near(s[k], sines[k]) && is_near(c[k], cosines[k]);
+  return right;
+}
+
+}  // namespace detail
+
 // Whether the build rounds every operation as it is written, to nearest: compilers fuse products
-// into sums unless they are given -ffp-contract=off, and -ffast-math or x87 registers change more.
-// The rounding errors that certificates bound assume that this is true. The result is that of the
-// calling file, for float and double.
+// into sums unless they are given -ffp-contract=off, and x87 registers or -freciprocal-math change
+// more. The rounding errors that certificates bound assume that this is true. All functions are
+// called at one state, with sines and cosines given, and the bits of their results compared with
+// those of arithmetic as it is written. The answer is for the calling file and thread, for float and
+// double: every file has its own copy of the functions, but shares members of stages with others.
 template <class Scalar = Real>
 static bool rounding_is_as_written() noexcept {
   constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+  constexpr int method = FLT_EVAL_METHOD;
+  if (method != 0 && method != 16 && (is_float || method != 1)) return false;
   const volatile Scalar a = Scalar(0.1), b = Scalar(0.7), one = Scalar(1.0), tiny = Scalar(1e-17),
       nine = Scalar(9.0), seven = Scalar(7.0), half = Scalar(0.5),
       half_a_place = is_float ? Scalar(0x1.001p-24) : Scalar(0x1.001p-53),  // a little more than it
@@ -505,12 +593,57 @@ static bool rounding_is_as_written() noexcept {
   const volatile Scalar product = a * b, quotient = nine / seven, next = one + half_a_place;
   const Scalar x = one, y = tiny;
   const auto is_zero = [](Scalar r) { return !(r < Scalar(0.0)) && !(r > Scalar(0.0)); };
-  return is_zero(a * b - product)                   // no fused multiply-add, no extra digits
-         && next > one                              // no missing digits, rounded only once
-         && is_zero((x + y) - x)                    // no other order, no rounding upward
-         && is_zero((x - y) - x)                    // no rounding downward
-         && is_zero(nine / Scalar(7.0) - quotient)  // no reciprocal
-         && smallest * half > Scalar(0.0);          // nothing is flushed to zero
+  if (!is_zero(a * b - product)                     // fused multiply-add, extra digits
+      || !(next > one)                              // missing digits, rounded twice
+      || !is_zero((x + y) - x)                      // another order, rounding upward
+      || !is_zero((x - y) - x)                      // rounding downward
+      || !is_zero(nine / Scalar(7.0) - quotient)    // a reciprocal
+      || !(smallest * half > Scalar(0.0))) {        // tiny numbers are flushed to zero
+    return false;
+  }
+  if (!detail::sines_are_right<Scalar>()) return false;
+  // All functions at one state.
+  const volatile uint32_t first = 0;
+  const uint32_t seed = first;
+  uint64_t hash = 14695981039346656037u;
+  Scalar q[1], qd[1], qdd[1], tau[1], h_e[6], symbol[8], sine[1], cosine[1], result[12];
+  detail::fill(q, 1, seed + 1u);
+  detail::fill(qd, 1, seed + 2u);
+  detail::fill(qdd, 1, seed + 3u);
+  detail::fill(tau, 1, seed + 4u);
+  detail::fill(h_e, 6, seed + 5u);
+  detail::fill(symbol, 8, seed + 6u);
+  detail::fill_sines(sine, cosine, 1, seed + 16u);
+  const Parameters<Scalar> parameters = {
+      symbol[0], symbol[1], symbol[2], symbol[3], symbol[4], symbol[5], symbol[6], symbol[7]};
+  const GivenSinCos<Scalar> given = {sine, cosine};
+  inverse_dynamics(parameters, q, qd, qdd, result, given);
+  hash = detail::hash_of(result, 1, hash);
+  inverse_dynamics_tip_force(parameters, q, qd, qdd, h_e, result, given);
+  hash = detail::hash_of(result, 1, hash);
+  inertia_matrix(parameters, q, result);
+  hash = detail::hash_of(result, 1, hash);
+  christoffel(parameters, q, result);
+  hash = detail::hash_of(result, 1, hash);
+  coriolis_matrix(parameters, q, qd, result);
+  hash = detail::hash_of(result, 1, hash);
+  gravity(parameters, q, result, given);
+  hash = detail::hash_of(result, 1, hash);
+  bias(parameters, q, qd, result, given);
+  hash = detail::hash_of(result, 1, hash);
+  forward_dynamics(parameters, q, qd, tau, result, given);
+  hash = detail::hash_of(result, 1, hash);
+  result[0] = kinetic_energy(parameters, q, qd);
+  hash = detail::hash_of(result, 1, hash);
+  result[0] = potential_energy(parameters, q, given);
+  hash = detail::hash_of(result, 1, hash);
+  forward_kinematics(parameters, q, result, result + 9, given);
+  hash = detail::hash_of(result, 12, hash);
+  jacobian(parameters, q, result);
+  hash = detail::hash_of(result, 6, hash);
+  jacobian_dot_qd(parameters, q, qd, result);
+  hash = detail::hash_of(result, 6, hash);
+  return hash == (is_float ? 0x8b1b1e1b6ab6a464u : 0x8d2db25df9ce671du);
 }
 
 }  // namespace pendulum_motor

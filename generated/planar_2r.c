@@ -16,7 +16,14 @@
 
 #include "planar_2r.h"
 
+#include <float.h>
 #include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "compile this without -ffast-math: it leaves out the checks that results are finite"
+#endif
 
 const char* const planar_2r_joint_names[PLANAR_2R_JOINT_COUNT] = {"theta_1", "theta_2"};
 
@@ -262,14 +269,17 @@ bool planar_2r_forward_dynamics_given(const planar_2r_parameters* parameters, co
   const double mr_1_x = t10 + t9;
   const double omega_2_z = qd_1 + qd_2;
   const double t11 = s_2 * t6 * omega_2_z * omega_2_z;
-  const double b_2_1_1 = I_l1 + I_m2 + Ic_2_zz + 2.0 * t7 + I_m1 * k_r1 * k_r1 + l_1 * t10 +
-      a_1 * t9 - mu_2_1_z * t8;
+  const double t12 = mu_2_1_z * t8;
+  const double b_1_1 = I_l1 + I_m2 + Ic_2_zz + I_m1 * k_r1 * k_r1 + 2.0 * t7 + l_1 * t10 + a_1 * t9;
+  const double b_2_1_1 = b_1_1 - t12;
   const double qdd_1 = (-t1 * mr_1_x - t3 + tau_1 - t8 * t4 + t11) / b_2_1_1;
   qdd[0] = qdd_1;
   qdd[1] = d_2 * (t4 - mu_2_1_z * qdd_1);
-  bool positive = b_2_1_1 > 0.0;
-  positive &= b_2_2 > 0.0;
-  return positive;
+  const double scale_1 = b_1_1 + t12;
+  bool valid = scale_1 + 0.015625 * b_2_1_1 - scale_1 > 0.0;
+  valid &= b_2_2 > 0.0;
+  for (int k = 0; k < 2; ++k) { valid &= 0.0 * qdd[k] < 1.0; }
+  return valid;
 }
 
 bool planar_2r_forward_dynamics(const planar_2r_parameters* parameters, const double* q,
@@ -417,19 +427,123 @@ static bool planar_2r_is_zero(double r) {
   return !(r < 0.0) && !(r > 0.0);
 }
 
+// The numbers of a state: multiples of 2^-23 in [-1, 1), which are exact in float, too.
+static void planar_2r_fill(double* x, int count, uint32_t seed) {
+  for (int k = 0; k < count; ++k) {
+    seed = seed * 1664525u + 1013904223u;
+    x[k] = ((double)(seed >> 8) - 8388608.0) / 8388608.0;
+  }
+}
+
+// Sines and cosines of angles; the tangents of their halves are such numbers.
+static void planar_2r_fill_sines(double* sine, double* cosine, int count, uint32_t seed) {
+  planar_2r_fill(sine, count, seed);
+  for (int k = 0; k < count; ++k) {
+    const double t = sine[k], square = t * t, divisor = 1.0 + square;
+    sine[k] = 2.0 * t / divisor;
+    cosine[k] = (1.0 - square) / divisor;
+  }
+}
+
+// Goes on with a hash (FNV-1a) by the bits of results; those that are not numbers count as zero.
+static uint64_t planar_2r_hash_of(const double* x, int count, uint64_t hash) {
+  for (int k = 0; k < count; ++k) {
+    uint64_t bits = 0;
+    if (x[k] < 0.0 || x[k] >= 0.0) memcpy(&bits, x + k, sizeof(bits));
+    hash = (hash ^ bits) * 1099511628211u;
+  }
+  return hash;
+}
+
+// Whether sines and cosines of the library are right to a unit in the last place: at angles for
+// which libraries that trade digits for speed are not.
+static bool planar_2r_sines_are_right(void) {
+  const volatile double zero = 0.0;
+  static const double angles[8] = {
+      0.5, 0.6875, 1.28125, 1.53125, 1.796875, 3.125, 10.28125, 11.125
+  };
+  static const double sines[8] = {
+      0.479425538604203, 0.6346070800152693, 0.9583735057581397, 0.999218145922396,
+      0.9745528811569866, 0.016591892229347906, -0.7555360776363961, -0.9916361774750792
+  };
+  static const double cosines[8] = {
+      0.8775825618903728, 0.7728349461524715, 0.28551746612221973, 0.03953601977196579,
+      -0.2241577164155103, -0.9998623450816866, -0.6551070411694638, 0.12906467960915324
+  };
+  double x[8], sine[8], cosine[8];
+  bool right = true;
+  for (int k = 0; k < 8; ++k) x[k] = angles[k] + zero;
+  planar_2r_sines_and_cosines(x, 0, 7, sine, cosine);
+  for (int k = 0; k < 8; ++k) {
+    const double a = (sine[k] - sines[k]) * 4503599627370496.0;
+    const double b = (cosine[k] - cosines[k]) * 4503599627370496.0;
+    const double c = sines[k] < 0.0 ? -sines[k] : sines[k];
+    const double d = cosines[k] < 0.0 ? -cosines[k] : cosines[k];
+    right &= a <= c && -a <= c && b <= d && -b <= d;
+  }
+  return right;
+}
+
 bool planar_2r_rounding_is_as_written(void) {
+  const int method = FLT_EVAL_METHOD;
+  if (method != 0 && method != 16 && method != 1) return false;
   const volatile double a = 0.1, b = 0.7, one = 1.0, tiny = 1e-17, nine = 9.0,
       seven = 7.0, half = 0.5, smallest = 0x1p-1022;
   // A little more than half a unit in the last place of 1.
   const volatile double half_a_place = 0x1.001p-53;
   const volatile double product = a * b, quotient = nine / seven, next = one + half_a_place;
   const double x = one, y = tiny;
-  // In this order: no fused multiply-add, no extra digits; no missing digits, rounded only once; no
-  // other order, no rounding upward; none downward; no reciprocal; nothing is flushed to zero.
-  return planar_2r_is_zero(a * b - product) &&
-         next > one &&
-         planar_2r_is_zero((x + y) - x) &&
-         planar_2r_is_zero((x - y) - x) &&
-         planar_2r_is_zero(nine / 7.0 - quotient) &&
-         smallest * half > 0.0;
+  // In this order: fused multiply-add, extra digits; missing digits, rounded twice; another order,
+  // rounding upward; downward; a reciprocal; tiny numbers flushed to zero.
+  if (!planar_2r_is_zero(a * b - product) ||
+      !(next > one) ||
+      !planar_2r_is_zero((x + y) - x) ||
+      !planar_2r_is_zero((x - y) - x) ||
+      !planar_2r_is_zero(nine / 7.0 - quotient) ||
+      !(smallest * half > 0.0)) {
+    return false;
+  }
+  if (!planar_2r_sines_are_right()) return false;
+  // All functions at one state.
+  const volatile uint32_t first = 0;
+  const uint32_t seed = first;
+  uint64_t hash = 14695981039346656037u;
+  double q[2], qd[2], qdd[2], tau[2], h_e[6], symbol[15], sine[2], cosine[2], result[12];
+  planar_2r_fill(q, 2, seed + 1u);
+  planar_2r_fill(qd, 2, seed + 2u);
+  planar_2r_fill(qdd, 2, seed + 3u);
+  planar_2r_fill(tau, 2, seed + 4u);
+  planar_2r_fill(h_e, 6, seed + 5u);
+  planar_2r_fill(symbol, 15, seed + 6u);
+  planar_2r_fill_sines(sine, cosine, 2, seed + 16u);
+  const planar_2r_parameters parameters = {
+      symbol[0], symbol[1], symbol[2], symbol[3], symbol[4], symbol[5], symbol[6], symbol[7],
+      symbol[8], symbol[9], symbol[10], symbol[11], symbol[12], symbol[13], symbol[14]};
+  planar_2r_inverse_dynamics_given(&parameters, sine, cosine, qd, qdd, result);
+  hash = planar_2r_hash_of(result, 2, hash);
+  planar_2r_inverse_dynamics_tip_force_given(&parameters, sine, cosine, qd, qdd, h_e, result);
+  hash = planar_2r_hash_of(result, 2, hash);
+  planar_2r_inertia_matrix_given(&parameters, sine, cosine, result);
+  hash = planar_2r_hash_of(result, 4, hash);
+  planar_2r_christoffel_given(&parameters, sine, cosine, result);
+  hash = planar_2r_hash_of(result, 6, hash);
+  planar_2r_coriolis_matrix_given(&parameters, sine, cosine, qd, result);
+  hash = planar_2r_hash_of(result, 4, hash);
+  planar_2r_gravity_given(&parameters, sine, cosine, result);
+  hash = planar_2r_hash_of(result, 2, hash);
+  planar_2r_bias_given(&parameters, sine, cosine, qd, result);
+  hash = planar_2r_hash_of(result, 2, hash);
+  planar_2r_forward_dynamics_given(&parameters, sine, cosine, qd, tau, result);
+  hash = planar_2r_hash_of(result, 2, hash);
+  result[0] = planar_2r_kinetic_energy_given(&parameters, sine, cosine, qd);
+  hash = planar_2r_hash_of(result, 1, hash);
+  result[0] = planar_2r_potential_energy_given(&parameters, sine, cosine);
+  hash = planar_2r_hash_of(result, 1, hash);
+  planar_2r_forward_kinematics_given(&parameters, sine, cosine, result, result + 9);
+  hash = planar_2r_hash_of(result, 12, hash);
+  planar_2r_jacobian_given(&parameters, sine, cosine, result);
+  hash = planar_2r_hash_of(result, 12, hash);
+  planar_2r_jacobian_dot_qd_given(&parameters, sine, cosine, qd, result);
+  hash = planar_2r_hash_of(result, 6, hash);
+  return hash == 0x1ff619f354aa3959u;
 }

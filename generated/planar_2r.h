@@ -171,11 +171,12 @@ void planar_2r_bias_given(const planar_2r_parameters* parameters, const double* 
 //   qd[2]   in   joint velocities, rad/s or m/s
 //   tau[2]  in   joint torques or forces, N m or N
 //   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
-// Returns false if the result means nothing, because a pivot of B is not positive or not a number.
+// Returns false if the result means nothing: if a pivot of B is not positive or lost in rounding,
+// or an entry of the result is not a finite number.
 // Reads q[0..1], qd[0..1], tau[0..1], parameters->g, parameters->a_1, parameters->m_l1,
 // parameters->l_1, parameters->I_l1, parameters->I_m1, parameters->k_r1, parameters->m_l2,
 // parameters->l_2, parameters->I_l2, parameters->m_m2, parameters->I_m2, parameters->k_r2.
-// Operations: 29 mul, 22 add, 2 div, 4 sin/cos.
+// Operations: 29 mul, 23 add, 2 div, 4 sin/cos.
 bool planar_2r_forward_dynamics(const planar_2r_parameters* parameters, const double* q,
     const double* qd, const double* tau, double* qdd);
 // The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = 0..1.
@@ -249,8 +250,10 @@ void planar_2r_jacobian_dot_qd_given(const planar_2r_parameters* parameters, con
 
 // Whether the source of this header was compiled so that every operation is rounded as it is
 // written, to nearest: compilers fuse products into sums unless they are given -ffp-contract=off,
-// and -ffast-math or x87 registers change more. The rounding errors that certificates bound assume
-// that this is true.
+// and x87 registers or -freciprocal-math change more. The rounding errors that certificates bound
+// assume that this is true. All functions are called at one state, with sines and cosines given, and
+// the bits of their results compared with those of arithmetic as it is written, in the calling
+// thread.
 bool planar_2r_rounding_is_as_written(void);
 
 #ifdef __cplusplus

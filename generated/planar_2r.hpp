@@ -41,7 +41,15 @@
 #ifndef FLATDYN_PLANAR_2R_HPP_B9EBAE71
 #define FLATDYN_PLANAR_2R_HPP_B9EBAE71
 
+#include <float.h>
+#include <stdint.h>
+#include <string.h>
+
 #include <cmath>
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "compile this without -ffast-math: it leaves out the checks that results are finite"
+#endif
 
 namespace planar_2r {
 
@@ -149,7 +157,7 @@ struct GivenSinCos {
 // parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations:
 // 28 mul, 20 add, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
+static inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
@@ -191,7 +199,7 @@ inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 // parameters.a_2, parameters.m_l2, parameters.l_2, parameters.I_l2, parameters.m_m2,
 // parameters.I_m2, parameters.k_r2. Operations: 38 mul, 28 add, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
+static inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -241,7 +249,7 @@ inline constexpr bool inertia_matrix_nonzero[4] = {
 // parameters.k_r1, parameters.m_l2, parameters.l_2, parameters.I_l2, parameters.m_m2,
 // parameters.I_m2, parameters.k_r2. Operations: 13 mul, 11 add, 1 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* B,
+static inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* B,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
@@ -273,7 +281,7 @@ inline constexpr bool christoffel_nonzero[6] = {
 // Reads q[1], parameters.a_1, parameters.m_l2, parameters.l_2. Operations: 3 mul, 0 add, 1 sin/cos.
 // Always zero: 3 of the 6 entries of c.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void christoffel(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* c,
+static inline void christoffel(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* c,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar a_1 = parameters.a_1, m_l2 = parameters.m_l2, l_2 = parameters.l_2;
@@ -299,8 +307,8 @@ inline constexpr bool coriolis_matrix_nonzero[4] = {
 // Reads q[1], qd[0..1], parameters.a_1, parameters.m_l2, parameters.l_2. Operations: 5 mul, 1 add,
 // 1 sin/cos. Always zero: 1 of the 4 entries of C.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    Scalar* C, const SinCos& sin_cos = {}) noexcept {
+static inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, Scalar* C, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar a_1 = parameters.a_1, m_l2 = parameters.m_l2, l_2 = parameters.l_2;
@@ -322,7 +330,7 @@ inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* 
 // Reads q[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1, parameters.m_l2,
 // parameters.l_2, parameters.m_m2. Operations: 9 mul, 4 add, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g,
+static inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar g_2 = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1,
@@ -342,8 +350,8 @@ inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scala
 // Reads q[0..1], qd[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1,
 // parameters.m_l2, parameters.l_2, parameters.m_m2. Operations: 15 mul, 7 add, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd, Scalar* n,
-    const SinCos& sin_cos = {}) noexcept {
+static inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
+    Scalar* n, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
@@ -366,13 +374,14 @@ inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Sc
 //   qd[2]   in   joint velocities, rad/s or m/s
 //   tau[2]  in   joint torques or forces, N m or N
 //   qdd[2]  out  joint accelerations, rad/s^2 (m/s^2 for prismatic joints)
-// Returns false if the result means nothing, because a pivot of B is not positive or not a number.
+// Returns false if the result means nothing: if a pivot of B is not positive or lost in rounding,
+// or an entry of the result is not a finite number.
 // Reads q[0..1], qd[0..1], tau[0..1], parameters.g, parameters.a_1, parameters.m_l1,
 // parameters.l_1, parameters.I_l1, parameters.I_m1, parameters.k_r1, parameters.m_l2,
 // parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations:
-// 29 mul, 22 add, 2 div, 4 sin/cos.
+// 29 mul, 23 add, 2 div, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
+static inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
@@ -402,14 +411,18 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar mr_1_x = t10 + t9;
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t11 = s_2 * t6 * omega_2_z * omega_2_z;
-  const Scalar b_2_1_1 = I_l1 + I_m2 + Ic_2_zz + Scalar(2.0) * t7 + I_m1 * k_r1 * k_r1 + l_1 * t10 +
-      a_1 * t9 - mu_2_1_z * t8;
+  const Scalar t12 = mu_2_1_z * t8;
+  const Scalar b_1_1 = I_l1 + I_m2 + Ic_2_zz + I_m1 * k_r1 * k_r1 + Scalar(2.0) * t7 + l_1 * t10 +
+      a_1 * t9;
+  const Scalar b_2_1_1 = b_1_1 - t12;
   const Scalar qdd_1 = (-t1 * mr_1_x - t3 + tau_1 - t8 * t4 + t11) / b_2_1_1;
   qdd[0] = qdd_1;
   qdd[1] = d_2 * (t4 - mu_2_1_z * qdd_1);
-  bool positive = b_2_1_1 > Scalar(0.0);
-  positive &= b_2_2 > Scalar(0.0);
-  return positive;
+  const Scalar scale_1 = b_1_1 + t12;
+  bool valid = scale_1 + Scalar(0.015625) * b_2_1_1 - scale_1 > Scalar(0.0);
+  valid &= b_2_2 > Scalar(0.0);
+  for (int k = 0; k < 2; ++k) valid &= Scalar(0.0) * qdd[k] < Scalar(1.0);
+  return valid;
 }
 
 // Kinetic energy of links and rotors (7.31).
@@ -420,7 +433,7 @@ inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar*
 // parameters.I_m1, parameters.k_r1, parameters.m_l2, parameters.l_2, parameters.I_l2,
 // parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations: 20 mul, 11 add, 1 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q,
+static inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
@@ -450,7 +463,7 @@ inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar*
 // Reads q[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1, parameters.m_l2,
 // parameters.l_2, parameters.m_m2. Operations: 8 mul, 4 add, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q,
+static inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar g = parameters.g, a_1 = parameters.a_1, m_l1 = parameters.m_l1, l_1 = parameters.l_1,
@@ -478,8 +491,8 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 // Reads q[0..1], parameters.a_1, parameters.a_2. Operations: 9 mul, 5 add, 4 sin/cos. Always zero:
 // 4 of the 9 entries of R. Always zero: p[2].
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void forward_kinematics(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* R,
-    Scalar* p, const SinCos& sin_cos = {}) noexcept {
+static inline void forward_kinematics(const Parameters<Scalar>& parameters, const Scalar* q,
+    Scalar* R, Scalar* p, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
   Scalar sine[joint_count], cosine[joint_count];
@@ -514,7 +527,7 @@ inline constexpr bool jacobian_nonzero[12] = {
 // Reads q[0..1], parameters.a_1, parameters.a_2. Operations: 8 mul, 5 add, 4 sin/cos. Always zero:
 // 6 of the 12 entries of J.
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J,
+static inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
@@ -540,8 +553,8 @@ inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scal
 // Reads q[0..1], qd[0..1], parameters.a_1, parameters.a_2. Operations: 13 mul, 5 add, 4 sin/cos.
 // Always zero: a[2], a[3], a[4], a[5].
 template <class Scalar, class SinCos = LibrarySinCos>
-inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    Scalar* a, const SinCos& sin_cos = {}) noexcept {
+static inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, Scalar* a, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar a_1 = parameters.a_1, a_2 = parameters.a_2;
@@ -664,13 +677,91 @@ struct jacobian_dot_qd {
 
 }  // namespace functions
 
+namespace detail {
+
+// The numbers of a state: multiples of 2^-23 in [-1, 1), which are exact in float, too.
+template <class Scalar>
+static void fill(Scalar* x, int count, uint32_t seed) noexcept {
+  for (int k = 0; k < count; ++k) {
+    seed = seed * 1664525u + 1013904223u;
+    x[k] = (Scalar(seed >> 8) - Scalar(8388608.0)) / Scalar(8388608.0);
+  }
+}
+
+// Sines and cosines of angles; the tangents of their halves are such numbers.
+template <class Scalar>
+static void fill_sines(Scalar* sine, Scalar* cosine, int count, uint32_t seed) noexcept {
+  fill(sine, count, seed);
+  for (int k = 0; k < count; ++k) {
+    const Scalar t = sine[k], square = t * t, divisor = Scalar(1.0) + square;
+    sine[k] = Scalar(2.0) * t / divisor;
+    cosine[k] = (Scalar(1.0) - square) / divisor;
+  }
+}
+
+// Goes on with a hash (FNV-1a) by the bits of results; those that are not numbers count as zero.
+template <class Scalar>
+static uint64_t hash_of(const Scalar* x, int count, uint64_t hash) noexcept {
+  for (int k = 0; k < count; ++k) {
+    const bool is_number = x[k] < Scalar(0.0) || x[k] >= Scalar(0.0);
+    uint64_t bits = 0;
+    if constexpr (sizeof(Scalar) == sizeof(float)) {
+      uint32_t of_float = 0;
+      memcpy(&of_float, x + k, sizeof(of_float));
+      bits = of_float;
+    } else {
+      memcpy(&bits, x + k, sizeof(bits));
+    }
+    hash = (hash ^ (is_number ? bits : 0u)) * 1099511628211u;
+  }
+  return hash;
+}
+
+// Whether sines and cosines of the library are right to a unit in the last place: at angles for
+// which libraries that trade digits for speed are not.
+template <class Scalar>
+static bool sines_are_right() noexcept {
+  const volatile Scalar zero = Scalar(0.0);
+  const Scalar angles[8] = {
+      Scalar(0.5), Scalar(0.6875), Scalar(1.28125), Scalar(1.53125), Scalar(1.796875),
+      Scalar(3.125), Scalar(10.28125), Scalar(11.125)
+  };
+  const Scalar sines[8] = {
+      Scalar(0.479425538604203), Scalar(0.6346070800152693), Scalar(0.9583735057581397),
+      Scalar(0.999218145922396), Scalar(0.9745528811569866), Scalar(0.016591892229347906),
+      Scalar(-0.7555360776363961), Scalar(-0.9916361774750792)
+  };
+  const Scalar cosines[8] = {
+      Scalar(0.8775825618903728), Scalar(0.7728349461524715), Scalar(0.28551746612221973),
+      Scalar(0.03953601977196579), Scalar(-0.2241577164155103), Scalar(-0.9998623450816866),
+      Scalar(-0.6551070411694638), Scalar(0.12906467960915324)
+  };
+  const Scalar places = Scalar(sizeof(Scalar) == sizeof(float) ? 8388608.0 : 4503599627370496.0);
+  Scalar x[8], s[8], c[8];
+  for (int k = 0; k < 8; ++k) x[k] = angles[k] + zero;
+  LibrarySinCos()(x, Joints<0, 1, 2, 3, 4, 5, 6, 7>(), s, c);
+  const auto is_near = [places](Scalar a, Scalar b) {
+    const Scalar error = (a - b) * places, size = b < Scalar(0.0) ? -b : b;
+    return error <= size && -error <= size;
+  };
+  bool right = true;
+  for (int k = 0; k < 8; ++k) right &= is_near(s[k], sines[k]) && is_near(c[k], cosines[k]);
+  return right;
+}
+
+}  // namespace detail
+
 // Whether the build rounds every operation as it is written, to nearest: compilers fuse products
-// into sums unless they are given -ffp-contract=off, and -ffast-math or x87 registers change more.
-// The rounding errors that certificates bound assume that this is true. The result is that of the
-// calling file, for float and double.
+// into sums unless they are given -ffp-contract=off, and x87 registers or -freciprocal-math change
+// more. The rounding errors that certificates bound assume that this is true. All functions are
+// called at one state, with sines and cosines given, and the bits of their results compared with
+// those of arithmetic as it is written. The answer is for the calling file and thread, for float and
+// double: every file has its own copy of the functions, but shares members of stages with others.
 template <class Scalar = Real>
 static bool rounding_is_as_written() noexcept {
   constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+  constexpr int method = FLT_EVAL_METHOD;
+  if (method != 0 && method != 16 && (is_float || method != 1)) return false;
   const volatile Scalar a = Scalar(0.1), b = Scalar(0.7), one = Scalar(1.0), tiny = Scalar(1e-17),
       nine = Scalar(9.0), seven = Scalar(7.0), half = Scalar(0.5),
       half_a_place = is_float ? Scalar(0x1.001p-24) : Scalar(0x1.001p-53),  // a little more than it
@@ -678,12 +769,58 @@ static bool rounding_is_as_written() noexcept {
   const volatile Scalar product = a * b, quotient = nine / seven, next = one + half_a_place;
   const Scalar x = one, y = tiny;
   const auto is_zero = [](Scalar r) { return !(r < Scalar(0.0)) && !(r > Scalar(0.0)); };
-  return is_zero(a * b - product)                   // no fused multiply-add, no extra digits
-         && next > one                              // no missing digits, rounded only once
-         && is_zero((x + y) - x)                    // no other order, no rounding upward
-         && is_zero((x - y) - x)                    // no rounding downward
-         && is_zero(nine / Scalar(7.0) - quotient)  // no reciprocal
-         && smallest * half > Scalar(0.0);          // nothing is flushed to zero
+  if (!is_zero(a * b - product)                     // fused multiply-add, extra digits
+      || !(next > one)                              // missing digits, rounded twice
+      || !is_zero((x + y) - x)                      // another order, rounding upward
+      || !is_zero((x - y) - x)                      // rounding downward
+      || !is_zero(nine / Scalar(7.0) - quotient)    // a reciprocal
+      || !(smallest * half > Scalar(0.0))) {        // tiny numbers are flushed to zero
+    return false;
+  }
+  if (!detail::sines_are_right<Scalar>()) return false;
+  // All functions at one state.
+  const volatile uint32_t first = 0;
+  const uint32_t seed = first;
+  uint64_t hash = 14695981039346656037u;
+  Scalar q[2], qd[2], qdd[2], tau[2], h_e[6], symbol[15], sine[2], cosine[2], result[12];
+  detail::fill(q, 2, seed + 1u);
+  detail::fill(qd, 2, seed + 2u);
+  detail::fill(qdd, 2, seed + 3u);
+  detail::fill(tau, 2, seed + 4u);
+  detail::fill(h_e, 6, seed + 5u);
+  detail::fill(symbol, 15, seed + 6u);
+  detail::fill_sines(sine, cosine, 2, seed + 16u);
+  const Parameters<Scalar> parameters = {
+      symbol[0], symbol[1], symbol[2], symbol[3], symbol[4], symbol[5], symbol[6], symbol[7],
+      symbol[8], symbol[9], symbol[10], symbol[11], symbol[12], symbol[13], symbol[14]};
+  const GivenSinCos<Scalar> given = {sine, cosine};
+  inverse_dynamics(parameters, q, qd, qdd, result, given);
+  hash = detail::hash_of(result, 2, hash);
+  inverse_dynamics_tip_force(parameters, q, qd, qdd, h_e, result, given);
+  hash = detail::hash_of(result, 2, hash);
+  inertia_matrix(parameters, q, result, given);
+  hash = detail::hash_of(result, 4, hash);
+  christoffel(parameters, q, result, given);
+  hash = detail::hash_of(result, 6, hash);
+  coriolis_matrix(parameters, q, qd, result, given);
+  hash = detail::hash_of(result, 4, hash);
+  gravity(parameters, q, result, given);
+  hash = detail::hash_of(result, 2, hash);
+  bias(parameters, q, qd, result, given);
+  hash = detail::hash_of(result, 2, hash);
+  forward_dynamics(parameters, q, qd, tau, result, given);
+  hash = detail::hash_of(result, 2, hash);
+  result[0] = kinetic_energy(parameters, q, qd, given);
+  hash = detail::hash_of(result, 1, hash);
+  result[0] = potential_energy(parameters, q, given);
+  hash = detail::hash_of(result, 1, hash);
+  forward_kinematics(parameters, q, result, result + 9, given);
+  hash = detail::hash_of(result, 12, hash);
+  jacobian(parameters, q, result, given);
+  hash = detail::hash_of(result, 12, hash);
+  jacobian_dot_qd(parameters, q, qd, result, given);
+  hash = detail::hash_of(result, 6, hash);
+  return hash == (is_float ? 0xf06c289fa51c402bu : 0x1ff619f354aa3959u);
 }
 
 }  // namespace planar_2r

@@ -52,8 +52,8 @@ class Certifier {
         options_(options),
         constants_(function),
         analysis_(with_constants_unshared(text, [this](double literal) { return constants_.is_ambiguous(literal); }),
-                  rounding_model(constants_, format_, options), input_limits(mechanism),
-                  std::make_unique<MotionRecogniser>(mechanism, input_limits(mechanism),
+                  rounding_model(constants_, format_, options), input_limits(mechanism, options.scalar),
+                  std::make_unique<MotionRecogniser>(mechanism, input_limits(mechanism, options.scalar),
                                                      [this](double literal) { return constants_.exact_size(literal); }),
                   options.effort) {
     result_.name = function.name;

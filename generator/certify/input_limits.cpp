@@ -43,12 +43,14 @@ double limit_of(const Body& body, InputKind kind) {
 
 }  // namespace
 
-InputLimits input_limits(const Mechanism& mechanism) {
-  return [&mechanism](const Input& input) {
+InputLimits input_limits(const Mechanism& mechanism, const std::string& scalar) {
+  const bool is_float = scalar == "float";
+  return [&mechanism, is_float](const Input& input) {
     // Free symbols and tip forces do not belong to a joint.
     const bool is_of_joint = input.kind != InputKind::h_e && input.kind != InputKind::parameter;
     const auto joint = static_cast<std::size_t>(is_of_joint && input.index < mechanism.size() ? input.index : 0);
-    return limit_of(mechanism.joints()[joint], input.kind);
+    const double limit = limit_of(mechanism.joints()[joint], input.kind);
+    return is_float ? std::max(limit, double(static_cast<float>(limit))) : limit;
   };
 }
 

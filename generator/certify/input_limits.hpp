@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "graph/graph.hpp"
 #include "model/mechanism.hpp"
@@ -12,8 +13,9 @@ namespace flatdyn {
 // The largest size of an input, in SI units.
 using InputLimits = std::function<double(const Input&)>;
 
-// The limits of positions, speeds, accelerations and torques of the mechanism's joints. Throws Failure(unsupported) for
-// an input without a limit: a limit that nobody gave, a free symbol, a tip force, a parameter.
-InputLimits input_limits(const Mechanism& mechanism);
+// The limits of positions, speeds, accelerations and torques of the mechanism's joints, as numbers of `scalar`,
+// "double" or "float": a limit that the scalar rounds up may be an input. Throws Failure(unsupported) for an input
+// without a limit: a limit that nobody gave, a free symbol, a tip force, a parameter.
+InputLimits input_limits(const Mechanism& mechanism, const std::string& scalar = "double");
 
 }  // namespace flatdyn

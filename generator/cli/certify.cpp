@@ -13,6 +13,7 @@
 #include "report/json_text.hpp"
 #include "report/scene_report.hpp"
 #include "verify/proof.hpp"
+#include "verify/snap_effect.hpp"
 
 namespace flatdyn {
 namespace {
@@ -53,8 +54,6 @@ Certified certified(const CertifyArguments& arguments, const LoadedRobot& model,
   Progress progress(arguments.quiet);
   Diagnostics findings;
   const std::vector<OptimisedFunction> functions = make_functions(model, options, progress, findings);
-  progress.step("proving");
-  prove(effective_mechanism(model), functions, std::nullopt, std::nullopt);
   const EmitOptions emit{"",
                          arguments.options.scalar,
                          certify_stamp(arguments, functions),
@@ -65,6 +64,8 @@ Certified certified(const CertifyArguments& arguments, const LoadedRobot& model,
   Certified result;
   result.header = header_name(model.mechanism, emit);
   result.text = emit_cpp(model.mechanism, functions_of(functions), emit);
+  progress.step("proving");
+  prove(effective_mechanism(model), functions, std::nullopt, std::nullopt, proof_seed({model.input_hash, result.text}));
   prove_text(result.text, functions, std::nullopt);
   result.certificate = certify(model.mechanism, functions_of(functions), result.text, arguments.options, progress);
   print_diagnostics(findings, arguments);
@@ -72,16 +73,16 @@ Certified certified(const CertifyArguments& arguments, const LoadedRobot& model,
 }
 
 // Writes the header, its certificate, and a folder with the scripts.
-void write(const CertifyArguments& arguments, const Certified& result, const std::string& hash) {
+void write(const CertifyArguments& arguments, const Certified& result, const CertifiedHeader& about) {
   const std::filesystem::path folder = arguments.folder;
-  const std::filesystem::path header = folder / result.header;
+  const std::filesystem::path header = folder / about.name;
   const auto beside = [&header](const char* extension) {
     return std::filesystem::path(header).replace_extension(extension);
   };
   std::vector<TextFile> files = {
       {header, result.text},
-      {beside("certificate.md"), certificate_markdown(result.certificate, arguments.enough / 100, result.header, hash)},
-      {beside("certificate.json"), json_text(certificate_json(result.certificate, result.header, hash))}};
+      {beside("certificate.md"), certificate_markdown(result.certificate, arguments.enough / 100, about)},
+      {beside("certificate.json"), json_text(certificate_json(result.certificate, about))}};
   for (const CertifiedFunction& function : result.certificate.functions) {
     for (const GappaScript& script : function.scripts) files.push_back({beside("gappa") / script.name, script.text});
   }
@@ -106,13 +107,14 @@ ExitCode run_certify(const CertifyArguments& arguments) {
   refuse_loops(model, "certify");
   print_diagnostics(model.diagnostics, arguments);
   const Certified result = certified(arguments, model, options);
-  const std::string hash = content_hash({result.text});
+  const CertifiedHeader about{result.header, content_hash({result.text}), model.robot.snaps,
+                              snap_effects(model, options.read)};
   if (is_refuted(result.certificate)) {
     if (!arguments.json) print_result(describe_certificate(result.certificate, arguments.enough / 100));
     throw Failure(ExitCode::verification_failed, "a bound is wrong: Gappa refuses it, or a larger error was seen",
                   "nothing was written; this is a mistake of the program: report it, with the robot file");
   }
-  if (!arguments.folder.empty()) write(arguments, result, hash);
+  if (!arguments.folder.empty()) write(arguments, result, about);
   if (!has_gappa()) {
     Diagnostics missing;
     missing.warning({model.robot.file, 0}, "Gappa is not there: the bounds are flatdyn's own, checked by nobody",
@@ -120,7 +122,7 @@ ExitCode run_certify(const CertifyArguments& arguments) {
     print_diagnostics(missing, arguments);
   }
   if (arguments.json) {
-    print_result(json_text(certificate_json(result.certificate, result.header, hash)));
+    print_result(json_text(certificate_json(result.certificate, about)));
   } else if (!arguments.quiet || arguments.folder.empty()) {
     print_result(describe_certificate(result.certificate, arguments.enough / 100));
     if (!arguments.folder.empty()) {

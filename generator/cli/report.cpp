@@ -110,7 +110,8 @@ ExitCode report(const ReportArguments& arguments) {
   std::vector<OptimisedFunction> functions = functions_for(model, options, progress, findings);
   arguments.report(findings);
   progress.step("proving");
-  const std::vector<Proof> proofs = prove(model.mechanism, functions, std::nullopt, std::nullopt);
+  const std::vector<Proof> proofs =
+      prove(model.mechanism, functions, std::nullopt, std::nullopt, proof_seed({model.input_hash}));
   progress.step("drawing");
   const std::string parameters = arguments.parameters == "given" ? "" : arguments.parameters;
   const std::string frames = arguments.frames == "file" ? "" : arguments.frames;
@@ -128,7 +129,7 @@ ExitCode report(const ReportArguments& arguments) {
   content.worst_states = worst;
   const PageCode code = page_code(content);
   if (!arguments.with.empty()) content.certificate = certificate_of(model, code.functions, progress);
-  prove_text(EmittedText(code.text, "number"), code.functions, std::nullopt);
+  prove_text(EmittedText(code.text, "number"), code.functions, std::nullopt, proof_seed({code.text}));
   print_diagnostics(model.diagnostics, arguments);
   nlohmann::ordered_json json = model_json(model, content.snap_effects);
   json["functions"] = functions_json(content.functions, symbol_names(model.mechanism));

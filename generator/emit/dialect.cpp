@@ -45,9 +45,10 @@ std::string Dialect::definition(const ConstantArray& array) const {
 
 std::string Dialect::declaration(const ConstantArray&) const { return ""; }
 
-std::string Dialect::counted_checks(const std::string& counter, const std::string& array, std::size_t length) const {
-  return code_line(fmt::format("for ({} k = 0; k < {}; ++k) {{ {}{}[k] > {}; }}", counter, length,
-                               conditions_continue(), array, literal(0)),
+std::string Dialect::braced_check_loop(const std::string& counter, std::size_t first, std::size_t end,
+                                       const std::string& check) const {
+  return code_line(fmt::format("for ({0} {1} = {2}; {1} < {3}; ++{1}) {{ {4}{5}; }}", counter, kCounter, first, end,
+                               conditions_continue(), check),
                    kStatementIndent);
 }
 

@@ -28,6 +28,9 @@ struct ConstantArray {
 inline constexpr const char* kReal = "Real";
 
 // Answers that are given here are those of most languages with the syntax of C.
+// The counter of loops.
+inline constexpr const char* kCounter = "k";
+
 class Dialect {
  public:
   // `scalar`: the type of variables; `prefix`: the beginning of names at file scope.
@@ -87,8 +90,8 @@ class Dialect {
   virtual std::string array(const std::string& name, std::size_t length) const;
   virtual std::string condition_type() const { return "bool"; }
   virtual std::string always() const { return "true"; }
-  virtual std::string conditions_begin() const { return condition_type() + " positive = "; }
-  virtual std::string conditions_continue() const { return "positive &= "; }
+  virtual std::string conditions_begin() const { return condition_type() + " valid = "; }
+  virtual std::string conditions_continue() const { return "valid &= "; }
 
   // The beginning of a function that only functions of the same file call, up to its parameters; the lines before it,
   // and the text after the parameters.
@@ -113,15 +116,18 @@ class Dialect {
   // declared.
   virtual bool declares_constants_apart() const { return false; }
   virtual std::string declaration(const ConstantArray& array) const;  // empty if they are not declared apart
-  // A loop of checks: for … positive &= pivots[k] > 0;
+  // A loop of checks of entries from `first` to before `end`: for (int k = 0; k < 7; ++k) valid &= check;
+  virtual std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const = 0;
+  // A loop of checks: for … valid &= pivots[k] > 0;
   virtual std::string all_positive(const std::string& array, std::size_t length) const = 0;
 
  protected:
   virtual std::string definition_begin(
       const ConstantArray& array) const = 0;  // "inline constexpr bool x[joint_count] = {"
   virtual std::string definition_end() const { return "};"; }
-  // The loop of checks, "for (int k = 0; …", with a counter of this type.
-  std::string counted_checks(const std::string& counter, const std::string& array, std::size_t length) const;
+  // The loop, with a counter of this type and braces.
+  std::string braced_check_loop(const std::string& counter, std::size_t first, std::size_t end,
+                                const std::string& check) const;
 
  private:
   std::string scalar_, prefix_;

@@ -13,6 +13,7 @@
 #include "emit/names.hpp"
 #include "emit/parts.hpp"
 #include "emit/schedule.hpp"
+#include "emit/validity.hpp"
 #include "emit/writer.hpp"
 
 namespace flatdyn {
@@ -34,7 +35,8 @@ NameTable names_in_scope(const Function& function, const HeaderScope& scope) {
   std::set<std::string> taken = scope.names;
   taken.insert(scope.stored.begin(), scope.stored.end());
   for (InputKind kind : function.inputs) taken.insert(input_argument(kind, 0).name);
-  taken.insert({"parameters", "positive", "sin_cos", "sine", "cosine", angle_array(scope)});
+  taken.insert({"parameters", "sin_cos", "sine", "cosine", angle_array(scope)});
+  if (!function.validity_conditions.empty()) taken.insert({kValid, kCounter});
   taken.insert({kKept, kPivots, kStored, kResult});
   return NameTable(taken);
 }
@@ -50,7 +52,8 @@ class BodyWriter {
             scope.dialect.lines_around_body(static_cast<int>(function.inputs.size() + function.outputs.size()))),
         inputs_(arguments_read(function)),
         schedule_(make_schedule(function)),
-        printer_(function.graph, variables_, scope.dialect) {
+        printer_(function.graph, variables_, scope.dialect),
+        validity_(printer_, scope.dialect) {
     NameTable names = names_in_scope(function, scope);
     for (const Output& output : function_.outputs) output_names_.push_back(names.unique(output.name));
     variables_ = name_variables(function_, schedule_, scope_.parameters, scope_.stored, names);
@@ -83,7 +86,7 @@ class BodyWriter {
   std::string whole() const {
     std::string text = loads() + trigonometry(false) + sines_and_cosines() + stage();
     for (const PartStep& step : steps(false)) text += step.makes ? definition_line(step) : step.code;
-    return text + condition();
+    return text + ending();
   }
 
   // Writes the same statements as several functions. The first ones read all inputs.
@@ -107,8 +110,8 @@ class BodyWriter {
   std::string shared_by_parts(int kept) const {
     std::vector<std::string> items;
     if (kept > 0) items.push_back(dialect_.array(kKept, static_cast<std::size_t>(kept)));
-    if (const std::vector<Checked> pivots = pivots_to_check(); !pivots.empty()) {
-      items.push_back(dialect_.array(kPivots, pivots.size()));
+    if (const std::size_t pivots = pivots_to_check(function_).size(); pivots > 0) {
+      items.push_back(dialect_.array(kPivots, pivots));
     }
     if (returns_value(function_)) items.push_back(dialect_.number_definition(kResult));
     return items.empty() ? "" : list_line(dialect_.arrays(), items, ";", kStatementIndent);
@@ -118,10 +121,8 @@ class BodyWriter {
     if (returns_value(function_)) {
       return code_line(fmt::format("return {};", dialect_.number_use(kResult)), kStatementIndent);
     }
-    const std::size_t pivots = pivots_to_check().size();
-    if (pivots == 0) return condition();
-    return code_line(dialect_.conditions_begin() + dialect_.always() + ";", kStatementIndent) +
-           dialect_.all_positive(kPivots, pivots) + code_line("return positive;", kStatementIndent);
+    const std::size_t pivots = pivots_to_check(function_).size();
+    return pivots == 0 ? ending() : validity_.statements_of_parts(function_, output_names_, kPivots, pivots);
   }
 
   std::vector<PartStep> input_steps() const {
@@ -138,14 +139,14 @@ class BodyWriter {
 
   std::vector<PartStep> pivot_steps() const {
     std::vector<PartStep> steps;
-    for (const Checked& pivot : pivots_to_check()) {
+    for (const CheckedPivot& pivot : pivots_to_check(function_)) {
       std::vector<NodeId> variables = variables_used(pivot.value);
       if (pivot.scale) {
         const std::vector<NodeId> more = variables_used(*pivot.scale);
         variables.insert(variables.end(), more.begin(), more.end());
       }
       steps.push_back(
-          {code_line(fmt::format("{}[{}] = {};", kPivots, steps.size(), checked_text(pivot)), kStatementIndent),
+          {code_line(fmt::format("{}[{}] = {};", kPivots, steps.size(), validity_.checked(pivot)), kStatementIndent),
            {},
            variables,
            {kPivots}});
@@ -377,47 +378,10 @@ class BodyWriter {
     return output + "." + scope_.fields.at(static_cast<std::size_t>(target.entry));
   }
 
-  // The check of the conditions. NaN compares false; & does not branch.
-  std::string condition() const {
+  // The return of a stage, or the checks of validity and their verdict.
+  std::string ending() const {
     if (makes_stage()) return code_line(fmt::format("return {};", output_names_[0]), kStatementIndent);
-    if (function_.validity_conditions.empty()) return "";
-    const std::string zero = dialect_.literal(0);
-    std::string text;
-    for (const Checked& pivot : pivots_to_check()) {
-      text += code_line(
-          fmt::format("{}{} > {};", text.empty() ? dialect_.conditions_begin() : dialect_.conditions_continue(),
-                      checked_text(pivot), zero),
-          kStatementIndent);
-    }
-    return text + code_line("return " + (text.empty() ? dialect_.always() : "positive") + ";", kStatementIndent);
-  }
-
-  // A value that must be positive, beside its scale if it has one.
-  struct Checked {
-    NodeId value = 0;
-    std::optional<NodeId> scale;
-  };
-
-  std::vector<Checked> pivots_to_check() const {
-    std::vector<Checked> pivots;
-    for (std::size_t k = 0; k < function_.validity_conditions.size(); ++k) {
-      if (always_holds(function_, k)) continue;
-      pivots.push_back({function_.validity_conditions[k], {}});
-      if (k < function_.pivot_scales.size()) pivots.back().scale = function_.pivot_scales[k];
-    }
-    return pivots;
-  }
-
-  // The value checked: "D_1", or "b_1_1 + Scalar(0.015625) * D_1 - b_1_1", evaluated from left to right, so that it is
-  // 0 if D_1 is lost beside b_1_1.
-  std::string checked_text(const Checked& pivot) const {
-    const std::string value = printer_.use(pivot.value);
-    if (!pivot.scale) return value;
-    const auto unsigned_text = [](const std::string& text) { return text[0] == '-' ? text.substr(1) : text; };
-    const std::string scale = printer_.use(*pivot.scale);
-    const bool is_negative = value[0] == '-', is_below = scale[0] == '-';
-    return fmt::format("{} {} {} * {} {} {}", scale, is_negative ? '-' : '+', dialect_.literal(kPivotSignificance),
-                       unsigned_text(value), is_below ? '+' : '-', unsigned_text(scale));
+    return function_.validity_conditions.empty() ? "" : validity_.statements(function_, output_names_);
   }
 
   const Function& function_;
@@ -430,6 +394,7 @@ class BodyWriter {
   std::vector<std::string> output_names_;
   VariableNames variables_;
   ExpressionPrinter printer_;
+  ValidityText validity_;
   std::set<int> angles_;  // indices of the angles whose sines or cosines are used
 };
 

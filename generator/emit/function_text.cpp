@@ -133,11 +133,20 @@ class FunctionWriter {
     const std::string also = function_.task.empty() ? "" : task_conditions_text();
     const bool asks_loops = function_.loop_conditions > 0;
     const bool asks_pivots = function_.validity_conditions.size() > static_cast<std::size_t>(function_.loop_conditions);
-    const char* const lost = function_.pivot_scales.empty() ? "not positive" : "not positive, lost in rounding,";
-    return fmt::format("false if the result means nothing, because {}{}{}",
-                       asks_loops ? "a closed loop is within 1e-6 of being singular" : "",
-                       asks_loops && asks_pivots ? ", or " : "",
-                       asks_pivots ? fmt::format("a pivot of B{} is {} or not a number", also, lost) : "");
+    const char* const lost = function_.pivot_scales.empty() ? "not positive" : "not positive or lost in rounding";
+    return fmt::format("false if the result means nothing: if {}{}an entry of the result is not a finite number{}",
+                       asks_loops ? "a closed loop is within 1e-6 of being singular, or " : "",
+                       asks_pivots ? fmt::format("a pivot of B{} is {}, or ", also, lost) : "", proven_text());
+  }
+
+  std::string proven_text() const {
+    const double share = function_.proven_pivot_share;
+    if (share == 0) return "";
+    return fmt::format(
+        ". Proven: at every position each pivot of B is at least {:.2g} of the size of its terms, so that rounding "
+        "cannot "
+        "cancel it",
+        share);
   }
 
   const Function& function_;

@@ -41,6 +41,8 @@ class PageDialect : public Dialect {
   virtual std::vector<FileTemplate> files() const = 0;
   // Whether an output may overlap an input, since all inputs are read first; the page says so.
   virtual bool outputs_may_overlap_inputs() const { return false; }
+  // The type of variables, by which the text is read back, if it has a known answer; else empty.
+  virtual std::string answering_scalar() const { return ""; }
   // A member of the parameters with its unit: "m_1;  // kg", in JavaScript "m_1 - kg".
   virtual std::string member(const std::string& name, const std::string& unit) const;
   // Fills in what the language's templates need of a function, beside what all need.

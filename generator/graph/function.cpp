@@ -32,12 +32,17 @@ Function with_graph(const Function& function, Graph graph, const std::vector<Nod
                   .outputs = function.outputs,
                   .validity_conditions = function.validity_conditions,
                   .pivot_scales = function.pivot_scales,
+                  .proven_pivot_share = function.proven_pivot_share,
                   .loop_conditions = function.loop_conditions};
   const auto replace = [&image](NodeId& id) { id = image[static_cast<std::size_t>(id)]; };
   for (Output& output : result.outputs) std::for_each(output.entries.begin(), output.entries.end(), replace);
   std::for_each(result.validity_conditions.begin(), result.validity_conditions.end(), replace);
   std::for_each(result.pivot_scales.begin(), result.pivot_scales.end(), replace);
   return result;
+}
+
+bool has_scale(const Function& function, std::size_t k) {
+  return k < function.pivot_scales.size() && function.pivot_scales[k] != function.validity_conditions[k];
 }
 
 bool always_holds(const Function& function, std::size_t k) {

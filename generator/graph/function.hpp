@@ -52,6 +52,9 @@ struct Function {
   // rounding error that the terms bring in. It counts as positive only if kPivotSignificance of it still changes its
   // scale in the scalar's arithmetic.
   std::vector<NodeId> pivot_scales{};
+  // Without scales: every pivot of B is at least this share of its scale at every position, which is proven. 0:
+  // unknown, or there are no pivots of B.
+  double proven_pivot_share = 0;
   int loop_conditions = 0;  // the number of conditions, at the end, that require a closed loop not to be singular
 };
 
@@ -63,6 +66,9 @@ std::vector<NodeId> roots(const Function& function);
 
 // The same function over another graph, in which node k of the function's graph is image[k].
 Function with_graph(const Function& function, Graph graph, const std::vector<NodeId>& image);
+
+// Whether condition k is a pivot that rounding may cancel beside its scale.
+bool has_scale(const Function& function, std::size_t k);
 
 // Whether condition k holds without being computed: it is a positive constant, in float, too.
 bool always_holds(const Function& function, std::size_t k);

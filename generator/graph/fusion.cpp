@@ -45,7 +45,7 @@ Fusion fused(const std::vector<Function>& functions) {
     whole.summary += (whole.summary.empty() ? "" : "; ") + function.summary;
     fusion.parts.push_back({function.name, function.summary, function.equation, function.inputs, function.at_rest,
                             function.task, function.outputs.size(), function.validity_conditions.size(),
-                            function.pivot_scales.size(), function.loop_conditions});
+                            function.pivot_scales.size(), function.proven_pivot_share, function.loop_conditions});
   }
   whole.inputs.assign(inputs.begin(), inputs.end());
   return fusion;
@@ -74,6 +74,7 @@ Function function_of(const Fusion& fusion, std::size_t k) {
           .outputs = slice(fusion.function.outputs, output, part.outputs),
           .validity_conditions = slice(fusion.function.validity_conditions, condition, part.conditions),
           .pivot_scales = slice(fusion.function.pivot_scales, scale, part.pivot_scales),
+          .proven_pivot_share = part.proven_pivot_share,
           .loop_conditions = part.loop_conditions};
 }
 

@@ -17,6 +17,7 @@ struct FusedFunction {
   Task task{};
   // The numbers of its own outputs, conditions and pivot scales in the fused function.
   std::size_t outputs = 0, conditions = 0, pivot_scales = 0;
+  double proven_pivot_share = 0;
   int loop_conditions = 0;
 };
 

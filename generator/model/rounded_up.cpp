@@ -8,15 +8,35 @@
 
 namespace flatdyn {
 
+namespace {
+
+// The number as it reads with so many digits.
+double read_back(double value, int digits) {
+  const std::string text = fmt::format("{:.{}g}", value, digits);
+  double read = 0;
+  std::from_chars(text.data(), text.data() + text.size(), read);
+  return read;
+}
+
+// A change of the last digit, or less.
+double step_of(int digits) { return 1 + std::pow(10, -digits); }
+
+}  // namespace
+
 // Raises the last digit until the number is large enough, as a rule once.
 double rounded_up(double value, int digits) {
   if (!(value > 0)) return 0;
-  const double step = 1 + std::pow(10, -digits);
-  for (double raised = value;; raised *= step) {
-    const std::string text = fmt::format("{:.{}g}", raised, digits);
-    double read = 0;
-    std::from_chars(text.data(), text.data() + text.size(), read);
+  for (double raised = value;; raised *= step_of(digits)) {
+    const double read = read_back(raised, digits);
     if (read >= value * kRoundingMargin) return read;
+  }
+}
+
+double rounded_down(double value, int digits) {
+  if (!(value > 0)) return 0;
+  for (double lowered = value;; lowered /= step_of(digits)) {
+    const double read = read_back(lowered, digits);
+    if (read <= value / kRoundingMargin) return read;
   }
 }
 

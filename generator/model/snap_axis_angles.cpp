@@ -13,11 +13,12 @@
 namespace flatdyn {
 namespace {
 
-constexpr std::uintptr_t kDigits = 70;  // for angles below 1e-9, so that their error is below 1e-40
+constexpr std::uintptr_t kWorkingDigits = 70;  // for angles below 1e-9, so that their error is below 1e-40
 
-// The value to kDigits digits. `a` must be a real number without symbols.
+// The value to kWorkingDigits digits. `a` must be a real number without symbols.
 cln::cl_F float_of(const Number& a) {
-  return cln::cl_float(cln::the<cln::cl_R>(GiNaC::ex_to<GiNaC::numeric>(a).to_cl_N()), cln::float_format(kDigits));
+  return cln::cl_float(cln::the<cln::cl_R>(GiNaC::ex_to<GiNaC::numeric>(a).to_cl_N()),
+                       cln::float_format(kWorkingDigits));
 }
 
 Number exact(const cln::cl_F& a) { return GiNaC::numeric(cln::cl_N(cln::rational(a))); }

@@ -9,13 +9,14 @@
 namespace flatdyn {
 namespace {
 
-// Emits the code and reads all of its files back as one text.
-void emit_and_read_back(GenerationResult& result) {
+// Emits the code and reads all of its files back as one text, which is returned.
+std::string emit_and_read_back(GenerationResult& result) {
   const Mechanism& mechanism = result.robot.mechanism;
   result.files = emit_code(mechanism, functions_of(result), result.form, result.stages);
   std::string text;
   for (const GeneratedFile& file : result.files) text += file.text;
   result.read_back = EmittedText(text, dialect_of(mechanism, result.form)->scalar());
+  return text;
 }
 
 // All functions that are written, including the members of stages.
@@ -65,20 +66,21 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   std::optional<OptimisedFusion> fused;
   if (!options.fused.empty()) fused = make_fusion(robot, options.fused, progress);
   if (!options.staged.empty()) result.stages = stages_of(make_fusion(robot, options.staged, progress).fusion);
-  // Prove in exact arithmetic, against the Lagrangian.
-  progress.step("proving");
-  result.proofs = prove(effective_mechanism(robot), result.functions, fused, result.stages);
-  if (fused) result.functions.push_back({fused->fusion.function, fused->derived, fused->passes, {}});
   if (robot.abbreviation) {
     result.torque_deviation = torque_deviation(robot.mechanism, effective_mechanism(robot), robot.robot.scene.at_rest);
   }
+  const std::vector<OptimisedFunction> apart = result.functions;
+  if (fused) result.functions.push_back({fused->fusion.function, fused->derived, fused->passes, {}});
   // Emit.
   progress.step("emitting and reading back");
   result.form = stamped(options, result);
-  emit_and_read_back(result);
+  const std::string text = emit_and_read_back(result);
   check_narrowed_constants(options, result);
-  // Read back: the text must mean what was proven.
-  prove_text(*result.read_back, result.functions, result.stages);
+  // Prove in exact arithmetic, against the Lagrangian; and the text, read back, must mean what was proven.
+  progress.step("proving");
+  const std::uint64_t seed = proof_seed({robot.input_hash, text});
+  result.proofs = prove(effective_mechanism(robot), apart, fused, result.stages, seed);
+  prove_text(*result.read_back, result.functions, result.stages, seed);
   return result;
 }
 

@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "definition/pivot_ratio.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/nearest.hpp"
 #include "functions/function_table.hpp"
 #include "graph/count.hpp"
+#include "model/inertia_bound.hpp"
+#include "model/rounded_up.hpp"
 
 namespace flatdyn {
 namespace {
@@ -96,15 +97,22 @@ std::optional<Function> formulation(const Mechanism& mechanism, const std::strin
   }
   if (!result) return result;
   result->name = name;
+  if (request.row->traits.divides_by_pivots) result->proven_pivot_share = choices.proven_pivot_share;
   result->summary = summary_of(request);
   describe(*request.row, *result);
   return result;
 }
 
-bool may_lose_pivots(const Mechanism& mechanism, const std::string& name) {
-  // In float, about 2^-17 is lost beside 1; results are poor well before that.
-  constexpr double kLeast = 0x1p-14;
-  return parsed(mechanism, name).row->traits.divides_by_pivots && smallest_pivot_ratio(mechanism) < kLeast;
+void guard_pivots(const Mechanism& mechanism, const std::vector<std::string>& names, Choices& choices) {
+  // In float, a share of 2^-19 counts as lost, and rounding errors of pivots are below 2^-17.
+  constexpr double kLeast = 0x1p-15;
+  const bool divides = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    return parsed(mechanism, name).row->traits.divides_by_pivots;
+  });
+  if (!divides) return;
+  const double share = scaled_inertia_bound(mechanism);
+  choices.guards_pivots = share < kLeast;
+  choices.proven_pivot_share = choices.guards_pivots ? 0 : rounded_down(share, 2);
 }
 
 bool has_choices(const Mechanism& mechanism, const std::string& name) {
@@ -116,11 +124,12 @@ namespace {
 Choices plain_choices(const Mechanism& mechanism) { return uniform_choices(mechanism, Grouping::i_yy); }
 
 std::optional<Formulation> cheapest_formulation(const Mechanism& mechanism, const std::string& name,
-                                                FormulationIndex way, bool guards_pivots) {
+                                                FormulationIndex way, const Choices& guard) {
   std::optional<Formulation> best;
   int fewest = 0;
   const auto consider = [&](Choices choices) {
-    choices.guards_pivots = guards_pivots;
+    choices.guards_pivots = guard.guards_pivots;
+    choices.proven_pivot_share = guard.proven_pivot_share;
     std::optional<Function> made = formulation(mechanism, name, way, choices);
     if (!made) return 0;  // other choices yield none, either
     const int operations = count_operations(*made).arithmetic();
@@ -142,9 +151,10 @@ std::optional<Formulation> cheapest_formulation(const Mechanism& mechanism, cons
 
 std::vector<Formulation> formulations(const Mechanism& mechanism, const std::string& name) {
   std::vector<Formulation> result;
-  const bool guards_pivots = may_lose_pivots(mechanism, name);
+  Choices guard;
+  guard_pivots(mechanism, {name}, guard);
   for (FormulationIndex way = 0; way < kFormulationCount; ++way) {
-    std::optional<Formulation> made = cheapest_formulation(mechanism, name, way, guards_pivots);
+    std::optional<Formulation> made = cheapest_formulation(mechanism, name, way, guard);
     if (made) result.push_back(std::move(*made));
   }
   return result;

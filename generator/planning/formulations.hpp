@@ -24,8 +24,10 @@ inline constexpr FormulationIndex kFormulationCount = 3;  // no function has mor
 std::optional<Function> formulation(const Mechanism& mechanism, const std::string& name, FormulationIndex way,
                                     const Choices& choices);
 
-// Whether the function divides by pivots of B that rounding may cancel completely for this robot.
-bool may_lose_pivots(const Mechanism& mechanism, const std::string& name);
+// Completes the choices for functions of these names: if one divides by pivots of B, these are compared with their
+// scales, unless the share of its scale that each keeps is proven to be too large for rounding to matter, in float,
+// too.
+void guard_pivots(const Mechanism& mechanism, const std::vector<std::string>& names, Choices& choices);
 
 // Whether the function's cost depends on choices.
 bool has_choices(const Mechanism& mechanism, const std::string& name);

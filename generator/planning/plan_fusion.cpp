@@ -215,12 +215,13 @@ OptimisedFusion planned_fusion(const LoadedRobot& model, const std::vector<std::
                                Progress& progress) {
   progress.step("deriving functions together");
   const Mechanism& mechanism = effective_mechanism(model);
-  const bool guards_pivots = std::any_of(functions.begin(), functions.end(),
-                                         [&](const std::string& name) { return may_lose_pivots(mechanism, name); });
+  Choices guard;
+  guard_pivots(mechanism, functions, guard);
   OptimisedFusion result;
   std::optional<int> least;
   cheapest_choices(mechanism, [&](Choices choices) {
-    choices.guards_pivots = guards_pivots;
+    choices.guards_pivots = guard.guards_pivots;
+    choices.proven_pivot_share = guard.proven_pivot_share;
     Fusion made = fused_from(model, functions, choices);
     const int operations = cost(made.function);
     if (!least || operations < *least) {

@@ -33,7 +33,7 @@ Function as_printed(const Function& function, const std::string& scalar) {
     if (always_holds(function, k)) continue;
     const NodeId value = image[static_cast<std::size_t>(function.validity_conditions[k])];
     result.validity_conditions.push_back(
-        k < function.pivot_scales.size() ? result.graph.scaled(kPivotSignificance, value) : value);
+        has_scale(function, k) ? result.graph.scaled(kPivotSignificance, value) : value);
   }
   return result;
 }

@@ -17,7 +17,7 @@ EmittedNotation notation_of(const std::string& scalar) {
   notation.constants = "double";
   if (is_cpp_scalar(scalar)) {
     notation.wraps_literals = true;
-    notation.counts_pivots = notation.passes_by_name = false;
+    notation.passes_by_name = false;
   } else if (is_javascript_scalar(scalar)) {
     notation.condition = notation.counter = "let";
     notation.and_also = "&&=";

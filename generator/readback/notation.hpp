@@ -9,12 +9,11 @@ namespace flatdyn {
 struct EmittedNotation {
   std::string scalar;              // the type of variables: "Scalar", "float"; "number" in JavaScript
   std::string constants;           // the type to which constants are rounded: "double", "float"
-  const char* condition = "bool";  // begins the definition of `positive`,
+  const char* condition = "bool";  // begins the definition of `valid`,
   const char* and_also = "&=";     // and this its continuation
   const char* counter = "int";     // the type of a loop's counter
   bool names_types = true;         // "const Scalar x"; parameters tell inputs from outputs
   bool wraps_literals = false;     // "Scalar(0.0825)", not "0.0825"
-  bool counts_pivots = true;       // the loop of checks counts: for (int k = 0; …
   bool passes_by_name = true;      // arguments of a part have the names of its parameters
   bool has_c_functions = false;    // arm_sines_and_cosines(…), arm_sign(x), sqrtf(x), and parameters->m1
   bool has_math_object = false;    // Math.sin(q[2])

@@ -75,7 +75,7 @@ class CppScanner : TokenCursor {
   void function() {
     ScannedFunction written;
     const bool is_part = !namespaces_.empty() && namespaces_.back() == "detail";
-    if (is("inline") || is("static")) ++at_;
+    while (is("inline") || is("static")) ++at_;
     written.returns = word();
     while (word() != "(") {
       if (is("::")) written.member_of = word(-4);  // Motion<Scalar>::

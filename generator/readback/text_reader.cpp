@@ -48,6 +48,7 @@ class TextReader {
         if (entry >= static_cast<int>(entries.size())) fail("an entry too many");
         entries[static_cast<std::size_t>(entry)] = value;
       }
+      if (written_.returns == "bool") check_finite(outputs[k], written);
       lines_.outputs.push_back(std::move(entries));
     }
     return std::move(lines_);
@@ -55,6 +56,15 @@ class TextReader {
 
  private:
   static constexpr const char* kReturned = "returned";
+  static constexpr const char* kValid = "valid";
+
+  // Every entry that is written must be checked to be finite.
+  void check_finite(const std::string& output, const std::map<int, int>& written) const {
+    const auto checked = finite_entries_.find(output);
+    for (const auto& [entry, value] : written) {
+      if (checked == finite_entries_.end() || checked->second.count(entry) == 0) fail("an entry may be infinite");
+    }
+  }
 
   [[noreturn]] void fail(const std::string& what) const {
     const std::size_t k = std::min(at_, text_.tokens_.size() - 1);
@@ -111,11 +121,11 @@ class TextReader {
     } else if (notation_.has_c_functions && ends_with(word(), "_sines_and_cosines")) {
       sines_and_cosines_in_c();
     } else if (accept(notation_.condition)) {
-      positivity("=");
-    } else if (is("positive") && word(1) == notation_.and_also) {
-      positivity(notation_.and_also);
+      validity("=");
+    } else if (is(kValid) && word(1) == notation_.and_also) {
+      validity(notation_.and_also);
     } else if (accept("for")) {
-      all_pivots();
+      check_loop();
     } else if (accept("return")) {
       give_back();
     } else if (is("detail") || word(1) == "(") {
@@ -181,48 +191,88 @@ class TextReader {
     for (int k = first; k <= last; ++k) ask_for_sine(angles, k);
   }
 
-  // Reads "> Scalar(0.0)" or "> 0.0f".
-  void above_zero() {
-    expect(">");
-    if (!notation_.wraps_literals) {
-      if (lines_[plain_literal()].value != 0) fail("zero expected");
-    } else {
-      for (const char* text : {"Scalar", "(", "0.0", ")"}) expect(text);
-    }
+  // Reads "Scalar(0.0)" or "0.0f", of this value.
+  void literal_of(double value) {
+    if (notation_.wraps_literals) expect("Scalar");
+    const int read = notation_.wraps_literals ? literal() : plain_literal();
+    if (lines_[read].value != value) fail(fmt::format("{} expected", value));
   }
+  void zero() { literal_of(0); }
 
-  // Reads "bool positive = true;" or "positive &= D_2 > Scalar(0.0);".
-  void positivity(const char* sign) {
-    expect("positive");
+  // Reads "bool valid = true;", "valid &= D_2 > Scalar(0.0);" or "valid &= Scalar(0.0) * qdd[1] < Scalar(1.0);".
+  void validity(const char* sign) {
+    expect(kValid);
     expect(sign);
-    if (!accept("true")) {
+    if (is_zero_times()) {
+      zero_times();
+      const auto [array, entry] = target();
+      finite_entries_[array].insert(entry);
+      expect("<");
+      literal_of(1);
+    } else if (!accept("true")) {
       lines_.validity_conditions.push_back(sum());
-      above_zero();
+      expect(">");
+      zero();
     }
     expect(";");
   }
 
-  // Reads for (const Scalar& pivot : pivots) positive &= pivot > Scalar(0.0); or for (int k = 0; k < 7; ++k) { positive
-  // &= pivots[k] > 0.0f; }
-  void all_pivots() {
-    if (notation_.counts_pivots) {
-      for (const char* text : {"(", notation_.counter, "k", "=", "0", ";", "k", "<"}) expect(text);
-      if (index() != static_cast<int>(arrays_["pivots"].size())) fail("another number of pivots");
-      for (const char* text : {";", "+", "+", "k", ")", "{", "positive", notation_.and_also, "pivots", "[", "k", "]"}) {
-        expect(text);
-      }
-    } else {
-      for (const char* text : {"(", "const", "Scalar", "&", "pivot", ":", "pivots", ")", "positive", "&=", "pivot"}) {
-        expect(text);
-      }
+  bool is_zero_times() const {
+    return notation_.wraps_literals ? is("Scalar") && word(2) == "0.0" && word(4) == "*"
+                                    : begins_with_digit(word()) && word(1) == "*";
+  }
+
+  void zero_times() {
+    zero();
+    expect("*");
+  }
+
+  // Reads for (const Scalar& pivot : pivots) valid &= pivot > Scalar(0.0); or for (int k = 0; k < 7; ++k) { valid &=
+  // pivots[k] > 0.0f; }; and for (int k = 0; k < 7; ++k) valid &= Scalar(0.0) * qdd[k] < Scalar(1.0);
+  void check_loop() {
+    expect("(");
+    if (accept("const")) {
+      for (const char* text : {"Scalar", "&", "pivot", ":", "pivots", ")", kValid, "&=", "pivot", ">"}) expect(text);
+      zero();
+      expect(";");
+      add_pivots();
+      return;
     }
-    above_zero();
+    for (const char* text : {notation_.counter, "k", "="}) expect(text);
+    const int first = index();
+    for (const char* text : {";", "k", "<"}) expect(text);
+    const int end = index();
+    for (const char* text : {";", "+", "+", "k", ")"}) expect(text);
+    if (!notation_.wraps_literals) expect("{");
+    for (const char* text : {kValid, notation_.and_also}) expect(text);
+    counted_check(first, end);
     expect(";");
-    if (notation_.counts_pivots) expect("}");
+    if (!notation_.wraps_literals) expect("}");
+  }
+
+  // Reads pivots[k] > 0.0, or 0.0 * qdd[k] < 1.0.
+  void counted_check(int first, int end) {
+    if (accept("pivots")) {
+      for (const char* text : {"[", "k", "]", ">"}) expect(text);
+      if (first != 0 || end != static_cast<int>(arrays_["pivots"].size())) fail("another number of pivots");
+      add_pivots();
+      zero();
+    } else {
+      zero_times();
+      std::set<int>& entries = finite_entries_[take()];
+      for (const char* text : {"[", "k", "]", "<"}) expect(text);
+      constexpr int kMostEntries = 1'000'000;
+      if (first < 0 || end - first > kMostEntries) fail("too many entries");
+      for (int k = first; k < end; ++k) entries.insert(k);
+      literal_of(1);
+    }
+  }
+
+  void add_pivots() {
     for (const auto& [index, pivot] : arrays_["pivots"]) lines_.validity_conditions.push_back(pivot);
   }
 
-  // Reads what a function returns: true, positive, a stage, or a value.
+  // Reads what a function returns: valid, a stage, or a value.
   void give_back() {
     if (word(1) == "(" && text_.parts_.count(word()) != 0) {
       call();
@@ -233,8 +283,8 @@ class TextReader {
       arrays_[kReturned][0] = is_array ? written_entry(take(), 0) : sum();
     } else if (written_.returns != "bool") {
       arrays_[kReturned] = arrays_[take()];
-    } else if (!accept("true")) {
-      expect("positive");
+    } else {
+      expect(kValid);
     }
     expect(";");
   }
@@ -456,6 +506,7 @@ class TextReader {
   StraightLine lines_;
   std::map<std::string, int> variables_;
   std::map<std::string, std::map<int, int>> arrays_;
+  std::map<std::string, std::set<int>> finite_entries_;  // those that are checked, by output
   std::set<const ScannedFunction*> carried_out_;
   std::size_t at_ = 0;
   int depth_ = 0;

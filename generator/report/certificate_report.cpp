@@ -9,6 +9,7 @@
 
 #include "diagnostics/table.hpp"
 #include "diagnostics/version.hpp"
+#include "report/snap_report.hpp"
 
 namespace flatdyn {
 namespace {
@@ -117,6 +118,18 @@ std::string markdown_table(const Cells& rows) {
   return text;
 }
 
+// The numbers of the robot file that are others in the model.
+std::string snaps_text(const CertifiedHeader& header) {
+  if (header.snaps.empty()) return "All numbers of the model are those of the robot file.\n\n";
+  std::string text =
+      "The model has exact numbers in place of these of the robot file. How much that changes torques is not proven: "
+      "these are the largest changes at a few random states, N m.\n\n";
+  for (std::size_t k = 0; k < header.snaps.size(); ++k) {
+    text += "- " + snap_text(header.snaps[k], header.torque_changes[k]) + "\n";
+  }
+  return text + "\n";
+}
+
 const char* verdict_name(Verdict verdict) {
   return verdict == Verdict::proven ? "proven" : verdict == Verdict::refused ? "refused" : "out of time";
 }
@@ -140,22 +153,26 @@ std::string describe_certificate(const Certificate& certificate, double enough) 
   return text + judgement(certificate, enough);
 }
 
-std::string certificate_markdown(const Certificate& certificate, double enough, const std::string& header,
-                                 const std::string& hash) {
+std::string certificate_markdown(const Certificate& certificate, double enough, const CertifiedHeader& header) {
   std::string text = fmt::format(
       "# Rounding errors of {} in {}\n\n"
       "The bounds below say how far a result of the text of `{}` ({}) can be from the exact value of the model, with "
       "the model's exact numbers, at the same inputs.\n\n"
       "They hold\n\n"
-      "- within the limits of position, speed, acceleration and torque that the header states;\n"
-      "- for {};\n"
-      "- in builds in which `rounding_is_as_written<{}>()` is true.\n\n"
+      "- within the limits of position, speed, acceleration and torque that the header states, each as the nearest "
+      "{};\n"
+      "- for {}, as those of glibc's <cmath> are to 1 ulp, and those of `flatdyn::TogetherSinCos` to 1 ulp in double "
+      "and "
+      "to 2 ulp in float, up to 1e5 and 6400 rad;\n"
+      "- in files that include the header, or the source of the same functions as a pair, for which "
+      "`rounding_is_as_written<{}>()` is true in the calling thread.\n\n"
+      "{}"
       "Check it with Gappa alone: `for g in {}/*.g; do gappa $g || echo \"$g: refused\"; done`. Gappa proves what each "
       "script says: how large the error of each operation is, and that all together are within the bound. How large an "
       "operation's result can be, and how much of its error reaches an output, are hypotheses there, which flatdyn "
       "has proven from norms and from motions of links.\n",
-      certificate.robot, certificate.scalar, header, hash, trigonometry(certificate), certificate.scalar,
-      std::filesystem::path(header).replace_extension("gappa").string());
+      certificate.robot, certificate.scalar, header.name, header.hash, certificate.scalar, trigonometry(certificate),
+      certificate.scalar, snaps_text(header), std::filesystem::path(header.name).replace_extension("gappa").string());
   for (const CertifiedFunction& function : certificate.functions) {
     const std::vector<CertifiedOutput>& outputs = function.outputs;
     text += fmt::format("\n## {}\n\n{}", function.name,
@@ -169,18 +186,18 @@ std::string certificate_markdown(const Certificate& certificate, double enough, 
   return judged.empty() ? text : text + "\n" + judged;
 }
 
-nlohmann::ordered_json certificate_json(const Certificate& certificate, const std::string& header,
-                                        const std::string& hash) {
+nlohmann::ordered_json certificate_json(const Certificate& certificate, const CertifiedHeader& header) {
   nlohmann::ordered_json json = {{"flatdyn", kProgramVersion},
                                  {"robot", certificate.robot},
                                  {"scalar", certificate.scalar},
-                                 {"header", header},
-                                 {"hash", hash},
+                                 {"header", header.name},
+                                 {"hash", header.hash},
                                  {"trigonometry_ulp", certificate.options.trigonometry_ulp},
                                  {"trigonometry_error", trigonometry_error(certificate.options)},
                                  {"gappa", certificate.by_gappa},
                                  {"states", certificate.options.observed.states},
                                  {"seed", certificate.options.observed.seed}};
+  json["snapped"] = snaps_json(header.snaps, header.torque_changes);
   json["functions"] = nlohmann::ordered_json::array();
   for (const CertifiedFunction& function : certificate.functions) {
     nlohmann::ordered_json outputs = nlohmann::ordered_json::array();

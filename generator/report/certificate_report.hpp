@@ -5,18 +5,25 @@
 #include <string>
 
 #include "certify/certificate.hpp"
+#include "model/robot.hpp"
 
 namespace flatdyn {
+
+// The header that a certificate is about, and the numbers of its robot file that the model has replaced by exact ones:
+// how much that changes torques (verify/snap_effect.hpp), one for each.
+struct CertifiedHeader {
+  std::string name, hash;
+  std::vector<Snap> snaps;
+  std::vector<double> torque_changes;
+};
 
 // A table per function: output, unit, proven bound, largest error found, their ratio, and for torques the bound as a
 // share of the joint's effort limit; then whether the scalar is enough for the share `enough`.
 std::string describe_certificate(const Certificate& certificate, double enough);
 
 // The same text with the assumptions it rests on, for the file beside the code. `header` and `hash` identify the text.
-std::string certificate_markdown(const Certificate& certificate, double enough, const std::string& header,
-                                 const std::string& hash);
+std::string certificate_markdown(const Certificate& certificate, double enough, const CertifiedHeader& header);
 
-nlohmann::ordered_json certificate_json(const Certificate& certificate, const std::string& header,
-                                        const std::string& hash);
+nlohmann::ordered_json certificate_json(const Certificate& certificate, const CertifiedHeader& header);
 
 }  // namespace flatdyn

@@ -375,6 +375,11 @@ nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& func
     item["operations_as_derived"] = count_operations(each.derived).arithmetic();
     item["structural_zeros"] = structural_zeros(each.function);
     item["reads"] = list_of_inputs(inputs_read(each.function), symbols, CppDialect());
+    if (each.function.proven_pivot_share > 0) {
+      item["pivots"] = {{"proven_share", each.function.proven_pivot_share}};
+    } else if (!each.function.pivot_scales.empty()) {
+      item["pivots"] = {{"compared", each.function.pivot_scales.size()}};
+    }
     if (each.search) item["search"] = search_json(*each.search);
     json.push_back(item);
   }

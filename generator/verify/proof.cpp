@@ -2,12 +2,13 @@
 #include "verify/proof.hpp"
 
 #include "diagnostics/diagnostics.hpp"
+#include "input/common/content_hash.hpp"
 
 namespace flatdyn {
 namespace {
 
 // One point modulo each prime: a difference stays unseen with a probability of about 2^-150.
-constexpr ExactOptions kQuick{1, 1};
+ExactOptions quick(std::uint64_t seed) { return {seed, 1}; }
 
 void require(const ExactResult& result, const std::string& function, const std::string& than) {
   if (result.equal) return;
@@ -15,14 +16,14 @@ void require(const ExactResult& result, const std::string& function, const std::
                 "nothing was written; this is a mistake of the program: report it, with the robot file");
 }
 
-Proof proof_of(const Mechanism& mechanism, const std::string& name, const Function& function) {
-  Proof proof{name, prove_exactly(mechanism, function, kQuick)};
+Proof proof_of(const Mechanism& mechanism, const std::string& name, const Function& function, std::uint64_t seed) {
+  Proof proof{name, prove_exactly(mechanism, function, quick(seed))};
   require(proof.result, name, "the Lagrangian says");
   return proof;
 }
 
-void require_unchanged(const Function& derived, const Function& function) {
-  require(prove_equal(derived, function, kQuick), function.name, "it was before the passes");
+void require_unchanged(const Function& derived, const Function& function, std::uint64_t seed) {
+  require(prove_equal(derived, function, quick(seed)), function.name, "it was before the passes");
 }
 
 // The functions in the order of the text.
@@ -40,44 +41,53 @@ std::vector<Function> written(const std::vector<OptimisedFunction>& functions, c
 
 }  // namespace
 
+std::uint64_t proof_seed(const std::vector<std::string>& contents) {
+  constexpr std::size_t kDigits = 16;
+  constexpr int kHexadecimal = 16;
+  const std::string hash = content_hash(contents);  // "sha1:…"
+  return std::stoull(hash.substr(hash.find(':') + 1, kDigits), nullptr, kHexadecimal);
+}
+
 std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<OptimisedFunction>& functions,
-                         const std::optional<OptimisedFusion>& fused, const std::optional<Stages>& stages) {
+                         const std::optional<OptimisedFusion>& fused, const std::optional<Stages>& stages,
+                         std::uint64_t seed) {
   std::vector<Proof> proofs;
   for (const OptimisedFunction& each : functions) {
-    proofs.push_back(proof_of(mechanism, each.function.name, each.function));
-    require_unchanged(each.derived, each.function);
+    proofs.push_back(proof_of(mechanism, each.function.name, each.function, seed));
+    require_unchanged(each.derived, each.function, seed);
   }
   if (fused) {
     const Fusion& fusion = fused->fusion;
     for (std::size_t k = 0; k < fusion.parts.size(); ++k) {
       const std::string name = fusion.function.name + "::" + fusion.parts[k].name;
-      proofs.push_back(proof_of(mechanism, name, function_of(fusion, k)));
+      proofs.push_back(proof_of(mechanism, name, function_of(fusion, k), seed));
     }
-    require_unchanged(fused->derived, fusion.function);
+    require_unchanged(fused->derived, fusion.function, seed);
   }
   if (stages) {
     for (const Function& member : members_in_full(*stages)) {
-      proofs.push_back(proof_of(mechanism, "at(q)::" + member.name, member));
+      proofs.push_back(proof_of(mechanism, "at(q)::" + member.name, member, seed));
     }
   }
   return proofs;
 }
 
 void prove_text(const EmittedText& text, const std::vector<OptimisedFunction>& functions,
-                const std::optional<Stages>& stages) {
+                const std::optional<Stages>& stages, std::uint64_t seed) {
   const std::vector<Function> wanted = written(functions, stages);
   if (text.functions().size() != wanted.size()) {
     throw Failure(ExitCode::bug, "the emitted text has other functions than were made");
   }
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     const Function printed = as_printed(wanted[k], text.constants());
-    require(prove_equal(printed, text.read(k, printed), kQuick), "the text of " + wanted[k].name, "was to be printed");
+    require(prove_equal(printed, text.read(k, printed), quick(seed)), "the text of " + wanted[k].name,
+            "was to be printed");
   }
 }
 
 void prove_text(const std::string& header, const std::vector<OptimisedFunction>& functions,
                 const std::optional<Stages>& stages) {
-  prove_text(EmittedText(header), functions, stages);
+  prove_text(EmittedText(header), functions, stages, proof_seed({header}));
 }
 
 }  // namespace flatdyn

@@ -11,6 +11,7 @@
 #include "diagnostics/table.hpp"
 #include "functions/exact_proof.hpp"
 #include "model/angles.hpp"
+#include "model/inertia_bound.hpp"
 #include "reference/graph_evaluator.hpp"
 #include "verify/compiled.hpp"
 #include "verify/properties.hpp"
@@ -152,7 +153,8 @@ VerifyReport verify(const Robot& robot, const Mechanism& mechanism, const std::v
                  row.at_edges.largest <= bound;
     report.functions.push_back(row);
   }
-  report.properties = check_properties(functions, comparison.random(), largest_angle_factor(mechanism));
+  report.properties = check_properties(functions, comparison.random(), largest_angle_factor(mechanism),
+                                       scaled_inertia_bound(mechanism));
   return report;
 }
 

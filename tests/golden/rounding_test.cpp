@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// rounding_is_as_written() of a generated header, built with flags that keep the certified rounding and with flags that
-// do not, by g++ and by clang++.
+// rounding_is_as_written() of generated code, built with flags that keep the certified rounding and with flags that do
+// not, by g++ and by clang++.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -54,9 +54,26 @@ TEST_P(RoundingIsAsWritten, WithTheFlagsThatTheHeaderNames) {
 }
 
 TEST_P(RoundingIsAsWritten, NotWhereTheCompilerTakesLiberties) {
-  for (const char* flags : {"-O2 -ffast-math", "-O0 -ffast-math", "-O2 -freciprocal-math",
-                            "-O2 -fassociative-math -fno-signed-zeros -fno-trapping-math -fno-math-errno"}) {
+  for (const char* flags :
+       {"-O2 -freciprocal-math", "-O2 -fassociative-math -fno-signed-zeros -fno-trapping-math -fno-math-errno"}) {
     EXPECT_EQ(answer_of_build(GetParam(), flags), (Answer{false, false})) << flags;
+  }
+}
+
+// The checks of finite results would be left out.
+TEST_P(RoundingIsAsWritten, DoesNotCompileWithFastMath) {
+  const TemporaryFolder folder;
+  write(folder.path() / "main.cpp", kProgram);
+  write(folder.path() / "main.c", "#include \"planar_2r.c\"\n");
+  for (const char* flag : {"-ffast-math", "-ffinite-math-only"}) {
+    for (const char* file : {"main.cpp", "main.c"}) {
+      const bool is_c = std::string(file) == "main.c";
+      const std::string printed =
+          output_of(folder.path(), fmt::format("{} {} {} -I'{}/generated' -fsyntax-only {}",
+                                               is_c ? (GetParam()[0] == 'g' ? "gcc" : "clang") : GetParam(),
+                                               is_c ? "-std=c99" : "-std=c++17", flag, FLATDYN_SOURCE_DIR, file));
+      EXPECT_NE(printed.find("compile this without -ffast-math"), std::string::npos) << flag << " " << printed;
+    }
   }
 }
 
@@ -78,6 +95,72 @@ TEST(RoundingIsAsWrittenByGcc, NotInTheRegistersOfTheX87) {
 TEST(RoundingIsAsWrittenByGcc, NotWhereResultsAreRoundedTwice) {
   EXPECT_FALSE(answer_of_build("g++", "-O0 -ffp-contract=off -mfpmath=387 -ffloat-store").in_double);
   EXPECT_FALSE(answer_of_build("g++", "-O2 -ffp-contract=off -mfpmath=387 -ffloat-store").in_double);
+}
+
+TEST(RoundingIsAsWrittenByGcc, NotWhereTheCompilerMayChooseTheX87) {
+  EXPECT_EQ(answer_of_build("g++", "-O2 -mfpmath=sse,387"), (Answer{false, false}));
+}
+
+TEST(RoundingIsAsWrittenByGcc, NotWhereConstantsAreFloats) {
+  EXPECT_FALSE(answer_of_build("g++", "-O2 -w -fsingle-precision-constant").in_double);
+}
+
+// The processor flushes tiny numbers to zero in the thread that has asked for it, and in no other.
+TEST(RoundingIsAsWrittenByGcc, IsAnsweredForTheCallingThread) {
+  const TemporaryFolder folder;
+  write(folder.path() / "main.cpp", R"(
+#include <immintrin.h>
+#include <cstdio>
+#include <thread>
+#include "planar_2r.hpp"
+int main() {
+  std::thread([] {
+    _mm_setcsr(_mm_getcsr() | 0x8000);
+    std::printf("%d", planar_2r::rounding_is_as_written());
+  }).join();
+  std::printf("%d", planar_2r::rounding_is_as_written());
+}
+)");
+  EXPECT_EQ(
+      output_of(folder.path(), fmt::format("g++ -std=c++17 -O2 -pthread -I'{}/generated' main.cpp -o main && ./main",
+                                           FLATDYN_SOURCE_DIR)),
+      "01");
+}
+
+// Each file has its own copy of the functions, whichever is linked first.
+TEST(RoundingIsAsWrittenByGcc, IsAnsweredForTheCallingFile) {
+  if (!__builtin_cpu_supports("fma")) GTEST_SKIP() << "this processor has no fused multiply-add";
+  const TemporaryFolder folder;
+  write(folder.path() / "fused.cpp",
+        "#include \"planar_2r.hpp\"\nbool fused() { return planar_2r::rounding_is_as_written(); }\n");
+  write(folder.path() / "main.cpp",
+        "#include <cstdio>\n#include \"planar_2r.hpp\"\nbool fused();\n"
+        "int main() { std::printf(\"%d%d\", fused(), planar_2r::rounding_is_as_written()); }\n");
+  for (const char* order : {"fused.o main.o", "main.o fused.o"}) {
+    EXPECT_EQ(output_of(folder.path(),
+                        fmt::format(
+                            "g++ -std=c++17 -O2 -fno-inline -mfma -ffp-contract=fast -I'{0}/generated' -c fused.cpp && "
+                            "g++ -std=c++17 -O2 -fno-inline -ffp-contract=off -I'{0}/generated' -c main.cpp && "
+                            "g++ {1} -o main && ./main",
+                            FLATDYN_SOURCE_DIR, order)),
+              "01")
+        << order;
+  }
+}
+
+// Sines of vectors that are up to four units in the last place off.
+TEST(RoundingIsAsWrittenByClang, NotWithFastSines) {
+  const TemporaryFolder folder;
+  write(folder.path() / "main.c",
+        "#include <stdio.h>\n#include \"planar_2r.h\"\n"
+        "int main(void) { printf(\"%d\", planar_2r_rounding_is_as_written()); }\n");
+  const auto answer = [&](const std::string& flags) {
+    return output_of(folder.path(), fmt::format("clang -std=c99 -O2 -ffp-contract=off {0} -I'{1}/generated' main.c "
+                                                "'{1}/generated/planar_2r.c' -lmvec -lm -o main && ./main",
+                                                flags, FLATDYN_SOURCE_DIR));
+  };
+  EXPECT_EQ(answer("-fno-math-errno"), "1");
+  EXPECT_EQ(answer("-fno-math-errno -fveclib=libmvec"), "0");
 }
 
 // The x87 is set to 24 digits, as some programs leave it: doubles are then floats.

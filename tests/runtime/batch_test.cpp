@@ -179,7 +179,7 @@ TEST_F(BatchTest, ForwardDynamicsUndoesInverseDynamicsAndSaysSo) {
   for (std::size_t at = 0; at < found.size(); ++at) EXPECT_NEAR(found[at], qdd[at], 1e-8);
 }
 
-TEST_F(BatchTest, OneFalseAnswerIsSeen) {
+TEST_F(BatchTest, OneFalseAnswerIsSeenAndSpoilsItsStateOnly) {
   const auto all_below = [](const Lanes<double>* x, Lanes<double>* y) -> bool {
     y[0] = x[0];
     return x[0] < Lanes<double>(0.5);
@@ -189,7 +189,7 @@ TEST_F(BatchTest, OneFalseAnswerIsSeen) {
     EXPECT_TRUE(for_each_state<double>(x.size(), all_below, in<1>(x.data(), 17), out<1>(y.data(), 17)));
     x[wrong] = 1;
     EXPECT_FALSE(for_each_state<double>(x.size(), all_below, in<1>(x.data(), 17), out<1>(y.data(), 17)));
-    EXPECT_EQ(y, x);
+    for (std::size_t k = 0; k < y.size(); ++k) EXPECT_TRUE(k == wrong ? std::isnan(y[k]) : y[k] == x[k]) << k;
   }
 }
 

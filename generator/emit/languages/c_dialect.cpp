@@ -5,6 +5,7 @@
 
 #include "emit/angles.hpp"
 #include "emit/arguments.hpp"
+#include "emit/known_answer.hpp"
 #include "emit/literals.hpp"
 #include "emit/name_space.hpp"
 #include "emit/page.hpp"
@@ -189,8 +190,12 @@ std::string CDialect::declaration(const ConstantArray& array) const {
   return fmt::format("extern {} {}[{}];\n", type_of(array), array.name, array.length);
 }
 
+std::string CDialect::check_loop(std::size_t first, std::size_t end, const std::string& check) const {
+  return braced_check_loop("int", first, end, check);
+}
+
 std::string CDialect::all_positive(const std::string& array, std::size_t length) const {
-  return counted_checks("int", array, length);
+  return check_loop(0, length, fmt::format("{}[{}] > {}", array, kCounter, literal(0)));
 }
 
 std::vector<FileTemplate> CDialect::files() const { return {{".h", templates::header_h}, {".c", templates::source_c}}; }
@@ -231,6 +236,15 @@ void CDialect::write_page(data& page, const CodeContent& content) const {
   page["f"] = std::string(is_float ? "f" : "");
   page["half_a_place"] = std::string(is_float ? "0x1.001p-24f" : "0x1.001p-53");
   page["smallest"] = std::string(is_float ? "0x1p-126f" : "0x1p-1022");
+  page["is_float"] = is_float;
+  page["places"] = std::string(is_float ? "8388608.0f" : "4503599627370496.0");
+  page["bits"] = std::string(is_float ? "uint32_t" : "uint64_t");
+  const std::string statements =
+      known_answer_statements(content, {scalar(), global(""), global("parameters"), "&parameters", ""});
+  page["known_answer?"] = !statements.empty();
+  page["known_answer"] = without_newline(statements);
+  page["verdict"] =
+      statements.empty() ? "true" : fmt::format("hash == {}u", is_float ? kFloatAnswer : kDoubleAnswer);
   if (content.texts.empty()) return;
   const FunctionText& text = content.texts.front();
   const std::string type = content.scope.parameters.empty() ? "" : global("parameters");

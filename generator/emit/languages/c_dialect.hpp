@@ -38,8 +38,10 @@ class CDialect : public PageDialect {
   std::string count_definition(const std::string& name, int value) const override;
   bool declares_constants_apart() const override { return true; }
   std::string declaration(const ConstantArray& array) const override;
+  std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const override;
   std::string all_positive(const std::string& array, std::size_t length) const override;
 
+  std::string answering_scalar() const override { return scalar(); }
   std::vector<FileTemplate> files() const override;
   void write_function(kainjow::mustache::data& item, const Function& function, const FunctionText& text) const override;
   void write_page(kainjow::mustache::data& page, const CodeContent& content) const override;

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "emit/angles.hpp"
+#include "emit/known_answer.hpp"
 #include "emit/languages/cpp_function.hpp"
 #include "emit/languages/cpp_pair.hpp"
 #include "emit/languages/cpp_shapes.hpp"
@@ -81,8 +82,14 @@ std::string CppDialect::definition_begin(const ConstantArray& array) const {
   return fmt::format("inline constexpr {} {}[{}] = {{", array.type, array.name, array.length);
 }
 
+std::string CppDialect::check_loop(std::size_t first, std::size_t end, const std::string& check) const {
+  return code_line(
+      fmt::format("for (int {0} = {1}; {0} < {2}; ++{0}) {3}{4};", kCounter, first, end, conditions_continue(), check),
+      kStatementIndent);
+}
+
 std::string CppDialect::all_positive(const std::string& array, std::size_t) const {
-  return code_line(fmt::format("for (const Scalar& pivot : {}) positive &= pivot > Scalar(0.0);", array),
+  return code_line(fmt::format("for (const Scalar& pivot : {}) valid &= pivot > Scalar(0.0);", array),
                    kStatementIndent);
 }
 
@@ -107,7 +114,18 @@ void CppDialect::write_page(data& page, const CodeContent& content) const {
   page["header_sign?"] = content.uses_sign && !is_pair();
   page["header_sqrt?"] = content.uses_sqrt && !is_pair();
   page["header_angles?"] = content.uses_trigonometry && !content.scope.angles.empty() && !is_pair();
-  page["rounding"] = without_newline(templates::rounding_hpp);
+  write_known_answer(page, content);
+}
+
+void CppDialect::write_known_answer(data& page, const CodeContent& content) const {
+  const std::string statements = known_answer_statements(
+      content, {"Scalar", "detail::", "Parameters<Scalar>", "parameters", "GivenSinCos<Scalar>"});
+  page["known_answer?"] = !statements.empty();
+  page["known_answer"] = without_newline(statements);
+  page["known_answer_helpers"] = without_newline(rendered(templates::known_answer_hpp, page));
+  page["verdict"] =
+      statements.empty() ? "true" : fmt::format("hash == (is_float ? {}u : {}u)", kFloatAnswer, kDoubleAnswer);
+  page["rounding"] = without_newline(rendered(templates::rounding_hpp, page));
 }
 
 void CppDialect::write_instances(data& page, const CodeContent& content) const {

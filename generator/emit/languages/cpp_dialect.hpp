@@ -29,14 +29,16 @@ class CppDialect : public PageDialect {
   std::string number_definition(const std::string& name) const override { return name; }
   std::string number_use(const std::string& name) const override { return name; }
   std::string stage_type(const std::string& stage) const override { return stage + "<Scalar>"; }
-  std::string part_begin(const std::string& name) const override { return "void " + name + "("; }
+  std::string part_begin(const std::string& name) const override { return "static void " + name + "("; }
   std::string before_part() const override { return "template <class Scalar>\n"; }
   std::string function_end() const override { return ") noexcept {"; }
   std::string part_call(const std::string& name) const override { return "detail::" + name + "("; }
   void declare(FunctionText& text, const UndeclaredFunction& function) const override;
   std::string count_definition(const std::string& name, int value) const override;
+  std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const override;
   std::string all_positive(const std::string& array, std::size_t length) const override;
 
+  std::string answering_scalar() const override { return "Scalar"; }
   std::vector<FileTemplate> files() const override;
   bool outputs_may_overlap_inputs() const override { return true; }
   void write_function(kainjow::mustache::data& item, const Function& function, const FunctionText& text) const override;
@@ -47,6 +49,7 @@ class CppDialect : public PageDialect {
 
  private:
   bool is_pair() const { return !compiled_.empty(); }
+  void write_known_answer(kainjow::mustache::data& page, const CodeContent& content) const;
   void write_instances(kainjow::mustache::data& page, const CodeContent& content) const;
 
   std::vector<std::string> compiled_;

@@ -39,11 +39,12 @@ std::string template_parameters(const FunctionText& text) {
   return text.uses_trigonometry ? "class Scalar, class SinCos = LibrarySinCos" : "class Scalar";
 }
 
-// "inline void gravity(const Scalar* q, Scalar* g) noexcept {"; for a member of `stage`, "… Motion<Scalar>::bias(…
-// const". A function that is declared in a header and defined in a source is not inline.
+// "static inline void gravity(const Scalar* q, Scalar* g) noexcept {"; for a member of `stage`, "…
+// Motion<Scalar>::bias(… const" that is not static. A function that is declared in a header and defined in a source is
+// not inline.
 std::string signature(const FunctionText& text, const std::string& stage) {
   const std::string scope = stage.empty() ? "" : stage + "<Scalar>::";
-  const char* const begin = is_declared_apart(text) ? "" : "inline ";
+  const char* const begin = is_declared_apart(text) ? "" : stage.empty() ? "static inline " : "inline ";
   return without_newline(list_line(fmt::format("{}{} {}{}(", begin, text.returns, scope, text.name), text.parameters,
                                    stage.empty() ? ") noexcept {" : ") const noexcept {", 0));
 }

@@ -6,6 +6,7 @@
 #include "emit/languages/c_dialect.hpp"
 #include "emit/languages/cpp_dialect.hpp"
 #include "emit/languages/cpp_pair.hpp"
+#include "emit/languages/known_answers.hpp"
 #include "emit/languages/lanes_dialect.hpp"
 #include "emit/name_space.hpp"
 #include "emit/page_writer.hpp"
@@ -14,6 +15,17 @@ namespace flatdyn {
 namespace {
 
 HeaderAndSource two_files(const std::vector<std::string>& texts) { return {texts.at(0), texts.at(1)}; }
+
+// The texts with their known answers, if the dialect has any.
+std::vector<std::string> with_answers(const PageDialect& dialect, const Mechanism& mechanism,
+                                      const std::vector<Function>& functions, const EmitOptions& options,
+                                      const std::optional<Stages>& stages = std::nullopt) {
+  std::vector<std::string> texts = emitted(dialect, mechanism, functions, options, stages);
+  if (const std::string scalar = dialect.answering_scalar(); !scalar.empty()) {
+    fill_in_known_answers(mechanism, functions, scalar, texts);
+  }
+  return texts;
+}
 
 CDialect c_dialect_of(const Mechanism& mechanism, const EmitOptions& options) {
   return {options.scalar, namespace_of(mechanism.name, options.name_space)};
@@ -37,7 +49,7 @@ std::unique_ptr<const PageDialect> dialect_of(const Mechanism& mechanism, const 
 std::vector<GeneratedFile> emit_code(const Mechanism& mechanism, const std::vector<Function>& functions,
                                      const EmitOptions& options, const std::optional<Stages>& stages) {
   const std::unique_ptr<const PageDialect> dialect = dialect_of(mechanism, options);
-  const std::vector<std::string> texts = emitted(*dialect, mechanism, functions, options, stages);
+  const std::vector<std::string> texts = with_answers(*dialect, mechanism, functions, options, stages);
   const std::vector<FileTemplate> templates = dialect->files();
   std::vector<GeneratedFile> files;
   for (std::size_t k = 0; k < texts.size(); ++k) {
@@ -52,16 +64,16 @@ std::string header_name(const Mechanism& mechanism, const EmitOptions& options) 
 
 std::string emit_cpp(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
                      const std::optional<Stages>& stages) {
-  return emitted(CppDialect(), mechanism, functions, options, stages).front();
+  return with_answers(CppDialect(), mechanism, functions, options, stages).front();
 }
 
 HeaderAndSource emit_cpp_pair(const Mechanism& mechanism, const std::vector<Function>& functions,
                               const EmitOptions& options, const std::optional<Stages>& stages) {
-  return two_files(emitted(CppDialect(compiled_scalars(options)), mechanism, functions, options, stages));
+  return two_files(with_answers(CppDialect(compiled_scalars(options)), mechanism, functions, options, stages));
 }
 
 HeaderAndSource emit_c(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options) {
-  return two_files(emitted(c_dialect_of(mechanism, options), mechanism, functions, options));
+  return two_files(with_answers(c_dialect_of(mechanism, options), mechanism, functions, options));
 }
 
 std::vector<StraightCall> straight_calls(const Mechanism& mechanism, const std::vector<Function>& functions,

@@ -96,8 +96,12 @@ std::string JavascriptDialect::definition_begin(const ConstantArray& array) cons
   return fmt::format("const {} = [", array.name);
 }
 
+std::string JavascriptDialect::check_loop(std::size_t first, std::size_t end, const std::string& check) const {
+  return braced_check_loop("let", first, end, check);
+}
+
 std::string JavascriptDialect::all_positive(const std::string& array, std::size_t length) const {
-  return counted_checks("let", array, length);
+  return check_loop(0, length, fmt::format("{}[{}] > {}", array, kCounter, literal(0)));
 }
 
 std::vector<FileTemplate> JavascriptDialect::files() const { return {{".js", templates::module_js}}; }

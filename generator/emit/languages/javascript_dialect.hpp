@@ -30,13 +30,14 @@ class JavascriptDialect : public PageDialect {
   std::string constant() const override { return "const "; }
   std::string arrays() const override { return "const "; }
   std::string array(const std::string& name, std::size_t length) const override;
-  std::string conditions_begin() const override { return "let positive = "; }
-  std::string conditions_continue() const override { return "positive &&= "; }
+  std::string conditions_begin() const override { return "let valid = "; }
+  std::string conditions_continue() const override { return "valid &&= "; }
   std::string part_begin(const std::string& name) const override { return "function " + name + "("; }
   // V8 gives up on functions of 60 kB of bytecode.
   int longest_function() const override { return 1000; }
   void declare(FunctionText& text, const UndeclaredFunction& function) const override;
   std::string count_definition(const std::string& name, int value) const override;
+  std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const override;
   std::string all_positive(const std::string& array, std::size_t length) const override;
 
   std::vector<FileTemplate> files() const override;

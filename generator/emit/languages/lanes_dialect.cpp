@@ -88,7 +88,7 @@ class BatchFunction {
     for (const ArrayArgument& input : text_.inputs) arguments.push_back(block(input));
     for (const ArrayArgument& output : text_.outputs) arguments.push_back(block(output));
     const std::string receiver = returns_value(function_) ? block(results_[0]) + "[0] = "
-                                 : is_checked()           ? "const " + dialect_.condition_type() + " positive = "
+                                 : is_checked()           ? "const " + dialect_.condition_type() + " valid = "
                                                           : "";
     return list_line(receiver + text_.name + "(", arguments, ");", kInLoop);
   }
@@ -97,7 +97,7 @@ class BatchFunction {
 
   std::string write(const ArrayArgument& result) const {
     const std::string checked = is_checked()
-                                    ? code_line(fmt::format("{}(positive, {}, {});", dialect_.global("or_not_a_number"),
+                                    ? code_line(fmt::format("{}(valid, {}, {});", dialect_.global("or_not_a_number"),
                                                             result.length, block(result)),
                                                 kInLoop)
                                     : "";

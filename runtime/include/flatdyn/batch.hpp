@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -141,6 +142,26 @@ bool holds(Call& call, Pointers... pointers) noexcept {
   }
 }
 
+// Writes not-a-numbers to the outputs of a state.
+template <int entries, class T>
+void spoil(const Columns<entries, T>& columns, std::size_t state) noexcept {
+  if constexpr (!std::is_const_v<T>) {
+    for (std::size_t i = 0; i < entries; ++i) {
+      columns.first[i * columns.stride + state] = std::numeric_limits<T>::quiet_NaN();
+    }
+  }
+}
+
+// Asks for each of `count` states by itself whether the call returns true, and spoils the outputs of the others.
+template <class Call, std::size_t... k, class... Arrays>
+void spoil_invalid(Call& call, std::size_t state, std::size_t count, std::index_sequence<k...>,
+                   const Arrays&... arrays) noexcept {
+  for (std::size_t one = state; one < state + count; ++one) {
+    auto arguments = std::make_tuple(argument(arrays, one, 1)...);
+    if (!holds(call, std::get<k>(arguments).lanes()...)) (spoil(arrays, one), ...);
+  }
+}
+
 // Applies `call` to `count` states from `state` on, at most one per lane.
 template <class Call, std::size_t... k, class... Arrays>
 bool at_lanes(Call& call, std::size_t state, std::size_t count, std::index_sequence<k...>,
@@ -148,14 +169,16 @@ bool at_lanes(Call& call, std::size_t state, std::size_t count, std::index_seque
   auto arguments = std::make_tuple(argument(arrays, state, count)...);
   const bool result = holds(call, std::get<k>(arguments).lanes()...);
   (std::get<k>(arguments).store(arrays, state, count), ...);
+  if (!result) spoil_invalid(call, state, count, std::index_sequence<k...>{}, arrays...);
   return result;
 }
 
 }  // namespace detail
 
 // Applies call(a, b, …), with pointers to Lanes<T>, to all `states`; the arrays are in the order of its arguments.
-// Inputs may share an array; outputs must overlap neither inputs nor each other. Returns false if the call returned
-// false for any state, as forward_dynamics does if B is not positive definite.
+// Inputs may share an array; outputs must overlap neither inputs nor each other. Returns false if the call returns
+// false for any state, as forward_dynamics does if B is not positive definite; the outputs of such states are not
+// numbers.
 template <class T, class Call, class... Arrays>
 bool for_each_state(std::size_t states, Call call, const Arrays&... arrays) noexcept {
   constexpr std::size_t width = Lanes<T>::width;

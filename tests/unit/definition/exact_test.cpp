@@ -57,7 +57,7 @@ TEST(ProveExactly, AcceptsEveryDerivedFunctionOfRandomTrees) {
 
 // Robots with rotors on parents, with prismatic joints, with branches, and without any of these.
 TEST(ProveExactly, AcceptsForwardDynamicsInEveryWay) {
-  for (const char* robot : {"planar_2r_example_7_2.toml", "scara.toml", "ur5.urdf", "quadruped12.urdf"}) {
+  for (const char* robot : {"planar_2r_example_7_2.toml", "rx90.toml", "ur5.urdf", "quadruped12.urdf"}) {
     const Mechanism mechanism = testing::model_of(robot).mechanism;
     const std::vector<Formulation> all = formulations(mechanism, "forward_dynamics");
     ASSERT_GE(all.size(), 2u) << robot;

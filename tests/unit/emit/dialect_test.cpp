@@ -59,8 +59,8 @@ TEST(Dialect, SpreadsNumbersOverLanes) {
   EXPECT_EQ(lanes.parameter("m_1"), "arm_lanes_all(parameters->m_1)");
   EXPECT_EQ(lanes.parameters_argument(), "const arm_parameters* parameters");
   EXPECT_EQ(lanes.sqrt("x"), "arm_lanes_sqrt(x)");
-  EXPECT_EQ(lanes.conditions_begin() + lanes.always(), "arm_lanes_mask positive = ~(arm_lanes_mask){0}");
-  EXPECT_EQ(CDialect("float", "arm").conditions_begin() + CppDialect().always(), "bool positive = true");
+  EXPECT_EQ(lanes.conditions_begin() + lanes.always(), "arm_lanes_mask valid = ~(arm_lanes_mask){0}");
+  EXPECT_EQ(CDialect("float", "arm").conditions_begin() + CppDialect().always(), "bool valid = true");
 }
 
 TEST(Dialect, WritesExpressionsOfTheSameShape) {

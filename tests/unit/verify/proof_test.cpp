@@ -56,7 +56,7 @@ TEST(Proof, CatchesAMistakeInAnyPass) {
     for (std::size_t pass = 0; pass < pass_table().size(); ++pass) {
       for (int k = 0; k < 4; ++k, ++mutants) {
         const OptimisedFunction wrong{through_passes(derived, pass, engine), derived, {}, {}};
-        EXPECT_THROW(prove(mechanism, {wrong}, {}, {}), Failure)
+        EXPECT_THROW(prove(mechanism, {wrong}, {}, {}, 1), Failure)
             << name << ", mistake " << k << " in " << pass_table()[pass].name;
       }
     }
@@ -69,7 +69,7 @@ TEST(Proof, CatchesAWrongConditionAndAnotherRobot) {
   const Function forward = derive_function(puma, "forward_dynamics");
   OptimisedFunction wrong{forward, forward, {}, {}};
   std::swap(wrong.function.validity_conditions.front(), wrong.function.validity_conditions.back());
-  EXPECT_THROW(prove(puma, {wrong}, {}, {}), Failure);
+  EXPECT_THROW(prove(puma, {wrong}, {}, {}, 1), Failure);
   Mechanism other = puma;
   other.bodies.back().inertia.mass += Number(1) / 1000;
   EXPECT_THROW(prove(other, {OptimisedFunction{forward, forward, {}, {}}}, {}, {}), Failure);

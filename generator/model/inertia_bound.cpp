@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "model/inertia_bound.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "model/physical_inertia.hpp"
+#include "model/rounded_up.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr int kNone = -1;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+double length_of(const Vec3& v) { return std::hypot(nearest_double(v[0]), nearest_double(v[1]), nearest_double(v[2])); }
+
+// The contributions of a link and its joint to the energies.
+struct LinkBounds {
+  double mass = 0;
+  double least_moment = 0, largest_moment = 0;  // about the centre of mass, and axes about which the link can turn
+  double moment_at_joint = 0;                   // about the axis of its own joint, if that is revolute
+  double drive = 0;                             // rotor and armature, kg m² or kg at the joint
+  double sure_drive = 0;                        // what is left of it when coupling has taken from the rotor's carrier
+  double centre = 0;                            // |r_C|
+  double offset = 0;                            // to the frame from the parent's, at most
+  double offset_from_axis = 0;                  // the same, from the axis of the parent's joint
+  bool is_planar = false;                       // turns about its frame's z axis only
+  int turned_by = kNone;                        // the last body on the way to it whose joint is revolute
+};
+
+// The largest distance that a joint slides; infinite without limits.
+double travel_of(const Body& body) {
+  if (!body.prismatic) return 0;
+  if (!body.limits.lower || !body.limits.upper) return HUGE_VAL;
+  return std::max(std::abs(nearest_double(body.limits.lower->number)),
+                  std::abs(nearest_double(body.limits.upper->number)));
+}
+
+void add_inertia(const InertialParameters& body, LinkBounds& link) {
+  const Mat3 central = central_tensor(body);
+  const std::array<double, 3> moments = principal_moments(central);
+  // Rounding errors of eigenvalues are a share of the largest.
+  constexpr double kEigenvalueError = 1e-12;
+  const double about_axis = nearest_double(central[2][2]);
+  link.mass = nearest_double(body.mass);
+  link.centre = length_of(centre_of_mass(body));
+  link.least_moment = link.is_planar ? about_axis : moments[2] - kEigenvalueError * moments[0];
+  link.largest_moment = link.is_planar ? about_axis : moments[0];
+  link.moment_at_joint = nearest_double(body.inertia[2][2]);
+}
+
+// Twice the kinetic energy, from below and from above.
+class EnergyBounds {
+ public:
+  explicit EnergyBounds(const Mechanism& mechanism) : mechanism_(mechanism) {
+    for (int k = 0; k < mechanism.body_count(); ++k) add_link(k);
+    for (int k = 0; k < mechanism.body_count(); ++k) add_rotor(k);
+    for (int k = 0; k < mechanism.body_count(); ++k) diagonal_.push_back(largest_diagonal(k));
+  }
+
+  // Whether q̇ᵀ B q̇ >= share Σ b_ii q̇_i²: whether c_k ω_k² and m_k v_k² cover what the rates of the joints ask for.
+  bool cover(double share) const {
+    Supply rest = supply();
+    for (int position = 0; position < mechanism_.position_count(); ++position) {
+      const int k = mechanism_.body_at(position);
+      const double diagonal = diagonal_of(position);
+      if (diagonal == 0) return false;  // the joint moves nothing
+      const double needed = share * diagonal - links_[at(k)].sure_drive;
+      if (!(needed > 0)) continue;
+      if (mechanism_.bodies[at(k)].prismatic) {
+        take_for_sliding(k, needed, rest);
+      } else {
+        take_for_turning(k, needed, rest);
+      }
+    }
+    const auto is_enough = [](double left) { return left >= 0; };
+    return std::all_of(rest.turning.begin(), rest.turning.end(), is_enough) &&
+           std::all_of(rest.moving.begin(), rest.moving.end(), is_enough);
+  }
+
+ private:
+  // Coefficients of ω_k² and v_k².
+  struct Supply {
+    std::vector<double> turning, moving;
+  };
+
+  int parent(int k) const { return mechanism_.bodies[at(k)].parent; }
+  int turned_by(int k) const { return k == kNone ? kNone : links_[at(k)].turned_by; }
+
+  void add_link(int k) {
+    const Body& body = mechanism_.bodies[at(k)];
+    LinkBounds link;
+    const bool is_parallel = vanishes(body.alpha.s);
+    link.is_planar = turned_by(parent(k)) == kNone || (is_parallel && links_[at(parent(k))].is_planar);
+    link.turned_by = body.prismatic ? turned_by(parent(k)) : k;
+    if (body.prismatic && link.turned_by != kNone && !is_parallel) link.is_planar = false;
+    add_inertia(body.inertia, link);
+    link.drive = link.sure_drive = nearest_double(body.armature);
+    link.offset = length_of(body.p) + travel_of(body);
+    link.offset_from_axis = std::hypot(nearest_double(body.p[0]), nearest_double(body.p[1])) + travel_of(body);
+    links_.push_back(link);
+  }
+
+  // k_r² I_m q̇² + 2 k_r I_m q̇ (ω · z_m) >= k_r² I_m q̇² / 2 - 2 I_m ω², with ω of the carrier.
+  void add_rotor(int k) {
+    const auto& rotor = mechanism_.bodies[at(k)].rotor;
+    if (!rotor) return;
+    const double inertia = nearest_double(rotor->inertia), ratio = nearest_double(rotor->gear_ratio);
+    const double drive = ratio * ratio * inertia;
+    const int carrier = turned_by(rotor->carrier);
+    links_[at(k)].drive += drive;
+    links_[at(k)].sure_drive += carrier == kNone ? drive : drive / 2;
+    if (carrier != kNone) links_[at(carrier)].least_moment -= 2 * inertia;
+  }
+
+  // A bound of b_kk of the tree: links that follow are as far from the joint's axis as they can be.
+  double largest_diagonal(int k) const {
+    const bool is_prismatic = mechanism_.bodies[at(k)].prismatic;
+    std::vector<double> distance(links_.size(), -1);  // of origins from the axis; negative: not moved
+    distance[at(k)] = 0;
+    double sum = is_prismatic ? links_[at(k)].mass : links_[at(k)].moment_at_joint;
+    for (int j = k + 1; j < static_cast<int>(links_.size()); ++j) {
+      if (parent(j) == kNone || distance[at(parent(j))] < 0) continue;
+      const LinkBounds& link = links_[at(j)];
+      distance[at(j)] = distance[at(parent(j))] + (parent(j) == k ? link.offset_from_axis : link.offset);
+      const double reach = distance[at(j)] + link.centre;
+      sum += is_prismatic ? link.mass : link.largest_moment + (link.mass > 0 ? link.mass * reach * reach : 0);
+    }
+    return (sum + links_[at(k)].drive) * kRoundingMargin;
+  }
+
+  // The same for an entry of q, which may move several joints: (Σ_k |n_k| sqrt(b_kk))².
+  double diagonal_of(int position) const {
+    if (!mechanism_.is_coupled()) return diagonal_[at(position)];
+    double root = 0;
+    for (std::size_t k = 0; k < links_.size(); ++k) {
+      const double factor = std::abs(nearest_double(mechanism_.coupling[k][at(position)]));
+      if (factor > 0) root += factor * std::sqrt(diagonal_[k]);
+    }
+    return root * root * kRoundingMargin;
+  }
+
+  Supply supply() const {
+    Supply result{std::vector<double>(links_.size()), {}};
+    for (const LinkBounds& link : links_) {
+      result.moving.push_back(link.mass);
+      if (link.turned_by != kNone) result.turning[at(link.turned_by)] += link.least_moment;
+    }
+    return result;
+  }
+
+  // q̇_k² is ω_k² if nothing turns the parent, else at most 2 ω_k² + 2 ω_parent².
+  void take_for_turning(int k, double needed, Supply& rest) const {
+    const int before = turned_by(parent(k));
+    if (before == kNone) {
+      rest.turning[at(k)] -= needed;
+      return;
+    }
+    for (const int end : {k, before}) rest.turning[at(end)] -= 2 * needed;
+  }
+
+  // |q̇_k| is at most v_k + v_parent + ω_parent d, with v of the centres of mass and d the distance between them.
+  void take_for_sliding(int k, double needed, Supply& rest) const {
+    if (parent(k) == kNone) {
+      rest.moving[at(k)] -= needed;
+      return;
+    }
+    const LinkBounds &link = links_[at(k)], &before = links_[at(parent(k))];
+    const int turning = before.turned_by;
+    const double terms = turning == kNone ? 2 : 3;
+    for (const int end : {k, parent(k)}) rest.moving[at(end)] -= terms * needed;
+    const double between = before.centre + link.offset + link.centre;
+    if (turning != kNone) rest.turning[at(turning)] -= terms * needed * between * between;
+  }
+
+  const Mechanism& mechanism_;
+  std::vector<LinkBounds> links_;
+  std::vector<double> diagonal_;
+};
+
+}  // namespace
+
+double scaled_inertia_bound(const Mechanism& mechanism) {
+  constexpr double kSmallest = 0x1p-60;
+  if (!mechanism.symbols.empty() || mechanism.has_loops()) return 0;
+  const EnergyBounds bounds(mechanism);
+  if (!bounds.cover(kSmallest)) return 0;
+  double proven = kSmallest, failed = 1;
+  for (int k = 0; k < 40; ++k) {
+    const double between = std::sqrt(proven * failed);
+    (bounds.cover(between) ? proven : failed) = between;
+  }
+  return proven / kRoundingMargin;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The proven bound of B beside its diagonal, against eigenvalues at random positions.
+#include "model/inertia_bound.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "definition/lagrangian.hpp"
+#include "graph/arithmetic.hpp"
+#include "model/joint_points.hpp"
+#include "model/random_robot.hpp"
+#include "model/states.hpp"
+#include "support/robot_models.hpp"
+#include "support/written_model.hpp"
+
+namespace flatdyn {
+namespace {
+
+// The smallest eigenvalue of B with its rows and columns scaled to a diagonal of ones, over random positions.
+double smallest_eigenvalue(const Mechanism& mechanism) {
+  double smallest = 1;
+  for (const State& state : random_states(mechanism, 20, 1)) {
+    RealArithmetic<double> numbers(
+        [&state](const Input& input) { return state.of(input.kind)[static_cast<std::size_t>(input.index)]; });
+    Lagrangian<double> lagrangian(mechanism_over(mechanism, numbers), joint_points(mechanism, numbers));
+    const Matrix<double> inertia = lagrangian.inertia();
+    Eigen::MatrixXd B(inertia.rows(), inertia.rows());
+    for (int i = 0; i < inertia.rows(); ++i) {
+      for (int j = 0; j < inertia.rows(); ++j) B(i, j) = inertia(i, j);
+    }
+    const Eigen::VectorXd scale = B.diagonal().cwiseSqrt().cwiseInverse();
+    B = scale.asDiagonal() * B * scale.asDiagonal();
+    smallest =
+        std::min(smallest, Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(B, Eigen::EigenvaluesOnly).eigenvalues()(0));
+  }
+  return smallest;
+}
+
+class BoundOfRobot : public ::testing::TestWithParam<const char*> {};
+
+// The bound is below what occurs, and large enough to be of use.
+TEST_P(BoundOfRobot, IsBelowEveryEigenvalue) {
+  const Mechanism mechanism = testing::model_of(GetParam()).mechanism;
+  EXPECT_LE(scaled_inertia_bound(mechanism), smallest_eigenvalue(mechanism));
+  EXPECT_GT(scaled_inertia_bound(mechanism), 0x1p-15);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, BoundOfRobot,
+                         ::testing::Values("humanoid32.urdf", "panda.urdf", "puma560.toml", "quadruped12.urdf",
+                                           "rx90.toml", "ur5.urdf", "planar_2r_example_7_2.toml"));
+
+// Links with rotors that others carry, prismatic joints, branches and links without mass are among them.
+TEST(ScaledInertiaBound, HoldsForRandomRobots) {
+  int proven = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    const Mechanism mechanism = make_mechanism(random_robot(seed % 2 == 0, 1 + static_cast<int>(seed % 6), seed));
+    if (!mechanism.symbols.empty() || mechanism.has_loops()) continue;
+    const double bound = scaled_inertia_bound(mechanism);
+    if (bound == 0) continue;
+    ++proven;
+    EXPECT_LE(bound, smallest_eigenvalue(mechanism) + 1e-12) << "seed " << seed;
+  }
+  EXPECT_GT(proven, 50);
+}
+
+TEST(ScaledInertiaBound, IsZeroWhereALinkHasNoInertia) {
+  const auto arm = [](const std::string& of_first) {
+    return testing::model_of_toml(R"(
+[[link]]
+)" + of_first + R"(
+[[link]]
+xyz = [0.7, 0, 0]
+mass = 2.3
+com = [0.4, 0, 0]
+inertia_about = "com"
+inertia = { xx = 1, yy = 1, zz = 1 }
+)");
+  };
+  EXPECT_EQ(scaled_inertia_bound(arm("").mechanism), 0);
+  EXPECT_GT(scaled_inertia_bound(arm("inertia_about = \"com\"\ninertia = { zz = 1 }").mechanism), 0);
+  EXPECT_EQ(scaled_inertia_bound(testing::model_of_toml("[[link]]\n").mechanism), 0);
+}
+
+TEST(ScaledInertiaBound, AsksForLimitsOfAJointThatSlides) {
+  const auto arm = [](const std::string& limits) {
+    return testing::model_of_toml(R"(
+[[link]]
+inertia_about = "com"
+inertia = { xx = 1, yy = 1, zz = 1 }
+mass = 1
+[[link]]
+type = "prismatic"
+mass = 1
+)" + limits);
+  };
+  EXPECT_EQ(scaled_inertia_bound(arm("").mechanism), 0);
+  const Mechanism limited = arm("limits = { lower = -1, upper = 2 }").mechanism;
+  EXPECT_GT(scaled_inertia_bound(limited), 0);
+  EXPECT_LE(scaled_inertia_bound(limited), smallest_eigenvalue(limited));
+}
+
+}  // namespace
+}  // namespace flatdyn
