@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "certify/certificate.hpp"
@@ -10,11 +11,12 @@
 namespace flatdyn {
 
 // The header that a certificate is about, and the numbers of its robot file that the model has replaced by exact ones:
-// how much that changes torques (verify/snap_effect.hpp), one for each.
+// how much each changes torques (verify/snap_effect.hpp), and all together at most (verify/snap_bound.hpp).
 struct CertifiedHeader {
   std::string name, hash;
   std::vector<Snap> snaps;
   std::vector<double> torque_changes;
+  std::optional<double> torque_bound;
 };
 
 // A table per function: output, unit, proven bound, largest error found, their ratio, and for torques the bound as a

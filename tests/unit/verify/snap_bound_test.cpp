@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The proven bound of what snapping changes, against the reference at random motions within the limits.
+#include "verify/snap_bound.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "flatdyn/reference/newton_euler.hpp"
+#include "model/states.hpp"
+#include "support/robot_models.hpp"
+#include "system/temporary_folder.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Robot50 = reference::Robot<Real50>;
+using Vector50 = reference::VectorX<Real50>;
+
+constexpr double kShift = 1e-6;
+
+// Turns and shifts every number of the robot a little.
+Robot50 shaken(Robot50 robot) {
+  reference::Vector3<Real50> direction(1, -2, 2);
+  direction /= 3;
+  const reference::Matrix3<Real50> turned = reference::rotation_about<Real50>(direction, kShift);
+  robot.gravity = turned * robot.gravity;
+  for (auto& joint : robot.joints) {
+    joint.R_0 = joint.R_0 * turned;
+    joint.R_1 = turned * joint.R_1;
+    joint.p_0 += kShift * direction;
+    joint.p_1 += kShift * direction;
+    if (joint.index >= 0) joint.axis = (turned * joint.axis).normalized();
+    joint.rotor.axis = turned * joint.rotor.axis;
+  }
+  for (auto& link : robot.links) {
+    for (auto& body : link.inertials) {
+      body.r_C += kShift * direction;
+      body.inertia(0, 1) += kShift;
+      body.inertia(1, 0) += kShift;
+    }
+  }
+  return robot;
+}
+
+double largest_difference(const Robot50& a, const Robot50& b, const std::vector<State>& states) {
+  double largest = 0;
+  for (const State& state : states) {
+    const StateOf<Real50> wide = widened<Real50>(state);
+    const auto torques = [&](const Robot50& robot) {
+      return Vector50(reference::inverse_dynamics(robot, vector_of(wide.q), vector_of(wide.qd), vector_of(wide.qdd)));
+    };
+    largest = std::max(largest, (torques(a) - torques(b)).cwiseAbs().maxCoeff().convert_to<double>());
+  }
+  return largest;
+}
+
+class DifferenceOfTorques : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(DifferenceOfTorques, IsBelowItsBound) {
+  const LoadedRobot model = testing::model_of(GetParam());
+  const Robot50 robot = reference_robot<Real50>(model.robot, {}), other = shaken(robot);
+  std::vector<MotionLimits> limits(static_cast<std::size_t>(model.mechanism.size()), {1, 5, 20});
+  std::vector<State> states = random_states(model.mechanism, 40, 1);
+  for (State& state : states) {
+    for (std::size_t k = 0; k < limits.size(); ++k) {
+      if (model.mechanism.bodies[k].prismatic) state.q[k] = std::remainder(state.q[k], 1);
+      state.qd[k] = state.qd[k] > 0 ? 5 : -5;
+      state.qdd[k] = state.qdd[k] > 0 ? 20 : -20;
+    }
+  }
+  const double seen = largest_difference(robot, other, states), bound = torque_difference_bound(robot, other, limits);
+  EXPECT_GT(seen, 0);
+  EXPECT_LE(seen, bound);
+  EXPECT_LE(bound, 2000 * seen) << "of no use";
+  EXPECT_EQ(torque_difference_bound(robot, robot, limits), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, DifferenceOfTorques,
+                         ::testing::Values("ur5.urdf", "panda.urdf", "puma560.toml", "planar_2r_example_7_2.toml",
+                                           "quadruped12.urdf", "humanoid32.urdf"));
+
+TEST(SnapBound, IsOfAllSnapsTogether) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "arm.toml";
+  std::ofstream(file) << R"(
+[[link]]
+mass = 2
+com = [1, 0, 0]
+rpy = [1.5708, 0, 0]
+limits = { velocity = 1, acceleration = 2 }
+)";
+  const std::optional<double> bound = snap_bound(load_robot(file, {}), {});
+  ASSERT_TRUE(bound);
+  EXPECT_GT(*bound, 2 * 9.81 * 3.6e-6);
+  EXPECT_LT(*bound, 1e-3);
+  EXPECT_FALSE(snap_bound(testing::model_of("planar_2r.toml"), {})) << "free symbols";
+}
+
+}  // namespace
+}  // namespace flatdyn
