@@ -62,6 +62,7 @@ class Certifier {
   CertifiedFunction run(Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     progress.step("bounding the errors of " + function_.name);
+    find_leaves();
     find_outputs();
     result_.scripts = rounding_scripts(function_.name, analysis_, format_);
     roundings_ = result_.scripts.size();
@@ -82,6 +83,22 @@ class Certifier {
     ObservedOptions options = options_.observed;
     options.sine_error = std::ldexp(std::max(0.0, options_.trigonometry_ulp - kOfCmath - kOfSum), -format_.precision);
     return options;
+  }
+
+  // Lists inputs, sines, cosines and signs.
+  void find_leaves() {
+    const InputLimits limit = input_limits(mechanism_, options_.scalar);
+    for (int k = 0; k < analysis_.executed(); ++k) {
+      const Operation& operation = analysis_.text()[k];
+      const std::string name = name_in_scripts(analysis_, k);
+      if (operation.step == Step::input) {
+        result_.leaves.push_back({k, name, name, limit(operation.input)});
+      } else if (operation.step == Step::sine || operation.step == Step::cosine) {
+        result_.leaves.push_back({k, name, name, {}});
+      } else if (operation.step == Step::sign) {
+        result_.leaves.push_back({k, name, "sign(" + name_in_scripts(analysis_, operation.a) + ")", {}});
+      }
+    }
   }
 
   // Lists the outputs: one for every operation whose result is stored in an entry.
@@ -107,6 +124,7 @@ class Certifier {
     CertifiedOutput found;
     found.name = certified_name(output, entry);
     found.unit = unit_of(mechanism_, function_, output, static_cast<std::size_t>(entry));
+    found.result = name_in_scripts(analysis_, operation);
     found.effort = effort_of(mechanism_, output, static_cast<int>(entry));
     result_.outputs.push_back(std::move(found));
     operations_.push_back(operation);

@@ -32,6 +32,7 @@ struct CertifiedOutput {
   std::string name;                    // "tau[0]"
   std::vector<std::string> also;       // further entries with the same number: "B[7]" for B[1]
   std::string unit;                    // "N m"; empty: SI
+  std::string result;                  // the name of its operation's result in the scripts: "x35"
   double bound = 0;                    // bound of the absolute error
   double observed = 0;                 // largest absolute error seen
   double reference_error = 0;          // bound of the error of the values that errors are measured against
@@ -40,8 +41,16 @@ struct CertifiedOutput {
   Verdict verdict = Verdict::refused;  // Gappa's verdict
 };
 
+// An operation that reads arguments, as the scripts know it.
+struct CertifiedLeaf {
+  int operation = 0;            // the number in the names of errors: r0
+  std::string name, meaning;    // "s_2", "qd_1"; for a sign "x7" and "sign(qd_1)"
+  std::optional<double> limit;  // the largest size of an input
+};
+
 struct CertifiedFunction {
   std::string name;
+  std::vector<CertifiedLeaf> leaves;
   std::vector<CertifiedOutput> outputs;
   std::vector<GappaScript> scripts;
   double seconds = 0;        // time to derive the bounds, s

@@ -124,6 +124,8 @@ constexpr const char* kSum =
 
 }  // namespace
 
+std::string name_in_scripts(ErrorAnalysis& analysis, int k) { return operand(analysis, k); }
+
 std::vector<GappaScript> rounding_scripts(const std::string& function, ErrorAnalysis& analysis,
                                           const RoundingFormat& format) {
   std::vector<GappaScript> scripts;

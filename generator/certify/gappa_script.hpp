@@ -14,6 +14,9 @@ struct GappaScript {
   std::string text;
 };
 
+// The name of the result of operation k in the scripts: "x5", "s_2", "qd_1", or an expression of such.
+std::string name_in_scripts(ErrorAnalysis& analysis, int k);
+
 // Scripts that prove that no operation of the text makes a larger error than assumed if its result before rounding is
 // within the bound of `analysis`; each covers some hundred operations.
 std::vector<GappaScript> rounding_scripts(const std::string& function, ErrorAnalysis& analysis,

@@ -135,6 +135,15 @@ std::string snaps_text(const CertifiedHeader& header) {
   return text + "\n";
 }
 
+nlohmann::ordered_json leaves_json(const CertifiedFunction& function) {
+  nlohmann::ordered_json leaves = nlohmann::ordered_json::array();
+  for (const CertifiedLeaf& leaf : function.leaves) {
+    leaves.push_back({{"operation", leaf.operation}, {"name", leaf.name}, {"meaning", leaf.meaning}});
+    if (leaf.limit) leaves.back()["limit"] = *leaf.limit;
+  }
+  return leaves;
+}
+
 const char* verdict_name(Verdict verdict) {
   return verdict == Verdict::proven ? "proven" : verdict == Verdict::refused ? "refused" : "out of time";
 }
@@ -208,13 +217,14 @@ nlohmann::ordered_json certificate_json(const Certificate& certificate, const Ce
   for (const CertifiedFunction& function : certificate.functions) {
     nlohmann::ordered_json outputs = nlohmann::ordered_json::array();
     for (const CertifiedOutput& output : function.outputs) {
-      nlohmann::ordered_json row = {{"output", output.name}, {"also", output.also},     {"unit", output.unit},
-                                    {"bound", output.bound}, {"seen", output.observed}, {"errors", output.terms}};
+      nlohmann::ordered_json row = {{"output", output.name}, {"also", output.also},   {"result", output.result},
+                                    {"unit", output.unit},   {"bound", output.bound}, {"seen", output.observed},
+                                    {"errors", output.terms}};
       if (output.effort) row["effort_limit"] = *output.effort;
       if (certificate.by_gappa) row["gappa"] = verdict_name(output.verdict);
       outputs.push_back(row);
     }
-    json["functions"].push_back({{"name", function.name}, {"outputs", outputs}});
+    json["functions"].push_back({{"name", function.name}, {"leaves", leaves_json(function)}, {"outputs", outputs}});
   }
   return json;
 }

@@ -49,6 +49,67 @@ TEST(Certify, WritesTheHeaderItsCertificateAndScriptsThatGappaAccepts) {
   EXPECT_EQ(scripts, 2 + 2 + 2);  // roundings of two functions, two torques, b_11 and b_12; b_22 is exact
 }
 
+// A certificate of the planar arm, and the program that tries to refute it.
+class CheckCertificate : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::system("python3 -c 'import mpmath' > /dev/null 2>&1") != 0) GTEST_SKIP() << "no mpmath: scripts/setup";
+  }
+
+  void certify(const std::string& options) {
+    ASSERT_EQ(run_flatdyn(kPlanar + options + " -q --states 100 --time-limit 0 -o " + scratch_.path()).code, 0);
+  }
+
+  int check() {
+    const std::string command = fmt::format("{}/scripts/check-certificate {} --states 300 > {}", FLATDYN_SOURCE_DIR,
+                                            scratch_.path(kFile), scratch_.path("seen"));
+    return WEXITSTATUS(std::system(command.c_str()));
+  }
+
+  // Makes the first bound that a script states smaller.
+  void tighten(const std::string& script, const std::string& before) {
+    std::string text = scratch_.read(script);
+    const std::size_t at = text.find(" in [-", text.find(before)), end = text.find(',', at);
+    ASSERT_NE(end, std::string::npos);
+    const std::string bound = text.substr(at + 6, end - at - 6);
+    for (std::size_t k = text.find(bound); k != std::string::npos; k = text.find(bound, k + 1)) {
+      text.replace(k, bound.size(), std::string(bound.size(), '0').replace(1, 1, "."));
+      text[k + bound.size() - 1] = '1';
+    }
+    scratch_.write(script, text);
+  }
+
+  static constexpr const char* kFile = "planar_2r_example_7_2.certificate.json";
+  Scratch scratch_;
+};
+
+TEST_F(CheckCertificate, RefutesNothingThatHolds) {
+  for (const char* options : {"--scalar double", "--scalar float"}) {
+    certify(options);
+    EXPECT_EQ(check(), 0) << scratch_.read("seen");
+    EXPECT_THAT(scratch_.read("seen"), HasSubstr("inverse_dynamics: ")) << options;
+  }
+}
+
+TEST_F(CheckCertificate, RefutesASizeADerivativeAndABoundThatAreTooSmall) {
+  certify("");
+  tighten("planar_2r_example_7_2.gappa/inverse_dynamics.roundings_1.g", "{");
+  EXPECT_EQ(check(), 1);
+  EXPECT_THAT(scratch_.read("seen"), HasSubstr("REFUTED: inverse_dynamics: the size of x"));
+  certify("");
+  tighten("planar_2r_example_7_2.gappa/inverse_dynamics.tau_0.g", "/\\ a");
+  EXPECT_EQ(check(), 1);
+  EXPECT_THAT(scratch_.read("seen"), HasSubstr("REFUTED: inverse_dynamics: the derivative of tau[0]"));
+  certify("");
+  json certificate = json::parse(scratch_.read(kFile));
+  certificate["functions"][0]["outputs"][0]["bound"] = 1e-20;
+  scratch_.write(kFile, certificate.dump());
+  EXPECT_EQ(check(), 1);
+  EXPECT_THAT(scratch_.read("seen"), HasSubstr("REFUTED: inverse_dynamics: the error of tau[0]"));
+}
+
+TEST_F(CheckCertificate, SaysWhichFileIsMissing) { EXPECT_EQ(check(), 2); }
+
 TEST(Certify, IsTheSameEachTime) {
   const auto scripts = [] {
     const Scratch scratch;
