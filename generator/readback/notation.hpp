@@ -6,18 +6,19 @@
 
 namespace flatdyn {
 
+// The variable that says whether a result means something, and its name where every entry is checked to be finite, too.
+inline constexpr const char *kPivotsChecked = "positive", *kAllChecked = "valid";
+
 struct EmittedNotation {
   std::string scalar;              // the type of variables: "Scalar", "float"; "number" in JavaScript
   std::string constants;           // the type to which constants are rounded: "double", "float"
-  const char* condition = "bool";  // begins the definition of `positive`,
+  const char* condition = "bool";  // begins the definition of kAllChecked,
   const char* and_also = "&=";     // and this its continuation
   const char* counter = "int";     // the type of a loop's counter
   bool names_types = true;         // "const Scalar x"; parameters tell inputs from outputs
-  bool wraps_literals = false;     // "Scalar(0.0825)", not "0.0825"
-  bool counts_pivots = true;       // the loop of checks counts: for (int k = 0; …
-  bool passes_by_name = true;      // arguments of a part have the names of its parameters
+  bool is_cpp = false;             // "Scalar(0.0825)", detail::sign(x), sin_cos(…), parameters.m1
   bool has_c_functions = false;    // arm_sines_and_cosines(…), arm_sign(x), sqrtf(x), and parameters->m1
-  bool has_math_object = false;    // Math.sin(q[2])
+  bool has_math_object = false;    // Math.sin(q[2]); no array has a type
 };
 
 // The notation of the language in which variables have this type.

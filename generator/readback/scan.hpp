@@ -14,7 +14,11 @@ struct ScannedText {
   std::vector<ScannedFunction> functions;                  // the robot's functions, in order
   std::map<std::string, ScannedFunction> parts;            // parts that only these call, by name
   std::map<std::string, std::vector<std::string>> fields;  // fields of structs, by name
+  std::map<std::string, ScannedCount> counts;              // by the names of EmittedText::count()
 };
+
+// Notes a count, if its name is "joint_count", "ARM_JOINT_COUNT" or the like.
+void note_count(const std::string& name, const std::string& value, ScannedText& found);
 
 // Whether a function of the text is not one of the robot's formulas: rounding_is_as_written, and close_loops, which
 // calls the robot's functions in a loop.

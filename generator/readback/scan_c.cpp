@@ -20,7 +20,12 @@ class CScanner : TokenCursor {
 
  private:
   void item() {
-    if (is("extern") && at_ + 1 < tokens_.size() && tokens_[at_ + 1].text == "\"C\"") {
+    if (tokens_[at_].is_directive()) {
+      ++at_;
+    } else if (is("enum") && at_ + 6 < tokens_.size()) {
+      note_count(tokens_[at_ + 2].text, tokens_[at_ + 4].text, found_);
+      at_ += 7;
+    } else if (is("extern") && at_ + 1 < tokens_.size() && tokens_[at_ + 1].text == "\"C\"") {
       at_ += 3;  // with its brace
       ++open_;
     } else if (is("}")) {
@@ -68,7 +73,7 @@ class CScanner : TokenCursor {
     skip_block();
     written.end = at_ - 1;
     if (is_static) {
-      if (!written.parameters.empty() && !found_.parts.emplace(written.name, written).second) fail("a part made twice");
+      if (!found_.parts.emplace(written.name, written).second) fail("a part made twice");
     } else if (!is_helper_function(written.name)) {
       forget_what_it_calls(written);
       found_.functions.push_back(written);
