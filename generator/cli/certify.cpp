@@ -65,7 +65,7 @@ Certified certified(const CertifyArguments& arguments, const LoadedRobot& model,
   Certified result;
   result.header = header_name(model.mechanism, emit);
   result.text = emit_cpp(model.mechanism, functions_of(functions), emit);
-  prove_text(result.text, functions, std::nullopt);
+  prove_text(EmittedText(result.text), {model.mechanism, functions_of(functions), std::nullopt, emit});
   result.certificate = certify(model.mechanism, functions_of(functions), result.text, arguments.options, progress);
   print_diagnostics(findings, arguments);
   return result;

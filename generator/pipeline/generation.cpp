@@ -78,7 +78,7 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   emit_and_read_back(result);
   check_narrowed_constants(options, result);
   // Read back: the text must mean what was proven.
-  prove_text(*result.read_back, result.functions, result.stages);
+  prove_text(*result.read_back, {result.robot.mechanism, functions_of(result), result.stages, result.form});
   return result;
 }
 

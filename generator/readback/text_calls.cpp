@@ -121,6 +121,7 @@ void TextReader::ask_for_sine(const std::string& angles, int k) {
   const bool is_position = angles == "q";
   if (is_position && !is_input(angles)) fail("no argument q");
   const int angle = is_position ? kPosition : angle_at(written_entry(angles, k));
+  angles_asked_.insert(k);
   write("sine", k, lines_.sine(k, angle));
   write("cosine", k, lines_.cosine(k, angle));
 }

@@ -173,6 +173,7 @@ int TextReader::input(Input input) {
 int TextReader::entry_of(const std::string& name, int entry) {
   if (!is_visible(name)) fail("no array " + name);
   if (is_output(name)) fail("an output that is read");
+  if (name == "sine" || name == "cosine") angles_read_.insert(entry);
   if (!is_input(name)) return written_entry(name, entry);
   const InputKind kind = input_kinds().at(name);
   const int length = length_of(kind);

@@ -121,6 +121,7 @@ class TextReader {
   std::size_t at_ = 0;
   int depth_ = 0;
   bool asked_for_sines_ = false, has_written_ = false;  // whether an entry of an output is written
+  std::set<int> angles_asked_, angles_read_;            // whose sine and cosine are computed, and read
   std::set<std::pair<std::string, int>> finite_;        // entries that are checked to be finite
 
   // Of the function that is carried out:

@@ -146,34 +146,60 @@ int code_at(std::string_view text, std::size_t& at, int digits, int base) {
   return value;
 }
 
-// Reads an escape after its backslash: of C \ooo, of JSON \uxxxx below 128 or a letter; -1: no such escape.
-int escaped(std::string_view text, std::size_t& at) {
+// Appends a character in UTF-8.
+void append_character(int code, std::string& text) {
+  const auto append = [&text](int byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
+  if (code < 0x80) return append(code);
+  if (code >= 0x10000) append(0xF0 | (code >> 18));
+  if (code >= 0x10000) append(0x80 | ((code >> 12) & 0x3F));
+  if (code >= 0x800 && code < 0x10000) append(0xE0 | (code >> 12));
+  append(code < 0x800 ? 0xC0 | (code >> 6) : 0x80 | ((code >> 6) & 0x3F));
+  append(0x80 | (code & 0x3F));
+}
+
+// Reads \uxxxx of JSON after its u, or two of them that make one character; false: it is none.
+bool read_character(std::string_view from, std::size_t& at, std::string& text) {
+  int code = code_at(from, at, 4, 16);
+  if (code >= 0xD800 && code < 0xDC00 && from.substr(at, 2) == "\\u") {
+    at += 2;
+    const int low = code_at(from, at, 4, 16);
+    code = low >= 0xDC00 && low < 0xE000 ? 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00) : -1;
+  }
+  if (code < 0) return false;
+  append_character(code, text);
+  return true;
+}
+
+// Reads an escape after its backslash: \ooo of C, or what JSON has; false: it is none.
+bool read_escape(std::string_view from, std::size_t& at, std::string& text) {
   constexpr std::string_view kLetters = "bfnrt", kMeanings = "\b\f\n\r\t";
-  const char c = at < text.size() ? text[at] : 'x';
-  if (c >= '0' && c <= '3') return code_at(text, at, 3, 8);
+  const char c = at < from.size() ? from[at] : 'x';
+  if (c >= '0' && c <= '3') {
+    const int byte = code_at(from, at, 3, 8);
+    text += static_cast<char>(static_cast<unsigned char>(byte));
+    return byte >= 0;
+  }
   ++at;
-  if (c == 'u') return code_at(text, at, 4, 16);
-  if (const std::size_t letter = kLetters.find(c); letter != std::string_view::npos) return kMeanings[letter];
-  return c == '"' || c == '\\' || c == '?' || c == '/' ? c : -1;
+  if (c == 'u') return read_character(from, at, text);
+  const std::size_t letter = kLetters.find(c);
+  text += letter == std::string_view::npos ? c : kMeanings[letter];
+  return letter != std::string_view::npos || c == '"' || c == '\\' || c == '?' || c == '/';
 }
 
 }  // namespace
 
 std::vector<Token> tokens_of(const std::string& text) { return Lexer(text).run(); }
 
-std::string unquoted(const std::string& token) {
-  const std::string none(1, '\0');
-  if (token.size() < 2 || token.front() != '"' || token.back() != '"') return none;
+std::optional<std::string> unquoted(const std::string& token) {
+  if (token.size() < 2 || token.front() != '"' || token.back() != '"') return std::nullopt;
   const std::string_view inner = std::string_view(token).substr(1, token.size() - 2);
   std::string text;
   for (std::size_t at = 0; at < inner.size();) {
     if (inner[at] != '\\') {
       text += inner[at++];
-      continue;
+    } else if (!read_escape(inner, ++at, text)) {
+      return std::nullopt;
     }
-    const int code = escaped(inner, ++at);
-    if (code < 0 || code > 255) return none;
-    text += static_cast<char>(static_cast<unsigned char>(code));
   }
   return text;
 }

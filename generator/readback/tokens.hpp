@@ -2,6 +2,7 @@
 // The tokens of emitted text: names, numbers, strings, operators as compilers divide them, and preprocessor directives.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,7 @@ struct Token {
 // that a compiler would continue on a line of code does, too.
 std::vector<Token> tokens_of(const std::string& text);
 
-// The text of a quoted token, with its escapes resolved; a text that is in none, with a 0 in front, if it is not well
-// formed.
-std::string unquoted(const std::string& token);
+// The text of a token in double quotes, with its escapes resolved; nullopt if it is not well formed.
+std::optional<std::string> unquoted(const std::string& token);
 
 }  // namespace flatdyn

@@ -26,8 +26,8 @@ void require_unchanged(const Function& derived, const Function& function) {
 }
 
 // The functions in the order of the text.
-std::vector<Function> written(const std::vector<OptimisedFunction>& functions, const std::optional<Stages>& stages) {
-  std::vector<Function> list = functions_of(functions);
+std::vector<Function> written(const std::vector<Function>& functions, const std::optional<Stages>& stages) {
+  std::vector<Function> list = functions;
   if (!stages) return list;
   const auto add = [&list](const Stage& stage) {
     list.push_back(stage.make);
@@ -63,21 +63,16 @@ std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<Optimised
   return proofs;
 }
 
-void prove_text(const EmittedText& text, const std::vector<OptimisedFunction>& functions,
-                const std::optional<Stages>& stages) {
-  const std::vector<Function> wanted = written(functions, stages);
+void prove_text(const EmittedText& text, const WrittenCode& code) {
+  const std::vector<Function> wanted = written(code.functions, code.stages);
   if (text.functions().size() != wanted.size()) {
     throw Failure(ExitCode::bug, "the emitted text has other functions than were made");
   }
+  read_file(text, contents_of(code));
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     const Function printed = as_printed(wanted[k], text.constants());
     require(prove_equal(printed, text.read(k, printed), kQuick), "the text of " + wanted[k].name, "was to be printed");
   }
-}
-
-void prove_text(const std::string& header, const std::vector<OptimisedFunction>& functions,
-                const std::optional<Stages>& stages) {
-  prove_text(EmittedText(header), functions, stages);
 }
 
 }  // namespace flatdyn

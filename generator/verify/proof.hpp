@@ -12,6 +12,7 @@
 #include "graph/fusion.hpp"
 #include "planning/optimised_function.hpp"
 #include "readback/emitted_text.hpp"
+#include "verify/written_code.hpp"
 
 namespace flatdyn {
 
@@ -25,12 +26,9 @@ struct Proof {
 std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<OptimisedFunction>& functions,
                          const std::optional<OptimisedFusion>& fused, const std::optional<Stages>& stages);
 
-// Proves that every function in the text that was read back is the one that was to be printed, with the constants
-// rounded to its scalar. Throws Failure(verification_failed) for the first that differs.
-void prove_text(const EmittedText& text, const std::vector<OptimisedFunction>& functions,
-                const std::optional<Stages>& stages);
-// The same for a C++ header.
-void prove_text(const std::string& header, const std::vector<OptimisedFunction>& functions,
-                const std::optional<Stages>& stages);
+// Proves that the text that was read back is the code that was to be printed: every function, with the constants rounded
+// to its scalar, and everything around the functions. Throws Failure(verification_failed) for
+// the first function that differs, Failure(bug) with a line for anything else.
+void prove_text(const EmittedText& text, const WrittenCode& code);
 
 }  // namespace flatdyn

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "readback/file_cpp.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "flatdyn/interface.hpp"
+#include "readback/patterns_cpp.hpp"
+
+namespace flatdyn {
+
+CppFile::CppFile(const EmittedText& text, const FileContents& contents) : FileReader(text, contents) {
+  const bool has_parameters = !contents.parameters.empty();
+  fill("real", contents.scalar);
+  fill("interface", std::to_string(kInterface));
+  fill("parameters", has_parameters ? "parameters," : "");
+  fill("parameters_argument", has_parameters ? "const Parameters<Scalar>& parameters," : "");
+  fill("file", contents.file_name);
+}
+
+void CppFile::file() {
+  header();
+  if (is_pair()) source();
+}
+
+void CppFile::header() {
+  constexpr const char* kIf = "#ifndef ";
+  const std::string guard = take();
+  if (!guard.starts_with(std::string(kIf) + "FLATDYN_")) fail("a guard expected");
+  fill("guard", guard.substr(std::string(kIf).size()));
+  expect("#define $guard$\n#include <cmath>");
+  fill("namespace", contents_.name_spaces.front());
+  for (const std::string& name_space : contents_.name_spaces) {
+    if (follows("namespace " + name_space + " {")) fill("namespace", name_space);
+  }
+  expect("namespace $namespace$ {");
+  constants();
+  helpers();
+  for (const FileFunction& function : contents_.functions) header_function(function);
+  if (!contents_.stages.empty()) stages();
+  shapes();
+  loops();
+  rounding();
+  if (is_pair()) instances("extern template");
+  expect("}\n#endif");
+}
+
+void CppFile::source() {
+  expect("#include \"$file$.hpp\"\nnamespace $namespace$ {");
+  accept(kCppSign);
+  accept(kCppSqrt);
+  if (contents_.angles > contents_.positions) parts({nullptr, "angles"});
+  for (const FileFunction& function : contents_.functions) {
+    parts(function);
+    definition(function);
+  }
+  for (const FileFunction* function : staged_functions()) {
+    parts(*function);
+    definition(*function);
+  }
+  expect("template <class Scalar> bool rounding_is_as_written() noexcept");
+  expect(kCppRounding);
+  instances("template");
+  expect("}");
+}
+
+void CppFile::constants() {
+  expect("using Real = $real$;");
+  count("joint_count", contents_.joints);
+  if (contents_.has_loops) count("position_count", contents_.positions);
+  if (contents_.angles > contents_.positions && follows("inline constexpr int angle_count")) {
+    count("angle_count", contents_.angles);
+  }
+  for (const FileTable& each : contents_.tables) table(each);
+  if (contents_.base_count) count("base_parameter_count", *contents_.base_count);
+  for (const FileTable& each : contents_.base_tables) table(each);
+  if (!contents_.parameters.empty()) parameters();
+}
+
+void CppFile::count(const char* name, int value) {
+  expect(fmt::format("inline constexpr int {} = {};", name, value));
+}
+
+void CppFile::table(const FileTable& table) {
+  expect(fmt::format("inline constexpr {} {}[{}] = {{", table.type, table.name, table.length));
+  take_entries(table, "};");
+}
+
+// Takes Real(0.5) or Real(-HUGE_VAL).
+void CppFile::take_real(double wanted) {
+  expect("Real(");
+  if (std::isinf(wanted)) {
+    expect(wanted < 0 ? "-HUGE_VAL" : "HUGE_VAL");
+  } else if (take_literal(0) != wanted) {
+    fail("another number");
+  }
+  expect(")");
+}
+
+void CppFile::parameters() {
+  expect("template <class Scalar = Real> struct Parameters {");
+  for (const std::string& name : contents_.parameters) {
+    expect("Scalar");
+    take_name_like(name);
+    expect(";");
+  }
+  expect("};");
+}
+
+void CppFile::helpers() {
+  if (!is_pair()) {
+    accept(kCppSign);
+    accept(kCppSqrt);
+    expect(kCppInterface);
+  }
+  accept(kCppSinesAndCosines);
+  if (!is_pair() && contents_.angles > contents_.positions) parts({nullptr, "angles"});
+}
+
+void CppFile::loops() {
+  if (!contents_.closing) return;
+  fill("closure", contents_.closing->closure);
+  fill("step", contents_.closing->step);
+  fill("rows", std::to_string(contents_.closing->rows));
+  expect(kCppCloseLoops);
+}
+
+void CppFile::rounding() {
+  expect("template <class Scalar = Real>");
+  if (is_pair()) {
+    expect("bool rounding_is_as_written() noexcept;");
+    return;
+  }
+  expect("static bool rounding_is_as_written() noexcept");
+  expect(kCppRounding);
+}
+
+void read_cpp_file(const EmittedText& text, const FileContents& contents) { CppFile(text, contents).run(); }
+
+}  // namespace flatdyn
