@@ -37,10 +37,10 @@ struct ScannedFunction {
   };
 
   std::string name;
-  std::string member_of;  // "Motion"
-  std::string returns;    // "void", "bool", "Scalar", "float", "Motion"
+  std::string member_of;              // "Motion"
+  std::string returns;                // "void", "bool", "Scalar", "float", "Motion"
   std::vector<Parameter> parameters;  // arrays, the robot's parameters and stages; not sin_cos
-  std::size_t begin = 0, end = 0;  // tokens of the body, without its braces
+  std::size_t begin = 0, end = 0;     // tokens of the body, without its braces
 };
 
 // A constant of the text that counts joints, positions or angles.

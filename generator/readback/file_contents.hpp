@@ -15,8 +15,8 @@ namespace flatdyn {
 
 // A table of constants: of texts, of numbers, or of zeros and ones.
 struct FileTable {
-  std::string type;            // "const char*", "Real", "int", "bool"
-  std::string name, length;    // "joint_names", "joint_count"; its length in digits if there is no name for it
+  std::string type;          // "const char*", "Real", "int", "bool"
+  std::string name, length;  // "joint_names", "joint_count"; its length in digits if there is no name for it
   std::vector<std::string> texts{};
   std::vector<double> numbers{};  // infinite where there is no limit
 };

@@ -78,9 +78,7 @@ void CppFile::constants() {
   if (!contents_.parameters.empty()) parameters();
 }
 
-void CppFile::count(const char* name, int value) {
-  expect(fmt::format("inline constexpr int {} = {};", name, value));
-}
+void CppFile::count(const char* name, int value) { expect(fmt::format("inline constexpr int {} = {};", name, value)); }
 
 void CppFile::table(const FileTable& table) {
   expect(fmt::format("inline constexpr {} {}[{}] = {{", table.type, table.name, table.length));

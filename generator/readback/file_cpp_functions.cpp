@@ -109,8 +109,8 @@ void CppFile::part(const FileFunction& function) {
     possible = {"const Scalar* q", "Scalar* angle"};
   } else {
     for (const InputKind kind : function.function->inputs) possible.push_back("const Scalar* " + name_of_input(kind));
-    for (const char* each : {"const Scalar* sine", "const Scalar* cosine", "Scalar* kept", "Scalar* pivots",
-                             "Scalar& result"}) {
+    for (const char* each :
+         {"const Scalar* sine", "const Scalar* cosine", "Scalar* kept", "Scalar* pivots", "Scalar& result"}) {
       possible.emplace_back(each);
     }
     const std::string output = function.made.empty() ? "Scalar* " : function.made + "<Scalar>& ";

@@ -88,9 +88,10 @@ void CppFile::shape(const Known& known, bool is_by_itself) {
     expect(fmt::format("return ::$namespace$::{}(of...); }}", name));
   }
   if (!stage.empty()) {
-    expect(fmt::format("template <class Scalar, class... Of> auto operator()(const {}<Scalar>& stage, Of&&... of) "
-                       "const noexcept {{ return stage.{}(of...); }}",
-                       stage, name));
+    expect(
+        fmt::format("template <class Scalar, class... Of> auto operator()(const {}<Scalar>& stage, Of&&... of) "
+                    "const noexcept {{ return stage.{}(of...); }}",
+                    stage, name));
   }
   expect("};");
 }

@@ -43,7 +43,8 @@ StraightLine TextReader::read() {
   }
   carry_out(written_);
   for (const char* array : {"kept", "pivots"}) require_full_use(array);
-  const bool all_read = std::includes(angles_read_.begin(), angles_read_.end(), angles_asked_.begin(), angles_asked_.end());
+  const bool all_read =
+      std::includes(angles_read_.begin(), angles_read_.end(), angles_asked_.begin(), angles_asked_.end());
   if (!all_read) fail("sines and cosines that nothing reads");
   if (!returns_result && written_.returns == notation_.scalar) outputs_ = {kReturned};
   if (outputs_.size() != like_.outputs.size()) fail("another number of outputs");

@@ -108,7 +108,7 @@ class TextReader {
   int written_entry(const std::string& name, int entry) const;
 
   static constexpr const char* kReturned = "returned";  // the entry of this array is the value returned
-  static constexpr int kPosition = -1;  // stands for an angle that is an entry of q
+  static constexpr int kPosition = -1;                  // stands for an angle that is an entry of q
 
   const EmittedText& text_;
   const EmittedNotation& notation_;

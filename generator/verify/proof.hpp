@@ -26,9 +26,9 @@ struct Proof {
 std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<OptimisedFunction>& functions,
                          const std::optional<OptimisedFusion>& fused, const std::optional<Stages>& stages);
 
-// Proves that the text that was read back is the code that was to be printed: every function, with the constants rounded
-// to its scalar, and everything around the functions. Throws Failure(verification_failed) for
-// the first function that differs, Failure(bug) with a line for anything else.
+// Proves that the text that was read back is the code that was to be printed: every function, with the constants
+// rounded to its scalar, and everything around the functions. Throws Failure(verification_failed) for the first
+// function that differs, Failure(bug) with a line for anything else.
 void prove_text(const EmittedText& text, const WrittenCode& code);
 
 }  // namespace flatdyn

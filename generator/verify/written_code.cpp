@@ -140,9 +140,8 @@ FileStage stage_of(const Stage& stage, const std::string& name, const std::strin
 // close_loops() is there if both functions that it calls are, in full.
 void add_closing(const Mechanism& mechanism, const std::vector<Function>& functions, FileContents& contents) {
   const auto is_there = [&](const char* name) {
-    return std::any_of(functions.begin(), functions.end(), [name](const Function& each) {
-      return each.name == name && is_whole(each);
-    });
+    return std::any_of(functions.begin(), functions.end(),
+                       [name](const Function& each) { return each.name == name && is_whole(each); });
   };
   if (!is_there("loop_closure") || !is_there("loop_step")) return;
   FileLoops loops{"loop_closure", "loop_step"};

@@ -83,8 +83,7 @@ void expect_slips_refused(const Printed& all, const std::string& text, const cha
       if (place < code) continue;
       std::string wrong = text;
       wrong.replace(place, std::string(slip).size(), instead);
-      EXPECT_THROW(all.code.prove(wrong, form_of(form)), Failure)
-          << slip << " at " << wrong.substr(place - 40, 80);
+      EXPECT_THROW(all.code.prove(wrong, form_of(form)), Failure) << slip << " at " << wrong.substr(place - 40, 80);
       ++mutants;
     }
   }

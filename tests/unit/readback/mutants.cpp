@@ -4,8 +4,8 @@
 namespace flatdyn::testing {
 namespace {
 
-constexpr const char *kCpp = "c++ pair", *kAll = "c++ pair c float javascript",
-                     *kPlain = "c javascript", *kTyped = "c++ pair c float";
+constexpr const char *kCpp = "c++ pair", *kAll = "c++ pair c float javascript", *kPlain = "c javascript",
+                     *kTyped = "c++ pair c float";
 
 // Changes that are the same in all languages.
 const Mutant kMutantsInAll[] = {
@@ -15,7 +15,6 @@ const Mutant kMutantsInAll[] = {
     {"a comparison with equality", kAll, "positive = Ic_1_zz >", "positive = Ic_1_zz >="},
     {"another pivot", kAll, "positive = Ic_1_zz >", "positive = m_1 >"},
     {"an input that is read after an output is written", kAll, "tau[1] = qd_1 * t3", "tau[1] = qd[0] * t3"},
-    {"a parameter that is read after an output is written", kCpp, "g[1] = ", "g[0] = parameters.m_1; g[1] ="},
     {"an output that is read", kAll, "tau[1] = qd_1 * t3", "tau[1] = tau[0] - tau[0] + qd_1 * t3"},
     {"an input that is written", kAll, "tau[1] = qd_1", "qd[1] = qd_1"},
     {"an entry that is not written", kAll, "tau[0] = ", "const t9 = "},
@@ -53,11 +52,18 @@ const Mutant kMutantsInAll[] = {
     {"names of joints exchanged", kAll, "\"shoulder\", \"elbow\"", "\"elbow\", \"shoulder\""},
     {"a name less", kAll, "\"shoulder\", \"elbow\"", "\"shoulder\""},
     {"another name of a base parameter", kAll, "{\"", "{\"x", "base_parameter_names", "base"},
-    {"a pivot that is dropped among parts", kAll, "return positive;", "return true;", "", "arm", true},
+    {"a result that is always valid after parts", kAll, "return positive;", "return true;", "", "finger", true},
+    {"an input that is read after parts have written", kAll, "n[1] = -t24", "n[1] = -qd[0]", "", "finger", true},
 };
 
 // Changes of C++ and C, which have types, and of C and JavaScript, whose literals are plain.
 const Mutant kMutantsInSome[] = {
+    {"a parameter that is read after an output is written", kCpp, "B[3] = Scalar(0.4)",
+     "B[3] = Scalar(0.4) + parameters.m_1 - parameters.m_1"},
+    {"a parameter that is read after an output is written", "c", "B[3] = 0.4",
+     "B[3] = 0.4 + parameters->m_1 - parameters->m_1"},
+    {"a parameter that is read after an output is written", "javascript", "B[3] = 0.4",
+     "B[3] = 0.4 + parameters.m_1 - parameters.m_1"},
     {"zeros that are not written", kCpp, "B[1] = B[2] = Scalar(0.0);", ""},
     {"zeros that are not written", kPlain, "B[1] = B[2] = 0.0;", ""},
     {"zeros that are not written", "float", "B[1] = B[2] = 0.0f;", ""},

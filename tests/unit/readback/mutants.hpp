@@ -9,9 +9,9 @@ namespace flatdyn::testing {
 
 struct Mutant {
   const char* kind;
-  const char* forms;       // "c++ pair": those of form_of() whose text is changed so
-  const char *from, *to;   // the text at the first place, and what replaces it
-  const char* behind = ""; // the place is behind this text
+  const char* forms;        // "c++ pair": those of form_of() whose text is changed so
+  const char *from, *to;    // the text at the first place, and what replaces it
+  const char* behind = "";  // the place is behind this text
   const char* robot = "arm";
   bool has_parts = false;  // whether functions have so few lines that they are written in parts
 };

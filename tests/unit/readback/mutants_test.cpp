@@ -58,7 +58,8 @@ const PrintedCode& code_of(const std::string& robot) {
     code = std::make_unique<PrintedCode>(model_of("four_bar.toml"),
                                          std::vector<std::string>{"loop_closure", "loop_step", "gravity"});
   } else {
-    code = std::make_unique<PrintedCode>(model_of(robot + ".toml"), std::vector<std::string>{"gravity", "bias"});
+    code = std::make_unique<PrintedCode>(model_of(robot + ".toml"),
+                                         std::vector<std::string>{"gravity", "bias", "forward_dynamics"});
   }
   return *code;
 }
@@ -103,7 +104,10 @@ TEST_P(Mutants, AreMadeOfTextThatHolds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InEveryForm, Mutants, ::testing::Values("c++", "pair", "javascript", "c", "float"),
-                         [](const auto& info) { return std::string(info.param == std::string("c++") ? "cpp" : info.param); });
+                         [](const auto& form) {
+                           const std::string name = form.param;
+                           return name == "c++" ? "cpp" : name;
+                         });
 
 }  // namespace
 }  // namespace flatdyn::testing
