@@ -24,6 +24,9 @@ class PrintedCode {
     if (!staged.empty()) stages_ = stages_of(make_fusion(model_, staged, quiet).fusion);
   }
 
+  PrintedCode(LoadedRobot model, std::vector<Function> functions)
+      : model_(std::move(model)), functions_(std::move(functions)) {}
+
   // All files, one after the other. Only C++ has stages.
   std::string text(const EmitOptions& options) const {
     std::string all;

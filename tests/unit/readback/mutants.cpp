@@ -51,7 +51,7 @@ const Mutant kMutantsInAll[] = {
     {"another name of a joint", kAll, "\"elbow\"", "\"ankle\""},
     {"names of joints exchanged", kAll, "\"shoulder\", \"elbow\"", "\"elbow\", \"shoulder\""},
     {"a name less", kAll, "\"shoulder\", \"elbow\"", "\"shoulder\""},
-    {"another name of a base parameter", kAll, "{\"", "{\"x", "base_parameter_names", "base"},
+    {"another name of a base parameter", kAll, "\"m1lx\"", "\"m2lx\"", "base_parameter_names", "base"},
     {"a result that is always valid after parts", kAll, "return positive;", "return true;", "", "finger", true},
     {"an input that is read after parts have written", kAll, "n[1] = -t24", "n[1] = -qd[0]", "", "finger", true},
 };

@@ -8,9 +8,10 @@ namespace {
 constexpr const char *kBoth = "c++ pair", *kHeader = "c++", *kPair = "pair";
 
 const Mutant kSignatures[] = {
-    {"arguments exchanged", kBoth, "const Scalar* qd, const Scalar* tau", "const Scalar* tau, const Scalar* qd"},
-    {"arguments exchanged in the source", kPair, "const Scalar* qd, const Scalar* tau",
-     "const Scalar* tau, const Scalar* qd", "#include \"arm.hpp\""},
+    {"arguments exchanged", kHeader, "const Scalar* qd, const Scalar* tau", "const Scalar* tau, const Scalar* qd"},
+    {"arguments exchanged", kPair, "const Scalar* qd,\n    const Scalar* tau,", "const Scalar* tau, const Scalar* qd,"},
+    {"arguments exchanged in the source", kPair, "const Scalar* qd,\n    const Scalar* tau,",
+     "const Scalar* tau, const Scalar* qd,", "#include \"arm.hpp\""},
     {"a function renamed", kBoth, "void inverse_dynamics(", "void inverse_dynamic("},
     {"names of functions exchanged", kBoth, "bool forward_dynamics(", "bool gravity("},
     {"another type of result", kBoth, "bool forward_dynamics(", "void forward_dynamics("},
@@ -19,7 +20,7 @@ const Mutant kSignatures[] = {
     {"an input by value", kBoth, "const Scalar* q,", "const Scalar q,"},
     {"an argument without a name", kHeader, "const Scalar* qdd, Scalar* tau", "const Scalar*, Scalar* tau"},
     {"an unused argument with a name", kHeader, "/* parameters */", "parameters"},
-    {"no noexcept", kBoth, ") noexcept;", ");", "namespace arm"},
+    {"no noexcept", kPair, ") noexcept;", ");", "namespace arm"},
     {"no noexcept", kHeader, ") noexcept {", ") {", "inline void inverse_dynamics"},
     {"no default of the source of sines", kBoth, "class SinCos = LibrarySinCos", "class SinCos"},
     {"another default of the source of sines", kHeader, "sin_cos = {}", "sin_cos"},
@@ -37,8 +38,8 @@ const Mutant kSignatures[] = {
 const Mutant kSines[] = {
     {"an array of sines that is too short", kBoth, "sine[joint_count]", "sine[1]"},
     {"an array of sines with another count", kBoth, "sine[angle_count]", "sine[joint_count]", "", "finger"},
-    {"sine and cosine exchanged in LibrarySinCos", kBoth, "s[joint] = sin(q[joint])", "s[joint] = cos(q[joint])"},
-    {"sine and cosine exchanged in GivenSinCos", kBoth, "s[joint] = sine[joint]", "s[joint] = cosine[joint]"},
+    {"sine and cosine exchanged in LibrarySinCos", kBoth, "((s[joint] = sin(", "((s[joint] = cos("},
+    {"sine and cosine exchanged in GivenSinCos", kBoth, "((s[joint] = sine[", "((s[joint] = cosine["},
     {"another function of sines", kBoth, "using std::sin;", "using std::sinh;"},
     {"sines of another array", kBoth, "sin_cos(q, ", "sin_cos(qd, "},
     {"sines of another joint", kBoth, "Joints<1>()", "Joints<0>()"},
@@ -54,7 +55,7 @@ const Mutant kSines[] = {
 
 const Mutant kHelpers[] = {
     {"a sign of zero that is one", kBoth, "(x > Scalar(0.0))", "(x >= Scalar(0.0))"},
-    {"another square root", kBoth, "using std::sqrt;", "using std::cbrt;", "", "orientation"},
+    {"another square root", kBoth, "using std::sqrt;", "using std::cbrt;", "", "root"},
     {"a check of fractions that holds always", kHeader, "Scalar(1.5) > Scalar(1.0)", "Scalar(1.5) >= Scalar(1.0)"},
     {"another version of the interface", kBoth, "flatdyn_interface = 1", "flatdyn_interface = 2"},
     {"another version of the interface that is asked for", kHeader, "flatdyn_interface == 1", "flatdyn_interface == 2"},
@@ -65,7 +66,8 @@ const Mutant kHelpers[] = {
     {"loops that are closed with another step", kBoth, "size * dq[k]", "dq[k]", "", "four_bar"},
     {"loops that are closed by another function", kBoth, "!loop_step(parameters, here", "!gravity(parameters, here", "",
      "four_bar"},
-    {"another number of rows of the closure", kBoth, "phi[2]", "phi[1]", "", "four_bar"},
+    {"another number of rows of the closure", kBoth, "dq[position_count], phi[2]", "dq[position_count], phi[1]", "",
+     "four_bar"},
 };
 
 const Mutant kTables[] = {
