@@ -16,6 +16,7 @@ EmittedText::EmittedText(const std::string& text, const std::string& scalar)
   parts_ = std::move(found.parts);
   fields_ = std::move(found.fields);
   counts_ = std::move(found.counts);
+  if (notation_.has_lanes) name_lanes(found.lanes, notation_);
 }
 
 const ScannedCount* EmittedText::count(const std::string& name) const {

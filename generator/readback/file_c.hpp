@@ -13,6 +13,7 @@ class CFile : public FileReader {
  protected:
   void file() override;
   void take_real(double wanted) override;
+  void header();
   // Takes the parts of a function, the function, and before it the one that takes its sines and cosines.
   void definitions(const FileFunction& function, const char* linkage);
   void angles();
@@ -27,7 +28,6 @@ class CFile : public FileReader {
   std::string prefix_;  // of names that are only in this file
 
  private:
-  void header();
   void source();
   void count(const char* name, int value);
   void counts();

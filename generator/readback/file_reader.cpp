@@ -205,6 +205,14 @@ std::vector<std::string> FileReader::names_of_outputs(const FileFunction& functi
   return names;
 }
 
+std::vector<std::string> FileReader::names_of_outputs_read() const {
+  std::vector<std::string> names;
+  for (const ScannedFunction::Parameter& parameter : text_.functions().at(functions_read_ - 1).parameters) {
+    if (parameter.is_output) names.push_back(parameter.name);
+  }
+  return names;
+}
+
 bool FileReader::names(const ScannedFunction& function, const std::string& name) const {
   return std::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(function.begin),
                      tokens_.begin() + static_cast<std::ptrdiff_t>(function.end),
@@ -256,7 +264,7 @@ void read_file(const EmittedText& text, const FileContents& contents) {
     case Language::cpp:
       return read_cpp_file(text, contents);
     case Language::c:
-      return read_c_file(text, contents);
+      return contents.is_over_states ? read_lanes_file(text, contents) : read_c_file(text, contents);
     case Language::javascript:
       return read_javascript_file(text, contents);
   }

@@ -46,6 +46,8 @@ class FileReader : protected TokenCursor {
 
   // The next function of EmittedText::functions().
   const ScannedFunction& next_function();
+  // The names that the function that was read last gives its outputs.
+  std::vector<std::string> names_of_outputs_read() const;
   // The names that the next function gives its outputs.
   std::vector<std::string> names_of_outputs(const FileFunction& function) const;
   // Takes the statements of a function, or of a part, of this name, and the brace at its end.
@@ -89,6 +91,7 @@ std::vector<FileParameter> parameters_of(const FileFunction& function, const Fil
 // A reader of the file in each language.
 void read_cpp_file(const EmittedText& text, const FileContents& contents);
 void read_c_file(const EmittedText& text, const FileContents& contents);
+void read_lanes_file(const EmittedText& text, const FileContents& contents);
 void read_javascript_file(const EmittedText& text, const FileContents& contents);
 
 }  // namespace flatdyn

@@ -9,6 +9,9 @@ namespace flatdyn {
 namespace {
 
 bool is_cpp_scalar(const std::string& scalar) { return scalar == "Scalar"; }
+constexpr const char* kLanesOf = "lanes ";
+
+bool is_lanes_scalar(const std::string& scalar) { return scalar.starts_with(kLanesOf); }
 bool is_javascript_scalar(const std::string& scalar) { return scalar == "number"; }
 
 }  // namespace
@@ -25,10 +28,16 @@ EmittedNotation notation_of(const std::string& scalar) {
     notation.names_types = false;
     notation.has_math_object = true;
   } else {
-    notation.constants = scalar;
+    notation.has_lanes = is_lanes_scalar(scalar);
+    notation.constants = notation.has_lanes ? scalar.substr(std::string(kLanesOf).size()) : scalar;
     notation.has_c_functions = true;
   }
   return notation;
+}
+
+void name_lanes(const std::string& type, EmittedNotation& notation) {
+  notation.scalar = type;
+  notation.condition = notation.verdict = type + "_mask";
 }
 
 void note_count(const std::string& name, const std::string& value, ScannedText& found) {
@@ -44,7 +53,8 @@ void note_count(const std::string& name, const std::string& value, ScannedText& 
 
 ScannedText scan(const std::vector<Token>& tokens, const std::string& scalar) {
   if (is_cpp_scalar(scalar)) return scan_cpp(tokens);
-  return is_javascript_scalar(scalar) ? scan_javascript(tokens) : scan_c(tokens, scalar);
+  if (is_javascript_scalar(scalar)) return scan_javascript(tokens);
+  return is_lanes_scalar(scalar) ? scan_c(tokens, scalar.substr(std::string(kLanesOf).size())) : scan_c(tokens, scalar);
 }
 
 }  // namespace flatdyn

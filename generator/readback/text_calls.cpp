@@ -23,8 +23,8 @@ void TextReader::carry_out(const ScannedFunction& function) {
   ending_ = Ending::none;
   for (at_ = function.begin; at_ < function.end;) statement();
   if (at_ != function.end) fail("another end");
-  const bool is_wanted =
-      ending_ == wanted_ending(function.returns) || (ending_ == Ending::checked && function.returns == "bool");
+  const bool is_wanted = ending_ == wanted_ending(function.returns) ||
+                         (ending_ == Ending::checked && function.returns == notation_.verdict);
   if (!is_wanted) fail(fmt::format("another result of {}", function.name));
   if (checks_ == kAllChecked) require_all_checked();
   if (!checks_.empty() && ending_ != Ending::checked) fail("checks that are dropped");
@@ -38,7 +38,7 @@ void TextReader::carry_out(const ScannedFunction& function) {
 TextReader::Ending TextReader::wanted_ending(const std::string& returns) const {
   if (returns.empty() || returns == "void") return Ending::none;
   if (returns == notation_.scalar) return Ending::value;
-  return returns == "bool" ? Ending::always : Ending::stage;
+  return returns == notation_.verdict ? Ending::always : Ending::stage;
 }
 
 // Reads detail::f_part_1(q, kept, B); and returns what the part has returned.

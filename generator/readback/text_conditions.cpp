@@ -20,9 +20,19 @@ void TextReader::begin_conditions() {
   if (name != kAllChecked && name != kPivotsChecked) fail("an unknown variable of checks");
   refuse_known(name);
   expect("=");
-  if (!accept("true")) condition();
+  if (!accept_always()) condition();
   expect(";");
   checks_ = name;
+}
+
+// Reads "true", or ~(arm_lanes_mask){0} of vectors.
+bool TextReader::accept_always() {
+  if (!notation_.has_lanes) return accept("true");
+  if (!accept("~")) return false;
+  expect("(");
+  expect(notation_.condition);
+  expect_all({")", "{", "0", "}"});
+  return true;
 }
 
 // Reads "valid &= D_2 > Scalar(0.0);".
@@ -48,6 +58,9 @@ void TextReader::zero() {
   if (notation_.has_math_object && accept("0")) return;
   if (notation_.is_cpp) {
     expect_all({"Scalar", "(", "0.0", ")"});
+  } else if (notation_.has_lanes) {
+    expect(notation_.scalar + "_all");
+    expect_all({"(", notation_.constants == "float" ? "0.0f" : "0.0", ")"});
   } else if (lines_[plain_literal()].value != 0) {
     fail("zero expected");
   }
@@ -55,7 +68,7 @@ void TextReader::zero() {
 
 // Whether "Scalar(0.0) * qdd[" follows, of an output. Sums do not read outputs.
 bool TextReader::begins_check_of_entry() const {
-  const std::size_t factor = notation_.is_cpp ? 4 : 1;
+  const std::size_t factor = notation_.is_cpp || notation_.has_lanes ? 4 : 1;
   return word(factor) == "*" && is_output(word(factor + 1)) && word(factor + 2) == "[";
 }
 

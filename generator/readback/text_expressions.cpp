@@ -71,7 +71,8 @@ int TextReader::product() {
 int TextReader::factor() {
   if (accept("(")) return in_brackets();
   if (notation_.is_cpp && accept("Scalar")) return literal();
-  if (!notation_.is_cpp && is_floating(word())) return plain_literal();
+  if (notation_.has_lanes && word() == notation_.scalar + "_all") return same_in_all_lanes();
+  if (!notation_.is_cpp && !notation_.has_lanes && is_floating(word())) return plain_literal();
   if (notation_.has_math_object && accept("Math")) return library_call();
   if (notation_.is_cpp && accept("detail")) {
     expect("::");
@@ -82,12 +83,30 @@ int TextReader::factor() {
   if (notation_.has_c_functions && word(1) == "(") {
     const std::string function = take();
     expect("(");
-    const std::string root = notation_.constants == "float" ? "sqrtf" : "sqrt";
+    const std::string root = notation_.has_lanes              ? notation_.scalar + "_sqrt"
+                             : notation_.constants == "float" ? "sqrtf"
+                                                              : "sqrt";
     if (function == root) return function_call("sqrt");
     if (!function.ends_with("_sign") || text_.parts_.count(function) == 0) fail("an unknown function");
     return function_call("sign");
   }
   return named_value(take());
+}
+
+// Reads arm_lanes_all(0.0825) or arm_lanes_all(parameters->m_1).
+int TextReader::same_in_all_lanes() {
+  ++at_;
+  expect("(");
+  int value = 0;
+  if (is("parameters")) {
+    value = named_value(take());
+  } else {
+    const bool is_negative = accept("-");
+    value = plain_literal();
+    if (is_negative) value = lines_.constant(-lines_[value].value);
+  }
+  expect(")");
+  return value;
 }
 
 // Reads the argument of sign or sqrt, after the opening bracket.
@@ -132,7 +151,7 @@ int TextReader::literal() {
 // Reads a literal of C or JavaScript, 0.0825 in double or 0.0825f in float, rounded only once, in its own type.
 int TextReader::plain_literal() {
   const std::string text = take();
-  const bool is_float = notation_.scalar == "float";
+  const bool is_float = notation_.constants == "float";
   double value = 0;
   float narrow = 0;
   const bool is_number = is_floating(text) && (is_float ? text.back() == 'f' && reads_as(text, text.size() - 1, narrow)

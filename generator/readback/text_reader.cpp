@@ -31,7 +31,7 @@ TextReader::TextReader(const EmittedText& text, const ScannedFunction& written, 
 }
 
 StraightLine TextReader::read() {
-  const bool returns_result = !outputs_.empty() || written_.returns == "void" || written_.returns == "bool";
+  const bool returns_result = !outputs_.empty() || written_.returns == "void" || written_.returns == notation_.verdict;
   if (returns_result) {
     if (outputs_.size() != like_.outputs.size()) fail("another number of outputs");
     for (std::size_t k = 0; k < outputs_.size(); ++k) {

@@ -82,6 +82,7 @@ class TextReader {
 
   // Conditions.
   void begin_conditions();
+  bool accept_always();
   void go_on_with_conditions();
   void condition();
   bool begins_check_of_entry() const;
@@ -97,6 +98,7 @@ class TextReader {
   int product();
   int factor();
   int library_call();
+  int same_in_all_lanes();
   int function_call(const std::string& function);
   int in_brackets();
   int literal();

@@ -25,7 +25,7 @@ void TextReader::statement() {
   } else if (accept("const")) {
     if (notation_.names_types) expect(notation_.scalar);
     definitions();
-  } else if (accept(notation_.condition)) {
+  } else if (accept(notation_.condition.c_str())) {
     begin_conditions();
   } else if (notation_.names_types && accept(notation_.scalar.c_str())) {
     arrays();
@@ -185,9 +185,13 @@ void TextReader::give_back() {
     const bool is_whole = notation_.is_cpp && is("result") && word(1) == ";";
     arrays_[kReturned].entries[0] = is_whole ? written_entry(take(), 0) : sum();
     ending_ = Ending::value;
-  } else if (current_->returns == "bool") {
+  } else if (current_->returns == notation_.verdict) {
     ending_ = checks_.empty() ? Ending::always : Ending::checked;
-    expect(checks_.empty() ? "true" : checks_);
+    if (!checks_.empty()) {
+      expect(checks_);
+    } else if (!accept_always()) {
+      fail("true expected");
+    }
   } else {
     if (locals_.count(word()) == 0 || !is_output(word())) fail("a result expected");
     ++at_;

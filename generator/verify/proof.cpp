@@ -75,4 +75,9 @@ void prove_text(const EmittedText& text, const WrittenCode& code) {
   }
 }
 
+void prove_batch(const std::string& header, const std::string& batch, WrittenCode code) {
+  code.is_over_states = true;
+  prove_text(EmittedText(header + batch, "lanes " + code.options.scalar), code);
+}
+
 }  // namespace flatdyn

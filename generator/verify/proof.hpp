@@ -30,5 +30,7 @@ std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<Optimised
 // rounded to its scalar, and everything around the functions. Throws Failure(verification_failed) for the first
 // function that differs, Failure(bug) with a line for anything else.
 void prove_text(const EmittedText& text, const WrittenCode& code);
+// The same of the functions over arrays of states, which the C form's header is for.
+void prove_batch(const std::string& header, const std::string& batch, WrittenCode code);
 
 }  // namespace flatdyn

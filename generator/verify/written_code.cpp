@@ -158,6 +158,7 @@ FileContents contents_of(const WrittenCode& code) {
   contents.language = options.language;
   contents.form = options.form;
   contents.is_module = code.is_module;
+  contents.is_over_states = code.is_over_states;
   const std::string name = cpp_identifier(mechanism.name);
   contents.file_name = options.file_name.empty() ? name : options.file_name;
   contents.name_spaces = {options.name_space};

@@ -17,7 +17,8 @@ struct WrittenCode {
   const std::vector<Function>& functions;  // the fused one last
   const std::optional<Stages>& stages;
   const EmitOptions& options;
-  bool is_module = true;  // in JavaScript: exports names instead of returning them
+  bool is_module = true;        // in JavaScript: exports names instead of returning them
+  bool is_over_states = false;  // in C: the header and the functions over arrays of states
 };
 
 // Refers to the functions of `code`.
