@@ -66,8 +66,9 @@ Certified certified(const CertifyArguments& arguments, const LoadedRobot& model,
   result.header = header_name(model.mechanism, emit);
   result.text = emit_cpp(model.mechanism, functions_of(functions), emit);
   progress.step("proving");
-  prove(effective_mechanism(model), functions, std::nullopt, std::nullopt, proof_seed({model.input_hash, result.text}));
-  prove_text(result.text, functions, std::nullopt);
+  const std::uint64_t seed = proof_seed({model.input_hash, result.text});
+  prove(effective_mechanism(model), functions, std::nullopt, std::nullopt, seed);
+  prove_text(EmittedText(result.text), {model.mechanism, functions_of(functions), std::nullopt, emit}, seed);
   result.certificate = certify(model.mechanism, functions_of(functions), result.text, arguments.options, progress);
   print_diagnostics(findings, arguments);
   return result;

@@ -86,7 +86,7 @@ Certificate certificate_of(const LoadedRobot& model, const std::vector<Optimised
   options.observed.states = 100'000;
   options.time_limit = 0;
   const std::string text = emit_cpp(model.mechanism, functions_of(torques), {});
-  prove_text(text, torques, std::nullopt);
+  prove_text(EmittedText(text), {model.mechanism, functions_of(torques), std::nullopt, {}});
   Certificate certificate = certify(model.mechanism, functions_of(torques), text, options, progress);
   if (!is_refuted(certificate)) return certificate;
   throw Failure(ExitCode::verification_failed, "a bound is wrong: a larger error was seen",
@@ -129,7 +129,10 @@ ExitCode report(const ReportArguments& arguments) {
   content.worst_states = worst;
   const PageCode code = page_code(content);
   if (!arguments.with.empty()) content.certificate = certificate_of(model, code.functions, progress);
-  prove_text(EmittedText(code.text, "number"), code.functions, std::nullopt, proof_seed({code.text}));
+  EmitOptions form;
+  form.language = Language::javascript;
+  prove_text(EmittedText(code.text, "number"),
+             {model.mechanism, functions_of(code.functions), std::nullopt, form, false}, proof_seed({code.text}));
   print_diagnostics(model.diagnostics, arguments);
   nlohmann::ordered_json json = model_json(model, content.snap_effects);
   json["functions"] = functions_json(content.functions, symbol_names(model.mechanism));

@@ -80,7 +80,7 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   progress.step("proving");
   const std::uint64_t seed = proof_seed({robot.input_hash, text});
   result.proofs = prove(effective_mechanism(robot), apart, fused, result.stages, seed);
-  prove_text(*result.read_back, result.functions, result.stages, seed);
+  prove_text(*result.read_back, {result.robot.mechanism, functions_of(result), result.stages, result.form}, seed);
   return result;
 }
 

@@ -18,6 +18,7 @@
 #include "model/loop_closure.hpp"
 #include "python/module_names.hpp"
 #include "templates.hpp"
+#include "verify/proof.hpp"
 
 namespace flatdyn {
 namespace {
@@ -176,6 +177,7 @@ PythonModule python_module(const Mechanism& mechanism, const std::vector<Functio
                            const EmitOptions& options) {
   PythonModule texts = ModuleWriter(mechanism, functions, options).written();
   HeaderAndSource c_form = emit_c(mechanism, functions, options);
+  prove_batch(c_form.header, texts.batch, {mechanism, functions, std::nullopt, options});
   fill_in_hash({&c_form.header, &c_form.source, &texts.module, &texts.batch});
   return texts;
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "readback/emitted_text.hpp"
 
+#include <algorithm>
+
 #include "emit/literals.hpp"
 #include "readback/scan.hpp"
+#include "readback/text_reader.hpp"
 
 namespace flatdyn {
 
@@ -12,7 +15,37 @@ EmittedText::EmittedText(const std::string& text, const std::string& scalar)
   functions_ = std::move(found.functions);
   parts_ = std::move(found.parts);
   fields_ = std::move(found.fields);
+  counts_ = std::move(found.counts);
+  if (notation_.has_lanes) name_lanes(found.lanes, notation_);
 }
+
+const ScannedCount* EmittedText::count(const std::string& name) const {
+  const auto found = counts_.find(name);
+  return found == counts_.end() ? nullptr : &found->second;
+}
+
+// The function with the types of its parameters, which in JavaScript follow from their order.
+ScannedFunction EmittedText::as_called(std::size_t k, const Function& like) const {
+  ScannedFunction written = functions_.at(k);
+  if (notation_.names_types) return written;
+  const bool has_symbols = !written.parameters.empty() && written.parameters.front().name == "parameters";
+  const bool is_value = written.parameters.size() == like.inputs.size() + (has_symbols ? 1 : 0);
+  const bool is_checked = written.end - written.begin > 2 && tokens_[written.end - 3].text == "return";
+  written.returns = is_value ? notation_.scalar : is_checked ? "bool" : "void";
+  const std::size_t outputs = is_value ? 0 : like.outputs.size();
+  for (std::size_t p = written.parameters.size() - std::min(outputs, written.parameters.size());
+       p < written.parameters.size(); ++p) {
+    written.parameters[p].is_output = true;
+  }
+  return written;
+}
+
+StraightLine EmittedText::operations(std::size_t k, const Function& like) const {
+  const ScannedFunction written = as_called(k, like);
+  return TextReader(*this, written, like).read();
+}
+
+Function EmittedText::read(std::size_t k, const Function& like) const { return graph_of(operations(k, like), like); }
 
 Function as_printed(const Function& function, const std::string& scalar) {
   Graph graph;
@@ -32,8 +65,8 @@ Function as_printed(const Function& function, const std::string& scalar) {
   for (std::size_t k = 0; k < function.validity_conditions.size(); ++k) {
     if (always_holds(function, k)) continue;
     const NodeId value = image[static_cast<std::size_t>(function.validity_conditions[k])];
-    result.validity_conditions.push_back(
-        has_scale(function, k) ? result.graph.scaled(kPivotSignificance, value) : value);
+    result.validity_conditions.push_back(has_scale(function, k) ? result.graph.scaled(kPivotSignificance, value)
+                                                                : value);
   }
   return result;
 }

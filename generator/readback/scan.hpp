@@ -14,12 +14,17 @@ struct ScannedText {
   std::vector<ScannedFunction> functions;                  // the robot's functions, in order
   std::map<std::string, ScannedFunction> parts;            // parts that only these call, by name
   std::map<std::string, std::vector<std::string>> fields;  // fields of structs, by name
+  std::map<std::string, ScannedCount> counts;              // by the names of EmittedText::count()
+  std::string lanes;                                       // in C: the type of vectors; empty: there is none
 };
 
-// Whether a function of the text is not one of the robot's formulas: rounding_is_as_written, and close_loops, which
-// calls the robot's functions in a loop.
+// Notes a count, if its name is "joint_count", "ARM_JOINT_COUNT" or the like.
+void note_count(const std::string& name, const std::string& value, ScannedText& found);
+
+// Whether a function of the text is not one of the robot's formulas: rounding_is_as_written, text_hash,
+// and close_loops, which calls the robot's functions in a loop.
 inline bool is_helper_function(const std::string& name) {
-  return name.ends_with("rounding_is_as_written") || name.ends_with("close_loops");
+  return name.ends_with("rounding_is_as_written") || name.ends_with("close_loops") || name.ends_with("text_hash");
 }
 
 // Scans text whose variables have this type, which tells its language. Throws Failure(bug) if the emitter cannot have
@@ -29,7 +34,7 @@ ScannedText scan(const std::vector<Token>& tokens, const std::string& scalar);
 // Scans a C++ header, followed by its source if there is one.
 ScannedText scan_cpp(const std::vector<Token>& tokens);
 
-// Scans a C header and its source.
+// Scans a C header and its source, or the functions over arrays of states.
 ScannedText scan_c(const std::vector<Token>& tokens, const std::string& scalar);
 
 // Scans a JavaScript module. It does not tell which parameters are outputs, nor what a function returns.

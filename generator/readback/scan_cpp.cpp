@@ -20,8 +20,10 @@ class CppScanner : TokenCursor {
         declaration();
       } else if (is("}")) {
         close_namespace();
+      } else if (tokens_[at_].is_directive()) {
+        ++at_;
       } else {
-        skip_past(";");  // a constant
+        constant();
       }
     }
     return std::move(found_);
@@ -32,6 +34,15 @@ class CppScanner : TokenCursor {
     namespaces_.push_back(word(1));
     skip_to("{");
     ++at_;
+  }
+
+  // Scans a constant: inline constexpr int joint_count = 7;
+  void constant() {
+    const std::size_t begin = at_;
+    skip_past(";");
+    if (at_ == begin + 7 && tokens_[begin].text == "inline") {
+      note_count(tokens_[begin + 3].text, tokens_[begin + 5].text, found_);
+    }
   }
 
   void close_namespace() {
@@ -99,17 +110,21 @@ class CppScanner : TokenCursor {
     }
   }
 
-  // Scans parameters of type "const Scalar*" or "Scalar*", and references, which are handed on.
+  // Scans parameters: "const Scalar* q", "Scalar* tau", "const Parameters<Scalar>& parameters", but not sin_cos.
   void parameters(ScannedFunction& written) {
     ++at_;
     while (!is(")")) {
-      const bool is_constant = is("const");
-      std::size_t star = 0;
+      const std::size_t begin = at_;
+      std::size_t mark = 0;  // the * or &
       while (word() != "," && word() != ")") {
-        if (is("*")) star = at_;
+        if (is("*") || is("&")) mark = at_;
         at_ += is("{") ? 2 : 1;  // "= {}"
       }
-      if (star != 0) written.parameters.push_back({star + 1 < at_ ? tokens_[star + 1].text : "", !is_constant});
+      const bool is_source = at_ > begin + 1 && tokens_[begin + 1].text == "SinCos";
+      if (mark != 0 && !is_source) {
+        const bool is_output = tokens_[mark].text == "*" && tokens_[begin].text != "const";
+        written.parameters.push_back({mark + 1 < at_ ? tokens_[mark + 1].text : "", is_output});
+      }
       if (is(",")) ++at_;
     }
   }

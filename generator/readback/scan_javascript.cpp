@@ -21,6 +21,7 @@ class JavascriptScanner : TokenCursor {
         exports();
       } else {
         if (word() == "const" && word(1) == "parameter_names") parameter_names();
+        if (word() == "const" && word(2) == "=") note_count(word(1), word(3), found_);
         skip_past(";");
       }
     }

@@ -27,8 +27,8 @@ void require_unchanged(const Function& derived, const Function& function, std::u
 }
 
 // The functions in the order of the text.
-std::vector<Function> written(const std::vector<OptimisedFunction>& functions, const std::optional<Stages>& stages) {
-  std::vector<Function> list = functions_of(functions);
+std::vector<Function> written(const std::vector<Function>& functions, const std::optional<Stages>& stages) {
+  std::vector<Function> list = functions;
   if (!stages) return list;
   const auto add = [&list](const Stage& stage) {
     list.push_back(stage.make);
@@ -72,12 +72,12 @@ std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<Optimised
   return proofs;
 }
 
-void prove_text(const EmittedText& text, const std::vector<OptimisedFunction>& functions,
-                const std::optional<Stages>& stages, std::uint64_t seed) {
-  const std::vector<Function> wanted = written(functions, stages);
+void prove_text(const EmittedText& text, const WrittenCode& code, std::uint64_t seed) {
+  const std::vector<Function> wanted = written(code.functions, code.stages);
   if (text.functions().size() != wanted.size()) {
     throw Failure(ExitCode::bug, "the emitted text has other functions than were made");
   }
+  read_file(text, contents_of(code));
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     const Function printed = as_printed(wanted[k], text.constants());
     require(prove_equal(printed, text.read(k, printed), quick(seed)), "the text of " + wanted[k].name,
@@ -85,9 +85,9 @@ void prove_text(const EmittedText& text, const std::vector<OptimisedFunction>& f
   }
 }
 
-void prove_text(const std::string& header, const std::vector<OptimisedFunction>& functions,
-                const std::optional<Stages>& stages) {
-  prove_text(EmittedText(header), functions, stages, proof_seed({header}));
+void prove_batch(const std::string& header, const std::string& batch, WrittenCode code, std::uint64_t seed) {
+  code.is_over_states = true;
+  prove_text(EmittedText(header + batch, "lanes " + code.options.scalar), code, seed);
 }
 
 }  // namespace flatdyn

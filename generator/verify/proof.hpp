@@ -13,6 +13,7 @@
 #include "graph/fusion.hpp"
 #include "planning/optimised_function.hpp"
 #include "readback/emitted_text.hpp"
+#include "verify/written_code.hpp"
 
 namespace flatdyn {
 
@@ -31,12 +32,11 @@ std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<Optimised
                          const std::optional<OptimisedFusion>& fused, const std::optional<Stages>& stages,
                          std::uint64_t seed = 1);
 
-// Proves that every function in the text that was read back is the one that was to be printed, with the constants
-// rounded to its scalar. Throws Failure(verification_failed) for the first that differs.
-void prove_text(const EmittedText& text, const std::vector<OptimisedFunction>& functions,
-                const std::optional<Stages>& stages, std::uint64_t seed = 1);
-// The same for a C++ header, with points from a hash of it.
-void prove_text(const std::string& header, const std::vector<OptimisedFunction>& functions,
-                const std::optional<Stages>& stages);
+// Proves that the text that was read back is the code that was to be printed: every function, with the constants
+// rounded to its scalar, and everything around the functions. Throws Failure(verification_failed) for the first
+// function that differs, Failure(bug) with a line for anything else.
+void prove_text(const EmittedText& text, const WrittenCode& code, std::uint64_t seed = 1);
+// The same of the functions over arrays of states, which the C form's header is for.
+void prove_batch(const std::string& header, const std::string& batch, WrittenCode code, std::uint64_t seed = 1);
 
 }  // namespace flatdyn

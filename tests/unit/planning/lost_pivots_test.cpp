@@ -6,13 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "definition/pivot_ratio.hpp"
-#include "emit/languages/emit.hpp"
 #include "model/states.hpp"
-#include "planning/make_functions.hpp"
+#include "support/printed_code.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
 #include "verify/compiled.hpp"
-#include "verify/proof.hpp"
 #include "verify/verify.hpp"
 
 namespace flatdyn {
@@ -41,9 +39,12 @@ inertia = {{ xx = 0.02, yy = 0.03, zz = 0.04 }}
                                             mass));
 }
 
+const std::vector<std::string> kThatDivide = {"forward_dynamics", "forward_dynamics_derivatives",
+                                              "operational_inertia"};
+
 std::vector<OptimisedFunction> that_divide_by_pivots(const LoadedRobot& model) {
   PipelineOptions options;
-  options.functions = {"forward_dynamics", "forward_dynamics_derivatives", "operational_inertia"};
+  options.functions = kThatDivide;
   Progress quiet(true);
   Diagnostics none;
   return make_functions(model, options, quiet, none);
@@ -137,21 +138,14 @@ TEST(LostPivots, AreNoErrorsOfTheCode) {
 // The check is in the text, in every language and form, and is read back.
 TEST(LostPivots, AreCheckedInEveryForm) {
   const LoadedRobot model = arm_with_link_of_mass("1e-12");
-  const std::vector<OptimisedFunction> made = that_divide_by_pivots(model);
-  const std::vector<Function> functions = functions_of(made);
-  EmitOptions options;
-  const std::string header = emit_cpp(model.mechanism, functions, options);
+  const testing::PrintedCode code(model, kThatDivide);
+  const std::string header = code.text({});
   EXPECT_THAT(header, ::testing::HasSubstr("Scalar(0.015625) * "));
   EXPECT_THAT(header, ::testing::HasSubstr("lost in rounding"));
-  prove_text(header, made, std::nullopt);
-  options.most_lines = 60;
-  prove_text(emit_cpp(model.mechanism, functions, options), made, std::nullopt);
-  prove_text(EmittedText(emit_javascript(model.mechanism, functions, options), "number"), made, std::nullopt, 1);
-  for (const char* scalar : {"double", "float"}) {
-    options.scalar = scalar;
-    options.language = Language::c;
-    const HeaderAndSource c = emit_c(model.mechanism, functions, options);
-    prove_text(EmittedText(c.header + c.source, scalar), made, std::nullopt, 1);
+  for (const char* form : {"c++", "pair", "javascript", "c", "float"}) {
+    for (const int most_lines : {0, 60}) {
+      code.prove(code.text(testing::form_of(form, most_lines)), testing::form_of(form));
+    }
   }
 }
 

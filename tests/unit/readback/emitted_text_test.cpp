@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The emitted text, read back: everything printed is found again, and every slip of the printer would be noticed.
 #include "readback/emitted_text.hpp"
-#include "planning/make_functions.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -10,36 +9,26 @@
 #include <random>
 
 #include "diagnostics/diagnostics.hpp"
-#include "emit/languages/emit.hpp"
 #include "emit/writer.hpp"
+#include "support/printed_code.hpp"
 #include "support/robot_models.hpp"
-#include "verify/proof.hpp"
 
 namespace flatdyn {
 namespace {
 
+using testing::form_of;
+using testing::PrintedCode;
+
+// A robot's functions with stages, as C++.
 struct Printed {
-  std::vector<OptimisedFunction> functions;
-  std::optional<Stages> stages;
-  std::string header;
-  HeaderAndSource pair;
+  PrintedCode code;
+  std::string header, pair;
 };
 
 Printed printed(const char* robot, const std::vector<std::string>& names, int most_lines = 0) {
-  const LoadedRobot model = testing::model_of(robot);
-  PipelineOptions options;
-  options.functions = names;
-  Progress quiet(true);
-  Diagnostics findings;
-  Printed result;
-  result.functions = make_functions(model, options, quiet, findings);
-  result.stages = stages_of(make_fusion(model, {"inertia_matrix", "bias", "forward_dynamics"}, quiet).fusion);
-  EmitOptions emit;
-  emit.most_lines = most_lines;
-  result.header = emit_cpp(model.mechanism, functions_of(result.functions), emit, result.stages);
-  emit.more_scalars = {"float"};
-  result.pair = emit_cpp_pair(model.mechanism, functions_of(result.functions), emit, result.stages);
-  return result;
+  PrintedCode code(testing::model_of(robot), names, {"inertia_matrix", "bias", "forward_dynamics"});
+  std::string header = code.text(form_of("c++", most_lines)), pair = code.text(form_of("pair", most_lines));
+  return {std::move(code), std::move(header), std::move(pair)};
 }
 
 const std::vector<std::string> kNames = {"inverse_dynamics", "inertia_matrix", "forward_dynamics", "kinetic_energy",
@@ -50,8 +39,8 @@ TEST(EmittedText, IsWhatWasPrinted) {
        {"ur5.urdf", "scara.toml", "planar_2r.toml", "prismatic_revolute.toml", "pendulum_motor.toml", "finger.toml"}) {
     for (const int most_lines : {0, 40}) {
       const Printed all = printed(robot, kNames, most_lines);
-      EXPECT_NO_THROW(prove_text(all.header, all.functions, all.stages)) << robot << ", lines: " << most_lines;
-      EXPECT_NO_THROW(prove_text(all.pair.header + all.pair.source, all.functions, all.stages))
+      EXPECT_NO_THROW(all.code.prove(all.header, form_of("c++"))) << robot << ", lines: " << most_lines;
+      EXPECT_NO_THROW(all.code.prove(all.pair, form_of("pair")))
           << robot << " in header and source, lines: " << most_lines;
     }
   }
@@ -78,7 +67,7 @@ std::vector<std::size_t> places_of(const std::string& header, const std::string&
   return places;
 }
 
-void expect_slips_refused(const Printed& all, const std::string& text) {
+void expect_slips_refused(const Printed& all, const std::string& text, const char* form) {
   const std::size_t code = text.find("sin_cos(q, Joints");
   const std::pair<const char*, const char*> slips[] = {
       {" + ", " - "},     {" - ", " + "},       {" * ", " + "},
@@ -94,8 +83,7 @@ void expect_slips_refused(const Printed& all, const std::string& text) {
       if (place < code) continue;
       std::string wrong = text;
       wrong.replace(place, std::string(slip).size(), instead);
-      EXPECT_THROW(prove_text(wrong, all.functions, all.stages), Failure)
-          << slip << " at " << wrong.substr(place - 40, 80);
+      EXPECT_THROW(all.code.prove(wrong, form_of(form)), Failure) << slip << " at " << wrong.substr(place - 40, 80);
       ++mutants;
     }
   }
@@ -104,7 +92,8 @@ void expect_slips_refused(const Printed& all, const std::string& text) {
 
 TEST(EmittedText, WithASlipIsRefused) {
   const Printed all = printed("ur5.urdf", {"inverse_dynamics", "inertia_matrix", "forward_dynamics"});
-  for (const std::string& text : {all.header, all.pair.header + all.pair.source}) expect_slips_refused(all, text);
+  expect_slips_refused(all, all.header, "c++");
+  expect_slips_refused(all, all.pair, "pair");
 }
 
 TEST(EmittedText, WithAnotherAngleIsRefused) {
@@ -113,55 +102,19 @@ TEST(EmittedText, WithAnotherAngleIsRefused) {
   ASSERT_NE(all.header.find(right), std::string::npos);
   for (const char* wrong : {"angle[3] = Scalar(0.6666666666666667) * q[2];", "angle[3] = q[2];",
                             "angle[3] = Scalar(0.6666666666666666) * q[1];"}) {
-    EXPECT_THROW(prove_text(with_replaced(all.header, right, wrong), all.functions, all.stages), Failure) << wrong;
+    EXPECT_THROW(all.code.prove(with_replaced(all.header, right, wrong), form_of("c++")), Failure) << wrong;
   }
 }
 
-// Functions made once and printed in several ways.
-class PrintedOnce {
- public:
-  explicit PrintedOnce(const char* robot) : model_(testing::model_of(robot)) {
-    PipelineOptions options;
-    options.functions = kNames;
-    Progress quiet(true);
-    Diagnostics findings;
-    functions_ = make_functions(model_, options, quiet, findings);
-  }
-
-  HeaderAndSource text(const std::string& scalar, int most_lines = 0) const {
-    EmitOptions emit;
-    emit.language = Language::c;
-    emit.scalar = scalar;
-    emit.most_lines = most_lines;
-    return emit_c(model_.mechanism, functions_of(functions_), emit);
-  }
-
-  std::string javascript(int most_lines = 0) const {
-    EmitOptions emit;
-    emit.most_lines = most_lines;
-    return emit_javascript(model_.mechanism, functions_of(functions_), emit);
-  }
-
-  void prove_javascript(const std::string& module) const {
-    prove_text(EmittedText(module, "number"), functions_, std::nullopt);
-  }
-
-  void prove(const HeaderAndSource& text, const std::string& source, const std::string& scalar) const {
-    prove_text(EmittedText(text.header + source, scalar), functions_, std::nullopt);
-  }
-
- private:
-  LoadedRobot model_;
-  std::vector<OptimisedFunction> functions_;
-};
+PrintedCode code_of(const char* robot) { return {testing::model_of(robot), kNames}; }
 
 TEST(EmittedText, InCIsWhatWasPrinted) {
   for (const char* robot : {"scara.toml", "planar_2r.toml", "prismatic_revolute.toml", "pendulum_motor.toml"}) {
-    const PrintedOnce all(robot);
-    for (const char* scalar : {"double", "float"}) {
+    const PrintedCode all = code_of(robot);
+    for (const char* form : {"c", "float"}) {
       for (const int most_lines : {0, 40}) {
-        const HeaderAndSource text = all.text(scalar, most_lines);
-        EXPECT_NO_THROW(all.prove(text, text.source, scalar)) << robot << " " << scalar << ", lines: " << most_lines;
+        EXPECT_NO_THROW(all.prove(all.text(form_of(form, most_lines)), form_of(form)))
+            << robot << " " << form << ", lines: " << most_lines;
       }
     }
   }
@@ -169,9 +122,8 @@ TEST(EmittedText, InCIsWhatWasPrinted) {
 
 // Each of these changes alters what the text computes, wherever it is made.
 TEST(EmittedText, InCWithASlipIsRefused) {
-  const PrintedOnce all("scara.toml");
-  const HeaderAndSource printed = all.text("float");
-  const std::string& source = printed.source;
+  const PrintedCode all = code_of("scara.toml");
+  const std::string text = all.text(form_of("float"));
   const std::pair<const char*, const char*> slips[] = {{" + ", " - "},
                                                        {" - ", " + "},
                                                        {" * ", " + "},
@@ -187,18 +139,18 @@ TEST(EmittedText, InCWithASlipIsRefused) {
                                                        {"f * ", " * "}};
   std::mt19937 engine(1);
   int mutants = 0;
-  for (const auto& [text, instead] : slips) {
+  for (const auto& [slip, instead] : slips) {
     std::vector<std::size_t> places;
-    const std::size_t code = source.find("scara_inverse_dynamics_given(");
-    for (std::size_t at = source.find(text, code); at < source.find("scara_is_zero"); at = source.find(text, at + 1)) {
-      const std::size_t line = source.rfind('\n', at) + 1;
-      if (source.compare(line, 2, "  ") == 0) places.push_back(at);
+    const std::size_t code = text.find("void scara_inverse_dynamics_given(", text.find("#include \"scara.h\""));
+    for (std::size_t at = text.find(slip, code); at < text.find("scara_is_zero"); at = text.find(slip, at + 1)) {
+      const std::size_t line = text.rfind('\n', at) + 1;
+      if (text.compare(line, 2, "  ") == 0) places.push_back(at);
     }
     for (int k = 0; k < 5 && !places.empty(); ++k) {
       const std::size_t place = places[engine() % places.size()];
-      std::string wrong = source;
-      wrong.replace(place, std::string(text).size(), instead);
-      EXPECT_THROW(all.prove(printed, wrong, "float"), Failure) << text << " at " << wrong.substr(place - 40, 80);
+      std::string wrong = text;
+      wrong.replace(place, std::string(slip).size(), instead);
+      EXPECT_THROW(all.prove(wrong, form_of("float")), Failure) << slip << " at " << wrong.substr(place - 40, 80);
       ++mutants;
     }
   }
@@ -206,33 +158,34 @@ TEST(EmittedText, InCWithASlipIsRefused) {
 }
 
 TEST(EmittedText, InCThatIsNoneIsRefused) {
-  const PrintedOnce all("scara.toml");
-  const HeaderAndSource text = all.text("double");
-  EXPECT_THROW(all.prove(text, "", "double"), Failure);
-  EXPECT_THROW(all.prove(text, text.source.substr(0, text.source.size() / 2), "double"), Failure);
-  EXPECT_THROW(all.prove(text, text.source + "}", "double"), Failure);
+  const PrintedCode all = code_of("scara.toml");
+  const std::string text = all.text(form_of("c"));
+  for (const std::string& wrong : {std::string(), text.substr(0, text.size() / 2), text + "}"}) {
+    EXPECT_THROW(all.prove(wrong, form_of("c")), Failure);
+  }
 }
 
 TEST(EmittedText, ThatIsNoneIsRefused) {
   const Printed all = printed("scara.toml", {"gravity"});
-  EXPECT_THROW(prove_text("", all.functions, all.stages), Failure);
-  EXPECT_THROW(prove_text(all.header.substr(0, all.header.size() / 2), all.functions, all.stages), Failure);
-  EXPECT_THROW(prove_text(all.header + "}", all.functions, all.stages), Failure);
+  for (const std::string& wrong : {std::string(), all.header.substr(0, all.header.size() / 2), all.header + "}"}) {
+    EXPECT_THROW(all.code.prove(wrong, form_of("c++")), Failure);
+  }
 }
 
 TEST(EmittedText, InJavascriptIsWhatWasPrinted) {
   for (const char* robot : {"scara.toml", "planar_2r.toml", "prismatic_revolute.toml", "pendulum_motor.toml"}) {
-    const PrintedOnce all(robot);
+    const PrintedCode all = code_of(robot);
     for (const int most_lines : {0, 40}) {
-      EXPECT_NO_THROW(all.prove_javascript(all.javascript(most_lines))) << robot << ", lines: " << most_lines;
+      EXPECT_NO_THROW(all.prove(all.text(form_of("javascript", most_lines)), form_of("javascript")))
+          << robot << ", lines: " << most_lines;
     }
   }
 }
 
 TEST(EmittedText, InJavascriptWithASlipIsRefused) {
-  const PrintedOnce all("scara.toml");
+  const PrintedCode all = code_of("scara.toml");
   for (const int most_lines : {0, 40}) {
-    const std::string module = all.javascript(most_lines);
+    const std::string module = all.text(form_of("javascript", most_lines));
     const std::pair<const char*, const char*> slips[] = {{" + ", " - "},
                                                          {" * ", " + "},
                                                          {"Math.sin(q[1])", "Math.sin(q[0])"},
@@ -248,17 +201,17 @@ TEST(EmittedText, InJavascriptWithASlipIsRefused) {
       ASSERT_NE(place, std::string::npos) << text;
       std::string wrong = module;
       wrong.replace(place, std::string(text).size(), instead);
-      EXPECT_THROW(all.prove_javascript(wrong), Failure) << text << " at " << wrong.substr(place - 40, 80);
+      EXPECT_THROW(all.prove(wrong, form_of("javascript")), Failure) << text << " at " << wrong.substr(place - 40, 80);
     }
   }
 }
 
 TEST(EmittedText, InJavascriptThatIsNoneIsRefused) {
-  const PrintedOnce all("scara.toml");
-  const std::string module = all.javascript();
-  EXPECT_THROW(all.prove_javascript(""), Failure);
-  EXPECT_THROW(all.prove_javascript(module.substr(0, module.size() / 2)), Failure);
-  EXPECT_THROW(all.prove_javascript(module + "}"), Failure);
+  const PrintedCode all = code_of("scara.toml");
+  const std::string module = all.text(form_of("javascript"));
+  for (const std::string& wrong : {std::string(), module.substr(0, module.size() / 2), module + "}"}) {
+    EXPECT_THROW(all.prove(wrong, form_of("javascript")), Failure);
+  }
 }
 
 // Reads the body of a function of one output, g.

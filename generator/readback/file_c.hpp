@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The files of emitted C: a header and its source.
+#pragma once
+
+#include "readback/file_known_answer.hpp"
+#include "readback/file_reader.hpp"
+
+namespace flatdyn {
+
+class CFile : public FileReader {
+ public:
+  CFile(const EmittedText& text, const FileContents& contents);
+
+ protected:
+  void file() override;
+  void take_real(double wanted) override;
+  void header();
+  // Takes the parts of a function, the function, and before it the one that takes its sines and cosines.
+  void definitions(const FileFunction& function, const char* linkage);
+  void angles();
+
+  // Finds the beginning of names in the text of the first count.
+  void find_prefix();
+  std::string count_name(const std::string& name) const;
+  std::string prefixed(const std::string& name) const { return prefix_ + name; }
+  virtual std::string condition_type() const { return "bool"; }
+
+  std::string scalar_;  // of variables
+  std::string prefix_;  // of names that are only in this file
+  bool has_sines_ = false;
+
+ private:
+  void source();
+  void known_answer();
+  KnownCall known_call(const FileFunction& function) const;
+  const ScannedFunction& scanned(const FileFunction& function) const;
+  void count(const char* name, int value);
+  void counts();
+  std::string type_of(const FileTable& table) const;
+  std::string length_of(const FileTable& table) const;
+  void declare(const FileTable& table);
+  void define(const FileTable& table);
+  void parameters();
+  void declarations(const FileFunction& function);
+  bool follows_part(const std::string& owner) const;
+  void part(const FileFunction& function, const ScannedFunction& asking);
+  void parameter_list(const FileFunction& function, const ScannedFunction* body, bool takes_sines);
+  void parameter(const FileParameter& parameter, const ScannedFunction* body, bool& is_first);
+  void require_used(const ScannedFunction& body, const std::string& name) const;
+  const ScannedFunction* given_of(const FileFunction& function) const;
+  std::string returns_of(const FileFunction& function) const;
+};
+
+}  // namespace flatdyn

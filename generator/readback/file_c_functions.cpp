@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The functions of emitted C. One that needs sines and cosines computes them and calls one that takes them.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "readback/file_c.hpp"
+
+namespace flatdyn {
+
+std::string CFile::returns_of(const FileFunction& function) const {
+  if (returns_number(*function.function)) return scalar_;
+  return function.function->validity_conditions.empty() ? "void" : condition_type();
+}
+
+// The function that takes sines and cosines; nullptr if there is none.
+const ScannedFunction* CFile::given_of(const FileFunction& function) const {
+  const auto found = text_.parts().find(prefixed(function.given));
+  return found == text_.parts().end() ? nullptr : &found->second;
+}
+
+// In a definition, what is not used is cast to void, and nothing else is.
+void CFile::require_used(const ScannedFunction& body, const std::string& name) const {
+  std::size_t used = 0, cast = 0;
+  for (std::size_t k = body.begin; k < body.end; ++k) {
+    if (tokens_[k].text != name) continue;
+    const bool is_cast = k >= body.begin + 3 && tokens_[k - 1].text == ")" && tokens_[k - 2].text == "void";
+    ++(is_cast ? cast : used);
+  }
+  if (cast > 1 || (cast == 1) != (used == 0)) fail(fmt::format("{} is not used, or cast to void", name));
+}
+
+void CFile::parameter(const FileParameter& parameter, const ScannedFunction* body, bool& is_first) {
+  using Kind = FileParameter::Kind;
+  if (!is_first) expect(",");
+  is_first = false;
+  if (parameter.kind == Kind::parameters) {
+    expect("const $exported$parameters*");
+  } else {
+    expect((parameter.kind == Kind::input ? "const " : "") + scalar_ + "*");
+    if (parameter.kind == Kind::output && body != nullptr) expect("restrict");
+  }
+  const std::string name = take_name_like(parameter.name);
+  if (parameter.kind != Kind::output && name != parameter.name) fail("another parameter");
+  if (body != nullptr) require_used(*body, name);
+}
+
+// Takes the parameters up to the closing bracket. Where sines are taken, q is only if its values are read.
+void CFile::parameter_list(const FileFunction& function, const ScannedFunction* body, bool takes_sines) {
+  using Kind = FileParameter::Kind;
+  bool is_first = true, has_sines = !takes_sines;
+  const ScannedFunction* given = given_of(function);
+  for (const FileParameter& each : parameters_of(function, contents_)) {
+    if (!has_sines && each.kind != Kind::parameters) {
+      has_sines = true;
+      parameter({Kind::input, "sine"}, body, is_first);
+      parameter({Kind::input, "cosine"}, body, is_first);
+    }
+    const bool is_read = !takes_sines || each.kind != Kind::input || each.name != "q" || names(*given, "q");
+    if (is_read) parameter(each, body, is_first);
+  }
+  expect(")");
+}
+
+void CFile::declarations(const FileFunction& function) {
+  for (const FileTable& each : function.zeros) declare(each);
+  expect(fmt::format("{} {}(", returns_of(function), prefixed(function.name)));
+  parameter_list(function, nullptr, false);
+  expect(";");
+  if (given_of(function) == nullptr) return;
+  expect(fmt::format("{} {}(", returns_of(function), prefixed(function.given)));
+  parameter_list(function, nullptr, true);
+  expect(";");
+}
+
+void CFile::definitions(const FileFunction& function, const char* linkage) {
+  const ScannedFunction& asking = next_function();
+  while (follows_part(prefixed(function.name))) part(function, asking);
+  if (const ScannedFunction* given = given_of(function)) {
+    expect(fmt::format("{} {} {}(", linkage, returns_of(function), prefixed(function.given)));
+    parameter_list(function, given, true);
+    expect("{");
+    take_part_body(given->name);
+  }
+  expect(fmt::format("{} {} {}(", linkage, returns_of(function), prefixed(function.name)));
+  parameter_list(function, &asking, false);
+  expect("{");
+  take_body(asking);
+}
+
+// Whether a part of the function follows: static void arm_gravity_part_1(
+bool CFile::follows_part(const std::string& owner) const {
+  return is("static") && word(1) == "void" && word(2).starts_with(owner + "_part");
+}
+
+void CFile::part(const FileFunction& function, const ScannedFunction& asking) {
+  expect("static void");
+  const std::string name = take();
+  std::vector<std::string> possible = {"const $exported$parameters* parameters"};
+  const std::string input = fmt::format("const {}* ", scalar_), output = fmt::format("{}* restrict ", scalar_);
+  for (const InputKind kind : function.function->inputs) possible.push_back(input + name_of_input(kind));
+  for (const char* each : {"sine", "cosine"}) possible.push_back(input + each);
+  for (const char* each : {"kept", "pivots", "result"}) possible.push_back(output + each);
+  for (const ScannedFunction::Parameter& each : asking.parameters) {
+    if (each.is_output) possible.push_back(output + each.name);
+  }
+  expect("(");
+  take_parameters_of_part(possible);
+  expect("{");
+  take_part_body(name);
+}
+
+// Takes the functions that multiply positions, if there are any.
+void CFile::angles() {
+  const std::string name = prefixed("angles");
+  while (is("static") && word(1) == "void" && (word(2) == name || word(2).starts_with(name + "_"))) {
+    expect("static void");
+    const std::string part = take();
+    expect(fmt::format("(const {0}* q, {0}* restrict angle) {{", scalar_));
+    take_part_body(part);
+  }
+}
+
+}  // namespace flatdyn

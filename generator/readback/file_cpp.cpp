@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "readback/file_cpp.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "flatdyn/interface.hpp"
+#include "readback/file_known_answer.hpp"
+#include "readback/patterns_cpp.hpp"
+
+namespace flatdyn {
+
+CppFile::CppFile(const EmittedText& text, const FileContents& contents) : FileReader(text, contents) {
+  const bool has_parameters = !contents.parameters.empty();
+  fill("real", contents.scalar);
+  fill("interface", std::to_string(kInterface));
+  fill("parameters", has_parameters ? "parameters," : "");
+  fill("parameters_argument", has_parameters ? "const Parameters<Scalar>& parameters," : "");
+  fill("file", contents.file_name);
+}
+
+void CppFile::file() {
+  header();
+  if (is_pair()) source();
+}
+
+void CppFile::header() {
+  constexpr const char* kIf = "#ifndef ";
+  const std::string guard = take();
+  if (!guard.starts_with(std::string(kIf) + "FLATDYN_")) fail("a guard expected");
+  fill("guard", guard.substr(std::string(kIf).size()));
+  expect("#define $guard$\n");
+  if (!is_pair()) expect(kCppRoundingIncludes);
+  expect("#include <cmath>\n");
+  if (!is_pair()) expect(kNoFastMath);
+  fill("namespace", contents_.name_spaces.front());
+  for (const std::string& name_space : contents_.name_spaces) {
+    if (follows("namespace " + name_space + " {")) fill("namespace", name_space);
+  }
+  expect("namespace $namespace$ {");
+  constants();
+  helpers();
+  for (const FileFunction& function : contents_.functions) header_function(function);
+  if (!contents_.stages.empty()) stages();
+  shapes();
+  loops();
+  rounding();
+  if (is_pair()) instances("extern template");
+  expect("}\n#endif");
+}
+
+void CppFile::source() {
+  expect("#include \"$file$.hpp\"\n");
+  expect(kCppRoundingIncludes);
+  expect(kNoFastMath);
+  expect("namespace $namespace$ {");
+  accept(kCppSign);
+  accept(kCppSqrt);
+  if (contents_.angles > contents_.positions) parts({nullptr, "angles"});
+  for (const FileFunction& function : contents_.functions) {
+    parts(function);
+    definition(function);
+  }
+  for (const FileFunction* function : staged_functions()) {
+    parts(*function);
+    definition(*function);
+  }
+  rounding_helpers();
+  expect("template <class Scalar> bool rounding_is_as_written() noexcept");
+  known_answer();
+  instances("template");
+  expect("}");
+}
+
+void CppFile::constants() {
+  expect("using Real = $real$;");
+  count("joint_count", contents_.joints);
+  if (contents_.has_loops) count("position_count", contents_.positions);
+  if (contents_.angles > contents_.positions && follows("inline constexpr int angle_count")) {
+    count("angle_count", contents_.angles);
+  }
+  for (const FileTable& each : contents_.tables) table(each);
+  if (contents_.base_count) count("base_parameter_count", *contents_.base_count);
+  for (const FileTable& each : contents_.base_tables) table(each);
+  if (!contents_.parameters.empty()) parameters();
+}
+
+void CppFile::count(const char* name, int value) { expect(fmt::format("inline constexpr int {} = {};", name, value)); }
+
+void CppFile::table(const FileTable& table) {
+  expect(fmt::format("inline constexpr {} {}[{}] = {{", table.type, table.name, table.length));
+  take_entries(table, "};");
+}
+
+// Takes Real(0.5) or Real(-HUGE_VAL).
+void CppFile::take_real(double wanted) {
+  expect("Real(");
+  if (std::isinf(wanted)) {
+    expect(wanted < 0 ? "-HUGE_VAL" : "HUGE_VAL");
+  } else if (take_literal(0) != wanted) {
+    fail("another number");
+  }
+  expect(")");
+}
+
+void CppFile::parameters() {
+  expect("template <class Scalar = Real> struct Parameters {");
+  for (const std::string& name : contents_.parameters) {
+    expect("Scalar");
+    take_name_like(name);
+    expect(";");
+  }
+  expect("};");
+}
+
+void CppFile::helpers() {
+  if (!is_pair()) {
+    accept(kCppSign);
+    accept(kCppSqrt);
+    expect(kCppInterface);
+  }
+  accept(kCppSinesAndCosines);
+  if (!is_pair() && contents_.angles > contents_.positions) parts({nullptr, "angles"});
+}
+
+void CppFile::loops() {
+  if (!contents_.closing) return;
+  fill("closure", contents_.closing->closure);
+  fill("step", contents_.closing->step);
+  fill("rows", std::to_string(contents_.closing->rows));
+  expect(kCppCloseLoops);
+}
+
+void CppFile::rounding() {
+  if (is_pair()) {
+    expect("template <class Scalar = Real> bool rounding_is_as_written() noexcept;");
+    return;
+  }
+  rounding_helpers();
+  expect("template <class Scalar = Real> static bool rounding_is_as_written() noexcept");
+  known_answer();
+}
+
+void CppFile::rounding_helpers() {
+  expect(kCppRoundingHelpers);
+  has_sines_check_ = accept(kCppSinesAreRight);
+  expect("}");
+}
+
+// Takes the statements of rounding_is_as_written().
+void CppFile::known_answer() {
+  KnownAnswerWords words{"Scalar", "detail::", "Parameters<Scalar>", "GivenSinCos<Scalar>", false};
+  std::vector<KnownCall> calls;
+  for (const Known& known : known_) {
+    if (!known.stage.empty()) continue;
+    words.asks_sines = words.asks_sines || known.has_sin_cos;
+    KnownCall call{known.function, known.function->name, {}};
+    for (const FileParameter& each : parameters_of(*known.function, contents_)) {
+      call.arguments.push_back(each.kind == FileParameter::Kind::output ? "" : each.name);
+    }
+    if (known.has_sin_cos) call.arguments.emplace_back("given");
+    calls.push_back(std::move(call));
+  }
+  expect(kCppRounding);
+  if (calls.empty()) {
+    expect("return true; }");
+    return;
+  }
+  if (has_sines_check_) expect("if (!detail::sines_are_right<Scalar>()) return false;");
+  if (words.asks_sines && !has_sines_check_) fail("sines are not checked");
+  expect(kCppKnownState);
+  expect(known_answer_pattern(contents_, calls, words));
+  expect("return hash == (is_float ?");
+  if (!is_hash(take())) fail("a hash expected");
+  expect(":");
+  if (!is_hash(take())) fail("a hash expected");
+  expect("); }");
+}
+
+void read_cpp_file(const EmittedText& text, const FileContents& contents) { CppFile(text, contents).run(); }
+
+}  // namespace flatdyn

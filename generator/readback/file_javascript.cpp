@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The file of emitted JavaScript.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "readback/file_reader.hpp"
+#include "readback/patterns_javascript.hpp"
+
+namespace flatdyn {
+namespace {
+
+class JavascriptFile : public FileReader {
+ public:
+  JavascriptFile(const EmittedText& text, const FileContents& contents) : FileReader(text, contents) {
+    fill("parameters", contents.parameters.empty() ? "" : "parameters,");
+  }
+
+ private:
+  void file() override {
+    expect("'use strict';");
+    constants();
+    for (const FileFunction& each : contents_.functions) function(each);
+    if (contents_.closing) {
+      fill("closure", contents_.closing->closure);
+      fill("step", contents_.closing->step);
+      fill("rows", std::to_string(contents_.closing->rows));
+      expect_on_lines(kJavascriptCloseLoops);
+      exports_.emplace_back("close_loops");
+    }
+    expect(fmt::format("{} {{{}}};", contents_.is_module ? "export" : "return", fmt::join(exports_, ", ")));
+    require_lengths_of_sines();
+  }
+
+  // Expects a pattern in which every return has its result on the same line.
+  void expect_on_lines(const char* pattern) {
+    const std::size_t begin = at_;
+    expect(pattern);
+    for (std::size_t k = begin; k + 1 < at_; ++k) {
+      if (tokens_[k].text == "return" && tokens_[k + 1].line != tokens_[k].line) fail("a result on another line");
+    }
+  }
+
+  void constants() {
+    count("joint_count", contents_.joints);
+    if (contents_.has_loops) expect(fmt::format("const position_count = {};", contents_.positions));
+    for (const FileTable& each : contents_.tables) {
+      if (each.name == "position_names") exports_.emplace_back("position_count");
+      table(each);
+    }
+    if (contents_.base_count) count("base_parameter_count", *contents_.base_count);
+    for (const FileTable& each : contents_.base_tables) table(each);
+    if (!contents_.parameters.empty()) parameter_names();
+  }
+
+  void count(const char* name, int value) {
+    expect(fmt::format("const {} = {};", name, value));
+    exports_.emplace_back(name);
+  }
+
+  void table(const FileTable& table) {
+    expect(fmt::format("const {} = [", table.name));
+    take_entries(table, "];");
+    exports_.push_back(table.name);
+  }
+
+  void take_real(double wanted) override {
+    if (std::isinf(wanted)) {
+      expect(wanted < 0 ? "-Infinity" : "Infinity");
+    } else if (take_literal(0) != wanted) {
+      fail("another number");
+    }
+  }
+
+  void parameter_names() {
+    expect("const parameter_names = [");
+    for (std::size_t k = 0; k < contents_.parameters.size(); ++k) {
+      if (k > 0) expect(",");
+      const std::string quoted = take();
+      if (quoted.size() < 2 || quoted.front() != '"') fail("a name expected");
+      require_name_like(contents_.parameters[k], quoted.substr(1, quoted.size() - 2));
+    }
+    expect("];");
+    exports_.emplace_back("parameter_names");
+  }
+
+  void function(const FileFunction& function) {
+    for (const FileTable& each : function.zeros) table(each);
+    while (follows_part(function.name)) part(function);
+    const ScannedFunction& body = next_function();
+    expect(fmt::format("function {}(", function.name));
+    const char* before = "";
+    for (const FileParameter& parameter : parameters_of(function, contents_)) {
+      expect(before);
+      before = ",";
+      const std::string name = take_name_like(parameter.name);
+      if (parameter.kind != FileParameter::Kind::output && name != parameter.name) fail("another parameter");
+    }
+    expect(") {");
+    require_result(*function.function, body);
+    take_body(body);
+    exports_.push_back(function.name);
+  }
+
+  bool follows_part(const std::string& owner) const {
+    return is("function") && word(1).starts_with(owner + "_part") && text_.parts().count(word(1)) != 0;
+  }
+
+  // A function returns whether its result means something, a number, or nothing.
+  void require_result(const Function& function, const ScannedFunction& body) {
+    const bool returns = body.end > body.begin + 2 && tokens_[body.end - 3].text == "return";
+    if (!returns_number(function) && returns == function.validity_conditions.empty()) fail("another result");
+  }
+
+  void part(const FileFunction& function) {
+    expect("function");
+    const std::string name = take();
+    std::vector<std::string> possible = {"parameters"};
+    for (const InputKind kind : function.function->inputs) possible.push_back(name_of_input(kind));
+    for (const char* each : {"sine", "cosine", "kept", "pivots", "result"}) possible.emplace_back(each);
+    for (const std::string& output : names_of_outputs(function)) possible.push_back(output);
+    expect("(");
+    take_parameters_of_part(possible);
+    expect("{");
+    take_part_body(name);
+  }
+
+  // Arrays of sines are as long as there are angles.
+  void require_lengths_of_sines() {
+    for (at_ = 0; at_ < tokens_.size(); ++at_) {
+      if ((is("sine") || is("cosine")) && word(2) == "new") {
+        ++at_;
+        expect(fmt::format("= new Float64Array({})", contents_.angles));
+      }
+    }
+  }
+
+  std::vector<std::string> exports_;
+};
+
+}  // namespace
+
+void read_javascript_file(const EmittedText& text, const FileContents& contents) {
+  JavascriptFile(text, contents).run();
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The statements by which rounding_is_as_written() calls every function at a known state, as they have to be. They are
+// written down here once more, not taken from the printer.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "readback/file_reader.hpp"
+
+namespace flatdyn {
+
+struct KnownCall {
+  const FileFunction* function = nullptr;
+  std::string name;                    // in the text
+  std::vector<std::string> arguments;  // in order; those of outputs are empty
+};
+
+struct KnownAnswerWords {
+  std::string scalar, prefix, parameters, given;  // as in patterns; `given` is empty where functions take arrays
+  bool asks_sines = false;                        // whether any function needs sines or cosines
+};
+
+// The declarations, the numbers of the state, and the calls.
+std::string known_answer_pattern(const FileContents& contents, const std::vector<KnownCall>& calls,
+                                 const KnownAnswerWords& words);
+
+// Whether this is the constant of a hash: "0x" and 16 digits, unsigned. A wrong one makes the answer false.
+bool is_hash(const std::string& token);
+
+}  // namespace flatdyn

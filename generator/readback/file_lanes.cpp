@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The file of functions over arrays of states, in C with vectors: each calls a function over vectors, whose lanes hold
+// a state each, in a loop.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "readback/file_c.hpp"
+#include "readback/patterns_lanes.hpp"
+
+namespace flatdyn {
+namespace {
+
+class LanesFile : public CFile {
+ public:
+  using CFile::CFile;
+
+ private:
+  void file() override {
+    find_prefix();
+    header();
+    exported_ = prefix_;
+    name_lanes();
+    expect("#include \"$file$.h\"\n#include <math.h>\n#include <stddef.h>\n");
+    text_hash();
+    helpers();
+    angles();
+    for (const FileFunction& each : contents_.functions) {
+      definitions(each, "static");
+      batch(each);
+    }
+  }
+
+  std::string condition_type() const override { return scalar_ + "_mask"; }
+  bool is_float() const { return contents_.scalar == "float"; }
+
+  void name_lanes() {
+    scalar_ = exported_ + "lanes";
+    prefix_ = scalar_ + "_";
+    fill("lanes", scalar_);
+    fill("mask", condition_type());
+    fill("integer", is_float() ? "int" : "long long");
+    fill("first_halves", is_float() ? "0, 4, 1, 5" : "0, 2");
+    fill("second_halves", is_float() ? "2, 6, 3, 7" : "1, 3");
+    fill("reduced_angles", is_float() ? "6400" : "1e5");
+  }
+
+  // Takes the hash of the text, or what stands for it until all texts are known.
+  void text_hash() {
+    expect("const char* $exported$text_hash(void) { return");
+    const auto is_of_hash = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    const std::string hash = unquoted(take()).value_or("-");
+    const auto inner = [&hash](char c) { return hash.find(c) != std::string::npos; };
+    if (hash.empty() || inner('-') || !std::all_of(hash.begin(), hash.end(), is_of_hash)) fail("a hash expected");
+    expect("; }");
+  }
+
+  void helpers() {
+    expect(kLanesTypes);
+    accept(kLanesSign);
+    accept(kLanesSqrt);
+    if (accept(kLanesReducedAngles)) {
+      expect(is_float() ? kLanesSinesOfFloats : kLanesSinesOfDoubles);
+      expect(kLanesSines);
+    }
+    expect(kLanesRows);
+    expect(is_float() ? kLanesSquareOfFloats : kLanesSquareOfDoubles);
+    expect(kLanesTransposes);
+    const auto is_checked = [](const FileFunction& each) { return !each.function->validity_conditions.empty(); };
+    if (std::any_of(contents_.functions.begin(), contents_.functions.end(), is_checked)) expect(kLanesNoNumber);
+  }
+
+  // An array of states, as the function over arrays has it.
+  struct Rows {
+    std::string name;
+    int length = 0;
+    bool is_partly_written = false;
+  };
+
+  // Takes the function over arrays of a function that has just been read.
+  void batch(const FileFunction& function) {
+    using Kind = FileParameter::Kind;
+    const std::vector<std::string> names = names_of_outputs_read();
+    std::vector<Rows> inputs, results;
+    bool has_parameters = false;
+    for (const FileParameter& each : parameters_of(function, contents_)) {
+      has_parameters = has_parameters || each.kind == Kind::parameters;
+      if (each.kind == Kind::input) inputs.push_back({each.name, each.length});
+    }
+    for (std::size_t k = 0; k < function.function->outputs.size(); ++k) {
+      const Output& output = function.function->outputs[k];
+      const bool returned = returns_number(*function.function);
+      results.push_back({returned ? output.name : names.at(k), returned ? 1 : static_cast<int>(output.entries.size()),
+                         !output.left_out.empty()});
+    }
+    signature(function, inputs, results, has_parameters);
+    expect("for (size_t k = 0; k < count; k += $lanes$_count) { const size_t states = $lanes$_states(count - k);");
+    blocks(inputs, results);
+    for (const Rows& each : inputs) {
+      expect(
+          fmt::format("$lanes$_read({0} + {0}_step * k, {0}_step, states, {1}, {0}_block);", each.name, each.length));
+    }
+    call(function, inputs, results, has_parameters);
+    for (const Rows& each : results) write_rows(function, each);
+    expect("} }");
+  }
+
+  void signature(const FileFunction& function, const std::vector<Rows>& inputs, const std::vector<Rows>& results,
+                 bool has_parameters) {
+    std::string list = "size_t count";
+    if (has_parameters) list += ", const $exported$parameters* parameters";
+    for (const Rows& each : inputs) list += fmt::format(", const $real$* {0}, size_t {0}_step", each.name);
+    for (const Rows& each : results) list += ", $real$* " + each.name;
+    expect(fmt::format("void $exported${}_batch({}) {{", function.name, list));
+  }
+
+  void blocks(const std::vector<Rows>& inputs, const std::vector<Rows>& results) {
+    std::string list;
+    for (const Rows& each : inputs)
+      list += fmt::format("{}{}_block[{}]", list.empty() ? "" : ", ", each.name, each.length);
+    for (const Rows& each : results) {
+      const char* const initial = each.is_partly_written ? " = {{0}}" : "";
+      list += fmt::format("{}{}_block[{}]", list.empty() ? "" : ", ", each.name, each.length) + initial;
+    }
+    expect("$lanes$ " + list + ";");
+  }
+
+  void call(const FileFunction& function, const std::vector<Rows>& inputs, const std::vector<Rows>& results,
+            bool has_parameters) {
+    std::string list = has_parameters ? "parameters" : "";
+    const bool returned = returns_number(*function.function);
+    const auto add = [&list](const Rows& rows) { list += (list.empty() ? "" : ", ") + rows.name + "_block"; };
+    for (const Rows& each : inputs) add(each);
+    for (std::size_t k = 0; k < results.size() && !returned; ++k) add(results[k]);
+    if (returned) expect(results[0].name + "_block[0] =");
+    if (!function.function->validity_conditions.empty()) {
+      expect("const $mask$");
+      verdict_ = take();
+      if (verdict_ != kValid) fail("an unknown verdict");
+      expect("=");
+    }
+    expect(fmt::format("{}({});", prefixed(function.name), list));
+  }
+
+  // A row whose result means nothing is NaN.
+  void write_rows(const FileFunction& function, const Rows& rows) {
+    if (!function.function->validity_conditions.empty()) {
+      expect(fmt::format("$lanes$_or_not_a_number({}, {}, {}_block);", verdict_, rows.length, rows.name));
+    }
+    expect(fmt::format("$lanes$_write({0}_block, states, {1}, {0} + {1} * k);", rows.name, rows.length));
+  }
+
+  std::string exported_, verdict_;
+};
+
+}  // namespace
+
+void read_lanes_file(const EmittedText& text, const FileContents& contents) { LanesFile(text, contents).run(); }
+
+}  // namespace flatdyn

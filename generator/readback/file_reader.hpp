@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What reading a file has in common in all languages: patterns with holes, tables, bodies of functions.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "readback/file_contents.hpp"
+#include "readback/token_cursor.hpp"
+
+namespace flatdyn {
+
+class FileReader : protected TokenCursor {
+ public:
+  virtual ~FileReader() = default;
+  FileReader(const FileReader&) = delete;
+  FileReader& operator=(const FileReader&) = delete;
+
+  // Reads the whole text.
+  void run();
+
+ protected:
+  FileReader(const EmittedText& text, const FileContents& contents);
+
+  virtual void file() = 0;
+
+  // Patterns are text of the language with holes: "$real$ joint_count". A directive takes a line of its own.
+  void fill(const std::string& hole, const std::string& text) { holes_[hole] = text; }
+  void expect(const std::string& pattern);
+  bool accept(const std::string& pattern);
+  bool follows(const std::string& pattern) const;
+
+  const std::string& take();
+  // Takes a name that is `wanted`, or `wanted` with a number that tells it from another one.
+  std::string take_name_like(const std::string& wanted);
+  void require_name_like(const std::string& wanted, const std::string& name) const;
+  // Takes a text, a whole number or a real one, and compares it.
+  void take_text(const std::string& wanted);
+  void take_number(const FileTable& table, double wanted);
+  virtual void take_real(double wanted) = 0;
+  double take_literal(char suffix);
+  // Takes the entries of a table up to its end, separated by commas.
+  void take_entries(const FileTable& table, const char* end);
+
+  // The next function of EmittedText::functions().
+  const ScannedFunction& next_function();
+  // The names that the function that was read last gives its outputs.
+  std::vector<std::string> names_of_outputs_read() const;
+  // The names that the next function gives its outputs.
+  std::vector<std::string> names_of_outputs(const FileFunction& function) const;
+  // Takes the statements of a function, or of a part, of this name, and the brace at its end.
+  void take_body(const ScannedFunction& function);
+  void take_part_body(const std::string& name);
+  bool names(const ScannedFunction& function, const std::string& name) const;
+
+  // Takes the parameters of a part, which are some of these, in their order, and the bracket at their end.
+  void take_parameters_of_part(const std::vector<std::string>& patterns);
+
+  const EmittedText& text_;
+  const FileContents& contents_;
+
+ private:
+  std::vector<Token> tokens_of_pattern(const std::string& pattern) const;
+  void require_all_parts_called() const;
+  void note_called(const ScannedFunction& function, std::set<std::string>& called) const;
+
+  std::map<std::string, std::string> holes_;
+  std::size_t functions_read_ = 0;
+  std::set<std::string> parts_read_;
+};
+
+// The parameters of a function, in order: their names in the text and what they are.
+struct FileParameter {
+  enum class Kind { parameters, input, output } kind = Kind::input;
+  std::string name;  // as it should be
+  int length = 0;
+  int columns = 0;  // of an output that is a matrix; else 0
+  bool is_written = true;
+};
+
+// The name of an array of inputs.
+std::string name_of_input(InputKind kind);
+
+// Whether the function returns its only output.
+bool returns_number(const Function& function);
+
+std::vector<FileParameter> parameters_of(const FileFunction& function, const FileContents& contents);
+
+// A reader of the file in each language.
+void read_cpp_file(const EmittedText& text, const FileContents& contents);
+void read_c_file(const EmittedText& text, const FileContents& contents);
+void read_lanes_file(const EmittedText& text, const FileContents& contents);
+void read_javascript_file(const EmittedText& text, const FileContents& contents);
+
+}  // namespace flatdyn

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The helpers of emitted C++, as they have to be. They are written down here once more, not taken from the templates.
+#pragma once
+
+namespace flatdyn {
+
+inline constexpr const char* kCppSign = R"(
+namespace detail {
+template <class Scalar>
+static inline Scalar sign(const Scalar& x) noexcept { return Scalar((x > Scalar(0.0)) - (x < Scalar(0.0))); }
+})";
+
+inline constexpr const char* kCppSqrt = R"(
+namespace detail {
+template <class Scalar>
+static inline Scalar sqrt(const Scalar& x) noexcept { using std::sqrt; return sqrt(x); }
+})";
+
+inline constexpr const char* kCppInterface = R"(
+namespace detail {
+struct Interface {
+  template <class Scalar>
+  static constexpr bool has_fractions(int Scalar::*) noexcept { return true; }
+  template <class Scalar>
+  static constexpr bool has_fractions(...) noexcept { return Scalar(1.5) > Scalar(1.0); }
+  template <class Scalar>
+  static constexpr bool fits(decltype(Scalar::flatdyn_interface)*) noexcept {
+    return Scalar::flatdyn_interface == $interface$;
+  }
+  template <class Scalar>
+  static constexpr bool fits(...) noexcept { return true; }
+  template <class Scalar>
+  static constexpr bool checked() noexcept {
+    static_assert(has_fractions<Scalar>(nullptr),
+        "integers cannot hold positions, velocities or torques: use arrays of double or float");
+    static_assert(fits<Scalar>(nullptr),
+        "this scalar is of another version of flatdyn's runtime than this generated code: generate "
+        "it again, with the flatdyn that the runtime came with");
+    return true;
+  }
+};
+})";
+
+inline constexpr const char* kCppSinesAndCosines = R"(
+template <int... joint>
+struct Joints { static constexpr int flatdyn_interface = $interface$; };
+struct LibrarySinCos {
+  template <class Scalar, int... joint>
+  void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    using std::cos;
+    using std::sin;
+    ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
+  }
+};
+template <class Scalar>
+struct GivenSinCos {
+  const Scalar* sine;
+  const Scalar* cosine;
+  template <int... joint>
+  void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
+  }
+};)";
+
+inline constexpr const char* kCppCloseLoops = R"(
+template <class Scalar>
+static inline bool close_loops($parameters_argument$ Scalar* q, Scalar tolerance, int most_steps = 20) noexcept {
+  Scalar here[position_count], next[position_count], dq[position_count], phi[$rows$];
+  const auto gap_at = [&](const Scalar* position) {
+    $closure$($parameters$ position, phi);
+    Scalar sum = Scalar(0.0);
+    for (const Scalar& entry : phi) sum = sum + entry * entry;
+    return sum;
+  };
+  for (int k = 0; k < position_count; ++k) here[k] = q[k];
+  Scalar gap = gap_at(here);
+  for (int step = 0; step < most_steps && gap > tolerance * tolerance; ++step) {
+    if (!$step$($parameters$ here, dq)) return false;
+    Scalar next_gap = gap, size = Scalar(1.0);
+    for (int halving = 0; halving < 20 && !(next_gap < gap); ++halving, size = size * Scalar(0.5)) {
+      for (int k = 0; k < position_count; ++k) next[k] = here[k] + size * dq[k];
+      next_gap = gap_at(next);
+    }
+    if (!(next_gap < gap)) return false;
+    for (int k = 0; k < position_count; ++k) here[k] = next[k];
+    gap = next_gap;
+  }
+  if (!(gap <= tolerance * tolerance)) return false;
+  for (int k = 0; k < position_count; ++k) q[k] = here[k];
+  return true;
+})";
+
+inline constexpr const char* kCppRoundingIncludes = R"(
+#include <float.h>
+#include <stdint.h>
+#include <string.h>
+)";
+
+inline constexpr const char* kNoFastMath = R"(
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "compile this without -ffast-math: it leaves out the checks that results are finite"
+#endif
+)";
+
+// The functions that rounding_is_as_written() calls, with sines_are_right() only if there are sines.
+inline constexpr const char* kCppRoundingHelpers = R"(
+namespace detail {
+template <class Scalar>
+static void fill(Scalar* x, int count, uint32_t seed) noexcept {
+  for (int k = 0; k < count; ++k) {
+    seed = seed * 1664525u + 1013904223u;
+    x[k] = (Scalar(seed >> 8) - Scalar(8388608.0)) / Scalar(8388608.0);
+  }
+}
+template <class Scalar>
+static void fill_sines(Scalar* sine, Scalar* cosine, int count, uint32_t seed) noexcept {
+  fill(sine, count, seed);
+  for (int k = 0; k < count; ++k) {
+    const Scalar t = sine[k], square = t * t, divisor = Scalar(1.0) + square;
+    sine[k] = Scalar(2.0) * t / divisor;
+    cosine[k] = (Scalar(1.0) - square) / divisor;
+  }
+}
+template <class Scalar>
+static uint64_t hash_of(const Scalar* x, int count, uint64_t hash) noexcept {
+  for (int k = 0; k < count; ++k) {
+    const bool is_number = x[k] < Scalar(0.0) || x[k] >= Scalar(0.0);
+    uint64_t bits = 0;
+    if constexpr (sizeof(Scalar) == sizeof(float)) {
+      uint32_t of_float = 0;
+      memcpy(&of_float, x + k, sizeof(of_float));
+      bits = of_float;
+    } else {
+      memcpy(&bits, x + k, sizeof(bits));
+    }
+    hash = (hash ^ (is_number ? bits : 0u)) * 1099511628211u;
+  }
+  return hash;
+}
+)";
+
+inline constexpr const char* kCppSinesAreRight = R"(
+template <class Scalar>
+static bool sines_are_right() noexcept {
+  const volatile Scalar zero = Scalar(0.0);
+  const Scalar angles[8] = {
+      Scalar(0.5), Scalar(0.6875), Scalar(1.28125), Scalar(1.53125), Scalar(1.796875),
+      Scalar(3.125), Scalar(10.28125), Scalar(11.125)
+  };
+  const Scalar sines[8] = {
+      Scalar(0.479425538604203), Scalar(0.6346070800152693), Scalar(0.9583735057581397),
+      Scalar(0.999218145922396), Scalar(0.9745528811569866), Scalar(0.016591892229347906),
+      Scalar(-0.7555360776363961), Scalar(-0.9916361774750792)
+  };
+  const Scalar cosines[8] = {
+      Scalar(0.8775825618903728), Scalar(0.7728349461524715), Scalar(0.28551746612221973),
+      Scalar(0.03953601977196579), Scalar(-0.2241577164155103), Scalar(-0.9998623450816866),
+      Scalar(-0.6551070411694638), Scalar(0.12906467960915324)
+  };
+  const Scalar places = Scalar(sizeof(Scalar) == sizeof(float) ? 8388608.0 : 4503599627370496.0);
+  Scalar x[8], s[8], c[8];
+  for (int k = 0; k < 8; ++k) x[k] = angles[k] + zero;
+  LibrarySinCos()(x, Joints<0, 1, 2, 3, 4, 5, 6, 7>(), s, c);
+  const auto is_near = [places](Scalar a, Scalar b) {
+    const Scalar error = (a - b) * places, size = b < Scalar(0.0) ? -b : b;
+    return error <= size && -error <= size;
+  };
+  bool right = true;
+  for (int k = 0; k < 8; ++k) right &= is_near(s[k], sines[k]) && is_near(c[k], cosines[k]);
+  return right;
+}
+)";
+
+// The statements of rounding_is_as_written() before the known state.
+inline constexpr const char* kCppRounding = R"({
+  constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+  constexpr int method = FLT_EVAL_METHOD;
+  if (method != 0 && method != 16 && (is_float || method != 1)) return false;
+  const volatile Scalar a = Scalar(0.1), b = Scalar(0.7), one = Scalar(1.0), tiny = Scalar(1e-17),
+      nine = Scalar(9.0), seven = Scalar(7.0), half = Scalar(0.5),
+      half_a_place = is_float ? Scalar(0x1.001p-24) : Scalar(0x1.001p-53),
+      smallest = is_float ? Scalar(0x1p-126) : Scalar(0x1p-1022);
+  const volatile Scalar product = a * b, quotient = nine / seven, next = one + half_a_place;
+  const Scalar x = one, y = tiny;
+  const auto is_zero = [](Scalar r) { return !(r < Scalar(0.0)) && !(r > Scalar(0.0)); };
+  if (!is_zero(a * b - product) || !(next > one) || !is_zero((x + y) - x) || !is_zero((x - y) - x) ||
+      !is_zero(nine / Scalar(7.0) - quotient) || !(smallest * half > Scalar(0.0))) {
+    return false;
+  }
+)";
+
+inline constexpr const char* kCppKnownState = R"(
+  const volatile uint32_t first = 0;
+  const uint32_t seed = first;
+  uint64_t hash = 14695981039346656037u;
+)";
+
+}  // namespace flatdyn

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The helpers of emitted C over vectors, as they have to be. They are written down here once more, not taken from the
+// templates. What they compute is that of flatdyn's sincos.hpp.
+#pragma once
+
+namespace flatdyn {
+
+inline constexpr const char* kLanesTypes = R"(
+#if defined __AVX512F__
+enum { $lanes$_bytes = 64 };
+#elif defined __AVX__
+enum { $lanes$_bytes = 32 };
+#else
+enum { $lanes$_bytes = 16 };
+#endif
+typedef $real$ $lanes$ __attribute__((vector_size($lanes$_bytes)));
+static const size_t $lanes$_count = sizeof($lanes$) / sizeof($real$);
+typedef $integer$ $mask$ __attribute__((vector_size($lanes$_bytes)));
+static inline $lanes$ $lanes$_all($real$ x) {
+  const $lanes$ zeros = {0};
+  return x - zeros;
+}
+static inline $lanes$ $lanes$_where($mask$ condition, $lanes$ yes,
+    $lanes$ no) {
+  return ($lanes$)((condition & ($mask$)yes) | (~condition & ($mask$)no));
+}
+)";
+
+inline constexpr const char* kLanesSign = R"(
+static inline $lanes$ $lanes$_sign($lanes$ x) {
+  const $lanes$ zeros = {0}, ones = $lanes$_all(1.0$f$);
+  return $lanes$_where(x > zeros, ones, zeros) - $lanes$_where(x < zeros, ones, zeros);
+}
+)";
+
+inline constexpr const char* kLanesSqrt = R"(
+static inline $lanes$ $lanes$_sqrt($lanes$ x) {
+  for (size_t lane = 0; lane < $lanes$_count; ++lane) x[lane] = sqrt$f$(x[lane]);
+  return x;
+}
+)";
+
+inline constexpr const char* kLanesRows = R"(
+static inline size_t $lanes$_states(size_t left) {
+  return left < $lanes$_count ? left : $lanes$_count;
+}
+typedef $real$ $lanes$_piece __attribute__((vector_size(16)));
+typedef $real$ $lanes$_piece_there
+    __attribute__((vector_size(16), aligned(sizeof($real$)), may_alias));
+enum { $lanes$_side = sizeof($lanes$_piece) / sizeof($real$) };
+static inline $lanes$_piece $lanes$_piece_at(const $real$* from) {
+  return *(const $lanes$_piece_there*)from;
+}
+static inline void $lanes$_put($lanes$_piece piece, $real$* to) {
+  *($lanes$_piece_there*)to = piece;
+}
+#if defined __clang__
+static inline $lanes$_piece $lanes$_first_halves($lanes$_piece a, $lanes$_piece b) {
+  return __builtin_shufflevector(a, b, $first_halves$);
+}
+static inline $lanes$_piece $lanes$_second_halves($lanes$_piece a, $lanes$_piece b) {
+  return __builtin_shufflevector(a, b, $second_halves$);
+}
+#else
+typedef $integer$ $lanes$_places __attribute__((vector_size(16)));
+static inline $lanes$_piece $lanes$_first_halves($lanes$_piece a, $lanes$_piece b) {
+  return __builtin_shuffle(a, b, ($lanes$_places){ $first_halves$ });
+}
+static inline $lanes$_piece $lanes$_second_halves($lanes$_piece a, $lanes$_piece b) {
+  return __builtin_shuffle(a, b, ($lanes$_places){ $second_halves$ });
+}
+#endif
+)";
+
+inline constexpr const char* kLanesSquareOfDoubles = R"(
+static inline void $lanes$_transpose_square(const $real$* restrict from, size_t from_step,
+    $real$* restrict to, size_t to_step) {
+  const $lanes$_piece a = $lanes$_piece_at(from), b = $lanes$_piece_at(from + from_step);
+  $lanes$_put($lanes$_first_halves(a, b), to);
+  $lanes$_put($lanes$_second_halves(a, b), to + to_step);
+}
+)";
+
+inline constexpr const char* kLanesSquareOfFloats = R"(
+static inline void $lanes$_transpose_square(const $real$* restrict from, size_t from_step,
+    $real$* restrict to, size_t to_step) {
+  const $lanes$_piece a = $lanes$_piece_at(from), b = $lanes$_piece_at(from + from_step);
+  const $lanes$_piece c = $lanes$_piece_at(from + 2 * from_step);
+  const $lanes$_piece d = $lanes$_piece_at(from + 3 * from_step);
+  const $lanes$_piece ac = $lanes$_first_halves(a, c), bd = $lanes$_first_halves(b, d);
+  $lanes$_put($lanes$_first_halves(ac, bd), to);
+  $lanes$_put($lanes$_second_halves(ac, bd), to + to_step);
+  const $lanes$_piece last_ac = $lanes$_second_halves(a, c);
+  const $lanes$_piece last_bd = $lanes$_second_halves(b, d);
+  $lanes$_put($lanes$_first_halves(last_ac, last_bd), to + 2 * to_step);
+  $lanes$_put($lanes$_second_halves(last_ac, last_bd), to + 3 * to_step);
+}
+)";
+
+inline constexpr const char* kLanesTransposes = R"(
+static inline void $lanes$_transpose(const $real$* restrict from, size_t from_step,
+    size_t rows, size_t columns, $real$* restrict to, size_t to_step) {
+  const size_t last_row = rows - $lanes$_side, last_column = columns - $lanes$_side;
+  for (size_t j = 0; j < columns; j += $lanes$_side) {
+    const size_t column = j < last_column ? j : last_column;
+    for (size_t i = 0; i < rows; i += $lanes$_side) {
+      const size_t row = i < last_row ? i : last_row;
+      $lanes$_transpose_square(from + from_step * row + column, from_step,
+          to + to_step * column + row, to_step);
+    }
+  }
+}
+static inline void $lanes$_read(const $real$* restrict rows, size_t step, size_t states,
+    size_t length, $lanes$* restrict block) {
+  $real$* const numbers = ($real$*)block;
+  if (states == $lanes$_count && length >= $lanes$_side) {
+    $lanes$_transpose(rows, step, $lanes$_count, length, numbers, $lanes$_count);
+    return;
+  }
+  for (size_t lane = 0; lane < $lanes$_count; ++lane) {
+    const $real$* row = rows + step * (lane < states ? lane : states - 1);
+    for (size_t entry = 0; entry < length; ++entry) {
+      numbers[$lanes$_count * entry + lane] = row[entry];
+    }
+  }
+}
+static inline void $lanes$_write(const $lanes$* restrict block, size_t states, size_t length,
+    $real$* restrict rows) {
+  const $real$* const numbers = (const $real$*)block;
+  if (states == $lanes$_count && length >= $lanes$_side) {
+    $lanes$_transpose(numbers, $lanes$_count, length, $lanes$_count, rows, length);
+    return;
+  }
+  for (size_t lane = 0; lane < states; ++lane) {
+    for (size_t entry = 0; entry < length; ++entry) {
+      rows[length * lane + entry] = numbers[$lanes$_count * entry + lane];
+    }
+  }
+}
+)";
+
+inline constexpr const char* kLanesNoNumber = R"(
+static inline void $lanes$_or_not_a_number($mask$ positive, size_t length,
+    $lanes$* restrict block) {
+  for (size_t entry = 0; entry < length; ++entry) {
+    block[entry] = $lanes$_where(positive, block[entry], $lanes$_all(($real$)NAN));
+  }
+}
+)";
+
+inline constexpr const char* kLanesReducedAngles = R"(
+static const $real$ $lanes$_reduced_angles = $reduced_angles$;
+typedef unsigned $integer$ $lanes$_bits __attribute__((vector_size($lanes$_bytes)));
+)";
+
+inline constexpr const char* kLanesSinesOfDoubles = R"(
+static inline $lanes$_bits $lanes$_reduced($lanes$ x, $lanes$* restrict r,
+    $lanes$* restrict rest) {
+  const $lanes$ large = $lanes$_all(0x1.8p+52);
+  const $lanes$ turns = x * $lanes$_all(0x1.45f306dc9c883p-1) + large, n = turns - large;
+  const $lanes$ above = x - n * $lanes$_all(0x1.921fb544p+0);
+  const $lanes$ product = n * $lanes$_all(0x1.0b4611a6p-34);
+  const $lanes$ head = above - product;
+  const $lanes$ tail = n * $lanes$_all(0x1.3198a2e037073p-69) - ((above - head) - product);
+  *r = head - tail;
+  *rest = (head - *r) - tail;
+  return ($lanes$_bits)turns;
+}
+static inline $lanes$ $lanes$_sine_near_zero($lanes$ r, $lanes$ rest) {
+  const $lanes$ z = r * r, cube = z * r;
+  const $lanes$ p = 8.33333333332248946124e-03 +
+      z * (-1.98412698298579493134e-04 + z * (2.75573137070700676789e-06 +
+      z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)));
+  return r - ((z * (0.5 * rest - cube * p) - rest) + cube * 1.66666666666666324348e-01);
+}
+static inline $lanes$ $lanes$_cosine_near_zero($lanes$ r, $lanes$ rest) {
+  const $lanes$ z = r * r, half = 0.5 * z, leading = 1.0 - half;
+  const $lanes$ p = 4.16666666666666019037e-02 +
+      z * (-1.38888888888741095749e-03 + z * (2.48015872894767294178e-05 +
+      z * (-2.75573143513906633035e-07 + z * (2.08757232129817482790e-09 +
+      z * -1.13596475577881948265e-11))));
+  return leading + (((1.0 - leading) - half) + (z * (z * p) - r * rest));
+}
+)";
+
+inline constexpr const char* kLanesSinesOfFloats = R"(
+static inline $lanes$_bits $lanes$_reduced($lanes$ x, $lanes$* restrict r,
+    $lanes$* restrict rest) {
+  const $lanes$ large = $lanes$_all(0x1.8p+23f);
+  const $lanes$ turns = x * $lanes$_all(0x1.45f306p-1f) + large, n = turns - large;
+  const $lanes$ above = (x - n * $lanes$_all(0x1.922p+0f)) - n * $lanes$_all(-0x1.2cp-18f);
+  const $lanes$ product = n * $lanes$_all(0x1.11p-26f);
+  *r = above - product;
+  *rest = ((above - *r) - product) - n * $lanes$_all(0x1.68c234p-39f);
+  return ($lanes$_bits)turns;
+}
+static inline $lanes$ $lanes$_sine_near_zero($lanes$ r, $lanes$ rest) {
+  const $lanes$ z = r * r;
+  const $lanes$ p = -1.6666654611e-1f + z * (8.3321608736e-3f + z * -1.9515295891e-4f);
+  return r + (rest + z * r * p);
+}
+static inline $lanes$ $lanes$_cosine_near_zero($lanes$ r, $lanes$ rest) {
+  const $lanes$ z = r * r, half = 0.5f * z, leading = 1.0f - half;
+  const $lanes$ p = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
+  return leading + (((1.0f - leading) - half) + (z * (z * p) - r * rest));
+}
+)";
+
+inline constexpr const char* kLanesSines = R"(
+static inline $lanes$ $lanes$_with_sign_of($lanes$_bits quadrant, $lanes$ x) {
+  return ($lanes$)(($lanes$_bits)x ^ ((quadrant & 2u) << (8 * sizeof($real$) - 2)));
+}
+static inline void $lanes$_sine_and_cosine($lanes$ x, $lanes$* restrict sine,
+    $lanes$* restrict cosine) {
+  $lanes$ r, rest;
+  const $lanes$_bits quadrant = $lanes$_reduced(x, &r, &rest);
+  const $lanes$ s = $lanes$_sine_near_zero(r, rest), c = $lanes$_cosine_near_zero(r, rest);
+  const $mask$ is_swapped = ($mask$)-(quadrant & 1u);
+  *sine = $lanes$_with_sign_of(quadrant, $lanes$_where(is_swapped, c, s));
+  *cosine = $lanes$_with_sign_of(quadrant + 1u, $lanes$_where(is_swapped, s, c));
+}
+static inline bool $lanes$_is_large($real$ x) {
+  return !(x <= $lanes$_reduced_angles && x >= -$lanes$_reduced_angles);
+}
+static __attribute__((noinline)) void $lanes$_ask_library(const $lanes$* restrict q, int first, int last,
+    $lanes$* restrict sine, $lanes$* restrict cosine) {
+  for (int joint = first; joint <= last; ++joint) {
+    for (size_t lane = 0; lane < $lanes$_count; ++lane) {
+      if (!$lanes$_is_large(q[joint][lane])) continue;
+      sine[joint][lane] = sin$f$(q[joint][lane]);
+      cosine[joint][lane] = cos$f$(q[joint][lane]);
+    }
+  }
+}
+static inline bool $lanes$_holds_in_all($mask$ condition) {
+  typedef long long halves __attribute__((vector_size(16), may_alias));
+  const halves* const part = (const halves*)&condition;
+  halves all = part[0];
+  for (size_t k = 1; k < sizeof condition / sizeof all; ++k) all &= part[k];
+  return (all[0] & all[1]) == -1;
+}
+static inline void $lanes$_sines_and_cosines(const $lanes$* restrict q, int first, int last,
+    $lanes$* restrict sine, $lanes$* restrict cosine) {
+  const $lanes$ most = $lanes$_all($lanes$_reduced_angles);
+  $mask$ are_small = most == most;
+  for (int joint = first; joint <= last; ++joint) {
+    $lanes$_sine_and_cosine(q[joint], &sine[joint], &cosine[joint]);
+    are_small &= (q[joint] <= most) & (q[joint] >= -most);
+  }
+  if (!$lanes$_holds_in_all(are_small)) $lanes$_ask_library(q, first, last, sine, cosine);
+}
+)";
+
+}  // namespace flatdyn

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Emitted code with all that it was made from, and what its files have to hold by that.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "emit/emit_options.hpp"
+#include "emit/stages.hpp"
+#include "model/mechanism.hpp"
+#include "readback/file_contents.hpp"
+
+namespace flatdyn {
+
+struct WrittenCode {
+  const Mechanism& mechanism;              // that of the constants
+  const std::vector<Function>& functions;  // the fused one last
+  const std::optional<Stages>& stages;
+  const EmitOptions& options;
+  bool is_module = true;        // in JavaScript: exports names instead of returning them
+  bool is_over_states = false;  // in C: the header and the functions over arrays of states
+};
+
+// Refers to the functions of `code`.
+FileContents contents_of(const WrittenCode& code);
+
+}  // namespace flatdyn

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Functions of a robot, made once and printed in every language and form, and the proof of such a text.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "emit/languages/emit.hpp"
+#include "planning/make_functions.hpp"
+#include "verify/proof.hpp"
+
+namespace flatdyn::testing {
+
+class PrintedCode {
+ public:
+  PrintedCode(LoadedRobot model, const std::vector<std::string>& names, const std::vector<std::string>& staged = {})
+      : model_(std::move(model)) {
+    PipelineOptions options;
+    options.functions = names;
+    Progress quiet(true);
+    Diagnostics findings;
+    functions_ = functions_of(make_functions(model_, options, quiet, findings));
+    if (!staged.empty()) stages_ = stages_of(make_fusion(model_, staged, quiet).fusion);
+  }
+
+  PrintedCode(LoadedRobot model, std::vector<Function> functions)
+      : model_(std::move(model)), functions_(std::move(functions)) {}
+
+  // All files, one after the other. Only C++ has stages.
+  std::string text(const EmitOptions& options) const {
+    std::string all;
+    for (const GeneratedFile& file : emit_code(model_.mechanism, functions_, options, stages_in(options))) {
+      all += file.text;
+    }
+    return all;
+  }
+
+  void prove(const std::string& text, const EmitOptions& options) const {
+    const EmittedText read(text, dialect_of(model_.mechanism, options)->scalar());
+    prove_text(read, {model_.mechanism, functions_, stages_in(options), options});
+  }
+
+  const LoadedRobot& model() const { return model_; }
+  const std::vector<Function>& functions() const { return functions_; }
+
+ private:
+  std::optional<Stages> stages_in(const EmitOptions& options) const {
+    return options.language == Language::cpp ? stages_ : std::nullopt;
+  }
+
+  LoadedRobot model_;
+  std::vector<Function> functions_;
+  std::optional<Stages> stages_;
+};
+
+// Options by language and form: "c++", "pair", "c", "float" in C, "javascript".
+inline EmitOptions form_of(const std::string& name, int most_lines = 0) {
+  EmitOptions options;
+  options.most_lines = most_lines;
+  if (name == "pair") {
+    options.form = Form::pair;
+    options.more_scalars = {"float"};
+  } else if (name == "javascript") {
+    options.language = Language::javascript;
+  } else if (name == "c" || name == "float") {
+    options.language = Language::c;
+    options.scalar = name == "c" ? "double" : "float";
+  }
+  return options;
+}
+
+}  // namespace flatdyn::testing

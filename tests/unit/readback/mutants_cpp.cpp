@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Changes of emitted C++.
+#include "unit/readback/mutants.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+constexpr const char *kBoth = "c++ pair", *kHeader = "c++", *kPair = "pair";
+
+const Mutant kSignatures[] = {
+    {"arguments exchanged", kHeader, "const Scalar* qd, const Scalar* tau", "const Scalar* tau, const Scalar* qd"},
+    {"arguments exchanged", kPair, "const Scalar* qd,\n    const Scalar* tau,", "const Scalar* tau, const Scalar* qd,"},
+    {"arguments exchanged in the source", kPair, "const Scalar* qd,\n    const Scalar* tau,",
+     "const Scalar* tau, const Scalar* qd,", "#include \"arm.hpp\""},
+    {"a function renamed", kBoth, "void inverse_dynamics(", "void inverse_dynamic("},
+    {"names of functions exchanged", kBoth, "bool forward_dynamics(", "bool gravity("},
+    {"another type of result", kBoth, "bool forward_dynamics(", "void forward_dynamics("},
+    {"an argument more", kBoth, "Scalar* tau,", "Scalar* tau, int,"},
+    {"an input that may be written", kBoth, "const Scalar* q,", "Scalar* q,"},
+    {"an input by value", kBoth, "const Scalar* q,", "const Scalar q,"},
+    {"an argument without a name", kHeader, "const Scalar* qdd, Scalar* tau", "const Scalar*, Scalar* tau"},
+    {"an unused argument with a name", kHeader, "/* parameters */", "parameters"},
+    {"no noexcept", kPair, ") noexcept;", ");", "namespace arm"},
+    {"no noexcept", kHeader, ") noexcept {", ") {", "inline void inverse_dynamics"},
+    {"no default of the source of sines", kBoth, "class SinCos = LibrarySinCos", "class SinCos"},
+    {"another default of the source of sines", kHeader, "sin_cos = {}", "sin_cos"},
+    {"not inline", kHeader, "inline void inverse_dynamics", "void inverse_dynamics"},
+    {"no check of the scalar", kHeader, "static_assert(detail::Interface::checked<Scalar>());", "",
+     "void inverse_dynamics"},
+    {"another check of the scalar", kHeader, "checked<Scalar>());", "checked<double>());", "void inverse_dynamics"},
+    {"a function that is deleted", kPair, "noexcept;", "noexcept = delete;", "void inverse_dynamics"},
+    {"a function more", kBoth, "namespace functions {", "inline int more() { return 1; } namespace functions {"},
+    {"a variable more", kBoth, "namespace functions {", "inline int more = 1; namespace functions {"},
+    {"a specialisation", kBoth, "namespace functions {", "template <> void gravity(int); namespace functions {"},
+    {"an operator", kBoth, "namespace functions {", "int operator+(X, X); namespace functions {"},
+};
+
+const Mutant kSines[] = {
+    {"an array of sines that is too short", kBoth, "sine[joint_count]", "sine[1]"},
+    {"an array of sines with another count", kBoth, "sine[angle_count]", "sine[joint_count]", "", "finger"},
+    {"sine and cosine exchanged in LibrarySinCos", kBoth, "((s[joint] = sin(", "((s[joint] = cos("},
+    {"sine and cosine exchanged in GivenSinCos", kBoth, "((s[joint] = sine[", "((s[joint] = cosine["},
+    {"another function of sines", kBoth, "using std::sin;", "using std::sinh;"},
+    {"sines of another array", kBoth, "sin_cos(q, ", "sin_cos(qd, "},
+    {"sines of another joint", kBoth, "Joints<1>()", "Joints<0>()"},
+    {"sines of a joint more", kBoth, "Joints<1>()", "Joints<0, 1>()"},
+    {"arrays of sines exchanged", kBoth, "sine, cosine);", "cosine, sine);"},
+    {"sines that are asked for twice", kBoth, "  sin_cos(q, Joints<1>(), sine, cosine);",
+     "  sin_cos(q, Joints<1>(), sine, cosine); sin_cos(q, Joints<1>(), sine, cosine);"},
+    {"a multiple of another position", kBoth, "angle[3] = Scalar(0.6666666666666666) * q[2]",
+     "angle[3] = Scalar(0.6666666666666666) * q[1]", "", "finger"},
+    {"angles that are not filled", kBoth, "detail::angles(q, angle);", "", "", "finger"},
+    {"sines of positions instead of angles", kBoth, "sin_cos(angle, ", "sin_cos(q, ", "", "finger"},
+};
+
+const Mutant kHelpers[] = {
+    {"a sign of zero that is one", kBoth, "(x > Scalar(0.0))", "(x >= Scalar(0.0))"},
+    {"another square root", kBoth, "using std::sqrt;", "using std::cbrt;", "", "root"},
+    {"a check of fractions that holds always", kHeader, "Scalar(1.5) > Scalar(1.0)", "Scalar(1.5) >= Scalar(1.0)"},
+    {"another version of the interface", kBoth, "flatdyn_interface = 1", "flatdyn_interface = 2"},
+    {"another version of the interface that is asked for", kHeader, "flatdyn_interface == 1", "flatdyn_interface == 2"},
+    {"a check of rounding that is weaker", kBoth, "&& next > one", "&& next >= one"},
+    {"a check of rounding with another constant", kBoth, "0x1.001p-53", "0x1.001p-52"},
+    {"a check of rounding that is left out", kBoth, "&& is_zero((x + y) - x)", ""},
+    {"a gap that may stay", kBoth, "!(gap <= tolerance * tolerance)", "!(gap <= tolerance)", "", "four_bar"},
+    {"loops that are closed with another step", kBoth, "size * dq[k]", "dq[k]", "", "four_bar"},
+    {"loops that are closed by another function", kBoth, "!loop_step(parameters, here", "!gravity(parameters, here", "",
+     "four_bar"},
+    {"another number of rows of the closure", kBoth, "dq[position_count], phi[2]", "dq[position_count], phi[1]", "",
+     "four_bar"},
+};
+
+const Mutant kTables[] = {
+    {"another limit", kBoth, "Real(-2.0)", "Real(-2.0000000000000004)"},
+    {"a limit less", kBoth, "Real(HUGE_VAL)", "Real(3.0)"},
+    {"a limit that is not there", kBoth,
+     "inline constexpr Real velocity_limit[joint_count] = {Real(3.0), "
+     "Real(HUGE_VAL)};",
+     ""},
+    {"names of tables exchanged", kBoth, "position_upper[", "velocity_limit["},
+    {"another count of joints", kBoth, "joint_count = 2", "joint_count = 3"},
+    {"another independent position", kBoth, "independent_positions[joint_count] = {0}",
+     "independent_positions[joint_count] = {1}", "", "four_bar"},
+    {"another value of a base parameter", kBoth, "Real(177.51)", "Real(177.52)", "base_parameter_values", "base"},
+    {"another count of base parameters", kBoth, "base_parameter_count = 7", "base_parameter_count = 6", "", "base"},
+    {"constants in another type", kBoth, "using Real = double", "using Real = float"},
+    {"a symbol renamed", kBoth, "Scalar m_1;", "Scalar m_2;"},
+    {"a symbol more", kBoth, "Scalar m_1;", "Scalar m_1; Scalar m_2;"},
+    {"another shape of a matrix", kBoth, "(&B)[2][2]", "(&B)[2][3]"},
+    {"another shape of an input", kBoth, "Scalar (&q)[2]", "Scalar (&q)[1]"},
+    {"another function behind a shape", kBoth, "::arm::gravity(of...)", "::arm::bias(of...)"},
+    {"a shape that says that entries are left out", kBoth, "Scalar (&g)[2]);",
+     "Scalar (&g)[2]); static constexpr bool leaves_out = true;"},
+};
+
+const Mutant kFiles[] = {
+    {"no include", kBoth, "#include <cmath>", ""},
+    {"another include", kBoth, "#include <cmath>", "#include <math.h>"},
+    {"another macro as a guard", kBoth, "#define FLATDYN_", "#define FLATDYN_OTHER_"},
+    {"a macro", kBoth, "using Real", "#define Scalar float\nusing Real"},
+    {"a pragma", kBoth, "using Real", "#pragma GCC optimize(\"fast-math\")\nusing Real"},
+    {"a macro behind the end", kBoth, "#endif", "#endif\n#define sin cos"},
+    {"another namespace", kBoth, "namespace arm {", "namespace harm {"},
+    {"a name from another namespace", kBoth, "using Real", "using namespace std; using Real"},
+    {"another header", kPair, "#include \"arm.hpp\"", "#include \"harm.hpp\""},
+    {"an instance less", kPair, "extern template struct Configuration<float>;", ""},
+    {"an instance less in the source", kPair, "template struct Configuration<float>;", "", "#include \"arm.hpp\""},
+    {"an instance in another type", kPair, "extern template void gravity(const Parameters<double>&",
+     "extern template void gravity(const Parameters<float>&"},
+};
+
+const Mutant kStagesAndParts[] = {
+    {"fields of a stage exchanged", kBoth, "stage.x1 = ", "stage.x2 = "},
+    {"a field that is not written", kBoth, "stage.Ic_1_zz = Ic_1_zz;", ""},
+    {"a field that is declared twice", kBoth, "Scalar x1, Ic_1_zz, x2;", "Scalar x1, x1, x2;"},
+    {"a field less", kBoth, "Scalar x1, Ic_1_zz, x2;", "Scalar x1, Ic_1_zz;"},
+    {"a member of another stage", kBoth, "Motion<Scalar>::forward_dynamics", "Configuration<Scalar>::forward_dynamics"},
+    {"a member that may change its stage", kBoth, "Scalar* qdd) const noexcept", "Scalar* qdd) noexcept"},
+    {"another stage that is returned", kBoth, "return stage;", "return Configuration<Scalar>();"},
+    {"a stage of another type", kBoth, "Configuration<Scalar> stage;", "Motion<Scalar> stage;"},
+    {"a member behind another name", kBoth, "return stage.forward_dynamics(of...)", "return stage.bias(of...)"},
+    {"parts in another order", kBoth, "  detail::bias_part_1(qd, sine, cosine, kept);\n", "", "", "finger", true},
+    {"a part that is called twice", kBoth, "detail::bias_part_1(qd, sine, cosine, kept);",
+     "detail::bias_part_1(qd, sine, cosine, kept); detail::bias_part_1(qd, sine, cosine, kept);", "", "finger", true},
+    {"arguments of a part exchanged", kBoth, "detail::bias_part_2(sine, cosine,", "detail::bias_part_2(cosine, sine,",
+     "", "finger", true},
+    {"parameters of a part exchanged", kBoth, "void bias_part_2(const Scalar* sine, const Scalar* cosine,",
+     "void bias_part_2(const Scalar* cosine, const Scalar* sine,", "", "finger", true},
+    {"another place of a value that is kept", kBoth, "t6 = kept[10]", "t6 = kept[9]", "", "finger", true},
+    {"an array between parts that is too short", kBoth, "Scalar kept[13]", "Scalar kept[12]", "", "finger", true},
+    {"an array between parts that is too long", kBoth, "Scalar kept[13]", "Scalar kept[14]", "", "finger", true},
+    {"pivots that are not checked", kBoth, "for (const Scalar& pivot : pivots) positive &= pivot > Scalar(0.0);", "",
+     "", "finger", true},
+    {"pivots that are checked against another bound", kBoth, "positive &= pivot > Scalar(0.0)",
+     "positive &= pivot > Scalar(-1.0)", "", "finger", true},
+    {"a pivot less", kBoth, "pivots[2] = b_3_3q;", "", "", "finger", true},
+    {"a part that nothing calls", kBoth, "template <class Scalar>\nvoid bias_part_2(",
+     "template <class Scalar>\nvoid bias_part_3() noexcept {}\ntemplate <class Scalar>\nvoid bias_part_2(", "",
+     "finger", true},
+};
+
+}  // namespace
+
+std::vector<Mutant> mutants_in_cpp() {
+  std::vector<Mutant> all;
+  const auto add = [&all](const auto& list) { all.insert(all.end(), std::begin(list), std::end(list)); };
+  add(kSignatures);
+  add(kSines);
+  add(kHelpers);
+  add(kTables);
+  add(kFiles);
+  add(kStagesAndParts);
+  return all;
+}
+
+}  // namespace flatdyn::testing

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Emitted text with one change: whatever is changed outside of comments, and wherever, the proof of the text fails.
+// Each row is a kind of change in one language or more; the first place of the text is changed.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+
+#include "diagnostics/diagnostics.hpp"
+#include "emit/writer.hpp"
+#include "support/printed_code.hpp"
+#include "support/robot_models.hpp"
+#include "support/written_model.hpp"
+#include "unit/readback/mutants.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+// Two joints with friction, limits and a symbol.
+constexpr const char* kArm = R"(
+name = "arm"
+gravity = [0, 0, -9.81]
+[[link]]
+joint = "shoulder"
+mass = "m_1"
+com = [0.3, 0, 0]
+inertia = { xx = 0.1, yy = 0.2, zz = 0.2 }
+inertia_about = "com"
+coulomb = 0.5
+limits = { lower = -2, upper = 2, velocity = 3 }
+[[link]]
+joint = "elbow"
+xyz = [0.5, 0, 0]
+rpy = ["pi/2", 0, 0]
+mass = 2
+com = [0.1, 0.2, 0]
+inertia = { xx = 0.1, yy = 0.2, zz = 0.3 }
+inertia_about = "com"
+)";
+
+// A function with a square root, which only those of the operational space have otherwise.
+Function with_a_root() {
+  Function function;
+  function.name = "gravity";
+  function.inputs = {InputKind::q};
+  const NodeId q = function.graph.input({InputKind::q, 0});
+  const NodeId square = function.graph.sum({{1, function.graph.product({q, q})}, {1, function.graph.constant(1)}});
+  Output g;
+  g.name = "g";
+  g.rows = 2;
+  g.entries = {function.graph.sqrt(square), q};
+  function.outputs = {g};
+  return function;
+}
+
+const PrintedCode& code_of(const std::string& robot) {
+  static std::map<std::string, std::unique_ptr<PrintedCode>> made;
+  std::unique_ptr<PrintedCode>& code = made[robot];
+  if (code != nullptr) return *code;
+  if (robot == "arm") {
+    code = std::make_unique<PrintedCode>(
+        model_of_toml(kArm),
+        std::vector<std::string>{"inverse_dynamics", "inertia_matrix", "forward_dynamics", "kinetic_energy", "gravity"},
+        std::vector<std::string>{"inertia_matrix", "forward_dynamics"});
+  } else if (robot == "root") {
+    code = std::make_unique<PrintedCode>(model_of_toml(kArm), std::vector<Function>{with_a_root()});
+  } else if (robot == "base") {
+    code = std::make_unique<PrintedCode>(model_of("planar_2r_example_7_2.toml"),
+                                         std::vector<std::string>{"inverse_dynamics_base"});
+  } else if (robot == "four_bar") {
+    code = std::make_unique<PrintedCode>(model_of("four_bar.toml"),
+                                         std::vector<std::string>{"loop_closure", "loop_step", "gravity"});
+  } else {
+    code = std::make_unique<PrintedCode>(model_of(robot + ".toml"),
+                                         std::vector<std::string>{"gravity", "bias", "forward_dynamics"});
+  }
+  return *code;
+}
+
+const std::string& text_of(const Mutant& mutant, const std::string& form) {
+  static std::map<std::string, std::string> made;
+  const int most_lines = mutant.has_parts ? 30 : 0;
+  std::string& text = made[fmt::format("{} {} {}", mutant.robot, form, most_lines)];
+  if (text.empty()) text = code_of(mutant.robot).text(form_of(form, most_lines));
+  return text;
+}
+
+std::string changed(const Mutant& mutant, const std::string& text) {
+  const std::size_t begin = text.find(mutant.behind);
+  const std::size_t place = begin == std::string::npos ? begin : text.find(mutant.from, begin);
+  if (place == std::string::npos) return "";
+  std::string wrong = text;
+  return wrong.replace(place, std::string(mutant.from).size(), mutant.to);
+}
+
+class Mutants : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Mutants, AreRefused) {
+  const std::string form = GetParam();
+  int count = 0;
+  for (const Mutant& mutant : mutants()) {
+    if (!is_in(mutant, form)) continue;
+    const std::string wrong = changed(mutant, text_of(mutant, form));
+    if (wrong.empty()) {
+      ADD_FAILURE() << mutant.kind << ": nothing to change: " << mutant.from;
+      continue;
+    }
+    EXPECT_THROW(code_of(mutant.robot).prove(wrong, form_of(form)), Failure) << mutant.kind << ": " << mutant.to;
+    ++count;
+  }
+  EXPECT_GE(count, 43);
+}
+
+TEST_P(Mutants, AreMadeOfTextThatHolds) {
+  const std::string form = GetParam();
+  for (const Mutant& mutant : mutants()) {
+    if (!is_in(mutant, form)) continue;
+    EXPECT_NO_THROW(code_of(mutant.robot).prove(text_of(mutant, form), form_of(form))) << mutant.robot;
+  }
+}
+
+// Checks that entries of qdd are finite, as each form writes them.
+class ChecksOfEntries {
+ public:
+  explicit ChecksOfEntries(const std::string& form)
+      : is_cpp_(form == "c++" || form == "pair"),
+        is_script_(form == "javascript"),
+        zero_(is_cpp_           ? "Scalar(0.0)"
+              : is_script_      ? "0"
+              : form == "float" ? "0.0f"
+                                : "0.0") {}
+
+  std::string one(const std::string& index) const {
+    return fmt::format("valid {} {} * qdd[{}] >= {};", is_script_ ? "&&=" : "&=", zero_, index, zero_);
+  }
+  std::string loop(int first, int end) const {
+    const std::string body = is_cpp_ ? one("k") : "{ " + one("k") + " }";
+    return fmt::format("for ({} k = {}; k < {}; ++k) {}", is_script_ ? "let" : "int", first, end, body);
+  }
+  // The text with these checks after those of pivots.
+  static std::string added(const std::string& text, const std::string& checks) {
+    return with_replaced(with_replaced(text, "positive", "valid"), "  return valid;",
+                         "  " + checks + "\n  return valid;");
+  }
+
+ private:
+  bool is_cpp_, is_script_;
+  std::string zero_;
+};
+
+TEST_P(Mutants, ChecksOfEntriesAreOfAllThatAreWritten) {
+  const std::string form = GetParam();
+  const ChecksOfEntries checks(form);
+  const PrintedCode& code = code_of("arm");
+  const std::string text = code.text(form_of(form));
+  for (const std::string& all :
+       {checks.loop(0, 2), checks.one("0") + checks.one("1"), checks.loop(1, 2) + checks.one("0")}) {
+    EXPECT_NO_THROW(code.prove(checks.added(text, all), form_of(form))) << all;
+  }
+  for (const std::string& wrong :
+       {std::string(), checks.one("0"), checks.loop(0, 1), checks.loop(0, 3), checks.loop(0, 2) + checks.one("1"),
+        checks.loop(2, 0), with_replaced(checks.loop(0, 2), ">=", ">"), with_replaced(checks.loop(0, 2), "qdd", "tau"),
+        with_replaced(checks.loop(0, 2), "++k", "k += 2"), with_replaced(checks.loop(0, 2), "valid", "positive")}) {
+    EXPECT_THROW(code.prove(checks.added(text, wrong), form_of(form)), Failure) << wrong;
+  }
+  const std::string other = with_replaced(checks.added(text, checks.loop(0, 2)), "valid", "positive");
+  EXPECT_THROW(code.prove(other, form_of(form)), Failure);
+}
+
+TEST_P(Mutants, ChecksOfEntriesMayFollowParts) {
+  const std::string form = GetParam();
+  const ChecksOfEntries checks(form);
+  const PrintedCode& code = code_of("finger");
+  const std::string text = code.text(form_of(form, 30));
+  EXPECT_NO_THROW(code.prove(checks.added(text, checks.loop(0, 3)), form_of(form)));
+  EXPECT_THROW(code.prove(checks.added(text, checks.loop(0, 2)), form_of(form)), Failure);
+}
+
+INSTANTIATE_TEST_SUITE_P(InEveryForm, Mutants, ::testing::Values("c++", "pair", "javascript", "c", "float"),
+                         [](const auto& form) {
+                           const std::string name = form.param;
+                           return name == "c++" ? "cpp" : name;
+                         });
+
+}  // namespace
+}  // namespace flatdyn::testing
