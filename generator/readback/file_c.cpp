@@ -53,6 +53,7 @@ void CFile::find_prefix() {
     prefix_ = prefix_of_names(name_space);
     if (count != nullptr && count->name == count_name("joint_count")) break;
   }
+  prefix_of_definitions_ = prefix_;
   fill("prefix", prefix_);
   fill("exported", prefix_);
   fill("positions", count_name("position_count"));

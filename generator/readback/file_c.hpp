@@ -25,8 +25,9 @@ class CFile : public FileReader {
   std::string prefixed(const std::string& name) const { return prefix_ + name; }
   virtual std::string condition_type() const { return "bool"; }
 
-  std::string scalar_;  // of variables
-  std::string prefix_;  // of names that are only in this file
+  std::string scalar_;                 // of variables
+  std::string prefix_;                 // of names
+  std::string prefix_of_definitions_;  // of functions that are defined here
   bool has_sines_ = false;
 
  private:

@@ -15,7 +15,7 @@ std::string CFile::returns_of(const FileFunction& function) const {
 
 // The function that takes sines and cosines; nullptr if there is none.
 const ScannedFunction* CFile::given_of(const FileFunction& function) const {
-  const auto found = text_.parts().find(prefixed(function.given));
+  const auto found = text_.parts().find(prefix_of_definitions_ + function.given);
   return found == text_.parts().end() ? nullptr : &found->second;
 }
 

@@ -18,6 +18,7 @@ class LanesFile : public CFile {
  private:
   void file() override {
     find_prefix();
+    prefix_of_definitions_ = prefix_ + "lanes_";
     header();
     exported_ = prefix_;
     name_lanes();
@@ -31,7 +32,8 @@ class LanesFile : public CFile {
     }
   }
 
-  std::string condition_type() const override { return scalar_ + "_mask"; }
+  // The header is that of functions of one state.
+  std::string condition_type() const override { return scalar_ == contents_.scalar ? "bool" : scalar_ + "_mask"; }
   bool is_float() const { return contents_.scalar == "float"; }
 
   void name_lanes() {
@@ -48,10 +50,9 @@ class LanesFile : public CFile {
   // Takes the hash of the text, or what stands for it until all texts are known.
   void text_hash() {
     expect("const char* $exported$text_hash(void) { return");
-    const auto is_of_hash = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-    const std::string hash = unquoted(take()).value_or("-");
-    const auto inner = [&hash](char c) { return hash.find(c) != std::string::npos; };
-    if (hash.empty() || inner('-') || !std::all_of(hash.begin(), hash.end(), is_of_hash)) fail("a hash expected");
+    const std::string hash = take();
+    const bool is_whole = hash.size() > 2 && hash.front() == '"' && hash.back() == '"';
+    if (!is_whole || hash.find_first_of("\\?\n") != std::string::npos) fail("a hash expected");
     expect("; }");
   }
 
@@ -67,7 +68,10 @@ class LanesFile : public CFile {
     expect(is_float() ? kLanesSquareOfFloats : kLanesSquareOfDoubles);
     expect(kLanesTransposes);
     const auto is_checked = [](const FileFunction& each) { return !each.function->validity_conditions.empty(); };
-    if (std::any_of(contents_.functions.begin(), contents_.functions.end(), is_checked)) expect(kLanesNoNumber);
+    if (!std::any_of(contents_.functions.begin(), contents_.functions.end(), is_checked)) return;
+    fill("verdict",
+         follows("static inline void $lanes$_or_not_a_number($mask$ positive,") ? kPivotsChecked : kAllChecked);
+    expect(kLanesNoNumber);
   }
 
   // An array of states, as the function over arrays has it.

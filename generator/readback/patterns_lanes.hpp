@@ -28,14 +28,14 @@ static inline $lanes$ $lanes$_where($mask$ condition, $lanes$ yes,
 
 inline constexpr const char* kLanesSign = R"(
 static inline $lanes$ $lanes$_sign($lanes$ x) {
-  const $lanes$ zeros = {0}, ones = $lanes$_all(1.0$f$);
+  const $lanes$ zeros = {0}, ones = $lanes$_all(1.0);
   return $lanes$_where(x > zeros, ones, zeros) - $lanes$_where(x < zeros, ones, zeros);
 }
 )";
 
 inline constexpr const char* kLanesSqrt = R"(
 static inline $lanes$ $lanes$_sqrt($lanes$ x) {
-  for (size_t lane = 0; lane < $lanes$_count; ++lane) x[lane] = sqrt$f$(x[lane]);
+  for (size_t lane = 0; lane < $lanes$_count; ++lane) x[lane] = sqrt(x[lane]);
   return x;
 }
 )";
@@ -140,10 +140,10 @@ static inline void $lanes$_write(const $lanes$* restrict block, size_t states, s
 )";
 
 inline constexpr const char* kLanesNoNumber = R"(
-static inline void $lanes$_or_not_a_number($mask$ positive, size_t length,
+static inline void $lanes$_or_not_a_number($mask$ $verdict$, size_t length,
     $lanes$* restrict block) {
   for (size_t entry = 0; entry < length; ++entry) {
-    block[entry] = $lanes$_where(positive, block[entry], $lanes$_all(($real$)NAN));
+    block[entry] = $lanes$_where($verdict$, block[entry], $lanes$_all(($real$)NAN));
   }
 }
 )";

@@ -177,7 +177,9 @@ void TextReader::write(const std::string& array, int entry, int value) {
 void TextReader::give_back() {
   const bool is_on_line = !is_at_end() && text_.tokens_[at_].line == text_.tokens_[at_ - 1].line;
   if (!is_on_line) fail("a result on another line");  // JavaScript would return nothing
-  if (notation_.has_c_functions && word(1) == "(" && text_.parts_.count(word()) != 0) {
+  const auto part = text_.parts_.find(word());
+  const bool is_call = part != text_.parts_.end() && word(1) == "(" && !part->second.parameters.empty();
+  if (notation_.has_c_functions && is_call) {
     ending_ = call();
     return;
   }

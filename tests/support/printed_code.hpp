@@ -41,6 +41,15 @@ class PrintedCode {
     prove_text(read, {model_.mechanism, functions_, stages_in(options), options});
   }
 
+  // The C form's header, and the functions over arrays of states.
+  std::string text_over_states(const EmitOptions& options) const {
+    return emit_c(model_.mechanism, functions_, options).header + emit_c_batch(model_.mechanism, functions_, options);
+  }
+
+  void prove_over_states(const std::string& text, const EmitOptions& options) const {
+    prove_batch("", text, {model_.mechanism, functions_, std::nullopt, options});
+  }
+
   const LoadedRobot& model() const { return model_; }
   const std::vector<Function>& functions() const { return functions_; }
 
@@ -54,7 +63,8 @@ class PrintedCode {
   std::optional<Stages> stages_;
 };
 
-// Options by language and form: "c++", "pair", "c", "float" in C, "javascript".
+// Options by language and form: "c++", "pair", "javascript", "c", and in C "float" and, over states, "lanes" of
+// doubles.
 inline EmitOptions form_of(const std::string& name, int most_lines = 0) {
   EmitOptions options;
   options.most_lines = most_lines;
@@ -63,9 +73,9 @@ inline EmitOptions form_of(const std::string& name, int most_lines = 0) {
     options.more_scalars = {"float"};
   } else if (name == "javascript") {
     options.language = Language::javascript;
-  } else if (name == "c" || name == "float") {
+  } else if (name == "c" || name == "float" || name == "lanes") {
     options.language = Language::c;
-    options.scalar = name == "c" ? "double" : "float";
+    options.scalar = name == "float" ? "float" : "double";
   }
   return options;
 }

@@ -4,7 +4,8 @@
 namespace flatdyn::testing {
 namespace {
 
-constexpr const char *kCpp = "c++ pair", *kAll = "c++ pair c float javascript", *kPlain = "c javascript",
+constexpr const char *kCpp = "c++ pair", *kAll = "c++ pair c float javascript lanes",
+                     *kWithTables = "c++ pair c float javascript", *kPlain = "c javascript",
                      *kTyped = "c++ pair c float";
 
 // Changes that are the same in all languages.
@@ -46,12 +47,12 @@ const Mutant kMutantsInAll[] = {
     {"a name that is not known", kAll, "tau[1] = qd_1 * t3", "tau[1] = qd_1 * t7"},
     {"another operand", kAll, "tau[1] = qd_1 * t3", "tau[1] = qd_2 * t3"},
     {"another operator", kAll, "tau[1] = qd_1 * t3 -", "tau[1] = qd_1 * t3 +"},
-    {"a table of zeros that says one", kAll, "1, 0,", "1, 1,", "nonzero"},
-    {"a table of zeros that is short", kAll, "1, 0,", "1,", "nonzero"},
-    {"another name of a joint", kAll, "\"elbow\"", "\"ankle\""},
-    {"names of joints exchanged", kAll, "\"shoulder\", \"elbow\"", "\"elbow\", \"shoulder\""},
-    {"a name less", kAll, "\"shoulder\", \"elbow\"", "\"shoulder\""},
-    {"another name of a base parameter", kAll, "\"m1lx\"", "\"m2lx\"", "base_parameter_names", "base"},
+    {"a table of zeros that says one", kWithTables, "1, 0,", "1, 1,", "nonzero"},
+    {"a table of zeros that is short", kWithTables, "1, 0,", "1,", "nonzero"},
+    {"another name of a joint", kWithTables, "\"elbow\"", "\"ankle\""},
+    {"names of joints exchanged", kWithTables, "\"shoulder\", \"elbow\"", "\"elbow\", \"shoulder\""},
+    {"a name less", kWithTables, "\"shoulder\", \"elbow\"", "\"shoulder\""},
+    {"another name of a base parameter", kWithTables, "\"m1lx\"", "\"m2lx\"", "base_parameter_names", "base"},
     {"a result that is always valid after parts", kAll, "return positive;", "return true;", "", "finger", true},
     {"an input that is read after parts have written", kAll, "n[1] = -t24", "n[1] = -qd[0]", "", "finger", true},
 };
@@ -97,7 +98,8 @@ const Mutant kMutantsInSome[] = {
 std::vector<Mutant> mutants() {
   std::vector<Mutant> all(std::begin(kMutantsInAll), std::end(kMutantsInAll));
   all.insert(all.end(), std::begin(kMutantsInSome), std::end(kMutantsInSome));
-  for (const std::vector<Mutant>& more : {mutants_in_cpp(), mutants_in_c(), mutants_in_javascript()}) {
+  for (const std::vector<Mutant>& more :
+       {mutants_in_cpp(), mutants_in_c(), mutants_in_javascript(), mutants_over_states()}) {
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;

@@ -23,9 +23,10 @@ inline bool is_in(const Mutant& mutant, const std::string& form) {
 // All of them.
 std::vector<Mutant> mutants();
 
-// Those of C++, C and JavaScript alone.
+// Those of C++, C, JavaScript and of C over states alone.
 std::vector<Mutant> mutants_in_cpp();
 std::vector<Mutant> mutants_in_c();
 std::vector<Mutant> mutants_in_javascript();
+std::vector<Mutant> mutants_over_states();
 
 }  // namespace flatdyn::testing

@@ -87,7 +87,66 @@ const Mutant kMutantsOfC[] = {
     {"a loop of checks that begins late", kEither, "int k = 0; k < 3", "int k = 1; k < 3", "", "finger", true},
 };
 
+constexpr const char* kLanes = "lanes";
+
+const Mutant kMutantsOverStates[] = {
+    {"states that are skipped", kLanes, "k += arm_lanes_count", "k += 2 * arm_lanes_count"},
+    {"a state too many", kLanes, "k < count", "k <= count"},
+    {"another number of states", kLanes, "arm_lanes_states(count - k)", "arm_lanes_states(count)"},
+    {"a row that is too short", kLanes, "q_step, states, 2, q_block", "q_step, states, 1, q_block"},
+    {"a block that is too short", kLanes, "q_block[2]", "q_block[1]"},
+    {"rows of another array", kLanes, "arm_lanes_read(qd + qd_step * k", "arm_lanes_read(q + qd_step * k"},
+    {"another step", kLanes, "qd + qd_step * k, qd_step", "qd + qd_step * k, q_step"},
+    {"another row", kLanes, "tau + 2 * k", "tau + 1 * k"},
+    {"a result that is not written", kLanes, "arm_lanes_write(tau_block, states, 2, tau + 2 * k);", ""},
+    {"blocks exchanged in a call", kLanes, "qd_block, qdd_block, tau_block);", "qdd_block, qd_block, tau_block);"},
+    {"a call of another function", kLanes, "arm_lanes_inertia_matrix(parameters, q_block",
+     "arm_lanes_gravity(parameters, q_block"},
+    {"a verdict that is dropped", kLanes, "arm_lanes_or_not_a_number(positive, 2, qdd_block);", ""},
+    {"a verdict on fewer entries", kLanes, "(positive, 2, qdd_block)", "(positive, 1, qdd_block)"},
+    {"another verdict", kLanes, "condition & (arm_lanes_mask)yes", "condition & (arm_lanes_mask)no"},
+    {"a number instead of none", kLanes, "(double)NAN", "(double)0"},
+    {"a function over states renamed", kLanes, "void arm_gravity_batch(", "void arm_gravity_batches("},
+    {"arguments exchanged", kLanes, "const double* qd, size_t qd_step, const double* qdd, size_t qdd_step",
+     "const double* qdd, size_t qdd_step, const double* qd, size_t qd_step"},
+    {"sines of a call exchanged", kLanes, "arm_lanes_gravity_given(parameters, sine, cosine",
+     "arm_lanes_gravity_given(parameters, cosine, sine"},
+    {"a function that other files see", kLanes, "static void arm_lanes_gravity(", "void arm_lanes_gravity("},
+    {"a spread that adds", kLanes, "return x - zeros;", "return x + zeros;"},
+    {"a sign of zero that is one", kLanes, "where(x > zeros", "where(x >= zeros"},
+    {"another size of vectors", kLanes, "_bytes = 64", "_bytes = 32"},
+    {"another type of vectors", kLanes, "typedef double arm_lanes __", "typedef float arm_lanes __"},
+    {"angles that are reduced too far", kLanes, "reduced_angles = 1e5", "reduced_angles = 1e9"},
+    {"another coefficient of sines", kLanes, "8.33333333332248946124e-03", "8.33333333332248946125e-03"},
+    {"another part of pi", kLanes, "0x1.921fb544p+0", "0x1.921fb545p+0"},
+    {"another quadrant", kLanes, "quadrant & 2u", "quadrant & 1u"},
+    {"sine and cosine exchanged in the helper", kLanes, "where(is_swapped, c, s)", "where(is_swapped, s, c)"},
+    {"sine and cosine exchanged for large angles", kLanes, "= sin(q[joint][lane])", "= cos(q[joint][lane])"},
+    {"large angles that are not asked for", kLanes, "if (!arm_lanes_holds_in_all(are_small))",
+     "if (arm_lanes_holds_in_all(are_small))"},
+    {"another transpose", kLanes, "to_step * column + row", "to_step * row + column"},
+    {"another shuffle", kLanes, "(a, b, 0, 2)", "(a, b, 0, 3)"},
+    {"a lane that reads another state", kLanes, "lane < states ? lane : states - 1", "lane < states ? lane : states"},
+    {"no permission to alias", kLanes, ", may_alias", "", "_piece_there"},
+    {"no include", kLanes, "#include <stddef.h>", ""},
+    {"another header", kLanes, "#include \"arm.h\"", "#include \"harm.h\""},
+    {"a pragma", kLanes, "#include <stddef.h>", "#include <stddef.h>\n#pragma GCC optimize(\"fast-math\")"},
+    {"a hash that is computed", kLanes, "text_hash(void) { return", "text_hash(void) { return 1 +"},
+    {"a plain literal", kLanes, "arm_lanes_all(0.2) * c_2", "0.2 * c_2"},
+    {"another constant", kLanes, "arm_lanes_all(0.2) * c_2", "arm_lanes_all(0.3) * c_2"},
+    {"a parameter that is changed", kLanes, "arm_lanes_all(parameters->m_1)", "arm_lanes_all(parameters->m_1 * 2.0)"},
+    {"zeros that are not written", kLanes, "B[1] = B[2] = arm_lanes_all(0.0);", ""},
+    {"an unused argument", kLanes, "(void)parameters;", ""},
+    {"another square root", kLanes, "= sqrt(x[lane])", "= cbrt(x[lane])", "", "root"},
+    {"a part that is not called", kLanes, "  finger_lanes_bias_part_1(qd, sine, cosine, kept);\n", "", "", "finger",
+     true},
+    {"a loop of checks that ends early", kLanes, "k < 3; ++k", "k < 2; ++k", "", "finger", true},
+    {"a function more", kLanes, "void arm_gravity_batch(", "int more(void) { return 1; } void arm_gravity_batch("},
+};
+
 }  // namespace
+
+std::vector<Mutant> mutants_over_states() { return {std::begin(kMutantsOverStates), std::end(kMutantsOverStates)}; }
 
 std::vector<Mutant> mutants_in_c() { return {std::begin(kMutantsOfC), std::end(kMutantsOfC)}; }
 

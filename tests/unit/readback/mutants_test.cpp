@@ -78,11 +78,24 @@ const PrintedCode& code_of(const std::string& robot) {
   return *code;
 }
 
+std::string printed(const PrintedCode& code, const std::string& form, int most_lines = 0) {
+  const EmitOptions options = form_of(form, most_lines);
+  return form == "lanes" ? code.text_over_states(options) : code.text(options);
+}
+
+void prove(const PrintedCode& code, const std::string& text, const std::string& form) {
+  if (form == "lanes") {
+    code.prove_over_states(text, form_of(form));
+  } else {
+    prove(code, text, form);
+  }
+}
+
 const std::string& text_of(const Mutant& mutant, const std::string& form) {
   static std::map<std::string, std::string> made;
   const int most_lines = mutant.has_parts ? 30 : 0;
   std::string& text = made[fmt::format("{} {} {}", mutant.robot, form, most_lines)];
-  if (text.empty()) text = code_of(mutant.robot).text(form_of(form, most_lines));
+  if (text.empty()) text = printed(code_of(mutant.robot), form, most_lines);
   return text;
 }
 
@@ -106,7 +119,7 @@ TEST_P(Mutants, AreRefused) {
       ADD_FAILURE() << mutant.kind << ": nothing to change: " << mutant.from;
       continue;
     }
-    EXPECT_THROW(code_of(mutant.robot).prove(wrong, form_of(form)), Failure) << mutant.kind << ": " << mutant.to;
+    EXPECT_THROW(prove(code_of(mutant.robot), wrong, form), Failure) << mutant.kind << ": " << mutant.to;
     ++count;
   }
   EXPECT_GE(count, 43);
@@ -116,7 +129,7 @@ TEST_P(Mutants, AreMadeOfTextThatHolds) {
   const std::string form = GetParam();
   for (const Mutant& mutant : mutants()) {
     if (!is_in(mutant, form)) continue;
-    EXPECT_NO_THROW(code_of(mutant.robot).prove(text_of(mutant, form), form_of(form))) << mutant.robot;
+    EXPECT_NO_THROW(prove(code_of(mutant.robot), text_of(mutant, form), form)) << mutant.robot;
   }
 }
 
@@ -126,7 +139,8 @@ class ChecksOfEntries {
   explicit ChecksOfEntries(const std::string& form)
       : is_cpp_(form == "c++" || form == "pair"),
         is_script_(form == "javascript"),
-        zero_(is_cpp_           ? "Scalar(0.0)"
+        zero_(form == "lanes"   ? "ROBOT_lanes_all(0.0)"
+              : is_cpp_         ? "Scalar(0.0)"
               : is_script_      ? "0"
               : form == "float" ? "0.0f"
                                 : "0.0") {}
@@ -139,9 +153,9 @@ class ChecksOfEntries {
     return fmt::format("for ({} k = {}; k < {}; ++k) {}", is_script_ ? "let" : "int", first, end, body);
   }
   // The text with these checks after those of pivots.
-  static std::string added(const std::string& text, const std::string& checks) {
+  static std::string added(const std::string& text, const std::string& checks, const std::string& robot = "arm") {
     return with_replaced(with_replaced(text, "positive", "valid"), "  return valid;",
-                         "  " + checks + "\n  return valid;");
+                         "  " + with_replaced(checks, "ROBOT", robot) + "\n  return valid;");
   }
 
  private:
@@ -153,31 +167,31 @@ TEST_P(Mutants, ChecksOfEntriesAreOfAllThatAreWritten) {
   const std::string form = GetParam();
   const ChecksOfEntries checks(form);
   const PrintedCode& code = code_of("arm");
-  const std::string text = code.text(form_of(form));
+  const std::string text = printed(code, form);
   for (const std::string& all :
        {checks.loop(0, 2), checks.one("0") + checks.one("1"), checks.loop(1, 2) + checks.one("0")}) {
-    EXPECT_NO_THROW(code.prove(checks.added(text, all), form_of(form))) << all;
+    EXPECT_NO_THROW(prove(code, checks.added(text, all), form)) << all;
   }
   for (const std::string& wrong :
        {std::string(), checks.one("0"), checks.loop(0, 1), checks.loop(0, 3), checks.loop(0, 2) + checks.one("1"),
         checks.loop(2, 0), with_replaced(checks.loop(0, 2), ">=", ">"), with_replaced(checks.loop(0, 2), "qdd", "tau"),
         with_replaced(checks.loop(0, 2), "++k", "k += 2"), with_replaced(checks.loop(0, 2), "valid", "positive")}) {
-    EXPECT_THROW(code.prove(checks.added(text, wrong), form_of(form)), Failure) << wrong;
+    EXPECT_THROW(prove(code, checks.added(text, wrong), form), Failure) << wrong;
   }
   const std::string other = with_replaced(checks.added(text, checks.loop(0, 2)), "valid", "positive");
-  EXPECT_THROW(code.prove(other, form_of(form)), Failure);
+  EXPECT_THROW(prove(code, other, form), Failure);
 }
 
 TEST_P(Mutants, ChecksOfEntriesMayFollowParts) {
   const std::string form = GetParam();
   const ChecksOfEntries checks(form);
   const PrintedCode& code = code_of("finger");
-  const std::string text = code.text(form_of(form, 30));
-  EXPECT_NO_THROW(code.prove(checks.added(text, checks.loop(0, 3)), form_of(form)));
-  EXPECT_THROW(code.prove(checks.added(text, checks.loop(0, 2)), form_of(form)), Failure);
+  const std::string text = printed(code, form, 30);
+  EXPECT_NO_THROW(prove(code, checks.added(text, checks.loop(0, 3), "finger"), form));
+  EXPECT_THROW(prove(code, checks.added(text, checks.loop(0, 2), "finger"), form), Failure);
 }
 
-INSTANTIATE_TEST_SUITE_P(InEveryForm, Mutants, ::testing::Values("c++", "pair", "javascript", "c", "float"),
+INSTANTIATE_TEST_SUITE_P(InEveryForm, Mutants, ::testing::Values("c++", "pair", "javascript", "c", "float", "lanes"),
                          [](const auto& form) {
                            const std::string name = form.param;
                            return name == "c++" ? "cpp" : name;
