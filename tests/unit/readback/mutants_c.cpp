@@ -124,7 +124,7 @@ const Mutant kMutantsOverStates[] = {
     {"sine and cosine exchanged for large angles", kLanes, "= sin(q[joint][lane])", "= cos(q[joint][lane])"},
     {"large angles that are not asked for", kLanes, "if (!arm_lanes_holds_in_all(are_small))",
      "if (arm_lanes_holds_in_all(are_small))"},
-    {"another transpose", kLanes, "to_step * column + row", "to_step * row + column"},
+    {"another transpose", kLanes, "to + to_step * column + row", "to + to_step * row + column"},
     {"another shuffle", kLanes, "(a, b, 0, 2)", "(a, b, 0, 3)"},
     {"a lane that reads another state", kLanes, "lane < states ? lane : states - 1", "lane < states ? lane : states"},
     {"no permission to alias", kLanes, ", may_alias", "", "_piece_there"},

@@ -87,7 +87,7 @@ void prove(const PrintedCode& code, const std::string& text, const std::string& 
   if (form == "lanes") {
     code.prove_over_states(text, form_of(form));
   } else {
-    prove(code, text, form);
+    code.prove(text, form_of(form));
   }
 }
 
