@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the files of emitted code have to hold beside the statements of their functions, and its comparison with the
-// text: signatures, names, tables, helpers, structs, loops over functions. No token is left over.
+// The content that files of emitted code must have beside the statements of their functions, and its comparison with
+// the text: signatures, names, tables, helpers, structs, loops over functions. No token is left over.
 #pragma once
 
 #include <optional>
@@ -37,10 +37,10 @@ struct FileStage {
   std::vector<FileFunction> members;
 };
 
-// What close_loops() is made of.
+// The functions that close_loops() calls.
 struct FileLoops {
-  std::string closure, step;  // the functions that it calls
-  int rows = 0;               // of the closure
+  std::string closure, step;
+  int rows = 0;  // of the closure
 };
 
 struct FileContents {

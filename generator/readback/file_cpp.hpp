@@ -45,7 +45,7 @@ class CppFile : public FileReader {
   void member(const FileFunction& function);
   std::vector<const FileFunction*> staged_functions() const;
 
-  // What comes after the functions.
+  // The rest, after the functions.
   void shapes();
   int place_of_stage(const Known& known) const;
   void shape(const Known& known, bool is_by_itself);

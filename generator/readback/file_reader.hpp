@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What reading a file has in common in all languages: patterns with holes, tables, bodies of functions.
+// The reading of a file as far as all languages have it in common: patterns with holes, tables, bodies of functions.
 #pragma once
 
 #include <map>

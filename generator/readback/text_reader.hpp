@@ -127,7 +127,7 @@ class TextReader {
   std::set<int> angles_asked_, angles_read_;            // whose sine and cosine are computed, and read
   std::set<std::pair<std::string, int>> finite_;        // entries that are checked to be finite
 
-  // Of the function that is carried out:
+  // The state of the function that is carried out:
   const ScannedFunction* current_ = nullptr;
   std::map<std::string, int> variables_;
   std::set<std::string> locals_;  // arrays and stages

@@ -10,11 +10,11 @@ constexpr const char *kCpp = "c++ pair", *kAll = "c++ pair c float javascript la
 
 // Changes that are the same in all languages.
 const Mutant kMutantsInAll[] = {
-    {"a result that is always valid", kAll, "return positive;", "return true;"},
-    {"a result that is never valid", kAll, "return positive;", "return false;"},
-    {"no result", kAll, "return positive;", ""},
-    {"a comparison with equality", kAll, "positive = Ic_1_zz >", "positive = Ic_1_zz >="},
-    {"another pivot", kAll, "positive = Ic_1_zz >", "positive = m_1 >"},
+    {"a result that is always valid", kAll, "return valid;", "return true;"},
+    {"a result that is never valid", kAll, "return valid;", "return false;"},
+    {"no result", kAll, "return valid;", ""},
+    {"a comparison with equality", kAll, "valid = Ic_1_zz >", "valid = Ic_1_zz >="},
+    {"another pivot", kAll, "valid = Ic_1_zz >", "valid = m_1 >"},
     {"an input that is read after an output is written", kAll, "tau[1] = qd_1 * t3", "tau[1] = qd[0] * t3"},
     {"an output that is read", kAll, "tau[1] = qd_1 * t3", "tau[1] = tau[0] - tau[0] + qd_1 * t3"},
     {"an input that is written", kAll, "tau[1] = qd_1", "qd[1] = qd_1"},
@@ -53,7 +53,7 @@ const Mutant kMutantsInAll[] = {
     {"names of joints exchanged", kWithTables, "\"shoulder\", \"elbow\"", "\"elbow\", \"shoulder\""},
     {"a name less", kWithTables, "\"shoulder\", \"elbow\"", "\"shoulder\""},
     {"another name of a base parameter", kWithTables, "\"m1lx\"", "\"m2lx\"", "base_parameter_names", "base"},
-    {"a result that is always valid after parts", kAll, "return positive;", "return true;", "", "finger", true},
+    {"a result that is always valid after parts", kAll, "return valid;", "return true;", "", "finger", true},
     {"an input that is read after parts have written", kAll, "n[1] = -t24", "n[1] = -qd[0]", "", "finger", true},
 };
 
@@ -70,9 +70,9 @@ const Mutant kMutantsInSome[] = {
     {"zeros that are not written", "float", "B[1] = B[2] = 0.0f;", ""},
     {"an entry that is written twice", kCpp, "B[1] = B[2] = ", "B[0] = B[1] = B[2] = "},
     {"an entry that is written twice", kPlain, "B[1] = B[2] = ", "B[0] = B[1] = B[2] = "},
-    {"a value that is checked against another bound", kCpp, "positive = Ic_1_zz > Scalar(0.0)",
-     "positive = Ic_1_zz > Scalar(0.5)"},
-    {"a value that is checked against another bound", kPlain, "positive = Ic_1_zz > 0.0", "positive = Ic_1_zz > 0.5"},
+    {"a value that is checked against another bound", kCpp, "valid = Ic_1_zz > Scalar(0.0)",
+     "valid = Ic_1_zz > Scalar(0.5)"},
+    {"a value that is checked against another bound", kPlain, "valid = Ic_1_zz > 0.0", "valid = Ic_1_zz > 0.5"},
     {"another constant", kCpp, "Scalar(0.2) * c_2", "Scalar(0.20000000000000004) * c_2"},
     {"another constant", kPlain, "0.2 * c_2", "0.20000000000000004 * c_2"},
     {"another constant", "float", "0.2f * c_2", "0.3f * c_2"},

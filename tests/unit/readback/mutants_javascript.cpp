@@ -16,7 +16,7 @@ const Mutant kMutantsOfJavascript[] = {
     {"an argument more", kScript, "(parameters, q, g) {", "(parameters, q, g, h) {"},
     {"a function that is asynchronous", kScript, "function gravity(", "async function gravity("},
     {"a generator", kScript, "function gravity(", "function* gravity("},
-    {"a result on another line", kScript, "return positive;", "return\n  positive;"},
+    {"a result on another line", kScript, "return valid;", "return\n  valid;"},
     {"a number on another line", kScript, "  return 0.2 * qd_2", "  return\n  0.2 * qd_2"},
     {"no strict mode", kScript, "'use strict';", ""},
     {"a sine of another array", kScript, "Math.sin(q[1])", "Math.sin(qd[1])"},

@@ -87,7 +87,7 @@ void prove(const PrintedCode& code, const std::string& text, const std::string& 
   if (form == "lanes") {
     code.prove_over_states(text, form_of(form));
   } else {
-    prove(code, text, form);
+    code.prove(text, form_of(form));
   }
 }
 
@@ -154,7 +154,7 @@ class ChecksOfEntries {
   }
   // The text with these checks after those of pivots.
   static std::string added(const std::string& text, const std::string& checks, const std::string& robot = "arm") {
-    return with_replaced(with_replaced(text, "positive", "valid"), "  return valid;",
+    return with_replaced(with_replaced(text, "valid", "valid"), "  return valid;",
                          "  " + with_replaced(checks, "ROBOT", robot) + "\n  return valid;");
   }
 
@@ -175,10 +175,10 @@ TEST_P(Mutants, ChecksOfEntriesAreOfAllThatAreWritten) {
   for (const std::string& wrong :
        {std::string(), checks.one("0"), checks.loop(0, 1), checks.loop(0, 3), checks.loop(0, 2) + checks.one("1"),
         checks.loop(2, 0), with_replaced(checks.loop(0, 2), ">=", ">"), with_replaced(checks.loop(0, 2), "qdd", "tau"),
-        with_replaced(checks.loop(0, 2), "++k", "k += 2"), with_replaced(checks.loop(0, 2), "valid", "positive")}) {
+        with_replaced(checks.loop(0, 2), "++k", "k += 2"), with_replaced(checks.loop(0, 2), "valid", "valid")}) {
     EXPECT_THROW(prove(code, checks.added(text, wrong), form), Failure) << wrong;
   }
-  const std::string other = with_replaced(checks.added(text, checks.loop(0, 2)), "valid", "positive");
+  const std::string other = with_replaced(checks.added(text, checks.loop(0, 2)), "valid", "valid");
   EXPECT_THROW(prove(code, other, form), Failure);
 }
 
