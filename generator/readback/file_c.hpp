@@ -46,7 +46,7 @@ class CFile : public FileReader {
   bool follows_part(const std::string& owner) const;
   void part(const FileFunction& function, const ScannedFunction& asking);
   void parameter_list(const FileFunction& function, const ScannedFunction* body, bool takes_sines);
-  void parameter(const FileParameter& parameter, const ScannedFunction* body, bool& is_first);
+  void parameter(const EmittedParameter& parameter, const ScannedFunction* body, bool& is_first);
   void require_used(const ScannedFunction& body, const std::string& name) const;
   const ScannedFunction* given_of(const FileFunction& function) const;
   std::string returns_of(const FileFunction& function) const;

@@ -30,8 +30,8 @@ void CFile::require_used(const ScannedFunction& body, const std::string& name) c
   if (cast > 1 || (cast == 1) != (used == 0)) fail(fmt::format("{} is not used, or cast to void", name));
 }
 
-void CFile::parameter(const FileParameter& parameter, const ScannedFunction* body, bool& is_first) {
-  using Kind = FileParameter::Kind;
+void CFile::parameter(const EmittedParameter& parameter, const ScannedFunction* body, bool& is_first) {
+  using Kind = EmittedParameter::Kind;
   if (!is_first) expect(",");
   is_first = false;
   if (parameter.kind == Kind::parameters) {
@@ -47,10 +47,10 @@ void CFile::parameter(const FileParameter& parameter, const ScannedFunction* bod
 
 // Takes the parameters up to the closing bracket. Where sines are taken, q is only if its values are read.
 void CFile::parameter_list(const FileFunction& function, const ScannedFunction* body, bool takes_sines) {
-  using Kind = FileParameter::Kind;
+  using Kind = EmittedParameter::Kind;
   bool is_first = true, has_sines = !takes_sines;
   const ScannedFunction* given = given_of(function);
-  for (const FileParameter& each : parameters_of(function, contents_)) {
+  for (const EmittedParameter& each : parameters_of(function, contents_)) {
     if (!has_sines && each.kind != Kind::parameters) {
       has_sines = true;
       parameter({Kind::input, "sine"}, body, is_first);

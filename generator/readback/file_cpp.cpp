@@ -156,8 +156,8 @@ void CppFile::known_answer() {
     if (!known.stage.empty()) continue;
     words.asks_sines = words.asks_sines || known.has_sin_cos;
     KnownCall call{known.function, known.function->name, {}};
-    for (const FileParameter& each : parameters_of(*known.function, contents_)) {
-      call.arguments.push_back(each.kind == FileParameter::Kind::output ? "" : each.name);
+    for (const EmittedParameter& each : parameters_of(*known.function, contents_)) {
+      call.arguments.push_back(each.kind == EmittedParameter::Kind::output ? "" : each.name);
     }
     if (known.has_sin_cos) call.arguments.emplace_back("given");
     calls.push_back(std::move(call));

@@ -36,7 +36,7 @@ class CppFile : public FileReader {
   void definition(const FileFunction& function);
   void declaration(const FileFunction& function);
   Known parameter_list(const FileFunction& function, const ScannedFunction* body);
-  std::string parameter_name(const FileParameter& parameter, const ScannedFunction* body);
+  std::string parameter_name(const EmittedParameter& parameter, const ScannedFunction* body);
   std::string returns_of(const FileFunction& function, const std::string& scalar) const;
 
   // Stages.
@@ -49,7 +49,7 @@ class CppFile : public FileReader {
   void shapes();
   int place_of_stage(const Known& known) const;
   void shape(const Known& known, bool is_by_itself);
-  void shape_of_array(const FileParameter& parameter, const std::string& name);
+  void shape_of_array(const EmittedParameter& parameter, const std::string& name);
   void loops();
   void rounding();
   void rounding_helpers();

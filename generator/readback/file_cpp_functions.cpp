@@ -15,12 +15,12 @@ std::string CppFile::returns_of(const FileFunction& function, const std::string&
 }
 
 // Takes the name of a parameter. In a definition, one that is not read or written has none.
-std::string CppFile::parameter_name(const FileParameter& parameter, const ScannedFunction* body) {
+std::string CppFile::parameter_name(const EmittedParameter& parameter, const ScannedFunction* body) {
   if (is(",") || is(")")) {
     if (body == nullptr || names(*body, parameter.name)) fail(fmt::format("no name of {}", parameter.name));
     return parameter.name;
   }
-  const bool is_output = parameter.kind == FileParameter::Kind::output;
+  const bool is_output = parameter.kind == EmittedParameter::Kind::output;
   const std::string name = is_output ? take_name_like(parameter.name) : take();
   if (!is_output && name != parameter.name) fail(fmt::format("{} expected instead of {}", parameter.name, name));
   if (body != nullptr && !names(*body, name)) fail(fmt::format("{} is not used", name));
@@ -29,10 +29,10 @@ std::string CppFile::parameter_name(const FileParameter& parameter, const Scanne
 
 // Takes the parameters and the bracket at their end. `body`: of a definition; nullptr: of a declaration.
 CppFile::Known CppFile::parameter_list(const FileFunction& function, const ScannedFunction* body) {
-  using Kind = FileParameter::Kind;
+  using Kind = EmittedParameter::Kind;
   Known known{&function, {}, false, function.member_of};
   bool is_first = true;
-  for (const FileParameter& parameter : parameters_of(function, contents_)) {
+  for (const EmittedParameter& parameter : parameters_of(function, contents_)) {
     if (!is_first) expect(",");
     is_first = false;
     expect(parameter.kind == Kind::parameters ? "const Parameters<Scalar>&"

@@ -18,8 +18,8 @@ bool is_whole_result(const Function& function) {
 }  // namespace
 
 // Takes const Scalar (&q)[7] or Scalar (&B)[7][7].
-void CppFile::shape_of_array(const FileParameter& parameter, const std::string& name) {
-  const char* const type = parameter.kind == FileParameter::Kind::input ? "const Scalar" : "Scalar";
+void CppFile::shape_of_array(const EmittedParameter& parameter, const std::string& name) {
+  const char* const type = parameter.kind == EmittedParameter::Kind::input ? "const Scalar" : "Scalar";
   if (parameter.columns == 0) {
     expect(fmt::format("{} (&{})[{}]", type, name, parameter.length));
   } else {
@@ -31,9 +31,9 @@ void CppFile::shape_of_array(const FileParameter& parameter, const std::string& 
 // Takes the functions by themselves, which may be members of stages, too, and then those that are only members.
 void CppFile::shapes() {
   const auto is_empty = [this](const Known& known) {
-    const std::vector<FileParameter> list = parameters_of(*known.function, contents_);
-    return std::any_of(list.begin(), list.end(), [](const FileParameter& each) {
-      return each.kind != FileParameter::Kind::parameters && each.length == 0;
+    const std::vector<EmittedParameter> list = parameters_of(*known.function, contents_);
+    return std::any_of(list.begin(), list.end(), [](const EmittedParameter& each) {
+      return each.kind != EmittedParameter::Kind::parameters && each.length == 0;
     });
   };
   const auto is_among_others = [this](const Known& known) {
@@ -71,13 +71,13 @@ void CppFile::shape(const Known& known, bool is_by_itself) {
                      returns_of(*known.function, "Scalar")));
   std::size_t output = 0;
   bool is_first = true;
-  for (const FileParameter& parameter : parameters_of(*known.function, contents_)) {
+  for (const EmittedParameter& parameter : parameters_of(*known.function, contents_)) {
     if (!is_first) expect(",");
     is_first = false;
-    if (parameter.kind == FileParameter::Kind::parameters) {
+    if (parameter.kind == EmittedParameter::Kind::parameters) {
       expect("const Parameters<Scalar>&");
     } else {
-      const bool is_output = parameter.kind == FileParameter::Kind::output;
+      const bool is_output = parameter.kind == EmittedParameter::Kind::output;
       shape_of_array(parameter, is_output ? known.outputs[output++] : parameter.name);
     }
   }
@@ -118,10 +118,10 @@ void CppFile::instances(const std::string& begin) {
 
 void CppFile::instance(const std::string& begin, const Known& known, const std::string& scalar,
                        const std::string& source) {
-  using Kind = FileParameter::Kind;
+  using Kind = EmittedParameter::Kind;
   std::string list;
   std::size_t output = 0;
-  for (const FileParameter& parameter : parameters_of(*known.function, contents_)) {
+  for (const EmittedParameter& parameter : parameters_of(*known.function, contents_)) {
     const std::string& name = parameter.kind == Kind::output ? known.outputs[output++] : parameter.name;
     const std::string type = parameter.kind == Kind::parameters ? fmt::format("const Parameters<{}>& ", scalar)
                              : parameter.kind == Kind::input    ? fmt::format("const {}* ", scalar)

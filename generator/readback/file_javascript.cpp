@@ -91,11 +91,11 @@ class JavascriptFile : public FileReader {
     const ScannedFunction& body = next_function();
     expect(fmt::format("function {}(", function.name));
     const char* before = "";
-    for (const FileParameter& parameter : parameters_of(function, contents_)) {
+    for (const EmittedParameter& parameter : parameters_of(function, contents_)) {
       expect(before);
       before = ",";
       const std::string name = take_name_like(parameter.name);
-      if (parameter.kind != FileParameter::Kind::output && name != parameter.name) fail("another parameter");
+      if (parameter.kind != EmittedParameter::Kind::output && name != parameter.name) fail("another parameter");
     }
     expect(") {");
     require_result(*function.function, body);

@@ -27,8 +27,8 @@ std::map<int, std::pair<std::string, int>> arrays_of(const FileContents& content
   };
   if (!contents.parameters.empty()) note("symbol", static_cast<int>(contents.parameters.size()));
   for (const KnownCall& call : calls) {
-    for (const FileParameter& parameter : parameters_of(*call.function, contents)) {
-      if (parameter.kind == FileParameter::Kind::input) note(parameter.name, parameter.length);
+    for (const EmittedParameter& parameter : parameters_of(*call.function, contents)) {
+      if (parameter.kind == EmittedParameter::Kind::input) note(parameter.name, parameter.length);
     }
   }
   return arrays;
@@ -39,8 +39,8 @@ std::string call_text(const KnownCall& call, const FileContents& contents, const
   const int results = results_of(*call.function);
   std::string text = is_whole(function) ? "" : fmt::format("{}fill(result, {}, 0u);", words.prefix, results);
   std::vector<int> lengths;
-  for (const FileParameter& parameter : parameters_of(*call.function, contents)) {
-    if (parameter.kind == FileParameter::Kind::output) lengths.push_back(parameter.length);
+  for (const EmittedParameter& parameter : parameters_of(*call.function, contents)) {
+    if (parameter.kind == EmittedParameter::Kind::output) lengths.push_back(parameter.length);
   }
   int offset = 0;
   std::size_t output = 0;

@@ -82,11 +82,11 @@ class LanesFile : public CFile {
 
   // Takes the function over arrays of a function that has just been read.
   void batch(const FileFunction& function) {
-    using Kind = FileParameter::Kind;
+    using Kind = EmittedParameter::Kind;
     const std::vector<std::string> names = names_of_outputs_read();
     std::vector<Rows> inputs, results;
     bool has_parameters = false;
-    for (const FileParameter& each : parameters_of(function, contents_)) {
+    for (const EmittedParameter& each : parameters_of(function, contents_)) {
       has_parameters = has_parameters || each.kind == Kind::parameters;
       if (each.kind == Kind::input) inputs.push_back({each.name, each.length});
     }

@@ -65,10 +65,10 @@ bool returns_number(const Function& function) {
          function.outputs[0].layout == Layout::scalar;
 }
 
-std::vector<FileParameter> parameters_of(const FileFunction& file_function, const FileContents& contents) {
-  using Kind = FileParameter::Kind;
+std::vector<EmittedParameter> parameters_of(const FileFunction& file_function, const FileContents& contents) {
+  using Kind = EmittedParameter::Kind;
   const Function& function = *file_function.function;
-  std::vector<FileParameter> list;
+  std::vector<EmittedParameter> list;
   if (!contents.parameters.empty() && file_function.member_of.empty()) list.push_back({Kind::parameters, "parameters"});
   for (const InputKind kind : function.inputs) {
     list.push_back({Kind::input, name_of_input(kind), length_of_input(kind, function, contents)});

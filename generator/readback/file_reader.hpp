@@ -72,7 +72,7 @@ class FileReader : protected TokenCursor {
 };
 
 // The parameters of a function, in order: their names in the text and what they are.
-struct FileParameter {
+struct EmittedParameter {
   enum class Kind { parameters, input, output } kind = Kind::input;
   std::string name;  // as it should be
   int length = 0;
@@ -86,7 +86,7 @@ std::string name_of_input(InputKind kind);
 // Whether the function returns its only output.
 bool returns_number(const Function& function);
 
-std::vector<FileParameter> parameters_of(const FileFunction& function, const FileContents& contents);
+std::vector<EmittedParameter> parameters_of(const FileFunction& function, const FileContents& contents);
 
 // A reader of the file in each language.
 void read_cpp_file(const EmittedText& text, const FileContents& contents);

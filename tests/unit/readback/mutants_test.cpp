@@ -136,59 +136,53 @@ TEST_P(Mutants, AreMadeOfTextThatHolds) {
 // Checks that entries of qdd are finite, as each form writes them.
 class ChecksOfEntries {
  public:
-  explicit ChecksOfEntries(const std::string& form)
-      : is_cpp_(form == "c++" || form == "pair"),
-        is_script_(form == "javascript"),
-        zero_(form == "lanes"   ? "ROBOT_lanes_all(0.0)"
-              : is_cpp_         ? "Scalar(0.0)"
-              : is_script_      ? "0"
-              : form == "float" ? "0.0f"
-                                : "0.0") {}
+  ChecksOfEntries(const std::string& form, const std::string& robot)
+      : is_cpp_(form == "c++" || form == "pair"), is_script_(form == "javascript"), form_(form), robot_(robot) {}
 
   std::string one(const std::string& index) const {
-    return fmt::format("valid {} {} * qdd[{}] >= {};", is_script_ ? "&&=" : "&=", zero_, index, zero_);
+    return fmt::format("valid {} {} * qdd[{}] < {};", is_script_ ? "&&=" : "&=", literal("0.0"), index, literal("1.0"));
   }
   std::string loop(int first, int end) const {
     const std::string body = is_cpp_ ? one("k") : "{ " + one("k") + " }";
     return fmt::format("for ({} k = {}; k < {}; ++k) {}", is_script_ ? "let" : "int", first, end, body);
   }
-  // The text with these checks after those of pivots.
-  static std::string added(const std::string& text, const std::string& checks, const std::string& robot = "arm") {
-    return with_replaced(with_replaced(text, "valid", "valid"), "  return valid;",
-                         "  " + with_replaced(checks, "ROBOT", robot) + "\n  return valid;");
-  }
 
  private:
+  std::string literal(const std::string& number) const {
+    return form_ == "lanes"   ? fmt::format("{}_lanes_all({})", robot_, number)
+           : is_cpp_          ? "Scalar(" + number + ")"
+           : form_ == "float" ? number + "f"
+                              : number;
+  }
+
   bool is_cpp_, is_script_;
-  std::string zero_;
+  std::string form_, robot_;
 };
 
 TEST_P(Mutants, ChecksOfEntriesAreOfAllThatAreWritten) {
   const std::string form = GetParam();
-  const ChecksOfEntries checks(form);
+  const ChecksOfEntries checks(form, "arm");
   const PrintedCode& code = code_of("arm");
-  const std::string text = printed(code, form);
-  for (const std::string& all :
-       {checks.loop(0, 2), checks.one("0") + checks.one("1"), checks.loop(1, 2) + checks.one("0")}) {
-    EXPECT_NO_THROW(prove(code, checks.added(text, all), form)) << all;
+  const std::string text = printed(code, form), usual = checks.loop(0, 2);
+  ASSERT_NE(text.find(usual), std::string::npos) << usual;
+  for (const std::string& all : {checks.one("0") + checks.one("1"), checks.loop(1, 2) + checks.one("0")}) {
+    EXPECT_NO_THROW(prove(code, with_replaced(text, usual, all), form)) << all;
   }
   for (const std::string& wrong :
-       {std::string(), checks.one("0"), checks.loop(0, 1), checks.loop(0, 3), checks.loop(0, 2) + checks.one("1"),
-        checks.loop(2, 0), with_replaced(checks.loop(0, 2), ">=", ">"), with_replaced(checks.loop(0, 2), "qdd", "tau"),
-        with_replaced(checks.loop(0, 2), "++k", "k += 2"), with_replaced(checks.loop(0, 2), "valid", "valid")}) {
-    EXPECT_THROW(prove(code, checks.added(text, wrong), form), Failure) << wrong;
+       {std::string(), checks.one("0"), checks.loop(0, 1), checks.loop(0, 3), usual + checks.one("1"),
+        checks.loop(2, 0), with_replaced(usual, "<", "<="), with_replaced(usual, "1.0", "2.0"),
+        with_replaced(usual, "qdd", "tau"), with_replaced(usual, "++k", "k += 2")}) {
+    EXPECT_THROW(prove(code, with_replaced(text, usual, wrong), form), Failure) << wrong;
   }
-  const std::string other = with_replaced(checks.added(text, checks.loop(0, 2)), "valid", "valid");
-  EXPECT_THROW(prove(code, other, form), Failure);
 }
 
 TEST_P(Mutants, ChecksOfEntriesMayFollowParts) {
   const std::string form = GetParam();
-  const ChecksOfEntries checks(form);
+  const ChecksOfEntries checks(form, "finger");
   const PrintedCode& code = code_of("finger");
-  const std::string text = printed(code, form, 30);
-  EXPECT_NO_THROW(prove(code, checks.added(text, checks.loop(0, 3), "finger"), form));
-  EXPECT_THROW(prove(code, checks.added(text, checks.loop(0, 2), "finger"), form), Failure);
+  const std::string text = printed(code, form, 30), usual = checks.loop(0, 3);
+  ASSERT_NE(text.find(usual), std::string::npos) << usual;
+  EXPECT_THROW(prove(code, with_replaced(text, usual, checks.loop(0, 2)), form), Failure);
 }
 
 INSTANTIATE_TEST_SUITE_P(InEveryForm, Mutants, ::testing::Values("c++", "pair", "javascript", "c", "float", "lanes"),
