@@ -63,6 +63,11 @@ Run add_derive(CLI::App& app) {
   command->add_option("--max-terms", arguments->derive.max_terms, "leave out longer expressions, saying so")
       ->check(number_between(0, 1e9))
       ->capture_default_str();
+  command
+      ->add_option("--digits", arguments->derive.digits,
+                   "round numbers to so many significant digits; default: they are exact")
+      ->check(CLI::Range(1, 50))
+      ->type_name("N");
   return [arguments] { return run_derive(*arguments); };
 }
 

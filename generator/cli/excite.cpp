@@ -12,6 +12,7 @@ namespace {
 
 struct ExciteArguments : RobotArguments {
   std::string folder;
+  std::vector<std::string> logs;
   std::string parameters = "given";
   ExcitationOptions plan;
   std::optional<int> evaluations;
@@ -30,6 +31,16 @@ ExcitationOptions plan_of(const ExciteArguments& arguments) {
   return plan;
 }
 
+// The information of the logs that are given.
+std::optional<LoggedInformation> logged_already(const ExciteArguments& arguments, const TorqueModel& model,
+                                                Progress& progress) {
+  if (arguments.logs.empty()) return std::nullopt;
+  Diagnostics found;
+  LoggedInformation logged = logged_information(model, {arguments.logs.begin(), arguments.logs.end()}, progress, found);
+  arguments.report(found);
+  return logged;
+}
+
 ExitCode excite(const ExciteArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   refuse_loops(model, "excite");
@@ -38,14 +49,20 @@ ExitCode excite(const ExciteArguments& arguments) {
   const std::string name = cpp_identifier(model.mechanism.name);  // as for a generated header
   const std::filesystem::path stem = std::filesystem::path(arguments.folder) / (name + "_excitation");
   const std::string csv = stem.string() + ".csv", svg = stem.string() + ".svg";
-  check_outputs({csv, svg}, model.robot.files);
+  std::vector<std::string> inputs = model.robot.files;
+  inputs.insert(inputs.end(), arguments.logs.begin(), arguments.logs.end());
+  check_outputs({csv, svg}, inputs);
   const Interruption interruption;  // Ctrl-C ends the search and not the program: the best motion so far is written
   Progress progress(arguments.quiet);
   const TorqueModel torques(model, parameter_set(arguments.parameters), progress);
-  const Excitation excitation = make_excitation(torques, plan_of(arguments), progress, Interruption::happened);
+  const std::optional<LoggedInformation> logged = logged_already(arguments, torques, progress);
+  ExcitationOptions plan = plan_of(arguments);
+  if (logged) plan.logged = logged->root;
+  const Excitation excitation = make_excitation(torques, plan, progress, Interruption::happened);
   write_and_print(
       {{csv, excitation_csv(excitation.motion)}, {svg, excitation_plot(torques.mechanism(), excitation.motion)}},
-      {describe_excitation(torques, excitation) + "\n", excitation_json(torques, excitation)}, arguments);
+      {describe_excitation(torques, excitation, logged) + "\n", excitation_json(torques, excitation, logged)},
+      arguments);
   if (!Interruption::happened()) return ExitCode::ok;
   throw Failure(ExitCode::interrupted, "interrupted before the search was at its end",
                 "the best motion so far, which keeps the limits, is in " + csv);
@@ -88,7 +105,8 @@ Run add_excite(CLI::App& app) {
       "excite",
       "Find a motion from which the dynamic parameters can be identified well, within the robot's limits.\n\n"
       "  flatdyn excite robots/planar_2r_example_7_2.toml -o out/\n"
-      "  flatdyn excite robots/panda.urdf -o out/ --duration 30 --rate 50 --margin 0.7");
+      "  flatdyn excite robots/panda.urdf -o out/ --duration 30 --rate 50 --margin 0.7\n"
+      "  flatdyn excite robots/panda.urdf -o out/ --data log.csv");
   const auto arguments = std::make_shared<ExciteArguments>();
   arguments->add_to(*command);
   command
@@ -97,6 +115,11 @@ Run add_excite(CLI::App& app) {
       ->required()
       ->check(folder_name())
       ->type_name("FOLDER");
+  command
+      ->add_option("--data", arguments->logs,
+                   "logs of motion that was identified from already, as for identify: the new motion completes what "
+                   "they tell, so that parameters that they leave open count most")
+      ->type_name("LOG.csv");
   add_plan_options(*command, *arguments);
   add_parameters_option(*command, arguments->parameters, "what is to be identified: ");
   return [arguments] { return excite(*arguments); };

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
@@ -17,6 +18,20 @@ struct ManipulabilityArguments : RobotArguments {
   std::string states, output, plot, view, map, norm = "plain";
   double torque = 1, spacing = 0;
 };
+
+// The names of --norm.
+const std::map<std::string, TorqueBall> kTorques = {
+    {"plain", {TorqueNorm::plain, 1, TorqueSet::least_accelerations}},
+    {"limits", {TorqueNorm::limits, 1, TorqueSet::least_accelerations}},
+    {"torque", {TorqueNorm::plain, 1, TorqueSet::all}},
+    {"torque-limits", {TorqueNorm::limits, 1, TorqueSet::all}},
+};
+
+TorqueBall torques_of(const ManipulabilityArguments& arguments) {
+  TorqueBall torques = kTorques.at(arguments.norm);
+  torques.radius = arguments.torque;
+  return torques;
+}
 
 constexpr double kPlacesAlongArm = 24;  // in a map without --spacing
 
@@ -102,8 +117,7 @@ ExitCode run_manipulability(const ManipulabilityArguments& arguments) {
   check_outputs({arguments.output, arguments.plot}, inputs);
   Positions positions = read_positions(arguments, model.mechanism);
   Progress progress(arguments.quiet);
-  Manipulability arm(model, arguments.norm == "limits" ? TorqueNorm::limits : TorqueNorm::plain, arguments.torque,
-                     progress);
+  Manipulability arm(model, torques_of(arguments), progress);
   const double length = length_of(arm.skeleton(positions.q.front()));
   const double spacing = arguments.spacing > 0 ? arguments.spacing : length / kPlacesAlongArm;
   if (!arguments.map.empty()) {
@@ -121,8 +135,9 @@ ExitCode run_manipulability(const ManipulabilityArguments& arguments) {
   if (!arguments.plot.empty()) {
     files.push_back({arguments.plot, picture(arguments, name, arm.task(), poses, spacing)});
   }
-  write_and_print(files, {describe_manipulability(arm.task(), poses), manipulability_json(name, arm.task(), poses)},
-                  arguments);
+  write_and_print(
+      files, {describe_manipulability(arm.task(), poses), manipulability_json(name, arguments.norm, arm.task(), poses)},
+      arguments);
   return ExitCode::ok;
 }
 
@@ -132,7 +147,7 @@ Run add_manipulability(CLI::App& app) {
   auto* command = app.add_subcommand(
       "manipulability",
       "The dynamic manipulability ellipsoid (7.148) at positions of a CSV file: which accelerations of the tip torques "
-      "of one norm make.\n\n"
+      "of one norm make. For a redundant arm --norm torque has those that any torques make.\n\n"
       "  flatdyn manipulability robots/planar_2r_example_7_2.toml --states docs/examples/two_poses.csv --torque 500\n"
       "  flatdyn manipulability robots/panda.urdf --states docs/examples/panda_states.csv --norm limits -o m.csv\n"
       "  flatdyn manipulability robots/ur5.urdf --states start.csv --map xz --plot map.svg -o map.csv");
@@ -142,9 +157,13 @@ Run add_manipulability(CLI::App& app) {
       ->required()
       ->check(kNotEmpty)
       ->type_name("FILE");
-  command->add_option("--norm", arguments->norm, "of the torques: all together, or each as a part of its joint's limit")
+  command
+      ->add_option(
+          "--norm", arguments->norm,
+          "of the torques: all together, or each as a part of its joint's limit; torque and torque-limits: the "
+          "same of all torques, J B^-1 tau, not only those of least joint accelerations as in (7.148)")
       ->capture_default_str()
-      ->check(CLI::IsMember({"plain", "limits"}));
+      ->check(CLI::IsMember({"plain", "limits", "torque", "torque-limits"}));
   command->add_option("--torque", arguments->torque, "the norm: N m, or parts of the limits")
       ->capture_default_str()
       ->check(positive_number());

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "emit/languages/emit.hpp"
+#include "functions/function_table.hpp"
 #include "report/describe.hpp"
 #include "report/html/page.hpp"
 #include "verify/proof.hpp"
@@ -23,12 +26,20 @@ struct ReportArguments : RobotArguments {
   std::string stress;  // path of stress.json; empty: none
 };
 
+// Whether the function has an entry per pair of joints and joint, or per parameter and joint.
+bool has_large_map(const FunctionRow& row) {
+  return std::any_of(row.outputs.begin(), row.outputs.end(), [](const OutputRow& output) {
+    return output.cols == Extent::joint_pairs || output.cols == Extent::parameters;
+  });
+}
+
+// The functions that are made by default, and the regressor: large ones for robots with few joints only.
 std::vector<std::string> wanted_functions(const Mechanism& mechanism) {
-  std::vector<std::string> names = default_function_names(mechanism);
-  if (mechanism.size() <= kMostJointsOfLargeMaps) {
-    names.emplace_back("regressor");
-  } else {
-    std::erase(names, "christoffel");
+  const bool is_small = mechanism.size() <= kMostJointsOfLargeMaps;
+  std::vector<std::string> names;
+  for (const FunctionRow& row : function_table()) {
+    const bool is_wanted = has_large_map(row) ? is_small : !row.traits.on_request;
+    if (is_wanted && row.applies_to(mechanism)) names.emplace_back(row.name);
   }
   return names;
 }

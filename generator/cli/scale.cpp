@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <sstream>
 
 #include "cli/commands.hpp"
@@ -10,6 +11,7 @@
 #include "report/torque_report.hpp"
 #include "trajectory/closed_positions.hpp"
 #include "trajectory/read_trajectory.hpp"
+#include "trajectory/resampling.hpp"
 
 namespace flatdyn {
 namespace {
@@ -17,11 +19,14 @@ namespace {
 constexpr double kLeastScaling = 1e-6;    // least value of --faster
 constexpr double kLimitTolerance = 1e-9;  // relative tolerance of the second pass
 constexpr int kDefaultGrid = 1000;
+constexpr int kMostSamples = 1'000'000;  // of --rate; each takes some hundred bytes for an arm
+constexpr double kWholeNumber = 1e-9;    // relative tolerance of a number of intervals that is whole already
 
 struct ScaleArguments : RobotArguments {
   std::string trajectory, output, plot, torque_limits;
   bool faster = false, time_optimal = false;
   std::optional<int> grid;
+  std::optional<double> rate;
 };
 
 void check_scale_usage(const ScaleArguments& arguments) {
@@ -66,22 +71,32 @@ PaceLimits limits_of(const ScaleArguments& arguments, const LoadedRobot& model) 
 }
 
 [[noreturn]] void refuse_static_load(const ScaleArguments& arguments, const LoadedRobot& model,
-                                     const ScaledMotion& motion, const PathCoefficients& path) {
-  const LargestLimitUse load = largest_static_load(path, motion.limits);
+                                     const Trajectory& trajectory, const PathCoefficients& path,
+                                     const PaceLimits& limits) {
+  const LargestLimitUse load = largest_static_load(path, limits);
   Diagnostics found;
   found.error(
       {arguments.trajectory, 0},
       fmt::format("no {}pace keeps the limits: at {:.6g} s joint \"{}\" needs {:.6g} {} at rest already, against "
                   "gravity{}, beyond the {}",
-                  arguments.faster || arguments.time_optimal ? "" : "slower ",
-                  motion.sides_before.points[load.point].time, model.mechanism.joints()[load.joint].joint,
-                  path.d[load.point * path.joints + load.joint], torque_unit(model.mechanism.joints()[load.joint]),
-                  ", dry friction and the tip's force",
-                  limit_text(model.mechanism, motion.limits, load.kind, load.joint)),
+                  arguments.faster || arguments.time_optimal ? "" : "slower ", trajectory.points[load.point].time,
+                  model.mechanism.joints()[load.joint].joint, path.d[load.point * path.joints + load.joint],
+                  torque_unit(model.mechanism.joints()[load.joint]), ", dry friction and the tip's force",
+                  limit_text(model.mechanism, limits, load.kind, load.joint)),
       arguments.faster || arguments.time_optimal
           ? "choose a path through other postures, or stronger motors"
           : "a faster one may (--faster), or choose a path through other postures");
   throw BadInput(ExitCode::input, found);
+}
+
+// The fewest intervals of 1 / rate that take the duration, or longer.
+int intervals_of(double duration, double rate) {
+  const double wanted = duration * rate, nearest = std::round(wanted);
+  const bool is_whole = std::abs(wanted - nearest) <= kWholeNumber * wanted;
+  const double intervals = std::max(1.0, is_whole ? nearest : std::ceil(wanted));
+  if (intervals < kMostSamples) return static_cast<int>(intervals);
+  throw Failure(ExitCode::usage, fmt::format("--rate {} makes {:.0f} samples of {:.6g} s; at most {} are written", rate,
+                                             intervals + 1, duration, kMostSamples));
 }
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
@@ -104,10 +119,9 @@ class Scaling {
     } else {
       motion_.after = slowed(motion_.before, motion_.linear.c);
     }
+    check(with_both_sides(motion_.after), torques);
+    if (arguments_.rate) sample_evenly(torques);
     motion_.tau_after = torques.torques(motion_.after);
-    motion_.sides_after = with_both_sides(motion_.after);
-    motion_.tau_sides_after = torques.torques(motion_.sides_after);
-    motion_.used = largest_limit_use(motion_.sides_after, motion_.tau_sides_after, motion_.limits);
     if (motion_.used.part > 1 + kLimitTolerance) {
       throw Failure(ExitCode::bug, fmt::format("the scaled motion uses {:.12g} of a limit", motion_.used.part),
                     "please report it with the robot file and the trajectory");
@@ -136,7 +150,7 @@ class Scaling {
     const PathCoefficients path = torques.coefficients(motion_.sides_before);
     const double least = arguments_.faster || arguments_.time_optimal ? kLeastScaling : 1;
     const std::optional<LinearScaling> linear = linear_scaling(motion_.sides_before, path, motion_.limits, least);
-    if (!linear) refuse_static_load(arguments_, model_, motion_, path);
+    if (!linear) refuse_static_load(arguments_, model_, motion_.sides_before, path, motion_.limits);
     motion_.linear = *linear;
   }
 
@@ -168,6 +182,35 @@ class Scaling {
     const double factor = is_faster ? again->c : linear / motion_.after.duration();
     motion_.after = is_faster ? slowed(motion_.after, factor) : slowed(motion_.before, motion_.linear.c);
     return factor;
+  }
+
+  // Evaluates the use of limits by the scaled motion, at these points.
+  void check(Trajectory points, PathTorques& torques) {
+    motion_.sides_after = std::move(points);
+    motion_.tau_sides_after = torques.torques(motion_.sides_after);
+    motion_.used = largest_limit_use(motion_.sides_after, motion_.tau_sides_after, motion_.limits);
+  }
+
+  // Replaces the scaled motion by even samples. The whole motion is slowed down until it ends on one, and until all
+  // limits hold at the new samples as well as at the old ones.
+  void sample_evenly(PathTorques& torques) {
+    const Trajectory found = motion_.after;
+    const double duration = found.duration(), rate = *arguments_.rate;
+    int intervals = intervals_of(duration, rate);
+    while (true) {
+      const double slowed_by = intervals / rate / duration;
+      const Trajectory slow = slowed(found, slowed_by);
+      motion_.after = resampled(slow, intervals);
+      motion_.even = EvenSamples{rate, slowed_by};
+      Trajectory all = with_both_sides(slow);
+      all.points.insert(all.points.end(), motion_.after.points.begin(), motion_.after.points.end());
+      check(std::move(all), torques);
+      if (motion_.used.part <= 1 + kLimitTolerance) return;
+      const PathCoefficients path = torques.coefficients(motion_.sides_after);
+      const auto needed = linear_scaling(motion_.sides_after, path, motion_.limits, 1);
+      if (!needed) refuse_static_load(arguments_, model_, motion_.sides_after, path, motion_.limits);
+      intervals = std::max(intervals + 1, intervals_of(needed->c * slowed_by * duration, rate));
+    }
   }
 
   const ScaleArguments& arguments_;
@@ -225,6 +268,13 @@ Run add_scale(CLI::App& app) {
       ->add_option("--grid", arguments->grid, "for --time-optimal of a plan, at least so many intervals; default: 1000")
       ->check(CLI::Range(2, 1000000))
       ->type_name("N");
+  command
+      ->add_option(
+          "--rate", arguments->rate,
+          "samples per second, evenly spaced, made by polynomials of degree five through q, qd and qdd of the "
+          "scaled samples; the motion takes a little longer, so that it ends on one and keeps all limits there")
+      ->check(positive_number())
+      ->type_name("HZ");
   add_plot_option(*command, arguments->plot, "positions, rates, accelerations and torques at the new pace");
   return [arguments] { return scale(*arguments); };
 }

@@ -160,8 +160,8 @@ ExactResult prove_equal(const Function& a, const Function& b, const ExactOptions
       if (differ(a.validity_conditions[e], b.validity_conditions[e]))
         mismatches.emplace(a.outputs.size(), static_cast<int>(e));
     }
-    for (std::size_t e = 0; e < a.pivot_diagonals.size(); ++e) {
-      if (differ(a.pivot_diagonals[e], b.pivot_diagonals[e])) mismatches.emplace(a.outputs.size(), static_cast<int>(e));
+    for (std::size_t e = 0; e < a.pivot_scales.size(); ++e) {
+      if (differ(a.pivot_scales[e], b.pivot_scales[e])) mismatches.emplace(a.outputs.size(), static_cast<int>(e));
     }
   };
   const std::set<MismatchKey> mismatches = at_all_points(options, compare);

@@ -19,7 +19,7 @@ class TaskDefinition {
   // `root`: a function that returns the root of a square of the field.
   TaskDefinition(const Task& task, const Lagrangian<F>& lagrangian, const FieldFrame<F>& tip,
                  const std::function<F(const F&)>& root)
-      : lagrangian_(lagrangian), tip_(tip), has_angles_(task.has_angles() && task.rows.back() >= 3) {
+      : lagrangian_(lagrangian), tip_(tip), has_angles_(task.rates_are_of_angles()) {
     if (!has_angles_) return;
     const Matrix3<F> R = transposed(lagrangian.pose(tip).R);
     last_ = R[task.orientation == Orientation::zyz ? 2 : 0];

@@ -93,7 +93,7 @@ std::vector<std::string> angles_comment(const HeaderScope& scope) {
   std::string text = "Sines and cosines, by index, are those of so many angles: of q's entries, and then of ";
   for (std::size_t k = 0; k < scope.angles.size(); ++k) {
     const MultipleOfPosition& angle = scope.angles[k];
-    text += fmt::format("{}{} q[{}]", k == 0 ? "" : ", ", factor_text(GiNaC::numeric(angle.factor.str().c_str())),
+    text += fmt::format("{}{} q[{}]", k == 0 ? "" : ", ", exact_number_text(GiNaC::numeric(angle.factor.str().c_str())),
                         angle.position);
   }
   return wrapped_words(text + ", by which coupled joints turn.", kCommentWidth);

@@ -403,7 +403,7 @@ class BodyWriter {
     for (std::size_t k = 0; k < function_.validity_conditions.size(); ++k) {
       if (always_holds(function_, k)) continue;
       pivots.push_back({function_.validity_conditions[k], {}});
-      if (k < function_.pivot_diagonals.size()) pivots.back().scale = function_.pivot_diagonals[k];
+      if (k < function_.pivot_scales.size()) pivots.back().scale = function_.pivot_scales[k];
     }
     return pivots;
   }

@@ -116,18 +116,24 @@ class FunctionWriter {
     return aligned_lines(rows);
   }
 
+  // The conditions of the task, after "a pivot of B".
+  std::string task_conditions_text() const {
+    const Task& task = function_.task;
+    const char* const of_angles = task.orientation == Orientation::zyz ? ", or sin(theta)," : ", or cos(theta),";
+    return fmt::format(" or of J B^-1 J^T{}{}", task.is_damped() ? " + lambda^2 1" : "",
+                       task.rates_are_of_angles() ? of_angles : "");
+  }
+
   std::string result_text() const {
     if (returns_value(function_)) {
       const Output& output = function_.outputs[0];
       return output.name + (output.meaning.empty() ? "" : ": " + output.meaning);
     }
     if (function_.validity_conditions.empty()) return "";
-    const std::string also = function_.task.empty()       ? ""
-                             : function_.task.is_damped() ? " or of J B^-1 J^T + lambda^2 1"
-                                                          : " or of J B^-1 J^T";
+    const std::string also = function_.task.empty() ? "" : task_conditions_text();
     const bool asks_loops = function_.loop_conditions > 0;
     const bool asks_pivots = function_.validity_conditions.size() > static_cast<std::size_t>(function_.loop_conditions);
-    const char* const lost = function_.pivot_diagonals.empty() ? "not positive" : "not positive, lost in rounding,";
+    const char* const lost = function_.pivot_scales.empty() ? "not positive" : "not positive, lost in rounding,";
     return fmt::format("false if the result means nothing, because {}{}{}",
                        asks_loops ? "a closed loop is within 1e-6 of being singular" : "",
                        asks_loops && asks_pivots ? ", or " : "",

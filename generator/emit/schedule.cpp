@@ -51,7 +51,7 @@ class Scheduler {
     order_trigonometry();
     order_outputs();
     for (NodeId id : function_.validity_conditions) visit(id);
-    for (NodeId id : function_.pivot_diagonals) visit(id);
+    for (NodeId id : function_.pivot_scales) visit(id);
     return std::move(schedule_);
   }
 
@@ -66,8 +66,8 @@ class Scheduler {
     for (const auto& [id, targets] : stores_) ++at(uses_, id);
     for (NodeId id : function_.validity_conditions) ++at(uses_, id);
     // The diagonal entry is written twice, and its pivot within a sum, so both become variables.
-    for (std::size_t k = 0; k < function_.pivot_diagonals.size(); ++k) {
-      at(uses_, function_.pivot_diagonals[k]) += 2;
+    for (std::size_t k = 0; k < function_.pivot_scales.size(); ++k) {
+      at(uses_, function_.pivot_scales[k]) += 2;
       ++at(uses_, function_.validity_conditions[k]);
     }
     for (NodeId id = graph_.size() - 1; id >= 0; --id) {

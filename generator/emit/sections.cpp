@@ -40,8 +40,8 @@ std::string zeros(const Function& function, std::size_t o, const FunctionText& t
 // The meaning of the numbers if the scene asks for angles or for damping.
 std::string task_facts(const Task& task) {
   std::string facts;
-  const bool has_angles = task.has_angles() && !task.empty() && task.rows.back() >= 3;
-  if (has_angles) facts += " " + describe_angles(task.orientation) + ". J is the analytical Jacobian, of their rates.";
+  if (task.rates_are_of_angles())
+    facts += " " + describe_angles(task.orientation) + ". J is the analytical Jacobian, of their rates.";
   if (task.is_damped()) {
     facts += fmt::format(
         " Damped: J B^-1 J^T + lambda^2 1 is inverted, lambda = {}, so that B_A is never larger than 1 / lambda^2; a "

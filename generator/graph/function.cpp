@@ -15,7 +15,7 @@ std::vector<NodeId> roots(const Function& function) {
   std::vector<NodeId> all;
   for (const Output& output : function.outputs) all.insert(all.end(), output.entries.begin(), output.entries.end());
   all.insert(all.end(), function.validity_conditions.begin(), function.validity_conditions.end());
-  all.insert(all.end(), function.pivot_diagonals.begin(), function.pivot_diagonals.end());
+  all.insert(all.end(), function.pivot_scales.begin(), function.pivot_scales.end());
   return all;
 }
 
@@ -31,12 +31,12 @@ Function with_graph(const Function& function, Graph graph, const std::vector<Nod
                   .graph = std::move(graph),
                   .outputs = function.outputs,
                   .validity_conditions = function.validity_conditions,
-                  .pivot_diagonals = function.pivot_diagonals,
+                  .pivot_scales = function.pivot_scales,
                   .loop_conditions = function.loop_conditions};
   const auto replace = [&image](NodeId& id) { id = image[static_cast<std::size_t>(id)]; };
   for (Output& output : result.outputs) std::for_each(output.entries.begin(), output.entries.end(), replace);
   std::for_each(result.validity_conditions.begin(), result.validity_conditions.end(), replace);
-  std::for_each(result.pivot_diagonals.begin(), result.pivot_diagonals.end(), replace);
+  std::for_each(result.pivot_scales.begin(), result.pivot_scales.end(), replace);
   return result;
 }
 
@@ -45,8 +45,8 @@ bool always_holds(const Function& function, std::size_t k) {
   const Graph& graph = function.graph;
   const NodeId id = function.validity_conditions[k];
   if (!graph.is_constant(id) || graph[id].value <= 0) return false;
-  if (k >= function.pivot_diagonals.size()) return true;
-  const NodeId scale = function.pivot_diagonals[k];
+  if (k >= function.pivot_scales.size()) return true;
+  const NodeId scale = function.pivot_scales[k];
   return graph.is_constant(scale) && graph[id].value >= safe_share * graph[scale].value;
 }
 

@@ -47,17 +47,18 @@ struct Function {
   // Values that must all be positive for the result to be valid (pivots of B, conditions of loops). If there are any,
   // the generated function returns bool.
   std::vector<NodeId> validity_conditions;
-  // The diagonal entries b_kk for the first of `validity_conditions`, which are pivots: pivot k is b_kk less what
-  // elimination subtracts from it, so that rounding may cancel all digits of it. It counts as positive only if
-  // kPivotSignificance of it still changes b_kk in the scalar's arithmetic.
-  std::vector<NodeId> pivot_diagonals{};
+  // The scales of the first of `validity_conditions`, which are pivots: pivot k is a diagonal entry less what
+  // elimination subtracts from it, so that rounding may cancel all digits of it. A last place of its scale is the
+  // rounding error that the terms bring in. It counts as positive only if kPivotSignificance of it still changes its
+  // scale in the scalar's arithmetic.
+  std::vector<NodeId> pivot_scales{};
   int loop_conditions = 0;  // the number of conditions, at the end, that require a closed loop not to be singular
 };
 
-// A pivot below 1/(2 kPivotSignificance) units in the last place of its diagonal entry is mostly rounding error.
+// A pivot below 1/(2 kPivotSignificance) units in the last place of its scale is mostly rounding error.
 inline const Rational kPivotSignificance{1, 64};
 
-// The nodes that must be kept: output entries, validity conditions and pivot diagonals, in this order.
+// The nodes that must be kept: output entries, validity conditions and pivot scales, in this order.
 std::vector<NodeId> roots(const Function& function);
 
 // The same function over another graph, in which node k of the function's graph is image[k].

@@ -36,16 +36,16 @@ Fusion fused(const std::vector<Function>& functions) {
       whole.outputs.push_back(std::move(output));
     }
     const std::vector<NodeId> conditions = images(function.validity_conditions, image),
-                              scales = images(function.pivot_diagonals, image);
+                              scales = images(function.pivot_scales, image);
     whole.validity_conditions.insert(whole.validity_conditions.end(), conditions.begin(), conditions.end());
-    whole.pivot_diagonals.insert(whole.pivot_diagonals.end(), scales.begin(), scales.end());
+    whole.pivot_scales.insert(whole.pivot_scales.end(), scales.begin(), scales.end());
     inputs.insert(function.inputs.begin(), function.inputs.end());
     whole.base_parameters = std::max(whole.base_parameters, function.base_parameters);
     whole.name += (whole.name.empty() ? "" : "_") + function.name;
     whole.summary += (whole.summary.empty() ? "" : "; ") + function.summary;
     fusion.parts.push_back({function.name, function.summary, function.equation, function.inputs, function.at_rest,
                             function.task, function.outputs.size(), function.validity_conditions.size(),
-                            function.pivot_diagonals.size(), function.loop_conditions});
+                            function.pivot_scales.size(), function.loop_conditions});
   }
   whole.inputs.assign(inputs.begin(), inputs.end());
   return fusion;
@@ -56,7 +56,7 @@ Function function_of(const Fusion& fusion, std::size_t k) {
   for (std::size_t before = 0; before < k; ++before) {
     output += fusion.parts[before].outputs;
     condition += fusion.parts[before].conditions;
-    scale += fusion.parts[before].pivot_diagonals;
+    scale += fusion.parts[before].pivot_scales;
   }
   const FusedFunction& part = fusion.parts[k];
   const auto slice = [](const auto& all, std::size_t first, std::size_t count) {
@@ -73,7 +73,7 @@ Function function_of(const Fusion& fusion, std::size_t k) {
           .graph = fusion.function.graph,
           .outputs = slice(fusion.function.outputs, output, part.outputs),
           .validity_conditions = slice(fusion.function.validity_conditions, condition, part.conditions),
-          .pivot_diagonals = slice(fusion.function.pivot_diagonals, scale, part.pivot_diagonals),
+          .pivot_scales = slice(fusion.function.pivot_scales, scale, part.pivot_scales),
           .loop_conditions = part.loop_conditions};
 }
 

@@ -15,8 +15,8 @@ struct FusedFunction {
   std::vector<InputKind> inputs;
   bool at_rest = false;
   Task task{};
-  // The numbers of its own outputs, conditions and diagonals in the fused function.
-  std::size_t outputs = 0, conditions = 0, pivot_diagonals = 0;
+  // The numbers of its own outputs, conditions and pivot scales in the fused function.
+  std::size_t outputs = 0, conditions = 0, pivot_scales = 0;
   int loop_conditions = 0;
 };
 

@@ -78,8 +78,8 @@ class TapeWriter {
   // The cell of condition k: (scale + kPivotSignificance · pivot) - scale for a pivot, else the value itself.
   std::uint32_t condition(const Function& function, std::size_t k) {
     const std::uint32_t value = cell_of(function.validity_conditions[k]);
-    if (k >= function.pivot_diagonals.size()) return value;
-    const std::uint32_t scale = cell_of(function.pivot_diagonals[k]);
+    if (k >= function.pivot_scales.size()) return value;
+    const std::uint32_t scale = cell_of(function.pivot_scales[k]);
     return add(Code::subtract, add(Code::add_multiple, scale, constant(kPivotSignificance), value), scale);
   }
 

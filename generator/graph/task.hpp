@@ -21,6 +21,7 @@ struct Task {
 
   bool empty() const { return rows.empty(); }
   bool has_angles() const { return orientation != Orientation::angular_velocity; }
+  bool rates_are_of_angles() const { return has_angles() && !empty() && rows.back() >= 3; }
   bool is_damped() const { return damping != 0; }
 };
 

@@ -121,7 +121,7 @@ std::string output_text(const Output& output) {
 
 std::string condition_text(const Function& function, std::size_t k) {
   std::string text = "  " + node_name(function.validity_conditions[k]);
-  if (k < function.pivot_diagonals.size()) text += " pivot of " + node_name(function.pivot_diagonals[k]);
+  if (k < function.pivot_scales.size()) text += " pivot of " + node_name(function.pivot_scales[k]);
   const std::size_t loops = function.validity_conditions.size() - static_cast<std::size_t>(function.loop_conditions);
   if (k >= loops) text += " loop";
   return text + "\n";

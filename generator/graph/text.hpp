@@ -15,7 +15,7 @@
 //   outputs:
 //     g vector 2 1: %3 %4           ; joint torques, N m
 //   conditions:                     nodes that must be positive
-//     %4 pivot of %2                the pivot's own diagonal entry
+//     %4 pivot of %2                the pivot's scale
 //     %3 loop                       a closed loop is not singular
 #pragma once
 

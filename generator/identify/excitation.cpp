@@ -172,6 +172,9 @@ Excitation make_excitation(const TorqueModel& model, const ExcitationOptions& op
   refuse_what_cannot_move(model, limits);
   const int intervals = intervals_of(options, model);
   ExcitationObjective objective(model, within_margin(limits, options.margin), options.duration, options.harmonics);
+  // The logs as they count beside samples at the motion's rate, and beside those of the criterion.
+  const Eigen::MatrixXd logged = std::sqrt(options.rate) * options.logged;
+  objective.add_known(std::sqrt(static_cast<double>(objective.samples()) / intervals) * logged);
   std::mt19937_64 engine(options.seed);
   std::vector<std::vector<double>> starts;
   for (int start = 0; start < kStarts; ++start) starts.push_back(random_coefficients(engine, objective.size()));
@@ -182,13 +185,15 @@ Excitation make_excitation(const TorqueModel& model, const ExcitationOptions& op
   search.improve(best, (options.evaluations - search.evaluations()) / 3);
   const FourierTrajectory found = within_limits(model, limits, options, std::move(best), objective, search);
   const auto plan = [&](const FourierTrajectory& trajectory) {
-    return planned(model, limits, options.margin, trajectory, intervals, objective.lengths());
+    return planned(model, limits, options.margin, trajectory, intervals, objective.lengths(), logged);
   };
   progress.step("planning the motion");
   PlannedMotion start = plan(objective.trajectory(starts.front().data()));
   PlannedMotion motion = plan(found);
   if (motion.cost > start.cost) motion = start;
-  return {std::move(start), std::move(motion), search.evaluations(), search.out_of_time()};
+  std::optional<Conditioning> logs;
+  if (logged.size() > 0) logs = conditioning(logged, objective.lengths());
+  return {std::move(start), std::move(motion), std::move(logs), search.evaluations(), search.out_of_time()};
 }
 
 }  // namespace flatdyn

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A motion that determines the base parameters well: noise gives them small standard deviations, and its stacked
 // regressor has a small condition number (Swevers et al., 1997) when columns are divided by their lengths in random
-// motions. The motion keeps all limits of the robot.
+// motions. The motion keeps all limits of the robot. Where there are logs of other motions already, theirs and its own
+// regressor are stacked.
 #pragma once
 
 #include <functional>
@@ -22,12 +23,16 @@ struct ExcitationOptions {
   int evaluations = 3000;  // evaluations of the criterion; the search ends earlier if it stops improving
   // The time in s after which the search ends, for slow computers. None: no limit.
   std::optional<double> time = 30;
+  // The information of logs (LoggedInformation::root); the motion then gives the parameters small standard deviations
+  // together with them. Empty: nothing.
+  Eigen::MatrixXd logged{};
 };
 
 struct Excitation {
-  PlannedMotion start;   // random start, within the limits too
-  PlannedMotion motion;  // the result of the search
-  int evaluations = 0;   // evaluations used
+  PlannedMotion start;               // random start, within the limits too
+  PlannedMotion motion;              // the result of the search
+  std::optional<Conditioning> logs;  // of the logs alone, if there are any
+  int evaluations = 0;               // evaluations used
   bool out_of_time = false;
 };
 

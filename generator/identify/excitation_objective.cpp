@@ -170,6 +170,11 @@ MatrixXd ExcitationObjective::regressor(const Motion& motion) const {
   });
 }
 
+MatrixXd ExcitationObjective::with_known(const MatrixXd& regressor) const {
+  if (known_.size() == 0) return regressor;
+  return (MatrixXd(regressor.rows() + known_.rows(), regressor.cols()) << regressor, known_).finished();
+}
+
 double ExcitationObjective::torque_penalty(const MatrixXd& regressor, MatrixXd* slope) const {
   const Eigen::Map<const VectorXd> values(model_.file_values().data(), model_.parameters());
   const VectorXd tau = regressor * values;
@@ -227,8 +232,8 @@ double ExcitationObjective::operator()(const double* x, double* gradient) const 
   const MatrixXd y = regressor(found);
   const VectorXd inverse = lengths_.cwiseInverse();
   MatrixXd slope;
-  double value = excitation_cost(y * inverse.asDiagonal(), gradient != nullptr ? &slope : nullptr);
-  if (gradient != nullptr) slope = slope * inverse.asDiagonal();
+  double value = excitation_cost(with_known(y) * inverse.asDiagonal(), gradient != nullptr ? &slope : nullptr);
+  if (gradient != nullptr) slope = slope.topRows(y.rows()) * inverse.asDiagonal();
   value += torque_penalty(y, gradient != nullptr ? &slope : nullptr);
   if (gradient != nullptr) {
     MatrixXd by[3];
@@ -240,7 +245,7 @@ double ExcitationObjective::operator()(const double* x, double* gradient) const 
 
 double ExcitationObjective::cost(const FourierTrajectory& trajectory) const {
   const MatrixXd y = stacked(model_, samples(), [&](int k) { return trajectory.at(time(k)); });
-  return excitation_cost(y * lengths_.cwiseInverse().asDiagonal(), nullptr);
+  return excitation_cost(with_known(y) * lengths_.cwiseInverse().asDiagonal(), nullptr);
 }
 
 }  // namespace flatdyn

@@ -23,6 +23,9 @@ class ExcitationObjective {
   // Sets the columns' lengths to their root mean squares in these motions, of size() coefficients each.
   void scale_by(const std::vector<std::vector<double>>& motions);
   const Eigen::VectorXd& lengths() const { return lengths_; }
+  // Adds rows to every motion's regressor, for columns that are not divided by lengths: what is known without it, as
+  // much of it as the criterion's samples are of all samples.
+  void add_known(const Eigen::MatrixXd& rows) { known_ = rows; }
   // Sets the weight of torques beyond their limits; 1 at first.
   void weigh_torques(double weight) { torque_weight_ = weight; }
   // Multiplies each joint's torque limit by a factor up to 1, but leaves half of what is not needed at rest.
@@ -30,6 +33,8 @@ class ExcitationObjective {
 
   // The number of free coefficients: a_1, b_1, a_2, … of every joint, in units that reach a limit at about 1.
   int size() const { return model_.joints() * terms(); }
+  // The number of samples of the criterion.
+  int samples() const { return static_cast<int>(basis_[0].rows()); }
 
   // excitation_cost() plus a penalty for torques beyond their limits. `gradient`: size() numbers or null.
   double operator()(const double* x, double* gradient) const;
@@ -45,12 +50,12 @@ class ExcitationObjective {
  private:
   struct Motion;
   int terms() const { return static_cast<int>(basis_[0].cols()); }
-  int samples() const { return static_cast<int>(basis_[0].rows()); }
   double time(int sample) const { return duration_ * (sample + 0.5) / samples(); }
   Eigen::VectorXd torques_at_rest() const;
   Motion motion(const double* x) const;
   Eigen::VectorXd state(const Motion& motion, int derivative, int sample) const;
   Eigen::MatrixXd regressor(const Motion& motion) const;
+  Eigen::MatrixXd with_known(const Eigen::MatrixXd& regressor) const;
   double torque_penalty(const Eigen::MatrixXd& regressor, Eigen::MatrixXd* slope) const;
   void by_motion(const Motion& motion, const Eigen::MatrixXd& regressor, const Eigen::MatrixXd& slope,
                  Eigen::MatrixXd* by) const;
@@ -64,6 +69,7 @@ class ExcitationObjective {
   Eigen::MatrixXd units_;     // terms × joints: a coefficient of 1 is this amplitude of speed
   Eigen::MatrixXd basis_[3];  // samples × terms: q, q̇ and q̈ of each term
   Eigen::VectorXd lengths_;
+  Eigen::MatrixXd known_;  // rows below every regressor
   double torque_weight_ = 1;
 };
 

@@ -23,8 +23,8 @@ constexpr int kMostShrinks = 400;
 // A factor that keeps rounding from exceeding a limit.
 constexpr double kInside = 1 - 1e-12;
 
-// The triangular factor of Y_b stacked over all samples.
-MatrixXd folded_regressor(const TorqueModel& model, const std::vector<FourierMotion>& samples) {
+// The triangular factor of Y_b stacked over all samples, and of further rows.
+MatrixXd folded_regressor(const TorqueModel& model, const std::vector<FourierMotion>& samples, const MatrixXd& known) {
   const int n = model.joints();
   TriangularFactor factor(model.parameters() - 1);  // the last column is passed as b
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(n, model.parameters());
@@ -32,6 +32,7 @@ MatrixXd folded_regressor(const TorqueModel& model, const std::vector<FourierMot
     model.regressor(sample.q.data(), sample.qd.data(), sample.qdd.data(), y.data());
     for (int i = 0; i < n; ++i) factor.next_row() = y.row(i);
   }
+  for (const auto& row : known.rowwise()) factor.next_row() = row;
   return factor.factor();
 }
 
@@ -100,12 +101,13 @@ FittedTrajectory fitted(const TorqueModel& model, const std::vector<JointLimits>
 }
 
 PlannedMotion planned(const TorqueModel& model, const std::vector<JointLimits>& limits, double margin,
-                      const FourierTrajectory& trajectory, int intervals, const VectorXd& lengths) {
+                      const FourierTrajectory& trajectory, int intervals, const VectorXd& lengths,
+                      const MatrixXd& known) {
   FourierTrajectory fit = fitted(model, limits, margin, trajectory, intervals).trajectory;
   std::vector<FourierMotion> samples = sampled(fit, intervals);
   std::vector<std::vector<double>> torques = torques_of(model, samples);
   std::vector<LimitUse> use = use_of(model, limits, fit, intervals);
-  const MatrixXd factor = folded_regressor(model, samples);
+  const MatrixXd factor = folded_regressor(model, samples, known);
   const double cost = excitation_cost(factor * lengths.cwiseInverse().asDiagonal(), nullptr);
   return {
       std::move(fit), std::move(samples), std::move(torques), std::move(use), conditioning(factor, lengths), cost,

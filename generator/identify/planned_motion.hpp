@@ -17,8 +17,8 @@ struct PlannedMotion {
   std::vector<FourierMotion> samples;
   std::vector<std::vector<double>> torques;  // Y_b π_b with the file's π_b, one vector per sample
   std::vector<LimitUse> use;                 // one per joint, as shares of the full limits
-  Conditioning conditioning;                 // over all samples
-  double cost = 0;                           // excitation_cost() over all samples, columns divided by the lengths
+  Conditioning conditioning;                 // over all samples, and what is known without them
+  double cost = 0;                           // excitation_cost() of the same, columns divided by the lengths
 
   double time(std::size_t sample) const {
     return trajectory.duration() * static_cast<double>(sample) / static_cast<double>(samples.size() - 1);
@@ -39,8 +39,10 @@ struct FittedTrajectory {
 FittedTrajectory fitted(const TorqueModel& model, const std::vector<JointLimits>& limits, double margin,
                         const FourierTrajectory& trajectory, int intervals = 1);
 
-// The fitted() motion as it is sampled; lengths: those of the columns of Y_b, for conditioning().
+// The fitted() motion as it is sampled; lengths: those of the columns of Y_b, for conditioning(). known: rows of Y_b
+// that count beside those of the motion, or none.
 PlannedMotion planned(const TorqueModel& model, const std::vector<JointLimits>& limits, double margin,
-                      const FourierTrajectory& trajectory, int intervals, const Eigen::VectorXd& lengths);
+                      const FourierTrajectory& trajectory, int intervals, const Eigen::VectorXd& lengths,
+                      const Eigen::MatrixXd& known = {});
 
 }  // namespace flatdyn

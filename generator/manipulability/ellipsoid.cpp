@@ -95,10 +95,11 @@ double length_of(const std::vector<Eigen::Vector3d>& skeleton) {
   return length;
 }
 
-Manipulability::Manipulability(const LoadedRobot& model, TorqueNorm norm, double radius, Progress& progress)
+Manipulability::Manipulability(const LoadedRobot& model, const TorqueBall& torques, Progress& progress)
     : task_(directions(model.mechanism)),
       rank_(rank_of(model.mechanism)),
-      torque_unit_(radius * torque_units(model.mechanism, norm)) {
+      set_(torques.set),
+      torque_unit_(torques.radius * torque_units(model.mechanism, torques.norm)) {
   std::vector<std::string> names = {"inertia_matrix", "gravity", "jacobian"};
   for (const std::string& pose : poses_to_tip(model.mechanism)) names.push_back(pose);
   const std::vector<Function> functions = derive_numeric_functions(model, names, "an ellipsoid", progress);
@@ -124,6 +125,13 @@ Ellipsoid Manipulability::at(const std::vector<double>& q) {
   const Eigen::LLT<Eigen::MatrixXd> factor(B);
   refuse_singular(B, factor, q);
   const Eigen::MatrixXd J = Eigen::MatrixXd(all.transpose())(task_, Eigen::all);
+  Ellipsoid ellipsoid = set_ == TorqueSet::all ? of_all_torques(J, factor) : of_least_accelerations(J, B);
+  ellipsoid.centre = -J * factor.solve(Eigen::Map<const Eigen::VectorXd>(g.data(), n));
+  ellipsoid.measure = ellipsoid.lengths.prod();
+  return ellipsoid;
+}
+
+Ellipsoid Manipulability::of_least_accelerations(const Eigen::MatrixXd& J, const Eigen::MatrixXd& B) const {
   // J = U Σ Vᵀ. Accelerations q̈ = V z of least norm need the torques B V z = Q R z, so the ellipsoid is the image of
   // the ball under U Σ R^-1: (7.148) without an inverse of J, which may be singular.
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
@@ -132,12 +140,14 @@ Ellipsoid Manipulability::at(const std::vector<double>& q) {
   const Eigen::MatrixXd sizes = svd.singularValues().head(rank_).asDiagonal();
   const Eigen::MatrixXd image = R.transpose().triangularView<Eigen::Lower>().solve(sizes).transpose();
   const Eigen::JacobiSVD<Eigen::MatrixXd> half_axes(image, Eigen::ComputeFullU);
-  Ellipsoid ellipsoid;
-  ellipsoid.centre = -J * factor.solve(Eigen::Map<const Eigen::VectorXd>(g.data(), n));
-  ellipsoid.lengths = half_axes.singularValues();
-  ellipsoid.axes = svd.matrixU().leftCols(rank_) * half_axes.matrixU();
-  ellipsoid.measure = ellipsoid.lengths.prod();
-  return ellipsoid;
+  return {{}, svd.matrixU().leftCols(rank_) * half_axes.matrixU(), half_axes.singularValues()};
+}
+
+// The image of the ball of torques under J B^-1.
+Ellipsoid Manipulability::of_all_torques(const Eigen::MatrixXd& J, const Eigen::LLT<Eigen::MatrixXd>& B) const {
+  const Eigen::MatrixXd image = B.solve(J.transpose()).transpose() * torque_unit_.asDiagonal();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> half_axes(image, Eigen::ComputeThinU);
+  return {{}, half_axes.matrixU().leftCols(rank_), half_axes.singularValues().head(rank_)};
 }
 
 std::vector<Eigen::Vector3d> Manipulability::skeleton(const std::vector<double>& q) {

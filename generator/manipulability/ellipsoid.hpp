@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The dynamic manipulability ellipsoid, 7.9: the accelerations of the tip that joint torques of bounded norm can
-// produce while the arm stands still.
+// produce while the arm stands still, by all torques or, as in the textbook, by those of least joint accelerations.
 #pragma once
 
 #include <Eigen/Dense>
@@ -14,14 +14,14 @@
 
 namespace flatdyn {
 
-// The ellipsoid (7.148) in the d directions of the task, base axes; accelerations in m/s^2 (rad/s^2). It has r axes; r
+// The ellipsoid in the d directions of the task, base axes; accelerations in m/s^2 (rad/s^2). It has r axes; r
 // < d, a flat ellipsoid, if the tip moves on a surface or along a curve.
 struct Ellipsoid {
   Eigen::VectorXd centre;   // d: −J B^-1 g, the shift by gravity
   Eigen::MatrixXd axes;     // d × r: unit vectors as columns, the longest axis first
   Eigen::VectorXd lengths;  // r: lengths of the half axes; 0 along directions in which the tip cannot move here
-  // √det of the inverse of the core of (7.148), which is the product of the lengths. For an arm without redundancy it
-  // is √det(J Jᵀ), the measure (3.56), divided by det B (Problem 7.12).
+  // The product of the lengths: √det of the inverse of the core of (7.148), or √det(J B^-2 Jᵀ) for all torques. For an
+  // arm without redundancy it is √det(J Jᵀ), the measure (3.56), divided by det B (Problem 7.12).
   double measure = 0;
 };
 
@@ -38,12 +38,24 @@ enum class TorqueNorm {
   limits,  // each torque as a share of its joint's effort limit
 };
 
+// The torques whose accelerations an ellipsoid has. They differ for redundant arms only.
+enum class TorqueSet {
+  least_accelerations,  // those that need joint accelerations of least norm, q̈ = J† v̇ (7.145): the ellipsoid (7.148)
+  all,                  // any τ: v̇ = J B^-1 (τ − g). It contains the other ellipsoid.
+};
+
+// The torques of bounded norm.
+struct TorqueBall {
+  TorqueNorm norm = TorqueNorm::plain;
+  double radius = 1;  // N m, or a share of the limits
+  TorqueSet set = TorqueSet::least_accelerations;
+};
+
 class Manipulability {
  public:
   // The task is the scene's, or else the directions out of x, y, z along which the tip can move. Throws
   // Failure(unsupported) if the robot has free symbols, or lacks the effort limits asked for.
-  // radius: of the sphere of torques, N m, or of their shares of the limits.
-  Manipulability(const LoadedRobot& model, TorqueNorm norm, double radius, Progress& progress);
+  Manipulability(const LoadedRobot& model, const TorqueBall& torques, Progress& progress);
 
   const std::vector<int>& task() const { return task_; }
 
@@ -54,9 +66,12 @@ class Manipulability {
 
  private:
   std::vector<double> values(Tape& tape, const std::vector<double>& q) const;
+  Ellipsoid of_least_accelerations(const Eigen::MatrixXd& J, const Eigen::MatrixXd& B) const;
+  Ellipsoid of_all_torques(const Eigen::MatrixXd& J, const Eigen::LLT<Eigen::MatrixXd>& B) const;
 
   std::vector<int> task_;
   Eigen::Index rank_;
+  TorqueSet set_;
   Eigen::VectorXd torque_unit_;  // unit of torque per joint
   std::optional<Tape> inertia_, gravity_, jacobian_;
   std::vector<Tape> frames_;  // frames of the links on the way to the tip

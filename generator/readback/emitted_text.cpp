@@ -28,12 +28,12 @@ Function as_printed(const Function& function, const std::string& scalar) {
   }
   Function result = with_graph(function, std::move(graph), image);
   result.validity_conditions.clear();
-  result.pivot_diagonals.clear();
+  result.pivot_scales.clear();
   for (std::size_t k = 0; k < function.validity_conditions.size(); ++k) {
     if (always_holds(function, k)) continue;
     const NodeId value = image[static_cast<std::size_t>(function.validity_conditions[k])];
     result.validity_conditions.push_back(
-        k < function.pivot_diagonals.size() ? result.graph.scaled(kPivotSignificance, value) : value);
+        k < function.pivot_scales.size() ? result.graph.scaled(kPivotSignificance, value) : value);
   }
   return result;
 }

@@ -124,7 +124,7 @@ Function graph_of(const StraightLine& lines, const Function& like) {
     }
   }
   result.validity_conditions.clear();
-  result.pivot_diagonals.clear();  // they cancel
+  result.pivot_scales.clear();  // they cancel
   for (const int condition : lines.validity_conditions)
     result.validity_conditions.push_back(nodes[static_cast<std::size_t>(condition)]);
   return result;

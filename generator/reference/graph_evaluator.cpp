@@ -31,8 +31,14 @@ std::optional<std::vector<S>> GraphEvaluator<S>::operator()(const StateOf<S>& st
   CachedArithmetic<S> arithmetic(state, constants_);
   const std::vector<S> all = evaluate(function_, arithmetic);
   const auto value = [&all](NodeId id) { return all[static_cast<std::size_t>(id)]; };
-  for (const NodeId id : function_.validity_conditions) {
-    if (!(value(id) > 0)) return std::nullopt;
+  const S significance = to_real<S>(kPivotSignificance);
+  for (std::size_t k = 0; k < function_.validity_conditions.size(); ++k) {
+    S condition = value(function_.validity_conditions[k]);
+    if (k < function_.pivot_scales.size()) {
+      const S scale = value(function_.pivot_scales[k]), increased = scale + significance * condition;
+      condition = increased - scale;
+    }
+    if (!(condition > 0)) return std::nullopt;
   }
   std::vector<S> result;
   for (const Output& output : function_.outputs) {

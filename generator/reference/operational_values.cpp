@@ -5,9 +5,8 @@ namespace flatdyn {
 
 bool is_regular(const reference::Robot<double>& robot, const reference::VectorX<double>& q, const Task& task) {
   constexpr double kLeastReciprocalCondition = 1e-9;
-  const auto space = reference::operational_space(robot, q, reference_task<double>(task));
-  reference::MatrixX<double> mobility = space.J * space.B_inverse * space.J.transpose();
-  mobility.diagonal().array() += std::pow(to_real<double>(task.damping), 2);
+  const reference::Task<double> wanted = reference_task<double>(task);
+  const auto mobility = mobility_of(reference::operational_space(robot, q, wanted), wanted);
   const reference::VectorX<double> sizes = mobility.selfadjointView<Eigen::Lower>().eigenvalues();
   return sizes.minCoeff() > kLeastReciprocalCondition * sizes.maxCoeff();
 }

@@ -2,10 +2,13 @@
 // The operational-space functions: their values by the reference, and the magnitude of their rounding errors.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "flatdyn/reference/operational.hpp"
 #include "graph/arithmetic.hpp"
+#include "graph/function.hpp"
 #include "graph/task.hpp"
 #include "reference/magnitude.hpp"
 #include "reference/reference_model.hpp"
@@ -43,6 +46,31 @@ std::vector<S> operational_bias_entries(const reference::Robot<S>& robot, const 
   const std::vector<S> more = row_by_row(reference::operational_gravity(robot, q, task));
   entries.insert(entries.end(), more.begin(), more.end());
   return entries;
+}
+
+// J B^-1 Jᵀ, damped if the task is.
+template <class S>
+reference::MatrixX<S> mobility_of(const reference::OperationalSpace<S>& space, const reference::Task<S>& task) {
+  reference::MatrixX<S> mobility = space.J * space.B_inverse * space.J.transpose();
+  mobility.diagonal().array() += task.damping * task.damping;
+  return mobility;
+}
+
+// Whether the inverse of J B^-1 Jᵀ means something in the scalar's arithmetic. With M_kk (M^-1)_kk, which has no unit
+// and is 1 or more, an error in the last place of a diagonal entry grows.
+template <class S>
+bool has_inverse(const reference::Robot<S>& robot, const reference::VectorX<S>& q, const Task& of) {
+  const reference::Task<S> task = reference_task<S>(of);
+  const S lost = to_real<S>(kPivotSignificance) / std::numeric_limits<S>::epsilon();
+  if (of.rates_are_of_angles()) {
+    using std::abs;
+    const reference::Vector3<S> angles = reference::euler_angles(reference::tip_pose(robot, q).R, task.angles);
+    const S divisor = reference::rates_to_velocity(angles, task.angles).determinant();
+    if (!(abs(divisor) * lost > 1)) return false;
+  }
+  const auto space = reference::operational_space(robot, q, task);
+  const reference::VectorX<S> growth = mobility_of(space, task).diagonal().cwiseProduct(space.B_A.diagonal());
+  return std::all_of(growth.begin(), growth.end(), [&lost](const S& x) { return x > 0 && x < lost; });
 }
 
 // Whether J B^-1 Jᵀ, damped if the task is, can be inverted in doubles with some digits left.

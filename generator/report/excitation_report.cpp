@@ -64,12 +64,22 @@ std::string weakest_table(const BaseParameters& base, const Eigen::VectorXd& wea
   return aligned_table(rows);
 }
 
-// Ratios of the parameters' standard deviations, planned motion to random start, in ascending order.
-Eigen::VectorXd ratios_of_deviations(const Excitation& excitation) {
-  Eigen::VectorXd ratios = excitation.motion.conditioning.standard_deviations.cwiseQuotient(
-      excitation.start.conditioning.standard_deviations);
+// Ratios of the parameters' standard deviations after the planned motion to those before, in ascending order; 0 for
+// parameters that were open.
+Eigen::VectorXd ratios_of_deviations(const Excitation& excitation, const Conditioning& before) {
+  Eigen::VectorXd ratios = excitation.motion.conditioning.standard_deviations.cwiseQuotient(before.standard_deviations);
+  for (double& ratio : ratios) ratio = std::isfinite(ratio) ? ratio : 0;
   std::sort(ratios.begin(), ratios.end());
   return ratios;
+}
+
+std::string ratios_text(const std::string& what, const Eigen::VectorXd& ratios) {
+  return fmt::format("\nstandard deviations of the parameters, {}: {:.2g} the median, {:.2g} the largest\n", what,
+                     ratios(ratios.size() / 2), ratios(ratios.size() - 1));
+}
+
+nlohmann::ordered_json ratios_json(const Eigen::VectorXd& ratios) {
+  return {{"median", ratios(ratios.size() / 2)}, {"largest", ratios(ratios.size() - 1)}};
 }
 
 void append(std::string& line, const std::vector<double>& values) {
@@ -86,7 +96,8 @@ Panel motion_panel(const Mechanism& mechanism, const std::string& title, const s
 
 }  // namespace
 
-std::string describe_excitation(const TorqueModel& model, const Excitation& excitation) {
+std::string describe_excitation(const TorqueModel& model, const Excitation& excitation,
+                                const std::optional<LoggedInformation>& logged) {
   const PlannedMotion& motion = excitation.motion;
   std::string text =
       fmt::format("{} base parameters, {} samples, {} evaluations{}\n\n", model.parameters(), motion.samples.size(),
@@ -98,23 +109,25 @@ std::string describe_excitation(const TorqueModel& model, const Excitation& exci
         fmt::format("{:.4g}", after.relative)},
        {"columns of unit length", fmt::format("{:.4g}", before.scaled), fmt::format("{:.4g}", after.scaled)},
        {"unscaled", fmt::format("{:.4g}", before.unscaled), fmt::format("{:.4g}", after.unscaled)}});
-  const Eigen::VectorXd ratios = ratios_of_deviations(excitation);
-  text +=
-      fmt::format("\nstandard deviations of the parameters, found to random: {:.2g} the median, {:.2g} the largest\n",
-                  ratios(ratios.size() / 2), ratios(ratios.size() - 1));
+  text += ratios_text("found to random", ratios_of_deviations(excitation, before));
+  if (logged) {
+    text += ratios_text("found to the logs alone", ratios_of_deviations(excitation, *excitation.logs)) +
+            fmt::format("{:.6g} s of logs count beside every motion\n", logged->seconds);
+  }
   text += "\nlargest part of each limit that is used:\n" + use_table(model.mechanism(), motion.use);
   return text + "\nthe motion shows least, of all combinations of the parameters:\n" +
          weakest_table(model.base(), after.weakest);
 }
 
-nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitation& excitation) {
+nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitation& excitation,
+                                       const std::optional<LoggedInformation>& logged) {
   const auto numbers = [](const PlannedMotion& motion) {
     return nlohmann::ordered_json{{"relative", motion.conditioning.relative},
                                   {"scaled", motion.conditioning.scaled},
                                   {"unscaled", motion.conditioning.unscaled}};
   };
   const PlannedMotion& motion = excitation.motion;
-  const Eigen::VectorXd ratios = ratios_of_deviations(excitation);
+  const Eigen::VectorXd to_start = ratios_of_deviations(excitation, excitation.start.conditioning);
   nlohmann::ordered_json json = {{"robot", model.mechanism().name},
                                  {"base_parameters", model.parameters()},
                                  {"samples", motion.samples.size()},
@@ -122,8 +135,11 @@ nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitatio
                                  {"out_of_time", excitation.out_of_time},
                                  {"condition_number", numbers(motion)},
                                  {"condition_number_of_start", numbers(excitation.start)},
-                                 {"standard_deviations_to_start",
-                                  {{"median", ratios(ratios.size() / 2)}, {"largest", ratios(ratios.size() - 1)}}}};
+                                 {"standard_deviations_to_start", ratios_json(to_start)}};
+  if (logged) {
+    const Eigen::VectorXd to_logs = ratios_of_deviations(excitation, *excitation.logs);
+    json["logs"] = {{"seconds", logged->seconds}, {"standard_deviations_to_logs", ratios_json(to_logs)}};
+  }
   for (std::size_t i = 0; i < motion.use.size(); ++i) {
     const LimitUse& use = motion.use[i];
     json["limits_used"].push_back({{"joint", model.mechanism().joints()[i].joint},

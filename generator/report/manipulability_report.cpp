@@ -77,9 +77,9 @@ std::string describe_manipulability(const std::vector<int>& task, const std::vec
   return text;
 }
 
-nlohmann::ordered_json manipulability_json(const std::string& robot, const std::vector<int>& task,
-                                           const std::vector<ManipulablePose>& poses) {
-  nlohmann::ordered_json json = {{"robot", robot}, {"task", nlohmann::ordered_json::array()}};
+nlohmann::ordered_json manipulability_json(const std::string& robot, const std::string& norm,
+                                           const std::vector<int>& task, const std::vector<ManipulablePose>& poses) {
+  nlohmann::ordered_json json = {{"robot", robot}, {"norm", norm}, {"task", nlohmann::ordered_json::array()}};
   for (const int row : task) json["task"].push_back(direction(row));
   const auto list = [](const auto& values) { return std::vector<double>(values.begin(), values.end()); };
   for (const ManipulablePose& pose : poses) {

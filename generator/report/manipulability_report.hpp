@@ -21,7 +21,8 @@ struct ManipulablePose {
 std::string manipulability_csv(const std::vector<int>& task, const std::vector<ManipulablePose>& poses);
 
 std::string describe_manipulability(const std::vector<int>& task, const std::vector<ManipulablePose>& poses);
-nlohmann::ordered_json manipulability_json(const std::string& robot, const std::vector<int>& task,
-                                           const std::vector<ManipulablePose>& poses);
+// norm: as --norm names it.
+nlohmann::ordered_json manipulability_json(const std::string& robot, const std::string& norm,
+                                           const std::vector<int>& task, const std::vector<ManipulablePose>& poses);
 
 }  // namespace flatdyn

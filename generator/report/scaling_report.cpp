@@ -56,7 +56,13 @@ std::string decision_text(const Mechanism& mechanism, const ScaledMotion& motion
   if (!by) return "the motion keeps all limits as it is\n";
   const double time = motion.sides_before.points[by->point].time;
   return fmt::format("decided by the {}, at {:.6g} s of the motion as given, {:.6g} s of the scaled one\n",
-                     limit_text(mechanism, motion.limits, by->kind, by->joint), time, motion.linear.c * time);
+                     limit_text(mechanism, motion.limits, by->kind, by->joint), time,
+                     motion.linear.c * (motion.even ? motion.even->slowed_by : 1) * time);
+}
+
+std::string sampling_text(const ScaledMotion& motion) {
+  return fmt::format("{} samples at {} Hz, for which all of it takes {:.9g} times as long\n",
+                     motion.after.points.size(), motion.even->rate, motion.even->slowed_by);
 }
 
 std::string optimal_text(const OptimalPace& pace, const LinearScaling& linear) {
@@ -94,6 +100,7 @@ std::string describe_scaling(const Mechanism& mechanism, const ScaledMotion& mot
                        motion.before.duration()) +
            decision_text(mechanism, motion);
   }
+  if (motion.even) text += sampling_text(motion);
   text += fmt::format("largest use of a limit: {:.9g} of the {}\n\n", motion.used.part,
                       limit_text(mechanism, motion.limits, motion.used.kind, motion.used.joint));
   return text + torque_table_text(mechanism, motion);
@@ -106,6 +113,7 @@ nlohmann::ordered_json scaling_json(const Mechanism& mechanism, const ScaledMoti
                                  {"duration_before", motion.before.duration()},
                                  {"duration", motion.after.duration()},
                                  {"points", motion.after.points.size()}};
+  if (motion.even) json["even_samples"] = {{"rate", motion.even->rate}, {"slowed_by", motion.even->slowed_by}};
   if (motion.linear.decided_by) {
     json["decided_by"] = use_json(mechanism, *motion.linear.decided_by, motion.sides_before);
     json["decided_by"].erase("part");

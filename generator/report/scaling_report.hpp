@@ -17,13 +17,21 @@ struct OptimalPace {
   double coefficients_ms = 0, solve_ms = 0;  // time to evaluate the dynamics, and to find the law
 };
 
+// Even samples of the scaled motion.
+struct EvenSamples {
+  double rate = 0;       // samples per second
+  double slowed_by = 1;  // factor on the whole motion, with which it ends on a sample and keeps limits at all of them
+};
+
 struct ScaledMotion {
   PaceLimits limits;
   LinearScaling linear;
   std::optional<OptimalPace> optimal;
+  std::optional<EvenSamples> even;
   Trajectory before, after;
   std::vector<std::vector<double>> tau_after;
-  // The points at both sides of every jump, of the motion as given (`linear` counts these) and at its new pace.
+  // The points at both sides of every jump, of the motion as given (`linear` counts these) and at its new pace, there
+  // with even samples if there are some.
   Trajectory sides_before, sides_after;
   std::vector<std::vector<double>> tau_sides_before, tau_sides_after;
   LargestLimitUse used;  // use of limits by sides_after, computed separately

@@ -171,15 +171,20 @@ class PaceMaker {
 };
 
 // q̇ = q' √x, q̈ = q' u + q'' x, and before the point q̈ = q' u_before + q''_before x.
-TrajectoryPoint at_pace(TrajectoryPoint point, double time, double x, double u, std::optional<double> u_before) {
+// The pace at one side of a point.
+struct Pace {
+  double x = 0, u = 0;
+};
+
+TrajectoryPoint at_pace(TrajectoryPoint point, double time, const Pace& pace, const std::optional<Pace>& before) {
   if (point.qdd_before.empty()) point.qdd_before = point.qdd;
   point.time = time;
   for (std::size_t i = 0; i < point.q.size(); ++i) {
-    point.qdd[i] = point.qd[i] * u + point.qdd[i] * x;
-    point.qdd_before[i] = point.qd[i] * u_before.value_or(0) + point.qdd_before[i] * x;
-    point.qd[i] *= std::sqrt(x);
+    point.qdd[i] = point.qd[i] * pace.u + point.qdd[i] * pace.x;
+    if (before) point.qdd_before[i] = point.qd[i] * before->u + point.qdd_before[i] * before->x;
+    point.qd[i] *= std::sqrt(pace.x);
   }
-  if (!u_before) point.qdd_before.clear();
+  if (!before) point.qdd_before.clear();
   return point;
 }
 
@@ -194,14 +199,21 @@ TimeLaw time_optimal_law(const Trajectory& trajectory, const PathCoefficients& p
   return PaceMaker(trajectory, path, limits, c).law();
 }
 
-Trajectory paced(Trajectory trajectory, const TimeLaw& law) {
+Trajectory paced(const Trajectory& trajectory, const TimeLaw& law) {
+  Trajectory result;
   for (std::size_t k = 0; k < law.x.size(); ++k) {
-    // At rest, x belongs to the motion that follows; the motion before has its own.
-    const bool continues = k > 0 && !rests(trajectory.points[k]);
-    trajectory.points[k] = at_pace(std::move(trajectory.points[k]), law.time[k], law.x[k], law.u[k],
-                                   continues ? std::optional(law.u[k - 1]) : std::nullopt);
+    const TrajectoryPoint& point = trajectory.points[k];
+    std::optional<Pace> before;
+    if (k > 0) {
+      // At rest, x belongs to the motion that follows; the motion before has its own.
+      const double way = point.time - trajectory.points[k - 1].time;
+      const double x = rests(point) ? std::max(law.x[k - 1] + 2 * way * law.u[k - 1], 0.0) : law.x[k];
+      before = Pace{x, law.u[k - 1]};
+    }
+    if (k + 1 == law.x.size() && rests(point)) before.reset();  // nothing follows
+    result.points.push_back(at_pace(point, law.time[k], {law.x[k], law.u[k]}, before));
   }
-  return trajectory;
+  return result;
 }
 
 Trajectory paced_between(const Trajectory& twice_as_fine, const TimeLaw& law) {
@@ -211,7 +223,7 @@ Trajectory paced_between(const Trajectory& twice_as_fine, const TimeLaw& law) {
     const double way = point.time - twice_as_fine.points[2 * k].time;
     const double x = std::max(law.x[k] + 2 * way * law.u[k], 0.0);
     const double time = law.time[k] + 2 * way / (std::sqrt(law.x[k]) + std::sqrt(x));
-    between.points.push_back(at_pace(point, time, x, law.u[k], std::nullopt));
+    between.points.push_back(at_pace(point, time, {x, law.u[k]}, std::nullopt));
   }
   return between;
 }

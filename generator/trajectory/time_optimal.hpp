@@ -29,7 +29,7 @@ TimeLaw time_optimal_law(const Trajectory& trajectory, const PathCoefficients& p
 
 // The motion by this law at its points: rates q' √x, accelerations q' u + q'' x; before a jump those with the previous
 // u.
-Trajectory paced(Trajectory trajectory, const TimeLaw& law);
+Trajectory paced(const Trajectory& trajectory, const TimeLaw& law);
 
 // The motion at the points of a twice as fine trajectory, by a law made on every second point of it.
 Trajectory paced_between(const Trajectory& twice_as_fine, const TimeLaw& law);

@@ -13,6 +13,7 @@
 #include "input/csv/text.hpp"
 #include "model/loop_closure.hpp"
 #include "reference/graph_evaluator.hpp"
+#include "reference/operational_values.hpp"
 
 namespace flatdyn {
 namespace {
@@ -184,8 +185,8 @@ class Evaluator {
     return state;
   }
 
-  // The reference's values; nullopt where a loop is singular, for any function, as the reference needs the loops'
-  // motion.
+  // The reference's values; nullopt where the task is singular, or a loop, for any function, as the reference needs
+  // the loops' motion.
   std::optional<std::vector<S>> from_reference(const StateOf<S>& state) {
     // The robot's numbers change only with its symbols.
     if (!reference_ || !symbols_.empty()) {
@@ -196,6 +197,7 @@ class Evaluator {
     if (mechanism_.has_loops() && !(reference::loop_regularity(*reference_, q) > S(reference::kSingularLoop))) {
       return std::nullopt;
     }
+    if (!function_.task.empty() && !has_inverse(*reference_, q, function_.task)) return std::nullopt;
     return expected_(state);
   }
 

@@ -97,7 +97,7 @@ class Comparison {
   }
 
   static bool says_that_pivots_are_lost(const Function& function, const std::vector<double>& written) {
-    return !function.pivot_diagonals.empty() &&
+    return !function.pivot_scales.empty() &&
            std::all_of(written.begin(), written.end(), [](double entry) { return std::isnan(entry); });
   }
 

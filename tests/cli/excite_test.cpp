@@ -69,6 +69,38 @@ TEST(Excite, GivesTheSameBytesInEveryRun) {
   }
 }
 
+// The motion of a first run is the log that a second one completes.
+TEST(Excite, CompletesALog) {
+  const Scratch scratch;
+  const std::string command = kExcite + std::string("--rate 20 --duration 6 ");
+  ASSERT_EQ(run_flatdyn(command + "-q -o " + scratch.path("first")).code, 0);
+  const std::string log = scratch.path(fmt::format("first/{}", kCsv));
+  const Outcome outcome = run_flatdyn(command + fmt::format("--seed 2 --data {} -o {}", log, scratch.path("second")));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("standard deviations of the parameters, found to the logs alone: 0."));
+  EXPECT_THAT(outcome.out, HasSubstr("\n6.05 s of logs count beside every motion\n"));
+  const Outcome as_json =
+      run_flatdyn(command + fmt::format("--json --seed 2 --data {} -o {}", log, scratch.path("second")));
+  const json ratios = json::parse(as_json.out)["logs"]["standard_deviations_to_logs"];
+  EXPECT_LT(ratios["median"], 0.8);  // 1/sqrt(2) for twice the same
+  EXPECT_LT(ratios["largest"], 1);
+  EXPECT_NE(scratch.read(fmt::format("second/{}", kCsv)), scratch.read(fmt::format("first/{}", kCsv)));
+}
+
+TEST(Excite, RefusesLogsThatItCannotUse) {
+  const Scratch scratch;
+  scratch.write("arm.csv", "t,q1,q2,qd1,qd2,qdd1,qdd2,tau1,tau2\n0,0,0,0,0,1,1,1,1\n0.1,0,0,0.1,0.1,1,1,1,1\n");
+  scratch.write("no_tau.csv", "t,q1,q2\n0,0,0\n0.1,0,0\n");
+  const auto run = [&](const std::string& logs) {
+    return run_flatdyn(kExcite + ("-q -o " + scratch.path("out") + " --data ") + logs);
+  };
+  const Outcome twice = run(scratch.path("arm.csv") + " " + scratch.path("arm.csv"));
+  EXPECT_EQ(twice.code, 3);
+  EXPECT_THAT(twice.err, HasSubstr("arm.csv: error: the same log as "));
+  EXPECT_EQ(run(scratch.path("no_tau.csv")).code, 3);
+  EXPECT_EQ(run(scratch.path("missing.csv")).code, 6);
+}
+
 TEST(Excite, JsonHasTheNumbers) {
   const Scratch scratch;
   const Outcome outcome = run_flatdyn(kExcite + std::string("--json --rate 20 --margin 0.5 -o ") + scratch.path());

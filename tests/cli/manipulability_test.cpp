@@ -39,6 +39,20 @@ TEST(ManipulabilityCommand, PrintsJson) {
   EXPECT_EQ(document["poses"][1]["q"], (json{1.5, -1.2}));
 }
 
+// A redundant arm makes larger accelerations where all torques count.
+TEST(ManipulabilityCommand, CountsAllTorquesOnRequest) {
+  const auto measure = [](const std::string& norm) {
+    const Outcome outcome = run_flatdyn(
+        "manipulability robots/panda.urdf --states docs/examples/panda_states.csv -q --json --norm " + norm);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const json document = json::parse(outcome.out);
+    EXPECT_EQ(document["norm"], norm);
+    return document["poses"][0]["measure"].get<double>();
+  };
+  EXPECT_GT(measure("torque"), 1.01 * measure("plain"));
+  EXPECT_GT(measure("torque-limits"), 1.01 * measure("limits"));
+}
+
 // For a spatial arm there are four views, side by side; along a path also curves of the half axes.
 TEST(ManipulabilityCommand, DrawsViewsAndPaths) {
   const Scratch scratch;

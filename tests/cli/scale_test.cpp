@@ -79,6 +79,63 @@ TEST(Scale, Problem79) {
   EXPECT_NEAR(c, std::sqrt(wanted), 1e-12);
 }
 
+// q of three neighbouring samples against q̇ and q̈ of them: the polynomial of degree five through two samples, as
+// Hermite wrote it, meets the one between.
+double misfit(const std::vector<std::vector<double>>& rows, std::size_t k, std::size_t joint, std::size_t joints) {
+  const auto q = [&](std::size_t row) { return rows[row][1 + joint]; };
+  const auto qd = [&](std::size_t row) { return rows[row][1 + joints + joint]; };
+  const auto qdd = [&](std::size_t row) { return rows[row][1 + 2 * joints + joint]; };
+  const double T = rows[k + 1][0] - rows[k - 1][0];
+  return q(k) -
+         ((q(k - 1) + q(k + 1)) / 2 + 5 * T / 32 * (qd(k - 1) - qd(k + 1)) + T * T / 64 * (qdd(k - 1) + qdd(k + 1)));
+}
+
+// Even samples of both laws: they begin and end where the motion does, agree with each other, and keep the limits.
+TEST(Scale, SamplesEvenlyOnRequest) {
+  const Scratch scratch;
+  for (const std::string law : {"", "--time-optimal "}) {
+    const std::string command = kScale + law + "--torque-limits 3000 --json -o " + scratch.path("out.csv");
+    const json grid = json::parse(run_flatdyn(command).out);
+    const auto given = rows_of(scratch.read("out.csv"));
+    const Outcome outcome = run_flatdyn(command + " --rate 500");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json result = json::parse(outcome.out);
+    const auto rows = rows_of(scratch.read("out.csv"));
+    EXPECT_EQ(result["points"], rows.size());
+    EXPECT_EQ(result["even_samples"]["rate"], 500);
+    const double slowed_by = result["even_samples"]["slowed_by"], duration = grid["duration"];
+    EXPECT_GE(slowed_by, 1);
+    EXPECT_LT(slowed_by * duration, duration + 0.003);
+    EXPECT_LE(result["largest_use"]["part"], 1 + 1e-9);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      EXPECT_NEAR(rows[k][0], static_cast<double>(k) / 500, 1e-14);
+      for (std::size_t i = 0; i < 2; ++i) EXPECT_LE(std::abs(rows[k][7 + i]), 3000 * (1 + 1e-9));
+    }
+    for (std::size_t i = 1; i <= 4; ++i) {
+      EXPECT_EQ(rows.front()[i], given.front()[i] + 0.0);
+      EXPECT_NEAR(rows.back()[i], given.back()[i], 1e-15);
+    }
+    int rough = 0;  // at jumps of the acceleration three samples are of no one polynomial
+    for (std::size_t k = 1; k + 1 < rows.size(); ++k) {
+      for (std::size_t i = 0; i < 2; ++i) rough += std::abs(misfit(rows, k, i, 2)) > 1e-8;
+    }
+    EXPECT_LE(rough, law.empty() ? 4 : 40) << law;
+  }
+}
+
+TEST(Scale, KeepsTheDurationThatEndsOnASample) {
+  const Scratch scratch;
+  const std::string command = kScale + std::string("--torque-limits 9000 --json -o ") + scratch.path("out.csv");
+  const json result = json::parse(run_flatdyn(command + " --rate 250").out);
+  EXPECT_EQ(result["duration"], 0.5);
+  EXPECT_EQ(result["points"], 126);
+  EXPECT_EQ(result["even_samples"]["slowed_by"], 1);
+  EXPECT_EQ(run_flatdyn(command + " --rate 0").code, 2);
+  const Outcome many = run_flatdyn(command + " --rate 1e9");
+  EXPECT_EQ(many.code, 2);
+  EXPECT_THAT(many.err, HasSubstr("--rate 1000000000 makes 500000001 samples of 0.5 s; at most 1000000 are written"));
+}
+
 TEST(Scale, LeavesAMotionThatKeepsItsLimits) {
   const Scratch scratch;
   const Outcome same = run_flatdyn(kScale + std::string("--torque-limits 9000 --json -o ") + scratch.path("out.csv"));

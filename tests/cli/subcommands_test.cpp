@@ -232,6 +232,33 @@ TEST(Derive, PrintsThePlanarArmAsTheTextbookDoes) {
   EXPECT_THAT(outcome.out, HasSubstr("g_1 = (m_l1 l_1 + m_l2 a_1 + m_m2 a_1) g c_1 + m_l2 l_2 g c_12\n"));
 }
 
+// m l² = 1.000000000001 · 0.01, and 10/7 · 0.3² = 9/70, in full.
+TEST(Derive, PrintsNumbersExactly) {
+  const Scratch scratch;
+  const auto derived = [&scratch](const std::string& second, const std::string& options) {
+    scratch.write("arm.toml",
+                  "name = \"arm\"\ngravity = [0, \"-9.80665\", 0]\n[[link]]\njoint = \"a\"\n"
+                  "mass = \"1.000000000001\"\ncom = [0.1, 0, 0]\n[[link]]\njoint = \"b\"\n" +
+                      second + "mass = \"10/7\"\ncom = [0.3, 0, 0]\n");
+    const Outcome outcome = run_flatdyn("derive -q " + scratch.path("arm.toml") + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.out;
+  };
+  const std::string exact = derived("", "");
+  EXPECT_THAT(exact, HasSubstr("b_22 = 9/70\n"));
+  EXPECT_THAT(exact, HasSubstr("b_11 = 97000000000007/700000000000000\n"));
+  EXPECT_THAT(exact, Not(HasSubstr("rounded")));
+  EXPECT_THAT(derived("", " --latex"), HasSubstr("b_{22} &= \\frac{9}{70}\n"));
+  EXPECT_THAT(derived("", " --digits 4"), HasSubstr("b_22 = 0.1286\n"));
+  EXPECT_THAT(derived("", " --digits 4"), HasSubstr("numbers are rounded to 4 digits\n"));
+  // Sine and cosine of an angle are rational to 40 digits.
+  const std::string turned = derived("xyz = [0.1, 0, 0]\nrpy = [0.3, 0.2, 0.1]\n", "");
+  EXPECT_THAT(turned, HasSubstr("b_22 = 9/70\n"));
+  EXPECT_THAT(turned, HasSubstr("... "));
+  EXPECT_THAT(turned, HasSubstr("numbers that end in ... are rounded to 17 digits"));
+  EXPECT_THAT(json::parse(derived("", " --json"))["inertia"][2]["text"], "9/70");
+}
+
 // The example arm: b_11 = 200.01 + 50 c_2 and so on; at q = 0 everything is a sum of its constants.
 TEST(Eval, GivesAMatrixRowByRow) {
   const Scratch scratch;
@@ -244,6 +271,19 @@ TEST(Eval, GivesAMatrixRowByRow) {
   EXPECT_EQ(run_flatdyn(arguments + " --digits 50").out, expected);
   EXPECT_EQ(run_flatdyn(arguments + " -o " + scratch.path("B.csv")).out, "");
   EXPECT_EQ(scratch.read("B.csv"), expected);
+}
+
+// All digits of what is inverted cancel, in any precision.
+TEST(Eval, SaysThatATaskIsSingular) {
+  const Scratch scratch;
+  scratch.write("stretched.csv", "q1,q2,q3\n0.4,1e-3,0\n0.4,0,0\n");
+  for (const char* options : {"", " --digits 40", " --reference", " --reference --digits 40"}) {
+    const Outcome outcome = run_flatdyn("eval docs/examples/planar_3r.toml --function operational_inertia --states " +
+                                        scratch.path("stretched.csv") + options);
+    EXPECT_EQ(outcome.code, 3) << options;
+    EXPECT_THAT(outcome.err, HasSubstr("stretched.csv:3: error: the tip's task is singular here")) << options;
+    EXPECT_THAT(outcome.err, Not(HasSubstr("stretched.csv:2"))) << options;
+  }
 }
 
 // One panel for each row of a matrix, over time if the table has it.

@@ -93,13 +93,20 @@ std::string script_data(const PageContent& content) {
   return with_replaced(json.dump(-1, ' ', true, ordered_json::error_handler_t::replace), "<", "\\u003c");
 }
 
+bool is_regressor(const Output& output) { return output.quantity == OutputQuantity::torque_per_parameter; }
+
+// Whether the page shows which entries are zero: of matrices, but for the regressor, which is too wide and has a map of
+// its own, and for rotations.
+bool is_mapped(const Output& output) {
+  const bool is_matrix = output.layout == Layout::matrix || output.layout == Layout::christoffel;
+  return is_matrix && !is_regressor(output) && output.quantity != OutputQuantity::number;
+}
+
 data maps(const std::vector<OptimisedFunction>& functions) {
   data list(data::type::list);
   for (const OptimisedFunction& each : functions) {
     for (const Output& output : each.function.outputs) {
-      if (each.function.name == "regressor") continue;  // too wide for a map
-      const bool is_map = output.layout == Layout::matrix || output.layout == Layout::christoffel;
-      if (!is_map || output.entries.empty() || each.function.name == "forward_kinematics") continue;
+      if (!is_mapped(output) || output.entries.empty()) continue;
       const int filled = nonzero_entries(each.function, output);
       const std::string text = fmt::format("{} of {} entries", filled, output.entries.size());
       data item;
@@ -115,8 +122,9 @@ data maps(const std::vector<OptimisedFunction>& functions) {
 }
 
 void write_regressor(data& page, const std::vector<OptimisedFunction>& functions) {
-  const auto made = std::find_if(functions.begin(), functions.end(),
-                                 [](const OptimisedFunction& each) { return each.function.name == "regressor"; });
+  const auto made = std::find_if(functions.begin(), functions.end(), [](const OptimisedFunction& each) {
+    return is_regressor(each.function.outputs.front());
+  });
   page["regressor?"] = made != functions.end();
   if (made == functions.end()) return;
   const Output& Y = made->function.outputs.front();

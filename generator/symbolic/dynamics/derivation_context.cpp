@@ -63,9 +63,15 @@ std::vector<NodeId> loop_conditions(const Mechanism& mechanism, Derivation& deri
 
 }  // namespace
 
+void Conditions::append(const Conditions& more) {
+  validity_conditions.insert(validity_conditions.end(), more.validity_conditions.begin(),
+                             more.validity_conditions.end());
+  pivot_scales.insert(pivot_scales.end(), more.pivot_scales.begin(), more.pivot_scales.end());
+}
+
 Conditions conditions_of(DerivationContext& context, const Factorisation& B) {
   Conditions conditions{context.nodes(B.pivots()), {}};
-  if (context.guards_pivots) conditions.pivot_diagonals = context.nodes(B.diagonal());
+  if (context.guards_pivots) conditions.pivot_scales = context.nodes(B.pivot_scales());
   return conditions;
 }
 
@@ -80,7 +86,7 @@ Function finished(const Mechanism& mechanism, Derivation& derivation, std::vecto
   function.graph = std::move(derivation.graph());
   function.outputs = std::move(outputs);
   function.validity_conditions = std::move(conditions.validity_conditions);
-  function.pivot_diagonals = std::move(conditions.pivot_diagonals);
+  function.pivot_scales = std::move(conditions.pivot_scales);
   return function;
 }
 

@@ -43,9 +43,12 @@ struct DerivationContext {
   bool guards_pivots = false;  // as in Choices
 };
 
-// The pivots of a factorisation, and their diagonal entries if they are guarded.
+// The pivots of a factorisation, and their scales if they are guarded.
 struct Conditions {
-  std::vector<NodeId> validity_conditions, pivot_diagonals;
+  std::vector<NodeId> validity_conditions, pivot_scales;
+
+  // Appends conditions, which may have scales if all before them do.
+  void append(const Conditions& more);
 };
 Conditions conditions_of(DerivationContext& context, const Factorisation& B);
 

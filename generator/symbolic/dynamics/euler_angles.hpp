@@ -16,6 +16,9 @@ class EulerRates {
   // Throws Failure(unsupported) if s is zero at every position.
   EulerRates(DerivationContext& context, Orientation orientation);
 
+  // s, with rounding errors in the last place of 1: the angles are singular where it is zero.
+  const Number& divisor() const { return s_; }
+
   // (φ̇, θ̇, ψ̇) for an angular velocity in base axes.
   Vec3 of(const Vec3& omega) const;
 

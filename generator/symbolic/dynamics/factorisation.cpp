@@ -37,6 +37,7 @@ Factorisation::Factorisation(Derivation& derivation, std::vector<int> parents, R
 void Factorisation::factorise(const std::function<void(std::size_t)>& fail_as_zero) {
   Derivation& d = derivation_;
   for (std::size_t k = 0; k < L_.size(); ++k) diagonal_.push_back(L_[k][k]);
+  eliminated_.assign(L_.size(), std::vector<Number>(L_.size(), 0));
   for (std::size_t k = L_.size(); k-- > 0;) {
     const std::string row = label(static_cast<int>(k));
     if (vanishes(L_[k][k])) fail_as_zero(k);
@@ -47,10 +48,27 @@ void Factorisation::factorise(const std::function<void(std::size_t)>& fail_as_ze
         L_[index(i)][index(j)] = d.named(L_[index(i)][index(j)] - l * L_[k][index(j)],
                                          prefix_ + "b_" + row + "_" + label(i) + "_" + label(j));
       }
+      eliminated_[k][index(i)] = l * L_[k][index(i)];
       L_[k][index(i)] = l;
     }
   }
   for (std::size_t k = 0; k < L_.size(); ++k) pivots_.push_back(L_[k][k]);
+}
+
+std::vector<Number> Factorisation::pivot_scales() const {
+  Derivation& d = derivation_;
+  std::vector<Number> scales = diagonal_;
+  for (std::size_t k = L_.size(); k-- > 0;) {
+    const std::string row = label(static_cast<int>(k));
+    scales[k] = d.named(scales[k], prefix_ + "scale_" + row);
+    const Number growth =
+        scales[k].is_equal(pivots_[k]) ? Number(1) : d.named(scales[k] * inverse_[k], prefix_ + "growth_" + row);
+    for (int i = parent(k); i >= 0; i = parent(index(i))) {
+      const std::string name = prefix_ + "e_" + row + "_" + label(i);
+      scales[index(i)] += growth * d.named(eliminated_[k][index(i)], name);
+    }
+  }
+  return scales;
 }
 
 std::vector<Number> Factorisation::solved_transposed(std::vector<Number> b, const std::string& name) const {

@@ -42,8 +42,9 @@ class Factorisation {
   // The diagonal of D: all positive if and only if B is positive definite.
   const std::vector<Number>& pivots() const { return pivots_; }
   const std::vector<Number>& inverse_pivots() const { return inverse_; }
-  // The diagonal of the matrix itself; elimination reduces it to the pivots.
-  const std::vector<Number>& diagonal() const { return diagonal_; }
+  // The scales of the pivots, a last place of which is their rounding error: pivot i is b_ii less terms l_ki² d_k, and
+  // its scale is b_ii plus l_ki² times the scale of d_k, since each term brings in the error of its own pivot.
+  std::vector<Number> pivot_scales() const;
 
  private:
   int parent(std::size_t i) const { return parents_[i]; }
@@ -52,7 +53,8 @@ class Factorisation {
   Derivation& derivation_;
   std::vector<int> parents_;
   std::string prefix_;
-  Rows L_;  // below the diagonal
+  Rows L_;           // below the diagonal
+  Rows eliminated_;  // row k: the terms l_ki² d_k that pivot k takes from the diagonal
   std::vector<Number> diagonal_, pivots_, inverse_;
 };
 

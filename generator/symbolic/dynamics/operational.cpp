@@ -79,13 +79,12 @@ class OperationalSpace {
   }
 
   Function finished(std::vector<Output> outputs) const {
-    // Every arm has poses in which J B⁻¹ Jᵀ is singular, so its pivots are always guarded, and come first.
-    Conditions conditions{context_.nodes(factors_.pivots()), context_.nodes(factors_.diagonal())};
-    const Conditions of_B = conditions_of(context_, B_);
-    conditions.validity_conditions.insert(conditions.validity_conditions.end(), of_B.validity_conditions.begin(),
-                                          of_B.validity_conditions.end());
-    conditions.pivot_diagonals.insert(conditions.pivot_diagonals.end(), of_B.pivot_diagonals.begin(),
-                                      of_B.pivot_diagonals.end());
+    // Every arm has poses in which J B⁻¹ Jᵀ or its angles are singular, so they are always guarded, and come first.
+    Conditions conditions{context_.nodes(factors_.pivots()), context_.nodes(factors_.pivot_scales())};
+    if (const auto divisor = divisor_of_angles(context_, task_.rows, task_.orientation)) {
+      conditions.append({{context_.node(*divisor)}, {context_.node(1)}});
+    }
+    conditions.append(conditions_of(context_, B_));
     Function function = flatdyn::finished(context_, std::move(outputs), std::move(conditions));
     function.task = task_;
     return function;

@@ -110,6 +110,12 @@ Rows task_jacobian(DerivationContext& context, const std::vector<int>& rows, Ori
   return J;
 }
 
+std::optional<Number> divisor_of_angles(DerivationContext& context, const std::vector<int>& rows,
+                                        Orientation orientation) {
+  const std::optional<EulerRates> rates = euler_rates(context, rows, orientation);
+  return rates ? std::optional(rates->divisor()) : std::nullopt;
+}
+
 std::vector<Number> task_drift(DerivationContext& context, const std::vector<int>& rows, Orientation orientation) {
   const JacobianColumn drift = jacobian_dot_qd(context.frames, context.mechanism.tip);
   const std::optional<EulerRates> rates = euler_rates(context, rows, orientation);

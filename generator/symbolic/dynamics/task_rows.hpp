@@ -2,6 +2,7 @@
 // The directions of the tip that form the task, and the Jacobian of their rates.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,10 @@ std::string task_text(const std::vector<int>& rows, Orientation orientation = Or
 
 // The task's Jacobian, by row of `rows` and by joint: the geometric one, or the analytical one, (3.62).
 Rows task_jacobian(DerivationContext& context, const std::vector<int>& rows, Orientation orientation);
+
+// The sine of ZYZ angles' θ, or the cosine of pitch: the Jacobian of a task with such angles divides by it.
+std::optional<Number> divisor_of_angles(DerivationContext& context, const std::vector<int>& rows,
+                                        Orientation orientation);
 
 // J̇ q̇ of the same rows.
 std::vector<Number> task_drift(DerivationContext& context, const std::vector<int>& rows, Orientation orientation);

@@ -22,7 +22,7 @@ struct Choices {
   std::vector<JointChoice> joints;  // one per joint
   Number length_unit = 1;           // m; rational
   unsigned order = 0;               // seed of the order in which the passes look for factors; 0: as derived
-  // Not a choice: whether rounding may cancel the robot's pivots (Function::pivot_diagonals).
+  // Not a choice: whether rounding may cancel the robot's pivots (Function::pivot_scales).
   bool guards_pivots = false;
 };
 

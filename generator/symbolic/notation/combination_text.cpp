@@ -8,6 +8,9 @@
 #include <sstream>
 #include <vector>
 
+#include "model/field_mechanism.hpp"
+#include "symbolic/notation/exact_text.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -21,17 +24,7 @@ std::string printed(const Number& e) {
 
 // A finite decimal as "0.425", another rational as a fraction, "1/3".
 std::string exact_text(const Number& magnitude) {
-  constexpr int kMostPlaces = 60;
-  const auto number = GiNaC::ex_to<GiNaC::numeric>(magnitude);
-  GiNaC::numeric scale = 1;
-  int places = 0;
-  for (; places < kMostPlaces && !(number * scale).is_integer(); ++places) scale *= 10;
-  if (!(number * scale).is_integer()) return printed(magnitude);
-  std::string digits = printed(number * scale);
-  if (places == 0) return digits;
-  const auto fraction = static_cast<std::size_t>(places);
-  if (digits.size() <= fraction) digits.insert(0, fraction + 1 - digits.size(), '0');
-  return digits.insert(digits.size() - fraction, ".");
+  return finite_decimal(to_rational(magnitude)).value_or(printed(magnitude));
 }
 
 std::string number_text(const Number& magnitude, int digits) {

@@ -10,7 +10,9 @@ namespace {
 void append_term(std::string& sum, const Number& number, const std::string& what) {
   const bool negative = nearest_double(number) < 0;
   const Number size = negative ? -number : number;
-  const std::string factor = what.empty() ? plain_number_text(size) : size.is_equal(1) ? "" : factor_text(size) + " ";
+  const std::string factor = what.empty()       ? exact_number_text(size)
+                             : size.is_equal(1) ? ""
+                                                : exact_number_text(size) + " ";
   sum += sum.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
   sum += factor + what;
 }

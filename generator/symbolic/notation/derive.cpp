@@ -217,7 +217,7 @@ class Deriver {
   }
 
   // The friction terms of equation i: functions of velocity, each with its coefficient.
-  std::vector<std::pair<std::string, Number>> friction_of(int i) const {
+  std::vector<std::pair<std::string, Number>> friction_of(int i) {
     if (!mechanism_.is_coupled()) {
       const Body& body = mechanism_.joint(i);
       const std::string rate = formatter_.coordinate("qd", i);
@@ -237,13 +237,13 @@ class Deriver {
   }
 
   // A joint's rate as text: "qd_2 - qd_1".
-  std::string rate_text(const std::vector<Number>& factors) const {
+  std::string rate_text(const std::vector<Number>& factors) {
     std::vector<SignedTerm> pieces;
     for (std::size_t k = 0; k < factors.size(); ++k) {
       if (vanishes(factors[k])) continue;
       const bool negative = nearest_double(factors[k]) < 0;
       const Number magnitude = negative ? -factors[k] : factors[k];
-      const std::string times = magnitude.is_equal(1) ? "" : to_decimal(magnitude, options_.digits) + " ";
+      const std::string times = magnitude.is_equal(1) ? "" : formatter_.number(to_rational(magnitude), true) + " ";
       pieces.push_back({negative, times + formatter_.coordinate("qd", static_cast<int>(k))});
     }
     return SumFormatter::joined(pieces);
@@ -251,6 +251,15 @@ class Deriver {
 
   std::string sign_of(const std::string& rate) const {
     return rate.front() == '\\' ? "\\operatorname{sgn}(" + rate + ")" : "sgn(" + rate + ")";
+  }
+
+  std::string rounding_note() const {
+    if (options_.digits != kExactDigits) return fmt::format("numbers are rounded to {} digits", options_.digits);
+    return fmt::format(
+        "numbers that end in ... are rounded to {} digits: they have no end within 60 places, and are no short "
+        "fractions; "
+        "all others are exact",
+        kRoundedDigits);
   }
 
   void add_notes() {
@@ -261,7 +270,7 @@ class Deriver {
           "c_1 = cos(q_1), s_1 = sin(q_1), c_12 = cos(q_1 + q_2); c_ijk to the left of = is a "
           "Christoffel symbol");
     }
-    if (formatter_.rounded()) model_.notes.push_back(fmt::format("numbers are rounded to {} digits", options_.digits));
+    if (formatter_.rounded()) model_.notes.push_back(rounding_note());
     int count = 0, terms = 0;
     for (const auto* lines : {&model_.inertia, &model_.christoffel, &model_.gravity, &model_.equations}) {
       for (const DerivedLine& line : *lines) {

@@ -11,8 +11,8 @@
 namespace flatdyn {
 
 struct DeriveOptions {
-  int max_terms = 200;  // a longer expression is left out, and its number of terms given instead
-  int digits = 10;      // digits of numbers that would need more
+  int max_terms = 200;        // a longer expression is left out, and its number of terms given instead
+  int digits = kExactDigits;  // digits that numbers are rounded to; none by default
 };
 
 // A name like "b_12 = b_21" and its expression. For an equation of motion: the torque's name and the left side.

@@ -5,6 +5,9 @@
 
 #include <sstream>
 
+#include "model/field_mechanism.hpp"
+#include "symbolic/notation/exact_text.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -19,22 +22,27 @@ std::string multiple_of_pi(const GiNaC::numeric& turns) {
   return text.str();
 }
 
+// The number over pi, if that is rational.
+std::optional<GiNaC::numeric> turns_of(const Number& number) {
+  const Number turns = (number / GiNaC::Pi).expand();
+  if (number.is_zero() || !is_rational(turns)) return std::nullopt;
+  return GiNaC::ex_to<GiNaC::numeric>(turns);
+}
+
 }  // namespace
 
 std::string plain_number_text(const Number& number, int digits) {
-  const Number turns = (number / GiNaC::Pi).expand();
-  if (!number.is_zero() && is_rational(turns)) return multiple_of_pi(GiNaC::ex_to<GiNaC::numeric>(turns));
+  if (const std::optional<GiNaC::numeric> turns = turns_of(number)) return multiple_of_pi(*turns);
   const double value = nearest_double(number);
   return digits >= 17 ? fmt::format("{}", value) : fmt::format("{:.{}g}", value, digits);
 }
 
-std::string factor_text(const Number& factor) {
-  constexpr int kShort = 100;
-  const std::string decimal = plain_number_text(factor);
-  const GiNaC::numeric above = GiNaC::ex_to<GiNaC::numeric>(factor).numer();
-  const GiNaC::numeric below = GiNaC::ex_to<GiNaC::numeric>(factor).denom();
-  if (exact_decimal(decimal).is_equal(factor) || GiNaC::abs(above) >= kShort || below >= kShort) return decimal;
-  return fmt::format("{}/{}", above.to_int(), below.to_int());
+std::string exact_number_text(const Number& number) {
+  if (const std::optional<GiNaC::numeric> turns = turns_of(number)) return multiple_of_pi(*turns);
+  if (!is_rational(number)) return plain_number_text(number, kRoundedDigits) + "...";
+  const Rational exact = to_rational(number);
+  if (const std::optional<std::string> finite = finite_decimal(exact)) return *finite;
+  return is_short_fraction(exact) ? exact.str() : rounded_decimal(exact, kRoundedDigits) + "...";
 }
 
 std::string NumberText::operator()(const Number& number) const {

@@ -27,7 +27,8 @@ class NumberText {
 // The text of a number without free symbols. With 17 digits or more it is the shortest text of the nearest double.
 std::string plain_number_text(const Number& number, int digits = 6);
 
-// The text of a rational factor: "2/3" if no short decimal equals it.
-std::string factor_text(const Number& factor);
+// The text of a number without free symbols in full: "0.425", "2/3", "pi/2". A number that is too long for that is
+// rounded to 17 digits, "0.47942553860420301...".
+std::string exact_number_text(const Number& number);
 
 }  // namespace flatdyn

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/multiprecision/mpfr.hpp>
 #include <cctype>
 #include <set>
 #include <utility>
 
 #include "model/field_mechanism.hpp"
+#include "symbolic/notation/exact_text.hpp"
 #include "symbolic/notation/latex.hpp"
 
 namespace flatdyn {
@@ -94,20 +94,30 @@ std::string SumFormatter::coordinate(const std::string& letter, int joint) const
   return letter + subscript({joint});
 }
 
+std::string SumFormatter::fraction(const Rational& magnitude) const {
+  const std::string above = numerator(magnitude).str(), below = denominator(magnitude).str();
+  return notation_ == Notation::latex ? "\\frac{" + above + "}{" + below + "}" : above + "/" + below;
+}
+
+std::string SumFormatter::decimal(const std::string& text) const {
+  return notation_ == Notation::latex ? latex_number(text) : text;
+}
+
 std::string SumFormatter::number(const Rational& magnitude, bool with_symbols) {
-  const bool small = denominator(magnitude) <= 12 && numerator(magnitude) < 100;
-  using Wide = boost::multiprecision::mpfr_float_100;
-  const std::string decimal = Wide(Wide(numerator(magnitude)) / Wide(denominator(magnitude))).str(digits_);
-  std::string plain = decimal;
-  plain.erase(std::remove(plain.begin(), plain.end(), '+'), plain.end());
-  const Number read = exact_decimal(plain);
-  const bool exact = read.is_equal(GiNaC::numeric(magnitude.str().c_str()));
-  if (denominator(magnitude) != 1 && small && (with_symbols || !exact)) {
-    const std::string above = numerator(magnitude).str(), below = denominator(magnitude).str();
-    return notation_ == Notation::latex ? "\\frac{" + above + "}{" + below + "}" : above + "/" + below;
+  const bool is_whole = denominator(magnitude) == 1;
+  const bool is_small = !is_whole && denominator(magnitude) <= 12 && numerator(magnitude) < 100;
+  if (is_small && with_symbols) return fraction(magnitude);
+  const std::string rounded = rounded_decimal(magnitude, digits_ == kExactDigits ? kRoundedDigits : digits_);
+  if (exact_decimal(rounded).is_equal(GiNaC::numeric(magnitude.str().c_str()))) return decimal(rounded);
+  if (is_small) return fraction(magnitude);
+  if (digits_ != kExactDigits) {
+    rounded_ = true;
+    return decimal(rounded);
   }
-  rounded_ = rounded_ || !exact;
-  return notation_ == Notation::latex ? latex_number(plain) : plain;
+  if (const std::optional<std::string> finite = finite_decimal(magnitude)) return *finite;
+  if (is_short_fraction(magnitude)) return fraction(magnitude);
+  rounded_ = true;
+  return decimal(rounded) + (notation_ == Notation::latex ? "\\ldots" : "...");
 }
 
 // The multiples of the coordinates in a factor's angle.

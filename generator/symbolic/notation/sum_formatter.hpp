@@ -20,6 +20,10 @@ struct SignedTerm {
   std::string body;
 };
 
+// Instead of a number of digits: every number is written in full, as a decimal that ends within 60 places or as a short
+// fraction. Others are rounded to kRoundedDigits, and end in "...".
+inline constexpr int kExactDigits = 0;
+
 class SumFormatter {
  public:
   SumFormatter(const FactorNames& names, int joints, Notation notation, int digits,
@@ -35,11 +39,15 @@ class SumFormatter {
   std::string subscript(const std::vector<int>& joints) const;         // "_12", "_1_12", "_{12}", "_{1,12}"
   std::string coordinate(const std::string& letter, int joint) const;  // "qd_1", "\dot{q}_{1}"
 
+  // A positive number; a small fraction as such before symbols.
+  std::string number(const Rational& magnitude, bool with_symbols);
+
   bool rounded() const { return rounded_; }        // whether a number was not printed in full
   bool long_names() const { return long_names_; }  // whether cos(q_1) is written out, as the robot has a symbol c_1
 
  private:
-  std::string number(const Rational& magnitude, bool with_symbols);
+  std::string fraction(const Rational& magnitude) const;
+  std::string decimal(const std::string& text) const;
   std::string factor(const Factor& factor);
   std::vector<Rational> multiples_of_coordinates(const Factor& factor) const;
   std::string trigonometric(const Factor& factor);

@@ -176,7 +176,7 @@ class TextReader {
   void read_condition(const std::vector<std::string>& words) {
     function_.validity_conditions.push_back(node_of(words.at(0)));
     const auto pivot = std::find(words.begin(), words.end(), "of");
-    if (pivot != words.end()) function_.pivot_diagonals.push_back(node_of(*(pivot + 1)));
+    if (pivot != words.end()) function_.pivot_scales.push_back(node_of(*(pivot + 1)));
     if (words.back() == "loop") ++function_.loop_conditions;
   }
 

@@ -28,7 +28,7 @@ Function one_of_each() {
   f.outputs.push_back({"tau", Layout::vector, 3, 1, {quotient, g.constant(0), kept}, "joint torques, N m", {}});
   f.outputs.push_back({"B", Layout::matrix, 1, 2, {g.constant(0), g.constant(Rational(7, 3))}, "", {true, false}});
   f.validity_conditions = {root, product};
-  f.pivot_diagonals = {pi};
+  f.pivot_scales = {pi};
   f.loop_conditions = 1;
   return f;
 }

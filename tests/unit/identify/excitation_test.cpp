@@ -8,7 +8,9 @@
 #include <cmath>
 #include <random>
 
+#include "identify/excitation_log.hpp"
 #include "identify/excitation_objective.hpp"
+#include "support/identified_arm.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn::testing {
@@ -199,6 +201,52 @@ TEST(ExcitationObjective, GradientIsTheDerivative) {
     x[k] = here;
     EXPECT_NEAR(gradient[k], (above - below) / (2 * kStep), 1e-4 * (1 + std::abs(gradient[k]))) << k;
   }
+}
+
+// The standard deviations of the parameters after the motion and what is logged already, in rows of the motion's rate.
+Eigen::VectorXd deviations_with(const TorqueModel& model, const PlannedMotion& motion, const Eigen::MatrixXd& logged) {
+  const int n = model.joints(), b = model.parameters();
+  Eigen::MatrixXd all(static_cast<Eigen::Index>(motion.samples.size()) * n + logged.rows(), b);
+  all.bottomRows(logged.rows()) = logged;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(n, b);
+  for (std::size_t k = 0; k < motion.samples.size(); ++k) {
+    const FourierMotion& at = motion.samples[k];
+    model.regressor(at.q.data(), at.qd.data(), at.qdd.data(), y.data());
+    all.middleRows(static_cast<Eigen::Index>(k) * n, n) = y;
+  }
+  return (all.transpose() * all).inverse().diagonal().cwiseSqrt();
+}
+
+// In the log only the first joint moves, for long. A motion that knows of it leaves smaller standard deviations than
+// one that does not: on average, and of the parameters that the log tells little of.
+TEST(Excitation, CompletesALog) {
+  const Arm arm("finger.toml");
+  ExcitationOptions options = short_search();
+  options.duration = 5;
+  const SimulationOptions logged{.samples = 6000, .rate = 100, .moving = false};
+  const LoggedInformation log = information_of(arm.observed(simulated(arm.robot, logged)), 1 / logged.rate);
+  EXPECT_NEAR(log.seconds, 60, 1e-9);
+  const Excitation plain = found(arm.torque, options);
+  options.logged = log.root;
+  const Excitation refined = found(arm.torque, options);
+  const Eigen::MatrixXd rows = std::sqrt(options.rate) * log.root;
+  const Eigen::VectorXd before = deviations_with(arm.torque, plain.motion, rows);
+  const Eigen::VectorXd after = deviations_with(arm.torque, refined.motion, rows);
+  EXPECT_TRUE(after.isApprox(refined.motion.conditioning.standard_deviations, 1e-6));
+  const Eigen::VectorXd alone = deviations_with(arm.torque, plain.motion, Eigen::MatrixXd(0, before.size()));
+  double all = 0, open = 0;  // logarithms of the refined motion's standard deviations, relative to the plain one's
+  int of_all = 0, of_open = 0;
+  for (Eigen::Index k = 0; k < before.size(); ++k) {
+    const double change = std::log(after(k) / before(k));
+    all += change;
+    ++of_all;
+    if (before(k) < 0.8 * alone(k)) continue;  // the log tells of it
+    open += change;
+    ++of_open;
+  }
+  EXPECT_LT(all / of_all, std::log(0.9));
+  EXPECT_GE(of_open, 5);
+  EXPECT_LT(open / of_open, std::log(0.96));
 }
 
 TEST(MotionLimits, AreTheFilesOrTheDocumentedDefaults) {

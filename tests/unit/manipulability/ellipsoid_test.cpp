@@ -31,9 +31,10 @@ struct ArmPose {
   }
 };
 
-Ellipsoid ellipsoid_of(const LoadedRobot& model, const std::vector<double>& q, double radius, std::vector<int>& task) {
+Ellipsoid ellipsoid_of(const LoadedRobot& model, const std::vector<double>& q, double radius, std::vector<int>& task,
+                       TorqueSet set = TorqueSet::least_accelerations) {
   Progress progress(true);
-  Manipulability arm(model, TorqueNorm::plain, radius, progress);
+  Manipulability arm(model, {TorqueNorm::plain, radius, set}, progress);
   task = arm.task();
   return arm.at(q);
 }
@@ -75,6 +76,60 @@ TEST(Manipulability, EndsOfTheAxesTakeTorquesOfTheNorm) {
     }
     EXPECT_TRUE((ellipsoid.axes.transpose() * ellipsoid.axes).isIdentity(1e-12));
   }
+}
+
+// Whether an acceleration, less the centre, lies within the ellipsoid: its norm in units of the half axes.
+double norm_in(const Ellipsoid& ellipsoid, const Eigen::VectorXd& a) {
+  return (ellipsoid.axes.transpose() * a).cwiseQuotient(ellipsoid.lengths).norm();
+}
+
+// v̇ = J B^-1 (τ - g) of drawn torques of the norm: all lie within the ellipsoid, and in every direction some reach its
+// surface. Torques B J† v̇ of least accelerations make less, and those of other accelerations leave their ellipsoid.
+TEST(Manipulability, OfAllTorquesIsWhatDrawnTorquesReach) {
+  srand(3);
+  const LoadedRobot panda = model_of("panda.urdf");
+  const std::vector<double> q = {0.1, -0.8, 0.3, -2.3, 0.2, 1.6, 0.8};
+  for (const TorqueNorm norm : {TorqueNorm::plain, TorqueNorm::limits}) {
+    Progress progress(true);
+    Manipulability all_torques(panda, {norm, 2, TorqueSet::all}, progress), least(panda, {norm, 2}, progress);
+    const Ellipsoid outer = all_torques.at(q), inner = least.at(q);
+    const ArmPose pose(panda, q, all_torques.task());
+    Eigen::VectorXd unit = Eigen::VectorXd::Constant(7, 2);
+    if (norm == TorqueNorm::limits) unit << 174, 174, 174, 174, 24, 24, 24;
+    const Eigen::MatrixXd image = pose.J * pose.B.inverse() * unit.asDiagonal();
+    double farthest = 0, beyond = 0;
+    for (int k = 0; k < 20000; ++k) {
+      const Eigen::VectorXd a = image * Eigen::VectorXd::Random(7).normalized();
+      farthest = std::max(farthest, norm_in(outer, a));
+      beyond = std::max(beyond, norm_in(inner, a));
+    }
+    EXPECT_LE(farthest, 1 + 1e-10);
+    EXPECT_GT(farthest, 0.99);
+    EXPECT_GT(beyond, 1.05);
+    for (int k = 0; k < 100; ++k) {  // the farthest point in a direction u is the image of τ along its transpose
+      const Eigen::VectorXd u = Eigen::Vector3d::Random(), torque = (image.transpose() * u).normalized();
+      EXPECT_NEAR(norm_in(outer, image * torque), 1, 1e-9);
+      EXPECT_LE(norm_in(outer, inner.axes * inner.lengths.asDiagonal() * u.normalized()), 1 + 1e-9);
+    }
+    EXPECT_LE((outer.centre - inner.centre).norm(), 1e-12);
+    EXPECT_NEAR(outer.measure, std::sqrt((image * image.transpose()).determinant()), 1e-9 * outer.measure);
+    EXPECT_GT(outer.measure, inner.measure);
+  }
+}
+
+// Without redundancy any torques make the accelerations of (7.148).
+TEST(Manipulability, OfAllTorquesIsTheTextbooksWithoutRedundancy) {
+  std::vector<int> task;
+  const LoadedRobot arm = model_of("planar_2r_example_7_2.toml");
+  for (const std::vector<double>& q : {std::vector{0.5, 1.0}, std::vector{0.3, 0.0}}) {
+    const Ellipsoid least = ellipsoid_of(arm, q, 50, task), all = ellipsoid_of(arm, q, 50, task, TorqueSet::all);
+    EXPECT_LE((all.lengths - least.lengths).norm(), 1e-12 * least.lengths(0));
+    EXPECT_NEAR(std::abs(all.axes.col(0).dot(least.axes.col(0))), 1, 1e-12);
+    EXPECT_EQ(all.centre, least.centre);
+  }
+  const Ellipsoid all = ellipsoid_of(model_of_toml(kPendulum), {0.5}, 1, task, TorqueSet::all);
+  ASSERT_EQ(all.lengths.size(), 1);
+  EXPECT_NEAR(all.measure, 0.5 / (2 * 0.16), 1e-14);
 }
 
 // Problem 7.12: for an arm without redundancy, √det(J Jᵀ) = w det B, where w is the measure for torques of norm 1.
@@ -136,7 +191,7 @@ xyz = [0.5, 0, 0]
 TEST(Manipulability, LimitsScaleTheTorques) {
   Progress progress(true);
   const LoadedRobot panda = model_of("panda.urdf");
-  Manipulability arm(panda, TorqueNorm::limits, 1, progress);
+  Manipulability arm(panda, {TorqueNorm::limits}, progress);
   const std::vector<double> q = {0.1, -0.8, 0.3, -2.3, 0.2, 1.6, 0.8};
   const Ellipsoid ellipsoid = arm.at(q);
   const ArmPose pose(panda, q, arm.task());
@@ -144,12 +199,12 @@ TEST(Manipulability, LimitsScaleTheTorques) {
   Eigen::VectorXd tau = pose.B * inverse * ellipsoid.axes.col(0) * ellipsoid.lengths(0);
   for (Eigen::Index i = 0; i < 7; ++i) tau(i) /= i < 4 ? 87 : 12;
   EXPECT_NEAR(tau.norm(), 1, 1e-9);
-  EXPECT_THROW(Manipulability(model_of("planar_2r_example_7_2.toml"), TorqueNorm::limits, 1, progress), Failure);
+  EXPECT_THROW(Manipulability(model_of("planar_2r_example_7_2.toml"), {TorqueNorm::limits}, progress), Failure);
 }
 
 TEST(Manipulability, KnowsWhereTheArmIs) {
   Progress progress(true);
-  Manipulability arm(model_of("planar_2r_example_7_2.toml"), TorqueNorm::plain, 1, progress);
+  Manipulability arm(model_of("planar_2r_example_7_2.toml"), {}, progress);
   const std::vector<Eigen::Vector3d> points = arm.skeleton({0.5, 1.0});
   ASSERT_EQ(points.size(), 3U);
   EXPECT_LE((points[1] - Eigen::Vector3d(std::cos(0.5), std::sin(0.5), 0)).norm(), 1e-15);
@@ -158,7 +213,7 @@ TEST(Manipulability, KnowsWhereTheArmIs) {
 
 TEST(Manipulability, KnowsWhereATipIsThatIsNoLinksFrame) {
   Progress progress(true);
-  Manipulability arm(model_of_toml(kPendulum), TorqueNorm::plain, 1, progress);
+  Manipulability arm(model_of_toml(kPendulum), {}, progress);
   const std::vector<Eigen::Vector3d> points = arm.skeleton({0.5});
   ASSERT_EQ(points.size(), 3U);
   EXPECT_EQ(points[1], Eigen::Vector3d::Zero());

@@ -60,7 +60,7 @@ TEST(LostPivots, AreCheckedOnlyWhereTheyMayBeLost) {
   // The pivots of J B^-1 J^T are always checked.
   for (const auto& [mass, of_B] : {std::pair("1", 0U), std::pair("1e-30", 3U)}) {
     for (const OptimisedFunction& made : that_divide_by_pivots(arm_with_link_of_mass(mass))) {
-      EXPECT_EQ(made.function.pivot_diagonals.size(), made.function.task.rows.size() + of_B)
+      EXPECT_EQ(made.function.pivot_scales.size(), made.function.task.rows.size() + of_B)
           << made.function.name << ", " << mass;
     }
   }
