@@ -29,14 +29,17 @@ plain=$PWD/robots/$robot.urdf
 
 # The arm as it is: every second link is heavier than its file says, the others are lighter, and masses lie elsewhere.
 awk -v plain="$plain" -v viscous="$viscous" -v coulomb="$coulomb" -v armature="$armature" '
-  function value(name) { return match($0, name "=\"[^\"]*") ? substr($0, RSTART + length(name) + 2, RLENGTH - length(name) - 2) : 0 }
+  function value(name) {
+    return match($0, name "=\"[^\"]*") ? substr($0, RSTART + length(name) + 2, RLENGTH - length(name) - 2) : 0
+  }
   BEGIN {
     split(viscous, f_v, " "); split(coulomb, f_s, " "); split(armature, i_m, " ")
     print "robot = \"" plain "\""
   }
   /<link name/ { link = value("name") }
   /<joint name.*type="revolute"/ {
-    printf "[[joint]]\nname = \"%s\"\nviscous = %s\ncoulomb = %s\narmature = %s\n", value("name"), f_v[++n], f_s[n], i_m[n]
+    printf "[[joint]]\nname = \"%s\"\nviscous = %s\n", value("name"), f_v[++n]
+    printf "coulomb = %s\narmature = %s\n", f_s[n], i_m[n]
   }
   /<inertial>/ { inertial = 1 }
   inertial && /<origin/ { split(value("xyz"), com, " ") }
@@ -50,16 +53,17 @@ awk -v plain="$plain" -v viscous="$viscous" -v coulomb="$coulomb" -v armature="$
     inertial = 0
   }' "$plain" >"$folder/truth.toml"
 
-# with_rests FILE JOINT: a motion from rest to rest twice, the second time with a joint held, and a second of rest before,
-# between and behind.
+# with_rests FILE JOINT: a motion from rest to rest twice, the second time with a joint held, and a second of rest
+# before, between and behind.
 with_rests() {
   awk -F, -v held="$2" -v rate="$rate" '
     function still(seconds,    k) { for (k = 0; k < rate * seconds; ++k) row(1, 1) }
-    function row(from, is_all,    i, c, line) {
+    function row(from, is_all,    i, c, line, moving) {
       line = sprintf("%.3f", time / rate); ++time
       for (c = 0; c < 3; ++c) {
         for (i = 1; i <= n; ++i) {
-          line = line sprintf(",%.12g", moves[from] && (is_all || i != held) ? motion[from, c * n + i] : c ? 0 : motion[1, i])
+          moving = moves[from] && (is_all || i != held)
+          line = line sprintf(",%.12g", moving ? motion[from, c * n + i] : c ? 0 : motion[1, i])
         }
       }
       print line
