@@ -31,8 +31,8 @@ void add(Series& series, double x, double y) {
 
 // Ends the line that is being drawn.
 void interrupt(Series& series) {
-  constexpr double kBreak = std::numeric_limits<double>::quiet_NaN();
-  if (!series.x.empty() && !std::isnan(series.x.back())) add(series, kBreak, kBreak);
+  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+  if (!series.x.empty() && !std::isnan(series.x.back())) add(series, kGap, kGap);
 }
 
 // One joint's half of a row.
