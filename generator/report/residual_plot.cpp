@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "report/residual_plot.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace flatdyn {
@@ -23,19 +24,22 @@ std::vector<double> places_of(const std::vector<EquationInstant>& samples, bool 
   return places;
 }
 
-void add(Series& series, double x, double y, bool is_new) {
-  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-  for (std::vector<double>* numbers : {&series.x, &series.y}) {
-    if (is_new) numbers->push_back(kGap);
-  }
+void add(Series& series, double x, double y) {
   series.x.push_back(x);
   series.y.push_back(y);
+}
+
+// Ends the line that is being drawn.
+void interrupt(Series& series) {
+  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+  if (!series.x.empty() && !std::isnan(series.x.back())) add(series, kGap, kGap);
 }
 
 // One joint's half of a row.
 Panel half_panel(const Body& body, const std::string& what) {
   Panel panel{body.joint + ": " + what, "", torque_unit(body), {{what, {}, {}}}};
   panel.is_half = true;
+  panel.if_empty = "the joint rests";
   return panel;
 }
 
@@ -64,10 +68,19 @@ std::string residual_plot(const TorqueModel& model, const Observations& observat
       const JointObservations& joint = observations.joints[at];
       const auto count = static_cast<Eigen::Index>(joint.columns.size());
       const Eigen::Map<const Eigen::VectorXd> row(entries, count);
-      add(panels[2 * at].series.front(), places[k], sample.right[at], is_new);
-      add(panels[2 * at + 1].series.front(), places[k], sample.right[at] - row.dot(joint.restricted(values)), is_new);
+      Series &torque = panels[2 * at].series.front(), &residual = panels[2 * at + 1].series.front();
+      const bool is_used = sample.used[at] != 0;
+      if (is_new) interrupt(torque);
+      if (is_new || !is_used) interrupt(residual);
+      add(torque, places[k], sample.right[at]);
+      if (is_used) add(residual, places[k], sample.right[at] - row.dot(joint.restricted(values)));
       entries += count;
     }
+  }
+  // The line of zero makes the residual's axis of time that of the torque beside it, whatever rows are used.
+  for (std::size_t at = 1; at < panels.size(); at += 2) {
+    if (panels[at].series.front().x.empty()) continue;
+    panels[at].series.push_back({"", {places.front(), places.back()}, {0, 0}, SeriesKind::guide});
   }
   return plot("Torques and residuals of " + model.mechanism().name, panels, format);
 }

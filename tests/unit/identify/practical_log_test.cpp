@@ -3,13 +3,17 @@
 // torques are those of the recursive reference.
 #include "support/practical_bench.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
 
+#include "report/residual_plot.hpp"
+
 namespace flatdyn {
 namespace {
 
+using ::testing::HasSubstr;
 using testing::kEncoderStep;
 using testing::panda;
 using testing::SimulatedSample;
@@ -120,6 +124,38 @@ TEST(PracticalLog, IdleTimeDoesNotSpeakOfFriction) {
   // As every row counts, Coulomb friction comes out far too small.
   const Estimate all = bench.estimated(bench.measured(samples, kEncoderStep, 1, 1, {.rest_speed = {0}}));
   EXPECT_LT(all.values(bench.place_of("Fs1")), 0.9 * bench.truth("Fs1"));
+}
+
+// The points of each curve of a picture, in the order of its panels; lines that are interrupted count as one.
+std::vector<double> points_of_curves(const std::string& svg) {
+  const std::string stroke = "stroke='rgb( 43, 131, 202)'";  // of a panel's first series
+  std::vector<double> points;
+  for (std::size_t at = svg.find(stroke); at != std::string::npos; at = svg.find(stroke, at + 1)) {
+    points.push_back(static_cast<double>(std::count(svg.data() + at, svg.data() + svg.find("/>", at), ',')) - 2);
+  }
+  return points;
+}
+
+// The sixth joint counts as one that never moves.
+TEST(PracticalLog, ResidualsAreDrawnWhereRowsAreUsed) {
+  Bench& bench = ur5();
+  const Measurement measurement = bench.measured(bench.motion({.seconds = 12, .idles = true}), kEncoderStep, 1);
+  Observations observations = measurement.observations;
+  for (EquationInstant& instant : observations.instants) instant.used[5] = 0;
+  const std::string svg =
+      residual_plot(bench.model(), observations, bench.estimated(measurement).values, PictureFormat::svg);
+  EXPECT_THAT(svg, HasSubstr("nothing to plot: the joint rests"));
+  const std::vector<double> points = points_of_curves(svg);
+  ASSERT_EQ(points.size(), 11u);
+  const auto all = static_cast<double>(observations.instants.size());
+  for (std::size_t i = 0; i < 5; ++i) {
+    const auto used =
+        static_cast<double>(std::count_if(observations.instants.begin(), observations.instants.end(),
+                                          [i](const EquationInstant& instant) { return instant.used[i] != 0; }));
+    EXPECT_LT(used, 0.9 * all) << i;
+    EXPECT_NEAR(points[2 * i], all, 0.05 * all) << i;
+    EXPECT_NEAR(points[2 * i + 1], used, 0.05 * all) << i;
+  }
 }
 
 TEST(PracticalLog, DroppedSamplesAreInterpolated) {
