@@ -276,7 +276,7 @@ void add_stream_options(CLI::App& command, StreamOptions& options) {
                   "a joint rests while it is slower than this (rad/s, m/s; one number, or one for each joint): its "
                   "friction may then be anything, and its equation is left out; default: estimated from the log")
       ->delimiter(',')
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_between(0, 1e6))
       ->type_name("V[,V...]");
 }
 

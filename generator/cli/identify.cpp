@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 
@@ -83,12 +84,28 @@ void check_identify_usage(const IdentifyArguments& arguments) {
   if (arguments.estimator == "iv" && arguments.robust) {
     throw Failure(ExitCode::usage, "--estimator iv and --robust exclude each other");
   }
+  check_other_logs(arguments.logs, arguments.validation, "--validate");
+  if (arguments.parameters == "inertial" && arguments.friction != "coulomb") {
+    throw Failure(ExitCode::usage, "--friction has no effect with --parameters inertial, which has no friction",
+                  "give --parameters full");
+  }
   if (!arguments.validation_plot.empty() && arguments.validation.empty()) {
     throw Failure(ExitCode::usage, "--validation-plot needs --validate LOG.csv");
   }
   if (!arguments.part.empty() && (!arguments.plot.empty() || arguments.identification.sequential)) {
     throw Failure(ExitCode::usage, "--plot and --sequential have no effect with --part",
                   "give them with --merge, where the parameters are estimated");
+  }
+}
+
+// Refuses options that this robot has no use for.
+void check_options_for(const Mechanism& mechanism, const IdentifyArguments& arguments) {
+  const Vec3& g = mechanism.gravity;
+  if (arguments.gravity_direction && std::all_of(g.begin(), g.end(), vanishes)) {
+    throw Failure(ExitCode::usage, "--gravity-direction: the robot is without gravity, which has no direction then");
+  }
+  if (mechanism.has_loops() && (arguments.gravity_direction || arguments.estimator == "iv")) {
+    throw Failure(ExitCode::unsupported, "--gravity-direction and --estimator iv are for robots without closed loops");
   }
 }
 
@@ -289,14 +306,12 @@ ExitCode identify(IdentifyArguments arguments) {
   check_files(arguments, robot.robot);
   print_diagnostics(robot.diagnostics, arguments);
   arguments.note_function_keys(robot);
+  check_options_for(robot.mechanism, arguments);
   arguments.identification.set = parameter_set(arguments.parameters, robot.mechanism);
   // Settings that cannot be repeated are refused before logs are read.
   if (!arguments.output.empty()) arguments.settings(robot);
   Progress progress(arguments.quiet);
   Logs logs(arguments, stream, progress);
-  if (robot.mechanism.has_loops() && (arguments.gravity_direction || arguments.estimator == "iv")) {
-    throw Failure(ExitCode::unsupported, "--gravity-direction and --estimator iv are for robots without closed loops");
-  }
   if (arguments.gravity_direction) robot = with_gravity(arguments, robot, logs, progress);
   const TorqueModel model(robot, arguments.identification.set, progress);
   if (has_speed(arguments.further.law))

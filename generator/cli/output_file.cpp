@@ -61,6 +61,16 @@ void check_writable(const TextFile& file) {
 
 }  // namespace
 
+void check_other_logs(const std::vector<std::string>& logs, const std::vector<std::string>& others,
+                      const std::string& option) {
+  for (const std::string& other : others) {
+    const bool is_one = std::any_of(logs.begin(), logs.end(), [&](const auto& log) { return is_one_file(log, other); });
+    if (!is_one) continue;
+    throw Failure(ExitCode::usage, fmt::format("{} {}: that log is one of --data, too", option, other),
+                  "a log says nothing about itself: give another one");
+  }
+}
+
 void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
   for (auto output = outputs.begin(); output != outputs.end(); ++output) {
     if (output->empty()) continue;

@@ -17,6 +17,10 @@ inline constexpr const char* kStdout = "-";
 // without a name are ignored.
 void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
+// Throws Failure(usage) if a log of the second list is also one of the first: it would be compared with itself.
+void check_other_logs(const std::vector<std::string>& logs, const std::vector<std::string>& others,
+                      const std::string& option);
+
 // Writes all files or none, by replace_files(). A link stays a link, and its target is replaced; a device is written
 // to. Missing folders are made. Throws Failure(io).
 void write_files(const std::vector<TextFile>& wanted, const std::vector<std::filesystem::path>& outdated = {});

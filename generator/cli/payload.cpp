@@ -29,6 +29,7 @@ void check_payload_usage(const PayloadArguments& arguments, const LoadedRobot& r
   inputs.insert(inputs.end(), arguments.logs.begin(), arguments.logs.end());
   inputs.insert(inputs.end(), arguments.without.begin(), arguments.without.end());
   check_outputs({arguments.output}, inputs);
+  check_other_logs(arguments.logs, arguments.without, "--without");
   if (robot.robot.has_payload) {
     throw Failure(ExitCode::unsupported, fmt::format("{}: the robot has a payload already", robot.robot.file),
                   "take it out of the file: the one that is found takes its place");

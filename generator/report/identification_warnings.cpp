@@ -140,12 +140,11 @@ void warn_of_misfit(const TorqueModel& model, const PhysicalParameters& physical
                     std::vector<std::string>& warning_texts) {
   constexpr double kMuch = 10;  // standard deviations
   if (!physical.converged || physical.largest_misfit <= kMuch) return;
-  warning_texts.push_back(
-      fmt::format("the nearest links are {:.2g} standard deviations from pi_b, more than noise of the torques "
-                  "explains: noise in q, "
-                  "which no interval has in it, or motion, torques, units or geometry that cannot be right{}",
-                  physical.largest_misfit,
-                  leaves_some_out(model) ? ", or rotors and friction that are left out (--parameters full)" : ""));
+  warning_texts.push_back(fmt::format(
+      "the nearest links are {:.2g} standard deviations from pi_b, more than noise explains: motion, "
+      "torques, units or geometry that cannot be right, or noise that the log does not show above the band{}",
+      physical.largest_misfit,
+      leaves_some_out(model) ? ", or rotors and friction that are left out (--parameters full)" : ""));
 }
 
 void warn_of_search(const PhysicalParameters& physical, std::vector<std::string>& warning_texts) {

@@ -61,6 +61,27 @@ TEST(Identify, WritesARobotFileWhoseTorquesAreThoseMeasured) {
   }
 }
 
+// A log is not judged by itself, and options that cannot have an effect are refused before logs are read.
+TEST(Identify, RefusesOptionsWithoutAnEffect) {
+  const Scratch scratch;
+  scratch.write("log.csv", "t,q1,q2,tau1,tau2\n");
+  const std::string log = scratch.path("log.csv"),
+                    identify = "identify robots/planar_2r_example_7_2.toml --data " + log;
+  for (const auto& [options, message] :
+       {std::pair<std::string, const char*>{" --validate " + log, "that log is one of --data, too"},
+        {" --parameters inertial --friction stribeck", "--friction has no effect with --parameters inertial"},
+        {" --gravity off --gravity-direction", "the robot is without gravity"},
+        {" --rest-speed nan", "must be a number from 0"},
+        {" --rest-speed -1", "must be a number from 0"}}) {
+    const Outcome outcome = run_flatdyn(identify + options);
+    EXPECT_EQ(outcome.code, 2) << options << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(message)) << options;
+  }
+  const Outcome payload = run_flatdyn("payload robots/planar_2r_example_7_2.toml --data " + log + " --without " + log);
+  EXPECT_EQ(payload.code, 2) << payload.err;
+  EXPECT_THAT(payload.err, HasSubstr("that log is one of --data, too"));
+}
+
 // The robot has neither friction nor rotors, but the file has both. If only inertias are asked for, the robot written
 // has neither.
 // A user's way: a motion, the robot that makes it under a controller, and its log with positions and torques alone. At
