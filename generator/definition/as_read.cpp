@@ -71,10 +71,14 @@ AsReadResult prove_as_read(const Robot& robot, const Mechanism& mechanism, std::
   return result;
 }
 
+int AsReadResult::digits() const {
+  return largest > 0 ? std::min(kMostDigits, static_cast<int>(std::floor(-std::log10(largest)))) : kMostDigits;
+}
+
 std::string AsReadResult::summary() const {
-  if (!holds) return difference + " differs from the robot as read";
-  std::string text = fmt::format("{} links and {} rotors as read: {} numbers equal, to {:.0e} of their scales", links,
-                                 rotors, numbers, std::max(largest, 1e-99));
+  if (!holds) return difference + " differs";
+  std::string text =
+      fmt::format("{} links and {} rotors: {} numbers equal to {} digits", links, rotors, numbers, digits());
   if (is_exact) {
     text += fmt::format(
         "; energies equal at {} points modulo {} primes, degree at most {:.3g}, wrong with probability below 2^{:.0f}",

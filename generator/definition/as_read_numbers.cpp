@@ -187,8 +187,7 @@ class NumberComparison {
       return position;
     }
     const auto index = static_cast<int>(found - robot_.joints.begin());
-    const auto body =
-        static_cast<std::size_t>(std::find(moving_.begin(), moving_.end(), index) - moving_.begin());
+    const auto body = static_cast<std::size_t>(std::find(moving_.begin(), moving_.end(), index) - moving_.begin());
     if (has_coordinate(*found)) {
       for (std::size_t k = 0; k < mechanism_.coordinates.size(); ++k) {
         if (mechanism_.coordinates[k] == static_cast<int>(body)) position.factors[k] = 1;
@@ -389,12 +388,12 @@ class NumberComparison {
     Form form = {};
     add_body({identity_pose<Real>(), found.mass, {0, 0, 0}, found.inertia}, form);
     const Vector3<Real>& h = found.first_moment;
-    const Matrix3<Real> S = {Vector3<Real>{0, -h[2], h[1]}, Vector3<Real>{h[2], 0, -h[0]}, Vector3<Real>{-h[1], h[0], 0}};
+    const Matrix3<Real> S = {Vector3<Real>{0, -h[2], h[1]}, Vector3<Real>{h[2], 0, -h[0]},
+                             Vector3<Real>{-h[1], h[0], 0}};
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) form[i][j + 3] = form[j + 3][i] = -S[i][j];
     }
-    const Real scales[] = {expected.mass, expected.mass * reach_,
-                           expected.mass * reach_ * reach_ + expected.inertia};
+    const Real scales[] = {expected.mass, expected.mass * reach_, expected.mass * reach_ * reach_ + expected.inertia};
     static const char* const kNames[] = {" mass", " first moment", " inertia"};
     for (std::size_t i = 0; i < 6; ++i) {
       for (std::size_t j = 0; j < 6; ++j) {

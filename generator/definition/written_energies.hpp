@@ -25,10 +25,7 @@ class WrittenEnergies {
   // `mechanism`: without loops. `q`, `rates`: of every body's joint.
   WrittenEnergies(const Robot& robot, const MechanismOver<F>& mechanism, Arithmetic& arithmetic,
                   const std::vector<JointPoint<F>>& q, const std::vector<F>& rates)
-      : robot_(robot),
-        numbers_(robot, arithmetic),
-        gravity_(vector_over(numbers_, robot.gravity)),
-        rates_(rates) {
+      : robot_(robot), numbers_(robot, arithmetic), gravity_(vector_over(numbers_, robot.gravity)), rates_(rates) {
     const std::vector<Pose3<D>> bodies = body_poses(mechanism, moving(q, rates));
     for (const FieldFrame<F>& link : mechanism.links) {
       const Pose3<D> body = link.body < 0 ? identity_pose<D>() : bodies[static_cast<std::size_t>(link.body)];

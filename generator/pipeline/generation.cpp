@@ -65,8 +65,9 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   std::optional<OptimisedFusion> fused;
   if (!options.fused.empty()) fused = make_fusion(robot, options.fused, progress);
   if (!options.staged.empty()) result.stages = stages_of(make_fusion(robot, options.staged, progress).fusion);
-  // Prove in exact arithmetic, against the Lagrangian.
+  // Prove in exact arithmetic, against the Lagrangian, which is that of the robot as read.
   progress.step("proving");
+  result.as_read = prove_robot(robot.robot, robot.mechanism);
   result.proofs = prove(effective_mechanism(robot), result.functions, fused, result.stages);
   if (fused) result.functions.push_back({fused->fusion.function, fused->derived, fused->passes, {}});
   if (robot.abbreviation) {
