@@ -159,6 +159,7 @@ TEST(AsRead, SaysThatClosureOfLoopsIsNotCompared) {
 // 0.2 + 0.3 - 0.5 of angles that are replaced one by one: a product of inertia of 1e-58 is snapped to zero.
 TEST(AsRead, KnowsResiduesThatAreSnapped) {
   Robot robot = testing::random_tree(2, 3, true);
+  robot.joints[0].type = JointType::revolute;
   robot.joints[1] = testing::joint("hinge", JointType::revolute, 1, 2, {}, {0, 0, 1});
   robot.joints[2] = testing::joint("bolt", JointType::fixed, 2, 3, {}, {0, 0, 1});
   const auto about_x = [](const Number& angle) { return testing::rotation(Displacement::Kind::rotation_x, angle); };
