@@ -9,12 +9,14 @@
 // the joint between them, or in its displacement. It is computed as written, by Rodrigues' formula, and from the places
 // of both links in the mechanism; three values decide that two such functions are the same. The quadratic form of a
 // body's kinetic energy is summed up over its written links and rotors, each about its own centre of mass, and compared
-// entry by entry. No probability is involved. Where the mechanism replaces an irrational number or a direction by a
-// rational one of 44 digits, the two differ by that much: kAsReadTolerance bounds it.
+// entry by entry. No probability is involved, except that free symbols have random values. Where the mechanism replaces
+// an irrational number or a direction by a rational one of 44 digits, the two differ by that much: kAsReadTolerance
+// bounds it.
 //
 // As a whole, in exact arithmetic modulo primes. Kinetic and potential energy are summed up over the written links and
 // rotors, from derivatives of their poses, and compared with those of the Lagrangian. They differ where a residue
-// below 1e-40 of a body's parameters was snapped to zero; then the first part stands alone.
+// below 1e-40 of a body's parameters was snapped to zero; then they are compared at one state in 100 digits, and the
+// proof is the first part.
 //
 // The poses of all links and the two energies determine every function, so what is proven of the mechanism's functions
 // holds for the robot as read.

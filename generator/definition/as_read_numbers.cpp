@@ -19,14 +19,6 @@ using RealPose = Pose3<Real>;
 
 Real length_sum(const Vector3<Real>& v) { return abs(v[0]) + abs(v[1]) + abs(v[2]); }
 
-// Free symbols are numbers between a half and one and a half.
-RealArithmetic<Real> drawn_symbols(std::uint64_t seed) {
-  return RealArithmetic<Real>([seed](const Input& input) {
-    const std::uint64_t bits = splitmix64(seed, static_cast<std::uint64_t>(input.index)) >> 11U;
-    return Real(0.5) + Real(bits) / Real(std::uint64_t{1} << 53U);
-  });
-}
-
 // The motion about or along z at a position.
 RealPose motion_along_z(bool slides, const JointPoint<Real>& q) {
   RealPose pose = identity_pose<Real>();
@@ -53,7 +45,7 @@ class NumberComparison {
   NumberComparison(const Robot& robot, const Mechanism& mechanism, std::uint64_t seed)
       : robot_(robot),
         mechanism_(mechanism),
-        arithmetic_(drawn_symbols(seed)),
+        arithmetic_(drawn_reals(seed)),
         numbers_(robot, arithmetic_),
         map_(mechanism.symbols, arithmetic_),
         found_(mechanism_over(without_loops(mechanism), arithmetic_)),
@@ -415,6 +407,13 @@ class NumberComparison {
 };
 
 }  // namespace
+
+RealArithmetic<Digits100> drawn_reals(std::uint64_t seed) {
+  return RealArithmetic<Digits100>([seed](const Input& input) {
+    const std::uint64_t key = (static_cast<std::uint64_t>(input.kind) << 32U) + static_cast<std::uint64_t>(input.index);
+    return Digits100(0.5) + Digits100(splitmix64(seed, key) >> 11U) / Digits100(std::uint64_t{1} << 53U);
+  });
+}
 
 void Differences::compare(const std::string& subject, const Digits100& found, const Digits100& expected,
                           const Digits100& scale) {

@@ -159,10 +159,10 @@ TEST(AsRead, SaysThatClosureOfLoopsIsNotCompared) {
 // 0.2 + 0.3 - 0.5 of angles that are replaced one by one: a product of inertia of 1e-58 is snapped to zero.
 TEST(AsRead, KnowsResiduesThatAreSnapped) {
   Robot robot = testing::random_tree(2, 3, true);
-  robot.joints[0].type = JointType::revolute;
-  robot.joints[1] = testing::joint("hinge", JointType::revolute, 1, 2, {}, {0, 0, 1});
-  robot.joints[2] = testing::joint("bolt", JointType::fixed, 2, 3, {}, {0, 0, 1});
   const auto about_x = [](const Number& angle) { return testing::rotation(Displacement::Kind::rotation_x, angle); };
+  robot.joints[0].type = JointType::revolute;
+  robot.joints[1] = testing::joint("hinge", JointType::revolute, 1, 2, {{about_x(1)}, {}}, {0, 0, 1});
+  robot.joints[2] = testing::joint("bolt", JointType::fixed, 2, 3, {}, {0, 0, 1});
   robot.joints[2].origin.displacements = {about_x(Number(1) / 5), about_x(Number(3) / 10)};
   robot.links[2].inertials.clear();
   Inertial& inertial = robot.links[3].inertials[0];
