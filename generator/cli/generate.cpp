@@ -195,6 +195,7 @@ nlohmann::ordered_json manifest_of(const GenerationResult& result, const std::ve
   if (result.torque_deviation) manifest["error_budget"] = abbreviation_json(robot, *result.torque_deviation);
   if (result.stages) manifest["stages"] = stages_json(*result.stages);
   manifest["proof"] = proofs_json(result.proofs);
+  manifest["proof_of_robot"] = as_read_json(result.as_read);
   // The hash tells a reader whether the files belong together.
   manifest["header_hash"] = content_hash({files[0].text});
   if (files.size() > 1) {
@@ -248,7 +249,7 @@ std::string tables(const GenerationResult& result, const std::vector<double>& ef
                      describe_functions(result.functions, symbol_names(robot.mechanism)) + "\n";
   if (result.stages) text += describe_stages(*result.stages) + "\n";
   if (result.torque_deviation) text += describe_abbreviation(robot, *result.torque_deviation) + "\n";
-  text += describe_proofs(result.proofs, rounding) + "\n";
+  text += describe_proofs(result.proofs, result.as_read, rounding) + "\n";
   if (!arguments.firmware.empty()) {
     text += fmt::format("a self test for {}: make -C {} run\n", arguments.firmware, arguments.folder);
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "definition/lagrangian_regressor.hpp"
+#include "definition/written_energies.hpp"
 #include "graph/evaluate.hpp"
 #include "symbolic/parameters/base_parameters.hpp"
 
@@ -164,6 +165,24 @@ MechanismDegrees lagrangian_degrees(const Mechanism& mechanism) {
     for (const Degree& entry : lagrangian.jacobian_dot_qd(link, rates)) largest += entry;
   }
   return {largest.value(), arithmetic.reciprocals};
+}
+
+double in_drawn_values(double degree, double angles, double reciprocals) {
+  return degree * (1 + 2 * angles + reciprocals);
+}
+
+double energy_degree(const Robot& robot, const Mechanism& mechanism) {
+  DegreeArithmetic arithmetic;
+  const Degree drawn = Degree::of(1);
+  const std::vector<JointPoint<Degree>> q = joint_degrees(mechanism);
+  const std::vector<Degree> qd(static_cast<std::size_t>(mechanism.size()), drawn), rates(q.size(), drawn);
+  Lagrangian<Degree> lagrangian(mechanism_over(mechanism, arithmetic), q);
+  const Energies<Degree> written =
+      WrittenEnergies<DegreeArithmetic>(robot, lagrangian.mechanism(), arithmetic, q, rates).sum();
+  const Degree largest =
+      lagrangian.kinetic_energy(qd) + lagrangian.potential_energy() + written.kinetic + written.potential;
+  const double angles = static_cast<double>(mechanism.position_count()) + static_cast<double>(mechanism.symbols.size());
+  return in_drawn_values(largest.value(), angles, arithmetic.reciprocals);
 }
 
 MechanismDegrees regressor_degrees(const Mechanism& mechanism) {

@@ -49,6 +49,14 @@ struct MechanismDegrees {
 // The degrees of the Lagrangian's values.
 MechanismDegrees lagrangian_degrees(const Mechanism& mechanism);
 
+// The degree in the values drawn of the difference between the energies of the robot as read and of the Lagrangian
+// (definition/as_read.hpp). `mechanism`: without loops.
+double energy_degree(const Robot& robot, const Mechanism& mechanism);
+
+// The degree in the values drawn, t for each angle: a term of degree d in c and s has the common denominator Π (1 +
+// t²)^d.
+double in_drawn_values(double degree, double angles, double reciprocals);
+
 // The degrees of the regressors, whatever their name, and of the factors by which they are multiplied for comparison:
 // π_b and K.
 MechanismDegrees regressor_degrees(const Mechanism& mechanism);

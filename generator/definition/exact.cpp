@@ -80,12 +80,6 @@ ExactResult finished(const Function& function, const std::set<MismatchKey>& mism
   return result;
 }
 
-// The degree in the values drawn, t for each angle: a term of degree d in c and s has the common denominator Π (1 +
-// t²)^d.
-double in_drawn_values(double degree, double angles, double reciprocals) {
-  return degree * (1 + 2 * angles + reciprocals);
-}
-
 // With closed loops, the determinants of the loops are common denominators, see Degree.
 double degree_factor(const Mechanism& mechanism, const Function& function, const Definition& definition) {
   return (mechanism.has_loops() ? 2 : 1) * definition.degree_factor(mechanism, function);

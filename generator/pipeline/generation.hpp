@@ -32,6 +32,7 @@ struct GenerationResult {
   std::vector<OptimisedFunction> functions;  // the fused one last
   std::optional<Stages> stages;
   std::vector<Proof> proofs;
+  AsReadResult as_read;
   std::optional<TorqueDeviation> torque_deviation;  // cost of an error budget
   Diagnostics findings;
   EmitOptions form;
@@ -40,7 +41,7 @@ struct GenerationResult {
 };
 
 // Runs all stages except writing. Throws BadInput for errors in the input, Failure(verification_failed) if the code is
-// not what the Lagrangian says.
+// not what the Lagrangian says, or the Lagrangian not that of the robot as read.
 GenerationResult generate_code(const std::filesystem::path& robot_file, const GenerationOptions& options,
                                Progress& progress);
 

@@ -72,6 +72,9 @@ void CFile::file() {
   find_prefix();
   header();
   source();
+  require_helper("sign()", has_sign_, uses({prefixed("sign")}));
+  require_helper("sines_and_cosines()", has_sines_, uses({prefixed("sines_and_cosines")}));
+  require_helper("<math.h>", has_math_, has_sines_ || has_limits_missing_ || uses({"sqrt"}) || uses({"sqrtf"}));
 }
 
 void CFile::header() {
@@ -94,12 +97,12 @@ void CFile::header() {
 
 void CFile::source() {
   expect("#include \"$file$.h\"\n#include <float.h>\n");
-  accept("#include <math.h>\n");
+  has_math_ = accept("#include <math.h>\n");
   expect("#include <stdint.h>\n#include <string.h>\n");
   expect(kNoFastMath);
   for (const FileTable& each : contents_.tables) define(each);
   for (const FileTable& each : contents_.base_tables) define(each);
-  accept(kCSign);
+  has_sign_ = accept(kCSign);
   has_sines_ = accept(kCSinesAndCosines);
   angles();
   for (const FileFunction& each : contents_.functions) {
@@ -184,6 +187,7 @@ void CFile::define(const FileTable& table) {
 void CFile::take_real(double wanted) {
   const bool is_float = contents_.scalar == "float";
   if (std::isinf(wanted)) {
+    has_limits_missing_ = true;
     expect(std::string(wanted < 0 ? "-" : "") + (is_float ? "HUGE_VALF" : "HUGE_VAL"));
   } else if (is_float ? float(take_literal('f')) != float(wanted) : take_literal(0) != wanted) {
     fail("another number");

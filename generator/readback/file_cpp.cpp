@@ -23,6 +23,9 @@ CppFile::CppFile(const EmittedText& text, const FileContents& contents) : FileRe
 void CppFile::file() {
   header();
   if (is_pair()) source();
+  require_helper("sign()", has_sign_, uses({"detail", "::", "sign"}));
+  require_helper("sqrt()", has_sqrt_, uses({"detail", "::", "sqrt"}));
+  require_helper("LibrarySinCos", has_sines_, uses({"sin_cos"}));
 }
 
 void CppFile::header() {
@@ -55,8 +58,8 @@ void CppFile::source() {
   expect(kCppRoundingIncludes);
   expect(kNoFastMath);
   expect("namespace $namespace$ {");
-  accept(kCppSign);
-  accept(kCppSqrt);
+  has_sign_ = accept(kCppSign);
+  has_sqrt_ = accept(kCppSqrt);
   if (contents_.angles > contents_.positions) parts({nullptr, "angles"});
   for (const FileFunction& function : contents_.functions) {
     parts(function);
@@ -116,11 +119,11 @@ void CppFile::parameters() {
 
 void CppFile::helpers() {
   if (!is_pair()) {
-    accept(kCppSign);
-    accept(kCppSqrt);
+    has_sign_ = accept(kCppSign);
+    has_sqrt_ = accept(kCppSqrt);
     expect(kCppInterface);
   }
-  accept(kCppSinesAndCosines);
+  has_sines_ = accept(kCppSinesAndCosines);
   if (!is_pair() && contents_.angles > contents_.positions) parts({nullptr, "angles"});
 }
 

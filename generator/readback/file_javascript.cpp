@@ -128,12 +128,14 @@ class JavascriptFile : public FileReader {
 
   // Arrays of sines are as long as there are angles.
   void require_lengths_of_sines() {
-    for (at_ = 0; at_ < tokens_.size(); ++at_) {
+    const std::size_t end = at_;
+    for (at_ = 0; at_ < end; ++at_) {
       if ((is("sine") || is("cosine")) && word(2) == "new") {
         ++at_;
         expect(fmt::format("= new Float64Array({})", contents_.angles));
       }
     }
+    at_ = end;
   }
 
   std::vector<std::string> exports_;

@@ -30,6 +30,9 @@ class LanesFile : public CFile {
       definitions(each, "static");
       batch(each);
     }
+    require_helper("sign()", has_sign_, uses({prefixed("sign")}));
+    require_helper("sqrt()", has_sqrt_, uses({prefixed("sqrt")}));
+    require_helper("sines_and_cosines()", has_sines_, uses({prefixed("sines_and_cosines")}));
   }
 
   // The header is that of functions of one state.
@@ -58,9 +61,10 @@ class LanesFile : public CFile {
 
   void helpers() {
     expect(kLanesTypes);
-    accept(kLanesSign);
-    accept(kLanesSqrt);
-    if (accept(kLanesReducedAngles)) {
+    has_sign_ = accept(kLanesSign);
+    has_sqrt_ = accept(kLanesSqrt);
+    has_sines_ = accept(kLanesReducedAngles);
+    if (has_sines_) {
       expect(is_float() ? kLanesSinesOfFloats : kLanesSinesOfDoubles);
       expect(kLanesSines);
     }
@@ -153,6 +157,7 @@ class LanesFile : public CFile {
     expect(fmt::format("$lanes$_write({0}_block, states, {1}, {0} + {1} * k);", rows.name, rows.length));
   }
 
+  bool has_sign_ = false, has_sqrt_ = false, has_sines_ = false;
   std::string exported_, verdict_;
 };
 

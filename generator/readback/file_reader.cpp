@@ -188,6 +188,22 @@ void FileReader::take_entries(const FileTable& table, const char* end) {
   expect(end);
 }
 
+bool FileReader::uses(const std::vector<std::string>& words) const {
+  const auto is_in = [&](const ScannedFunction& function) {
+    const auto begin = tokens_.begin() + static_cast<std::ptrdiff_t>(function.begin);
+    const auto end = tokens_.begin() + static_cast<std::ptrdiff_t>(function.end);
+    return std::search(begin, end, words.begin(), words.end(),
+                       [](const Token& token, const std::string& text) { return token.text == text; }) != end;
+  };
+  const auto is_in_part = [&](const std::string& name) { return is_in(text_.parts().at(name)); };
+  return std::any_of(text_.functions().begin(), text_.functions().end(), is_in) ||
+         std::any_of(parts_read_.begin(), parts_read_.end(), is_in_part);
+}
+
+void FileReader::require_helper(const char* helper, bool is_there, bool is_used) const {
+  if (is_there != is_used) fail(fmt::format("{} is {}there", helper, is_there ? "" : "not "));
+}
+
 const ScannedFunction& FileReader::next_function() {
   if (functions_read_ >= text_.functions().size()) fail("no further function");
   return text_.functions()[functions_read_++];

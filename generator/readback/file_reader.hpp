@@ -44,6 +44,11 @@ class FileReader : protected TokenCursor {
   // Takes the entries of a table up to its end, separated by commas.
   void take_entries(const FileTable& table, const char* end);
 
+  // Whether these tokens follow one another anywhere in the functions that are read.
+  bool uses(const std::vector<std::string>& words) const;
+  // Throws unless a helper is there where it is used, and only there.
+  void require_helper(const char* helper, bool is_there, bool is_used) const;
+
   // The next function of EmittedText::functions().
   const ScannedFunction& next_function();
   // The names that the function that was read last gives its outputs.

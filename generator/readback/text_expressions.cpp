@@ -98,8 +98,9 @@ int TextReader::same_in_all_lanes() {
   ++at_;
   expect("(");
   int value = 0;
-  if (is("parameters")) {
-    value = named_value(take());
+  if (accept("parameters")) {
+    expect("->");
+    value = member_of("parameters");
   } else {
     const bool is_negative = accept("-");
     value = plain_literal();
@@ -167,7 +168,7 @@ int TextReader::named_value(const std::string& name) {
     expect("]");
     return entry_of(name, entry);
   }
-  if (accept(notation_.has_c_functions ? "->" : ".")) return member_of(name);
+  if (!notation_.has_lanes && accept(notation_.has_c_functions ? "->" : ".")) return member_of(name);
   const auto known = variables_.find(name);
   if (known != variables_.end()) return known->second;
   if (current_ != &written_) fail("an unknown name");

@@ -20,7 +20,7 @@ class TextReader {
   StraightLine read();
 
  private:
-  // What a function has returned: nothing, true, the result of its checks, a value, or a stage.
+  // A function returns nothing, true, the result of its checks, a value, or a stage.
   enum class Ending { none, always, checked, value, stage };
 
   struct Array {

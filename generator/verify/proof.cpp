@@ -10,10 +10,13 @@ namespace {
 // One point modulo each prime: a difference stays unseen with a probability of about 2^-150.
 ExactOptions quick(std::uint64_t seed) { return {seed, 1}; }
 
-void require(const ExactResult& result, const std::string& function, const std::string& than) {
-  if (result.equal) return;
-  throw Failure(ExitCode::verification_failed, function + " is not what " + than + ": " + result.summary(),
+[[noreturn]] void refuse(const std::string& why) {
+  throw Failure(ExitCode::verification_failed, why,
                 "nothing was written; this is a mistake of the program: report it, with the robot file");
+}
+
+void require(const ExactResult& result, const std::string& function, const std::string& than) {
+  if (!result.equal) refuse(function + " is not what " + than + ": " + result.summary());
 }
 
 Proof proof_of(const Mechanism& mechanism, const std::string& name, const Function& function, std::uint64_t seed) {
@@ -70,6 +73,12 @@ std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<Optimised
     }
   }
   return proofs;
+}
+
+AsReadResult prove_robot(const Robot& robot, const Mechanism& mechanism) {
+  AsReadResult result = prove_as_read(robot, mechanism);
+  if (!result.holds) refuse("the mechanism is not the robot as read: " + result.summary());
+  return result;
 }
 
 void prove_text(const EmittedText& text, const WrittenCode& code, std::uint64_t seed) {

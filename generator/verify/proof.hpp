@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Proofs about emitted functions before they are written: each equals its definition by the Lagrangian, and equals
-// itself before the passes, conditions included. They use exact arithmetic (definition/exact.hpp).
+// itself before the passes, conditions included. They use exact arithmetic (definition/exact.hpp). The mechanism whose
+// Lagrangian that is, is the robot as read (definition/as_read.hpp).
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "definition/as_read.hpp"
 #include "emit/stages.hpp"
 #include "functions/exact_proof.hpp"
 #include "graph/fusion.hpp"
@@ -31,6 +33,9 @@ std::uint64_t proof_seed(const std::vector<std::string>& contents);
 std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<OptimisedFunction>& functions,
                          const std::optional<OptimisedFusion>& fused, const std::optional<Stages>& stages,
                          std::uint64_t seed = 1);
+
+// Proves that the mechanism is the robot that it was made from. Throws Failure(verification_failed) if it is not.
+AsReadResult prove_robot(const Robot& robot, const Mechanism& mechanism);
 
 // Proves that the text that was read back is the code that was to be printed: every function, with the constants
 // rounded to its scalar, and everything around the functions. Throws Failure(verification_failed) for the first

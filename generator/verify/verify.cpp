@@ -131,13 +131,15 @@ std::string short_number(double value) { return fmt::format("{:.2g}", value); }
 }  // namespace
 
 bool VerifyReport::passed() const {
-  return std::all_of(functions.begin(), functions.end(), [](const FunctionReport& f) { return f.passed; }) &&
+  return as_read.holds &&
+         std::all_of(functions.begin(), functions.end(), [](const FunctionReport& f) { return f.passed; }) &&
          std::all_of(properties.begin(), properties.end(), [](const Property& p) { return p.passed; });
 }
 
 VerifyReport verify(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
                     const VerifyOptions& options, Progress& progress) {
   VerifyReport report;
+  report.as_read = prove_as_read(robot, mechanism);
   progress.step("compiling the emitted code");
   const double bound = options.bound * largest_angle_factor(mechanism);
   const Comparison comparison(robot, mechanism, functions, options);
@@ -171,6 +173,8 @@ std::string to_text(const VerifyReport& report) {
   text += fmt::format(
       "\nexactly: against the Lagrangian modulo primes; a wrong function passes with probability below 2^{:.0f}\n",
       report.failure_log2);
+  text += fmt::format("the Lagrangian: {} the robot as read: {}\n", report.as_read.holds ? "that of" : "NOT that of",
+                      report.as_read.summary());
   text += "50 digits: largest relative difference from the recursive Newton-Euler reference\n";
   text +=
       "double: scaled errors of the compiled code, in units of the last place of the terms' magnitude\n"
@@ -187,6 +191,10 @@ std::string to_text(const VerifyReport& report) {
 
 nlohmann::ordered_json to_json(const VerifyReport& report) {
   nlohmann::ordered_json json = {{"passed", report.passed()}, {"failure_log2", report.failure_log2}};
+  json["robot_as_read"] = {{"holds", report.as_read.holds},
+                           {"numbers", report.as_read.numbers},
+                           {"digits", report.as_read.digits()},
+                           {"difference", report.as_read.difference}};
   json["functions"] = nlohmann::ordered_json::array();
   for (const FunctionReport& f : report.functions) {
     json["functions"].push_back({{"name", f.function},

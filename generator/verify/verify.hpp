@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Verification of generated functions in three ways: exactly (modulo primes, against the Lagrangian); in 50 digits (the
-// graph against the recursive Newton–Euler reference); in double (the compiled text against 50 digits, beside the
-// reference's own rounding error).
+// Verification of generated functions in three ways: exactly (modulo primes, against the Lagrangian, which is compared
+// with that of the robot as read); in 50 digits (the graph against the recursive Newton–Euler reference); in double
+// (the compiled text against 50 digits, beside the reference's own rounding error).
 #pragma once
 
 #include <nlohmann/json.hpp>
 
+#include "definition/as_read.hpp"
 #include "deviation/expected.hpp"
 #include "diagnostics/progress.hpp"
 #include "graph/function.hpp"
@@ -39,6 +40,7 @@ struct Property {
 };
 
 struct VerifyReport {
+  AsReadResult as_read;
   std::vector<FunctionReport> functions;
   std::vector<Property> properties;
   double failure_log2 = -1e9;  // log2 of the probability that a wrong function passes the exact comparison

@@ -51,6 +51,7 @@ const Mutant kMutantsOfJavascript[] = {
     {"a table that may change", kScript, "const joint_names", "let joint_names"},
     {"an export less", kScript, "    gravity};", "    };"},
     {"an export under another name", kScript, "    gravity};", "    gravity as bias};"},
+    {"a statement behind the end", kScript, "    gravity};", "    gravity};\nMath.sin = Math.cos;"},
     {"an export more", kScript, "    gravity};", "    gravity, Math};"},
     {"a default export", kScript, "export {", "export default {"},
     {"an import", kScript, "const joint_count", "import './other.js';\nconst joint_count"},

@@ -54,7 +54,7 @@ Function with_a_root() {
   return function;
 }
 
-const PrintedCode& code_of(const std::string& robot) {
+const PrintedCode& code_for(const std::string& robot) {
   static std::map<std::string, std::unique_ptr<PrintedCode>> made;
   std::unique_ptr<PrintedCode>& code = made[robot];
   if (code != nullptr) return *code;
@@ -78,12 +78,12 @@ const PrintedCode& code_of(const std::string& robot) {
   return *code;
 }
 
-std::string printed(const PrintedCode& code, const std::string& form, int most_lines = 0) {
+std::string text_in(const PrintedCode& code, const std::string& form, int most_lines = 0) {
   const EmitOptions options = form_of(form, most_lines);
   return form == "lanes" ? code.text_over_states(options) : code.text(options);
 }
 
-void prove(const PrintedCode& code, const std::string& text, const std::string& form) {
+void prove_in(const PrintedCode& code, const std::string& text, const std::string& form) {
   if (form == "lanes") {
     code.prove_over_states(text, form_of(form));
   } else {
@@ -95,7 +95,7 @@ const std::string& text_of(const Mutant& mutant, const std::string& form) {
   static std::map<std::string, std::string> made;
   const int most_lines = mutant.has_parts ? 30 : 0;
   std::string& text = made[fmt::format("{} {} {}", mutant.robot, form, most_lines)];
-  if (text.empty()) text = printed(code_of(mutant.robot), form, most_lines);
+  if (text.empty()) text = text_in(code_for(mutant.robot), form, most_lines);
   return text;
 }
 
@@ -119,7 +119,7 @@ TEST_P(Mutants, AreRefused) {
       ADD_FAILURE() << mutant.kind << ": nothing to change: " << mutant.from;
       continue;
     }
-    EXPECT_THROW(prove(code_of(mutant.robot), wrong, form), Failure) << mutant.kind << ": " << mutant.to;
+    EXPECT_THROW(prove_in(code_for(mutant.robot), wrong, form), Failure) << mutant.kind << ": " << mutant.to;
     ++count;
   }
   EXPECT_GE(count, 43);
@@ -129,7 +129,45 @@ TEST_P(Mutants, AreMadeOfTextThatHolds) {
   const std::string form = GetParam();
   for (const Mutant& mutant : mutants()) {
     if (!is_in(mutant, form)) continue;
-    EXPECT_NO_THROW(prove(code_of(mutant.robot), text_of(mutant, form), form)) << mutant.robot;
+    EXPECT_NO_THROW(prove_in(code_for(mutant.robot), text_of(mutant, form), form)) << mutant.robot;
+  }
+}
+
+// The text of these tokens, line by line.
+std::string text_of_tokens(const std::vector<Token>& tokens) {
+  std::string text;
+  int line = 1;
+  for (const Token& token : tokens) {
+    text += token.line == line ? " " : "\n";
+    line = token.line;
+    text += token.text + (token.is_directive() ? "\n" : "");
+  }
+  return text;
+}
+
+bool is_proven(const PrintedCode& code, const std::vector<Token>& tokens, const std::string& form) {
+  try {
+    prove_in(code, text_of_tokens(tokens), form);
+  } catch (const Failure&) {
+    return false;
+  }
+  return true;
+}
+
+// Without one of its tokens, or with one twice, no text holds.
+TEST_P(Mutants, EveryTokenCounts) {
+  const std::string form = GetParam();
+  const PrintedCode& code = code_for("arm");
+  const std::vector<Token> tokens = tokens_of(text_in(code, form));
+  ASSERT_TRUE(is_proven(code, tokens, form));
+  constexpr std::size_t kStride = 41;  // a prime number: any kind of token is among them
+  for (std::size_t k = 0; k < tokens.size(); k += kStride) {
+    std::vector<Token> wrong = tokens;
+    wrong.erase(wrong.begin() + static_cast<std::ptrdiff_t>(k));
+    EXPECT_FALSE(is_proven(code, wrong, form)) << "without \"" << tokens[k].text << "\" in line " << tokens[k].line;
+    wrong = tokens;
+    wrong.insert(wrong.begin() + static_cast<std::ptrdiff_t>(k), tokens[k]);
+    EXPECT_FALSE(is_proven(code, wrong, form)) << "twice \"" << tokens[k].text << "\" in line " << tokens[k].line;
   }
 }
 
@@ -162,27 +200,27 @@ class ChecksOfEntries {
 TEST_P(Mutants, ChecksOfEntriesAreOfAllThatAreWritten) {
   const std::string form = GetParam();
   const ChecksOfEntries checks(form, "arm");
-  const PrintedCode& code = code_of("arm");
-  const std::string text = printed(code, form), usual = checks.loop(0, 2);
+  const PrintedCode& code = code_for("arm");
+  const std::string text = text_in(code, form), usual = checks.loop(0, 2);
   ASSERT_NE(text.find(usual), std::string::npos) << usual;
   for (const std::string& all : {checks.one("0") + checks.one("1"), checks.loop(1, 2) + checks.one("0")}) {
-    EXPECT_NO_THROW(prove(code, with_replaced(text, usual, all), form)) << all;
+    EXPECT_NO_THROW(prove_in(code, with_replaced(text, usual, all), form)) << all;
   }
   for (const std::string& wrong :
        {std::string(), checks.one("0"), checks.loop(0, 1), checks.loop(0, 3), usual + checks.one("1"),
         checks.loop(2, 0), with_replaced(usual, "<", "<="), with_replaced(usual, "1.0", "2.0"),
         with_replaced(usual, "qdd", "tau"), with_replaced(usual, "++k", "k += 2")}) {
-    EXPECT_THROW(prove(code, with_replaced(text, usual, wrong), form), Failure) << wrong;
+    EXPECT_THROW(prove_in(code, with_replaced(text, usual, wrong), form), Failure) << wrong;
   }
 }
 
 TEST_P(Mutants, ChecksOfEntriesMayFollowParts) {
   const std::string form = GetParam();
   const ChecksOfEntries checks(form, "finger");
-  const PrintedCode& code = code_of("finger");
-  const std::string text = printed(code, form, 30), usual = checks.loop(0, 3);
+  const PrintedCode& code = code_for("finger");
+  const std::string text = text_in(code, form, 30), usual = checks.loop(0, 3);
   ASSERT_NE(text.find(usual), std::string::npos) << usual;
-  EXPECT_THROW(prove(code, with_replaced(text, usual, checks.loop(0, 2)), form), Failure);
+  EXPECT_THROW(prove_in(code, with_replaced(text, usual, checks.loop(0, 2)), form), Failure);
 }
 
 INSTANTIATE_TEST_SUITE_P(InEveryForm, Mutants, ::testing::Values("c++", "pair", "javascript", "c", "float", "lanes"),
