@@ -76,8 +76,8 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   result.form = stamped(options, result);
   const std::string text = emit_and_read_back(result);
   check_narrowed_constants(options, result);
-  // Prove in exact arithmetic, against the Lagrangian, which is that of the robot as read; and the text, read back, must
-  // mean what was proven.
+  // Prove in exact arithmetic, against the Lagrangian, which is that of the robot as read; and the text, read back,
+  // must mean what was proven.
   progress.step("proving");
   const std::uint64_t seed = proof_seed({robot.input_hash, text});
   result.as_read = prove_robot(robot.robot, robot.mechanism);
