@@ -28,7 +28,6 @@ class CFile : public FileReader {
   std::string scalar_;                 // of variables
   std::string prefix_;                 // of names
   std::string prefix_of_definitions_;  // of functions that are defined here
-  bool has_sines_ = false;
 
  private:
   void source();
