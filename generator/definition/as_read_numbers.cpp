@@ -308,7 +308,7 @@ class NumberComparison {
             subject);
   }
 
-  // What moves with a body, or is fixed to one link: the sum of forms, and the scales of its rounding.
+  // The sum of the forms of what moves with a body, or is fixed to one link, and the scales of its rounding.
   struct Sum {
     Form form = {};
     Real mass = 0, inertia = 0;

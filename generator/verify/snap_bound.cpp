@@ -204,7 +204,7 @@ std::optional<double> limit_of(const std::optional<Value>& limit) {
   return std::abs(nearest_double(limit->number)) * kRoundingMargin;
 }
 
-std::optional<std::vector<MotionLimits>> limits_of(const Mechanism& mechanism) {
+std::optional<std::vector<MotionLimits>> motion_limits(const Mechanism& mechanism) {
   std::vector<MotionLimits> all;
   for (const Body& body : mechanism.joints()) {
     const auto speed = limit_of(body.limits.velocity), acceleration = limit_of(body.limits.acceleration);
@@ -227,7 +227,7 @@ double torque_difference_bound(const Robot50& a, const Robot50& b, const std::ve
 // The snaps of angles need the file to be read without any; those made after reading are undone one after the other.
 std::optional<double> snap_bound(const LoadedRobot& model, const ReadOptions& options) {
   if (model.mechanism.is_coupled() || !model.mechanism.symbols.empty()) return std::nullopt;
-  const std::optional<std::vector<MotionLimits>> limits = limits_of(model.mechanism);
+  const std::optional<std::vector<MotionLimits>> limits = motion_limits(model.mechanism);
   if (!limits) return std::nullopt;
   Robot undone = model.robot;
   bool has_angles = false;
