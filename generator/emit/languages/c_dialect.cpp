@@ -243,8 +243,7 @@ void CDialect::write_page(data& page, const CodeContent& content) const {
       known_answer_statements(content, {scalar(), global(""), global("parameters"), "&parameters", ""});
   page["known_answer?"] = !statements.empty();
   page["known_answer"] = without_newline(statements);
-  page["verdict"] =
-      statements.empty() ? "true" : fmt::format("hash == {}u", is_float ? kFloatAnswer : kDoubleAnswer);
+  page["verdict"] = statements.empty() ? "true" : fmt::format("hash == {}u", is_float ? kFloatAnswer : kDoubleAnswer);
   if (content.texts.empty()) return;
   const FunctionText& text = content.texts.front();
   const std::string type = content.scope.parameters.empty() ? "" : global("parameters");

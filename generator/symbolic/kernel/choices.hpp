@@ -22,8 +22,8 @@ struct Choices {
   std::vector<JointChoice> joints;  // one per joint
   Number length_unit = 1;           // m; rational
   unsigned order = 0;               // seed of the order in which the passes look for factors; 0: as derived
-  // Not choices: whether pivots of B are compared with their scales, and, if not, the share of these that they are proven
-  // to keep (Function::pivot_scales, proven_pivot_share).
+  // Not choices: whether pivots of B are compared with their scales, and, if not, the share of these that they are
+  // proven to keep (Function::pivot_scales, proven_pivot_share).
   bool guards_pivots = false;
   double proven_pivot_share = 0;
 };
