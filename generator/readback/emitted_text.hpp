@@ -15,7 +15,7 @@
 // named; Math.sin(q[2]) and Math.sign(sum) may be factors. There is no other statement, and each is refused where it is
 // not written: an entry of an output is written once, inputs are read before that, results are returned at the end.
 //
-// What is around the functions is read by read_file() (file_contents.hpp).
+// read_file() reads everything around the functions (file_contents.hpp).
 #pragma once
 
 #include <map>

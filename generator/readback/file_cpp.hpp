@@ -62,7 +62,6 @@ class CppFile : public FileReader {
   bool has_sign_ = false, has_sqrt_ = false, has_sines_ = false;
   std::vector<Known> known_;   // functions by themselves and members of stages, in the order of the text
   std::vector<Known> makers_;  // functions that make stages
-  bool has_sines_check_ = false;
 };
 
 }  // namespace flatdyn
