@@ -233,7 +233,7 @@ double ExcitationObjective::operator()(const double* x, double* gradient) const 
   const VectorXd inverse = lengths_.cwiseInverse();
   MatrixXd slope;
   double value = excitation_cost(with_known(y) * inverse.asDiagonal(), gradient != nullptr ? &slope : nullptr);
-  if (gradient != nullptr) slope = slope.topRows(y.rows()) * inverse.asDiagonal();
+  if (gradient != nullptr) slope = (slope.topRows(y.rows()) * inverse.asDiagonal()).eval();
   value += torque_penalty(y, gradient != nullptr ? &slope : nullptr);
   if (gradient != nullptr) {
     MatrixXd by[3];
