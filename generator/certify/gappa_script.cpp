@@ -126,7 +126,8 @@ constexpr const char* kRoundings =
     "# Errors of the operations of {}().\n"
     "# An operation is no larger than it says here before it is rounded (x5: the result of operation 5; k5: a "
     "constant;\n"
-    "# s, c: sines and cosines), as flatdyn has shown from norms. Gappa proves that its rounding error is then no larger than the "
+    "# s, c: sines and cosines), as flatdyn has shown from norms. Gappa proves that its rounding error is then no "
+    "larger than the "
     "bound.\n"
     "#   gappa {}\n"
     "# ends with code 0 if all of that is true.\n\n"
@@ -155,9 +156,8 @@ std::vector<GappaScript> rounding_scripts(const std::string& function, ErrorAnal
   const auto finish = [&] {
     if (goals.empty()) return;
     const std::string name = fmt::format("{}.roundings_{}.g", function, scripts.size() + 1);
-    scripts.push_back(
-        {name, fmt::format(fmt::runtime(kRoundings), function, name, format.gappa) +
-                   definitions(analysis.text(), constants) + formula(hypotheses, goals)});
+    scripts.push_back({name, fmt::format(fmt::runtime(kRoundings), function, name, format.gappa) +
+                                 definitions(analysis.text(), constants) + formula(hypotheses, goals)});
     hypotheses.clear();
     goals.clear();
     constants.clear();

@@ -241,8 +241,8 @@ std::vector<TextFile> files_to_write(const GenerationResult& result, const std::
 }
 
 // The tables that people read.
-std::string tables(const GenerationResult& result, const SnapEffects& effects,
-                   const GenerateArguments& arguments, const std::string& rounding) {
+std::string tables(const GenerationResult& result, const SnapEffects& effects, const GenerateArguments& arguments,
+                   const std::string& rounding) {
   const LoadedRobot& robot = result.robot;
   const SnapDetail detail = arguments.verbose ? SnapDetail::each : SnapDetail::one_line;
   std::string text = describe_model(robot, effects, detail) + "\n" +
