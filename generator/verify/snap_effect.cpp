@@ -14,20 +14,36 @@ namespace {
 
 constexpr unsigned kSeed = 1;
 constexpr int kStates = 5;
+constexpr double kLeastRegularity = 1e-3;  // closer to a singular loop, every change is large
 
 using Robot50 = reference::Robot<Real50>;
 using Vector50 = reference::VectorX<Real50>;
 
-// A robot in numbers, and its torques at the states.
+// A robot in numbers, and its torques at the states; none where its loops cannot be closed.
 struct Sample {
   Robot50 robot;
   std::vector<Vector50> torques;
 };
 
+// Random states at which the loops are closed and not singular.
+std::vector<State> closed_states(const LoadedRobot& model) {
+  std::vector<State> states = random_states(model.mechanism, kStates, kSeed);
+  if (!model.mechanism.has_loops()) return states;
+  const auto robot = reference_robot<double>(model.robot, random_symbol_values(model.robot, kSeed));
+  std::erase_if(states, [&robot](State& state) {
+    constexpr double kClosedWithin = 1e-12;
+    Eigen::VectorXd q = vector_of(state.q);
+    if (!reference::close_loops(robot, q, kClosedWithin)) return true;
+    state.q.assign(q.begin(), q.end());
+    return reference::loop_regularity(robot, q) < kLeastRegularity;
+  });
+  return states;
+}
+
 class SnapComparison {
  public:
   SnapComparison(const LoadedRobot& model, const ReadOptions& options)
-      : model_(model), options_(options), states_(random_states(model.mechanism, kStates, kSeed)) {
+      : model_(model), options_(options), states_(closed_states(model)) {
     if (!model.mechanism.is_coupled() && model.mechanism.symbols.empty()) limits_ = largest_motion(model.mechanism);
   }
 
@@ -64,8 +80,11 @@ class SnapComparison {
     Sample result{reference_robot<Real50>(robot, random_symbol_values(robot, kSeed)), {}};
     for (const State& state : states_) {
       const StateOf<Real50> wide = widened<Real50>(state);
+      Vector50 q = vector_of(wide.q);
+      const bool is_closed = result.robot.loops.empty() || reference::close_loops(result.robot, q, Real50("1e-40"));
       result.torques.push_back(
-          reference::inverse_dynamics(result.robot, vector_of(wide.q), vector_of(wide.qd), vector_of(wide.qdd)));
+          is_closed ? Vector50(reference::inverse_dynamics(result.robot, q, vector_of(wide.qd), vector_of(wide.qdd)))
+                    : Vector50());
     }
     return result;
   }
@@ -79,7 +98,7 @@ class SnapComparison {
   SnapEffect difference(const Sample& a, const Sample& b) const {
     SnapEffect effect;
     for (std::size_t s = 0; s < states_.size(); ++s) {
-      if (a.torques[s].size() != b.torques[s].size()) continue;  // a loop closes on another branch
+      if (a.torques[s].size() != b.torques[s].size()) continue;  // a loop closes in one of them only
       effect.seen = std::max(effect.seen, (a.torques[s] - b.torques[s]).cwiseAbs().maxCoeff().convert_to<double>());
     }
     effect.bound = bound(a, b);

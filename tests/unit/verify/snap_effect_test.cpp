@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "load/load_robot.hpp"
+#include "support/robot_models.hpp"
 #include "system/temporary_folder.hpp"
 
 namespace flatdyn {
@@ -74,6 +75,20 @@ TEST(SnapEffects, HaveNoBoundsWhereAFreeSymbolMayHaveAnyValue) {
   EXPECT_GT(effects.each[0].seen, 0);
   EXPECT_FALSE(effects.each[0].bound);
   EXPECT_FALSE(effects.bound);
+}
+
+// The line on which the slider moves is turned by 9e-6 rad, which is snapped.
+TEST(SnapEffects, AreThoseOfClosedLoops) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "crank.toml";
+  std::string text = testing::text_of_robot("slider_crank.toml");
+  const std::string axis = "axis = [1, 0, 0]\n";
+  text.insert(text.find(axis) + axis.size(), "rpy = [0, 0, 9e-6]\n");
+  std::ofstream(file) << text;
+  const SnapEffects effects = snap_effects(load_robot(file, {}), {});
+  ASSERT_EQ(effects.each.size(), 1u);
+  EXPECT_GT(effects.each[0].seen, 0);
+  EXPECT_LT(effects.each[0].seen, 1e-4);
 }
 
 TEST(SnapEffects, AreNoneWhereNothingIsSnapped) { EXPECT_TRUE(effects_of("0.5 0 0").each.empty()); }
