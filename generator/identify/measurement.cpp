@@ -98,7 +98,12 @@ std::vector<double> Measurement::rest_speeds() const {
 void set_shapes(Measurement& measurement) {
   double correlation = 1;
   for (const MeasuredLog& log : measurement.logs) {
-    measurement.observations.shapes.push_back(noise_shape(log.filter, log.derivatives));
+    NoiseShape shape = noise_shape(log.filter, log.derivatives);
+    for (const ChannelNoise& each : log.tau_noise) shape.measured_deviations.push_back(each.deviation);
+    if (log.derivatives == LogDerivatives::none) {
+      for (const ChannelNoise& each : log.q_noise) shape.acceleration_deviations.push_back(each.deviation);
+    }
+    measurement.observations.shapes.push_back(std::move(shape));
     correlation = std::max(correlation, measurement.observations.shapes.back().correlation());
   }
   measurement.observations.set_correlation(correlation);
@@ -137,6 +142,7 @@ Measurement measure(const EquationModel& equations, const Mechanism& mechanism,
   result.observations = folder.observations();
   instants.move_to(result.observations);
   set_shapes(result);
+  if (options.parts == 1) leave_out_short_motions(result.observations, result.count.used);
   return result;
 }
 
