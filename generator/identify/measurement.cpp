@@ -50,6 +50,15 @@ std::vector<PlannedLog> planned_logs(const EquationModel& equations, const Mecha
   return planned;
 }
 
+// By joint: the noise of its own position.
+std::vector<ChannelNoise> noise_by_joint(const StreamPlan& plan) {
+  const LogLayout& layout = plan.layout();
+  if (layout.positions == layout.joints) return plan.q_noise;
+  std::vector<ChannelNoise> result;
+  for (const int position : layout.position_of) result.push_back(plan.q_noise[static_cast<std::size_t>(position)]);
+  return result;
+}
+
 // Rows times the roots of their weights.
 class WeightedRows {
  public:
@@ -137,7 +146,7 @@ Measurement measure(const EquationModel& equations, const Mechanism& mechanism,
     if (diagnostics.has_errors()) return result;
     result.count.add(count);
     result.logs.push_back(
-        {std::move(log.identity), plan.filter, derivatives, plan.rest_speed, plan.q_noise, plan.tau_noise});
+        {std::move(log.identity), plan.filter, derivatives, plan.rest_speed, noise_by_joint(plan), plan.tau_noise});
   }
   result.observations = folder.observations();
   instants.move_to(result.observations);
