@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace flatdyn {
 namespace {
+
+constexpr double kFarFromNoise = 12;  // standard deviations
 
 // The value at `at` of the cubic through four values; `gap` is from the second to the third, the others are 1 apart,
 // and the second is at 0.
@@ -40,9 +43,14 @@ void SpikeRepair::restart() {
 }
 
 void SpikeRepair::sample(const RawSample& sample) {
-  held_.push_back({{sample.channels, sample.channels + channels_}, sample});
+  spare_.channels.assign(sample.channels, sample.channels + channels_);
+  spare_.sample = sample;
+  held_.push_back(std::move(spare_));
   if (static_cast<int>(held_.size()) < kHeld) return;
   for (std::size_t i = 0; i < found_.size(); ++i) {
+    // Nearly all readings go on as the two before them do.
+    const double change = reading(2, i) - 2 * reading(1, i) + reading(0, i);
+    if (!(std::abs(change) > kFarFromNoise / 2 * found_[i].noise)) continue;
     for (int wrong = 1; wrong <= kMost && !repair(i, wrong); ++wrong) {
     }
   }
@@ -57,6 +65,7 @@ void SpikeRepair::pass_on() {
   RawSample& oldest = held_.front().sample;
   oldest.channels = held_.front().channels.data();
   receiver_.sample(oldest);
+  spare_ = std::move(held_.front());
   held_.pop_front();
 }
 
@@ -67,14 +76,16 @@ double& SpikeRepair::reading(int at, std::size_t position) {
 // Spikes are far from the curve through the two neighbours on either side, which agree with each other: behind a jump
 // they do not.
 bool SpikeRepair::repair(std::size_t position, int wrong) {
-  constexpr double kSpike = 12, kMotion = 2;  // standard deviations of noise; changes of q from sample to sample
-  constexpr double kAgreeing = 0.25;          // share of a spike
+  constexpr double kMotion = 2;       // changes from sample to sample, of q and of these changes
+  constexpr double kAgreeing = 0.25;  // share of a spike
   Spikes& found = found_[position];
   const double neighbours[4] = {reading(0, position), reading(1, position), reading(wrong + 2, position),
                                 reading(wrong + 3, position)};
   const double gap = wrong + 1, slope = (neighbours[1] - neighbours[0] + neighbours[3] - neighbours[2]) / 2;
   const double disagreement = std::abs(neighbours[2] - neighbours[1] - gap * slope);
-  const double least = std::max(kSpike * found.noise + kMotion * std::abs(slope), disagreement / kAgreeing);
+  const double bend = (neighbours[3] - neighbours[2] - neighbours[1] + neighbours[0]) / gap;
+  const double least =
+      std::max(kFarFromNoise * found.noise + kMotion * (std::abs(slope) + std::abs(bend)), disagreement / kAgreeing);
   double curve[kMost] = {};
   for (int k = 0; k < wrong; ++k) {
     curve[k] = cubic(neighbours, gap, k + 1);

@@ -51,6 +51,7 @@ class SpikeRepair : public SampleReceiver {
   std::size_t channels_;
   std::vector<Spikes> found_;  // by position
   std::deque<Held> held_;
+  Held spare_;  // memory for the next one
 };
 
 }  // namespace flatdyn

@@ -61,6 +61,14 @@ TEST_F(SpikeRepairTest, LeavesASoundSignalAsItIs) {
   EXPECT_TRUE(found.all().empty());
 }
 
+// Positions without noise, 125 a second: the curve through neighbours is not exact where the joint turns around.
+TEST_F(SpikeRepairTest, LeavesAnExactSignalAsItIs) {
+  plan.q_noise = {{0, 1e-12}};
+  std::vector<double> q;
+  for (int k = 0; k < 1000; ++k) q.push_back(0.5 * std::sin(0.15 * k));
+  EXPECT_EQ(repaired(q), q);
+}
+
 TEST_F(SpikeRepairTest, InterpolatesUpToThreeReadings) {
   std::vector<double> q = swing();
   for (const auto& [at, size] :
