@@ -171,6 +171,7 @@ TEST_F(LackOfFit, ByReadingsThatAreLostIsNoticed) {
     for (std::size_t k = 1000; k < 11000; k += 1000) all[k].tau(2) += 30;
   };
   EXPECT_THAT(warnings_of(spikes), ::testing::Contains("tau3: 10 spikes, the first at 1 s"));
+  EXPECT_THAT(bench.warning_lines, ::testing::Contains(1002));
 }
 
 // A log of torques without noise: blocks that are frozen, and blocks of zeros.
