@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "diagnostics/progress.hpp"
 #include "identify/least_squares.hpp"
