@@ -137,8 +137,12 @@ void choose_filter(StreamPlan& plan, const StreamOptions& options, const LogSurv
   }
   const int half_window = plan.filter.half_window();
   if (half_window >= kBlock / 2) {
-    diagnostics.error(place, fmt::format("a band of {} Hz needs a window of {} samples", band, 2 * half_window + 1),
-                      "choose a wider --band, or thin out the log");
+    diagnostics.error(
+        place,
+        fmt::format("a band of {} Hz needs a window of {} samples that are {:.4g} s apart", band, 2 * half_window + 1,
+                    dt),
+        fmt::format("is the unit of the column \"{}\" right? Otherwise choose a wider --band, or thin out the log",
+                    plan.heading.channel_names().front()));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identify/gravity_search.hpp"
 #include "report/identification_report.hpp"
 
 namespace flatdyn {
@@ -241,6 +242,22 @@ std::vector<std::string> plausibility_warnings(const TorqueModel& model, const I
   // Links cannot be near parameters that are those of no robot.
   if (warning_texts.empty()) warn_of_links(model, found, warning_texts);
   warn_of_noise_in_q(model, found.estimate, warning_texts);
+  return warning_texts;
+}
+
+std::vector<std::string> search_warnings(const NonlinearUnknowns& unknowns) {
+  std::vector<std::string> warning_texts;
+  const auto untold = unknowns.gravity ? untold_directions(unknowns.gravity->told) : std::vector<Eigen::Vector3d>();
+  for (const Eigen::Vector3d& each : untold) {
+    warning_texts.push_back(fmt::format(
+        "nothing in the log tells gravity's component along [{:.3g}, {:.3g}, {:.3g}] in the base frame: it keeps the "
+        "robot file's value, {:.4g} m/s^2",
+        each.x(), each.y(), each.z(), each.dot(unknowns.gravity->gravity)));
+  }
+  if (unknowns.converged) return warning_texts;
+  warning_texts.emplace_back(
+      "the search for gravity's direction, the delay or the speeds of friction did not come to rest: the parameters "
+      "may be off by more than their intervals say");
   return warning_texts;
 }
 
