@@ -11,6 +11,7 @@
 #include "certify/gappa_script.hpp"
 #include "certify/model_constants.hpp"
 #include "diagnostics/diagnostics.hpp"
+#include "emit/literals.hpp"
 #include "functions/units.hpp"
 #include "readback/emitted_text.hpp"
 
@@ -85,7 +86,7 @@ class Certifier {
     return options;
   }
 
-  // Lists inputs, sines, cosines and signs.
+  // Lists inputs, sines, cosines, signs and constants.
   void find_leaves() {
     const InputLimits limit = input_limits(mechanism_, options_.scalar);
     for (int k = 0; k < analysis_.executed(); ++k) {
@@ -97,6 +98,8 @@ class Certifier {
         result_.leaves.push_back({k, name, name, {}});
       } else if (operation.step == Step::sign) {
         result_.leaves.push_back({k, name, "sign(" + name_in_scripts(analysis_, operation.a) + ")", {}});
+      } else if (operation.step == Step::constant) {
+        result_.leaves.push_back({k, name, decimal_literal(operation.value), {}});
       }
     }
   }

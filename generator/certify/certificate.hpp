@@ -44,7 +44,7 @@ struct CertifiedOutput {
 // An operation that reads arguments, as the scripts know it.
 struct CertifiedLeaf {
   int operation = 0;            // the number in the names of errors: r0
-  std::string name, meaning;    // "s_2", "qd_1"; for a sign "x7" and "sign(qd_1)"
+  std::string name, meaning;    // "s_2", "qd_1"; for a sign "x7" and "sign(qd_1)", for a constant "k7" and "0.333"
   std::optional<double> limit;  // the largest size of an input
 };
 

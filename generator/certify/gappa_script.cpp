@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <set>
 
 #include "emit/literals.hpp"
 #include "graph/text.hpp"
@@ -17,13 +18,13 @@ constexpr std::size_t kLongest = 250;
 
 std::string expression(ErrorAnalysis& analysis, int k);
 
-// An operand in Gappa's language. Exact operations are expanded: "-x5", "rnd(2.0) * qd_1".
+// An operand in Gappa's language. Constants have names; exact operations are expanded: "k3", "-x5", "k4 * qd_1".
 std::string operand(ErrorAnalysis& analysis, int k) {
   const StraightLine& lines = analysis.text();
   const Operation& operation = lines[k];
   switch (operation.step) {
     case Step::constant:
-      return fmt::format("rnd({})", decimal_literal(operation.value));
+      return fmt::format("k{}", k);
     case Step::input:
       return fmt::format("{}_{}", name_of(operation.input.kind), operation.input.index + 1);
     case Step::sine:
@@ -56,6 +57,26 @@ std::string expression(ErrorAnalysis& analysis, int k) {
     default:
       return operand(analysis, k);
   }
+}
+
+// Adds the constants of an expression: those of the operation's operands, and of exact operations among them.
+void add_constants(ErrorAnalysis& analysis, int k, std::set<int>& constants) {
+  const Operation& operation = analysis.text()[k];
+  for (const int a : {operation.a, operation.b}) {
+    if (a < 0) continue;
+    if (analysis.text()[a].step == Step::constant) {
+      constants.insert(a);
+    } else if (analysis.norms().own_error(a) == 0) {
+      add_constants(analysis, a, constants);
+    }
+  }
+}
+
+// The definitions of constants: "k3 = rnd(0.333);".
+std::string definitions(const StraightLine& lines, const std::set<int>& constants) {
+  std::string text;
+  for (const int k : constants) text += fmt::format("k{} = rnd({});\n", k, decimal_literal(lines[k].value));
+  return text.empty() ? "" : text + "\n";
 }
 
 // A number in Gappa's language; powers of two exactly: "1b-53".
@@ -103,9 +124,10 @@ std::string length_of_errors(const ErrorGroup& group) {
 
 constexpr const char* kRoundings =
     "# Errors of the operations of {}().\n"
-    "# An operation is no larger than it says here before it is rounded (x5: the result of operation 5; s, c: sines "
-    "and\n"
-    "# cosines), as flatdyn has shown from norms. Gappa proves that its rounding error is then no larger than the "
+    "# An operation is no larger than it says here before it is rounded (x5: the result of operation 5; k5: a "
+    "constant;\n"
+    "# s, c: sines and cosines), as flatdyn has shown from norms. Gappa proves that its rounding error is then no "
+    "larger than the "
     "bound.\n"
     "#   gappa {}\n"
     "# ends with code 0 if all of that is true.\n\n"
@@ -130,18 +152,21 @@ std::vector<GappaScript> rounding_scripts(const std::string& function, ErrorAnal
                                           const RoundingFormat& format) {
   std::vector<GappaScript> scripts;
   std::vector<Line> hypotheses, goals;
+  std::set<int> constants;
   const auto finish = [&] {
     if (goals.empty()) return;
     const std::string name = fmt::format("{}.roundings_{}.g", function, scripts.size() + 1);
-    scripts.push_back(
-        {name, fmt::format(fmt::runtime(kRoundings), function, name, format.gappa) + formula(hypotheses, goals)});
+    scripts.push_back({name, fmt::format(fmt::runtime(kRoundings), function, name, format.gappa) +
+                                 definitions(analysis.text(), constants) + formula(hypotheses, goals)});
     hypotheses.clear();
     goals.clear();
+    constants.clear();
   };
   for (int k = 0; k < analysis.executed(); ++k) {
     const double before = analysis.norms().largest_before_rounding(k);
     if (!(before > 0)) continue;
     const std::string exact = expression(analysis, k);
+    add_constants(analysis, k, constants);
     const std::string result = operand(analysis, k);
     hypotheses.push_back({within(exact, bound_text(before)), result});
     goals.push_back({within(fmt::format("rnd({0}) - ({0})", exact), number(analysis.norms().own_error(k))), ""});

@@ -13,7 +13,6 @@
 #include "report/json_text.hpp"
 #include "report/scene_report.hpp"
 #include "verify/proof.hpp"
-#include "verify/snap_bound.hpp"
 #include "verify/snap_effect.hpp"
 
 namespace flatdyn {
@@ -110,7 +109,7 @@ ExitCode run_certify(const CertifyArguments& arguments) {
   print_diagnostics(model.diagnostics, arguments);
   const Certified result = certified(arguments, model, options);
   const CertifiedHeader about{result.header, content_hash({result.text}), model.robot.snaps,
-                              snap_effects(model, options.read), snap_bound(model, options.read)};
+                              snap_effects(model, options.read)};
   if (is_refuted(result.certificate)) {
     if (!arguments.json) print_result(describe_certificate(result.certificate, arguments.enough / 100));
     throw Failure(ExitCode::verification_failed, "a bound is wrong: Gappa refuses it, or a larger error was seen",

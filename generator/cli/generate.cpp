@@ -185,7 +185,7 @@ std::string rounding_of_constants(const GenerationResult& result, const Generati
   return written == "double" && options.is_for_float() ? "double, and float rounds these once more" : written;
 }
 
-nlohmann::ordered_json manifest_of(const GenerationResult& result, const std::vector<double>& effects) {
+nlohmann::ordered_json manifest_of(const GenerationResult& result, const SnapEffects& effects) {
   const LoadedRobot& robot = result.robot;
   const std::vector<GeneratedFile>& files = result.files;
   nlohmann::ordered_json manifest = {
@@ -241,8 +241,8 @@ std::vector<TextFile> files_to_write(const GenerationResult& result, const std::
 }
 
 // The tables that people read.
-std::string tables(const GenerationResult& result, const std::vector<double>& effects,
-                   const GenerateArguments& arguments, const std::string& rounding) {
+std::string tables(const GenerationResult& result, const SnapEffects& effects, const GenerateArguments& arguments,
+                   const std::string& rounding) {
   const LoadedRobot& robot = result.robot;
   const SnapDetail detail = arguments.verbose ? SnapDetail::each : SnapDetail::one_line;
   std::string text = describe_model(robot, effects, detail) + "\n" +
@@ -264,7 +264,7 @@ ExitCode generate(GenerateArguments arguments) {
   GenerationResult result = generated(arguments, options);
   const LoadedRobot& robot = result.robot;
   if (!arguments.quiet) note_rounded_angles(robot, options, result.functions, result.findings);
-  const std::vector<double> effects = snap_effects(robot, options.read);
+  const SnapEffects effects = snap_effects(robot, options.read);
   const std::string manifest = json_text(manifest_of(result, effects));
   const std::string done = arguments.delivery.deliver(files_to_write(result, manifest, arguments), robot.robot.files);
   print_diagnostics(robot.diagnostics, arguments);

@@ -8,7 +8,6 @@
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "diagnostics/version.hpp"
-#include "identify/friction_search.hpp"
 #include "identify/huber.hpp"
 #include "identify/instrumental_variables.hpp"
 #include "identify/part_file.hpp"
@@ -85,6 +84,13 @@ void check_identify_usage(const IdentifyArguments& arguments) {
     throw Failure(ExitCode::usage, "--estimator iv and --robust exclude each other");
   }
   check_other_logs(arguments.logs, arguments.validation, "--validate");
+  if (arguments.further.law == FrictionLaw::asymmetric && arguments.further.offsets) {
+    throw Failure(
+        ExitCode::usage,
+        "--friction asymmetric and --offsets cannot be told apart: while a joint moves, friction that is larger "
+        "in one direction adds the same constant to its torques as an offset does",
+        "give one of them");
+  }
   if (arguments.parameters == "inertial" && arguments.friction != "coulomb") {
     throw Failure(ExitCode::usage, "--friction has no effect with --parameters inertial, which has no friction",
                   "give --parameters full");
@@ -119,8 +125,30 @@ void check_files(const IdentifyArguments& arguments, const Robot& robot) {
                 inputs);
 }
 
-// Checks that some samples can be used, and that gaps in time, each of which costs a window of the filter, do not
-// remove most of them.
+// Why no sample can be used.
+Failure no_samples(const Measurement& measurement, int window, int decimate) {
+  const StreamCount& count = measurement.count;
+  const std::string none = fmt::format("none of {} samples can be used: ", count.lines),
+                    of_filter = fmt::format("the filter's window has {} of them", window);
+  const bool are_far_apart = std::any_of(measurement.logs.begin(), measurement.logs.end(),
+                                         [](const MeasuredLog& log) { return log.filter.dt >= kFarApart; });
+  if (are_far_apart) {
+    return Failure(ExitCode::input, none + of_filter,
+                   "poses that are held need columns qd1, ... and qdd1, ... of zeros: then each line counts as it is");
+  }
+  if (count.gaps > 0) {
+    return Failure(ExitCode::input, fmt::format("{}{}, and there are {} gaps in time", none, of_filter, count.gaps),
+                   "log without gaps, or give a wider --band");
+  }
+  if (count.lines > window && decimate > 1) {
+    return Failure(ExitCode::input, fmt::format("{}--decimate {} leaves none of them", none, decimate),
+                   fmt::format("give --decimate a number far below {}", count.lines - window));
+  }
+  return Failure(ExitCode::input, none + of_filter, "log longer runs, or give a wider --band");
+}
+
+// Checks that some samples can be used, that some joint moves, and that gaps in time, each of which costs a window of
+// the filter, do not remove most samples.
 void check_samples(const Measurement& measurement, const std::string& log, Diagnostics& found) {
   const StreamCount& count = measurement.count;
   int window = 0, decimate = 1;
@@ -128,12 +156,15 @@ void check_samples(const Measurement& measurement, const std::string& log, Diagn
     window = std::max(window, 2 * filter.half_window() + 1);
     decimate = std::max(decimate, filter.decimate);
   }
-  if (count.used == 0) {
+  if (count.used == 0) throw no_samples(measurement, window, decimate);
+  const std::vector<JointObservations>& joints = measurement.observations.joints;
+  if (std::all_of(joints.begin(), joints.end(), [](const JointObservations& joint) { return joint.rows == 0; })) {
     throw Failure(
         ExitCode::input,
-        fmt::format("none of {} samples can be used: the filter's window has {} of them{}", count.lines, window,
-                    count.gaps > 0 ? fmt::format(", and there are {} gaps in time", count.gaps) : ""),
-        count.gaps > 0 ? "log without gaps, or give a wider --band" : "log longer runs, or give a wider --band");
+        "no joint moves in the log: at rest a joint's friction may be anything up to F_s, so that its torques "
+        "tell nothing",
+        "log a motion (flatdyn excite finds one); or log many poses, one line for each, with columns qd1, ... "
+        "and qdd1, ... of zeros, which tell the parameters of gravity");
   }
   if (count.gaps == 0 || 2 * count.used * decimate > count.lines) return;
   found.warning({log, 0},
@@ -148,7 +179,7 @@ class Logs {
   Logs(const IdentifyArguments& arguments, StreamOptions options, Progress& progress)
       : arguments_(arguments), options_(std::move(options)), progress_(progress) {}
 
-  const StreamOptions& options() const { return options_; }
+  void set_delay(double delay) { options_.delay = delay; }
 
   Measurement measured(const TorqueEquations& equations, const RowWeight& weight = nullptr,
                        const LogSink& also = nullptr) {
@@ -165,23 +196,6 @@ class Logs {
     if (is_whole) check_samples(measurement, arguments_.source(), found);
     if (!reported_) arguments_.report(found);
     reported_ = true;
-    return measurement;
-  }
-
-  // Measures with torques taken later, until what is left of the delay is a small part of a sample.
-  Measurement with_delay(const TorqueEquations& equations, Measurement measurement) {
-    constexpr int kMostRounds = 5;
-    constexpr double kSmall = 1e-5;  // s
-    if (measurement.logs.front().filter.band == 0) {
-      throw Failure(ExitCode::usage, "--delay needs the filter: the log has all derivatives, and is used as it is",
-                    "give --band HZ");
-    }
-    for (int round = 0; round < kMostRounds; ++round) {
-      const double more = remaining_delay(equations, measurement);
-      if (std::abs(more) < kSmall) break;
-      options_.delay += more;
-      measurement = measured(equations);
-    }
     return measurement;
   }
 
@@ -275,26 +289,31 @@ std::vector<TextFile> result_files(const IdentifyArguments& arguments, const Loa
   return files;
 }
 
-// Finds gravity's direction with the robot as it is, and loads the robot again with that direction.
-LoadedRobot with_gravity(IdentifyArguments& arguments, const LoadedRobot& robot, Logs& logs, Progress& progress) {
-  const TorqueModel model(robot, arguments.identification.set, progress);
-  const TorqueEquations equations(model, arguments.further);
-  const Measurement measurement = logs.measured(equations);
-  progress.step("finding gravity's direction");
-  const Eigen::Vector3d gravity = best_gravity(robot, equations, measurement);
-  arguments.gravity = fmt::format("{:.6g},{:.6g},{:.6g}", gravity.x(), gravity.y(), gravity.z());
-  return load_robot(arguments.robot, arguments.options());
-}
-
-// Finds the speeds of a friction law from the logs.
-std::vector<double> speeds_of_friction(const TorqueModel& model, const FurtherParameters& further, Logs& logs,
-                                       Progress& progress) {
-  const TorqueEquations linear(model);
-  FurtherParameters with_dictionary{further.law, {}, false, friction_dictionary(linear, logs.measured(linear))};
-  const TorqueEquations equations(model, std::move(with_dictionary));
-  const Measurement measurement = logs.measured(equations);
-  progress.step("finding the speeds of the friction law");
-  return friction_speeds(equations, measurement);
+// Finds unknowns in which the torques are not linear, or loads the model if there are none.
+NonlinearFit fit_of_unknowns(IdentifyArguments& arguments, LoadedRobot robot, Logs& logs, Progress& progress) {
+  const NonlinearOptions options{arguments.gravity_direction, arguments.delay, arguments.further.law,
+                                 arguments.further.offsets};
+  if (!options.any()) {
+    auto model = std::make_unique<TorqueModel>(robot, arguments.identification.set, progress);
+    return {std::move(robot), std::move(model), arguments.further};
+  }
+  const auto measured = [&](const TorqueEquations& equations, double delay) {
+    logs.set_delay(delay);
+    return logs.measured(equations);
+  };
+  const auto robot_with = [&](const Eigen::Vector3d& gravity) {
+    arguments.gravity = fmt::format("{:.9g},{:.9g},{:.9g}", gravity.x(), gravity.y(), gravity.z());
+    return load_robot(arguments.robot, arguments.options());
+  };
+  NonlinearFit fit =
+      nonlinear_fit(std::move(robot), arguments.identification.set, options, {measured, robot_with}, progress);
+  if (arguments.estimator == "iv") {
+    // The instrument has no columns of corrections.
+    fit.further.speed_factors.clear();
+    fit.further.gravity = nullptr;
+    fit.further.delay = false;
+  }
+  return fit;
 }
 
 ExitCode identify(IdentifyArguments arguments) {
@@ -312,11 +331,9 @@ ExitCode identify(IdentifyArguments arguments) {
   if (!arguments.output.empty()) arguments.settings(robot);
   Progress progress(arguments.quiet);
   Logs logs(arguments, stream, progress);
-  if (arguments.gravity_direction) robot = with_gravity(arguments, robot, logs, progress);
-  const TorqueModel model(robot, arguments.identification.set, progress);
-  if (has_speed(arguments.further.law))
-    arguments.further.speeds = speeds_of_friction(model, arguments.further, logs, progress);
-  const TorqueEquations equations(model, arguments.further);
+  const NonlinearFit fit = fit_of_unknowns(arguments, std::move(robot), logs, progress);
+  const TorqueModel& model = *fit.model;
+  const TorqueEquations equations(model, fit.further);
   Measurement measurement = logs.measured(equations);
   if (!arguments.part.empty()) {
     write_files({{arguments.output, part_text(measurement, equations, stream)}});
@@ -325,18 +342,20 @@ ExitCode identify(IdentifyArguments arguments) {
                measurement.count.used);
     return ExitCode::ok;
   }
-  if (arguments.delay) measurement = logs.with_delay(equations, std::move(measurement));
   if (arguments.robust) measurement = logs.with_robust_weights(equations, std::move(measurement));
   if (arguments.estimator == "iv") {
     arguments.identification.other_estimate = logs.with_instruments(equations, measurement);
   }
-  Identification found = identification(robot, equations, std::move(measurement), arguments.identification, progress);
-  found.delay = logs.options().delay;
+  Identification found =
+      identification(fit.robot, equations, std::move(measurement), arguments.identification, progress);
+  found.unknowns = fit.unknowns;
+  set_deviations(found.unknowns, equations, found.estimate);
   if (!arguments.validation.empty()) validate(found, equations, logs.validation(equations));
   found.warning_texts = plausibility_warnings(model, found);
+  for (std::string& each : search_warnings(found.unknowns)) found.warning_texts.push_back(std::move(each));
   arguments.warn_of(found.warning_texts, arguments.source());
   const ParameterFrames frames = parameter_frames(arguments.frames);
-  write_and_print(result_files(arguments, robot, equations, found, logs),
+  write_and_print(result_files(arguments, fit.robot, equations, found, logs),
                   {describe_identification(equations, found, frames), identification_json(equations, found, frames)},
                   arguments);
   return ExitCode::ok;
@@ -399,7 +418,7 @@ Run add_identify(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--robust", arguments->robust, "Huber's weights: outliers count less; reads the logs again");
   command->add_flag("--gravity-direction", arguments->gravity_direction,
-                    "also the direction of gravity, which is then written into the robot file; reads the logs twice");
+                    "also the direction of gravity, which is then written into the robot file; reads the logs again");
   command->add_flag("--sequential", arguments->identification.sequential,
                     "also the textbook's joint-by-joint procedure");
   return [arguments] { return identify(*arguments); };

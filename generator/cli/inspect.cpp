@@ -26,7 +26,7 @@ ExitCode inspect(const InspectArguments& arguments) {
   print_diagnostics(findings, arguments);
   const ParameterSet set = parameter_set(arguments.parameters);
   const ParameterFrames frames = parameter_frames(arguments.frames);
-  const std::vector<double> effects = snap_effects(model, options.read);
+  const SnapEffects effects = snap_effects(model, options.read);
   if (arguments.json) {
     nlohmann::ordered_json json = model_json(model, effects);
     json.update(links_json(model));

@@ -89,11 +89,18 @@ PaceLimits limits_of(const ScaleArguments& arguments, const LoadedRobot& model) 
   throw BadInput(ExitCode::input, found);
 }
 
-// The fewest intervals of 1 / rate that take the duration, or longer.
+// The fewest intervals of 1 / rate that take the duration, or longer. A rate at which the motion is over before the
+// second sample is refused.
 int intervals_of(double duration, double rate) {
+  constexpr double kFewest = 10;  // intervals in which a motion can be told
   const double wanted = duration * rate, nearest = std::round(wanted);
   const bool is_whole = std::abs(wanted - nearest) <= kWholeNumber * wanted;
-  const double intervals = std::max(1.0, is_whole ? nearest : std::ceil(wanted));
+  if (wanted < 1 && !is_whole) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("--rate {} has no sample within the motion, which takes {:.6g} s", rate, duration),
+                  fmt::format("give --rate {:.3g} or more", std::ceil(kFewest / duration)));
+  }
+  const double intervals = is_whole ? nearest : std::ceil(wanted);
   if (intervals < kMostSamples) return static_cast<int>(intervals);
   throw Failure(ExitCode::usage, fmt::format("--rate {} makes {:.0f} samples of {:.6g} s; at most {} are written", rate,
                                              intervals + 1, duration, kMostSamples));

@@ -48,7 +48,7 @@ class NumberComparison {
         arithmetic_(drawn_reals(seed)),
         numbers_(robot, arithmetic_),
         map_(mechanism.symbols, arithmetic_),
-        found_(mechanism_over(without_loops(mechanism), arithmetic_)),
+        found_(mechanism_over(mechanism, arithmetic_)),
         moving_(moving_joints(robot)) {}
 
   Differences run() {
@@ -63,12 +63,6 @@ class NumberComparison {
   }
 
  private:
-  static Mechanism without_loops(Mechanism mechanism) {
-    mechanism.loops.clear();
-    mechanism.independent.clear();
-    return mechanism;
-  }
-
   void require(bool holds, const std::string& subject) { differences_.require(holds, subject); }
 
   const Joint& written(std::size_t body) const { return robot_.joints[static_cast<std::size_t>(moving_[body])]; }
@@ -308,7 +302,7 @@ class NumberComparison {
             subject);
   }
 
-  // The sum of the forms of what moves with a body, or is fixed to one link, and the scales of its rounding.
+  // The sum of the forms of all that moves with a body, or is fixed to one link, and the scales of its rounding.
   struct Sum {
     Form form = {};
     Real mass = 0, inertia = 0;

@@ -30,7 +30,8 @@ class Differences {
 // Values of inputs, free symbols among them: numbers between a half and one and a half.
 RealArithmetic<Digits100> drawn_reals(std::uint64_t seed);
 
-// The numbers of the mechanism that are not those of the robot. The seed decides the values of free symbols.
+// The numbers of the mechanism that are not those of the robot. `mechanism`: without loops. The seed decides
+// the values of free symbols.
 Differences compare_numbers(const Robot& robot, const Mechanism& mechanism, std::uint64_t seed);
 
 }  // namespace flatdyn

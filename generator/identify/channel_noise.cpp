@@ -8,6 +8,7 @@
 namespace flatdyn {
 
 void ChannelNoiseMeter::add(double value) {
+  constexpr int kSamplesPerBlock = 32;
   constexpr double kRounding = 1e-12;  // share of the value that text and doubles may change
   double difference = value;
   const int known = held_;
@@ -16,15 +17,45 @@ void ChannelNoiseMeter::add(double value) {
     const double next = difference - last_[at];
     last_[at] = difference;
     if (order > 0) {
-      squares_[at] += difference * difference;
-      ++counts_[at];
+      block_.squares[at] += difference * difference;
+      ++block_.counts[at];
     }
     difference = next;
   }
+  if (++block_.samples == kSamplesPerBlock) end_block();
   held_ = std::min(known + 1, kOrders + 1);
   if (known == 0) return;
   const double change = std::abs(last_[1]);
   if (change > kRounding * std::max(1.0, std::abs(value)) && (step_ == 0 || change < step_)) step_ = change;
+}
+
+void ChannelNoiseMeter::end_block() {
+  if (block_.counts[kOrders] > 0) blocks_.push_back(block_);
+  block_ = {};
+}
+
+double ChannelNoiseMeter::Block::mean_square(int order) const {
+  const auto at = static_cast<std::size_t>(order);
+  return counts[at] > 0 ? squares[at] / static_cast<double>(counts[at]) : 0;
+}
+
+double ChannelNoiseMeter::mean_square(int order) const {
+  constexpr double kMost = 0.9, kFar = 25;  // share of the blocks; times the mean square of most
+  std::vector<double> sizes;
+  for (const Block& each : blocks_) {
+    if (each.mean_square(order) > 0) sizes.push_back(each.mean_square(order));
+  }
+  if (sizes.empty()) return block_.mean_square(order);
+  const auto place = sizes.begin() + static_cast<std::ptrdiff_t>(kMost * static_cast<double>(sizes.size()));
+  std::nth_element(sizes.begin(), place, sizes.end());
+  const double largest = kFar * *place;
+  Block all;
+  for (const Block& each : blocks_) {
+    if (each.mean_square(order) > largest) continue;
+    all.squares[static_cast<std::size_t>(order)] += each.squares[static_cast<std::size_t>(order)];
+    all.counts[static_cast<std::size_t>(order)] += each.counts[static_cast<std::size_t>(order)];
+  }
+  return all.mean_square(order);
 }
 
 ChannelNoise ChannelNoiseMeter::noise() const {
@@ -32,10 +63,9 @@ ChannelNoise ChannelNoiseMeter::noise() const {
   double growth = 1;  // (2m over m)
   bool is_first = true;
   for (int order = 1; order <= kOrders; ++order) {
-    const auto at = static_cast<std::size_t>(order);
     growth *= 2.0 * (2.0 * order - 1) / order;
-    if (order < kLowest || counts_[at] == 0) continue;
-    const double deviation = std::sqrt(squares_[at] / static_cast<double>(counts_[at]) / growth);
+    if (order < kLowest || (blocks_.empty() && block_.counts[static_cast<std::size_t>(order)] == 0)) continue;
+    const double deviation = std::sqrt(mean_square(order) / growth);
     result.deviation = is_first ? deviation : std::min(result.deviation, deviation);
     is_first = false;
   }

@@ -16,21 +16,37 @@ struct ChannelNoise {
 };
 
 // Differences of order m let a slow signal vanish, and white noise grows by √(2m over m) in them. The order that leaves
-// least is the one that holds least of the signal.
+// least is the one that holds least of the signal. Blocks of 32 samples that have far more of it than most, such as one
+// with a wrong reading, do not count, nor do those in which nothing changes unless all are so.
 class ChannelNoiseMeter {
  public:
   void add(double value);
   // Tells that the next sample does not follow the last one.
-  void restart() { held_ = 0; }
+  void restart() {
+    held_ = 0;
+    end_block();
+  }
   ChannelNoise noise() const;
 
  private:
   static constexpr int kOrders = 6, kLowest = 3;
 
+  // Squares of the differences of each order in some samples.
+  struct Block {
+    std::array<double, kOrders + 1> squares{};
+    std::array<long, kOrders + 1> counts{};
+    int samples = 0;
+    double mean_square(int order) const;
+  };
+
+  void end_block();
+  // The mean square of the differences of an order in the blocks that count.
+  double mean_square(int order) const;
+
   std::array<double, kOrders + 1> last_{};  // the last difference of each order; order 0 is the value
-  std::array<double, kOrders + 1> squares_{};
-  std::array<long, kOrders + 1> counts_{};
-  int held_ = 0;  // differences known, 0 … kOrders + 1
+  Block block_;
+  std::vector<Block> blocks_;  // whole ones
+  int held_ = 0;               // differences known, 0 … kOrders + 1
   double step_ = 0;
 };
 

@@ -11,6 +11,19 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace {
+
+// Marks parameters as not determined of which directions leave much of the plausible size open.
+void mark_open(Solution& solution, const MatrixXd& directions, double plausible) {
+  constexpr double kMuch = 0.1;  // share of the plausible size
+  const VectorXd left = directions.rowwise().norm();
+  for (Index k = 0; k < left.size(); ++k) {
+    if (left(k) > kMuch * plausible) solution.determined[static_cast<std::size_t>(k)] = false;
+  }
+}
+
+}  // namespace
+
 Solution damped_solution(const MatrixXd& factor, const VectorXd& prior, double damping) {
   constexpr double kRounding = 1e-6;
   const Index b = prior.size();
@@ -46,7 +59,6 @@ Solution damped_solution(const MatrixXd& factor, const VectorXd& prior, double d
 // Works along the principal directions of the covariance. A hidden direction keeps the variance that the prior leaves.
 void damp_hidden_directions(Solution& solution, double plausible) {
   constexpr double kClearly = 5;  // standard deviations
-  constexpr double kMuch = 0.1;   // share of the plausible size
   if (solution.coordinates.size() == 0) return;
   const SingularValues svd = singular_values_of_tall(solution.spread);
   const VectorXd coordinates = svd.V.transpose() * solution.coordinates;
@@ -66,10 +78,16 @@ void damp_hidden_directions(Solution& solution, double plausible) {
   if (hidden.empty()) return;
   solution.root_information = (svd.V.transpose() * solution.root_information)(known, Eigen::all).eval();
   solution.spread = directions;
-  const VectorXd left = directions(Eigen::all, hidden).rowwise().norm();
-  for (Index k = 0; k < left.size(); ++k) {
-    if (left(k) > kMuch * plausible) solution.determined[static_cast<std::size_t>(k)] = false;
-  }
+  mark_open(solution, directions(Eigen::all, hidden), plausible);
+}
+
+void leave_open(Solution& solution, double plausible) {
+  if (solution.open.cols() == 0) return;
+  const MatrixXd directions = solution.open.colwise().normalized();
+  MatrixXd spread(solution.spread.rows(), solution.spread.cols() + directions.cols());
+  spread << solution.spread, plausible * directions;
+  solution.spread = std::move(spread);
+  mark_open(solution, directions, 1);
 }
 
 }  // namespace flatdyn

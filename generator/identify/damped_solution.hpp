@@ -20,6 +20,17 @@ struct HiddenDirection {
   Eigen::VectorXd components;  // b numbers
 };
 
+// A combination of parameters and how much of what the data say of it is noise of positions.
+struct NoisyDirection {
+  static constexpr double kMost = 0.5;
+
+  double share = 0;            // of the information: 0 … 1, or more where that noise counts as larger than it is
+  Eigen::VectorXd components;  // b numbers, as long as the standard deviation that white noise of the torques makes
+
+  // Whether too little is left that is sure.
+  bool is_open() const { return share > kMost; }
+};
+
 // The solution of weighted equations, whose noise has standard deviation 1.
 struct Solution {
   Eigen::VectorXd values;
@@ -31,6 +42,8 @@ struct Solution {
   Eigen::VectorXd singular_values;   // columns scaled to unit norm, descending
   std::vector<DampedDirection> damped;
   std::vector<HiddenDirection> hidden;
+  std::vector<NoisyDirection> noisy;  // all directions of the information, by ascending share
+  Eigen::MatrixXd open;               // directions of which the data are mostly noise of positions: one column each
 };
 
 // factor: the upper triangular factor of [A b], (b + 1)². Where a relative singular value of the column-scaled A is
@@ -43,5 +56,9 @@ Solution damped_solution(const Eigen::MatrixXd& factor, const Eigen::VectorXd& p
 // solution becomes that of a prior with standard deviation `plausible`. A parameter that keeps more than a tenth of
 // `plausible` as uncertainty there counts as not determined.
 void damp_hidden_directions(Solution& solution, double plausible);
+
+// Directions that are left open are at the prior, whose standard deviation is `plausible` along them. A parameter of
+// which more than a tenth of that is uncertain counts as not determined.
+void leave_open(Solution& solution, double plausible);
 
 }  // namespace flatdyn

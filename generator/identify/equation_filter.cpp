@@ -15,11 +15,15 @@ VectorXd as_weights(const std::vector<double>& weights) {
   return Eigen::Map<const VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
 }
 
-// The weights of the narrow filter at samples that are dt apart; of order 1, for the rate. Without a filter there is no
-// rate.
-VectorXd narrow_weights(double band, double dt, int order = 0) {
-  if (band == 0) return VectorXd::Constant(1, order == 0 ? 1 : 0);
-  return as_weights(zero_phase_kernel(band, dt).weights[order]);
+// The weights of the narrow filter at samples that are dt apart.
+VectorXd narrow_weights(double band, double dt) {
+  return band == 0 ? VectorXd::Ones(1) : as_weights(zero_phase_kernel(band, dt).weights[0]);
+}
+
+// The weights of the rate of what is measured; without a filter there is no rate.
+VectorXd rate_weights(const StreamPlan& plan) {
+  const auto& [dt, band, decimate] = plan.filter;
+  return band == 0 ? VectorXd::Zero(1) : as_weights(rate_weights_ahead(band, dt, plan.delay));
 }
 
 int half_of(const VectorXd& weights) { return static_cast<int>(weights.size()) / 2; }
@@ -47,7 +51,7 @@ EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& mode
       sample_weights_(narrow_weights(plan.filter.band, plan.filter.dt)),
       measured_weights_(plan.delay == 0 ? sample_weights_
                                         : as_weights(weights_ahead(plan.filter.band, plan.filter.dt, plan.delay))),
-      rate_weights_(narrow_weights(plan.filter.band, plan.filter.dt, 1)),
+      rate_weights_(rate_weights(plan)),
       row_kernel_half_(half_of(row_weights_)),
       sample_kernel_half_(half_of(sample_weights_)),
       motion_filter_(plan),
@@ -204,6 +208,9 @@ void EquationFilter::pass_on(long index) {
   motion_.noalias() = rows_.block(rows_back, rows, motion_at(), layout_.positions + 2 * n_).transpose() * row_weights_;
   rates_.noalias() =
       samples_window_.block(samples_back, samples, measured_at(), model_.equations()).transpose() * rate_weights_;
+  for (std::size_t i = 0; i < model_.rate_entries().size(); ++i) {
+    entries_[model_.rate_entries()[i]] = -rates_[static_cast<Eigen::Index>(i)];
+  }
   FilteredEquations equations;
   const auto middle = samples_window_.sample(row_half_ * stride_);
   equations.motion = {middle[time_at()], motion_.data(), motion_.data() + layout_.positions,

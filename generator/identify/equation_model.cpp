@@ -9,15 +9,19 @@ double FrictionEntry::value(double rate) const {
   const double sign = static_cast<double>((rate > 0) - (rate < 0)), part = rate / speed;
   switch (law) {
     case Law::viscous:
-      return rate;
+      return factor * rate;
     case Law::coulomb:
-      return sign;
+      return factor * sign;
     case Law::asymmetry:
-      return std::abs(sign);
+      return factor * std::abs(sign);
     case Law::stribeck:
-      return std::exp(-part * part) * sign;
+      return factor * std::exp(-part * part) * sign;
     case Law::smooth:
-      return std::tanh(part);
+      return factor * std::tanh(part);
+    case Law::stribeck_slope:
+      return factor * 2 * part * part / speed * std::exp(-part * part) * sign;
+    case Law::smooth_slope:
+      return -factor * part / speed / std::pow(std::cosh(part), 2);
   }
   return 0;
 }

@@ -20,17 +20,20 @@ struct MeasuredMotion {
 // An entry of Y that is a function of a joint's speed.
 struct FrictionEntry {
   enum class Law : std::uint8_t {
-    viscous,    // q̇, times F_v
-    coulomb,    // sgn q̇, times F_s
-    asymmetry,  // |sgn q̇|, times half the difference of Coulomb friction in the two directions
-    stribeck,   // exp(-(q̇/v)²) sgn q̇, times what friction near rest has more than F_s
-    smooth      // tanh(q̇/v), times F_s
+    viscous,         // q̇, times F_v
+    coulomb,         // sgn q̇, times F_s
+    asymmetry,       // |sgn q̇|, times half the difference of Coulomb friction in the two directions
+    stribeck,        // exp(-(q̇/v)²) sgn q̇, times what friction near rest has more than F_s
+    smooth,          // tanh(q̇/v), times F_s
+    stribeck_slope,  // the derivative of stribeck by v
+    smooth_slope     // the derivative of smooth by v
   };
 
   int entry = 0;  // index among the entries of Y
   int joint = 0;
   Law law = Law::viscous;
-  double speed = 1;  // v, rad/s or m/s
+  double speed = 1;   // v, rad/s or m/s
+  double factor = 1;  // of the whole entry
 
   double value(double rate) const;
 };
@@ -54,6 +57,9 @@ class EquationModel {
   const std::vector<std::vector<int>>& columns() const { return columns_; }
   // Friction that `evaluate` leaves to the caller: equation i has that of joint i alone.
   const std::vector<FrictionEntry>& friction() const { return friction_; }
+  // The entry of each equation that is -d/dt of what is measured, which `evaluate` leaves to the caller; empty if there
+  // are none.
+  const std::vector<int>& rate_entries() const { return rate_entries_; }
   // Whether equation i has friction of joint i, which may be anything up to F_s while the joint rests.
   bool has_friction(int equation) const { return has_friction_[static_cast<std::size_t>(equation)]; }
   int parameters() const { return parameters_; }
@@ -64,7 +70,7 @@ class EquationModel {
     return static_cast<int>(count);
   }
 
-  // Writes the entries of Y, without friction(), and what is known of each equation.
+  // Writes the entries of Y, without friction() and rate_entries(), and what is known of each equation.
   virtual void evaluate(const MeasuredMotion& motion, double* entries, double* known) const = 0;
   // The instrument of these equations; null if they have none.
   virtual std::unique_ptr<Instrument> instrument() const { return nullptr; }
@@ -76,6 +82,7 @@ class EquationModel {
  protected:
   std::vector<std::vector<int>> columns_;
   std::vector<FrictionEntry> friction_;
+  std::vector<int> rate_entries_;
   std::vector<bool> has_friction_;
   int parameters_ = 0;
 };

@@ -41,22 +41,36 @@ class HypothesisSearch {
   }
 
   std::optional<FitHypothesis> best(const LoadedRobot& robot) {
+    const bool is_open = !model_.mechanism().has_loops();
     torques();
     delay();
-    if (!model_.mechanism().has_loops()) {
-      positions();
-      gravity(robot);
-      offsets();
-    }
+    if (is_open) missing_terms();
+    if (is_open) positions();
+    if (is_open) joints();
+    if (is_open) gravity(robot);
+    if (is_open) offsets();
+    if (is_open) gravity_left_out(robot);
+    return best_;
+  }
+
+  // Whether the torques look as if gravity were not in them.
+  std::optional<FitHypothesis> without_gravity(const LoadedRobot& robot) {
+    if (!model_.mechanism().has_loops()) gravity_left_out(robot);
     return best_;
   }
 
  private:
-  // Remembers the hypothesis if it explains more than those before it, which are as simple or simpler.
+  // Remembers the hypothesis if it explains more than those before it, which are as simple or simpler: clearly more, or
+  // most of what the best one leaves.
   void consider(double cost, const std::function<std::string()>& text) {
-    constexpr double kHalf = 0.5, kMore = 0.02, kChance = 60;
+    constexpr double kHalf = 0.5, kMore = 0.02, kMuch = 1.5;
     const double explained = (before_ - cost) / std::max(before_ - noise_, 1e-300);
-    if (explained < kHalf || before_ - cost < kChance || (best_ && explained < best_->explained + kMore)) return;
+    if (explained < kHalf || before_ - cost < kChance) return;
+    if (best_ && explained < best_->explained + kMore) {
+      const double left = least_ - noise_, gain = least_ - cost;
+      if (least_ < kMuch * noise_ || gain < kChance || gain < kHalf * left) return;
+    }
+    least_ = cost;
     best_ = FitHypothesis{text(), std::min(explained, 1.0)};
   }
 
@@ -121,6 +135,73 @@ class HypothesisSearch {
     }
   }
 
+  void joints() {
+    const auto n = static_cast<int>(names_.size());
+    for (int i = 0; i < n; ++i) {
+      for (int k = i + 1; k < n; ++k) {
+        consider(rows_.cost_with_exchanged_joints(i, k), [&] {
+          return fmt::format("{} and {} look exchanged: the positions and the torques of both", names_[at(i)],
+                             names_[at(k)]);
+        });
+      }
+    }
+  }
+
+  // By joint: whether the model has a parameter.
+  bool has(int joint, Parameter parameter) const {
+    const std::vector<int>& columns = model_.base().columns;
+    return std::find(columns.begin(), columns.end(), index_of(joint, parameter)) != columns.end();
+  }
+
+  // The sign of a joint's speed as the filter smears it, from the speed at the middle of its window and the
+  // acceleration.
+  static double smeared_sign(const RowSample::Instant& instant, int joint) {
+    constexpr double kHalfWidth = 0.025;  // s, at a band of 10 Hz
+    return std::tanh(instant.qd[joint] / std::max(std::abs(instant.qdd[joint]) * kHalfWidth, 1e-9));
+  }
+
+  // Friction and rotors that the model lacks, or friction that is larger near rest.
+  void missing_terms() {
+    const auto n = static_cast<int>(names_.size());
+    if (model_.mechanism().is_coupled()) return;
+    const auto lacks = [&](int i) { return !has(i, Parameter::Fs) || !has(i, Parameter::Fv); };
+    std::vector<int> without, with;
+    for (int i = 0; i < n; ++i) (lacks(i) ? without : with).push_back(i);
+    if (!without.empty()) {
+      const double cost = rows_.cost_with_more([&](const RowSample::Instant& instant) {
+        MatrixXd columns = MatrixXd::Zero(n, 3 * static_cast<Index>(without.size()));
+        Index column = 0;
+        for (const int i : without) {
+          columns(i, column++) = instant.qd[i];
+          columns(i, column++) = smeared_sign(instant, i);
+          columns(i, column++) = instant.qdd[i];
+        }
+        return columns;
+      });
+      consider(cost, [] { return "friction, perhaps rotors, look left out (--parameters full estimates them)"; });
+    }
+    if (!with.empty()) friction_near_rest(with);
+  }
+
+  void friction_near_rest(const std::vector<int>& joints) {
+    constexpr double kSlowest = 0.01, kFactor = 2;  // of each joint's largest speed; factor
+    VectorXd fastest = VectorXd::Zero(static_cast<Index>(names_.size()));
+    for (const RowSample::Instant& instant : rows_.instants()) fastest = fastest.cwiseMax(instant.qd.cwiseAbs());
+    double least = before_;
+    for (double share = kSlowest; share < 1; share *= kFactor) {
+      least = std::min(least, rows_.cost_with_more([&](const RowSample::Instant& instant) {
+        MatrixXd columns = MatrixXd::Zero(fastest.size(), static_cast<Index>(joints.size()));
+        for (std::size_t k = 0; k < joints.size(); ++k) {
+          const int i = joints[k];
+          const double part = instant.qd[i] / std::max(share * fastest[i], 1e-9);
+          columns(i, static_cast<Index>(k)) = std::exp(-part * part) * smeared_sign(instant, i);
+        }
+        return columns;
+      }));
+    }
+    consider(least, [] { return "friction looks larger near rest (--friction stribeck estimates by how much)"; });
+  }
+
   void offsets() {
     for (int i = 0; i < static_cast<int>(names_.size()); ++i) {
       if (!model_.mechanism().joints()[at(i)].prismatic) offset(i);
@@ -152,12 +233,27 @@ class HypothesisSearch {
     });
   }
 
+  // Clearly less cost without gravity than with it: chance does not do that.
+  void gravity_left_out(const LoadedRobot& robot) {
+    const Vec3& g = model_.mechanism().gravity;
+    if (std::all_of(g.begin(), g.end(), vanishes)) return;
+    const double cost = cost_without_gravity(model_, robot, rows_);
+    const bool is_clear = before_ - cost > std::max(kChance, (before_ - noise_) / 2);
+    if (!is_clear || (best_ && least_ - cost < kChance)) return;
+    least_ = cost;
+    best_ =
+        FitHypothesis{"gravity looks left out of the torques, as if it were compensated (--gravity off fits better)",
+                      std::min(1.0, (before_ - cost) / std::max(before_ - noise_, 1e-300))};
+  }
+
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+  static constexpr double kChance = 60;  // of the cost
 
   const TorqueModel& model_;
   RowSample rows_;
   std::vector<std::string> names_;
-  double before_ = 0, noise_ = 0;
+  double before_ = 0, noise_ = 0, least_ = 0;
   std::optional<FitHypothesis> best_;
 };
 
@@ -165,7 +261,10 @@ class HypothesisSearch {
 
 std::optional<FitHypothesis> best_hypothesis(const TorqueModel& model, const LoadedRobot& robot,
                                              const Measurement& measurement, const std::vector<JointFit>& fits) {
-  return HypothesisSearch(model, measurement, fits).best(robot);
+  HypothesisSearch search(model, measurement, fits);
+  const bool is_suspicious =
+      std::any_of(fits.begin(), fits.end(), [](const JointFit& fit) { return fit.is_suspicious(); });
+  return is_suspicious ? search.best(robot) : search.without_gravity(robot);
 }
 
 }  // namespace flatdyn

@@ -43,8 +43,13 @@ Interpolation interpolation(double place, Index size) {
   return result;
 }
 
-// The weighted rows of all instants, folded: |R (x, -1)|² is the sum of the squares of their residuals.
-MatrixXd folded_rows(const Observations& observations, const std::vector<JointFit>& fits) {
+// The weighted rows of all instants, folded: |R (x, -1)|² is the sum of the squares of their residuals. The columns of
+// dictionaries, `first` up to `end`, come behind all others.
+MatrixXd folded_rows(const Observations& observations, const std::vector<JointFit>& fits, int first, int end) {
+  const int behind = observations.parameters - end;
+  const auto place_of = [=](int column) {
+    return column < first ? column : column < end ? column + behind : column - (end - first);
+  };
   TriangularFactor factor(observations.parameters);
   for (const EquationInstant& instant : observations.instants) {
     const double* entries = instant.entries.data();
@@ -53,7 +58,7 @@ MatrixXd folded_rows(const Observations& observations, const std::vector<JointFi
       if (instant.used[i] != 0 && fits[i].expected > 0) {
         auto row = factor.next_row();
         row.setZero();
-        for (std::size_t k = 0; k < columns.size(); ++k) row[columns[k]] = entries[k] / fits[i].expected;
+        for (std::size_t k = 0; k < columns.size(); ++k) row[place_of(columns[k])] = entries[k] / fits[i].expected;
         row[observations.parameters] = instant.right[i] / fits[i].expected;
       }
       entries += columns.size();
@@ -115,9 +120,9 @@ class FrictionCost : public ceres::CostFunction {
   Index linear_;
 };
 
-std::vector<Dictionary> dictionaries_of(const TorqueEquations& equations) {
+// first: the column of the first dictionary.
+std::vector<Dictionary> dictionaries_of(const TorqueEquations& equations, Index first) {
   std::vector<Dictionary> result;
-  Index first = equations.model().parameters();
   for (int j = 0; j < equations.equations(); ++j) {
     const auto more =
         static_cast<Index>(std::count_if(equations.columns()[static_cast<std::size_t>(j)].begin(),
@@ -172,15 +177,19 @@ std::vector<std::vector<double>> friction_dictionary(const TorqueEquations& equa
 }
 
 std::vector<double> friction_speeds(const TorqueEquations& equations, const Measurement& measurement) {
-  const std::vector<Dictionary> dictionaries = dictionaries_of(equations);
+  const int parameters = equations.model().parameters(),
+            offsets = equations.further().offsets ? equations.equations() : 0;
+  const Index linear = parameters + offsets;
+  const std::vector<Dictionary> dictionaries = dictionaries_of(equations, linear);
   std::vector<double> speeds(static_cast<std::size_t>(equations.equations()), 1);
   if (dictionaries.empty()) return speeds;
   const VectorXd values = estimate_of(equations, measurement, {}).values;
-  MatrixXd R = folded_rows(measurement.observations, fit_quality(measurement.observations, measurement.logs, values,
-                                                                 equations.acceleration_rows()));
-  const Index linear = equations.model().parameters();
+  MatrixXd R =
+      folded_rows(measurement.observations,
+                  fit_quality(measurement.observations, measurement.logs, values, equations.acceleration_rows()),
+                  parameters, equations.parameters() - offsets);
   if (equations.further().law == FrictionLaw::smooth) {
-    for (Index k = 0; k < linear; ++k) {
+    for (Index k = 0; k < parameters; ++k) {
       const int index = equations.model().base().columns[static_cast<std::size_t>(k)];
       if (parameter_of(index) == Parameter::Fs) R.col(k).setZero();
     }

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 
-#include "identify/gravity_search.hpp"
-#include "identify/row_sample.hpp"
-
 namespace flatdyn {
 namespace {
 
@@ -19,10 +16,18 @@ Estimate without_offsets(const Estimate& estimate, int parameters) {
   return result;
 }
 
-RowSample row_sample(const TorqueEquations& equations, const Measurement& measurement) {
-  const Estimate found = estimate_of(equations, measurement, {});
-  return {equations.model(), measurement,
-          fit_quality(measurement.observations, measurement.logs, found.values, equations.acceleration_rows())};
+// The same rows without the columns of the last parameters, which count as 0.
+Observations with_first(const Observations& observations, int parameters) {
+  Observations result = observations;
+  result.parameters = parameters;
+  for (JointObservations& joint : result.joints) {
+    const auto kept = std::lower_bound(joint.columns.begin(), joint.columns.end(), parameters) - joint.columns.begin();
+    const Eigen::VectorXd b = joint.b();
+    joint.columns.resize(static_cast<std::size_t>(kept));
+    joint.R.conservativeResize(Eigen::NoChange, kept + 1);
+    joint.R.col(kept) = b;
+  }
+  return result;
 }
 
 }  // namespace
@@ -47,7 +52,10 @@ Identification identification(const LoadedRobot& robot, const TorqueEquations& e
   found.estimate =
       options.other_estimate ? *options.other_estimate : estimate_of(equations, found.measurement, options.estimate);
   if (options.sequential) {
-    found.joint_by_joint = estimate_joint_by_joint(found.measurement.observations, equations.file_values());
+    // The tip's own row tells too little of what is common to all joints.
+    const int parameters = equations.parameters() - equations.corrections();
+    found.joint_by_joint = estimate_joint_by_joint(with_first(found.measurement.observations, parameters),
+                                                   equations.file_values().head(parameters));
   }
   progress.step("finding links that a body can have");
   // Friction and rotors that the estimate leaves out are left out of the robot that it is applied to, too.
@@ -56,11 +64,8 @@ Identification identification(const LoadedRobot& robot, const TorqueEquations& e
                                        without_offsets(found.estimate, model.parameters()));
   found.fits = fit_quality(found.measurement.observations, found.measurement.logs, found.estimate.values,
                            equations.acceleration_rows());
-  const auto is_suspicious = [](const JointFit& fit) { return fit.is_suspicious(); };
-  if (std::any_of(found.fits.begin(), found.fits.end(), is_suspicious)) {
-    progress.step("looking for a reason why the model does not fit");
-    found.hypothesis = best_hypothesis(model, robot, found.measurement, found.fits);
-  }
+  progress.step("looking for a reason why the model may not fit");
+  found.hypothesis = best_hypothesis(model, robot, found.measurement, found.fits);
   return found;
 }
 
@@ -68,17 +73,6 @@ void validate(Identification& found, const TorqueEquations& equations, Measureme
   found.validation_fits =
       fit_quality(validation.observations, validation.logs, found.estimate.values, equations.acceleration_rows());
   found.validation = std::move(validation);
-}
-
-double remaining_delay(const TorqueEquations& equations, const Measurement& measurement) {
-  double delay = 0;
-  row_sample(equations, measurement).cost_with_delay(delay);
-  return delay;
-}
-
-Eigen::Vector3d best_gravity(const LoadedRobot& robot, const TorqueEquations& equations,
-                             const Measurement& measurement) {
-  return gravity_direction(equations.model(), robot, row_sample(equations, measurement)).gravity;
 }
 
 }  // namespace flatdyn

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "identify/fit_hypotheses.hpp"
+#include "identify/nonlinear_search.hpp"
 #include "identify/physical_parameters.hpp"
 #include "identify/torque_equations.hpp"
 
@@ -27,7 +28,7 @@ struct Identification {
   std::optional<FitHypothesis> hypothesis;   // a reason for a model that does not fit
   std::optional<Measurement> validation{};   // of other logs, which had no part in the estimate
   std::vector<JointFit> validation_fits{};   // by joint
-  double delay = 0;                          // by which torques were taken to be late, s
+  NonlinearUnknowns unknowns{};              // those that were searched
   std::vector<std::string> warning_texts{};  // sentences on results that are hardly right
 
   // The physical parameters' π_b, with the offsets behind it.
@@ -42,11 +43,5 @@ Identification identification(const LoadedRobot& robot, const TorqueEquations& e
 
 // Judges the parameters by other logs.
 void validate(Identification& found, const TorqueEquations& equations, Measurement validation);
-
-// By how much torques are late beyond what the measurement takes account of, s: from a sample of its rows.
-double remaining_delay(const TorqueEquations& equations, const Measurement& measurement);
-// The direction of gravity that fits best, from a sample of rows: g_0 in the base frame, m/s².
-Eigen::Vector3d best_gravity(const LoadedRobot& robot, const TorqueEquations& equations,
-                             const Measurement& measurement);
 
 }  // namespace flatdyn

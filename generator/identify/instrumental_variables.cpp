@@ -40,8 +40,9 @@ Estimate InstrumentSums::estimate(const Observations& observations, const Estima
   const Index b = least_squares.values.size();
   const MatrixXd spread = least_squares.root_information.completeOrthogonalDecomposition().pseudoInverse();
   MatrixXd A = MatrixXd::Zero(b, b);
-  VectorXd h = VectorXd::Zero(b), weights(static_cast<Index>(products_.size()));
+  VectorXd h = VectorXd::Zero(b), weights = VectorXd::Zero(static_cast<Index>(products_.size()));
   for (std::size_t i = 0; i < products_.size(); ++i) {
+    if (observations.joints[i].rows == 0) continue;
     const std::vector<int>& columns = equations_.columns()[i];
     const double weight = std::pow(least_squares.torque_deviations(static_cast<Index>(i)), -2);
     weights(static_cast<Index>(i)) = weight;

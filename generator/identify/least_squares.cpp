@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <limits>
 
 #include "diagnostics/diagnostics.hpp"
 #include "identify/damped_solution.hpp"
+#include "identify/noise_account.hpp"
 #include "identify/singular_values.hpp"
 #include "identify/triangular_factor.hpp"
 
@@ -50,36 +50,24 @@ VectorXd shares_of_freedom(const Observations& observations, const Solution& sol
   return result;
 }
 
-// Gives the solution the covariance that the noise left in the equations makes, instead of that of white noise, and
-// takes off the bias that noise of positions makes.
+// Takes account of the noise that is left in the equations.
 void set_noise(Solution& solution, const Observations& observations, const VectorXd& deviations,
                const AccelerationRows& rows) {
-  constexpr double kLeast = 1e-4;  // share of the variance of white noise
-  if (observations.instants.empty() || solution.coordinates.size() == 0) return;
   VectorXd weights = deviations.cwiseAbs2().cwiseInverse();
   for (Index i = 0; i < weights.size(); ++i) {
     weights(i) /= observations.joints[static_cast<std::size_t>(i)].correlation;
   }
-  const VectorXd freedom = shares_of_freedom(observations, solution, deviations);
-  const ResidualNoise noise = residual_noise(observations, solution.values, freedom, rows);
-  const MatrixXd scores = score_covariance(observations, solution.values, weights, noise, rows);
-  const VectorXd bias = solution.spread.transpose() * score_bias(observations, solution.values, weights, noise, rows);
-  solution.values += solution.spread * bias;
-  solution.coordinates += bias;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(solution.spread.transpose() * scores * solution.spread);
-  const VectorXd root = eigen.eigenvalues().cwiseMax(kLeast).cwiseSqrt();
-  const MatrixXd turned = root.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
-  solution.spread *= eigen.eigenvectors() * root.asDiagonal();
-  solution.coordinates = turned * solution.coordinates;
-  solution.root_information = turned * solution.root_information;
+  take_account_of_noise(solution, observations, weights, shares_of_freedom(observations, solution, deviations), rows);
 }
 
-// σ_i from the residual of joint i and its remaining degrees of freedom. A residual below a small share of the largest
-// torque is rounding, not noise; without torques, the same number of N m or N is used.
+// σ_i from the residual of joint i and its remaining degrees of freedom, and from the noise above the band. A residual
+// below a small share of the largest torque is rounding, not noise; without torques, the same number of N m or N is
+// used.
 VectorXd residual_deviations(const Observations& observations, const Solution& solution, const VectorXd& deviations) {
   constexpr double kRounding = 1e-13;
   const VectorXd freedom = shares_of_freedom(observations, solution, deviations);
   const auto n = static_cast<Index>(observations.joints.size());
+  const VectorXd known = known_squares(observations);
   VectorXd result(n);
   double largest_torque = 0;
   for (const JointObservations& joint : observations.joints) {
@@ -87,7 +75,10 @@ VectorXd residual_deviations(const Observations& observations, const Solution& s
   }
   for (Index i = 0; i < n; ++i) {
     const JointObservations& joint = observations.joints[static_cast<std::size_t>(i)];
-    result(i) = joint.rms_residual(solution.values) / std::sqrt(freedom(i));
+    const double rows = static_cast<double>(joint.rows), free = rows * freedom(i);
+    const double extra = known(i) > 0 ? kRowsOfKnownNoise : 0;
+    const double squares = rows * std::pow(joint.rms_residual(solution.values), 2) + extra * known(i);
+    result(i) = std::sqrt(squares / std::max(free + extra, 1.0));
     result(i) = std::max({result(i), kRounding * largest_torque, kRounding});
   }
   return result;
@@ -135,6 +126,7 @@ Estimate estimate(const Observations& observations, const VectorXd& prior, const
   set_noise(solution, observations, deviations, options.acceleration_rows);
   const double plausible = prior.cwiseAbs().maxCoeff();
   if (plausible > 0) damp_hidden_directions(solution, plausible);
+  leave_open(solution, plausible);
   result.values = solution.values;
   result.standard_deviations = solution.spread.rowwise().norm();
   result.covariance = solution.spread * solution.spread.transpose();
@@ -145,6 +137,7 @@ Estimate estimate(const Observations& observations, const VectorXd& prior, const
   result.singular_values = solution.singular_values;
   result.damped = std::move(solution.damped);
   result.hidden = std::move(solution.hidden);
+  result.noisy = std::move(solution.noisy);
   result.torque_deviations = deviations;
   result.root_information = std::move(solution.root_information);
   return result;

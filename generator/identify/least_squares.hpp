@@ -21,6 +21,7 @@ struct Estimate {
   Eigen::VectorXd singular_values;
   std::vector<DampedDirection> damped;
   std::vector<HiddenDirection> hidden;
+  std::vector<NoisyDirection> noisy;
   Eigen::VectorXd torque_deviations;  // σ_i of the torque of joint i, from the residuals; the weights are 1/σ_i
   // r × b: |root_information (π_b - values)| is the distance from the estimate in standard deviations. Damped and
   // hidden directions have no row: a deviation along them costs nothing.
@@ -33,12 +34,14 @@ struct Estimate {
 };
 
 // Weights start equal and are reset from each joint's residual until they change by less than 1e-9, 50 times at most.
-// σ_i takes account of the degrees of freedom that the fit takes from joint i (its leverage). Where rank is short,
-// damped least squares approaches the solution nearest to `prior`. Where noise hides a direction, judged by the sizes
-// of `prior`, the solution stays near `prior`, too. Standard deviations follow from the noise that is left, with its
-// correlation across time and joints (residual_noise.hpp), where the observations have instants; else it counts as
-// white but for JointObservations::correlation. Throws Failure(input) unless there are more equations than unknowns,
-// since nothing is left to estimate the noise from.
+// σ_i takes account of the degrees of freedom that the fit takes from joint i (its leverage), and of the noise above
+// the band, which counts as kRowsOfKnownNoise rows: few rows that are fitted exactly are not free of noise. Noise of
+// positions is taken account of (noise_account.hpp). Where rank is short, damped least squares approaches the solution
+// nearest to `prior`. Where noise hides a direction, judged by the sizes of `prior`, the solution stays near `prior`,
+// too. Standard deviations follow from the noise that is left, with its correlation across time and joints
+// (residual_noise.hpp), where the observations have instants; else it counts as white but for
+// JointObservations::correlation. Throws Failure(input) unless there are more equations than unknowns, since nothing is
+// left to estimate the noise from.
 Estimate estimate(const Observations& observations, const Eigen::VectorXd& prior, const EstimateOptions& options = {});
 
 // The information on the first `count` parameters, whatever the others are: count².

@@ -94,10 +94,9 @@ bool LogReader::next(double* channels) {
       last_time_ = time;
       return true;
     }
-    report_error(time < last_time_
-                     ? fmt::format("time does not grow: {} s after {} s", time, last_time_)
-                     : fmt::format("time does not grow: {} s twice, to the 16 digits that are kept", time),
-                 "sort the log by time, and give each run a file of its own");
+    report_error(time < last_time_ ? fmt::format("time does not grow: {} s after {} s", time, last_time_)
+                                   : fmt::format("time does not grow: {} s is there twice", time),
+                 "sort the log by time, leave out what is there twice, and give each run a file of its own");
     last_time_ = time;
   }
   return false;

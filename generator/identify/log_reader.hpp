@@ -23,7 +23,8 @@ class LogReader {
 
   const LogHeading& heading() const { return heading_; }
   const LogLayout& layout() const { return heading_.layout; }
-  Place place() const { return {path_, lines_.number()}; }
+  Place place() const { return {path_, line()}; }
+  int line() const { return lines_.number(); }  // of the file, counted from 1
 
   // Reads the next sample into `channels`: layout().channels() numbers, SI. Returns false at the end and after the 20th
   // error: missing or extra entries, entries that are not numbers, a joint's name that changes, time that does not

@@ -2,6 +2,8 @@
 #include "identify/log_survey.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "identify/log_reader.hpp"
 
@@ -17,7 +19,8 @@ class Surveyor {
         dt_(dt),
         sample_(static_cast<std::size_t>(layout.channels())),
         all_(sample_.size()),
-        runs_(sample_.size()) {
+        runs_(sample_.size()),
+        bends_(static_cast<std::size_t>(layout.positions)) {
     result_.moves = !layout.has_rates;
   }
 
@@ -27,9 +30,13 @@ class Surveyor {
     for (ChannelNoiseMeter& meter : all_) meter.restart();
     double last = 0;
     int count = 0;
+    bool has_gap = false;
     for (; count < kSamplesPerRun && reader.next(sample_.data()); ++count) {
       const bool is_gap = count > 0 && sample_[0] - last > 1.5 * dt_;
+      has_gap |= is_gap;
       last = sample_[0];
+      if (is_first_) first_time_ = last;
+      is_first_ = false;
       for (std::size_t c = 0; c < sample_.size(); ++c) {
         if (is_gap) all_[c].restart();
         all_[c].add(sample_[c]);
@@ -41,6 +48,10 @@ class Surveyor {
       }
     }
     const bool is_whole = count == kSamplesPerRun;
+    result_.duration = std::max(result_.duration, last - first_time_);
+    for (std::size_t i = 0; i < bends_.size() && !has_gap; ++i) {
+      bends_[i].add(run[static_cast<std::size_t>(LogLayout::q()) + i], lag());
+    }
     if (!is_whole && !runs_.front().empty()) return is_whole;
     for (std::size_t c = 0; c < run.size(); ++c) runs_[c].push_back(typical_noise(std::move(run[c])));
     return is_whole;
@@ -55,15 +66,51 @@ class Surveyor {
       result_.typical.push_back(*middle);
       result_.all.push_back(all_[c].noise());
     }
+    for (std::size_t i = 0; i < bends_.size(); ++i) {
+      const double noise = result_.all[static_cast<std::size_t>(LogLayout::q()) + i].deviation;
+      result_.ranges.push_back(std::max(0.0, bends_[i].largest - bends_[i].least));
+      result_.acceleration_squares.push_back(bends_[i].acceleration_square(noise, lag() * dt_));
+    }
     return result_;
   }
 
  private:
+  // How a position changes: second differences of samples that are a lag apart.
+  struct Bends {
+    double least = std::numeric_limits<double>::infinity(), largest = -least;
+    double squares = 0;
+    long count = 0;
+
+    void add(const std::vector<double>& run, int lag) {
+      for (const double value : run) {
+        least = std::min(least, value);
+        largest = std::max(largest, value);
+      }
+      const auto step = static_cast<std::size_t>(lag);
+      for (std::size_t k = 2 * step; k < run.size(); ++k) {
+        squares += std::pow(run[k] - 2 * run[k - step] + run[k - 2 * step], 2);
+        ++count;
+      }
+    }
+    double acceleration_square(double noise, double time) const {
+      if (count == 0) return 0;
+      return std::max(0.0, squares / static_cast<double>(count) - 6 * noise * noise) / std::pow(time, 4);
+    }
+  };
+
+  int lag() const {
+    constexpr double kTime = 0.1;  // s
+    return std::clamp(static_cast<int>(std::lround(kTime / dt_)), 1, (kSamplesPerRun - 1) / 2);
+  }
+
   const LogLayout& layout_;
   double dt_;
   std::vector<double> sample_;
   std::vector<ChannelNoiseMeter> all_;
   std::vector<std::vector<ChannelNoise>> runs_;
+  std::vector<Bends> bends_;  // by position
+  bool is_first_ = true;
+  double first_time_ = 0;
   LogSurvey result_;
 };
 

@@ -15,6 +15,10 @@ struct LogSurvey {
   // By channel. `typical`: half of the runs have no more, by typical_noise(). `all` is that of all runs together.
   std::vector<ChannelNoise> all, typical;
   bool moves = false;  // whether any rate is not zero; true for logs without rates
+  // How positions change, by position: the distance from the least to the largest, and the mean square of the
+  // acceleration over 0.1 s (as much as a run has) without what noise makes of it, 0 at least; rad or m, and seconds.
+  std::vector<double> ranges, acceleration_squares;
+  double duration = 0;  // from the first to the last sample looked at, s
 };
 
 // dt: the usual time between samples, s. Samples that cannot be read are left out.

@@ -50,6 +50,15 @@ std::vector<PlannedLog> planned_logs(const EquationModel& equations, const Mecha
   return planned;
 }
 
+// By joint: the noise of its own position.
+std::vector<ChannelNoise> noise_by_joint(const StreamPlan& plan) {
+  const LogLayout& layout = plan.layout();
+  if (layout.positions == layout.joints) return plan.q_noise;
+  std::vector<ChannelNoise> result;
+  for (const int position : layout.position_of) result.push_back(plan.q_noise[static_cast<std::size_t>(position)]);
+  return result;
+}
+
 // Rows times the roots of their weights.
 class WeightedRows {
  public:
@@ -98,7 +107,12 @@ std::vector<double> Measurement::rest_speeds() const {
 void set_shapes(Measurement& measurement) {
   double correlation = 1;
   for (const MeasuredLog& log : measurement.logs) {
-    measurement.observations.shapes.push_back(noise_shape(log.filter, log.derivatives));
+    NoiseShape shape = noise_shape(log.filter, log.derivatives);
+    for (const ChannelNoise& each : log.tau_noise) shape.measured_deviations.push_back(each.deviation);
+    if (log.derivatives == LogDerivatives::none) {
+      for (const ChannelNoise& each : log.q_noise) shape.acceleration_deviations.push_back(each.deviation);
+    }
+    measurement.observations.shapes.push_back(std::move(shape));
     correlation = std::max(correlation, measurement.observations.shapes.back().correlation());
   }
   measurement.observations.set_correlation(correlation);
@@ -132,11 +146,12 @@ Measurement measure(const EquationModel& equations, const Mechanism& mechanism,
     if (diagnostics.has_errors()) return result;
     result.count.add(count);
     result.logs.push_back(
-        {std::move(log.identity), plan.filter, derivatives, plan.rest_speed, plan.q_noise, plan.tau_noise});
+        {std::move(log.identity), plan.filter, derivatives, plan.rest_speed, noise_by_joint(plan), plan.tau_noise});
   }
   result.observations = folder.observations();
   instants.move_to(result.observations);
   set_shapes(result);
+  if (options.parts == 1) leave_out_short_motions(result.observations, result.count.used);
   return result;
 }
 

@@ -28,7 +28,7 @@ struct MeasuredLog {
   SampleFilter filter;
   LogDerivatives derivatives = LogDerivatives::none;
   std::vector<double> rest_speed;                // by joint, StreamPlan::rest_speed
-  std::vector<ChannelNoise> q_noise, tau_noise;  // by position, by joint
+  std::vector<ChannelNoise> q_noise, tau_noise;  // by joint
 
   auto operator<=>(const MeasuredLog&) const = default;
 };

@@ -8,11 +8,35 @@
 #include "identify/position_check.hpp"
 #include "identify/rate_check.hpp"
 #include "identify/signal_check.hpp"
+#include "identify/spike_repair.hpp"
 
 namespace flatdyn {
 namespace {
 
 constexpr int kMostMissing = 3;
+
+// Checks the rates of samples on their way.
+class RateChecked : public SampleReceiver {
+ public:
+  RateChecked(std::string file, RateCheck& rates, SampleReceiver& receiver, Diagnostics& diagnostics)
+      : file_(std::move(file)), rates_(rates), receiver_(receiver), diagnostics_(diagnostics) {}
+  void restart() override { receiver_.restart(); }
+  void sample(const RawSample& sample) override {
+    rates_.add(
+        sample.channels,
+        [&] {
+          return Place{file_, sample.file_line};
+        },
+        diagnostics_);
+    receiver_.sample(sample);
+  }
+
+ private:
+  std::string file_;
+  RateCheck& rates_;
+  SampleReceiver& receiver_;
+  Diagnostics& diagnostics_;
+};
 
 // One log on its way through reader and checks.
 class Stream {
@@ -25,9 +49,11 @@ class Stream {
         rates_(mechanism, plan.heading, plan.filter.dt),
         signals_(plan),
         plan_(plan),
-        half_window_(plan.filter.half_window()),
+        half_window_(plan.filter.half_window() + SpikeRepair::kReach),
         shares_(shares),
-        receiver_(receiver),
+        rate_checked_(log.string(), rates_, receiver, diagnostics),
+        spikes_(plan, rate_checked_),
+        receiver_(plan.filter.band > 0 ? static_cast<SampleReceiver&>(spikes_) : rate_checked_),
         sample_(static_cast<std::size_t>(plan.layout().channels())) {}
 
   StreamCount run() {
@@ -42,8 +68,6 @@ class Stream {
       if (positions_.is_odd(sample_.data()) && !positions_.accepts(sample_.data(), reader_.place(), diagnostics_)) {
         return count_;
       }
-      rates_.add(
-          sample_.data(), [this] { return reader_.place(); }, diagnostics_);
       if (shares_.owns(line)) ++count_.lines;
       pass_on(line);
     }
@@ -56,8 +80,10 @@ class Stream {
   }
 
   void finish() {
+    spikes_.flush();
     rates_.finish(first_, diagnostics_);
-    signals_.finish(first_, diagnostics_);
+    spikes_.finish(first_.file, diagnostics_);
+    signals_.finish(first_.file, diagnostics_);
   }
 
   // Skips blocks of other parts. Returns false at the end of the log.
@@ -93,11 +119,11 @@ class Stream {
         if (owned) ++count_.gaps;
       }
     }
-    if (plan_.filter.band > 0) signals_.add(sample_.data());
+    if (plan_.filter.band > 0) signals_.add(sample_.data(), reader_.line());
     before_last_.swap(last_);
     last_ = sample_;
     ++contiguous_;
-    receiver_.sample({sample_.data(), line, index_of(sample_[0])});
+    receiver_.sample({sample_.data(), line, index_of(sample_[0]), reader_.line()});
   }
 
   // Passes a sample on that lies at `part` of the way from the last one to the new one, on the parabola through these
@@ -110,7 +136,7 @@ class Stream {
       const double bend = r > 0 ? (slope - (last_[c] - before_last_[c]) / r) / (1 + r) : 0;
       between_[c] = last_[c] + part * slope + part * (part - 1) * bend;
     }
-    receiver_.sample({between_.data(), line, index_of(between_[0])});
+    receiver_.sample({between_.data(), line, index_of(between_[0]), reader_.line()});
   }
 
   long index_of(double time) const { return std::lround((time - plan_.start) / plan_.filter.dt); }
@@ -123,7 +149,9 @@ class Stream {
   const StreamPlan& plan_;
   int half_window_;
   BlockPartition& shares_;
-  SampleReceiver& receiver_;
+  RateChecked rate_checked_;
+  SpikeRepair spikes_;
+  SampleReceiver& receiver_;  // of all samples: the spikes' with a filter
   std::vector<double> sample_, last_, before_last_, between_;
   StreamCount count_;
   Place first_;          // place of the first sample that is read

@@ -15,8 +15,8 @@
 namespace flatdyn {
 
 struct StreamOptions {
-  // The edge of the filter's pass band, Hz. None: 10 Hz, or an eighth of the sampling rate if that is less, if
-  // derivatives are missing; no filter if the log has them all.
+  // The edge of the filter's pass band, Hz. None: no filter if the log has all derivatives; else 10 Hz, or an eighth of
+  // the sampling rate if that is less, or less again for a motion so slow that its accelerations would be mostly noise.
   std::optional<double> band = std::nullopt;
   // The equations of every N-th sample are used. None: all samples without a filter; with one, at a rate of three
   // bands, so that filtered noise is nearly white.
@@ -63,6 +63,7 @@ struct StreamCount {
 struct RawSample {
   const double* channels = nullptr;
   long line = 0, index = 0;
+  int file_line = 0;  // of the file, counted from 1, for messages
 };
 
 // Receives the samples of a log. Between two restarts they are dt apart.
@@ -79,7 +80,8 @@ StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechan
                        Diagnostics& diagnostics);
 
 // Passes the samples to `receiver` that the lines of a part and the filter's window about them need. Up to three
-// samples that are missing in a row are interpolated; a longer gap restarts. Wrong units are detected over all samples
+// samples that are missing in a row are interpolated, and so are up to three positions in a row that are far from their
+// neighbours, where there is a filter; a longer gap restarts. Wrong units are detected over all samples
 // read: by q against the joint limits, by speeds that no robot has, and by q̇ and q̈ against the change of q. They are
 // errors, or warnings if they may be right. A position far outside the limits ends the reading. The count has no `used`
 // yet.

@@ -14,6 +14,8 @@ struct NoiseShape {
   int run = 1;                   // instants that are looked at together: more than one where noise is correlated
   Eigen::VectorXd measured;      // that of noise in the measured torques
   Eigen::VectorXd acceleration;  // that of noise in the logged q, q̇ or q̈, as it appears in q̈
+  // Standard deviations of the noise above the band, in one sample, by equation and by joint; empty if not known.
+  std::vector<double> measured_deviations{}, acceleration_deviations{};
 
   // The correlation of the torque's noise, at least 1: this many rows tell as much about what is slow as one row with
   // white noise of the same size.

@@ -86,6 +86,21 @@ Observations ObservationFolder::observations() {
   return result;
 }
 
+void leave_out_short_motions(Observations& observations, long used) {
+  constexpr long kLeast = 40;     // rows; 13 periods of the filter's band
+  constexpr double kMuch = 0.25;  // share of the instants
+  const auto is_filtered = [](const NoiseShape& shape) { return shape.run > 1; };
+  if (!std::all_of(observations.shapes.begin(), observations.shapes.end(), is_filtered)) return;
+  for (std::size_t i = 0; i < observations.joints.size(); ++i) {
+    JointObservations& joint = observations.joints[i];
+    if (joint.rows >= kLeast || static_cast<double>(joint.rows) >= kMuch * static_cast<double>(used)) continue;
+    joint.left_out = joint.rows;
+    joint.rows = 0;
+    joint.R.setZero();
+    for (EquationInstant& instant : observations.instants) instant.used[i] = 0;
+  }
+}
+
 Observations joined(const Observations& a, const Observations& b) {
   Observations result{a.parameters, {}, a.instants, std::max(a.stride, b.stride), a.shapes};
   for (std::size_t i = 0; i < a.joints.size(); ++i) {

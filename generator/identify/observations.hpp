@@ -18,6 +18,7 @@ struct JointObservations {
   Eigen::MatrixXd R;         // (columns + 1)², upper triangular
   long rows = 0;             // samples folded
   double correlation = 1;    // correlation of the noise, NoiseShape::correlation()
+  long left_out = 0;         // samples that were too few
 
   Eigen::MatrixXd A() const { return R.leftCols(R.cols() - 1); }
   Eigen::VectorXd b() const { return R.col(R.cols() - 1); }
@@ -79,6 +80,10 @@ class ObservationFolder {
   const EquationModel& model_;
   std::vector<TriangularFactor> factors_;
 };
+
+// Leaves out the rows of equations that are used at few of `used` filtered instants. Such a joint hardly moves: its
+// rows lie next to rests, where friction is not sure, and are too few to tell their noise by.
+void leave_out_short_motions(Observations& observations, long used);
 
 // Joins observations of the same equations and the same logs.
 Observations joined(const Observations& a, const Observations& b);

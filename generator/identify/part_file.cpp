@@ -247,7 +247,9 @@ Measurement merge_parts(const std::vector<std::filesystem::path>& files, const T
   if (diagnostics.has_errors()) return {};
   std::vector<Measurement> measurements;
   for (Part& part : parts) measurements.push_back(std::move(part.measurement));
-  return joined(measurements);
+  Measurement whole = joined(measurements);
+  leave_out_short_motions(whole.observations, whole.count.used);
+  return whole;
 }
 
 }  // namespace flatdyn

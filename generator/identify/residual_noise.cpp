@@ -13,6 +13,12 @@ using Eigen::VectorXd;
 
 constexpr int kFittedLags = 4;
 
+// Variances without negative ones, and the covariance of their errors.
+struct FittedVariances {
+  VectorXd values;
+  MatrixXd covariance;
+};
+
 // Whether b is the instant that is `lag` rows behind a.
 bool follows(const EquationInstant& a, const EquationInstant& b, long lag) {
   return a.log == b.log && b.index - a.index == lag;
@@ -42,6 +48,30 @@ VectorXd nonnegative_minimum(const MatrixXd& H, const VectorXd& h) {
     }
   }
   return x;
+}
+
+// The variances x that minimise xᵀ H x / 2 - hᵀ x, where known ones are measurements, too. These are sure to a share of
+// the variance itself: where the residuals are far larger than they say, they hardly count.
+FittedVariances with_known(const MatrixXd& H, const VectorXd& h, const VectorXd& known) {
+  constexpr int kRounds = 6;
+  FittedVariances result;
+  for (int round = 0; round < kRounds; ++round) {
+    MatrixXd all = H;
+    VectorXd right = h;
+    for (Index k = 0; k < known.size() && round > 0; ++k) {
+      if (known[k] == 0) continue;
+      const double weight = kRowsOfKnownNoise / 2 / std::pow(std::max(known[k], result.values[k]), 2);
+      all(k, k) += weight;
+      right[k] += weight * known[k];
+    }
+    // Both kinds have very different units: each unknown is scaled by its own column.
+    const VectorXd units = all.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
+    const MatrixXd scaled = units.asDiagonal() * all * units.asDiagonal();
+    result.values = units.cwiseProduct(nonnegative_minimum(scaled, units.cwiseProduct(right)));
+    result.covariance =
+        units.asDiagonal() * scaled.completeOrthogonalDecomposition().pseudoInverse() * units.asDiagonal();
+  }
+  return result;
 }
 
 // The mean products of residuals of two equations that are `lag` rows apart, and what the two kinds of noise make of
@@ -122,6 +152,27 @@ MatrixXd rows_of(const Observations& observations, Index i) {
   return rows;
 }
 
+// The mean variances of the noise above the band, in one sample: of all equations, then of all joints; 0 where it is
+// not known.
+VectorXd known_variances(const Observations& observations, Index joints) {
+  const auto n = static_cast<Index>(observations.joints.size());
+  VectorXd sums = VectorXd::Zero(n + joints), counts = VectorXd::Zero(n + joints);
+  for (const EquationInstant& instant : observations.instants) {
+    const NoiseShape& shape = observations.shapes[static_cast<std::size_t>(instant.log)];
+    const auto add = [&](Index at, double deviation) {
+      sums[at] += deviation * deviation;
+      counts[at] += 1;
+    };
+    for (std::size_t i = 0; i < shape.measured_deviations.size(); ++i) {
+      if (instant.used[i] != 0) add(instant.first + static_cast<Index>(i), shape.measured_deviations[i]);
+    }
+    for (Index j = 0; j < std::min(joints, static_cast<Index>(shape.acceleration_deviations.size())); ++j) {
+      add(n + j, shape.acceleration_deviations[static_cast<std::size_t>(j)]);
+    }
+  }
+  return sums.cwiseQuotient(counts.cwiseMax(1));
+}
+
 Index joints_of(const std::vector<MatrixXd>& B) { return B.empty() ? 0 : B.front().cols(); }
 
 }  // namespace
@@ -145,40 +196,54 @@ MatrixXd residuals(const Observations& observations, const VectorXd& values) {
   return result;
 }
 
+VectorXd known_squares(const Observations& observations) {
+  const auto n = static_cast<Index>(observations.joints.size());
+  VectorXd sums = VectorXd::Zero(n), counts = VectorXd::Zero(n);
+  for (const EquationInstant& instant : observations.instants) {
+    const NoiseShape& shape = observations.shapes[static_cast<std::size_t>(instant.log)];
+    for (std::size_t i = 0; i < instant.used.size() && !shape.measured_deviations.empty(); ++i) {
+      if (instant.used[i] == 0) continue;
+      const Index equation = instant.first + static_cast<Index>(i);
+      sums[equation] += shape.measured[0] * std::pow(shape.measured_deviations[i], 2);
+      counts[equation] += 1;
+    }
+  }
+  return sums.cwiseQuotient(counts.cwiseMax(1));
+}
+
 ResidualNoise residual_noise(const Observations& observations, const VectorXd& values, const VectorXd& freedom,
                              const AccelerationRows& rows) {
   const MatrixXd left = residuals(observations, values);
   const std::vector<MatrixXd> B = inertias(observations, values, rows);
   const auto n = static_cast<Index>(observations.joints.size());
   const Index joints = joints_of(B);
+  const VectorXd known = known_variances(observations, joints);
   MatrixXd H = MatrixXd::Zero(n + joints, n + joints);
-  VectorXd h = VectorXd::Zero(n + joints), sizes(n);
+  VectorXd h = VectorXd::Zero(n + joints), sizes = known_squares(observations);
   for (Index i = 0; i < n; ++i) {
     const LaggedProduct own = lagged_product(observations, left, B, i, i, 0, joints);
-    sizes[i] = own.count > 0 ? own.product / static_cast<double>(own.count) : 0;
+    if (own.count > 0) sizes[i] = std::max(sizes[i], own.product / static_cast<double>(own.count));
   }
   for (Index i = 0; i < n; ++i) {
     for (Index k = 0; k < n; ++k) {
       const double size = std::sqrt(sizes[i] * sizes[k]);
       if (size <= 0) continue;
+      const double free = std::sqrt(freedom[i] * freedom[k]);
       for (long lag = 0; lag < kFittedLags; ++lag) {
         const LaggedProduct mean = lagged_product(observations, left, B, i, k, lag, joints);
         if (mean.count == 0) continue;
-        const double scale = 1 / (size * std::sqrt(static_cast<double>(mean.count)));
+        const double scale = std::sqrt(free / static_cast<double>(mean.count)) / size;
         VectorXd row = VectorXd::Zero(n + joints);
         row[i] = mean.of_measured;
         row.tail(joints) = mean.of_accelerations;
         row *= scale;
         H += row * row.transpose();
-        h += scale * mean.product / std::sqrt(freedom[i] * freedom[k]) * row;
+        h += scale * mean.product / free * row;
       }
     }
   }
-  // Both kinds have very different units: each unknown is scaled by its own column.
-  const VectorXd units = H.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
-  const VectorXd x =
-      units.cwiseProduct(nonnegative_minimum(units.asDiagonal() * H * units.asDiagonal(), units.cwiseProduct(h)));
-  return {x.head(n), x.tail(joints)};
+  const auto [variances, covariance] = with_known(H, h, known);
+  return {variances.head(n), variances.tail(joints), covariance.bottomRightCorner(joints, joints)};
 }
 
 MatrixXd score_covariance(const Observations& observations, const VectorXd& values, const VectorXd& weights,
@@ -211,22 +276,23 @@ MatrixXd score_covariance(const Observations& observations, const VectorXd& valu
   return result;
 }
 
-VectorXd score_bias(const Observations& observations, const VectorXd& values, const VectorXd& weights,
-                    const ResidualNoise& noise, const AccelerationRows& rows) {
-  VectorXd result = VectorXd::Zero(observations.parameters);
+std::vector<MatrixXd> false_information(const Observations& observations, const VectorXd& weights,
+                                        const AccelerationRows& rows) {
+  std::vector<MatrixXd> result;
   if (!rows) return result;
-  const VectorXd ratios = row_ratios(observations, residuals(observations, values));
+  const VectorXd ratios = row_ratios(observations, residuals(observations, VectorXd::Zero(observations.parameters)));
   for (const EquationInstant& instant : observations.instants) {
     const double power = observations.shapes[static_cast<std::size_t>(instant.log)].acceleration[0];
     const std::vector<MatrixXd> of_joints = rows(instant);
-    for (std::size_t j = 0; j < of_joints.size(); ++j) {
-      const double variance = power * noise.acceleration[static_cast<Index>(j)];
-      if (variance == 0) continue;
-      const VectorXd column = of_joints[j] * values;
-      for (std::size_t i = 0; i < instant.used.size(); ++i) {
-        const auto row = static_cast<Index>(i), equation = instant.first + row;
-        if (instant.used[i] == 0) continue;
-        result += variance * weights[equation] * ratios[equation] * column[row] * of_joints[j].row(row).transpose();
+    result.resize(of_joints.size(), MatrixXd::Zero(observations.parameters, observations.parameters));
+    for (std::size_t i = 0; i < instant.used.size(); ++i) {
+      const auto row = static_cast<Index>(i), equation = instant.first + row;
+      if (instant.used[i] == 0) continue;
+      const std::vector<int>& columns = observations.joints[static_cast<std::size_t>(equation)].columns;
+      const double weight = power * weights[equation] * ratios[equation];
+      for (std::size_t j = 0; j < of_joints.size(); ++j) {
+        const VectorXd gains = of_joints[j](row, columns);
+        result[j](columns, columns) += weight * gains * gains.transpose();
       }
     }
   }

@@ -22,13 +22,20 @@ using AccelerationRows = std::function<std::vector<Eigen::MatrixXd>(const Equati
 Eigen::MatrixXd residuals(const Observations& observations, const Eigen::VectorXd& values);
 
 struct ResidualNoise {
-  Eigen::VectorXd measured;      // by equation: variance of the torque's noise in one sample, (N m)² or N²
-  Eigen::VectorXd acceleration;  // by joint: variance of the noise of q, q̇ or q̈ in one sample
+  Eigen::VectorXd measured;                 // by equation: variance of the torque's noise in one sample, (N m)² or N²
+  Eigen::VectorXd acceleration;             // by joint: variance of the noise of q, q̇ or q̈ in one sample
+  Eigen::MatrixXd acceleration_covariance;  // of the errors of `acceleration`
 };
 
-// The variances that explain the residuals of `values` at lags 0 … 3 of all pairs of equations best, none negative.
-// `freedom`: by equation, the share of its rows that the fit leaves. `rows` may be null: noise of positions then counts
-// as noise of torques.
+// The noise above the band, which `observations` know from the logs, counts as much as this many rows of a joint.
+constexpr double kRowsOfKnownNoise = 8;
+
+// By equation: the mean square of what the torque's noise above the band leaves in a row; 0 if it is not known.
+Eigen::VectorXd known_squares(const Observations& observations);
+
+// The variances that explain best the residuals of `values` at lags 0 … 3 of all pairs of equations, and the noise
+// above the band; none is negative. `freedom`: by equation, the share of its rows that the fit leaves. `rows` may be
+// null: noise of positions then counts as noise of torques.
 ResidualNoise residual_noise(const Observations& observations, const Eigen::VectorXd& values,
                              const Eigen::VectorXd& freedom, const AccelerationRows& rows);
 
@@ -37,9 +44,9 @@ Eigen::MatrixXd score_covariance(const Observations& observations, const Eigen::
                                  const Eigen::VectorXd& weights, const ResidualNoise& noise,
                                  const AccelerationRows& rows);
 
-// Noise of positions is in Y, too, where least squares takes it for motion and makes parameters smaller than they are:
-// by (Yᵀ W Y)⁻¹ times this vector, E[ΔYᵀ W ΔY] π (bias compensation; Söderström, Automatica 43, 2007).
-Eigen::VectorXd score_bias(const Observations& observations, const Eigen::VectorXd& values,
-                           const Eigen::VectorXd& weights, const ResidualNoise& noise, const AccelerationRows& rows);
+// Noise of positions is in Y, too, where least squares takes it for motion: E[ΔYᵀ W ΔY] by joint, b² each, of noise
+// with variance 1 in every sample. Empty if `rows` is null.
+std::vector<Eigen::MatrixXd> false_information(const Observations& observations, const Eigen::VectorXd& weights,
+                                               const AccelerationRows& rows);
 
 }  // namespace flatdyn

@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace flatdyn {
 namespace {
@@ -31,8 +32,11 @@ RowSample::RowSample(const TorqueModel& model, const Measurement& measurement, c
   constexpr double kLeastNoise = 1e-3;  // share of the torque: sharper rows would follow the filter's errors
   const Observations& observations = measurement.observations;
   const std::vector<EquationInstant>& instants = observations.instants;
-  const std::size_t step = std::max<std::size_t>(1, (instants.size() + kMostInstants - 1) / kMostInstants);
-  for (std::size_t t = 0; t < instants.size(); t += step) {
+  step_ = std::max<std::size_t>(1, (instants.size() + kMostInstants - 1) / kMostInstants);
+  for (const EquationInstant& each : instants) {
+    readings_.push_back({each.log, each.index, each.time, as_vector(each.right), as_vector(each.measured_rates)});
+  }
+  for (std::size_t t = 0; t < instants.size(); t += step_) {
     const EquationInstant& from = instants[t];
     Instant instant{as_vector(from.q),
                     as_vector(from.qd),
@@ -147,40 +151,93 @@ double RowSample::cost_with_torque_offset(int joint, double& offset) const {
   return cost;
 }
 
-// Torques that are late by δ are τ(t - δ), so that Y π = τ + δ dτ/dt to first order.
-double RowSample::cost_with_delay(double& delay) const {
-  const Index b = parameters_;
-  Normal sum{MatrixXd::Zero(b + 1, b + 1), VectorXd::Zero(b + 1)};
-  for (const Instant& instant : instants_) {
-    for (int i = 0; i < model_.joints(); ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      if (!instant.used[at]) continue;
-      Eigen::RowVectorXd row(b + 1);
-      row << instant.Y.row(i), -instant.tau_rate[i];
-      sum.add(row, instant.tau[i], weights_[at]);
-    }
+// Cubic polynomials between neighbours that have rates.
+std::optional<RowSample::Reading> RowSample::reading_at(std::size_t place, double time) const {
+  const auto follows = [&](std::size_t k) {
+    return k + 1 < readings_.size() && readings_[k].log == readings_[k + 1].log &&
+           readings_[k].index + 1 == readings_[k + 1].index;
+  };
+  while (readings_[place].time > time) {
+    if (place == 0 || !follows(place - 1)) return std::nullopt;
+    --place;
   }
-  VectorXd solution;
-  const double cost = least(sum, &solution);
-  delay = solution[b];
-  return cost;
+  for (; follows(place); ++place) {
+    const Reading &from = readings_[place], &to = readings_[place + 1];
+    if (to.time < time) continue;
+    const double step = to.time - from.time, u = (time - from.time) / step, v = 1 - u;
+    return Reading{
+        from.log, from.index, time,
+        v * v * ((1 + 2 * u) * from.tau + step * u * from.rate) + u * u * ((1 + 2 * v) * to.tau - step * v * to.rate),
+        6 * u * v / step * (to.tau - from.tau) + v * (v - 2 * u) * from.rate + u * (u - 2 * v) * to.rate};
+  }
+  return std::nullopt;
+}
+
+// Torques that are late by δ are τ(t - δ), so that Y π = τ(t + δ); by the method of Gauss and Newton.
+double RowSample::cost_with_delay(double& delay) const {
+  constexpr int kMostRounds = 20;
+  constexpr double kLargestStep = 0.02, kSmall = 1e-6;  // s
+  const Index b = parameters_;
+  delay = 0;
+  double least_cost = cost();
+  const bool has_rates =
+      std::any_of(instants_.begin(), instants_.end(), [](const Instant& each) { return !each.tau_rate.isZero(); });
+  for (int round = 0; round < kMostRounds && has_rates; ++round) {
+    Normal sum{MatrixXd::Zero(b + 1, b + 1), VectorXd::Zero(b + 1)};
+    double rows = 0;
+    for (std::size_t t = 0; t < instants_.size(); ++t) {
+      const std::optional<Reading> reading = reading_at(t * step_, readings_[t * step_].time + delay);
+      for (int i = 0; i < model_.joints() && reading; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        if (!instants_[t].used[at]) continue;
+        Eigen::RowVectorXd row(b + 1);
+        row << instants_[t].Y.row(i), -reading->rate[i];
+        sum.add(row, reading->tau[i], weights_[at]);
+        ++rows;
+      }
+    }
+    if (2 * rows < count()) break;
+    VectorXd solution;
+    least_cost = least(sum, &solution) * count() / rows;
+    const double step = std::clamp(solution[b], -kLargestStep, kLargestStep);
+    delay += step;
+    if (std::abs(step) < kSmall) break;
+  }
+  return least_cost;
 }
 
 double RowSample::cost_of(const std::vector<MatrixXd>& Y) const {
+  std::vector<int> same(static_cast<std::size_t>(model_.joints()));
+  std::iota(same.begin(), same.end(), 0);
+  return cost_of(Y, same);
+}
+
+double RowSample::cost_of(const std::vector<MatrixXd>& Y, const std::vector<int>& of) const {
   const Index columns = Y.front().cols();
   Normal sum{MatrixXd::Zero(columns, columns), VectorXd::Zero(columns)};
   for (std::size_t t = 0; t < instants_.size(); ++t) {
     for (int i = 0; i < model_.joints(); ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      if (instants_[t].used[at]) sum.add(Y[t].row(i), instants_[t].tau[i], weights_[at]);
+      const int from = of[static_cast<std::size_t>(i)];
+      const auto at = static_cast<std::size_t>(from);
+      if (instants_[t].used[at]) sum.add(Y[t].row(i), instants_[t].tau[from], weights_[at]);
     }
   }
   return least(sum);
 }
 
+double RowSample::cost_with_more(const std::function<MatrixXd(const Instant&)>& columns) const {
+  std::vector<MatrixXd> rows;
+  for (const Instant& instant : instants_) {
+    const MatrixXd more = columns(instant);
+    rows.emplace_back(instant.Y.rows(), instant.Y.cols() + more.cols());
+    rows.back() << instant.Y, more;
+  }
+  return cost_of(rows);
+}
+
 // Y at changed motions. `map` is the same change of a vector of the joints: friction is filtered, and moves with it.
-double RowSample::cost_of_changed(const std::function<void(Instant&)>& change,
-                                  const std::function<void(VectorXd&)>& map) const {
+std::vector<MatrixXd> RowSample::changed_rows(const std::function<void(Instant&)>& change,
+                                              const std::function<void(VectorXd&)>& map) const {
   std::vector<MatrixXd> rows;
   RowByRow y(model_.joints(), model_.parameters());
   for (const Instant& instant : instants_) {
@@ -203,19 +260,32 @@ double RowSample::cost_of_changed(const std::function<void(Instant&)>& change,
     all.leftCols(model_.parameters()) = y;
     rows.push_back(std::move(all));
   }
-  return cost_of(rows);
+  return rows;
 }
 
 double RowSample::cost_with_positions(const std::function<void(VectorXd&)>& map) const {
-  return cost_of_changed(
+  return cost_of(changed_rows(
       [&](Instant& instant) {
         for (VectorXd* each : {&instant.q, &instant.qd, &instant.qdd}) map(*each);
       },
-      map);
+      map));
+}
+
+double RowSample::cost_with_exchanged_joints(int joint, int other) const {
+  const auto exchange = [&](auto& of_joints) { std::swap(of_joints[joint], of_joints[other]); };
+  std::vector<int> of(static_cast<std::size_t>(model_.joints()));
+  std::iota(of.begin(), of.end(), 0);
+  std::swap(of[static_cast<std::size_t>(joint)], of[static_cast<std::size_t>(other)]);
+  return cost_of(changed_rows(
+                     [&](Instant& instant) {
+                       for (VectorXd* each : {&instant.q, &instant.qd, &instant.qdd}) exchange(*each);
+                     },
+                     exchange),
+                 of);
 }
 
 double RowSample::cost_with_offset(int joint, double offset) const {
-  return cost_of_changed([&](Instant& instant) { instant.q[joint] += offset; }, [](VectorXd&) {});
+  return cost_of(changed_rows([&](Instant& instant) { instant.q[joint] += offset; }, [](VectorXd&) {}));
 }
 
 }  // namespace flatdyn

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "identify/fit_quality.hpp"
 #include "identify/torque_model.hpp"
@@ -19,9 +20,12 @@ class RowSample {
   // Torques of joint i that are `gain` times the right ones; noise is not part of the gain.
   double cost_with_gain(int joint, double gain) const;
   double cost_with_exchanged_torques(int joint, int other) const;
+  // All columns of two joints exchanged: positions and torques.
+  double cost_with_exchanged_joints(int joint, int other) const;
   // Torques of joint i with a constant added, which is found, N m or N.
   double cost_with_torque_offset(int joint, double& offset) const;
-  // Torques of all joints that are late by a time, which is found, s; to first order.
+  // Torques of all joints that are late by a time, which is found, s. Rows for which the log's rows tell no torques at
+  // that time count like the others.
   double cost_with_delay(double& delay) const;
   // q, q̇ and q̈ changed alike by a linear map.
   double cost_with_positions(const std::function<void(Eigen::VectorXd&)>& change) const;
@@ -36,6 +40,8 @@ class RowSample {
   const std::vector<Instant>& instants() const { return instants_; }
   // The least cost with other rows, one matrix (n × columns) per instant.
   double cost_of(const std::vector<Eigen::MatrixXd>& Y) const;
+  // With further columns behind those there are, n × any number.
+  double cost_with_more(const std::function<Eigen::MatrixXd(const Instant&)>& columns) const;
 
  private:
   // Normal equations of one joint or of several: |Y π - τ|², weighted.
@@ -45,17 +51,30 @@ class RowSample {
     double s = 0;
     void add(const Eigen::RowVectorXd& row, double tau, double weight);
   };
+  // The torques of one row of the log, and their rates.
+  struct Reading {
+    int log = 0;
+    long index = 0;
+    double time = 0;
+    Eigen::VectorXd tau, rate;
+  };
+  // The torques at another time, from the readings on both sides; none where there is one on one side alone.
+  std::optional<Reading> reading_at(std::size_t place, double time) const;
   static double least(const Normal& normal, Eigen::VectorXd* solution = nullptr);
   Normal joint_normal(int joint, int torques_of) const;
   Normal sum_without(int joint, int other = -1) const;
-  double cost_of_changed(const std::function<void(Instant&)>& change,
-                         const std::function<void(Eigen::VectorXd&)>& map) const;
+  std::vector<Eigen::MatrixXd> changed_rows(const std::function<void(Instant&)>& change,
+                                            const std::function<void(Eigen::VectorXd&)>& map) const;
+  // The cost of rows whose torques are those of the joints `of`.
+  double cost_of(const std::vector<Eigen::MatrixXd>& Y, const std::vector<int>& of) const;
 
   const TorqueModel& model_;
   int parameters_;  // with those behind π_b
   std::vector<Instant> instants_;
-  std::vector<double> weights_;  // 1/σ_i²
-  std::vector<Normal> normals_;  // by joint
+  std::size_t step_ = 1;           // instants_ are every step_-th row of
+  std::vector<Reading> readings_;  // in the order of logs and times
+  std::vector<double> weights_;    // 1/σ_i²
+  std::vector<Normal> normals_;    // by joint
 };
 
 }  // namespace flatdyn

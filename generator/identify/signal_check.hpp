@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Detects torques and positions that no sensor in order gives: spikes, and blocks in which a reading is frozen or zero.
+// Detects torques and positions that no sensor in order gives: spikes of torques, and blocks in which a reading is
+// frozen or zero. Spikes of positions are repaired (SpikeRepair).
 #pragma once
 
 #include <string>
@@ -13,12 +14,12 @@ class SignalCheck {
  public:
   explicit SignalCheck(const StreamPlan& plan);
 
-  // Adds the next sample.
-  void add(const double* channels);
+  // Adds the next sample, which is in this line of the file.
+  void add(const double* channels, int file_line);
   // Tells that the next sample does not follow the last one.
   void restart();
   // One warning for each kind and channel.
-  void finish(const Place& place, Diagnostics& diagnostics) const;
+  void finish(const std::string& file, Diagnostics& diagnostics) const;
 
  private:
   // One channel. `noise`: the standard deviation of its noise; `step`: the least change of its reading.
@@ -30,16 +31,19 @@ class SignalCheck {
 
     // The last two readings, and since when the last one has not changed.
     double before = 0, last = 0, since = 0, last_time = 0;
+    int since_line = 0, last_line = 0;
     long held = 0, count = 0;
     // A block that has ended with a jump; it counts once the next reading is near the one behind the jump.
     double jump = 0, from = 0, to = 0;
+    int from_line = 0;
     bool was_zero = false;
 
     long spikes = 0, blocks = 0;
     double first_spike = 0, first_from = 0, first_to = 0;
+    int spike_line = 0, block_line = 0;  // of the first
     bool first_is_zero = false;
-    void add(double time, double reading);
-    void follow_block(double time, double reading);
+    void add(double time, double reading, int file_line);
+    void follow_block(double time, double reading, int file_line);
     void follow_spikes(double reading);
   };
 

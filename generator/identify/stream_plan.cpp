@@ -7,6 +7,7 @@
 #include "identify/log_reader.hpp"
 #include "identify/log_survey.hpp"
 #include "identify/motion_stream.hpp"
+#include "identify/noise_shape.hpp"
 #include "identify/position_check.hpp"
 #include "identify/rate_check.hpp"
 #include "identify/zero_phase.hpp"
@@ -90,15 +91,38 @@ int default_decimation(double band, double rate) {
   return stride * std::max(1, static_cast<int>(rate / (kRowsPerBand * band * stride)));
 }
 
-void choose_filter(StreamPlan& plan, const StreamOptions& options, const Place& place, Diagnostics& diagnostics) {
-  constexpr double kDefaultBand = 10, kUnevenTime = 0.02;
+// The band where --band is not given, Hz. An encoder's noise grows in accelerations with the band's fifth power. Where
+// it would be a considerable share of a joint's acceleration, the band is so low that it is a small one, unless its
+// edges then took too much of the log. The share of a joint that moves little counts for nothing: it would take the
+// band from the others.
+double default_band(const StreamPlan& plan, const LogSurvey& log) {
+  constexpr double kDefault = 10, kLeast = 1, kHighest = 0.125;  // Hz; Hz; of the sampling rate
+  constexpr double kConsiderable = 0.2, kSmall = 0.05;           // shares of noise, squared
+  constexpr double kMoves = 1000;                                // standard deviations of noise
+  constexpr double kEdges = 60;                                  // periods of the band that a log has, at least
+  const double dt = plan.filter.dt, band = std::min(kDefault, kHighest / dt);
+  if (plan.layout().has_rates || log.duration <= 0) return band;
+  const double power = noise_shape({dt, band, default_decimation(band, 1 / dt)}, LogDerivatives::none).acceleration[0];
+  double share = 0;
+  for (std::size_t i = 0; i < log.ranges.size(); ++i) {
+    const double noise = log.all[static_cast<std::size_t>(LogLayout::q()) + i].deviation;
+    if (log.ranges[i] > kMoves * noise) share = std::max(share, power * noise * noise / log.acceleration_squares[i]);
+  }
+  if (!(share > kConsiderable)) return band;
+  const double lowest = std::max(kLeast, kEdges / log.duration), wanted = band * std::pow(kSmall / share, 0.2);
+  return std::min(band, std::round(10 * std::max(wanted, lowest)) / 10);
+}
+
+void choose_filter(StreamPlan& plan, const StreamOptions& options, const LogSurvey& log, const Place& place,
+                   Diagnostics& diagnostics) {
+  constexpr double kUnevenTime = 0.02;
   auto& [dt, band, decimate] = plan.filter;
   const double rate = 1 / dt;
   const bool derivatives_missing = !plan.layout().has_rates || !plan.layout().has_accelerations;
   if (options.band) {
     band = *options.band;
   } else if (derivatives_missing) {
-    band = std::min(kDefaultBand, rate / 8);
+    band = default_band(plan, log);
   }
   if (band * 3 >= rate) {
     diagnostics.error(place, fmt::format("a band of {} Hz is too wide for {:.6g} samples a second", band, rate),
@@ -113,8 +137,12 @@ void choose_filter(StreamPlan& plan, const StreamOptions& options, const Place& 
   }
   const int half_window = plan.filter.half_window();
   if (half_window >= kBlock / 2) {
-    diagnostics.error(place, fmt::format("a band of {} Hz needs a window of {} samples", band, 2 * half_window + 1),
-                      "choose a wider --band, or thin out the log");
+    diagnostics.error(
+        place,
+        fmt::format("a band of {} Hz needs a window of {} samples that are {:.4g} s apart", band, 2 * half_window + 1,
+                    dt),
+        fmt::format("is the unit of the column \"{}\" right? Otherwise choose a wider --band, or thin out the log",
+                    plan.heading.channel_names().front()));
   }
 }
 
@@ -180,9 +208,10 @@ StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechan
   plan.start = samples.front().channels.front();
   const Place heading{log.string(), 1};
   check_units(mechanism, plan, samples, heading, diagnostics);
-  choose_filter(plan, options, heading, diagnostics);
   if (diagnostics.has_errors()) return plan;
   const LogSurvey found = survey(log, plan.heading, plan.filter.dt);
+  choose_filter(plan, options, found, heading, diagnostics);
+  if (diagnostics.has_errors()) return plan;
   set_rest_speeds(plan, found, mechanism, options.rest_speed, heading, diagnostics);
   const LogLayout& layout = plan.layout();
   const auto channels = [](const std::vector<ChannelNoise>& of, int first, int count) {

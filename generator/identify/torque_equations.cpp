@@ -10,65 +10,101 @@
 namespace flatdyn {
 
 TorqueEquations::TorqueEquations(const TorqueModel& model, FurtherParameters further)
-    : model_(model), further_(std::move(further)), y_(static_cast<std::size_t>(model.joints() * model.parameters())) {
+    : model_(model),
+      further_(std::move(further)),
+      terms_(static_cast<std::size_t>(model.joints())),
+      y_(static_cast<std::size_t>(model.joints() * model.parameters())) {
   for (const int index : model.base().columns) names_.push_back(parameter_name(index));
   for (int i = 0; i < model.joints(); ++i) add_joint(i);
-  // Offsets are behind all others, in columns and in each equation.
-  if (further_.offsets) {
-    std::vector<FrictionEntry> shifted;
-    int before = 0;
-    for (int i = 0; i < model.joints(); ++i) {
-      for (FrictionEntry each : friction_) {
-        if (each.joint == i) shifted.push_back({each.entry + before, i, each.law, each.speed});
-      }
-      columns_[static_cast<std::size_t>(i)].push_back(static_cast<int>(names_.size()));
-      names_.push_back(fmt::format("offset{}", i + 1));
-      ++before;
-    }
-    friction_ = std::move(shifted);
+  for (int i = 0; i < model.joints() && further_.offsets; ++i) {
+    terms_[static_cast<std::size_t>(i)].push_back({add_name(fmt::format("offset{}", i + 1)), Term::Kind::constant});
   }
+  const auto before = static_cast<int>(names_.size());
+  add_corrections();
   parameters_ = static_cast<int>(names_.size());
+  corrections_ = parameters_ - before;
+  place_terms();
+}
+
+int TorqueEquations::add_name(std::string name) {
+  names_.push_back(std::move(name));
+  return static_cast<int>(names_.size()) - 1;
+}
+
+void TorqueEquations::add_friction(int joint, int column, FrictionEntry::Law law, double factor) {
+  const double speed = further_.speeds.empty() ? 1 : further_.speeds[static_cast<std::size_t>(joint)];
+  terms_[static_cast<std::size_t>(joint)].push_back({column, Term::Kind::friction, {0, joint, law, speed, factor}});
 }
 
 void TorqueEquations::add_joint(int joint) {
   // With loops or coupled joints, an equation also has the friction of joints whose speeds are functions of others.
   const bool is_open = !model_.mechanism().has_loops() && !model_.mechanism().is_coupled();
-  columns_.push_back(model_.columns_of(joint));
+  const bool is_smooth = further_.law == FrictionLaw::smooth && further_.dictionary.empty();
   has_friction_.push_back(false);
-  const double speed = further_.speeds.empty() ? 1 : further_.speeds[static_cast<std::size_t>(joint)];
   bool has_coulomb = false;
   for (const int column : model_.columns_of(joint)) {
     const Parameter parameter = parameter_of(model_.base().columns[static_cast<std::size_t>(column)]);
-    const bool is_coulomb = parameter == Parameter::Fs;
-    if (is_coulomb || parameter == Parameter::Fv) {
-      has_friction_.back() = true;
-      has_coulomb = has_coulomb || is_coulomb;
-      FrictionEntry::Law law = is_coulomb ? FrictionEntry::Law::coulomb : FrictionEntry::Law::viscous;
-      if (is_coulomb && further_.law == FrictionLaw::smooth && further_.dictionary.empty()) {
-        law = FrictionEntry::Law::smooth;
-      }
-      if (is_open) friction_.push_back({entry_, joint, law, speed});
+    const bool is_coulomb = parameter == Parameter::Fs, is_friction = is_coulomb || parameter == Parameter::Fv;
+    has_friction_.back() = has_friction_.back() || is_friction;
+    has_coulomb = has_coulomb || is_coulomb;
+    if (is_friction && is_open) {
+      add_friction(joint, column,
+                   !is_coulomb ? FrictionEntry::Law::viscous
+                   : is_smooth ? FrictionEntry::Law::smooth
+                               : FrictionEntry::Law::coulomb);
+    } else {
+      terms_[static_cast<std::size_t>(joint)].push_back({column});
     }
-    ++entry_;
   }
-  if (!has_coulomb || !is_open) return;
+  if (has_coulomb && is_open) add_law(joint);
+}
+
+void TorqueEquations::add_law(int joint) {
   const std::string number = std::to_string(joint + 1);
-  const auto law = further_.law == FrictionLaw::smooth ? FrictionEntry::Law::smooth : FrictionEntry::Law::stribeck;
   if (!further_.dictionary.empty()) {
+    const auto law = further_.law == FrictionLaw::smooth ? FrictionEntry::Law::smooth : FrictionEntry::Law::stribeck;
     for (const double each : further_.dictionary[static_cast<std::size_t>(joint)]) {
-      add_further(joint, law, each, fmt::format("F{}({})", number, each));
+      add_friction(joint, add_name(fmt::format("F{}({})", number, each)), law);
+      terms_[static_cast<std::size_t>(joint)].back().friction.speed = each;
     }
   } else if (further_.law == FrictionLaw::asymmetric) {
-    add_further(joint, FrictionEntry::Law::asymmetry, 1, "Fa" + number);
+    add_friction(joint, add_name("Fa" + number), FrictionEntry::Law::asymmetry);
   } else if (further_.law == FrictionLaw::stribeck) {
-    add_further(joint, law, speed, "Fb" + number);
+    add_friction(joint, add_name("Fb" + number), FrictionEntry::Law::stribeck);
   }
 }
 
-void TorqueEquations::add_further(int joint, FrictionEntry::Law law, double speed, const std::string& name) {
-  friction_.push_back({entry_++, joint, law, speed});
-  columns_.back().push_back(static_cast<int>(names_.size()));
-  names_.push_back(name);
+void TorqueEquations::add_corrections() {
+  const auto law =
+      further_.law == FrictionLaw::smooth ? FrictionEntry::Law::smooth_slope : FrictionEntry::Law::stribeck_slope;
+  for (std::size_t i = 0; i < further_.speed_factors.size(); ++i) {
+    const double factor = further_.speed_factors[i];
+    if (factor != 0) add_friction(static_cast<int>(i), add_name(fmt::format("v{}", i + 1)), law, factor);
+  }
+  for (int k = 0; further_.gravity && k < further_.gravity->size(); ++k) {
+    const int column = add_name(fmt::format("gravity{}", k + 1));
+    for (std::vector<Term>& terms : terms_) terms.push_back({column, Term::Kind::gravity, {}, k});
+  }
+  if (!further_.delay) return;
+  const int column = add_name("delay");
+  for (std::vector<Term>& terms : terms_) terms.push_back({column, Term::Kind::rate});
+}
+
+// Columns and entries, from the terms.
+void TorqueEquations::place_terms() {
+  int entry = 0;
+  for (const std::vector<Term>& terms : terms_) {
+    columns_.emplace_back();
+    for (const Term& term : terms) {
+      columns_.back().push_back(term.column);
+      if (term.kind == Term::Kind::friction) {
+        friction_.push_back(term.friction);
+        friction_.back().entry = entry;
+      }
+      if (term.kind == Term::Kind::rate) rate_entries_.push_back(entry);
+      ++entry;
+    }
+  }
 }
 
 Eigen::VectorXd TorqueEquations::file_values() const {
@@ -97,9 +133,17 @@ std::unique_ptr<Instrument> TorqueEquations::instrument() const {
 
 void TorqueEquations::evaluate(const MeasuredMotion& motion, double* entries, double* known) const {
   model_.regressor(motion.q, motion.qd, motion.qdd, y_.data());
+  const int positions = model_.mechanism().position_count();
+  Eigen::MatrixXd of_gravity;
+  if (further_.gravity) of_gravity = further_.gravity->at(Eigen::Map<const Eigen::VectorXd>(motion.q, positions));
   const double* row = y_.data();
-  for (const std::vector<int>& columns : columns_) {
-    for (const int column : columns) *entries++ = column < model_.parameters() ? row[column] : 1;
+  for (std::size_t i = 0; i < terms_.size(); ++i) {
+    for (const Term& term : terms_[i]) {
+      const bool is_of_model = term.column < model_.parameters();
+      *entries++ = is_of_model                        ? row[term.column]
+                   : term.kind == Term::Kind::gravity ? of_gravity(static_cast<Eigen::Index>(i), term.slope)
+                                                      : 1;
+    }
     row += model_.parameters();
   }
   if (motion.h_e != nullptr) {

@@ -2,11 +2,13 @@
 // The equations of the joint torques in π_b, and in parameters that come behind it.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "identify/equation_model.hpp"
 #include "identify/friction_law.hpp"
+#include "identify/gravity_columns.hpp"
 #include "identify/residual_noise.hpp"
 #include "identify/torque_model.hpp"
 
@@ -19,18 +21,27 @@ struct FurtherParameters {
   bool offsets = false;          // a constant in each joint's torques
   // By joint: columns exp(-(q̇/v)²) sgn q̇, or tanh(q̇/v), for many v, instead of the law; to find v by.
   std::vector<std::vector<double>> dictionary{};
+
+  // Corrections of unknowns in which the torques are not linear, by columns of their derivatives.
+  // By joint: what exp(-(q̇/v)²) or tanh(q̇/v) is multiplied by, N m or N; 0 where v counts as exact. Empty: all do.
+  std::vector<double> speed_factors{};
+  std::shared_ptr<const GravityColumns> gravity{};  // null: gravity counts as exact
+  bool delay = false;                               // of the torques, s
 };
 
 // Y_b(q, q̇, q̈) π_b + J_eᵀ h_e = τ, (7.81), with one equation per joint. Behind π_b come the law's further parameter of
-// each joint that has friction (F_a or F_b), or the dictionary's, and then the offsets.
+// each joint that has friction (F_a or F_b), or the dictionary's, then the offsets, and then corrections: of v by joint
+// (rad/s or m/s), of gravity's direction (GravityColumns), and of the delay (s).
 class TorqueEquations : public EquationModel {
  public:
   explicit TorqueEquations(const TorqueModel& model, FurtherParameters further = {});
 
   const TorqueModel& model() const { return model_; }
   const FurtherParameters& further() const { return further_; }
-  // The names of all parameters: "I1zz", …, "Fa1", …, "offset1", …
+  // The names of all parameters: "I1zz", …, "Fa1", …, "offset1", …, "v1", …, "gravity1", …, "delay"
   const std::vector<std::string>& names() const { return names_; }
+  // The number of corrections, which are the last parameters.
+  int corrections() const { return corrections_; }
   // The file's π_b, and zeros behind it.
   Eigen::VectorXd file_values() const;
   AccelerationRows acceleration_rows() const;
@@ -43,14 +54,28 @@ class TorqueEquations : public EquationModel {
   int measured(const LogLayout& layout) const override { return layout.tau(); }
 
  private:
+  // An entry of an equation.
+  struct Term {
+    enum class Kind : std::uint8_t { regressor, constant, friction, gravity, rate };
+    int column = 0;
+    Kind kind = Kind::regressor;
+    FrictionEntry friction{};
+    int slope = 0;  // of gravity
+  };
+
   void add_joint(int joint);
-  void add_further(int joint, FrictionEntry::Law law, double speed, const std::string& name);
+  void add_law(int joint);
+  void add_corrections();
+  void add_friction(int joint, int column, FrictionEntry::Law law, double factor = 1);
+  int add_name(std::string name);
+  void place_terms();
 
   const TorqueModel& model_;
   FurtherParameters further_;
   std::vector<std::string> names_;
-  Eigen::VectorXd instrument_values_;  // empty: no instrument
-  int entry_ = 0;                      // entries so far
+  int corrections_ = 0;
+  std::vector<std::vector<Term>> terms_;  // by joint
+  Eigen::VectorXd instrument_values_;     // empty: no instrument
   mutable std::vector<double> y_;
 };
 

@@ -80,6 +80,18 @@ void make_exact_for_parabolas(ZeroPhaseKernel& kernel, double dt) {
 // transition from 1 to 2 bands with an eighth to spare.
 double reach_of(double band) { return 4.5 / band; }
 
+// The kernel, or a derivative of it, at the samples about the one that `ahead` is counted from.
+std::vector<double> sampled_ahead(double band, double dt, double ahead, double Jet::*order) {
+  const double reach = reach_of(band), omega = 2 * std::numbers::pi * 1.5 * band;
+  const int half = zero_phase_half_window(band, dt);
+  std::vector<double> weights;
+  for (int k = -half; k <= half; ++k) {
+    const double t = ahead - k * dt;
+    weights.push_back(std::abs(t) < reach ? (sinc(omega, t) * window(reach, t)).*order * dt : 0);
+  }
+  return weights;
+}
+
 }  // namespace
 
 int zero_phase_half_window(double band, double dt) {
@@ -105,14 +117,16 @@ ZeroPhaseKernel zero_phase_kernel(double band, double dt) {
 }
 
 std::vector<double> weights_ahead(double band, double dt, double ahead) {
-  const double reach = reach_of(band), omega = 2 * std::numbers::pi * 1.5 * band;
+  std::vector<double> weights = sampled_ahead(band, dt, ahead, &Jet::value);
+  scale(weights, 1 / moment(weights, zero_phase_half_window(band, dt), dt, 0));
+  return weights;
+}
+
+std::vector<double> rate_weights_ahead(double band, double dt, double ahead) {
   const int half = zero_phase_half_window(band, dt);
-  std::vector<double> weights;
-  for (int k = -half; k <= half; ++k) {
-    const double t = ahead - k * dt;
-    weights.push_back(std::abs(t) < reach ? (sinc(omega, t) * window(reach, t)).value * dt : 0);
-  }
-  scale(weights, 1 / moment(weights, half, dt, 0));
+  std::vector<double> weights = sampled_ahead(band, dt, ahead, &Jet::first);
+  subtract(weights, moment(weights, half, dt, 0), weights_ahead(band, dt, ahead));
+  scale(weights, 1 / moment(weights, half, dt, 1));
   return weights;
 }
 

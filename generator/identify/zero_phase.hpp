@@ -24,6 +24,8 @@ struct ZeroPhaseKernel {
 ZeroPhaseKernel zero_phase_kernel(double band, double dt);
 // The weights of the signal below the band's edge at the time t_c + ahead, |ahead| far below 1 / band.
 std::vector<double> weights_ahead(double band, double dt, double ahead);
+// Those of its first derivative.
+std::vector<double> rate_weights_ahead(double band, double dt, double ahead);
 // The half-length of such a kernel in samples, at most 1e9.
 int zero_phase_half_window(double band, double dt);
 

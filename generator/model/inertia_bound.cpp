@@ -67,6 +67,7 @@ class EnergyBounds {
     Supply rest = supply();
     for (int position = 0; position < mechanism_.position_count(); ++position) {
       const int k = mechanism_.body_at(position);
+      if (!turns_as_its_coordinate(k, position)) return false;
       const double diagonal = diagonal_of(position);
       if (diagonal == 0) return false;  // the joint moves nothing
       const double needed = share * diagonal - links_[at(k)].sure_drive;
@@ -83,6 +84,15 @@ class EnergyBounds {
   }
 
  private:
+  // Whether the rate of joint k is that of its entry of q alone: not so for position = "c - 100*b".
+  bool turns_as_its_coordinate(int k, int position) const {
+    if (!mechanism_.is_coupled()) return true;
+    for (int i = 0; i < mechanism_.position_count(); ++i) {
+      if (!mechanism_.coupling[at(k)][at(i)].is_equal(i == position ? 1 : 0)) return false;
+    }
+    return true;
+  }
+
   // Coefficients of ω_k² and v_k².
   struct Supply {
     std::vector<double> turning, moving;

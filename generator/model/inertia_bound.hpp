@@ -10,7 +10,8 @@ namespace flatdyn {
 //     q̇ᵀ B(q) q̇ >= λ Σ_i b_ii(q) q̇_i².
 // Then B is positive definite, and every pivot of B = Lᵀ D L is at least λ times its scale
 // (Factorisation::pivot_scales()). 0 if nothing is proven: links lack inertia, a joint before a prismatic one without
-// limits of position, free symbols, or closed loops.
+// limits of position, free symbols, closed loops, or a joint that has an entry of q but turns by another combination of
+// entries.
 //
 // The proof compares energies. Link k has at least c_k ω_k² of them twice, c_k its smallest moment of inertia about its
 // centre of mass, and m_k v_k²; the rate of a joint is at most the sum of what it connects: |q̇_k| <= ω_k + ω_parent for

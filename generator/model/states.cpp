@@ -46,6 +46,12 @@ double bound(const std::optional<Value>& limit, double otherwise) {
 
 }  // namespace
 
+MotionRange motion_range(const Body& body) {
+  const Range position = position_range(body);
+  return {position.low, position.high, bound(body.limits.velocity, body.prismatic ? 1 : 5),
+          bound(body.limits.acceleration, body.prismatic ? 10 : 20), bound(body.limits.effort, 100)};
+}
+
 State in_float(State state) {
   for (const InputKind kind : kStateKinds) {
     for (double& x : state.of(kind)) x = static_cast<double>(static_cast<float>(x));
@@ -55,13 +61,11 @@ State in_float(State state) {
 
 StateSource::StateSource(const Mechanism& mechanism) {
   for (int k = 0; k < mechanism.position_count(); ++k) {
-    const Range range = position_range(mechanism.joint_at(k));
-    positions_.emplace_back(range.low, range.high);
+    const MotionRange range = motion_range(mechanism.joint_at(k));
+    positions_.emplace_back(range.lower, range.upper);
   }
   for (int k = 0; k < mechanism.size(); ++k) {
-    const Body& body = mechanism.joint(k);
-    joints_.push_back({mechanism.position_of(k), bound(body.limits.velocity, body.prismatic ? 1 : 5),
-                       bound(body.limits.acceleration, body.prismatic ? 10 : 20), bound(body.limits.effort, 100)});
+    joints_.push_back({mechanism.position_of(k), motion_range(mechanism.joint(k))});
   }
   for (const LoopClosure& loop : mechanism.loops) {
     dependent_.insert(dependent_.end(), loop.dependent.begin(), loop.dependent.end());
@@ -78,9 +82,9 @@ std::vector<State> StateSource::draw(int count, unsigned seed) const {
     for (const Joint& joint : joints_) {
       const auto symmetric = [&uniform](double b) { return uniform(-b, b); };
       draw_position(static_cast<std::size_t>(joint.position));
-      state.qd.push_back(symmetric(joint.velocity));
-      state.qdd.push_back(symmetric(joint.acceleration));
-      state.tau.push_back(symmetric(joint.effort));
+      state.qd.push_back(symmetric(joint.range.speed));
+      state.qdd.push_back(symmetric(joint.range.acceleration));
+      state.tau.push_back(symmetric(joint.range.effort));
       state.qd_r.push_back(reference(-5, 5));
       state.qdd_r.push_back(reference(-20, 20));
     }

@@ -49,8 +49,16 @@ StateOf<S> widened(const State& state) {
 // The state that a function in float is given: every number is rounded.
 State in_float(State state);
 
-// Random states, uniform within the limits; without limits: a turn, 1 m, 5 rad/s, 1 m/s, 20 rad/s^2, 10 m/s^2. They are
-// the same on every machine for the same seed. They have no base parameters.
+// The motion of a joint within its limits: rad or m, and N m or N. Where the robot has no limit, or one of zero, which
+// nobody filled in, these are assumed: ±π or ±1 m, 5 rad/s or 1 m/s, 20 rad/s² or 10 m/s², 100 N m or N.
+struct MotionRange {
+  double lower, upper;
+  double speed, acceleration, effort;  // absolute values
+};
+MotionRange motion_range(const Body& body);
+
+// Random states, uniform within the ranges of joints. They are the same on every machine for the same seed. They have
+// no base parameters.
 std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned seed);
 
 // A source of many random states: the mechanism's exact numbers are read once, and several threads may draw at once.
@@ -62,7 +70,7 @@ class StateSource {
  private:
   struct Joint {
     int position;  // entry of q
-    double velocity, acceleration, effort;
+    MotionRange range;
   };
   std::vector<std::pair<double, double>> positions_;  // lower and upper bound, by entry of q
   std::vector<Joint> joints_;                         // by entry of q̇

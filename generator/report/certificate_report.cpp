@@ -122,15 +122,15 @@ std::string markdown_table(const Cells& rows) {
 // The numbers of the robot file that are others in the model.
 std::string snaps_text(const CertifiedHeader& header) {
   if (header.snaps.empty()) return "All numbers of the model are those of the robot file.\n\n";
-  std::string text =
-      "The model has exact numbers in place of these of the robot file. " +
-      (header.torque_bound ? fmt::format("It is proven that all together they change no torque by more than {:.1e} N m "
-                                         "(N) within the limits.",
-                                         rounded_up(*header.torque_bound, 2))
-                           : "How much that changes torques is not proven, as limits are missing or joints coupled.") +
-      " The changes by each are the largest at a few random states.\n\n";
+  std::string text = "The model has exact numbers in place of these of the robot file. " +
+                     (header.snap_effects.bound
+                          ? fmt::format("It is proven that all together they change no torque by more than {:.1e} N m "
+                                        "(N) within the limits.",
+                                        rounded_up(*header.snap_effects.bound, 2))
+                          : "How much that changes torques is not proven, as joints are coupled.") +
+                     "\n\n";
   for (std::size_t k = 0; k < header.snaps.size(); ++k) {
-    text += "- " + snap_text(header.snaps[k], header.torque_changes[k]) + "\n";
+    text += "- " + snap_text(header.snaps[k], header.snap_effects.each[k]) + "\n";
   }
   return text + "\n";
 }
@@ -211,8 +211,8 @@ nlohmann::ordered_json certificate_json(const Certificate& certificate, const Ce
                                  {"gappa", certificate.by_gappa},
                                  {"states", certificate.options.observed.states},
                                  {"seed", certificate.options.observed.seed}};
-  json["snapped"] = snaps_json(header.snaps, header.torque_changes);
-  if (header.torque_bound) json["snapped_torque_bound"] = rounded_up(*header.torque_bound, 2);
+  json["snapped"] = snaps_json(header.snaps, header.snap_effects);
+  if (header.snap_effects.bound) json["snapped_torque_bound"] = rounded_up(*header.snap_effects.bound, 2);
   json["functions"] = nlohmann::ordered_json::array();
   for (const CertifiedFunction& function : certificate.functions) {
     nlohmann::ordered_json outputs = nlohmann::ordered_json::array();

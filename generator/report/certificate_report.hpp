@@ -2,21 +2,20 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 
 #include "certify/certificate.hpp"
 #include "model/robot.hpp"
+#include "verify/snap_effect.hpp"
 
 namespace flatdyn {
 
 // The header that a certificate is about, and the numbers of its robot file that the model has replaced by exact ones:
-// how much each changes torques (verify/snap_effect.hpp), and all together at most (verify/snap_bound.hpp).
+// with what they change of torques.
 struct CertifiedHeader {
   std::string name, hash;
   std::vector<Snap> snaps;
-  std::vector<double> torque_changes;
-  std::optional<double> torque_bound;
+  SnapEffects snap_effects;
 };
 
 // A table per function: output, unit, proven bound, largest error found, their ratio, and for torques the bound as a

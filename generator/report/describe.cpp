@@ -40,7 +40,7 @@ std::vector<std::string> independent_names(const Mechanism& mechanism) {
 
 }  // namespace
 
-std::string describe_model(const LoadedRobot& model, const std::vector<double>& snap_effects, SnapDetail detail) {
+std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_effects, SnapDetail detail) {
   const Mechanism& mechanism = model.mechanism;
   const NumberText number(mechanism);
   std::string text = fmt::format("robot {}: {}, gravity {} m/s^2, tip {}\n\n", mechanism.name, joints_text(mechanism),
@@ -185,7 +185,7 @@ std::string describe_bodies(const Mechanism& mechanism, ParameterFrames frames) 
                                               : describe_canonical_bodies(mechanism, number);
 }
 
-nlohmann::ordered_json model_json(const LoadedRobot& model, const std::vector<double>& snap_effects) {
+nlohmann::ordered_json model_json(const LoadedRobot& model, const SnapEffects& snap_effects) {
   const NumberText text(model.mechanism);
   nlohmann::ordered_json json;
   json["robot"] = model.mechanism.name;

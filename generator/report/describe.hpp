@@ -14,8 +14,8 @@ namespace flatdyn {
 
 // Joints, merged links, and snapped numbers with their effects (verify/snap_effect.hpp). JSON also has the canonical
 // frames and the inertial parameters in them: numbers, or the text of an expression in the free symbols.
-std::string describe_model(const LoadedRobot& model, const std::vector<double>& snap_effects, SnapDetail detail);
-nlohmann::ordered_json model_json(const LoadedRobot& model, const std::vector<double>& snap_effects);
+std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_effects, SnapDetail detail);
+nlohmann::ordered_json model_json(const LoadedRobot& model, const SnapEffects& snap_effects);
 
 // The bodies to which the names of parameters in these frames refer, with their inertial parameters about the frames'
 // origins: the canonical ones with their frames, or the links as written. report/links_in_file.hpp has links together

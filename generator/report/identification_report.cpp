@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "diagnostics/table.hpp"
+#include "identify/gravity_search.hpp"
 #include "report/combination_table.hpp"
 #include "report/numbers.hpp"
 
@@ -33,7 +34,7 @@ std::string filter_text(const SampleFilter& filter) {
   return fmt::format("zero-phase filter, band {:.4g} Hz, every sample of {}", filter.band, filter.decimate);
 }
 
-std::string data_text(const Measurement& measurement, double delay) {
+std::string data_text(const Measurement& measurement, const NonlinearUnknowns& unknowns) {
   std::string text = fmt::format("{} samples, {} used", measurement.count.lines, measurement.count.used);
   const std::vector<SampleFilter> filters = measurement.filters();
   const bool is_one = filters.size() == 1;
@@ -43,7 +44,10 @@ std::string data_text(const Measurement& measurement, double delay) {
   if (measurement.count.interpolated > 0) {
     text += fmt::format("; {} dropped samples interpolated", measurement.count.interpolated);
   }
-  if (delay != 0) text += fmt::format("; torques taken {:.2f} ms later than the positions", 1000 * delay);
+  if (unknowns.delay != 0) {
+    text += fmt::format("; torques taken {:.2f} ms later than the positions", 1000 * unknowns.delay);
+    if (unknowns.delay_deviation > 0) text += fmt::format(" (std dev {:.2g} ms)", 1000 * unknowns.delay_deviation);
+  }
   if (measurement.count.gaps > 0) text += fmt::format("; {} gaps in time", measurement.count.gaps);
   return text + "\n";
 }
@@ -79,14 +83,29 @@ std::string meaning_of(const TorqueEquations& equations, const std::string& name
 }
 
 // The speeds of a friction law that has them.
-std::string speeds_text(const TorqueEquations& equations) {
+std::string speeds_text(const TorqueEquations& equations, const NonlinearUnknowns& unknowns) {
   if (!has_speed(equations.further().law)) return "";
   const char* const law = equations.further().law == FrictionLaw::smooth
                               ? "friction is F_v qd + F_s tanh(qd/v)"
                               : "friction is F_v qd + (F_s + F_b exp(-(qd/v)^2)) sgn qd";
-  std::string text = fmt::format("{}, with v in rad/s or m/s, by joint:", law);
-  for (const double speed : equations.further().speeds) text += fmt::format(" {:.3g}", speed);
+  std::string text = fmt::format("{}, with v in rad/s or m/s, by joint (and its std dev):", law);
+  const std::vector<double>& speeds = equations.further().speeds;
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    text += fmt::format(" {:.3g}", speeds[i]);
+    if (i < unknowns.speed_deviations.size() && std::isfinite(unknowns.speed_deviations[i])) {
+      text += fmt::format(" ({:.2g})", unknowns.speed_deviations[i]);
+    }
+  }
   return text + "\n";
+}
+
+Eigen::Vector3d deviations_of(const FoundGravity& gravity) { return gravity.covariance.diagonal().cwiseSqrt(); }
+
+std::string gravity_text(const NonlinearUnknowns& unknowns) {
+  if (!unknowns.gravity) return "";
+  const Eigen::Vector3d &g = unknowns.gravity->gravity, deviation = deviations_of(*unknowns.gravity);
+  return fmt::format("gravity is [{:.6g}, {:.6g}, {:.6g}] m/s^2 in the base frame, std dev [{:.2g}, {:.2g}, {:.2g}]\n",
+                     g.x(), g.y(), g.z(), deviation.x(), deviation.y(), deviation.z());
 }
 
 // A row of the table of parameters, before the combination.
@@ -107,14 +126,15 @@ std::string parameter_table(const TorqueEquations& equations, const Identificati
   std::vector<std::string> heading = {"pi_b", "value", "std dev", "relative", "file"};
   if (found.joint_by_joint) heading.insert(heading.begin() + 4, "joint by joint");
   std::vector<CombinationRow> rows;
-  for (int k = 0; k < equations.parameters(); ++k) {
+  for (int k = 0; k < equations.parameters() - equations.corrections(); ++k) {
     rows.push_back(
         {k, parameter_cells(equations, found, k),
          k < model.parameters() ? "" : meaning_of(equations, equations.names()[static_cast<std::size_t>(k)])});
   }
   const Combinations combinations(model.mechanism(), model.base(), frames);
   return combination_table(heading, rows, combinations) + note_on_frames(model.mechanism(), frames) +
-         note_on_names(model.mechanism(), frames) + speeds_text(equations);
+         note_on_names(model.mechanism(), frames) + speeds_text(equations, found.unknowns) +
+         gravity_text(found.unknowns);
 }
 
 std::string untold_text(const TorqueEquations& equations, const Estimate& estimate) {
@@ -191,7 +211,7 @@ std::string describe_identification(const TorqueEquations& equations, const Iden
                                     ParameterFrames frames) {
   const TorqueModel& model = equations.model();
   const Estimate& estimate = found.estimate;
-  return data_text(found.measurement, found.delay) + "\n" + torque_table(model, found) + "\n" +
+  return data_text(found.measurement, found.unknowns) + "\n" + torque_table(model, found) + "\n" +
          parameter_table(equations, found, frames) + conditioning_text(estimate) + untold_text(equations, estimate) +
          physical_text(found.physical) + validation_text(model, found);
 }
@@ -233,13 +253,23 @@ void add_parameters(const TorqueEquations& equations, const Identification& foun
     if (found.joint_by_joint) parameter["joint_by_joint"] = (*found.joint_by_joint)(k);
   }
   json["further_parameters"] = nlohmann::ordered_json::array();
-  for (int k = model.parameters(); k < equations.parameters(); ++k) {
+  for (int k = model.parameters(); k < equations.parameters() - equations.corrections(); ++k) {
     json["further_parameters"].push_back({{"name", equations.names()[static_cast<std::size_t>(k)]},
                                           {"value", estimate.values(k)},
                                           {"standard_deviation", estimate.standard_deviations(k)}});
   }
+  const NonlinearUnknowns& unknowns = found.unknowns;
   json["friction_speeds"] = equations.further().speeds;
-  json["delay"] = found.delay;
+  json["friction_speed_deviations"] = unknowns.speed_deviations;
+  json["delay"] = unknowns.delay;
+  json["delay_deviation"] = unknowns.delay_deviation;
+  if (!unknowns.gravity) return;
+  json["gravity"] = {{"value", list(unknowns.gravity->gravity)},
+                     {"standard_deviation", list(deviations_of(*unknowns.gravity))},
+                     {"not_told", nlohmann::ordered_json::array()}};
+  for (const Eigen::Vector3d& each : untold_directions(unknowns.gravity->told)) {
+    json["gravity"]["not_told"].push_back(list(each));
+  }
 }
 
 }  // namespace

@@ -13,6 +13,9 @@ namespace flatdyn {
 // Sentences on results that are hardly right, each with a possible reason.
 std::vector<std::string> plausibility_warnings(const TorqueModel& model, const Identification& found);
 
+// Sentences on what the search for unknowns in which the torques are not linear did not find.
+std::vector<std::string> search_warnings(const NonlinearUnknowns& unknowns);
+
 // Base parameters are written as combinations of parameters in `frames`.
 std::string describe_identification(const TorqueEquations& equations, const Identification& found,
                                     ParameterFrames frames);

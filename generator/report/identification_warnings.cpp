@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identify/gravity_search.hpp"
 #include "report/identification_report.hpp"
 
 namespace flatdyn {
@@ -39,12 +40,66 @@ void warn_of_joints(const TorqueModel& model, const Identification& found, std::
 void warn_of_frozen(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
   const auto& bodies = model.mechanism().joints();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (found.measurement.observations.joints[i].rows > 0) continue;
+    const JointObservations& joint = found.measurement.observations.joints[i];
+    if (joint.rows > 0) continue;
+    if (joint.left_out > 0) {
+      warning_texts.push_back(
+          fmt::format("joint \"{}\" moves at only {} of {} instants, too few to tell their noise by: it counts as one "
+                      "that stands still, and its friction and rotor keep the robot file's values; log a motion in "
+                      "which it moves for longer, or faster than {:.2g} {}",
+                      bodies[i].joint, joint.left_out, found.measurement.count.used, found.measurement.rest_speeds()[i],
+                      bodies[i].prismatic ? "m/s" : "rad/s"));
+      continue;
+    }
     warning_texts.push_back(
         fmt::format("joint \"{}\" stands still in all of the log: its friction and rotor keep the robot file's values; "
                     "if it moved, "
                     "its encoder is frozen",
                     bodies[i].joint));
+  }
+}
+
+// Parameters, told or not, of whose uncertainty the directions with so much noise of positions make more than a share.
+std::vector<std::string> parameters_in_noise(const TorqueModel& model, const Estimate& estimate, double least,
+                                             bool told, double share) {
+  std::vector<std::string> names;
+  for (int k = 0; k < model.parameters(); ++k) {
+    if (std::isfinite(estimate.standard_deviations(k)) != told) continue;
+    double noisy = 0, all = 0;
+    for (const NoisyDirection& each : estimate.noisy) {
+      const double square = std::pow(each.components(k), 2);
+      all += square;
+      if (each.share >= least) noisy += square;
+    }
+    if (noisy > share * all) names.push_back(parameter_name(model.base().columns[static_cast<std::size_t>(k)]));
+  }
+  return names;
+}
+
+std::string some_of(std::vector<std::string> names) {
+  constexpr std::size_t kMost = 8;
+  const std::size_t count = names.size();
+  if (count <= kMost) return fmt::format("{}", fmt::join(names, ", "));
+  names.resize(kMost);
+  return fmt::format("{} and {} more", fmt::join(names, ", "), count - kMost);
+}
+
+// Reports parameters of which noise of positions is a considerable share of what the motion tells.
+void warn_of_noise_in_q(const TorqueModel& model, const Estimate& estimate, std::vector<std::string>& warning_texts) {
+  constexpr double kConsiderable = 0.25;
+  constexpr const char* kRemedy = "a faster or larger motion tells more of them, and a lower --band may do so, too";
+  const std::vector<std::string> open = parameters_in_noise(model, estimate, NoisyDirection::kMost, false, 0.01);
+  if (!open.empty()) {
+    warning_texts.push_back(
+        fmt::format("noise in q is most of what the motion seems to tell of {}, so that it does not tell them; {}",
+                    some_of(open), kRemedy));
+  }
+  const std::vector<std::string> noisy = parameters_in_noise(model, estimate, kConsiderable, true, 0.5);
+  if (!noisy.empty()) {
+    warning_texts.push_back(
+        fmt::format("noise in q is a considerable share of what the motion tells of {}; it is taken off, and their "
+                    "intervals are wider; {}",
+                    some_of(noisy), kRemedy));
   }
 }
 
@@ -186,6 +241,23 @@ std::vector<std::string> plausibility_warnings(const TorqueModel& model, const I
   warn_of_search(found.physical, warning_texts);
   // Links cannot be near parameters that are those of no robot.
   if (warning_texts.empty()) warn_of_links(model, found, warning_texts);
+  warn_of_noise_in_q(model, found.estimate, warning_texts);
+  return warning_texts;
+}
+
+std::vector<std::string> search_warnings(const NonlinearUnknowns& unknowns) {
+  std::vector<std::string> warning_texts;
+  const auto untold = unknowns.gravity ? untold_directions(unknowns.gravity->told) : std::vector<Eigen::Vector3d>();
+  for (const Eigen::Vector3d& each : untold) {
+    warning_texts.push_back(fmt::format(
+        "nothing in the log tells gravity's component along [{:.3g}, {:.3g}, {:.3g}] in the base frame: it keeps the "
+        "robot file's value, {:.4g} m/s^2",
+        each.x(), each.y(), each.z(), each.dot(unknowns.gravity->gravity)));
+  }
+  if (unknowns.converged) return warning_texts;
+  warning_texts.emplace_back(
+      "the search for gravity's direction, the delay or the speeds of friction did not come to rest: the parameters "
+      "may be off by more than their intervals say");
   return warning_texts;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "model/rounded_up.hpp"
 #include "symbolic/notation/number_text.hpp"
 
 namespace flatdyn {
@@ -30,49 +31,63 @@ std::string counted(Snap::Kind kind, int count) {
   return fmt::format("{} {}{}", count, name_of(kind), s);
 }
 
-std::string summary(const std::vector<Snap>& snaps, const std::vector<double>& torque_changes) {
+std::string largest_change(const SnapEffects& effects) {
+  if (effects.bound) {
+    return fmt::format("together they change no torque by more than {:.1g} N m", rounded_up(*effects.bound, 1));
+  }
+  double largest = 0;
+  for (const SnapEffect& effect : effects.each) largest = std::max(largest, effect.seen);
+  return fmt::format("the largest torque change at random states is {:.1g} N m", largest);
+}
+
+std::string summary(const std::vector<Snap>& snaps, const SnapEffects& effects) {
   std::map<Snap::Kind, int> count_of;
   for (const Snap& snap : snaps) ++count_of[snap.kind];
   std::vector<std::string> counts;
   for (const auto& [kind, count] : count_of) counts.push_back(counted(kind, count));
-  return fmt::format("{} ({}); the largest torque change is {:.1g} N m; -v lists them\n",
+  return fmt::format("{} ({}); {}; -v lists them\n",
                      snaps.size() == 1 ? "1 number was snapped to an exact one near it"
                                        : fmt::format("{} numbers were snapped to exact ones near them", snaps.size()),
-                     fmt::join(counts, ", "), *std::max_element(torque_changes.begin(), torque_changes.end()));
+                     fmt::join(counts, ", "), largest_change(effects));
 }
 
 }  // namespace
 
-std::string snap_text(const Snap& snap, double torque_change) {
+std::string snap_text(const Snap& snap, const SnapEffect& effect) {
   const std::string unit = snap.kind == Snap::Kind::axis ? "" : fmt::format(" {}", unit_of(snap.kind));
-  return fmt::format("{}: {} snapped to {}: off by {:.1e}{}, changes torques by up to {:.1e}", snap.what, snap.written,
-                     plain_number_text(snap.exact), nearest_double(snap.difference), unit, torque_change);
+  const std::string change = effect.bound
+                                 ? fmt::format("no torque by more than {:.1e} N m", rounded_up(*effect.bound, 2))
+                                 : fmt::format("torques by up to {:.1e} N m at random states", effect.seen);
+  return fmt::format("{}: {} snapped to {}: off by {:.1e}{}, changes {}", snap.what, snap.written,
+                     plain_number_text(snap.exact), nearest_double(snap.difference), unit, change);
 }
 
-std::string describe_snaps(const std::vector<Snap>& snaps, const std::vector<double>& torque_changes,
-                           SnapDetail detail) {
+std::string describe_snaps(const std::vector<Snap>& snaps, const SnapEffects& effects, SnapDetail detail) {
   if (snaps.empty()) return "";
-  if (detail == SnapDetail::one_line) return "\n" + summary(snaps, torque_changes);
+  if (detail == SnapDetail::one_line) return "\n" + summary(snaps, effects);
   std::string text =
-      "\nnumbers snapped to exact ones near them (--snap 0 leaves them; torques in N m, at random states within "
-      "limits):\n";
+      "\nnumbers snapped to exact ones near them (--snap 0 leaves them; forces of prismatic joints in N; limits that "
+      "the "
+      "file lacks are 5 rad/s, 1 m/s, 20 rad/s^2, 10 m/s^2, 1 m):\n";
   for (std::size_t k = 0; k < snaps.size(); ++k) {
     const Place& place = snaps[k].place;
-    text += fmt::format("  {}:{}: {}\n", place.file, place.line, snap_text(snaps[k], torque_changes[k]));
+    text += fmt::format("  {}:{}: {}\n", place.file, place.line, snap_text(snaps[k], effects.each[k]));
   }
   return text;
 }
 
-nlohmann::ordered_json snaps_json(const std::vector<Snap>& snaps, const std::vector<double>& torque_changes) {
+nlohmann::ordered_json snaps_json(const std::vector<Snap>& snaps, const SnapEffects& effects) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (std::size_t k = 0; k < snaps.size(); ++k) {
     const Snap& snap = snaps[k];
+    const SnapEffect& effect = effects.each[k];
     json.push_back({{"line", snap.place.line},
                     {"kind", name_of(snap.kind)},
                     {"what", snap.what},
                     {"written", snap.written},
                     {"taken_for", plain_number_text(snap.exact)},
-                    {"largest_torque_change", torque_changes[k]}});
+                    {"largest_torque_change", effect.seen}});
+    if (effect.bound) json.back()["torque_change_bound"] = rounded_up(*effect.bound, 2);
   }
   return json;
 }

@@ -7,20 +7,20 @@
 #include <vector>
 
 #include "model/robot.hpp"
+#include "verify/snap_effect.hpp"
 
 namespace flatdyn {
 
 // The detail in texts for people.
 enum class SnapDetail { one_line, each };
 
-// The snaps as text, "" if there are none. torque_changes: one per snap, N m, or N for prismatic joints.
-std::string describe_snaps(const std::vector<Snap>& snaps, const std::vector<double>& torque_changes,
-                           SnapDetail detail);
+// The snaps as text, "" if there are none.
+std::string describe_snaps(const std::vector<Snap>& snaps, const SnapEffects& effects, SnapDetail detail);
 
-// A snap without its place: 'joint "j", origin, rpy: 1.5708 snapped to pi/2: off by -3.7e-06 rad, changes torques by up
-// to 1e-05'.
-std::string snap_text(const Snap& snap, double torque_change);
+// A snap without its place: 'joint "j", origin, rpy: 1.5708 snapped to pi/2: off by -3.7e-06 rad, changes no torque by
+// more than 1.3e-05 N m'; without a proven bound, 'changes torques by up to 1.0e-05 N m at random states'.
+std::string snap_text(const Snap& snap, const SnapEffect& effect);
 
-nlohmann::ordered_json snaps_json(const std::vector<Snap>& snaps, const std::vector<double>& torque_changes);
+nlohmann::ordered_json snaps_json(const std::vector<Snap>& snaps, const SnapEffects& effects);
 
 }  // namespace flatdyn

@@ -214,8 +214,8 @@ class StressStates {
   // Random states with closed loops. States near singular ones are dropped; if all are, loops are left open.
   std::vector<State> random(int count, int chunk) const {
     const std::vector<State> drawn = random_states(mechanism_, count, seed_ + static_cast<unsigned>(chunk));
-    std::vector<State> closed = expected_.with_closed_loops(drawn);
-    return completed(closed.empty() ? drawn : std::move(closed));
+    const std::vector<State> closed = expected_.with_closed_loops(drawn);
+    return completed(closed.empty() ? drawn : closed);
   }
   // Extreme states, including those of `verify`. Loops are open there: functions have values all the same.
   std::vector<State> edges(int count) const {

@@ -86,7 +86,7 @@ class PieceMaker {
   }
 
   // The same angles without needless turns: of two values a turn apart, the one nearer to the joint's present angle.
-  Eigen::VectorXd near_present(Eigen::VectorXd q) const {
+  Eigen::VectorXd near_present(const Eigen::VectorXd& q) const {
     return q_ + (q - q_).unaryExpr([](double angle) { return std::remainder(angle, 2 * std::numbers::pi); });
   }
 

@@ -1,71 +1,138 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "verify/snap_effect.hpp"
 
+#include <algorithm>
+
 #include "flatdyn/reference/newton_euler.hpp"
 #include "input/reader.hpp"
 #include "model/states.hpp"
 #include "reference/reference_model.hpp"
+#include "verify/torque_difference.hpp"
 
 namespace flatdyn {
 namespace {
 
 constexpr unsigned kSeed = 1;
 constexpr int kStates = 5;
+constexpr double kLeastRegularity = 1e-3;  // closer to a singular loop, every change is large
 
+using Robot50 = reference::Robot<Real50>;
 using Vector50 = reference::VectorX<Real50>;
 
-std::vector<Vector50> torques(const Robot& robot, const std::vector<State>& states) {
-  const auto numeric = reference_robot<Real50>(robot, random_symbol_values(robot, kSeed));
-  const auto wide = [](const std::vector<double>& v) {
-    return Vector50(Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size())).cast<Real50>());
-  };
-  std::vector<Vector50> result;
-  for (const State& state : states) {
-    result.push_back(reference::inverse_dynamics(numeric, wide(state.q), wide(state.qd), wide(state.qdd)));
+// A robot in numbers, and its torques at the states; none where its loops cannot be closed.
+struct Sample {
+  Robot50 robot;
+  std::vector<Vector50> torques;
+};
+
+// Random states at which the loops are closed and not singular.
+std::vector<State> closed_states(const LoadedRobot& model) {
+  std::vector<State> states = random_states(model.mechanism, kStates, kSeed);
+  if (!model.mechanism.has_loops()) return states;
+  const auto robot = reference_robot<double>(model.robot, random_symbol_values(model.robot, kSeed));
+  std::erase_if(states, [&robot](State& state) {
+    constexpr double kClosedWithin = 1e-12;
+    Eigen::VectorXd q = vector_of(state.q);
+    if (!reference::close_loops(robot, q, kClosedWithin)) return true;
+    state.q.assign(q.begin(), q.end());
+    return reference::loop_regularity(robot, q) < kLeastRegularity;
+  });
+  return states;
+}
+
+class SnapComparison {
+ public:
+  SnapComparison(const LoadedRobot& model, const ReadOptions& options)
+      : model_(model), options_(options), states_(closed_states(model)) {
+    if (!model.mechanism.is_coupled() && model.mechanism.symbols.empty()) limits_ = largest_motion(model.mechanism);
   }
-  return result;
-}
 
-Robot undone(const Snap& snap, Robot robot) {
-  snap.undo(robot);
-  return robot;
-}
-
-// The torques of the robot as read with all of its snaps but that of the k-th angle; with all snaps if k is none.
-std::vector<Vector50> torques_as_read(const Robot& robot, ReadOptions options, std::optional<std::size_t> k,
-                                      const std::vector<State>& states) {
-  options.left_unsnapped = k;
-  Diagnostics ignored;  // the same as those of the model
-  const std::optional<Robot> read = read_robot(robot.file, options, ignored);
-  return read ? torques(*read, states) : std::vector<Vector50>();
-}
-
-double largest_difference(const std::vector<Vector50>& a, const std::vector<Vector50>& b) {
-  double largest = 0;
-  for (std::size_t s = 0; s < std::min(a.size(), b.size()); ++s) {
-    if (a[s].size() != b[s].size()) continue;  // a loop closes on another branch
-    largest = std::max(largest, (a[s] - b[s]).cwiseAbs().maxCoeff().convert_to<double>());
+  // An angle affects many numbers, so the file is read again. Snaps made after reading are left out on both sides.
+  SnapEffects effects() const {
+    const std::vector<Snap>& snaps = model_.robot.snaps;
+    Robot plain = model_.robot;  // copies are made of it
+    plain.snaps.clear();
+    const Sample snapped = sample(plain);
+    const std::optional<Sample> as_read = read(options_);
+    SnapEffects result;
+    Robot all_undone = plain;
+    for (std::size_t k = 0; k < snaps.size(); ++k) {
+      if (snaps[k].undo) {
+        Robot undone = plain;
+        snaps[k].undo(undone);
+        result.each.push_back(difference(sample(undone), snapped));
+      } else {
+        ReadOptions left_out = options_;
+        left_out.left_unsnapped = k;
+        const std::optional<Sample> without = read(left_out);
+        result.each.push_back(without && as_read ? difference(*without, *as_read) : SnapEffect{});
+      }
+    }
+    for (auto snap = snaps.rbegin(); snap != snaps.rend(); ++snap) {
+      if (snap->undo) snap->undo(all_undone);
+    }
+    result.bound = bound_of_all(sample(all_undone), snapped, as_read);
+    return result;
   }
-  return largest;
-}
+
+ private:
+  Sample sample(const Robot& robot) const {
+    Sample result{reference_robot<Real50>(robot, random_symbol_values(robot, kSeed)), {}};
+    for (const State& state : states_) {
+      const StateOf<Real50> wide = widened<Real50>(state);
+      Vector50 q = vector_of(wide.q);
+      const bool is_closed = result.robot.loops.empty() || reference::close_loops(result.robot, q, Real50("1e-40"));
+      result.torques.push_back(
+          is_closed ? Vector50(reference::inverse_dynamics(result.robot, q, vector_of(wide.qd), vector_of(wide.qdd)))
+                    : Vector50());
+    }
+    return result;
+  }
+
+  std::optional<Sample> read(const ReadOptions& options) const {
+    Diagnostics ignored;  // the same as those of the model
+    const std::optional<Robot> robot = read_robot(model_.robot.file, options, ignored);
+    return robot ? std::optional(sample(*robot)) : std::nullopt;
+  }
+
+  SnapEffect difference(const Sample& a, const Sample& b) const {
+    SnapEffect effect;
+    for (std::size_t s = 0; s < states_.size(); ++s) {
+      if (a.torques[s].size() != b.torques[s].size()) continue;  // a loop closes in one of them only
+      effect.seen = std::max(effect.seen, (a.torques[s] - b.torques[s]).cwiseAbs().maxCoeff().convert_to<double>());
+    }
+    effect.bound = bound(a, b);
+    return effect;
+  }
+
+  std::optional<double> bound(const Sample& a, const Sample& b) const {
+    return limits_ ? std::optional(torque_difference_bound(a.robot, b.robot, *limits_)) : std::nullopt;
+  }
+
+  // The change by all snaps made after reading, and that by all snaps of angles, together.
+  std::optional<double> bound_of_all(const Sample& undone, const Sample& snapped,
+                                     const std::optional<Sample>& as_read) const {
+    const bool has_angles =
+        std::any_of(model_.robot.snaps.begin(), model_.robot.snaps.end(), [](const Snap& snap) { return !snap.undo; });
+    const std::optional<double> after_reading = bound(undone, snapped);
+    if (!has_angles || !after_reading) return after_reading;
+    ReadOptions unsnapped = options_;
+    unsnapped.snap_tolerance = 0;
+    const std::optional<Sample> written = read(unsnapped);
+    if (!written || !as_read) return std::nullopt;
+    return *after_reading + *bound(*written, *as_read);
+  }
+
+  const LoadedRobot& model_;
+  const ReadOptions& options_;
+  std::vector<State> states_;
+  std::optional<std::vector<MotionLimits>> limits_;
+};
 
 }  // namespace
 
-std::vector<double> snap_effects(const LoadedRobot& model, const ReadOptions& options) {
-  std::vector<double> effects;
-  if (model.robot.snaps.empty()) return effects;
-  const std::vector<State> states = random_states(model.mechanism, kStates, kSeed);
-  const std::vector<Vector50> snapped = torques(model.robot, states);
-  Robot without_list = model.robot;  // copies are made of it
-  without_list.snaps.clear();
-  // An angle affects many numbers, so the file is read again. Snaps made after reading are left out on both sides.
-  const std::vector<Vector50> as_read = torques_as_read(model.robot, options, {}, states);
-  for (std::size_t k = 0; k < model.robot.snaps.size(); ++k) {
-    const Snap& snap = model.robot.snaps[k];
-    effects.push_back(!snap.undo ? largest_difference(torques_as_read(model.robot, options, k, states), as_read)
-                                 : largest_difference(torques(undone(snap, without_list), states), snapped));
-  }
-  return effects;
+SnapEffects snap_effects(const LoadedRobot& model, const ReadOptions& options) {
+  return model.robot.snaps.empty() ? SnapEffects{{}, 0} : SnapComparison(model, options).effects();
 }
 
 }  // namespace flatdyn

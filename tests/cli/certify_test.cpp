@@ -56,13 +56,13 @@ class CheckCertificate : public ::testing::Test {
     if (std::system("python3 -c 'import mpmath' > /dev/null 2>&1") != 0) GTEST_SKIP() << "no mpmath: scripts/setup";
   }
 
-  void certify(const std::string& options) {
-    ASSERT_EQ(run_flatdyn(kPlanar + options + " -q --states 100 --time-limit 0 -o " + scratch_.path()).code, 0);
+  void certify(const std::string& options, const std::string& robot = kPlanar) {
+    ASSERT_EQ(run_flatdyn(robot + options + " -q --states 100 --time-limit 0 -o " + scratch_.path()).code, 0);
   }
 
-  int check() {
+  int check(const char* file = kFile) {
     const std::string command = fmt::format("{}/scripts/check-certificate {} --states 300 > {}", FLATDYN_SOURCE_DIR,
-                                            scratch_.path(kFile), scratch_.path("seen"));
+                                            scratch_.path(file), scratch_.path("seen"));
     return WEXITSTATUS(std::system(command.c_str()));
   }
 
@@ -106,6 +106,27 @@ TEST_F(CheckCertificate, RefutesASizeADerivativeAndABoundThatAreTooSmall) {
   scratch_.write(kFile, certificate.dump());
   EXPECT_EQ(check(), 1);
   EXPECT_THAT(scratch_.read("seen"), HasSubstr("REFUTED: inverse_dynamics: the error of tau[0]"));
+}
+
+TEST_F(CheckCertificate, RefutesADerivativeByAConstantThatIsTooSmall) {
+  certify("");
+  const std::string script = "planar_2r_example_7_2.gappa/inverse_dynamics.tau_0.g";
+  std::string constant, derivative;
+  const json certificate = json::parse(scratch_.read(kFile));
+  for (const json& leaf : certificate["functions"][0]["leaves"]) {
+    if (leaf["name"].get<std::string>().front() != 'k') continue;
+    constant = leaf["name"];
+    derivative = fmt::format("/\\ a{} ", leaf["operation"].get<int>());
+    if (scratch_.read(script).find(derivative) != std::string::npos) break;
+  }
+  tighten(script, derivative);
+  EXPECT_EQ(check(), 1);
+  EXPECT_THAT(scratch_.read("seen"), HasSubstr("REFUTED: inverse_dynamics: the derivative of tau[0] by " + constant));
+}
+
+TEST_F(CheckCertificate, RefutesNothingOfThePanda) {
+  certify("", "certify robots/panda.urdf ");
+  EXPECT_EQ(check("panda.certificate.json"), 0) << scratch_.read("seen");
 }
 
 TEST_F(CheckCertificate, SaysWhichFileIsMissing) { EXPECT_EQ(check(), 2); }

@@ -71,6 +71,7 @@ TEST(Identify, RefusesOptionsWithoutAnEffect) {
        {std::pair<std::string, const char*>{" --validate " + log, "that log is one of --data, too"},
         {" --parameters inertial --friction stribeck", "--friction has no effect with --parameters inertial"},
         {" --gravity off --gravity-direction", "the robot is without gravity"},
+        {" --friction asymmetric --offsets", "--friction asymmetric and --offsets cannot be told apart"},
         {" --rest-speed nan", "must be a number from 0"},
         {" --rest-speed -1", "must be a number from 0"}}) {
     const Outcome outcome = run_flatdyn(identify + options);
@@ -304,6 +305,46 @@ TEST(Identify, SaysThatALogIsTooShortForTheFilter) {
   const Outcome outcome = run_flatdyn(fmt::format("identify {} -q --data {}", kPuma, scratch.path("log.csv")));
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("none of 50 samples can be used: the filter's window has 143 of them"));
+}
+
+// All axes are parallel, so that no torque depends on gravity along them.
+TEST(Identify, SaysWhatOfGravityNothingTells) {
+  const Scratch scratch;
+  write_log(scratch.path("log.csv"), simulated(model_of("planar_2r_example_7_2.toml"), {.samples = 800, .noise = 2}));
+  const Outcome outcome = run_flatdyn(
+      "identify robots/planar_2r_example_7_2.toml -q --json --gravity-direction --data " + scratch.path("log.csv"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err,
+              HasSubstr("nothing in the log tells gravity's component along [0, 0, 1] in the base frame: it "
+                        "keeps the robot file's value, 0 m/s^2"));
+  const json gravity = json::parse(outcome.out)["gravity"];
+  EXPECT_EQ(gravity["not_told"].size(), 1u);
+  for (int d = 0; d < 2; ++d) {
+    const double deviation = gravity["standard_deviation"][d], truth = d == 1 ? -9.81 : 0;
+    EXPECT_NEAR(gravity["value"][d].get<double>(), truth, 4 * deviation + 1e-3);
+  }
+  EXPECT_GT(gravity["standard_deviation"][0], 1e-5);
+  EXPECT_EQ(gravity["standard_deviation"][2], 0);
+}
+
+TEST(Identify, SaysWhyNoSampleCanBeUsed) {
+  const Scratch scratch;
+  const LoadedRobot robot = model_of("planar_2r_example_7_2.toml");
+  std::vector<SimulatedSample> samples = simulated(robot, {.samples = 1000});
+  write_log(scratch.path("motion.csv"), samples, LogDerivatives::none);
+  for (SimulatedSample& sample : samples) sample.q = samples.front().q;
+  write_log(scratch.path("held.csv"), samples, LogDerivatives::none);
+  write_log(scratch.path("poses.csv"), simulated(robot, {.samples = 40, .rate = 0.5, .standing = true}),
+            LogDerivatives::none);
+  for (const auto& [arguments, message] :
+       {std::pair{"motion.csv --decimate 100000", "none of 1000 samples can be used: --decimate 100000 leaves none"},
+        {"held.csv --parameters full", "no joint moves in the log: at rest a joint's friction may be anything"},
+        {"poses.csv", "poses that are held need columns qd1, ... and qdd1, ... of zeros"}}) {
+    const Outcome outcome =
+        run_flatdyn("identify robots/planar_2r_example_7_2.toml -q --data " + scratch.path("") + arguments);
+    EXPECT_EQ(outcome.code, 3) << arguments << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(message)) << arguments;
+  }
 }
 
 // Four ranks, each with a part of the log.

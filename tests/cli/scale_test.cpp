@@ -131,6 +131,9 @@ TEST(Scale, KeepsTheDurationThatEndsOnASample) {
   EXPECT_EQ(result["points"], 126);
   EXPECT_EQ(result["even_samples"]["slowed_by"], 1);
   EXPECT_EQ(run_flatdyn(command + " --rate 0").code, 2);
+  const Outcome few = run_flatdyn(command + " --rate 0.1");
+  EXPECT_EQ(few.code, 2);
+  EXPECT_THAT(few.err, HasSubstr("--rate 0.1 has no sample within the motion, which takes 0.5 s"));
   const Outcome many = run_flatdyn(command + " --rate 1e9");
   EXPECT_EQ(many.code, 2);
   EXPECT_THAT(many.err, HasSubstr("--rate 1000000000 makes 500000001 samples of 0.5 s; at most 1000000 are written"));

@@ -55,7 +55,11 @@ class PracticalBench {
     std::filesystem::remove(path);
     EXPECT_FALSE(found.has_errors());
     warnings.clear();
-    for (const Diagnostic& each : found.all()) warnings.push_back(each.message);
+    warning_lines.clear();
+    for (const Diagnostic& each : found.all()) {
+      warnings.push_back(each.message);
+      warning_lines.push_back(each.place.line);
+    }
     return measurement;
   }
   AccelerationRows acceleration_rows() const { return equations_.acceleration_rows(); }
@@ -77,6 +81,7 @@ class PracticalBench {
   }
 
   std::vector<std::string> warnings;  // of the log that was measured last
+  std::vector<int> warning_lines;
 
  private:
   PracticalArm arm_;

@@ -72,9 +72,11 @@ inline PracticalArm practical_panda() {
 
 struct PracticalOptions {
   double seconds = 20, rate = 1000;
-  unsigned motion = 1;      // chooses the motion
-  std::vector<int> held{};  // joints that stand still, counted from 0
-  bool idles = false;       // whether the arm stands still for two of every six seconds
+  unsigned motion = 1;          // chooses the motion
+  std::vector<int> held{};      // joints that stand still, counted from 0
+  std::vector<double> scale{};  // of each joint's motion; empty: 1
+  double fundamental = 0.1;     // Hz
+  bool idles = false;           // whether the arm stands still for two of every six seconds
 };
 
 // How far a motion has come on its path, in seconds of the path, and its rates.
@@ -95,7 +97,7 @@ struct PathTime {
 inline std::vector<SimulatedSample> practical_motion(const PracticalArm& arm, const LoadedRobot& truth,
                                                      const PracticalOptions& options) {
   constexpr int kHarmonics = 5;
-  constexpr double kFundamental = 0.1, kAmplitude = 0.8;  // Hz, rad
+  constexpr double kAmplitude = 0.8;  // rad
   const auto n = static_cast<Eigen::Index>(arm.joints.size());
   const reference::Robot<double> robot = reference_robot<double>(truth.robot, {});
   Uniform draw(options.motion);
@@ -103,6 +105,10 @@ inline std::vector<SimulatedSample> practical_motion(const PracticalArm& arm, co
   for (Eigen::Index k = 0; k < a.size(); ++k) {
     a(k) = kAmplitude * draw() / static_cast<double>(k / n + 1);
     b(k) = kAmplitude * draw() / static_cast<double>(k / n + 1);
+  }
+  for (std::size_t i = 0; i < options.scale.size(); ++i) {
+    a.row(static_cast<Eigen::Index>(i)) *= options.scale[i];
+    b.row(static_cast<Eigen::Index>(i)) *= options.scale[i];
   }
   for (const int joint : options.held) a.row(joint).setZero();
   for (const int joint : options.held) b.row(joint).setZero();
@@ -117,7 +123,7 @@ inline std::vector<SimulatedSample> practical_motion(const PracticalArm& arm, co
                            Eigen::VectorXd::Zero(n),
                            {}};
     for (int l = 0; l < kHarmonics; ++l) {
-      const double w = 2 * std::numbers::pi * kFundamental * (l + 1), s = std::sin(w * path.s),
+      const double w = 2 * std::numbers::pi * options.fundamental * (l + 1), s = std::sin(w * path.s),
                    c = std::cos(w * path.s);
       const Eigen::VectorXd value = s * a.col(l) + c * b.col(l), rate = w * (c * a.col(l) - s * b.col(l));
       sample.q += value;

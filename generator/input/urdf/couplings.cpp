@@ -162,13 +162,13 @@ class CouplingReader {
     for (auto& [joint, factor] : equation.factors) factor /= -own;
     for (auto& [joint, before] : solved_) {
       if (const auto found = before.factors.find(follower); found != before.factors.end())
-        add(before, found->second, equation);
+        add(before, Number(found->second), equation);  // a copy: it changes on the way
     }
     solved_.emplace(follower, equation);
   }
 
   // Takes the joint that `solved` is solved for, whose factor there is -1, out of an equation.
-  static void add(CouplingEquation& equation, const Number multiple, const CouplingEquation& solved) {
+  static void add(CouplingEquation& equation, const Number& multiple, const CouplingEquation& solved) {
     for (const auto& [joint, factor] : solved.factors) equation.factors[joint] += multiple * factor;
   }
 

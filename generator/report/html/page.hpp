@@ -13,6 +13,7 @@
 #include "report/html/worst_states.hpp"
 #include "symbolic/parameters/parameter_frames.hpp"
 #include "symbolic/parameters/parameters.hpp"
+#include "verify/snap_effect.hpp"
 
 namespace flatdyn {
 
@@ -24,7 +25,7 @@ struct PageContent {
   std::vector<OptimisedFunction> functions;  // includes the functions of the page
   Drawing drawing;
   Diagnostics findings;  // in addition to those of the model
-  std::vector<double> snap_effects;
+  SnapEffects snap_effects;
   ParameterSet parameters = ParameterSet::given;   // the set from which base parameters are made
   ParameterFrames frames = ParameterFrames::file;  // the frames to which their names refer
   std::string options;                             // the options that shaped the page

@@ -171,17 +171,17 @@ data joint_rows(const ordered_json& joints) {
   return rows;
 }
 
-std::vector<std::string> snap_lines(const std::vector<Snap>& snaps, const std::vector<double>& torque_changes) {
+std::vector<std::string> snap_lines(const std::vector<Snap>& snaps, const SnapEffects& effects) {
   std::vector<std::string> lines;
   for (std::size_t k = 0; k < snaps.size(); ++k) {
-    lines.push_back(fmt::format("line {}: {} N m", snaps[k].place.line, snap_text(snaps[k], torque_changes[k])));
+    lines.push_back(fmt::format("line {}: {}", snaps[k].place.line, snap_text(snaps[k], effects.each[k])));
   }
   return lines;
 }
 
 }  // namespace
 
-void write_model(data& page, const LoadedRobot& model, const std::vector<double>& snap_effects) {
+void write_model(data& page, const LoadedRobot& model, const SnapEffects& snap_effects) {
   const ordered_json json = model_json(model, snap_effects);
   page["joints"] = joint_rows(json.at("joints"));
   page["scene?"] = json.contains("scene");

@@ -12,6 +12,7 @@
 #include "report/html/worst_states.hpp"
 #include "symbolic/parameters/parameter_frames.hpp"
 #include "symbolic/parameters/parameters.hpp"
+#include "verify/snap_effect.hpp"
 
 namespace flatdyn {
 
@@ -29,7 +30,7 @@ void write_certificate(kainjow::mustache::data& page, const std::optional<Certif
 void write_worst_states(kainjow::mustache::data& page, const std::optional<WorstStates>& states);
 
 // Joints with their limits, the settings of a scene, and snapped numbers.
-void write_model(kainjow::mustache::data& page, const LoadedRobot& model, const std::vector<double>& snap_effects);
+void write_model(kainjow::mustache::data& page, const LoadedRobot& model, const SnapEffects& snap_effects);
 
 // The findings of reading and deriving. Files are named without folders, so the page does not depend on the folder.
 void write_notes(kainjow::mustache::data& page, const LoadedRobot& model, const Diagnostics& findings);

@@ -20,11 +20,11 @@ struct Echelon {
 
 // Simplifies an element where the field needs it: expressions in symbols do not cancel by themselves.
 template <class F>
-F simplified(F x) {
+F simplified(const F& x) {
   return x;
 }
 template <>
-inline Number simplified(Number x) {
+inline Number simplified(const Number& x) {
   return is_rational(x) ? x : x.normal();
 }
 

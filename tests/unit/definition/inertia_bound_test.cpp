@@ -48,7 +48,7 @@ TEST_P(BoundOfRobot, IsBelowEveryEigenvalue) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, BoundOfRobot,
                          ::testing::Values("humanoid32.urdf", "panda.urdf", "puma560.toml", "quadruped12.urdf",
-                                           "rx90.toml", "ur5.urdf", "planar_2r_example_7_2.toml"));
+                                           "rx90.toml", "ur5.urdf", "planar_2r_example_7_2.toml", "finger.toml"));
 
 // Links with rotors that others carry, prismatic joints, branches and links without mass are among them.
 TEST(ScaledInertiaBound, HoldsForRandomRobots) {
@@ -62,6 +62,21 @@ TEST(ScaledInertiaBound, HoldsForRandomRobots) {
     EXPECT_LE(bound, smallest_eigenvalue(mechanism) + 1e-12) << "seed " << seed;
   }
   EXPECT_GT(proven, 50);
+}
+
+// The armature turns by c - 100 b, so it resists no change of c and b at that rate: B is nearly singular.
+TEST(ScaledInertiaBound, IsZeroWhereAJointTurnsByACombinationOfCoordinates) {
+  const auto arm = [](const std::string& position) {
+    const std::string link =
+        "[[link]]\nxyz = [0.1, 0, 0]\nmass = 0.3\ncom = [0.05, 0.02, 0.01]\n"
+        "inertia_about = \"com\"\ninertia = { xx = 0.05, yy = 0.055, zz = 0.06 }\n";
+    return testing::model_of_toml(link + "joint = \"b\"\n" + link + "rpy = [0.7, -0.4, 0.2]\njoint = \"c\"\n" +
+                                  "armature = 1\n" + position);
+  };
+  EXPECT_GT(scaled_inertia_bound(arm("").mechanism), 1e-3);
+  const Mechanism coupled = arm("position = \"c - 100*b\"").mechanism;
+  EXPECT_LT(smallest_eigenvalue(coupled), 1e-4);
+  EXPECT_EQ(scaled_inertia_bound(coupled), 0);
 }
 
 TEST(ScaledInertiaBound, IsZeroWhereALinkHasNoInertia) {

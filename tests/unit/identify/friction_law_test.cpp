@@ -103,6 +103,18 @@ TEST_F(FrictionLaws, EveryEntryHasTheValueOfItsLaw) {
   EXPECT_EQ(entry, equations.entries());
 }
 
+TEST(FrictionEntry, SlopesAreDerivativesByTheSpeed) {
+  constexpr double kStep = 1e-6;
+  using Law = FrictionEntry::Law;
+  for (const auto& [law, slope] : {std::pair{Law::stribeck, Law::stribeck_slope}, {Law::smooth, Law::smooth_slope}}) {
+    for (const double rate : {-0.3, -0.02, 0.05, 0.4}) {
+      const auto at = [&](double speed) { return FrictionEntry{0, 0, law, speed, 2}.value(rate); };
+      const double derivative = (at(0.1 + kStep) - at(0.1 - kStep)) / (2 * kStep);
+      EXPECT_NEAR((FrictionEntry{0, 0, slope, 0.1, 2}.value(rate)), derivative, 1e-6) << rate;
+    }
+  }
+}
+
 TEST_F(FrictionLaws, HuberWeightsKeepOutliersFromFriction) {
   std::vector<SimulatedSample> samples = bench.motion({});
   for (std::size_t k = 3000; k < samples.size(); k += 3000) samples[k].tau(1) += 400;

@@ -39,6 +39,20 @@ TEST(ZeroPhaseKernel, PassesAndDifferentiatesWhatIsSlowerThanTheBand) {
   }
 }
 
+TEST(ZeroPhaseKernel, LooksAheadAtValuesAndRates) {
+  for (const double ahead : {0.0, 0.04, -0.02}) {
+    ZeroPhaseKernel kernel = zero_phase_kernel(kBand, kStep);
+    kernel.weights[0] = weights_ahead(kBand, kStep, ahead);
+    kernel.weights[1] = rate_weights_ahead(kBand, kStep, ahead);
+    for (const double frequency : {0.3, 2.0, 6.0}) {
+      const double w = 2 * std::numbers::pi * frequency;
+      const auto wave = [w](double t) { return std::sin(w * t + 0.4); };
+      EXPECT_NEAR(filtered(kernel, 0, 1, wave), wave(1 + ahead), 5e-4) << frequency;
+      EXPECT_NEAR(filtered(kernel, 1, 1, wave), w * std::cos(w * (1 + ahead) + 0.4), 5e-4 * w) << frequency;
+    }
+  }
+}
+
 TEST(ZeroPhaseKernel, StopsWhatIsFasterThanTwoBands) {
   const ZeroPhaseKernel kernel = zero_phase_kernel(kBand, kStep);
   for (const double frequency : {20.0, 35.0, 60.0, 200.0}) {

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The proven bound of what snapping changes, against the reference at random motions within the limits.
-#include "verify/snap_bound.hpp"
+// The proven bound of how far torques of two robots differ, against the reference at random motions within the limits.
+#include "verify/torque_difference.hpp"
 
 #include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
 
 #include "flatdyn/reference/newton_euler.hpp"
 #include "model/states.hpp"
 #include "support/robot_models.hpp"
-#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {
@@ -80,23 +76,6 @@ TEST_P(DifferenceOfTorques, IsBelowItsBound) {
 INSTANTIATE_TEST_SUITE_P(Robots, DifferenceOfTorques,
                          ::testing::Values("ur5.urdf", "panda.urdf", "puma560.toml", "planar_2r_example_7_2.toml",
                                            "quadruped12.urdf", "humanoid32.urdf"));
-
-TEST(SnapBound, IsOfAllSnapsTogether) {
-  const TemporaryFolder folder;
-  const std::filesystem::path file = folder.path() / "arm.toml";
-  std::ofstream(file) << R"(
-[[link]]
-mass = 2
-com = [1, 0, 0]
-rpy = [1.5708, 0, 0]
-limits = { velocity = 1, acceleration = 2 }
-)";
-  const std::optional<double> bound = snap_bound(load_robot(file, {}), {});
-  ASSERT_TRUE(bound);
-  EXPECT_GT(*bound, 2 * 9.81 * 3.6e-6);
-  EXPECT_LT(*bound, 1e-3);
-  EXPECT_FALSE(snap_bound(testing::model_of("planar_2r.toml"), {})) << "free symbols";
-}
 
 }  // namespace
 }  // namespace flatdyn

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "verify/snap_bound.hpp"
+#include "verify/torque_difference.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "input/reader.hpp"
 #include "model/rounded_up.hpp"
+#include "model/states.hpp"
 
 namespace flatdyn {
 namespace {
@@ -199,54 +199,20 @@ class TorqueDifference {
   std::vector<Wrench> wrenches_;  // by link: force, and moment about its frame's origin
 };
 
-std::optional<double> limit_of(const std::optional<Value>& limit) {
-  if (!limit) return std::nullopt;
-  return std::abs(nearest_double(limit->number)) * kRoundingMargin;
-}
+}  // namespace
 
-std::optional<std::vector<MotionLimits>> motion_limits(const Mechanism& mechanism) {
+std::vector<MotionLimits> largest_motion(const Mechanism& mechanism) {
   std::vector<MotionLimits> all;
   for (const Body& body : mechanism.joints()) {
-    const auto speed = limit_of(body.limits.velocity), acceleration = limit_of(body.limits.acceleration);
-    const auto lower = limit_of(body.limits.lower), upper = limit_of(body.limits.upper);
-    if (speed.value_or(0) == 0 || acceleration.value_or(0) == 0 || (body.prismatic && (!lower || !upper)))
-      return std::nullopt;
-    all.push_back({body.prismatic ? std::max(*lower, *upper) : 0, *speed, *acceleration});
+    const MotionRange range = motion_range(body);
+    const double position = body.prismatic ? std::max(std::abs(range.lower), std::abs(range.upper)) : 0;
+    all.push_back({position * kRoundingMargin, range.speed * kRoundingMargin, range.acceleration * kRoundingMargin});
   }
   return all;
 }
 
-Robot50 reference_of(const Robot& robot) { return reference_robot<Real50>(robot, {}); }
-
-}  // namespace
-
 double torque_difference_bound(const Robot50& a, const Robot50& b, const std::vector<MotionLimits>& limits) {
   return TorqueDifference(a, b, limits).largest();
-}
-
-// The snaps of angles need the file to be read without any; those made after reading are undone one after the other.
-std::optional<double> snap_bound(const LoadedRobot& model, const ReadOptions& options) {
-  if (model.mechanism.is_coupled() || !model.mechanism.symbols.empty()) return std::nullopt;
-  const std::optional<std::vector<MotionLimits>> limits = motion_limits(model.mechanism);
-  if (!limits) return std::nullopt;
-  Robot undone = model.robot;
-  bool has_angles = false;
-  for (auto snap = model.robot.snaps.rbegin(); snap != model.robot.snaps.rend(); ++snap) {
-    if (snap->undo) {
-      snap->undo(undone);
-    } else {
-      has_angles = true;
-    }
-  }
-  double bound = torque_difference_bound(reference_of(undone), reference_of(model.robot), *limits);
-  if (!has_angles) return bound;
-  ReadOptions unsnapped = options;
-  unsnapped.snap_tolerance = 0;
-  Diagnostics ignored;  // the same as those of the model
-  const std::optional<Robot> plain = read_robot(model.robot.file, unsnapped, ignored),
-                             as_read = read_robot(model.robot.file, options, ignored);
-  if (!plain || !as_read) return std::nullopt;
-  return bound + torque_difference_bound(reference_of(*plain), reference_of(*as_read), *limits);
 }
 
 }  // namespace flatdyn

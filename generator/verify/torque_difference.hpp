@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A proven bound of what snapping numbers of the robot file to exact ones changes.
+// A proven bound of how far the torques of two robots differ whose numbers differ a little.
 #pragma once
 
-#include <optional>
 #include <vector>
 
+#include "flatdyn/reference/real50.hpp"
 #include "flatdyn/reference/robot.hpp"
-#include "input/common/read_options.hpp"
-#include "load/loaded_robot.hpp"
-#include "reference/reference_model.hpp"
+#include "model/mechanism.hpp"
 
 namespace flatdyn {
 
@@ -17,15 +15,14 @@ struct MotionLimits {
   double position = 0, speed = 0, acceleration = 0;
 };
 
+// The limits of every moving joint (model/states.hpp: MotionRange), in the order of q.
+std::vector<MotionLimits> largest_motion(const Mechanism& mechanism);
+
 // A bound of |τ_a - τ_b| of every joint, N m or N, at any motion within the limits, of two robots of the same structure
 // whose numbers differ a little. It is an analysis of errors: beside the size of every vector of the recursive
 // Newton-Euler equations goes a bound of its difference, |R_a x_a - R_b x_b| <= |R_a - R_b| |x| + |x_a - x_b| and so
 // on; vectors are compared in the axes of their links. Joints must not be coupled.
 double torque_difference_bound(const reference::Robot<Real50>& a, const reference::Robot<Real50>& b,
                                const std::vector<MotionLimits>& limits);
-
-// The bound for the robot with all numbers snapped and with none. Nothing if a joint has no limits, joints are coupled,
-// or the file has free symbols. `options`: those that the model was read with.
-std::optional<double> snap_bound(const LoadedRobot& model, const ReadOptions& options);
 
 }  // namespace flatdyn

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Logs in which the encoder's noise is not small against the motion, and joints that hardly move: what is told holds
+// within its intervals, and the rest is not told.
+#include "identify/noise_account.hpp"
+
+#include <gmock/gmock.h>
+
+#include "support/practical_bench.hpp"
+
+namespace flatdyn {
+namespace {
+
+using testing::kEncoderStep;
+using testing::SimulatedSample;
+using Bench = testing::PracticalBench;
+
+class NoiseAccount : public ::testing::Test {
+ protected:
+  static constexpr int kTiny = 3;  // the joint that moves little
+  Bench& bench = testing::ur5();
+
+  Measurement with_tiny_joint(double scale) {
+    return bench.measured(bench.motion({.seconds = 12, .scale = {1, 1, 1, scale, 1, 1}}), kEncoderStep, 1);
+  }
+  void expect_honest(const Estimate& found) const {
+    constexpr double kFar = 4.5;  // standard deviations
+    for (int k = 0; k < bench.model().parameters(); ++k) {
+      if (std::isinf(found.standard_deviations(k))) continue;
+      EXPECT_NEAR(found.values(k), bench.truth(k), kFar * found.standard_deviations(k))
+          << parameter_name(bench.model().base().columns[static_cast<std::size_t>(k)]);
+    }
+  }
+  bool is_told(const Estimate& found, const char* name) const {
+    return std::isfinite(found.standard_deviations(bench.place_of(name)));
+  }
+};
+
+// Half a hundred steps of the encoder: the acceleration that the filter finds is noise.
+TEST_F(NoiseAccount, DoesNotTellTheRotorOfAJointThatMovesByFewSteps) {
+  const Measurement measurement = with_tiny_joint(0.01);
+  EXPECT_GT(measurement.observations.joints[kTiny].rows, 40);
+  const Estimate found = bench.estimated(measurement);
+  expect_honest(found);
+  EXPECT_FALSE(is_told(found, "Im4"));
+  EXPECT_TRUE(is_told(found, "Fs4"));
+  EXPECT_TRUE(is_told(found, "Im3"));
+  EXPECT_TRUE(found.noisy.back().is_open());
+}
+
+TEST_F(NoiseAccount, LeavesOutTheFewRowsOfAJointThatHardlyMoves) {
+  const Measurement measurement = with_tiny_joint(0.0025);
+  const JointObservations& joint = measurement.observations.joints[kTiny];
+  EXPECT_EQ(joint.rows, 0);
+  EXPECT_GT(joint.left_out, 0);
+  const Estimate found = bench.estimated(measurement);
+  expect_honest(found);
+  EXPECT_FALSE(is_told(found, "Fs4"));
+}
+
+// The bias that noise of q makes is as large as the information: what is taken off has to be right.
+TEST_F(NoiseAccount, HoldsForASlowMotionAtALowRate) {
+  const std::vector<SimulatedSample> samples = bench.motion({.seconds = 60, .rate = 200, .fundamental = 0.02});
+  for (const double band : {10.0, 5.0}) {
+    const Estimate found = bench.estimated(bench.measured(samples, kEncoderStep, 1, 1, {.band = band}));
+    expect_honest(found);
+    EXPECT_GT(found.noisy.back().share, 0.25) << band;
+  }
+  const Measurement measurement = bench.measured(samples, kEncoderStep, 1);
+  EXPECT_LT(measurement.logs[0].filter.band, 7);
+  const Estimate found = bench.estimated(measurement);
+  expect_honest(found);
+  EXPECT_TRUE(found.standard_deviations.allFinite());
+}
+
+TEST_F(NoiseAccount, FindsNoNoiseWorthTheNameInASoundLog) {
+  const Estimate found = bench.estimated(bench.measured(bench.motion({.seconds = 12}), kEncoderStep, 1));
+  EXPECT_LT(found.noisy.back().share, 0.05);
+  EXPECT_TRUE(found.standard_deviations.allFinite());
+}
+
+}  // namespace
+}  // namespace flatdyn
