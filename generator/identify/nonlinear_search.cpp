@@ -148,7 +148,7 @@ class NonlinearSearch {
         std::make_shared<GravityColumns>(*fit_.model, fit_.robot, pi, turns_of_gravity(gravity, told));
   }
 
-  // What the law's term is multiplied by, at joints whose friction shows it clearly. The others' speeds count as exact.
+  // Sets the factors of the law's term, at joints whose friction shows it clearly. The others' speeds count as exact.
   void set_speed_factors(const TorqueEquations& equations, const Estimate& found) {
     constexpr double kClearly = 5, kMostUnsure = 0.5;  // standard deviations; of v, a share of v
     if (!has_speed(options_.law)) return;

@@ -13,7 +13,7 @@ namespace flatdyn {
 
 class SpikeRepair : public SampleReceiver {
  public:
-  // What becomes of a sample depends on no more samples than these before and behind it.
+  // A sample's repair depends on no more samples than these before and behind it.
   static constexpr int kReach = 6;
 
   SpikeRepair(const StreamPlan& plan, SampleReceiver& receiver);
