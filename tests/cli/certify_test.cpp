@@ -268,10 +268,13 @@ TEST_F(CheckCertificate, RefutesNothingOfThePanda) {
   EXPECT_EQ(check(300, "panda.certificate.json"), 0) << scratch_.read("seen");
 }
 
-// Its last joint follows another one.
-TEST_F(CheckCertificate, RefutesNothingOfAFinger) {
+// Its last joint follows another one, so that its angle is computed, and rounded.
+TEST_F(CheckCertificate, RefutesNothingOfAFingerButAnAngleWithoutError) {
   certify("", "certify robots/finger.toml ");
-  EXPECT_EQ(check(100, "finger.certificate.json"), 0) << scratch_.read("seen");
+  EXPECT_EQ(check(50, "finger.certificate.json"), 0) << scratch_.read("seen");
+  replace("finger.certificate.json", "sin(x10)", "s_4");
+  EXPECT_EQ(check(10, "finger.certificate.json"), 1);
+  EXPECT_THAT(scratch_.read("seen"), HasSubstr("the angle of s_4 of the header is another number"));
 }
 
 TEST_F(CheckCertificate, SaysWhichFileIsMissing) {
