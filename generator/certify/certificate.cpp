@@ -93,13 +93,19 @@ class Certifier {
       const Operation& operation = analysis_.text()[k];
       const std::string name = name_in_scripts(analysis_, k);
       if (operation.step == Step::input) {
-        result_.leaves.push_back({k, name, name, limit(operation.input)});
+        result_.leaves.push_back({k, name, name, limit(operation.input), {}});
       } else if (operation.step == Step::sine || operation.step == Step::cosine) {
-        result_.leaves.push_back({k, name, name, {}});
+        const char* const of = operation.step == Step::sine ? "sin" : "cos";
+        const bool is_of_joint = operation.a < 0;
+        result_.leaves.push_back(
+            {k, name, is_of_joint ? name : fmt::format("{}({})", of, name_in_scripts(analysis_, operation.a)), {}, {}});
       } else if (operation.step == Step::sign) {
-        result_.leaves.push_back({k, name, "sign(" + name_in_scripts(analysis_, operation.a) + ")", {}});
+        result_.leaves.push_back({k, name, "sign(" + name_in_scripts(analysis_, operation.a) + ")", {}, {}});
       } else if (operation.step == Step::constant) {
-        result_.leaves.push_back({k, name, decimal_literal(operation.value), {}});
+        result_.leaves.push_back({k, name, decimal_literal(operation.value), {}, {}});
+        for (const Rational& exact : constants_.exact_sizes(operation.value)) {
+          result_.leaves.back().exact.push_back(exact.str());
+        }
       }
     }
   }

@@ -43,9 +43,13 @@ struct CertifiedOutput {
 
 // An operation that reads arguments, as the scripts know it.
 struct CertifiedLeaf {
-  int operation = 0;            // the number in the names of errors: r0
-  std::string name, meaning;    // "s_2", "qd_1"; for a sign "x7" and "sign(qd_1)", for a constant "k7" and "0.333"
+  int operation = 0;  // the number in the names of errors: r0
+  // "s_2", "qd_1"; for the sine of an angle that is computed "s_4" and "sin(x10)", for a sign "x7" and "sign(qd_1)",
+  // for a constant "k7" and "0.333".
+  std::string name, meaning;
   std::optional<double> limit;  // the largest size of an input
+  // For a constant: the absolute values of the model's numbers that it represents, "1/3"; none: it represents none.
+  std::vector<std::string> exact;
 };
 
 struct CertifiedFunction {

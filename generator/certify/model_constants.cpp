@@ -48,4 +48,9 @@ std::optional<Rational> ModelConstants::exact_size(double literal) const {
   return *known->second.begin();
 }
 
+std::set<Rational> ModelConstants::exact_sizes(double literal) const {
+  const auto known = values_.find(std::abs(literal));
+  return known == values_.end() ? std::set<Rational>{} : known->second;
+}
+
 }  // namespace flatdyn

@@ -24,6 +24,8 @@ class ModelConstants {
   // The absolute value of the number that the literal represents: the literal itself if there is none; nothing if there
   // are several.
   std::optional<Rational> exact_size(double literal) const;
+  // The absolute values of all numbers that the literal represents.
+  std::set<Rational> exact_sizes(double literal) const;
 
  private:
   void add(const Rational& value);

@@ -140,6 +140,7 @@ nlohmann::ordered_json leaves_json(const CertifiedFunction& function) {
   for (const CertifiedLeaf& leaf : function.leaves) {
     leaves.push_back({{"operation", leaf.operation}, {"name", leaf.name}, {"meaning", leaf.meaning}});
     if (leaf.limit) leaves.back()["limit"] = *leaf.limit;
+    if (leaf.name.front() == 'k') leaves.back()["exact"] = leaf.exact;
   }
   return leaves;
 }
@@ -184,7 +185,8 @@ std::string certificate_markdown(const Certificate& certificate, double enough, 
       "Check it with Gappa alone: `for g in {}/*.g; do gappa $g || echo \"$g: refused\"; done`. Gappa proves what each "
       "script says: how large the error of each operation is, and that all together are within the bound. How large an "
       "operation's result can be, and how much of its error reaches an output, are hypotheses there, which flatdyn "
-      "has proven from norms and from motions of links.\n",
+      "has proven from norms and from motions of links. Gappa checks each script by itself. That all belong together, "
+      "and to the header, is for flatdyn's scripts/check-certificate to check.\n",
       certificate.robot, certificate.scalar, header.name, header.hash, certificate.scalar, trigonometry(certificate),
       certificate.scalar, snaps_text(header), std::filesystem::path(header.name).replace_extension("gappa").string());
   for (const CertifiedFunction& function : certificate.functions) {
