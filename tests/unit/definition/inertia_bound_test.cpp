@@ -48,7 +48,7 @@ TEST_P(BoundOfRobot, IsBelowEveryEigenvalue) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, BoundOfRobot,
                          ::testing::Values("humanoid32.urdf", "panda.urdf", "puma560.toml", "quadruped12.urdf",
-                                           "rx90.toml", "ur5.urdf", "planar_2r_example_7_2.toml", "finger.toml"));
+                                           "rx90.toml", "ur5.urdf", "planar_2r_example_7_2.toml"));
 
 // Links with rotors that others carry, prismatic joints, branches and links without mass are among them.
 TEST(ScaledInertiaBound, HoldsForRandomRobots) {
