@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Torques of robot files at the states of a log, by the program.
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/program.hpp"
+
+namespace flatdyn::testing {
+
+// The numbers of a CSV file below its heading.
+inline std::vector<std::vector<double>> numbers_of(const std::string& csv) {
+  std::vector<std::vector<double>> rows;
+  std::istringstream lines(csv);
+  std::string line, entry;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    rows.emplace_back();
+    std::istringstream entries(line);
+    while (std::getline(entries, entry, ',')) rows.back().push_back(std::stod(entry));
+  }
+  return rows;
+}
+
+// The torques of a robot file at the states of a log.
+inline std::vector<std::vector<double>> torques(const std::string& robot, const std::string& log) {
+  const Outcome outcome = run_flatdyn(fmt::format("eval {} -q --function inverse_dynamics --states {}", robot, log));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return numbers_of(outcome.out);
+}
+
+}  // namespace flatdyn::testing
