@@ -127,7 +127,7 @@ std::string snaps_text(const CertifiedHeader& header) {
                           ? fmt::format("It is proven that all together they change no torque by more than {:.1e} N m "
                                         "(N) within the limits.",
                                         rounded_up(*header.snap_effects.bound, 2))
-                          : "How much that changes torques is not proven, as joints are coupled.") +
+                          : "How much that changes torques is not proven, as joints are coupled or in loops.") +
                      "\n\n";
   for (std::size_t k = 0; k < header.snaps.size(); ++k) {
     text += "- " + snap_text(header.snaps[k], header.snap_effects.each[k]) + "\n";

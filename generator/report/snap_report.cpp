@@ -66,9 +66,9 @@ std::string describe_snaps(const std::vector<Snap>& snaps, const SnapEffects& ef
   if (snaps.empty()) return "";
   if (detail == SnapDetail::one_line) return "\n" + summary(snaps, effects);
   std::string text =
-      "\nnumbers snapped to exact ones near them (--snap 0 leaves them; forces of prismatic joints in N; limits that "
-      "the "
-      "file lacks are 5 rad/s, 1 m/s, 20 rad/s^2, 10 m/s^2, 1 m):\n";
+      "\nnumbers snapped to exact ones near them (--snap 0 leaves them), at any motion within the limits or, without "
+      "any,\n"
+      "within 5 rad/s and 20 rad/s^2, or 1 m, 1 m/s and 10 m/s^2; forces of prismatic joints in N:\n";
   for (std::size_t k = 0; k < snaps.size(); ++k) {
     const Place& place = snaps[k].place;
     text += fmt::format("  {}:{}: {}\n", place.file, place.line, snap_text(snaps[k], effects.each[k]));

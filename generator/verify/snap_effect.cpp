@@ -44,7 +44,10 @@ class SnapComparison {
  public:
   SnapComparison(const LoadedRobot& model, const ReadOptions& options)
       : model_(model), options_(options), states_(closed_states(model)) {
-    if (!model.mechanism.is_coupled() && model.mechanism.symbols.empty()) limits_ = largest_motion(model.mechanism);
+    const Mechanism& mechanism = model.mechanism;
+    if (!mechanism.is_coupled() && !mechanism.has_loops() && mechanism.symbols.empty()) {
+      limits_ = largest_motion(mechanism);
+    }
   }
 
   // An angle affects many numbers, so the file is read again. Snaps made after reading are left out on both sides.

@@ -16,8 +16,8 @@ struct SnapEffect {
   std::optional<double> bound;  // proven for any joint and motion within the limits (verify/torque_difference.hpp)
 };
 
-// The limits are those of model/states.hpp: MotionRange. Bounds are there if no joints are coupled, and the file has no
-// free symbols.
+// The limits are those of model/states.hpp: MotionRange. Bounds are there if no joints are coupled or in closed loops,
+// and the file has no free symbols.
 struct SnapEffects {
   std::vector<SnapEffect> each;  // one for each of model.robot.snaps
   std::optional<double> bound;   // proven, of all snaps together
