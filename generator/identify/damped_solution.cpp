@@ -22,12 +22,23 @@ void mark_open(Solution& solution, const MatrixXd& directions, double plausible)
   }
 }
 
+// The columns without those that are nothing but rounding errors, as of parameters that only a held joint would show:
+// they would count as information once they are scaled to unit length.
+MatrixXd without_rounding(MatrixXd columns) {
+  constexpr double kRoundingColumn = 1e-11;  // share of the longest
+  const VectorXd lengths = columns.colwise().norm();
+  for (Index k = 0; k < lengths.size(); ++k) {
+    if (lengths(k) < kRoundingColumn * lengths.maxCoeff()) columns.col(k).setZero();
+  }
+  return columns;
+}
+
 }  // namespace
 
 Solution damped_solution(const MatrixXd& factor, const VectorXd& prior, double damping) {
   constexpr double kRounding = 1e-6;
   const Index b = prior.size();
-  const MatrixXd A = factor.topLeftCorner(b, b);
+  const MatrixXd A = without_rounding(factor.topLeftCorner(b, b));
   VectorXd scale = A.colwise().norm();
   scale = (scale.array() > 0).select(scale, 1);
   const SingularValues svd = singular_values(A * scale.cwiseInverse().asDiagonal());

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "flatdyn/reference/real50.hpp"
 #include "flatdyn/reference/robot.hpp"
 #include "model/mechanism.hpp"
+#include "reference/reference_model.hpp"
 
 namespace flatdyn {
 
