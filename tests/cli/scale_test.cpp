@@ -6,8 +6,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "cli/csv_numbers.hpp"
 #include "cli/program.hpp"
 #include "support/frictional_arm.hpp"
 
@@ -20,18 +20,6 @@ using ::testing::StartsWith;
 
 constexpr const char* kScale =
     "scale robots/planar_2r_example_7_2.toml --trajectory docs/examples/planar_2r_triangular.toml ";
-
-std::vector<std::vector<double>> rows_of(const std::string& csv) {
-  std::vector<std::vector<double>> rows;
-  std::istringstream lines(csv);
-  std::string line, entry;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    rows.emplace_back();
-    for (std::istringstream parts(line); std::getline(parts, entry, ',');) rows.back().push_back(std::stod(entry));
-  }
-  return rows;
-}
 
 // "the trajectory of Fig. 7.5, assuming for the two joints the torque limit of 3000 N m. Adopt a sampling time of 1
 // ms." By hand at the deciding instant: τ_s = τ − g, and c² = τ_s / (3000 − g).
@@ -53,7 +41,7 @@ TEST(Scale, Problem79) {
           scratch.path("given.csv"))
           .code,
       0);
-  const auto given = rows_of(scratch.read("given.csv")), scaled = rows_of(scratch.read("out.csv"));
+  const auto given = numbers_of(scratch.read("given.csv")), scaled = numbers_of(scratch.read("out.csv"));
   ASSERT_EQ(scaled.size(), given.size());
   // Columns: t, q1, q2, qd1, qd2, qdd1, qdd2, tau1, tau2, then inertia_1_1, inertia_1_2, ..., gravity_1, inertia_2_1,
   // inertia_2_2, ..., gravity_2. In the middle, 0.25 s, both accelerations turn over: just before, the inertia torques
@@ -96,11 +84,11 @@ TEST(Scale, SamplesEvenlyOnRequest) {
   for (const std::string law : {"", "--time-optimal "}) {
     const std::string command = kScale + law + "--torque-limits 3000 --json -o " + scratch.path("out.csv");
     const json grid = json::parse(run_flatdyn(command).out);
-    const auto given = rows_of(scratch.read("out.csv"));
+    const auto given = numbers_of(scratch.read("out.csv"));
     const Outcome outcome = run_flatdyn(command + " --rate 500");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const json result = json::parse(outcome.out);
-    const auto rows = rows_of(scratch.read("out.csv"));
+    const auto rows = numbers_of(scratch.read("out.csv"));
     EXPECT_EQ(result["points"], rows.size());
     EXPECT_EQ(result["even_samples"]["rate"], 500);
     const double slowed_by = result["even_samples"]["slowed_by"], duration = grid["duration"];
@@ -169,7 +157,7 @@ TEST(Scale, TimeOptimalIsFasterAndItsSamplesCanBeReadAgain) {
   const Outcome again = run_flatdyn("torques robots/planar_2r_example_7_2.toml -q --trajectory " +
                                     scratch.path("out.csv") + " -o " + scratch.path("again.csv"));
   ASSERT_EQ(again.code, 0) << again.err;
-  const auto scaled = rows_of(scratch.read("out.csv")), torques = rows_of(scratch.read("again.csv"));
+  const auto scaled = numbers_of(scratch.read("out.csv")), torques = numbers_of(scratch.read("again.csv"));
   for (std::size_t k = 0; k < scaled.size(); ++k) {
     for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(scaled[k][7 + i], torques[k][7 + i], 1e-8);
   }

@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <sstream>
 #include <vector>
 
+#include "cli/csv_numbers.hpp"
 #include "cli/program.hpp"
 #include "support/frictional_arm.hpp"
 
@@ -23,19 +23,6 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 constexpr const char* kSimulate = "simulate robots/planar_2r_example_7_2.toml -q ";
-
-std::vector<std::vector<double>> numbers_of(const std::string& csv) {
-  std::istringstream lines(csv);
-  std::string line;
-  std::getline(lines, line);
-  std::vector<std::vector<double>> rows;
-  while (std::getline(lines, line)) {
-    std::istringstream entries(line);
-    rows.emplace_back();
-    for (std::string entry; std::getline(entries, entry, ',');) rows.back().push_back(std::stod(entry));
-  }
-  return rows;
-}
 
 TEST(Simulate, WritesMotionEventsAndPlot) {
   const Scratch scratch;

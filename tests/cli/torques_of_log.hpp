@@ -5,27 +5,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "cli/csv_numbers.hpp"
 #include "cli/program.hpp"
 
 namespace flatdyn::testing {
-
-// The numbers of a CSV file below its heading.
-inline std::vector<std::vector<double>> numbers_of(const std::string& csv) {
-  std::vector<std::vector<double>> rows;
-  std::istringstream lines(csv);
-  std::string line, entry;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    rows.emplace_back();
-    std::istringstream entries(line);
-    while (std::getline(entries, entry, ',')) rows.back().push_back(std::stod(entry));
-  }
-  return rows;
-}
 
 // The torques of a robot file at the states of a log.
 inline std::vector<std::vector<double>> torques(const std::string& robot, const std::string& log) {
