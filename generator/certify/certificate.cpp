@@ -182,6 +182,14 @@ class Certifier {
   std::size_t roundings_ = 0;               // number of scripts about roundings, which come before those of outputs
 };
 
+// Says of a function that divides that it does, before limits are asked for that would not help.
+void refuse_divisions(const StraightLine& lines) {
+  for (int k = 0; k < lines.size(); ++k) {
+    if (lines[k].step != Step::divide) continue;
+    throw Failure(ExitCode::unsupported, "it divides", "certify bounds sums and products only: name other --functions");
+  }
+}
+
 }  // namespace
 
 // The error of a sine or cosine; its unit in the last place is that of numbers from 1/2 to 1, as no sine is larger.
@@ -205,6 +213,7 @@ Certificate certify(const Mechanism& mechanism, const std::vector<Function>& fun
   for (std::size_t k = 0; k < functions.size(); ++k) {
     try {
       const StraightLine lines = text.operations(k, functions[k]);
+      refuse_divisions(lines);
       result.functions.push_back(certify(mechanism, functions[k], lines, options, progress));
     } catch (const Failure& failure) {
       if (failure.code() != ExitCode::unsupported) throw;

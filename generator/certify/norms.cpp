@@ -212,9 +212,9 @@ Norms::Expansion Norms::unrounded(int k) {
     case Step::multiply:
       return product(k);
     case Step::divide:
-      throw Failure(ExitCode::unsupported, "it divides", "certify bounds sums and products only");
     case Step::sqrt:
-      throw Failure(ExitCode::unsupported, "it takes a square root", "certify bounds sums and products only");
+      throw Failure(ExitCode::unsupported, "it divides or takes a square root",
+                    "certify bounds sums and products only");
     case Step::sign:
       if (expansion(operation.a).slack > 0 || expansion(operation.a).has_all_errors) {
         throw Failure(ExitCode::unsupported, "it takes the sign of a rounded value");

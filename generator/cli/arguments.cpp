@@ -35,8 +35,8 @@ Number decimal_option(const std::string& option, const std::string& text) {
     if (is_reasonable(GiNaC::ex_to<GiNaC::numeric>(number))) return number;
   } catch (const std::invalid_argument&) {
   }
-  throw Failure(ExitCode::usage,
-                fmt::format("{}: \"{}\" is not a decimal number between 1e-30 and 1e30", option, text));
+  throw Failure(ExitCode::usage, fmt::format("{}: \"{}\" is not a decimal number between 1e-30 and 1e30", option, text),
+                "write it with digits, as in 0.25 or 1e-4");
 }
 
 // The option's value, at most a quarter of the distance between the multiples of pi/12 to which angles are snapped.

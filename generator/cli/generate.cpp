@@ -57,7 +57,8 @@ const std::map<std::string, LanguageChoice> kLanguages = {
 
 const CLI::Validator kFileName(
     [](const std::string& text) {
-      return text.empty() || text.find('/') != std::string::npos ? "it is no name of a file" : "";
+      const bool is_name = !text.empty() && text.find('/') == std::string::npos;
+      return is_name ? "" : "\"" + text + "\" is no name of a file: write it without folder, which is -o's";
     },
     "");
 

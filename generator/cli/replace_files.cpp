@@ -169,7 +169,8 @@ class Change {
 }  // namespace
 
 void cannot_write(const fs::path& path, const std::string& why) {
-  throw Failure(ExitCode::io, fmt::format("{}: cannot be written: {}", path.string(), why));
+  throw Failure(ExitCode::io, fmt::format("{}: cannot be written: {}", path.string(), why),
+                "check that its folder exists and may be written to, and that the disk is not full");
 }
 
 void write_text(const fs::path& place, const TextFile& file) {

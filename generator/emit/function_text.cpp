@@ -133,9 +133,9 @@ class FunctionWriter {
     const std::string also = function_.task.empty() ? "" : task_conditions_text();
     const bool asks_loops = function_.loop_conditions > 0;
     const bool asks_pivots = function_.validity_conditions.size() > static_cast<std::size_t>(function_.loop_conditions);
-    const char* const lost = function_.pivot_scales.empty() ? "not positive" : "not positive or lost in rounding";
+    const char* const lost = compares_pivots(function_) ? "not positive or lost in rounding" : "not positive";
     return fmt::format("false if the result means nothing: if {}{}an entry of the result is not a finite number{}",
-                       asks_loops ? "a closed loop is within 1e-6 of being singular, or " : "",
+                       asks_loops ? "a closed loop is within 1e-6 of being singular (6e-5 in float), or " : "",
                        asks_pivots ? fmt::format("a pivot of B{} is {}, or ", also, lost) : "", proven_text());
   }
 
@@ -143,10 +143,8 @@ class FunctionWriter {
     const double share = function_.proven_pivot_share;
     if (share == 0) return "";
     return fmt::format(
-        ". Proven: at every position each pivot of B is at least {:.2g} of the size of its terms, so that rounding "
-        "cannot "
-        "cancel it",
-        share);
+        ". Proven: {} each pivot of B is at least {:.2g} of the size of its terms, so that rounding cannot cancel it",
+        scope_.proven_positions, share);
   }
 
   const Function& function_;

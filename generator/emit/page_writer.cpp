@@ -21,6 +21,7 @@
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
 #include "model/identifiers.hpp"
+#include "model/inertia_bound.hpp"
 #include "model/loop_closure.hpp"
 #include "symbolic/notation/coupled_text.hpp"
 
@@ -90,6 +91,7 @@ class PageWriter {
     scope_.positions = mechanism_.position_count();
     scope_.angles = multiples_of_positions(mechanism_);
     scope_.most_lines = options_.most_lines;
+    scope_.proven_positions = positions_of_inertia_bound(mechanism_);
     scope_.names = names_.taken;
     for (const std::string& part : parts_of_namespace(namespace_)) scope_.names.insert(part);
     NameTable members({"Scalar", "Parameters", "Real", "restrict"});

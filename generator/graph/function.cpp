@@ -45,6 +45,11 @@ bool has_scale(const Function& function, std::size_t k) {
   return k < function.pivot_scales.size() && function.pivot_scales[k] != function.validity_conditions[k];
 }
 
+bool compares_pivots(const Function& function) {
+  return !function.pivot_scales.empty() &&
+         function.validity_conditions.size() > static_cast<std::size_t>(function.loop_conditions);
+}
+
 bool always_holds(const Function& function, std::size_t k) {
   const Rational safe_share{1, 1 << 16};
   const Graph& graph = function.graph;

@@ -44,16 +44,16 @@ struct Function {
   Task task{};                    // the task of the operational space
   Graph graph;
   std::vector<Output> outputs;
-  // Values that must all be positive for the result to be valid (pivots of B, conditions of loops). If there are any,
-  // the generated function returns bool.
+  // Values that must all be positive for the result to be valid (pivots of B and what they must stay below, conditions
+  // of loops). If there are any, the generated function returns bool.
   std::vector<NodeId> validity_conditions;
-  // The scales of the first of `validity_conditions`, which are pivots: pivot k is a diagonal entry less what
-  // elimination subtracts from it, so that rounding may cancel all digits of it. A last place of its scale is the
-  // rounding error that the terms bring in. It counts as positive only if kPivotSignificance of it still changes its
-  // scale in the scalar's arithmetic.
+  // The scales of the first of `validity_conditions`: pivot k is a diagonal entry less what elimination subtracts from
+  // it, so that rounding may cancel all digits of it, and the same holds for the determinant of a loop. A last place of
+  // its scale is the rounding error that the terms bring in. It counts as positive only if kPivotSignificance of it
+  // still changes its scale in the scalar's arithmetic.
   std::vector<NodeId> pivot_scales{};
-  // Without scales: every pivot of B is at least this share of its scale at every position, which is proven. 0:
-  // unknown, or there are no pivots of B.
+  // Without scales: every pivot of B is at least this share of its scale, which is proven at every position within the
+  // limits of prismatic joints. 0: unknown, or there are no pivots of B.
   double proven_pivot_share = 0;
   int loop_conditions = 0;  // the number of conditions, at the end, that require a closed loop not to be singular
 };
@@ -69,6 +69,9 @@ Function with_graph(const Function& function, Graph graph, const std::vector<Nod
 
 // Whether condition k is a pivot that rounding may cancel beside its scale.
 bool has_scale(const Function& function, std::size_t k);
+
+// Whether pivots of B or of another matrix are compared with scales.
+bool compares_pivots(const Function& function);
 
 // Whether condition k holds without being computed: it is a positive constant, in float, too.
 bool always_holds(const Function& function, std::size_t k);

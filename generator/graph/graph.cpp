@@ -335,4 +335,17 @@ std::vector<bool> reachable_from(const Graph& graph, const std::vector<NodeId>& 
   return reachable;
 }
 
+bool is_bounded(const Graph& graph, NodeId id) {
+  std::vector<bool> used(static_cast<std::size_t>(id) + 1, false);
+  used.back() = true;
+  for (; id >= 0; --id) {
+    const Node& node = graph[id];
+    if (!used[static_cast<std::size_t>(id)]) continue;
+    if (node.op == Op::sin || node.op == Op::cos || node.op == Op::sign) continue;
+    if (node.op == Op::input) return false;
+    for (const NodeId operand : operands_of(node)) used[static_cast<std::size_t>(operand)] = true;
+  }
+  return true;
+}
+
 }  // namespace flatdyn

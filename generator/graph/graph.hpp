@@ -128,4 +128,7 @@ std::vector<NodeId> operands_of(const Node& node);
 // Which nodes `roots` reach: element `id` tells whether any of them uses node `id`.
 std::vector<bool> reachable_from(const Graph& graph, const std::vector<NodeId>& roots);
 
+// Whether a node depends on inputs by their sines, cosines and signs alone, so that large inputs do not make it large.
+bool is_bounded(const Graph& graph, NodeId id);
+
 }  // namespace flatdyn

@@ -32,10 +32,10 @@ struct LinkBounds {
   int turned_by = kNone;                        // the last body on the way to it whose joint is revolute
 };
 
-// The largest distance that a joint slides; infinite without limits.
-double travel_of(const Body& body) {
+// The largest distance that a joint slides; without limits it is `unlimited`.
+double travel_of(const Body& body, double unlimited) {
   if (!body.prismatic) return 0;
-  if (!body.limits.lower || !body.limits.upper) return HUGE_VAL;
+  if (!body.limits.lower || !body.limits.upper) return unlimited;
   return std::max(std::abs(nearest_double(body.limits.lower->number)),
                   std::abs(nearest_double(body.limits.upper->number)));
 }
@@ -56,10 +56,31 @@ void add_inertia(const InertialParameters& body, LinkBounds& link) {
 // Twice the kinetic energy, from below and from above.
 class EnergyBounds {
  public:
-  explicit EnergyBounds(const Mechanism& mechanism) : mechanism_(mechanism) {
+  // `unlimited`: how far a prismatic joint without limits slides.
+  EnergyBounds(const Mechanism& mechanism, double unlimited) : mechanism_(mechanism), unlimited_(unlimited) {
     for (int k = 0; k < mechanism.body_count(); ++k) add_link(k);
     for (int k = 0; k < mechanism.body_count(); ++k) add_rotor(k);
     for (int k = 0; k < mechanism.body_count(); ++k) diagonal_.push_back(largest_diagonal(k));
+  }
+
+  // A bound of b_kk for an entry of q, which may move several joints: (Σ_k |n_k| sqrt(b_kk))².
+  double diagonal_of(int position) const {
+    if (!mechanism_.is_coupled()) return diagonal_[at(position)];
+    double root = 0;
+    for (std::size_t k = 0; k < links_.size(); ++k) root += factor(k, position) * std::sqrt(diagonal_[k]);
+    return root * root * kRoundingMargin;
+  }
+
+  // Whether a prismatic joint lies beyond a joint that an entry of q turns.
+  bool slides_beyond(int position) const {
+    for (int j = 0; j < mechanism_.body_count(); ++j) {
+      if (!mechanism_.bodies[at(j)].prismatic) continue;
+      for (int k = parent(j); k != kNone; k = parent(k)) {
+        const bool is_moved = mechanism_.is_coupled() ? factor(at(k), position) > 0 : k == position;
+        if (is_moved && !mechanism_.bodies[at(k)].prismatic) return true;
+      }
+    }
+    return false;
   }
 
   // Whether q̇ᵀ B q̇ >= share Σ b_ii q̇_i²: whether c_k ω_k² and m_k v_k² cover what the rates of the joints ask for.
@@ -110,8 +131,9 @@ class EnergyBounds {
     if (body.prismatic && link.turned_by != kNone && !is_parallel) link.is_planar = false;
     add_inertia(body.inertia, link);
     link.drive = link.sure_drive = nearest_double(body.armature);
-    link.offset = length_of(body.p) + travel_of(body);
-    link.offset_from_axis = std::hypot(nearest_double(body.p[0]), nearest_double(body.p[1])) + travel_of(body);
+    const double travel = travel_of(body, unlimited_);
+    link.offset = length_of(body.p) + travel;
+    link.offset_from_axis = std::hypot(nearest_double(body.p[0]), nearest_double(body.p[1])) + travel;
     links_.push_back(link);
   }
 
@@ -143,15 +165,8 @@ class EnergyBounds {
     return (sum + links_[at(k)].drive) * kRoundingMargin;
   }
 
-  // The same for an entry of q, which may move several joints: (Σ_k |n_k| sqrt(b_kk))².
-  double diagonal_of(int position) const {
-    if (!mechanism_.is_coupled()) return diagonal_[at(position)];
-    double root = 0;
-    for (std::size_t k = 0; k < links_.size(); ++k) {
-      const double factor = std::abs(nearest_double(mechanism_.coupling[k][at(position)]));
-      if (factor > 0) root += factor * std::sqrt(diagonal_[k]);
-    }
-    return root * root * kRoundingMargin;
+  double factor(std::size_t k, int position) const {
+    return std::abs(nearest_double(mechanism_.coupling[k][at(position)]));
   }
 
   Supply supply() const {
@@ -188,6 +203,7 @@ class EnergyBounds {
   }
 
   const Mechanism& mechanism_;
+  double unlimited_;
   std::vector<LinkBounds> links_;
   std::vector<double> diagonal_;
 };
@@ -197,7 +213,7 @@ class EnergyBounds {
 double scaled_inertia_bound(const Mechanism& mechanism) {
   constexpr double kSmallest = 0x1p-60;
   if (!mechanism.symbols.empty() || mechanism.has_loops()) return 0;
-  const EnergyBounds bounds(mechanism);
+  const EnergyBounds bounds(mechanism, HUGE_VAL);
   if (!bounds.cover(kSmallest)) return 0;
   double proven = kSmallest, failed = 1;
   for (int k = 0; k < 40; ++k) {
@@ -205,6 +221,20 @@ double scaled_inertia_bound(const Mechanism& mechanism) {
     (bounds.cover(between) ? proven : failed) = between;
   }
   return proven / kRoundingMargin;
+}
+
+std::string positions_of_inertia_bound(const Mechanism& mechanism) {
+  return mechanism.has_prismatic_joint() ? "within the limits of prismatic joints" : "at every position";
+}
+
+std::vector<DiagonalBound> diagonal_bounds(const Mechanism& mechanism) {
+  if (!mechanism.symbols.empty() || mechanism.has_loops()) return {};
+  const EnergyBounds bounds(mechanism, 0);
+  std::vector<DiagonalBound> result;
+  for (int position = 0; position < mechanism.position_count(); ++position) {
+    result.push_back({bounds.diagonal_of(position), !bounds.slides_beyond(position)});
+  }
+  return result;
 }
 
 }  // namespace flatdyn

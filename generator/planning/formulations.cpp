@@ -97,22 +97,22 @@ std::optional<Function> formulation(const Mechanism& mechanism, const std::strin
   }
   if (!result) return result;
   result->name = name;
-  if (request.row->traits.divides_by_pivots) result->proven_pivot_share = choices.proven_pivot_share;
+  if (request.row->traits.divides_by_pivots) result->proven_pivot_share = choices.guard.proven_share;
   result->summary = summary_of(request);
   describe(*request.row, *result);
   return result;
 }
 
-void guard_pivots(const Mechanism& mechanism, const std::vector<std::string>& names, Choices& choices) {
+PivotGuard pivot_guard(const Mechanism& mechanism, const std::vector<std::string>& names) {
   // In float, a share of 2^-19 counts as lost, and rounding errors of pivots are below 2^-17.
   constexpr double kLeast = 0x1p-15;
   const bool divides = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
     return parsed(mechanism, name).row->traits.divides_by_pivots;
   });
-  if (!divides) return;
+  if (!divides) return {};
   const double share = scaled_inertia_bound(mechanism);
-  choices.guards_pivots = share < kLeast;
-  choices.proven_pivot_share = choices.guards_pivots ? 0 : rounded_down(share, 2);
+  if (share < kLeast) return {.compares = true, .diagonals = diagonal_bounds(mechanism)};
+  return {.proven_share = rounded_down(share, 2)};
 }
 
 bool has_choices(const Mechanism& mechanism, const std::string& name) {
@@ -124,12 +124,11 @@ namespace {
 Choices plain_choices(const Mechanism& mechanism) { return uniform_choices(mechanism, Grouping::i_yy); }
 
 std::optional<Formulation> cheapest_formulation(const Mechanism& mechanism, const std::string& name,
-                                                FormulationIndex way, const Choices& guard) {
+                                                FormulationIndex way, const PivotGuard& guard) {
   std::optional<Formulation> best;
   int fewest = 0;
   const auto consider = [&](Choices choices) {
-    choices.guards_pivots = guard.guards_pivots;
-    choices.proven_pivot_share = guard.proven_pivot_share;
+    choices.guard = guard;
     std::optional<Function> made = formulation(mechanism, name, way, choices);
     if (!made) return 0;  // other choices yield none, either
     const int operations = count_operations(*made).arithmetic();
@@ -151,8 +150,7 @@ std::optional<Formulation> cheapest_formulation(const Mechanism& mechanism, cons
 
 std::vector<Formulation> formulations(const Mechanism& mechanism, const std::string& name) {
   std::vector<Formulation> result;
-  Choices guard;
-  guard_pivots(mechanism, {name}, guard);
+  const PivotGuard guard = pivot_guard(mechanism, {name});
   for (FormulationIndex way = 0; way < kFormulationCount; ++way) {
     std::optional<Formulation> made = cheapest_formulation(mechanism, name, way, guard);
     if (made) result.push_back(std::move(*made));

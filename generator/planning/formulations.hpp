@@ -24,10 +24,9 @@ inline constexpr FormulationIndex kFormulationCount = 3;  // no function has mor
 std::optional<Function> formulation(const Mechanism& mechanism, const std::string& name, FormulationIndex way,
                                     const Choices& choices);
 
-// Completes the choices for functions of these names: if one divides by pivots of B, these are compared with their
-// scales, unless the share of its scale that each keeps is proven to be too large for rounding to matter, in float,
-// too.
-void guard_pivots(const Mechanism& mechanism, const std::vector<std::string>& names, Choices& choices);
+// The guard for functions of these names: if one divides by pivots of B, these are compared with their scales, unless
+// the share of its scale that each keeps is proven to be too large for rounding to matter, in float, too.
+PivotGuard pivot_guard(const Mechanism& mechanism, const std::vector<std::string>& names);
 
 // Whether the function's cost depends on choices.
 bool has_choices(const Mechanism& mechanism, const std::string& name);

@@ -56,7 +56,7 @@ void search_choices(const LoadedRobot& model, const SearchLimit& limit, std::vec
 void note_lost_pivots(const LoadedRobot& model, const std::vector<Plan>& plans, Diagnostics& findings) {
   constexpr double kLost = 0x1p-47;  // smallest pivot relative to its diagonal entry, in double
   const bool divides = std::any_of(plans.begin(), plans.end(),
-                                   [](const Plan& plan) { return !plan.optimised.function.pivot_scales.empty(); });
+                                   [](const Plan& plan) { return compares_pivots(plan.optimised.function); });
   if (!divides || smallest_pivot_ratio(effective_mechanism(model)) >= kLost) return;
   findings.note({model.robot.file, 0},
                 "B(q) is singular to the last place of a double at some positions: what divides by its pivots, such as "

@@ -117,7 +117,7 @@ Plan cheapest_plan(const LoadedRobot& model, const std::string& name, Progress& 
     best = Plan{std::move(made), candidate.choices, false, maker(model, name, candidate.way)};
   }
   refine(mechanism, *best);
-  if (!closed || !best->optimised.function.pivot_scales.empty()) return *best;
+  if (!closed || compares_pivots(best->optimised.function)) return *best;
   OptimisedFunction made = as_needed(model, *closed, 0);
   if (cost(made.function) >= cost(best->optimised.function)) return *best;
   return {std::move(made), candidates.front().choices, true,

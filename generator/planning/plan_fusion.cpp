@@ -215,13 +215,11 @@ OptimisedFusion planned_fusion(const LoadedRobot& model, const std::vector<std::
                                Progress& progress) {
   progress.step("deriving functions together");
   const Mechanism& mechanism = effective_mechanism(model);
-  Choices guard;
-  guard_pivots(mechanism, functions, guard);
+  const PivotGuard guard = pivot_guard(mechanism, functions);
   OptimisedFusion result;
   std::optional<int> least;
   cheapest_choices(mechanism, [&](Choices choices) {
-    choices.guards_pivots = guard.guards_pivots;
-    choices.proven_pivot_share = guard.proven_pivot_share;
+    choices.guard = guard;
     Fusion made = fused_from(model, functions, choices);
     const int operations = cost(made.function);
     if (!least || operations < *least) {

@@ -134,6 +134,7 @@ static uint64_t hash_of(const Scalar* x, int count, uint64_t hash) noexcept {
       memcpy(&bits, x + k, sizeof(bits));
     }
     hash = (hash ^ (is_number ? bits : 0u)) * 1099511628211u;
+    hash ^= hash >> 32;
   }
   return hash;
 }
@@ -177,14 +178,16 @@ inline constexpr const char* kCppRounding = R"({
   constexpr int method = FLT_EVAL_METHOD;
   if (method != 0 && method != 16 && (is_float || method != 1)) return false;
   const volatile Scalar a = Scalar(0.1), b = Scalar(0.7), one = Scalar(1.0), tiny = Scalar(1e-17),
-      nine = Scalar(9.0), seven = Scalar(7.0), half = Scalar(0.5),
+      nine = Scalar(9.0), seven = Scalar(7.0), half = Scalar(0.5), zero = Scalar(0.0),
       half_a_place = is_float ? Scalar(0x1.001p-24) : Scalar(0x1.001p-53),
       smallest = is_float ? Scalar(0x1p-126) : Scalar(0x1p-1022);
   const volatile Scalar product = a * b, quotient = nine / seven, next = one + half_a_place;
-  const Scalar x = one, y = tiny;
+  const Scalar x = one, y = tiny, nothing = zero, infinite = one / nothing, no_number = nothing / nothing;
   const auto is_zero = [](Scalar r) { return !(r < Scalar(0.0)) && !(r > Scalar(0.0)); };
   if (!is_zero(a * b - product) || !(next > one) || !is_zero((x + y) - x) || !is_zero((x - y) - x) ||
-      !is_zero(nine / Scalar(7.0) - quotient) || !(smallest * half > Scalar(0.0))) {
+      !is_zero(nine / Scalar(7.0) - quotient) || !(smallest * half > Scalar(0.0)) ||
+      !(Scalar(1.0) / (Scalar(0.0) - nothing) > Scalar(0.0)) || Scalar(0.0) * infinite < Scalar(1.0) ||
+      Scalar(0.0) * no_number < Scalar(1.0)) {
     return false;
   }
 )";

@@ -50,7 +50,7 @@ Cells rows_of(const Certificate& certificate, const std::vector<CertifiedOutput>
   Cells rows = {{"output", "unit", "bound", "seen", "ratio", "of effort", "proven by"}};
   for (const CertifiedOutput& output : outputs) {
     rows.push_back({output.name, output.unit, fmt::format("{:.3e}", output.bound),  // all digits of the bound
-                    fmt::format("{:.2e}", output.observed), ratio_text(output), part_of_effort(output),
+                    fmt::format("{:.2e}", rounded_down(output.observed, 3)), ratio_text(output), part_of_effort(output),
                     prover(certificate, output)});
   }
   return rows;

@@ -377,8 +377,9 @@ nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& func
     item["reads"] = list_of_inputs(inputs_read(each.function), symbols, CppDialect());
     if (each.function.proven_pivot_share > 0) {
       item["pivots"] = {{"proven_share", each.function.proven_pivot_share}};
-    } else if (!each.function.pivot_scales.empty()) {
-      item["pivots"] = {{"compared", each.function.pivot_scales.size()}};
+    } else if (compares_pivots(each.function)) {
+      const auto loops = static_cast<std::size_t>(each.function.loop_conditions);
+      item["pivots"] = {{"compared", each.function.pivot_scales.size() - loops}};
     }
     if (each.search) item["search"] = search_json(*each.search);
     json.push_back(item);

@@ -55,9 +55,10 @@ std::string summary(const std::vector<Snap>& snaps, const SnapEffects& effects) 
 
 std::string snap_text(const Snap& snap, const SnapEffect& effect) {
   const std::string unit = snap.kind == Snap::Kind::axis ? "" : fmt::format(" {}", unit_of(snap.kind));
-  const std::string change = effect.bound
-                                 ? fmt::format("no torque by more than {:.1e} N m", rounded_up(*effect.bound, 2))
-                                 : fmt::format("torques by up to {:.1e} N m at random states", effect.seen);
+  const std::string change = !effect.bound ? fmt::format("torques by up to {:.1e} N m at random states", effect.seen)
+                             : *effect.bound == 0
+                                 ? "no torque"
+                                 : fmt::format("no torque by more than {:.1e} N m", rounded_up(*effect.bound, 2));
   return fmt::format("{}: {} snapped to {}: off by {:.1e}{}, changes {}", snap.what, snap.written,
                      plain_number_text(snap.exact), nearest_double(snap.difference), unit, change);
 }

@@ -80,7 +80,9 @@ void write_file(const fs::path& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   file << text;
   file.close();
-  if (!file) throw Failure(ExitCode::io, path.string() + ": cannot be written");
+  if (!file)
+    throw Failure(ExitCode::io, path.string() + ": cannot be written",
+                  "check the permissions, and that the disk is not full");
 }
 
 }  // namespace flatdyn

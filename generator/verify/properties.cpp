@@ -116,13 +116,13 @@ double smallest_pivot(const Functions& f, const ExactState& state) {
 
 // A joint that moves no inertia (the reader warns of it) makes B singular, which is right for that robot. Masses that
 // differ by more than the digits of the computation make B singular up to rounding.
-Property definiteness(double smallest_pivot, std::size_t positions, double proven) {
+Property definiteness(double smallest_pivot, std::size_t positions, const ProvenPivots& proven) {
   const std::string sampled = fmt::format("smallest pivot {:.2g} at {} sampled position{}", smallest_pivot, positions,
                                           positions == 1 ? "" : "s");
-  if (proven > 0) {
+  if (proven.share > 0) {
     return {"B is positive definite",
-            fmt::format("proven at every position: pivots are at least {:.2g} of their scales; {}",
-                        rounded_down(proven, 2), sampled),
+            fmt::format("proven {}: pivots are at least {:.2g} of their scales; {}", proven.positions,
+                        rounded_down(proven.share, 2), sampled),
             smallest_pivot > 0};
   }
   if (smallest_pivot == 0)
@@ -164,7 +164,7 @@ Vector50 rates_of(const Functions& f, const ExactState& state) {
 }  // namespace
 
 std::vector<Property> check_properties(const std::vector<Function>& functions, const std::vector<State>& states,
-                                       double largest_angle_factor, double scaled_inertia_bound) {
+                                       double largest_angle_factor, const ProvenPivots& proven) {
   const double tolerance = kTolerance * largest_angle_factor * largest_angle_factor;
   constexpr std::size_t kStates = 5;
   const Functions f(functions);
@@ -184,7 +184,7 @@ std::vector<Property> check_properties(const std::vector<Function>& functions, c
     vanishing("B is symmetric", asymmetry);
     double pivot = std::numeric_limits<double>::infinity();
     for (const ExactState& state : exact) pivot = std::min(pivot, smallest_pivot(f, state));
-    properties.push_back(definiteness(pivot, exact.size(), scaled_inertia_bound));
+    properties.push_back(definiteness(pivot, exact.size(), proven));
   }
   const bool moves = !f.are_at_rest() && !exact.empty() && exact.front().rates.size() > 0;
   if (moves && f.has({"inertia_matrix", "coriolis_matrix"})) vanishing("w'(dB/dt - 2C)w = 0, (7.48)", skewness);

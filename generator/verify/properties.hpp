@@ -7,11 +7,16 @@
 
 namespace flatdyn {
 
+// What is proven of the pivots of B: they are at least this share of their scales (scaled_inertia_bound()), and where.
+struct ProvenPivots {
+  double share = 0;  // 0: nothing is proven
+  std::string positions{};
+};
+
 // Checks that B is symmetric and positive definite, wᵀ(Ḃ - 2C)w = 0, (7.48), the energy balance, (7.50), and that
 // forward ∘ inverse dynamics is the identity. A property whose functions are not all given is left out.
-// `largest_angle_factor`: that of the mechanism; it coarsens differences by q by this factor. `scaled_inertia_bound`:
-// that of the mechanism; if it is positive, it proves that B is positive definite at all positions.
+// `largest_angle_factor`: that of the mechanism; it coarsens differences by q by this factor.
 std::vector<Property> check_properties(const std::vector<Function>& functions, const std::vector<State>& states,
-                                       double largest_angle_factor = 1, double scaled_inertia_bound = 0);
+                                       double largest_angle_factor = 1, const ProvenPivots& proven = {});
 
 }  // namespace flatdyn

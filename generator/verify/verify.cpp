@@ -98,7 +98,7 @@ class Comparison {
   }
 
   static bool says_that_pivots_are_lost(const Function& function, const std::vector<double>& written) {
-    return !function.pivot_scales.empty() &&
+    return compares_pivots(function) &&
            std::all_of(written.begin(), written.end(), [](double entry) { return std::isnan(entry); });
   }
 
@@ -156,7 +156,7 @@ VerifyReport verify(const Robot& robot, const Mechanism& mechanism, const std::v
     report.functions.push_back(row);
   }
   report.properties = check_properties(functions, comparison.random(), largest_angle_factor(mechanism),
-                                       scaled_inertia_bound(mechanism));
+                                       {scaled_inertia_bound(mechanism), positions_of_inertia_bound(mechanism)});
   return report;
 }
 

@@ -163,6 +163,14 @@ TEST(RoundingIsAsWrittenByClang, NotWithFastSines) {
   EXPECT_EQ(answer("-fno-math-errno -fveclib=libmvec"), "0");
 }
 
+// These leave out checks of results, and keep no signs of zeros.
+TEST(RoundingIsAsWrittenByClang, NotWithoutNotANumbersOrSignsOfZeros) {
+  for (const char* flag : {"-fno-honor-nans", "-fno-signed-zeros"}) {
+    EXPECT_EQ(answer_of_build("clang++", fmt::format("-O2 -ffp-contract=off {}", flag)), (Answer{false, false}))
+        << flag;
+  }
+}
+
 // The x87 is set to 24 digits, as some programs leave it: doubles are then floats.
 TEST(RoundingIsAsWrittenByGcc, NotWithTooFewDigits) {
   EXPECT_FALSE(answer_of_build("g++", "-O2 -ffp-contract=off -mfpmath=387 -mpc32").in_double);

@@ -75,7 +75,8 @@ template <class T>
 std::uint64_t hash_of(T x, std::uint64_t hash) {
   std::conditional_t<sizeof(T) == sizeof(float), std::uint32_t, std::uint64_t> bits = 0;
   if (x < 0 || x >= 0) std::memcpy(&bits, &x, sizeof(bits));
-  return (hash ^ bits) * 1099511628211U;
+  hash = (hash ^ bits) * 1099511628211U;
+  return hash ^ (hash >> 32U);
 }
 
 template <class T>

@@ -214,7 +214,7 @@ std::optional<std::string> file_text(const std::string& path, Diagnostics& diagn
   if (!error && !check_size(size, path, diagnostics)) return std::nullopt;
   std::ostringstream text;
   text << stream.rdbuf();
-  if (stream.bad()) throw Failure(ExitCode::io, path + ": cannot be read");
+  if (stream.bad()) throw Failure(ExitCode::io, path + ": cannot be read to its end", "check the disk");
   return text.str();
 }
 

@@ -28,12 +28,12 @@ Function derive_forward_dynamics(const Mechanism& mechanism, const Choices& choi
 // Forward dynamics without the diagonal entries b_kk, beside which a pivot could be seen to be lost.
 std::optional<Function> derive_forward_dynamics_by_articulated_bodies(const Mechanism& mechanism,
                                                                       const Choices& choices) {
-  if (!has_articulated_form(mechanism) || choices.guards_pivots) return std::nullopt;
+  if (!has_articulated_form(mechanism) || choices.guard.compares) return std::nullopt;
   return derived(mechanism, choices, [](DerivationContext& context) {
     const Motion motion{context.joint_motion(InputKind::qd), context.joint_drift(), context.mechanism.gravity, true};
     const std::vector<Number> tau = context.all(InputKind::tau);
     const ArticulatedSolution solution = articulated_accelerations(context.frames, motion, tau);
-    return finished_accelerations(context, solution.qdd, {context.nodes(solution.pivots), {}});
+    return finished_accelerations(context, solution.qdd, conditions_of(context, solution.pivots));
   });
 }
 

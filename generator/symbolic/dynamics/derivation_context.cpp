@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/dynamics/derivation_context.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
+#include "model/rounded_up.hpp"
 #include "symbolic/loops/loops.hpp"
 
 namespace flatdyn {
@@ -49,16 +52,24 @@ namespace {
 
 // The conditions of the loops that the outputs depend on: their entries contain the reciprocals of these loops'
 // determinants.
-std::vector<NodeId> loop_conditions(const Mechanism& mechanism, Derivation& derivation,
-                                    const std::vector<Output>& outputs) {
-  std::vector<NodeId> entries, result;
+Conditions loop_conditions(const Mechanism& mechanism, Derivation& derivation, const std::vector<Output>& outputs) {
+  Conditions result;
+  std::vector<NodeId> entries;
   for (const Output& output : outputs) entries.insert(entries.end(), output.entries.begin(), output.entries.end());
   const auto conditions = ClosedLoops(mechanism, derivation).conditions();
   const std::vector<bool> used = reachable_from(derivation.graph(), entries);
   for (const ClosedLoops::Condition& condition : conditions) {
-    if (used[static_cast<std::size_t>(condition.reciprocal)]) result.push_back(condition.validity_conditions);
+    if (used[static_cast<std::size_t>(condition.reciprocal)]) result.append({{condition.value}, {condition.scale}});
   }
   return result;
+}
+
+// The size of b_kk's terms: its bound, beside which b_kk counts too if it may exceed the bound, or b_kk alone.
+Number size_of(const std::vector<DiagonalBound>& bounds, std::size_t k, const Number& diagonal) {
+  constexpr int kDigits = 2;
+  if (is_rational(diagonal) || bounds.empty() || !(bounds[k].largest > 0)) return diagonal;
+  const Number largest = exact_decimal(fmt::format("{}", rounded_up(bounds[k].largest, kDigits)));
+  return bounds[k].holds_everywhere ? largest : diagonal + largest;
 }
 
 }  // namespace
@@ -69,19 +80,30 @@ void Conditions::append(const Conditions& more) {
   pivot_scales.insert(pivot_scales.end(), more.pivot_scales.begin(), more.pivot_scales.end());
 }
 
-Conditions conditions_of(DerivationContext& context, const Factorisation& B) {
-  Conditions conditions{context.nodes(B.pivots()), {}};
-  if (context.guards_pivots) conditions.pivot_scales = context.nodes(B.pivot_scales());
+Conditions conditions_of(DerivationContext& context, const std::vector<Number>& pivots) {
+  const Number largest = exact_decimal(kLargestPivot);
+  Conditions conditions{context.nodes(pivots), {}};
+  for (std::size_t k = 0; k < pivots.size(); ++k) {
+    if (is_bounded(context.derivation.graph(), conditions.validity_conditions[k])) continue;
+    conditions.validity_conditions.push_back(context.node(largest - pivots[k]));
+  }
   return conditions;
+}
+
+Conditions conditions_of(DerivationContext& context, const Factorisation& B) {
+  if (!context.guard.compares) return conditions_of(context, B.pivots());
+  std::vector<Number> sizes = B.diagonal();
+  for (std::size_t k = 0; k < sizes.size(); ++k) sizes[k] = size_of(context.guard.diagonals, k, sizes[k]);
+  return {context.nodes(B.pivots()), context.nodes(B.pivot_scales(sizes))};
 }
 
 Function finished(const Mechanism& mechanism, Derivation& derivation, std::vector<Output> outputs,
                   Conditions conditions) {
   Function function;
   if (mechanism.has_loops()) {
-    const std::vector<NodeId> loops = loop_conditions(mechanism, derivation, outputs);
-    function.loop_conditions = static_cast<int>(loops.size());
-    conditions.validity_conditions.insert(conditions.validity_conditions.end(), loops.begin(), loops.end());
+    const Conditions loops = loop_conditions(mechanism, derivation, outputs);
+    function.loop_conditions = static_cast<int>(loops.validity_conditions.size());
+    conditions.append(loops);
   }
   function.graph = std::move(derivation.graph());
   function.outputs = std::move(outputs);
@@ -94,7 +116,7 @@ Function derived(const Mechanism& mechanism, const Choices& choices,
                  const std::function<Function(DerivationContext&)>& derive) {
   const Mechanism described = chosen(mechanism, choices);
   DerivationContext context(described, axes_of(choices));
-  context.guards_pivots = choices.guards_pivots;
+  context.guard = choices.guard;
   return derive(context);
 }
 

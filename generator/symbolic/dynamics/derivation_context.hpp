@@ -40,16 +40,22 @@ struct DerivationContext {
   const Mechanism& mechanism;
   Derivation derivation;
   Frames frames;
-  bool guards_pivots = false;  // as in Choices
+  PivotGuard guard;  // as in Choices
 };
 
-// The pivots of a factorisation, and their scales if they are guarded.
+// What must be positive for a result to be valid, and the scales of the first of them (Function::pivot_scales).
 struct Conditions {
   std::vector<NodeId> validity_conditions, pivot_scales;
 
   // Appends conditions, which may have scales if all before them do.
   void append(const Conditions& more);
 };
+// Pivots of B that are not compared with scales. Those that inputs can make infinite must be below kLargestPivot, too:
+// all entries of the result may be finite after a division by infinity. (Beside a scale, which is then infinite, too,
+// they count as lost.)
+inline constexpr const char* kLargestPivot = "1e30";  // kg m² or kg; a float holds it
+Conditions conditions_of(DerivationContext& context, const std::vector<Number>& pivots);
+// The pivots of B, with their scales if the context's guard compares them.
 Conditions conditions_of(DerivationContext& context, const Factorisation& B);
 
 Output vector_output(const std::string& name, std::vector<NodeId> entries, const std::string& meaning);

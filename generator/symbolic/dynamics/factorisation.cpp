@@ -55,9 +55,9 @@ void Factorisation::factorise(const std::function<void(std::size_t)>& fail_as_ze
   for (std::size_t k = 0; k < L_.size(); ++k) pivots_.push_back(L_[k][k]);
 }
 
-std::vector<Number> Factorisation::pivot_scales() const {
+std::vector<Number> Factorisation::pivot_scales(const std::vector<Number>& sizes) const {
   Derivation& d = derivation_;
-  std::vector<Number> scales = diagonal_;
+  std::vector<Number> scales = sizes;
   for (std::size_t k = L_.size(); k-- > 0;) {
     const std::string row = label(static_cast<int>(k));
     scales[k] = d.named(scales[k], prefix_ + "scale_" + row);

@@ -42,9 +42,12 @@ class Factorisation {
   // The diagonal of D: all positive if and only if B is positive definite.
   const std::vector<Number>& pivots() const { return pivots_; }
   const std::vector<Number>& inverse_pivots() const { return inverse_; }
+  // The diagonal of B.
+  const std::vector<Number>& diagonal() const { return diagonal_; }
   // The scales of the pivots, a last place of which is their rounding error: pivot i is b_ii less terms l_ki² d_k, and
-  // its scale is b_ii plus l_ki² times the scale of d_k, since each term brings in the error of its own pivot.
-  std::vector<Number> pivot_scales() const;
+  // its scale is the size of b_ii plus l_ki² times the scale of d_k, since each term brings in the error of its own
+  // pivot. sizes[i]: the size of the terms whose sum b_ii is, at least b_ii.
+  std::vector<Number> pivot_scales(const std::vector<Number>& sizes) const;
 
  private:
   int parent(std::size_t i) const { return parents_[i]; }

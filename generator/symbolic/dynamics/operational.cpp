@@ -80,7 +80,7 @@ class OperationalSpace {
 
   Function finished(std::vector<Output> outputs) const {
     // Every arm has poses in which J B⁻¹ Jᵀ or its angles are singular, so they are always guarded, and come first.
-    Conditions conditions{context_.nodes(factors_.pivots()), context_.nodes(factors_.pivot_scales())};
+    Conditions conditions{context_.nodes(factors_.pivots()), context_.nodes(factors_.pivot_scales(sizes()))};
     if (const auto divisor = divisor_of_angles(context_, task_.rows, task_.orientation)) {
       conditions.append({{context_.node(*divisor)}, {context_.node(1)}});
     }
@@ -96,6 +96,25 @@ class OperationalSpace {
     std::vector<int> parents(size);
     std::iota(parents.begin(), parents.end(), -1);
     return parents;
+  }
+
+  // By row, the size of the terms whose sums are in J B⁻¹ Jᵀ. A diagonal entry may itself be what is left of large
+  // terms, where the tip cannot move along its axis, so that the mean of all rows of one unit counts: of translations
+  // or of rotations.
+  std::vector<Number> sizes() const {
+    Number sum[2] = {0, 0};
+    int count[2] = {0, 0};
+    const auto kind = [this](std::size_t i) { return task_.rows[i] < 3 ? 0 : 1; };
+    for (std::size_t i = 0; i < size(); ++i) {
+      sum[kind(i)] += mobility_[i][i];
+      ++count[kind(i)];
+    }
+    std::vector<Number> result;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Number mean = sum[kind(i)] / count[kind(i)];
+      result.push_back(context_.derivation.named(mean, kind(i) == 0 ? "size_p" : "size_o"));
+    }
+    return result;
   }
 
   Number named(const Number& value, const std::string& name, std::size_t row) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/equivalents.hpp"
+#include "model/inertia_bound.hpp"
 #include "symbolic/kernel/frames.hpp"
 #include "symbolic/kernel/regroup.hpp"
 
@@ -18,14 +19,18 @@ struct JointChoice {
   Axes axes = Axes::turning;  // axes of the link's frame
 };
 
+// How a function checks the pivots of B (Function::pivot_scales, proven_pivot_share).
+struct PivotGuard {
+  bool compares = false;                   // whether pivots are compared with their scales
+  double proven_share = 0;                 // without scales: the share of these that pivots are proven to keep
+  std::vector<DiagonalBound> diagonals{};  // by entry of q; empty if unknown
+};
+
 struct Choices {
   std::vector<JointChoice> joints;  // one per joint
   Number length_unit = 1;           // m; rational
   unsigned order = 0;               // seed of the order in which the passes look for factors; 0: as derived
-  // Not choices: whether pivots of B are compared with their scales, and, if not, the share of these that they are
-  // proven to keep (Function::pivot_scales, proven_pivot_share).
-  bool guards_pivots = false;
-  double proven_pivot_share = 0;
+  PivotGuard guard{};               // the same in all choices
 };
 
 // The mechanism with these frames, and nothing else changed.

@@ -306,18 +306,19 @@ Number ClosedLoops::largest_determinant(std::size_t l, const Number& scale) cons
 }
 
 std::vector<ClosedLoops::Condition> ClosedLoops::conditions() const {
-  const Number trifle = Number(1) / 1000000;
+  const Number trifle = Number(1) / 1000000, share_of_scale = Number(1) / 1024;
   std::vector<Condition> result;
   for (std::size_t l = 0; l < loops_.size(); ++l) {
     const std::string name = "l" + label(static_cast<int>(l));
     const Number& det = loops_[l].determinant;
     const Number scale = mechanism_.loops[l].aligns_axes() ? length_scale(l) : Number(0);
-    const Number least = d_.named(trifle * trifle * largest_determinant(l, scale), "least_" + name);
+    const Number largest = largest_determinant(l, scale);
+    const Number least = d_.named(trifle * trifle * largest, "least_" + name);
     const Number square = d_.named(det * det, "det2_" + name) * axes_factor(mechanism_.loops[l], scale);
     const Number measure = d_.named(square - least, "regular_" + name);
     NodeId reciprocal = d_.node(loops_[l].reciprocal);
     if (d_.graph().is_scaled(reciprocal)) reciprocal = d_.graph()[reciprocal].terms.front().node;  // what sums refer to
-    result.push_back({reciprocal, d_.node(measure)});
+    result.push_back({reciprocal, d_.node(measure), d_.node(d_.named(share_of_scale * largest, "scale_" + name))});
   }
   return result;
 }

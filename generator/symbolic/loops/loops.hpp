@@ -29,11 +29,12 @@ class ClosedLoops {
   // Newton's step: what it takes to be added to q, in which independent joints stay where they are.
   std::vector<Number> step() const;
 
-  // For each loop, the determinant that is divided by, squared, less a small fraction of the largest that it could be.
-  // Positive, unless the loop is singular or within 1e-6 of it.
+  // For each loop, the determinant that is divided by, squared, less a small share of the largest that it could be.
+  // Positive, unless the loop is singular or within 1e-6 of it. The scale makes that 6e-5 in float, whose rounding
+  // errors are larger (Function::pivot_scales).
   struct Condition {
     NodeId reciprocal;  // of the determinant: who does not need it does not need the condition
-    NodeId validity_conditions;
+    NodeId value, scale;
   };
   std::vector<Condition> conditions() const;
 

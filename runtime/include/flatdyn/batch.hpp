@@ -4,7 +4,7 @@
 // machine: -march=native, or -mavx2 -mfma.
 //
 //   std::vector<double> q(7 * n), qd(7 * n), qdd(7 * n), tau(7 * n);   // joint i of state k at [i * n + k]
-//   flatdyn::for_each_state<double>(n, [](auto... of) { panda::inverse_dynamics(of...); },
+//   flatdyn::for_each_state<double>(n, [](auto... of) { return panda::inverse_dynamics(of...); },
 //                                   flatdyn::in<7>(q.data(), n), flatdyn::in<7>(qd.data(), n),
 //                                   flatdyn::in<7>(qdd.data(), n), flatdyn::out<7>(tau.data(), n));
 //
@@ -175,7 +175,8 @@ bool at_lanes(Call& call, std::size_t state, std::size_t count, std::index_seque
 
 }  // namespace detail
 
-// Applies call(a, b, …), with pointers to Lanes<T>, to all `states`; the arrays are in the order of its arguments.
+// Applies call(a, b, …), with pointers to Lanes<T>, to all `states`; the arrays are in the order of its arguments. What
+// the call returns counts: write `return` before a function that returns bool.
 // Inputs may share an array; outputs must overlap neither inputs nor each other. Returns false if the call returns
 // false for any state, as forward_dynamics does if B is not positive definite; the outputs of such states are not
 // numbers.

@@ -7,6 +7,8 @@
 
 #include "definition/pivot_ratio.hpp"
 #include "model/states.hpp"
+#include "planning/make_functions.hpp"
+#include "reference/graph_evaluator.hpp"
 #include "support/printed_code.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
@@ -110,6 +112,82 @@ xyz = [1, 0, 0]
     state.q = {1.6057098304459343, q2};
     EXPECT_FALSE(std::isnan(compiled.call(0, state)[0])) << q2;
   }
+}
+
+Function forward_dynamics_of(const LoadedRobot& model) {
+  PipelineOptions options;
+  options.functions = {"forward_dynamics"};
+  Progress quiet(true);
+  Diagnostics none;
+  return make_functions(model, options, quiet, none).front().function;
+}
+
+// A mass at the tip, above the first joint's axis: b_11, at most some 5 kg m², is what is left of terms of that size,
+// so that b_11 itself is only rounding error.
+TEST(LostPivots, AreSeenWhereADiagonalEntryIsWhatIsLeftOfLargeTerms) {
+  const LoadedRobot arm = testing::model_of_toml(R"(
+gravity = [0, 0, -9.81]
+[[link]]
+[[link]]
+xyz = [0.1, 0, 0.3]
+rpy = ["pi/2", 0, 0]
+[[link]]
+xyz = [1, 0, 0]
+mass = 1.3
+com = [0.7, 0, 0]
+)");
+  const Function function = forward_dynamics_of(arm);
+  GraphEvaluator<double> rounded(function);
+  GraphEvaluator<Real50> exact(function);
+  int refused = 0;
+  for (State& state : random_states(arm.mechanism, 200, 1)) {
+    const double a = 1 + 0.7 * std::cos(state.q[2]), b = -0.7 * std::sin(state.q[2]);
+    state.q[1] = std::atan2(b, a) + std::acos(-0.1 / std::hypot(a, b));
+    state.qd = {0, 0, 0};
+    const auto result = rounded(state);
+    refused += !result;
+    if (!result) continue;
+    const double right = exact(widened<Real50>(state))->front().convert_to<double>();
+    EXPECT_NEAR(result->front(), right, 0.1 * std::abs(right));
+  }
+  EXPECT_GT(refused, 100);
+  State apart = random_states(arm.mechanism, 1, 1).front();
+  apart.q = {0.3, 0.5, 1};
+  EXPECT_TRUE(rounded(apart).has_value());
+}
+
+// Beside what slides by 1e160 m a pivot is infinite, and what is divided by it is zero.
+TEST(LostPivots, AreThoseThatOverflow) {
+  const LoadedRobot arm = testing::model_of_toml(R"(
+[[link]]
+mass = 1
+com = [0.1, 0, 0]
+inertia_about = "com"
+inertia = { xx = 0.1, yy = 0.1, zz = 0.1 }
+[[link]]
+type = "prismatic"
+rpy = ["pi/2", 0, 0]
+mass = 2
+com = [0, 0, 0.1]
+inertia_about = "com"
+inertia = { xx = 0.1, yy = 0.1, zz = 0.1 }
+limits = { lower = -1, upper = 1 }
+)");
+  const Function function = forward_dynamics_of(arm);
+  EXPECT_GT(function.proven_pivot_share, 0);
+  GraphEvaluator<double> rounded(function);
+  State state = random_states(arm.mechanism, 1, 1).front();
+  state.qd = {0, 0};
+  state.q = {0.1, 1e160};
+  EXPECT_FALSE(rounded(state).has_value());
+  state.q = {0.1, 1e10};
+  EXPECT_TRUE(rounded(state).has_value());
+}
+
+// An upright arm does not ask for it: its pivots depend on angles alone.
+TEST(LostPivots, DoNotOverflowWithoutPrismaticJoints) {
+  const Function function = forward_dynamics_of(testing::model_of("ur5.urdf"));
+  EXPECT_EQ(function.validity_conditions.size(), 6U);
 }
 
 TEST(LostPivots, AreTold) {

@@ -87,7 +87,7 @@ TEST_P(RandomRobot, CoriolisMatrixIsChristoffelSymbolsTimesRates) {
 TEST_P(RandomRobot, ForwardDynamicsUndoesInverseDynamics) {
   const Function forward = derive_function(mechanism, "forward_dynamics");
   EXPECT_TRUE(values(forward, seed, value_of("inverse_dynamics")) == qdd);
-  EXPECT_EQ(forward.validity_conditions.size(), n);
+  EXPECT_GE(forward.validity_conditions.size(), n);  // more if pivots can overflow
 }
 
 TEST_P(RandomRobot, KineticEnergyIsTheQuadraticFormOfB) {
