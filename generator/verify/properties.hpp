@@ -7,7 +7,7 @@
 
 namespace flatdyn {
 
-// What is proven of the pivots of B: they are at least this share of their scales (scaled_inertia_bound()), and where.
+// The proof about pivots of B: they are at least this share of their scales (scaled_inertia_bound()), and where.
 struct ProvenPivots {
   double share = 0;  // 0: nothing is proven
   std::string positions{};

@@ -120,12 +120,14 @@ int main() {
   for (int k = 0; k < 100000; ++k) {
     const float q[3] = {turn(engine), std::pow(10.0f, exponent(engine)), 0.44f};
     const double exact_q[3] = {q[0], q[1], q[2]};
-    float G[3];
-    double exact[3];
-    if (!arm::loop_motion(q, G)) continue;
+    const float qd[1] = {1}, qdd[1] = {0};
+    const double exact_qd[1] = {1}, exact_qdd[1] = {0};
+    float rates[3], accelerations[3];
+    double exact[3], exact_accelerations[3];
+    if (!arm::loop_motion(q, qd, qdd, rates, accelerations)) continue;
     ++held;
-    if (!arm::loop_motion(exact_q, exact)) continue;
-    for (int i = 0; i < 3; ++i) wrong += std::fabs(G[i] - exact[i]) > 0.02 * std::hypot(exact[0], exact[1]);
+    if (!arm::loop_motion(exact_q, exact_qd, exact_qdd, exact, exact_accelerations)) continue;
+    for (int i = 0; i < 3; ++i) wrong += std::fabs(rates[i] - exact[i]) > 0.02 * std::hypot(exact[0], exact[1]);
   }
   std::printf("%d %d\n", held > 40000, wrong);
 }
