@@ -173,6 +173,16 @@ void check_samples(const Measurement& measurement, const std::string& log, Diagn
                 "log without gaps, or q, qd and qdd, so that there is no filter; a wider --band has a shorter window");
 }
 
+// Checks that a motion is there which is slower than the one that the filter leaves.
+void require_filter(const Measurement& measurement) {
+  const std::vector<SampleFilter> filters = measurement.filters();
+  const bool is_filtered =
+      std::all_of(filters.begin(), filters.end(), [](const SampleFilter& filter) { return filter.band > 0; });
+  if (is_filtered) return;
+  throw Failure(ExitCode::usage, "--estimator iv needs the filter: the log has all derivatives, and is used as it is",
+                "give --band HZ");
+}
+
 // The logs of a run. What is found in them is reported when they are read for the first time.
 class Logs {
  public:
@@ -214,21 +224,17 @@ class Logs {
     return measurement;
   }
 
-  // Estimates by instrumental variables; the instrument is the motion of the model that least squares found, and then
-  // of the one that the instrument found.
-  Estimate with_instruments(const TorqueEquations& equations, const Measurement& measurement) {
-    constexpr int kRounds = 2;
-    const Estimate least_squares = estimate_of(equations, measurement, arguments_.identification.estimate);
-    Estimate found = least_squares;
-    for (int round = 0; round < kRounds; ++round) {
-      TorqueEquations instrumented(equations.model(), equations.further());
-      instrumented.set_instrument(found.values);
-      InstrumentSums sums(instrumented);
-      const Measurement again =
-          measured(instrumented, nullptr, [&](const FilteredEquations& each, int) { sums.add(each); });
-      found = sums.estimate(again.observations, least_squares, instrumented.acceleration_rows());
-    }
-    return found;
+  // Estimates by instrumental variables.
+  Estimate with_instruments(const TorqueEquations& equations) {
+    TorqueEquations instrumented(equations.model(), equations.further());
+    instrumented.set_instruments();
+    InstrumentSums sums(instrumented);
+    const Measurement again =
+        measured(instrumented, nullptr, [&](const FilteredEquations& each, int) { sums.add(each); });
+    require_filter(again);
+    EstimateOptions options = arguments_.identification.estimate;
+    options.acceleration_rows = instrumented.acceleration_rows();
+    return sums.estimate(again.observations, instrumented.file_values(), options);
   }
 
   Measurement validation(const TorqueEquations& equations) const {
@@ -344,7 +350,7 @@ ExitCode identify(IdentifyArguments arguments) {
   }
   if (arguments.robust) measurement = logs.with_robust_weights(equations, std::move(measurement));
   if (arguments.estimator == "iv") {
-    arguments.identification.other_estimate = logs.with_instruments(equations, measurement);
+    arguments.identification.other_estimate = logs.with_instruments(equations);
   }
   Identification found =
       identification(fit.robot, equations, std::move(measurement), arguments.identification, progress);
@@ -412,8 +418,8 @@ Run add_identify(CLI::App& app) {
   command->add_flag("--delay", arguments->delay, "also the time by which all torques are late; reads the logs again");
   command
       ->add_option("--estimator", arguments->estimator,
-                   "least squares (ls), or instrumental variables (iv) against noise in q: the instrument is the "
-                   "simulated motion of the identified model; iv reads the logs again")
+                   "least squares (ls), or instrumental variables (iv) against noise in q: the instrument is the same "
+                   "motion, smoothed far more; iv reads the logs again")
       ->check(CLI::IsMember({"ls", "iv"}))
       ->capture_default_str();
   command->add_flag("--robust", arguments->robust, "Huber's weights: outliers count less; reads the logs again");

@@ -26,6 +26,17 @@ VectorXd rate_weights(const StreamPlan& plan) {
   return band == 0 ? VectorXd::Zero(1) : as_weights(rate_weights_ahead(band, dt, plan.delay));
 }
 
+// The weights of the slow motion where the narrow filter has `length` weights: a Gaussian, whose standard deviation is
+// 1 / band. The filter's ends are 4.5 of these away.
+VectorXd gaussian_weights(const SampleFilter& filter, Eigen::Index length) {
+  VectorXd weights(length);
+  for (Eigen::Index k = 0; k < length; ++k) {
+    const double t = static_cast<double>(k - length / 2) * filter.dt * filter.stride();
+    weights[k] = std::exp(-std::pow(filter.band * t, 2) / 2);
+  }
+  return weights / weights.sum();
+}
+
 int half_of(const VectorXd& weights) { return static_cast<int>(weights.size()) / 2; }
 
 // Cubic between two samples `step` apart that have slopes, at a part 0 … 1 of the way.
@@ -41,13 +52,13 @@ EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& mode
       model_(model),
       sink_(std::move(sink)),
       layout_(plan.layout()),
-      instrument_(model.instrument()),
       n_(layout_.joints),
       stride_(plan.filter.stride()),
       lookahead_(plan.filter.rest_strides()),
       motion_half_(plan.filter.motion_half_window()),
       row_half_(plan.filter.row_half_window()),
       row_weights_(narrow_weights(plan.filter.band, plan.filter.dt * stride_)),
+      slow_weights_(gaussian_weights(plan.filter, row_weights_.size())),
       sample_weights_(narrow_weights(plan.filter.band, plan.filter.dt)),
       measured_weights_(plan.delay == 0 ? sample_weights_
                                         : as_weights(weights_ahead(plan.filter.band, plan.filter.dt, plan.delay))),
@@ -56,15 +67,17 @@ EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& mode
       sample_kernel_half_(half_of(sample_weights_)),
       motion_filter_(plan),
       raw_(layout_.channels() + 1, motion_half_ + 1 + std::max(motion_half_, (lookahead_ + 1) * stride_)),
-      rows_(instruments_at() + instrument_entries(), row_half_ + row_kernel_half_ + 1),
+      rows_(motion_at() + motions(), row_half_ + row_kernel_half_ + 1),
       samples_window_(unsure_at() + n_, row_half_ * stride_ + sample_kernel_half_ + 1),
       slow_(static_cast<std::size_t>(n_), 0),
       entries_(model.entries()),
       right_(model.equations()),
       rates_(model.equations()),
-      motion_(layout_.positions + 2 * n_),
+      motion_(motions()),
       speeds_(n_),
-      instruments_(instrument_entries()),
+      slow_motion_(motions()),
+      instruments_(model.entries()),
+      known_of_slow_(model.equations()),
       used_(static_cast<std::size_t>(model.equations()), 1) {}
 
 void EquationFilter::restart() {
@@ -75,7 +88,6 @@ void EquationFilter::restart() {
   before_.reset();
   slow_.assign(slow_.size(), 0);
   samples_ = motions_ = 0;
-  if (instrument_) instrument_->restart();
 }
 
 void EquationFilter::sample(const RawSample& sample) {
@@ -90,7 +102,6 @@ void EquationFilter::sample(const RawSample& sample) {
   motion.index = middle;
   motion.time = raw_.sample(motion_half_)[LogLayout::time()];
   motion_filter_.filter(raw_, motion.q, motion.qd, motion.qdd, motion.h_e);
-  if (instrument_) motion.measured = motion_filter_.smoothed(raw_, model_.measured(layout_), model_.equations());
   motion.rests.assign(static_cast<std::size_t>(n_), 0);
   pending_.push_back(std::move(motion));
   mark_rest();
@@ -129,10 +140,6 @@ void EquationFilter::push_row(GridMotion motion) {
   row.segment(motion_at(), layout_.positions) = motion.q.transpose();
   row.segment(motion_at() + layout_.positions, n_) = motion.qd.transpose();
   row.segment(motion_at() + layout_.positions + n_, n_) = motion.qdd.transpose();
-  if (instrument_) {
-    instrument_->step(measured, motion.measured.data(), plan_.filter.dt * stride_, instruments_.data());
-    row.segment(instruments_at(), instrument_entries()) = instruments_.transpose();
-  }
   if (before_) {
     for (int part = 1; part < stride_; ++part) push_sample(*before_, motion, part);
   }
@@ -205,7 +212,7 @@ void EquationFilter::pass_on(long index) {
   for (int i = 0; i < model_.equations(); ++i) {
     used_[static_cast<std::size_t>(i)] = model_.has_friction(i) && unsure[i] > kMostUnsure ? 0 : 1;
   }
-  motion_.noalias() = rows_.block(rows_back, rows, motion_at(), layout_.positions + 2 * n_).transpose() * row_weights_;
+  motion_.noalias() = rows_.block(rows_back, rows, motion_at(), motions()).transpose() * row_weights_;
   rates_.noalias() =
       samples_window_.block(samples_back, samples, measured_at(), model_.equations()).transpose() * rate_weights_;
   for (std::size_t i = 0; i < model_.rate_entries().size(); ++i) {
@@ -223,12 +230,26 @@ void EquationFilter::pass_on(long index) {
   equations.right = right_.data();
   equations.measured_rates = rates_.data();
   equations.used = used_.data();
-  if (instrument_) {
-    instruments_.noalias() =
-        rows_.block(rows_back, rows, instruments_at(), instrument_entries()).transpose() * row_weights_;
+  if (model_.has_instruments()) {
+    set_instruments(rows_back, middle[time_at()]);
     equations.instruments = instruments_.data();
   }
   sink_(equations);
+}
+
+// Friction jumps, and is filtered as that of Y is, with the speed that the slow motion has about this instant.
+void EquationFilter::set_instruments(int rows_back, double time) {
+  const auto rows = static_cast<int>(slow_weights_.size());
+  slow_motion_.noalias() = rows_.block(rows_back, rows, motion_at(), motions()).transpose() * slow_weights_;
+  const double *qd = slow_motion_.data() + layout_.positions, *qdd = qd + n_;
+  model_.evaluate({time, slow_motion_.data(), qd, qdd, nullptr}, instruments_.data(), known_of_slow_.data());
+  const double step = plan_.filter.dt * stride_;
+  for (const FrictionEntry& each : model_.friction()) {
+    double& entry = instruments_[each.entry] = 0;
+    for (int k = 0; k < rows; ++k) {
+      entry += row_weights_[k] * each.value(qd[each.joint] + qdd[each.joint] * step * (k - rows / 2));
+    }
+  }
 }
 
 }  // namespace flatdyn
