@@ -70,6 +70,8 @@ EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& mode
       rows_(motion_at() + motions(), row_half_ + row_kernel_half_ + 1),
       samples_window_(unsure_at() + n_, row_half_ * stride_ + sample_kernel_half_ + 1),
       slow_(static_cast<std::size_t>(n_), 0),
+      near_(static_cast<std::size_t>(n_), 0),
+      anchors_(n_),
       entries_(model.entries()),
       right_(model.equations()),
       rates_(model.equations()),
@@ -103,8 +105,10 @@ void EquationFilter::sample(const RawSample& sample) {
   motion.time = raw_.sample(motion_half_)[LogLayout::time()];
   motion_filter_.filter(raw_, motion.q, motion.qd, motion.qdd, motion.h_e);
   motion.rests.assign(static_cast<std::size_t>(n_), 0);
+  motion.stands.assign(static_cast<std::size_t>(n_), 0);
   pending_.push_back(std::move(motion));
   mark_rest();
+  mark_standing();
   if (static_cast<int>(pending_.size()) <= lookahead_) return;
   GridMotion oldest = std::move(pending_.front());
   pending_.pop_front();
@@ -125,11 +129,36 @@ void EquationFilter::mark_rest() {
   }
 }
 
-// A joint that rests has no speed and no acceleration: those that the filter finds are noise. Without a filter, one
-// slow sample counts as rest, and its acceleration is the log's.
+// A joint stands still where its position stays the same for five periods of the band, but for the encoder's step and
+// noise. One that turns around slowly, or creeps, is slow for a while, too, but its accelerations count in the
+// equations of the others. At the beginning of a log a joint counts as standing until it moves.
+void EquationFilter::mark_standing() {
+  constexpr double kSteps = 1.5, kDeviations = 5;  // of the encoder, of its noise
+  constexpr double kPeriods = 5;
+  const int long_time = static_cast<int>(std::ceil(kPeriods / (plan_.filter.band * plan_.filter.dt * stride_)));
+  GridMotion& newest = pending_.back();
+  for (int j = 0; j < n_ && plan_.filter.band > 0; ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    const int position = layout_.position_of[at];
+    const auto [step, deviation] = plan_.q_noise[static_cast<std::size_t>(position)];
+    const bool is_first = motions_ == 0 && pending_.size() == 1;
+    if (is_first) near_[at] = long_time;
+    if (is_first) anchors_[j] = newest.q[position];
+    ++near_[at];
+    if (std::abs(newest.q[position] - anchors_[j]) > std::max(kSteps * step, kDeviations * deviation)) {
+      near_[at] = 0;
+      anchors_[j] = newest.q[position];
+      for (GridMotion& each : pending_) each.stands[at] = 0;
+    }
+    newest.stands[at] = near_[at] > long_time && plan_.rest_speed[at] > 0 ? 1 : 0;
+  }
+}
+
+// A joint that stands still has no speed and no acceleration: those that the filter finds are noise. Without a filter,
+// one slow sample counts as rest, and its acceleration is the log's.
 void EquationFilter::push_row(GridMotion motion) {
   for (int j = 0; j < n_ && plan_.filter.band > 0; ++j) {
-    if (motion.rests[static_cast<std::size_t>(j)] != 0) motion.qd[j] = motion.qdd[j] = 0;
+    if (motion.stands[static_cast<std::size_t>(j)] != 0) motion.qd[j] = motion.qdd[j] = 0;
   }
   const MeasuredMotion measured{motion.time, motion.q.data(), motion.qd.data(), motion.qdd.data(),
                                 layout_.has_tip_force ? motion.h_e.data() : nullptr};

@@ -39,15 +39,16 @@ class EquationFilter : public SampleReceiver {
   void sample(const RawSample& sample) override;
 
  private:
-  // q, q̇, q̈ at a stride, and which joints rest.
+  // q, q̇, q̈ at a stride, which joints rest, and which have done so for long.
   struct GridMotion {
     double time = 0;
     long index = 0;
     Eigen::VectorXd q, qd, qdd, h_e;
-    std::vector<std::uint8_t> rests;
+    std::vector<std::uint8_t> rests, stands;
   };
 
   void mark_rest();
+  void mark_standing();
   void push_row(GridMotion motion);
   void push_sample(const GridMotion& from, const GridMotion& to, int part);
   bool sticks(int joint, int back, double speed) const;
@@ -80,6 +81,8 @@ class EquationFilter : public SampleReceiver {
   std::deque<GridMotion> pending_;    // motions for which it is not known yet which joints rest
   std::optional<GridMotion> before_;  // the last motion that left `pending_`
   std::vector<int> slow_;             // by joint: for how many strides it has been slow
+  std::vector<int> near_;             // by joint: for how many strides it has been near
+  Eigen::VectorXd anchors_;           // this position
   long samples_ = 0, motions_ = 0;    // since the restart
   long first_index_ = 0;              // RawSample::index of the first sample since the restart
   Eigen::VectorXd entries_, right_, rates_, motion_, speeds_, slow_motion_, instruments_, known_of_slow_;
