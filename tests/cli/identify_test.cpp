@@ -316,7 +316,7 @@ TEST(Identify, SaysWhyNoSampleCanBeUsed) {
             LogDerivatives::none);
   for (const auto& [arguments, message] :
        {std::pair{"motion.csv --decimate 100000", "none of 1000 samples can be used: --decimate 100000 leaves none"},
-        {"held.csv --parameters full", "no joint moves in the log: at rest a joint's friction may be anything"},
+        {"held.csv --parameters full", "no joint moves faster than the speed below which it counts as resting"},
         {"poses.csv", "poses that are held need columns qd1, ... and qdd1, ... of zeros"}}) {
     const Outcome outcome =
         run_flatdyn("identify robots/planar_2r_example_7_2.toml -q --data " + scratch.path("") + arguments);

@@ -81,13 +81,13 @@ TEST_F(InstrumentalVariables, AreFiniteWhereJointsHardlyMove) {
   EXPECT_TRUE(std::isinf(found.by_instruments.standard_deviations(bench.place_of("Fs2"))));
 }
 
-// Steps of 3e-3 rad, thirty times those of a usual encoder, are beyond what the compensation of least squares holds
-// for.
+// Steps of 3e-3 rad, thirty times those of a usual encoder. What they do is taken off least squares by a model of
+// noise; the instruments need none.
 TEST_F(InstrumentalVariables, HoldWherePositionsAreVeryNoisy) {
   constexpr double kCoarse = 3e-3;
   const Estimates found = estimated(bench.motion({.motion = 2}), kCoarse, 1);
-  EXPECT_LT(error_of(found.by_instruments), 0.7 * error_of(found.least_squares));
-  EXPECT_LT(error_of(found.by_instruments), 2);
+  EXPECT_LT(error_of(found.by_instruments), 1.4);
+  EXPECT_LT(error_of(found.least_squares), 1.6);
 }
 
 }  // namespace
