@@ -266,9 +266,12 @@ class Logs {
     return sums.estimate(again.observations, instrumented.file_values(), options);
   }
 
-  Measurement validation(const TorqueEquations& equations) const {
+  // Other logs, filtered as those that the parameters come from, so that residuals can be compared.
+  Measurement validation(const TorqueEquations& equations, const Measurement& estimated) const {
     Diagnostics found;
     StreamOptions options = options_;
+    const double band = estimated.logs.front().filter.band;
+    if (band > 0) options.band = band;
     options.part = options.parts = 1;
     const std::vector<std::filesystem::path> logs(arguments_.validation.begin(), arguments_.validation.end());
     Measurement measurement = measure(equations, equations.model().mechanism(), logs, options, progress_, found);
@@ -386,7 +389,7 @@ ExitCode identify(IdentifyArguments arguments) {
   found.unknowns = fit.unknowns;
   set_deviations(found.unknowns, equations, found.estimate);
   leave_friction_open(found.estimate, found.unknowns, equations);
-  if (!arguments.validation.empty()) validate(found, equations, logs.validation(equations));
+  if (!arguments.validation.empty()) validate(found, equations, logs.validation(equations, found.measurement));
   found.warning_texts = plausibility_warnings(model, found);
   for (std::string& each : search_warnings(found.unknowns, model)) found.warning_texts.push_back(std::move(each));
   arguments.warn_of(found.warning_texts, arguments.source());
