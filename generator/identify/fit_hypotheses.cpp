@@ -64,7 +64,7 @@ class HypothesisSearch {
   // most of what the best one leaves. If it explains about as much, the one is right whose parameters less speaks
   // against (`odd`).
   void consider(double cost, const std::function<std::string()>& text, double odd = 0) {
-    constexpr double kHalf = 0.5, kMore = 0.02, kMuch = 1.5, kAboutAsMuch = 0.05, kClearlyOdder = 0.05;
+    constexpr double kHalf = 0.5, kMore = 0.02, kMuch = 1.5, kAboutAsMuch = 0.05;
     const double explained = (before_ - cost) / std::max(before_ - noise_, 1e-300);
     if (explained < kHalf || before_ - cost < std::max(kChance, kShareOfChance * noise_)) return;
     const bool is_alike = best_ && std::abs(explained - best_->explained) < kAboutAsMuch;
@@ -76,6 +76,7 @@ class HypothesisSearch {
     }
     least_ = cost;
     odd_ = odd;
+    is_gain_ = false;
     best_ = FitHypothesis{text(), std::min(explained, 1.0)};
   }
 
@@ -96,10 +97,20 @@ class HypothesisSearch {
     return of_file > 0 ? count + std::abs(std::log(std::max(of_both / of_file, kLeastRatio))) : count;
   }
 
+  // Torques of one joint that are too large are the same as those of another that are too small, where these two joints
+  // have nearly all parameters in common: both are named then.
   void consider_gain(int i, double gain, const std::function<std::string()>& text) {
+    constexpr double kAlike = 0.02;  // share of what is explained
     VectorXd parameters;
-    const double cost = rows_.cost_with_gain(i, gain, &parameters);
-    consider(cost, text, oddness(parameters));
+    const double cost = rows_.cost_with_gain(i, gain, &parameters), odd = oddness(parameters);
+    const bool is_as_good = best_ && is_gain_ && std::abs(cost - least_) < kAlike * (before_ - noise_) &&
+                            std::abs(odd - odd_) < kClearlyOdder;
+    if (is_as_good && best_->text.find(", or ") == std::string::npos) {
+      best_->text += ", or " + text();
+    } else if (!is_as_good) {
+      consider(cost, text, odd);
+      is_gain_ = is_gain_ || (best_ && least_ == cost);
+    }
   }
 
   void torques() {
@@ -286,12 +297,14 @@ class HypothesisSearch {
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
   static constexpr double kChance = 60, kShareOfChance = 0.05;  // of the cost; of the noise
+  static constexpr double kClearlyOdder = 0.5;
 
   const TorqueModel& model_;
   RowSample rows_;
   std::vector<std::string> names_;
   double before_ = 0, noise_ = 0, least_ = 0;
-  double odd_ = 0;  // of the best one
+  double odd_ = 0;        // of the best one
+  bool is_gain_ = false;  // whether the best one is a gain
   std::optional<FitHypothesis> best_;
 };
 

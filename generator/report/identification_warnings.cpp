@@ -151,20 +151,23 @@ void warn_of_coarse_steps(const TorqueModel& model, const Identification& found,
                   some_of(names)));
 }
 
-// Reports friction and rotors that are clearly negative, which no joint has.
+// Reports friction, rotors and masses that are clearly negative, which no joint has. A base parameter that is named for
+// a mass may be a difference of masses: it counts where the robot file's is positive.
 void warn_of_signs(const TorqueModel& model, const Estimate& estimate, std::vector<std::string>& warning_texts) {
   constexpr double kClearly = 5;  // standard deviations
   std::vector<std::string> names;
   for (int k = 0; k < model.parameters(); ++k) {
     const int index = model.base().columns[static_cast<std::size_t>(k)];
     const bool is_inertial = static_cast<int>(parameter_of(index)) < kInertialPerBody;
-    if (is_inertial || estimate.values(k) > -kClearly * estimate.standard_deviations(k)) continue;
+    const bool is_mass = parameter_of(index) == Parameter::m && model.file_values()[static_cast<std::size_t>(k)] > 0;
+    if (is_inertial && !is_mass) continue;
+    if (estimate.values(k) > -kClearly * estimate.standard_deviations(k)) continue;
     names.push_back(fmt::format("{} ({})", parameter_name(index), model.mechanism().joint_at(joint_of(index)).joint));
   }
   if (names.empty()) return;
   warning_texts.push_back(
-      fmt::format("negative, which no friction and no rotor can be: {}; the sign of that joint's torques or positions "
-                  "is reversed, or the model lacks something",
+      fmt::format("negative, which no friction, no rotor and no mass can be: {}; the sign of that joint's torques or "
+                  "positions is reversed, gravity points elsewhere, or the model lacks something",
                   fmt::join(names, ", ")));
 }
 
