@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/equation_filter.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -71,6 +70,8 @@ EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& mode
       rows_(motion_at() + motions(), row_half_ + row_kernel_half_ + 1),
       samples_window_(unsure_at() + n_, row_half_ * stride_ + sample_kernel_half_ + 1),
       slow_(static_cast<std::size_t>(n_), 0),
+      near_(static_cast<std::size_t>(n_), 0),
+      anchors_(n_),
       entries_(model.entries()),
       right_(model.equations()),
       rates_(model.equations()),
@@ -87,7 +88,6 @@ void EquationFilter::restart() {
   samples_window_.clear();
   pending_.clear();
   before_.reset();
-  history_.clear();
   slow_.assign(slow_.size(), 0);
   samples_ = motions_ = 0;
 }
@@ -129,26 +129,28 @@ void EquationFilter::mark_rest() {
   }
 }
 
-// A joint stands still where its position has stayed the same for SampleFilter::standing_strides(), but for the
-// encoder's step and noise. One that turns around slowly, or creeps, is slow for a while, too, but its accelerations
-// count in the equations of the others. At the beginning of a log a joint counts as standing until it moves.
+// A joint stands still where its position stays the same for five periods of the band, but for the encoder's step and
+// noise. One that turns around slowly, or creeps, is slow for a while, too, but its accelerations count in the
+// equations of the others. At the beginning of a log a joint counts as standing until it moves.
 void EquationFilter::mark_standing() {
-  constexpr double kSteps = 2, kDeviations = 7;  // of the encoder, of its noise
-  if (plan_.filter.band == 0) return;
+  constexpr double kSteps = 1.5, kDeviations = 5;  // of the encoder, of its noise
+  constexpr double kPeriods = 5;
+  const int long_time = static_cast<int>(std::ceil(kPeriods / (plan_.filter.band * plan_.filter.dt * stride_)));
   GridMotion& newest = pending_.back();
-  history_.push_back(newest.q);
-  if (static_cast<int>(history_.size()) > plan_.filter.standing_strides()) history_.pop_front();
-  for (int j = 0; j < n_; ++j) {
+  for (int j = 0; j < n_ && plan_.filter.band > 0; ++j) {
     const auto at = static_cast<std::size_t>(j);
     const int position = layout_.position_of[at];
     const auto [step, deviation] = plan_.q_noise[static_cast<std::size_t>(position)];
-    const auto [least, largest] =
-        std::minmax_element(history_.begin(), history_.end(),
-                            [&](const VectorXd& a, const VectorXd& b) { return a[position] < b[position]; });
-    const double range = (*largest)[position] - (*least)[position];
-    const bool stands = range <= std::max(kSteps * step, kDeviations * deviation) && plan_.rest_speed[at] > 0;
-    newest.stands[at] = stands ? 1 : 0;
-    for (GridMotion& each : pending_) each.stands[at] = stands ? each.stands[at] : 0;
+    const bool is_first = motions_ == 0 && pending_.size() == 1;
+    if (is_first) near_[at] = long_time;
+    if (is_first) anchors_[j] = newest.q[position];
+    ++near_[at];
+    if (std::abs(newest.q[position] - anchors_[j]) > std::max(kSteps * step, kDeviations * deviation)) {
+      near_[at] = 0;
+      anchors_[j] = newest.q[position];
+      for (GridMotion& each : pending_) each.stands[at] = 0;
+    }
+    newest.stands[at] = near_[at] > long_time && plan_.rest_speed[at] > 0 ? 1 : 0;
   }
 }
 

@@ -78,12 +78,13 @@ class EquationFilter : public SampleReceiver {
   int row_kernel_half_, sample_kernel_half_;                          // their half lengths
   MotionFilter motion_filter_;
   SampleWindow raw_, rows_, samples_window_;
-  std::deque<GridMotion> pending_;       // motions for which it is not known yet which joints rest
-  std::optional<GridMotion> before_;     // the last motion that left `pending_`
-  std::vector<int> slow_;                // by joint: for how many strides it has been slow
-  std::deque<Eigen::VectorXd> history_;  // the last positions, SampleFilter::standing_strides() at most
-  long samples_ = 0, motions_ = 0;       // since the restart
-  long first_index_ = 0;                 // RawSample::index of the first sample since the restart
+  std::deque<GridMotion> pending_;    // motions for which it is not known yet which joints rest
+  std::optional<GridMotion> before_;  // the last motion that left `pending_`
+  std::vector<int> slow_;             // by joint: for how many strides it has been slow
+  std::vector<int> near_;             // by joint: for how many strides it has been near
+  Eigen::VectorXd anchors_;           // this position
+  long samples_ = 0, motions_ = 0;    // since the restart
+  long first_index_ = 0;              // RawSample::index of the first sample since the restart
   Eigen::VectorXd entries_, right_, rates_, motion_, speeds_, slow_motion_, instruments_, known_of_slow_;
   std::vector<std::uint8_t> used_;
 };

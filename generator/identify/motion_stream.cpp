@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/motion_stream.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -39,13 +38,6 @@ class RateChecked : public SampleReceiver {
   Diagnostics& diagnostics_;
 };
 
-// The number of lines before a part that the filter needs, and those that tell which joints stand still there.
-int half_window_of(const SampleFilter& filter) {
-  const int least = filter.half_window() + SpikeRepair::kReach;
-  const auto most = std::max(least, static_cast<int>(kBlock / 2));
-  return std::min(most, least + filter.standing_strides() * filter.stride());
-}
-
 // One log on its way through reader and checks.
 class Stream {
  public:
@@ -57,7 +49,7 @@ class Stream {
         rates_(mechanism, plan.heading, plan.filter.dt),
         signals_(plan),
         plan_(plan),
-        half_window_(half_window_of(plan.filter)),
+        half_window_(plan.filter.half_window() + SpikeRepair::kReach),
         shares_(shares),
         rate_checked_(log.string(), rates_, receiver, diagnostics),
         spikes_(plan, rate_checked_),

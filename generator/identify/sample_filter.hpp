@@ -23,8 +23,6 @@ struct SampleFilter {
   int stride() const;
   // A joint rests if it is slow for half a period of the band: this many strides. 0 without a filter.
   int rest_strides() const;
-  // A joint stands still if its position stays the same for five periods of the band: this many strides.
-  int standing_strides() const;
   // The number of samples that are needed on either side of one that is used.
   int half_window() const;
   // The parts of half_window(): samples that q, q̇, q̈ need, and strides that Y and τ need.
