@@ -135,9 +135,10 @@ void EquationFilter::mark_rest() {
 void EquationFilter::mark_standing() {
   constexpr double kSteps = 1.5, kDeviations = 5;  // of the encoder, of its noise
   constexpr double kPeriods = 5;
+  if (plan_.filter.band == 0) return;
   const int long_time = static_cast<int>(std::ceil(kPeriods / (plan_.filter.band * plan_.filter.dt * stride_)));
   GridMotion& newest = pending_.back();
-  for (int j = 0; j < n_ && plan_.filter.band > 0; ++j) {
+  for (int j = 0; j < n_; ++j) {
     const auto at = static_cast<std::size_t>(j);
     const int position = layout_.position_of[at];
     const auto [step, deviation] = plan_.q_noise[static_cast<std::size_t>(position)];
