@@ -64,8 +64,10 @@ void check_identify_usage(const IdentifyArguments& arguments) {
   if (!arguments.part.empty() && (arguments.output.empty() || arguments.logs.empty())) {
     throw Failure(ExitCode::usage, "--part needs --data LOG.csv and -o FILE: the part is written to that file");
   }
-  if (!arguments.parts.empty() && (arguments.stream.band || arguments.stream.decimate)) {
-    throw Failure(ExitCode::usage, "--band and --decimate have no effect with --merge",
+  const bool reads_otherwise =
+      arguments.stream.band || arguments.stream.decimate || !arguments.stream.rest_speed.empty();
+  if (!arguments.parts.empty() && reads_otherwise) {
+    throw Failure(ExitCode::usage, "--band, --decimate and --rest-speed have no effect with --merge",
                   "give them with --part, where the logs are read");
   }
   const bool reads_again = arguments.delay || arguments.gravity_direction || arguments.robust ||
@@ -147,6 +149,38 @@ Failure no_samples(const Measurement& measurement, int window, int decimate) {
   return Failure(ExitCode::input, none + of_filter, "log longer runs, or give a wider --band");
 }
 
+// Why no joint counts as moving.
+Failure no_motion(const Measurement& measurement) {
+  const std::vector<JointObservations>& joints = measurement.observations.joints;
+  const std::vector<double> rest = measurement.rest_speeds();
+  const double fastest = *std::max_element(rest.begin(), rest.end());
+  const auto most =
+      std::max_element(joints.begin(), joints.end(), [](const JointObservations& a, const JointObservations& b) {
+        return a.left_out < b.left_out;
+      })->left_out;
+  const std::vector<EquationInstant>& instants = measurement.observations.instants;
+  const bool moves = std::any_of(instants.begin(), instants.end(), [&](const EquationInstant& instant) {
+    return !std::equal(rest.begin(), rest.end(), instant.qd.begin(),
+                       [](double slowest, double qd) { return std::abs(qd) <= slowest; });
+  });
+  if (most > 0 || moves) {
+    return Failure(ExitCode::input,
+                   fmt::format("every joint moves clearly faster than the noise of its position at few instants only, "
+                               "at {} of {} at most, too few to tell their noise by; a joint counts as resting below "
+                               "{:.2g} rad/s or m/s",
+                               most, measurement.count.used, fastest),
+                   "log a longer or faster motion (flatdyn excite finds one); or give a wider --band, which has more "
+                   "instants, a lower one, which has less noise, or --rest-speed");
+  }
+  return Failure(ExitCode::input,
+                 fmt::format("no joint moves faster than the speed below which it counts as resting, {:.2g} rad/s or "
+                             "m/s at most: at rest a joint's friction may be anything up to F_s, so that its torques "
+                             "tell nothing",
+                             fastest),
+                 "log a motion (flatdyn excite finds one); or log many poses, one line for each, with columns qd1, ... "
+                 "and qdd1, ... of zeros, which tell the parameters of gravity");
+}
+
 // Checks that some samples can be used, that some joint moves, and that gaps in time, each of which costs a window of
 // the filter, do not remove most samples.
 void check_samples(const Measurement& measurement, const std::string& log, Diagnostics& found) {
@@ -159,18 +193,23 @@ void check_samples(const Measurement& measurement, const std::string& log, Diagn
   if (count.used == 0) throw no_samples(measurement, window, decimate);
   const std::vector<JointObservations>& joints = measurement.observations.joints;
   if (std::all_of(joints.begin(), joints.end(), [](const JointObservations& joint) { return joint.rows == 0; })) {
-    throw Failure(
-        ExitCode::input,
-        "no joint moves in the log: at rest a joint's friction may be anything up to F_s, so that its torques "
-        "tell nothing",
-        "log a motion (flatdyn excite finds one); or log many poses, one line for each, with columns qd1, ... "
-        "and qdd1, ... of zeros, which tell the parameters of gravity");
+    throw no_motion(measurement);
   }
   if (count.gaps == 0 || 2 * count.used * decimate > count.lines) return;
   found.warning({log, 0},
                 fmt::format("{} gaps in time take most of {} samples: each costs the filter's window, {} samples",
                             count.gaps, count.lines, window),
                 "log without gaps, or q, qd and qdd, so that there is no filter; a wider --band has a shorter window");
+}
+
+// Checks that a motion is there which is slower than the one that the filter leaves.
+void require_filter(const Measurement& measurement) {
+  const std::vector<SampleFilter> filters = measurement.filters();
+  const bool is_filtered =
+      std::all_of(filters.begin(), filters.end(), [](const SampleFilter& filter) { return filter.band > 0; });
+  if (is_filtered) return;
+  throw Failure(ExitCode::usage, "--estimator iv needs the filter: the log has all derivatives, and is used as it is",
+                "give --band HZ");
 }
 
 // The logs of a run. What is found in them is reported when they are read for the first time.
@@ -214,26 +253,25 @@ class Logs {
     return measurement;
   }
 
-  // Estimates by instrumental variables; the instrument is the motion of the model that least squares found, and then
-  // of the one that the instrument found.
-  Estimate with_instruments(const TorqueEquations& equations, const Measurement& measurement) {
-    constexpr int kRounds = 2;
-    const Estimate least_squares = estimate_of(equations, measurement, arguments_.identification.estimate);
-    Estimate found = least_squares;
-    for (int round = 0; round < kRounds; ++round) {
-      TorqueEquations instrumented(equations.model(), equations.further());
-      instrumented.set_instrument(found.values);
-      InstrumentSums sums(instrumented);
-      const Measurement again =
-          measured(instrumented, nullptr, [&](const FilteredEquations& each, int) { sums.add(each); });
-      found = sums.estimate(again.observations, least_squares, instrumented.acceleration_rows());
-    }
-    return found;
+  // Estimates by instrumental variables.
+  Estimate with_instruments(const TorqueEquations& equations) {
+    TorqueEquations instrumented(equations.model(), equations.further());
+    instrumented.set_instruments();
+    InstrumentSums sums(instrumented);
+    const Measurement again =
+        measured(instrumented, nullptr, [&](const FilteredEquations& each, int) { sums.add(each); });
+    require_filter(again);
+    EstimateOptions options = arguments_.identification.estimate;
+    options.acceleration_rows = instrumented.acceleration_rows();
+    return sums.estimate(again.observations, instrumented.file_values(), options);
   }
 
-  Measurement validation(const TorqueEquations& equations) const {
+  // Other logs, filtered as those that the parameters come from, so that residuals can be compared.
+  Measurement validation(const TorqueEquations& equations, const Measurement& estimated) const {
     Diagnostics found;
     StreamOptions options = options_;
+    const double band = estimated.logs.front().filter.band;
+    if (band > 0) options.band = band;
     options.part = options.parts = 1;
     const std::vector<std::filesystem::path> logs(arguments_.validation.begin(), arguments_.validation.end());
     Measurement measurement = measure(equations, equations.model().mechanism(), logs, options, progress_, found);
@@ -344,15 +382,16 @@ ExitCode identify(IdentifyArguments arguments) {
   }
   if (arguments.robust) measurement = logs.with_robust_weights(equations, std::move(measurement));
   if (arguments.estimator == "iv") {
-    arguments.identification.other_estimate = logs.with_instruments(equations, measurement);
+    arguments.identification.other_estimate = logs.with_instruments(equations);
   }
   Identification found =
       identification(fit.robot, equations, std::move(measurement), arguments.identification, progress);
   found.unknowns = fit.unknowns;
   set_deviations(found.unknowns, equations, found.estimate);
-  if (!arguments.validation.empty()) validate(found, equations, logs.validation(equations));
+  leave_friction_open(found.estimate, found.unknowns, equations);
+  if (!arguments.validation.empty()) validate(found, equations, logs.validation(equations, found.measurement));
   found.warning_texts = plausibility_warnings(model, found);
-  for (std::string& each : search_warnings(found.unknowns)) found.warning_texts.push_back(std::move(each));
+  for (std::string& each : search_warnings(found.unknowns, model)) found.warning_texts.push_back(std::move(each));
   arguments.warn_of(found.warning_texts, arguments.source());
   const ParameterFrames frames = parameter_frames(arguments.frames);
   write_and_print(result_files(arguments, fit.robot, equations, found, logs),
@@ -412,8 +451,8 @@ Run add_identify(CLI::App& app) {
   command->add_flag("--delay", arguments->delay, "also the time by which all torques are late; reads the logs again");
   command
       ->add_option("--estimator", arguments->estimator,
-                   "least squares (ls), or instrumental variables (iv) against noise in q: the instrument is the "
-                   "simulated motion of the identified model; iv reads the logs again")
+                   "least squares (ls), or instrumental variables (iv) against noise in q: the instrument is the same "
+                   "motion, smoothed far more; iv reads the logs again")
       ->check(CLI::IsMember({"ls", "iv"}))
       ->capture_default_str();
   command->add_flag("--robust", arguments->robust, "Huber's weights: outliers count less; reads the logs again");

@@ -26,6 +26,17 @@ VectorXd rate_weights(const StreamPlan& plan) {
   return band == 0 ? VectorXd::Zero(1) : as_weights(rate_weights_ahead(band, dt, plan.delay));
 }
 
+// The weights of the slow motion where the narrow filter has `length` weights: a Gaussian, whose standard deviation is
+// 1 / band. The filter's ends are 4.5 of these away.
+VectorXd gaussian_weights(const SampleFilter& filter, Eigen::Index length) {
+  VectorXd weights(length);
+  for (Eigen::Index k = 0; k < length; ++k) {
+    const double t = static_cast<double>(k - length / 2) * filter.dt * filter.stride();
+    weights[k] = std::exp(-std::pow(filter.band * t, 2) / 2);
+  }
+  return weights / weights.sum();
+}
+
 int half_of(const VectorXd& weights) { return static_cast<int>(weights.size()) / 2; }
 
 // Cubic between two samples `step` apart that have slopes, at a part 0 … 1 of the way.
@@ -41,13 +52,13 @@ EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& mode
       model_(model),
       sink_(std::move(sink)),
       layout_(plan.layout()),
-      instrument_(model.instrument()),
       n_(layout_.joints),
       stride_(plan.filter.stride()),
       lookahead_(plan.filter.rest_strides()),
       motion_half_(plan.filter.motion_half_window()),
       row_half_(plan.filter.row_half_window()),
       row_weights_(narrow_weights(plan.filter.band, plan.filter.dt * stride_)),
+      slow_weights_(gaussian_weights(plan.filter, row_weights_.size())),
       sample_weights_(narrow_weights(plan.filter.band, plan.filter.dt)),
       measured_weights_(plan.delay == 0 ? sample_weights_
                                         : as_weights(weights_ahead(plan.filter.band, plan.filter.dt, plan.delay))),
@@ -56,15 +67,19 @@ EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& mode
       sample_kernel_half_(half_of(sample_weights_)),
       motion_filter_(plan),
       raw_(layout_.channels() + 1, motion_half_ + 1 + std::max(motion_half_, (lookahead_ + 1) * stride_)),
-      rows_(instruments_at() + instrument_entries(), row_half_ + row_kernel_half_ + 1),
+      rows_(motion_at() + motions(), row_half_ + row_kernel_half_ + 1),
       samples_window_(unsure_at() + n_, row_half_ * stride_ + sample_kernel_half_ + 1),
       slow_(static_cast<std::size_t>(n_), 0),
+      near_(static_cast<std::size_t>(n_), 0),
+      anchors_(n_),
       entries_(model.entries()),
       right_(model.equations()),
       rates_(model.equations()),
-      motion_(layout_.positions + 2 * n_),
+      motion_(motions()),
       speeds_(n_),
-      instruments_(instrument_entries()),
+      slow_motion_(motions()),
+      instruments_(model.entries()),
+      known_of_slow_(model.equations()),
       used_(static_cast<std::size_t>(model.equations()), 1) {}
 
 void EquationFilter::restart() {
@@ -75,7 +90,6 @@ void EquationFilter::restart() {
   before_.reset();
   slow_.assign(slow_.size(), 0);
   samples_ = motions_ = 0;
-  if (instrument_) instrument_->restart();
 }
 
 void EquationFilter::sample(const RawSample& sample) {
@@ -90,10 +104,11 @@ void EquationFilter::sample(const RawSample& sample) {
   motion.index = middle;
   motion.time = raw_.sample(motion_half_)[LogLayout::time()];
   motion_filter_.filter(raw_, motion.q, motion.qd, motion.qdd, motion.h_e);
-  if (instrument_) motion.measured = motion_filter_.smoothed(raw_, model_.measured(layout_), model_.equations());
   motion.rests.assign(static_cast<std::size_t>(n_), 0);
+  motion.stands.assign(static_cast<std::size_t>(n_), 0);
   pending_.push_back(std::move(motion));
   mark_rest();
+  mark_standing();
   if (static_cast<int>(pending_.size()) <= lookahead_) return;
   GridMotion oldest = std::move(pending_.front());
   pending_.pop_front();
@@ -114,11 +129,37 @@ void EquationFilter::mark_rest() {
   }
 }
 
-// A joint that rests has no speed and no acceleration: those that the filter finds are noise. Without a filter, one
-// slow sample counts as rest, and its acceleration is the log's.
+// A joint stands still where its position stays the same for five periods of the band, but for the encoder's step and
+// noise. One that turns around slowly, or creeps, is slow for a while, too, but its accelerations count in the
+// equations of the others. At the beginning of a log a joint counts as standing until it moves.
+void EquationFilter::mark_standing() {
+  constexpr double kSteps = 1.5, kDeviations = 5;  // of the encoder, of its noise
+  constexpr double kPeriods = 5;
+  if (plan_.filter.band == 0) return;
+  const int long_time = static_cast<int>(std::ceil(kPeriods / (plan_.filter.band * plan_.filter.dt * stride_)));
+  GridMotion& newest = pending_.back();
+  for (int j = 0; j < n_; ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    const int position = layout_.position_of[at];
+    const auto [step, deviation] = plan_.q_noise[static_cast<std::size_t>(position)];
+    const bool is_first = motions_ == 0 && pending_.size() == 1;
+    if (is_first) near_[at] = long_time;
+    if (is_first) anchors_[j] = newest.q[position];
+    ++near_[at];
+    if (std::abs(newest.q[position] - anchors_[j]) > std::max(kSteps * step, kDeviations * deviation)) {
+      near_[at] = 0;
+      anchors_[j] = newest.q[position];
+      for (GridMotion& each : pending_) each.stands[at] = 0;
+    }
+    newest.stands[at] = near_[at] > long_time && plan_.rest_speed[at] > 0 ? 1 : 0;
+  }
+}
+
+// A joint that stands still has no speed and no acceleration: those that the filter finds are noise. Without a filter,
+// one slow sample counts as rest, and its acceleration is the log's.
 void EquationFilter::push_row(GridMotion motion) {
   for (int j = 0; j < n_ && plan_.filter.band > 0; ++j) {
-    if (motion.rests[static_cast<std::size_t>(j)] != 0) motion.qd[j] = motion.qdd[j] = 0;
+    if (motion.stands[static_cast<std::size_t>(j)] != 0) motion.qd[j] = motion.qdd[j] = 0;
   }
   const MeasuredMotion measured{motion.time, motion.q.data(), motion.qd.data(), motion.qdd.data(),
                                 layout_.has_tip_force ? motion.h_e.data() : nullptr};
@@ -129,10 +170,6 @@ void EquationFilter::push_row(GridMotion motion) {
   row.segment(motion_at(), layout_.positions) = motion.q.transpose();
   row.segment(motion_at() + layout_.positions, n_) = motion.qd.transpose();
   row.segment(motion_at() + layout_.positions + n_, n_) = motion.qdd.transpose();
-  if (instrument_) {
-    instrument_->step(measured, motion.measured.data(), plan_.filter.dt * stride_, instruments_.data());
-    row.segment(instruments_at(), instrument_entries()) = instruments_.transpose();
-  }
   if (before_) {
     for (int part = 1; part < stride_; ++part) push_sample(*before_, motion, part);
   }
@@ -205,7 +242,7 @@ void EquationFilter::pass_on(long index) {
   for (int i = 0; i < model_.equations(); ++i) {
     used_[static_cast<std::size_t>(i)] = model_.has_friction(i) && unsure[i] > kMostUnsure ? 0 : 1;
   }
-  motion_.noalias() = rows_.block(rows_back, rows, motion_at(), layout_.positions + 2 * n_).transpose() * row_weights_;
+  motion_.noalias() = rows_.block(rows_back, rows, motion_at(), motions()).transpose() * row_weights_;
   rates_.noalias() =
       samples_window_.block(samples_back, samples, measured_at(), model_.equations()).transpose() * rate_weights_;
   for (std::size_t i = 0; i < model_.rate_entries().size(); ++i) {
@@ -223,12 +260,26 @@ void EquationFilter::pass_on(long index) {
   equations.right = right_.data();
   equations.measured_rates = rates_.data();
   equations.used = used_.data();
-  if (instrument_) {
-    instruments_.noalias() =
-        rows_.block(rows_back, rows, instruments_at(), instrument_entries()).transpose() * row_weights_;
+  if (model_.has_instruments()) {
+    set_instruments(rows_back, middle[time_at()]);
     equations.instruments = instruments_.data();
   }
   sink_(equations);
+}
+
+// Friction jumps, and is filtered as that of Y is, with the speed that the slow motion has about this instant.
+void EquationFilter::set_instruments(int rows_back, double time) {
+  const auto rows = static_cast<int>(slow_weights_.size());
+  slow_motion_.noalias() = rows_.block(rows_back, rows, motion_at(), motions()).transpose() * slow_weights_;
+  const double *qd = slow_motion_.data() + layout_.positions, *qdd = qd + n_;
+  model_.evaluate({time, slow_motion_.data(), qd, qdd, nullptr}, instruments_.data(), known_of_slow_.data());
+  const double step = plan_.filter.dt * stride_;
+  for (const FrictionEntry& each : model_.friction()) {
+    double& entry = instruments_[each.entry] = 0;
+    for (int k = 0; k < rows; ++k) {
+      entry += row_weights_[k] * each.value(qd[each.joint] + qdd[each.joint] * step * (k - rows / 2));
+    }
+  }
 }
 
 }  // namespace flatdyn

@@ -25,7 +25,9 @@ struct FilteredEquations {
   const double* right = nullptr;    // what is measured less what is known, filtered
   const double* measured_rates = nullptr;  // of what is measured, by time; zeros without a filter
   const std::uint8_t* used = nullptr;      // by equation
-  const double* instruments = nullptr;     // entries of the instrument's Y, filtered; null if there is none
+  // The entries of Y along the same motion, smoothed by a Gaussian whose standard deviation is 1 / band: almost none of
+  // the noise in q is left. Null unless the equations want them.
+  const double* instruments = nullptr;
 };
 using EquationSink = std::function<void(const FilteredEquations&)>;
 
@@ -37,25 +39,26 @@ class EquationFilter : public SampleReceiver {
   void sample(const RawSample& sample) override;
 
  private:
-  // q, q̇, q̈ at a stride, and which joints rest.
+  // q, q̇, q̈ at a stride, which joints rest, and which have done so for long.
   struct GridMotion {
     double time = 0;
     long index = 0;
-    Eigen::VectorXd q, qd, qdd, h_e, measured;
-    std::vector<std::uint8_t> rests;
+    Eigen::VectorXd q, qd, qdd, h_e;
+    std::vector<std::uint8_t> rests, stands;
   };
 
   void mark_rest();
+  void mark_standing();
   void push_row(GridMotion motion);
   void push_sample(const GridMotion& from, const GridMotion& to, int part);
   bool sticks(int joint, int back, double speed) const;
   void pass_on(long index);
+  void set_instruments(int rows_back, double time);
 
   // Places in the channels of `rows_`: the entries of Y, then
   int known() const { return model_.entries(); }
   int motion_at() const { return known() + model_.equations(); }
-  int instruments_at() const { return motion_at() + layout_.positions + 2 * n_; }
-  int instrument_entries() const { return instrument_ ? model_.entries() : 0; }
+  int motions() const { return layout_.positions + 2 * n_; }
   // and in those of `samples_window_`.
   static constexpr int time_at() { return 0; }
   static constexpr int line_at() { return 1; }
@@ -67,10 +70,10 @@ class EquationFilter : public SampleReceiver {
   const EquationModel& model_;
   EquationSink sink_;
   LogLayout layout_;
-  std::unique_ptr<Instrument> instrument_;
   int n_, stride_, lookahead_;
   int motion_half_, row_half_;                                        // SampleFilter's: in samples, in strides
   Eigen::VectorXd row_weights_;                                       // of Y, at its strides
+  Eigen::VectorXd slow_weights_;                                      // of the slow motion, at the same strides
   Eigen::VectorXd sample_weights_, measured_weights_, rate_weights_;  // of friction, τ and dτ/dt, at every sample
   int row_kernel_half_, sample_kernel_half_;                          // their half lengths
   MotionFilter motion_filter_;
@@ -78,9 +81,11 @@ class EquationFilter : public SampleReceiver {
   std::deque<GridMotion> pending_;    // motions for which it is not known yet which joints rest
   std::optional<GridMotion> before_;  // the last motion that left `pending_`
   std::vector<int> slow_;             // by joint: for how many strides it has been slow
+  std::vector<int> near_;             // by joint: for how many strides it has been near
+  Eigen::VectorXd anchors_;           // this position
   long samples_ = 0, motions_ = 0;    // since the restart
   long first_index_ = 0;              // RawSample::index of the first sample since the restart
-  Eigen::VectorXd entries_, right_, rates_, motion_, speeds_, instruments_;
+  Eigen::VectorXd entries_, right_, rates_, motion_, speeds_, slow_motion_, instruments_, known_of_slow_;
   std::vector<std::uint8_t> used_;
 };
 

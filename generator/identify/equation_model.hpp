@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "identify/log_layout.hpp"
@@ -38,16 +37,6 @@ struct FrictionEntry {
   double value(double rate) const;
 };
 
-// A second motion, beside the measured one, whose entries of Y are filtered in the same way.
-class Instrument {
- public:
-  virtual ~Instrument() = default;
-  // Tells that the next motion does not follow the last one.
-  virtual void restart() = 0;
-  // Goes on by dt, s, and writes the entries of Y. measured: what the log has, smoothed.
-  virtual void step(const MeasuredMotion& motion, const double* measured, double dt, double* entries) = 0;
-};
-
 class EquationModel {
  public:
   virtual ~EquationModel() = default;
@@ -72,8 +61,8 @@ class EquationModel {
 
   // Writes the entries of Y, without friction() and rate_entries(), and what is known of each equation.
   virtual void evaluate(const MeasuredMotion& motion, double* entries, double* known) const = 0;
-  // The instrument of these equations; null if they have none.
-  virtual std::unique_ptr<Instrument> instrument() const { return nullptr; }
+  // Whether the entries of Y along the slow motion, FilteredEquations::instruments, are wanted.
+  bool has_instruments() const { return has_instruments_; }
   // Reports an error if a log lacks what is measured.
   virtual void require(const LogLayout& /*layout*/, const Place& /*place*/, Diagnostics& /*diagnostics*/) const {}
   // The channel of a log where what is measured begins; there is one channel per equation.
@@ -85,6 +74,7 @@ class EquationModel {
   std::vector<int> rate_entries_;
   std::vector<bool> has_friction_;
   int parameters_ = 0;
+  bool has_instruments_ = false;
 };
 
 }  // namespace flatdyn

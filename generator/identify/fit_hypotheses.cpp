@@ -61,24 +61,62 @@ class HypothesisSearch {
 
  private:
   // Remembers the hypothesis if it explains more than those before it, which are as simple or simpler: clearly more, or
-  // most of what the best one leaves.
-  void consider(double cost, const std::function<std::string()>& text) {
-    constexpr double kHalf = 0.5, kMore = 0.02, kMuch = 1.5;
+  // most of what the best one leaves. If it explains about as much, the one is right whose parameters less speaks
+  // against (`odd`).
+  void consider(double cost, const std::function<std::string()>& text, double odd = 0) {
+    constexpr double kHalf = 0.5, kMore = 0.02, kMuch = 1.5, kAboutAsMuch = 0.05;
     const double explained = (before_ - cost) / std::max(before_ - noise_, 1e-300);
-    if (explained < kHalf || before_ - cost < kChance) return;
-    if (best_ && explained < best_->explained + kMore) {
+    if (explained < kHalf || before_ - cost < std::max(kChance, kShareOfChance * noise_)) return;
+    const bool is_alike = best_ && std::abs(explained - best_->explained) < kAboutAsMuch;
+    if (is_alike && odd > odd_ + kClearlyOdder) return;
+    const bool is_less_odd = is_alike && odd < odd_ - kClearlyOdder;
+    if (best_ && explained < best_->explained + kMore && !is_less_odd) {
       const double left = least_ - noise_, gain = least_ - cost;
       if (least_ < kMuch * noise_ || gain < kChance || gain < kHalf * left) return;
     }
     least_ = cost;
+    odd_ = odd;
+    is_gain_ = false;
     best_ = FitHypothesis{text(), std::min(explained, 1.0)};
+  }
+
+  // The number of parameters of friction and rotors that are negative, and how far masses are from the file's, as the
+  // logarithm of their ratio: that speaks against the parameters.
+  double oddness(const VectorXd& parameters) const {
+    constexpr double kLeastRatio = 1e-3;
+    double count = 0, of_file = 0, of_both = 0;
+    for (int k = 0; k < model_.parameters(); ++k) {
+      const Parameter kind = parameter_of(model_.base().columns[at(k)]);
+      if (kind == Parameter::Im || kind == Parameter::Fv || kind == Parameter::Fs) {
+        count += parameters[k] < 0 ? 1 : 0;
+      } else {
+        of_file += std::pow(model_.file_values()[at(k)], 2);
+        of_both += model_.file_values()[at(k)] * parameters[k];
+      }
+    }
+    return of_file > 0 ? count + std::abs(std::log(std::max(of_both / of_file, kLeastRatio))) : count;
+  }
+
+  // Torques of one joint that are too large are the same as those of another that are too small, where these two joints
+  // have nearly all parameters in common: both are named then.
+  void consider_gain(int i, double gain, const std::function<std::string()>& text) {
+    constexpr double kAlike = 0.02;  // share of what is explained
+    VectorXd parameters;
+    const double cost = rows_.cost_with_gain(i, gain, &parameters), odd = oddness(parameters);
+    const bool is_as_good = best_ && is_gain_ && std::abs(cost - least_) < kAlike * (before_ - noise_) &&
+                            std::abs(odd - odd_) < kClearlyOdder;
+    if (is_as_good && best_->text.find(", or ") == std::string::npos) {
+      best_->text += ", or " + text();
+    } else if (!is_as_good) {
+      consider(cost, text, odd);
+      is_gain_ = is_gain_ || (best_ && least_ == cost);
+    }
   }
 
   void torques() {
     const auto n = static_cast<int>(names_.size());
     for (int i = 0; i < n; ++i) {
-      consider(rows_.cost_with_gain(i, -1),
-               [&] { return names_[at(i)] + ": its torques look as if their sign were reversed"; });
+      consider_gain(i, -1, [&] { return names_[at(i)] + ": its torques look as if their sign were reversed"; });
     }
     for (int i = 0; i < n; ++i) {
       for (int k = i + 1; k < n; ++k) {
@@ -97,15 +135,16 @@ class HypothesisSearch {
     }
   }
 
-  // The gain with least cost, first among powers of 1.25, then by thirds of the interval about it.
+  // The gain with least cost, first among powers of 1.25 up to 10^4, then by thirds of the interval about it.
   void gain(int i) {
+    constexpr int kMostPowers = 41;
     double best = 1, least = before_;
-    for (int power = -21; power <= 21; ++power) {
+    for (int power = -kMostPowers; power <= kMostPowers; ++power) {
       const double gain = std::pow(1.25, power), cost = rows_.cost_with_gain(i, gain);
       if (cost < least) std::tie(best, least) = std::pair(gain, cost);
     }
     const double found = lowest(best / 1.25, best * 1.25, [&](double gain) { return rows_.cost_with_gain(i, gain); });
-    consider(rows_.cost_with_gain(i, found), [&] {
+    consider_gain(i, found, [&] {
       return found > 1 ? fmt::format("{}: its torques look {:.3g} times too large", names_[at(i)], found)
                        : fmt::format("{}: its torques look {:.3g} times too small", names_[at(i)], 1 / found);
     });
@@ -118,6 +157,13 @@ class HypothesisSearch {
       return fmt::format("all torques look {:.2g} ms {} (--delay estimates it)", 1000 * std::abs(delay),
                          delay > 0 ? "late" : "early");
     });
+    for (int i = 0; i < static_cast<int>(names_.size()) && names_.size() > 1; ++i) {
+      const double cost_of_one = rows_.cost_with_delay_of(i, delay);
+      consider(cost_of_one, [&] {
+        return fmt::format("{}: its torques look {:.2g} ms {}, or its positions {}", names_[at(i)],
+                           1000 * std::abs(delay), delay > 0 ? "late" : "early", delay > 0 ? "early" : "late");
+      });
+    }
   }
 
   void positions() {
@@ -224,7 +270,9 @@ class HypothesisSearch {
   }
 
   void gravity(const LoadedRobot& robot) {
+    constexpr double kLeast = kDegree;  // a smaller angle is chance, or the fault of something else
     const GravityFit fit = gravity_direction(model_, robot, rows_);
+    if (fit.angle < kLeast) return;
     consider(fit.cost, [&] {
       return fmt::format(
           "gravity looks as if it came from another direction: [{:.3g}, {:.3g}, {:.3g}] m/s^2 in the "
@@ -248,12 +296,15 @@ class HypothesisSearch {
 
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-  static constexpr double kChance = 60;  // of the cost
+  static constexpr double kChance = 60, kShareOfChance = 0.05;  // of the cost; of the noise
+  static constexpr double kClearlyOdder = 0.5;
 
   const TorqueModel& model_;
   RowSample rows_;
   std::vector<std::string> names_;
   double before_ = 0, noise_ = 0, least_ = 0;
+  double odd_ = 0;        // of the best one
+  bool is_gain_ = false;  // whether the best one is a gain
   std::optional<FitHypothesis> best_;
 };
 

@@ -11,11 +11,16 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// By joint: the mean square of what the noise of a log leaves in the rows that are used.
-VectorXd expected_squares(const Observations& observations, const std::vector<MeasuredLog>& logs, const MatrixXd& left,
-                          const VectorXd& values, const AccelerationRows& rows) {
+// By joint: the mean squares of what noise of the torques and noise of the positions leave in the rows that are used.
+struct ExpectedSquares {
+  VectorXd of_torques, of_positions;
+};
+
+ExpectedSquares expected_squares(const Observations& observations, const std::vector<MeasuredLog>& logs,
+                                 const MatrixXd& left, const VectorXd& values, const AccelerationRows& rows) {
   const std::vector<EquationInstant>& instants = observations.instants;
-  VectorXd sums = VectorXd::Zero(left.cols()), counts = VectorXd::Zero(left.cols());
+  VectorXd counts = VectorXd::Zero(left.cols());
+  ExpectedSquares sums{counts, counts};
   for (std::size_t t = 0; t < instants.size(); ++t) {
     const MeasuredLog& log = logs[static_cast<std::size_t>(instants[t].log)];
     const NoiseShape& shape = observations.shapes[static_cast<std::size_t>(instants[t].log)];
@@ -24,16 +29,16 @@ VectorXd expected_squares(const Observations& observations, const std::vector<Me
       if (std::isnan(left(static_cast<Index>(t), i))) continue;
       const Index place = i - instants[t].first;
       const auto at = static_cast<std::size_t>(place);
-      double square = shape.measured[0] * std::pow(log.tau_noise[at].deviation, 2);
+      sums.of_torques[i] += shape.measured[0] * std::pow(log.tau_noise[at].deviation, 2);
       for (std::size_t j = 0; j < of_joints.size() && log.derivatives == LogDerivatives::none; ++j) {
         const double column = of_joints[j].row(place).dot(values);
-        square += shape.acceleration[0] * std::pow(column * log.q_noise[j].deviation, 2);
+        sums.of_positions[i] += shape.acceleration[0] * std::pow(column * log.q_noise[j].deviation, 2);
       }
-      sums[i] += square;
       counts[i] += 1;
     }
   }
-  return sums.cwiseQuotient(counts.cwiseMax(1));
+  counts = counts.cwiseMax(1);
+  return {sums.of_torques.cwiseQuotient(counts), sums.of_positions.cwiseQuotient(counts)};
 }
 
 // The correlation of a joint's residuals that are one row apart.
@@ -88,14 +93,16 @@ std::vector<JointFit> fit_quality(const Observations& observations, const std::v
                                   const VectorXd& values, const AccelerationRows& rows) {
   constexpr double kFiltersError = 1e-4;
   const MatrixXd left = residuals(observations, values);
-  const VectorXd squares = expected_squares(observations, logs, left, values, rows);
+  const ExpectedSquares squares = expected_squares(observations, logs, left, values, rows);
   std::vector<JointFit> fits;
   for (Index i = 0; i < left.cols(); ++i) {
     const JointObservations& joint = observations.joints[static_cast<std::size_t>(i)];
     JointFit fit;
     if (joint.rows > 0) {
-      fit.expected = std::max({std::sqrt(squares[i]), kFiltersError * joint.rms_torque(), 1e-12});
+      fit.expected = std::max(
+          {std::sqrt(squares.of_torques[i] + squares.of_positions[i]), kFiltersError * joint.rms_torque(), 1e-12});
       fit.ratio = joint.rms_residual(values) / fit.expected;
+      fit.of_positions = squares.of_positions[i] / std::pow(fit.expected, 2);
       fit.correlation = correlation_of_neighbours(observations.instants, left.col(i));
       if (!fit.is_sound()) fit.limit = limit_of(observations.instants, i, fit.expected);
     }

@@ -155,6 +155,92 @@ void start(const MatrixXd& R, const std::vector<Dictionary>& dictionaries, Vecto
   }
 }
 
+// The columns of a joint's friction in R: F_v, F_s, which may be missing, and then the law's term.
+std::vector<Index> friction_columns(const TorqueEquations& equations, int joint) {
+  std::vector<Index> columns;
+  const std::vector<int>& parameters = equations.model().base().columns;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const Parameter kind = parameter_of(parameters[k]);
+    const bool is_friction = kind == Parameter::Fv || kind == Parameter::Fs;
+    if (is_friction && joint_of(parameters[k]) == joint) columns.push_back(static_cast<Index>(k));
+  }
+  return columns;
+}
+
+// The parameters of a joint's friction, F_v, F_s and the term's, and the cost, where its speed is one of the
+// dictionary's and all others are those that were found.
+struct FrictionAt {
+  VectorXd values, deviations;
+  double cost = 0;
+};
+
+// columns: of all others, with their speeds; the joint's term comes behind them.
+FrictionAt friction_at(const MatrixXd& others, const VectorXd& term, const VectorXd& right,
+                       const std::vector<Index>& friction) {
+  MatrixXd A(others.rows(), others.cols() + 1);
+  A << others, term;
+  const VectorXd lengths = A.colwise().norm().cwiseMax(1e-150);
+  const auto decomposition = (A * lengths.cwiseInverse().asDiagonal()).eval().completeOrthogonalDecomposition();
+  const VectorXd x = decomposition.solve(right);
+  const MatrixXd inverse = decomposition.pseudoInverse();
+  FrictionAt result{VectorXd(friction.size() + 1), VectorXd(friction.size() + 1)};
+  for (Index k = 0; k < result.values.size(); ++k) {
+    const bool is_term = k == static_cast<Index>(friction.size());
+    const Index column = is_term ? others.cols() : friction[static_cast<std::size_t>(k)];
+    result.values[k] = x[column] / lengths[column];
+    result.deviations[k] = inverse.row(column).norm() / lengths[column];
+  }
+  result.cost = (A * lengths.cwiseInverse().asDiagonal() * x - right).squaredNorm();
+  return result;
+}
+
+// Friction of the joint of dictionary j at its own place, then at all places of the dictionary.
+std::vector<FrictionAt> frictions_by_speed(const MatrixXd& R, Index linear, const std::vector<Dictionary>& dictionaries,
+                                           const VectorXd& places, std::size_t j, const std::vector<Index>& friction) {
+  const auto term_of = [&](std::size_t of, double place) -> VectorXd {
+    return R.middleCols(dictionaries[of].first, kSpeeds) * interpolation(place, kSpeeds).weights;
+  };
+  MatrixXd others = MatrixXd::Zero(R.rows(), linear + places.size());
+  others.leftCols(linear) = R.leftCols(linear);
+  for (std::size_t other = 0; other < dictionaries.size(); ++other) {
+    const auto at = static_cast<Index>(other);
+    if (other != j) others.col(linear + at) = term_of(other, places[at]);
+  }
+  std::vector<FrictionAt> result{
+      friction_at(others, term_of(j, places[static_cast<Index>(j)]), R.rightCols<1>(), friction)};
+  for (Index place = 0; place < kSpeeds; ++place) {
+    result.push_back(friction_at(others, term_of(j, static_cast<double>(place)), R.rightCols<1>(), friction));
+  }
+  return result;
+}
+
+// The number of equations that are used at the instants.
+double kept_rows(const Measurement& measurement) {
+  double rows = 0;
+  for (const EquationInstant& instant : measurement.observations.instants) {
+    rows += static_cast<double>(std::count_if(instant.used.begin(), instant.used.end(), [](auto u) { return u != 0; }));
+  }
+  return std::max(rows, 1.0);
+}
+
+// Whether all speeds that fit about as well as the best are alike, or tell the same of friction. A negative term is no
+// friction: it stands for something that the model lacks. The first place is the
+// one that was found. noise: the cost of one row.
+bool tell_the_same(const std::vector<FrictionAt>& places, double noise) {
+  constexpr double kAlike = 9, kClearly = 25, kFar = 2;  // of the cost, twice; standard deviations
+  constexpr int kNeighbours = 2;                         // places: speeds that differ by a factor of about 2
+  const auto best = std::min_element(places.begin(), places.end(),
+                                     [](const FrictionAt& a, const FrictionAt& b) { return a.cost < b.cost; });
+  const auto fits = [&](const FrictionAt& each) { return each.cost < best->cost + kAlike * noise; };
+  if (places.back().cost < best->cost + kClearly * noise || best->values.tail<1>()[0] < 0) return false;
+  if (std::count_if(places.begin() + 1, places.end(), fits) <= kNeighbours) return true;
+  return std::all_of(places.begin(), places.end(), [&](const FrictionAt& each) {
+    if (!fits(each)) return true;
+    const VectorXd change = (each.values - best->values).cwiseAbs();
+    return (change.array() <= kFar * std::sqrt(noise) * (each.deviations + best->deviations).array()).all();
+  });
+}
+
 }  // namespace
 
 std::vector<std::vector<double>> friction_dictionary(const TorqueEquations& equations, const Measurement& measurement) {
@@ -176,13 +262,14 @@ std::vector<std::vector<double>> friction_dictionary(const TorqueEquations& equa
   return dictionary;
 }
 
-std::vector<double> friction_speeds(const TorqueEquations& equations, const Measurement& measurement) {
+FrictionSpeeds friction_speeds(const TorqueEquations& equations, const Measurement& measurement) {
   const int parameters = equations.model().parameters(),
             offsets = equations.further().offsets ? equations.equations() : 0;
   const Index linear = parameters + offsets;
   const std::vector<Dictionary> dictionaries = dictionaries_of(equations, linear);
-  std::vector<double> speeds(static_cast<std::size_t>(equations.equations()), 1);
-  if (dictionaries.empty()) return speeds;
+  const auto joints = static_cast<std::size_t>(equations.equations());
+  FrictionSpeeds found{std::vector<double>(joints, 1), std::vector<bool>(joints, true)};
+  if (dictionaries.empty()) return found;
   const VectorXd values = estimate_of(equations, measurement, {}).values;
   MatrixXd R =
       folded_rows(measurement.observations,
@@ -209,10 +296,15 @@ std::vector<double> friction_speeds(const TorqueEquations& equations, const Meas
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
+  const double noise = std::max(1.0, 2 * summary.final_cost / kept_rows(measurement));
   for (std::size_t j = 0; j < dictionaries.size(); ++j) {
-    speeds[static_cast<std::size_t>(dictionaries[j].joint)] = dictionaries[j].speed_at(places[static_cast<Index>(j)]);
+    const auto joint = static_cast<std::size_t>(dictionaries[j].joint);
+    found.speeds[joint] = dictionaries[j].speed_at(places[static_cast<Index>(j)]);
+    found.are_told[joint] = tell_the_same(
+        frictions_by_speed(R, linear, dictionaries, places, j, friction_columns(equations, dictionaries[j].joint)),
+        noise);
   }
-  return speeds;
+  return found;
 }
 
 }  // namespace flatdyn

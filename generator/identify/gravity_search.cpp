@@ -127,7 +127,7 @@ class DirectionSearch {
   GravityFit fit_at(const Vector3d& gravity) const { return {gravity, 0, rows_.cost_of(affine_.at(gravity)), told_}; }
 
   GravityFit best_within() const {
-    constexpr double kClearly = 0.8;  // share of the cost
+    constexpr double kClearly = 0.5;  // share of the cost
     GravityFit best = improved(fit_at(file_));
     GravityFit around = best;
     for (const Vector3d& direction : directions_around()) {

@@ -37,19 +37,6 @@ MatrixXd weighted_factor(const Observations& observations, const VectorXd& devia
   return triangular_factor_of(stacked);
 }
 
-// By joint: the share of its rows' degrees of freedom that the fit leaves. The fit takes more of them where noise is
-// correlated, which is the √c in `spread`.
-VectorXd shares_of_freedom(const Observations& observations, const Solution& solution, const VectorXd& deviations) {
-  VectorXd result(deviations.size());
-  for (Index i = 0; i < result.size(); ++i) {
-    const JointObservations& joint = observations.joints[static_cast<std::size_t>(i)];
-    const double leverage = (joint.A() * solution.spread(joint.columns, Eigen::all) / deviations(i)).squaredNorm();
-    const double rows = std::max(static_cast<double>(joint.rows), 1.0);
-    result(i) = std::max(rows - leverage, 1.0) / rows;
-  }
-  return result;
-}
-
 // Takes account of the noise that is left in the equations.
 void set_noise(Solution& solution, const Observations& observations, const VectorXd& deviations,
                const AccelerationRows& rows) {
@@ -57,7 +44,8 @@ void set_noise(Solution& solution, const Observations& observations, const Vecto
   for (Index i = 0; i < weights.size(); ++i) {
     weights(i) /= observations.joints[static_cast<std::size_t>(i)].correlation;
   }
-  take_account_of_noise(solution, observations, weights, shares_of_freedom(observations, solution, deviations), rows);
+  take_account_of_noise(solution, observations, weights, shares_of_freedom(observations, solution.spread, deviations),
+                        rows);
 }
 
 // σ_i from the residual of joint i and its remaining degrees of freedom, and from the noise above the band. A residual
@@ -65,7 +53,7 @@ void set_noise(Solution& solution, const Observations& observations, const Vecto
 // used.
 VectorXd residual_deviations(const Observations& observations, const Solution& solution, const VectorXd& deviations) {
   constexpr double kRounding = 1e-13;
-  const VectorXd freedom = shares_of_freedom(observations, solution, deviations);
+  const VectorXd freedom = shares_of_freedom(observations, solution.spread, deviations);
   const auto n = static_cast<Index>(observations.joints.size());
   const VectorXd known = known_squares(observations);
   VectorXd result(n);
@@ -107,6 +95,17 @@ void require_enough(const Observations& observations) {
 }
 
 }  // namespace
+
+VectorXd shares_of_freedom(const Observations& observations, const MatrixXd& spread, const VectorXd& deviations) {
+  VectorXd result(deviations.size());
+  for (Index i = 0; i < result.size(); ++i) {
+    const JointObservations& joint = observations.joints[static_cast<std::size_t>(i)];
+    const double leverage = (joint.A() * spread(joint.columns, Eigen::all) / deviations(i)).squaredNorm();
+    const double rows = std::max(static_cast<double>(joint.rows), 1.0);
+    result(i) = std::max(rows - leverage, 1.0) / rows;
+  }
+  return result;
+}
 
 Estimate estimate(const Observations& observations, const VectorXd& prior, const EstimateOptions& options) {
   constexpr int kMostIterations = 50;

@@ -44,6 +44,11 @@ struct Estimate {
 // left to estimate the noise from.
 Estimate estimate(const Observations& observations, const Eigen::VectorXd& prior, const EstimateOptions& options = {});
 
+// By joint: the share of its rows' degrees of freedom that a fit leaves whose coordinates are spread along `spread`.
+// The fit takes more of them where noise is correlated, which is in `spread`. deviations: σ_i of the torques.
+Eigen::VectorXd shares_of_freedom(const Observations& observations, const Eigen::MatrixXd& spread,
+                                  const Eigen::VectorXd& deviations);
+
 // The information on the first `count` parameters, whatever the others are: count².
 Eigen::MatrixXd root_information_of_first(const Estimate& estimate, int count);
 

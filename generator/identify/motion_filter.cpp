@@ -56,10 +56,4 @@ void MotionFilter::filter(const SampleWindow& window, VectorXd& q, VectorXd& qd,
   weigh(window, layout_.h_e(), weights_[0], h_e);
 }
 
-VectorXd MotionFilter::smoothed(const SampleWindow& window, int first, int channels) const {
-  VectorXd result(channels);
-  weigh(window, first, weights_[0], result);
-  return result;
-}
-
 }  // namespace flatdyn

@@ -19,9 +19,6 @@ class MotionFilter {
   void filter(const SampleWindow& window, Eigen::VectorXd& q, Eigen::VectorXd& qd, Eigen::VectorXd& qdd,
               Eigen::VectorXd& h_e) const;
 
-  // Some channels, smoothed alike.
-  Eigen::VectorXd smoothed(const SampleWindow& window, int first, int channels) const;
-
  private:
   LogLayout layout_;
   Eigen::VectorXd weights_[3];

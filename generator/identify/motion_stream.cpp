@@ -104,10 +104,34 @@ class Stream {
     contiguous_ = 0;
   }
 
+  bool jitters() const {
+    constexpr double kFew = 0.05;  // share of dt
+    return plan_.jitter > kFew;
+  }
+
+  // Whether no sample is missing within a step, s.
+  bool is_next(double step) const {
+    constexpr double kMost = 0.5, kMostWithJitter = 0.9;  // shares of dt
+    const double dt = plan_.filter.dt;
+    return std::abs(step - dt) <= (jitters() ? kMostWithJitter : kMost) * dt;
+  }
+
+  // The time since the last sample, s. Where the clock jitters, it is that since the time at which the last sample was
+  // due; steps that are too long and too short by turns are no gaps.
+  double step_to_new() {
+    constexpr double kFollows = 0.1;  // of the difference, at every sample
+    const double dt = plan_.filter.dt;
+    if (contiguous_ == 0) due_ = sample_[0] - dt;
+    const double step = sample_[0] - (contiguous_ > 0 && !jitters() ? last_[0] : due_);
+    due_ += is_next(step) ? dt : dt * std::max(1.0, std::round(step / dt));
+    due_ += kFollows * (sample_[0] - due_);
+    return step;
+  }
+
   // Passes the new sample on, after those that are missing before it. Without a filter times may be any.
   void pass_on(long line) {
-    const double dt = plan_.filter.dt, step = sample_[0] - (contiguous_ > 0 ? last_[0] : sample_[0] - dt);
-    if (plan_.filter.band > 0 && std::abs(step - dt) > dt / 2) {
+    const double dt = plan_.filter.dt, step = step_to_new();
+    if (plan_.filter.band > 0 && !is_next(step)) {
       const auto missing = static_cast<int>(std::lround(step / dt)) - 1;
       const bool is_late = missing >= 1 && missing <= kMostMissing && std::abs(step - (missing + 1) * dt) < dt / 2;
       const bool owned = shares_.owns(line);
@@ -156,6 +180,7 @@ class Stream {
   StreamCount count_;
   Place first_;          // place of the first sample that is read
   long contiguous_ = 0;  // samples since the restart, without those that were put in
+  double due_ = 0;       // the time at which the last sample was due, s
 };
 
 class ChannelReceiver : public SampleReceiver {

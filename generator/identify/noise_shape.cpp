@@ -2,6 +2,8 @@
 #include "identify/noise_shape.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "identify/zero_phase.hpp"
 
@@ -17,11 +19,26 @@ VectorXd vector_of_numbers(const std::vector<double>& weights) {
   return Eigen::Map<const VectorXd>(weights.data(), static_cast<Index>(weights.size()));
 }
 
-VectorXd autocorrelation(const VectorXd& kernel, int step) {
-  VectorXd result = VectorXd::Zero(kLags);
-  for (Index lag = 0; lag < kLags; ++lag) {
+VectorXd autocorrelation(const VectorXd& kernel, Index lags, int step) {
+  VectorXd result = VectorXd::Zero(lags);
+  for (Index lag = 0; lag < lags; ++lag) {
     const Index shift = lag * step, common = kernel.size() - shift;
     if (common > 0) result[lag] = kernel.head(common).dot(kernel.tail(common));
+  }
+  return result;
+}
+
+// Autocorrelations at lags of `rows` strides of noise with this correlation time, in strides, behind a filter with such
+// weights at every stride.
+VectorXd coloured_autocorrelation(const VectorXd& weights, double correlation_time, Index rows) {
+  const Index size = weights.size();
+  const VectorXd white = autocorrelation(weights, size, 1);
+  VectorXd result = VectorXd::Zero(kLags);
+  for (Index lag = 0; lag < kLags; ++lag) {
+    for (Index shift = -size + 1; shift < size; ++shift) {
+      const Index distance = std::abs(lag * rows - shift);
+      result[lag] += white[std::abs(shift)] * std::exp(-static_cast<double>(distance) / correlation_time);
+    }
   }
   return result;
 }
@@ -48,14 +65,23 @@ LogDerivatives derivatives_of(const LogLayout& layout) {
 }
 
 NoiseShape noise_shape(const SampleFilter& filter, LogDerivatives derivatives) {
-  if (filter.band == 0) return {1, VectorXd::Unit(kLags, 0), VectorXd::Unit(kLags, 0)};
+  if (filter.band == 0) {
+    return {1, VectorXd::Unit(kLags, 0), VectorXd::Unit(kLags, 0),
+            std::vector<VectorXd>(NoiseShape::kColours.size(), VectorXd::Zero(kLags))};
+  }
   const int stride = filter.stride();
   const VectorXd narrow = vector_of_numbers(zero_phase_kernel(filter.band, filter.dt).weights[0]);
   const VectorXd coarse = vector_of_numbers(zero_phase_kernel(filter.band, filter.dt * stride).weights[0]);
   const ZeroPhaseKernel wide = zero_phase_kernel(filter.motion_band(), filter.dt);
   const int order = 2 - static_cast<int>(derivatives);
-  return {kRun, autocorrelation(narrow, filter.decimate),
-          autocorrelation(cascaded(vector_of_numbers(wide.weights[order]), coarse, stride), filter.decimate)};
+  NoiseShape result{
+      kRun, autocorrelation(narrow, kLags, filter.decimate),
+      autocorrelation(cascaded(vector_of_numbers(wide.weights[order]), coarse, stride), kLags, filter.decimate)};
+  for (const double share : NoiseShape::kColours) {
+    const double strides = 1 / (2 * std::numbers::pi * share * filter.band * filter.dt * stride);
+    result.coloured.push_back(coloured_autocorrelation(coarse, strides, filter.decimate / stride));
+  }
+  return result;
 }
 
 }  // namespace flatdyn

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "identify/motion_stream.hpp"
 
@@ -14,12 +16,17 @@ struct NoiseShape {
   int run = 1;                   // instants that are looked at together: more than one where noise is correlated
   Eigen::VectorXd measured;      // that of noise in the measured torques
   Eigen::VectorXd acceleration;  // that of noise in the logged q, q̇ or q̈, as it appears in q̈
+  // Those of noise in the measured torques that is slower than white noise: its power falls above shares kColours of
+  // the filter's band. All zero without a filter.
+  std::vector<Eigen::VectorXd> coloured{};
   // Standard deviations of the noise above the band, in one sample, by equation and by joint; empty if not known.
   std::vector<double> measured_deviations{}, acceleration_deviations{};
 
   // The correlation of the torque's noise, at least 1: this many rows tell as much about what is slow as one row with
   // white noise of the same size.
   double correlation() const;
+
+  static constexpr std::array<double, 3> kColours{0.5, 0.15, 0.05};
 };
 
 // The derivatives of q that a log has.

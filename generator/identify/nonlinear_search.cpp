@@ -111,7 +111,9 @@ class NonlinearSearch {
                                                   .dictionary = friction_dictionary(linear, measured(linear))});
     const Measurement measurement = measured(equations);
     progress_.step("finding the speeds of the friction law");
-    fit_.further.speeds = first_speeds_ = friction_speeds(equations, measurement);
+    FrictionSpeeds found = friction_speeds(equations, measurement);
+    fit_.further.speeds = first_speeds_ = found.speeds;
+    fit_.unknowns.friction_told = std::move(found.are_told);
   }
 
   void correct() {
@@ -148,28 +150,39 @@ class NonlinearSearch {
         std::make_shared<GravityColumns>(*fit_.model, fit_.robot, pi, turns_of_gravity(gravity, told));
   }
 
-  // Sets the factors of the law's term, at joints whose friction shows it clearly. The others' speeds count as exact.
+  // Sets the factors of the law's term, with which a change of the speed acts on the torques. A speed that the log does
+  // not tell keeps its first value; its column stays, so that the intervals of others have its uncertainty in them.
   void set_speed_factors(const TorqueEquations& equations, const Estimate& found) {
-    constexpr double kClearly = 5, kMostUnsure = 0.5;  // standard deviations; of v, a share of v
+    constexpr double kMostUnsure = 0.5;  // standard deviation of v, a share of v
     if (!has_speed(options_.law)) return;
     std::vector<double> factors;
     for (std::size_t i = 0; i < fit_.further.speeds.size(); ++i) {
       const Index term = place_of(equations,
                                   fmt::format("{}{}", options_.law == FrictionLaw::smooth ? "Fs" : "Fb", i + 1)),
                   speed = place_of(equations, fmt::format("v{}", i + 1));
-      const bool is_clear = term >= 0 && std::abs(found.values[term]) > kClearly * found.standard_deviations[term];
-      const bool was_exact = equations.corrections() > 0 && speed < 0;
-      const bool is_unsure = speed >= 0 && found.standard_deviations[speed] > kMostUnsure * fit_.further.speeds[i];
-      factors.push_back(is_clear && !was_exact && !is_unsure ? found.values[term] : 0);
-      if (is_unsure) fit_.further.speeds[i] = first_speeds_[i];
+      if (speed >= 0 && found.standard_deviations[speed] > kMostUnsure * fit_.further.speeds[i]) {
+        fit_.unknowns.friction_told[i] = false;
+      }
+      const bool is_told = fit_.unknowns.friction_told[i];
+      factors.push_back(term < 0 ? 0 : is_told ? found.values[term] : 1);
+      if (!is_told) fit_.further.speeds[i] = first_speeds_[i];
     }
     fit_.further.speed_factors = std::move(factors);
   }
 
+  // Whether the log does not tell the speed that a parameter corrects.
+  bool is_open_speed(const std::string& name) const {
+    for (std::size_t i = 0; i < fit_.unknowns.friction_told.size(); ++i) {
+      if (!fit_.unknowns.friction_told[i] && name == fmt::format("v{}", i + 1)) return true;
+    }
+    return false;
+  }
+
   // Whether all corrections are small parts of their standard deviations, or of what counts in practice.
-  static bool are_small(const TorqueEquations& equations, const Estimate& found) {
+  bool are_small(const TorqueEquations& equations, const Estimate& found) const {
     constexpr double kShare = 0.1, kLeast = 1e-6;  // of a standard deviation; s, rad, rad/s or m/s
     for (Index k = equations.parameters() - equations.corrections(); k < equations.parameters(); ++k) {
+      if (is_open_speed(equations.names()[static_cast<std::size_t>(k)])) continue;
       if (std::abs(found.values[k]) > std::max(kShare * found.standard_deviations[k], kLeast)) return false;
     }
     return true;
@@ -180,7 +193,7 @@ class NonlinearSearch {
     constexpr double kMostDelay = 0.02, kMostTurn = 0.3, kMostOfSpeed = 0.4;  // s, rad, share
     for (std::size_t i = 0; i < fit_.further.speed_factors.size(); ++i) {
       const Index place = place_of(equations, fmt::format("v{}", i + 1));
-      if (place < 0 || fit_.further.speed_factors[i] == 0) continue;
+      if (place < 0 || !fit_.unknowns.friction_told[i]) continue;
       const double most = kMostOfSpeed * fit_.further.speeds[i];
       fit_.further.speeds[i] += std::clamp(found.values[place], -most, most);
     }
@@ -215,8 +228,9 @@ void set_deviations(NonlinearUnknowns& unknowns, const TorqueEquations& equation
   unknowns.speed_deviations.clear();
   for (std::size_t i = 0; i < equations.further().speeds.size(); ++i) {
     const Index speed = place_of(equations, fmt::format("v{}", i + 1));
-    unknowns.speed_deviations.push_back(speed >= 0 ? std::sqrt(estimate.covariance(speed, speed))
-                                                   : std::numeric_limits<double>::quiet_NaN());
+    const bool is_told = i < unknowns.friction_told.size() && unknowns.friction_told[i];
+    unknowns.speed_deviations.push_back(speed >= 0 && is_told ? std::sqrt(estimate.covariance(speed, speed))
+                                                              : std::numeric_limits<double>::quiet_NaN());
   }
   const std::vector<Index> places = places_of_gravity(equations);
   if (!unknowns.gravity) return;
@@ -227,6 +241,16 @@ void set_deviations(NonlinearUnknowns& unknowns, const TorqueEquations& equation
       unknowns.gravity->covariance += angles(static_cast<Index>(j), static_cast<Index>(k)) *
                                       equations.further().gravity->slopes()[j] *
                                       equations.further().gravity->slopes()[k].transpose();
+    }
+  }
+}
+
+void leave_friction_open(Estimate& estimate, const NonlinearUnknowns& unknowns, const TorqueEquations& equations) {
+  for (std::size_t i = 0; i < unknowns.friction_told.size(); ++i) {
+    if (unknowns.friction_told[i]) continue;
+    for (const char* stem : {"Fv", "Fs", "Fb"}) {
+      const Index place = place_of(equations, fmt::format("{}{}", stem, i + 1));
+      if (place >= 0) estimate.standard_deviations[place] = std::numeric_limits<double>::infinity();
     }
   }
 }

@@ -43,6 +43,7 @@ struct NonlinearUnknowns {
   std::optional<FoundGravity> gravity{};
   double delay = 0, delay_deviation = 0;   // s
   std::vector<double> speed_deviations{};  // by joint, rad/s or m/s; NaN where a speed counts as exact
+  std::vector<bool> friction_told{};       // by joint, FrictionSpeeds::are_told; empty if the law has no speeds
   bool converged = true;                   // whether the corrections became small
 };
 
@@ -60,5 +61,8 @@ NonlinearFit nonlinear_fit(LoadedRobot robot, ParameterSet set, const NonlinearO
 
 // Sets the standard deviations from the estimate of the equations.
 void set_deviations(NonlinearUnknowns& unknowns, const TorqueEquations& equations, const Estimate& estimate);
+
+// Marks the parameters of friction that the unknowns do not tell as not told: infinite standard deviations.
+void leave_friction_open(Estimate& estimate, const NonlinearUnknowns& unknowns, const TorqueEquations& equations);
 
 }  // namespace flatdyn

@@ -11,7 +11,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kFittedLags = 4;
+constexpr long kFittedLags = 4, kOwnLags = 12;  // of two equations, of one with itself
+constexpr Index kColours = static_cast<Index>(NoiseShape::kColours.size());
 
 // Variances without negative ones, and the covariance of their errors.
 struct FittedVariances {
@@ -51,8 +52,9 @@ VectorXd nonnegative_minimum(const MatrixXd& H, const VectorXd& h) {
 }
 
 // The variances x that minimise xᵀ H x / 2 - hᵀ x, where known ones are measurements, too. These are sure to a share of
-// the variance itself: where the residuals are far larger than they say, they hardly count.
-FittedVariances with_known(const MatrixXd& H, const VectorXd& h, const VectorXd& known) {
+// the variance itself: where the residuals are far larger than they say, they hardly count. Of the `optional` ones,
+// which come first, those that are zero count as absent in the covariance.
+FittedVariances with_known(const MatrixXd& H, const VectorXd& h, const VectorXd& known, Index optional) {
   constexpr int kRounds = 6;
   FittedVariances result;
   for (int round = 0; round < kRounds; ++round) {
@@ -66,26 +68,32 @@ FittedVariances with_known(const MatrixXd& H, const VectorXd& h, const VectorXd&
     }
     // Both kinds have very different units: each unknown is scaled by its own column.
     const VectorXd units = all.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
-    const MatrixXd scaled = units.asDiagonal() * all * units.asDiagonal();
+    MatrixXd scaled = units.asDiagonal() * all * units.asDiagonal();
     result.values = units.cwiseProduct(nonnegative_minimum(scaled, units.cwiseProduct(right)));
+    for (Index k = 0; k < optional; ++k) {
+      if (result.values[k] > 0) continue;
+      scaled.row(k).setZero();
+      scaled.col(k).setZero();
+    }
     result.covariance =
         units.asDiagonal() * scaled.completeOrthogonalDecomposition().pseudoInverse() * units.asDiagonal();
   }
   return result;
 }
 
-// The mean products of residuals of two equations that are `lag` rows apart, and what the two kinds of noise make of
-// them: the first equation's torque noise, then each joint's acceleration noise.
+// The mean products of residuals of two equations that are `lag` rows apart, and what the kinds of noise make of them:
+// the first equation's torque noise, white and by colour, then each joint's acceleration noise.
 struct LaggedProduct {
   double product = 0;
   double of_measured = 0;
-  VectorXd of_accelerations;
+  VectorXd of_colours = VectorXd::Zero(kColours);
+  VectorXd of_accelerations{};
   long count = 0;
 };
 
 LaggedProduct lagged_product(const Observations& observations, const MatrixXd& left, const std::vector<MatrixXd>& B,
                              Index i, Index k, long lag, Index joints) {
-  LaggedProduct result{0, 0, VectorXd::Zero(joints), 0};
+  LaggedProduct result{.of_accelerations = VectorXd::Zero(joints)};
   const std::vector<EquationInstant>& instants = observations.instants;
   for (std::size_t t = 0; t + static_cast<std::size_t>(lag) < instants.size(); ++t) {
     const std::size_t later = t + static_cast<std::size_t>(lag);
@@ -94,7 +102,10 @@ LaggedProduct lagged_product(const Observations& observations, const MatrixXd& l
     if (std::isnan(product)) continue;
     const NoiseShape& shape = observations.shapes[static_cast<std::size_t>(instants[t].log)];
     result.product += product;
-    if (i == k) result.of_measured += shape.measured[lag];
+    if (i == k) {
+      result.of_measured += shape.measured[lag];
+      for (Index c = 0; c < kColours; ++c) result.of_colours[c] += shape.coloured[static_cast<std::size_t>(c)][lag];
+    }
     if (!B.empty()) {
       const Index first = instants[t].first;
       result.of_accelerations +=
@@ -116,12 +127,17 @@ VectorXd row_ratios(const Observations& observations, const MatrixXd& left) {
   return ratios;
 }
 
+// The autocorrelation of noise in the rows of a log.
+using Correlation = std::function<VectorXd(const NoiseShape& shape)>;
+
 // Σ over rows s and t of a log of correlation(s - t) rows(s)ᵀ rows(t).
-MatrixXd correlated_sum(const Observations& observations, const MatrixXd& rows, VectorXd NoiseShape::*shape) {
+MatrixXd correlated_sum(const Observations& observations, const MatrixXd& rows, const Correlation& correlation_of) {
+  std::vector<VectorXd> correlations;
+  for (const NoiseShape& shape : observations.shapes) correlations.push_back(correlation_of(shape));
   MatrixXd smoothed = MatrixXd::Zero(rows.rows(), rows.cols());
   const std::vector<EquationInstant>& instants = observations.instants;
   for (std::size_t t = 0; t < instants.size(); ++t) {
-    const VectorXd& correlation = observations.shapes[static_cast<std::size_t>(instants[t].log)].*shape;
+    const VectorXd& correlation = correlations[static_cast<std::size_t>(instants[t].log)];
     const auto at = static_cast<Index>(t);
     smoothed.row(at) += correlation[0] * rows.row(at);
     for (std::size_t later = t + 1; later < instants.size(); ++later) {
@@ -217,9 +233,12 @@ ResidualNoise residual_noise(const Observations& observations, const VectorXd& v
   const std::vector<MatrixXd> B = inertias(observations, values, rows);
   const auto n = static_cast<Index>(observations.joints.size());
   const Index joints = joints_of(B);
-  const VectorXd known = known_variances(observations, joints);
-  MatrixXd H = MatrixXd::Zero(n + joints, n + joints);
-  VectorXd h = VectorXd::Zero(n + joints), sizes = known_squares(observations);
+  // The unknowns: coloured noise by equation and colour, white noise by equation, then noise of accelerations by joint.
+  const Index colours = n * kColours, all = colours + n + joints;
+  VectorXd known = VectorXd::Zero(all);
+  known.tail(n + joints) = known_variances(observations, joints);
+  MatrixXd H = MatrixXd::Zero(all, all);
+  VectorXd h = VectorXd::Zero(all), sizes = known_squares(observations);
   for (Index i = 0; i < n; ++i) {
     const LaggedProduct own = lagged_product(observations, left, B, i, i, 0, joints);
     if (own.count > 0) sizes[i] = std::max(sizes[i], own.product / static_cast<double>(own.count));
@@ -229,12 +248,13 @@ ResidualNoise residual_noise(const Observations& observations, const VectorXd& v
       const double size = std::sqrt(sizes[i] * sizes[k]);
       if (size <= 0) continue;
       const double free = std::sqrt(freedom[i] * freedom[k]);
-      for (long lag = 0; lag < kFittedLags; ++lag) {
+      for (long lag = 0; lag < (i == k ? kOwnLags : kFittedLags); ++lag) {
         const LaggedProduct mean = lagged_product(observations, left, B, i, k, lag, joints);
         if (mean.count == 0) continue;
         const double scale = std::sqrt(free / static_cast<double>(mean.count)) / size;
-        VectorXd row = VectorXd::Zero(n + joints);
-        row[i] = mean.of_measured;
+        VectorXd row = VectorXd::Zero(all);
+        row.segment(i * kColours, kColours) = mean.of_colours;
+        row[colours + i] = mean.of_measured;
         row.tail(joints) = mean.of_accelerations;
         row *= scale;
         H += row * row.transpose();
@@ -242,8 +262,9 @@ ResidualNoise residual_noise(const Observations& observations, const VectorXd& v
       }
     }
   }
-  const auto [variances, covariance] = with_known(H, h, known);
-  return {variances.head(n), variances.tail(joints), covariance.bottomRightCorner(joints, joints)};
+  const auto [variances, covariance] = with_known(H, h, known, colours);
+  return {variances.segment(colours, n), Eigen::Map<const MatrixXd>(variances.data(), kColours, n).transpose(),
+          variances.tail(joints), covariance.bottomRightCorner(joints, joints)};
 }
 
 MatrixXd score_covariance(const Observations& observations, const VectorXd& values, const VectorXd& weights,
@@ -257,8 +278,13 @@ MatrixXd score_covariance(const Observations& observations, const VectorXd& valu
   for (Index i = 0; i < weights.size(); ++i) {
     const JointObservations& joint = observations.joints[static_cast<std::size_t>(i)];
     const MatrixXd rows = rows_of(observations, i);
-    result(joint.columns, joint.columns) += ratios[i] * weights[i] * weights[i] * noise.measured[i] *
-                                            correlated_sum(observations, rows, &NoiseShape::measured);
+    const auto of_torques = [&](const NoiseShape& shape) {
+      VectorXd sum = noise.measured[i] * shape.measured;
+      for (Index c = 0; c < kColours; ++c) sum += noise.coloured(i, c) * shape.coloured[static_cast<std::size_t>(c)];
+      return sum;
+    };
+    result(joint.columns, joint.columns) +=
+        ratios[i] * weights[i] * weights[i] * correlated_sum(observations, rows, of_torques);
     for (Index t = 0; t < rows.rows() && joints > 0; ++t) {
       const EquationInstant& instant = observations.instants[static_cast<std::size_t>(t)];
       const Index place = i - instant.first;
@@ -270,8 +296,8 @@ MatrixXd score_covariance(const Observations& observations, const VectorXd& valu
     }
   }
   for (Index j = 0; j < joints; ++j) {
-    result += noise.acceleration[j] *
-              correlated_sum(observations, of_joints[static_cast<std::size_t>(j)], &NoiseShape::acceleration);
+    result += noise.acceleration[j] * correlated_sum(observations, of_joints[static_cast<std::size_t>(j)],
+                                                     [](const NoiseShape& shape) { return shape.acceleration; });
   }
   return result;
 }

@@ -2,10 +2,11 @@
 // The noise that is left in the equations after the fit, with its correlation across time and across joints, and what
 // it does to the parameters.
 //
-// Two kinds of white noise enter a log: that of the measured torques, and that of the positions (or rates), such as the
-// rounding of an encoder. The filter shapes both (NoiseShape). Noise of joint j's position enters all equations through
-// column j of B(q), and is strongest where it is fast, so that it hides little of what a slow motion tells: intervals
-// that took it for white would be several times too wide. The variances of both kinds come from the residuals.
+// Noise enters a log in the measured torques and in the positions (or rates), such as the rounding of an encoder. Both
+// are white above the band; in the band, torques of drives may have slower noise, too (NoiseShape::coloured). The
+// filter shapes both (NoiseShape). Noise of joint j's position enters all equations through column j of B(q), and is
+// strongest where it is fast, so that it hides little of what a slow motion tells: intervals that took it for white
+// would be several times too wide. The variances of both kinds come from the residuals.
 #pragma once
 
 #include <functional>
@@ -23,6 +24,7 @@ Eigen::MatrixXd residuals(const Observations& observations, const Eigen::VectorX
 
 struct ResidualNoise {
   Eigen::VectorXd measured;                 // by equation: variance of the torque's noise in one sample, (N m)² or N²
+  Eigen::MatrixXd coloured;                 // by equation and colour: variance of slower noise, at one stride
   Eigen::VectorXd acceleration;             // by joint: variance of the noise of q, q̇ or q̈ in one sample
   Eigen::MatrixXd acceleration_covariance;  // of the errors of `acceleration`
 };
@@ -33,9 +35,9 @@ constexpr double kRowsOfKnownNoise = 8;
 // By equation: the mean square of what the torque's noise above the band leaves in a row; 0 if it is not known.
 Eigen::VectorXd known_squares(const Observations& observations);
 
-// The variances that explain best the residuals of `values` at lags 0 … 3 of all pairs of equations, and the noise
-// above the band; none is negative. `freedom`: by equation, the share of its rows that the fit leaves. `rows` may be
-// null: noise of positions then counts as noise of torques.
+// The variances that explain best the residuals of `values` at lags 0 … 3 of all pairs of equations and at lags 0 … 11
+// of each by itself, and the noise above the band; none is negative. `freedom`: by equation, the share of its rows that
+// the fit leaves. `rows` may be null: noise of positions then counts as noise of torques.
 ResidualNoise residual_noise(const Observations& observations, const Eigen::VectorXd& values,
                              const Eigen::VectorXd& freedom, const AccelerationRows& rows);
 

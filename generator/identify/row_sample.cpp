@@ -113,13 +113,13 @@ double RowSample::count() const {
   return count;
 }
 
-double RowSample::cost_with_gain(int joint, double gain) const {
+double RowSample::cost_with_gain(int joint, double gain, VectorXd* parameters) const {
   Normal sum = sum_without(joint);
   const Normal& own = normals_[static_cast<std::size_t>(joint)];
   sum.H += gain * gain * own.H;
   sum.h += gain * own.h;
   sum.s += own.s;
-  return least(sum);
+  return least(sum, parameters);
 }
 
 double RowSample::cost_with_exchanged_torques(int joint, int other) const {
@@ -174,7 +174,7 @@ std::optional<RowSample::Reading> RowSample::reading_at(std::size_t place, doubl
 }
 
 // Torques that are late by δ are τ(t - δ), so that Y π = τ(t + δ); by the method of Gauss and Newton.
-double RowSample::cost_with_delay(double& delay) const {
+double RowSample::cost_with_delay(double& delay, int first, int end) const {
   constexpr int kMostRounds = 20;
   constexpr double kLargestStep = 0.02, kSmall = 1e-6;  // s
   const Index b = parameters_;
@@ -191,8 +191,9 @@ double RowSample::cost_with_delay(double& delay) const {
         const auto at = static_cast<std::size_t>(i);
         if (!instants_[t].used[at]) continue;
         Eigen::RowVectorXd row(b + 1);
-        row << instants_[t].Y.row(i), -reading->rate[i];
-        sum.add(row, reading->tau[i], weights_[at]);
+        const bool is_late = i >= first && i < end;
+        row << instants_[t].Y.row(i), is_late ? -reading->rate[i] : 0;
+        sum.add(row, is_late ? reading->tau[i] : instants_[t].tau[i], weights_[at]);
         ++rows;
       }
     }

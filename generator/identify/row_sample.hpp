@@ -18,7 +18,7 @@ class RowSample {
   double cost() const;
   double count() const;
   // Torques of joint i that are `gain` times the right ones; noise is not part of the gain.
-  double cost_with_gain(int joint, double gain) const;
+  double cost_with_gain(int joint, double gain, Eigen::VectorXd* parameters = nullptr) const;
   double cost_with_exchanged_torques(int joint, int other) const;
   // All columns of two joints exchanged: positions and torques.
   double cost_with_exchanged_joints(int joint, int other) const;
@@ -26,7 +26,9 @@ class RowSample {
   double cost_with_torque_offset(int joint, double& offset) const;
   // Torques of all joints that are late by a time, which is found, s. Rows for which the log's rows tell no torques at
   // that time count like the others.
-  double cost_with_delay(double& delay) const;
+  double cost_with_delay(double& delay) const { return cost_with_delay(delay, 0, model_.joints()); }
+  // The same of joint i alone.
+  double cost_with_delay_of(int joint, double& delay) const { return cost_with_delay(delay, joint, joint + 1); }
   // q, q̇ and q̈ changed alike by a linear map.
   double cost_with_positions(const std::function<void(Eigen::VectorXd&)>& change) const;
   double cost_with_offset(int joint, double offset) const;
@@ -60,6 +62,8 @@ class RowSample {
   };
   // The torques at another time, from the readings on both sides; none where there is one on one side alone.
   std::optional<Reading> reading_at(std::size_t place, double time) const;
+  // With torques that are late of the joints `first` up to `end`.
+  double cost_with_delay(double& delay, int first, int end) const;
   static double least(const Normal& normal, Eigen::VectorXd* solution = nullptr);
   Normal joint_normal(int joint, int torques_of) const;
   Normal sum_without(int joint, int other = -1) const;

@@ -13,14 +13,18 @@ constexpr long kLeastSamples = 20;
 constexpr double kLeastTime = 0.05;  // s
 constexpr double kOfNoise = 8;       // standard deviations of a jump that is none
 constexpr double kSpike = 12;        // standard deviations
+constexpr double kMoves = 20;        // steps or standard deviations of a position that changes
 
 }  // namespace
 
 SignalCheck::SignalCheck(const StreamPlan& plan) {
   const LogLayout& layout = plan.layout();
   const std::vector<std::string> names = plan.heading.channel_names();
-  const auto add = [&](int channel, bool is_torque, const ChannelNoise& noise) {
+  const auto add = [&](int channel, bool is_torque, const ChannelNoise& noise, int position) {
     Signal signal;
+    const ChannelNoise& of_position = plan.q_noise[static_cast<std::size_t>(position)];
+    signal.position = LogLayout::q() + position;
+    signal.position_step = kMoves * std::max(of_position.step, of_position.deviation);
     signal.channel = channel;
     signal.is_torque = is_torque;
     signal.noise = noise.deviation;
@@ -28,26 +32,32 @@ SignalCheck::SignalCheck(const StreamPlan& plan) {
     signal.name = names[static_cast<std::size_t>(channel)];
     signals_.push_back(std::move(signal));
   };
-  for (int i = 0; i < layout.positions; ++i) add(LogLayout::q() + i, false, plan.q_noise[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < layout.positions; ++i)
+    add(LogLayout::q() + i, false, plan.q_noise[static_cast<std::size_t>(i)], i);
   for (int i = 0; i < layout.joints && layout.has_torques; ++i) {
-    add(layout.tau() + i, true, plan.tau_noise[static_cast<std::size_t>(i)]);
+    add(layout.tau() + i, true, plan.tau_noise[static_cast<std::size_t>(i)],
+        layout.position_of[static_cast<std::size_t>(i)]);
   }
 }
 
 void SignalCheck::add(const double* channels, int file_line) {
-  for (Signal& signal : signals_) signal.add(channels[LogLayout::time()], channels[signal.channel], file_line);
+  const double time = channels[LogLayout::time()];
+  if (samples_++ == 0) first_time_ = time;
+  last_time_ = time;
+  for (Signal& signal : signals_) signal.add(time, channels[signal.channel], channels[signal.position], file_line);
 }
 
 void SignalCheck::restart() {
   for (Signal& signal : signals_) signal.count = signal.held = 0;
 }
 
-void SignalCheck::Signal::add(double time, double reading, int file_line) {
+void SignalCheck::Signal::add(double time, double reading, double joint, int file_line) {
   if (is_torque && count > 1) follow_spikes(reading);
-  if (count > 0) follow_block(time, reading, file_line);
+  if (count > 0) follow_block(time, reading, joint, file_line);
   if (count == 0) {
     since = time;
     since_line = file_line;
+    position_since = joint;
   }
   before = last;
   last = reading;
@@ -65,8 +75,9 @@ void SignalCheck::Signal::follow_spikes(double reading) {
   spike_line = last_line;
 }
 
-// A block ends with a jump, and goes on from there: what changes step by step, or slowly, only rests.
-void SignalCheck::Signal::follow_block(double time, double reading, int file_line) {
+// A block ends with a jump, and goes on from there: what changes step by step, or slowly, only rests. A torque whose
+// noise is larger than its step does not stay the same by itself while its joint moves.
+void SignalCheck::Signal::follow_block(double time, double reading, double joint, int file_line) {
   const double change = reading - last;
   if (jump != 0) {
     if (std::abs(change) < std::abs(jump) / 4 && blocks++ == 0) {
@@ -81,8 +92,17 @@ void SignalCheck::Signal::follow_block(double time, double reading, int file_lin
     ++held;
     return;
   }
+  ++changes[std::min<std::size_t>(static_cast<std::size_t>(held) + 1, kMostHeld)];
   const bool is_long = held >= kLeastSamples && time - since >= kLeastTime;
-  if (is_long && std::abs(change) > kOfNoise * std::max(noise, step)) {
+  const bool is_noisy = is_torque && noise > step && std::abs(joint - position_since) > position_step;
+  if (is_long && is_noisy) {
+    if (blocks++ == 0) {
+      first_from = since;
+      first_to = last_time;
+      block_line = since_line;
+      first_is_zero = last == 0;
+    }
+  } else if (is_long && std::abs(change) > kOfNoise * std::max(noise, step)) {
     jump = change;
     from = since;
     from_line = since_line;
@@ -92,9 +112,40 @@ void SignalCheck::Signal::follow_block(double time, double reading, int file_lin
   held = 0;
   since = time;
   since_line = file_line;
+  position_since = joint;
+}
+
+// The largest number that most of the times between changes are multiples of.
+int SignalCheck::Signal::held_over() const {
+  constexpr double kMost = 0.8;
+  constexpr long kLeastChanges = 100;
+  long all = 0;
+  for (const long each : changes) all += each;
+  for (std::size_t over = kMostHeld / 2; over > 1 && all >= kLeastChanges; --over) {
+    long multiples = 0;
+    for (std::size_t after = over; after < kMostHeld; after += over) multiples += changes[after];
+    if (static_cast<double>(multiples) > kMost * static_cast<double>(all)) return static_cast<int>(over);
+  }
+  return 1;
+}
+
+void SignalCheck::report_held(const std::string& file, Diagnostics& diagnostics) const {
+  std::map<int, std::vector<std::string>> held;
+  for (const Signal& signal : signals_) {
+    if (const int over = signal.held_over(); over > 1) held[over].push_back(signal.name);
+  }
+  const double dt = samples_ > 1 ? (last_time_ - first_time_) / static_cast<double>(samples_ - 1) : 0;
+  for (const auto& [over, names] : held) {
+    diagnostics.warning(
+        {file, 1},
+        fmt::format("{}: the readings change at every {}th line only, and are {:.2g} ms late on average",
+                    fmt::join(names, ", "), over, 1000 * dt * (over - 1) / 2.0),
+        "log at the rate of the readings, or keep the lines at which they change");
+  }
 }
 
 void SignalCheck::finish(const std::string& file, Diagnostics& diagnostics) const {
+  report_held(file, diagnostics);
   for (const Signal& signal : signals_) {
     if (signal.spikes > 0) {
       diagnostics.warning(

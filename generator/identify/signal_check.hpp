@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Detects torques and positions that no sensor in order gives: spikes of torques, and blocks in which a reading is
-// frozen or zero. Spikes of positions are repaired (SpikeRepair).
+// Detects torques and positions that no sensor in order gives: spikes of torques, blocks in which a reading is frozen
+// or zero, and readings that are held over several samples. Spikes of positions are repaired (SpikeRepair).
 #pragma once
 
+#include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,7 @@ class SignalCheck {
   void add(const double* channels, int file_line);
   // Tells that the next sample does not follow the last one.
   void restart();
-  // One warning for each kind and channel.
+  // One warning for each kind and channel, but for readings that are held: one for all channels that are so alike.
   void finish(const std::string& file, Diagnostics& diagnostics) const;
 
  private:
@@ -26,11 +28,14 @@ class SignalCheck {
   struct Signal {
     int channel = 0;
     bool is_torque = false;
+    int position = 0;          // the channel of the joint's position
+    double position_step = 0;  // how far it must move to count as moving
     double noise = 0, step = 0;
     std::string name;
 
     // The last two readings, and since when the last one has not changed.
     double before = 0, last = 0, since = 0, last_time = 0;
+    double position_since = 0;  // the joint's position then
     int since_line = 0, last_line = 0;
     long held = 0, count = 0;
     // A block that has ended with a jump; it counts once the next reading is near the one behind the jump.
@@ -42,12 +47,22 @@ class SignalCheck {
     double first_spike = 0, first_from = 0, first_to = 0;
     int spike_line = 0, block_line = 0;  // of the first
     bool first_is_zero = false;
-    void add(double time, double reading, int file_line);
-    void follow_block(double time, double reading, int file_line);
+    // How often a reading changed after 1, 2, … samples.
+    static constexpr std::size_t kMostHeld = 64;
+    std::array<long, kMostHeld + 1> changes{};
+
+    void add(double time, double reading, double joint, int file_line);
+    void follow_block(double time, double reading, double joint, int file_line);
     void follow_spikes(double reading);
+    // The number of samples over which readings are held; 1 if they are not.
+    int held_over() const;
   };
 
+  void report_held(const std::string& file, Diagnostics& diagnostics) const;
+
   std::vector<Signal> signals_;
+  double first_time_ = 0, last_time_ = 0;
+  long samples_ = 0;
 };
 
 }  // namespace flatdyn

@@ -91,15 +91,15 @@ int default_decimation(double band, double rate) {
   return stride * std::max(1, static_cast<int>(rate / (kRowsPerBand * band * stride)));
 }
 
-// The band where --band is not given, Hz. An encoder's noise grows in accelerations with the band's fifth power. Where
-// it would be a considerable share of a joint's acceleration, the band is so low that it is a small one, unless its
-// edges then took too much of the log. The share of a joint that moves little counts for nothing: it would take the
-// band from the others.
+// The band where --band is not given, Hz. An encoder's noise grows in accelerations with the band's fifth power, and
+// that of coarse steps is not white, so that nothing takes it off exactly. Where it would be a considerable share of a
+// joint's acceleration, the band is so low that it is a small one, unless its edges then took too much of the log. The
+// share of a joint that moves little counts for nothing: it would take the band from the others.
 double default_band(const StreamPlan& plan, const LogSurvey& log) {
   constexpr double kDefault = 10, kLeast = 1, kHighest = 0.125;  // Hz; Hz; of the sampling rate
-  constexpr double kConsiderable = 0.2, kSmall = 0.05;           // shares of noise, squared
+  constexpr double kConsiderable = 2e-3, kSmall = 2e-4;          // shares of noise, squared
   constexpr double kMoves = 1000;                                // standard deviations of noise
-  constexpr double kEdges = 60;                                  // periods of the band that a log has, at least
+  constexpr double kEdges = 40;                                  // periods of the band that a log has, at least
   const double dt = plan.filter.dt, band = std::min(kDefault, kHighest / dt);
   if (plan.layout().has_rates || log.duration <= 0) return band;
   const double power = noise_shape({dt, band, default_decimation(band, 1 / dt)}, LogDerivatives::none).acceleration[0];

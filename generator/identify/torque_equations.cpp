@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "identify/simulated_motion.hpp"
-
 namespace flatdyn {
 
 TorqueEquations::TorqueEquations(const TorqueModel& model, FurtherParameters further)
@@ -124,11 +122,6 @@ AccelerationRows TorqueEquations::acceleration_rows() const {
     }
     return rows;
   };
-}
-
-std::unique_ptr<Instrument> TorqueEquations::instrument() const {
-  if (instrument_values_.size() == 0) return nullptr;
-  return std::make_unique<SimulatedMotion>(*this, instrument_values_);
 }
 
 void TorqueEquations::evaluate(const MeasuredMotion& motion, double* entries, double* known) const {

@@ -71,7 +71,8 @@ std::string torque_table(const TorqueModel& model, const Identification& found) 
   }
   return aligned_table(rows) +
          "noise ratio: residual to what the noise above the filter's band leaves; correlation: of residuals one row "
-         "apart.\nSound logs have 1 to 1.3 and less than 0.45. Rests below: rad/s or m/s. Used: share of rows.\n";
+         "apart.\nSound: a ratio below 1.5, or below 4 with a correlation below 0.5. Rests below: rad/s or m/s. Used: "
+         "share of rows.\n";
 }
 
 // The meaning of a parameter behind π_b.

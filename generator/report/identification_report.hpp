@@ -14,7 +14,7 @@ namespace flatdyn {
 std::vector<std::string> plausibility_warnings(const TorqueModel& model, const Identification& found);
 
 // Sentences on what the search for unknowns in which the torques are not linear did not find.
-std::vector<std::string> search_warnings(const NonlinearUnknowns& unknowns);
+std::vector<std::string> search_warnings(const NonlinearUnknowns& unknowns, const TorqueModel& model);
 
 // Base parameters are written as combinations of parameters in `frames`.
 std::string describe_identification(const TorqueEquations& equations, const Identification& found,

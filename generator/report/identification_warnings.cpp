@@ -103,14 +103,21 @@ void warn_of_noise_in_q(const TorqueModel& model, const Estimate& estimate, std:
   }
 }
 
+// Whether residuals have a reason, or are so large that links near the parameters say nothing.
+bool is_gross(const Identification& found) {
+  constexpr double kGross = 10;  // times the noise
+  return found.hypothesis.has_value() || std::any_of(found.fits.begin(), found.fits.end(), [](const JointFit& fit) {
+           return !fit.is_sound() && fit.ratio > kGross;
+         });
+}
+
 // Reports residuals that are no noise, and the reason that explains them, where there is one.
 void warn_of_fit(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
-  constexpr double kGross = 10;  // times the noise
   const auto& bodies = model.mechanism().joints();
   std::vector<std::string> bad;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const JointFit& fit = found.fits[i];
-    if (fit.is_sound() || (!found.hypothesis && fit.ratio < kGross)) continue;
+    if (fit.is_sound()) continue;
     bad.push_back(fmt::format("{} {:.3g}", bodies[i].joint, fit.ratio));
     if (!fit.limit) continue;
     warning_texts.push_back(fmt::format("joint \"{}\": its torques look cut off at {:.3g} {}; leave such times out",
@@ -125,23 +132,42 @@ void warn_of_fit(const TorqueModel& model, const Identification& found, std::vec
       "the model does not fit: residuals to the noise of the log: {}{}", fmt::join(bad, ", "),
       found.hypothesis ? ""
                        : "; the model may lack friction or rotors (--parameters full), another law of friction "
-                         "(--friction), or flexibility; or columns, units or times of the log are not what they say"));
+                         "(--friction), ripple or flexibility; the torques may have noise or vibration that is slower "
+                         "than the band, which intervals take account of; or columns, units or times of the log are "
+                         "not what they say"));
 }
 
-// Reports friction and rotors that are clearly negative, which no joint has.
+// Reports joints whose residuals are steps of the encoder.
+void warn_of_coarse_steps(const TorqueModel& model, const Identification& found,
+                          std::vector<std::string>& warning_texts) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < found.fits.size(); ++i) {
+    if (found.fits[i].is_of_coarse_steps()) names.push_back(model.mechanism().joints()[i].joint);
+  }
+  if (names.empty()) return;
+  warning_texts.push_back(
+      fmt::format("the encoders' steps are most of what is left of the torques of {}; rounding is not white noise, so "
+                  "that intervals may be too narrow: a lower --band, --estimator iv or a faster motion has less of it",
+                  some_of(names)));
+}
+
+// Reports friction, rotors and masses that are clearly negative, which no joint has. A base parameter that is named for
+// a mass may be a difference of masses: it counts where the robot file's is positive.
 void warn_of_signs(const TorqueModel& model, const Estimate& estimate, std::vector<std::string>& warning_texts) {
   constexpr double kClearly = 5;  // standard deviations
   std::vector<std::string> names;
   for (int k = 0; k < model.parameters(); ++k) {
     const int index = model.base().columns[static_cast<std::size_t>(k)];
     const bool is_inertial = static_cast<int>(parameter_of(index)) < kInertialPerBody;
-    if (is_inertial || estimate.values(k) > -kClearly * estimate.standard_deviations(k)) continue;
+    const bool is_mass = parameter_of(index) == Parameter::m && model.file_values()[static_cast<std::size_t>(k)] > 0;
+    if (is_inertial && !is_mass) continue;
+    if (estimate.values(k) > -kClearly * estimate.standard_deviations(k)) continue;
     names.push_back(fmt::format("{} ({})", parameter_name(index), model.mechanism().joint_at(joint_of(index)).joint));
   }
   if (names.empty()) return;
   warning_texts.push_back(
-      fmt::format("negative, which no friction and no rotor can be: {}; the sign of that joint's torques or positions "
-                  "is reversed, or the model lacks something",
+      fmt::format("negative, which no friction, no rotor and no mass can be: {}; the sign of that joint's torques or "
+                  "positions is reversed, gravity points elsewhere, or the model lacks something",
                   fmt::join(names, ", ")));
 }
 
@@ -232,21 +258,30 @@ void warn_of_links(const TorqueModel& model, const Identification& found, std::v
 
 std::vector<std::string> plausibility_warnings(const TorqueModel& model, const Identification& found) {
   std::vector<std::string> warning_texts;
-  warn_of_frozen(model, found, warning_texts);
   warn_of_fit(model, found, warning_texts);
+  const std::size_t count_of_fit = warning_texts.size();
+  warn_of_frozen(model, found, warning_texts);
   if (!found.hypothesis) warn_of_joints(model, found, warning_texts);
   warn_of_signs(model, found.estimate, warning_texts);
   warn_of_scale(model, found.estimate, warning_texts);
   warn_of_sizes(model, found.estimate, warning_texts);
   warn_of_search(found.physical, warning_texts);
   // Links cannot be near parameters that are those of no robot.
-  if (warning_texts.empty()) warn_of_links(model, found, warning_texts);
+  if (warning_texts.size() <= (is_gross(found) ? 0 : count_of_fit)) warn_of_links(model, found, warning_texts);
+  warn_of_coarse_steps(model, found, warning_texts);
   warn_of_noise_in_q(model, found.estimate, warning_texts);
   return warning_texts;
 }
 
-std::vector<std::string> search_warnings(const NonlinearUnknowns& unknowns) {
+std::vector<std::string> search_warnings(const NonlinearUnknowns& unknowns, const TorqueModel& model) {
   std::vector<std::string> warning_texts;
+  for (std::size_t i = 0; i < unknowns.friction_told.size(); ++i) {
+    if (unknowns.friction_told[i]) continue;
+    warning_texts.push_back(
+        fmt::format("joint \"{}\": the log does not tell the speed v of its friction, and so none of its friction's "
+                    "parameters; a motion with slower and faster parts tells them, or --friction coulomb has no v",
+                    model.mechanism().joints()[i].joint));
+  }
   const auto untold = unknowns.gravity ? untold_directions(unknowns.gravity->told) : std::vector<Eigen::Vector3d>();
   for (const Eigen::Vector3d& each : untold) {
     warning_texts.push_back(fmt::format(

@@ -56,11 +56,10 @@ std::string fit_table(const LoadedRobot& robot, const FittedPayload& found) {
 std::vector<std::string> plausibility_warnings(const LoadedRobot& robot, const FittedPayload& found,
                                                const std::string& hint) {
   constexpr double kMuch = 5, kClearly = 3;  // standard deviations
-  constexpr double kGross = 10;              // times the noise
   const PayloadEstimate& payload = found.payload;
   std::vector<std::string> warning_texts, bad;
   for (std::size_t i = 0; i < found.fits.size(); ++i) {
-    if (found.fits[i].is_sound() || found.fits[i].ratio < kGross) continue;
+    if (found.fits[i].is_sound()) continue;
     bad.push_back(fmt::format("{} {:.3g}", equation_name(robot, i), found.fits[i].ratio));
   }
   if (!bad.empty()) {

@@ -206,6 +206,8 @@ TEST(Identify, RefusesWhatItCannotUse) {
        "--part needs --data LOG.csv and -o FILE"},
       {"identify robots/planar_2r.toml --data " + log, 4, "the robot has free symbols"},
       {"identify robots/puma560.toml --data " + log, 3, "log.csv:1: error: no column for the positions: q3"},
+      {"identify robots/planar_2r_example_7_2.toml --estimator iv --data " + log, 2, "--estimator iv needs the filter"},
+      {"identify robots/planar_2r_example_7_2.toml --merge x --rest-speed 0", 2, "--rest-speed have no effect with"},
       {"identify robots/planar_2r_example_7_2.toml --data /nowhere.csv", 6, "/nowhere.csv: cannot be read"},
       {"identify robots/planar_2r_example_7_2.toml --merge '/nowhere/part*.json'", 6, "no file has such a name"},
   };
@@ -312,11 +314,15 @@ TEST(Identify, SaysWhyNoSampleCanBeUsed) {
   write_log(scratch.path("motion.csv"), samples, LogDerivatives::none);
   for (SimulatedSample& sample : samples) sample.q = samples.front().q;
   write_log(scratch.path("held.csv"), samples, LogDerivatives::none);
+  // Few of the samples are of a motion.
+  for (std::size_t k = 480; k < 520; ++k) samples[k].q[0] += 0.3 * std::sin(0.16 * static_cast<double>(k - 480));
+  write_log(scratch.path("brief.csv"), samples, LogDerivatives::none);
   write_log(scratch.path("poses.csv"), simulated(robot, {.samples = 40, .rate = 0.5, .standing = true}),
             LogDerivatives::none);
   for (const auto& [arguments, message] :
        {std::pair{"motion.csv --decimate 100000", "none of 1000 samples can be used: --decimate 100000 leaves none"},
-        {"held.csv --parameters full", "no joint moves in the log: at rest a joint's friction may be anything"},
+        {"held.csv --parameters full", "no joint moves faster than the speed below which it counts as resting"},
+        {"brief.csv --parameters full", "every joint moves clearly faster than the noise of its position at few"},
         {"poses.csv", "poses that are held need columns qd1, ... and qdd1, ... of zeros"}}) {
     const Outcome outcome =
         run_flatdyn("identify robots/planar_2r_example_7_2.toml -q --data " + scratch.path("") + arguments);

@@ -34,7 +34,9 @@ class FrictionLaws : public ::testing::Test {
     if (has_speed(law)) {
       const Measurement linear = bench.measured(samples, kEncoderStep, 1);
       const TorqueEquations dictionary(bench.model(), {law, {}, false, friction_dictionary(bench.equations(), linear)});
-      further.speeds = friction_speeds(dictionary, bench.measured(samples, kEncoderStep, 1, 1, {}, &dictionary));
+      FrictionSpeeds speeds = friction_speeds(dictionary, bench.measured(samples, kEncoderStep, 1, 1, {}, &dictionary));
+      further.speeds = std::move(speeds.speeds);
+      are_told = std::move(speeds.are_told);
     }
     return TorqueEquations(bench.model(), further);
   }
@@ -61,6 +63,7 @@ class FrictionLaws : public ::testing::Test {
     for (const double speed : equations.further().speeds) EXPECT_NEAR(speed, kSpeed, 0.05 * kSpeed);
   }
 
+  std::vector<bool> are_told;             // FrictionSpeeds::are_told
   static constexpr double kSpeed = 0.08;  // rad/s
 };
 
@@ -80,6 +83,24 @@ TEST_F(FrictionLaws, SmoothFrictionIsFoundWithItsSpeed) {
   const auto samples =
       motion([](double F_s, double qd) { return F_s * (std::tanh(qd / kSpeed) - ((qd > 0) - (qd < 0))); });
   expect_found(samples, FrictionLaw::smooth, "Fs", 1);
+}
+
+// All speeds of a joint that moves slowly are below v: F_s tanh(q̇/v) is as viscous as F_v q̇, and F_b as constant as
+// F_s.
+TEST_F(FrictionLaws, AreNotToldByAJointThatIsSlowerThanTheirSpeed) {
+  constexpr int kSlow = 1;
+  for (const auto law : {FrictionLaw::stribeck, FrictionLaw::smooth}) {
+    std::vector<SimulatedSample> samples = bench.motion({.seconds = 12, .scale = {1, 0.02, 1, 1, 1, 1}});
+    for (SimulatedSample& sample : samples) {
+      for (int i = 0; i < 6; ++i) {
+        const double qd = sample.qd(i), part = qd / kSpeed, sign = (qd > 0) - (qd < 0);
+        sample.tau(i) +=
+            coulomb(i) * (law == FrictionLaw::smooth ? std::tanh(part) - sign : 0.4 * std::exp(-part * part) * sign);
+      }
+    }
+    equations_of(law, samples);
+    for (int i = 0; i < 6; ++i) EXPECT_EQ(are_told[static_cast<std::size_t>(i)], i != kSlow) << i;
+  }
 }
 
 // A dictionary's columns and offsets together are where the names say.

@@ -45,6 +45,9 @@ constexpr WrongLog kWrongLogs[] = {
      "joint \"wrist_1_joint\": its zero looks"},
     {"gain", [](SimulatedSample& s) { s.tau(1) *= 1.2; },
      "joint \"shoulder_lift_joint\": its torques look 1.2 times too large"},
+    {"unit", [](SimulatedSample& s) { s.tau(3) *= 1000; }, "joint \"wrist_1_joint\": its torques look 99"},
+    {"first_torque_sign", [](SimulatedSample& s) { s.tau(1) *= -1; },
+     "joint \"shoulder_lift_joint\": its torques look as if their sign were reversed"},
     {"offset", [](SimulatedSample& s) { s.tau(1) += 2; }, "joint \"shoulder_lift_joint\": its torques look as if"},
 };
 
@@ -94,6 +97,15 @@ TEST_F(LackOfFit, ByTorquesThatAreLateIsNamed) {
     EXPECT_THAT(reason->text,
                 ::testing::ContainsRegex(late == 5 ? "look (5|5\\.[12]|4\\.[89]) ms late" : "look 40 ms late"));
   }
+}
+
+TEST_F(LackOfFit, ByTorquesOfOneJointThatAreLateIsNamed) {
+  constexpr std::size_t kLate = 12;  // samples, 1 ms each
+  std::vector<SimulatedSample> samples = bench.motion({.seconds = 12});
+  for (std::size_t k = samples.size() - 1; k >= kLate; --k) samples[k].tau(4) = samples[k - kLate].tau(4);
+  const std::optional<FitHypothesis> reason = reason_of(samples);
+  ASSERT_TRUE(reason);
+  EXPECT_THAT(reason->text, HasSubstr("joint \"wrist_2_joint\": its torques look 12 ms late"));
 }
 
 TEST_F(LackOfFit, ByFrictionThatIsLargerNearRestIsNamed) {
@@ -193,6 +205,23 @@ TEST_F(LackOfFit, ByReadingsThatAreLostIsNoticed) {
   };
   EXPECT_THAT(warnings_of(spikes), ::testing::Contains("tau3: 10 spikes, the first at 1 s"));
   EXPECT_THAT(bench.warning_lines, ::testing::Contains(1002));
+}
+
+// The last reading may be near the next one: a torque with noise does not stay the same while its joint moves.
+TEST_F(LackOfFit, ByReadingsThatAreHeldIsNoticed) {
+  std::vector<SimulatedSample> samples = bench.motion({.seconds = 12});
+  testing::Uniform draw(5);
+  for (SimulatedSample& sample : samples) {
+    for (int i = 0; i < 6; ++i) sample.tau(i) += bench.arm().noise[static_cast<std::size_t>(i)] * draw.normal();
+  }
+  std::vector<SimulatedSample> held = samples, frozen = samples;
+  for (std::size_t k = 0; k < held.size(); ++k) held[k].tau = samples[k - k % 10].tau;
+  bench.measured(held, kEncoderStep, 0);
+  EXPECT_THAT(bench.warnings, ::testing::ElementsAre("tau1, tau2, tau3, tau4, tau5, tau6: the readings change at every "
+                                                     "10th line only, and are 4.5 ms late on average"));
+  for (std::size_t k = 3000; k < 4000; ++k) frozen[k].tau(1) = samples[4000].tau(1);
+  bench.measured(frozen, kEncoderStep, 0);
+  EXPECT_THAT(bench.warnings, ::testing::ElementsAre("tau2: does not change from 3 to 4 s, and then jumps"));
 }
 
 // A log of torques without noise: blocks that are frozen, and blocks of zeros.

@@ -174,6 +174,54 @@ TEST(PracticalLog, DroppedSamplesAreInterpolated) {
   EXPECT_GT(coverages.at("all").share(), 0.85);
 }
 
+TEST(PracticalLog, AClockThatJittersHasNoGaps) {
+  Bench& bench = ur5();
+  std::vector<SimulatedSample> samples = bench.motion({.seconds = 12});
+  testing::Uniform draw(7);
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    samples[k].time = std::max(samples[k].time + 2e-4 * draw.normal(), samples[k - 1].time + 1e-4);
+  }
+  const Measurement measurement = bench.measured(samples, kEncoderStep, 1);
+  EXPECT_LE(measurement.count.gaps, 2);
+  EXPECT_LE(measurement.count.interpolated, 20);
+  EXPECT_THAT(bench.warnings, ::testing::Contains(HasSubstr("time is not even")));
+}
+
+// The torques of drives have noise that is slower than the band: that of one sample is like that of the one before it.
+TEST(PracticalLog, IntervalsHoldTheTruthWhereNoiseIsSlow) {
+  constexpr double kAlike = 0.9, kTimes = 2;  // at 200 Hz, 3.4 Hz; standard deviations of the arm's noise
+  Bench& bench = ur5();
+  Coverages coverages;
+  for (unsigned motion = 1; motion <= 5; ++motion) {
+    std::vector<SimulatedSample> samples = bench.motion({.rate = 200, .motion = motion});
+    testing::Uniform draw(motion);
+    Eigen::VectorXd noise = Eigen::VectorXd::Zero(6);
+    for (SimulatedSample& sample : samples) {
+      for (int i = 0; i < 6; ++i) {
+        noise[i] = kAlike * noise[i] + std::sqrt(1 - kAlike * kAlike) * draw.normal();
+        sample.tau(i) += kTimes * bench.arm().noise[static_cast<std::size_t>(i)] * noise[i];
+      }
+    }
+    count(bench, bench.estimated(bench.measured(samples, kEncoderStep, 0, motion)), coverages);
+  }
+  EXPECT_GT(coverages.at("all").share(), 0.9);
+  EXPECT_LT(coverages.at("all").share(), 0.985);
+}
+
+// While a joint turns around it is slow, but not at rest: its acceleration counts in the equations of the others. The
+// band is lower than that of finer encoders.
+TEST(PracticalLog, IntervalsHoldTheTruthWhereStepsAreCoarse) {
+  constexpr double kCoarse = 1e-3;  // rad
+  Bench& bench = ur5();
+  Coverages coverages;
+  for (unsigned motion = 1; motion <= 4; ++motion) {
+    const Measurement measurement = bench.measured(bench.motion({.motion = motion}), kCoarse, 0.3, motion);
+    EXPECT_LT(measurement.logs[0].filter.band, 10);
+    count(bench, bench.estimated(measurement), coverages);
+  }
+  EXPECT_GT(coverages.at("all").share(), 0.88);
+}
+
 TEST(PracticalLog, TheEncodersStepIsFound) {
   Bench& bench = ur5();
   const Measurement measurement = bench.measured(bench.motion({.seconds = 5}), kEncoderStep, 1);

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 
 #include "report/identification_report.hpp"
 #include "support/identified_arm.hpp"
@@ -57,6 +62,27 @@ TEST(IdentificationWarnings, SayNothingOfWhatLinksLeaveOfATinyTorque) {
   EXPECT_THAT(plausibility_warnings(arm.torque, found), ElementsAre(HasSubstr("the links leave")));
   found.measurement.observations.joints.back().R *= 1e-3;
   EXPECT_THAT(plausibility_warnings(arm.torque, found), IsEmpty());
+}
+
+// Masses are negative where gravity's direction is searched and found to be the opposite.
+TEST(IdentificationWarnings, NameMassesThatAreNegative) {
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / fmt::format("flatdyn-lift-{}.toml", ::getpid());
+  std::ofstream(path) << "[[link]]\njoint = \"lift\"\ntype = \"prismatic\"\naxis = [0, 0, 1]\nmass = 2\n"
+                         "[[link]]\njoint = \"turn\"\naxis = [0, 1, 0]\nmass = 1\ncom = [0.2, 0, 0]\n"
+                         "inertia = { yy = 0.1, zz = 0.1 }\ninertia_about = \"com\"\n";
+  const testing::Arm arm(load_robot(path, {}));
+  std::filesystem::remove(path);
+  Identification found = result_of(arm, 0, true);
+  const std::vector<int>& columns = arm.torque.base().columns;
+  const auto mass =
+      std::find_if(columns.begin(), columns.end(), [](int index) { return parameter_of(index) == Parameter::m; });
+  ASSERT_NE(mass, columns.end());
+  const Eigen::Index k = mass - columns.begin();
+  EXPECT_THAT(plausibility_warnings(arm.torque, found), IsEmpty());
+  found.estimate.values(k) = -1;
+  EXPECT_THAT(plausibility_warnings(arm.torque, found),
+              ::testing::Contains(HasSubstr("no mass can be: " + parameter_name(*mass))));
 }
 
 }  // namespace
