@@ -12,24 +12,12 @@ std::size_t mixed(std::size_t seed, std::size_t value) {
   return seed ^ (value + 0x9e3779b97f4a7c15ULL + (seed << 12) + (seed >> 4));
 }
 
-std::size_t hash_of(const mpz_t integer) {
-  std::size_t hash = static_cast<std::size_t>(mpz_sgn(integer) + 1);
-  for (std::size_t k = 0; k < mpz_size(integer); ++k) {
-    hash = mixed(hash, static_cast<std::size_t>(mpz_getlimbn(integer, static_cast<mp_size_t>(k))));
-  }
-  return hash;
-}
-
-std::size_t hash_of(const Rational& value) {
-  return mixed(hash_of(mpq_numref(value.backend().data())), hash_of(mpq_denref(value.backend().data())));
-}
-
 std::size_t hash_of(const Node& node) {
-  std::size_t hash = mixed(static_cast<std::size_t>(node.op), hash_of(node.value));
+  std::size_t hash = mixed(static_cast<std::size_t>(node.op), node.value.hash());
   hash = mixed(hash, static_cast<std::size_t>(node.input.kind));
   hash = mixed(hash, static_cast<std::size_t>(node.input.index));
   for (const Term& term : node.terms) {
-    hash = mixed(mixed(hash, hash_of(term.coefficient)), static_cast<std::size_t>(term.node));
+    hash = mixed(mixed(hash, term.coefficient.hash()), static_cast<std::size_t>(term.node));
   }
   for (const NodeId operand : node.operands) hash = mixed(hash, static_cast<std::size_t>(operand));
   return hash;
@@ -62,15 +50,11 @@ Rational common_divisor(const Node& node) {
 }  // namespace
 
 NodeId Graph::intern(Node node) {
-  const std::size_t hash = hash_of(node);
-  const auto [first, last] = index_.equal_range(hash);
-  for (auto it = first; it != last; ++it) {
-    if ((*this)[it->second] == node) return it->second;
-  }
-  const NodeId id = size();
-  nodes_.push_back(std::move(node));
-  index_.emplace(hash, id);
-  return id;
+  const NodeId next = size();
+  const NodeId found =
+      index_.find_or_add(mixed_bits(hash_of(node)), next, [&](NodeId id) { return (*this)[id] == node; });
+  if (found == next) nodes_.push_back(std::move(node));
+  return found;
 }
 
 NodeId Graph::constant(const Rational& value) {

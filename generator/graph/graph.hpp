@@ -17,6 +17,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "graph/hash_index.hpp"
 #include "graph/rational.hpp"
 
 namespace flatdyn {
@@ -112,7 +113,7 @@ class Graph {
   NodeId make_product(const Rational& coefficient, std::vector<NodeId> factors);
 
   std::vector<Node> nodes_;
-  std::unordered_multimap<std::size_t, NodeId> index_;  // hash of a node → the nodes with it; never iterated over
+  HashIndex index_;
   std::unordered_map<NodeId, std::string> names_;
 };
 
