@@ -44,6 +44,6 @@ int cost(const Function& function);
 bool is_worth_repeating(int cost_before, int cost_after);
 
 // `candidate` if it costs less than `original` and has no more sin, cos and divisions; else `original`.
-Function cheaper(const Function& original, const Function& candidate);
+Function cheaper(Function original, Function candidate);
 
 }  // namespace flatdyn
