@@ -25,6 +25,8 @@ class Rational {
   template <std::floating_point T>
   explicit Rational(T value) : Rational(Big(value)) {}  // exactly this number
   Rational(const Integer& numerator, const Integer& denominator);
+  template <std::integral T, std::integral U>
+  Rational(T numerator, U denominator) : Rational(Rational(numerator) / Rational(denominator)) {}
   explicit Rational(const std::string& text);  // "-3", "22/7"
 
   Rational(const Rational& other) : numerator_(other.numerator_), denominator_(other.denominator_) {
@@ -99,7 +101,7 @@ class Rational {
 
   template <std::integral T>
   static Rational from_word(T value) {
-    if (std::in_range<std::int64_t>(value) && value != static_cast<T>(INT64_MIN)) {
+    if (std::in_range<std::int64_t>(value) && !std::cmp_equal(value, INT64_MIN)) {
       Rational result;
       result.numerator_ = static_cast<std::int64_t>(value);
       return result;

@@ -34,13 +34,25 @@ Rational::Integer to_integer(const cln::cl_I& value) {
   return cln::minusp(value) ? Rational::Integer(-result) : result;
 }
 
+cln::cl_I from_integer(const Rational::Integer& value) {
+  cln::cl_I size = 0;
+  for (std::size_t k = mpz_size(value.backend().data()); k-- > 0;) {
+    size = cln::ash(size, kWordBits) + cln::cl_I(mpz_getlimbn(value.backend().data(), static_cast<mp_size_t>(k)));
+  }
+  return value < 0 ? -size : size;
+}
+
 }  // namespace
+
+Number to_number(const Rational& a) {
+  return GiNaC::numeric(cln::cl_N(from_integer(numerator(a)) / from_integer(denominator(a))));
+}
 
 Rational to_rational(const Number& a) {
   if (!is_rational(a)) cannot_map(a);
   const auto fraction = cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(a).to_cl_N());
   const cln::cl_I above = cln::numerator(fraction), below = cln::denominator(fraction);
-  if (fits_word(above) && below == 1) return cln::cl_I_to_long(above);
+  if (fits_word(above) && fits_word(below)) return Rational(cln::cl_I_to_long(above), cln::cl_I_to_long(below));
   return Rational(to_integer(above), to_integer(below));
 }
 

@@ -4,7 +4,7 @@
 namespace flatdyn {
 namespace {
 
-std::size_t place(std::int32_t number) { return static_cast<std::size_t>(number); }
+std::size_t as_index(std::int32_t number) { return static_cast<std::size_t>(number); }
 
 }  // namespace
 
@@ -16,7 +16,7 @@ CoefficientTable::CoefficientTable() {
 CoefficientId CoefficientTable::id(const Rational& value) {
   const auto next = static_cast<CoefficientId>(entries_.size());
   const CoefficientId found = index_.find_or_add(mixed_bits(value.hash()), next,
-                                                 [&](CoefficientId k) { return entries_[place(k)].value == value; });
+                                                 [&](CoefficientId k) { return entries_[as_index(k)].value == value; });
   return found == next ? add(value) : found;
 }
 
@@ -31,7 +31,7 @@ CoefficientId CoefficientTable::add(const Rational& value) {
   entries_.push_back(entry);
   if (value < 0) {
     const CoefficientId size = id(-value);
-    entries_[place(added)].size = size;
+    entries_[as_index(added)].size = size;
   }
   return added;
 }
@@ -40,10 +40,10 @@ RatioId CoefficientTable::ratio(CoefficientId above, CoefficientId below) {
   if (above == below) return 0;
   const auto next = static_cast<std::int32_t>(pairs_.size());
   const std::int32_t found = pair_index_.find_or_add(mixed_bits(pair_key(above, below)), next, [&](std::int32_t k) {
-    return pairs_[place(k)].above == above && pairs_[place(k)].below == below;
+    return pairs_[as_index(k)].above == above && pairs_[as_index(k)].below == below;
   });
   if (found == next) pairs_.push_back({above, below, new_ratio(above, below)});
-  return pairs_[place(found)].ratio;
+  return pairs_[as_index(found)].ratio;
 }
 
 RatioId CoefficientTable::new_ratio(CoefficientId above, CoefficientId below) {
@@ -66,7 +66,7 @@ std::uint64_t CoefficientTable::fingerprint(CoefficientId above, CoefficientId b
 // Compares fractions by their products crosswise, as that needs no common divisors.
 bool CoefficientTable::has_ratio(RatioId ratio, CoefficientId above, CoefficientId below) const {
   const Rational &a = (*this)[above], &b = (*this)[below];
-  const Rational &c = (*this)[ratios_[place(ratio)].above], &d = (*this)[ratios_[place(ratio)].below];
+  const Rational &c = (*this)[ratios_[as_index(ratio)].above], &d = (*this)[ratios_[as_index(ratio)].below];
   return numerator(a) * denominator(b) * (denominator(c) * numerator(d)) ==
          denominator(a) * numerator(b) * (numerator(c) * denominator(d));
 }

@@ -52,13 +52,29 @@ void copy_tree(const Draft& draft, NodeId root, Graph& graph, std::vector<NodeId
 // Removes nodes that folding has left without a use, such as products that had a coefficient.
 Function without_leftovers(Function function) {
   const std::vector<bool> reached = reachable_from(function.graph, roots(function));
-  const bool is_all_reached = std::find(reached.begin(), reached.end(), false) == reached.end();
-  return is_all_reached ? std::move(function) : without_dead_code(function);
+  if (std::find(reached.begin(), reached.end(), false) == reached.end()) return function;
+  const std::vector<NodeId> image = function.graph.remove_all_but(reached);
+  return with_graph(function, std::move(function.graph), image);
 }
 
 int cost_of(const OperationCount& count) {
   constexpr int kDivision = 5, kTrigonometric = 20;
   return count.arithmetic() + kDivision * count.divisions + kTrigonometric * count.trigonometric;
+}
+
+// Whether no scaled node and no product is an operand that could be folded into its users.
+bool is_unfolded(const Graph& graph) {
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const Node& node = graph[id];
+    for (const Term& term : node.terms) {
+      if (graph.is_scaled(term.node)) return false;
+    }
+    if (node.op != Op::product) continue;
+    for (const NodeId operand : node.operands) {
+      if (graph.is_scaled(operand) || graph[operand].op == Op::product) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -137,8 +153,9 @@ Function without_dead_code(const Function& function) {
   return with_graph(function, std::move(graph), image);
 }
 
-Function unfolded(const Function& function) {
+Function unfolded(Function function) {
   const std::vector<bool> alive = reachable_from(function.graph, roots(function));
+  if (is_unfolded(function.graph) && std::find(alive.begin(), alive.end(), false) == alive.end()) return function;
   Graph graph;
   std::vector<NodeId> image(alive.size(), kNone);
   for (std::size_t id = 0; id < alive.size(); ++id) {

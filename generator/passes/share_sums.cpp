@@ -13,6 +13,7 @@
 #include "passes/like_terms.hpp"
 #include "passes/polynomials.hpp"
 #include "passes/share_products.hpp"
+#include "passes/sharing_memo.hpp"
 
 namespace flatdyn {
 namespace {
@@ -122,6 +123,9 @@ class SumSharing {
     return finish();
   }
 
+  // Whether the policy has had any effect.
+  bool depends_on_policy() const { return depends_on_policy_; }
+
  private:
   // In a very long sum only terms this close to each other are paired, so that the work stays linear.
   static constexpr std::size_t kWindow = 48;
@@ -200,6 +204,7 @@ class SumSharing {
     const int factors = degree(monomial), uses = p_.uses_of(monomial);
     if (factors < 2) return 0;
     if (uses <= 1) return (factors - 1) * kOperation;
+    depends_on_policy_ = true;
     return policy_.count_shared_products ? (factors - 1) * kOperation / uses : 0;
   }
 
@@ -425,24 +430,29 @@ class SumSharing {
   CoefficientTable coefficients_;
   KernelTable kernels_;
   Policy policy_{};
+  bool depends_on_policy_ = false;
   std::vector<TermPair> found_;
   std::vector<int> touched_;
   std::priority_queue<Candidate> queue_;
 };
 
-Function shared_once(const Function& flat) {
+// The cheaper of the results of both policies.
+Function newly_shared(const Function& flat) {
   const SumSharing indexed(flat);
-  Function strict = with_shared_products(SumSharing(indexed).run(Policy{false}));
-  return cheaper(std::move(strict), with_shared_products(SumSharing(indexed).run(Policy{true})));
+  SumSharing strict(indexed);
+  const Function first = strict.run(Policy{false});
+  if (!strict.depends_on_policy()) return with_shared_products(first);
+  const Function second = SumSharing(indexed).run(Policy{true});
+  if (has_same_nodes(first, second)) return with_shared_products(first);
+  return cheaper(with_shared_products(first), with_shared_products(second));
 }
 
-// Whether the functions have the same nodes, so that sharing sums leads to the same cost.
-bool is_same(const Function& a, const Function& b) {
-  if (a.graph.size() != b.graph.size() || roots(a) != roots(b)) return false;
-  for (NodeId id = 0; id < a.graph.size(); ++id) {
-    if (a.graph[id] != b.graph[id]) return false;
-  }
-  return true;
+Function shared_once(const Function& flat) {
+  thread_local SharingMemo memo;
+  if (std::optional<Function> known = memo.find(flat)) return std::move(*known);
+  Function result = newly_shared(flat);
+  memo.add(flat, result);
+  return result;
 }
 
 }  // namespace
@@ -450,17 +460,12 @@ bool is_same(const Function& a, const Function& b) {
 // A partial sum that was made a node early and ends up with one use is merged again: better factors may then show.
 Function with_shared_sums(const Function& function) {
   constexpr int kRounds = 3;
-  std::vector<Function> tried;
-  tried.push_back(unfolded(function));
-  Function best = shared_once(tried.back());
+  Function best = shared_once(unfolded(function));
   for (int round = 0; round < kRounds; ++round) {
     const int cost_before = cost(best);
     for (const Merging merging : {Merging::where_it_saves, Merging::where_it_costs_nothing}) {
-      Function merged = with_merged_sums(best, merging);
-      if (std::any_of(tried.begin(), tried.end(), [&](const Function& each) { return is_same(each, merged); }))
-        continue;
+      const Function merged = with_merged_sums(best, merging);
       best = cheaper(std::move(best), shared_once(merged));
-      tried.push_back(std::move(merged));
     }
     if (!is_worth_repeating(cost_before, cost(best))) break;
   }
