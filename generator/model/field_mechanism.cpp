@@ -34,11 +34,17 @@ Rational::Integer to_integer(const cln::cl_I& value) {
   return cln::minusp(value) ? Rational::Integer(-result) : result;
 }
 
+// The number of `count` words from word `begin` on. Halving keeps the shifts short.
+cln::cl_I from_words(const mpz_t value, std::size_t begin, std::size_t count) {
+  if (count == 0) return 0;
+  if (count == 1) return cln::cl_I(mpz_getlimbn(value, static_cast<mp_size_t>(begin)));
+  const std::size_t low = count / 2;
+  return cln::ash(from_words(value, begin + low, count - low), static_cast<long>(low * kWordBits)) +
+         from_words(value, begin, low);
+}
+
 cln::cl_I from_integer(const Rational::Integer& value) {
-  cln::cl_I size = 0;
-  for (std::size_t k = mpz_size(value.backend().data()); k-- > 0;) {
-    size = cln::ash(size, kWordBits) + cln::cl_I(mpz_getlimbn(value.backend().data(), static_cast<mp_size_t>(k)));
-  }
+  const cln::cl_I size = from_words(value.backend().data(), 0, mpz_size(value.backend().data()));
   return value < 0 ? -size : size;
 }
 
