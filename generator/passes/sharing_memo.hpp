@@ -12,8 +12,8 @@ namespace flatdyn {
 // Whether the functions have the same nodes and roots; names and texts may differ.
 bool has_same_nodes(const Function& a, const Function& b);
 
-// What the sharing of sums has made of the functions that it was given last. Later rounds of the passes, and other
-// choices of frames, come back to the same functions again and again.
+// The results of sharing sums, by the functions that they were made from; the latest ones. Later rounds of the passes,
+// and other choices of frames, come back to the same functions again and again.
 class SharingMemo {
  public:
   // The result for a function with the same nodes, roots and names.

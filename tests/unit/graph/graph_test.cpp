@@ -24,7 +24,7 @@ TEST_F(GraphTest, MakesANodeOnce) {
   EXPECT_EQ(graph.product({a, b}), graph.product({b, a}));
 }
 
-// What is left has the ids, names and normal form that it would have if nothing else had been made.
+// The rest has the ids, names and normal form that it would have if nothing else had been made.
 TEST_F(GraphTest, RemovesNodes) {
   const NodeId product = graph.product({a, c});
   const NodeId sum = graph.sum({{2, product}, {1, c}}, 5), sine = graph.sin(c);
