@@ -68,7 +68,7 @@ std::function<OptimisedFunction(const Choices&)> maker(const LoadedRobot& model,
 // the one that loses least.
 void avoid_digit_loss(const LoadedRobot& model, const std::string& name, Plan& plan, Progress& progress) {
   if (!may_lose_digits(model, plan)) return;
-  const RoundingCheck check(model.robot, model.mechanism);
+  RoundingCheck check(model.robot, model.mechanism);
   double least = check.loss(plan.optimised.function);
   if (least <= kMostLoss) return;
   const Choices cheapest = plan.choices;
