@@ -7,8 +7,10 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "pipeline/generation.hpp"
 #include "report/bench_plot.hpp"
 #include "report/bench_report.hpp"
+#include "report/generator_report.hpp"
 #include "report/growth_report.hpp"
 #include "report/json_text.hpp"
 
@@ -22,6 +24,7 @@ struct BenchArguments : RobotArguments {
   BenchOptions bench;
   bool growth = false;
   GrowthOptions growth_plan;
+  bool generator = false;
 };
 
 // Writes the results where they are wanted. They are printed first, so that measurements are not lost with a file that
@@ -32,8 +35,11 @@ void deliver(const BenchArguments& arguments, const std::string& name, const nlo
   std::fflush(stdout);
   if (arguments.folder.empty()) return;
   const std::string stem = (std::filesystem::path(arguments.folder) / name).string();
-  write_files({{stem + ".json", json_text(json)}, {stem + ".svg", picture()}});
-  if (!arguments.json && !arguments.quiet) fmt::print("wrote {0}.json\nwrote {0}.svg\n", stem);
+  std::vector<TextFile> files = {{stem + ".json", json_text(json)}};
+  if (picture) files.push_back({stem + ".svg", picture()});
+  write_files(files);
+  if (arguments.json || arguments.quiet) return;
+  for (const TextFile& file : files) fmt::print("wrote {}\n", file.path.string());
 }
 
 BenchReport bench_robot(const BenchArguments& arguments, const std::string& robot) {
@@ -77,6 +83,25 @@ ExitCode run_growth(const BenchArguments& arguments) {
   return ExitCode::ok;
 }
 
+ExitCode run_generator(const BenchArguments& arguments) {
+  GenerationOptions options;
+  static_cast<PipelineOptions&>(options) = arguments.options();
+  options.functions = arguments.functions;
+  Progress progress(arguments.quiet);
+  const GenerationResult result = generate_code(arguments.robots.front(), options, progress);
+  print_diagnostics(result.robot.diagnostics, arguments);
+  print_diagnostics(result.findings, arguments);
+  const GeneratorCost cost{result.robot.mechanism.name, progress.steps(), result.functions};
+  deliver(arguments, "generator", generator_json(cost), generator_text(cost), {});
+  return ExitCode::ok;
+}
+
+void check_generator(const BenchArguments& arguments) {
+  if (arguments.robots.size() == 1) return;
+  throw Failure(ExitCode::usage, "--generator measures one robot, as peak memory is that of the whole program",
+                "name one robot file");
+}
+
 ExitCode run_bench(const BenchArguments& arguments) {
   if (arguments.growth && !arguments.robots.empty()) {
     throw Failure(ExitCode::usage, "--growth makes its own robots", "leave out " + arguments.robots.front());
@@ -86,6 +111,10 @@ ExitCode run_bench(const BenchArguments& arguments) {
   }
   if (arguments.growth && !arguments.search.empty()) {
     throw Failure(ExitCode::usage, "--growth takes the usual choices", "leave out --search");
+  }
+  if (arguments.generator) {
+    check_generator(arguments);
+    return run_generator(arguments);
   }
   return arguments.growth ? run_growth(arguments) : run_robots(arguments);
 }
@@ -98,7 +127,8 @@ Run add_bench(CLI::App& app) {
       "Measure run time and rounding errors of every function, in every variant, beside other libraries.\n\n"
       "  flatdyn bench robots/panda.urdf --functions inverse_dynamics,inertia_matrix\n"
       "  flatdyn bench robots/panda.urdf robots/ur5.urdf -o out/ --time 60\n"
-      "  flatdyn bench --growth --joints 16 -o out/");
+      "  flatdyn bench --growth --joints 16 -o out/\n"
+      "  flatdyn bench --generator robots/panda.urdf");
   const auto arguments = std::make_shared<BenchArguments>();
   command->add_option("robot", arguments->robots, kRobotMeaning)->type_name("FILE");
   arguments->add_settings_to(*command);
@@ -117,15 +147,22 @@ Run add_bench(CLI::App& app) {
       ->check(CLI::Range(1, 1024));
   command->add_option("--seed", arguments->bench.seed, "of the states and of the order of the runs")
       ->capture_default_str();
-  command->add_flag("--growth", arguments->growth,
-                    "instead: cost over the number of joints, of chains and trees of 2, 4, 8 ... joints");
+  auto* growth =
+      command->add_flag("--growth", arguments->growth,
+                        "instead: cost over the number of joints, of chains and trees of 2, 4, 8 ... joints");
+  command
+      ->add_flag("--generator", arguments->generator,
+                 "instead: the cost of generation itself, by stage and function: processor time and peak memory; of "
+                 "one robot, with all functions that generate writes by default")
+      ->excludes(growth);
   command->add_option("--joints", arguments->growth_plan.joints, "of the largest of these, at most")
       ->capture_default_str()
       ->check(CLI::Range(2, 64))
       ->needs("--growth");
   command
       ->add_option("-o,--output", arguments->folder,
-                   "folder for bench.json and bench.svg (growth.json and growth.svg); made if it is not there")
+                   "folder for bench.json and bench.svg (growth.json and growth.svg; generator.json); made if it is "
+                   "not there")
       ->check(folder_name())
       ->type_name("FOLDER");
   return [arguments] { return run_bench(*arguments); };

@@ -2,6 +2,7 @@
 #include "deviation/rounding_loss.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "deviation/extreme_states.hpp"
 #include "deviation/rounding_error_meter.hpp"
@@ -38,8 +39,25 @@ RoundingCheck::RoundingCheck(const Robot& robot, const Mechanism& mechanism)
       random_(with_parameters(random_states(mechanism, kRandom, kSeed), expected_.symbols())),
       extreme_(with_parameters(extreme_states(mechanism, kExtreme, kSeed), expected_.symbols())) {}
 
-double RoundingCheck::loss(const Function& function) const {
-  RoundingErrorMeter meter(function, expected_.of(function), "double");
+// The same values, each computed once. The states are those of this object.
+Expected RoundingCheck::remembered(Expected expected) {
+  const auto once = [this](auto Known::*member, auto compute) {
+    return [this, member, compute = std::move(compute)](const State& state) {
+      auto& value = known_[&state].*member;
+      if (!value) value = compute(state);
+      return *value;
+    };
+  };
+  expected.is_regular = once(&Known::is_regular, std::move(expected.is_regular));
+  expected.rounded = once(&Known::rounded, std::move(expected.rounded));
+  expected.scale = once(&Known::scale, std::move(expected.scale));
+  return expected;
+}
+
+double RoundingCheck::loss(const Function& function) {
+  if (function.name != known_function_) known_.clear();
+  known_function_ = function.name;
+  RoundingErrorMeter meter(function, remembered(expected_.of(function)), "double");
   return std::max(loss_at(function, meter, random_), loss_at(function, meter, extreme_));
 }
 

@@ -22,18 +22,22 @@ class Progress {
 
   struct Step {
     std::string what;
-    double seconds;  // until the next step, or until now
+    double seconds = 0;            // until the next step, or until now; steps of one name together
+    double processor_seconds = 0;  // of the whole program
+    long peak_kilobytes = 0;       // of the program so far, at the end of the step
   };
+  // Each step by its name once, in the order in which they were first taken.
   std::vector<Step> steps() const;
 
  private:
-  struct Start {
-    std::string what;
-    std::chrono::steady_clock::time_point at;
-  };
+  // Adds what has been used since the last step to that step.
+  void account(std::vector<Step>& steps) const;
 
   bool shown_;
-  std::vector<Start> starts_;
+  std::vector<Step> finished_;
+  std::string current_;
+  std::chrono::steady_clock::time_point current_start_;
+  double current_processor_start_ = 0;
   std::chrono::steady_clock::time_point start_;
 };
 

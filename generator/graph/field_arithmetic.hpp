@@ -126,7 +126,7 @@ class FieldArithmetic {
       total = add(total, point(constant(factor) * base));
       return;
     }
-    const CirclePoint turned = multiple(point(base), static_cast<std::uint64_t>(abs(factor)));
+    const CirclePoint turned = multiple(point(base), abs(factor).numerator_modulo(~std::uint64_t{0}));
     total = add(total, factor < 0 ? conjugate(turned) : turned);
   }
 
@@ -152,8 +152,8 @@ struct FieldTraits<Rational> {
     return Rational(static_cast<std::int64_t>(bits % 2001) - 1000, static_cast<std::int64_t>((bits >> 32) % 97) + 1);
   }
   static std::uint64_t key(const Rational& value) {
-    return splitmix64(mpz_fdiv_ui(numerator(value).backend().data(), 0xffffffffffffffc5UL),
-                      mpz_fdiv_ui(denominator(value).backend().data(), 0xffffffffffffffc5UL));
+    constexpr std::uint64_t kPrime = 0xffffffffffffffc5UL;
+    return splitmix64(value.numerator_modulo(kPrime), value.denominator_modulo(kPrime));
   }
   static bool is_negative(const Rational& value) { return value < 0; }
   static Rational sqrt(const Rational& value) {

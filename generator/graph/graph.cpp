@@ -12,24 +12,12 @@ std::size_t mixed(std::size_t seed, std::size_t value) {
   return seed ^ (value + 0x9e3779b97f4a7c15ULL + (seed << 12) + (seed >> 4));
 }
 
-std::size_t hash_of(const mpz_t integer) {
-  std::size_t hash = static_cast<std::size_t>(mpz_sgn(integer) + 1);
-  for (std::size_t k = 0; k < mpz_size(integer); ++k) {
-    hash = mixed(hash, static_cast<std::size_t>(mpz_getlimbn(integer, static_cast<mp_size_t>(k))));
-  }
-  return hash;
-}
-
-std::size_t hash_of(const Rational& value) {
-  return mixed(hash_of(mpq_numref(value.backend().data())), hash_of(mpq_denref(value.backend().data())));
-}
-
 std::size_t hash_of(const Node& node) {
-  std::size_t hash = mixed(static_cast<std::size_t>(node.op), hash_of(node.value));
+  std::size_t hash = mixed(static_cast<std::size_t>(node.op), node.value.hash());
   hash = mixed(hash, static_cast<std::size_t>(node.input.kind));
   hash = mixed(hash, static_cast<std::size_t>(node.input.index));
   for (const Term& term : node.terms) {
-    hash = mixed(mixed(hash, hash_of(term.coefficient)), static_cast<std::size_t>(term.node));
+    hash = mixed(mixed(hash, term.coefficient.hash()), static_cast<std::size_t>(term.node));
   }
   for (const NodeId operand : node.operands) hash = mixed(hash, static_cast<std::size_t>(operand));
   return hash;
@@ -61,16 +49,23 @@ Rational common_divisor(const Node& node) {
 
 }  // namespace
 
-NodeId Graph::intern(Node node) {
-  const std::size_t hash = hash_of(node);
-  const auto [first, last] = index_.equal_range(hash);
-  for (auto it = first; it != last; ++it) {
-    if ((*this)[it->second] == node) return it->second;
+// Enters the nodes that are not in the index yet.
+void Graph::index_all() {
+  for (; indexed_ < size(); ++indexed_) {
+    index_.find_or_add(mixed_bits(hash_of((*this)[indexed_])), indexed_, [](NodeId) { return false; });
   }
-  const NodeId id = size();
-  nodes_.push_back(std::move(node));
-  index_.emplace(hash, id);
-  return id;
+}
+
+NodeId Graph::intern(Node node) {
+  if (indexed_ < size()) index_all();
+  const NodeId next = size();
+  const NodeId found =
+      index_.find_or_add(mixed_bits(hash_of(node)), next, [&](NodeId id) { return (*this)[id] == node; });
+  if (found == next) {
+    nodes_.push_back(std::move(node));
+    ++indexed_;
+  }
+  return found;
 }
 
 NodeId Graph::constant(const Rational& value) {
@@ -136,7 +131,9 @@ NodeId Graph::make_sum(std::vector<Term> terms, Rational constant) {
   return intern(std::move(node));
 }
 
-NodeId Graph::scaled(const Rational& coefficient, NodeId node) { return sum({{coefficient, node}}); }
+NodeId Graph::scaled(const Rational& coefficient, NodeId node) {
+  return coefficient == 1 && !is_scaled(node) ? node : sum({{coefficient, node}});
+}
 
 NodeId Graph::product(std::vector<NodeId> factors) {
   Rational coefficient = 1;
@@ -298,17 +295,50 @@ NodeId Graph::copy(const Node& node, const std::vector<NodeId>& image) {
 }
 
 void Graph::set_name(NodeId id, std::string name) {
+  if (can_be_named(id)) name_place(id) = std::make_shared<const std::string>(std::move(name));
+}
+
+void Graph::take_name(const Graph& from, NodeId id, NodeId image) {
+  const auto k = static_cast<std::size_t>(id);
+  if (k < from.names_.size() && from.names_[k] != nullptr && can_be_named(image)) name_place(image) = from.names_[k];
+}
+
+// Whether the node may have a name and has none yet.
+bool Graph::can_be_named(NodeId id) const {
   const Op op = (*this)[id].op;
-  if (op != Op::constant && op != Op::input) names_.emplace(id, std::move(name));
+  return op != Op::constant && op != Op::input && name(id) == nullptr;
+}
+
+std::shared_ptr<const std::string>& Graph::name_place(NodeId id) {
+  if (names_.size() <= static_cast<std::size_t>(id)) names_.resize(static_cast<std::size_t>(id) + 1);
+  return names_[static_cast<std::size_t>(id)];
 }
 
 const std::string* Graph::name(NodeId id) const {
-  const auto it = names_.find(id);
-  return it == names_.end() ? nullptr : &it->second;
+  return static_cast<std::size_t>(id) < names_.size() ? names_[static_cast<std::size_t>(id)].get() : nullptr;
 }
 
-void copy_name(const Graph& from, NodeId id, Graph& to, NodeId image) {
-  if (const std::string* name = from.name(id)) to.set_name(image, *name);
+// Ids keep their order, so the nodes stay in normal form.
+std::vector<NodeId> Graph::remove_all_but(const std::vector<bool>& kept) {
+  std::vector<NodeId> image(nodes_.size(), -1);
+  const auto replace = [&image](NodeId& id) { id = image[static_cast<std::size_t>(id)]; };
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    if (!kept[k]) continue;
+    image[k] = static_cast<NodeId>(count);
+    for (Term& term : nodes_[k].terms) replace(term.node);
+    for (NodeId& operand : nodes_[k].operands) replace(operand);
+    if (count < k) {
+      if (count < names_.size()) names_[count] = k < names_.size() ? std::move(names_[k]) : nullptr;
+      nodes_[count] = std::move(nodes_[k]);
+    }
+    ++count;
+  }
+  nodes_.resize(count);
+  names_.resize(std::min(names_.size(), count));
+  index_ = {};
+  indexed_ = 0;
+  return image;
 }
 
 Term angle_of(const Graph& graph, NodeId id) {

@@ -12,11 +12,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
+#include "graph/hash_index.hpp"
 #include "graph/rational.hpp"
 
 namespace flatdyn {
@@ -90,6 +91,9 @@ class Graph {
   NodeId sum_without_folding(std::vector<Term> terms, const Rational& constant = 0);
   NodeId product_without_folding(const std::vector<NodeId>& factors);
 
+  // Removes all nodes but those kept, whose operands are kept, too. Returns the new ids by the old ones; -1: removed.
+  std::vector<NodeId> remove_all_but(const std::vector<bool>& kept);
+
   // Copies `node` of any graph into this one, operand k becoming image[k]. Nothing is folded.
   NodeId copy(const Node& node, const std::vector<NodeId>& image);
 
@@ -105,19 +109,24 @@ class Graph {
   // name given stays. Constants and inputs have none.
   void set_name(NodeId id, std::string name);
   const std::string* name(NodeId id) const;
+  void take_name(const Graph& from, NodeId id, NodeId image);  // names `image` as node `id` of the other graph
 
  private:
   NodeId intern(Node node);
+  void index_all();
+  bool can_be_named(NodeId id) const;
+  std::shared_ptr<const std::string>& name_place(NodeId id);
   NodeId make_sum(std::vector<Term> terms, Rational constant);
   NodeId make_product(const Rational& coefficient, std::vector<NodeId> factors);
 
   std::vector<Node> nodes_;
-  std::unordered_multimap<std::size_t, NodeId> index_;  // hash of a node → the nodes with it; never iterated over
-  std::unordered_map<NodeId, std::string> names_;
+  HashIndex index_;
+  NodeId indexed_ = 0;                                     // the number of nodes in the index, which are the first ones
+  std::vector<std::shared_ptr<const std::string>> names_;  // by node, as far as there are any; copies share them
 };
 
 // Copies the name of a node, if it has one, to its image in another graph.
-void copy_name(const Graph& from, NodeId id, Graph& to, NodeId image);
+inline void copy_name(const Graph& from, NodeId id, Graph& to, NodeId image) { to.take_name(from, id, image); }
 
 // The angle of a sine or cosine as a multiple of an input.
 Term angle_of(const Graph& graph, NodeId id);  // throws std::logic_error if it is not such a multiple

@@ -22,8 +22,8 @@ class ModP {
 
   // The element equal to an exact number. Throws std::domain_error if P divides the denominator.
   static ModP from(const Rational& value) {
-    const ModP numerator(mpz_fdiv_ui(mpq_numref(value.backend().data()), P));
-    const ModP denominator(mpz_fdiv_ui(mpq_denref(value.backend().data()), P));
+    const ModP numerator(value.numerator_modulo(P));
+    const ModP denominator(value.denominator_modulo(P));
     return denominator.value_ == 1 ? numerator : numerator / denominator;
   }
 
@@ -36,8 +36,7 @@ class ModP {
   }
   constexpr ModP& operator-=(ModP b) { return *this += -b; }
   constexpr ModP& operator*=(ModP b) {
-    __extension__ using Wide = unsigned __int128;
-    value_ = static_cast<std::uint64_t>(static_cast<Wide>(value_) * b.value_ % P);
+    value_ = reduced(static_cast<Wide>(value_) * b.value_);
     return *this;
   }
   ModP& operator/=(ModP b) { return *this *= b.inverse(); }
@@ -87,6 +86,20 @@ class ModP {
   }
 
  private:
+  __extension__ using Wide = unsigned __int128;
+
+  // A product modulo P. For P = 2^61 - c with small c, 2^61 may be replaced by c, which needs no division.
+  static constexpr std::uint64_t reduced(Wide product) {
+    constexpr std::uint64_t kPower = std::uint64_t{1} << 61, kMostRest = 64;
+    if constexpr (P < kPower && kPower - P < kMostRest) {
+      const auto fold = [](Wide value) { return (value & (kPower - 1)) + (value >> 61) * (kPower - P); };
+      const auto value = static_cast<std::uint64_t>(fold(fold(product)));
+      return value >= P ? value - P : value;
+    } else {
+      return static_cast<std::uint64_t>(product % P);
+    }
+  }
+
   // The k for which the order of this element, a root of unity, is 2^k.
   int order() const {
     int k = 0;

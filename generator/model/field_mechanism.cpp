@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "model/field_mechanism.hpp"
 
+#include <cln/integer.h>
+#include <cln/rational.h>
+
 #include <sstream>
+#include <vector>
 
 namespace flatdyn {
 
@@ -11,13 +15,51 @@ void cannot_map(const Number& a) {
   throw Failure(ExitCode::unsupported, text.str());
 }
 
+namespace {
+
+constexpr unsigned kWordBits = 64;
+
+bool fits_word(const cln::cl_I& value) { return cln::integer_length(value) < kWordBits; }
+
+Rational::Integer to_integer(const cln::cl_I& value) {
+  if (fits_word(value)) return cln::cl_I_to_long(value);
+  const cln::cl_I size = cln::abs(value);
+  std::vector<unsigned long> words;
+  for (unsigned begin = 0; begin < cln::integer_length(size); begin += kWordBits) {
+    words.push_back(cln::cl_I_to_ulong(cln::ldb(size, cln::cl_byte(kWordBits, begin))));
+  }
+  Rational::Integer result;
+  constexpr int kLeastFirst = -1, kNative = 0;
+  mpz_import(result.backend().data(), words.size(), kLeastFirst, sizeof(words[0]), kNative, 0, words.data());
+  return cln::minusp(value) ? Rational::Integer(-result) : result;
+}
+
+// The number of `count` words from word `begin` on. Halving keeps the shifts short.
+cln::cl_I from_words(const mpz_t value, std::size_t begin, std::size_t count) {
+  if (count == 0) return 0;
+  if (count == 1) return cln::cl_I(mpz_getlimbn(value, static_cast<mp_size_t>(begin)));
+  const std::size_t low = count / 2;
+  return cln::ash(from_words(value, begin + low, count - low), static_cast<long>(low * kWordBits)) +
+         from_words(value, begin, low);
+}
+
+cln::cl_I from_integer(const Rational::Integer& value) {
+  const cln::cl_I size = from_words(value.backend().data(), 0, mpz_size(value.backend().data()));
+  return value < 0 ? -size : size;
+}
+
+}  // namespace
+
+Number to_number(const Rational& a) {
+  return GiNaC::numeric(cln::cl_N(from_integer(numerator(a)) / from_integer(denominator(a))));
+}
+
 Rational to_rational(const Number& a) {
   if (!is_rational(a)) cannot_map(a);
-  const GiNaC::numeric value = GiNaC::ex_to<GiNaC::numeric>(a);
-  if (value.is_equal(0) || value.is_equal(1)) return value.to_int();  // most numbers of a mechanism are 0 or 1
-  std::ostringstream text;
-  text << value.numer() << '/' << value.denom();
-  return Rational(text.str());
+  const auto fraction = cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(a).to_cl_N());
+  const cln::cl_I above = cln::numerator(fraction), below = cln::denominator(fraction);
+  if (fits_word(above) && fits_word(below)) return Rational(cln::cl_I_to_long(above), cln::cl_I_to_long(below));
+  return Rational(to_integer(above), to_integer(below));
 }
 
 int index_of(const Number& symbol, const std::vector<FreeSymbol>& symbols) {

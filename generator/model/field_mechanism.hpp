@@ -133,6 +133,7 @@ std::vector<F> at_coordinates(const MechanismOver<F>& mechanism, const std::vect
 }
 
 Rational to_rational(const Number& a);  // throws Failure(unsupported) if a is not rational
+Number to_number(const Rational& a);
 
 // A sum of multiples of free symbols and a constant as a node of `graph`, with the symbols as inputs of kind parameter.
 // Throws Failure(unsupported) for any other expression.

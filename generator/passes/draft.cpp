@@ -21,7 +21,8 @@ std::vector<bool> alive_nodes(const Draft& draft) {
     stack.pop_back();
     if (alive[index(id)]) continue;
     alive[index(id)] = true;
-    for (const NodeId operand : operands_of(draft.at(id))) stack.push_back(operand);
+    for (const NodeId operand : draft.at(id).operands) stack.push_back(operand);
+    for (const Term& term : draft.at(id).terms) stack.push_back(term.node);
   }
   return alive;
 }
@@ -36,9 +37,11 @@ void copy_tree(const Draft& draft, NodeId root, Graph& graph, std::vector<NodeId
       continue;
     }
     const std::size_t depth = stack.size();
-    for (const NodeId operand : operands_of(draft.at(id))) {
+    const auto need = [&](NodeId operand) {
       if (image[index(operand)] == kNone) stack.push_back(operand);
-    }
+    };
+    for (const NodeId operand : draft.at(id).operands) need(operand);
+    for (const Term& term : draft.at(id).terms) need(term.node);
     if (stack.size() > depth) continue;
     stack.pop_back();
     image[index(id)] = graph.copy(draft.at(id), image);
@@ -49,8 +52,29 @@ void copy_tree(const Draft& draft, NodeId root, Graph& graph, std::vector<NodeId
 // Removes nodes that folding has left without a use, such as products that had a coefficient.
 Function without_leftovers(Function function) {
   const std::vector<bool> reached = reachable_from(function.graph, roots(function));
-  const bool is_all_reached = std::find(reached.begin(), reached.end(), false) == reached.end();
-  return is_all_reached ? std::move(function) : without_dead_code(function);
+  if (std::find(reached.begin(), reached.end(), false) == reached.end()) return function;
+  const std::vector<NodeId> image = function.graph.remove_all_but(reached);
+  return with_graph(function, std::move(function.graph), image);
+}
+
+int cost_of(const OperationCount& count) {
+  constexpr int kDivision = 5, kTrigonometric = 20;
+  return count.arithmetic() + kDivision * count.divisions + kTrigonometric * count.trigonometric;
+}
+
+// Whether no scaled node and no product is an operand that could be folded into its users.
+bool is_unfolded(const Graph& graph) {
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const Node& node = graph[id];
+    for (const Term& term : node.terms) {
+      if (graph.is_scaled(term.node)) return false;
+    }
+    if (node.op != Op::product) continue;
+    for (const NodeId operand : node.operands) {
+      if (graph.is_scaled(operand) || graph[operand].op == Op::product) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -129,8 +153,9 @@ Function without_dead_code(const Function& function) {
   return with_graph(function, std::move(graph), image);
 }
 
-Function unfolded(const Function& function) {
+Function unfolded(Function function) {
   const std::vector<bool> alive = reachable_from(function.graph, roots(function));
+  if (is_unfolded(function.graph) && std::find(alive.begin(), alive.end(), false) == alive.end()) return function;
   Graph graph;
   std::vector<NodeId> image(alive.size(), kNone);
   for (std::size_t id = 0; id < alive.size(); ++id) {
@@ -147,16 +172,12 @@ bool is_worth_repeating(int cost_before, int cost_after) {
   return (cost_before - cost_after) * kLeastGain >= cost_before && cost_after < cost_before;
 }
 
-int cost(const Function& function) {
-  constexpr int kDivision = 5, kTrigonometric = 20;
-  const OperationCount count = count_operations(function);
-  return count.arithmetic() + kDivision * count.divisions + kTrigonometric * count.trigonometric;
-}
+int cost(const Function& function) { return cost_of(count_operations(function)); }
 
-Function cheaper(const Function& original, const Function& candidate) {
+Function cheaper(Function original, Function candidate) {
   const OperationCount before = count_operations(original), after = count_operations(candidate);
   const bool worse = after.divisions > before.divisions || after.trigonometric > before.trigonometric;
-  return worse || cost(candidate) >= cost(original) ? original : candidate;
+  return worse || cost_of(after) >= cost_of(before) ? std::move(original) : std::move(candidate);
 }
 
 }  // namespace flatdyn

@@ -35,7 +35,7 @@ Function without_dead_code(const Function& function);
 NodeId unfolded_node(Graph& graph, const Node& node, const std::vector<NodeId>& image);
 
 // The function in full normal form: scaled nodes and products that passes had kept as operands are folded in again.
-Function unfolded(const Function& function);
+Function unfolded(Function function);
 
 // The cost that passes reduce: all operations, with sin, cos and divisions weighted by the additions that take as long.
 int cost(const Function& function);
@@ -44,6 +44,6 @@ int cost(const Function& function);
 bool is_worth_repeating(int cost_before, int cost_after);
 
 // `candidate` if it costs less than `original` and has no more sin, cos and divisions; else `original`.
-Function cheaper(const Function& original, const Function& candidate);
+Function cheaper(Function original, Function candidate);
 
 }  // namespace flatdyn

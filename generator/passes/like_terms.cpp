@@ -2,6 +2,7 @@
 #include "passes/like_terms.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "passes/draft.hpp"
@@ -12,8 +13,34 @@ namespace {
 
 int sum_cost(const std::vector<Term>& terms, const Rational& constant) {
   int total = static_cast<int>(terms.size()) + (constant.is_zero() ? 0 : 1) - 1;
-  for (const Term& term : terms) total += abs(term.coefficient) == 1 ? 0 : 1;
+  for (const Term& term : terms) total += term.coefficient.is_unit() ? 0 : 1;
   return std::max(total, 0);
+}
+
+// The cost of the sum `cross` with its term k, which is the sum `dot`, expanded.
+int merged_cost(const Node& cross, std::size_t k, const Node& dot) {
+  const Rational& factor = cross.terms[k].coefficient;
+  int total = -1;
+  const auto add = [&total](bool is_sign) { total += is_sign ? 1 : 2; };
+  auto inner = dot.terms.begin();
+  const auto add_before = [&](NodeId node) {
+    for (; inner != dot.terms.end() && inner->node < node; ++inner) {
+      add(factor.has_reciprocal_size_of(inner->coefficient));
+    }
+  };
+  for (std::size_t j = 0; j < cross.terms.size(); ++j) {
+    const Term& term = cross.terms[j];
+    if (j == k) continue;
+    add_before(term.node);
+    if (inner == dot.terms.end() || inner->node != term.node) {
+      add(term.coefficient.is_unit());
+    } else if (const Rational both = term.coefficient + factor * inner++->coefficient; !both.is_zero()) {
+      add(both.is_unit());
+    }
+  }
+  add_before(std::numeric_limits<NodeId>::max());
+  const bool has_constant = dot.value.is_zero() ? !cross.value.is_zero() : cross.value != -(factor * dot.value);
+  return std::max(total + (has_constant ? 1 : 0), 0);
 }
 
 // The sum `cross` with its term k, which is the sum `dot`, expanded.
@@ -44,10 +71,9 @@ void merge_operands(Draft& draft, NodeId id, std::vector<int>& uses, Merging mer
       continue;
     }
     const Node& cross = draft.at(id);
-    Node candidate = merged(cross, k, dot);
     const bool only_use = uses[static_cast<std::size_t>(operand)] == 1;
     const int before = sum_cost(cross.terms, cross.value) + (only_use ? sum_cost(dot.terms, dot.value) : 0);
-    const int after = sum_cost(candidate.terms, candidate.value);
+    const int after = merged_cost(cross, k, dot);
     const bool may_be_equal = only_use || merging == Merging::where_it_costs_nothing;
     if (may_be_equal ? after > before : after >= before) {
       ++k;
@@ -55,7 +81,7 @@ void merge_operands(Draft& draft, NodeId id, std::vector<int>& uses, Merging mer
     }
     --uses[static_cast<std::size_t>(operand)];
     for (const Term& term : dot.terms) uses[static_cast<std::size_t>(term.node)] += only_use ? 0 : 1;
-    draft.at(id) = std::move(candidate);
+    draft.at(id) = merged(cross, k, dot);
     k = 0;
   }
 }

@@ -7,34 +7,56 @@
 
 namespace flatdyn {
 
-MonomialId MonomialTable::id(std::vector<NodeId> factors) {
-  const auto [it, is_new] = ids_.emplace(std::move(factors), size());
-  if (is_new) factors_.push_back(it->first);
-  return it->second;
+MonomialId MonomialTable::id(std::span<const NodeId> factors) {
+  std::uint64_t hash = factors.size();
+  for (const NodeId factor : factors) hash = mixed_bits(hash ^ static_cast<std::uint64_t>(factor));
+  const MonomialId next = size();
+  const MonomialId found =
+      index_.find_or_add(hash, next, [&](MonomialId k) { return std::ranges::equal((*this)[k], factors); });
+  if (found == next) {
+    factors_.insert(factors_.end(), factors.begin(), factors.end());
+    ends_.push_back(factors_.size());
+  }
+  return found;
+}
+
+MonomialTable::Split MonomialTable::split(MonomialId a, MonomialId b) {
+  const auto x = (*this)[a], y = (*this)[b];
+  for (std::vector<NodeId>& part : scratch_) part.clear();
+  auto& [common, first, second] = scratch_;
+  auto i = x.begin(), j = y.begin();
+  while (i != x.end() && j != y.end()) {
+    if (*i == *j) {
+      common.push_back(*i);
+      ++i, ++j;
+    } else if (*i < *j) {
+      first.push_back(*i++);
+    } else {
+      second.push_back(*j++);
+    }
+  }
+  if (common.empty()) return {id({}), a, b};
+  first.insert(first.end(), i, x.end());
+  second.insert(second.end(), j, y.end());
+  return {id(common), id(first), id(second)};
 }
 
 MonomialId MonomialTable::product(MonomialId a, MonomialId b) {
+  const auto x = (*this)[a], y = (*this)[b];
   std::vector<NodeId> result;
-  std::merge((*this)[a].begin(), (*this)[a].end(), (*this)[b].begin(), (*this)[b].end(), std::back_inserter(result));
-  return id(std::move(result));
-}
-
-MonomialId MonomialTable::common(MonomialId a, MonomialId b) {
-  const auto &x = (*this)[a], &y = (*this)[b];
-  std::vector<NodeId> result;
-  std::set_intersection(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(result));
-  return id(std::move(result));
+  std::merge(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(result));
+  return id(result);
 }
 
 MonomialId MonomialTable::quotient(MonomialId a, MonomialId b) {
-  const auto &x = (*this)[a], &y = (*this)[b];
+  const auto x = (*this)[a], y = (*this)[b];
   std::vector<NodeId> result;
   std::set_difference(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(result));
-  return id(std::move(result));
+  return id(result);
 }
 
 bool MonomialTable::divides(MonomialId divisor, MonomialId a) const {
-  const auto &x = (*this)[a], &y = (*this)[divisor];
+  const auto x = (*this)[a], y = (*this)[divisor];
   return std::includes(x.begin(), x.end(), y.begin(), y.end());
 }
 
@@ -59,7 +81,8 @@ Polynomials::Polynomials(const Function& flat) : draft(flat) {
 }
 
 MonomialId Polynomials::monomial_of(NodeId node) {
-  return monomials.id(draft.at(node).op == Op::product ? draft.at(node).operands : std::vector<NodeId>{node});
+  if (draft.at(node).op == Op::product) return monomials.id(draft.at(node).operands);
+  return monomials.id(std::span(&node, 1));
 }
 
 int& Polynomials::uses_of(MonomialId id) {
@@ -73,13 +96,13 @@ Function Polynomials::finish() {
     Rational constant = 0;
     std::vector<Term> terms;
     for (const PolynomialTerm& term : polynomial.terms) {
-      const auto& factors = monomials[term.monomial];
+      const auto factors = monomials[term.monomial];
       if (factors.empty()) {
         constant += term.coefficient;
         continue;
       }
       NodeId& node = node_of[static_cast<std::size_t>(term.monomial)];
-      if (node < 0) node = factors.size() == 1 ? factors[0] : draft.add_product(factors);
+      if (node < 0) node = factors.size() == 1 ? factors[0] : draft.add_product({factors.begin(), factors.end()});
       terms.push_back({term.coefficient, node});
     }
     draft.at(polynomial.node) = Node{Op::sum, constant, {}, std::move(terms), {}};

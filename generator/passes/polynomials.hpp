@@ -2,9 +2,12 @@
 // Sums as polynomials, on which factoring and the sharing of partial sums work.
 #pragma once
 
-#include <map>
+#include <array>
+#include <initializer_list>
+#include <span>
 #include <vector>
 
+#include "graph/hash_index.hpp"
 #include "passes/draft.hpp"
 
 namespace flatdyn {
@@ -15,19 +18,31 @@ using MonomialId = int;
 
 class MonomialTable {
  public:
-  MonomialId id(std::vector<NodeId> factors);
-  const std::vector<NodeId>& operator[](MonomialId id) const { return factors_[static_cast<std::size_t>(id)]; }
+  // Two products over their greatest common divisor.
+  struct Split {
+    MonomialId common, first, second;
+  };
+
+  MonomialId id(std::span<const NodeId> factors);
+  MonomialId id(std::initializer_list<NodeId> factors) { return id(std::span(factors.begin(), factors.size())); }
+  // The factors; valid until a product is added.
+  std::span<const NodeId> operator[](MonomialId id) const {
+    const auto k = static_cast<std::size_t>(id);
+    return {factors_.data() + ends_[k], factors_.data() + ends_[k + 1]};
+  }
   int degree(MonomialId id) const { return static_cast<int>((*this)[id].size()); }
-  int size() const { return static_cast<int>(factors_.size()); }
+  int size() const { return static_cast<int>(ends_.size()) - 1; }
 
   MonomialId product(MonomialId a, MonomialId b);
-  MonomialId common(MonomialId a, MonomialId b);    // the greatest common divisor
+  Split split(MonomialId a, MonomialId b);
   MonomialId quotient(MonomialId a, MonomialId b);  // a / b, where b divides a
   bool divides(MonomialId divisor, MonomialId a) const;
 
  private:
-  std::vector<std::vector<NodeId>> factors_;
-  std::map<std::vector<NodeId>, MonomialId> ids_;
+  std::vector<NodeId> factors_;          // of all products, one after another
+  std::vector<std::size_t> ends_ = {0};  // product k ends at ends_[k + 1]
+  HashIndex index_;
+  std::array<std::vector<NodeId>, 3> scratch_;
 };
 
 struct PolynomialTerm {

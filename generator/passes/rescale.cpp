@@ -60,8 +60,8 @@ struct Uses {
 
 int multiplications(const Draft& draft, const Node& sum, const std::vector<Use>& uses, const Rational& factor) {
   int total = 0;
-  for (const Term& term : sum.terms) total += abs(term.coefficient) != factor;
-  for (const Use& use : uses) total += abs(draft.at(use.sum).terms[use.term].coefficient) * factor != 1;
+  for (const Term& term : sum.terms) total += !term.coefficient.has_size_of(factor);
+  for (const Use& use : uses) total += !draft.at(use.sum).terms[use.term].coefficient.has_reciprocal_size_of(factor);
   return total;
 }
 

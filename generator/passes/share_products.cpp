@@ -2,12 +2,11 @@
 #include "passes/share_products.hpp"
 
 #include <algorithm>
-#include <map>
 #include <queue>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
+#include "graph/hash_index.hpp"
 #include "passes/draft.hpp"
 
 namespace flatdyn {
@@ -62,9 +61,11 @@ class ProductSharing {
   static std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
   NodeFactor constant_factor(const Rational& value) {
-    const auto [it, is_new] = constant_ids_.emplace(value, static_cast<NodeFactor>(constants_.size()));
-    if (is_new) constants_.push_back(value);
-    return -1 - it->second;
+    const auto next = static_cast<NodeFactor>(constants_.size());
+    const NodeFactor found =
+        constant_index_.find_or_add(mixed_bits(value.hash()), next, [&](int k) { return constants_[at(k)] == value; });
+    if (found == next) constants_.push_back(value);
+    return -1 - found;
   }
 
   int monomial_of(const Rational& coefficient, NodeId node) {
@@ -77,10 +78,14 @@ class ProductSharing {
     const Rational size = abs(coefficient);
     if (size != 1) factors.push_back(constant_factor(size));
     std::sort(factors.begin(), factors.end());
-    const auto [it, is_new] = monomial_ids_.emplace(factors, static_cast<int>(monomials_.size()));
-    if (is_new) monomials_.push_back({std::move(factors), 0});
-    ++monomials_[at(it->second)].uses;
-    return it->second;
+    std::uint64_t hash = 0;
+    for (const NodeFactor factor : factors) hash = mixed_bits(hash ^ static_cast<std::uint64_t>(factor));
+    const int next = static_cast<int>(monomials_.size());
+    const int found =
+        monomial_index_.find_or_add(hash, next, [&](int k) { return monomials_[at(k)].factors == factors; });
+    if (found == next) monomials_.push_back({std::move(factors), 0});
+    ++monomials_[at(found)].uses;
+    return found;
   }
 
   // Products that are terms become monomials; products with other users (roots, quotients …) are rewritten in place.
@@ -103,12 +108,12 @@ class ProductSharing {
 
   void add_occurrence(NodeFactor a, NodeFactor b, int monomial) {
     if (a > b) std::swap(a, b);
-    const std::uint64_t key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32) |
-                              static_cast<std::uint64_t>(static_cast<std::uint32_t>(b));
-    const auto [it, is_new] = pair_ids_.emplace(key, static_cast<int>(pairs_.size()));
-    if (is_new) pairs_.push_back({a, b, {}, -1});
-    pairs_[at(it->second)].where.push_back(monomial);
-    touched_.push_back(it->second);
+    const int next = static_cast<int>(pairs_.size());
+    const int found = pair_index_.find_or_add(mixed_bits(pair_key(a, b)), next,
+                                              [&](int k) { return pairs_[at(k)].a == a && pairs_[at(k)].b == b; });
+    if (found == next) pairs_.push_back({a, b, {}, -1});
+    pairs_[at(found)].where.push_back(monomial);
+    touched_.push_back(found);
   }
 
   void index_pairs(int m) {
@@ -221,12 +226,12 @@ class ProductSharing {
 
   Draft draft_;
   std::vector<Rational> constants_;
-  std::map<Rational, NodeFactor> constant_ids_;
+  HashIndex constant_index_;
   std::vector<Monomial> monomials_;
-  std::map<NodeFactors, int> monomial_ids_;
+  HashIndex monomial_index_;  // of the factors as collected
   std::vector<Use> uses_;
   std::vector<Pair> pairs_;
-  std::unordered_map<std::uint64_t, int> pair_ids_;  // for lookups only, never iterated over
+  HashIndex pair_index_;
   std::vector<int> touched_;
   std::priority_queue<Candidate> queue_;
 };

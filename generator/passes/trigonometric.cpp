@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -28,6 +28,20 @@ std::map<NodeId, SinCos> sines_and_cosines(const Graph& graph) {
   }
   std::erase_if(result, [](const auto& entry) { return entry.second.sin < 0 || entry.second.cos < 0; });
   return result;
+}
+
+// By node: whether a term of any sum has its square as a factor.
+std::vector<bool> squared_nodes(const Polynomials& p) {
+  std::vector<bool> squared(p.draft.nodes.size(), false);
+  for (const Polynomial& polynomial : p.polynomials) {
+    for (const PolynomialTerm& term : polynomial.terms) {
+      const std::span<const NodeId> factors = p.monomials[term.monomial];
+      for (std::size_t k = 1; k < factors.size(); ++k) {
+        if (factors[k] == factors[k - 1]) squared[static_cast<std::size_t>(factors[k])] = true;
+      }
+    }
+  }
+  return squared;
 }
 
 // The place where a square is replaced.
@@ -71,16 +85,23 @@ bool eliminate(Polynomials& p, NodeId x, NodeId y, Where where) {
 
 Function trigonometric(const Function& function) {
   const Function flat = unfolded(function);
+  const Polynomials start(flat);
+  const std::vector<bool> squared = squared_nodes(start);
+  std::map<NodeId, SinCos> pairs = sines_and_cosines(flat.graph);
+  std::erase_if(pairs, [&squared](const auto& entry) {
+    return !squared[static_cast<std::size_t>(entry.second.sin)] && !squared[static_cast<std::size_t>(entry.second.cos)];
+  });
+  if (pairs.empty()) return function;
   Function best = function;
   for (const Where where : {Where::same_sum, Where::anywhere}) {
     for (const bool keep_cosine : {true, false}) {
-      Polynomials p(flat);
+      Polynomials p(start);
       bool changed = false;
-      for (const auto& [angle, pair] : sines_and_cosines(flat.graph)) {
+      for (const auto& [angle, pair] : pairs) {
         const NodeId gone = keep_cosine ? pair.sin : pair.cos, kept = keep_cosine ? pair.cos : pair.sin;
         if (eliminate(p, gone, kept, where)) changed = true;
       }
-      if (changed) best = cheaper(best, with_shared_sums(p.finish()));
+      if (changed) best = cheaper(std::move(best), with_shared_sums(p.finish()));
     }
   }
   return best;

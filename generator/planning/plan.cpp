@@ -54,18 +54,21 @@ bool may_lose_digits(const LoadedRobot& model, const Plan& plan) {
 
 // Makes the function from choices, in one formulation.
 std::function<OptimisedFunction(const Choices&)> maker(const LoadedRobot& model, const std::string& name,
-                                                       FormulationIndex way) {
-  return [&model, name, way](const Choices& choices) {
-    return as_needed(model, *formulation(effective_mechanism(model), name, way, choices), choices.order);
+                                                       FormulationIndex way, Progress& progress) {
+  return [&model, name, way, &progress](const Choices& choices) {
+    progress.step("deriving " + name);
+    const Function derived = *formulation(effective_mechanism(model), name, way, choices);
+    progress.step("optimising " + name);
+    return as_needed(model, derived, choices.order);
   };
 }
 
 // Makes sure that the function does not lose digits. Masses that balance first moments may cost digits if they are far
 // away or beside far lighter links. If they do, takes the cheapest formulation without such masses that loses none, or
 // the one that loses least.
-void avoid_digit_loss(const LoadedRobot& model, const std::string& name, Plan& plan) {
+void avoid_digit_loss(const LoadedRobot& model, const std::string& name, Plan& plan, Progress& progress) {
   if (!may_lose_digits(model, plan)) return;
-  const RoundingCheck check(model.robot, model.mechanism);
+  RoundingCheck check(model.robot, model.mechanism);
   double least = check.loss(plan.optimised.function);
   if (least <= kMostLoss) return;
   const Choices cheapest = plan.choices;
@@ -73,7 +76,7 @@ void avoid_digit_loss(const LoadedRobot& model, const std::string& name, Plan& p
     for (FormulationIndex way = 0; way < kFormulationCount; ++way) {
       const std::optional<Function> derived = formulation(effective_mechanism(model), name, way, choices);
       if (!derived) continue;
-      Plan other{as_needed(model, *derived, choices.order), choices, false, maker(model, name, way)};
+      Plan other{as_needed(model, *derived, choices.order), choices, false, maker(model, name, way, progress)};
       const double loss = check.loss(other.optimised.function);
       const bool is_fine = loss <= kMostLoss, was_fine = least <= kMostLoss;
       if (was_fine ? !is_fine || cost(other.optimised.function) >= cost(plan.optimised.function) : loss >= least)
@@ -114,7 +117,7 @@ Plan cheapest_plan(const LoadedRobot& model, const std::string& name, Progress& 
   for (const Formulation& candidate : candidates) {
     OptimisedFunction made = as_needed(model, candidate.function, 0);
     if (best && cost(made.function) >= cost(best->optimised.function)) continue;
-    best = Plan{std::move(made), candidate.choices, false, maker(model, name, candidate.way)};
+    best = Plan{std::move(made), candidate.choices, false, maker(model, name, candidate.way, progress)};
   }
   refine(mechanism, *best);
   if (!closed || compares_pivots(best->optimised.function)) return *best;
@@ -128,7 +131,7 @@ Plan cheapest_plan(const LoadedRobot& model, const std::string& name, Progress& 
 
 Plan planned(const LoadedRobot& model, const std::string& name, Progress& progress) {
   Plan plan = cheapest_plan(model, name, progress);
-  avoid_digit_loss(model, name, plan);
+  avoid_digit_loss(model, name, plan, progress);
   return plan;
 }
 

@@ -61,14 +61,10 @@ namespace {
 void refuse_growth(const Node& node) {
   constexpr std::size_t kMostFactors = 10'000;
   constexpr std::size_t kMostBits = 1'000'000;
-  const auto bits = [](const Rational& value) {
-    return mpz_sizeinbase(mpq_numref(value.backend().data()), 2) +
-           mpz_sizeinbase(mpq_denref(value.backend().data()), 2);
-  };
   if (node.operands.size() > kMostFactors) refuse("a power too high");
-  if (bits(node.value) > kMostBits) refuse("a constant too long");
+  if (node.value.bits() > kMostBits) refuse("a constant too long");
   for (const Term& term : node.terms) {
-    if (bits(term.coefficient) > kMostBits) refuse("a coefficient too long");
+    if (term.coefficient.bits() > kMostBits) refuse("a coefficient too long");
   }
 }
 

@@ -195,11 +195,40 @@ TEST(Bench, ShowsGrowth) {
   }
 }
 
+// Every stage is measured once, and the functions' shares make up the stages that they are derived and optimised in.
+TEST(Bench, ShowsWhatGenerationCosts) {
+  const std::string command = "bench --generator robots/planar_2r.toml -q --functions gravity,inertia_matrix ";
+  const Outcome outcome = run_flatdyn(command + "--json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json cost = json::parse(outcome.out);
+  const std::vector<std::string> expected = {"reading", "derivation", "passes", "emitting and reading back", "proving"};
+  ASSERT_EQ(cost["stages"].size(), expected.size());
+  double stages = 0, functions = 0;
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    EXPECT_EQ(cost["stages"][k]["stage"], expected[k]);
+    EXPECT_GE(cost["stages"][k]["peak_kilobytes"], 1000);
+    stages += cost["stages"][k]["processor_s"].get<double>();
+  }
+  EXPECT_NEAR(stages, cost["processor_s"].get<double>(), 1e-6);
+  ASSERT_EQ(cost["functions"].size(), 2u);
+  for (const json& each : cost["functions"]) {
+    EXPECT_GT(each["mul"], 0);
+    functions += each["derivation_s"].get<double>() + each["passes_s"].get<double>();
+  }
+  const double derived = cost["stages"][1]["processor_s"], optimised = cost["stages"][2]["processor_s"];
+  EXPECT_NEAR(functions, derived + optimised, 1e-6);
+  const Outcome table = run_flatdyn(command);
+  for (const char* text : {"planar_2r: ", "s of the processor", "peak MB so far", "passes s", "inertia_matrix"}) {
+    EXPECT_THAT(table.out, HasSubstr(text));
+  }
+}
+
 TEST(Bench, RefusesWhatItCannotDo) {
   const std::string robot = "robots/planar_2r.toml";
   for (const std::string& arguments : std::vector<std::string>{
            std::string(), robot + " --growth", robot + " --joints 4", std::string("--growth --joints 1"),
            std::string("--growth --joints 65"), robot + " --time 0", robot + " --time nan", robot + " --states 0",
+           robot + " --generator " + robot, std::string("--generator"), robot + " --generator --growth",
            robot + " --variants quadruple", robot + " --functions nothing", robot + " -o ''"}) {
     EXPECT_EQ(run_flatdyn("bench -q " + arguments).code, 2) << arguments;
   }

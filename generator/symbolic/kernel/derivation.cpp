@@ -63,7 +63,7 @@ Number Derivation::symbol_of(NodeId id) {
 // collection of like terms.
 Number Derivation::name_node(NodeId id, const std::string& name) {
   const Node& node = graph_[id];
-  if (node.op == Op::constant) return GiNaC::numeric(node.value.str().c_str());
+  if (node.op == Op::constant) return to_number(node.value);
   if (node.op == Op::sum && node.terms.size() == 1 && node.value == 0) {
     const Rational coefficient = node.terms[0].coefficient;
     // The name belongs to the negative; its operand keeps its own name, or none.
@@ -74,7 +74,8 @@ Number Derivation::name_node(NodeId id, const std::string& name) {
 }
 
 Number Derivation::named(const Number& expression, const std::string& name) {
-  return name_node(node(expression), name);
+  const NodeId id = node(expression);
+  return is_rational(expression) ? expression : name_node(id, name);
 }
 
 Vec3 Derivation::named(const Vec3& expression, const std::string& name) {

@@ -24,6 +24,28 @@ TEST_F(GraphTest, MakesANodeOnce) {
   EXPECT_EQ(graph.product({a, b}), graph.product({b, a}));
 }
 
+// The rest has the ids, names and normal form that it would have if nothing else had been made.
+TEST_F(GraphTest, RemovesNodes) {
+  const NodeId product = graph.product({a, c});
+  const NodeId sum = graph.sum({{2, product}, {1, c}}, 5), sine = graph.sin(c);
+  graph.set_name(product, "kept");
+  graph.set_name(sine, "removed");
+  graph.set_name(sum, "sum");
+  std::vector<bool> kept(static_cast<std::size_t>(graph.size()), false);
+  for (const NodeId id : {a, c, product, sum}) kept[static_cast<std::size_t>(id)] = true;
+  const std::vector<NodeId> image = graph.remove_all_but(kept);
+  EXPECT_EQ(graph.size(), 4);
+  EXPECT_EQ(image[static_cast<std::size_t>(b)], -1);
+  const NodeId new_a = image[static_cast<std::size_t>(a)], new_c = image[static_cast<std::size_t>(c)];
+  const NodeId new_sum = image[static_cast<std::size_t>(sum)], new_product = graph.product({new_c, new_a});
+  EXPECT_EQ(new_product, image[static_cast<std::size_t>(product)]);
+  EXPECT_EQ(graph.sum({{1, new_c}, {2, new_product}}, 5), new_sum);
+  EXPECT_EQ(graph.size(), 4);
+  EXPECT_EQ(*graph.name(new_product), "kept");
+  EXPECT_EQ(*graph.name(new_sum), "sum");
+  EXPECT_EQ(graph.name(graph.sin(new_c)), nullptr);
+}
+
 TEST_F(GraphTest, CollectsLikeTerms) {
   EXPECT_EQ(graph.sum({{1, a}, {2, b}, {3, a}}), graph.sum({{4, a}, {2, b}}));
   EXPECT_EQ(graph.sum({{1, a}, {-1, a}}), zero);

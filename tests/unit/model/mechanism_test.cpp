@@ -177,5 +177,25 @@ TEST(InertialParameters, TransformAndBack) {
   }
 }
 
+// Numbers and symbols are transformed by different code.
+TEST(InertialParameters, NumbersAreTransformedAsSymbolsAre) {
+  Numbers numbers(6);
+  const Vec3 p = numbers.vector();
+  const Mat3 R = rotation_x(planar_rotation(numbers.fraction())) * rotation_z(planar_rotation(numbers.fraction()));
+  const InertialParameters body{numbers.positive(), numbers.vector(), real_tensor(numbers)};
+  const InertialParameters moved = transformed(body, R, p);
+  const GiNaC::symbol zero("zero");
+  InertialParameters with_symbol = body;
+  with_symbol.mass += zero;
+  const InertialParameters expected = transformed(with_symbol, R, p);
+  EXPECT_TRUE(moved.mass.is_equal(body.mass));
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_TRUE(moved.first_moment[i].is_equal(expected.first_moment[i].subs(zero == 0)));
+    for (std::size_t j = 0; j < 3; ++j) {
+      EXPECT_TRUE(moved.inertia[i][j].is_equal(expected.inertia[i][j].subs(zero == 0)));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace flatdyn

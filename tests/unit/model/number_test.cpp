@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "model/field_mechanism.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -23,6 +25,16 @@ TEST(ToDecimal, KeepsAllDigitsAskedFor) {
   EXPECT_EQ(to_decimal(GiNaC::Pi / 3, 40).substr(0, 42), "1.0471975511965977461542144610931676280657");
   EXPECT_EQ(to_decimal(exact_decimal("0.0825"), 17), "0.0825");
   EXPECT_THROW(to_decimal(GiNaC::symbol("x"), 10), std::domain_error);
+}
+
+TEST(ToRational, IsExactBothWays) {
+  for (const char* text : {"0", "-1", "9223372036854775807", "-9223372036854775808", "9223372036854775808",
+                           "-1606938044258990275541962092341162602522202993782792835301376", "2/3",
+                           "-18446744073709551616/3", "1/340282366920938463463374607431768211456"}) {
+    const Number number = GiNaC::numeric(text);
+    EXPECT_EQ(to_rational(number).str(), text);
+    EXPECT_TRUE(to_number(Rational(std::string(text))).is_equal(number)) << text;
+  }
 }
 
 TEST(NearestDouble, GoesDownToZeroWithoutComplaint) {
