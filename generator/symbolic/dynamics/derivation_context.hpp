@@ -43,7 +43,8 @@ struct DerivationContext {
   PivotGuard guard;  // as in Choices
 };
 
-// The values that must be positive for a result to be valid, and the scales of the first of them (Function::pivot_scales).
+// The values that must be positive for a result to be valid, and the scales of the first of them
+// (Function::pivot_scales).
 struct Conditions {
   std::vector<NodeId> validity_conditions, pivot_scales;
 
