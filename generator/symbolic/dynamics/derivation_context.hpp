@@ -48,7 +48,7 @@ struct DerivationContext {
 struct Conditions {
   std::vector<NodeId> validity_conditions, pivot_scales;
 
-  // Appends conditions, which may have scales if all before them do.
+  // Appends conditions. If they have scales, conditions before them that have none become their own scales.
   void append(const Conditions& more);
 };
 // Pivots of B that are not compared with scales. Those that inputs can make infinite must be below kLargestPivot, too:
