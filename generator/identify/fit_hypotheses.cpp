@@ -50,12 +50,15 @@ class HypothesisSearch {
     if (is_open) gravity(robot);
     if (is_open) offsets();
     if (is_open) gravity_left_out(robot);
+    if (is_open && !best_) no_trace_of_gravity();
     return best_;
   }
 
   // Whether the torques look as if gravity were not in them.
   std::optional<FitHypothesis> without_gravity(const LoadedRobot& robot) {
-    if (!model_.mechanism().has_loops()) gravity_left_out(robot);
+    if (model_.mechanism().has_loops()) return best_;
+    gravity_left_out(robot);
+    if (!best_) no_trace_of_gravity();
     return best_;
   }
 
@@ -292,6 +295,38 @@ class HypothesisSearch {
     best_ =
         FitHypothesis{"gravity looks left out of the torques, as if it were compensated (--gravity off fits better)",
                       std::min(1.0, (before_ - cost) / std::max(before_ - noise_, 1e-300))};
+  }
+
+  // The weighted squares of gravity's torques with some parameters.
+  double squares_of_gravity(const VectorXd& parameters) const {
+    const auto n = static_cast<Index>(names_.size());
+    const VectorXd rest = VectorXd::Zero(n);
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Y(n, model_.parameters());
+    double squares = 0;
+    for (const RowSample::Instant& instant : rows_.instants()) {
+      model_.regressor(instant.q.data(), rest.data(), rest.data(), Y.data());
+      const VectorXd torques = Y * parameters;
+      for (Index i = 0; i < n; ++i) {
+        const auto joint = static_cast<std::size_t>(i);
+        if (instant.used[joint]) squares += rows_.weights()[joint] * torques[i] * torques[i];
+      }
+    }
+    return squares;
+  }
+
+  // Masses that only gravity shows come out as good as zero if it is not in the torques, and the fit is as good.
+  void no_trace_of_gravity() {
+    constexpr double kTrace = 0.05;  // share of the robot file's torques of gravity
+    const Eigen::Map<const VectorXd> file(model_.file_values().data(), model_.parameters());
+    VectorXd found;
+    rows_.cost(&found);
+    const double expected = squares_of_gravity(file);
+    if (kTrace * kTrace * expected < kChance) return;
+    if (squares_of_gravity(found.head(model_.parameters())) > kTrace * kTrace * expected) return;
+    best_ = FitHypothesis{
+        "gravity looks left out of the torques, as if it were compensated: they have no trace of what it does with the "
+        "robot file's masses (--gravity off says so)",
+        0};
   }
 
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }

@@ -88,6 +88,7 @@ class Stream {
     rates_.finish(first_, diagnostics_);
     spikes_.finish(first_.file, diagnostics_);
     signals_.finish(first_.file, diagnostics_);
+    count_.lost = signals_.lost_blocks();
   }
 
   // Skips blocks of other parts. Returns false at the end of the log.

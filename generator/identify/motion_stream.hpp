@@ -50,12 +50,14 @@ struct StreamPlan {
 struct StreamCount {
   long lines = 0, used = 0, gaps = 0;
   long interpolated = 0;  // dropped samples that were put in
+  long lost = 0;          // blocks of readings that are frozen or zero, SignalCheck
 
   void add(const StreamCount& other) {
     lines += other.lines;
     used += other.used;
     gaps += other.gaps;
     interpolated += other.interpolated;
+    lost += other.lost;
   }
 };
 

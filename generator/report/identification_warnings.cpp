@@ -124,14 +124,19 @@ void warn_of_fit(const TorqueModel& model, const Identification& found, std::vec
                                         bodies[i].joint, *fit.limit, torque_unit(bodies[i])));
   }
   if (found.hypothesis) {
-    warning_texts.push_back(fmt::format("{}; that explains {:.0f} % of what noise does not", found.hypothesis->text,
-                                        100 * found.hypothesis->explained));
+    warning_texts.push_back(found.hypothesis->text);
+    if (found.hypothesis->explained > 0) {
+      warning_texts.back() +=
+          fmt::format("; that explains {:.0f} % of what noise does not", 100 * found.hypothesis->explained);
+    }
   }
   if (bad.empty()) return;
   warning_texts.push_back(fmt::format(
       "the model does not fit: residuals to the noise of the log: {}{}", fmt::join(bad, ", "),
-      found.hypothesis ? ""
-                       : "; the model may lack friction or rotors (--parameters full), another law of friction "
+      found.measurement.count.lost > 0
+          ? "; readings that were lost make such residuals: cut these times out of the log first"
+      : found.hypothesis ? ""
+                         : "; the model may lack friction or rotors (--parameters full), another law of friction "
                          "(--friction), ripple or flexibility; the torques may have noise or vibration that is slower "
                          "than the band, which intervals take account of; or columns, units or times of the log are "
                          "not what they say"));

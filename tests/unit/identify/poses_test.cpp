@@ -91,7 +91,7 @@ TEST_F(Poses, HaveNoNoiseButTheirResiduals) {
 TEST_F(Poses, TellAPayloadsMass) {
   LoadedRobot loaded = robot;
   Inertial body;
-  body.mass = exact_decimal("1.3");
+  body.mass.number = exact_decimal("1.3");
   loaded.robot.links[static_cast<std::size_t>(loaded.robot.tip)].inertials.push_back(body);
   const Measurement with = measured(poses_of(loaded, 20, 10, 1)), without = measured(poses_of(robot, 20, 10, 2));
   const PayloadEstimate found = estimate_payload(
