@@ -95,10 +95,9 @@ std::vector<JointFit> fit_quality(const Observations& observations, const std::v
   constexpr double kFiltersError = 1e-4;
   const MatrixXd left = residuals(observations, values);
   const ExpectedSquares squares = expected_squares(observations, logs, left, values, rows);
-  const bool are_poses =
-      std::all_of(logs.begin(), logs.end(),
-                  [](const MeasuredLog& log) { return log.derivatives == LogDerivatives::held; }) &&
-      !logs.empty();
+  const bool are_poses = std::all_of(logs.begin(), logs.end(),
+                                     [](const MeasuredLog& log) { return log.derivatives == LogDerivatives::held; }) &&
+                         !logs.empty();
   std::vector<JointFit> fits;
   for (Index i = 0; i < left.cols(); ++i) {
     const JointObservations& joint = observations.joints[static_cast<std::size_t>(i)];

@@ -240,7 +240,8 @@ GravityFit gravity_direction(const TorqueModel& model, const LoadedRobot& robot,
   if (nominal.isZero()) return {nominal, 0, rows.cost()};
   const std::vector<Number> file_masses = dynamic_parameters(model.mechanism());
   VectorXd masses(static_cast<Index>(file_masses.size()));
-  std::transform(file_masses.begin(), file_masses.end(), masses.begin(), nearest_double);
+  std::transform(file_masses.begin(), file_masses.end(), masses.begin(),
+                 [](const Number& value) { return nearest_double(value); });
   GravityFit best = DirectionSearch(affine_rows(model, robot, rows, 3), rows, nominal, std::move(masses)).run();
   const double size = nominal.norm();
   best.gravity = (best.gravity.array().abs() > kRounding * size).select(best.gravity, 0);

@@ -77,9 +77,9 @@ NoiseShape noise_shape(const SampleFilter& filter, LogDerivatives derivatives) {
   const VectorXd coarse = vector_of_numbers(zero_phase_kernel(filter.band, filter.dt * stride).weights[0]);
   const ZeroPhaseKernel wide = zero_phase_kernel(filter.motion_band(), filter.dt);
   const int order = std::max(0, 2 - static_cast<int>(derivatives));
-  NoiseShape result{
-      kRun, autocorrelation(narrow, kLags, filter.decimate),
-      moves * autocorrelation(cascaded(vector_of_numbers(wide.weights[order]), coarse, stride), kLags, filter.decimate)};
+  NoiseShape result{kRun, autocorrelation(narrow, kLags, filter.decimate),
+                    moves * autocorrelation(cascaded(vector_of_numbers(wide.weights[order]), coarse, stride), kLags,
+                                            filter.decimate)};
   for (const double share : NoiseShape::kColours) {
     const double strides = 1 / (2 * std::numbers::pi * share * filter.band * filter.dt * stride);
     result.coloured.push_back(coloured_autocorrelation(coarse, strides, filter.decimate / stride));

@@ -13,8 +13,8 @@ namespace flatdyn {
 
 // Autocorrelations at lags 0, 1, … of rows, for white noise of variance 1 in every sample.
 struct NoiseShape {
-  int run = 1;                   // instants that are looked at together: more than one where noise is correlated
-  Eigen::VectorXd measured;      // that of noise in the measured torques
+  int run = 1;               // instants that are looked at together: more than one where noise is correlated
+  Eigen::VectorXd measured;  // that of noise in the measured torques
   // That of noise in the logged q, q̇ or q̈, as it appears in q̈; zero in a log of poses, whose q̈ is zero and no reading.
   Eigen::VectorXd acceleration;
   // Those of noise in the measured torques that is slower than white noise: its power falls above shares kColours of

@@ -131,15 +131,16 @@ void warn_of_fit(const TorqueModel& model, const Identification& found, std::vec
     }
   }
   if (bad.empty()) return;
-  warning_texts.push_back(fmt::format(
-      "the model does not fit: residuals to the noise of the log: {}{}", fmt::join(bad, ", "),
-      found.measurement.count.lost > 0
-          ? "; readings that were lost make such residuals: cut these times out of the log first"
-      : found.hypothesis ? ""
-                         : "; the model may lack friction or rotors (--parameters full), another law of friction "
-                         "(--friction), ripple or flexibility; the torques may have noise or vibration that is slower "
-                         "than the band, which intervals take account of; or columns, units or times of the log are "
-                         "not what they say"));
+  warning_texts.push_back(
+      fmt::format("the model does not fit: residuals to the noise of the log: {}{}", fmt::join(bad, ", "),
+                  found.measurement.count.lost > 0
+                      ? "; readings that were lost make such residuals: cut these times out of the log first"
+                  : found.hypothesis
+                      ? ""
+                      : "; the model may lack friction or rotors (--parameters full), another law of friction "
+                        "(--friction), ripple or flexibility; the torques may have noise or vibration that is slower "
+                        "than the band, which intervals take account of; or columns, units or times of the log are "
+                        "not what they say"));
 }
 
 // Reports joints whose residuals are steps of the encoder.

@@ -23,8 +23,7 @@ class Poses : public ::testing::Test {
   LoadedRobot robot = testing::model_of("ur5.urdf");
   TorqueModel model{robot, ParameterSet::given, quiet};
   TorqueEquations equations{model};
-  std::filesystem::path path =
-      std::filesystem::temp_directory_path() / fmt::format("flatdyn-poses-{}.csv", ::getpid());
+  std::filesystem::path path = std::filesystem::temp_directory_path() / fmt::format("flatdyn-poses-{}.csv", ::getpid());
 
   ~Poses() override { std::filesystem::remove(path); }
 
@@ -94,8 +93,8 @@ TEST_F(Poses, TellAPayloadsMass) {
   body.mass.number = exact_decimal("1.3");
   loaded.robot.links[static_cast<std::size_t>(loaded.robot.tip)].inertials.push_back(body);
   const Measurement with = measured(poses_of(loaded, 20, 10, 1)), without = measured(poses_of(robot, 20, 10, 2));
-  const PayloadEstimate found = estimate_payload(
-      payload_problem(model, with.observations, without.observations, equations.file_values()));
+  const PayloadEstimate found =
+      estimate_payload(payload_problem(model, with.observations, without.observations, equations.file_values()));
   EXPECT_NEAR(found.values(0), 1.3, 4 * found.standard_deviations(0));
   EXPECT_LT(found.standard_deviations(0), 0.05);
 }
