@@ -106,7 +106,8 @@ class HypothesisSearch {
     constexpr double kAlike = 0.02;  // share of what is explained
     VectorXd parameters;
     const double cost = rows_.cost_with_gain(i, gain, &parameters), odd = oddness(parameters);
-    const bool is_as_good = best_ && is_gain_ && std::abs(cost - least_) < kAlike * (before_ - noise_) &&
+    const bool is_as_good = best_ && is_gain_ &&
+                            std::abs(cost - least_) < std::max(kAlike * (before_ - noise_), kChance) &&
                             std::abs(odd - odd_) < kClearlyOdder;
     if (is_as_good && best_->text.find(", or ") == std::string::npos) {
       best_->text += ", or " + text();
