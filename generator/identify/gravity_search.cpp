@@ -62,9 +62,17 @@ AffineRows affine_rows(const TorqueModel& model, const LoadedRobot& robot, const
   return result;
 }
 
-// The directions of the corners, edges and faces of a cube.
-std::vector<Vector3d> directions_around() {
+// The directions of the corners, edges and faces of a cube, and slight tilts of `file`, of either sign: the wrong sign
+// of a slight tilt may lead to the other side.
+std::vector<Vector3d> directions_around(const Vector3d& file) {
   std::vector<Vector3d> directions;
+  for (const double tilt : {0.1, 0.3, 0.6}) {
+    for (int k = 0; k < 6; ++k) {
+      const Vector3d axis = (k < 3 ? 1 : -1) * Vector3d::Unit(k % 3);
+      const Vector3d tilted = file.normalized() + tilt * axis;
+      if (tilted.norm() > 0) directions.push_back(tilted.normalized());
+    }
+  }
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
       for (int z = -1; z <= 1; ++z) {
@@ -135,7 +143,7 @@ class DirectionSearch {
     constexpr double kClearly = 0.5;  // share of the cost
     GravityFit best = improved(fit_at(file_));
     GravityFit around = best;
-    for (const Vector3d& direction : directions_around()) {
+    for (const Vector3d& direction : directions_around(file_)) {
       const GravityFit next = fit_at(gravity_along(direction));
       if (next.cost < around.cost) around = next;
     }
