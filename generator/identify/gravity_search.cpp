@@ -148,14 +148,14 @@ class DirectionSearch {
       if (next.cost < around.cost) around = next;
     }
     around = improved(around);
-    // Masses may come out negative, so that the opposite direction fits nearly as well.
-    return with_positive_masses(around.cost < kClearly * best.cost ? around : best);
+    // Masses may come out negative, so that the opposite direction fits nearly as well, or a little better.
+    const bool is_better = around.cost < best.cost - kAlike &&
+                           likeness_of_masses(around.gravity) > likeness_of_masses(best.gravity) - kLikeness;
+    return with_positive_masses(is_better || around.cost < kClearly * best.cost ? around : best);
   }
 
   // Where gravity and masses can be reversed together, in some of gravity's components, positive masses are right.
   GravityFit with_positive_masses(const GravityFit& fit) const {
-    constexpr double kAlike = 20;     // of the cost
-    constexpr double kClearly = 0.3;  // of the likeness
     GravityFit best = fit;
     double likeness = likeness_of_masses(fit.gravity);
     for (int signs = 1; signs < 1 << told_.cols(); ++signs) {
@@ -166,7 +166,7 @@ class DirectionSearch {
       }
       const GravityFit next = improved(fit_at(mirrored));
       const double next_likeness = likeness_of_masses(next.gravity);
-      if (next.cost > fit.cost + kAlike || next_likeness < likeness + kClearly) continue;
+      if (next.cost > fit.cost + kAlike || next_likeness < likeness + kLikeness) continue;
       best = next;
       likeness = next_likeness;
     }
@@ -230,6 +230,7 @@ class DirectionSearch {
     return {turn.normalized(), std::sqrt(2 * scatter / least)};
   }
 
+  static constexpr double kAlike = 20, kLikeness = 0.3;  // differences that count for nothing, of cost and of likeness
   static constexpr double kFirstStep = 0.2, kLastStep = 1e-4;  // rad
 
   AffineRows affine_;
