@@ -180,12 +180,14 @@ void warn_of_signs(const TorqueModel& model, const Estimate& estimate, std::vect
 // Reports masses that are far larger or smaller than the file's.
 void warn_of_scale(const TorqueModel& model, const Estimate& estimate, std::vector<std::string>& warning_texts) {
   constexpr double kFar = 5, kAlike = 0.8;  // factor; correlation
+  constexpr double kUnsure = 0.3;           // standard deviation, a share of the parameter
   double of_file = 0, of_both = 0, of_found = 0;
   for (int k = 0; k < model.parameters(); ++k) {
     const int index = model.base().columns[static_cast<std::size_t>(k)];
     const double deviation = estimate.standard_deviations(k);
     const double file = model.file_values()[static_cast<std::size_t>(k)];
     if (static_cast<int>(parameter_of(index)) >= kInertialPerBody || !std::isfinite(deviation)) continue;
+    if (deviation > kUnsure * std::max(std::abs(file), std::abs(estimate.values(k)))) continue;
     of_file += file * file;
     of_both += file * estimate.values(k);
     of_found += estimate.values(k) * estimate.values(k);
@@ -247,6 +249,9 @@ void warn_of_links(const TorqueModel& model, const Identification& found, std::v
   constexpr double kLarger = 1.5, kRounding = 1e-6;  // factor on the residual; share of the largest torque
   const auto& bodies = model.mechanism().joints();
   const PhysicalParameters& physical = found.physical;
+  // Links have the friction that a joint can have, where the log does not tell it.
+  const std::vector<bool>& told = found.unknowns.friction_told;
+  if (std::find(told.begin(), told.end(), false) != told.end()) return;
   warn_of_misfit(model, physical, warning_texts);
   const double negligible = kRounding * largest_rms_torque(found);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
