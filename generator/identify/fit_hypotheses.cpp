@@ -360,7 +360,7 @@ class HypothesisSearch {
 
 std::optional<FitHypothesis> best_hypothesis(const TorqueModel& model, const LoadedRobot& robot,
                                              const Measurement& measurement, const std::vector<JointFit>& fits) {
-  constexpr double kNearlyAll = 0.8;
+  constexpr double kMuch = 0.6;
   HypothesisSearch search(model, measurement, fits);
   const bool is_suspicious =
       std::any_of(fits.begin(), fits.end(), [](const JointFit& fit) { return fit.is_suspicious(); });
@@ -368,7 +368,7 @@ std::optional<FitHypothesis> best_hypothesis(const TorqueModel& model, const Loa
   const bool is_sound = std::all_of(fits.begin(), fits.end(), [](const JointFit& fit) { return fit.is_sound(); });
   const std::optional<FitHypothesis> found = search.best(robot);
   // Chance explains some of the little that a sound log leaves.
-  const bool is_chance = found && is_sound && found->explained > 0 && found->explained < kNearlyAll;
+  const bool is_chance = found && is_sound && found->explained > 0 && found->explained < kMuch;
   return is_chance ? std::nullopt : found;
 }
 
