@@ -302,11 +302,12 @@ class HypothesisSearch {
     if (std::all_of(g.begin(), g.end(), vanishes)) return;
     const double cost = cost_without_gravity(model_, robot, rows_);
     const bool is_clear = before_ - cost > std::max(kChance, (before_ - noise_) / 2);
-    if (!is_clear || (best_ && least_ - cost < kChance)) return;
+    if (!is_clear || (best_ && cost > least_ + kChance)) return;
+    const std::string other = best_ && cost > least_ - kChance ? ", or " + best_->text : "";
     least_ = cost;
-    best_ =
-        FitHypothesis{"gravity looks left out of the torques, as if it were compensated (--gravity off fits better)",
-                      std::min(1.0, (before_ - cost) / std::max(before_ - noise_, 1e-300))};
+    best_ = FitHypothesis{
+        "gravity looks left out of the torques, as if it were compensated (--gravity off fits better)" + other,
+        std::min(1.0, (before_ - cost) / std::max(before_ - noise_, 1e-300))};
   }
 
   // The weighted squares of gravity's torques with some parameters.
