@@ -82,6 +82,24 @@ FittedVariances with_known(const MatrixXd& H, const VectorXd& h, const VectorXd&
   return result;
 }
 
+// The same, without noise of accelerations (the last `joints` unknowns) where neither the log tells it nor the
+// residuals show it, as with q̈ of its own: its uncertainty alone would widen all intervals.
+FittedVariances without_doubtful(const MatrixXd& H, const VectorXd& h, const VectorXd& known, Index optional,
+                                 Index joints) {
+  const FittedVariances all = with_known(H, h, known, optional);
+  if (joints == 0 || (known.tail(joints).array() > 0).any()) return all;
+  MatrixXd fewer = H;
+  fewer.rightCols(joints).setZero();
+  fewer.bottomRows(joints).setZero();
+  VectorXd right = h;
+  right.tail(joints).setZero();
+  const FittedVariances without = with_known(fewer, right, known, optional);
+  const auto misfit = [&](const VectorXd& x) { return x.dot(H * x) - 2 * h.dot(x); };
+  // By chance, about one per joint at most.
+  const double explained = misfit(without.values) - misfit(all.values);
+  return explained > static_cast<double>(joints) ? all : without;
+}
+
 // The mean products of residuals of two equations that are `lag` rows apart, and what the kinds of noise make of them:
 // the first equation's torque noise, white and by colour, then each joint's acceleration noise.
 struct LaggedProduct {
@@ -263,7 +281,7 @@ ResidualNoise residual_noise(const Observations& observations, const VectorXd& v
       }
     }
   }
-  const auto [variances, covariance] = with_known(H, h, known, colours);
+  const auto [variances, covariance] = without_doubtful(H, h, known, colours, joints);
   return {variances.segment(colours, n), Eigen::Map<const MatrixXd>(variances.data(), kColours, n).transpose(),
           variances.tail(joints), covariance.bottomRightCorner(joints, joints)};
 }
