@@ -32,7 +32,9 @@ std::vector<MatrixXd> inertias(const Observations& observations, const VectorXd&
   for (const EquationInstant& instant : observations.instants) {
     const std::vector<MatrixXd> of_joints = rows(instant);
     MatrixXd B(of_joints.front().rows(), static_cast<Index>(of_joints.size()));
-    for (std::size_t j = 0; j < of_joints.size(); ++j) B.col(static_cast<Index>(j)) = of_joints[j] * values;
+    for (std::size_t j = 0; j < of_joints.size(); ++j) {
+      B.col(static_cast<Index>(j)) = of_joints[j] * with_known_part(values, of_joints[j].cols());
+    }
     result.push_back(std::move(B));
   }
   return result;
@@ -212,6 +214,12 @@ Index joints_of(const std::vector<MatrixXd>& B) { return B.empty() ? 0 : B.front
 
 }  // namespace
 
+VectorXd with_known_part(const VectorXd& values, Index columns) {
+  VectorXd result = VectorXd::Ones(columns);
+  result.head(values.size()) = values;
+  return result;
+}
+
 MatrixXd residuals(const Observations& observations, const VectorXd& values) {
   const auto n = static_cast<Index>(observations.joints.size());
   MatrixXd result = MatrixXd::Constant(static_cast<Index>(observations.instants.size()), n, std::nan(""));
@@ -329,11 +337,13 @@ std::vector<MatrixXd> false_information(const Observations& observations, const 
   for (const EquationInstant& instant : observations.instants) {
     const double power = observations.shapes[static_cast<std::size_t>(instant.log)].acceleration[0];
     const std::vector<MatrixXd> of_joints = rows(instant);
-    result.resize(of_joints.size(), MatrixXd::Zero(observations.parameters, observations.parameters));
+    const Index all = of_joints.empty() ? 0 : of_joints.front().cols();
+    result.resize(of_joints.size(), MatrixXd::Zero(all, all));
     for (std::size_t i = 0; i < instant.used.size(); ++i) {
       const auto row = static_cast<Index>(i), equation = instant.first + row;
       if (instant.used[i] == 0) continue;
-      const std::vector<int>& columns = observations.joints[static_cast<std::size_t>(equation)].columns;
+      std::vector<int> columns = observations.joints[static_cast<std::size_t>(equation)].columns;
+      if (all > observations.parameters) columns.push_back(observations.parameters);
       const double weight = power * weights[equation] * ratios[equation];
       for (std::size_t j = 0; j < of_joints.size(); ++j) {
         const VectorXd gains = of_joints[j](row, columns);

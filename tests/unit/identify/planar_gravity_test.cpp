@@ -41,13 +41,19 @@ inertia = { zz = 0.002 }
 inertia_about = "com"
 )";
 
-LoadedRobot robot_of(const char* text) {
+LoadedRobot robot_of(const std::string& text) {
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / fmt::format("flatdyn-planar-{}.toml", ::getpid());
   std::ofstream(path) << text;
   LoadedRobot robot = load_robot(path, {});
   std::filesystem::remove(path);
   return robot;
+}
+
+// The quill is gone: no torque depends on gravity as the file has it.
+std::string without_quill() {
+  const std::string text = kScara;
+  return text.substr(0, text.rfind("[[link]]"));
 }
 
 LoadedRobot under(LoadedRobot robot, const Vec3& gravity) {
@@ -95,6 +101,20 @@ TEST(PlanarGravity, HasThePlainSignWhereMassesCouldBeNegative) {
     const GravityFit fit = gravity_direction(reader.model, reader.robot, rows);
     EXPECT_LT((fit.gravity.normalized() - tilt.normalized()).norm(), 0.02) << tilt.transpose();
   }
+}
+
+TEST(PlanarGravity, ThatActsOnNoJointInTheFileIsFoundAndNamed) {
+  Reader reader(robot_of(without_quill()));
+  const LoadedRobot real = under(reader.robot, {exact_decimal("2.899"), 0, exact_decimal("-9.3719")});
+  const std::vector<SimulatedSample> samples = testing::simulated(real, {.samples = 1500, .noise = 0.05});
+  const Measurement measurement = reader.measured(samples);
+  const RowSample rows(reader.model, measurement, reader.fits_of(measurement));
+  const GravityFit fit = gravity_direction(reader.model, reader.robot, rows);
+  EXPECT_NEAR(fit.gravity.x(), 2.899, 0.05);
+  EXPECT_NEAR(fit.gravity.z(), -9.3719, 0.02);
+  const std::optional<FitHypothesis> reason = reader.reason_of(samples);
+  ASSERT_TRUE(reason);
+  EXPECT_THAT(reason->text, HasSubstr("gravity looks as if it came from another direction"));
 }
 
 // A spring below the quill would do the same, so that it is named, too.
