@@ -16,8 +16,8 @@
 namespace flatdyn {
 
 // ∂Y/∂q̈_j of an instant by joint j: one row per equation of the instant, one column per parameter. Times the
-// parameters, this is column j of B(q). If some of the torques is known and not in Y, a last column has this part's share
-// of column j of B(q).
+// parameters, this is column j of B(q). If some of the torques is known and not in Y, a last column has this part's
+// share of column j of B(q).
 using AccelerationRows = std::function<std::vector<Eigen::MatrixXd>(const EquationInstant& instant)>;
 
 // `values` as `columns` numbers: with 1 behind them for the known part of acceleration rows, if they have one.
