@@ -429,9 +429,10 @@ static bool planar_2r_is_zero(double r) {
 
 // The numbers of a state: multiples of 2^-23 in [-1, 1), which are exact in float, too.
 static void planar_2r_fill(double* x, int count, uint32_t seed) {
+  uint32_t state = seed;
   for (int k = 0; k < count; ++k) {
-    seed = seed * 1664525u + 1013904223u;
-    x[k] = ((double)(seed >> 8) - 8388608.0) / 8388608.0;
+    state = state * 1664525u + 1013904223u;
+    x[k] = ((double)(state >> 8) - 8388608.0) / 8388608.0;
   }
 }
 
@@ -448,13 +449,16 @@ static void planar_2r_fill_sines(double* sine, double* cosine, int count, uint32
 // Goes on with a hash by the bits of results; those that are not numbers count as zero. It is FNV-1a
 // with its upper half added to the lower one, without which changes of two signs cancel.
 static uint64_t planar_2r_hash_of(const double* x, int count, uint64_t hash) {
+  uint64_t sum = hash;
   for (int k = 0; k < count; ++k) {
     uint64_t bits = 0;
-    if (x[k] < 0.0 || x[k] >= 0.0) memcpy(&bits, x + k, sizeof(bits));
-    hash = (hash ^ bits) * 1099511628211u;
-    hash ^= hash >> 32;
+    if (x[k] < 0.0 || x[k] >= 0.0) {
+      (void)memcpy(&bits, &x[k], sizeof(bits));
+    }
+    sum = (sum ^ bits) * 1099511628211u;
+    sum ^= sum >> 32;
   }
-  return hash;
+  return sum;
 }
 
 // Whether sines and cosines of the library are right to a unit in the last place: at angles for
@@ -474,7 +478,9 @@ static bool planar_2r_sines_are_right(void) {
   };
   double x[8], sine[8], cosine[8];
   bool right = true;
-  for (int k = 0; k < 8; ++k) x[k] = angles[k] + zero;
+  for (int k = 0; k < 8; ++k) {
+    x[k] = angles[k] + zero;
+  }
   planar_2r_sines_and_cosines(x, 0, 7, sine, cosine);
   for (int k = 0; k < 8; ++k) {
     const double a = (sine[k] - sines[k]) * 4503599627370496.0;
@@ -540,13 +546,13 @@ bool planar_2r_rounding_is_as_written(void) {
   hash = planar_2r_hash_of(result, 2, hash);
   planar_2r_bias_given(&parameters, sine, cosine, qd, result);
   hash = planar_2r_hash_of(result, 2, hash);
-  planar_2r_forward_dynamics_given(&parameters, sine, cosine, qd, tau, result);
+  (void)planar_2r_forward_dynamics_given(&parameters, sine, cosine, qd, tau, result);
   hash = planar_2r_hash_of(result, 2, hash);
   result[0] = planar_2r_kinetic_energy_given(&parameters, sine, cosine, qd);
   hash = planar_2r_hash_of(result, 1, hash);
   result[0] = planar_2r_potential_energy_given(&parameters, sine, cosine);
   hash = planar_2r_hash_of(result, 1, hash);
-  planar_2r_forward_kinematics_given(&parameters, sine, cosine, result, result + 9);
+  planar_2r_forward_kinematics_given(&parameters, sine, cosine, result, &result[9]);
   hash = planar_2r_hash_of(result, 12, hash);
   planar_2r_jacobian_given(&parameters, sine, cosine, result);
   hash = planar_2r_hash_of(result, 12, hash);

@@ -73,7 +73,10 @@ class AnswerWriter {
     if (!content_.scope.parameters.empty()) note_length(InputKind::parameter, content_.scope.parameters.size());
     for (std::size_t k = 0; k < text.inputs.size(); ++k) note_length(function.inputs[k], text.inputs[k].length);
     const bool is_variant = style_.given.empty() && text.sin_cos_variant;
-    const std::string begin = returns_value(function) ? fmt::format("{}[0] = ", kResults) : "";
+    const bool returns_verdict = !returns_value(function) && !function.validity_conditions.empty();
+    const std::string begin = returns_value(function)                   ? fmt::format("{}[0] = ", kResults)
+                              : returns_verdict && style_.given.empty() ? "(void)"
+                                                                        : "";
     // Entries that a scene leaves out are not written.
     if (!is_whole(function)) calls_ += call(fmt::format("fill({}, {}, 0u)", kResults, results));
     calls_ +=
@@ -95,7 +98,7 @@ class AnswerWriter {
     std::map<std::string, std::string> places = {{"parameters", style_.parameters_argument}};
     std::size_t offset = 0;
     for (const ArrayArgument& output : text.outputs) {
-      places[output.name] = offset == 0 ? kResults : fmt::format("{} + {}", kResults, offset);
+      places[output.name] = offset == 0 ? kResults : fmt::format("&{}[{}]", kResults, offset);
       offset += output.length;
     }
     for (std::string& argument : list) {

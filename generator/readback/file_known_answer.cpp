@@ -51,12 +51,15 @@ std::string call_text(const KnownCall& call, const FileContents& contents, const
       arguments += argument;
       continue;
     }
-    arguments += offset == 0 ? "result" : fmt::format("result + {}", offset);
+    arguments += offset == 0 ? "result" : fmt::format("&result[{}]", offset);
     offset += lengths.at(output++);
   }
+  const bool drops_verdict = words.given.empty() && !returns_number(function) && !function.validity_conditions.empty();
   return text + fmt::format("{}{}({});hash = {}hash_of(result, {}, hash);",
-                            returns_number(function) ? "result[0] = " : "", call.name, arguments, words.prefix,
-                            results);
+                            returns_number(function) ? "result[0] = "
+                            : drops_verdict          ? "(void)"
+                                                     : "",
+                            call.name, arguments, words.prefix, results);
 }
 
 }  // namespace

@@ -53,9 +53,10 @@ static bool $prefix$is_zero($real$ r) { return !(r < 0.0$f$) && !(r > 0.0$f$); }
 // The functions that rounding_is_as_written() calls, in this order; those about sines only if there are sines.
 inline constexpr const char* kCFill = R"(
 static void $prefix$fill($real$* x, int count, uint32_t seed) {
+  uint32_t state = seed;
   for (int k = 0; k < count; ++k) {
-    seed = seed * 1664525u + 1013904223u;
-    x[k] = (($real$)(seed >> 8) - 8388608.0$f$) / 8388608.0$f$;
+    state = state * 1664525u + 1013904223u;
+    x[k] = (($real$)(state >> 8) - 8388608.0$f$) / 8388608.0$f$;
   }
 }
 )";
@@ -73,13 +74,16 @@ static void $prefix$fill_sines($real$* sine, $real$* cosine, int count, uint32_t
 
 inline constexpr const char* kCHash = R"(
 static uint64_t $prefix$hash_of(const $real$* x, int count, uint64_t hash) {
+  uint64_t sum = hash;
   for (int k = 0; k < count; ++k) {
     $bits$ bits = 0;
-    if (x[k] < 0.0$f$ || x[k] >= 0.0$f$) memcpy(&bits, x + k, sizeof(bits));
-    hash = (hash ^ bits) * 1099511628211u;
-    hash ^= hash >> 32;
+    if (x[k] < 0.0$f$ || x[k] >= 0.0$f$) {
+      (void)memcpy(&bits, &x[k], sizeof(bits));
+    }
+    sum = (sum ^ bits) * 1099511628211u;
+    sum ^= sum >> 32;
   }
-  return hash;
+  return sum;
 }
 )";
 
@@ -99,7 +103,9 @@ static bool $prefix$sines_are_right(void) {
   };
   $real$ x[8], sine[8], cosine[8];
   bool right = true;
-  for (int k = 0; k < 8; ++k) x[k] = angles[k] + zero;
+  for (int k = 0; k < 8; ++k) {
+    x[k] = angles[k] + zero;
+  }
   $prefix$sines_and_cosines(x, 0, 7, sine, cosine);
   for (int k = 0; k < 8; ++k) {
     const $real$ a = (sine[k] - sines[k]) * $places$;

@@ -258,10 +258,10 @@ TEST(LanguageC, WritesHeaderAndSource) {
   EXPECT_THAT(source, Not(HasSubstr("double ")));
 }
 
-// Rule 8.14, restrict, is the only required rule that is violated; docs/firmware.md explains it and the advisory ones.
+// Rules 8.14, restrict, and 21.15, memcpy, are the required ones that are violated; docs/firmware.md explains all.
 TEST(LanguageC, DeviatesFromNoOtherRuleOfMisra) {
   if (!has_program("cppcheck")) GTEST_SKIP() << "cppcheck is not installed: scripts/setup";
-  const std::set<std::string> listed = {"2.4", "8.7", "8.14", "10.5", "12.1", "12.3", "13.4"};
+  const std::set<std::string> listed = {"2.4", "8.7", "8.14", "10.5", "12.1", "12.3", "13.4", "15.5", "21.15"};
   std::set<std::string> found;
   for (const char* options : {"scara.toml", "scara.toml --max-lines 30", "puma560.toml --functions inverse_dynamics"}) {
     const Scratch folder;  // with both robots in one folder, the addon confuses their enumerations without tags
