@@ -155,6 +155,14 @@ void check_joint(Joint& joint, Diagnostics& diagnostics) {
   check_limits(joint, diagnostics);
 }
 
+// Whether the joint follows others in a closed loop: its own inertia may be zero.
+bool is_dependent(const Robot& robot, const Joint& joint) {
+  return std::any_of(robot.loops.begin(), robot.loops.end(), [&joint](const Loop& loop) {
+    return std::any_of(loop.dependent.begin(), loop.dependent.end(),
+                       [&joint](const Reference& each) { return each.name == joint.name; });
+  });
+}
+
 // Reports joints that move neither mass nor inertia: they make B(q) singular, so there is no forward dynamics.
 void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
   std::vector<bool> has_inertia(robot.links.size(), false);
@@ -175,7 +183,8 @@ void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
     const Joint& joint = robot.joints[static_cast<std::size_t>(*index)];
     if (has_inertia[static_cast<std::size_t>(joint.child)]) {
       has_inertia[static_cast<std::size_t>(joint.parent)] = true;
-    } else if (joint.type != JointType::fixed && is_exact_zero(joint.armature.number) && !joint.motor) {
+    } else if (joint.type != JointType::fixed && is_exact_zero(joint.armature.number) && !joint.motor &&
+               !is_dependent(robot, joint)) {
       diagnostics.warning(joint.place, named(joint) + " moves no mass: the inertia matrix is singular",
                           "give the links after it their <inertial>, or make it a fixed joint",
                           "joints that move no mass: the inertia matrix is singular");
