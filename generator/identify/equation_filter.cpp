@@ -134,9 +134,8 @@ void EquationFilter::mark_rest() {
 // equations of the others. At the beginning of a log a joint counts as standing until it moves.
 void EquationFilter::mark_standing() {
   constexpr double kSteps = 1.5, kDeviations = 5;  // of the encoder, of its noise
-  constexpr double kPeriods = 5;
   if (plan_.filter.band == 0) return;
-  const int long_time = static_cast<int>(std::ceil(kPeriods / (plan_.filter.band * plan_.filter.dt * stride_)));
+  const int long_time = plan_.filter.standing_strides();
   GridMotion& newest = pending_.back();
   for (int j = 0; j < n_; ++j) {
     const auto at = static_cast<std::size_t>(j);

@@ -50,12 +50,15 @@ class HypothesisSearch {
     if (is_open) gravity(robot);
     if (is_open) offsets();
     if (is_open) gravity_left_out(robot);
+    if (is_open && !best_) no_trace_of_gravity();
     return best_;
   }
 
   // Whether the torques look as if gravity were not in them.
   std::optional<FitHypothesis> without_gravity(const LoadedRobot& robot) {
-    if (!model_.mechanism().has_loops()) gravity_left_out(robot);
+    if (model_.mechanism().has_loops()) return best_;
+    gravity_left_out(robot);
+    if (!best_) no_trace_of_gravity();
     return best_;
   }
 
@@ -97,20 +100,31 @@ class HypothesisSearch {
     return of_file > 0 ? count + std::abs(std::log(std::max(of_both / of_file, kLeastRatio))) : count;
   }
 
-  // Torques of one joint that are too large are the same as those of another that are too small, where these two joints
-  // have nearly all parameters in common: both are named then.
+  // A gain of one joint's torques; of the sign, too.
+  struct Gain {
+    double cost = 0, odd = 0;
+    std::string text;
+  };
+
   void consider_gain(int i, double gain, const std::function<std::string()>& text) {
-    constexpr double kAlike = 0.02;  // share of what is explained
     VectorXd parameters;
     const double cost = rows_.cost_with_gain(i, gain, &parameters), odd = oddness(parameters);
-    const bool is_as_good = best_ && is_gain_ && std::abs(cost - least_) < kAlike * (before_ - noise_) &&
-                            std::abs(odd - odd_) < kClearlyOdder;
-    if (is_as_good && best_->text.find(", or ") == std::string::npos) {
-      best_->text += ", or " + text();
-    } else if (!is_as_good) {
-      consider(cost, text, odd);
-      is_gain_ = is_gain_ || (best_ && least_ == cost);
+    gains_.push_back({cost, odd, text()});
+    consider(cost, text, odd);
+    is_gain_ = is_gain_ || (best_ && least_ == cost);
+  }
+
+  // Torques of one joint that are too large are the same as those of another that are too small, where these two joints
+  // have nearly all parameters in common: all such joints are named then.
+  void name_equal_gains() {
+    constexpr double kAlike = 0.02;  // share of what is explained
+    if (!best_ || !is_gain_) return;
+    const double most = least_ + std::max(kAlike * (before_ - noise_), kChance);
+    std::vector<std::string> texts;
+    for (const Gain& each : gains_) {
+      if (each.cost < most && each.odd < odd_ + kClearlyOdder) texts.push_back(each.text);
     }
+    if (texts.size() > 1) best_->text = fmt::format("{}", fmt::join(texts, ", or "));
   }
 
   void torques() {
@@ -133,6 +147,7 @@ class HypothesisSearch {
       });
       gain(i);
     }
+    name_equal_gains();
   }
 
   // The gain with least cost, first among powers of 1.25 up to 10^4, then by thirds of the interval about it.
@@ -294,6 +309,38 @@ class HypothesisSearch {
                       std::min(1.0, (before_ - cost) / std::max(before_ - noise_, 1e-300))};
   }
 
+  // The weighted squares of gravity's torques with some parameters.
+  double squares_of_gravity(const VectorXd& parameters) const {
+    const auto n = static_cast<Index>(names_.size());
+    const VectorXd rest = VectorXd::Zero(n);
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Y(n, model_.parameters());
+    double squares = 0;
+    for (const RowSample::Instant& instant : rows_.instants()) {
+      model_.regressor(instant.q.data(), rest.data(), rest.data(), Y.data());
+      const VectorXd torques = Y * parameters;
+      for (Index i = 0; i < n; ++i) {
+        const auto joint = static_cast<std::size_t>(i);
+        if (instant.used[joint]) squares += rows_.weights()[joint] * torques[i] * torques[i];
+      }
+    }
+    return squares;
+  }
+
+  // Masses that only gravity shows come out as good as zero if it is not in the torques, and the fit is as good.
+  void no_trace_of_gravity() {
+    constexpr double kTrace = 0.05;  // share of the robot file's torques of gravity
+    const Eigen::Map<const VectorXd> file(model_.file_values().data(), model_.parameters());
+    VectorXd found;
+    rows_.cost(&found);
+    const double expected = squares_of_gravity(file);
+    if (kTrace * kTrace * expected < kChance) return;
+    if (squares_of_gravity(found.head(model_.parameters())) > kTrace * kTrace * expected) return;
+    best_ = FitHypothesis{
+        "gravity looks left out of the torques, as if it were compensated: they have no trace of what it does with the "
+        "robot file's masses (--gravity off says so)",
+        0};
+  }
+
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
   static constexpr double kChance = 60, kShareOfChance = 0.05;  // of the cost; of the noise
@@ -305,6 +352,7 @@ class HypothesisSearch {
   double before_ = 0, noise_ = 0, least_ = 0;
   double odd_ = 0;        // of the best one
   bool is_gain_ = false;  // whether the best one is a gain
+  std::vector<Gain> gains_;
   std::optional<FitHypothesis> best_;
 };
 
@@ -312,10 +360,16 @@ class HypothesisSearch {
 
 std::optional<FitHypothesis> best_hypothesis(const TorqueModel& model, const LoadedRobot& robot,
                                              const Measurement& measurement, const std::vector<JointFit>& fits) {
+  constexpr double kMuch = 0.6;
   HypothesisSearch search(model, measurement, fits);
   const bool is_suspicious =
       std::any_of(fits.begin(), fits.end(), [](const JointFit& fit) { return fit.is_suspicious(); });
-  return is_suspicious ? search.best(robot) : search.without_gravity(robot);
+  if (!is_suspicious) return search.without_gravity(robot);
+  const bool is_sound = std::all_of(fits.begin(), fits.end(), [](const JointFit& fit) { return fit.is_sound(); });
+  const std::optional<FitHypothesis> found = search.best(robot);
+  // Chance explains some of the little that a sound log leaves.
+  const bool is_chance = found && is_sound && found->explained > 0 && found->explained < kMuch;
+  return is_chance ? std::nullopt : found;
 }
 
 }  // namespace flatdyn

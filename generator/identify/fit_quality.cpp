@@ -23,6 +23,7 @@ ExpectedSquares expected_squares(const Observations& observations, const std::ve
   ExpectedSquares sums{counts, counts};
   for (std::size_t t = 0; t < instants.size(); ++t) {
     const MeasuredLog& log = logs[static_cast<std::size_t>(instants[t].log)];
+    if (log.derivatives == LogDerivatives::held) continue;
     const NoiseShape& shape = observations.shapes[static_cast<std::size_t>(instants[t].log)];
     const std::vector<MatrixXd> of_joints = rows(instants[t]);
     for (Index i = 0; i < left.cols(); ++i) {
@@ -88,12 +89,15 @@ std::optional<double> limit_of(const std::vector<EquationInstant>& instants, Ind
 }  // namespace
 
 // Rows of a log with all derivatives are not filtered: their noise is no larger in the fit than above any band, and the
-// filter's own error is a share of the torque.
+// filter's own error is a share of the torque. Between poses all torques change: nothing but the residuals tells noise.
 std::vector<JointFit> fit_quality(const Observations& observations, const std::vector<MeasuredLog>& logs,
                                   const VectorXd& values, const AccelerationRows& rows) {
   constexpr double kFiltersError = 1e-4;
   const MatrixXd left = residuals(observations, values);
   const ExpectedSquares squares = expected_squares(observations, logs, left, values, rows);
+  const bool are_poses = std::all_of(logs.begin(), logs.end(),
+                                     [](const MeasuredLog& log) { return log.derivatives == LogDerivatives::held; }) &&
+                         !logs.empty();
   std::vector<JointFit> fits;
   for (Index i = 0; i < left.cols(); ++i) {
     const JointObservations& joint = observations.joints[static_cast<std::size_t>(i)];
@@ -101,6 +105,7 @@ std::vector<JointFit> fit_quality(const Observations& observations, const std::v
     if (joint.rows > 0) {
       fit.expected = std::max(
           {std::sqrt(squares.of_torques[i] + squares.of_positions[i]), kFiltersError * joint.rms_torque(), 1e-12});
+      if (are_poses) fit.expected = std::max(joint.rms_residual(values), 1e-12);
       fit.ratio = joint.rms_residual(values) / fit.expected;
       fit.of_positions = squares.of_positions[i] / std::pow(fit.expected, 2);
       fit.correlation = correlation_of_neighbours(observations.instants, left.col(i));

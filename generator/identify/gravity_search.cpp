@@ -62,9 +62,17 @@ AffineRows affine_rows(const TorqueModel& model, const LoadedRobot& robot, const
   return result;
 }
 
-// The directions of the corners, edges and faces of a cube.
-std::vector<Vector3d> directions_around() {
+// The directions of the corners, edges and faces of a cube, and slight tilts of `file`, of either sign: the wrong sign
+// of a slight tilt may lead to the other side.
+std::vector<Vector3d> directions_around(const Vector3d& file) {
   std::vector<Vector3d> directions;
+  for (const double tilt : {0.1, 0.3, 0.6}) {
+    for (int k = 0; k < 6; ++k) {
+      const Vector3d axis = (k < 3 ? 1 : -1) * Vector3d::Unit(k % 3);
+      const Vector3d tilted = file.normalized() + tilt * axis;
+      if (tilted.norm() > 0) directions.push_back(tilted.normalized());
+    }
+  }
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
       for (int z = -1; z <= 1; ++z) {
@@ -101,8 +109,13 @@ Matrix3Xd across(const Matrix3Xd& space, const Vector3d& direction) {
 
 class DirectionSearch {
  public:
-  DirectionSearch(AffineRows affine, const RowSample& rows, const Vector3d& file)
-      : affine_(std::move(affine)), rows_(rows), file_(file), told_(directions_that_act(affine_)) {}
+  // masses: the robot file's parameters, all 13 of each joint.
+  DirectionSearch(AffineRows affine, const RowSample& rows, const Vector3d& file, VectorXd masses)
+      : affine_(std::move(affine)),
+        rows_(rows),
+        file_(file),
+        masses_(std::move(masses)),
+        told_(directions_that_act(affine_)) {}
 
   GravityFit run() {
     constexpr double kUntold = 0.25;  // rad, a standard deviation
@@ -130,13 +143,50 @@ class DirectionSearch {
     constexpr double kClearly = 0.5;  // share of the cost
     GravityFit best = improved(fit_at(file_));
     GravityFit around = best;
-    for (const Vector3d& direction : directions_around()) {
+    for (const Vector3d& direction : directions_around(file_)) {
       const GravityFit next = fit_at(gravity_along(direction));
       if (next.cost < around.cost) around = next;
     }
     around = improved(around);
-    // Masses may come out negative, so that the opposite direction fits nearly as well.
-    return around.cost < kClearly * best.cost ? around : best;
+    // Masses may come out negative, so that the opposite direction fits nearly as well, or a little better.
+    const bool is_better = around.cost < best.cost - kAlike &&
+                           likeness_of_masses(around.gravity) > likeness_of_masses(best.gravity) - kLikeness;
+    return with_positive_masses(is_better || around.cost < kClearly * best.cost ? around : best);
+  }
+
+  // Where gravity and masses can be reversed together, in some of gravity's components, positive masses are right.
+  GravityFit with_positive_masses(const GravityFit& fit) const {
+    GravityFit best = fit;
+    double likeness = likeness_of_masses(fit.gravity);
+    for (int signs = 1; signs < 1 << told_.cols(); ++signs) {
+      Vector3d mirrored = fit.gravity;
+      for (Index k = 0; k < told_.cols(); ++k) {
+        const Vector3d axis = axis_of(k);
+        if ((signs >> k & 1) != 0) mirrored -= 2 * axis.dot(fit.gravity) * axis;
+      }
+      const GravityFit next = improved(fit_at(mirrored));
+      const double next_likeness = likeness_of_masses(next.gravity);
+      if (next.cost > fit.cost + kAlike || next_likeness < likeness + kLikeness) continue;
+      best = next;
+      likeness = next_likeness;
+    }
+    return best;
+  }
+
+  // An axis of the space that is told: one of the base frame, where that is possible.
+  Vector3d axis_of(Index k) const { return told_.cols() == 3 ? Vector3d(Vector3d::Unit(k)) : Vector3d(told_.col(k)); }
+
+  // How like the robot file's masses and first moments those are that fit best: the sum of their cosines by link.
+  double likeness_of_masses(const Vector3d& gravity) const {
+    constexpr Index kOfMass = 4;  // m, mlx, mly, mlz
+    VectorXd found;
+    rows_.cost_of(affine_.at(gravity), &found);
+    double sum = 0;
+    for (Index at = 0; at < masses_.size(); at += kParametersPerJoint) {
+      const double sizes = masses_.segment(at, kOfMass).norm() * found.segment(at, kOfMass).norm();
+      if (sizes > 0) sum += masses_.segment(at, kOfMass).dot(found.segment(at, kOfMass)) / sizes;
+    }
+    return sum;
   }
 
   // Improves a direction by turns, half as large whenever none helps.
@@ -180,11 +230,13 @@ class DirectionSearch {
     return {turn.normalized(), std::sqrt(2 * scatter / least)};
   }
 
+  static constexpr double kAlike = 20, kLikeness = 0.3;  // differences that count for nothing, of cost and of likeness
   static constexpr double kFirstStep = 0.2, kLastStep = 1e-4;  // rad
 
   AffineRows affine_;
   const RowSample& rows_;
   Vector3d file_;
+  VectorXd masses_;
   Matrix3Xd told_;
 };
 
@@ -195,7 +247,11 @@ GravityFit gravity_direction(const TorqueModel& model, const LoadedRobot& robot,
   const Vec3& file = model.mechanism().gravity;
   const Vector3d nominal(nearest_double(file[0]), nearest_double(file[1]), nearest_double(file[2]));
   if (nominal.isZero()) return {nominal, 0, rows.cost()};
-  GravityFit best = DirectionSearch(affine_rows(model, robot, rows, 3), rows, nominal).run();
+  const std::vector<Number> file_masses = dynamic_parameters(model.mechanism());
+  VectorXd masses(static_cast<Index>(file_masses.size()));
+  std::transform(file_masses.begin(), file_masses.end(), masses.begin(),
+                 [](const Number& value) { return nearest_double(value); });
+  GravityFit best = DirectionSearch(affine_rows(model, robot, rows, 3), rows, nominal, std::move(masses)).run();
   const double size = nominal.norm();
   best.gravity = (best.gravity.array().abs() > kRounding * size).select(best.gravity, 0);
   best.angle = std::acos(std::clamp(best.gravity.dot(nominal) / (size * size), -1.0, 1.0));

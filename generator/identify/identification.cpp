@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/identification.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 
 namespace flatdyn {
@@ -37,9 +38,16 @@ Estimate estimate_of(const TorqueEquations& equations, const Measurement& measur
   return estimate(measurement.observations, equations.file_values(), options);
 }
 
+// Where an offset and a mass cannot be told apart, links may have another mass: the offset then is another one, too.
 Eigen::VectorXd Identification::physical_values() const {
   Eigen::VectorXd values = estimate.values;
-  values.head(physical.pi_b.size()) = physical.pi_b;
+  const Eigen::Index parameters = physical.pi_b.size(), further = values.size() - parameters;
+  const Eigen::VectorXd change = physical.pi_b - values.head(parameters);
+  values.head(parameters) = physical.pi_b;
+  const Eigen::MatrixXd& root = estimate.root_information;
+  if (further == 0 || root.rows() == 0 || root.cols() != values.size()) return values;
+  values.tail(further) -=
+      root.rightCols(further).completeOrthogonalDecomposition().solve(root.leftCols(parameters) * change);
   return values;
 }
 
@@ -64,6 +72,8 @@ Identification identification(const LoadedRobot& robot, const TorqueEquations& e
                                        without_offsets(found.estimate, model.parameters()));
   found.fits = fit_quality(found.measurement.observations, found.measurement.logs, found.estimate.values,
                            equations.acceleration_rows());
+  // Readings that were lost are a reason, and would be taken for others.
+  if (found.measurement.count.lost > 0) return found;
   progress.step("looking for a reason why the model may not fit");
   found.hypothesis = best_hypothesis(model, robot, found.measurement, found.fits);
   return found;

@@ -31,7 +31,7 @@ struct Identification {
   NonlinearUnknowns unknowns{};              // those that were searched
   std::vector<std::string> warning_texts{};  // sentences on results that are hardly right
 
-  // The physical parameters' π_b, with the offsets behind it.
+  // The physical parameters' π_b, and behind it the further parameters that fit the log best with these links.
   Eigen::VectorXd physical_values() const;
 };
 

@@ -108,7 +108,9 @@ void set_shapes(Measurement& measurement) {
   double correlation = 1;
   for (const MeasuredLog& log : measurement.logs) {
     NoiseShape shape = noise_shape(log.filter, log.derivatives);
-    for (const ChannelNoise& each : log.tau_noise) shape.measured_deviations.push_back(each.deviation);
+    for (const ChannelNoise& each : log.tau_noise) {
+      if (log.filter.band > 0) shape.measured_deviations.push_back(each.deviation);
+    }
     if (log.derivatives == LogDerivatives::none) {
       for (const ChannelNoise& each : log.q_noise) shape.acceleration_deviations.push_back(each.deviation);
     }
@@ -130,7 +132,7 @@ Measurement measure(const EquationModel& equations, const Mechanism& mechanism,
   for (PlannedLog& log : planned) {
     progress.step("reading " + log.path.string());
     const StreamPlan& plan = log.plan;
-    const LogDerivatives derivatives = derivatives_of(plan.layout());
+    const LogDerivatives derivatives = derivatives_of(plan);
     const NoiseShape shape = noise_shape(plan.filter, derivatives);
     const auto sink = [&, at = static_cast<int>(result.logs.size())](const FilteredEquations& filtered) {
       if (!shares.owns(filtered.line)) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/motion_stream.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -49,7 +50,8 @@ class Stream {
         rates_(mechanism, plan.heading, plan.filter.dt),
         signals_(plan),
         plan_(plan),
-        half_window_(plan.filter.half_window() + SpikeRepair::kReach),
+        half_window_(std::min(plan.filter.half_window() + SpikeRepair::kReach + plan.filter.standing_samples(),
+                              static_cast<int>(kBlock / 2))),
         shares_(shares),
         rate_checked_(log.string(), rates_, receiver, diagnostics),
         spikes_(plan, rate_checked_),
@@ -60,8 +62,9 @@ class Stream {
     receiver_.restart();
     for (long line = 0;; ++line) {
       if (!skip_to_needed(line) || !reader_.next(sample_.data())) {
-        shares_.end_log(line);
+        // The last samples still belong to this log.
         if (!diagnostics_.has_errors()) finish();
+        shares_.end_log(line);
         return count_;
       }
       if (first_.line == 0) first_ = reader_.place();
@@ -74,7 +77,8 @@ class Stream {
   }
 
  private:
-  // Whether the line belongs to the part, or to the filter's window about a line of the part.
+  // Whether the line belongs to the part, or to the filter's window about a line of the part, or to the time before it
+  // that tells whether a joint stands still.
   bool is_needed(long line) {
     return shares_.is_whole() || shares_.owns(line - half_window_) || shares_.owns(line + half_window_);
   }
@@ -84,6 +88,7 @@ class Stream {
     rates_.finish(first_, diagnostics_);
     spikes_.finish(first_.file, diagnostics_);
     signals_.finish(first_.file, diagnostics_);
+    count_.lost = signals_.lost_blocks();
   }
 
   // Skips blocks of other parts. Returns false at the end of the log.

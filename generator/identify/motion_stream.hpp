@@ -37,7 +37,8 @@ struct StreamPlan {
   double jitter = 0;  // standard deviation of the time between samples, divided by dt
   double start = 0;   // time of the first sample, s
   SampleFilter filter;
-  double delay = 0;  // StreamOptions::delay
+  double delay = 0;   // StreamOptions::delay
+  bool moves = true;  // false for logs of poses: all rates are zero
   // By joint: slower than this a joint may stand still, rad/s or m/s; 0 for logs of poses, in which no joint moves.
   std::vector<double> rest_speed;
   std::vector<ChannelNoise> q_noise, tau_noise;  // by position, by joint; tau_noise is empty without torques
@@ -49,12 +50,14 @@ struct StreamPlan {
 struct StreamCount {
   long lines = 0, used = 0, gaps = 0;
   long interpolated = 0;  // dropped samples that were put in
+  long lost = 0;          // blocks of readings that are frozen or zero, SignalCheck
 
   void add(const StreamCount& other) {
     lines += other.lines;
     used += other.used;
     gaps += other.gaps;
     interpolated += other.interpolated;
+    lost += other.lost;
   }
 };
 

@@ -59,24 +59,27 @@ double NoiseShape::correlation() const {
   return std::max(1.0, all / measured[0]);
 }
 
-LogDerivatives derivatives_of(const LogLayout& layout) {
+LogDerivatives derivatives_of(const StreamPlan& plan) {
+  const LogLayout& layout = plan.layout();
   if (!layout.has_rates) return LogDerivatives::none;
-  return layout.has_accelerations ? LogDerivatives::both : LogDerivatives::rates;
+  if (!layout.has_accelerations) return LogDerivatives::rates;
+  return plan.moves ? LogDerivatives::both : LogDerivatives::held;
 }
 
 NoiseShape noise_shape(const SampleFilter& filter, LogDerivatives derivatives) {
+  const double moves = derivatives == LogDerivatives::held ? 0 : 1;
   if (filter.band == 0) {
-    return {1, VectorXd::Unit(kLags, 0), VectorXd::Unit(kLags, 0),
+    return {1, VectorXd::Unit(kLags, 0), moves * VectorXd::Unit(kLags, 0),
             std::vector<VectorXd>(NoiseShape::kColours.size(), VectorXd::Zero(kLags))};
   }
   const int stride = filter.stride();
   const VectorXd narrow = vector_of_numbers(zero_phase_kernel(filter.band, filter.dt).weights[0]);
   const VectorXd coarse = vector_of_numbers(zero_phase_kernel(filter.band, filter.dt * stride).weights[0]);
   const ZeroPhaseKernel wide = zero_phase_kernel(filter.motion_band(), filter.dt);
-  const int order = 2 - static_cast<int>(derivatives);
-  NoiseShape result{
-      kRun, autocorrelation(narrow, kLags, filter.decimate),
-      autocorrelation(cascaded(vector_of_numbers(wide.weights[order]), coarse, stride), kLags, filter.decimate)};
+  const int order = std::max(0, 2 - static_cast<int>(derivatives));
+  NoiseShape result{kRun, autocorrelation(narrow, kLags, filter.decimate),
+                    moves * autocorrelation(cascaded(vector_of_numbers(wide.weights[order]), coarse, stride), kLags,
+                                            filter.decimate)};
   for (const double share : NoiseShape::kColours) {
     const double strides = 1 / (2 * std::numbers::pi * share * filter.band * filter.dt * stride);
     result.coloured.push_back(coloured_autocorrelation(coarse, strides, filter.decimate / stride));

@@ -129,7 +129,10 @@ class NonlinearSearch {
       if (fit_.unknowns.converged) return;
       const Estimate found = estimate_of(equations, measured(equations), {});
       fit_.unknowns.converged = are_small(equations, found);
-      if (fit_.unknowns.converged) return;
+      if (fit_.unknowns.converged) {
+        fit_.unknowns.converged = is_possible(found);
+        return;
+      }
       pi = whole(found);
       set_speed_factors(equations, found);
       apply(equations, found);
@@ -186,6 +189,16 @@ class NonlinearSearch {
       if (std::abs(found.values[k]) > std::max(kShare * found.standard_deviations[k], kLeast)) return false;
     }
     return true;
+  }
+
+  // Whether the parameters are those of a robot: a component of gravity that comes out as good as zero makes masses
+  // without bound.
+  bool is_possible(const Estimate& found) const {
+    constexpr double kFar = 1000;  // times the largest base parameter of the robot file
+    const std::vector<double>& file = fit_.model->file_values();
+    const Eigen::Map<const VectorXd> of_file(file.data(), static_cast<Index>(file.size()));
+    const double largest = found.values.head(of_file.size()).cwiseAbs().maxCoeff();
+    return !options_.gravity || largest <= kFar * of_file.cwiseAbs().maxCoeff();
   }
 
   // Corrects the unknowns, each by no more than its derivative is good for.

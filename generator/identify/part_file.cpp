@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* kKind = "part of an identification";
 // The version of the file's format: it rises whenever the contents or their meaning change.
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
 
 ordered_json numbers(const Eigen::MatrixXd& upper) {
   ordered_json list = ordered_json::array();
@@ -115,7 +115,7 @@ Measurement measurement_of(const ordered_json& json, const TorqueEquations& equa
     result.observations.instants.push_back(std::move(instant));
   }
   result.observations.stride = json.at("stride");
-  result.count = {json.at("lines"), json.at("used"), json.at("gaps"), json.at("interpolated")};
+  result.count = {json.at("lines"), json.at("used"), json.at("gaps"), json.at("interpolated"), json.at("lost")};
   result.logs = logs_from(json.at("logs"));
   set_shapes(result);
   return result;
@@ -224,7 +224,8 @@ std::string part_text(const Measurement& measurement, const TorqueEquations& equ
                        {"lines", measurement.count.lines},
                        {"used", measurement.count.used},
                        {"gaps", measurement.count.gaps},
-                       {"interpolated", measurement.count.interpolated}};
+                       {"interpolated", measurement.count.interpolated},
+                       {"lost", measurement.count.lost}};
   for (const JointObservations& joint : measurement.observations.joints) {
     json["joints"].push_back({{"rows", joint.rows}, {"R", numbers(joint.R)}});
   }

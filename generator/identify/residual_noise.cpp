@@ -67,7 +67,8 @@ FittedVariances with_known(const MatrixXd& H, const VectorXd& h, const VectorXd&
       right[k] += weight * known[k];
     }
     // Both kinds have very different units: each unknown is scaled by its own column.
-    const VectorXd units = all.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
+    const VectorXd diagonal = all.diagonal();
+    const VectorXd units = (diagonal.array() > 0).select(diagonal.cwiseSqrt().cwiseInverse(), 0);
     MatrixXd scaled = units.asDiagonal() * all * units.asDiagonal();
     result.values = units.cwiseProduct(nonnegative_minimum(scaled, units.cwiseProduct(right)));
     for (Index k = 0; k < optional; ++k) {

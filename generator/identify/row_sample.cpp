@@ -103,7 +103,7 @@ RowSample::Normal RowSample::sum_without(int joint, int other) const {
   return sum;
 }
 
-double RowSample::cost() const { return least(sum_without(-1)); }
+double RowSample::cost(VectorXd* parameters) const { return least(sum_without(-1), parameters); }
 
 double RowSample::count() const {
   double count = 0;
@@ -207,13 +207,13 @@ double RowSample::cost_with_delay(double& delay, int first, int end) const {
   return least_cost;
 }
 
-double RowSample::cost_of(const std::vector<MatrixXd>& Y) const {
+double RowSample::cost_of(const std::vector<MatrixXd>& Y, VectorXd* parameters) const {
   std::vector<int> same(static_cast<std::size_t>(model_.joints()));
   std::iota(same.begin(), same.end(), 0);
-  return cost_of(Y, same);
+  return cost_of(Y, same, parameters);
 }
 
-double RowSample::cost_of(const std::vector<MatrixXd>& Y, const std::vector<int>& of) const {
+double RowSample::cost_of(const std::vector<MatrixXd>& Y, const std::vector<int>& of, VectorXd* parameters) const {
   const Index columns = Y.front().cols();
   Normal sum{MatrixXd::Zero(columns, columns), VectorXd::Zero(columns)};
   for (std::size_t t = 0; t < instants_.size(); ++t) {
@@ -223,7 +223,7 @@ double RowSample::cost_of(const std::vector<MatrixXd>& Y, const std::vector<int>
       if (instants_[t].used[at]) sum.add(Y[t].row(i), instants_[t].tau[from], weights_[at]);
     }
   }
-  return least(sum);
+  return least(sum, parameters);
 }
 
 double RowSample::cost_with_more(const std::function<MatrixXd(const Instant&)>& columns) const {

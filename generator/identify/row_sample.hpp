@@ -15,7 +15,8 @@ class RowSample {
  public:
   RowSample(const TorqueModel& model, const Measurement& measurement, const std::vector<JointFit>& fits);
 
-  double cost() const;
+  double cost(Eigen::VectorXd* parameters = nullptr) const;
+  const std::vector<double>& weights() const { return weights_; }  // by joint, 1/σ_i²
   double count() const;
   // Torques of joint i that are `gain` times the right ones; noise is not part of the gain.
   double cost_with_gain(int joint, double gain, Eigen::VectorXd* parameters = nullptr) const;
@@ -41,7 +42,7 @@ class RowSample {
   };
   const std::vector<Instant>& instants() const { return instants_; }
   // The least cost with other rows, one matrix (n × columns) per instant.
-  double cost_of(const std::vector<Eigen::MatrixXd>& Y) const;
+  double cost_of(const std::vector<Eigen::MatrixXd>& Y, Eigen::VectorXd* parameters = nullptr) const;
   // With further columns behind those there are, n × any number.
   double cost_with_more(const std::function<Eigen::MatrixXd(const Instant&)>& columns) const;
 
@@ -70,7 +71,8 @@ class RowSample {
   std::vector<Eigen::MatrixXd> changed_rows(const std::function<void(Instant&)>& change,
                                             const std::function<void(Eigen::VectorXd&)>& map) const;
   // The cost of rows whose torques are those of the joints `of`.
-  double cost_of(const std::vector<Eigen::MatrixXd>& Y, const std::vector<int>& of) const;
+  double cost_of(const std::vector<Eigen::MatrixXd>& Y, const std::vector<int>& of,
+                 Eigen::VectorXd* parameters = nullptr) const;
 
   const TorqueModel& model_;
   int parameters_;  // with those behind π_b

@@ -25,6 +25,11 @@ int SampleFilter::rest_strides() const {
   return band > 0 ? static_cast<int>(std::ceil(1 / (2 * band * dt * stride()))) : 0;
 }
 
+int SampleFilter::standing_strides() const {
+  constexpr double kPeriods = 5;
+  return band > 0 ? static_cast<int>(std::ceil(kPeriods / (band * dt * stride()))) : 0;
+}
+
 int SampleFilter::motion_half_window() const { return band > 0 ? zero_phase_half_window(motion_band(), dt) : 0; }
 
 int SampleFilter::row_half_window() const {

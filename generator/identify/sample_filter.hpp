@@ -23,6 +23,9 @@ struct SampleFilter {
   int stride() const;
   // A joint rests if it is slow for half a period of the band: this many strides. 0 without a filter.
   int rest_strides() const;
+  // A joint stands still if its position stays the same for this many strides, five periods of the band; as samples.
+  int standing_strides() const;
+  int standing_samples() const { return standing_strides() * stride(); }
   // The number of samples that are needed on either side of one that is used.
   int half_window() const;
   // The parts of half_window(): samples that q, q̇, q̈ need, and strides that Y and τ need.

@@ -144,6 +144,12 @@ void SignalCheck::report_held(const std::string& file, Diagnostics& diagnostics)
   }
 }
 
+long SignalCheck::lost_blocks() const {
+  long blocks = 0;
+  for (const Signal& signal : signals_) blocks += signal.blocks;
+  return blocks;
+}
+
 void SignalCheck::finish(const std::string& file, Diagnostics& diagnostics) const {
   report_held(file, diagnostics);
   for (const Signal& signal : signals_) {

@@ -22,6 +22,8 @@ class SignalCheck {
   void restart();
   // One warning for each kind and channel, but for readings that are held: one for all channels that are so alike.
   void finish(const std::string& file, Diagnostics& diagnostics) const;
+  // The number of blocks in which a reading is frozen or zero.
+  long lost_blocks() const;
 
  private:
   // One channel. `noise`: the standard deviation of its noise; `step`: the least change of its reading.

@@ -212,6 +212,7 @@ StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechan
   const LogSurvey found = survey(log, plan.heading, plan.filter.dt);
   choose_filter(plan, options, found, heading, diagnostics);
   if (diagnostics.has_errors()) return plan;
+  plan.moves = found.moves;
   set_rest_speeds(plan, found, mechanism, options.rest_speed, heading, diagnostics);
   const LogLayout& layout = plan.layout();
   const auto channels = [](const std::vector<ChannelNoise>& of, int first, int count) {

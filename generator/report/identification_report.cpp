@@ -177,6 +177,22 @@ std::string physical_text(const PhysicalParameters& physical) {
       physical.largest_misfit, physical.converged ? "" : "; the search did not converge", physical.divergence);
 }
 
+// The further parameters that go with the links, where they are others than those that go with π_b.
+std::string further_of_links_text(const TorqueEquations& equations, const Identification& found) {
+  constexpr double kMuch = 1;  // standard deviations
+  const Eigen::VectorXd of_links = found.physical_values();
+  std::string others;
+  for (int k = equations.model().parameters(); k < equations.parameters() - equations.corrections(); ++k) {
+    const double change = std::abs(of_links(k) - found.estimate.values(k)),
+                 deviation = std::sqrt(found.estimate.covariance(k, k));
+    const bool is_told = std::isfinite(found.estimate.standard_deviations(k));
+    if (is_told ? change < kMuch * deviation : change < 1e-6 * std::abs(of_links(k))) continue;
+    others += fmt::format(" {} {:.6g}", equations.names()[static_cast<std::size_t>(k)], of_links(k));
+  }
+  if (others.empty()) return "";
+  return "with these links, other further parameters fit the log than with pi_b:" + others + "\n";
+}
+
 // How the parameters do on other logs, in a table and a sentence.
 std::string validation_text(const TorqueModel& model, const Identification& found) {
   constexpr double kMuch = 1.5;
@@ -214,7 +230,7 @@ std::string describe_identification(const TorqueEquations& equations, const Iden
   const Estimate& estimate = found.estimate;
   return data_text(found.measurement, found.unknowns) + "\n" + torque_table(model, found) + "\n" +
          parameter_table(equations, found, frames) + conditioning_text(estimate) + untold_text(equations, estimate) +
-         physical_text(found.physical) + validation_text(model, found);
+         physical_text(found.physical) + further_of_links_text(equations, found) + validation_text(model, found);
 }
 
 namespace {
@@ -254,10 +270,12 @@ void add_parameters(const TorqueEquations& equations, const Identification& foun
     if (found.joint_by_joint) parameter["joint_by_joint"] = (*found.joint_by_joint)(k);
   }
   json["further_parameters"] = nlohmann::ordered_json::array();
+  const Eigen::VectorXd of_links = found.physical_values();
   for (int k = model.parameters(); k < equations.parameters() - equations.corrections(); ++k) {
     json["further_parameters"].push_back({{"name", equations.names()[static_cast<std::size_t>(k)]},
                                           {"value", estimate.values(k)},
-                                          {"standard_deviation", estimate.standard_deviations(k)}});
+                                          {"standard_deviation", estimate.standard_deviations(k)},
+                                          {"value_with_links", of_links(k)}});
   }
   const NonlinearUnknowns& unknowns = found.unknowns;
   json["friction_speeds"] = equations.further().speeds;

@@ -124,17 +124,23 @@ void warn_of_fit(const TorqueModel& model, const Identification& found, std::vec
                                         bodies[i].joint, *fit.limit, torque_unit(bodies[i])));
   }
   if (found.hypothesis) {
-    warning_texts.push_back(fmt::format("{}; that explains {:.0f} % of what noise does not", found.hypothesis->text,
-                                        100 * found.hypothesis->explained));
+    warning_texts.push_back(found.hypothesis->text);
+    if (found.hypothesis->explained > 0) {
+      warning_texts.back() +=
+          fmt::format("; that explains {:.0f} % of what noise does not", 100 * found.hypothesis->explained);
+    }
   }
   if (bad.empty()) return;
-  warning_texts.push_back(fmt::format(
-      "the model does not fit: residuals to the noise of the log: {}{}", fmt::join(bad, ", "),
-      found.hypothesis ? ""
-                       : "; the model may lack friction or rotors (--parameters full), another law of friction "
-                         "(--friction), ripple or flexibility; the torques may have noise or vibration that is slower "
-                         "than the band, which intervals take account of; or columns, units or times of the log are "
-                         "not what they say"));
+  warning_texts.push_back(
+      fmt::format("the model does not fit: residuals to the noise of the log: {}{}", fmt::join(bad, ", "),
+                  found.measurement.count.lost > 0
+                      ? "; readings that were lost make such residuals: cut these times out of the log first"
+                  : found.hypothesis
+                      ? ""
+                      : "; the model may lack friction or rotors (--parameters full), another law of friction "
+                        "(--friction), ripple or flexibility; the torques may have noise or vibration that is slower "
+                        "than the band, which intervals take account of; or columns, units or times of the log are "
+                        "not what they say"));
 }
 
 // Reports joints whose residuals are steps of the encoder.
@@ -174,12 +180,14 @@ void warn_of_signs(const TorqueModel& model, const Estimate& estimate, std::vect
 // Reports masses that are far larger or smaller than the file's.
 void warn_of_scale(const TorqueModel& model, const Estimate& estimate, std::vector<std::string>& warning_texts) {
   constexpr double kFar = 5, kAlike = 0.8;  // factor; correlation
+  constexpr double kUnsure = 0.3;           // standard deviation, a share of the parameter
   double of_file = 0, of_both = 0, of_found = 0;
   for (int k = 0; k < model.parameters(); ++k) {
     const int index = model.base().columns[static_cast<std::size_t>(k)];
     const double deviation = estimate.standard_deviations(k);
     const double file = model.file_values()[static_cast<std::size_t>(k)];
     if (static_cast<int>(parameter_of(index)) >= kInertialPerBody || !std::isfinite(deviation)) continue;
+    if (deviation > kUnsure * std::max(std::abs(file), std::abs(estimate.values(k)))) continue;
     of_file += file * file;
     of_both += file * estimate.values(k);
     of_found += estimate.values(k) * estimate.values(k);
@@ -241,6 +249,9 @@ void warn_of_links(const TorqueModel& model, const Identification& found, std::v
   constexpr double kLarger = 1.5, kRounding = 1e-6;  // factor on the residual; share of the largest torque
   const auto& bodies = model.mechanism().joints();
   const PhysicalParameters& physical = found.physical;
+  // Links have the friction that a joint can have, where the log does not tell it.
+  const std::vector<bool>& told = found.unknowns.friction_told;
+  if (std::find(told.begin(), told.end(), false) != told.end()) return;
   warn_of_misfit(model, physical, warning_texts);
   const double negligible = kRounding * largest_rms_torque(found);
   for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -26,9 +26,9 @@ volatile std::sig_atomic_t length_of_last_words = 0;
 std::mutex changing;
 
 // Removes a folder. All calls here are safe in a handler (signal-safety(7)); another program removes what is in the
-// folder.
+// folder. glibc's fork() is not safe: it waits for the lock of malloc, which the interrupted thread may hold.
 void remove(const char* folder) {
-  const pid_t child = ::fork();
+  const pid_t child = ::_Fork();
   if (child == 0) {
     ::execl("/bin/rm", "rm", "-rf", "--", folder, nullptr);
     ::_exit(127);

@@ -23,6 +23,10 @@ TEST(SingularLoop, IsSaidSo) {
   const LoadedRobot model = testing::model_of_toml(text);
   const Function motion = derive_function(model.mechanism, "loop_motion");
   EXPECT_EQ(motion.loop_conditions, 1);
+  const Function forward = derive_function(model.mechanism, "forward_dynamics");  // its pivot is not compared
+  ASSERT_EQ(forward.pivot_scales.size(), forward.validity_conditions.size());
+  EXPECT_FALSE(has_scale(forward, 0));
+  EXPECT_TRUE(has_scale(forward, forward.validity_conditions.size() - 1));
   GraphEvaluator<double> graph(motion);
   State state;
   state.qd = state.qdd = {1};

@@ -95,6 +95,9 @@ std::vector<Number> sizes_of_diagonal(DerivationContext& context, const std::vec
 }  // namespace
 
 void Conditions::append(const Conditions& more) {
+  for (std::size_t k = pivot_scales.size(); !more.pivot_scales.empty() && k < validity_conditions.size(); ++k) {
+    pivot_scales.push_back(validity_conditions[k]);
+  }
   validity_conditions.insert(validity_conditions.end(), more.validity_conditions.begin(),
                              more.validity_conditions.end());
   pivot_scales.insert(pivot_scales.end(), more.pivot_scales.begin(), more.pivot_scales.end());

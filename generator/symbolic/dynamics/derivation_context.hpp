@@ -43,11 +43,12 @@ struct DerivationContext {
   PivotGuard guard;  // as in Choices
 };
 
-// The values that must be positive for a result to be valid, and the scales of the first of them (Function::pivot_scales).
+// The values that must be positive for a result to be valid, and the scales of the first of them
+// (Function::pivot_scales).
 struct Conditions {
   std::vector<NodeId> validity_conditions, pivot_scales;
 
-  // Appends conditions, which may have scales if all before them do.
+  // Appends conditions. If they have scales, conditions before them that have none become their own scales.
   void append(const Conditions& more);
 };
 // Pivots of B that are not compared with scales. Those that inputs can make infinite must be below kLargestPivot, too:

@@ -161,8 +161,9 @@ class PartsTest : public MeasurementTest {
     for (int k = 1; k <= kParts; ++k) files.push_back(part_of({whole_log}, k));
     return files;
   }
-  std::filesystem::path part_of(const std::vector<std::filesystem::path>& logs, int k) {
-    const StreamOptions options{.part = k, .parts = kParts};
+  std::filesystem::path part_of(const std::vector<std::filesystem::path>& logs, int k,
+                                std::optional<int> decimate = std::nullopt) {
+    const StreamOptions options{.decimate = decimate, .part = k, .parts = kParts};
     const std::filesystem::path file = folder / fmt::format("part{}.json", k);
     std::ofstream(file) << part_text(measured(logs, options), equations(), options);
     return file;
@@ -178,6 +179,18 @@ TEST_F(PartsTest, MakeUpTheWhole) {
   EXPECT_EQ(merged.count.lines, whole.count.lines);
   EXPECT_LT(largest_difference(merged.observations, whole.observations), 1e-13);
   EXPECT_LE(merged.observations.instants.size(), InstantSample::kMost);
+}
+
+// The last samples of a log, which are held back until it is read, belong to the part that has the lines before them.
+TEST_F(PartsTest, HaveTheLastRowsOfALog) {
+  const std::filesystem::path brief = log(simulated(arm(), {.samples = 3000, .rate = 250}), LogDerivatives::none);
+  const Measurement whole = measured({brief}, {.decimate = 1});
+  std::vector<std::filesystem::path> files;
+  for (int k = 1; k <= kParts; ++k) files.push_back(part_of({brief}, k, 1));
+  const Measurement merged = merge_parts(files, equations(), found);
+  ASSERT_FALSE(found.has_errors());
+  EXPECT_EQ(merged.count.used, whole.count.used);
+  EXPECT_LT(largest_difference(merged.observations, whole.observations), 1e-13);
 }
 
 // Filtered samples have correlated noise, in whichever order the logs come and whichever part has them.
@@ -302,9 +315,9 @@ TEST_F(PartsTest, OfOtherLogsAreRefused) {
 
 TEST_F(PartsTest, OfAnotherVersionAreRefused) {
   const std::string text = part_text(measured({log(simulated(arm(), {.samples = 50}))}), equations(), {});
-  const std::string version = "\"version\":3,";
+  const std::string version = "\"version\":4,";
   ASSERT_NE(text.find(version), std::string::npos);
-  for (const std::string other : {"", "\"version\":2,", "\"version\":\"3\","}) {
+  for (const std::string other : {"", "\"version\":3,", "\"version\":\"4\","}) {
     found = {};
     std::ofstream(folder / "part.json") << std::string(text).replace(text.find(version), version.size(), other);
     merge_parts({folder / "part.json"}, equations(), found);
