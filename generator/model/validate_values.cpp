@@ -155,11 +155,10 @@ void check_joint(Joint& joint, Diagnostics& diagnostics) {
   check_limits(joint, diagnostics);
 }
 
-// Whether the joint follows others in a closed loop: its own inertia may be zero.
-bool is_dependent(const Robot& robot, const Joint& joint) {
-  return std::any_of(robot.loops.begin(), robot.loops.end(), [&joint](const Loop& loop) {
-    return std::any_of(loop.dependent.begin(), loop.dependent.end(),
-                       [&joint](const Reference& each) { return each.name == joint.name; });
+// Whether a closed loop goes through the link: joints before it move what the loop takes along.
+bool is_in_loop(const Robot& robot, const Link& link) {
+  return std::any_of(robot.loops.begin(), robot.loops.end(), [&link](const Loop& loop) {
+    return loop.links[0].name == link.name || loop.links[1].name == link.name;
   });
 }
 
@@ -167,6 +166,7 @@ bool is_dependent(const Robot& robot, const Joint& joint) {
 void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
   std::vector<bool> has_inertia(robot.links.size(), false);
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    has_inertia[i] = is_in_loop(robot, robot.links[i]);
     for (const Inertial& inertial : robot.links[i].inertials) {
       if (!is_exact_zero(inertial.mass.number)) has_inertia[i] = true;
       for (const Vec3& row : inertial.tensor) {
@@ -183,8 +183,7 @@ void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
     const Joint& joint = robot.joints[static_cast<std::size_t>(*index)];
     if (has_inertia[static_cast<std::size_t>(joint.child)]) {
       has_inertia[static_cast<std::size_t>(joint.parent)] = true;
-    } else if (joint.type != JointType::fixed && is_exact_zero(joint.armature.number) && !joint.motor &&
-               !is_dependent(robot, joint)) {
+    } else if (joint.type != JointType::fixed && is_exact_zero(joint.armature.number) && !joint.motor) {
       diagnostics.warning(joint.place, named(joint) + " moves no mass: the inertia matrix is singular",
                           "give the links after it their <inertial>, or make it a fixed joint",
                           "joints that move no mass: the inertia matrix is singular");
