@@ -51,8 +51,8 @@ void at_point(std::uint64_t seed, const Compare& compare, std::set<MismatchKey>&
       continue;
     }
   }
-  throw Failure(ExitCode::unsupported, "the function divides by zero at every position: B(q) is singular",
-                "give the links that a joint moves their inertia, or its motor a rotor");
+  throw Failure(ExitCode::unsupported, "the function divides by zero at every position",
+                "give the links between its joints their inertia");
 }
 
 template <class Compare>
