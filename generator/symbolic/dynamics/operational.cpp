@@ -14,7 +14,8 @@
 namespace flatdyn {
 namespace {
 
-// By independent coordinate, the square of how far a unit of it can move the tip, m, or turn it, rad, links stretched.
+// By independent coordinate, the square of how far a unit of it can move the tip, m, or turn it, rad: links stretched,
+// slides at 0.
 std::vector<Number> squares_of_motion(const Mechanism& mechanism, bool is_translation) {
   const std::vector<int> path = path_to(mechanism, mechanism.tip.body);
   std::vector<Number> of_body(static_cast<std::size_t>(mechanism.body_count()), 0);
