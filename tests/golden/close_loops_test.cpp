@@ -37,7 +37,7 @@ constexpr const char* kChecks = R"(
   double few[3] = {0.1, 1.0, 0.2};
   if (CLOSE(few, 1e-12, 1) || few[0] != 0.1 || few[1] != 1.0 || few[2] != 0.2) return 6;
   double closed[3] = {0, 0, 0.45};
-  if (!CLOSE(closed, 0, 20) || CLOSE(closed, -1, 20)) return 7;
+  if (!CLOSE(closed, 0.0, 20) || CLOSE(closed, -1.0, 20)) return 7;
   return 0;
 )";
 
