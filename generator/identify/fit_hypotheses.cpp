@@ -83,15 +83,27 @@ class HypothesisSearch {
     best_ = FitHypothesis{text(), std::min(explained, 1.0)};
   }
 
-  // The number of parameters of friction and rotors that are negative, and how far masses are from the file's, as the
-  // logarithm of their ratio: that speaks against the parameters.
+  // The weighted squares of the torques that one parameter makes.
+  double squares_of(int parameter, double value) const {
+    double squares = 0;
+    for (const RowSample::Instant& instant : rows_.instants()) {
+      for (std::size_t i = 0; i < instant.used.size(); ++i) {
+        const double torque = instant.Y(static_cast<Index>(i), parameter) * value;
+        if (instant.used[i]) squares += rows_.weights()[i] * torque * torque;
+      }
+    }
+    return squares;
+  }
+
+  // The number of parameters of friction and rotors that are negative by more than chance, and how far masses are from
+  // the file's, as the logarithm of their ratio: that speaks against the parameters.
   double oddness(const VectorXd& parameters) const {
     constexpr double kLeastRatio = 1e-3;
     double count = 0, of_file = 0, of_both = 0;
     for (int k = 0; k < model_.parameters(); ++k) {
       const Parameter kind = parameter_of(model_.base().columns[at(k)]);
       if (kind == Parameter::Im || kind == Parameter::Fv || kind == Parameter::Fs) {
-        count += parameters[k] < 0 ? 1 : 0;
+        count += parameters[k] < 0 && squares_of(k, parameters[k]) > kChance ? 1 : 0;
       } else {
         of_file += std::pow(model_.file_values()[at(k)], 2);
         of_both += model_.file_values()[at(k)] * parameters[k];
@@ -302,39 +314,50 @@ class HypothesisSearch {
     if (std::all_of(g.begin(), g.end(), vanishes)) return;
     const double cost = cost_without_gravity(model_, robot, rows_);
     const bool is_clear = before_ - cost > std::max(kChance, (before_ - noise_) / 2);
-    if (!is_clear || (best_ && least_ - cost < kChance)) return;
+    if (!is_clear || (best_ && cost > least_ + kChance)) return;
+    const std::string other = best_ && cost > least_ - kChance ? ", or " + best_->text : "";
     least_ = cost;
-    best_ =
-        FitHypothesis{"gravity looks left out of the torques, as if it were compensated (--gravity off fits better)",
-                      std::min(1.0, (before_ - cost) / std::max(before_ - noise_, 1e-300))};
+    best_ = FitHypothesis{
+        "gravity looks left out of the torques, as if it were compensated (--gravity off fits better)" + other,
+        std::min(1.0, (before_ - cost) / std::max(before_ - noise_, 1e-300))};
   }
 
-  // The weighted squares of gravity's torques with some parameters.
-  double squares_of_gravity(const VectorXd& parameters) const {
+  // Weighted squares of torques.
+  struct Squares {
+    double of_gravity = 0, of_motion = 0;
+  };
+
+  // Those that some parameters make.
+  Squares squares_with(const VectorXd& parameters) const {
     const auto n = static_cast<Index>(names_.size());
     const VectorXd rest = VectorXd::Zero(n);
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Y(n, model_.parameters());
-    double squares = 0;
+    Squares squares;
     for (const RowSample::Instant& instant : rows_.instants()) {
       model_.regressor(instant.q.data(), rest.data(), rest.data(), Y.data());
-      const VectorXd torques = Y * parameters;
+      const VectorXd of_gravity = Y * parameters;
+      const VectorXd of_motion = instant.Y.leftCols(parameters.size()) * parameters - of_gravity;
       for (Index i = 0; i < n; ++i) {
         const auto joint = static_cast<std::size_t>(i);
-        if (instant.used[joint]) squares += rows_.weights()[joint] * torques[i] * torques[i];
+        if (!instant.used[joint]) continue;
+        squares.of_gravity += rows_.weights()[joint] * of_gravity[i] * of_gravity[i];
+        squares.of_motion += rows_.weights()[joint] * of_motion[i] * of_motion[i];
       }
     }
     return squares;
   }
 
-  // Masses that only gravity shows come out as good as zero if it is not in the torques, and the fit is as good.
+  // Masses that only gravity shows come out as good as zero if it is not in the torques, and the fit is as good. Where
+  // all torques are smaller, their unit is another one.
   void no_trace_of_gravity() {
     constexpr double kTrace = 0.05;  // share of the robot file's torques of gravity
     const Eigen::Map<const VectorXd> file(model_.file_values().data(), model_.parameters());
     VectorXd found;
     rows_.cost(&found);
-    const double expected = squares_of_gravity(file);
-    if (kTrace * kTrace * expected < kChance) return;
-    if (squares_of_gravity(found.head(model_.parameters())) > kTrace * kTrace * expected) return;
+    const Squares expected = squares_with(file), there = squares_with(found.head(model_.parameters()));
+    if (kTrace * kTrace * expected.of_gravity < kChance) return;
+    const double size = expected.of_motion > 0 ? std::min(1.0, there.of_motion / expected.of_motion) : 1;
+    if (there.of_gravity > kTrace * kTrace * size * expected.of_gravity) return;
     best_ = FitHypothesis{
         "gravity looks left out of the torques, as if it were compensated: they have no trace of what it does with the "
         "robot file's masses (--gravity off says so)",

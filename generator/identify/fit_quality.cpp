@@ -32,7 +32,7 @@ ExpectedSquares expected_squares(const Observations& observations, const std::ve
       const auto at = static_cast<std::size_t>(place);
       sums.of_torques[i] += shape.measured[0] * std::pow(log.tau_noise[at].deviation, 2);
       for (std::size_t j = 0; j < of_joints.size() && log.derivatives == LogDerivatives::none; ++j) {
-        const double column = of_joints[j].row(place).dot(values);
+        const double column = of_joints[j].row(place).dot(with_known_part(values, of_joints[j].cols()));
         sums.of_positions[i] += shape.acceleration[0] * std::pow(column * log.q_noise[j].deviation, 2);
       }
       counts[i] += 1;

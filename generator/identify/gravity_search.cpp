@@ -115,7 +115,10 @@ class DirectionSearch {
         rows_(rows),
         file_(file),
         masses_(std::move(masses)),
-        told_(directions_that_act(affine_)) {}
+        told_(directions_that_act(affine_)) {
+    // Where the file's gravity is across all of these, it must turn for any of it to act.
+    if ((told_.transpose() * file_).isZero(1e-9)) told_ = Matrix3d::Identity();
+  }
 
   GravityFit run() {
     constexpr double kUntold = 0.25;  // rad, a standard deviation

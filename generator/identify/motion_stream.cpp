@@ -47,7 +47,7 @@ class Stream {
       : reader_(log, plan.heading, diagnostics),
         diagnostics_(diagnostics),
         positions_(mechanism, plan.heading),
-        rates_(mechanism, plan.heading, plan.filter.dt),
+        rates_(mechanism, plan.heading, plan.filter.dt, plan.moves),
         signals_(plan),
         plan_(plan),
         half_window_(std::min(plan.filter.half_window() + SpikeRepair::kReach + plan.filter.standing_samples(),

@@ -22,8 +22,9 @@ struct SplitInformation {
 };
 
 SplitInformation split(const Solution& solution, const MatrixXd& false_information) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(solution.spread.transpose() * false_information *
-                                                      solution.spread);
+  const Index size = solution.spread.rows();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(solution.spread.transpose() *
+                                                      false_information.topLeftCorner(size, size) * solution.spread);
   SplitInformation result{eigen.eigenvalues(), eigen.eigenvectors()};
   result.told = (result.shares.array() <= NoisyDirection::kMost).count();
   return result;
@@ -35,11 +36,16 @@ MatrixXd weighted_sum(const std::vector<MatrixXd>& of_joints, const VectorXd& va
   return sum;
 }
 
+// E[ΔYᵀ W ΔY] times the parameters, the known part of the torques among them.
+VectorXd false_moment(const MatrixXd& false_information, const VectorXd& values) {
+  return false_information.topRows(values.size()) * with_known_part(values, false_information.cols());
+}
+
 // The coordinates along the told directions without what noise of positions makes of them. `fitted`: the values of
 // least squares.
 VectorXd told_coordinates(const Solution& solution, const SplitInformation& split, const MatrixXd& false_information,
                           const VectorXd& fitted) {
-  const VectorXd bias = solution.spread.transpose() * (false_information * fitted);
+  const VectorXd bias = solution.spread.transpose() * false_moment(false_information, fitted);
   return split.told_directions().transpose() * solution.coordinates +
          split.gains().cwiseProduct(split.told_directions().transpose() * bias);
 }
@@ -52,7 +58,7 @@ MatrixXd told_covariance(const Solution& solution, const SplitInformation& split
   if (of_joints.empty()) return covariance;
   MatrixXd by_variance(split.told, noise.acceleration.size());
   for (std::size_t j = 0; j < of_joints.size(); ++j) {
-    by_variance.col(static_cast<Index>(j)) = map.transpose() * (of_joints[j] * solution.values);
+    by_variance.col(static_cast<Index>(j)) = map.transpose() * false_moment(of_joints[j], solution.values);
   }
   covariance += by_variance * noise.acceleration_covariance * by_variance.transpose();
   return covariance;

@@ -248,7 +248,7 @@ void set_deviations(NonlinearUnknowns& unknowns, const TorqueEquations& equation
   const std::vector<Index> places = places_of_gravity(equations);
   if (!unknowns.gravity) return;
   const Eigen::MatrixXd angles = estimate.covariance(places, places);
-  unknowns.gravity->covariance.setZero();
+  unknowns.gravity->covariance.setConstant(places.empty() ? std::numeric_limits<double>::quiet_NaN() : 0);
   for (std::size_t j = 0; j < places.size(); ++j) {
     for (std::size_t k = 0; k < places.size(); ++k) {
       unknowns.gravity->covariance += angles(static_cast<Index>(j), static_cast<Index>(k)) *

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -36,12 +37,13 @@ struct NonlinearAccess {
 struct FoundGravity {
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();         // in the base frame, m/s²
   Eigen::Matrix3Xd told = Eigen::Matrix3Xd::Identity(3, 3);  // GravityFit::told
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();      // (m/s²)²
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();      // (m/s²)²; NaN where it counts as exact
 };
 
 struct NonlinearUnknowns {
   std::optional<FoundGravity> gravity{};
-  double delay = 0, delay_deviation = 0;   // s
+  double delay = 0;                                                   // s
+  double delay_deviation = std::numeric_limits<double>::quiet_NaN();  // s; NaN where the delay counts as exact
   std::vector<double> speed_deviations{};  // by joint, rad/s or m/s; NaN where a speed counts as exact
   std::vector<bool> friction_told{};       // by joint, FrictionSpeeds::are_told; empty if the law has no speeds
   bool converged = true;                   // whether the corrections became small

@@ -152,11 +152,12 @@ PayloadProblem payload_problem(const TorqueModel& model, const LoadedRobot& robo
   const MatrixXd payload = base_change(model), lacking = change_by_lacking(model, robot);
   MatrixXd change(payload.rows(), payload.cols() + lacking.cols());
   change << payload, lacking;
-  return {substituted(with_payload, known, change),
-          [&model, change](const EquationInstant& instant) {
-            return times(model.acceleration_rows(instant.q.data()), change);
-          },
-          VectorXd::Zero(change.cols())};
+  MatrixXd all(change.rows(), change.cols() + 1);
+  all << change, known;
+  return {
+      substituted(with_payload, known, change),
+      [&model, all](const EquationInstant& instant) { return times(model.acceleration_rows(instant.q.data()), all); },
+      VectorXd::Zero(change.cols())};
 }
 
 PayloadProblem payload_problem(const TorqueModel& model, const Observations& with_payload,

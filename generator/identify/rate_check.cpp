@@ -14,11 +14,11 @@ bool is_near(double value, double expected) { return value > expected / 2 && val
 
 }  // namespace
 
-RateCheck::RateCheck(const Mechanism& mechanism, const LogHeading& heading, double dt)
+RateCheck::RateCheck(const Mechanism& mechanism, const LogHeading& heading, double dt, bool moves)
     : dt_(dt), names_(heading.channel_names()), last_(names_.size()) {
   const LogLayout& layout = heading.layout;
   for (int i = 0; i < mechanism.position_count(); ++i) {
-    if (!mechanism.joint_at(i).prismatic) angles_.push_back(LogLayout::q() + i);
+    if (moves && !mechanism.joint_at(i).prismatic) angles_.push_back(LogLayout::q() + i);
   }
   if (!layout.has_rates) return;
   const auto add_pair = [this](int channel, int rate) {

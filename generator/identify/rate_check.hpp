@@ -14,8 +14,8 @@ namespace flatdyn {
 
 class RateCheck {
  public:
-  // dt: the usual time between samples, s.
-  RateCheck(const Mechanism& mechanism, const LogHeading& heading, double dt);
+  // dt: the usual time between samples, s. moves: false for logs of poses, whose lines may be anywhere.
+  RateCheck(const Mechanism& mechanism, const LogHeading& heading, double dt, bool moves);
 
   // Adds the next sample. `place` is called if an angle jumps, which causes one warning per joint.
   template <class PlaceOf>

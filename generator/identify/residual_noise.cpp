@@ -32,7 +32,9 @@ std::vector<MatrixXd> inertias(const Observations& observations, const VectorXd&
   for (const EquationInstant& instant : observations.instants) {
     const std::vector<MatrixXd> of_joints = rows(instant);
     MatrixXd B(of_joints.front().rows(), static_cast<Index>(of_joints.size()));
-    for (std::size_t j = 0; j < of_joints.size(); ++j) B.col(static_cast<Index>(j)) = of_joints[j] * values;
+    for (std::size_t j = 0; j < of_joints.size(); ++j) {
+      B.col(static_cast<Index>(j)) = of_joints[j] * with_known_part(values, of_joints[j].cols());
+    }
     result.push_back(std::move(B));
   }
   return result;
@@ -80,6 +82,24 @@ FittedVariances with_known(const MatrixXd& H, const VectorXd& h, const VectorXd&
         units.asDiagonal() * scaled.completeOrthogonalDecomposition().pseudoInverse() * units.asDiagonal();
   }
   return result;
+}
+
+// The same, without noise of accelerations (the last `joints` unknowns) where neither the log tells it nor the
+// residuals show it, as with q̈ of its own: its uncertainty alone would widen all intervals.
+FittedVariances without_doubtful(const MatrixXd& H, const VectorXd& h, const VectorXd& known, Index optional,
+                                 Index joints) {
+  const FittedVariances all = with_known(H, h, known, optional);
+  if (joints == 0 || (known.tail(joints).array() > 0).any()) return all;
+  MatrixXd fewer = H;
+  fewer.rightCols(joints).setZero();
+  fewer.bottomRows(joints).setZero();
+  VectorXd right = h;
+  right.tail(joints).setZero();
+  const FittedVariances without = with_known(fewer, right, known, optional);
+  const auto misfit = [&](const VectorXd& x) { return x.dot(H * x) - 2 * h.dot(x); };
+  // By chance, about one per joint at most.
+  const double explained = misfit(without.values) - misfit(all.values);
+  return explained > static_cast<double>(joints) ? all : without;
 }
 
 // The mean products of residuals of two equations that are `lag` rows apart, and what the kinds of noise make of them:
@@ -194,6 +214,12 @@ Index joints_of(const std::vector<MatrixXd>& B) { return B.empty() ? 0 : B.front
 
 }  // namespace
 
+VectorXd with_known_part(const VectorXd& values, Index columns) {
+  VectorXd result = VectorXd::Ones(columns);
+  result.head(values.size()) = values;
+  return result;
+}
+
 MatrixXd residuals(const Observations& observations, const VectorXd& values) {
   const auto n = static_cast<Index>(observations.joints.size());
   MatrixXd result = MatrixXd::Constant(static_cast<Index>(observations.instants.size()), n, std::nan(""));
@@ -263,7 +289,7 @@ ResidualNoise residual_noise(const Observations& observations, const VectorXd& v
       }
     }
   }
-  const auto [variances, covariance] = with_known(H, h, known, colours);
+  const auto [variances, covariance] = without_doubtful(H, h, known, colours, joints);
   return {variances.segment(colours, n), Eigen::Map<const MatrixXd>(variances.data(), kColours, n).transpose(),
           variances.tail(joints), covariance.bottomRightCorner(joints, joints)};
 }
@@ -311,11 +337,13 @@ std::vector<MatrixXd> false_information(const Observations& observations, const 
   for (const EquationInstant& instant : observations.instants) {
     const double power = observations.shapes[static_cast<std::size_t>(instant.log)].acceleration[0];
     const std::vector<MatrixXd> of_joints = rows(instant);
-    result.resize(of_joints.size(), MatrixXd::Zero(observations.parameters, observations.parameters));
+    const Index all = of_joints.empty() ? 0 : of_joints.front().cols();
+    result.resize(of_joints.size(), MatrixXd::Zero(all, all));
     for (std::size_t i = 0; i < instant.used.size(); ++i) {
       const auto row = static_cast<Index>(i), equation = instant.first + row;
       if (instant.used[i] == 0) continue;
-      const std::vector<int>& columns = observations.joints[static_cast<std::size_t>(equation)].columns;
+      std::vector<int> columns = observations.joints[static_cast<std::size_t>(equation)].columns;
+      if (all > observations.parameters) columns.push_back(observations.parameters);
       const double weight = power * weights[equation] * ratios[equation];
       for (std::size_t j = 0; j < of_joints.size(); ++j) {
         const VectorXd gains = of_joints[j](row, columns);

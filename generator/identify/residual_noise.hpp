@@ -16,8 +16,12 @@
 namespace flatdyn {
 
 // ∂Y/∂q̈_j of an instant by joint j: one row per equation of the instant, one column per parameter. Times the
-// parameters, this is column j of B(q).
+// parameters, this is column j of B(q). If some of the torques is known and not in Y, a last column has this part's
+// share of column j of B(q).
 using AccelerationRows = std::function<std::vector<Eigen::MatrixXd>(const EquationInstant& instant)>;
+
+// `values` as `columns` numbers: with 1 behind them for the known part of acceleration rows, if they have one.
+Eigen::VectorXd with_known_part(const Eigen::VectorXd& values, Eigen::Index columns);
 
 // Residuals of all equations at the instants, NaN where an equation is not used: instants × equations.
 Eigen::MatrixXd residuals(const Observations& observations, const Eigen::VectorXd& values);
@@ -47,7 +51,7 @@ Eigen::MatrixXd score_covariance(const Observations& observations, const Eigen::
                                  const AccelerationRows& rows);
 
 // Noise of positions is in Y, too, where least squares takes it for motion: E[ΔYᵀ W ΔY] by joint, b² each, of noise
-// with variance 1 in every sample. Empty if `rows` is null.
+// with variance 1 in every sample, and as many columns more as acceleration rows have. Empty if `rows` is null.
 std::vector<Eigen::MatrixXd> false_information(const Observations& observations, const Eigen::VectorXd& weights,
                                                const AccelerationRows& rows);
 

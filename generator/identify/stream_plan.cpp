@@ -69,7 +69,7 @@ void check_time(const RateCheck& rates, const StreamPlan& plan, const Place& pla
 void check_units(const Mechanism& mechanism, const StreamPlan& plan, const std::vector<SurveyedSample>& samples,
                  const Place& heading, Diagnostics& diagnostics) {
   PositionCheck positions(mechanism, plan.heading);
-  RateCheck rates(mechanism, plan.heading, plan.filter.dt);
+  RateCheck rates(mechanism, plan.heading, plan.filter.dt, plan.moves);
   Diagnostics found;
   for (const SurveyedSample& sample : samples) {
     if (!positions.accepts(sample.channels.data(), sample.place, found)) break;

@@ -46,7 +46,9 @@ std::string data_text(const Measurement& measurement, const NonlinearUnknowns& u
   }
   if (unknowns.delay != 0) {
     text += fmt::format("; torques taken {:.2f} ms later than the positions", 1000 * unknowns.delay);
-    if (unknowns.delay_deviation > 0) text += fmt::format(" (std dev {:.2g} ms)", 1000 * unknowns.delay_deviation);
+    if (!std::isnan(unknowns.delay_deviation)) {
+      text += fmt::format(" (std dev {:.2g} ms)", 1000 * unknowns.delay_deviation);
+    }
   }
   if (measurement.count.gaps > 0) text += fmt::format("; {} gaps in time", measurement.count.gaps);
   return text + "\n";
@@ -105,8 +107,11 @@ Eigen::Vector3d deviations_of(const FoundGravity& gravity) { return gravity.cova
 std::string gravity_text(const NonlinearUnknowns& unknowns) {
   if (!unknowns.gravity) return "";
   const Eigen::Vector3d &g = unknowns.gravity->gravity, deviation = deviations_of(*unknowns.gravity);
-  return fmt::format("gravity is [{:.6g}, {:.6g}, {:.6g}] m/s^2 in the base frame, std dev [{:.2g}, {:.2g}, {:.2g}]\n",
-                     g.x(), g.y(), g.z(), deviation.x(), deviation.y(), deviation.z());
+  const std::string exact = ", which counts as exact\n";
+  return fmt::format("gravity is [{:.6g}, {:.6g}, {:.6g}] m/s^2 in the base frame", g.x(), g.y(), g.z()) +
+         (deviation.hasNaN()
+              ? exact
+              : fmt::format(", std dev [{:.2g}, {:.2g}, {:.2g}]\n", deviation.x(), deviation.y(), deviation.z()));
 }
 
 // A row of the table of parameters, before the combination.

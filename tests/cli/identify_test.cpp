@@ -287,6 +287,30 @@ TEST(Identify, SaysThatALogIsTooShortForTheFilter) {
   EXPECT_THAT(outcome.err, HasSubstr("none of 50 samples can be used: the filter's window has 143 of them"));
 }
 
+// The weight on an upright prismatic joint and asymmetric friction are one constant force. The links that are written
+// have some mass, and the asymmetry that is reported with them makes up for the rest.
+TEST(Identify, GivesTheFrictionThatGoesWithTheLinks) {
+  constexpr double kMass = 5, kGravity = 9.81, kAsymmetric = 30, kCoulomb = 8;  // kg, m/s^2, N, N
+  const Scratch scratch;
+  scratch.write("lift.toml",
+                "dh = \"standard\"\ngravity = [0, 0, \"-9.81\"]\n[[link]]\njoint = \"lift\"\ntype = \"prismatic\"\n"
+                "mass = 5\ninertia = { xx = 0.1, yy = 0.1, zz = 0.1 }\ninertia_about = \"com\"\n");
+  std::vector<SimulatedSample> samples =
+      simulated(load_robot(scratch.path("lift.toml"), {}), {.samples = 2000, .noise = 0.5});
+  for (SimulatedSample& sample : samples) {
+    sample.tau(0) += kAsymmetric + kCoulomb * ((sample.qd(0) > 0) - (sample.qd(0) < 0));
+  }
+  write_log(scratch.path("log.csv"), samples);
+  const Outcome outcome =
+      run_flatdyn(fmt::format("identify {} -q --json --friction asymmetric --data {} -o {}", scratch.path("lift.toml"),
+                              scratch.path("log.csv"), scratch.path("found.toml")));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json further = json::parse(outcome.out)["further_parameters"].at(0);
+  const double mass =
+      nearest_double(load_robot(scratch.path("found.toml"), {}).robot.links.back().inertials.front().mass.number);
+  EXPECT_NEAR(mass * kGravity + further["value_with_links"].get<double>(), kMass * kGravity + kAsymmetric, 0.3);
+}
+
 // All axes are parallel, so that no torque depends on gravity along them.
 TEST(Identify, SaysWhatOfGravityNothingTells) {
   const Scratch scratch;

@@ -143,6 +143,16 @@ TEST_F(LackOfFit, ByGravityThatIsLeftOutIsNamed) {
   EXPECT_THAT(reason->text, HasSubstr("--gravity off"));
 }
 
+// Torques of motors before their gears are small, gravity's like all others.
+TEST_F(LackOfFit, BySmallTorquesIsNotLaidOnGravity) {
+  std::vector<SimulatedSample> samples = bench.motion({.seconds = 12});
+  for (SimulatedSample& sample : samples) sample.tau /= 100;
+  const Measurement measurement = bench.measured(samples, kEncoderStep, 0.01);
+  fits = fit_quality(measurement.observations, measurement.logs, bench.estimated(measurement).values,
+                     bench.acceleration_rows());
+  EXPECT_FALSE(best_hypothesis(bench.model(), bench.plain(), measurement, fits));
+}
+
 TEST_F(LackOfFit, ByTorquesThatAreCutOffIsNoticed) {
   std::vector<SimulatedSample> samples = bench.motion({.seconds = 12});
   for (SimulatedSample& sample : samples) sample.tau(1) = std::max(sample.tau(1), -42.0);

@@ -159,6 +159,27 @@ TEST(Payload, IsFoundInSpiteOfFrictionThatTheFileLacks) {
   }
 }
 
+// Torques with little noise: the encoder's steps, by way of the masses that the file knows, are most of what is left.
+TEST(Payload, HasHonestIntervalsAgainstTheFileWhereTheEncoderIsCoarse) {
+  constexpr double kTwoSided95 = 1.959964, kQuiet = 0.05;
+  constexpr unsigned kRuns = 8;
+  testing::PracticalBench& bench = testing::ur5();
+  const auto loaded = practical_motion(bench.arm(), with_payload(bench.arm().truth()), {.seconds = 8});
+  int inside = 0;
+  for (unsigned run = 1; run <= kRuns; ++run) {
+    const Measurement with = bench.measured(loaded, testing::kEncoderStep, kQuiet, run);
+    const PayloadProblem problem = payload_problem(bench.model(), bench.plain(), with.observations);
+    const PayloadEstimate found = estimate_payload(problem);
+    const Eigen::ArrayXd error = (found.values - known_payload()).cwiseAbs();
+    inside += static_cast<int>((error <= kTwoSided95 * found.standard_deviations.array()).count());
+    for (const JointFit& fit :
+         fit_quality(problem.observations, with.logs, found.unknowns, problem.acceleration_rows)) {
+      EXPECT_TRUE(fit.is_sound());
+    }
+  }
+  EXPECT_GE(inside / (10.0 * kRuns), 0.91);
+}
+
 // Without friction in the model, the payload is far off, and the verdict says that the model does not fit.
 TEST(Payload, IsDoubtedWhereTheModelLacksFriction) {
   testing::PracticalBench& bench = testing::ur5();
