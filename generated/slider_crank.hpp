@@ -413,7 +413,7 @@ static inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
 // Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular
 // (6e-5 in float), or a pivot of B is not positive or lost in rounding, or an entry of the result
 // is not a finite number.
-// Reads q[0..1], qd[0], tau[0]. Operations: 39 mul, 22 add, 2 div, 4 sin/cos.
+// Reads q[0..1], qd[0], tau[0]. Operations: 40 mul, 24 add, 2 div, 4 sin/cos.
 template <class Scalar, class SinCos = LibrarySinCos>
 static inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
     Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
@@ -438,21 +438,23 @@ static inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Sca
   const Scalar driftr1_2 = t8 * t9 + t7 * t6;
   const Scalar driftr1_1 = t3 * t9 + t2 * t6;
   const Scalar p_l1ae_y = t8 + t7;
-  const Scalar t10 = t4 * (t2 * p_l1ae_y - p_l1ae_x * t7);
-  const Scalar t11 = Scalar(0.075552) * t10;
-  const Scalar t12 = t4 * t11 * (t7 * driftr1_2 + t2 * driftr1_1);
-  const Scalar t13 = t4 * driftr1_2;
-  const Scalar t14 = Scalar(0.00339984) * s_2;
-  const Scalar t15 = t9 * t14 - Scalar(0.0079337659) * t13;
-  const Scalar t16 = Scalar(0.00339984) * c_2;
-  const Scalar t17 = -t6 * t14 - t16 * t13 + t15 + t12 + t5 * t15 - tau_1;
-  const Scalar mu_2_1_z = t16 + Scalar(0.0079337659);
+  const Scalar t10 = t2 * p_l1ae_y - p_l1ae_x * t7;
+  const Scalar t11 = t4 * t4;
+  const Scalar t12 = Scalar(-0.075552) * t10 * t11;
+  const Scalar t13 = t12 * (t7 * driftr1_2 + t2 * driftr1_1);
+  const Scalar t14 = t4 * driftr1_2;
+  const Scalar t15 = Scalar(0.00339984) * s_2;
+  const Scalar t16 = t9 * t15 - Scalar(0.0079337659) * t14;
+  const Scalar t17 = Scalar(0.00339984) * c_2;
+  const Scalar t18 = -t6 * t15 - t17 * t14 + t16 - t13 + t5 * t16 - tau_1;
+  const Scalar mu_2_1_z = t17 + Scalar(0.0079337659);
   const Scalar b_1_2h = mu_2_1_z + Scalar(0.0079337659) * t5;
-  const Scalar b_1_1q = Scalar(0.00679968) * c_2 + t10 * t11 + t5 * b_1_2h + mu_2_1_z * t5 +
+  const Scalar b_1_1q = Scalar(0.00679968) * c_2 - t10 * t12 + t5 * b_1_2h + mu_2_1_z * t5 +
       Scalar(0.0160856059);
-  qdd[0] = -t17 / b_1_1q;
+  qdd[0] = -t18 / b_1_1q;
   const Scalar regular_l1 = Scalar(0.09) * t1 * t1 - Scalar(9e-14);
-  bool valid = b_1_1q > Scalar(0.0);
+  const Scalar scale_1 = b_1_1q + Scalar(0.023) + Scalar(0.003339) * t11;
+  bool valid = scale_1 + Scalar(0.015625) * b_1_1q - scale_1 > Scalar(0.0);
   valid &= Scalar(0.000087890625) + Scalar(0.015625) * regular_l1 -
       Scalar(0.000087890625) > Scalar(0.0);
   valid &= Scalar(0.0) * qdd[0] < Scalar(1.0);
@@ -879,7 +881,7 @@ static inline bool close_loops(Scalar* q, Scalar tolerance, int most_steps = 20)
     for (int k = 0; k < position_count; ++k) here[k] = next[k];
     gap = next_gap;
   }
-  if (!(gap <= tolerance * tolerance)) return false;
+  if (!(tolerance >= Scalar(0.0) && gap <= tolerance * tolerance)) return false;
   for (int k = 0; k < position_count; ++k) q[k] = here[k];
   return true;
 }

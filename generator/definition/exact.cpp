@@ -51,7 +51,8 @@ void at_point(std::uint64_t seed, const Compare& compare, std::set<MismatchKey>&
       continue;
     }
   }
-  throw Failure(ExitCode::verification_failed, "the function divides by zero at every point");
+  throw Failure(ExitCode::unsupported, "the function divides by zero at every position",
+                "give the links between its joints their inertia");
 }
 
 template <class Compare>

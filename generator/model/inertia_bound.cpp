@@ -228,7 +228,7 @@ std::string positions_of_inertia_bound(const Mechanism& mechanism) {
 }
 
 std::vector<DiagonalBound> diagonal_bounds(const Mechanism& mechanism) {
-  if (!mechanism.symbols.empty() || mechanism.has_loops()) return {};
+  if (!mechanism.symbols.empty()) return {};
   const EnergyBounds bounds(mechanism, 0);
   std::vector<DiagonalBound> result;
   for (int position = 0; position < mechanism.position_count(); ++position) {

@@ -32,7 +32,8 @@ struct DiagonalBound {
 };
 
 // The bounds by entry of q, from lengths: links are as far from a joint's axis as they can be. A prismatic joint
-// without limits counts as if it stayed at 0. Empty where bounds are unknown: free symbols, closed loops.
+// without limits counts as if it stayed at 0. With closed loops they are those of the tree. Empty where bounds are
+// unknown: free symbols.
 std::vector<DiagonalBound> diagonal_bounds(const Mechanism& mechanism);
 
 }  // namespace flatdyn

@@ -155,10 +155,18 @@ void check_joint(Joint& joint, Diagnostics& diagnostics) {
   check_limits(joint, diagnostics);
 }
 
+// Whether a closed loop goes through the link: joints before it move what the loop takes along.
+bool is_in_loop(const Robot& robot, const Link& link) {
+  return std::any_of(robot.loops.begin(), robot.loops.end(), [&link](const Loop& loop) {
+    return loop.links[0].name == link.name || loop.links[1].name == link.name;
+  });
+}
+
 // Reports joints that move neither mass nor inertia: they make B(q) singular, so there is no forward dynamics.
 void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
   std::vector<bool> has_inertia(robot.links.size(), false);
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    has_inertia[i] = is_in_loop(robot, robot.links[i]);
     for (const Inertial& inertial : robot.links[i].inertials) {
       if (!is_exact_zero(inertial.mass.number)) has_inertia[i] = true;
       for (const Vec3& row : inertial.tensor) {

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "passes/coefficients.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace flatdyn {
 namespace {
 
 std::size_t as_index(std::int32_t number) { return static_cast<std::size_t>(number); }
 
 }  // namespace
+
+int exponent_of(const Rational& value) {
+  constexpr int kOfDouble = 1023;
+  return std::clamp(std::ilogb(value.convert_to<double>()), -kOfDouble, kOfDouble);
+}
 
 CoefficientTable::CoefficientTable() {
   id(1);
@@ -22,7 +30,7 @@ CoefficientId CoefficientTable::id(const Rational& value) {
 
 CoefficientId CoefficientTable::add(const Rational& value) {
   const auto added = static_cast<CoefficientId>(entries_.size());
-  Entry entry{value, added, Residue(0), Residue(0)};
+  Entry entry{value, added, exponent_of(value), Residue(0), Residue(0)};
   const Residue above(value.numerator_modulo(kMersenne61)), below(value.denominator_modulo(kMersenne61));
   if (above != Residue(0) && below != Residue(0)) {
     entry.residue = Residue::from(value);

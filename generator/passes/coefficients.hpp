@@ -10,6 +10,13 @@
 
 namespace flatdyn {
 
+// The exponent e of a coefficient that is not 0, |value| from 2^e to 2^(e + 1), within the range of double.
+int exponent_of(const Rational& value);
+
+// The exponent beyond which a pass makes no coefficient. Rotations that are rational leave residues of 1e-60 where a
+// number should be 0, and what is divided by one of them is infinite in float.
+inline constexpr int kLargestExponent = 90;
+
 using CoefficientId = std::int32_t;
 using RatioId = std::int32_t;
 
@@ -24,6 +31,8 @@ class CoefficientTable {
   bool is_unit(CoefficientId id) const { return entry(id).size == kOne; }                                   // ±1
   bool have_equal_sizes(CoefficientId a, CoefficientId b) const { return entry(a).size == entry(b).size; }  // |a| = |b|
 
+  int exponent(CoefficientId id) const { return entry(id).exponent; }
+
   // The number of the ratio above / below: equal ratios have the same number.
   RatioId ratio(CoefficientId above, CoefficientId below);
 
@@ -34,7 +43,8 @@ class CoefficientTable {
 
   struct Entry {
     Rational value;
-    CoefficientId size = 0;      // the number of |value|
+    CoefficientId size = 0;  // the number of |value|
+    int exponent = 0;
     Residue residue, inverse{};  // of value; both 0 if value has none that can be inverted
   };
   struct Pair {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "passes/coefficients.hpp"
 #include "passes/draft.hpp"
 #include "passes/share_products.hpp"
 
@@ -79,13 +80,23 @@ std::vector<Rational> candidates(const Draft& draft, const Node& sum, const std:
   return result;
 }
 
+// Whether a coefficient gets far larger than those that are there.
+bool is_extreme(const Draft& draft, const Node& sum, const std::vector<Use>& uses, const Rational& factor) {
+  const int by = exponent_of(factor);
+  return std::any_of(sum.terms.begin(), sum.terms.end(),
+                     [&](const Term& term) { return exponent_of(term.coefficient) - by > kLargestExponent; }) ||
+         std::any_of(uses.begin(), uses.end(), [&](const Use& use) {
+           return exponent_of(draft.at(use.sum).terms[use.term].coefficient) + by > kLargestExponent;
+         });
+}
+
 bool rescale_node(Draft& draft, NodeId id, const std::vector<Use>& uses) {
   Node& sum = draft.at(id);
   Rational best = 1;
   int fewest = multiplications(draft, sum, uses, best);
   for (const Rational& factor : candidates(draft, sum, uses)) {
     const int count = multiplications(draft, sum, uses, factor);
-    if (count >= fewest) continue;
+    if (count >= fewest || is_extreme(draft, sum, uses, factor)) continue;
     fewest = count;
     best = factor;
   }

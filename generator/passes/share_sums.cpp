@@ -275,7 +275,8 @@ class SumSharing {
     }
     found_.resize(kept);
     if (best.existing >= 0) {
-      best.savings = kept == 0 ? 0 : savings - scaling_cost(Scale::of_occurrence, best.terms);
+      const bool is_useless = kept == 0 || is_extreme(Scale::of_occurrence, best.terms);
+      best.savings = is_useless ? 0 : savings - scaling_cost(Scale::of_occurrence, best.terms);
       return best;
     }
     savings -= kOperation + new_products_cost(kernel);
@@ -303,14 +304,23 @@ class SumSharing {
     return degree(monomial) == 0 ? 0 : cost_of_ratio(found_[0].first, found_[0].second);
   }
 
-  // Chooses the scale: the kernel may be made as scale · (a + ratio · b) for any scale.
+  // Whether an extraction with this scale makes a coefficient that is far larger than those that are there.
+  bool is_extreme(Scale scale, TermPair terms) const {
+    const auto exponent = [this](CoefficientId id) { return coefficients_.exponent(id); };
+    const int ratio = exponent(found_[0].second) - exponent(found_[0].first);
+    if (scale != Scale::of_occurrence) return (scale == Scale::one ? ratio : -ratio) > kLargestExponent;
+    return std::any_of(found_.begin(), found_.end(),
+                       [&](const TermPair& c) { return exponent(c.first) - exponent(terms.first) > kLargestExponent; });
+  }
+
+  // Chooses the scale: the kernel may be made as scale · (a + ratio · b) for any scale. Without one, it saves nothing.
   void choose_scale(int kernel, Plan& best) const {
     constexpr std::size_t kTried = 4;
-    bool is_first = true;
+    constexpr int kNone = -1'000'000;
+    best.savings = kNone;
     const auto consider = [&](Scale scale, TermPair terms) {
       const int savings = -scaling_cost(scale, terms) - cost_of_terms(kernels_[kernel], scale, terms);
-      if (!is_first && savings <= best.savings) return;
-      is_first = false;
+      if (savings <= best.savings || is_extreme(scale, terms)) return;
       best.savings = savings;
       best.scale = scale;
       best.terms = terms;

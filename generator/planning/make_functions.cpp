@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 
 #include "definition/pivot_ratio.hpp"
 #include "functions/function_table.hpp"
+#include "graph/mod_p.hpp"
 #include "input/common/context.hpp"
 #include "planning/formulations.hpp"
 #include "planning/plan.hpp"
@@ -61,6 +63,23 @@ void note_lost_pivots(const LoadedRobot& model, const std::vector<Plan>& plans, 
   findings.note({model.robot.file, 0},
                 "B(q) is singular to the last place of a double at some positions: what divides by its pivots, such as "
                 "forward dynamics, returns false there",
+                "give the links between its joints their inertia");
+}
+
+// Refuses a function that divides by zero at every position: links may move inertia each, but not enough together.
+void refuse_division_by_zero(const Function& function) {
+  constexpr std::uint64_t kAttempts = 64;  // the square root of a random number is there at half of the points
+  if (function.validity_conditions.empty()) return;
+  for (std::uint64_t seed = 1; seed <= kAttempts; ++seed) {
+    try {
+      ModPArithmetic<kMersenne61> arithmetic(seed);
+      evaluate(function, arithmetic);
+      return;
+    } catch (const std::domain_error&) {
+      continue;
+    }
+  }
+  throw Failure(ExitCode::unsupported, function.name + ": B(q) is singular at every position",
                 "give the links between its joints their inertia");
 }
 
@@ -134,7 +153,9 @@ std::vector<OptimisedFunction> make_functions(const LoadedRobot& model, const Pi
   std::vector<Plan> plans;
   for (const std::string& name : names) {
     try {
-      plans.push_back(planned(model, name, progress));
+      Plan plan = planned(model, name, progress);
+      refuse_division_by_zero(plan.optimised.function);
+      plans.push_back(std::move(plan));
     } catch (const SingularInertia& failure) {
       Diagnostics found = mending(model.robot, name, failure);
       if (asked) throw BadInput(ExitCode::unsupported, std::move(found));

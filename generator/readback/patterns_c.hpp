@@ -40,7 +40,7 @@ bool $prefix$close_loops($parameters_argument$ $real$* q, $real$ tolerance, int 
     for (int k = 0; k < $positions$; ++k) here[k] = next[k];
     gap = next_gap;
   }
-  if (!(gap <= tolerance * tolerance)) return false;
+  if (!(tolerance >= 0.0$f$ && gap <= tolerance * tolerance)) return false;
   for (int k = 0; k < $positions$; ++k) q[k] = here[k];
   return true;
 }

@@ -85,7 +85,7 @@ static inline bool close_loops($parameters_argument$ Scalar* q, Scalar tolerance
     for (int k = 0; k < position_count; ++k) here[k] = next[k];
     gap = next_gap;
   }
-  if (!(gap <= tolerance * tolerance)) return false;
+  if (!(tolerance >= Scalar(0.0) && gap <= tolerance * tolerance)) return false;
   for (int k = 0; k < position_count; ++k) q[k] = here[k];
   return true;
 })";

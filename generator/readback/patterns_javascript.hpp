@@ -24,7 +24,7 @@ function close_loops($parameters$ q, tolerance, most_steps = 20) {
     here = next;
     gap = next_gap;
   }
-  if (!(gap <= tolerance * tolerance)) return false;
+  if (!(tolerance >= 0 && gap <= tolerance * tolerance)) return false;
   for (let k = 0; k < position_count; ++k) q[k] = here[k];
   return true;
 })";

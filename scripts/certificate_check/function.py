@@ -102,7 +102,7 @@ class Function:
         derivatives = self.operations.derivatives(output.tree, values, field)
         required = {name: self.errors.get(name, 0.0) for name, by in derivatives.items() if by}
         if not output.file.exists() and any(required.values()):
-            raise ValueError(f"{output.file.name} is missing: {output.name} can have an error")
+            raise FileNotFoundError(f"{output.file.name} is missing: {output.name} can have an error")
         return {name: error for name, error in required.items() if error > 0}
 
     def random_state(self, source):

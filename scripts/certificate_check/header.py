@@ -71,7 +71,7 @@ class Header:
     """The header that was certified: its hash, the limits of its joints, and its functions."""
 
     def __init__(self, file):
-        text = file.read_text()
+        self.text = text = file.read_text()
         self.hash = "sha1:" + hashlib.sha1(file.read_bytes()).hexdigest()
         self.limits = {}
         for name, entries in re.findall(r"constexpr Real (\w+)\[joint_count\] = \{(.*?)\};", text, re.S):

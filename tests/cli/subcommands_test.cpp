@@ -156,6 +156,19 @@ TEST(Generate, LeavesOutForwardDynamicsWhereBIsSingular) {
   EXPECT_EQ(run_flatdyn("verify " + scratch.path("empty.toml") + " --states 5").code, 0);
 }
 
+// Every joint of this planar arm moves the point mass, but three of them cannot move it independently.
+TEST(Generate, LeavesOutForwardDynamicsWhereJointsMoveOneMass) {
+  const Scratch scratch;
+  scratch.write("mass.toml",
+                "[[link]]\n[[link]]\nxyz = [0.4, 0, 0]\n[[link]]\nxyz = [0.3, 0, 0]\nmass = 1\n"
+                "com = [0.2, 0, 0]\n");
+  const std::string generate = "generate " + scratch.path("mass.toml") + " -o " + scratch.path();
+  const Outcome all = run_flatdyn(generate);
+  EXPECT_EQ(all.code, 0);
+  EXPECT_THAT(all.err, HasSubstr("warning: left out forward_dynamics: B(q) is singular at every position"));
+  EXPECT_EQ(run_flatdyn(generate + " --functions forward_dynamics").code, 4);
+}
+
 // A mass on the joint's axis is not a mistake of the file: the only warning is about functions left out.
 TEST(Generate, LeavesOutNothingUnderWerror) {
   const Scratch scratch;

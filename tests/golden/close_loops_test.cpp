@@ -36,6 +36,8 @@ constexpr const char* kChecks = R"(
   if (CLOSE(far, 1e-12, 20)) return 5;
   double few[3] = {0.1, 1.0, 0.2};
   if (CLOSE(few, 1e-12, 1) || few[0] != 0.1 || few[1] != 1.0 || few[2] != 0.2) return 6;
+  double closed[3] = {0, 0, 0.45};
+  if (!CLOSE(closed, 0.0, 20) || CLOSE(closed, -1.0, 20)) return 7;
   return 0;
 )";
 
@@ -99,6 +101,7 @@ for (let k = 0; k < 24; ++k) {
   if (Math.abs(rates[2] + 2 * height * (1 + 0.15 * Math.cos(theta) / root)) > 1e-11) process.exit(4);
 }
 if (close_loops([0.1, NaN, 0.2], 1e-12)) process.exit(5);
+if (!close_loops([0, 0, 0.45], 0) || close_loops([0, 0, 0.45], -1)) process.exit(6);
 )");
   EXPECT_EQ(run("node main.mjs"), 0) << log();
 }

@@ -64,12 +64,32 @@ Conditions loop_conditions(const Mechanism& mechanism, Derivation& derivation, c
   return result;
 }
 
+Number rounded_number(double bound) {
+  constexpr int kDigits = 2;
+  return exact_decimal(fmt::format("{}", rounded_up(bound, kDigits)));
+}
+
 // The size of b_kk's terms: its bound, beside which b_kk counts too if it may exceed the bound, or b_kk alone.
 Number size_of(const std::vector<DiagonalBound>& bounds, std::size_t k, const Number& diagonal) {
-  constexpr int kDigits = 2;
   if (is_rational(diagonal) || bounds.empty() || !(bounds[k].largest > 0)) return diagonal;
-  const Number largest = exact_decimal(fmt::format("{}", rounded_up(bounds[k].largest, kDigits)));
+  const Number largest = rounded_number(bounds[k].largest);
   return bounds[k].holds_everywhere ? largest : diagonal + largest;
+}
+
+// By independent joint, the sizes of the terms whose sums are on the diagonal of B.
+std::vector<Number> sizes_of_diagonal(DerivationContext& context, const std::vector<Number>& diagonal) {
+  const std::vector<DiagonalBound>& bounds = context.guard.diagonals;
+  std::vector<Number> sizes = diagonal;
+  if (!context.mechanism.has_loops()) {
+    for (std::size_t k = 0; k < sizes.size(); ++k) sizes[k] = size_of(bounds, k, diagonal[k]);
+    return sizes;
+  }
+  if (bounds.empty()) return sizes;
+  std::vector<Number> of_tree;
+  for (const DiagonalBound& bound : bounds) of_tree.push_back(bound.largest > 0 ? rounded_number(bound.largest) : 0);
+  sizes = ClosedLoops(context.mechanism, context.derivation).sizes_of_inertia(of_tree);
+  for (std::size_t k = 0; k < sizes.size(); ++k) sizes[k] += diagonal[k];
+  return sizes;
 }
 
 }  // namespace
@@ -95,8 +115,7 @@ Conditions conditions_of(DerivationContext& context, const std::vector<Number>& 
 
 Conditions conditions_of(DerivationContext& context, const Factorisation& B) {
   if (!context.guard.compares) return conditions_of(context, B.pivots());
-  std::vector<Number> sizes = B.diagonal();
-  for (std::size_t k = 0; k < sizes.size(); ++k) sizes[k] = size_of(context.guard.diagonals, k, sizes[k]);
+  const std::vector<Number> sizes = sizes_of_diagonal(context, B.diagonal());
   return {context.nodes(B.pivots()), context.nodes(B.pivot_scales(sizes))};
 }
 

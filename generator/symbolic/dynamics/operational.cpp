@@ -14,6 +14,40 @@
 namespace flatdyn {
 namespace {
 
+// By independent coordinate, the square of how far a unit of it can move the tip, m, or turn it, rad: links stretched,
+// slides at 0.
+std::vector<Number> squares_of_motion(const Mechanism& mechanism, bool is_translation) {
+  const std::vector<int> path = path_to(mechanism, mechanism.tip.body);
+  std::vector<Number> of_body(static_cast<std::size_t>(mechanism.body_count()), 0);
+  Number squares = dot(mechanism.tip.p, mechanism.tip.p);
+  int count = 1;
+  for (auto k = path.rbegin(); k != path.rend(); ++k) {
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(*k)];
+    Number& motion = of_body[static_cast<std::size_t>(*k)];
+    if (is_translation) {
+      motion = body.prismatic ? Number(1) : Number(count * squares);
+      squares += dot(body.p, body.p);
+      ++count;
+    } else {
+      motion = body.prismatic ? 0 : 1;
+    }
+  }
+  std::vector<Number> result;
+  for (int k = 0; k < mechanism.size(); ++k) {
+    if (!mechanism.is_coupled()) {
+      result.push_back(of_body[static_cast<std::size_t>(k)]);
+      continue;
+    }
+    Number sum = 0;
+    for (std::size_t i = 0; i < of_body.size(); ++i) {
+      const Number& factor = mechanism.coupling[i][static_cast<std::size_t>(mechanism.position_of(k))];
+      sum += factor * factor * of_body[i];
+    }
+    result.push_back(sum);
+  }
+  return result;
+}
+
 // The matrices of the task, with rows for its directions and for joints, and sums over the joints.
 class OperationalSpace {
  public:
@@ -78,11 +112,16 @@ class OperationalSpace {
     return result;
   }
 
-  Function finished(std::vector<Output> outputs) const {
+  // The power of the divisor of Euler angles' rates, sin θ or cos θ, in terms that cancel in the outputs.
+  enum class Powers { two, four };
+
+  Function finished(std::vector<Output> outputs, Powers powers) const {
     // Every arm has poses in which J B⁻¹ Jᵀ or its angles are singular, so they are always guarded, and come first.
     Conditions conditions{context_.nodes(factors_.pivots()), context_.nodes(factors_.pivot_scales(sizes()))};
     if (const auto divisor = divisor_of_angles(context_, task_.rows, task_.orientation)) {
-      conditions.append({{context_.node(*divisor)}, {context_.node(1)}});
+      const Number square = context_.derivation.named(*divisor * *divisor, "divisor2");
+      const Number lost = powers == Powers::two ? square : context_.derivation.named(square * square, "divisor4");
+      conditions.append({{context_.node(lost)}, {context_.node(1)}});
     }
     conditions.append(conditions_of(context_, B_));
     Function function = flatdyn::finished(context_, std::move(outputs), std::move(conditions));
@@ -98,6 +137,15 @@ class OperationalSpace {
     return parents;
   }
 
+  // Σ_k r_k² / d_k with r_k the largest motion of the tip per unit of coordinate k: the size of J B⁻¹ Jᵀ along
+  // directions that are not in the task.
+  Number largest_motion(bool is_translation) const {
+    const std::vector<Number> squares = squares_of_motion(context_.mechanism, is_translation);
+    Number sum = 0;
+    for (std::size_t k = 0; k < squares.size(); ++k) sum += squares[k] * B_.inverse_pivots()[k];
+    return context_.derivation.named(sum, is_translation ? "largest_p" : "largest_o");
+  }
+
   // By row, the size of the terms whose sums are in J B⁻¹ Jᵀ. A diagonal entry may itself be what is left of large
   // terms, where the tip cannot move along its axis, so that the mean of all rows of one unit counts: of translations
   // or of rotations.
@@ -108,6 +156,11 @@ class OperationalSpace {
     for (std::size_t i = 0; i < size(); ++i) {
       sum[kind(i)] += mobility_[i][i];
       ++count[kind(i)];
+    }
+    for (const int k : {0, 1}) {
+      if (count[k] == 0 || count[k] == 3) continue;
+      sum[k] += largest_motion(k == 0);
+      ++count[k];
     }
     std::vector<Number> result;
     for (std::size_t i = 0; i < size(); ++i) {
@@ -190,7 +243,8 @@ Function operational_inertia_at(DerivationContext& context) {
   return space.finished(
       {matrix_output("B_A", r, r, context.nodes(B_A), of_task("inertia matrix", space) + ", symmetric, SI units"),
        matrix_output("J_bar", n, r, J_bar, "B^-1 J^T B_A: J_bar^T tau is the force on the task, SI units"),
-       vector_output("condition", {context.node(space.condition(B_A))}, condition_meaning(space))});
+       vector_output("condition", {context.node(space.condition(B_A))}, condition_meaning(space))},
+      OperationalSpace::Powers::two);
 }
 
 Function operational_bias_at(DerivationContext& context) {
@@ -202,7 +256,8 @@ Function operational_bias_at(DerivationContext& context) {
   const std::vector<Number> c_A = space.inertia_times(c, "c_a"), g_A = space.inertia_times(g, "g_a");
   return space.finished(
       {vector_output("c_A", context.nodes(c_A), of_task("C_A times the velocity", space) + ", N, N m"),
-       vector_output("g_A", context.nodes(g_A), of_task("gravity", space) + ", N, N m")});
+       vector_output("g_A", context.nodes(g_A), of_task("gravity", space) + ", N, N m")},
+      OperationalSpace::Powers::four);
 }
 
 Function null_space_torque_at(DerivationContext& context) {
@@ -218,7 +273,8 @@ Function null_space_torque_at(DerivationContext& context) {
   std::vector<Number> rest = space.torques_of(f);
   for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = tau[k] - rest[k];
   return space.finished({vector_output("tau_n", context.nodes(rest),
-                                       of_task("what of tau does not accelerate the tip along any", space) + ", N m")});
+                                       of_task("what of tau does not accelerate the tip along any", space) + ", N m")},
+                        OperationalSpace::Powers::two);
 }
 
 }  // namespace

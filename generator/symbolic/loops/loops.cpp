@@ -289,20 +289,49 @@ Number ClosedLoops::length_scale(std::size_t l) const {
 // are divided by ℓ, and what slides is multiplied by it, so that all have no unit: |Φ_d|² ℓ^2r is at most this, with r
 // rows of axes.
 Number ClosedLoops::largest_determinant(std::size_t l, const Number& scale) const {
-  const LoopClosure& closure = mechanism_.loops[l];
-  const bool has_points = closure.rows.front() < LoopClosure::kOfPoints;
   Number product = 1;
-  for (const int k : closure.dependent) {
-    const Reach reach = reach_of(l, k);
-    if (!closure.aligns_axes()) {
-      product *= reach.moves;
-    } else if (has_points) {
-      product *= d_.named(reach.moves + scale * reach.turns, entry_name("reach_l" + label(static_cast<int>(l)), at(k)));
-    } else {
-      product *= reach.turns;
+  for (const int k : mechanism_.loops[l].dependent) product *= largest_column(l, k, scale);
+  return product;
+}
+
+Number ClosedLoops::largest_column(std::size_t l, int position, const Number& scale) const {
+  const LoopClosure& closure = mechanism_.loops[l];
+  const Reach reach = reach_of(l, position);
+  if (!closure.aligns_axes()) return reach.moves;
+  if (closure.rows.front() >= LoopClosure::kOfPoints) return reach.turns;
+  return d_.named(reach.moves + scale * reach.turns, entry_name("reach_l" + label(static_cast<int>(l)), at(position)));
+}
+
+// By Cramer's rule, an entry of G is a quotient of determinants, and the numerator is at most the product of its
+// columns' lengths (Hadamard): those of the other dependent joints, and the loop's motion by the independent ones.
+std::vector<Number> ClosedLoops::sizes_of_inertia(const std::vector<Number>& of_tree) const {
+  const std::vector<int>& independent = mechanism_.independent;
+  Rows squares(of_tree.size(), std::vector<Number>(independent.size(), 0));  // of entries of G, at most
+  for (std::size_t a = 0; a < independent.size(); ++a) squares[at(independent[a])][a] = 1;
+  for (std::size_t l = 0; l < loops_.size(); ++l) add_dependent(l, squares);
+  std::vector<Number> result(independent.size(), 0);
+  for (std::size_t a = 0; a < result.size(); ++a) {
+    for (std::size_t k = 0; k < of_tree.size(); ++k) result[a] += of_tree[k] * squares[k][a];
+  }
+  return result;
+}
+
+void ClosedLoops::add_dependent(std::size_t l, Rows& squares) const {
+  const LoopClosure& closure = mechanism_.loops[l];
+  const Number scale = closure.aligns_axes() ? length_scale(l) : Number(0), largest = largest_determinant(l, scale);
+  const std::string name = "l" + label(static_cast<int>(l));
+  const Number& reciprocal = loops_[l].reciprocal;
+  const Number inverse = d_.named(reciprocal * reciprocal, "inv2_" + name) / axes_factor(closure, scale);
+  for (std::size_t a = 0; a < squares.front().size(); ++a) {
+    Number moved = 0;
+    for (std::size_t k = 0; k < squares.size(); ++k) {
+      if (!vanishes(squares[k][a])) moved += largest_column(l, static_cast<int>(k), scale) * squares[k][a];
+    }
+    for (const int j : closure.dependent) {
+      const Number square = largest / largest_column(l, j, scale) * moved * inverse;
+      squares[at(j)][a] = d_.named(square, entry_name("G2_" + name + label(static_cast<int>(a)), at(j)));
     }
   }
-  return product;
 }
 
 std::vector<ClosedLoops::Condition> ClosedLoops::conditions() const {

@@ -29,6 +29,10 @@ class ClosedLoops {
   // Newton's step: what it takes to be added to q, in which independent joints stay where they are.
   std::vector<Number> step() const;
 
+  // By independent joint, the size of the terms whose sum its entry of the diagonal of Gᵀ B G is; `of_tree`: by entry of
+  // q, the largest entry of the diagonal of the tree's B.
+  std::vector<Number> sizes_of_inertia(const std::vector<Number>& of_tree) const;
+
   // For each loop, the determinant that is divided by, squared, less a small share of the largest that it could be.
   // Positive, unless the loop is singular or within 1e-6 of it. The scale makes that 6e-5 in float, whose rounding
   // errors are larger (Function::pivot_scales).
@@ -92,6 +96,8 @@ class ClosedLoops {
   Reach reach_of(std::size_t l, int position) const;
   Number length_scale(std::size_t l) const;
   Number largest_determinant(std::size_t l, const Number& scale) const;
+  Number largest_column(std::size_t l, int position, const Number& scale) const;  // its length, squared
+  void add_dependent(std::size_t l, Rows& squares) const;
 
   const Mechanism& mechanism_;
   Derivation& d_;

@@ -156,6 +156,56 @@ com = [0.7, 0, 0]
   EXPECT_TRUE(rounded(apart).has_value());
 }
 
+// A four-bar whose crank and rocker have no mass, with a point mass on the coupler's far pin: at its dead centres the
+// crank turns while the mass stands still, so that b_11 is what is left of the coupler's and the rocker's motions.
+TEST(LostPivots, AreSeenAtDeadCentresOfClosedLoops) {
+  const LoadedRobot model = testing::model_of_toml(R"(
+gravity = [0, -9.81, 0]
+[[link]]
+name = "crank"
+joint = "a"
+[[link]]
+name = "coupler"
+joint = "b"
+xyz = [0.3, 0, 0]
+mass = 1.1
+com = [0.71, 0, 0]
+[[link]]
+name = "rocker"
+joint = "c"
+parent = "base"
+xyz = [0.6, 0, 0]
+[[loop]]
+links = ["coupler", "rocker"]
+from = [0.71, 0, 0]
+to = [0.53, 0, 0]
+dependent = ["b", "c"]
+[assembly]
+a = 1
+b = -0.5
+c = 1.2
+)");
+  const Function function = forward_dynamics_of(model);
+  GraphEvaluator<double> rounded(function);
+  GraphEvaluator<Real50> exact(function);
+  State state = random_states(model.mechanism, 1, 1).front();
+  state.qd = {0.3};
+  state.tau = {1};
+  int refused = 0;
+  for (int k = 0; k < 60; ++k) {
+    const double off = std::pow(10, -2 - 0.15 * k);
+    state.q = {4.1859715467173189, 3.141592653589793 + off, 2.4089301589868488};
+    const auto result = rounded(state);
+    refused += !result;
+    const auto right = exact(widened<Real50>(state));
+    if (!result || !right) continue;
+    const double expected = right->front().convert_to<double>();
+    EXPECT_NEAR(result->front(), expected, 0.1 * std::abs(expected)) << off;
+  }
+  EXPECT_GT(refused, 5);
+  EXPECT_LT(refused, 55);
+}
+
 // Beside what slides by 1e160 m a pivot is infinite, and what is divided by it is zero.
 TEST(LostPivots, AreThoseThatOverflow) {
   const LoadedRobot arm = testing::model_of_toml(R"(
