@@ -1720,7 +1720,7 @@ static bool rounding_is_as_written() noexcept {
   hash = detail::hash_of(result, 1, hash);
   result[0] = potential_energy(q);
   hash = detail::hash_of(result, 1, hash);
-  forward_kinematics(q, result, &result[9], given);
+  forward_kinematics(q, result, result + 9, given);
   hash = detail::hash_of(result, 12, hash);
   jacobian(q, result, given);
   hash = detail::hash_of(result, 6, hash);
@@ -1732,7 +1732,7 @@ static bool rounding_is_as_written() noexcept {
   hash = detail::hash_of(result, 42, hash);
   loop_step(q, result, given);
   hash = detail::hash_of(result, 7, hash);
-  loop_motion(q, qd, qdd, result, &result[7], given);
+  loop_motion(q, qd, qdd, result, result + 7, given);
   hash = detail::hash_of(result, 14, hash);
   return hash == (is_float ? 0xc5d1f8ce4076bfabu : 0x4cbc9ac361d41647u);
 }

@@ -589,7 +589,7 @@ static bool rounding_is_as_written() noexcept {
   hash = detail::hash_of(result, 1, hash);
   result[0] = potential_energy(parameters, q);
   hash = detail::hash_of(result, 1, hash);
-  forward_kinematics(parameters, q, result, &result[9]);
+  forward_kinematics(parameters, q, result, result + 9);
   hash = detail::hash_of(result, 12, hash);
   jacobian(parameters, q, result);
   hash = detail::hash_of(result, 12, hash);

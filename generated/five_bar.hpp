@@ -1312,7 +1312,7 @@ static bool rounding_is_as_written() noexcept {
   hash = detail::hash_of(result, 1, hash);
   result[0] = potential_energy(q);
   hash = detail::hash_of(result, 1, hash);
-  forward_kinematics(q, result, &result[9], given);
+  forward_kinematics(q, result, result + 9, given);
   hash = detail::hash_of(result, 12, hash);
   jacobian(q, result, given);
   hash = detail::hash_of(result, 12, hash);
@@ -1324,7 +1324,7 @@ static bool rounding_is_as_written() noexcept {
   hash = detail::hash_of(result, 8, hash);
   loop_step(q, result, given);
   hash = detail::hash_of(result, 4, hash);
-  loop_motion(q, qd, qdd, result, &result[4], given);
+  loop_motion(q, qd, qdd, result, result + 4, given);
   hash = detail::hash_of(result, 8, hash);
   return hash == (is_float ? 0xa8189332607a0e0cu : 0xa08457396b57378eu);
 }

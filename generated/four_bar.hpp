@@ -1336,7 +1336,7 @@ static bool rounding_is_as_written() noexcept {
   hash = detail::hash_of(result, 1, hash);
   result[0] = potential_energy(parameters, q, given);
   hash = detail::hash_of(result, 1, hash);
-  forward_kinematics(parameters, q, result, &result[9], given);
+  forward_kinematics(parameters, q, result, result + 9, given);
   hash = detail::hash_of(result, 12, hash);
   jacobian(parameters, q, result, given);
   hash = detail::hash_of(result, 6, hash);
@@ -1348,7 +1348,7 @@ static bool rounding_is_as_written() noexcept {
   hash = detail::hash_of(result, 6, hash);
   loop_step(parameters, q, result, given);
   hash = detail::hash_of(result, 3, hash);
-  loop_motion(parameters, q, qd, qdd, result, &result[3], given);
+  loop_motion(parameters, q, qd, qdd, result, result + 3, given);
   hash = detail::hash_of(result, 6, hash);
   return hash == (is_float ? 0xe5ab0904222398d8u : 0x6d670fb8d3776115u);
 }

@@ -4974,7 +4974,7 @@ static bool rounding_is_as_written() noexcept {
   hash = detail::hash_of(result, 32, hash);
   forward_dynamics(q, qd, tau, result, given);
   hash = detail::hash_of(result, 32, hash);
-  forward_kinematics(q, result, &result[9], given);
+  forward_kinematics(q, result, result + 9, given);
   hash = detail::hash_of(result, 12, hash);
   jacobian(q, result, given);
   hash = detail::hash_of(result, 192, hash);

@@ -819,7 +819,7 @@ static bool rounding_is_as_written() noexcept {
   hash = detail::hash_of(result, 1, hash);
   result[0] = potential_energy(parameters, q, given);
   hash = detail::hash_of(result, 1, hash);
-  forward_kinematics(parameters, q, result, &result[9], given);
+  forward_kinematics(parameters, q, result, result + 9, given);
   hash = detail::hash_of(result, 12, hash);
   jacobian(parameters, q, result, given);
   hash = detail::hash_of(result, 12, hash);

@@ -1803,7 +1803,7 @@ static bool rounding_is_as_written() noexcept {
   hash = detail::hash_of(result, 1, hash);
   result[0] = potential_energy(q, given);
   hash = detail::hash_of(result, 1, hash);
-  forward_kinematics(q, result, &result[9], given);
+  forward_kinematics(q, result, result + 9, given);
   hash = detail::hash_of(result, 12, hash);
   jacobian(q, result, given);
   hash = detail::hash_of(result, 36, hash);

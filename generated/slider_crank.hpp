@@ -1024,7 +1024,7 @@ static bool rounding_is_as_written() noexcept {
   hash = detail::hash_of(result, 1, hash);
   result[0] = potential_energy(q);
   hash = detail::hash_of(result, 1, hash);
-  forward_kinematics(q, result, &result[9]);
+  forward_kinematics(q, result, result + 9);
   hash = detail::hash_of(result, 12, hash);
   jacobian(q, result, given);
   hash = detail::hash_of(result, 6, hash);
@@ -1036,7 +1036,7 @@ static bool rounding_is_as_written() noexcept {
   hash = detail::hash_of(result, 6, hash);
   loop_step(q, result, given);
   hash = detail::hash_of(result, 3, hash);
-  loop_motion(q, qd, qdd, result, &result[3], given);
+  loop_motion(q, qd, qdd, result, result + 3, given);
   hash = detail::hash_of(result, 6, hash);
   return hash == (is_float ? 0x8abdb3221c3250d3u : 0xbed3c92cd41d5283u);
 }

@@ -98,13 +98,18 @@ class AnswerWriter {
     std::map<std::string, std::string> places = {{"parameters", style_.parameters_argument}};
     std::size_t offset = 0;
     for (const ArrayArgument& output : text.outputs) {
-      places[output.name] = offset == 0 ? kResults : fmt::format("&{}[{}]", kResults, offset);
+      places[output.name] = offset == 0 ? kResults : place_in_results(offset);
       offset += output.length;
     }
     for (std::string& argument : list) {
       if (const auto place = places.find(argument); place != places.end()) argument = place->second;
     }
     return list;
+  }
+
+  // MISRA wants no sums of pointers in C.
+  std::string place_in_results(std::size_t offset) const {
+    return style_.given.empty() ? fmt::format("&{}[{}]", kResults, offset) : fmt::format("{} + {}", kResults, offset);
   }
 
   const CodeContent& content_;

@@ -51,7 +51,9 @@ std::string call_text(const KnownCall& call, const FileContents& contents, const
       arguments += argument;
       continue;
     }
-    arguments += offset == 0 ? "result" : fmt::format("&result[{}]", offset);
+    arguments += offset == 0           ? "result"
+                 : words.given.empty() ? fmt::format("&result[{}]", offset)
+                                       : fmt::format("result + {}", offset);
     offset += lengths.at(output++);
   }
   const bool drops_verdict = words.given.empty() && !returns_number(function) && !function.validity_conditions.empty();
