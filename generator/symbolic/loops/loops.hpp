@@ -29,8 +29,8 @@ class ClosedLoops {
   // Newton's step: what it takes to be added to q, in which independent joints stay where they are.
   std::vector<Number> step() const;
 
-  // By independent joint, the size of the terms whose sum its entry of the diagonal of Gᵀ B G is; `of_tree`: by entry of
-  // q, the largest entry of the diagonal of the tree's B.
+  // By independent joint, the size of the terms whose sum its entry of the diagonal of Gᵀ B G is; `of_tree`: by entry
+  // of q, the largest entry of the diagonal of the tree's B.
   std::vector<Number> sizes_of_inertia(const std::vector<Number>& of_tree) const;
 
   // For each loop, the determinant that is divided by, squared, less a small share of the largest that it could be.
