@@ -27,6 +27,7 @@ Outcome run_flatdyn(const std::string& arguments) {
 Scratch::Scratch() {
   static int count = 0;
   folder_ = fs::path(::testing::TempDir()) / fmt::format("flatdyn-cli-{}-{}", ::getpid(), count++);
+  fs::remove_all(folder_);  // left by a program that was killed, with the same number
   fs::create_directories(folder_);
 }
 
