@@ -129,7 +129,7 @@ TEST(FrictionEntry, SlopesAreDerivativesByTheSpeed) {
   using Law = FrictionEntry::Law;
   for (const auto& [law, slope] : {std::pair{Law::stribeck, Law::stribeck_slope}, {Law::smooth, Law::smooth_slope}}) {
     for (const double rate : {-0.3, -0.02, 0.05, 0.4}) {
-      const auto at = [&](double speed) { return FrictionEntry{0, 0, law, speed, 2}.value(rate); };
+      const auto at = [&, law = law](double speed) { return FrictionEntry{0, 0, law, speed, 2}.value(rate); };
       const double derivative = (at(0.1 + kStep) - at(0.1 - kStep)) / (2 * kStep);
       EXPECT_NEAR((FrictionEntry{0, 0, slope, 0.1, 2}.value(rate)), derivative, 1e-6) << rate;
     }
