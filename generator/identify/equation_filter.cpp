@@ -30,8 +30,9 @@ VectorXd rate_weights(const StreamPlan& plan) {
 // 1 / band. The filter's ends are 4.5 of these away.
 VectorXd gaussian_weights(const SampleFilter& filter, Eigen::Index length) {
   VectorXd weights(length);
+  const Eigen::Index middle = length / 2;
   for (Eigen::Index k = 0; k < length; ++k) {
-    const double t = static_cast<double>(k - length / 2) * filter.dt * filter.stride();
+    const double t = static_cast<double>(k - middle) * filter.dt * filter.stride();
     weights[k] = std::exp(-std::pow(filter.band * t, 2) / 2);
   }
   return weights / weights.sum();
@@ -269,6 +270,7 @@ void EquationFilter::pass_on(long index) {
 // Friction jumps, and is filtered as that of Y is, with the speed that the slow motion has about this instant.
 void EquationFilter::set_instruments(int rows_back, double time) {
   const auto rows = static_cast<int>(slow_weights_.size());
+  const int middle = rows / 2;
   slow_motion_.noalias() = rows_.block(rows_back, rows, motion_at(), motions()).transpose() * slow_weights_;
   const double *qd = slow_motion_.data() + layout_.positions, *qdd = qd + n_;
   model_.evaluate({time, slow_motion_.data(), qd, qdd, nullptr}, instruments_.data(), known_of_slow_.data());
@@ -276,7 +278,7 @@ void EquationFilter::set_instruments(int rows_back, double time) {
   for (const FrictionEntry& each : model_.friction()) {
     double& entry = instruments_[each.entry] = 0;
     for (int k = 0; k < rows; ++k) {
-      entry += row_weights_[k] * each.value(qd[each.joint] + qdd[each.joint] * step * (k - rows / 2));
+      entry += row_weights_[k] * each.value(qd[each.joint] + qdd[each.joint] * step * (k - middle));
     }
   }
 }
