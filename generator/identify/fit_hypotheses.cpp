@@ -112,7 +112,7 @@ class HypothesisSearch {
     return of_file > 0 ? count + std::abs(std::log(std::max(of_both / of_file, kLeastRatio))) : count;
   }
 
-  // A gain of one joint's torques; of the sign, too.
+  // A gain of one joint's torques, or a change of their sign, with what it costs.
   struct Gain {
     double cost = 0, odd = 0;
     std::string text;
@@ -327,7 +327,7 @@ class HypothesisSearch {
     double of_gravity = 0, of_motion = 0;
   };
 
-  // Those that some parameters make.
+  // The squares of the torques that these parameters make: of gravity, and of all the rest.
   Squares squares_with(const VectorXd& parameters) const {
     const auto n = static_cast<Index>(names_.size());
     const VectorXd rest = VectorXd::Zero(n);

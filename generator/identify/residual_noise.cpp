@@ -97,7 +97,7 @@ FittedVariances without_doubtful(const MatrixXd& H, const VectorXd& h, const Vec
   right.tail(joints).setZero();
   const FittedVariances without = with_known(fewer, right, known, optional);
   const auto misfit = [&](const VectorXd& x) { return x.dot(H * x) - 2 * h.dot(x); };
-  // By chance, about one per joint at most.
+  // Chance explains about one per joint at most.
   const double explained = misfit(without.values) - misfit(all.values);
   return explained > static_cast<double>(joints) ? all : without;
 }
