@@ -29,7 +29,7 @@ struct GenerateArguments : RobotArguments {
   std::string folder;
   std::vector<std::string> functions, staged, fused;
   std::vector<std::string> scalars = {"double"};
-  std::string language = "c++", form = "header", frames = "file";
+  std::string language = "c++", form = "header", frames = "file", sincos = "polynomials";
   std::string name_space, file_name;  // empty: from the robot's name
   std::string firmware;               // a processor; empty: none
   bool python = false;
@@ -72,6 +72,7 @@ std::string stamp_of(const GenerateArguments& arguments, const std::vector<Optim
              {"--scalar", scalars == "double" ? "" : scalars},
              {"--language", arguments.language == "c++" ? "" : arguments.language},
              {"--form", arguments.is_pair() ? "pair" : ""},
+             {"--sincos", arguments.sincos == "polynomials" ? "" : arguments.sincos},
              {"--namespace", arguments.name_space},
              {"--name", arguments.file_name},
              {"--frames", arguments.frames == "file" ? "" : arguments.frames},
@@ -162,6 +163,7 @@ GenerationOptions generation_options(const GenerateArguments& arguments) {
   options.form.language = kLanguages.at(arguments.language).language;
   options.form.file_name = arguments.file_name;
   options.form.form = arguments.is_pair() ? Form::pair : Form::header;
+  options.form.sines = arguments.sincos == "library" ? Sines::library : Sines::polynomials;
   options.form.frames = parameter_frames(arguments.frames);
   options.form.more_scalars = {arguments.scalars.begin() + 1, arguments.scalars.end()};
   options.options_stamp = [&arguments](const std::vector<OptimisedFunction>& functions) {
@@ -336,6 +338,12 @@ Run add_generate(CLI::App& app) {
                    "same positions, or positions and velocities, is computed once");
   add_names_option(*command, "--fuse", arguments->fused, "one more function that computes all of these at once");
   add_form_options(*command, *arguments);
+  command
+      ->add_option("--sincos", arguments->sincos,
+                   "where sines and cosines are from: polynomials of the code's own, with the same bits on every machine, "
+                   "or the library")
+      ->check(CLI::IsMember({"polynomials", "library"}))
+      ->capture_default_str();
   command
       ->add_option("--namespace", arguments->name_space,
                    "C++ namespace, and in C what names begin with; default: the robot's name")

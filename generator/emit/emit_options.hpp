@@ -14,6 +14,10 @@ enum class Language { cpp, c, javascript };
 // The form of C++: all in one header, or declarations in a header and definitions in a source that is compiled once.
 enum class Form { header, pair };
 
+// Where emitted code has its sines and cosines from, unless they are given: from polynomials of its own, or from the
+// language's library.
+enum class Sines { polynomials, library };
+
 struct EmitOptions {
   std::string name_space;         // empty: from the robot's name
   std::string scalar = "double";  // default of the template parameter: "double" or "float"
@@ -25,6 +29,7 @@ struct EmitOptions {
   Language language = Language::cpp;
   std::string file_name{};  // name of header and source without extension; empty: the robot's name
   Form form = Form::header;
+  Sines sines = Sines::polynomials;
   ParameterFrames frames = ParameterFrames::file;  // those to which the names of base parameters' parts refer
   std::vector<std::string> more_scalars{};         // scalars beside `scalar` that the source of a pair is compiled for
 };

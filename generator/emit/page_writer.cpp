@@ -79,6 +79,8 @@ class PageWriter {
     header["uses_sign"] = content_.uses_sign;
     header["uses_sqrt"] = content_.uses_sqrt;
     header["uses_trigonometry"] = content_.uses_trigonometry;
+    header["own_sines?"] = content_.uses_trigonometry && options_.sines == Sines::polynomials;
+    header["library_sines?"] = options_.sines == Sines::library;
     header["uses_math"] = content_.uses_trigonometry || content_.uses_sqrt || uses_infinity();
     dialect_.write_page(header, content_);
     return header;

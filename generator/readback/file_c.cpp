@@ -44,6 +44,8 @@ CFile::CFile(const EmittedText& text, const FileContents& contents) : FileReader
   fill("smallest", is_float ? "0x1p-126f" : "0x1p-1022");
   fill("or_double", is_float ? "" : "&& method != 1");
   fill("bits", is_float ? "uint32_t" : "uint64_t");
+  fill("most_angle", is_float ? "6400.0f" : "1e5");
+  fill("hash_of_sines", is_float ? "0x803948b6889bcc50" : "0x7b037ac8b2e0683c");
   fill("places", is_float ? "8388608.0f" : "4503599627370496.0");
 }
 
@@ -103,7 +105,7 @@ void CFile::source() {
   for (const FileTable& each : contents_.tables) define(each);
   for (const FileTable& each : contents_.base_tables) define(each);
   has_sign_ = accept(kCSign);
-  has_sines_ = accept(kCSinesAndCosines);
+  sines();
   angles();
   for (const FileFunction& each : contents_.functions) {
     for (const FileTable& zeros : each.zeros) define(zeros);
@@ -111,6 +113,15 @@ void CFile::source() {
   }
   if (contents_.closing) expect(kCCloseLoops);
   known_answer();
+}
+
+void CFile::sines() {
+  if (!has_polynomials()) {
+    has_sines_ = accept(kCLibrarySines);
+    return;
+  }
+  has_sines_ = accept(contents_.scalar == "float" ? kCPolynomialsOfFloats : kCPolynomialsOfDoubles);
+  if (has_sines_) expect(kCPolynomialSines);
 }
 
 // Takes rounding_is_as_written() and what it calls.
@@ -122,7 +133,7 @@ void CFile::known_answer() {
     expect(kCFill);
     if (has_sines_) expect(kCFillSines);
     expect(kCHash);
-    if (has_sines_) expect(kCSinesAreRight);
+    if (has_sines_) expect(has_polynomials() ? kCPolynomialsAreRight : kCLibraryIsRight);
   }
   expect(kCRounding);
   if (calls.empty()) {

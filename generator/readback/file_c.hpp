@@ -31,6 +31,7 @@ class CFile : public FileReader {
 
  private:
   void source();
+  void sines();
   void known_answer();
   KnownCall known_call(const FileFunction& function) const;
   const ScannedFunction& scanned(const FileFunction& function) const;

@@ -18,6 +18,7 @@ CppFile::CppFile(const EmittedText& text, const FileContents& contents) : FileRe
   fill("parameters", has_parameters ? "parameters," : "");
   fill("parameters_argument", has_parameters ? "const Parameters<Scalar>& parameters," : "");
   fill("file", contents.file_name);
+  fill("default_sines", has_polynomials() ? "PolynomialSinCos" : "LibrarySinCos");
 }
 
 void CppFile::file() {
@@ -60,6 +61,10 @@ void CppFile::source() {
   expect("namespace $namespace$ {");
   has_sign_ = accept(kCppSign);
   has_sqrt_ = accept(kCppSqrt);
+  if (has_sines_ && has_polynomials()) {
+    expect(kCppPolynomials);
+    expect(kCppPolynomialSinesDefined);
+  }
   if (contents_.angles > contents_.positions) parts({nullptr, "angles"});
   for (const FileFunction& function : contents_.functions) {
     parts(function);
@@ -123,7 +128,12 @@ void CppFile::helpers() {
     has_sqrt_ = accept(kCppSqrt);
     expect(kCppInterface);
   }
-  has_sines_ = accept(kCppSinesAndCosines);
+  has_sines_ = accept(kCppLibrarySines);
+  if (has_sines_ && has_polynomials()) {
+    if (!is_pair()) expect(kCppPolynomials);
+    expect(is_pair() ? kCppPolynomialSinesDeclared : kCppPolynomialSines);
+  }
+  if (has_sines_) expect(kCppGivenSines);
   if (!is_pair() && contents_.angles > contents_.positions) parts({nullptr, "angles"});
 }
 
@@ -147,7 +157,7 @@ void CppFile::rounding() {
 
 void CppFile::rounding_helpers() {
   expect(kCppRoundingHelpers);
-  if (has_sines_) expect(kCppSinesAreRight);
+  if (has_sines_) expect(has_polynomials() ? kCppPolynomialsAreRight : kCppLibraryIsRight);
   expect("}");
 }
 

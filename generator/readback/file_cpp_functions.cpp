@@ -61,7 +61,7 @@ void CppFile::header_function(const FileFunction& function) {
 
 // Takes a declaration of a header whose definition is in the source.
 void CppFile::declaration(const FileFunction& function) {
-  const bool has_sin_cos = accept("template <class Scalar, class SinCos = LibrarySinCos>");
+  const bool has_sin_cos = accept("template <class Scalar, class SinCos = DefaultSinCos>");
   if (!has_sin_cos) expect("template <class Scalar>");
   expect(fmt::format("{} {}(", returns_of(function, "Scalar"), function.name));
   Known known = parameter_list(function, nullptr);
@@ -74,7 +74,7 @@ void CppFile::definition(const FileFunction& function) {
   const ScannedFunction& body = next_function();
   const bool is_member = !function.member_of.empty();
   const bool has_sin_cos = accept(is_pair() ? "template <class Scalar, class SinCos>"
-                                            : "template <class Scalar, class SinCos = LibrarySinCos>");
+                                            : "template <class Scalar, class SinCos = DefaultSinCos>");
   if (!has_sin_cos) expect("template <class Scalar>");
   if (!is_pair()) expect(is_member ? "inline" : "static inline");
   expect(fmt::format("{} {}{}(", returns_of(function, "Scalar"), is_member ? function.member_of + "<Scalar>::" : "",

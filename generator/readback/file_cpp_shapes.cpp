@@ -100,7 +100,7 @@ void CppFile::shape(const Known& known, bool is_by_itself) {
 void CppFile::instances(const std::string& begin) {
   const auto of_scalars = [&](const Known& known) {
     for (const std::string& scalar : contents_.scalars) {
-      instance(begin, known, scalar, "LibrarySinCos");
+      instance(begin, known, scalar, "DefaultSinCos");
       if (known.has_sin_cos) instance(begin, known, scalar, fmt::format("GivenSinCos<{}>", scalar));
     }
   };

@@ -21,7 +21,12 @@ class JavascriptFile : public FileReader {
   void file() override {
     expect("'use strict';");
     constants();
+    const bool has_sines = has_polynomials() && follows("function sine_of_turned(");
+    if (has_sines) expect_on_lines(kJavascriptSines);
     for (const FileFunction& each : contents_.functions) function(each);
+    const bool asks_library = uses({"Math", ".", "sin"}) || uses({"Math", ".", "cos"});
+    if (has_polynomials() && asks_library) fail("sines of the library");
+    if (has_polynomials()) require_helper("sine_of_turned()", has_sines, uses({"sin", "("}) || uses({"cos", "("}));
     if (contents_.closing) {
       fill("closure", contents_.closing->closure);
       fill("step", contents_.closing->step);

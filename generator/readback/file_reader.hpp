@@ -63,6 +63,9 @@ class FileReader : protected TokenCursor {
   // Takes the parameters of a part, which are some of these, in their order, and the bracket at their end.
   void take_parameters_of_part(const std::vector<std::string>& patterns);
 
+  // Whether sines and cosines are polynomials of the text's own, not those of the library.
+  bool has_polynomials() const { return contents_.sines == Sines::polynomials; }
+
   const EmittedText& text_;
   const FileContents& contents_;
 

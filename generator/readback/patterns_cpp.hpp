@@ -41,7 +41,7 @@ struct Interface {
 };
 })";
 
-inline constexpr const char* kCppSinesAndCosines = R"(
+inline constexpr const char* kCppLibrarySines = R"(
 template <int... joint>
 struct Joints { static constexpr int flatdyn_interface = $interface$; };
 struct LibrarySinCos {
@@ -51,7 +51,163 @@ struct LibrarySinCos {
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
   }
-};
+};)";
+
+// Sines and cosines by polynomials, in a namespace of their own.
+inline constexpr const char* kCppPolynomials = R"(
+namespace detail {
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
+#ifdef __AVX__
+constexpr int register_bytes = 32;
+#else
+constexpr int register_bytes = 16;
+#endif
+typedef double Doubles __attribute__((vector_size(register_bytes)));
+typedef uint64_t BitsOfDoubles __attribute__((vector_size(register_bytes)));
+typedef float Floats __attribute__((vector_size(register_bytes)));
+typedef uint32_t BitsOfFloats __attribute__((vector_size(register_bytes)));
+#define $guard$_IN_LANES
+#else
+typedef double Doubles;
+typedef uint64_t BitsOfDoubles;
+typedef float Floats;
+typedef uint32_t BitsOfFloats;
+#endif
+static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cosine) noexcept {
+  const Doubles turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52, n = turns - 0x1.8p+52;
+  const Doubles above = x - n * 0x1.921fb544p+0, below = n * 0x1.0b4611a6p-34, r = above - below;
+  const Doubles rest = ((above - r) - below) - n * 0x1.3198a2e037073p-69;
+  const Doubles z = r * r, zz = z * z, half = 0.5 * z, leading = 1.0 - half;
+  const Doubles p = (-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03) +
+      zz * ((-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06) +
+      zz * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10));
+  const Doubles k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
+      zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
+      zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
+  const Doubles s = r + (z * r * p + leading * rest);
+  const Doubles c = leading + ((((1.0 - leading) - half) - r * rest) + zz * k);
+  BitsOfDoubles quadrant, bits_of_s, bits_of_c;
+  memcpy(&quadrant, &turns, sizeof(turns));
+  memcpy(&bits_of_s, &s, sizeof(s));
+  memcpy(&bits_of_c, &c, sizeof(c));
+  const BitsOfDoubles exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
+  bits_of_s ^= exchange ^ ((quadrant & 2u) << 62);
+  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 62);
+  memcpy(&sine, &bits_of_s, sizeof(s));
+  memcpy(&cosine, &bits_of_c, sizeof(c));
+}
+static inline void sine_and_cosine(const Floats& x, Floats& sine, Floats& cosine) noexcept {
+  const Floats turns = x * 0x1.45f306p-1f + 0x1.8p+23f, n = turns - 0x1.8p+23f;
+  const Floats above = (x - n * 0x1.922p+0f) - n * -0x1.2cp-18f, below = n * 0x1.11p-26f;
+  const Floats r = above - below, rest = ((above - r) - below) - n * 0x1.68c234p-39f;
+  const Floats z = r * r, half = 0.5f * z, leading = 1.0f - half;
+  const Floats p = -1.6666654611e-1f + z * (8.3321608736e-3f + z * -1.9515295891e-4f);
+  const Floats k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
+  const Floats s = r + (z * r * p + rest);
+  const Floats c = leading + ((((1.0f - leading) - half) - r * rest) + z * z * k);
+  BitsOfFloats quadrant, bits_of_s, bits_of_c;
+  memcpy(&quadrant, &turns, sizeof(turns));
+  memcpy(&bits_of_s, &s, sizeof(s));
+  memcpy(&bits_of_c, &c, sizeof(c));
+  const BitsOfFloats exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
+  bits_of_s ^= exchange ^ ((quadrant & 2u) << 30);
+  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 30);
+  memcpy(&sine, &bits_of_s, sizeof(s));
+  memcpy(&cosine, &bits_of_c, sizeof(c));
+}
+template <class Lanes, class Scalar>
+static inline Scalar evaluate(Lanes squares, const Scalar* q, const int* joints, int count, Scalar* s,
+    Scalar* c) noexcept {
+#ifdef $guard$_IN_LANES
+  constexpr int lanes = sizeof(Lanes) / sizeof(Scalar);
+#pragma GCC unroll 4
+  for (int first = 0; first < count; first += lanes) {
+    Lanes x = squares, sine, cosine;
+#pragma GCC unroll 8
+    for (int k = 0; k < lanes; ++k) x[k] = q[joints[first + k < count ? first + k : count - 1]];
+    sine_and_cosine(x, sine, cosine);
+    squares += x * x;
+#pragma GCC unroll 8
+    for (int k = 0; k < lanes; ++k) {
+      const int joint = joints[first + k < count ? first + k : count - 1];
+      s[joint] = sine[k];
+      c[joint] = cosine[k];
+    }
+  }
+  Scalar sum = squares[0];
+#pragma GCC unroll 8
+  for (int k = 1; k < lanes; ++k) sum += squares[k];
+  return sum;
+#else
+  for (int k = 0; k < count; ++k) {
+    const Scalar x = q[joints[k]];
+    sine_and_cosine(x, s[joints[k]], c[joints[k]]);
+    squares += x * x;
+  }
+  return squares;
+#endif
+}
+template <class Scalar>
+#ifdef __GNUC__
+__attribute__((noinline, cold))
+#endif
+static void ask_library(Scalar most, const Scalar* q, const int* joints, int count, Scalar* s,
+    Scalar* c) noexcept {
+  for (int k = 0; k < count; ++k) {
+    const Scalar x = q[joints[k]];
+    if (x <= most && x >= -most) continue;
+    s[joints[k]] = std::sin(x);
+    c[joints[k]] = std::cos(x);
+  }
+}
+template <int... joint>
+static inline void sines_and_cosines(const double* q, Joints<joint...>, double* s, double* c) noexcept {
+  static constexpr int joints[] = {joint...};
+  constexpr int count = sizeof...(joint);
+  constexpr double most = 1e5;
+  const double squares = evaluate(Doubles{}, q, joints, count, s, c);
+  if (!(squares <= most * most)) ask_library(most, q, joints, count, s, c);
+}
+template <int... joint>
+static inline void sines_and_cosines(const float* q, Joints<joint...>, float* s, float* c) noexcept {
+  static constexpr int joints[] = {joint...};
+  constexpr int count = sizeof...(joint);
+  constexpr float most = 6400.0f;
+  const float squares = evaluate(Floats{}, q, joints, count, s, c);
+  if (!(squares <= most * most)) ask_library(most, q, joints, count, s, c);
+}
+template <class Scalar, int... joint>
+static inline void sines_and_cosines(const Scalar* q, Joints<joint...> all, Scalar* s, Scalar* c) noexcept {
+  LibrarySinCos()(q, all, s, c);
+}
+}  // namespace detail
+)";
+
+// The source that calls them; in a header with a source it is declared in one and defined in the other.
+inline constexpr const char* kCppPolynomialSines = R"(
+struct PolynomialSinCos {
+  template <class Scalar, int... joint>
+#ifdef __GNUC__
+  __attribute__((always_inline))
+#endif
+  inline void operator()(const Scalar* q, Joints<joint...> all, Scalar* s, Scalar* c) const noexcept {
+    detail::sines_and_cosines(q, all, s, c);
+  }
+};)";
+
+inline constexpr const char* kCppPolynomialSinesDeclared = R"(
+struct PolynomialSinCos {
+  template <class Scalar, int... joint>
+  void operator()(const Scalar* q, Joints<joint...> all, Scalar* s, Scalar* c) const noexcept;
+};)";
+
+inline constexpr const char* kCppPolynomialSinesDefined = R"(
+template <class Scalar, int... joint>
+void PolynomialSinCos::operator()(const Scalar* q, Joints<joint...> all, Scalar* s, Scalar* c) const noexcept {
+  detail::sines_and_cosines(q, all, s, c);
+})";
+
+inline constexpr const char* kCppGivenSines = R"(
 template <class Scalar>
 struct GivenSinCos {
   const Scalar* sine;
@@ -60,7 +216,8 @@ struct GivenSinCos {
   void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
     ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
   }
-};)";
+};
+using DefaultSinCos = $default_sines$;)";
 
 inline constexpr const char* kCppCloseLoops = R"(
 template <class Scalar>
@@ -140,7 +297,23 @@ static uint64_t hash_of(const Scalar* x, int count, uint64_t hash) noexcept {
 }
 )";
 
-inline constexpr const char* kCppSinesAreRight = R"(
+inline constexpr const char* kCppPolynomialsAreRight = R"(
+template <class Scalar>
+static bool sines_are_right() noexcept {
+  const volatile Scalar zero = Scalar(0.0);
+  const Scalar angles[8] = {
+      Scalar(0.5), Scalar(0.6875), Scalar(1.28125), Scalar(1.53125), Scalar(1.796875),
+      Scalar(3.125), Scalar(10.28125), Scalar(11.125)
+  };
+  Scalar x[8], s[8], c[8];
+  for (int k = 0; k < 8; ++k) x[k] = angles[k] + zero;
+  PolynomialSinCos()(x, Joints<0, 1, 2, 3, 4, 5, 6, 7>(), s, c);
+  const uint64_t hash = hash_of(c, 8, hash_of(s, 8, 14695981039346656037u));
+  return hash == (sizeof(Scalar) == sizeof(float) ? 0x803948b6889bcc50u : 0x7b037ac8b2e0683cu);
+}
+)";
+
+inline constexpr const char* kCppLibraryIsRight = R"(
 template <class Scalar>
 static bool sines_are_right() noexcept {
   const volatile Scalar zero = Scalar(0.0);

@@ -159,27 +159,24 @@ static inline $lanes$_bits $lanes$_reduced($lanes$ x, $lanes$* restrict r,
   const $lanes$ large = $lanes$_all(0x1.8p+52);
   const $lanes$ turns = x * $lanes$_all(0x1.45f306dc9c883p-1) + large, n = turns - large;
   const $lanes$ above = x - n * $lanes$_all(0x1.921fb544p+0);
-  const $lanes$ product = n * $lanes$_all(0x1.0b4611a6p-34);
-  const $lanes$ head = above - product;
-  const $lanes$ tail = n * $lanes$_all(0x1.3198a2e037073p-69) - ((above - head) - product);
-  *r = head - tail;
-  *rest = (head - *r) - tail;
+  const $lanes$ below = n * $lanes$_all(0x1.0b4611a6p-34);
+  *r = above - below;
+  *rest = ((above - *r) - below) - n * $lanes$_all(0x1.3198a2e037073p-69);
   return ($lanes$_bits)turns;
 }
 static inline $lanes$ $lanes$_sine_near_zero($lanes$ r, $lanes$ rest) {
-  const $lanes$ z = r * r, cube = z * r;
-  const $lanes$ p = 8.33333333332248946124e-03 +
-      z * (-1.98412698298579493134e-04 + z * (2.75573137070700676789e-06 +
-      z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)));
-  return r - ((z * (0.5 * rest - cube * p) - rest) + cube * 1.66666666666666324348e-01);
+  const $lanes$ z = r * r, zz = z * z, leading = 1.0 - 0.5 * z;
+  const $lanes$ p = (-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03) +
+      zz * ((-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06) +
+      zz * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10));
+  return r + (z * r * p + leading * rest);
 }
 static inline $lanes$ $lanes$_cosine_near_zero($lanes$ r, $lanes$ rest) {
-  const $lanes$ z = r * r, half = 0.5 * z, leading = 1.0 - half;
-  const $lanes$ p = 4.16666666666666019037e-02 +
-      z * (-1.38888888888741095749e-03 + z * (2.48015872894767294178e-05 +
-      z * (-2.75573143513906633035e-07 + z * (2.08757232129817482790e-09 +
-      z * -1.13596475577881948265e-11))));
-  return leading + (((1.0 - leading) - half) + (z * (z * p) - r * rest));
+  const $lanes$ z = r * r, zz = z * z, half = 0.5 * z, leading = 1.0 - half;
+  const $lanes$ k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
+      zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
+      zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
+  return leading + ((((1.0 - leading) - half) - r * rest) + zz * k);
 }
 )";
 
@@ -189,20 +186,20 @@ static inline $lanes$_bits $lanes$_reduced($lanes$ x, $lanes$* restrict r,
   const $lanes$ large = $lanes$_all(0x1.8p+23f);
   const $lanes$ turns = x * $lanes$_all(0x1.45f306p-1f) + large, n = turns - large;
   const $lanes$ above = (x - n * $lanes$_all(0x1.922p+0f)) - n * $lanes$_all(-0x1.2cp-18f);
-  const $lanes$ product = n * $lanes$_all(0x1.11p-26f);
-  *r = above - product;
-  *rest = ((above - *r) - product) - n * $lanes$_all(0x1.68c234p-39f);
+  const $lanes$ below = n * $lanes$_all(0x1.11p-26f);
+  *r = above - below;
+  *rest = ((above - *r) - below) - n * $lanes$_all(0x1.68c234p-39f);
   return ($lanes$_bits)turns;
 }
 static inline $lanes$ $lanes$_sine_near_zero($lanes$ r, $lanes$ rest) {
   const $lanes$ z = r * r;
   const $lanes$ p = -1.6666654611e-1f + z * (8.3321608736e-3f + z * -1.9515295891e-4f);
-  return r + (rest + z * r * p);
+  return r + (z * r * p + rest);
 }
 static inline $lanes$ $lanes$_cosine_near_zero($lanes$ r, $lanes$ rest) {
   const $lanes$ z = r * r, half = 0.5f * z, leading = 1.0f - half;
   const $lanes$ p = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
-  return leading + (((1.0f - leading) - half) + (z * (z * p) - r * rest));
+  return leading + ((((1.0f - leading) - half) - r * rest) + z * z * p);
 }
 )";
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
+#include <array>
 
 #include "readback/scan.hpp"
 #include "readback/token_cursor.hpp"
@@ -18,6 +19,8 @@ class CppScanner : TokenCursor {
         open_namespace();
       } else if (is("template")) {
         declaration();
+      } else if (is("static")) {
+        function();
       } else if (is("}")) {
         close_namespace();
       } else if (tokens_[at_].is_directive()) {
@@ -86,6 +89,7 @@ class CppScanner : TokenCursor {
   void function() {
     ScannedFunction written;
     const bool is_part = !namespaces_.empty() && namespaces_.back() == "detail";
+    skip_attributes();
     while (is("inline") || is("static")) ++at_;
     written.returns = word();
     while (word() != "(") {
@@ -102,12 +106,30 @@ class CppScanner : TokenCursor {
     written.begin = at_ + 1;
     skip_block();
     written.end = at_ - 1;
-    if (is_helper_function(written.name)) return;
+    if (is_helper_function(written.name) || is_of_sines(written.name)) return;
     if (is_part) {
       if (!found_.parts.emplace(written.name, written).second) fail("a part made twice");
     } else {
       found_.functions.push_back(written);
     }
+  }
+
+  // Moves past "__attribute__((…))" and the conditions around it.
+  void skip_attributes() {
+    while (tokens_[at_].is_directive() || is("__attribute__")) {
+      if (is("__attribute__")) {
+        while (word() != ")" || word(1) != ")") ++at_;
+        ++at_;
+      }
+      ++at_;
+    }
+  }
+
+  // Whether a function is one of those that evaluate sines and cosines.
+  static bool is_of_sines(const std::string& name) {
+    constexpr auto kNames = std::to_array<const char*>(
+        {"sine_and_cosine", "evaluate", "ask_library", "sines_and_cosines", "operator"});
+    return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
   }
 
   // Scans parameters: "const Scalar* q", "Scalar* tau", "const Parameters<Scalar>& parameters", but not sin_cos.

@@ -74,6 +74,7 @@ int TextReader::factor() {
   if (notation_.has_lanes && word() == notation_.scalar + "_all") return same_in_all_lanes();
   if (!notation_.is_cpp && !notation_.has_lanes && is_floating(word())) return plain_literal();
   if (notation_.has_math_object && accept("Math")) return library_call();
+  if (notation_.has_math_object && word(1) == "(" && (word() == "sin" || word() == "cos")) return sine_or_cosine();
   if (notation_.is_cpp && accept("detail")) {
     expect("::");
     const std::string function = take();
@@ -120,9 +121,16 @@ int TextReader::function_call(const std::string& function) {
 // Reads .sin(q[2]), .cos(0.5 * q[2]), .sign(sum) or .sqrt(sum).
 int TextReader::library_call() {
   expect(".");
+  if (word() == "sin" || word() == "cos") return sine_or_cosine();
   const std::string function = take();
   expect("(");
-  if (function != "sin" && function != "cos") return function_call(function);
+  return function_call(function);
+}
+
+// Reads sin(q[2]) or cos(0.5 * q[2]).
+int TextReader::sine_or_cosine() {
+  const std::string function = take();
+  expect("(");
   const int operation = in_brackets();
   const int angle = angle_at(operation), joint = angle < 0 ? lines_[operation].input.index : 0;
   return function == "sin" ? lines_.sine(joint, angle) : lines_.cosine(joint, angle);

@@ -13,7 +13,7 @@ namespace {
 
 // Names that a variable would hide.
 bool is_taken_by_language(const std::string& name) {
-  constexpr auto kNames = std::to_array<const char*>({"Math", "Float64Array", "Scalar", "detail", "std"});
+  constexpr auto kNames = std::to_array<const char*>({"Math", "sin", "cos", "Float64Array", "Scalar", "detail", "std"});
   return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 

@@ -99,6 +99,7 @@ class TextReader {
   int product();
   int factor();
   int library_call();
+  int sine_or_cosine();
   int same_in_all_lanes();
   int function_call(const std::string& function);
   int in_brackets();

@@ -157,6 +157,7 @@ FileContents contents_of(const WrittenCode& code) {
   FileContents contents;
   contents.language = options.language;
   contents.form = options.form;
+  contents.sines = options.sines;
   contents.is_module = code.is_module;
   contents.is_over_states = code.is_over_states;
   const std::string name = cpp_identifier(mechanism.name);

@@ -90,7 +90,7 @@ std::string CDialect::count_name(const std::string& name) const { return in_capi
 std::vector<std::string> CDialect::reserved() const {
   std::vector<std::string> words = {"restrict", "sin",  "cos",   "sqrt",
                                     "sinf",     "cosf", "sqrtf", count_name("joint_count")};
-  for (const char* name : {"joint_names", "parameters", "sign", "is_zero", "sines_and_cosines", "angles",
+  for (const char* name : {"joint_names", "parameters", "sign", "is_zero", "sine_and_cosine", "sines_and_cosines", "angles",
                            "rounding_is_as_written", "text_hash"}) {
     words.push_back(global(name));
   }
@@ -237,10 +237,14 @@ void CDialect::write_page(data& page, const CodeContent& content) const {
   page["half_a_place"] = std::string(is_float ? "0x1.001p-24f" : "0x1.001p-53");
   page["smallest"] = std::string(is_float ? "0x1p-126f" : "0x1p-1022");
   page["is_float"] = is_float;
+  page["most_angle"] = std::string(is_float ? "6400.0f" : "1e5");
+  page["hash_of_sines"] = std::string(is_float ? "0x803948b6889bcc50" : "0x7b037ac8b2e0683c");
   page["places"] = std::string(is_float ? "8388608.0f" : "4503599627370496.0");
   page["bits"] = std::string(is_float ? "uint32_t" : "uint64_t");
   const std::string statements =
       known_answer_statements(content, {scalar(), global(""), global("parameters"), "&parameters", ""});
+  const char* const polynomials = is_float ? templates::polynomials_of_floats_c : templates::polynomials_of_doubles_c;
+  page["polynomials"] = without_newline(rendered(polynomials, page));
   page["known_answer?"] = !statements.empty();
   page["known_answer"] = without_newline(statements);
   page["verdict"] = statements.empty() ? "true" : fmt::format("hash == {}u", is_float ? kFloatAnswer : kDoubleAnswer);

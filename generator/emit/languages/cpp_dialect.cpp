@@ -45,9 +45,7 @@ std::vector<std::string> cpp_example(const CodeContent& content) {
 }  // namespace
 
 std::vector<std::string> CppDialect::reserved() const {
-  return {"Scalar",      "Real", "Parameters",    "SinCos",      "Joints",      "LibrarySinCos",
-          "GivenSinCos", "at",   "Configuration", "Motion",      "detail",      "functions",
-          "std",         "sin",  "cos",           "joint_count", "joint_names", "rounding_is_as_written"};
+  return {"Scalar", "Real", "Parameters", "SinCos", "Joints", "LibrarySinCos", "PolynomialSinCos", "GivenSinCos", "DefaultSinCos", "at", "Configuration", "Motion", "detail", "functions", "std", "sin", "cos", "joint_count", "joint_names", "rounding_is_as_written"};
 }
 
 std::string CppDialect::literal(const Rational& value) const { return "Scalar(" + decimal_literal(value) + ")"; }
@@ -114,6 +112,7 @@ void CppDialect::write_page(data& page, const CodeContent& content) const {
   page["header_sign?"] = content.uses_sign && !is_pair();
   page["header_sqrt?"] = content.uses_sqrt && !is_pair();
   page["header_angles?"] = content.uses_trigonometry && !content.scope.angles.empty() && !is_pair();
+  page["polynomial_sines"] = without_newline(rendered(templates::polynomial_sines_hpp, page));
   write_known_answer(page, content);
 }
 

@@ -36,7 +36,7 @@ std::vector<std::string> parameters_of(const UndeclaredFunction& function, const
 }
 
 std::string template_parameters(const FunctionText& text) {
-  return text.uses_trigonometry ? "class Scalar, class SinCos = LibrarySinCos" : "class Scalar";
+  return text.uses_trigonometry ? "class Scalar, class SinCos = DefaultSinCos" : "class Scalar";
 }
 
 // "static inline void gravity(const Scalar* q, Scalar* g) noexcept {"; for a member of `stage`, "…
@@ -60,7 +60,7 @@ void declare_template(FunctionText& text, const UndeclaredFunction& function,
   if (!function.scope.enclosing_stage.empty()) return;  // a stage's struct is instantiated as a whole
   for (const std::string& scalar : compiled) {
     const std::string returns = with_replaced(text.returns, "Scalar", scalar);
-    text.compiled.push_back({returns, parameters_of(function, {scalar, "LibrarySinCos", true, false})});
+    text.compiled.push_back({returns, parameters_of(function, {scalar, "DefaultSinCos", true, false})});
     if (!function.body.uses_trigonometry()) continue;
     text.compiled.push_back({returns, parameters_of(function, {scalar, "GivenSinCos<" + scalar + ">", true, false})});
   }

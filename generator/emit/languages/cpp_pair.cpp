@@ -34,7 +34,7 @@ void write_pair(kainjow::mustache::data& page, const std::string& header, const 
   page["source_file"] = comment_text(source);
   const std::string text = fmt::format(
       "Every function is a template over its scalar, defined in {} and compiled there for {}, with sines and cosines "
-      "from LibrarySinCos or GivenSinCos: the list is at the end. Whatever else is called does not link. Arguments are "
+      "from DefaultSinCos or GivenSinCos: the list is at the end. Whatever else is called does not link. Arguments are "
       "plain arrays:",
       comment_text(source), fmt::join(scalars, " and "));
   page["compiled"] = fmt::format("// {}", fmt::join(wrapped_words(text, kCommentWidth), "\n// "));

@@ -41,7 +41,7 @@ std::unique_ptr<const PageDialect> dialect_of(const Mechanism& mechanism, const 
     case Language::c:
       return std::make_unique<CDialect>(options.scalar, namespace_of(mechanism.name, options.name_space));
     case Language::javascript:
-      return std::make_unique<JavascriptDialect>();
+      return std::make_unique<JavascriptDialect>(JavascriptForm::module, options.sines);
   }
   throw std::logic_error("unknown language");
 }
@@ -102,7 +102,7 @@ std::string emit_c_batch(const Mechanism& mechanism, const std::vector<Function>
 
 std::string emit_javascript(const Mechanism& mechanism, const std::vector<Function>& functions,
                             const EmitOptions& options, JavascriptForm form) {
-  return emitted(JavascriptDialect(form), mechanism, functions, options).front();
+  return emitted(JavascriptDialect(form, options.sines), mechanism, functions, options).front();
 }
 
 }  // namespace flatdyn

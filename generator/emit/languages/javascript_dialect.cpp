@@ -63,7 +63,7 @@ std::vector<std::string> JavascriptDialect::reserved() const {
   return {"Math",   "Float64Array", "Infinity",   "NaN",       "undefined",   "null",        "arguments",
           "await",  "debugger",     "eval",       "extends",   "finally",     "function",    "implements",
           "import", "in",           "instanceof", "interface", "let",         "package",     "super",
-          "typeof", "var",          "with",       "yield",     "joint_count", "joint_names", "parameter_names"};
+          "sin", "cos", "sine_of_turned", "typeof", "var",          "with",       "yield",     "joint_count", "joint_names", "parameter_names"};
 }
 
 std::string JavascriptDialect::literal(const Rational& value) const { return decimal_literal(value); }
@@ -77,7 +77,7 @@ std::string JavascriptDialect::sign(const std::string& of) const { return "Math.
 std::string JavascriptDialect::sqrt(const std::string& of) const { return "Math.sqrt(" + of + ")"; }
 
 std::string JavascriptDialect::angle_function(const std::string& function, int, const std::string& angle) const {
-  return fmt::format("Math.{}({})", function, angle);
+  return fmt::format("{}{}({})", sines_ == Sines::library ? "Math." : "", function, angle);
 }
 
 std::string JavascriptDialect::array(const std::string& name, std::size_t length) const {

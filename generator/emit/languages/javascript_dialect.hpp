@@ -14,7 +14,8 @@ enum class JavascriptForm { module, function_body };
 
 class JavascriptDialect : public PageDialect {
  public:
-  explicit JavascriptDialect(JavascriptForm form = JavascriptForm::module) : PageDialect("number", ""), form_(form) {}
+  explicit JavascriptDialect(JavascriptForm form = JavascriptForm::module, Sines sines = Sines::polynomials)
+      : PageDialect("number", ""), form_(form), sines_(sines) {}
 
   std::vector<std::string> reserved() const override;
   std::string literal(const Rational& value) const override;
@@ -51,6 +52,7 @@ class JavascriptDialect : public PageDialect {
 
  private:
   JavascriptForm form_;
+  Sines sines_;
 };
 
 }  // namespace flatdyn
