@@ -15,7 +15,8 @@
 # file that it names, the scene, or flatdyn itself changes, and only then. The library can be installed and
 # exported: install(TARGETS TARGET EXPORT ...) with PUBLIC_HEADER DESTINATION include.
 #
-# Certificates assume that every operation is rounded as it is written, with -ffp-contract=off. A generated source is
+# Certificates assume that every operation is rounded as it is written, with -ffp-contract=off; g++ 12 fuses some
+# operations of vectors nevertheless unless it is given -fno-tree-slp-vectorize, which clang knows, too. A generated source is
 # compiled with this option here. A header is compiled by the targets that link with it: ROUNDED_AS_WRITTEN gives them
 # the option, for all their own sources as well.
 #
@@ -133,7 +134,7 @@ function(flatdyn_generate target)
     add_library(${target} STATIC ${outputs})
     flatdyn_publish_header(${target} PUBLIC ${folder} ${target}.h)
     target_compile_features(${target} PUBLIC c_std_99)
-    target_compile_options(${target} PRIVATE -ffp-contract=off)
+    target_compile_options(${target} PRIVATE -ffp-contract=off -fno-tree-slp-vectorize)
     if(UNIX)
       target_link_libraries(${target} PUBLIC m)
     endif()
@@ -143,7 +144,7 @@ function(flatdyn_generate target)
     add_library(${target} STATIC ${outputs})
     flatdyn_publish_header(${target} PUBLIC ${folder} ${target}.hpp)
     target_compile_features(${target} PUBLIC cxx_std_17)
-    target_compile_options(${target} PRIVATE -ffp-contract=off)
+    target_compile_options(${target} PRIVATE -ffp-contract=off -fno-tree-slp-vectorize)
     return()
   endif()
   add_library(${target} INTERFACE)
@@ -152,6 +153,7 @@ function(flatdyn_generate target)
   flatdyn_publish_header(${target} INTERFACE ${folder} ${target}.hpp)
   target_compile_features(${target} INTERFACE cxx_std_17)
   if(arg_ROUNDED_AS_WRITTEN)
-    target_compile_options(${target} INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
+    target_compile_options(${target} INTERFACE
+      "$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off;-fno-tree-slp-vectorize>")
   endif()
 endfunction()

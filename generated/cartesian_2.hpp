@@ -12,7 +12,7 @@
 //
 // Every function is a template over its scalar: float, double, or any type with a constructor from
 // double, + - * / (also unary -), comparisons, and sin and cos that argument-dependent lookup finds
-// (or an argument that provides them, see LibrarySinCos). Arguments are plain arrays:
+// (or an argument that provides them, see GivenSinCos). Arguments are plain arrays:
 //
 //   cartesian_2::Parameters<> parameters = {};  // then set its members
 //   double q[2] = {}, qd[2] = {}, qdd[2] = {}, tau[2];
@@ -384,7 +384,9 @@ struct inverse_dynamics {
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
       const Scalar (&qdd)[2], Scalar (&tau)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::inverse_dynamics(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::cartesian_2::inverse_dynamics(of...);
+  }
 };
 
 struct inverse_dynamics_tip_force {
@@ -392,7 +394,7 @@ struct inverse_dynamics_tip_force {
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
       const Scalar (&qdd)[2], const Scalar (&h_e)[6], Scalar (&tau)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept {
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
     return ::cartesian_2::inverse_dynamics_tip_force(of...);
   }
 };
@@ -401,14 +403,18 @@ struct inertia_matrix {
   template <class Scalar>
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&B)[2][2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::inertia_matrix(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::cartesian_2::inertia_matrix(of...);
+  }
 };
 
 struct christoffel {
   template <class Scalar>
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&c)[2][3]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::christoffel(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::cartesian_2::christoffel(of...);
+  }
 };
 
 struct coriolis_matrix {
@@ -416,14 +422,18 @@ struct coriolis_matrix {
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
       Scalar (&C)[2][2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::coriolis_matrix(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::cartesian_2::coriolis_matrix(of...);
+  }
 };
 
 struct gravity {
   template <class Scalar>
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&g)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::gravity(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::cartesian_2::gravity(of...);
+  }
 };
 
 struct bias {
@@ -431,7 +441,9 @@ struct bias {
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
       Scalar (&n)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::bias(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::cartesian_2::bias(of...);
+  }
 };
 
 struct forward_dynamics {
@@ -439,21 +451,27 @@ struct forward_dynamics {
   using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
       const Scalar (&tau)[2], Scalar (&qdd)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::forward_dynamics(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::cartesian_2::forward_dynamics(of...);
+  }
 };
 
 struct kinetic_energy {
   template <class Scalar>
   using Shape = Scalar(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::kinetic_energy(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::cartesian_2::kinetic_energy(of...);
+  }
 };
 
 struct potential_energy {
   template <class Scalar>
   using Shape = Scalar(const Parameters<Scalar>&, const Scalar (&q)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::potential_energy(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::cartesian_2::potential_energy(of...);
+  }
 };
 
 struct forward_kinematics {
@@ -461,14 +479,18 @@ struct forward_kinematics {
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&R)[3][3],
       Scalar (&p)[3]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::forward_kinematics(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::cartesian_2::forward_kinematics(of...);
+  }
 };
 
 struct jacobian {
   template <class Scalar>
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&J)[6][2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::jacobian(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::cartesian_2::jacobian(of...);
+  }
 };
 
 struct jacobian_dot_qd {
@@ -476,7 +498,9 @@ struct jacobian_dot_qd {
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
       Scalar (&a)[6]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::cartesian_2::jacobian_dot_qd(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::cartesian_2::jacobian_dot_qd(of...);
+  }
 };
 
 }  // namespace functions
@@ -526,11 +550,12 @@ static uint64_t hash_of(const Scalar* x, int count, uint64_t hash) noexcept {
 }  // namespace detail
 
 // Whether the build rounds every operation as it is written, to nearest: compilers fuse products
-// into sums unless they are given -ffp-contract=off, and x87 registers or -freciprocal-math change
-// more. The rounding errors that certificates bound assume that this is true. All functions are
-// called at one state, with sines and cosines given, and the bits of their results compared with
-// those of arithmetic as it is written. The answer is for the calling file and thread, for float and
-// double: every file has its own copy of the functions, but shares members of stages with others.
+// into sums unless they are given -ffp-contract=off (g++ 12 needs -fno-tree-slp-vectorize, too),
+// and x87 registers or -freciprocal-math change more. The rounding errors that certificates bound
+// assume that this is true. All functions are called at one state, with sines and cosines given,
+// and the bits of their results compared with those of arithmetic as it is written. The answer is
+// for the calling file and thread, for float and double: every file has its own copy of the
+// functions, but shares members of stages with others.
 template <class Scalar = Real>
 static bool rounding_is_as_written() noexcept {
   constexpr bool is_float = sizeof(Scalar) == sizeof(float);

@@ -26,6 +26,167 @@
 
 namespace example_7_2_pair {
 
+namespace detail {
+
+// Angles in the lanes of registers, four at a time (two doubles without AVX), and their bits; one
+// angle at a time where compilers have no vectors.
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
+#ifdef __AVX__
+constexpr int bytes_of_doubles = 32;
+#else
+constexpr int bytes_of_doubles = 16;
+#endif
+typedef double Doubles __attribute__((vector_size(bytes_of_doubles)));
+typedef uint64_t BitsOfDoubles __attribute__((vector_size(bytes_of_doubles)));
+typedef float Floats __attribute__((vector_size(16)));
+typedef uint32_t BitsOfFloats __attribute__((vector_size(16)));
+#define FLATDYN_EXAMPLE_7_2_PAIR_HPP_9D0893AB_IN_LANES
+#else
+typedef double Doubles;
+typedef uint64_t BitsOfDoubles;
+typedef float Floats;
+typedef uint32_t BitsOfFloats;
+#endif
+
+// sin(x) and cos(x) for |x| <= 1e5, to 1 ulp.
+//
+// x = n pi/2 + r + rest with |r| <= pi/4 up to a rounding; rest is the part that the digits of r
+// cannot hold (Cody and Waite). Added to 1.5 2^52, a number has no room for a fraction: this rounds
+// n, and leaves its last bits, the quadrant, at the end of `turns`. pi/2 is in three parts, the
+// first two of 33 bits, so that their products with n are exact (the split is that of fdlibm's
+// e_rem_pio2.c). The polynomials are minimax on [-pi/4, pi/4], with errors below 2^-57 (they are
+// those of fdlibm's k_sin.c and k_cos.c). In an odd quadrant sine and cosine are exchanged. (It is a
+// template so that compilers do not warn where nothing calls it.)
+template <class = void>
+static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cosine) noexcept {
+  const Doubles turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52, n = turns - 0x1.8p+52;
+  const Doubles above = x - n * 0x1.921fb544p+0, below = n * 0x1.0b4611a6p-34, r = above - below;
+  const Doubles rest = ((above - r) - below) - n * 0x1.3198a2e037073p-69;
+  const Doubles z = r * r, zz = z * z, half = 0.5 * z, leading = 1.0 - half;
+  const Doubles p = (-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03) +
+      zz * ((-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06) +
+      zz * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10));
+  const Doubles k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
+      zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
+      zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
+  const Doubles s = r + (z * r * p + leading * rest);
+  const Doubles c = leading + ((((1.0 - leading) - half) - r * rest) + zz * k);
+  BitsOfDoubles quadrant, bits_of_s, bits_of_c;
+  memcpy(&quadrant, &turns, sizeof(turns));
+  memcpy(&bits_of_s, &s, sizeof(s));
+  memcpy(&bits_of_c, &c, sizeof(c));
+  const BitsOfDoubles exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
+  bits_of_s ^= exchange ^ ((quadrant & 2u) << 62);
+  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 62);
+  memcpy(&sine, &bits_of_s, sizeof(s));
+  memcpy(&cosine, &bits_of_c, sizeof(c));
+}
+
+// The same in float, for |x| <= 6400. The first three of four parts of pi/2 have so few bits (12, 7
+// and 9) that their products with n are exact. The polynomials are those of Cephes' sinf.c.
+template <class = void>
+static inline void sine_and_cosine(const Floats& x, Floats& sine, Floats& cosine) noexcept {
+  const Floats turns = x * 0x1.45f306p-1f + 0x1.8p+23f, n = turns - 0x1.8p+23f;
+  const Floats above = (x - n * 0x1.922p+0f) - n * -0x1.2cp-18f, below = n * 0x1.11p-26f;
+  const Floats r = above - below, rest = ((above - r) - below) - n * 0x1.68c234p-39f;
+  const Floats z = r * r, half = 0.5f * z, leading = 1.0f - half;
+  const Floats p = -1.6666654611e-1f + z * (8.3321608736e-3f + z * -1.9515295891e-4f);
+  const Floats k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
+  const Floats s = r + (z * r * p + leading * rest);
+  const Floats c = leading + ((((1.0f - leading) - half) - r * rest) + z * z * k);
+  BitsOfFloats quadrant, bits_of_s, bits_of_c;
+  memcpy(&quadrant, &turns, sizeof(turns));
+  memcpy(&bits_of_s, &s, sizeof(s));
+  memcpy(&bits_of_c, &c, sizeof(c));
+  const BitsOfFloats exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
+  bits_of_s ^= exchange ^ ((quadrant & 2u) << 30);
+  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 30);
+  memcpy(&sine, &bits_of_s, sizeof(s));
+  memcpy(&cosine, &bits_of_c, sizeof(c));
+}
+
+// Evaluates the angles of `joints`, a register of them at a time; the last one fills lanes that are
+// left. Returns a sum of the squares of all of them.
+template <class Lanes, class Scalar>
+static inline Scalar evaluate(Lanes squares, const Scalar* q, const int* joints, int count,
+    Scalar* s, Scalar* c) noexcept {
+#ifdef FLATDYN_EXAMPLE_7_2_PAIR_HPP_9D0893AB_IN_LANES
+  constexpr int lanes = sizeof(Lanes) / sizeof(Scalar);
+#pragma GCC unroll 4
+  for (int first = 0; first < count; first += lanes) {
+    Lanes x = squares, sine, cosine;
+#pragma GCC unroll 4
+    for (int k = 0; k < lanes; ++k) x[k] = q[joints[first + k < count ? first + k : count - 1]];
+    sine_and_cosine(x, sine, cosine);
+    squares += x * x;
+#pragma GCC unroll 4
+    for (int k = 0; k < lanes; ++k) {
+      const int joint = joints[first + k < count ? first + k : count - 1];
+      s[joint] = sine[k];
+      c[joint] = cosine[k];
+    }
+  }
+  Scalar sum = squares[0];
+#pragma GCC unroll 4
+  for (int k = 1; k < lanes; ++k) sum += squares[k];
+  return sum;
+#else
+  for (int k = 0; k < count; ++k) {
+    const Scalar x = q[joints[k]];
+    sine_and_cosine(x, s[joints[k]], c[joints[k]]);
+    squares += x * x;
+  }
+  return squares;
+#endif
+}
+
+// Asks the library for sines and cosines of angles beyond `most`, which are seldom.
+template <class Scalar>
+[[gnu::noinline, gnu::cold]] static void ask_library(Scalar most, const Scalar* q,
+    const int* joints, int count, Scalar* s, Scalar* c) noexcept {
+  for (int k = 0; k < count; ++k) {
+    const Scalar x = q[joints[k]];
+    if (x <= most && x >= -most) continue;
+    s[joints[k]] = std::sin(x);
+    c[joints[k]] = std::cos(x);
+  }
+}
+
+template <int... joint>
+static inline void sines_and_cosines(const double* q, Joints<joint...>, double* s,
+    double* c) noexcept {
+  static constexpr int joints[] = {joint...};
+  constexpr int count = sizeof...(joint);
+  constexpr double most = 1e5;
+  const double squares = evaluate(Doubles{}, q, joints, count, s, c);
+  if (!(squares <= most * most)) ask_library(most, q, joints, count, s, c);
+}
+
+template <int... joint>
+static inline void sines_and_cosines(const float* q, Joints<joint...>, float* s,
+    float* c) noexcept {
+  static constexpr int joints[] = {joint...};
+  constexpr int count = sizeof...(joint);
+  constexpr float most = 6400.0f;
+  const float squares = evaluate(Floats{}, q, joints, count, s, c);
+  if (!(squares <= most * most)) ask_library(most, q, joints, count, s, c);
+}
+
+// Scalars of other types have sines of their own.
+template <class Scalar, int... joint>
+static inline void sines_and_cosines(const Scalar* q, Joints<joint...> all, Scalar* s,
+    Scalar* c) noexcept {
+  LibrarySinCos()(q, all, s, c);
+}
+
+}  // namespace detail
+
+template <class Scalar, int... joint>
+void PolynomialSinCos::operator()(const Scalar* q, Joints<joint...> all, Scalar* s,
+    Scalar* c) const noexcept {
+  detail::sines_and_cosines(q, all, s, c);
+}
+
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
 template <class Scalar, class SinCos>
 void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
@@ -182,8 +343,7 @@ static uint64_t hash_of(const Scalar* x, int count, uint64_t hash) noexcept {
   return hash;
 }
 
-// Whether sines and cosines of the library are right to a unit in the last place: at angles for
-// which libraries that trade digits for speed are not.
+// Whether sines and cosines have the bits that they have to have.
 template <class Scalar>
 static bool sines_are_right() noexcept {
   const volatile Scalar zero = Scalar(0.0);
@@ -191,27 +351,11 @@ static bool sines_are_right() noexcept {
       Scalar(0.5), Scalar(0.6875), Scalar(1.28125), Scalar(1.53125), Scalar(1.796875),
       Scalar(3.125), Scalar(10.28125), Scalar(11.125)
   };
-  const Scalar sines[8] = {
-      Scalar(0.479425538604203), Scalar(0.6346070800152693), Scalar(0.9583735057581397),
-      Scalar(0.999218145922396), Scalar(0.9745528811569866), Scalar(0.016591892229347906),
-      Scalar(-0.7555360776363961), Scalar(-0.9916361774750792)
-  };
-  const Scalar cosines[8] = {
-      Scalar(0.8775825618903728), Scalar(0.7728349461524715), Scalar(0.28551746612221973),
-      Scalar(0.03953601977196579), Scalar(-0.2241577164155103), Scalar(-0.9998623450816866),
-      Scalar(-0.6551070411694638), Scalar(0.12906467960915324)
-  };
-  const Scalar places = Scalar(sizeof(Scalar) == sizeof(float) ? 8388608.0 : 4503599627370496.0);
   Scalar x[8], s[8], c[8];
   for (int k = 0; k < 8; ++k) x[k] = angles[k] + zero;
-  LibrarySinCos()(x, Joints<0, 1, 2, 3, 4, 5, 6, 7>(), s, c);
-  const auto is_near = [places](Scalar a, Scalar b) {
-    const Scalar error = (a - b) * places, size = b < Scalar(0.0) ? -b : b;
-    return error <= size && -error <= size;
-  };
-  bool right = true;
-  for (int k = 0; k < 8; ++k) right &= is_near(s[k], sines[k]) && is_near(c[k], cosines[k]);
-  return right;
+  PolynomialSinCos()(x, Joints<0, 1, 2, 3, 4, 5, 6, 7>(), s, c);
+  const uint64_t hash = hash_of(c, 8, hash_of(s, 8, 14695981039346656037u));
+  return hash == (sizeof(Scalar) == sizeof(float) ? 0x803948b6889bcc50u : 0x7b037ac8b2e0683cu);
 }
 
 }  // namespace detail
@@ -262,28 +406,28 @@ bool rounding_is_as_written() noexcept {
 
 // The instances that example_7_2_pair.hpp lists.
 template void inverse_dynamics(const double* q, const double* qd, const double* qdd, double* tau,
-    const LibrarySinCos& sin_cos);
+    const DefaultSinCos& sin_cos);
 template void inverse_dynamics(const double* q, const double* qd, const double* qdd, double* tau,
     const GivenSinCos<double>& sin_cos);
 template void inverse_dynamics(const float* q, const float* qd, const float* qdd, float* tau,
-    const LibrarySinCos& sin_cos);
+    const DefaultSinCos& sin_cos);
 template void inverse_dynamics(const float* q, const float* qd, const float* qdd, float* tau,
     const GivenSinCos<float>& sin_cos);
-template void gravity(const double* q, double* g, const LibrarySinCos& sin_cos);
+template void gravity(const double* q, double* g, const DefaultSinCos& sin_cos);
 template void gravity(const double* q, double* g, const GivenSinCos<double>& sin_cos);
-template void gravity(const float* q, float* g, const LibrarySinCos& sin_cos);
+template void gravity(const float* q, float* g, const DefaultSinCos& sin_cos);
 template void gravity(const float* q, float* g, const GivenSinCos<float>& sin_cos);
 template bool forward_dynamics(const double* q, const double* qd, const double* tau, double* qdd,
-    const LibrarySinCos& sin_cos);
+    const DefaultSinCos& sin_cos);
 template bool forward_dynamics(const double* q, const double* qd, const double* tau, double* qdd,
     const GivenSinCos<double>& sin_cos);
 template bool forward_dynamics(const float* q, const float* qd, const float* tau, float* qdd,
-    const LibrarySinCos& sin_cos);
+    const DefaultSinCos& sin_cos);
 template bool forward_dynamics(const float* q, const float* qd, const float* tau, float* qdd,
     const GivenSinCos<float>& sin_cos);
-template Configuration<double> at(const double* q, const LibrarySinCos& sin_cos);
+template Configuration<double> at(const double* q, const DefaultSinCos& sin_cos);
 template Configuration<double> at(const double* q, const GivenSinCos<double>& sin_cos);
-template Configuration<float> at(const float* q, const LibrarySinCos& sin_cos);
+template Configuration<float> at(const float* q, const DefaultSinCos& sin_cos);
 template Configuration<float> at(const float* q, const GivenSinCos<float>& sin_cos);
 template struct Configuration<double>;
 template struct Motion<double>;

@@ -12,7 +12,7 @@
 // Gravity is (0, -9.81, 0) m/s^2 in the base frame. The tip belongs to link "link2".
 //
 // Every function is a template over its scalar, defined in example_7_2_pair.cpp and compiled there
-// for double and float, with sines and cosines from LibrarySinCos or GivenSinCos: the list is at
+// for double and float, with sines and cosines from DefaultSinCos or GivenSinCos: the list is at
 // the end. Whatever else is called does not link. Arguments are plain arrays:
 //
 //   double q[2] = {}, qd[2] = {}, qdd[2] = {}, tau[2];
@@ -49,7 +49,7 @@ struct Joints {
 
 // A source of sines and cosines, the last argument of a function. It is called once with all joints
 // that the function needs, and writes s[joint] = sin(q[joint]) and c[joint] = cos(q[joint]).
-// This is the default: sin and cos of <cmath>, or those that argument-dependent lookup finds.
+// This one asks the library: sin and cos of <cmath>, or those that argument-dependent lookup finds.
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
@@ -57,6 +57,14 @@ struct LibrarySinCos {
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
   }
+};
+
+// Polynomials for all angles together: right to 1 ulp, and the same bits on every machine that
+// rounds as written. Angles beyond 1e5 rad, in float 6400 rad, are left to <cmath>, and those of
+// scalars other than float and double to LibrarySinCos.
+struct PolynomialSinCos {
+  template <class Scalar, int... joint>
+  void operator()(const Scalar* q, Joints<joint...> all, Scalar* s, Scalar* c) const noexcept;
 };
 
 // Sines and cosines that the caller has (from resolvers, a CORDIC unit, a table), those of all
@@ -72,13 +80,16 @@ struct GivenSinCos {
   }
 };
 
+// The source of functions that are not given one.
+using DefaultSinCos = PolynomialSinCos;
+
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
 //   q[2]    in   joint positions, rad or m
 //   qd[2]   in   joint velocities, rad/s or m/s
 //   qdd[2]  in   joint accelerations, rad/s^2 or m/s^2
 //   tau[2]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..1], qd[0..1], qdd[0..1]. Operations: 14 mul, 13 add, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept;
 
@@ -86,7 +97,7 @@ void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scal
 //   q[2]  in   joint positions, rad or m
 //   g[2]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..1]. Operations: 4 mul, 2 add, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noexcept;
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -98,7 +109,7 @@ void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noexcept;
 // result is not a finite number. Proven: at every position each pivot of B is at least 0.42 of the
 // size of its terms, so that rounding cannot cancel it.
 // Reads q[0..1], qd[0..1], tau[0..1]. Operations: 16 mul, 12 add, 1 div, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
     const SinCos& sin_cos = {}) noexcept;
 
@@ -137,7 +148,7 @@ struct Configuration {
 // Computes the terms that depend on positions only and are needed more than once.
 //   q[2]  in  joint positions, rad or m
 // Reads q[0..1]. Operations: 0 mul, 0 add, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 Configuration<Scalar> at(const Scalar* q, const SinCos& sin_cos = {}) noexcept;
 
 // The functions as types, with the shapes of their arguments, for adapters such as
@@ -149,9 +160,11 @@ struct inverse_dynamics {
   using Shape = void(const Scalar (&q)[2], const Scalar (&qd)[2], const Scalar (&qdd)[2],
       Scalar (&tau)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::example_7_2_pair::inverse_dynamics(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::example_7_2_pair::inverse_dynamics(of...);
+  }
   template <class Scalar, class... Of>
-  auto operator()(const Motion<Scalar>& stage, Of&&... of) const noexcept {
+  [[gnu::always_inline]] auto operator()(const Motion<Scalar>& stage, Of&&... of) const noexcept {
     return stage.inverse_dynamics(of...);
   }
 };
@@ -160,9 +173,11 @@ struct gravity {
   template <class Scalar>
   using Shape = void(const Scalar (&q)[2], Scalar (&g)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::example_7_2_pair::gravity(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::example_7_2_pair::gravity(of...);
+  }
   template <class Scalar, class... Of>
-  auto operator()(const Configuration<Scalar>& stage, Of&&... of) const noexcept {
+  [[gnu::always_inline]] auto operator()(const Configuration<Scalar>& stage, Of&&... of) const noexcept {
     return stage.gravity(of...);
   }
 };
@@ -172,43 +187,46 @@ struct forward_dynamics {
   using Shape = bool(const Scalar (&q)[2], const Scalar (&qd)[2], const Scalar (&tau)[2],
       Scalar (&qdd)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::example_7_2_pair::forward_dynamics(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::example_7_2_pair::forward_dynamics(of...);
+  }
 };
 
 }  // namespace functions
 
 // Whether example_7_2_pair.cpp was compiled so that it rounds every operation as it is written, to
-// nearest: compilers fuse products into sums unless they are given -ffp-contract=off, and x87
-// registers or -freciprocal-math change more. The rounding errors that certificates bound assume
-// that this is true. All functions are called at one state, with sines and cosines given, and the
-// bits of their results compared with those of arithmetic as it is written, in the calling thread.
+// nearest: compilers fuse products into sums unless they are given -ffp-contract=off (g++ 12 needs
+// -fno-tree-slp-vectorize, too), and x87 registers or -freciprocal-math change more. The rounding
+// errors that certificates bound assume that this is true. All functions are called at one state,
+// with sines and cosines given, and the bits of their results compared with those of arithmetic as
+// it is written, in the calling thread.
 template <class Scalar = Real>
 bool rounding_is_as_written() noexcept;
 
 // The instances that example_7_2_pair.cpp is compiled for.
 extern template void inverse_dynamics(const double* q, const double* qd, const double* qdd,
-    double* tau, const LibrarySinCos& sin_cos);
+    double* tau, const DefaultSinCos& sin_cos);
 extern template void inverse_dynamics(const double* q, const double* qd, const double* qdd,
     double* tau, const GivenSinCos<double>& sin_cos);
 extern template void inverse_dynamics(const float* q, const float* qd, const float* qdd, float* tau,
-    const LibrarySinCos& sin_cos);
+    const DefaultSinCos& sin_cos);
 extern template void inverse_dynamics(const float* q, const float* qd, const float* qdd, float* tau,
     const GivenSinCos<float>& sin_cos);
-extern template void gravity(const double* q, double* g, const LibrarySinCos& sin_cos);
+extern template void gravity(const double* q, double* g, const DefaultSinCos& sin_cos);
 extern template void gravity(const double* q, double* g, const GivenSinCos<double>& sin_cos);
-extern template void gravity(const float* q, float* g, const LibrarySinCos& sin_cos);
+extern template void gravity(const float* q, float* g, const DefaultSinCos& sin_cos);
 extern template void gravity(const float* q, float* g, const GivenSinCos<float>& sin_cos);
 extern template bool forward_dynamics(const double* q, const double* qd, const double* tau,
-    double* qdd, const LibrarySinCos& sin_cos);
+    double* qdd, const DefaultSinCos& sin_cos);
 extern template bool forward_dynamics(const double* q, const double* qd, const double* tau,
     double* qdd, const GivenSinCos<double>& sin_cos);
 extern template bool forward_dynamics(const float* q, const float* qd, const float* tau, float* qdd,
-    const LibrarySinCos& sin_cos);
+    const DefaultSinCos& sin_cos);
 extern template bool forward_dynamics(const float* q, const float* qd, const float* tau, float* qdd,
     const GivenSinCos<float>& sin_cos);
-extern template Configuration<double> at(const double* q, const LibrarySinCos& sin_cos);
+extern template Configuration<double> at(const double* q, const DefaultSinCos& sin_cos);
 extern template Configuration<double> at(const double* q, const GivenSinCos<double>& sin_cos);
-extern template Configuration<float> at(const float* q, const LibrarySinCos& sin_cos);
+extern template Configuration<float> at(const float* q, const DefaultSinCos& sin_cos);
 extern template Configuration<float> at(const float* q, const GivenSinCos<float>& sin_cos);
 extern template struct Configuration<double>;
 extern template struct Motion<double>;

@@ -27,12 +27,55 @@
 
 const char* const planar_2r_joint_names[PLANAR_2R_JOINT_COUNT] = {"theta_1", "theta_2"};
 
-// Computes the sines and cosines of the positions of joints first to last, both included.
+// sin(x) and cos(x) for |x| <= 1e5, to 1 ulp.
+//
+// x = n pi/2 + r + rest with |r| <= pi/4 up to a rounding; rest is the part that the digits of r
+// cannot hold (Cody and Waite). Added to 1.5 2^52, a number has no room for a fraction: this rounds
+// n, and leaves its last bits, the quadrant, at the end of `turns`. pi/2 is in three parts, the
+// first two of 33 bits, so that their products with n are exact (the split is that of fdlibm's
+// e_rem_pio2.c). The polynomials are minimax on [-pi/4, pi/4], with errors below 2^-57 (they are
+// those of fdlibm's k_sin.c and k_cos.c). In an odd quadrant sine and cosine are exchanged.
+static void planar_2r_sine_and_cosine(double x, double* restrict sine,
+    double* restrict cosine) {
+  const double turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52, n = turns - 0x1.8p+52;
+  const double above = x - n * 0x1.921fb544p+0, below = n * 0x1.0b4611a6p-34, r = above - below;
+  const double rest = ((above - r) - below) - n * 0x1.3198a2e037073p-69;
+  const double z = r * r, zz = z * z, half = 0.5 * z, leading = 1.0 - half;
+  const double p = (-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03) +
+      zz * ((-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06) +
+      zz * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10));
+  const double k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
+      zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
+      zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
+  const double s = r + (z * r * p + leading * rest);
+  const double c = leading + ((((1.0 - leading) - half) - r * rest) + zz * k);
+  uint64_t quadrant = 0, bits_of_s = 0, bits_of_c = 0;
+  (void)memcpy(&quadrant, &turns, sizeof(turns));
+  (void)memcpy(&bits_of_s, &s, sizeof(s));
+  (void)memcpy(&bits_of_c, &c, sizeof(c));
+  const uint64_t exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
+  bits_of_s ^= exchange ^ ((quadrant & 2u) << 62);
+  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 62);
+  (void)memcpy(sine, &bits_of_s, sizeof(s));
+  (void)memcpy(cosine, &bits_of_c, sizeof(c));
+}
+
+// Computes the sines and cosines of the positions of joints first to last, both included. <math.h>
+// computes those beyond `most`, in rad.
 static void planar_2r_sines_and_cosines(const double* q, int first, int last,
     double* restrict sine, double* restrict cosine) {
+  const double most = 1e5;
+  double squares = 0.0;
   for (int joint = first; joint <= last; ++joint) {
-    sine[joint] = sin(q[joint]);
-    cosine[joint] = cos(q[joint]);
+    planar_2r_sine_and_cosine(q[joint], &sine[joint], &cosine[joint]);
+    squares += q[joint] * q[joint];
+  }
+  const bool all_are_small = squares <= most * most;
+  for (int joint = first; joint <= last && !all_are_small; ++joint) {
+    if (!(q[joint] <= most && q[joint] >= -most)) {
+      sine[joint] = sin(q[joint]);
+      cosine[joint] = cos(q[joint]);
+    }
   }
 }
 
@@ -461,35 +504,19 @@ static uint64_t planar_2r_hash_of(const double* x, int count, uint64_t hash) {
   return sum;
 }
 
-// Whether sines and cosines of the library are right to a unit in the last place: at angles for
-// which libraries that trade digits for speed are not.
+// Whether sines and cosines have the bits that they have to have.
 static bool planar_2r_sines_are_right(void) {
   const volatile double zero = 0.0;
   static const double angles[8] = {
       0.5, 0.6875, 1.28125, 1.53125, 1.796875, 3.125, 10.28125, 11.125
   };
-  static const double sines[8] = {
-      0.479425538604203, 0.6346070800152693, 0.9583735057581397, 0.999218145922396,
-      0.9745528811569866, 0.016591892229347906, -0.7555360776363961, -0.9916361774750792
-  };
-  static const double cosines[8] = {
-      0.8775825618903728, 0.7728349461524715, 0.28551746612221973, 0.03953601977196579,
-      -0.2241577164155103, -0.9998623450816866, -0.6551070411694638, 0.12906467960915324
-  };
   double x[8], sine[8], cosine[8];
-  bool right = true;
   for (int k = 0; k < 8; ++k) {
     x[k] = angles[k] + zero;
   }
   planar_2r_sines_and_cosines(x, 0, 7, sine, cosine);
-  for (int k = 0; k < 8; ++k) {
-    const double a = (sine[k] - sines[k]) * 4503599627370496.0;
-    const double b = (cosine[k] - cosines[k]) * 4503599627370496.0;
-    const double c = sines[k] < 0.0 ? -sines[k] : sines[k];
-    const double d = cosines[k] < 0.0 ? -cosines[k] : cosines[k];
-    right &= a <= c && -a <= c && b <= d && -b <= d;
-  }
-  return right;
+  const uint64_t hash = planar_2r_hash_of(sine, 8, 14695981039346656037u);
+  return planar_2r_hash_of(cosine, 8, hash) == 0x7b037ac8b2e0683cu;
 }
 
 bool planar_2r_rounding_is_as_written(void) {

@@ -30,9 +30,10 @@
 // C++ may include this header, too. Compiled with -ffp-contract=off, results have the same bits as
 // those of the C++ form.
 //
-// Sines and cosines are computed by <math.h>. Callers who have them from elsewhere (resolvers, a
-// CORDIC unit, a table) call the functions that end in _given: they take sine and cosine, by index,
-// in place of q, and q only if they read the position of a prismatic joint.
+// Sines and cosines are computed by the source itself, with the same bits on every machine, and by
+// <math.h> where an angle is beyond 1e5 rad. Callers who have them from elsewhere
+// (resolvers, a CORDIC unit, a table) call the functions that end in _given: they take sine and
+// cosine, by index, in place of q, and q only if they read the position of a prismatic joint.
 
 #ifndef FLATDYN_PLANAR_2R_H_D068B31F
 #define FLATDYN_PLANAR_2R_H_D068B31F
@@ -249,9 +250,9 @@ void planar_2r_jacobian_dot_qd_given(const planar_2r_parameters* parameters, con
     const double* cosine, const double* qd, double* a);
 
 // Whether the source of this header was compiled so that every operation is rounded as it is
-// written, to nearest: compilers fuse products into sums unless they are given -ffp-contract=off,
-// and x87 registers or -freciprocal-math change more. The rounding errors that certificates bound
-// assume that this is true. All functions are called at one state, with sines and cosines given, and
+// written, to nearest: compilers fuse products into sums unless they are given -ffp-contract=off
+// (gcc 12 needs -fno-tree-slp-vectorize, too), and x87 registers or -freciprocal-math change more.
+// The rounding errors that certificates bound assume that this is true. All functions are called at one state, with sines and cosines given, and
 // the bits of their results compared with those of arithmetic as it is written, in the calling
 // thread.
 bool planar_2r_rounding_is_as_written(void);

@@ -12,7 +12,7 @@
 //
 // Every function is a template over its scalar: float, double, or any type with a constructor from
 // double, + - * / (also unary -), comparisons, and sin and cos that argument-dependent lookup finds
-// (or an argument that provides them, see LibrarySinCos). Arguments are plain arrays:
+// (or an argument that provides them, see GivenSinCos). Arguments are plain arrays:
 //
 //   planar_2r::Parameters<> parameters = {};  // then set its members
 //   double q[2] = {}, qd[2] = {}, qdd[2] = {}, tau[2];
@@ -124,13 +124,179 @@ struct Joints {
 
 // A source of sines and cosines, the last argument of a function. It is called once with all joints
 // that the function needs, and writes s[joint] = sin(q[joint]) and c[joint] = cos(q[joint]).
-// This is the default: sin and cos of <cmath>, or those that argument-dependent lookup finds.
+// This one asks the library: sin and cos of <cmath>, or those that argument-dependent lookup finds.
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
+  }
+};
+
+namespace detail {
+
+// Angles in the lanes of registers, four at a time (two doubles without AVX), and their bits; one
+// angle at a time where compilers have no vectors.
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
+#ifdef __AVX__
+constexpr int bytes_of_doubles = 32;
+#else
+constexpr int bytes_of_doubles = 16;
+#endif
+typedef double Doubles __attribute__((vector_size(bytes_of_doubles)));
+typedef uint64_t BitsOfDoubles __attribute__((vector_size(bytes_of_doubles)));
+typedef float Floats __attribute__((vector_size(16)));
+typedef uint32_t BitsOfFloats __attribute__((vector_size(16)));
+#define FLATDYN_PLANAR_2R_HPP_B9EBAE71_IN_LANES
+#else
+typedef double Doubles;
+typedef uint64_t BitsOfDoubles;
+typedef float Floats;
+typedef uint32_t BitsOfFloats;
+#endif
+
+// sin(x) and cos(x) for |x| <= 1e5, to 1 ulp.
+//
+// x = n pi/2 + r + rest with |r| <= pi/4 up to a rounding; rest is the part that the digits of r
+// cannot hold (Cody and Waite). Added to 1.5 2^52, a number has no room for a fraction: this rounds
+// n, and leaves its last bits, the quadrant, at the end of `turns`. pi/2 is in three parts, the
+// first two of 33 bits, so that their products with n are exact (the split is that of fdlibm's
+// e_rem_pio2.c). The polynomials are minimax on [-pi/4, pi/4], with errors below 2^-57 (they are
+// those of fdlibm's k_sin.c and k_cos.c). In an odd quadrant sine and cosine are exchanged. (It is a
+// template so that compilers do not warn where nothing calls it.)
+template <class = void>
+static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cosine) noexcept {
+  const Doubles turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52, n = turns - 0x1.8p+52;
+  const Doubles above = x - n * 0x1.921fb544p+0, below = n * 0x1.0b4611a6p-34, r = above - below;
+  const Doubles rest = ((above - r) - below) - n * 0x1.3198a2e037073p-69;
+  const Doubles z = r * r, zz = z * z, half = 0.5 * z, leading = 1.0 - half;
+  const Doubles p = (-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03) +
+      zz * ((-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06) +
+      zz * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10));
+  const Doubles k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
+      zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
+      zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
+  const Doubles s = r + (z * r * p + leading * rest);
+  const Doubles c = leading + ((((1.0 - leading) - half) - r * rest) + zz * k);
+  BitsOfDoubles quadrant, bits_of_s, bits_of_c;
+  memcpy(&quadrant, &turns, sizeof(turns));
+  memcpy(&bits_of_s, &s, sizeof(s));
+  memcpy(&bits_of_c, &c, sizeof(c));
+  const BitsOfDoubles exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
+  bits_of_s ^= exchange ^ ((quadrant & 2u) << 62);
+  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 62);
+  memcpy(&sine, &bits_of_s, sizeof(s));
+  memcpy(&cosine, &bits_of_c, sizeof(c));
+}
+
+// The same in float, for |x| <= 6400. The first three of four parts of pi/2 have so few bits (12, 7
+// and 9) that their products with n are exact. The polynomials are those of Cephes' sinf.c.
+template <class = void>
+static inline void sine_and_cosine(const Floats& x, Floats& sine, Floats& cosine) noexcept {
+  const Floats turns = x * 0x1.45f306p-1f + 0x1.8p+23f, n = turns - 0x1.8p+23f;
+  const Floats above = (x - n * 0x1.922p+0f) - n * -0x1.2cp-18f, below = n * 0x1.11p-26f;
+  const Floats r = above - below, rest = ((above - r) - below) - n * 0x1.68c234p-39f;
+  const Floats z = r * r, half = 0.5f * z, leading = 1.0f - half;
+  const Floats p = -1.6666654611e-1f + z * (8.3321608736e-3f + z * -1.9515295891e-4f);
+  const Floats k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
+  const Floats s = r + (z * r * p + leading * rest);
+  const Floats c = leading + ((((1.0f - leading) - half) - r * rest) + z * z * k);
+  BitsOfFloats quadrant, bits_of_s, bits_of_c;
+  memcpy(&quadrant, &turns, sizeof(turns));
+  memcpy(&bits_of_s, &s, sizeof(s));
+  memcpy(&bits_of_c, &c, sizeof(c));
+  const BitsOfFloats exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
+  bits_of_s ^= exchange ^ ((quadrant & 2u) << 30);
+  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 30);
+  memcpy(&sine, &bits_of_s, sizeof(s));
+  memcpy(&cosine, &bits_of_c, sizeof(c));
+}
+
+// Evaluates the angles of `joints`, a register of them at a time; the last one fills lanes that are
+// left. Returns a sum of the squares of all of them.
+template <class Lanes, class Scalar>
+static inline Scalar evaluate(Lanes squares, const Scalar* q, const int* joints, int count,
+    Scalar* s, Scalar* c) noexcept {
+#ifdef FLATDYN_PLANAR_2R_HPP_B9EBAE71_IN_LANES
+  constexpr int lanes = sizeof(Lanes) / sizeof(Scalar);
+#pragma GCC unroll 4
+  for (int first = 0; first < count; first += lanes) {
+    Lanes x = squares, sine, cosine;
+#pragma GCC unroll 4
+    for (int k = 0; k < lanes; ++k) x[k] = q[joints[first + k < count ? first + k : count - 1]];
+    sine_and_cosine(x, sine, cosine);
+    squares += x * x;
+#pragma GCC unroll 4
+    for (int k = 0; k < lanes; ++k) {
+      const int joint = joints[first + k < count ? first + k : count - 1];
+      s[joint] = sine[k];
+      c[joint] = cosine[k];
+    }
+  }
+  Scalar sum = squares[0];
+#pragma GCC unroll 4
+  for (int k = 1; k < lanes; ++k) sum += squares[k];
+  return sum;
+#else
+  for (int k = 0; k < count; ++k) {
+    const Scalar x = q[joints[k]];
+    sine_and_cosine(x, s[joints[k]], c[joints[k]]);
+    squares += x * x;
+  }
+  return squares;
+#endif
+}
+
+// Asks the library for sines and cosines of angles beyond `most`, which are seldom.
+template <class Scalar>
+[[gnu::noinline, gnu::cold]] static void ask_library(Scalar most, const Scalar* q,
+    const int* joints, int count, Scalar* s, Scalar* c) noexcept {
+  for (int k = 0; k < count; ++k) {
+    const Scalar x = q[joints[k]];
+    if (x <= most && x >= -most) continue;
+    s[joints[k]] = std::sin(x);
+    c[joints[k]] = std::cos(x);
+  }
+}
+
+template <int... joint>
+static inline void sines_and_cosines(const double* q, Joints<joint...>, double* s,
+    double* c) noexcept {
+  static constexpr int joints[] = {joint...};
+  constexpr int count = sizeof...(joint);
+  constexpr double most = 1e5;
+  const double squares = evaluate(Doubles{}, q, joints, count, s, c);
+  if (!(squares <= most * most)) ask_library(most, q, joints, count, s, c);
+}
+
+template <int... joint>
+static inline void sines_and_cosines(const float* q, Joints<joint...>, float* s,
+    float* c) noexcept {
+  static constexpr int joints[] = {joint...};
+  constexpr int count = sizeof...(joint);
+  constexpr float most = 6400.0f;
+  const float squares = evaluate(Floats{}, q, joints, count, s, c);
+  if (!(squares <= most * most)) ask_library(most, q, joints, count, s, c);
+}
+
+// Scalars of other types have sines of their own.
+template <class Scalar, int... joint>
+static inline void sines_and_cosines(const Scalar* q, Joints<joint...> all, Scalar* s,
+    Scalar* c) noexcept {
+  LibrarySinCos()(q, all, s, c);
+}
+
+}  // namespace detail
+
+// Polynomials for all angles together: right to 1 ulp, and the same bits on every machine that
+// rounds as written. Angles beyond 1e5 rad, in float 6400 rad, are left to <cmath>, and those of
+// scalars other than float and double to LibrarySinCos.
+struct PolynomialSinCos {
+  template <class Scalar, int... joint>
+  [[gnu::always_inline]] void operator()(const Scalar* q, Joints<joint...> all, Scalar* s,
+      Scalar* c) const noexcept {
+    detail::sines_and_cosines(q, all, s, c);
   }
 };
 
@@ -147,6 +313,9 @@ struct GivenSinCos {
   }
 };
 
+// The source of functions that are not given one.
+using DefaultSinCos = PolynomialSinCos;
+
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
 //   q[2]    in   joint positions, rad or m
 //   qd[2]   in   joint velocities, rad/s or m/s
@@ -156,7 +325,7 @@ struct GivenSinCos {
 // parameters.l_1, parameters.I_l1, parameters.I_m1, parameters.k_r1, parameters.m_l2,
 // parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations:
 // 28 mul, 20 add, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline void inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -198,7 +367,7 @@ static inline void inverse_dynamics(const Parameters<Scalar>& parameters, const 
 // parameters.m_l1, parameters.l_1, parameters.I_l1, parameters.I_m1, parameters.k_r1,
 // parameters.a_2, parameters.m_l2, parameters.l_2, parameters.I_l2, parameters.m_m2,
 // parameters.I_m2, parameters.k_r2. Operations: 38 mul, 28 add, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline void inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
@@ -248,7 +417,7 @@ inline constexpr bool inertia_matrix_nonzero[4] = {
 // Reads q[1], parameters.a_1, parameters.m_l1, parameters.l_1, parameters.I_l1, parameters.I_m1,
 // parameters.k_r1, parameters.m_l2, parameters.l_2, parameters.I_l2, parameters.m_m2,
 // parameters.I_m2, parameters.k_r2. Operations: 13 mul, 11 add, 1 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline void inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* B,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -280,7 +449,7 @@ inline constexpr bool christoffel_nonzero[6] = {
 //              c_ijk = c_ikj is c[3 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
 // Reads q[1], parameters.a_1, parameters.m_l2, parameters.l_2. Operations: 3 mul, 0 add, 1 sin/cos.
 // Always zero: 3 of the 6 entries of c.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline void christoffel(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* c,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -306,7 +475,7 @@ inline constexpr bool coriolis_matrix_nonzero[4] = {
 //               2 x 2, row by row: entry (i, j) is C[2 * i + j]
 // Reads q[1], qd[0..1], parameters.a_1, parameters.m_l2, parameters.l_2. Operations: 5 mul, 1 add,
 // 1 sin/cos. Always zero: 1 of the 4 entries of C.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline void coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, Scalar* C, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -329,7 +498,7 @@ static inline void coriolis_matrix(const Parameters<Scalar>& parameters, const S
 //   g[2]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1, parameters.m_l2,
 // parameters.l_2, parameters.m_m2. Operations: 9 mul, 4 add, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -349,7 +518,7 @@ static inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q
 //   n[2]   out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..1], qd[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1,
 // parameters.m_l2, parameters.l_2, parameters.m_m2. Operations: 15 mul, 7 add, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
     Scalar* n, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -380,7 +549,7 @@ static inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, c
 // parameters.l_1, parameters.I_l1, parameters.I_m1, parameters.k_r1, parameters.m_l2,
 // parameters.l_2, parameters.I_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations:
 // 29 mul, 23 add, 2 div, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -432,7 +601,7 @@ static inline bool forward_dynamics(const Parameters<Scalar>& parameters, const 
 // Reads q[1], qd[0..1], parameters.a_1, parameters.m_l1, parameters.l_1, parameters.I_l1,
 // parameters.I_m1, parameters.k_r1, parameters.m_l2, parameters.l_2, parameters.I_l2,
 // parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations: 20 mul, 11 add, 1 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -462,7 +631,7 @@ static inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const 
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[0..1], parameters.g, parameters.a_1, parameters.m_l1, parameters.l_1, parameters.m_l2,
 // parameters.l_2, parameters.m_m2. Operations: 8 mul, 4 add, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline Scalar potential_energy(const Parameters<Scalar>& parameters, const Scalar* q,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -490,7 +659,7 @@ inline constexpr bool forward_kinematics_R_nonzero[9] = {
 //   p[3]  out  position of the frame's origin in the base frame, m
 // Reads q[0..1], parameters.a_1, parameters.a_2. Operations: 9 mul, 5 add, 4 sin/cos. Always zero:
 // 4 of the 9 entries of R. Always zero: p[2].
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline void forward_kinematics(const Parameters<Scalar>& parameters, const Scalar* q,
     Scalar* R, Scalar* p, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -526,7 +695,7 @@ inline constexpr bool jacobian_nonzero[12] = {
 //               6 x 2, row by row: entry (i, j) is J[2 * i + j]
 // Reads q[0..1], parameters.a_1, parameters.a_2. Operations: 8 mul, 5 add, 4 sin/cos. Always zero:
 // 6 of the 12 entries of J.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -552,7 +721,7 @@ static inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* 
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
 // Reads q[0..1], qd[0..1], parameters.a_1, parameters.a_2. Operations: 13 mul, 5 add, 4 sin/cos.
 // Always zero: a[2], a[3], a[4], a[5].
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, Scalar* a, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -580,7 +749,9 @@ struct inverse_dynamics {
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
       const Scalar (&qdd)[2], Scalar (&tau)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::planar_2r::inverse_dynamics(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::planar_2r::inverse_dynamics(of...);
+  }
 };
 
 struct inverse_dynamics_tip_force {
@@ -588,7 +759,7 @@ struct inverse_dynamics_tip_force {
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
       const Scalar (&qdd)[2], const Scalar (&h_e)[6], Scalar (&tau)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept {
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
     return ::planar_2r::inverse_dynamics_tip_force(of...);
   }
 };
@@ -597,14 +768,18 @@ struct inertia_matrix {
   template <class Scalar>
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&B)[2][2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::planar_2r::inertia_matrix(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::planar_2r::inertia_matrix(of...);
+  }
 };
 
 struct christoffel {
   template <class Scalar>
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&c)[2][3]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::planar_2r::christoffel(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::planar_2r::christoffel(of...);
+  }
 };
 
 struct coriolis_matrix {
@@ -612,14 +787,18 @@ struct coriolis_matrix {
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
       Scalar (&C)[2][2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::planar_2r::coriolis_matrix(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::planar_2r::coriolis_matrix(of...);
+  }
 };
 
 struct gravity {
   template <class Scalar>
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&g)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::planar_2r::gravity(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::planar_2r::gravity(of...);
+  }
 };
 
 struct bias {
@@ -627,7 +806,9 @@ struct bias {
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
       Scalar (&n)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::planar_2r::bias(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::planar_2r::bias(of...);
+  }
 };
 
 struct forward_dynamics {
@@ -635,21 +816,27 @@ struct forward_dynamics {
   using Shape = bool(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
       const Scalar (&tau)[2], Scalar (&qdd)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::planar_2r::forward_dynamics(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::planar_2r::forward_dynamics(of...);
+  }
 };
 
 struct kinetic_energy {
   template <class Scalar>
   using Shape = Scalar(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::planar_2r::kinetic_energy(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::planar_2r::kinetic_energy(of...);
+  }
 };
 
 struct potential_energy {
   template <class Scalar>
   using Shape = Scalar(const Parameters<Scalar>&, const Scalar (&q)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::planar_2r::potential_energy(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::planar_2r::potential_energy(of...);
+  }
 };
 
 struct forward_kinematics {
@@ -657,14 +844,18 @@ struct forward_kinematics {
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&R)[3][3],
       Scalar (&p)[3]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::planar_2r::forward_kinematics(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::planar_2r::forward_kinematics(of...);
+  }
 };
 
 struct jacobian {
   template <class Scalar>
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&J)[6][2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::planar_2r::jacobian(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::planar_2r::jacobian(of...);
+  }
 };
 
 struct jacobian_dot_qd {
@@ -672,7 +863,9 @@ struct jacobian_dot_qd {
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], const Scalar (&qd)[2],
       Scalar (&a)[6]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::planar_2r::jacobian_dot_qd(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::planar_2r::jacobian_dot_qd(of...);
+  }
 };
 
 }  // namespace functions
@@ -719,8 +912,7 @@ static uint64_t hash_of(const Scalar* x, int count, uint64_t hash) noexcept {
   return hash;
 }
 
-// Whether sines and cosines of the library are right to a unit in the last place: at angles for
-// which libraries that trade digits for speed are not.
+// Whether sines and cosines have the bits that they have to have.
 template <class Scalar>
 static bool sines_are_right() noexcept {
   const volatile Scalar zero = Scalar(0.0);
@@ -728,37 +920,22 @@ static bool sines_are_right() noexcept {
       Scalar(0.5), Scalar(0.6875), Scalar(1.28125), Scalar(1.53125), Scalar(1.796875),
       Scalar(3.125), Scalar(10.28125), Scalar(11.125)
   };
-  const Scalar sines[8] = {
-      Scalar(0.479425538604203), Scalar(0.6346070800152693), Scalar(0.9583735057581397),
-      Scalar(0.999218145922396), Scalar(0.9745528811569866), Scalar(0.016591892229347906),
-      Scalar(-0.7555360776363961), Scalar(-0.9916361774750792)
-  };
-  const Scalar cosines[8] = {
-      Scalar(0.8775825618903728), Scalar(0.7728349461524715), Scalar(0.28551746612221973),
-      Scalar(0.03953601977196579), Scalar(-0.2241577164155103), Scalar(-0.9998623450816866),
-      Scalar(-0.6551070411694638), Scalar(0.12906467960915324)
-  };
-  const Scalar places = Scalar(sizeof(Scalar) == sizeof(float) ? 8388608.0 : 4503599627370496.0);
   Scalar x[8], s[8], c[8];
   for (int k = 0; k < 8; ++k) x[k] = angles[k] + zero;
-  LibrarySinCos()(x, Joints<0, 1, 2, 3, 4, 5, 6, 7>(), s, c);
-  const auto is_near = [places](Scalar a, Scalar b) {
-    const Scalar error = (a - b) * places, size = b < Scalar(0.0) ? -b : b;
-    return error <= size && -error <= size;
-  };
-  bool right = true;
-  for (int k = 0; k < 8; ++k) right &= is_near(s[k], sines[k]) && is_near(c[k], cosines[k]);
-  return right;
+  PolynomialSinCos()(x, Joints<0, 1, 2, 3, 4, 5, 6, 7>(), s, c);
+  const uint64_t hash = hash_of(c, 8, hash_of(s, 8, 14695981039346656037u));
+  return hash == (sizeof(Scalar) == sizeof(float) ? 0x803948b6889bcc50u : 0x7b037ac8b2e0683cu);
 }
 
 }  // namespace detail
 
 // Whether the build rounds every operation as it is written, to nearest: compilers fuse products
-// into sums unless they are given -ffp-contract=off, and x87 registers or -freciprocal-math change
-// more. The rounding errors that certificates bound assume that this is true. All functions are
-// called at one state, with sines and cosines given, and the bits of their results compared with
-// those of arithmetic as it is written. The answer is for the calling file and thread, for float and
-// double: every file has its own copy of the functions, but shares members of stages with others.
+// into sums unless they are given -ffp-contract=off (g++ 12 needs -fno-tree-slp-vectorize, too),
+// and x87 registers or -freciprocal-math change more. The rounding errors that certificates bound
+// assume that this is true. All functions are called at one state, with sines and cosines given,
+// and the bits of their results compared with those of arithmetic as it is written. The answer is
+// for the calling file and thread, for float and double: every file has its own copy of the
+// functions, but shares members of stages with others.
 template <class Scalar = Real>
 static bool rounding_is_as_written() noexcept {
   constexpr bool is_float = sizeof(Scalar) == sizeof(float);

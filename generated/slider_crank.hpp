@@ -19,7 +19,7 @@
 //
 // Every function is a template over its scalar: float, double, or any type with a constructor from
 // double, + - * / (also unary -), comparisons, and sin and cos that argument-dependent lookup finds
-// (or an argument that provides them, see LibrarySinCos). Arguments are plain arrays:
+// (or an argument that provides them, see GivenSinCos). Arguments are plain arrays:
 //
 //   double q[3] = {}, qd[1] = {}, qdd[1] = {}, tau[1];
 //   const bool result = slider_crank::inverse_dynamics(q, qd, qdd, tau);
@@ -117,13 +117,179 @@ struct Joints {
 
 // A source of sines and cosines, the last argument of a function. It is called once with all joints
 // that the function needs, and writes s[joint] = sin(q[joint]) and c[joint] = cos(q[joint]).
-// This is the default: sin and cos of <cmath>, or those that argument-dependent lookup finds.
+// This one asks the library: sin and cos of <cmath>, or those that argument-dependent lookup finds.
 struct LibrarySinCos {
   template <class Scalar, int... joint>
   void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
     using std::cos;
     using std::sin;
     ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
+  }
+};
+
+namespace detail {
+
+// Angles in the lanes of registers, four at a time (two doubles without AVX), and their bits; one
+// angle at a time where compilers have no vectors.
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
+#ifdef __AVX__
+constexpr int bytes_of_doubles = 32;
+#else
+constexpr int bytes_of_doubles = 16;
+#endif
+typedef double Doubles __attribute__((vector_size(bytes_of_doubles)));
+typedef uint64_t BitsOfDoubles __attribute__((vector_size(bytes_of_doubles)));
+typedef float Floats __attribute__((vector_size(16)));
+typedef uint32_t BitsOfFloats __attribute__((vector_size(16)));
+#define FLATDYN_SLIDER_CRANK_HPP_DE71316E_IN_LANES
+#else
+typedef double Doubles;
+typedef uint64_t BitsOfDoubles;
+typedef float Floats;
+typedef uint32_t BitsOfFloats;
+#endif
+
+// sin(x) and cos(x) for |x| <= 1e5, to 1 ulp.
+//
+// x = n pi/2 + r + rest with |r| <= pi/4 up to a rounding; rest is the part that the digits of r
+// cannot hold (Cody and Waite). Added to 1.5 2^52, a number has no room for a fraction: this rounds
+// n, and leaves its last bits, the quadrant, at the end of `turns`. pi/2 is in three parts, the
+// first two of 33 bits, so that their products with n are exact (the split is that of fdlibm's
+// e_rem_pio2.c). The polynomials are minimax on [-pi/4, pi/4], with errors below 2^-57 (they are
+// those of fdlibm's k_sin.c and k_cos.c). In an odd quadrant sine and cosine are exchanged. (It is a
+// template so that compilers do not warn where nothing calls it.)
+template <class = void>
+static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cosine) noexcept {
+  const Doubles turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52, n = turns - 0x1.8p+52;
+  const Doubles above = x - n * 0x1.921fb544p+0, below = n * 0x1.0b4611a6p-34, r = above - below;
+  const Doubles rest = ((above - r) - below) - n * 0x1.3198a2e037073p-69;
+  const Doubles z = r * r, zz = z * z, half = 0.5 * z, leading = 1.0 - half;
+  const Doubles p = (-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03) +
+      zz * ((-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06) +
+      zz * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10));
+  const Doubles k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
+      zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
+      zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
+  const Doubles s = r + (z * r * p + leading * rest);
+  const Doubles c = leading + ((((1.0 - leading) - half) - r * rest) + zz * k);
+  BitsOfDoubles quadrant, bits_of_s, bits_of_c;
+  memcpy(&quadrant, &turns, sizeof(turns));
+  memcpy(&bits_of_s, &s, sizeof(s));
+  memcpy(&bits_of_c, &c, sizeof(c));
+  const BitsOfDoubles exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
+  bits_of_s ^= exchange ^ ((quadrant & 2u) << 62);
+  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 62);
+  memcpy(&sine, &bits_of_s, sizeof(s));
+  memcpy(&cosine, &bits_of_c, sizeof(c));
+}
+
+// The same in float, for |x| <= 6400. The first three of four parts of pi/2 have so few bits (12, 7
+// and 9) that their products with n are exact. The polynomials are those of Cephes' sinf.c.
+template <class = void>
+static inline void sine_and_cosine(const Floats& x, Floats& sine, Floats& cosine) noexcept {
+  const Floats turns = x * 0x1.45f306p-1f + 0x1.8p+23f, n = turns - 0x1.8p+23f;
+  const Floats above = (x - n * 0x1.922p+0f) - n * -0x1.2cp-18f, below = n * 0x1.11p-26f;
+  const Floats r = above - below, rest = ((above - r) - below) - n * 0x1.68c234p-39f;
+  const Floats z = r * r, half = 0.5f * z, leading = 1.0f - half;
+  const Floats p = -1.6666654611e-1f + z * (8.3321608736e-3f + z * -1.9515295891e-4f);
+  const Floats k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
+  const Floats s = r + (z * r * p + leading * rest);
+  const Floats c = leading + ((((1.0f - leading) - half) - r * rest) + z * z * k);
+  BitsOfFloats quadrant, bits_of_s, bits_of_c;
+  memcpy(&quadrant, &turns, sizeof(turns));
+  memcpy(&bits_of_s, &s, sizeof(s));
+  memcpy(&bits_of_c, &c, sizeof(c));
+  const BitsOfFloats exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
+  bits_of_s ^= exchange ^ ((quadrant & 2u) << 30);
+  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 30);
+  memcpy(&sine, &bits_of_s, sizeof(s));
+  memcpy(&cosine, &bits_of_c, sizeof(c));
+}
+
+// Evaluates the angles of `joints`, a register of them at a time; the last one fills lanes that are
+// left. Returns a sum of the squares of all of them.
+template <class Lanes, class Scalar>
+static inline Scalar evaluate(Lanes squares, const Scalar* q, const int* joints, int count,
+    Scalar* s, Scalar* c) noexcept {
+#ifdef FLATDYN_SLIDER_CRANK_HPP_DE71316E_IN_LANES
+  constexpr int lanes = sizeof(Lanes) / sizeof(Scalar);
+#pragma GCC unroll 4
+  for (int first = 0; first < count; first += lanes) {
+    Lanes x = squares, sine, cosine;
+#pragma GCC unroll 4
+    for (int k = 0; k < lanes; ++k) x[k] = q[joints[first + k < count ? first + k : count - 1]];
+    sine_and_cosine(x, sine, cosine);
+    squares += x * x;
+#pragma GCC unroll 4
+    for (int k = 0; k < lanes; ++k) {
+      const int joint = joints[first + k < count ? first + k : count - 1];
+      s[joint] = sine[k];
+      c[joint] = cosine[k];
+    }
+  }
+  Scalar sum = squares[0];
+#pragma GCC unroll 4
+  for (int k = 1; k < lanes; ++k) sum += squares[k];
+  return sum;
+#else
+  for (int k = 0; k < count; ++k) {
+    const Scalar x = q[joints[k]];
+    sine_and_cosine(x, s[joints[k]], c[joints[k]]);
+    squares += x * x;
+  }
+  return squares;
+#endif
+}
+
+// Asks the library for sines and cosines of angles beyond `most`, which are seldom.
+template <class Scalar>
+[[gnu::noinline, gnu::cold]] static void ask_library(Scalar most, const Scalar* q,
+    const int* joints, int count, Scalar* s, Scalar* c) noexcept {
+  for (int k = 0; k < count; ++k) {
+    const Scalar x = q[joints[k]];
+    if (x <= most && x >= -most) continue;
+    s[joints[k]] = std::sin(x);
+    c[joints[k]] = std::cos(x);
+  }
+}
+
+template <int... joint>
+static inline void sines_and_cosines(const double* q, Joints<joint...>, double* s,
+    double* c) noexcept {
+  static constexpr int joints[] = {joint...};
+  constexpr int count = sizeof...(joint);
+  constexpr double most = 1e5;
+  const double squares = evaluate(Doubles{}, q, joints, count, s, c);
+  if (!(squares <= most * most)) ask_library(most, q, joints, count, s, c);
+}
+
+template <int... joint>
+static inline void sines_and_cosines(const float* q, Joints<joint...>, float* s,
+    float* c) noexcept {
+  static constexpr int joints[] = {joint...};
+  constexpr int count = sizeof...(joint);
+  constexpr float most = 6400.0f;
+  const float squares = evaluate(Floats{}, q, joints, count, s, c);
+  if (!(squares <= most * most)) ask_library(most, q, joints, count, s, c);
+}
+
+// Scalars of other types have sines of their own.
+template <class Scalar, int... joint>
+static inline void sines_and_cosines(const Scalar* q, Joints<joint...> all, Scalar* s,
+    Scalar* c) noexcept {
+  LibrarySinCos()(q, all, s, c);
+}
+
+}  // namespace detail
+
+// Polynomials for all angles together: right to 1 ulp, and the same bits on every machine that
+// rounds as written. Angles beyond 1e5 rad, in float 6400 rad, are left to <cmath>, and those of
+// scalars other than float and double to LibrarySinCos.
+struct PolynomialSinCos {
+  template <class Scalar, int... joint>
+  [[gnu::always_inline]] void operator()(const Scalar* q, Joints<joint...> all, Scalar* s,
+      Scalar* c) const noexcept {
+    detail::sines_and_cosines(q, all, s, c);
   }
 };
 
@@ -140,6 +306,9 @@ struct GivenSinCos {
   }
 };
 
+// The source of functions that are not given one.
+using DefaultSinCos = PolynomialSinCos;
+
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
 //   q[3]    in   joint positions, rad or m
 //   qd[1]   in   joint velocities, rad/s or m/s
@@ -148,7 +317,7 @@ struct GivenSinCos {
 // Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1], qd[0], qdd[0]. Operations: 38 mul, 18 add, 1 div, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -194,7 +363,7 @@ static inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Sca
 // Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1], qd[0], qdd[0], h_e[0]. Operations: 38 mul, 19 add, 1 div, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline bool inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
     const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -243,7 +412,7 @@ inline constexpr bool inertia_matrix_nonzero[1] = {
 // Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1]. Operations: 21 mul, 12 add, 1 div, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline bool inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
@@ -280,7 +449,7 @@ inline constexpr bool christoffel_nonzero[1] = {
 // Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1]. Operations: 28 mul, 13 add, 1 div, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline bool christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
@@ -324,7 +493,7 @@ inline constexpr bool coriolis_matrix_nonzero[1] = {
 // Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1], qd[0]. Operations: 29 mul, 13 add, 1 div, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -375,7 +544,7 @@ static inline void gravity(const Scalar* /* q */, Scalar* g) noexcept {
 // Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1], qd[0]. Operations: 31 mul, 13 add, 1 div, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -414,7 +583,7 @@ static inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
 // (6e-5 in float), or a pivot of B is not positive or lost in rounding, or an entry of the result
 // is not a finite number.
 // Reads q[0..1], qd[0], tau[0]. Operations: 40 mul, 24 add, 2 div, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
     Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -468,7 +637,7 @@ static inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Sca
 // Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1], qd[0]. Operations: 24 mul, 10 add, 1 div, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -543,7 +712,7 @@ inline constexpr bool jacobian_nonzero[6] = {
 // Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1]. Operations: 12 mul, 6 add, 1 div, 4 sin/cos. Always zero: 5 of the 6 entries of J.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
@@ -570,7 +739,7 @@ static inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = 
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1], qd[0]. Operations: 21 mul, 8 add, 1 div, 4 sin/cos. Always zero: a[1], a[2], a[3],
 // a[4], a[5].
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -603,7 +772,7 @@ static inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
 //   q[3]    in   joint positions, rad or m
 //   phi[2]  out  loop by loop, m: what lies between the points that meet; 0 if closed
 // Reads q[0..2]. Operations: 8 mul, 5 add, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline void loop_closure(const Scalar* q, Scalar* phi, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar q_3 = q[2];
@@ -628,7 +797,7 @@ inline constexpr bool loop_jacobian_nonzero[6] = {
 //   phi_q[6]  out  row i, column k: of phi[i] by q[k]
 //                  2 x 3, row by row: entry (i, j) is phi_q[3 * i + j]
 // Reads q[0..1]. Operations: 8 mul, 4 add, 4 sin/cos. Always zero: 1 of the 6 entries of phi_q.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline void loop_jacobian(const Scalar* q, Scalar* phi_q,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -652,7 +821,7 @@ static inline void loop_jacobian(const Scalar* q, Scalar* phi_q,
 // Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..2]. Operations: 14 mul, 7 add, 1 div, 4 sin/cos. Always zero: dq[0].
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar q_3 = q[2];
@@ -684,7 +853,7 @@ static inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos 
 // Returns false if the result means nothing: if a closed loop is within 1e-6 of being singular
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1], qd[0], qdd[0]. Operations: 27 mul, 12 add, 1 div, 4 sin/cos.
-template <class Scalar, class SinCos = LibrarySinCos>
+template <class Scalar, class SinCos = DefaultSinCos>
 static inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* rates,
     Scalar* accelerations, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -733,7 +902,9 @@ struct inverse_dynamics {
   using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[1], const Scalar (&qdd)[1],
       Scalar (&tau)[1]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::slider_crank::inverse_dynamics(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::inverse_dynamics(of...);
+  }
 };
 
 struct inverse_dynamics_tip_force {
@@ -741,7 +912,7 @@ struct inverse_dynamics_tip_force {
   using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[1], const Scalar (&qdd)[1],
       const Scalar (&h_e)[6], Scalar (&tau)[1]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept {
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
     return ::slider_crank::inverse_dynamics_tip_force(of...);
   }
 };
@@ -750,35 +921,45 @@ struct inertia_matrix {
   template <class Scalar>
   using Shape = bool(const Scalar (&q)[3], Scalar (&B)[1][1]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::slider_crank::inertia_matrix(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::inertia_matrix(of...);
+  }
 };
 
 struct christoffel {
   template <class Scalar>
   using Shape = bool(const Scalar (&q)[3], Scalar (&c)[1][1]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::slider_crank::christoffel(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::christoffel(of...);
+  }
 };
 
 struct coriolis_matrix {
   template <class Scalar>
   using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[1], Scalar (&C)[1][1]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::slider_crank::coriolis_matrix(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::coriolis_matrix(of...);
+  }
 };
 
 struct gravity {
   template <class Scalar>
   using Shape = void(const Scalar (&q)[3], Scalar (&g)[1]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::slider_crank::gravity(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::gravity(of...);
+  }
 };
 
 struct bias {
   template <class Scalar>
   using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[1], Scalar (&n)[1]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::slider_crank::bias(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::bias(of...);
+  }
 };
 
 struct forward_dynamics {
@@ -786,63 +967,81 @@ struct forward_dynamics {
   using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[1], const Scalar (&tau)[1],
       Scalar (&qdd)[1]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::slider_crank::forward_dynamics(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::forward_dynamics(of...);
+  }
 };
 
 struct kinetic_energy {
   template <class Scalar>
   using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[1], Scalar (&T)[1]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::slider_crank::kinetic_energy(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::kinetic_energy(of...);
+  }
 };
 
 struct potential_energy {
   template <class Scalar>
   using Shape = Scalar(const Scalar (&q)[3]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::slider_crank::potential_energy(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::potential_energy(of...);
+  }
 };
 
 struct forward_kinematics {
   template <class Scalar>
   using Shape = void(const Scalar (&q)[3], Scalar (&R)[3][3], Scalar (&p)[3]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::slider_crank::forward_kinematics(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::forward_kinematics(of...);
+  }
 };
 
 struct jacobian {
   template <class Scalar>
   using Shape = bool(const Scalar (&q)[3], Scalar (&J)[6][1]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::slider_crank::jacobian(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::jacobian(of...);
+  }
 };
 
 struct jacobian_dot_qd {
   template <class Scalar>
   using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[1], Scalar (&a)[6]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::slider_crank::jacobian_dot_qd(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::jacobian_dot_qd(of...);
+  }
 };
 
 struct loop_closure {
   template <class Scalar>
   using Shape = void(const Scalar (&q)[3], Scalar (&phi)[2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::slider_crank::loop_closure(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::loop_closure(of...);
+  }
 };
 
 struct loop_jacobian {
   template <class Scalar>
   using Shape = void(const Scalar (&q)[3], Scalar (&phi_q)[2][3]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::slider_crank::loop_jacobian(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::loop_jacobian(of...);
+  }
 };
 
 struct loop_step {
   template <class Scalar>
   using Shape = bool(const Scalar (&q)[3], Scalar (&dq)[3]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::slider_crank::loop_step(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::loop_step(of...);
+  }
 };
 
 struct loop_motion {
@@ -850,7 +1049,9 @@ struct loop_motion {
   using Shape = bool(const Scalar (&q)[3], const Scalar (&qd)[1], const Scalar (&qdd)[1],
       Scalar (&rates)[3], Scalar (&accelerations)[3]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::slider_crank::loop_motion(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::slider_crank::loop_motion(of...);
+  }
 };
 
 }  // namespace functions
@@ -928,8 +1129,7 @@ static uint64_t hash_of(const Scalar* x, int count, uint64_t hash) noexcept {
   return hash;
 }
 
-// Whether sines and cosines of the library are right to a unit in the last place: at angles for
-// which libraries that trade digits for speed are not.
+// Whether sines and cosines have the bits that they have to have.
 template <class Scalar>
 static bool sines_are_right() noexcept {
   const volatile Scalar zero = Scalar(0.0);
@@ -937,37 +1137,22 @@ static bool sines_are_right() noexcept {
       Scalar(0.5), Scalar(0.6875), Scalar(1.28125), Scalar(1.53125), Scalar(1.796875),
       Scalar(3.125), Scalar(10.28125), Scalar(11.125)
   };
-  const Scalar sines[8] = {
-      Scalar(0.479425538604203), Scalar(0.6346070800152693), Scalar(0.9583735057581397),
-      Scalar(0.999218145922396), Scalar(0.9745528811569866), Scalar(0.016591892229347906),
-      Scalar(-0.7555360776363961), Scalar(-0.9916361774750792)
-  };
-  const Scalar cosines[8] = {
-      Scalar(0.8775825618903728), Scalar(0.7728349461524715), Scalar(0.28551746612221973),
-      Scalar(0.03953601977196579), Scalar(-0.2241577164155103), Scalar(-0.9998623450816866),
-      Scalar(-0.6551070411694638), Scalar(0.12906467960915324)
-  };
-  const Scalar places = Scalar(sizeof(Scalar) == sizeof(float) ? 8388608.0 : 4503599627370496.0);
   Scalar x[8], s[8], c[8];
   for (int k = 0; k < 8; ++k) x[k] = angles[k] + zero;
-  LibrarySinCos()(x, Joints<0, 1, 2, 3, 4, 5, 6, 7>(), s, c);
-  const auto is_near = [places](Scalar a, Scalar b) {
-    const Scalar error = (a - b) * places, size = b < Scalar(0.0) ? -b : b;
-    return error <= size && -error <= size;
-  };
-  bool right = true;
-  for (int k = 0; k < 8; ++k) right &= is_near(s[k], sines[k]) && is_near(c[k], cosines[k]);
-  return right;
+  PolynomialSinCos()(x, Joints<0, 1, 2, 3, 4, 5, 6, 7>(), s, c);
+  const uint64_t hash = hash_of(c, 8, hash_of(s, 8, 14695981039346656037u));
+  return hash == (sizeof(Scalar) == sizeof(float) ? 0x803948b6889bcc50u : 0x7b037ac8b2e0683cu);
 }
 
 }  // namespace detail
 
 // Whether the build rounds every operation as it is written, to nearest: compilers fuse products
-// into sums unless they are given -ffp-contract=off, and x87 registers or -freciprocal-math change
-// more. The rounding errors that certificates bound assume that this is true. All functions are
-// called at one state, with sines and cosines given, and the bits of their results compared with
-// those of arithmetic as it is written. The answer is for the calling file and thread, for float and
-// double: every file has its own copy of the functions, but shares members of stages with others.
+// into sums unless they are given -ffp-contract=off (g++ 12 needs -fno-tree-slp-vectorize, too),
+// and x87 registers or -freciprocal-math change more. The rounding errors that certificates bound
+// assume that this is true. All functions are called at one state, with sines and cosines given,
+// and the bits of their results compared with those of arithmetic as it is written. The answer is
+// for the calling file and thread, for float and double: every file has its own copy of the
+// functions, but shares members of stages with others.
 template <class Scalar = Real>
 static bool rounding_is_as_written() noexcept {
   constexpr bool is_float = sizeof(Scalar) == sizeof(float);

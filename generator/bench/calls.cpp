@@ -26,11 +26,28 @@ std::string given_type(const BenchVariant& variant) {
   return fmt::format("{}::GivenSinCos<{}>", kBenchNamespace, scalar_type(variant));
 }
 
+// The type of the source of sines and cosines of a function in the namespace `scope`.
+std::string source_type(const std::string& scope, const BenchVariant& variant) {
+  switch (variant.trigonometry) {
+    case SinCosSource::own:
+      return scope + "::PolynomialSinCos";
+    case SinCosSource::library:
+      return scope + "::LibrarySinCos";
+    case SinCosSource::together:
+      return "flatdyn::TogetherSinCos";
+    case SinCosSource::given:
+      return given_type(variant);
+  }
+  return "";
+}
+
 // The argument that selects the source of sines and cosines; `given`: the caller's arrays.
 Words sin_cos_argument(const BenchVariant& variant, const std::string& given) {
   switch (variant.trigonometry) {
-    case SinCosSource::library:
+    case SinCosSource::own:
       return {};
+    case SinCosSource::library:
+      return {fmt::format("{}::LibrarySinCos()", kBenchNamespace)};
     case SinCosSource::together:
       return {"flatdyn::TogetherSinCos()"};
     case SinCosSource::given:
@@ -145,9 +162,7 @@ std::string template_symbol(const CalledFunction& called, const BenchVariant& va
   if (is_member(called)) return fmt::format("{}<{}>::{}", called.scope, scalar_type(variant), function);
   std::string types = scalar_type(variant);
   if (has_angles(called.function)) {
-    types += variant.trigonometry == SinCosSource::library    ? fmt::format(", {}::LibrarySinCos", called.scope)
-             : variant.trigonometry == SinCosSource::together ? ", flatdyn::TogetherSinCos"
-                                                              : ", " + given_type(variant);
+    types += ", " + source_type(called.scope, variant);
   }
   // nm separates closing brackets by blanks, and so inner ones, too.
   std::string name = fmt::format("{}::{}<{}>", called.scope, function, types);

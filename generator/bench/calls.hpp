@@ -32,7 +32,7 @@ struct PlainFunction {
 };
 
 std::string plain_symbol(const Function& function, const std::string& variant);
-// The symbol of the called function as nm -C prints it: "robot::gravity<double, robot::LibrarySinCos>",
+// The symbol of the called function as nm -C prints it: "robot::gravity<double, robot::PolynomialSinCos>",
 // "robot::Motion<double>::bias".
 std::string template_symbol(const CalledFunction& called, const BenchVariant& variant);
 PlainFunction plain_function(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant);

@@ -7,24 +7,26 @@ namespace flatdyn {
 
 const std::vector<BenchVariant>& bench_variants() {
   static const std::vector<BenchVariant> table = {
-      {"double", "double", CallMode::single, SinCosSource::library},
+      {"double", "double", CallMode::single, SinCosSource::own},
+      {"double-library", "double", CallMode::single, SinCosSource::library},
       {"double-together", "double", CallMode::single, SinCosSource::together},
       {"double-given", "double", CallMode::single, SinCosSource::given},
-      {"double-staged", "double", CallMode::staged, SinCosSource::library},
-      {"double-0.01%", "double", CallMode::single, SinCosSource::library, "0.01%"},
-      {"double-0.1%", "double", CallMode::single, SinCosSource::library, "0.1%"},
-      {"double-1%", "double", CallMode::single, SinCosSource::library, "1%"},
-      {"float", "float", CallMode::single, SinCosSource::library},
+      {"double-staged", "double", CallMode::staged, SinCosSource::own},
+      {"double-0.01%", "double", CallMode::single, SinCosSource::own, "0.01%"},
+      {"double-0.1%", "double", CallMode::single, SinCosSource::own, "0.1%"},
+      {"double-1%", "double", CallMode::single, SinCosSource::own, "1%"},
+      {"float", "float", CallMode::single, SinCosSource::own},
+      {"float-library", "float", CallMode::single, SinCosSource::library},
       {"float-together", "float", CallMode::single, SinCosSource::together},
       {"float-given", "float", CallMode::single, SinCosSource::given},
-      {"float-staged", "float", CallMode::staged, SinCosSource::library},
-      {"batch-double", "double", CallMode::batch, SinCosSource::library},
+      {"float-staged", "float", CallMode::staged, SinCosSource::own},
+      {"batch-double", "double", CallMode::batch, SinCosSource::own},
       {"batch-double-given", "double", CallMode::batch, SinCosSource::given},
-      {"batch-float", "float", CallMode::batch, SinCosSource::library},
+      {"batch-float", "float", CallMode::batch, SinCosSource::own},
       {"batch-float-given", "float", CallMode::batch, SinCosSource::given},
-      {"batch-float-0.01%", "float", CallMode::batch, SinCosSource::library, "0.01%"},
-      {"batch-float-0.1%", "float", CallMode::batch, SinCosSource::library, "0.1%"},
-      {"batch-float-1%", "float", CallMode::batch, SinCosSource::library, "1%"},
+      {"batch-float-0.01%", "float", CallMode::batch, SinCosSource::own, "0.01%"},
+      {"batch-float-0.1%", "float", CallMode::batch, SinCosSource::own, "0.1%"},
+      {"batch-float-1%", "float", CallMode::batch, SinCosSource::own, "1%"},
   };
   return table;
 }
@@ -53,7 +55,7 @@ bool asks_for_multiples(const Graph& graph) {
 bool is_made(const BenchVariant& variant, const Function& function, bool has_xsimd) {
   const bool has_angles = count_operations(function).trigonometric > 0;
   if (variant.trigonometry == SinCosSource::given && asks_for_multiples(function.graph)) return false;
-  return (has_xsimd || !needs_xsimd(variant)) && (has_angles || variant.trigonometry == SinCosSource::library);
+  return (has_xsimd || !needs_xsimd(variant)) && (has_angles || variant.trigonometry == SinCosSource::own);
 }
 
 }  // namespace flatdyn

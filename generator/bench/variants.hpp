@@ -12,9 +12,9 @@ namespace flatdyn {
 // made; or over SIMD lanes, with all states in one call.
 enum class CallMode { single, staged, batch };
 
-// The source of sines and cosines, the last argument of generated functions: the library; all joints' in one call over
-// SIMD lanes; or the caller, so that only the rest is timed.
-enum class SinCosSource { library, together, given };
+// The source of sines and cosines, the last argument of generated functions: their own, which is the default; the
+// library; the runtime's, which evaluates all joints' over SIMD lanes; or the caller, so that only the rest is timed.
+enum class SinCosSource { own, library, together, given };
 
 struct BenchVariant {
   const char* name;

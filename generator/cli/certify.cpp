@@ -2,12 +2,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "certify/sines.hpp"
 #include "cli/commands.hpp"
 #include "cli/outdated_files.hpp"
 #include "cli/output_file.hpp"
 #include "emit/languages/emit.hpp"
+#include "graph/count.hpp"
 #include "input/common/content_hash.hpp"
 #include "report/certificate_report.hpp"
 #include "report/json_text.hpp"
@@ -46,6 +49,7 @@ std::string certify_stamp(const CertifyArguments& arguments, const std::vector<O
 struct Certified {
   Certificate certificate;
   std::string header, text;  // name and content of the header
+  std::vector<GappaScript> of_sines{};
 };
 
 Certified certified(const CertifyArguments& arguments, const LoadedRobot& model, PipelineOptions options) {
@@ -69,6 +73,10 @@ Certified certified(const CertifyArguments& arguments, const LoadedRobot& model,
   prove(effective_mechanism(model), functions, std::nullopt, std::nullopt, seed);
   prove_text(EmittedText(result.text), {model.mechanism, functions_of(functions), std::nullopt, emit}, seed);
   result.certificate = certify(model.mechanism, functions_of(functions), result.text, arguments.options, progress);
+  const auto asks_sines = [](const OptimisedFunction& each) {
+    return count_operations(each.function).trigonometric > 0;
+  };
+  if (std::any_of(functions.begin(), functions.end(), asks_sines)) result.of_sines = scripts_of_sines(emit.scalar);
   print_diagnostics(findings, arguments);
   return result;
 }
@@ -87,6 +95,7 @@ void write(const CertifyArguments& arguments, const Certified& result, const Cer
   for (const CertifiedFunction& function : result.certificate.functions) {
     for (const GappaScript& script : function.scripts) files.push_back({beside("gappa") / script.name, script.text});
   }
+  for (const GappaScript& script : result.of_sines) files.push_back({beside("gappa") / script.name, script.text});
   write_files(files, outdated_manifest_and_scripts(files.front()));
 }
 

@@ -84,12 +84,13 @@ void CppFile::shape(const Known& known, bool is_by_itself) {
   expect(");");
   if (!is_whole_result(*known.function->function)) expect("static constexpr bool leaves_out = true;");
   if (is_by_itself) {
-    expect("template <class... Of> auto operator()(Of&&... of) const noexcept {");
+    expect("template <class... Of> [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {");
     expect(fmt::format("return ::$namespace$::{}(of...); }}", name));
   }
   if (!stage.empty()) {
     expect(
-        fmt::format("template <class Scalar, class... Of> auto operator()(const {}<Scalar>& stage, Of&&... of) "
+        fmt::format("template <class Scalar, class... Of> [[gnu::always_inline]] auto operator()(const {}<Scalar>& "
+                    "stage, Of&&... of) "
                     "const noexcept {{ return stage.{}(of...); }}",
                     stage, name));
   }

@@ -44,7 +44,7 @@ static void $prefix$sine_and_cosine(float x, float* restrict sine,
   const float z = r * r, half = 0.5f * z, leading = 1.0f - half;
   const float p = -1.6666654611e-1f + z * (8.3321608736e-3f + z * -1.9515295891e-4f);
   const float k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
-  const float s = r + (z * r * p + rest);
+  const float s = r + (z * r * p + leading * rest);
   const float c = leading + ((((1.0f - leading) - half) - r * rest) + z * z * k);
   uint32_t quadrant = 0, bits_of_s = 0, bits_of_c = 0;
   (void)memcpy(&quadrant, &turns, sizeof(turns));

@@ -58,14 +58,14 @@ inline constexpr const char* kCppPolynomials = R"(
 namespace detail {
 #if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
 #ifdef __AVX__
-constexpr int register_bytes = 32;
+constexpr int bytes_of_doubles = 32;
 #else
-constexpr int register_bytes = 16;
+constexpr int bytes_of_doubles = 16;
 #endif
-typedef double Doubles __attribute__((vector_size(register_bytes)));
-typedef uint64_t BitsOfDoubles __attribute__((vector_size(register_bytes)));
-typedef float Floats __attribute__((vector_size(register_bytes)));
-typedef uint32_t BitsOfFloats __attribute__((vector_size(register_bytes)));
+typedef double Doubles __attribute__((vector_size(bytes_of_doubles)));
+typedef uint64_t BitsOfDoubles __attribute__((vector_size(bytes_of_doubles)));
+typedef float Floats __attribute__((vector_size(16)));
+typedef uint32_t BitsOfFloats __attribute__((vector_size(16)));
 #define $guard$_IN_LANES
 #else
 typedef double Doubles;
@@ -73,6 +73,7 @@ typedef uint64_t BitsOfDoubles;
 typedef float Floats;
 typedef uint32_t BitsOfFloats;
 #endif
+template <class = void>
 static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cosine) noexcept {
   const Doubles turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52, n = turns - 0x1.8p+52;
   const Doubles above = x - n * 0x1.921fb544p+0, below = n * 0x1.0b4611a6p-34, r = above - below;
@@ -96,6 +97,7 @@ static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cos
   memcpy(&sine, &bits_of_s, sizeof(s));
   memcpy(&cosine, &bits_of_c, sizeof(c));
 }
+template <class = void>
 static inline void sine_and_cosine(const Floats& x, Floats& sine, Floats& cosine) noexcept {
   const Floats turns = x * 0x1.45f306p-1f + 0x1.8p+23f, n = turns - 0x1.8p+23f;
   const Floats above = (x - n * 0x1.922p+0f) - n * -0x1.2cp-18f, below = n * 0x1.11p-26f;
@@ -103,7 +105,7 @@ static inline void sine_and_cosine(const Floats& x, Floats& sine, Floats& cosine
   const Floats z = r * r, half = 0.5f * z, leading = 1.0f - half;
   const Floats p = -1.6666654611e-1f + z * (8.3321608736e-3f + z * -1.9515295891e-4f);
   const Floats k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
-  const Floats s = r + (z * r * p + rest);
+  const Floats s = r + (z * r * p + leading * rest);
   const Floats c = leading + ((((1.0f - leading) - half) - r * rest) + z * z * k);
   BitsOfFloats quadrant, bits_of_s, bits_of_c;
   memcpy(&quadrant, &turns, sizeof(turns));
@@ -123,11 +125,11 @@ static inline Scalar evaluate(Lanes squares, const Scalar* q, const int* joints,
 #pragma GCC unroll 4
   for (int first = 0; first < count; first += lanes) {
     Lanes x = squares, sine, cosine;
-#pragma GCC unroll 8
+#pragma GCC unroll 4
     for (int k = 0; k < lanes; ++k) x[k] = q[joints[first + k < count ? first + k : count - 1]];
     sine_and_cosine(x, sine, cosine);
     squares += x * x;
-#pragma GCC unroll 8
+#pragma GCC unroll 4
     for (int k = 0; k < lanes; ++k) {
       const int joint = joints[first + k < count ? first + k : count - 1];
       s[joint] = sine[k];
@@ -135,7 +137,7 @@ static inline Scalar evaluate(Lanes squares, const Scalar* q, const int* joints,
     }
   }
   Scalar sum = squares[0];
-#pragma GCC unroll 8
+#pragma GCC unroll 4
   for (int k = 1; k < lanes; ++k) sum += squares[k];
   return sum;
 #else
@@ -148,10 +150,7 @@ static inline Scalar evaluate(Lanes squares, const Scalar* q, const int* joints,
 #endif
 }
 template <class Scalar>
-#ifdef __GNUC__
-__attribute__((noinline, cold))
-#endif
-static void ask_library(Scalar most, const Scalar* q, const int* joints, int count, Scalar* s,
+[[gnu::noinline, gnu::cold]] static void ask_library(Scalar most, const Scalar* q, const int* joints, int count, Scalar* s,
     Scalar* c) noexcept {
   for (int k = 0; k < count; ++k) {
     const Scalar x = q[joints[k]];
@@ -187,10 +186,7 @@ static inline void sines_and_cosines(const Scalar* q, Joints<joint...> all, Scal
 inline constexpr const char* kCppPolynomialSines = R"(
 struct PolynomialSinCos {
   template <class Scalar, int... joint>
-#ifdef __GNUC__
-  __attribute__((always_inline))
-#endif
-  inline void operator()(const Scalar* q, Joints<joint...> all, Scalar* s, Scalar* c) const noexcept {
+  [[gnu::always_inline]] void operator()(const Scalar* q, Joints<joint...> all, Scalar* s, Scalar* c) const noexcept {
     detail::sines_and_cosines(q, all, s, c);
   }
 };)";

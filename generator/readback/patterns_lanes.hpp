@@ -192,9 +192,9 @@ static inline $lanes$_bits $lanes$_reduced($lanes$ x, $lanes$* restrict r,
   return ($lanes$_bits)turns;
 }
 static inline $lanes$ $lanes$_sine_near_zero($lanes$ r, $lanes$ rest) {
-  const $lanes$ z = r * r;
+  const $lanes$ z = r * r, leading = 1.0f - 0.5f * z;
   const $lanes$ p = -1.6666654611e-1f + z * (8.3321608736e-3f + z * -1.9515295891e-4f);
-  return r + (z * r * p + rest);
+  return r + (z * r * p + leading * rest);
 }
 static inline $lanes$ $lanes$_cosine_near_zero($lanes$ r, $lanes$ rest) {
   const $lanes$ z = r * r, half = 0.5f * z, leading = 1.0f - half;

@@ -89,7 +89,7 @@ class CppScanner : TokenCursor {
   void function() {
     ScannedFunction written;
     const bool is_part = !namespaces_.empty() && namespaces_.back() == "detail";
-    skip_attributes();
+    skip_attribute();
     while (is("inline") || is("static")) ++at_;
     written.returns = word();
     while (word() != "(") {
@@ -114,21 +114,17 @@ class CppScanner : TokenCursor {
     }
   }
 
-  // Moves past "__attribute__((…))" and the conditions around it.
-  void skip_attributes() {
-    while (tokens_[at_].is_directive() || is("__attribute__")) {
-      if (is("__attribute__")) {
-        while (word() != ")" || word(1) != ")") ++at_;
-        ++at_;
-      }
-      ++at_;
-    }
+  // Moves past "[[gnu::noinline]]".
+  void skip_attribute() {
+    if (!is("[")) return;
+    while (word() != "]" || word(1) != "]") ++at_;
+    at_ += 2;
   }
 
   // Whether a function is one of those that evaluate sines and cosines.
   static bool is_of_sines(const std::string& name) {
-    constexpr auto kNames = std::to_array<const char*>(
-        {"sine_and_cosine", "evaluate", "ask_library", "sines_and_cosines", "operator"});
+    constexpr auto kNames =
+        std::to_array<const char*>({"sine_and_cosine", "evaluate", "ask_library", "sines_and_cosines", "operator"});
     return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
   }
 

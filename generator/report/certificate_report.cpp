@@ -176,9 +176,8 @@ std::string certificate_markdown(const Certificate& certificate, double enough, 
       "They hold\n\n"
       "- within the limits of position, speed, acceleration and torque that the header states, each as the nearest "
       "{};\n"
-      "- for {}, as those of glibc's <cmath> are to 1 ulp, and those of `flatdyn::TogetherSinCos` to 1 ulp in double "
-      "and "
-      "to 2 ulp in float, up to 1e5 and 6400 rad;\n"
+      "- for {}, as the header's own are to 1 ulp up to {} rad (the scripts `sines.*.g` prove it, in units of the last "
+      "place of 1), those of glibc's <cmath>, and those of `flatdyn::TogetherSinCos`, in float to 2 ulp;\n"
       "- in files that include the header, or the source of the same functions as a pair, for which "
       "`rounding_is_as_written<{}>()` is true in the calling thread.\n\n"
       "{}"
@@ -188,7 +187,8 @@ std::string certificate_markdown(const Certificate& certificate, double enough, 
       "has proven from norms and from motions of links. Gappa checks each script by itself. That all belong together, "
       "and to the header, is for flatdyn's scripts/check-certificate to check.\n",
       certificate.robot, certificate.scalar, header.name, header.hash, certificate.scalar, trigonometry(certificate),
-      certificate.scalar, snaps_text(header), std::filesystem::path(header.name).replace_extension("gappa").string());
+      certificate.scalar == "float" ? "6400" : "1e5", certificate.scalar, snaps_text(header),
+      std::filesystem::path(header.name).replace_extension("gappa").string());
   for (const CertifiedFunction& function : certificate.functions) {
     const std::vector<CertifiedOutput>& outputs = function.outputs;
     text += fmt::format("\n## {}\n\n{}", function.name,

@@ -65,8 +65,9 @@ std::vector<double> called(PlainEntry entry, const Function& function, const Sta
 
 class CompiledFunctions::Library {
  public:
-  Library(const Mechanism& mechanism, const std::vector<Function>& functions) {
+  Library(const Mechanism& mechanism, const std::vector<Function>& functions, Sines sines) {
     EmitOptions options;
+    options.sines = sines;
     options.name_space = kNamespace;
     write_file(folder_.path() / "robot.hpp", emit_cpp(mechanism, functions, options));
     std::string driver = "#include \"robot.hpp\"\n";
@@ -88,8 +89,8 @@ class CompiledFunctions::Library {
   std::vector<PlainEntry> entries_;
 };
 
-CompiledFunctions::CompiledFunctions(const Mechanism& mechanism, const std::vector<Function>& functions)
-    : library_(std::make_unique<Library>(mechanism, functions)), functions_(functions) {}
+CompiledFunctions::CompiledFunctions(const Mechanism& mechanism, const std::vector<Function>& functions, Sines sines)
+    : library_(std::make_unique<Library>(mechanism, functions, sines)), functions_(functions) {}
 
 CompiledFunctions::~CompiledFunctions() = default;
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "emit/emit_options.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
 #include "model/states.hpp"
@@ -25,7 +26,8 @@ class CompiledFunctions {
  public:
   // Emits the functions, writes them to a temporary folder, compiles them ($CXX or c++, contraction off) and loads the
   // result. Throws Failure(io) if there is no compiler, Failure(bug) if the text does not compile.
-  CompiledFunctions(const Mechanism& mechanism, const std::vector<Function>& functions);
+  CompiledFunctions(const Mechanism& mechanism, const std::vector<Function>& functions,
+                    Sines sines = Sines::polynomials);
   ~CompiledFunctions();
   CompiledFunctions(const CompiledFunctions&) = delete;
   CompiledFunctions& operator=(const CompiledFunctions&) = delete;

@@ -26,6 +26,7 @@ class HeaderFunction:
             self.read(body)
 
     def read(self, body):
+        self.check_sines(body)
         for statement in " ".join(body.split()).replace("detail::", "").split(";"):
             statement = statement.strip().removeprefix("const Scalar ")
             if not statement or statement.startswith(NO_OPERATIONS):
@@ -35,6 +36,15 @@ class HeaderFunction:
             for one in statement.split(", "):
                 *targets, expression = one.split(" = ")
                 self.statements.append((targets, self.tree(expression)))
+
+    def check_sines(self, body):
+        """Requires that the sines and cosines of q, or of the angles by which joints turn, are asked for as used."""
+        used = sorted({int(index) for index in re.findall(r"\b(?:sine|cosine)\[(\d+)\]", body)})
+        asked = re.findall(r"\bsin_cos\(([^;]*)\);", body)
+        array = "angle" if "angles(q, angle);" in body else "q"
+        wanted = [f"{array}, Joints<{', '.join(map(str, used))}>(), sine, cosine"] if used else []
+        if [" ".join(each.split()) for each in asked] != wanted:
+            raise ValueError(f"{self.name} asks for other sines and cosines than it uses")
 
     def tree(self, text):
         """An expression with the scripts' names of arguments, and with names for literals."""

@@ -6,6 +6,7 @@ import struct
 from fractions import Fraction
 
 from certificate_check.arithmetic import as_written, rounded_to
+from certificate_check.sines import Sines, bodies, squeezed, uses_polynomials
 
 TEXT = r"""
 template <class Scalar>
@@ -43,7 +44,22 @@ static uint64_t hash_of(const Scalar* x, int count, uint64_t hash) noexcept {
   }
   return hash;
 }
-{sines}
+{own}
+template <class Scalar>
+static bool sines_are_right() noexcept {
+  const volatile Scalar zero = Scalar(0.0);
+  const Scalar angles[8] = {
+      Scalar(0.5), Scalar(0.6875), Scalar(1.28125), Scalar(1.53125), Scalar(1.796875),
+      Scalar(3.125), Scalar(10.28125), Scalar(11.125)
+  };
+  Scalar x[8], s[8], c[8];
+  for (int k = 0; k < 8; ++k) x[k] = angles[k] + zero;
+  PolynomialSinCos()(x, Joints<0, 1, 2, 3, 4, 5, 6, 7>(), s, c);
+  const uint64_t hash = hash_of(c, 8, hash_of(s, 8, 14695981039346656037u));
+  return hash == (sizeof(Scalar) == sizeof(float) ? 0x803948b6889bcc50u : 0x7b037ac8b2e0683cu);
+}
+{/own}
+{library}
 template <class Scalar>
 static bool sines_are_right() noexcept {
   const volatile Scalar zero = Scalar(0.0);
@@ -73,7 +89,7 @@ static bool sines_are_right() noexcept {
   for (int k = 0; k < 8; ++k) right &= is_near(s[k], sines[k]) && is_near(c[k], cosines[k]);
   return right;
 }
-{/sines}
+{/library}
 }
 template <class Scalar = Real>
 static bool rounding_is_as_written() noexcept {
@@ -115,14 +131,12 @@ VERDICT = re.compile(r"return hash == \(is_float \? (0x[0-9a-f]+)u : (0x[0-9a-f]
 WORD = 2**64 - 1
 
 
-def squeezed(text):
-    """A text without comments, and with single spaces."""
-    return " ".join(re.sub(r"//[^\n]*", "", text).split())
-
-
-def expected(has_sines):
-    text = TEXT if has_sines else re.sub(r"\{sines\}.*?\{/sines\}", "", TEXT, flags=re.S)
-    return squeezed(text.replace("{sines}", "").replace("{/sines}", ""))
+def expected(has_sines, has_polynomials):
+    parts = {"sines": has_sines, "own": has_sines and has_polynomials, "library": has_sines and not has_polynomials}
+    text = TEXT
+    for part, is_there in parts.items():
+        text = re.sub(rf"\{{{part}\}}(.*?)\{{/{part}\}}", r"\1" if is_there else "", text, flags=re.S)
+    return squeezed(text)
 
 
 def filled(count, seed):
@@ -196,15 +210,31 @@ def hash_at_state(statements, header, scalar):
     return state.hash if is_known and state.called == list(header.functions) else None
 
 
+def faults_of_sines(header, fixed):
+    """Where sines_are_right() expects other bits than those of the header's polynomials."""
+    wanted = re.search(r"sizeof\(float\) \? (0x[0-9a-f]+)u : (0x[0-9a-f]+)u", fixed)
+    angles = [float(text) for text in re.search(r"angles\[8\] = \{(.*?)\};", fixed)[1].replace("Scalar(", "")
+              .replace(")", "").split(",")]
+    text = bodies(header.text)
+    for scalar, expected_hash in zip(("float", "double"), wanted.groups()):
+        sines, cosines = zip(*map(Sines(text[scalar], scalar), angles)) if text else ((), ())
+        found = hash_of(cosines, scalar, hash_of(sines, scalar, 14695981039346656037))
+        if found != int(expected_hash, 16):
+            yield f"sines_are_right() expects other bits in {scalar} than those of the header's polynomials"
+
+
 def faults(header, has_sines):
     """What is wrong with the header's rounding_is_as_written()."""
-    text, fixed = squeezed(header.text), expected(has_sines)
+    has_polynomials = uses_polynomials(header.text)
+    text, fixed = squeezed(header.text), expected(has_sines, has_polynomials)
     begin = text.find(fixed)
-    if begin < 0 or text.count(f" {NAME}(") != 1 or text.count("#define ") != 1:
+    if begin < 0 or text.count(f" {NAME}(") != 1 or text.count("#define ") != (2 if has_polynomials else 1):
         yield f"{NAME}() is not the one that flatdyn writes"
         return
     body, _, rest = text[begin + len(fixed):].partition(" }")
     *statements, verdict, _ = [statement.strip() for statement in body.split(";")]
+    if has_sines and has_polynomials:
+        yield from faults_of_sines(header, fixed)
     found = VERDICT.fullmatch(verdict)
     hashes = [hash_at_state(statements, header, scalar) for scalar in ("float", "double")]
     if not found or None in hashes or not re.fullmatch(r" \} #endif", rest):

@@ -49,7 +49,8 @@ TEST(Certify, WritesTheHeaderItsCertificateAndScriptsThatGappaAccepts) {
     EXPECT_EQ(std::system(("gappa '" + script.path().string() + "' > /dev/null 2>&1").c_str()), 0) << script.path();
     ++scripts;
   }
-  EXPECT_EQ(scripts, 2 + 2 + 2);  // roundings of two functions, two torques, b_11 and b_12; b_22 is exact
+  // Roundings of two functions, two torques, b_11 and b_12 (b_22 is exact), and four about sines.
+  EXPECT_EQ(scripts, 2 + 2 + 2 + 4);
 }
 
 // A copy of a certificate of the planar arm, and the program that tries to refute it.
@@ -126,9 +127,10 @@ class CheckCertificate : public ::testing::Test {
   }
 
   // Writes other text in the header behind its functions, and the header's new hash into the certificate.
-  void rewrite_header(const std::string& before, const std::string& after) {
+  void rewrite_header(const std::string& before, const std::string& after,
+                      const char* from = "The numbers of a state") {
     std::string text = scratch_.read(kHeader);
-    const std::size_t at = text.find(before, text.find("The numbers of a state"));
+    const std::size_t at = text.find(before, text.find(from));
     ASSERT_NE(at, std::string::npos) << before;
     scratch_.write(kHeader, text.replace(at, before.size(), after));
     const std::string sum = fmt::format("sha1sum '{}' > '{}'", scratch_.path(kHeader), scratch_.path("sum"));
@@ -318,6 +320,25 @@ TEST_F(CheckCertificate, RefutesWhatIsSilentOrContradictsItself) {
   expect(1, "k15 stands for 451/20, which is not 22.5");
   replace(kHeader, "+ N_2_z +", "+ N_2_z * tau[1] +");
   expect(1, "nothing is called 'tau_2'");
+}
+
+TEST_F(CheckCertificate, RefutesSinesOfTheHeaderThatAreNotThoseThatAreProven) {
+  const std::string proofs = std::filesystem::path(script_file("")).parent_path() / "sines.";
+  constexpr const char* kSines = "Angles in the lanes";
+  rewrite_header("2.75573137070700676789e-06", "2.75573137070700776789e-06", kSines);
+  expect(1, "sines.sine.g is not about the header's p at ");
+  rewrite_header("leading * rest", "leading * r", kSines);
+  expect(1, "a sine of ");
+  rewrite_header("(quadrant & 2u) << 62", "(quadrant & 2u) << 61", kSines);
+  expect(1, "the header's own sines are not those that flatdyn writes");
+  rewrite_header("sin_cos(q, ", "sin_cos(qd, ", kSines);
+  expect(1, "asks for other sines and cosines than it uses");
+  replace(proofs + "sine.g", "|M - S| <= 8e-18", "|M - S| <= 2e-18");
+  expect(1, "sines.sine.g takes 2e-18 for an error of ");
+  replace(proofs + "cosine.g", "|rest| <= 1.9e-16", "|rest| <= 1e-16");
+  expect(1, "the scripts about sines differ in how large the rest of an angle is");
+  replace(proofs + "reduction.g", "0x1.0b4611a6p-34", "0x1.0b4611a7p-34");
+  expect(1, "sines.reduction.g is not about the header's rest at ");
 }
 
 TEST_F(CheckCertificate, RefutesAnAnswerAboutRoundingThatIsNotTheRightOne) {

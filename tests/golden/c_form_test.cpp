@@ -105,7 +105,7 @@ std::string program(const LoadedRobot& model, const std::vector<Function>& funct
     for (const char* array : {"q", "qd", "qdd", "tau", "h_e"}) {
       text += fmt::format("  for ({0}& x : {1}) x = {0}(drawn() * 2);\n", scalar, array);
     }
-    text += testing::given_sines(model.mechanism, scalar);
+    text += testing::given_sines(model.mechanism, scalar, "whole");
     if (symbols > 0) {
       std::vector<std::string> values;
       for (std::size_t k = 0; k < symbols; ++k) values.push_back(fmt::format("{}({})", scalar, 0.3 + 0.07 * double(k)));

@@ -100,7 +100,7 @@ std::string program(const Forms& forms) {
       n + "], qd[" + n + "], qdd[" + n + "], tau[" + n +
       "];\n"
       "  for (Scalar* x : {q, qd, qdd, tau}) for (int k = 0; k < " +
-      n + "; ++k) x[k] = Scalar(2 * drawn());\n" + testing::given_sines(mechanism, "Scalar");
+      n + "; ++k) x[k] = Scalar(2 * drawn());\n" + testing::given_sines(mechanism, "Scalar", "whole");
   if (!mechanism.symbols.empty()) {
     std::vector<std::string> values;
     for (std::size_t k = 0; k < mechanism.symbols.size(); ++k) {

@@ -75,11 +75,8 @@ TEST_F(TrigonometryTest, TogetherLeavesLargeAnglesToTheLibrary) {
 
 TEST_F(TrigonometryTest, AllSourcesGiveTheSameTorques) {
   double expected[7], together[7], given[7], sine[7], cosine[7], unread[7];
-  for (int i = 0; i < 7; ++i) {
-    sine[i] = std::sin(kPositions[i]);
-    cosine[i] = std::cos(kPositions[i]);
-    unread[i] = kNaN;
-  }
+  panda::PolynomialSinCos()(kPositions, panda::Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
+  std::fill_n(unread, 7, kNaN);
   panda::inverse_dynamics(kPositions, kVelocities, kAccelerations, expected);
   panda::inverse_dynamics(kPositions, kVelocities, kAccelerations, together, TogetherSinCos());
   panda::inverse_dynamics(unread, kVelocities, kAccelerations, given, panda::GivenSinCos<double>{sine, cosine});
@@ -90,16 +87,13 @@ TEST_F(TrigonometryTest, AllSourcesGiveTheSameTorques) {
 }
 
 TEST_F(TrigonometryTest, PrismaticPositionsAreReadBesideGivenSines) {
-  double from_library[12], given[12], p[3], p_given[3], sine[4], cosine[4];
+  double computed[12], given[12], p[3], p_given[3], sine[4], cosine[4];
   double q[4] = {0.4, -1.2, 0.1, 2.0};
-  for (int i = 0; i < 4; ++i) {
-    sine[i] = std::sin(q[i]);
-    cosine[i] = std::cos(q[i]);
-  }
-  scara::forward_kinematics(scara::Parameters<double>{}, q, from_library, p);
+  scara::PolynomialSinCos()(q, scara::Joints<0, 1, 2, 3>(), sine, cosine);
+  scara::forward_kinematics(scara::Parameters<double>{}, q, computed, p);
   q[0] = q[1] = q[3] = kNaN;
   scara::forward_kinematics(scara::Parameters<double>{}, q, given, p_given, scara::GivenSinCos<double>{sine, cosine});
-  for (int i = 0; i < 9; ++i) EXPECT_EQ(given[i], from_library[i]);
+  for (int i = 0; i < 9; ++i) EXPECT_EQ(given[i], computed[i]);
   EXPECT_EQ(p_given[2], p[2]);
 }
 
@@ -120,7 +114,7 @@ TEST_F(TrigonometryTest, IsAskedOnceForTheJointsThatCount) {
   int calls = 0, joints = 0;
   double g[7], expected[7];
   panda::gravity(kPositions, g, Counting{&calls, &joints});
-  panda::gravity(kPositions, expected);
+  panda::gravity(kPositions, expected, panda::LibrarySinCos());
   EXPECT_EQ(calls, 1);
   EXPECT_EQ(joints, 6);  // gravity is along the first axis
   for (int i = 0; i < 7; ++i) EXPECT_EQ(g[i], expected[i]);

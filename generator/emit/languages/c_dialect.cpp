@@ -237,7 +237,7 @@ void CDialect::write_page(data& page, const CodeContent& content) const {
   page["half_a_place"] = std::string(is_float ? "0x1.001p-24f" : "0x1.001p-53");
   page["smallest"] = std::string(is_float ? "0x1p-126f" : "0x1p-1022");
   page["is_float"] = is_float;
-  page["most_angle"] = std::string(is_float ? "6400.0f" : "1e5");
+  page["most_angle"] = std::string(is_float ? "6400" : "1e5");
   page["hash_of_sines"] = std::string(is_float ? "0x803948b6889bcc50" : "0x7b037ac8b2e0683c");
   page["places"] = std::string(is_float ? "8388608.0f" : "4503599627370496.0");
   page["bits"] = std::string(is_float ? "uint32_t" : "uint64_t");

@@ -26,7 +26,8 @@ std::string output_of(const ArrayArgument& array, const Output& output) {
 
 // A function with a single call, on one line if it fits.
 std::string calling(const std::string& parameters, const std::string& callee) {
-  const std::string head = fmt::format("  auto operator()({}Of&&... of) const noexcept {{", parameters);
+  const std::string head =
+      fmt::format("  [[gnu::always_inline]] auto operator()({}Of&&... of) const noexcept {{", parameters);
   const std::string statement = fmt::format("return {}(of...);", callee);
   const std::string line = head + " " + statement + " }";
   return line.size() <= kLineWidth ? line : head + "\n    " + statement + "\n  }";

@@ -210,18 +210,31 @@ struct ValueOf<std::tuple<Result>> {
   using Type = Result;
 };
 
+// Calls the function and inlines it here, so that it stores entries in their final places. Every file has its own copy,
+// compiled with its own flags.
+template <class OfCall, class Value, class... Arguments>
+[[gnu::flatten]] static auto called_in_one(Value& value, const Arguments&... arguments) noexcept {
+  return OfCall::called(value, arguments...);
+}
+
 template <class Function, class Signature, class... Arguments>
 class Call {
  public:
   [[gnu::always_inline]] static auto run(const Arguments&... arguments) noexcept {
     if constexpr (kResults == 0) {
       Value nothing;
-      return called(nothing, kAtResults, kAtArguments, arguments...);
+      return called(nothing, arguments...);
     } else if constexpr (std::is_same_v<typename Signature::Returns, bool>) {
       return perhaps(arguments...);
     } else {
       return always(arguments...);
     }
+  }
+
+  // Returns what the function returns, and its results in `value`.
+  template <class AllResults>
+  [[gnu::always_inline]] static auto called(AllResults& value, const Arguments&... arguments) noexcept {
+    return called_with(value, kAtResults, kAtArguments, arguments...);
   }
 
  private:
@@ -263,9 +276,9 @@ class Call {
 
   [[gnu::always_inline]] static auto written(Value& value, const Arguments&... arguments) noexcept {
     if constexpr (is_in_place(kAtResults)) {
-      return called(value, kAtResults, kAtArguments, arguments...);
+      return called(value, arguments...);
     } else {
-      return called_in_one(value, arguments...);
+      return called_in_one<Call>(value, arguments...);
     }
   }
 
@@ -274,14 +287,10 @@ class Call {
     return (TargetAt<k>::kIsInPlace && ...);
   }
 
-  // Inlines the function here, so that it stores entries in their final places.
-  [[gnu::flatten]] static auto called_in_one(Value& value, const Arguments&... arguments) noexcept {
-    return called(value, kAtResults, kAtArguments, arguments...);
-  }
-
   template <std::size_t... result, std::size_t... place>
-  [[gnu::always_inline]] static auto called(Value& value, std::index_sequence<result...>, std::index_sequence<place...>,
-                                            const Arguments&... arguments) noexcept {
+  [[gnu::always_inline]] static auto called_with(Value& value, std::index_sequence<result...>,
+                                                 std::index_sequence<place...>,
+                                                 const Arguments&... arguments) noexcept {
     const std::tuple<Passed<Arguments, VectorAt<place>>...> passed(arguments...);
     std::tuple<TargetAt<result>...> targets(result_at<result>(value)...);
     const auto returned = call(passed, targets, kAtBefore, kAtResults, kAtBehind);

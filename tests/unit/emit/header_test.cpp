@@ -182,7 +182,9 @@ struct inertia_matrix {
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&B)[2][2],
       Scalar (&D)[2][2]);
   template <class... Of>
-  auto operator()(Of&&... of) const noexcept { return ::acme::arm::inertia_matrix(of...); }
+  [[gnu::always_inline]] auto operator()(Of&&... of) const noexcept {
+    return ::acme::arm::inertia_matrix(of...);
+  }
 };
 )"));
   Function few = testing::two_link_inverse_dynamics();
