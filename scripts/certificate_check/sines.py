@@ -243,6 +243,13 @@ def bodies(text):
     return dict(zip(("double", "float"), found[0])) if len(found) == 1 else None
 
 
+def in_exact_arithmetic(statements, scalar):
+    """Constants, and the polynomials p and k of z that are made of them."""
+    values = {"number": lambda literal: Polynomial([Fraction(rounded_to(scalar, value_of(literal)))]),
+              "z": Polynomial([0, 1]), "zz": Polynomial([0, 0, 1])}
+    return followed([each for each in statements if re.fullmatch(r"[pkSC]\d?", each[0])], values)
+
+
 class Sines:
     """The statements of sine_and_cosine() for one scalar."""
 
@@ -265,9 +272,7 @@ class Sines:
 
     def polynomials(self):
         """p and k of z, in exact arithmetic."""
-        exact = {"number": lambda literal: Polynomial([Fraction(rounded_to(self.scalar, value_of(literal)))]),
-                 "z": Polynomial([0, 1]), "zz": Polynomial([0, 0, 1])}
-        values = followed([each for each in self.statements if each[0] in "pk"], exact)
+        values = in_exact_arithmetic(self.statements, self.scalar)
         return values["p"], values["k"]
 
     def __call__(self, x):
@@ -349,9 +354,15 @@ def faults_of_proofs(sines, folder, angles):
                 if name in ("r", "rest", "z", "p", "k", "s", "c") and value.value != values[name].value:
                     yield f"{proof.name} is not about the header's {name} at {angle!r}"
                     return
+    polynomials = dict(zip("pk", sines.polynomials()))
+    for proof in proofs.values():
+        values = in_exact_arithmetic(proof.statements, sines.scalar)
+        for name in set(values) & set(polynomials):
+            if values[name].coefficients != polynomials[name].coefficients:
+                yield f"{proof.name} is about another polynomial {name} than the header's"
     if len({proof.rest for proof in proofs.values()}) != 1:
         yield "the scripts about sines differ in how large the rest of an angle is"
-    for name, polynomial, first in zip(("sine", "cosine"), sines.polynomials(), (3, 2)):
+    for name, polynomial, first in zip(("sine", "cosine"), polynomials.values(), (3, 2)):
         error = error_of(polynomial if first == 3 else polynomial * Polynomial([0, 1]) - Polynomial([Fraction(1, 2)]),
                          first, proofs[name].rest)
         if not error <= proofs[name].assumed:

@@ -126,7 +126,8 @@ TEST_F(SameSines, AreNotThoseOfTheLibrary) {
           .code,
       0);
   const std::string of_library = answer(
-      fmt::format("g++ -std=c++17 -O1 -ffp-contract=off -I'{}' -x c++ - -o main < main.cpp && ./main", other.path()));
+      fmt::format("cp main.cpp '{0}' && cd '{0}' && g++ -std=c++17 -O1 -ffp-contract=off main.cpp -o main && ./main",
+                  other.path()));
   EXPECT_EQ(of_library.size(), 16u) << of_library;
   EXPECT_NE(of_library, reference_);
 }
