@@ -339,9 +339,10 @@ Run add_generate(CLI::App& app) {
   add_names_option(*command, "--fuse", arguments->fused, "one more function that computes all of these at once");
   add_form_options(*command, *arguments);
   command
-      ->add_option("--sincos", arguments->sincos,
-                   "where sines and cosines are from: polynomials of the code's own, with the same bits on every machine, "
-                   "or the library")
+      ->add_option(
+          "--sincos", arguments->sincos,
+          "where sines and cosines are from: polynomials of the code's own, with the same bits on every machine, "
+          "or the library")
       ->check(CLI::IsMember({"polynomials", "library"}))
       ->capture_default_str();
   command

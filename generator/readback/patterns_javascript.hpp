@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The helpers of emitted JavaScript, as they have to be. They are written down here once more, not taken from the template.
+// The helpers of emitted JavaScript, as they have to be. They are written down here once more, not taken from the
+// template.
 #pragma once
 
 namespace flatdyn {

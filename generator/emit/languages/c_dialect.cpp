@@ -90,8 +90,8 @@ std::string CDialect::count_name(const std::string& name) const { return in_capi
 std::vector<std::string> CDialect::reserved() const {
   std::vector<std::string> words = {"restrict", "sin",  "cos",   "sqrt",
                                     "sinf",     "cosf", "sqrtf", count_name("joint_count")};
-  for (const char* name : {"joint_names", "parameters", "sign", "is_zero", "sine_and_cosine", "sines_and_cosines", "angles",
-                           "rounding_is_as_written", "text_hash"}) {
+  for (const char* name : {"joint_names", "parameters", "sign", "is_zero", "sine_and_cosine", "sines_and_cosines",
+                           "angles", "rounding_is_as_written", "text_hash"}) {
     words.push_back(global(name));
   }
   return words;

@@ -45,7 +45,26 @@ std::vector<std::string> cpp_example(const CodeContent& content) {
 }  // namespace
 
 std::vector<std::string> CppDialect::reserved() const {
-  return {"Scalar", "Real", "Parameters", "SinCos", "Joints", "LibrarySinCos", "PolynomialSinCos", "GivenSinCos", "DefaultSinCos", "at", "Configuration", "Motion", "detail", "functions", "std", "sin", "cos", "joint_count", "joint_names", "rounding_is_as_written"};
+  return {"Scalar",
+          "Real",
+          "Parameters",
+          "SinCos",
+          "Joints",
+          "LibrarySinCos",
+          "PolynomialSinCos",
+          "GivenSinCos",
+          "DefaultSinCos",
+          "at",
+          "Configuration",
+          "Motion",
+          "detail",
+          "functions",
+          "std",
+          "sin",
+          "cos",
+          "joint_count",
+          "joint_names",
+          "rounding_is_as_written"};
 }
 
 std::string CppDialect::literal(const Rational& value) const { return "Scalar(" + decimal_literal(value) + ")"; }

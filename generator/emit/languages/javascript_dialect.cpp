@@ -60,10 +60,11 @@ std::vector<std::string> javascript_example(const FunctionText& text, const std:
 }  // namespace
 
 std::vector<std::string> JavascriptDialect::reserved() const {
-  return {"Math",   "Float64Array", "Infinity",   "NaN",       "undefined",   "null",        "arguments",
-          "await",  "debugger",     "eval",       "extends",   "finally",     "function",    "implements",
-          "import", "in",           "instanceof", "interface", "let",         "package",     "super",
-          "sin", "cos", "sine_of_turned", "typeof", "var",          "with",       "yield",     "joint_count", "joint_names", "parameter_names"};
+  return {"Math",        "Float64Array", "Infinity",       "NaN",       "undefined", "null",     "arguments",
+          "await",       "debugger",     "eval",           "extends",   "finally",   "function", "implements",
+          "import",      "in",           "instanceof",     "interface", "let",       "package",  "super",
+          "sin",         "cos",          "sine_of_turned", "typeof",    "var",       "with",     "yield",
+          "joint_count", "joint_names",  "parameter_names"};
 }
 
 std::string JavascriptDialect::literal(const Rational& value) const { return decimal_literal(value); }
