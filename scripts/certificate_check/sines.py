@@ -13,7 +13,7 @@ from certificate_check.arithmetic import rounded_to
 TEXT = r"""
 template <int... joint>
 struct Joints {
-  static constexpr int flatdyn_interface = 1; 
+  static constexpr int flatdyn_interface = 1;
 };
 struct LibrarySinCos {
   template <class Scalar, int... joint>
@@ -132,7 +132,7 @@ static inline void sines_and_cosines(const Scalar* q, Joints<joint...> all, Scal
     Scalar* c) noexcept {
   LibrarySinCos()(q, all, s, c);
 }
-} 
+}
 struct PolynomialSinCos {
   template <class Scalar, int... joint>
   [[gnu::always_inline]] void operator()(const Scalar* q, Joints<joint...> all, Scalar* s,
@@ -374,6 +374,8 @@ def faults(header, scalar, error, folder, states, source):
     if not uses_polynomials(header.text):
         return
     text = bodies(header.text)
+    if set(re.findall(r"class SinCos = (\w+)", header.text)) - {"DefaultSinCos"}:
+        yield "a function of the header has another default source of sines"
     if text is None:
         yield "the header's own sines are not those that flatdyn writes"
         return

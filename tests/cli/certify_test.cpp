@@ -331,6 +331,8 @@ TEST_F(CheckCertificate, RefutesSinesOfTheHeaderThatAreNotThoseThatAreProven) {
   expect(1, "a sine of ");
   rewrite_header("(quadrant & 2u) << 62", "(quadrant & 2u) << 61", kSines);
   expect(1, "the header's own sines are not those that flatdyn writes");
+  rewrite_header("class SinCos = DefaultSinCos", "class SinCos = LibrarySinCos", kSines);
+  expect(1, "a function of the header has another default source of sines");
   rewrite_header("sin_cos(q, ", "sin_cos(qd, ", kSines);
   expect(1, "asks for other sines and cosines than it uses");
   replace(proofs + "sine.g", "|M - S| <= 8e-18", "|M - S| <= 2e-18");
