@@ -15,10 +15,10 @@
 # file that it names, the scene, or flatdyn itself changes, and only then. The library can be installed and
 # exported: install(TARGETS TARGET EXPORT ...) with PUBLIC_HEADER DESTINATION include.
 #
-# Certificates assume that every operation is rounded as it is written, with -ffp-contract=off; g++ 12 fuses some
-# operations of vectors nevertheless unless it is given -fno-tree-slp-vectorize, which clang knows, too. A generated source is
-# compiled with this option here. A header is compiled by the targets that link with it: ROUNDED_AS_WRITTEN gives them
-# the option, for all their own sources as well.
+# Certificates assume that every operation is rounded as it is written, with -ffp-contract=off. g++ 12 fuses some
+# operations of vectors nevertheless, unless it is given -fno-tree-slp-vectorize, which clang knows, too. A generated
+# source is compiled with both options here. A header is compiled by the targets that link with it: ROUNDED_AS_WRITTEN
+# gives them the options, for all their own sources as well.
 #
 # The program is $CACHE{FLATDYN_EXECUTABLE} if set, for example in a cross build to a flatdyn of the build machine; else
 # the installed program, or that of this build.

@@ -96,7 +96,7 @@ TEST_P(EigenCosts, NothingByRows) {
 }
 
 // Compilers with gnu::flatten keep the entries in registers until they store them in their final places; without it
-// they would need another 42 loads and 42 stores.
+// they would need another 42 loads and 42 stores. How much is inlined differs by some instructions.
 TEST_P(EigenCosts, NextToNothingByColumns) {
   const bool flattens = std::string(GetParam()).starts_with("g++");
   const int more = sum_of(instructions(GetParam(), kByColumns)) - sum_of(instructions(GetParam(), kByItself));
