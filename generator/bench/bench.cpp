@@ -11,6 +11,8 @@
 #include "bench/stage_steps.hpp"
 #include "diagnostics/nearest.hpp"
 #include "functions/units.hpp"
+#include "graph/count.hpp"
+#include "passes/fuse_products.hpp"
 #include "system/temporary_folder.hpp"
 
 namespace flatdyn {
@@ -73,7 +75,10 @@ BenchRow bench_row(const BenchCase& of, const BenchErrors& errors, const std::ve
   row.variant = of.variant;
   row.is_peer = of.is_peer;
   row.is_whole = of.is_peer || is_whole_call(of.of);
-  if (of.call) row.operations = count_operations(of.call->function);
+  if (of.call) {
+    const Function& function = of.call->function;
+    row.operations = of.of.fuses ? count_fused_operations(function) : count_operations(function);
+  }
   row.time = quartiles(samples);
   row.rounds = samples.size();
   row.scaled = errors.scaled;

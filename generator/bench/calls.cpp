@@ -22,8 +22,11 @@ std::string scalar_type(const BenchVariant& variant) {
 
 bool has_angles(const Function& function) { return count_operations(function).trigonometric > 0; }
 
+// The namespace of the whole functions, which has sources of sines of its own.
+std::string name_space_of(const BenchVariant& variant) { return variant.fuses ? kFusedNamespace : kBenchNamespace; }
+
 std::string given_type(const BenchVariant& variant) {
-  return fmt::format("{}::GivenSinCos<{}>", kBenchNamespace, scalar_type(variant));
+  return fmt::format("{}::GivenSinCos<{}>", name_space_of(variant), scalar_type(variant));
 }
 
 // The type of the source of sines and cosines of a function in the namespace `scope`.
@@ -47,7 +50,7 @@ Words sin_cos_argument(const BenchVariant& variant, const std::string& given) {
     case SinCosSource::own:
       return {};
     case SinCosSource::library:
-      return {fmt::format("{}::LibrarySinCos()", kBenchNamespace)};
+      return {fmt::format("{}::LibrarySinCos()", name_space_of(variant))};
     case SinCosSource::together:
       return {"flatdyn::TogetherSinCos()"};
     case SinCosSource::given:
@@ -69,7 +72,7 @@ Words free_symbols(const Mechanism& mechanism, const BenchVariant& variant, cons
   for (std::size_t m = 0; m < mechanism.symbols.size(); ++m) {
     members.push_back(fmt::format("{}(x.parameters.of({})[{}])", scalar_type(variant), k, m));
   }
-  return {fmt::format("{}::Parameters<{}>{{{}}}", kBenchNamespace, scalar_type(variant), joined(members))};
+  return {fmt::format("{}::Parameters<{}>{{{}}}", name_space_of(variant), scalar_type(variant), joined(members))};
 }
 
 bool is_member(const CalledFunction& called) { return called.receiver.back() == '.'; }
@@ -178,7 +181,7 @@ PlainFunction plain_function(const Mechanism& mechanism, const CalledFunction& c
     const std::string stage = called.receiver.substr(0, called.receiver.size() - 1);
     parameters.push_back(fmt::format("const {}<{}>& {}", called.scope, scalar, stage));
   } else if (!mechanism.symbols.empty()) {
-    parameters.push_back(fmt::format("const {}::Parameters<{}>& parameters", kBenchNamespace, scalar));
+    parameters.push_back(fmt::format("const {}::Parameters<{}>& parameters", name_space_of(variant), scalar));
     arguments.emplace_back("parameters");
   }
   for (const InputKind kind : function.inputs) {

@@ -123,8 +123,14 @@ std::string header_of(const AbbreviatedFunctions& functions) {
   return cpp_identifier("robot " + functions.budget) + ".hpp";
 }
 
+bool has_fused(const BenchSubject& subject) {
+  return std::any_of(subject.variants.begin(), subject.variants.end(),
+                     [](const BenchVariant& variant) { return variant.fuses; });
+}
+
 data headers_of_robot(const BenchSubject& subject) {
   std::vector<std::string> names = {"robot.hpp"};
+  if (has_fused(subject)) names.emplace_back(kFusedHeader);
   for (const AbbreviatedFunctions& each : subject.abbreviated) names.push_back(header_of(each));
   return list_of(names);
 }
@@ -181,6 +187,11 @@ std::vector<SourceFile> bench_sources(const BenchSubject& subject) {
   for (const AbbreviatedFunctions& each : subject.abbreviated) {
     emit.name_space = name_space_of_budget(each.budget);
     files.push_back({header_of(each), emit_cpp(subject.mechanism, each.functions, emit)});
+  }
+  if (has_fused(subject)) {
+    emit.name_space = kFusedNamespace;
+    emit.fuses = true;
+    files.push_back({kFusedHeader, emit_cpp(subject.mechanism, subject.functions, emit)});
   }
   for (const templates::Header& header : templates::headers) files.push_back({header.path, header.text});
   for (const BenchPeer& peer : subject.peers) files.push_back(peer_source(subject, peer));

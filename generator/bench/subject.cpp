@@ -43,13 +43,18 @@ std::optional<CalledFunction> with_budget(const BenchSubject& subject, const std
 
 std::string name_space_of_budget(const std::string& budget) { return in_robot(cpp_identifier("budget " + budget)); }
 
+CalledFunction whole_function(const Function& function, const BenchVariant& variant) {
+  const std::string scope = variant.fuses ? kFusedNamespace : kBenchNamespace;
+  return {function, scope, scope + "::"};
+}
+
 std::optional<CalledFunction> called_function(const BenchSubject& subject, std::size_t k, const BenchVariant& variant) {
   const Function& whole = subject.functions[k];
   if (!is_made(variant, whole, subject.toolchain.has_xsimd)) return std::nullopt;
   if (variant.call_mode == CallMode::staged) return member(subject.stages, whole.name);
   const std::string budget = variant.budget;
   if (!budget.empty()) return with_budget(subject, whole.name, budget);
-  return CalledFunction{whole, kBenchNamespace, in_robot("")};
+  return whole_function(whole, variant);
 }
 
 }  // namespace flatdyn

@@ -43,9 +43,14 @@ struct CalledFunction {
   std::string receiver;  // prefix of the call: "robot::", "motion."
 };
 
+// A whole function as a variant calls it.
+CalledFunction whole_function(const Function& function, const BenchVariant& variant);
+
 // Function k of the subject; none if the variant lacks it.
 std::optional<CalledFunction> called_function(const BenchSubject& subject, std::size_t k, const BenchVariant& variant);
 
+// The namespace of the functions with fused multiply-adds, and their header.
+inline constexpr const char *kFusedNamespace = "robot::fused", *kFusedHeader = "robot_fused.hpp";
 // The namespace of a budget's functions: "robot::budget_0_1_".
 std::string name_space_of_budget(const std::string& budget);
 

@@ -22,6 +22,7 @@ struct BenchVariant {
   CallMode call_mode;
   SinCosSource trigonometry;
   const char* budget = "";  // error budget by which the function is abbreviated; "": none
+  bool fuses = false;       // whether the function is one with fused multiply-adds
 };
 
 // All variants. The times of the others are compared with the first one's.

@@ -132,6 +132,10 @@ class TextArithmetic {
   Scalar divide(Scalar a, const Scalar& b) const { return a /= b; }
   Scalar sign(const Scalar& x) const { return flatdyn::sign(x); }
   Scalar sqrt(const Scalar& x) const { return square_root(x); }
+  Scalar fused(const Scalar& a, const Scalar& b, Scalar c) const {
+    for (std::size_t k = 0; k < kLaneCount; ++k) c.of[k] = std::fma(a.of[k], b.of[k], c.of[k]);
+    return c;
+  }
 
  private:
   Scalar with_error(const Scalar& x) {

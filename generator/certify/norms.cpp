@@ -98,10 +98,11 @@ void Norms::add(Expansion& to, double c, const Form& form) {
   to.form = std::move(result);
 }
 
-// Whether the operation rounds. Sign changes are exact, and products with a power of two that is at least 1.
+// Whether the operation rounds. Sign changes are exact, products with a power of two that is at least 1, and those of
+// fused multiply-adds.
 bool Norms::is_rounded(int k) const {
   const Operation& operation = lines_[k];
-  if (k >= executed_ || !operation.is_sum_or_product()) return false;
+  if (k >= executed_ || !operation.is_sum_or_product() || operation.is_exact) return false;
   if (operation.step != Step::multiply) return true;
   const auto is_power = [this](int factor) {
     int exponent = 0;

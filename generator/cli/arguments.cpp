@@ -357,6 +357,12 @@ std::string stamp(const std::vector<std::pair<std::string, std::string>>& option
   return text;
 }
 
+std::string joined_stamps(const std::vector<std::string>& stamps) {
+  std::string text;
+  for (const std::string& each : stamps) text += (text.empty() || each.empty() ? "" : " ") + each;
+  return text;
+}
+
 std::string RobotArguments::stamp_of_settings(const std::vector<OptimisedFunction>& functions) const {
   const bool searched = !functions.empty() && functions.front().search;
   return stamp({{"--snap", snap == "1e-5" ? "" : snap},

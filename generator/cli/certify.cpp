@@ -26,6 +26,7 @@ struct CertifyArguments : RobotArguments {
   std::vector<std::string> functions;
   CertifyOptions options;
   double enough = 0.1;  // %
+  bool fuses = false;
 };
 
 const std::vector<std::string> kUsual = {"inverse_dynamics", "inertia_matrix"};
@@ -42,8 +43,7 @@ std::string certify_stamp(const CertifyArguments& arguments, const std::vector<O
   const std::string of_functions =
       stamp({{"--functions", fmt::format("{}", fmt::join(names, ","))},
              {"--scalar", arguments.options.scalar == "double" ? "" : arguments.options.scalar}});
-  const std::string of_robot = arguments.stamp_of_settings(functions);
-  return of_functions + (of_robot.empty() ? "" : " ") + of_robot;
+  return joined_stamps({of_functions, arguments.fuses ? "--fma" : "", arguments.stamp_of_settings(functions)});
 }
 
 struct Certified {
@@ -58,13 +58,14 @@ Certified certified(const CertifyArguments& arguments, const LoadedRobot& model,
   Progress progress(arguments.quiet);
   Diagnostics findings;
   const std::vector<OptimisedFunction> functions = make_functions(model, options, progress, findings);
-  const EmitOptions emit{"",
-                         arguments.options.scalar,
-                         certify_stamp(arguments, functions),
-                         model.input_hash,
-                         scene_stamp(model),
-                         scene_facts(model),
-                         0};
+  EmitOptions emit{"",
+                   arguments.options.scalar,
+                   certify_stamp(arguments, functions),
+                   model.input_hash,
+                   scene_stamp(model),
+                   scene_facts(model),
+                   0};
+  emit.fuses = arguments.fuses;
   Certified result;
   result.header = header_name(model.mechanism, emit);
   result.text = emit_cpp(model.mechanism, functions_of(functions), emit);
@@ -166,6 +167,8 @@ Run add_certify(CLI::App& app) {
   command->add_option("--scalar", arguments->options.scalar, "scalar that the code runs in")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
+  command->add_flag("--fma", arguments->fuses,
+                    "code with fused multiply-adds, for targets that have an instruction for them");
   command
       ->add_option(
           "--trigonometry-ulp", arguments->options.trigonometry_ulp,

@@ -79,6 +79,8 @@ void add_functions_option(CLI::App& command, std::vector<std::string>& functions
 
 // The options as they go into the stamp of emitted text, without those that have no value: "--scalar float --tip hand".
 std::string stamp(const std::vector<std::pair<std::string, std::string>>& options);
+// Stamps one after the other.
+std::string joined_stamps(const std::vector<std::string>& stamps);
 
 // Adds --band and --decimate.
 void add_stream_options(CLI::App& command, StreamOptions& options);

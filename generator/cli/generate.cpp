@@ -32,7 +32,7 @@ struct GenerateArguments : RobotArguments {
   std::string language = "c++", form = "header", frames = "file", sincos = "polynomials";
   std::string name_space, file_name;  // empty: from the robot's name
   std::string firmware;               // a processor; empty: none
-  bool python = false;
+  bool python = false, fuses = false;
   const CLI::Option *scalar_given = nullptr, *language_given = nullptr, *form_given = nullptr;
   int most_lines = 0;  // 0: no limit
   std::vector<std::string> dumped_passes;
@@ -47,13 +47,13 @@ struct GenerateArguments : RobotArguments {
 struct LanguageChoice {
   Language language;
   const char* name;
-  bool has_form, has_stages, has_scalar, has_namespace;
+  bool has_form, has_stages, has_scalar, has_namespace, has_fma;
   bool is_one_file;  // unless its form is a pair
 };
 const std::map<std::string, LanguageChoice> kLanguages = {
-    {"c++", {Language::cpp, "C++", true, true, true, true, true}},
-    {"c", {Language::c, "C", false, false, true, true, false}},
-    {"javascript", {Language::javascript, "JavaScript", false, false, false, false, true}}};
+    {"c++", {Language::cpp, "C++", true, true, true, true, true, true}},
+    {"c", {Language::c, "C", false, false, true, true, true, false}},
+    {"javascript", {Language::javascript, "JavaScript", false, false, false, false, false, true}}};
 
 const CLI::Validator kFileName(
     [](const std::string& text) {
@@ -77,8 +77,7 @@ std::string stamp_of(const GenerateArguments& arguments, const std::vector<Optim
              {"--name", arguments.file_name},
              {"--frames", arguments.frames == "file" ? "" : arguments.frames},
              {"--max-lines", arguments.most_lines == 0 ? "" : std::to_string(arguments.most_lines)}});
-  const std::string of_robot = arguments.stamp_of_settings(functions);
-  return of_functions + (of_functions.empty() || of_robot.empty() ? "" : " ") + of_robot;
+  return joined_stamps({of_functions, arguments.fuses ? "--fma" : "", arguments.stamp_of_settings(functions)});
 }
 
 void choose_c(GenerateArguments& arguments, const char* option) {
@@ -132,9 +131,26 @@ void check_stdout(const GenerateArguments& arguments) {
   }
 }
 
+// Requires a language and a target that have fused multiply-adds.
+void check_fma(const GenerateArguments& arguments) {
+  if (!arguments.fuses) return;
+  const LanguageChoice& language = kLanguages.at(arguments.language);
+  if (!language.has_fma || arguments.python) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("--fma: {} has no fused multiply-add", arguments.python ? "Python" : language.name),
+                  "leave it out");
+  }
+  if (arguments.firmware.empty() || arguments.scalars.front() == "float") return;
+  if (std::string(firmware_target(arguments.firmware).scalar) == "float") {
+    throw Failure(ExitCode::usage, fmt::format("--fma: {} has fused multiply-adds in float only", arguments.firmware),
+                  "use --scalar float, or leave --fma out");
+  }
+}
+
 void check_usage(const GenerateArguments& arguments) {
   check_stdout(arguments);
   check_form(arguments);
+  check_fma(arguments);
   check_pass_names(arguments.dumped_passes);
   if (arguments.fused.size() == 1) {
     throw Failure(ExitCode::usage, "--fuse: one function is no set", "name two or more, separated by commas");
@@ -164,6 +180,7 @@ GenerationOptions generation_options(const GenerateArguments& arguments) {
   options.form.file_name = arguments.file_name;
   options.form.form = arguments.is_pair() ? Form::pair : Form::header;
   options.form.sines = arguments.sincos == "library" ? Sines::library : Sines::polynomials;
+  options.form.fuses = arguments.fuses;
   options.form.frames = parameter_frames(arguments.frames);
   options.form.more_scalars = {arguments.scalars.begin() + 1, arguments.scalars.end()};
   options.options_stamp = [&arguments](const std::vector<OptimisedFunction>& functions) {
@@ -194,9 +211,9 @@ nlohmann::ordered_json manifest_of(const GenerationResult& result, const SnapEff
   nlohmann::ordered_json manifest = {
       {"flatdyn", kProgramVersion}, {"options", result.form.options_stamp}, {"header", files[0].name}};
   manifest.update(model_json(robot, effects));
-  manifest["functions"] = functions_json(result.functions, symbol_names(robot.mechanism));
+  manifest["functions"] = functions_json(result.functions, symbol_names(robot.mechanism), result.form.fuses);
   if (result.torque_deviation) manifest["error_budget"] = abbreviation_json(robot, *result.torque_deviation);
-  if (result.stages) manifest["stages"] = stages_json(*result.stages);
+  if (result.stages) manifest["stages"] = stages_json(*result.stages, result.form.fuses);
   manifest["proof"] = proofs_json(result.proofs);
   manifest["proof_of_robot"] = as_read_json(result.as_read);
   // The hash tells a reader whether the files belong together.
@@ -249,8 +266,8 @@ std::string tables(const GenerationResult& result, const SnapEffects& effects, c
   const LoadedRobot& robot = result.robot;
   const SnapDetail detail = arguments.verbose ? SnapDetail::each : SnapDetail::one_line;
   std::string text = describe_model(robot, effects, detail) + "\n" +
-                     describe_functions(result.functions, symbol_names(robot.mechanism)) + "\n";
-  if (result.stages) text += describe_stages(*result.stages) + "\n";
+                     describe_functions(result.functions, symbol_names(robot.mechanism), arguments.fuses) + "\n";
+  if (result.stages) text += describe_stages(*result.stages, arguments.fuses) + "\n";
   if (result.torque_deviation) text += describe_abbreviation(robot, *result.torque_deviation) + "\n";
   text += describe_proofs(result.proofs, result.as_read, rounding) + "\n";
   if (!arguments.firmware.empty()) {
@@ -345,6 +362,9 @@ Run add_generate(CLI::App& app) {
           "or the library")
       ->check(CLI::IsMember({"polynomials", "library"}))
       ->capture_default_str();
+  command->add_flag("--fma", arguments->fuses,
+                    "fused multiply-adds, a b + c rounded once, where the target has an instruction for them: fewer "
+                    "instructions and errors, other bits");
   command
       ->add_option("--namespace", arguments->name_space,
                    "C++ namespace, and in C what names begin with; default: the robot's name")

@@ -18,6 +18,10 @@ std::string Dialect::angle_function(const std::string& function, int index, cons
   return fmt::format("{}[{}]", function == "sin" ? "sine" : "cosine", index);
 }
 
+std::string Dialect::fused(const std::string& a, const std::string& b, const std::string& c) const {
+  return fmt::format("fma({}, {}, {})", a, b, c);
+}
+
 std::string Dialect::filled_sines(const std::set<int>&, const HeaderScope&) const { return ""; }
 
 std::string Dialect::input(const std::string& name) const { return "const " + scalar_ + "* " + name; }

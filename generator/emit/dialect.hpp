@@ -60,6 +60,10 @@ class Dialect {
   virtual std::string sign(const std::string& of) const = 0;
   // A call of the square root: "detail::sqrt(x)", "sqrtf(x)", "Math.sqrt(x)".
   virtual std::string sqrt(const std::string& of) const = 0;
+  // A fused multiply-add, a b + c rounded once: "fma(a, b, c)", "panda_fma(a, b, c)". Only C++ and C are asked.
+  virtual std::string fused(const std::string& a, const std::string& b, const std::string& c) const;
+  // The statement before the first one in a function; empty if there is none.
+  virtual std::string fused_begin() const { return ""; }
   // The value of a free symbol of the robot: "parameters.m_1", "parameters->m_1".
   virtual std::string parameter(const std::string& member) const { return "parameters." + member; }
 

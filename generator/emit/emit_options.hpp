@@ -30,6 +30,7 @@ struct EmitOptions {
   std::string file_name{};  // name of header and source without extension; empty: the robot's name
   Form form = Form::header;
   Sines sines = Sines::polynomials;
+  bool fuses = false;                              // whether products and sums are fused multiply-adds, in C++ and C
   ParameterFrames frames = ParameterFrames::file;  // those to which the names of base parameters' parts refer
   std::vector<std::string> more_scalars{};         // scalars beside `scalar` that the source of a pair is compiled for
 };

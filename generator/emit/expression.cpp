@@ -13,6 +13,8 @@ bool starts_with_minus(const std::string& code) { return code.front() == '-'; }
 
 }  // namespace
 
+bool has_fused(const std::string& code) { return code.find("fma(") != std::string::npos; }
+
 ExpressionPrinter::Text ExpressionPrinter::define(NodeId id) const {
   const Node& node = graph_[id];
   switch (node.op) {
@@ -92,10 +94,10 @@ std::vector<ExpressionPrinter::Summand> ExpressionPrinter::summands(const Node& 
     result.push_back({negated ? Rational(-term.coefficient) : term.coefficient,
                       operand(term.node, plain ? Binding::quotient : Binding::product),
                       plain ? Binding::atom : Binding::product,
-                      size_of(term.coefficient, magnitudes_[static_cast<std::size_t>(term.node)])});
+                      size_of(term.coefficient, magnitudes_[static_cast<std::size_t>(term.node)]), term.node});
   }
   if (node.value != 0) {
-    result.push_back({negated ? Rational(-node.value) : node.value, "", Binding::atom, size_of(node.value, 1)});
+    result.push_back({negated ? Rational(-node.value) : node.value, "", Binding::atom, size_of(node.value, 1), -1});
   }
   return result;
 }
@@ -104,6 +106,7 @@ std::vector<ExpressionPrinter::Summand> ExpressionPrinter::summands(const Node& 
 // Numerical Algorithms, 4.2); terms within a factor of two are in a readable order. The first two may be swapped so
 // that a positive one comes first and signs become subtractions: b - a, not -a + b.
 std::vector<ExpressionPrinter::Summand> ExpressionPrinter::small_first(std::vector<Summand> items) {
+  if (items.empty()) return items;
   std::stable_sort(items.begin(), items.end(), [](const Summand& a, const Summand& b) { return a.size < b.size; });
   const int reach = items[items.size() > 1 ? 1 : 0].size;
   const auto leader = std::find_if(items.begin(), items.end(),
@@ -113,7 +116,49 @@ std::vector<ExpressionPrinter::Summand> ExpressionPrinter::small_first(std::vect
 }
 
 ExpressionPrinter::Text ExpressionPrinter::sum(const Node& node, bool negated) const {
-  const std::vector<Summand> items = small_first(summands(node, negated));
+  std::vector<Summand> items = summands(node, negated);
+  return is_fused_.empty() ? plain_sum(small_first(std::move(items))) : fused_sum(std::move(items));
+}
+
+// Whether fused multiply-adds can take the summand: a fused product, or a multiple of a number.
+bool ExpressionPrinter::is_multiplied_in_sums(const Summand& item) const {
+  if (item.factor.empty()) return false;
+  return abs(item.coefficient) != 1 || is_fused_[static_cast<std::size_t>(item.node)];
+}
+
+// The sum of the plain summands, or the smallest product if there are none, to which the others are added:
+// fma(a, b, fma(c, d, x - y)).
+ExpressionPrinter::Text ExpressionPrinter::fused_sum(std::vector<Summand> items) const {
+  const auto products = std::stable_partition(items.begin(), items.end(),
+                                              [this](const Summand& item) { return !is_multiplied_in_sums(item); });
+  const std::vector<Summand> plain = small_first({items.begin(), products});
+  std::vector<Summand> rest = small_first({products, items.end()});
+  if (rest.empty()) return plain_sum(plain);
+  const bool has_start = !plain.empty();
+  Text text = plain_sum(has_start ? plain : std::vector<Summand>{rest.front()});
+  for (std::size_t k = has_start ? 0 : 1; k < rest.size(); ++k) text = {fused(rest[k], text.code), Binding::atom};
+  return text;
+}
+
+// A fused multiply-add of a product and a sum: "fma(-a * b, c, sum)". It takes the last factor as the second one.
+std::string ExpressionPrinter::fused(const Summand& product, const std::string& sum) const {
+  if (abs(product.coefficient) != 1) {
+    return dialect_.fused(dialect_.literal(product.coefficient), reference(product.node).code, sum);
+  }
+  std::vector<NodeId> factors = graph_[product.node].operands;
+  const bool is_negative = product.coefficient < 0;
+  const auto is_atom = [this](NodeId id) { return reference(id).binding == Binding::atom; };
+  if (is_negative && factors.size() == 2 && !is_atom(factors[0]) && is_atom(factors[1]))
+    std::swap(factors[0], factors[1]);
+  const NodeId last = factors.back();
+  factors.pop_back();
+  std::string first =
+      factors.size() == 1 && !is_negative ? reference(factors[0]).code : operand(factors[0], Binding::product);
+  for (std::size_t k = 1; k < factors.size(); ++k) first += " * " + operand(factors[k], Binding::product);
+  return dialect_.fused((is_negative ? "-" : "") + first, reference(last).code, sum);
+}
+
+ExpressionPrinter::Text ExpressionPrinter::plain_sum(const std::vector<Summand>& items) const {
   const auto magnitude = [this](const Summand& item) {
     if (item.factor.empty()) return dialect_.literal(abs(item.coefficient));
     return item.binding == Binding::atom ? item.factor : dialect_.literal(abs(item.coefficient)) + " * " + item.factor;

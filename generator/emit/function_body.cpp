@@ -15,6 +15,7 @@
 #include "emit/schedule.hpp"
 #include "emit/validity.hpp"
 #include "emit/writer.hpp"
+#include "passes/fuse_products.hpp"
 
 namespace flatdyn {
 namespace {
@@ -41,6 +42,10 @@ NameTable names_in_scope(const Function& function, const HeaderScope& scope) {
   return NameTable(taken);
 }
 
+std::vector<bool> fused_products(const Function& function, const HeaderScope& scope) {
+  return scope.fuses ? products_to_fuse(function) : std::vector<bool>(static_cast<std::size_t>(function.graph.size()));
+}
+
 class BodyWriter {
  public:
   BodyWriter(const Function& function, const std::string& name, const HeaderScope& scope)
@@ -51,8 +56,9 @@ class BodyWriter {
         lines_around_(
             scope.dialect.lines_around_body(static_cast<int>(function.inputs.size() + function.outputs.size()))),
         inputs_(arguments_read(function)),
-        schedule_(make_schedule(function)),
-        printer_(function.graph, variables_, scope.dialect),
+        is_fused_(fused_products(function, scope)),
+        schedule_(make_schedule(function, is_fused_)),
+        printer_(function.graph, variables_, scope.dialect, scope.fuses ? is_fused_ : std::vector<bool>()),
         validity_(printer_, scope.dialect) {
     NameTable names = names_in_scope(function, scope);
     for (const Output& output : function_.outputs) output_names_.push_back(names.unique(output.name));
@@ -75,6 +81,7 @@ class BodyWriter {
     body.takes_sines = has_op(Op::sin);
     body.takes_cosines = has_op(Op::cos);
     body.text = whole();
+    body.uses_fma = has_fused(body.text);
     const auto lines = std::count(body.text.begin(), body.text.end(), '\n');
     if (lines + lines_around_ > longest()) write_parts(body);
     return body;
@@ -86,7 +93,7 @@ class BodyWriter {
   std::string whole() const {
     std::string text = loads() + trigonometry(false) + sines_and_cosines() + stage();
     for (const PartStep& step : steps(false)) text += step.makes ? definition_line(step) : step.code;
-    return text + ending();
+    return (has_fused(text) ? dialect_.fused_begin() : "") + text + ending();
   }
 
   // Writes the same statements as several functions. The first ones read all inputs.
@@ -390,6 +397,7 @@ class BodyWriter {
   const Dialect& dialect_;
   int lines_around_;
   std::vector<Input> inputs_;
+  std::vector<bool> is_fused_;  // by node
   Schedule schedule_;
   std::vector<std::string> output_names_;
   VariableNames variables_;

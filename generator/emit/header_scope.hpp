@@ -24,6 +24,7 @@ struct HeaderScope {
   int joints = 0;                          // length of qd
   int positions = 0;                       // length of q
   std::vector<MultipleOfPosition> angles;  // angles beyond those of q whose sines and cosines are needed
+  bool fuses = false;                      // whether products and sums are fused multiply-adds
   int most_lines = 0;                      // limit of lines per function; 0: only that of compilers
   std::string proven_positions;            // where pivots are proven not to be lost: "at every position"
   std::vector<std::string> parameters;     // members of Parameters, by index of the free symbol

@@ -78,10 +78,11 @@ class PageWriter {
     write_angles(header);
     header["uses_sign"] = content_.uses_sign;
     header["uses_sqrt"] = content_.uses_sqrt;
+    header["uses_fma"] = content_.uses_fma;
     header["uses_trigonometry"] = content_.uses_trigonometry;
     header["own_sines?"] = content_.uses_trigonometry && options_.sines == Sines::polynomials;
     header["library_sines?"] = options_.sines == Sines::library;
-    header["uses_math"] = content_.uses_trigonometry || content_.uses_sqrt || uses_infinity();
+    header["uses_math"] = content_.uses_trigonometry || content_.uses_sqrt || content_.uses_fma || uses_infinity();
     dialect_.write_page(header, content_);
     return header;
   }
@@ -92,6 +93,7 @@ class PageWriter {
     scope_.joints = mechanism_.size();
     scope_.positions = mechanism_.position_count();
     scope_.angles = multiples_of_positions(mechanism_);
+    scope_.fuses = options_.fuses;
     scope_.most_lines = options_.most_lines;
     scope_.proven_positions = positions_of_inertia_bound(mechanism_);
     scope_.names = names_.taken;
@@ -256,6 +258,7 @@ class PageWriter {
   void note_needs(const FunctionText& text) {
     content_.uses_sign = content_.uses_sign || text.uses_sign;
     content_.uses_sqrt = content_.uses_sqrt || text.uses_sqrt;
+    content_.uses_fma = content_.uses_fma || text.uses_fma;
     content_.uses_trigonometry = content_.uses_trigonometry || text.uses_trigonometry;
   }
 

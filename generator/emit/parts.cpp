@@ -133,13 +133,13 @@ class Cutter {
     for (const NodeId id : given(first, last)) {
       reads.push_back(body_.variables[static_cast<std::size_t>(id)] + " = " + source(id));
     }
-    std::string code = head(name, arguments(first, last));
+    std::string code;
     if (!reads.empty()) code += list_line(body_.dialect.constant(), reads, ";", kStatementIndent);
     for (std::size_t k = first; k < last; ++k) {
       const PartStep& step = body_.steps[k];
       code += step.makes ? definition(step, last) : step.code;
     }
-    return code + "}\n";
+    return head(name, arguments(first, last)) + (has_fused(code) ? body_.dialect.fused_begin() : "") + code + "}\n";
   }
 
   // "const Scalar x = …;" and "kept[7] = x;", or only one of them.

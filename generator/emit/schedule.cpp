@@ -33,9 +33,10 @@ std::map<NodeId, std::vector<Target>> stores_of(const Function& function) {
 
 class Scheduler {
  public:
-  explicit Scheduler(const Function& function)
+  Scheduler(const Function& function, const std::vector<bool>& is_fused)
       : function_(function),
         graph_(function.graph),
+        is_fused_(is_fused),
         alive_(reachable_from(graph_, roots(function))),
         stores_(stores_of(function)),
         uses_(alive_.size(), 0),
@@ -61,7 +62,12 @@ class Scheduler {
     return values[static_cast<std::size_t>(id)];
   }
 
-  // Counts uses. A sign change is free and written wherever it is used, so its uses count as uses of its operand.
+  // Whether the node is written wherever it is used, so that its uses count as uses of its operands.
+  bool is_written_in_place(NodeId id) const {
+    return is_negation(graph_[id]) || is_fused_[static_cast<std::size_t>(id)];
+  }
+
+  // Counts uses.
   void count_uses() {
     for (const auto& [id, targets] : stores_) ++at(uses_, id);
     for (NodeId id : function_.validity_conditions) ++at(uses_, id);
@@ -73,7 +79,7 @@ class Scheduler {
     for (NodeId id = graph_.size() - 1; id >= 0; --id) {
       if (!at(alive_, id)) continue;
       if (is_trigonometric(graph_[id])) continue;  // its angle is written where the sine is computed
-      const int uses = is_negation(graph_[id]) ? at(uses_, id) : 1;
+      const int uses = is_written_in_place(id) ? at(uses_, id) : 1;
       for (NodeId operand : operands_of(graph_[id])) at(uses_, operand) += uses;
     }
   }
@@ -88,7 +94,7 @@ class Scheduler {
       shorten(id);
       const bool named = graph_.name(id) != nullptr && is_worth_its_name(node) && stores_.count(id) == 0;
       const bool variable = is_trigonometric(node) || named || at(uses_, id) > 1;
-      at(schedule_.is_variable, id) = variable && !is_negation(node);
+      at(schedule_.is_variable, id) = variable && !is_written_in_place(id);
     }
   }
 
@@ -97,14 +103,25 @@ class Scheduler {
     const Node& node = graph_[id];
     int count = node.op == Op::sum && node.value != 0 ? 1 : 0;
     for (const Term& term : node.terms) count += abs(term.coefficient) == 1 ? 0 : 1;
-    for (NodeId operand : operands_of(node))
+    for (NodeId operand : operands_to_write(id))
       count += at(schedule_.is_variable, operand) ? 1 : at(operand_count_, operand);
     return count;
   }
 
+  // The operands of a node's expression, those of fused products in place of the products.
+  std::vector<NodeId> operands_to_write(NodeId id) const {
+    std::vector<NodeId> result;
+    for (const NodeId operand : operands_of(graph_[id])) {
+      const bool is_fused = is_fused_[static_cast<std::size_t>(operand)];
+      const std::vector<NodeId> parts = is_fused ? operands_of(graph_[operand]) : std::vector<NodeId>{operand};
+      result.insert(result.end(), parts.begin(), parts.end());
+    }
+    return result;
+  }
+
   // Makes variables of the node's largest operands until its expression is short enough.
   void shorten(NodeId id) {
-    std::vector<NodeId> parts = operands_of(graph_[id]);
+    std::vector<NodeId> parts = operands_to_write(id);
     std::stable_sort(parts.begin(), parts.end(),
                      [this](NodeId a, NodeId b) { return at(operand_count_, a) > at(operand_count_, b); });
     for (NodeId part : parts) {
@@ -150,6 +167,7 @@ class Scheduler {
 
   const Function& function_;
   const Graph& graph_;
+  const std::vector<bool>& is_fused_;
   std::vector<bool> alive_;
   std::map<NodeId, std::vector<Target>> stores_;
   std::vector<int> uses_;
@@ -161,6 +179,8 @@ class Scheduler {
 
 }  // namespace
 
-Schedule make_schedule(const Function& function) { return Scheduler(function).run(); }
+Schedule make_schedule(const Function& function, const std::vector<bool>& is_fused) {
+  return Scheduler(function, is_fused).run();
+}
 
 }  // namespace flatdyn

@@ -28,6 +28,9 @@ struct Schedule {
 // The variables are nodes with two uses, sines and cosines, named sums and quotients, and operands that would make a
 // line too long. Sines and cosines come first (a library call spills every register); then depth-first from the
 // outputs, operands nearest to the inputs first, so that lifetimes are short. Ids break ties.
-Schedule make_schedule(const Function& function);
+//
+// `is_fused`: by node, which products are written in every sum that uses them (passes/fuse_products.hpp), never as
+// variables.
+Schedule make_schedule(const Function& function, const std::vector<bool>& is_fused);
 
 }  // namespace flatdyn

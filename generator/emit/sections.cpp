@@ -7,6 +7,7 @@
 #include "emit/partial_output.hpp"
 #include "emit/writer.hpp"
 #include "graph/count.hpp"
+#include "passes/fuse_products.hpp"
 #include "symbolic/dynamics/euler_angles.hpp"
 
 namespace flatdyn {
@@ -64,7 +65,8 @@ std::vector<std::string> function_comment(const Function& function, const Functi
   for (const std::string& argument : text.arguments) lines.push_back("  " + comment_text(argument));
   const std::string result = text.result.empty() ? "" : "Returns " + comment_text(text.result) + ".";
   for (const std::string& line : wrapped_words(result, kCommentWidth)) lines.push_back(line);
-  std::string facts = "Reads " + text.reads + ". Operations: " + to_string(count_operations(function)) + ".";
+  const OperationCount count = text.uses_fma ? count_fused_operations(function) : count_operations(function);
+  std::string facts = "Reads " + text.reads + ". Operations: " + to_string(count) + ".";
   if (function.at_rest) facts += " Holds where qd = 0, and does not read it.";
   facts += task_facts(function.task);
   facts += partial_output_text(function, text.outputs);

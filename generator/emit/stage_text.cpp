@@ -7,6 +7,7 @@
 #include "emit/writer.hpp"
 #include "graph/count.hpp"
 #include "model/identifiers.hpp"
+#include "passes/fuse_products.hpp"
 
 namespace flatdyn {
 namespace {
@@ -35,8 +36,9 @@ StageText stage_text(const Stage& stage, const std::string& name, HeaderScope ma
   member_scope.stored = stage.fields;
   make_scope.made = name;
   make_scope.fields = stage.fields;
-  StageText text{
-      name, function_text(stage.make, stage.make.name, make_scope), to_string(count_operations(stage.make)), {}, ""};
+  const FunctionText make = function_text(stage.make, stage.make.name, make_scope);
+  const OperationCount count = make.uses_fma ? count_fused_operations(stage.make) : count_operations(stage.make);
+  StageText text{name, make, to_string(count), {}, ""};
   NameTable names(std::set<std::string>{"with"});
   for (const Function& member : stage.members) {
     text.members.push_back({member, function_text(member, names.unique(member.name), member_scope)});

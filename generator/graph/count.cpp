@@ -45,6 +45,7 @@ OperationCount count_operations(const Function& function) {
 
 std::string to_string(const OperationCount& count) {
   std::string text = fmt::format("{} mul, {} add", count.multiplications, count.additions);
+  if (count.fused > 0) text += fmt::format(", {} fma", count.fused);
   if (count.divisions > 0) text += fmt::format(", {} div", count.divisions);
   if (count.trigonometric > 0) text += fmt::format(", {} sin/cos", count.trigonometric);
   return text;

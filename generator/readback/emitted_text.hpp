@@ -4,11 +4,12 @@
 //
 //   statement   const Scalar x = sum, …;   B[1] = B[7] = sum;   stage.x1 = sum;   return sum;   detail::f_part_1(…);
 //               Scalar sine[joint_count], cosine[joint_count];   sin_cos(q, Joints<1, 2>(), sine, cosine);
-//               Configuration<Scalar> stage;   static_assert(detail::Interface::checked<Scalar>());
+//               Configuration<Scalar> stage;   constexpr detail::MultiplyAdd<Scalar> fma{};
+//               static_assert(detail::Interface::checked<Scalar>());
 //               and the checks of text_conditions.cpp
 //   sum         [-] product {(+|-) product}
 //   product     factor {(*|/) factor}
-//   factor      x   q[2]   parameters.m1   Scalar(0.0825)   detail::sign(sum)   (sum)
+//   factor      x   q[2]   parameters.m1   Scalar(0.0825)   detail::sign(sum)   fma(sum, sum, sum)   (sum)
 //
 // In C the type's name replaces Scalar, and 0.0825 or 0.0825f the literal; there are parameters->m1 and arm_sign(sum);
 // and a function that needs sines and cosines calls the one that takes them as arguments. In JavaScript no type is

@@ -8,6 +8,19 @@
 
 namespace flatdyn {
 
+// The result of an addition.
+template <class Arithmetic>
+typename Arithmetic::Scalar sum_of(const StraightLine& lines, const Operation& addition, Arithmetic& arithmetic,
+                                   const std::vector<typename Arithmetic::Scalar>& values) {
+  using Scalar = typename Arithmetic::Scalar;
+  const auto value = [&values](int k) -> const Scalar& { return values[static_cast<std::size_t>(k)]; };
+  if constexpr (requires(const Scalar& x) { arithmetic.fused(x, x, x); }) {
+    const Operation& product = lines[addition.a];
+    if (product.is_exact) return arithmetic.fused(value(product.a), value(product.b), value(addition.b));
+  }
+  return value(addition.a) + value(addition.b);
+}
+
 // Appends to `values` the results of the operations after those that it has, up to the one before `end`. An Arithmetic
 // has:
 //   using Scalar, with + - * and a sign
@@ -16,6 +29,7 @@ namespace flatdyn {
 //   Scalar sine(const Input&), cosine(const Input&)     of a joint's position
 //   Scalar sine(const Scalar&), cosine(const Scalar&)   of another angle
 //   Scalar divide(const Scalar&, const Scalar&), sign(const Scalar&), sqrt(const Scalar&)
+//   Scalar fused(const Scalar& a, const Scalar& b, const Scalar& c)   a b + c, rounded once, if it rounds at all
 template <class Arithmetic>
 void execute(const StraightLine& lines, int end, Arithmetic& arithmetic,
              std::vector<typename Arithmetic::Scalar>& values) {
@@ -43,7 +57,7 @@ void execute(const StraightLine& lines, int end, Arithmetic& arithmetic,
         values.push_back(-a());
         break;
       case Step::add:
-        values.push_back(a() + b());
+        values.push_back(sum_of(lines, operation, arithmetic, values));
         break;
       case Step::subtract:
         values.push_back(a() - b());

@@ -39,6 +39,9 @@ CFile::CFile(const EmittedText& text, const FileContents& contents) : FileReader
   scalar_ = contents.scalar;
   fill("real", contents.scalar);
   fill("f", is_float ? "f" : "");
+  fill("F", is_float ? "F" : "");
+  fill("floats_bit", is_float ? "4" : "8");
+  fill("floats_length", is_float ? "32" : "64");
   fill("file", contents.file_name);
   fill("half_a_place", is_float ? "0x1.001p-24f" : "0x1.001p-53");
   fill("smallest", is_float ? "0x1p-126f" : "0x1p-1022");
@@ -76,7 +79,9 @@ void CFile::file() {
   source();
   require_helper("sign()", has_sign_, uses({prefixed("sign")}));
   require_helper("sines_and_cosines()", has_sines_, uses({prefixed("sines_and_cosines")}));
-  require_helper("<math.h>", has_math_, has_sines_ || has_limits_missing_ || uses({"sqrt"}) || uses({"sqrtf"}));
+  require_helper("fma()", has_fma_, uses({prefixed("fma")}));
+  require_helper("<math.h>", has_math_,
+                 has_sines_ || has_limits_missing_ || has_fma_ || uses({"sqrt"}) || uses({"sqrtf"}));
 }
 
 void CFile::header() {
@@ -105,6 +110,7 @@ void CFile::source() {
   for (const FileTable& each : contents_.tables) define(each);
   for (const FileTable& each : contents_.base_tables) define(each);
   has_sign_ = accept(kCSign);
+  has_fma_ = accept(kCMultiplyAdd);
   sines();
   angles();
   for (const FileFunction& each : contents_.functions) {

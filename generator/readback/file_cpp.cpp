@@ -26,6 +26,7 @@ void CppFile::file() {
   if (is_pair()) source();
   require_helper("sign()", has_sign_, uses({"detail", "::", "sign"}));
   require_helper("sqrt()", has_sqrt_, uses({"detail", "::", "sqrt"}));
+  require_helper("MultiplyAdd", has_fma_, uses({"MultiplyAdd", "<", "Scalar", ">", "fma"}));
   require_helper("LibrarySinCos", has_sines_, uses({"sin_cos"}));
 }
 
@@ -61,6 +62,7 @@ void CppFile::source() {
   expect("namespace $namespace$ {");
   has_sign_ = accept(kCppSign);
   has_sqrt_ = accept(kCppSqrt);
+  has_fma_ = accept(kCppMultiplyAdd);
   if (has_sines_ && has_polynomials()) {
     expect(kCppPolynomials);
     expect(kCppPolynomialSinesDefined);
@@ -126,6 +128,7 @@ void CppFile::helpers() {
   if (!is_pair()) {
     has_sign_ = accept(kCppSign);
     has_sqrt_ = accept(kCppSqrt);
+    has_fma_ = accept(kCppMultiplyAdd);
     expect(kCppInterface);
   }
   has_sines_ = accept(kCppLibrarySines);

@@ -8,6 +8,18 @@ inline constexpr const char* kCSign = R"(
 static $real$ $prefix$sign($real$ x) { return ($real$)((x > 0.0$f$) - (x < 0.0$f$)); }
 )";
 
+inline constexpr const char* kCMultiplyAdd = R"(
+static inline $real$ $prefix$fma($real$ a, $real$ b, $real$ c) {
+#if defined(__FMA__) || defined(__aarch64__) || defined(__FP_FAST_FMA$F$) || \
+    (defined(__ARM_FEATURE_FMA) && (__ARM_FP & $floats_bit$)) || \
+    (defined(__riscv_flen) && __riscv_flen >= $floats_length$)
+  return fma$f$(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
+)";
+
 inline constexpr const char* kCPolynomialsOfDoubles = R"(
 static void $prefix$sine_and_cosine(double x, double* restrict sine,
     double* restrict cosine) {

@@ -16,6 +16,47 @@ template <class Scalar>
 static inline Scalar sqrt(const Scalar& x) noexcept { using std::sqrt; return sqrt(x); }
 })";
 
+inline constexpr const char* kCppMultiplyAdd = R"(
+namespace detail {
+void fma();
+template <class Scalar>
+struct MultiplyAdd {
+  template <class S>
+  static auto of(const S& a, const S& b, const S& c, int) noexcept -> decltype(S(fma(a, b, c))) {
+    return fma(a, b, c);
+  }
+  template <class S>
+  static S of(const S& a, const S& b, const S& c, long) noexcept {
+    return a * b + c;
+  }
+  Scalar operator()(const Scalar& a, const Scalar& b, const Scalar& c) const noexcept {
+    return of(a, b, c, 0);
+  }
+};
+template <>
+struct MultiplyAdd<double> {
+  [[gnu::always_inline]] double operator()(double a, double b, double c) const noexcept {
+#if defined(__FMA__) || defined(__aarch64__) || defined(__FP_FAST_FMA) || \
+    (defined(__ARM_FEATURE_FMA) && (__ARM_FP & 8)) || (defined(__riscv_flen) && __riscv_flen >= 64)
+    return std::fma(a, b, c);
+#else
+    return a * b + c;
+#endif
+  }
+};
+template <>
+struct MultiplyAdd<float> {
+  [[gnu::always_inline]] float operator()(float a, float b, float c) const noexcept {
+#if defined(__FMA__) || defined(__aarch64__) || defined(__FP_FAST_FMAF) || \
+    (defined(__ARM_FEATURE_FMA) && (__ARM_FP & 4)) || (defined(__riscv_flen) && __riscv_flen >= 32)
+    return std::fma(a, b, c);
+#else
+    return a * b + c;
+#endif
+  }
+};
+})";
+
 inline constexpr const char* kCppInterface = R"(
 namespace detail {
 struct Interface {

@@ -6,7 +6,8 @@
 namespace flatdyn {
 
 int StraightLine::make(const Operation& operation) {
-  const Key key{operation.step, operation.a, operation.b, operation.value, operation.input.kind, operation.input.index};
+  const Key key{operation.step,       operation.a,           operation.b,       operation.value,
+                operation.input.kind, operation.input.index, operation.is_exact};
   const auto [found, is_new] = index_.emplace(key, size());
   return is_new ? append(operation) : found->second;
 }
@@ -24,6 +25,7 @@ int StraightLine::negate(int a) { return make({Step::negate, a}); }
 int StraightLine::add(int a, int b) { return make({Step::add, a, b}); }
 int StraightLine::subtract(int a, int b) { return make({Step::subtract, a, b}); }
 int StraightLine::multiply(int a, int b) { return make({Step::multiply, a, b}); }
+int StraightLine::fused(int a, int b, int c) { return add(make({Step::multiply, a, b, 0, {}, true}), c); }
 int StraightLine::divide(int a, int b) { return make({Step::divide, a, b}); }
 int StraightLine::sign(int a) { return make({Step::sign, a}); }
 int StraightLine::sqrt(int a) { return make({Step::sqrt, a}); }

@@ -22,6 +22,9 @@ struct Operation {
   double value = 0;  // the value of a constant
   Input input{};     // an input; for sine and cosine the joint's position, by the index in arrays of sines
 
+  // A product that is not rounded: a factor pair of the fused multiply-add that is the addition after it.
+  bool is_exact = false;
+
   bool is_sine_or_cosine() const { return step == Step::sine || step == Step::cosine; }
   bool is_sum_or_product() const { return step == Step::add || step == Step::subtract || step == Step::multiply; }
 };
@@ -38,6 +41,7 @@ class StraightLine {
   int add(int a, int b);
   int subtract(int a, int b);
   int multiply(int a, int b);
+  int fused(int a, int b, int c);  // a b + c, rounded once: an exact product, and an addition
   int divide(int a, int b);
   int sign(int a);
   int sqrt(int a);
@@ -52,7 +56,7 @@ class StraightLine {
   std::vector<int> validity_conditions;   // values that must be positive
 
  private:
-  using Key = std::tuple<Step, int, int, double, InputKind, int>;
+  using Key = std::tuple<Step, int, int, double, InputKind, int, bool>;
 
   int make(const Operation& operation);
 

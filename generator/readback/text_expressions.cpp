@@ -81,6 +81,10 @@ int TextReader::factor() {
     expect("(");
     return function_call(function);
   }
+  if (notation_.is_cpp && locals_.count("fma") != 0 && accept("fma")) {
+    expect("(");
+    return multiply_add();
+  }
   if (notation_.has_c_functions && word(1) == "(") {
     const std::string function = take();
     expect("(");
@@ -88,6 +92,7 @@ int TextReader::factor() {
                              : notation_.constants == "float" ? "sqrtf"
                                                               : "sqrt";
     if (function == root) return function_call("sqrt");
+    if (!notation_.has_lanes && function.ends_with("_fma") && text_.parts_.count(function) != 0) return multiply_add();
     if (!function.ends_with("_sign") || text_.parts_.count(function) == 0) fail("an unknown function");
     return function_call("sign");
   }
@@ -144,6 +149,20 @@ int TextReader::in_brackets() {
   expect(")");
   --depth_;
   return value;
+}
+
+// Reads the arguments of a fused multiply-add, after the opening bracket.
+int TextReader::multiply_add() {
+  constexpr int kDeepest = 200;
+  if (++depth_ > kDeepest) fail("nested too deeply");
+  const int a = sum();
+  expect(",");
+  const int b = sum();
+  expect(",");
+  const int c = sum();
+  expect(")");
+  --depth_;
+  return lines_.fused(a, b, c);
 }
 
 // Reads (0.0825) or (-2.0).

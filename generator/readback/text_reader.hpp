@@ -48,6 +48,7 @@ class TextReader {
   void stage();
   void unread();
   void check_of_scalar();
+  void fused_operation();
   void assignment();
   std::size_t last_assignment() const;
   std::pair<std::string, int> target();
@@ -103,6 +104,7 @@ class TextReader {
   int same_in_all_lanes();
   int function_call(const std::string& function);
   int in_brackets();
+  int multiply_add();
   int literal();
   int plain_literal();
   int named_value(const std::string& name);

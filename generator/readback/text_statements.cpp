@@ -35,6 +35,8 @@ void TextReader::statement() {
     unread();
   } else if (is("static_assert")) {
     check_of_scalar();
+  } else if (is("constexpr")) {
+    fused_operation();
   } else if (notation_.is_cpp && accept("sin_cos")) {
     sines_and_cosines();
   } else if (notation_.has_c_functions && ends_in(word(), "_sines_and_cosines")) {
@@ -125,6 +127,12 @@ void TextReader::check_of_scalar() {
   if (!notation_.is_cpp || at_ != written_.begin) fail("a check in another place");
   expect_all({"static_assert", "(", "detail", "::", "Interface", "::", "checked", "<", "Scalar", ">", "(", ")"});
   expect_all({")", ";"});
+}
+
+// Reads constexpr detail::MultiplyAdd<Scalar> fma{}; which a function has once.
+void TextReader::fused_operation() {
+  if (!notation_.is_cpp || !locals_.insert("fma").second) fail("an unknown statement");
+  expect_all({"constexpr", "detail", "::", "MultiplyAdd", "<", "Scalar", ">", "fma", "{", "}", ";"});
 }
 
 // Reads "B[1] = B[7] = sum;": entries until there is no further =. The sum is read before any entry is written.

@@ -9,6 +9,7 @@
 #include "diagnostics/table.hpp"
 #include "emit/arguments.hpp"
 #include "emit/languages/cpp_dialect.hpp"
+#include "passes/fuse_products.hpp"
 #include "report/number_json.hpp"
 #include "report/scene_report.hpp"
 #include "symbolic/notation/coupled_text.hpp"
@@ -236,18 +237,31 @@ int structural_zeros(const Function& function) {
 
 namespace {
 
-// Numbers of multiplications, additions, divisions and sines/cosines as cells of a table.
-std::vector<std::string> count_cells(const std::string& name, const OperationCount& count) {
-  return {name, std::to_string(count.multiplications), std::to_string(count.additions), std::to_string(count.divisions),
-          std::to_string(count.trigonometric)};
+OperationCount count_as_written(const Function& function, bool fuses) {
+  return fuses ? count_fused_operations(function) : count_operations(function);
 }
 
-nlohmann::ordered_json count_json(const std::string& name, const OperationCount& count) {
-  return {{"name", name},
-          {"multiplications", count.multiplications},
-          {"additions", count.additions},
-          {"divisions", count.divisions},
-          {"sin_cos", count.trigonometric}};
+// The heads of a table's columns with numbers of operations, after the first column; and these cells of a function.
+std::vector<std::string> count_heads(const std::string& first, bool fuses) {
+  if (fuses) return {first, "mul", "add", "fma", "div", "sin/cos"};
+  return {first, "mul", "add", "div", "sin/cos"};
+}
+std::vector<std::string> count_cells(const std::string& name, const Function& function, bool fuses) {
+  const OperationCount count = count_as_written(function, fuses);
+  std::vector<std::string> cells = {name, std::to_string(count.multiplications), std::to_string(count.additions)};
+  if (fuses) cells.push_back(std::to_string(count.fused));
+  cells.insert(cells.end(), {std::to_string(count.divisions), std::to_string(count.trigonometric)});
+  return cells;
+}
+
+nlohmann::ordered_json count_json(const std::string& name, const Function& function, bool fuses) {
+  const OperationCount count = count_as_written(function, fuses);
+  nlohmann::ordered_json json = {
+      {"name", name}, {"multiplications", count.multiplications}, {"additions", count.additions}};
+  if (fuses) json["fused_multiply_adds"] = count.fused;
+  json["divisions"] = count.divisions;
+  json["sin_cos"] = count.trigonometric;
+  return json;
 }
 
 }  // namespace
@@ -313,13 +327,13 @@ bool is_searched(const std::vector<OptimisedFunction>& functions) {
 
 }  // namespace
 
-std::string describe_functions(const std::vector<OptimisedFunction>& functions,
-                               const std::vector<std::string>& symbols) {
-  std::vector<std::vector<std::string>> rows = {
-      {"function", "mul", "add", "div", "sin/cos", "as derived", "zeros", "reads"}};
+std::string describe_functions(const std::vector<OptimisedFunction>& functions, const std::vector<std::string>& symbols,
+                               bool fuses) {
+  std::vector<std::vector<std::string>> rows = {count_heads("function", fuses)};
+  rows[0].insert(rows[0].end(), {"as derived", "zeros", "reads"});
   if (is_searched(functions)) rows[0].insert(rows[0].begin() + 3, "before search");
   for (const OptimisedFunction& each : functions) {
-    rows.push_back(count_cells(each.function.name, count_operations(each.function)));
+    rows.push_back(count_cells(each.function.name, each.function, fuses));
     if (is_searched(functions)) rows.back().insert(rows.back().begin() + 3, before_search(each));
     for (const int number : {count_operations(each.derived).arithmetic(), structural_zeros(each.function)}) {
       rows.back().push_back(std::to_string(number));
@@ -349,29 +363,30 @@ std::vector<StagePiece> pieces_of(const Stages& stages) {
 
 }  // namespace
 
-std::string describe_stages(const Stages& stages) {
-  std::vector<std::vector<std::string>> rows = {{"stage", "mul", "add", "div", "sin/cos", "stores"}};
+std::string describe_stages(const Stages& stages, bool fuses) {
+  std::vector<std::vector<std::string>> rows = {count_heads("stage", fuses)};
+  rows[0].emplace_back("stores");
   for (const StagePiece& piece : pieces_of(stages)) {
-    rows.push_back(count_cells(piece.name, count_operations(*piece.function)));
+    rows.push_back(count_cells(piece.name, *piece.function, fuses));
     const Output& output = piece.function->outputs[0];
     rows.back().push_back(output.layout == Layout::fields ? std::to_string(output.entries.size()) : "");
   }
   return aligned_table(rows);
 }
 
-nlohmann::ordered_json stages_json(const Stages& stages) {
+nlohmann::ordered_json stages_json(const Stages& stages, bool fuses) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const StagePiece& piece : pieces_of(stages)) {
-    json.push_back(count_json(piece.name, count_operations(*piece.function)));
+    json.push_back(count_json(piece.name, *piece.function, fuses));
   }
   return json;
 }
 
 nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& functions,
-                                      const std::vector<std::string>& symbols) {
+                                      const std::vector<std::string>& symbols, bool fuses) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const OptimisedFunction& each : functions) {
-    nlohmann::ordered_json item = count_json(each.function.name, count_operations(each.function));
+    nlohmann::ordered_json item = count_json(each.function.name, each.function, fuses);
     item["operations_as_derived"] = count_operations(each.derived).arithmetic();
     item["structural_zeros"] = structural_zeros(each.function);
     item["reads"] = list_of_inputs(inputs_read(each.function), symbols, CppDialect());

@@ -22,16 +22,17 @@ nlohmann::ordered_json model_json(const LoadedRobot& model, const SnapEffects& s
 // with what is fixed to them.
 std::string describe_bodies(const Mechanism& mechanism, ParameterFrames frames);
 
+// `fuses`, here and below: whether operations are counted with fused multiply-adds.
 // For each function its operation counts, the inputs it reads and its structural zeros.
-std::string describe_functions(const std::vector<OptimisedFunction>& functions,
-                               const std::vector<std::string>& symbols);
+std::string describe_functions(const std::vector<OptimisedFunction>& functions, const std::vector<std::string>& symbols,
+                               bool fuses = false);
 
 // The cost of each stage and of each of its members.
-std::string describe_stages(const Stages& stages);
-nlohmann::ordered_json stages_json(const Stages& stages);
+std::string describe_stages(const Stages& stages, bool fuses = false);
+nlohmann::ordered_json stages_json(const Stages& stages, bool fuses = false);
 
 nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& functions,
-                                      const std::vector<std::string>& symbols);
+                                      const std::vector<std::string>& symbols, bool fuses = false);
 
 std::vector<std::string> symbol_names(const Mechanism& mechanism);
 

@@ -33,7 +33,7 @@ std::string symbol_of(std::size_t function, const BenchVariant& variant) {
 }
 
 data variant_row(const Mechanism& mechanism, const Function& function, std::size_t k, const BenchVariant& variant) {
-  const CalledFunction called{function, kBenchNamespace, std::string(kBenchNamespace) + "::"};
+  const CalledFunction called = whole_function(function, variant);
   data row;
   row["symbol"] = symbol_of(k, variant);
   row["scalar"] = std::string(variant.scalar);
@@ -96,6 +96,9 @@ StressProgram::StressProgram(const Mechanism& mechanism, const std::vector<Funct
   EmitOptions emit;
   emit.name_space = kBenchNamespace;
   write_file(folder_.path() / "robot.hpp", emit_cpp(mechanism, functions, emit));
+  emit.name_space = kFusedNamespace;
+  emit.fuses = true;
+  write_file(folder_.path() / kFusedHeader, emit_cpp(mechanism, functions, emit));
   for (const templates::Header& header : templates::headers) {
     const std::filesystem::path path = folder_.path() / header.path;
     std::filesystem::create_directories(path.parent_path());

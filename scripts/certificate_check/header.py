@@ -10,9 +10,15 @@ from certificate_check.expressions import parsed, value_of
 
 HEADER_FUNCTION = re.compile(
     r"((?:^//[^\n]*\n)+)template <[^\n]*>\nstatic inline \w+ (\w+)\([^;]*?noexcept \{\n(.*?)^\}\n", re.M | re.S)
-NO_OPERATIONS = ("Scalar sine[", "Scalar angle[", "angles(", "sin_cos(", "static_assert(")
+FUSED = "constexpr MultiplyAdd<Scalar> fma{}"
+NO_OPERATIONS = (FUSED, "Scalar sine[", "Scalar angle[", "angles(", "sin_cos(", "static_assert(")
 LIMITS = {"q": ["position_lower", "position_upper"], "qd": ["velocity_limit"], "qdd": ["acceleration_limit"],
           "tau": ["effort_limit"]}
+
+def definitions(statement):
+    """The definitions in a statement, "a = x, b = fma(x, y, z)"."""
+    return re.split(r", (?=\w+ = )", statement)
+
 
 class HeaderFunction:
     """A function of the header: the names of its outputs, and its statements, as names and the tree of their value."""
@@ -33,7 +39,7 @@ class HeaderFunction:
                 continue
             if statement.startswith("return "):
                 statement = f"{self.outputs[0]} = {statement[7:]}"
-            for one in statement.split(", "):
+            for one in definitions(statement):
                 *targets, expression = one.split(" = ")
                 self.statements.append((targets, self.tree(expression)))
 

@@ -181,7 +181,7 @@ class CheckCertificate : public ::testing::Test {
 };
 
 TEST_F(CheckCertificate, RefutesNothingThatHolds) {
-  for (const char* options : {"--scalar double", "--scalar float"}) {
+  for (const char* options : {"--scalar double", "--scalar float", "--fma", "--fma --scalar float"}) {
     certify(options);
     EXPECT_EQ(check(), 0) << scratch_.read("seen");
     EXPECT_THAT(scratch_.read("seen"), HasSubstr("inverse_dynamics: ")) << options;
@@ -341,6 +341,15 @@ TEST_F(CheckCertificate, RefutesSinesOfTheHeaderThatAreNotThoseThatAreProven) {
   expect(1, "the scripts about sines differ in how large the rest of an angle is");
   replace(proofs + "reduction.g", "0x1.0b4611a6p-34", "0x1.0b4611a7p-34");
   expect(1, "sines.reduction.g is not about the header's rest at ");
+}
+
+TEST_F(CheckCertificate, RefutesFusedMultiplyAddsThatAreOthersThanWritten) {
+  certify("--fma");
+  rewrite_header("return std::fma(a, b, c);", "return a * b + c;", "MultiplyAdd<double>");
+  expect(1, "the header's fused multiply-adds are not those that flatdyn writes");
+  certify("--fma");
+  rewrite_header("fma(", "(", "inverse_dynamics(");
+  expect(1, "");
 }
 
 TEST_F(CheckCertificate, RefutesAnAnswerAboutRoundingThatIsNotTheRightOne) {

@@ -26,7 +26,7 @@ TEST(Stress, FindsWorstStatesThatEvalRepeats) {
   EXPECT_THAT(scratch.read("stress.svg"), HasSubstr("error against condition, double"));
   const auto row = nlohmann::json::parse(scratch.read("stress.json"))["rows"][0];
   EXPECT_EQ(row["states"], 50);
-  EXPECT_EQ(row["variants"].size(), 6u);
+  EXPECT_EQ(row["variants"].size(), 9u);
   EXPECT_EQ(row["worst"]["state"], scratch.read("worst_inverse_dynamics_double.csv"));
   // The graph of the emitted code has the reference's values there, up to the last places.
   const std::string eval = "eval robots/prismatic_revolute.toml -q --function inverse_dynamics --states " +

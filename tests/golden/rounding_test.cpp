@@ -164,6 +164,39 @@ TEST(RoundingIsAsWrittenByGcc, WithFusedMultiplyAddsIfVectorsAreLeftOut) {
             "11");
 }
 
+// Text with fused multiply-adds is executed as written where the processor has them; elsewhere it is another one.
+TEST_P(RoundingIsAsWritten, WithFusedMultiplyAddsOfTheText) {
+  if (!__builtin_cpu_supports("fma")) GTEST_SKIP() << "this processor has no fused multiply-add";
+  const TemporaryFolder folder;
+  EmitOptions options;
+  options.fuses = true;
+  const LoadedRobot model = model_of("ur5.urdf");
+  PipelineOptions pipeline;
+  pipeline.functions = {"inverse_dynamics", "forward_dynamics"};
+  Progress quiet(true);
+  Diagnostics left_out;
+  const std::vector<Function> functions = functions_of(make_functions(model, pipeline, quiet, left_out));
+  write(folder.path() / "ur5.hpp", emit_cpp(model.mechanism, functions, options));
+  options.language = Language::c;
+  const HeaderAndSource in_c = emit_c(model.mechanism, functions, options);
+  write(folder.path() / "ur5.h", in_c.header);
+  write(folder.path() / "ur5.c", in_c.source);
+  write(folder.path() / "main.cpp",
+        "#include <cstdio>\n#include \"ur5.hpp\"\n#include \"ur5.h\"\n"
+        "int main() { std::printf(\"%d%d%d\", ur5::rounding_is_as_written(), ur5::rounding_is_as_written<float>(), "
+        "ur5_rounding_is_as_written()); }\n");
+  const bool is_gcc = GetParam()[0] == 'g';
+  const auto answer = [&](const std::string& flags) {
+    const std::string all = "-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wundef -Werror -ffp-contract=off " + flags;
+    return output_of(folder.path(), fmt::format("{0} -std=c99 {1} -c ur5.c && {2} -std=c++17 {1} main.cpp ur5.o -o "
+                                                "main && ./main",
+                                                is_gcc ? "gcc" : "clang", all, GetParam()));
+  };
+  EXPECT_EQ(answer(is_gcc ? "-O2 -mfma -fno-tree-slp-vectorize" : "-O2 -mfma"), "111");
+  EXPECT_EQ(answer("-O0 -mfma"), "111");
+  EXPECT_EQ(answer("-O2"), "000");
+}
+
 // Adapters are shared by no two files, either.
 TEST(RoundingIsAsWrittenByClang, IsAnsweredForFunctionsOfEigen) {
   if (!__builtin_cpu_supports("fma")) GTEST_SKIP() << "this processor has no fused multiply-add";

@@ -90,8 +90,8 @@ std::string CDialect::count_name(const std::string& name) const { return in_capi
 std::vector<std::string> CDialect::reserved() const {
   std::vector<std::string> words = {"restrict", "sin",  "cos",   "sqrt",
                                     "sinf",     "cosf", "sqrtf", count_name("joint_count")};
-  for (const char* name : {"joint_names", "parameters", "sign", "is_zero", "sine_and_cosine", "sines_and_cosines",
-                           "angles", "rounding_is_as_written", "text_hash"}) {
+  for (const char* name : {"joint_names", "parameters", "sign", "fma", "is_zero", "sine_and_cosine",
+                           "sines_and_cosines", "angles", "rounding_is_as_written", "text_hash"}) {
     words.push_back(global(name));
   }
   return words;
@@ -108,6 +108,10 @@ std::string CDialect::infinity(bool negative) const {
 std::string CDialect::sign(const std::string& of) const { return global("sign(") + of + ")"; }
 
 std::string CDialect::sqrt(const std::string& of) const { return library("sqrt") + "(" + of + ")"; }
+
+std::string CDialect::fused(const std::string& a, const std::string& b, const std::string& c) const {
+  return fmt::format("{}({}, {}, {})", global("fma"), a, b, c);
+}
 
 std::string CDialect::parameter(const std::string& member) const { return "parameters->" + member; }
 
@@ -233,6 +237,9 @@ void CDialect::write_page(data& page, const CodeContent& content) const {
   page["count"] = count_name("joint_count");
   page["sin"] = library("sin");
   page["cos"] = library("cos");
+  page["F"] = std::string(is_float ? "F" : "");
+  page["floats_bit"] = std::string(is_float ? "4" : "8");
+  page["floats_length"] = std::string(is_float ? "32" : "64");
   page["f"] = std::string(is_float ? "f" : "");
   page["half_a_place"] = std::string(is_float ? "0x1.001p-24f" : "0x1.001p-53");
   page["smallest"] = std::string(is_float ? "0x1p-126f" : "0x1p-1022");

@@ -62,6 +62,7 @@ std::vector<std::string> CppDialect::reserved() const {
           "std",
           "sin",
           "cos",
+          "fma",
           "joint_count",
           "joint_names",
           "rounding_is_as_written"};
@@ -76,6 +77,10 @@ std::string CppDialect::infinity(bool negative) const { return negative ? "Real(
 std::string CppDialect::sign(const std::string& of) const { return "detail::sign(" + of + ")"; }
 
 std::string CppDialect::sqrt(const std::string& of) const { return "detail::sqrt(" + of + ")"; }
+
+std::string CppDialect::fused_begin() const {
+  return code_line("constexpr detail::MultiplyAdd<Scalar> fma{};", kStatementIndent);
+}
 
 std::string CppDialect::filled_sines(const std::set<int>& angles, const HeaderScope& scope) const {
   const std::string count = angle_count_name(scope);
@@ -130,6 +135,8 @@ void CppDialect::write_page(data& page, const CodeContent& content) const {
   page["asks_runtime?"] = !is_pair();  // header and source are compiled without the runtime
   page["header_sign?"] = content.uses_sign && !is_pair();
   page["header_sqrt?"] = content.uses_sqrt && !is_pair();
+  page["header_fma?"] = content.uses_fma && !is_pair();
+  page["multiply_add"] = without_newline(rendered(templates::multiply_add_hpp, page));
   page["header_angles?"] = content.uses_trigonometry && !content.scope.angles.empty() && !is_pair();
   page["polynomial_sines"] = without_newline(rendered(templates::polynomial_sines_hpp, page));
   write_known_answer(page, content);

@@ -51,6 +51,7 @@ class KnownArithmetic {
   T divide(const T& a, const T& b) const { return a / b; }
   T sign(const T& x) const { return static_cast<T>((x > 0 ? 1 : 0) - (x < 0 ? 1 : 0)); }
   T sqrt(const T& x) const { return std::sqrt(x); }
+  T fused(const T& a, const T& b, const T& c) const { return std::fma(a, b, c); }
 
  private:
   std::map<std::uint32_t, std::vector<T>> numbers_;

@@ -63,6 +63,9 @@ class Lanes {
   friend Lanes sin(const Lanes& a) noexcept { return Lanes(sine(a.batch_)); }
   friend Lanes cos(const Lanes& a) noexcept { return Lanes(cosine(a.batch_)); }
   friend Lanes sqrt(const Lanes& a) noexcept { return Lanes(xsimd::sqrt(a.batch_)); }
+  friend Lanes fma(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
+    return Lanes(xsimd::fma(a.batch_, b.batch_, c.batch_));
+  }
 
  private:
   Batch batch_;

@@ -19,6 +19,16 @@ class Expressions : public ::testing::Test {
     names[static_cast<std::size_t>(c)] = "c";
     return ExpressionPrinter(build.graph, names, CppDialect()).definition(id);
   }
+  // The text with these products fused.
+  std::string fused(NodeId id, const std::vector<NodeId>& products) {
+    VariableNames names(static_cast<std::size_t>(build.graph.size()));
+    names[static_cast<std::size_t>(a)] = "a";
+    names[static_cast<std::size_t>(b)] = "b";
+    names[static_cast<std::size_t>(c)] = "c";
+    std::vector<bool> is_fused(names.size());
+    for (const NodeId product : products) is_fused[static_cast<std::size_t>(product)] = true;
+    return ExpressionPrinter(build.graph, names, CppDialect(), is_fused).definition(id);
+  }
   NodeId negative(NodeId id) { return build.scaled("-1", id); }
 
   testing::Builder build;
@@ -55,6 +65,25 @@ TEST_F(Expressions, SmallTermsOfASumComeFirst) {
             "b - Scalar(0.01) * c + Scalar(100.0) * a");
   EXPECT_EQ(text(build.plus({build.scaled("-100", a), build.scaled("-1/100", b), build.number("1000")})),
             "Scalar(-0.01) * b - Scalar(100.0) * a + Scalar(1000.0)");
+}
+
+TEST_F(Expressions, FusedProductsAreAddedToTheRest) {
+  const NodeId ab = build.times({a, b}), bc = build.times({b, c});
+  EXPECT_EQ(fused(build.plus({ab, c}), {ab}), "fma(a, b, c)");
+  EXPECT_EQ(fused(build.plus({negative(ab), negative(c)}), {ab}), "fma(-a, b, -c)");
+  EXPECT_EQ(fused(build.plus({ab, bc}), {ab, bc}), "fma(b, c, a * b)");
+  EXPECT_EQ(fused(build.plus({ab, bc, a, build.number("2")}), {ab, bc}), "fma(b, c, fma(a, b, a + Scalar(2.0)))");
+  EXPECT_EQ(fused(build.plus({build.scaled("-3", a), build.scaled("1/2", bc), b}), {}),
+            "fma(Scalar(-3.0), a, fma(Scalar(0.5), b * c, b))");
+  EXPECT_EQ(fused(build.plus({ab, c}), {}), "c + a * b");
+}
+
+TEST_F(Expressions, FusedProductsOfSumsNeedNoParentheses) {
+  const NodeId product = build.times({build.plus({a, b}), build.plus({b, c})});
+  EXPECT_EQ(fused(build.plus({product, a}), {product}), "fma(a + b, b + c, a)");
+  EXPECT_EQ(fused(build.plus({a, negative(product)}), {product}), "fma(-(a + b), b + c, a)");
+  const NodeId cube = build.times({a, a, build.plus({b, c})});
+  EXPECT_EQ(fused(build.plus({a, negative(cube)}), {cube}), "fma(-a * a, b + c, a)");
 }
 
 TEST_F(Expressions, PowersAreProducts) { EXPECT_EQ(text(build.times({a, a, a})), "a * a * a"); }

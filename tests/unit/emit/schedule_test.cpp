@@ -100,7 +100,7 @@ TEST_F(Schedules, SplitLongExpressions) {
 
 TEST_F(Schedules, StatementsFollowWhatTheyUse) {
   const Function function = testing::two_link_inverse_dynamics();
-  const Schedule schedule = make_schedule(function);
+  const Schedule schedule = make_schedule(function, std::vector<bool>(static_cast<std::size_t>(function.graph.size())));
   std::vector<bool> made(schedule.is_variable.size(), false);
   for (const Statement& statement : schedule.statements) {
     for (NodeId operand : operands_of(function.graph[statement.node])) {
