@@ -439,6 +439,7 @@ PipelineOptions RobotArguments::options() const {
   if (!tip.empty()) options.read.tip = tip;
   options.read.scene.locked = fixed_options(fixed_joints);
   options.warnings_are_errors = warnings_are_errors;
+  options.in_processes = true;
   return options;
 }
 

@@ -173,6 +173,7 @@ void check_usage(const GenerateArguments& arguments) {
 GenerationOptions generation_options(const GenerateArguments& arguments) {
   GenerationOptions options{arguments.options(), arguments.staged, arguments.fused, {}, {}};
   options.functions = arguments.functions;
+  options.in_processes = !arguments.trace;  // which shows what each function takes
   options.form.name_space = arguments.name_space;
   options.form.scalar = arguments.scalars.front();
   options.form.most_lines = arguments.most_lines;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <stdexcept>
 
@@ -12,10 +13,12 @@
 #include "graph/mod_p.hpp"
 #include "input/common/context.hpp"
 #include "planning/formulations.hpp"
+#include "planning/function_bytes.hpp"
 #include "planning/plan.hpp"
 #include "planning/plan_fusion.hpp"
 #include "planning/search.hpp"
 #include "symbolic/dynamics/factorisation.hpp"
+#include "system/apart.hpp"
 
 namespace flatdyn {
 namespace {
@@ -100,6 +103,30 @@ Diagnostics mending(const Robot& robot, const std::string& function, const Singu
   return found;
 }
 
+Plan checked_plan(const LoadedRobot& model, const std::string& name, Progress& progress) {
+  Plan plan = planned(model, name, progress);
+  refuse_division_by_zero(plan.optimised.function);
+  return plan;
+}
+
+// The functions that other processes have made, by name; those that they could not make are missing. GiNaC is not made
+// for threads. A search goes on from plans, which do not leave a process.
+std::map<std::string, OptimisedFunction> made_apart(const LoadedRobot& model, const std::vector<std::string>& names,
+                                                    const PipelineOptions& options, Progress& progress) {
+  std::map<std::string, OptimisedFunction> made;
+  const std::size_t processes = std::min(names.size(), processor_count());
+  if (!options.in_processes || options.search || processes < 2) return made;
+  progress.step(fmt::format("deriving {} functions", names.size()));
+  const auto texts = computed_apart(names.size(), processes, [&](std::size_t k) {
+    Progress quiet(true);
+    return to_bytes(checked_plan(model, names[k], quiet).optimised);
+  });
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (texts[k]) made.emplace(names[k], from_bytes(*texts[k]));
+  }
+  return made;
+}
+
 std::vector<std::string> names_of_functions(bool on_request, const Mechanism& mechanism) {
   std::vector<std::string> names;
   for (const FunctionRow& row : function_table()) {
@@ -151,11 +178,12 @@ std::vector<OptimisedFunction> make_functions(const LoadedRobot& model, const Pi
   const std::vector<std::string> names = asked ? wanted : default_function_names(model.mechanism);
   check_names(model.mechanism, names);
   std::vector<Plan> plans;
+  std::map<std::string, OptimisedFunction> apart = made_apart(model, names, options, progress);
   for (const std::string& name : names) {
     try {
-      Plan plan = planned(model, name, progress);
-      refuse_division_by_zero(plan.optimised.function);
-      plans.push_back(std::move(plan));
+      const auto made = apart.find(name);
+      plans.push_back(made != apart.end() ? Plan{std::move(made->second), {}, false, nullptr}
+                                          : checked_plan(model, name, progress));
     } catch (const SingularInertia& failure) {
       Diagnostics found = mending(model.robot, name, failure);
       if (asked) throw BadInput(ExitCode::unsupported, std::move(found));

@@ -15,6 +15,7 @@ namespace flatdyn {
 
 struct PipelineOptions : LoadOptions {
   std::optional<SearchLimit> search;  // the search for each function's choices; none: the usual choices
+  bool in_processes = false;          // whether several functions are made at a time, on as many processors
 };
 
 // Makes the functions that options.functions or the scene names, as the scene needs them; if neither names any, all

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "diagnostics/progress.hpp"
 #include "load/loaded_robot.hpp"
 #include "planning/optimised_function.hpp"
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnostics/progress.hpp"
 #include "load/loaded_robot.hpp"
 #include "planning/optimised_function.hpp"
 
