@@ -22,6 +22,7 @@ struct BenchVariant {
   CallMode call_mode;
   SinCosSource trigonometry;
   const char* budget = "";  // error budget by which the function is abbreviated; "": none
+  bool is_packed = false;   // a batch without the zeros and the mirrored entries of matrices
 };
 
 // All variants. The times of the others are compared with the first one's.
