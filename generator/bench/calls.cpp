@@ -92,7 +92,7 @@ std::string in_column(int length, const std::string& name) {
 }
 
 std::string in_tiles(int length, const std::string& name) {
-  return fmt::format("flatdyn::in_tiles<{}>(x.{}.tiles.data())", length, name);
+  return fmt::format("flatdyn::in_tiles<{}>(x.{}.tiles.data()).from(first)", length, name);
 }
 
 bool is_symmetric(const Output& output) {

@@ -21,7 +21,7 @@ struct BatchCall {
   std::string parameters;  // "auto q, auto result"
   std::string call;
   std::string columns;  // entry by entry: those of the inputs x, and of the results in `out`, one after the other
-  std::string tiles;    // tiles of the inputs x, then `results...`
+  std::string tiles;    // tiles of the inputs x from state `first` on, then `results...`
   std::string entries;  // the stored entries of each result: "flatdyn::AllEntries<7>"
 };
 

@@ -117,6 +117,8 @@ struct Columns {
   }
   // A stored entry.
   T& at(int entry, std::size_t state) const noexcept { return *at_place(Entries::place(entry), state); }
+  // The states from this one on.
+  Columns from(std::size_t state) const noexcept { return {first + state, stride}; }
 };
 
 // Entry i of state k is at first[(k / together * count + place(i)) * together + k % together].
@@ -134,6 +136,8 @@ struct Tiles {
   }
   // A stored entry.
   T& at(int entry, std::size_t state) const noexcept { return *at_place(Entries::place(entry), state); }
+  // The states from this one on, the first one of a tile.
+  Tiles from(std::size_t state) const noexcept { return {at_place(0, state)}; }
 };
 
 template <int entries, class T>
