@@ -172,7 +172,7 @@ TEST(Bench, MeasuresLanesOfARobotWithSymbols) {
   }
 }
 
-// What a packed result leaves out is filled in again before it is compared with 50 digits.
+// Packed results are filled up again before they are compared with 50 digits.
 TEST(Bench, PacksMatricesThatHaveZerosOrAreSymmetric) {
   const Outcome outcome = run_flatdyn(
       "bench robots/planar_2r.toml -q --json --time 0.02 --states 10 --variants double,batch-double-packed "

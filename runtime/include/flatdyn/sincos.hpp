@@ -184,8 +184,8 @@ inline bool all_small(const Batch& x) noexcept {
   return __builtin_expect(static_cast<long>(xsimd::all(is_small<Rounding>(x))), 1L) != 0;
 }
 
-// What the function of <cmath> returns in lanes where x is too large, and `value` in the others. It is a function of
-// its own since it is seldom needed, and const so that compilers keep what they know around its call.
+// The result of <cmath>'s function in lanes where x is too large, and `value` in the others. It is a function of its
+// own since it is seldom needed, and const so that compilers keep what they know around its call.
 template <class Rounding, class Batch>
 [[gnu::noinline, gnu::cold, gnu::const]] Batch library_sine(Batch x, Batch value) noexcept {
   alignas(64) typename Batch::value_type lanes[Batch::size];
