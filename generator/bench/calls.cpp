@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "emit/arguments.hpp"
+#include "emit/sections.hpp"
 #include "graph/count.hpp"
 #include "model/identifiers.hpp"
 
@@ -91,6 +94,41 @@ std::string in_column(int length, const std::string& name) {
   return fmt::format("flatdyn::in<{}>(x.{}.by_entry.data(), kStates)", length, name);
 }
 
+std::string in_tiles(int length, const std::string& name) {
+  return fmt::format("flatdyn::in_tiles<{}>(x.{}.tiles.data()).from(first)", length, name);
+}
+
+bool is_symmetric(const Output& output) {
+  const auto side = static_cast<std::size_t>(output.cols);
+  if (side < 2 || output.entries.size() != side * side) return false;
+  for (std::size_t i = 0; i < side; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (output.entries[i * side + j] != output.entries[j * side + i]) return false;
+    }
+  }
+  return true;
+}
+
+bool has_zeros(const Function& function, const Output& output) {
+  return std::any_of(output.entries.begin(), output.entries.end(),
+                     [&function](NodeId entry) { return function.graph.is_zero(entry); });
+}
+
+bool can_be_packed(const Function& function, const Output& output) {
+  return is_array_of_arrays(output) && (is_symmetric(output) || has_zeros(function, output));
+}
+
+// The type of the set of entries that are stored of a result.
+std::string stored_entries(const CalledFunction& called, const BenchVariant& variant, const Output& output) {
+  const Function& function = called.function;
+  if (!variant.is_packed || !can_be_packed(function, output)) {
+    return fmt::format("flatdyn::AllEntries<{}>", output.entries.size());
+  }
+  return fmt::format("flatdyn::{}Entries<{}::{}{}_nonzero>", is_symmetric(output) ? "Symmetric" : "Nonzero",
+                     called.scope, cpp_identifier(function.name),
+                     function.outputs.size() == 1 ? "" : "_" + output.name);
+}
+
 // "result", "result_2", …
 std::string result_name(std::size_t output) { return output == 0 ? "result" : fmt::format("result_{}", output + 1); }
 
@@ -126,17 +164,19 @@ std::string at_call(const Mechanism& mechanism, const BenchVariant& variant) {
 
 BatchCall batch_call(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant) {
   const Function& function = called.function;
-  Words arguments = free_symbols(mechanism, variant, "0"), parameters, columns;
+  Words arguments = free_symbols(mechanism, variant, "0"), parameters, columns, tiles, entries;
   for (const InputKind kind : function.inputs) {
     const InputArgument argument = argument_of(mechanism, function, kind);
     parameters.push_back("auto " + argument.name);
     arguments.push_back(argument.name);
     columns.push_back(in_column(argument.length, argument.name));
+    tiles.push_back(in_tiles(argument.length, argument.name));
   }
   if (variant.trigonometry == SinCosSource::given) {
     for (const char* name : {"s", "c"}) {
       parameters.push_back(fmt::format("auto {}", name));
       columns.push_back(in_column(mechanism.position_count(), name));
+      tiles.push_back(in_tiles(mechanism.position_count(), name));
     }
   }
   std::size_t offset = 0;
@@ -145,15 +185,27 @@ BatchCall batch_call(const Mechanism& mechanism, const CalledFunction& called, c
     parameters.push_back("auto " + result_name(k));
     if (!returns_value(function)) arguments.push_back(result_name(k));
     columns.push_back(fmt::format("flatdyn::out<{}>(out + {} * kStates, kStates)", length, offset));
+    entries.push_back(stored_entries(called, variant, function.outputs[k]));
     offset += length;
   }
+  tiles.emplace_back("results...");
   append(arguments, sin_cos_argument(variant, "s, c"));
   const std::string call = call_text(called, arguments);
   const std::string body = returns_value(function)                ? "*result = " + call
                            : function.validity_conditions.empty() ? call
                                                                   : "return " + call;
-  return {mechanism.symbols.empty() ? "" : "&x", joined(parameters), body,
-          fmt::format("{}", fmt::join(columns, ",\n        "))};
+  constexpr const char* kNextLine = ",\n        ";
+  return {mechanism.symbols.empty() ? "" : "&x",
+          joined(parameters),
+          body,
+          fmt::format("{}", fmt::join(columns, kNextLine)),
+          fmt::format("{}", fmt::join(tiles, kNextLine)),
+          joined(entries)};
+}
+
+bool can_be_packed(const Function& function) {
+  return std::any_of(function.outputs.begin(), function.outputs.end(),
+                     [&function](const Output& output) { return can_be_packed(function, output); });
 }
 
 std::string plain_symbol(const Function& function, const std::string& variant) {

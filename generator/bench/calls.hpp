@@ -20,11 +20,16 @@ struct BatchCall {
   std::string capture;     // "", or "&x" for a robot with free symbols
   std::string parameters;  // "auto q, auto result"
   std::string call;
-  std::string columns;
+  std::string columns;  // entry by entry: those of the inputs x, and of the results in `out`, one after the other
+  std::string tiles;    // tiles of the inputs x from state `first` on, then `results...`
+  std::string entries;  // the stored entries of each result: "flatdyn::AllEntries<7>"
 };
 
 // The call of the function over SIMD lanes.
 BatchCall batch_call(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant);
+
+// Whether the function has matrices with entries that packed outputs leave out.
+bool can_be_packed(const Function& function);
 
 // A C function around the call: "extern "C" RETURNS SYMBOL(PARAMETERS) { CALL; }".
 struct PlainFunction {

@@ -92,7 +92,8 @@ data batch_row(const BenchSubject& subject, const CalledFunction& called, const 
   row["capture"] = call.capture;
   row["parameters"] = call.parameters;
   row["call"] = call.call;
-  row["columns"] = call.columns;
+  row["tiles"] = call.tiles;
+  row["sets"] = call.entries;
   return row;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "bench/calls.hpp"
 #include "model/identifiers.hpp"
 
 namespace flatdyn {
@@ -51,6 +52,7 @@ CalledFunction whole_function(const Function& function, const BenchVariant& vari
 std::optional<CalledFunction> called_function(const BenchSubject& subject, std::size_t k, const BenchVariant& variant) {
   const Function& whole = subject.functions[k];
   if (!is_made(variant, whole, subject.toolchain.has_xsimd)) return std::nullopt;
+  if (variant.is_packed && !can_be_packed(whole)) return std::nullopt;
   if (variant.call_mode == CallMode::staged) return member(subject.stages, whole.name);
   const std::string budget = variant.budget;
   if (!budget.empty()) return with_budget(subject, whole.name, budget);

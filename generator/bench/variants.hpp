@@ -22,6 +22,7 @@ struct BenchVariant {
   CallMode call_mode;
   SinCosSource trigonometry;
   const char* budget = "";  // error budget by which the function is abbreviated; "": none
+  bool is_packed = false;   // a batch without the zeros and the mirrored entries of matrices
   bool fuses = false;       // whether the function is one with fused multiply-adds
 };
 

@@ -172,6 +172,19 @@ TEST(Bench, MeasuresLanesOfARobotWithSymbols) {
   }
 }
 
+// Packed results are filled up again before they are compared with 50 digits.
+TEST(Bench, PacksMatricesThatHaveZerosOrAreSymmetric) {
+  const Outcome outcome = run_flatdyn(
+      "bench robots/planar_2r.toml -q --json --time 0.02 --states 10 --variants double,batch-double-packed "
+      "--functions inertia_matrix,gravity,jacobian");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json functions = json::parse(outcome.out)["robots"][0]["functions"];
+  ASSERT_EQ(functions.size(), 3u);
+  EXPECT_LT(by_variant(functions[0]).at("batch-double-packed")["error"]["max"], 1e-12);
+  EXPECT_EQ(by_variant(functions[1]).size(), 1u) << "a vector is not packed";
+  EXPECT_LT(by_variant(functions[2]).at("batch-double-packed")["error"]["max"], 1e-12);
+}
+
 TEST(Bench, ShowsGrowth) {
   const Scratch scratch;
   const Outcome outcome =

@@ -70,7 +70,8 @@ class Interface : public ::testing::TestWithParam<const char*> {
  protected:
   Interface() {
     fs::create_directory(folder_.path() / "flatdyn");
-    for (const char* name : {"batch.hpp", "trigonometry.hpp", "sincos.hpp", "interface.hpp"}) {
+    for (const char* name :
+         {"batch.hpp", "states.hpp", "lanes.hpp", "trigonometry.hpp", "sincos.hpp", "interface.hpp"}) {
       fs::copy_file(kSource / "runtime/include/flatdyn" / name, folder_.path() / "flatdyn" / name);
     }
     for (const char* name : {"ur5.hpp", "cartesian_2.hpp"}) {

@@ -3,14 +3,17 @@
 // Debian's libxsimd-dev), and with OpenMP (-fopenmp) on all cores. The width of the lanes is that of the target
 // machine: -march=native, or -mavx2 -mfma.
 //
-//   std::vector<double> q(7 * n), qd(7 * n), qdd(7 * n), tau(7 * n);   // joint i of state k at [i * n + k]
-//   flatdyn::for_each_state<double>(n, [](auto... of) { return panda::inverse_dynamics(of...); },
-//                                   flatdyn::in<7>(q.data(), n), flatdyn::in<7>(qd.data(), n),
-//                                   flatdyn::in<7>(qdd.data(), n), flatdyn::out<7>(tau.data(), n));
+//   std::vector<double> q(flatdyn::tiles_length<double, 7>(n)), tau(q.size()), …;  // joint i of state k at [k /
+//   8][i][k % 8] flatdyn::for_each_state<double>(n, [](auto... of) { return panda::inverse_dynamics(of...); },
+//                                   flatdyn::in_tiles<7>(q.data()), flatdyn::in_tiles<7>(qd.data()),
+//                                   flatdyn::in_tiles<7>(qdd.data()), flatdyn::out_tiles<7>(tau.data()));
 //
-// Arrays that begin at a multiple of 64 bytes, and n a multiple of 64 / sizeof(T), are fastest: no access crosses cache
-// lines. The results of a state do not depend on the states beside it. They differ from those of scalar calls only by
-// the rounding of sines and cosines, provided that the compiler contracts products and sums alike in both.
+// flatdyn/states.hpp has the other layout, columns, and outputs without zeros. Arrays that begin at a multiple of 64
+// bytes are fastest: no access crosses cache lines.
+//
+// The results of a state do not depend on the states beside it. They differ from those of single calls only by the
+// rounding of sines and cosines, and with flatdyn::AsWrittenSinCos (flatdyn/lanes.hpp) not at all, provided that the
+// compiler contracts products and sums alike in both.
 #pragma once
 
 #include <cstddef>
@@ -20,120 +23,91 @@
 #include <utility>
 #include <xsimd/xsimd.hpp>
 
-#include "flatdyn/interface.hpp"
-#include "flatdyn/sincos.hpp"
+#include "flatdyn/lanes.hpp"
+#include "flatdyn/states.hpp"
 
 namespace flatdyn {
 
-// A scalar type for generated code: as many numbers of type T as a register holds.
-template <class T>
-class Lanes {
-  static_assert(std::is_floating_point_v<T>, "lanes are of float or double");
-
- public:
-  using Batch = xsimd::batch<T>;
-  static constexpr std::size_t width = Batch::size;
-  static constexpr int flatdyn_interface = kInterface;  // checked by generated code
-
-  Lanes() = default;
-  explicit Lanes(double x) noexcept : batch_(static_cast<T>(x)) {}
-  explicit Lanes(const Batch& batch) noexcept : batch_(batch) {}
-
-  const Batch& batch() const noexcept { return batch_; }
-
-  // The result of a comparison in each lane. Converted to bool it is true if it is true in all lanes.
-  class Mask {
-   public:
-    explicit Mask(const typename Batch::batch_bool_type& lanes) noexcept : lanes_(lanes) {}
-    operator bool() const noexcept { return xsimd::all(lanes_); }
-    // 1, 0 or -1 in each lane.
-    friend Lanes operator-(const Mask& a, const Mask& b) noexcept { return Lanes(Batch(a.lanes_) - Batch(b.lanes_)); }
-
-   private:
-    typename Batch::batch_bool_type lanes_;
-  };
-
-  friend Lanes operator+(const Lanes& a, const Lanes& b) noexcept { return Lanes(a.batch_ + b.batch_); }
-  friend Lanes operator-(const Lanes& a, const Lanes& b) noexcept { return Lanes(a.batch_ - b.batch_); }
-  friend Lanes operator*(const Lanes& a, const Lanes& b) noexcept { return Lanes(a.batch_ * b.batch_); }
-  friend Lanes operator/(const Lanes& a, const Lanes& b) noexcept { return Lanes(a.batch_ / b.batch_); }
-  friend Lanes operator-(const Lanes& a) noexcept { return Lanes(-a.batch_); }
-  friend Mask operator<(const Lanes& a, const Lanes& b) noexcept { return Mask(a.batch_ < b.batch_); }
-  friend Mask operator>(const Lanes& a, const Lanes& b) noexcept { return Mask(a.batch_ > b.batch_); }
-  friend Lanes sin(const Lanes& a) noexcept { return Lanes(sine(a.batch_)); }
-  friend Lanes cos(const Lanes& a) noexcept { return Lanes(cosine(a.batch_)); }
-  friend Lanes sqrt(const Lanes& a) noexcept { return Lanes(xsimd::sqrt(a.batch_)); }
-  friend Lanes fma(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
-    return Lanes(xsimd::fma(a.batch_, b.batch_, c.batch_));
-  }
-
- private:
-  Batch batch_;
-};
-
-// The entries of an argument: entry i of state k is at first[i * stride + k].
-template <int entries, class T>
-struct Columns {
-  T* first;
-  std::size_t stride;  // at least the number of states
-};
-
-template <int entries, class T>
-Columns<entries, const T> in(const T* first, std::size_t stride) noexcept {
-  return {first, stride};
-}
-
-template <int entries, class T>
-Columns<entries, T> out(T* first, std::size_t stride) noexcept {
-  return {first, stride};
-}
-
 namespace detail {
 
-// The entries of one argument at as many states as there are lanes.
-template <int entries, class T>
+template <class Array>
+using NumberOf = std::remove_const_t<typename Array::Number>;
+
+template <class Array>
+inline constexpr bool is_input = std::is_const_v<typename Array::Number>;
+
+// Calls visit(place) for the places from `first` on, with constants, so that compilers need not keep an array that is
+// only indexed by them; in halves since compilers limit the lengths of folds.
+template <int first, int count, class Visit>
+[[gnu::always_inline]] inline void for_each_place(const Visit& visit) noexcept {
+  if constexpr (count == 1) {
+    visit(std::integral_constant<int, first>());
+  } else if constexpr (count > 1) {
+    for_each_place<first, count / 2>(visit);
+    for_each_place<first + count / 2, count - count / 2>(visit);
+  }
+}
+
+// Some states of an array, at most one per lane: `count` of them from `first` on.
+template <class Array>
+struct States {
+  const Array& array;
+  std::size_t first, count;
+};
+
+// The entries of one argument at these states.
+template <class Array>
 class Argument {
+  using Entries = typename Array::Entries;
+  using T = NumberOf<Array>;
+  static constexpr std::size_t width = Lanes<T>::width;
+  static_assert(Array::together % width == 0, "a tile has a multiple of as many states as registers have lanes");
+
  public:
-  // Loads `count` states from `state` on; if there are more lanes, the last state is repeated.
-  Argument(const Columns<entries, const T>& columns, std::size_t state, std::size_t count) noexcept {
-    for (std::size_t i = 0; i < entries; ++i) {
-      const T* from = columns.first + i * columns.stride + state;
-      if (count == Lanes<T>::width) {
-        lanes_[i] = Lanes<T>(xsimd::batch<T>::load_unaligned(from));
-        continue;
+  // Loads the states if it is an input; if there are more lanes, the last state is repeated.
+  Argument(const States<Array>& states) noexcept {  // NOLINT(google-explicit-constructor): std::tuple converts
+    if constexpr (is_input<Array>) {
+      for (int i = 0; i < Entries::count; ++i) {
+        lanes_[i] = loaded(states.array.at_place(i, states.first), states.count);
       }
-      alignas(64) T padded[Lanes<T>::width];
-      for (std::size_t k = 0; k < Lanes<T>::width; ++k) padded[k] = from[k < count ? k : count - 1];
-      lanes_[i] = Lanes<T>(xsimd::batch<T>::load_aligned(padded));
     }
   }
-  Argument(const Columns<entries, T>&, std::size_t, std::size_t) noexcept {}  // an output
+  Argument(const Argument&) = delete;
+  Argument& operator=(const Argument&) = delete;
 
   Lanes<T>* lanes() noexcept { return lanes_; }
 
-  void store(const Columns<entries, T>& columns, std::size_t state, std::size_t count) const noexcept {
-    for (std::size_t i = 0; i < entries; ++i) {
-      T* const to = columns.first + i * columns.stride + state;
-      if (count == Lanes<T>::width) {
-        lanes_[i].batch().store_unaligned(to);
-        continue;
+  void store(const States<Array>& states) const noexcept {
+    if constexpr (!is_input<Array>) {
+      if (states.count == width) {
+        for_each_place<0, Entries::count>([&](auto place) {
+          lanes_[Entries::entry_at(place)].batch().store_unaligned(states.array.at_place(place, states.first));
+        });
+      } else {
+        store_some(states);
       }
-      alignas(64) T all[Lanes<T>::width];
-      lanes_[i].batch().store_aligned(all);
-      for (std::size_t k = 0; k < count; ++k) to[k] = all[k];
     }
   }
-  void store(const Columns<entries, const T>&, std::size_t, std::size_t) const noexcept {}  // an input
 
  private:
-  Lanes<T> lanes_[entries];
-};
+  static Lanes<T> loaded(const T* from, std::size_t count) noexcept {
+    if (count == width) return Lanes<T>(xsimd::batch<T>::load_unaligned(from));
+    alignas(64) T padded[width];
+    for (std::size_t k = 0; k < width; ++k) padded[k] = from[k < count ? k : count - 1];
+    return Lanes<T>(xsimd::batch<T>::load_aligned(padded));
+  }
 
-template <int entries, class T>
-Argument<entries, std::remove_const_t<T>> argument(const Columns<entries, T>& columns, std::size_t state,
-                                                   std::size_t count) noexcept {
-  return {columns, state, count};
-}
+  void store_some(const States<Array>& states) const noexcept {
+    for (int place = 0; place < Entries::count; ++place) {
+      alignas(64) T all[width];
+      lanes_[Entries::entry_at(place)].batch().store_aligned(all);
+      T* const to = states.array.at_place(place, states.first);
+      for (std::size_t k = 0; k < states.count; ++k) to[k] = all[k];
+    }
+  }
+
+  Lanes<T> lanes_[Entries::length];
+};
 
 template <class Call, class... Pointers>
 bool holds(Call& call, Pointers... pointers) noexcept {
@@ -146,33 +120,33 @@ bool holds(Call& call, Pointers... pointers) noexcept {
 }
 
 // Writes not-a-numbers to the outputs of a state.
-template <int entries, class T>
-void spoil(const Columns<entries, T>& columns, std::size_t state) noexcept {
-  if constexpr (!std::is_const_v<T>) {
-    for (std::size_t i = 0; i < entries; ++i) {
-      columns.first[i * columns.stride + state] = std::numeric_limits<T>::quiet_NaN();
+template <class Array>
+void spoil(const Array& array, std::size_t state) noexcept {
+  if constexpr (!is_input<Array>) {
+    for (int place = 0; place < Array::Entries::count; ++place) {
+      *array.at_place(place, state) = std::numeric_limits<typename Array::Number>::quiet_NaN();
     }
   }
 }
 
 // Asks for each of `count` states by itself whether the call returns true, and spoils the outputs of the others.
 template <class Call, std::size_t... k, class... Arrays>
-void spoil_invalid(Call& call, std::size_t state, std::size_t count, std::index_sequence<k...>,
-                   const Arrays&... arrays) noexcept {
+[[gnu::noinline, gnu::cold]] void spoil_invalid(Call& call, std::size_t state, std::size_t count,
+                                                std::index_sequence<k...>, const Arrays&... arrays) noexcept {
   for (std::size_t one = state; one < state + count; ++one) {
-    auto arguments = std::make_tuple(argument(arrays, one, 1)...);
+    std::tuple<Argument<Arrays>...> arguments(States<Arrays>{arrays, one, 1}...);
     if (!holds(call, std::get<k>(arguments).lanes()...)) (spoil(arrays, one), ...);
   }
 }
 
 // Applies `call` to `count` states from `state` on, at most one per lane.
 template <class Call, std::size_t... k, class... Arrays>
-bool at_lanes(Call& call, std::size_t state, std::size_t count, std::index_sequence<k...>,
+bool at_lanes(Call& call, std::size_t state, std::size_t count, std::index_sequence<k...> all,
               const Arrays&... arrays) noexcept {
-  auto arguments = std::make_tuple(argument(arrays, state, count)...);
+  std::tuple<Argument<Arrays>...> arguments(States<Arrays>{arrays, state, count}...);
   const bool result = holds(call, std::get<k>(arguments).lanes()...);
-  (std::get<k>(arguments).store(arrays, state, count), ...);
-  if (!result) spoil_invalid(call, state, count, std::index_sequence<k...>{}, arrays...);
+  (std::get<k>(arguments).store(States<Arrays>{arrays, state, count}), ...);
+  if (!result) spoil_invalid(call, state, count, all, arrays...);
   return result;
 }
 

@@ -4,13 +4,15 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
-#include <limits>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
 #include <xsimd/xsimd.hpp>
 
 namespace flatdyn {
 
-// The largest angle, rad, that is reduced to [-π/4, π/4] without loss; <cmath> computes larger ones.
+// The largest angle, rad, that is reduced to [-π/4, π/4] without loss; <cmath> computes larger ones. (In float it is
+// 6400 where the machine has no fused multiply-adds.)
 inline constexpr double kReducedAngles = 1e5;
 
 namespace detail {
@@ -26,42 +28,54 @@ inline __m512d fused(__m512d a, __m512d b, __m512d c) noexcept { return _mm512_f
 #endif
 #endif
 
-// a b + c and c - a b, with one rounding where the machine has such instructions, with two elsewhere. They are written
-// out since the compiler must not contract anything in generated code, and xsimd 8 has them for some registers only.
-template <class Batch>
-inline Batch multiply_add(const Batch& a, const Batch& b, const Batch& c) noexcept {
+// How generated code's own sines and cosines are rounded over SIMD lanes. Fused: products are rounded together with the
+// sums that they go into, where the machine has such instructions. They are written out since the compiler must not
+// contract anything in generated code, and xsimd 8 has them for some registers only.
+struct Fused {
+  // a b + c
+  template <class Batch>
+  static Batch multiply_add(const Batch& a, const Batch& b, const Batch& c) noexcept {
 #ifdef __FMA__
-  return Batch(fused(a, b, c));
+    return Batch(fused(a, b, c));
 #else
-  return xsimd::fma(a, b, c);
+    return xsimd::fma(a, b, c);
 #endif
-}
-
-template <class Batch>
-inline Batch subtract_product(const Batch& c, const Batch& a, const Batch& b) noexcept {
+  }
+  // c - a b
+  template <class Batch>
+  static Batch subtract_product(const Batch& c, const Batch& a, const Batch& b) noexcept {
 #ifdef __FMA__
-  return Batch(fused(-static_cast<typename Batch::register_type>(a), b, c));
+    return Batch(fused(-static_cast<typename Batch::register_type>(a), b, c));
 #else
-  return xsimd::fnma(a, b, c);
+    return xsimd::fnma(a, b, c);
 #endif
-}
+  }
+};
 
-// The polynomial c_0 + z (c_1 + z (…)).
-template <class Batch, class T>
-inline Batch polynomial(const Batch&, T c) noexcept {
-  return Batch(c);
-}
-template <class Batch, class T, class... Higher>
-inline Batch polynomial(const Batch& z, T c, Higher... higher) noexcept {
-  return multiply_add(z, polynomial(z, higher...), Batch(c));
-}
+// Every operation is rounded by itself: the bits are those of single calls.
+struct AsWritten {
+  template <class Batch>
+  static Batch multiply_add(const Batch& a, const Batch& b, const Batch& c) noexcept {
+    return a * b + c;
+  }
+  template <class Batch>
+  static Batch subtract_product(const Batch& c, const Batch& a, const Batch& b) noexcept {
+    return c - a * b;
+  }
+};
 
-// a b rounded to an integer, for |a b| below a quarter of 1 / ε: added to 1.5 / ε, a number has no room for a fraction.
-template <class Batch>
-inline Batch nearest_integer(const Batch& a, const Batch& b) noexcept {
-  using T = typename Batch::value_type;
-  const Batch large(T(1.5) / std::numeric_limits<T>::epsilon());
-  return multiply_add(a, b, large) - large;
+#ifdef __FMA__
+inline constexpr bool kHasFused = true;
+#else
+inline constexpr bool kHasFused = false;
+#endif
+
+// The largest angle, rad, that is reduced without loss. In float the parts of π/2 have fewer bits where products are
+// rounded by themselves.
+template <class T, class Rounding>
+constexpr T reduced_angles() noexcept {
+  return static_cast<T>(std::is_same_v<T, float> && !(kHasFused && std::is_same_v<Rounding, Fused>) ? 6400
+                                                                                                    : kReducedAngles);
 }
 
 template <class Batch>
@@ -69,116 +83,151 @@ struct SineAndCosine {
   Batch sine, cosine;
 };
 
-// Sine and cosine of n π/2 + r from those of r.
+// The bits of numbers, as integers.
 template <class Batch>
-inline SineAndCosine<Batch> in_quadrant(const Batch& n, const Batch& s, const Batch& c) noexcept {
-  using T = typename Batch::value_type;
-  const Batch half(T(0.5)), one(T(1));
-  const Batch quadrant = subtract_product(n, Batch(T(4)), nearest_integer(n, Batch(T(0.25))));  // -2 … 2
-  const auto swapped = xsimd::abs(quadrant) == one;
-  const auto sine_flips = xsimd::abs(quadrant - half) > one, cosine_flips = xsimd::abs(quadrant + half) > one;
-  const Batch sine = xsimd::select(swapped, c, s), cosine = xsimd::select(swapped, s, c);
-  return {xsimd::select(sine_flips, -sine, sine), xsimd::select(cosine_flips, -cosine, cosine)};
+using Bits = xsimd::batch<std::conditional_t<sizeof(typename Batch::value_type) == 8, std::uint64_t, std::uint32_t>,
+                          typename Batch::arch_type>;
+
+template <class To, class From>
+inline To with_bits_of(const From& from) noexcept {
+  static_assert(sizeof(To) == sizeof(From), "registers of the same width");
+  To to;
+  std::memcpy(&to, &from, sizeof(to));
+  return to;
 }
 
-// x = n π/2 + r - excess with |r| <= π/4 up to a rounding; excess is the part that the 53 bits of r cannot hold.
+// Sine and cosine of n π/2 + r from those of r; the last two bits of `turns` are those of n. In an odd quadrant they
+// are exchanged.
 template <class Batch>
-struct Reduced {
-  Batch n, r, excess;
-};
-
-// Reduces x with π/2 in three parts, the first two of 33 bits: their products with an n below 2^20 are exact (Cody and
-// Waite; the split and its two steps are those of fdlibm's e_rem_pio2.c).
-template <class Batch>
-inline Reduced<Batch> reduced(const Batch& x) noexcept {
-  const Batch n = nearest_integer(x, Batch(0x1.45f306dc9c883p-1));
-  const Batch above = subtract_product(x, n, Batch(0x1.921fb544p+0));
-  const Batch product = n * Batch(0x1.0b4611a6p-34);
-  const Batch head = above - product;
-  const Batch tail = multiply_add(n, Batch(0x1.3198a2e037073p-69), product - (above - head));
-  const Batch r = head - tail;
-  return {n, r, tail - (head - r)};
+inline SineAndCosine<Batch> in_quadrant(const Batch& turns, const Batch& s, const Batch& c) noexcept {
+  using Integers = Bits<Batch>;
+  using Integer = typename Integers::value_type;
+  constexpr int kToSign = 8 * sizeof(Integer) - 2;
+  const Integers quadrant = with_bits_of<Integers>(turns), one(Integer(1)), two(Integer(2));
+  const Integers of_s = with_bits_of<Integers>(s), of_c = with_bits_of<Integers>(c);
+  const Integers exchange = (of_s ^ of_c) & (Integers(Integer(0)) - (quadrant & one));
+  const Integers sine = of_s ^ exchange ^ ((quadrant & two) << kToSign);
+  const Integers cosine = of_c ^ exchange ^ (((quadrant + one) & two) << kToSign);
+  return {with_bits_of<Batch>(sine), with_bits_of<Batch>(cosine)};
 }
 
-// Minimax polynomials of sin and cos on [-π/4, π/4], errors below 2^-57 (coefficients of fdlibm's k_sin.c and k_cos.c).
-template <class Batch>
-inline Batch sine_near_zero(const Batch& r, const Batch& excess) noexcept {
-  const Batch z = r * r, cube = z * r;
-  const Batch p = polynomial(z, 8.33333333332248946124e-03, -1.98412698298579493134e-04, 2.75573137070700676789e-06,
-                             -2.50507602534068634195e-08, 1.58969099521155010221e-10);
-  const Batch q = subtract_product(excess, z, multiply_add(cube, p, Batch(0.5) * excess));
-  return r - multiply_add(cube, Batch(1.66666666666666324348e-01), q);
-}
-
-template <class Batch>
-inline Batch cosine_near_zero(const Batch& r, const Batch& excess) noexcept {
-  const Batch z = r * r, half = Batch(0.5) * z, leading = Batch(1.0) - half;
-  const Batch p = polynomial(z, 4.16666666666666019037e-02, -1.38888888888741095749e-03, 2.48015872894767294178e-05,
-                             -2.75573143513906633035e-07, 2.08757232129817482790e-09, -1.13596475577881948265e-11);
-  return leading + (((Batch(1.0) - leading) - half) + multiply_add(r, excess, z * (z * p)));
-}
-
-template <class A>
+// The formula of generated code (templates/polynomial_sines.hpp.mustache): x = n π/2 + r - missing with |r| <= π/4 up
+// to a rounding; `missing` is the part that the digits of r cannot hold. The last bits of `turns` are those of n. It
+// and p have other signs than there, which keeps the sign of a zero. That text gives +0 for it, and so does this one
+// where bits have to be the same.
+//
+// The polynomials are minimax on [-π/4, π/4]; in double their errors are below 2^-57 (coefficients of fdlibm's k_sin.c
+// and k_cos.c; the parts of π/2 are those of its e_rem_pio2.c), in float they are those of Cephes' sinf.c.
+//
+// Each of these functions is written in one piece: then g++ finds what a sine and a cosine of an angle have in common.
+template <class Rounding, class A>
 inline SineAndCosine<xsimd::batch<double, A>> sine_and_cosine(const xsimd::batch<double, A>& x) noexcept {
-  const auto a = reduced(x);
-  return in_quadrant(a.n, sine_near_zero(a.r, a.excess), cosine_near_zero(a.r, a.excess));
+  using Batch = xsimd::batch<double, A>;
+  using R = Rounding;
+  const Batch turns = R::multiply_add(x, Batch(0x1.45f306dc9c883p-1), Batch(0x1.8p+52)), n = turns - Batch(0x1.8p+52);
+  const Batch above = R::subtract_product(x, n, Batch(0x1.921fb544p+0)), below = n * Batch(0x1.0b4611a6p-34);
+  const Batch r = above - below, missing = R::multiply_add(n, Batch(0x1.3198a2e037073p-69), below - (above - r));
+  const Batch z = r * r, zz = z * z, leading = R::subtract_product(Batch(1.0), Batch(0.5), z);
+  const Batch p_4 = R::multiply_add(z, Batch(-1.58969099521155010221e-10), Batch(2.50507602534068634195e-08));
+  const Batch p_2 = R::multiply_add(z, Batch(-2.75573137070700676789e-06), Batch(1.98412698298579493134e-04));
+  const Batch p_0 = R::multiply_add(z, Batch(-8.33333333332248946124e-03), Batch(1.66666666666666324348e-01));
+  const Batch p = R::multiply_add(zz, R::multiply_add(zz, p_4, p_2), p_0);
+  const Batch k_4 = R::multiply_add(z, Batch(-1.13596475577881948265e-11), Batch(2.08757232129817482790e-09));
+  const Batch k_2 = R::multiply_add(z, Batch(-2.75573143513906633035e-07), Batch(2.48015872894767294178e-05));
+  const Batch k_0 = R::multiply_add(z, Batch(-1.38888888888741095749e-03), Batch(4.16666666666666019037e-02));
+  const Batch k = R::multiply_add(zz, R::multiply_add(zz, k_4, k_2), k_0);
+  Batch s = r - R::multiply_add(z * r, p, leading * missing);
+  if constexpr (std::is_same_v<R, AsWritten>) s = s + Batch(0.0);
+  const Batch rest = R::multiply_add(r, missing, R::subtract_product(Batch(1.0) - leading, Batch(0.5), z));
+  return in_quadrant(turns, s, leading + R::multiply_add(zz, k, rest));
 }
 
-// For float, π/2 is in three parts, too; n times a part is rounded once, together with the difference. (Coefficients of
-// Cephes' sinf.c and cosf.c.)
-template <class A>
+template <class Rounding, class A>
 inline SineAndCosine<xsimd::batch<float, A>> sine_and_cosine(const xsimd::batch<float, A>& x) noexcept {
-#ifdef __FMA__
   using Batch = xsimd::batch<float, A>;
-  const Batch n = nearest_integer(x, Batch(0x1.45f306p-1F));
-  const Batch above = subtract_product(x, n, Batch(0x1.921fb6p+0F));
-  const Batch r = subtract_product(subtract_product(above, n, Batch(-0x1.777a5cp-25F)), n, Batch(-0x1.ee59dap-50F));
-  const Batch z = r * r;
-  const Batch s = polynomial(z, -1.6666654611e-1F, 8.3321608736e-3F, -1.9515295891e-4F);
-  const Batch c = polynomial(z, 4.166664568298827e-2F, -1.388731625493765e-3F, 2.443315711809948e-5F);
-  return in_quadrant(n, multiply_add(z * r, s, r),
-                     multiply_add(z * z, c, subtract_product(Batch(1.0F), Batch(0.5F), z)));
-#else
-  const auto both = xsimd::sincos(x);
-  return {both.first, both.second};
-#endif
+  using R = Rounding;
+  const Batch turns = R::multiply_add(x, Batch(0x1.45f306p-1F), Batch(0x1.8p+23F)), n = turns - Batch(0x1.8p+23F);
+  Batch s, c;
+  if constexpr (kHasFused && std::is_same_v<R, Fused>) {
+    // The parts of π/2 have 24 bits: n times a part is rounded once, with the difference, and nothing is missing.
+    const Batch above = R::subtract_product(x, n, Batch(0x1.921fb6p+0F));
+    const Batch next = R::subtract_product(above, n, Batch(-0x1.777a5cp-25F));
+    const Batch r = R::subtract_product(next, n, Batch(-0x1.ee59dap-50F)), z = r * r;
+    const Batch p_1 = R::multiply_add(z, Batch(1.9515295891e-4F), Batch(-8.3321608736e-3F));
+    const Batch k_1 = R::multiply_add(z, Batch(2.443315711809948e-5F), Batch(-1.388731625493765e-3F));
+    s = R::subtract_product(r, z * r, R::multiply_add(z, p_1, Batch(1.6666654611e-1F)));
+    c = R::multiply_add(z * z, R::multiply_add(z, k_1, Batch(4.166664568298827e-2F)),
+                        R::subtract_product(Batch(1.0F), Batch(0.5F), z));
+  } else {
+    const Batch above = (x - n * Batch(0x1.922p+0F)) - n * Batch(-0x1.2cp-18F), below = n * Batch(0x1.11p-26F);
+    const Batch r = above - below, missing = (below - (above - r)) + n * Batch(0x1.68c234p-39F);
+    const Batch z = r * r, leading = Batch(1.0F) - Batch(0.5F) * z;
+    const Batch p = Batch(1.6666654611e-1F) + z * (Batch(-8.3321608736e-3F) + z * Batch(1.9515295891e-4F));
+    const Batch k =
+        Batch(4.166664568298827e-2F) + z * (Batch(-1.388731625493765e-3F) + z * Batch(2.443315711809948e-5F));
+    s = r - (z * r * p + leading * missing);
+    if constexpr (std::is_same_v<R, AsWritten>) s = s + Batch(0.0F);
+    c = leading + ((((Batch(1.0F) - leading) - Batch(0.5F) * z) + r * missing) + z * z * k);
+  }
+  return in_quadrant(turns, s, c);
 }
 
-// True in lanes where x is too large, or not a number.
-template <class Batch>
-inline auto is_large(const Batch& x) noexcept {
-  return !(xsimd::abs(x) <= Batch(static_cast<typename Batch::value_type>(kReducedAngles)));
+// Lanes that are small enough; not a number is not.
+template <class Rounding, class Batch>
+inline auto is_small(const Batch& x) noexcept {
+  return xsimd::abs(x) <= Batch(reduced_angles<typename Batch::value_type, Rounding>());
 }
 
-// `value`, or the function of <cmath> in lanes where x is too large.
-template <class Batch, class Function>
-inline Batch or_library(const Batch& x, const Batch& value, Function function) noexcept {
-  const auto large = is_large(x);
-  if (!xsimd::any(large)) return value;
+// Whether all lanes are small, which compilers are told to expect: else they compute the rest of the code twice.
+template <class Rounding, class Batch>
+inline bool all_small(const Batch& x) noexcept {
+  return __builtin_expect(static_cast<long>(xsimd::all(is_small<Rounding>(x))), 1L) != 0;
+}
+
+// The result of <cmath>'s function in lanes where x is too large, and `value` in the others. It is a function of its
+// own since it is seldom needed, and const so that compilers keep what they know around its call.
+template <class Rounding, class Batch>
+[[gnu::noinline, gnu::cold, gnu::const]] Batch library_sine(Batch x, Batch value) noexcept {
   alignas(64) typename Batch::value_type lanes[Batch::size];
   x.store_aligned(lanes);
-  for (auto& lane : lanes) lane = function(lane);
-  return xsimd::select(large, Batch::load_aligned(lanes), value);
+  for (auto& lane : lanes) lane = std::sin(lane);
+  return xsimd::select(is_small<Rounding>(x), value, Batch::load_aligned(lanes));
+}
+
+template <class Rounding, class Batch>
+[[gnu::noinline, gnu::cold, gnu::const]] Batch library_cosine(Batch x, Batch value) noexcept {
+  alignas(64) typename Batch::value_type lanes[Batch::size];
+  x.store_aligned(lanes);
+  for (auto& lane : lanes) lane = std::cos(lane);
+  return xsimd::select(is_small<Rounding>(x), value, Batch::load_aligned(lanes));
+}
+
+template <class Rounding, class Batch>
+inline SineAndCosine<Batch> sin_cos_of_any(const Batch& x) noexcept {
+  const SineAndCosine<Batch> both = sine_and_cosine<Rounding>(x);
+  if (all_small<Rounding>(x)) return both;
+  return {library_sine<Rounding>(x, both.sine), library_cosine<Rounding>(x, both.cosine)};
 }
 
 }  // namespace detail
 
-// The sine, in double to 1 ulp, in float to 2; NaN if x is not finite.
+// The sine, in double to 1 ulp, in float to 2; NaN if x is not finite. Compilers compute what sine(x), cosine(x) and
+// sin_cos(x) have in common once.
 template <class T, class A>
 inline xsimd::batch<T, A> sine(const xsimd::batch<T, A>& x) noexcept {
-  return detail::or_library(x, detail::sine_and_cosine(x).sine, [](T a) { return std::sin(a); });
+  const xsimd::batch<T, A> value = detail::sine_and_cosine<detail::Fused>(x).sine;
+  return detail::all_small<detail::Fused>(x) ? value : detail::library_sine<detail::Fused>(x, value);
 }
 
 template <class T, class A>
 inline xsimd::batch<T, A> cosine(const xsimd::batch<T, A>& x) noexcept {
-  return detail::or_library(x, detail::sine_and_cosine(x).cosine, [](T a) { return std::cos(a); });
+  const xsimd::batch<T, A> value = detail::sine_and_cosine<detail::Fused>(x).cosine;
+  return detail::all_small<detail::Fused>(x) ? value : detail::library_cosine<detail::Fused>(x, value);
 }
 
 template <class T, class A>
 inline detail::SineAndCosine<xsimd::batch<T, A>> sin_cos(const xsimd::batch<T, A>& x) noexcept {
-  const auto both = detail::sine_and_cosine(x);
-  return {detail::or_library(x, both.sine, [](T a) { return std::sin(a); }),
-          detail::or_library(x, both.cosine, [](T a) { return std::cos(a); })};
+  return detail::sin_cos_of_any<detail::Fused>(x);
 }
 
 }  // namespace flatdyn
