@@ -99,7 +99,7 @@ bool receive(Worker& worker) {
 void start(std::vector<Worker>& workers, Pipe& tasks, const std::function<std::string(std::size_t)>& compute) {
   Pipe results;
   if (!results.open()) return;
-  const pid_t process = ::fork();
+  const pid_t process = fork_without_registrations();
   if (process == 0) {
     close_end(tasks.write);
     work(tasks.read, results.write, compute);

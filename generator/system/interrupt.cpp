@@ -101,6 +101,24 @@ void forget_when_interrupted(pid_t child) {
   }
 }
 
+pid_t fork_without_registrations() {
+  const std::lock_guard lock(changing);
+  take_signals();
+  sigset_t signals, before;
+  ::sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&signals, signal);
+  ::pthread_sigmask(SIG_BLOCK, &signals, &before);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+      struct sigaction now = {};
+      if (::sigaction(signal, nullptr, &now) == 0 && now.sa_handler == clean_up) std::signal(signal, SIG_DFL);
+    }
+  }
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return child;
+}
+
 void print_when_interrupted(std::string_view text) {
   const std::lock_guard lock(changing);
   length_of_last_words = 0;

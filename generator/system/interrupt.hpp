@@ -31,6 +31,9 @@ void keep_when_interrupted(const std::filesystem::path& folder);  // reverses th
 void end_when_interrupted(pid_t child);
 void forget_when_interrupted(pid_t child);  // after it has ended
 
+// Forks. A signal ends the child at once: what is registered is left to the parent. -1: there is no room for a process.
+pid_t fork_without_registrations();
+
 // The last words on standard output of a program that a signal ends; "": none. At most 1000 characters.
 void print_when_interrupted(std::string_view text);
 
