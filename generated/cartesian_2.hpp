@@ -149,10 +149,10 @@ static inline void inverse_dynamics_tip_force(const Parameters<Scalar>& paramete
   const Scalar g = parameters.g, m_l1 = parameters.m_l1, I_m1 = parameters.I_m1,
       k_r1 = parameters.k_r1, m_l2 = parameters.m_l2, m_m2 = parameters.m_m2,
       I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
-  tau[1] = h_e_1 + qdd_2 * (m_l2 + I_m2 * k_r2 * k_r2);
   const Scalar m_1 = m_l1 + m_m2;
   const Scalar ddp_s_1_z = g + qdd_1;
   tau[0] = h_e_3 + I_m1 * k_r1 * k_r1 * qdd_1 + ddp_s_1_z * (m_l2 + m_1);
+  tau[1] = h_e_1 + qdd_2 * (m_l2 + I_m2 * k_r2 * k_r2);
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -173,9 +173,9 @@ static inline void inertia_matrix(const Parameters<Scalar>& parameters, const Sc
   const Scalar m_l1 = parameters.m_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
       m_l2 = parameters.m_l2, m_m2 = parameters.m_m2, I_m2 = parameters.I_m2,
       k_r2 = parameters.k_r2;
-  B[3] = m_l2 + I_m2 * k_r2 * k_r2;
   const Scalar mc_1 = m_l1 + m_l2 + m_m2;
   B[0] = mc_1 + I_m1 * k_r1 * k_r1;
+  B[3] = m_l2 + I_m2 * k_r2 * k_r2;
   B[1] = B[2] = Scalar(0.0);
 }
 
@@ -265,12 +265,12 @@ static inline bool forward_dynamics(const Parameters<Scalar>& parameters, const 
   const Scalar g = parameters.g, m_l1 = parameters.m_l1, I_m1 = parameters.I_m1,
       k_r1 = parameters.k_r1, m_l2 = parameters.m_l2, m_m2 = parameters.m_m2,
       I_m2 = parameters.I_m2, k_r2 = parameters.k_r2;
+  const Scalar b_2_2 = m_l2 + I_m2 * k_r2 * k_r2;
+  qdd[1] = tau_2 / b_2_2;
   const Scalar m_1 = m_l1 + m_m2;
   const Scalar mc_1 = m_l2 + m_1;
   const Scalar b_1_1 = mc_1 + I_m1 * k_r1 * k_r1;
   qdd[0] = (tau_1 - g * mc_1) / b_1_1;
-  const Scalar b_2_2 = m_l2 + I_m2 * k_r2 * k_r2;
-  qdd[1] = tau_2 / b_2_2;
   bool valid = b_1_1 > Scalar(0.0);
   valid &= b_2_2 > Scalar(0.0);
   for (int k = 0; k < 2; ++k) valid &= Scalar(0.0) * qdd[k] < Scalar(1.0);
@@ -291,12 +291,12 @@ static inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const 
   const Scalar m_l1 = parameters.m_l1, I_m1 = parameters.I_m1, k_r1 = parameters.k_r1,
       m_l2 = parameters.m_l2, m_m2 = parameters.m_m2, I_m2 = parameters.I_m2,
       k_r2 = parameters.k_r2;
+  const Scalar t1 = qd_2 * qd_2;
+  const Scalar t2 = qd_1 * qd_1;
+  const Scalar v_v_2 = t1 + t2;
   const Scalar m_1 = m_l1 + m_m2;
-  const Scalar t1 = qd_1 * qd_1;
-  const Scalar t2 = t1 * (m_1 + I_m1 * k_r1 * k_r1);
-  const Scalar t3 = qd_2 * qd_2;
-  const Scalar v_v_2 = t3 + t1;
-  const Scalar T_2 = I_m2 * k_r2 * k_r2 * t3 + m_l2 * v_v_2 + t2;
+  const Scalar t3 = t2 * (m_1 + I_m1 * k_r1 * k_r1);
+  const Scalar T_2 = I_m2 * k_r2 * k_r2 * t1 + m_l2 * v_v_2 + t3;
   return Scalar(0.5) * T_2;
 }
 

@@ -201,10 +201,10 @@ void inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scal
   const Scalar domega_2_z = qdd_1 + qdd_2;
   const Scalar N_2_z = Scalar(22.5) * domega_2_z -
       Scalar(25.0) * (s_2 * ddp_o_2_x - c_2 * ddp_o_2_y);
-  tau[1] = qdd_1 + N_2_z + Scalar(100.0) * qdd_2;
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t1 = s_2 * omega_2_z * omega_2_z - c_2 * domega_2_z;
   tau[0] = qdd_2 + N_2_z - Scalar(25.0) * t1 + Scalar(784.8) * c_1 + Scalar(177.51) * qdd_1;
+  tau[1] = qdd_1 + N_2_z + Scalar(100.0) * qdd_2;
 }
 
 // Gravity torques g(q) (7.39).
@@ -214,8 +214,8 @@ void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos) noexcept {
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar hu_2_t_x = Scalar(-245.25) * (s_1 * s_2 - c_1 * c_2);
-  g[0] = hu_2_t_x + Scalar(784.8) * c_1;
   g[1] = hu_2_t_x;
+  g[0] = hu_2_t_x + Scalar(784.8) * c_1;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -227,18 +227,18 @@ bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scal
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
   const Scalar t1 = Scalar(25.0) * s_2;
   const Scalar t2 = ddp_o_2_x * t1 - Scalar(245.25) * c_1 * c_2;
   const Scalar t3 = tau_2 + t2;
   const Scalar mu_2_1_z = Scalar(25.0) * c_2 + Scalar(23.5);
   const Scalar t4 = Scalar(0.00816326530612245) * mu_2_1_z;
+  const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t5 = t4 * t3 - tau_1 - t2 - omega_2_z * omega_2_z * t1 + Scalar(784.8) * c_1;
   const Scalar b_2_1_1 = Scalar(50.0) * c_2 - mu_2_1_z * t4 + Scalar(200.01);
   const Scalar t6 = t5 / b_2_1_1;
-  qdd[1] = t4 * t6 + Scalar(0.00816326530612245) * t3;
   qdd[0] = -t6;
+  qdd[1] = t4 * t6 + Scalar(0.00816326530612245) * t3;
   bool valid = b_2_1_1 > Scalar(0.0);
   for (int k = 0; k < 2; ++k) valid &= Scalar(0.0) * qdd[k] < Scalar(1.0);
   return valid;
@@ -266,8 +266,8 @@ Configuration<Scalar> at(const Scalar* q, const SinCos& sin_cos) noexcept {
 template <class Scalar>
 void Configuration<Scalar>::gravity(Scalar* g) const noexcept {
   const Scalar hu_2_t_x = Scalar(-245.25) * (s_1 * s_2 - c_1 * c_2);
-  g[0] = hu_2_t_x + Scalar(784.8) * c_1;
   g[1] = hu_2_t_x;
+  g[0] = hu_2_t_x + Scalar(784.8) * c_1;
 }
 
 // Computes the terms that depend on velocities, too, and are needed more than once.

@@ -414,59 +414,59 @@ static inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd,
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3];
   const Scalar t1 = s_2 * s_3 - c_2 * c_3;
   const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t2 = qd_1 * qd_1;
+  const Scalar t2 = s_4 * t1 - c_4 * s_2_3;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t3 = omega_3_z * omega_3_z;
-  const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar t4 = s_2_3 * domega_3_z - t1 * (t2 + t3);
-  const Scalar t5 = t1 * domega_3_z;
-  const Scalar t6 = s_2_3 * t3 + t5;
-  const Scalar t7 = Scalar(0.045) * c_2;
-  const Scalar t8 = qd_2 * qd_2;
-  const Scalar t9 = Scalar(0.045) * s_2 * qdd_2 + (t8 + t2) * t7;
-  const Scalar t10 = Scalar(0.09) * s_2 * qd_1 * qd_2 - qdd_1 * t7;
-  const Scalar t11 = c_2 * qdd_2;
-  const Scalar t12 = Scalar(0.045) * (s_2 * t8 - t11) - Scalar(9.81);
   const Scalar omega_4_z = Scalar(0.6666666666666666) * qd_3 + omega_3_z;
-  const Scalar t13 = Scalar(0.5) * t1 * qdd_1 + s_2_3 * qd_1 * omega_3_z;
-  const Scalar t14 = s_4 * t1 - c_4 * s_2_3;
-  const Scalar t15 = t14 * t2;
-  const Scalar t16 = t2 - t14 * t15 + omega_4_z * omega_4_z;
-  const Scalar t17 = s_4 * s_2_3 + c_4 * t1;
-  const Scalar U_4_yx = Scalar(0.6666666666666666) * qdd_3 + t17 * t15 + domega_3_z;
-  const Scalar t18 = Scalar(2.0) * t14 * qd_1 * omega_4_z - t17 * qdd_1;
-  const Scalar t19 = Scalar(0.025) * t6 + t12;
-  const Scalar t20 = s_2_3 * t9 + t1 * t12;
-  const Scalar t21 = Scalar(0.025) * t4 + t9;
-  const Scalar t22 = t17 * t21 + t14 * t19;
-  const Scalar t23 = t14 * t21 - t17 * t19;
-  const Scalar t24 = s_1 * h_e_3 - c_1 * h_e_1;
-  const Scalar t25 = Scalar(0.00009) * t16 - Scalar(0.009) * t22 + t14 * h_e_2 - t17 * t24;
-  const Scalar t26 = t14 * t24 + t17 * h_e_2;
-  const Scalar t27 = Scalar(0.00009) * t23 - Scalar(1.2e-06) * U_4_yx + Scalar(0.02) * t26 -
-      s_1 * h_e_4 - c_1 * h_e_6;
-  const Scalar t28 = Scalar(0.009) * t23 - Scalar(0.00009) * U_4_yx + t26;
-  const Scalar t29 = c_2 * ((Scalar(0.00015) * t6 - t14 * t25 - t17 * t28) - Scalar(0.21582));
-  const Scalar t30 = s_2 * (Scalar(0.00015) * t4 + t14 * t28 - t17 * t25) - t29;
-  const Scalar t31 = s_4 * t25 + c_4 * t28;
-  const Scalar t32 = Scalar(-2.5e-06) * t1;
-  const Scalar t33 = t32 * (t5 - s_2_3 * t2);
-  const Scalar t34 = domega_3_z * (t1 * t32 + Scalar(2.5e-06));
-  const Scalar t35 = t33 - t34 - Scalar(0.00015) * t20 + Scalar(0.025) * t31 + t27;
-  tau[2] = Scalar(-0.6666666666666666) * t27 - t35;
-  const Scalar t36 = Scalar(0.0000378) * c_2;
-  const Scalar t37 = qdd_2 * (c_2 * t36 - Scalar(0.0000378));
-  tau[1] = t36 * (t11 + s_2 * t2) - t37 + Scalar(0.045) * t30 - t35;
+  const Scalar t3 = s_4 * s_2_3 + c_4 * t1;
+  const Scalar t4 = Scalar(2.0) * t2 * qd_1 * omega_4_z - t3 * qdd_1;
+  const Scalar t5 = Scalar(0.5) * t1 * qdd_1 + s_2_3 * qd_1 * omega_3_z;
+  const Scalar t6 = Scalar(0.045) * c_2;
+  const Scalar t7 = Scalar(0.09) * s_2 * qd_1 * qd_2 - qdd_1 * t6;
+  const Scalar t8 = Scalar(0.05) * t5 + t7;
   const Scalar f_e2_a_z = s_1 * h_e_1 + c_1 * h_e_3;
-  const Scalar t38 = Scalar(0.05) * t13 + t10;
-  const Scalar f_4_z = Scalar(0.009) * t38 - Scalar(0.00009) * t18 + f_e2_a_z;
-  const Scalar t39 = t1 * (t13 + Scalar(30.0) * (t10 + Scalar(166.66666666666666) * f_4_z));
-  const Scalar t40 = c_2 * (t10 + Scalar(53.57142857142857) * (Scalar(0.0003) * t13 + f_4_z));
-  const Scalar t41 = s_1 * h_e_6 - c_1 * h_e_4;
-  const Scalar t42 = Scalar(0.00009) * t38 - Scalar(1.2e-06) * t18 + Scalar(0.02) * f_e2_a_z +
-      t14 * t41 + t17 * h_e_5;
-  const Scalar t43 = t14 * (t14 * h_e_5 - t17 * t41);
-  tau[0] = Scalar(5e-06) * t39 - Scalar(0.00084) * t40 + t43 + t17 * t42;
+  const Scalar f_4_z = Scalar(0.009) * t8 - Scalar(0.00009) * t4 + f_e2_a_z;
+  const Scalar t9 = c_2 * (t7 + Scalar(53.57142857142857) * (Scalar(0.0003) * t5 + f_4_z));
+  const Scalar t10 = t1 * (t5 + Scalar(30.0) * (t7 + Scalar(166.66666666666666) * f_4_z));
+  const Scalar t11 = s_1 * h_e_6 - c_1 * h_e_4;
+  const Scalar t12 = Scalar(0.00009) * t8 - Scalar(1.2e-06) * t4 + Scalar(0.02) * f_e2_a_z +
+      t2 * t11 + t3 * h_e_5;
+  const Scalar t13 = t2 * (t2 * h_e_5 - t3 * t11);
+  tau[0] = Scalar(5e-06) * t10 - Scalar(0.00084) * t9 + t13 + t3 * t12;
+  const Scalar t14 = qd_1 * qd_1;
+  const Scalar t15 = t2 * t14;
+  const Scalar t16 = t14 - t2 * t15 + omega_4_z * omega_4_z;
+  const Scalar t17 = omega_3_z * omega_3_z;
+  const Scalar domega_3_z = qdd_2 + qdd_3;
+  const Scalar t18 = t1 * domega_3_z;
+  const Scalar t19 = s_2_3 * t17 + t18;
+  const Scalar t20 = qd_2 * qd_2;
+  const Scalar t21 = c_2 * qdd_2;
+  const Scalar t22 = Scalar(0.045) * (s_2 * t20 - t21) - Scalar(9.81);
+  const Scalar t23 = Scalar(0.025) * t19 + t22;
+  const Scalar t24 = s_2_3 * domega_3_z - t1 * (t14 + t17);
+  const Scalar t25 = Scalar(0.045) * s_2 * qdd_2 + (t20 + t14) * t6;
+  const Scalar t26 = Scalar(0.025) * t24 + t25;
+  const Scalar t27 = t3 * t26 + t2 * t23;
+  const Scalar t28 = s_1 * h_e_3 - c_1 * h_e_1;
+  const Scalar t29 = Scalar(0.00009) * t16 - Scalar(0.009) * t27 + t2 * h_e_2 - t3 * t28;
+  const Scalar U_4_yx = Scalar(0.6666666666666666) * qdd_3 + t3 * t15 + domega_3_z;
+  const Scalar t30 = t2 * t26 - t3 * t23;
+  const Scalar t31 = t2 * t28 + t3 * h_e_2;
+  const Scalar t32 = Scalar(0.009) * t30 - Scalar(0.00009) * U_4_yx + t31;
+  const Scalar t33 = s_4 * t29 + c_4 * t32;
+  const Scalar t34 = Scalar(0.00009) * t30 - Scalar(1.2e-06) * U_4_yx + Scalar(0.02) * t31 -
+      s_1 * h_e_4 - c_1 * h_e_6;
+  const Scalar t35 = Scalar(-2.5e-06) * t1;
+  const Scalar t36 = domega_3_z * (t1 * t35 + Scalar(2.5e-06));
+  const Scalar t37 = s_2_3 * t25 + t1 * t22;
+  const Scalar t38 = t35 * (t18 - s_2_3 * t14);
+  const Scalar t39 = t38 - t36 - Scalar(0.00015) * t37 + Scalar(0.025) * t33 + t34;
+  tau[2] = Scalar(-0.6666666666666666) * t34 - t39;
+  const Scalar t40 = c_2 * ((Scalar(0.00015) * t19 - t2 * t29 - t3 * t32) - Scalar(0.21582));
+  const Scalar t41 = s_2 * (Scalar(0.00015) * t24 + t2 * t32 - t3 * t29) - t40;
+  const Scalar t42 = Scalar(0.0000378) * c_2;
+  const Scalar t43 = qdd_2 * (c_2 * t42 - Scalar(0.0000378));
+  tau[1] = t42 * (t21 + s_2 * t14) - t43 + Scalar(0.045) * t41 - t39;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -497,11 +497,11 @@ static inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_
   B[0] = Scalar(1.2e-06) * t2 * t2 + Scalar(8.125e-06) * t4 + Scalar(0.000056025) * c_2 * c_2 +
       Scalar(2.0) * t3;
   const Scalar t5 = c_4 * s_2_3 + s_4 * t1;
-  const Scalar t6 = c_2 * t2 + s_2 * t5;
   const Scalar hc_3_y = Scalar(4.05e-06) * t5 + Scalar(0.000016875) * s_2_3;
-  const Scalar t7 = t3 + s_2 * hc_3_y;
-  B[5] = B[7] = Scalar(2.7e-06) * t6 + Scalar(6e-06) * c_4 + t7 + Scalar(0.000010125);
-  B[4] = Scalar(4.5e-06) * c_4 + Scalar(2.0) * t7 + Scalar(0.00006535);
+  const Scalar t6 = t3 + s_2 * hc_3_y;
+  B[4] = Scalar(4.5e-06) * c_4 + Scalar(2.0) * t6 + Scalar(0.00006535);
+  const Scalar t7 = c_2 * t2 + s_2 * t5;
+  B[5] = B[7] = Scalar(2.7e-06) * t7 + Scalar(6e-06) * c_4 + t6 + Scalar(0.000010125);
   B[1] = B[2] = B[3] = B[6] = Scalar(0.0);
 }
 
@@ -526,34 +526,34 @@ static inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos
       c_4 = cosine[3];
   const Scalar s_2_3 = c_2 * s_3 + s_2 * c_3;
   const Scalar t1 = c_2 * c_3 - s_2 * s_3;
-  const Scalar t2 = c_4 * t1 - s_4 * s_2_3;
-  const Scalar t3 = c_4 * s_2_3 + s_4 * t1;
-  const Scalar hc_3_y = Scalar(2.025e-06) * t3 + Scalar(8.4375e-06) * s_2_3;
-  const Scalar t4 = c_2 * hc_3_y;
-  const Scalar t5 = t1 * t3;
-  const Scalar t6 = s_2_3 * t2;
-  const Scalar t7 = t2 * t3;
-  const Scalar t8 = Scalar(6e-07) * t7 + Scalar(1.125e-06) * (t5 + t6) +
+  const Scalar t2 = c_4 * s_2_3 + s_4 * t1;
+  const Scalar t3 = t1 * t2;
+  const Scalar t4 = c_4 * t1 - s_4 * s_2_3;
+  const Scalar t5 = s_2_3 * t4;
+  const Scalar t6 = t3 - t5;
+  c[17] = Scalar(-2.5e-06) * t6;
+  const Scalar t7 = t4 * t2;
+  const Scalar t8 = Scalar(6e-07) * t7 + Scalar(1.125e-06) * (t3 + t5) +
       Scalar(4.0625e-06) * t1 * s_2_3;
-  const Scalar t9 = t5 - t6;
-  const Scalar t10 = t8 + t4;
-  c[17] = Scalar(-2.5e-06) * t9;
+  const Scalar hc_3_y = Scalar(2.025e-06) * t2 + Scalar(8.4375e-06) * s_2_3;
+  const Scalar t9 = c_2 * hc_3_y;
+  const Scalar t10 = t8 + t9;
   const Scalar v_o_2_4_y = Scalar(0.5555555555555556) * t1 + c_2;
-  const Scalar t11 = t3 * v_o_2_4_y;
+  const Scalar t11 = t2 * v_o_2_4_y;
   const Scalar c_q3_1_1 = Scalar(8e-07) * t7 + Scalar(2.7e-06) * t11 + Scalar(2.0) * t10;
-  const Scalar t12 = t11 - t2 * (Scalar(0.5555555555555556) * s_2_3 + s_2);
-  const Scalar t13 = c_2 * t3 - s_2 * t2;
-  const Scalar t14 = s_2 * (Scalar(2.025e-06) * t2 + Scalar(8.4375e-06) * t1);
-  const Scalar t15 = t10 + t14 + Scalar(0.0000280125) * c_2 * s_2;
-  const Scalar t16 = Scalar(2.0) * (t4 - t14);
-  c[11] = Scalar(-1.5e-06) * t9 - Scalar(2.7e-06) * t13 - Scalar(4.5e-06) * t12 - t16;
-  const Scalar c_q3_2_2 = Scalar(2.7e-06) * t12 + t16;
+  c[12] = c_q3_1_1;
+  const Scalar t12 = s_2 * (Scalar(2.025e-06) * t4 + Scalar(8.4375e-06) * t1);
+  const Scalar t13 = Scalar(2.0) * (t9 - t12);
+  const Scalar t14 = t11 - t4 * (Scalar(0.5555555555555556) * s_2_3 + s_2);
+  const Scalar c_q3_2_2 = Scalar(2.7e-06) * t14 + t13;
+  c[14] = c_q3_2_2;
+  const Scalar t15 = t10 + t12 + Scalar(0.0000280125) * c_2 * s_2;
   c[1] = Scalar(-2.0) * t15;
   c[6] = Scalar(2.0) * t15;
-  c[12] = c_q3_1_1;
   c[3] = -c_q3_1_1;
-  c[14] = c_q3_2_2;
   c[10] = -c_q3_2_2;
+  const Scalar t16 = c_2 * t2 - s_2 * t4;
+  c[11] = Scalar(-1.5e-06) * t6 - Scalar(2.7e-06) * t16 - Scalar(4.5e-06) * t14 - t13;
   c[0] = c[2] = c[4] = c[5] = c[7] = c[8] = c[9] = c[13] = Scalar(0.0);
   c[15] = c[16] = Scalar(0.0);
 }
@@ -634,8 +634,8 @@ static inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {
   const Scalar s_2_3 = c_2 * s_3 + s_2 * c_3;
   const Scalar c_2_3_4 = c_4 * c_2_3 - s_4 * s_2_3;
   const Scalar hc_3_x = Scalar(0.0008829) * c_2_3_4 + Scalar(0.00367875) * c_2_3;
-  g[2] = Scalar(0.0005886) * c_2_3_4 + hc_3_x;
   g[1] = hc_3_x + Scalar(0.01368495) * c_2;
+  g[2] = Scalar(0.0005886) * c_2_3_4 + hc_3_x;
   g[0] = Scalar(0.0);
 }
 
@@ -656,39 +656,39 @@ static inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
       c_4 = cosine[3];
   const Scalar t1 = s_2 * s_3 - c_2 * c_3;
   const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar t2 = s_4 * t1 - c_4 * s_2_3;
   const Scalar omega_3_z = qd_2 + qd_3;
   const Scalar omega_4_z = Scalar(0.6666666666666666) * qd_3 + omega_3_z;
-  const Scalar t2 = s_4 * t1 - c_4 * s_2_3;
   const Scalar t3 = t2 * omega_4_z;
   const Scalar t4 = qd_1 * t3;
   const Scalar t5 = s_2_3 * omega_3_z;
   const Scalar t6 = qd_1 * t5;
-  const Scalar t7 = omega_3_z * t5;
-  const Scalar t8 = s_2 * qd_2;
-  const Scalar t9 = qd_1 * t8;
-  const Scalar t10 = Scalar(1.8) * qd_2 * t8 - Scalar(392.4);
-  const Scalar ddp_o_4_z = Scalar(2.0) * t6 + Scalar(3.6) * t9;
+  const Scalar t7 = s_2 * qd_2;
+  const Scalar t8 = qd_1 * t7;
+  const Scalar ddp_o_4_z = Scalar(2.0) * t6 + Scalar(3.6) * t8;
   const Scalar F_4_z = Scalar(5.625e-06) * ddp_o_4_z - Scalar(4.5e-06) * t4;
   const Scalar f_3_z = Scalar(7.5e-06) * t6 + F_4_z;
-  const Scalar t11 = t1 * (Scalar(0.0000135) * t9 + (Scalar(5e-06) * t6 + F_4_z));
-  const Scalar t12 = s_4 * s_2_3 + c_4 * t1;
-  const Scalar t13 = Scalar(-2.25e-06) * t12;
-  const Scalar t14 = t13 * (ddp_o_4_z - Scalar(1.0666666666666667) * t4);
-  n[0] = t11 - t14 - Scalar(0.0000756) * c_2 * (t9 + Scalar(23809.52380952381) * f_3_z);
-  const Scalar t15 = qd_1 * qd_1;
-  const Scalar t16 = t1 * (t15 + omega_3_z * omega_3_z);
-  const Scalar t17 = c_2 * (qd_2 * qd_2 + t15);
-  const Scalar t18 = t7 + t10;
-  const Scalar t19 = Scalar(5.625e-06) * t18 - Scalar(2.25e-06) * omega_4_z * t3;
-  const Scalar t20 = t1 * (Scalar(3.75e-06) * t10 + (t19 - Scalar(2.5e-06) * s_2_3 * t15));
-  const Scalar t21 = t16 - Scalar(1.8) * t17;
-  const Scalar t22 = t18 * t13 - Scalar(2.25e-06) * t2 *
-      (Scalar(0.5333333333333333) * t12 * t15 + t21);
-  const Scalar t23 = Scalar(5.625e-06) * t21 - (t15 + omega_4_z * omega_4_z) * t13;
-  const Scalar t24 = t22 - s_2_3 * (Scalar(6.75e-06) * t17 - t23) - t20;
-  const Scalar t25 = s_2 * ((Scalar(3.75e-06) * t16 + t23) - Scalar(0.000021) * c_2 * t15);
-  n[1] = -t24 - Scalar(1.8) * (t25 + c_2 * ((Scalar(3.75e-06) * t7 + t19) - Scalar(0.0053955)));
-  n[2] = Scalar(-0.6666666666666666) * t22 - t24;
+  const Scalar t9 = t1 * (Scalar(0.0000135) * t8 + (Scalar(5e-06) * t6 + F_4_z));
+  const Scalar t10 = s_4 * s_2_3 + c_4 * t1;
+  const Scalar t11 = Scalar(-2.25e-06) * t10;
+  const Scalar t12 = t11 * (ddp_o_4_z - Scalar(1.0666666666666667) * t4);
+  n[0] = t9 - t12 - Scalar(0.0000756) * c_2 * (t8 + Scalar(23809.52380952381) * f_3_z);
+  const Scalar t13 = omega_3_z * t5;
+  const Scalar t14 = Scalar(1.8) * qd_2 * t7 - Scalar(392.4);
+  const Scalar t15 = t13 + t14;
+  const Scalar t16 = Scalar(5.625e-06) * t15 - Scalar(2.25e-06) * omega_4_z * t3;
+  const Scalar t17 = qd_1 * qd_1;
+  const Scalar t18 = t1 * (Scalar(3.75e-06) * t14 + (t16 - Scalar(2.5e-06) * s_2_3 * t17));
+  const Scalar t19 = t1 * (t17 + omega_3_z * omega_3_z);
+  const Scalar t20 = c_2 * (qd_2 * qd_2 + t17);
+  const Scalar t21 = t19 - Scalar(1.8) * t20;
+  const Scalar t22 = Scalar(5.625e-06) * t21 - (t17 + omega_4_z * omega_4_z) * t11;
+  const Scalar t23 = t15 * t11 - Scalar(2.25e-06) * t2 *
+      (Scalar(0.5333333333333333) * t10 * t17 + t21);
+  const Scalar t24 = t23 - s_2_3 * (Scalar(6.75e-06) * t20 - t22) - t18;
+  const Scalar t25 = s_2 * ((Scalar(3.75e-06) * t19 + t22) - Scalar(0.000021) * c_2 * t17);
+  n[1] = -t24 - Scalar(1.8) * (t25 + c_2 * ((Scalar(3.75e-06) * t13 + t16) - Scalar(0.0053955)));
+  n[2] = Scalar(-0.6666666666666666) * t23 - t24;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -786,19 +786,19 @@ static inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
   const Scalar omega_r_3_x = s_3 * t1 + c_3 * t2;
   const Scalar t3 = s_3 * t2 - c_3 * t1;
   const Scalar t4 = s_4 * omega_r_3_x + c_4 * t3;
-  const Scalar t5 = s_3 * qd_2;
+  const Scalar t5 = t1 - Scalar(0.5555555555555556) * t3;
+  const Scalar L_4_y = Scalar(8.1e-06) * t5 - Scalar(1.2e-06) * t4;
   const Scalar t6 = c_3 * qd_2;
   const Scalar omega_3_z = qd_2 + qd_3;
   const Scalar v_o_4_y = Scalar(0.5555555555555556) * omega_3_z + t6;
-  const Scalar L_3_z = Scalar(2.5e-06) * omega_3_z + Scalar(0.0000135) * t6;
-  const Scalar t7 = s_4 * t5 - c_4 * v_o_4_y;
-  const Scalar v_r_4_x = c_4 * t5 + s_4 * v_o_4_y;
-  const Scalar t8 = t1 - Scalar(0.5555555555555556) * t3;
-  const Scalar v_v_4 = t7 * t7 + v_r_4_x * v_r_4_x + t8 * t8;
-  const Scalar L_4_y = Scalar(8.1e-06) * t8 - Scalar(1.2e-06) * t4;
+  const Scalar t7 = s_3 * qd_2;
+  const Scalar t8 = s_4 * t7 - c_4 * v_o_4_y;
+  const Scalar v_r_4_x = c_4 * t7 + s_4 * v_o_4_y;
+  const Scalar v_v_4 = t8 * t8 + v_r_4_x * v_r_4_x + t5 * t5;
   const Scalar omega_4_z = Scalar(0.6666666666666666) * qd_3 + omega_3_z;
-  const Scalar t9 = omega_4_z * (Scalar(8.1e-06) * t7 - Scalar(1.2e-06) * omega_4_z);
+  const Scalar t9 = omega_4_z * (Scalar(8.1e-06) * t8 - Scalar(1.2e-06) * omega_4_z);
   const Scalar L_3_y = Scalar(0.0000135) * t1 - Scalar(2.5e-06) * t3;
+  const Scalar L_3_z = Scalar(2.5e-06) * omega_3_z + Scalar(0.0000135) * t6;
   const Scalar T_2 = -t4 * L_4_y - t3 * L_3_y - t9 + Scalar(0.000018225) * v_v_4 +
       omega_3_z * L_3_z + Scalar(0.0000378) * t1 * t1 + Scalar(0.0000378) * qd_2 * qd_2;
   return Scalar(0.5) * T_2;
@@ -844,27 +844,27 @@ static inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
   sin_cos(angle, Joints<0, 1, 2, 3>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3];
-  R[2] = s_1;
   R[8] = c_1;
+  R[2] = s_1;
   const Scalar t1 = s_3 * s_4;
   const Scalar n_3_t_x = c_3 * c_4 - t1;
-  const Scalar p_4_x = Scalar(0.02) * c_4 + Scalar(0.025);
-  const Scalar t2 = (Scalar(0.02) * t1 - c_3 * p_4_x) - Scalar(0.045);
-  const Scalar t3 = c_3 * s_4;
-  const Scalar p_3u_t_y = Scalar(0.02) * t3 + s_3 * p_4_x;
-  const Scalar n_3_t_y = t3 + s_3 * c_4;
-  p[1] = c_2 * p_3u_t_y - s_2 * t2;
-  const Scalar t4 = s_2 * p_3u_t_y + c_2 * t2;
-  p[2] = s_1 * t4;
-  p[0] = -c_1 * t4;
-  const Scalar n_2_t_y = c_2 * n_3_t_y + s_2 * n_3_t_x;
+  const Scalar t2 = c_3 * s_4;
+  const Scalar n_3_t_y = t2 + s_3 * c_4;
   const Scalar n_2_t_x = c_2 * n_3_t_x - s_2 * n_3_t_y;
   R[4] = n_2_t_x;
-  R[0] = c_1 * n_2_t_x;
-  R[6] = -s_1 * n_2_t_x;
-  R[7] = s_1 * n_2_t_y;
-  R[1] = -c_1 * n_2_t_y;
+  const Scalar n_2_t_y = c_2 * n_3_t_y + s_2 * n_3_t_x;
   R[3] = n_2_t_y;
+  R[0] = c_1 * n_2_t_x;
+  R[7] = s_1 * n_2_t_y;
+  R[6] = -s_1 * n_2_t_x;
+  R[1] = -c_1 * n_2_t_y;
+  const Scalar p_4_x = Scalar(0.02) * c_4 + Scalar(0.025);
+  const Scalar t3 = (Scalar(0.02) * t1 - c_3 * p_4_x) - Scalar(0.045);
+  const Scalar p_3u_t_y = Scalar(0.02) * t2 + s_3 * p_4_x;
+  p[1] = c_2 * p_3u_t_y - s_2 * t3;
+  const Scalar t4 = s_2 * p_3u_t_y + c_2 * t3;
+  p[2] = s_1 * t4;
+  p[0] = -c_1 * t4;
   R[5] = Scalar(0.0);
 }
 
@@ -890,29 +890,29 @@ static inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = 
   sin_cos(angle, Joints<0, 1, 2, 3>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3];
+  J[16] = c_1;
   J[10] = s_1;
   J[11] = Scalar(1.6666666666666667) * s_1;
-  J[16] = c_1;
   J[17] = Scalar(1.6666666666666667) * c_1;
   const Scalar p_4_x = Scalar(0.02) * c_4 + Scalar(0.025);
   const Scalar t1 = Scalar(0.02) * s_4;
   const Scalar p_3u_t_y = c_3 * t1 + s_3 * p_4_x;
   const Scalar t2 = s_3 * t1 - c_3 * p_4_x - Scalar(0.045);
   const Scalar t3 = s_2 * p_3u_t_y + c_2 * t2;
+  J[4] = -t3;
+  J[0] = s_1 * t3;
+  J[6] = c_1 * t3;
   const Scalar t4 = s_2 * t2 - c_2 * p_3u_t_y;
   J[1] = c_1 * t4;
   J[7] = -s_1 * t4;
-  J[0] = s_1 * t3;
-  J[6] = c_1 * t3;
-  J[4] = -t3;
-  const Scalar t5 = s_2 * s_3 - c_2 * c_3;
-  J[5] = Scalar(0.016666666666666666) * t5 -
-      Scalar(1.6666666666666667) * (Scalar(0.045) * c_2 + t3);
   const Scalar R_31_x = s_2 * c_3 + c_2 * s_3;
-  const Scalar t6 = Scalar(0.016666666666666666) * R_31_x + Scalar(0.075) * s_2 +
+  const Scalar t5 = Scalar(0.016666666666666666) * R_31_x + Scalar(0.075) * s_2 +
       Scalar(1.6666666666666667) * t4;
-  J[8] = -s_1 * t6;
-  J[2] = c_1 * t6;
+  J[2] = c_1 * t5;
+  const Scalar t6 = s_2 * s_3 - c_2 * c_3;
+  J[5] = Scalar(0.016666666666666666) * t6 -
+      Scalar(1.6666666666666667) * (Scalar(0.045) * c_2 + t3);
+  J[8] = -s_1 * t5;
   J[12] = Scalar(1.0);
   J[3] = J[9] = J[13] = J[14] = J[15] = Scalar(0.0);
 }

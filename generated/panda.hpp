@@ -1653,481 +1653,482 @@ static inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
       s_7 = sine[6], c_7 = cosine[6];
-  const Scalar t1 = c_2 * qd_1;
-  const Scalar omega_3_z = qd_3 + t1;
-  const Scalar t2 = s_2 * qd_1;
-  const Scalar t3 = c_3 * t2 - s_3 * qd_2;
-  const Scalar t4 = s_4 * t3 + c_4 * omega_3_z;
-  const Scalar omega_5_z = qd_5 + t4;
-  const Scalar omega_r_3_y = s_3 * t2 + c_3 * qd_2;
+  const Scalar t1 = s_2 * qd_1;
+  const Scalar t2 = c_3 * t1 - s_3 * qd_2;
+  const Scalar t3 = c_2 * qd_1;
+  const Scalar omega_3_z = qd_3 + t3;
+  const Scalar t4 = c_4 * t2 - s_4 * omega_3_z;
+  const Scalar omega_r_3_y = s_3 * t1 + c_3 * qd_2;
   const Scalar omega_4_z = qd_4 - omega_r_3_y;
-  const Scalar t5 = c_4 * t3 - s_4 * omega_3_z;
-  const Scalar t6 = c_5 * t5 + s_5 * omega_4_z;
-  const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * t6;
-  const Scalar omega_7_z = qd_7 - omega_r_6_y;
-  const Scalar omega_r_6_a_z = c_5 * omega_4_z - s_5 * t5;
-  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
+  const Scalar t5 = c_5 * t4 + s_5 * omega_4_z;
+  const Scalar t6 = s_4 * t2 + c_4 * omega_3_z;
+  const Scalar omega_5_z = qd_5 + t6;
+  const Scalar t7 = c_6 * t5 - s_6 * omega_5_z;
   const Scalar I_t7_g = Scalar(0.001210471889260615) * c_7 - Scalar(0.000391391281684248) * s_7;
-  const Scalar t7 = c_7 * I_t7_g;
+  const Scalar t8 = c_7 * I_t7_g;
+  const Scalar omega_r_6_a_z = c_5 * omega_4_z - s_5 * t4;
+  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
   const Scalar I_7_xy = Scalar(0.000195695640842124) + s_7 * I_t7_g;
-  const Scalar t8 = c_6 * t6 - s_6 * omega_5_z;
-  const Scalar t9 = t8 * I_7_xy + omega_6_z * t7;
+  const Scalar t9 = omega_6_z * I_7_xy;
+  const Scalar t10 = t9 - t7 * t8;
+  const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * t5;
+  const Scalar omega_7_z = qd_7 - omega_r_6_y;
+  const Scalar t11 = Scalar(0.0004826525849595559) * c_7 - Scalar(0.0006277682991364491) * s_7;
+  const Scalar t12 = omega_7_z * t11;
+  const Scalar L_7_x = t10 - t12;
+  const Scalar t13 = -t10 - t12 + Scalar(0.002131604094419858) * t7;
+  const Scalar t14 = Scalar(-2.0) * t7;
+  const Scalar mr_7_x = Scalar(0.0004066296486714361) * c_7 - Scalar(0.0003214415134685639) * s_7;
+  const Scalar mr_7_y = Scalar(0.0003214415134685639) * c_7 + Scalar(0.0004066296486714361) * s_7;
+  const Scalar t15 = Scalar(2.0) * mr_7_y;
+  const Scalar t16 = mr_7_x * t14 + omega_6_z * t15;
+  const Scalar t17 = t9 - t7 * (t8 - Scalar(0.001210471889260615));
+  const Scalar C_67 = L_7_x - Scalar(0.27848101265822783) * t16 + t13 + Scalar(2.0) * t17;
+  C[41] = C_67;
+  const Scalar t18 = mr_7_y * omega_7_z;
+  const Scalar t19 = Scalar(0.5569620253164557) * t18;
+  const Scalar t20 = omega_7_z * I_7_xy;
   const Scalar Iu_7_a_xy = Scalar(0.0006277682991364491) * c_7 +
       Scalar(0.0004826525849595559) * s_7;
-  const Scalar t10 = omega_7_z * Iu_7_a_xy;
-  const Scalar t11 = t10 - t9 + Scalar(0.003342075983680473) * omega_6_z;
-  const Scalar t12 = -t9 - t10 + Scalar(0.001210471889260615) * omega_6_z;
-  const Scalar t13 = Scalar(2.0) * t9 - t12 + t11;
-  const Scalar mr_7_y = Scalar(0.0003214415134685639) * c_7 + Scalar(0.0004066296486714361) * s_7;
-  const Scalar mr_7_x = Scalar(0.0004066296486714361) * c_7 - Scalar(0.0003214415134685639) * s_7;
-  const Scalar t14 = mr_7_x * omega_6_z;
-  const Scalar t15 = t14 + mr_7_y * t8;
-  const Scalar t16 = Scalar(0.0000518794586093425) * t8 + Scalar(0.27848101265822783) * (t14 + t15);
-  const Scalar P_6_y = t15 + Scalar(0.03663191332581) * omega_6_z;
-  const Scalar t17 = Scalar(0.0000467845486573025) * omega_r_6_y;
-  const Scalar t18 = Scalar(0.000757622236663515) * t6;
-  const Scalar t19 = Scalar(0.001082026026049065) * omega_5_z;
-  const Scalar t20 = t17 + t16 - t18 + t12 - t19 + Scalar(0.026294141005333654) * omega_6_z;
-  const Scalar t21 = t17 - t16 + Scalar(0.004771885634746098) * omega_6_z - t11;
-  const Scalar t22 = Scalar(0.0004826525849595559) * c_7 - Scalar(0.0006277682991364491) * s_7;
-  const Scalar t23 = Scalar(2.0) * s_6;
-  const Scalar t24 = omega_7_z * I_7_xy;
-  const Scalar t25 = Scalar(0.0000518794586093425) + Scalar(0.27848101265822783) * mr_7_y;
-  const Scalar t26 = t22 + Scalar(0.007374285191337658);
-  const Scalar t27 = Scalar(2.0) * (omega_r_6_y * t25 + t24) + Scalar(2.0) * omega_6_z * t26;
-  const Scalar t28 = mr_7_y * omega_7_z;
-  const Scalar t29 = Scalar(0.5569620253164557) * t28;
-  const Scalar t30 = Scalar(0.5569620253164557) * mr_7_y;
-  const Scalar t31 = Scalar(2.0) * (t8 * Iu_7_a_xy + omega_6_z * t22) - omega_r_6_y * t30;
-  const Scalar t32 = Scalar(0.000093569097314605) * t8 - t29 + t31 +
-      Scalar(0.014748570382675316) * omega_6_z;
-  const Scalar t33 = t23 * t21 + c_6 * (t27 + t32);
-  const Scalar t34 = Scalar(0.001451156065026714) * omega_r_6_a_z - t18 + t19 - t21 + s_6 * t33;
-  const Scalar t35 = Scalar(0.004600245517563106) * omega_r_6_a_z - c_6 * t33;
-  const Scalar t36 = Scalar(0.27848101265822783) * mr_7_x;
-  const Scalar t37 = t8 * t26;
-  const Scalar t38 = (omega_r_6_y - omega_7_z) * t36 - t37;
-  const Scalar t39 = t36 + Scalar(0.003342075983680473);
   const Scalar Ic_6_yz = Scalar(0.0000467845486573025) + Iu_7_a_xy;
-  const Scalar t40 = omega_6_z * Ic_6_yz;
-  const Scalar t41 = Scalar(2.0) * omega_7_z * (t7 - Scalar(0.0006052359446303075)) - t40 + t38 +
+  const Scalar t21 = t7 * Ic_6_yz;
+  const Scalar t22 = Scalar(0.000103758917218685) * omega_r_6_y - t19 + Scalar(2.0) * (t20 - t21);
+  const Scalar t23 = Scalar(0.0000518794586093425) + Scalar(0.27848101265822783) * mr_7_y;
+  const Scalar t24 = I_7_xy - t23;
+  const Scalar C_66 = Scalar(2.0) * (t21 + omega_r_6_y * t24) + t22;
+  C[40] = C_66;
+  const Scalar t25 = Scalar(0.5569620253164557) * mr_7_y;
+  const Scalar t26 = L_7_x - omega_6_z * t25 - t13;
+  const Scalar t27 = Scalar(0.27848101265822783) * mr_7_x;
+  const Scalar t28 = t27 + Scalar(0.003342075983680473);
+  C[47] = -t26 - Scalar(2.0) * (omega_r_6_y * t11 + t7 * t28);
+  const Scalar t29 = t7 * I_7_xy + omega_6_z * t8;
+  const Scalar t30 = omega_7_z * Iu_7_a_xy;
+  const Scalar t31 = -t29 - t30 + Scalar(0.001210471889260615) * omega_6_z;
+  const Scalar t32 = t30 - t29 + Scalar(0.003342075983680473) * omega_6_z;
+  const Scalar t33 = Scalar(2.0) * t29 - t31 + t32;
+  const Scalar mu_u_qd7_6_t_y = c_6 * t19 + s_6 * t33;
+  C[34] = mu_u_qd7_6_t_y;
+  const Scalar t34 = Scalar(0.5569620253164557) * mr_7_x;
+  const Scalar kappa_7_6_x = omega_6_z * t34 + t31 + t32;
+  const Scalar t35 = Scalar(2.0) * (t7 * Iu_7_a_xy + omega_6_z * t11) - omega_r_6_y * t25;
+  const Scalar t36 = c_6 * t35 - s_6 * kappa_7_6_x;
+  const Scalar t37 = c_6 * t11 - s_6 * t28;
+  C[46] = Scalar(2.0) * (t5 * Iu_7_a_xy + omega_r_6_a_z * t37) - t36;
+  const Scalar t38 = mr_7_x * omega_7_z;
+  const Scalar t39 = Scalar(2.0) * c_6 * t38 - s_6 * t16;
+  const Scalar t40 = Scalar(2.0) * s_5;
+  const Scalar t41 = c_5 * t39 + t40 * t18;
+  const Scalar t42 = c_6 * t33 - s_6 * t19;
+  const Scalar t43 = Scalar(2.0) * s_6;
+  const Scalar t44 = c_6 * t16 + t43 * t38;
+  const Scalar dtau_qd4_7 = Scalar(0.2610759493670886) * t44 + Scalar(1.2151898734177216) * t41 +
+      c_5 * C_67 - s_5 * t42;
+  C[27] = dtau_qd4_7;
+  const Scalar t45 = t11 + Scalar(0.007374285191337658);
+  const Scalar t46 = t7 * t45;
+  const Scalar t47 = (omega_r_6_y - omega_7_z) * t27 - t46;
+  const Scalar t48 = omega_6_z * Ic_6_yz;
+  const Scalar t49 = Scalar(0.003342075983680473) * omega_7_z - t48 - t47;
+  const Scalar t50 = Scalar(2.0) * omega_7_z * (t8 - Scalar(0.0006052359446303075)) - t48 + t47 +
       Scalar(0.021522255370587554) * omega_r_6_y;
-  const Scalar t42 = Scalar(0.003342075983680473) * omega_7_z - t40 - t38;
-  const Scalar t43 = omega_6_z * I_7_xy;
-  const Scalar t44 = I_7_xy - t25;
-  const Scalar t45 = omega_6_z * t25;
-  const Scalar t46 = t43 - t8 * t7;
-  const Scalar t47 = t43 - t8 * (t7 - Scalar(0.001210471889260615));
-  const Scalar t48 = omega_7_z * t22;
-  const Scalar t49 = mr_7_x * omega_7_z;
-  const Scalar L_7_x = t46 - t48;
-  const Scalar t50 = -t46 - t48 + Scalar(0.002131604094419858) * t8;
-  const Scalar t51 = L_7_x - omega_6_z * t30 - t50;
-  C[47] = -t51 - Scalar(2.0) * (omega_r_6_y * t22 + t8 * t39);
+  const Scalar t51 = t49 - t50;
   const Scalar t52 = Scalar(0.007374285191337658) * omega_r_6_y;
-  const Scalar t53 = -t45 - t50 - t52 + Scalar(0.026294141005333654) * t8;
-  const Scalar t54 = t45 - L_7_x + Scalar(0.004771885634746098) * t8 - t52;
-  const Scalar t55 = Scalar(0.001082026026049065) * omega_r_6_a_z;
-  const Scalar t56 = Scalar(0.002300122758781553) * t6;
+  const Scalar t53 = omega_6_z * t23;
+  const Scalar t54 = t53 - L_7_x + Scalar(0.004771885634746098) * t7 - t52;
+  const Scalar t55 = -t53 - t13 - t52 + Scalar(0.026294141005333654) * t7;
+  const Scalar t56 = t54 + t55;
+  const Scalar t57 = c_6 * t56 - s_6 * t51;
+  const Scalar t58 = t8 - t34 - Scalar(0.027504612894594268);
+  const Scalar t59 = t5 * t58;
+  const Scalar t60 = c_6 * t24 - s_6 * Ic_6_yz;
+  C[39] = t57 + Scalar(2.0) * (t59 - omega_r_6_a_z * t60);
+  const Scalar Ic_6_xx = t8 + Scalar(0.004771885634746098);
+  const Scalar t61 = t49 + t50 + Scalar(2.0) * (t46 + omega_r_6_y * Ic_6_xx);
+  const Scalar Ic_6_yy = t34 + Scalar(0.003342075983680473);
+  const Scalar t62 = t54 - t55 - Scalar(2.0) * (t7 * Ic_6_yy + omega_r_6_y * t45);
+  const Scalar t63 = c_6 * t62 - s_6 * t61;
+  C[33] = -t63;
+  const Scalar t64 = s_6 * t35 + c_6 * kappa_7_6_x;
+  const Scalar t65 = Scalar(0.5221518987341772) * omega_4_z;
+  const Scalar t66 = c_6 * mr_7_y;
+  const Scalar t67 = c_5 * t66 - s_5 * mr_7_x;
+  const Scalar t68 = s_6 * mr_7_y;
+  const Scalar t69 = t65 * (t67 - Scalar(4.654545454545454) * t68) + c_5 * t26 + s_5 * t64;
+  const Scalar f_u_7_4k_a_z = s_5 * t66 + c_5 * mr_7_x;
+  const Scalar mu_7_4_x = Scalar(1.2151898734177216) * f_u_7_4k_a_z - s_5 * Iu_7_a_xy - c_5 * t37;
+  const Scalar t70 = Scalar(0.2610759493670886) * f_u_7_4k_a_z;
+  const Scalar t71 = s_6 * t11 - t70 + c_6 * t28;
+  C[45] = Scalar(2.0) * (t6 * mu_7_4_x - t4 * t71) - t69;
+  const Scalar t72 = c_6 * t51 + s_6 * t56;
   const Scalar hc_6_x = mr_7_x + Scalar(0.03663191332581);
+  const Scalar f_u_6_5k_t_x = Scalar(0.027461143479902) * c_6 - s_6 * hc_6_x;
+  const Scalar t73 = f_u_6_5k_t_x * t65;
+  const Scalar t74 = t22 + t73;
+  const Scalar t75 = Scalar(2.430379746835443) * omega_4_z;
   const Scalar hu_6_t_x = Scalar(0.027461143479902) * s_6 + c_6 * hc_6_x;
+  const Scalar t76 = c_5 * t74 + s_5 * t72 - hu_6_t_x * t75;
+  const Scalar t77 = t58 + Scalar(1.2151898734177216) * f_u_6_5k_t_x;
+  const Scalar t78 = s_5 * t77 - c_5 * t60;
+  const Scalar t79 = c_6 * Ic_6_yz + s_6 * t24;
+  const Scalar t80 = s_5 * f_u_6_5k_t_x;
+  const Scalar t81 = Scalar(0.2610759493670886) * t80;
+  const Scalar t82 = t79 - t81;
+  C[38] = t76 - Scalar(2.0) * (t6 * t78 - t4 * t82);
+  const Scalar t83 = c_6 * t61 + s_6 * t62;
+  const Scalar t84 = mr_7_x * omega_6_z;
+  const Scalar t85 = t84 + mr_7_y * t7;
+  const Scalar P_6_y = t85 + Scalar(0.03663191332581) * omega_6_z;
+  const Scalar t86 = Scalar(2.0) * P_6_y - t7 * t15;
+  const Scalar P_6_x = Scalar(0.027461143479902) * omega_6_z - t18;
+  const Scalar df_qd6_6_y = Scalar(2.0) * P_6_x - omega_r_6_y * t15;
+  const Scalar t87 = c_6 * t86 + s_6 * df_qd6_6_y;
+  const Scalar f_u_qd6_6_a_y = Scalar(0.054922286959804) * omega_r_6_y - hc_6_x * t14;
+  const Scalar t88 = c_5 * t87 + s_5 * f_u_qd6_6_a_y;
+  const Scalar t89 = c_6 * df_qd6_6_y - s_6 * t86;
+  const Scalar t90 = Scalar(0.2610759493670886) * t89 - c_5 * C_66 + s_5 * t83 -
+      Scalar(1.2151898734177216) * t88;
+  C[26] = -t90;
+  const Scalar t91 = Scalar(2.0) * c_5 * t18 - s_5 * t39;
+  const Scalar t92 = Scalar(0.2610759493670886) * t91;
+  const Scalar t93 = mu_u_qd7_6_t_y - t92;
+  const Scalar t94 = Scalar(1.2151898734177216) * t91 - c_5 * t42 - s_5 * C_67;
+  const Scalar dtau_qd3_7 = t92 + c_4 * t93 - s_4 * t94;
+  C[20] = dtau_qd3_7;
+  const Scalar t95 = Scalar(2.0) * (omega_r_6_y * t23 + t20) + Scalar(2.0) * omega_6_z * t45;
+  const Scalar t96 = Scalar(0.000093569097314605) * t7 - t19 + t35 +
+      Scalar(0.014748570382675316) * omega_6_z;
+  const Scalar t97 = Scalar(0.0000518794586093425) * t7 + Scalar(0.27848101265822783) * (t84 + t85);
+  const Scalar t98 = Scalar(0.0000467845486573025) * omega_r_6_y;
+  const Scalar t99 = t98 - t97 + Scalar(0.004771885634746098) * omega_6_z - t32;
+  const Scalar t100 = t43 * t99 + c_6 * (t95 + t96);
+  const Scalar t101 = Scalar(0.004600245517563106) * omega_r_6_a_z - c_6 * t100;
+  const Scalar t102 = Scalar(0.00216405205209813) * t5;
+  const Scalar t103 = t102 + t101 + t95;
+  const Scalar Iu_6_t_d = Ic_6_xx - Ic_6_yy;
+  const Scalar t104 = c_6 * Iu_6_t_d - t45 * t43;
+  const Scalar t105 = t11 + s_6 * t104 + Scalar(0.005074162432556105);
+  const Scalar t106 = t79 - Scalar(0.001082026026049065);
+  const Scalar t107 = t103 + Scalar(2.0) * (t5 * t106 + omega_r_6_a_z * t105);
+  C[32] = -t107;
+  const Scalar t108 = Scalar(0.000757622236663515) * t5;
+  const Scalar t109 = Scalar(0.001082026026049065) * omega_5_z;
+  const Scalar t110 = Scalar(0.001451156065026714) * omega_r_6_a_z - t108 + t109 - t99 + s_6 * t100;
+  const Scalar t111 = t98 + t97 - t108 + t31 - t109 + Scalar(0.026294141005333654) * omega_6_z;
+  const Scalar t112 = c_6 * t104;
+  const Scalar Ic_5_xx = Ic_6_yy + t112 + Scalar(0.015058143566941042);
+  const Scalar t113 = t60 + Scalar(0.000757622236663515);
+  const Scalar t114 = t111 - t110 - Scalar(2.0) * (t5 * t113 + omega_r_6_a_z * Ic_5_xx);
+  const Scalar t115 = Scalar(0.000757622236663515) * omega_r_6_a_z;
+  const Scalar t116 = Scalar(0.002300122758781553) * omega_5_z;
+  const Scalar t117 = t116 - t115 + c_6 * t54 - s_6 * t49 + Scalar(0.015058143566941042) * t5;
+  const Scalar dI_5_yz = -t115 - t116 + Scalar(0.016509299631967757) * t5 - c_6 * t55 - s_6 * t50;
+  const Scalar t118 = t117 - dI_5_yz + Scalar(2.0) * (t59 - omega_r_6_a_z * t113);
+  const Scalar t119 = Scalar(0.01072355976515) * omega_5_z - c_6 * P_6_x + s_6 * P_6_y;
+  const Scalar t120 = Scalar(2.0) * omega_r_6_a_z;
+  const Scalar t121 = f_u_6_5k_t_x * t120 + Scalar(2.0) * t119;
+  const Scalar t122 = t38 + Scalar(0.002315289741004) * omega_5_z + Scalar(0.027461143479902) * t7 -
+      Scalar(0.03663191332581) * omega_r_6_y;
+  const Scalar t123 = Scalar(2.0) * t5;
+  const Scalar df_qd5_5_x = Scalar(2.0) * t122 - f_u_6_5k_t_x * t123;
+  const Scalar f_u_qd5_5_t_x = c_5 * df_qd5_5_x + s_5 * t121;
   const Scalar hc_5_x = hu_6_t_x - Scalar(0.002315289741004);
   const Scalar f_5_5_x = mr_7_y - Scalar(0.01072355976515);
+  const Scalar t124 = hc_5_x * t123 - f_5_5_x * t120;
+  const Scalar dtau_qd4_5 = Scalar(0.2610759493670886) * t124 + c_5 * t118 - s_5 * t114 -
+      Scalar(1.2151898734177216) * f_u_qd5_5_t_x;
+  C[25] = dtau_qd4_5;
+  const Scalar t125 = Scalar(2.430379746835443) * t4 - Scalar(0.5221518987341772) * t6;
+  const Scalar t126 = -t65 * f_u_7_4k_a_z - t125 * t68 - s_5 * t26 + c_5 * t64;
+  const Scalar t127 = -t125 * t67 - t75 * f_u_7_4k_a_z + t36;
+  const Scalar t128 = c_4 * t67 - s_4 * t68;
+  const Scalar t129 = Scalar(0.5221518987341772) * omega_3_z;
+  const Scalar kappa_u_7_2k_a_y = c_4 * t127 - t129 * t128 - s_4 * t126;
+  const Scalar t130 = c_4 * mu_7_4_x + s_4 * t71;
+  const Scalar t131 = c_4 * t68 + s_4 * t67;
+  const Scalar t132 = Scalar(0.2610759493670886) * (t68 - t131) + Scalar(1.2151898734177216) * t67 -
+      c_5 * Iu_7_a_xy + s_5 * t37;
+  C[44] = Scalar(2.0) * (omega_r_3_y * t130 - t2 * t132) - kappa_u_7_2k_a_y;
+  const Scalar t133 = s_5 * t74 - c_5 * t72 + hu_6_t_x * t125;
+  const Scalar t134 = t57 - f_u_6_5k_t_x * (c_5 * t125 + s_5 * t75);
+  const Scalar t135 = c_5 * f_u_6_5k_t_x;
+  const Scalar t136 = c_4 * t135 - s_4 * hu_6_t_x;
+  const Scalar kappa_6_3_z = c_4 * t134 - t129 * t136 + s_4 * t133;
+  const Scalar t137 = s_4 * t82 + c_4 * t78;
+  const Scalar f_u_6_3k_t_y = c_4 * hu_6_t_x + s_4 * t135;
+  const Scalar mu_6_3_y = s_5 * t60 + Scalar(0.2610759493670886) * (hu_6_t_x - f_u_6_3k_t_y) +
+      c_5 * t77;
+  C[37] = kappa_6_3_z - Scalar(2.0) * (omega_r_3_y * t137 - t2 * mu_6_3_y);
+  const Scalar t138 = c_5 * f_u_qd6_6_a_y - s_5 * t87;
+  const Scalar t139 = Scalar(-0.2610759493670886) * t138;
+  const Scalar t140 = t63 - t139;
+  const Scalar t141 = -s_5 * C_66 - c_5 * t83 + Scalar(1.2151898734177216) * t138;
+  const Scalar t142 = t139 + c_4 * t140 + s_4 * t141;
+  C[19] = -t142;
+  const Scalar t143 = omega_r_3_y * f_u_7_4k_a_z + omega_3_z * t131;
+  const Scalar t144 = Scalar(0.5221518987341772) * t143 - c_4 * t126 - s_4 * t127;
+  const Scalar t145 = Scalar(0.5221518987341772) * omega_r_3_y;
+  const Scalar t146 = t145 * t128 + t69;
+  const Scalar t147 = c_3 * f_u_7_4k_a_z + s_3 * t128;
+  const Scalar mu_u_7_2k_a_y = t70 + c_4 * t71 - s_4 * mu_7_4_x;
+  const Scalar t148 = c_2 * (t147 + c_3 * t130 + s_3 * t132) - s_2 * mu_u_7_2k_a_y;
+  const Scalar t149 = qd_1 * t148 - qd_2 * t131;
+  C[43] = c_3 * t146 - Scalar(2.0) * t149 - s_3 * t144;
+  const Scalar t150 = t110 + t111;
+  const Scalar kappa_5_5_y = t117 + dI_5_yz;
+  const Scalar t151 = c_5 * f_5_5_x - s_5 * hc_5_x;
+  const Scalar t152 = c_5 * kappa_5_5_y - t151 * t65 - s_5 * t150;
   const Scalar hu_5_t_x = s_5 * f_5_5_x + c_5 * hc_5_x;
-  const Scalar P_6_x = Scalar(0.027461143479902) * omega_6_z - t28;
-  const Scalar t57 = Scalar(0.01072355976515) * omega_5_z - c_6 * P_6_x + s_6 * P_6_y;
-  const Scalar t58 = t49 + Scalar(0.002315289741004) * omega_5_z + Scalar(0.027461143479902) * t8 -
-      Scalar(0.03663191332581) * omega_r_6_y;
-  const Scalar P_u5_a_z = s_5 * t57 + c_5 * t58;
-  const Scalar t59 = Scalar(2.430379746835443) * t5 - Scalar(0.5221518987341772) * t4;
-  const Scalar t60 = Scalar(-0.5) * t59;
-  const Scalar t61 = hu_5_t_x * t60 - Scalar(0.2610759493670886) * P_u5_a_z +
-      Scalar(0.08142043634273043) * t5;
-  const Scalar t62 = c_5 * f_5_5_x - s_5 * hc_5_x;
-  const Scalar t63 = Scalar(0.000822243788684635) + Scalar(1.2151898734177216) * t62;
-  const Scalar t64 = omega_4_z * t63;
-  const Scalar t65 = t56 - t55 - c_6 * t42 - s_6 * t54 + Scalar(0.016509299631967757) * omega_5_z -
-      t64 - t61;
-  const Scalar t66 = -t55 - t56 + Scalar(0.015058143566941042) * omega_5_z - c_6 * t41 + s_6 * t53;
-  const Scalar t67 = Scalar(0.00151524447332703) * omega_5_z;
-  const Scalar t68 = t67 + t35 + t32;
-  const Scalar t69 = Scalar(0.002300122758781553) * omega_5_z;
-  const Scalar t70 = t8 * Ic_6_yz;
-  const Scalar t71 = Scalar(0.000103758917218685) * omega_r_6_y - t29 + Scalar(2.0) * (t24 - t70);
-  const Scalar C_66 = Scalar(2.0) * (t70 + omega_r_6_y * t44) + t71;
-  C[40] = C_66;
-  const Scalar t72 = Scalar(0.00216405205209813) * t6;
-  const Scalar t73 = t72 + t35 + t27;
-  const Scalar t74 = t72 - t67 + t71;
-  const Scalar t75 = Scalar(2.0) * s_5;
-  const Scalar t76 = c_5 * (t68 - t74) - t75 * t66;
-  const Scalar t77 = t64 - t66 - s_5 * t76 + Scalar(0.0510201361568155) * t4 - t61;
-  const Scalar t78 = Scalar(0.0039053550262761) * t4 + c_5 * t76;
-  const Scalar t79 = Scalar(2.430379746835443) * omega_4_z;
-  const Scalar t80 = hu_5_t_x * t79;
-  const Scalar t81 = c_5 * t57 - s_5 * t58;
-  const Scalar t82 = Scalar(-0.5221518987341772) * t81;
-  const Scalar t83 = Scalar(0.5221518987341772) * omega_4_z;
-  const Scalar f_u_6_5k_t_x = Scalar(0.027461143479902) * c_6 - s_6 * hc_6_x;
-  const Scalar t84 = Scalar(1.2151898734177216) * P_u5_a_z - f_u_6_5k_t_x * t60 +
-      Scalar(0.08142043634273043) * t4;
-  const Scalar t85 = -P_u5_a_z - Scalar(0.0873392833947) * t4 + Scalar(0.317978721469274) * t5;
-  const Scalar t86 = f_u_6_5k_t_x * t83;
-  const Scalar t87 = t71 + t86;
-  const Scalar t88 = Scalar(0.002315289741004) * omega_r_6_a_z + Scalar(0.01072355976515) * t6 -
+  const Scalar t153 = -s_5 * t106 - c_5 * t105 + Scalar(1.2151898734177216) * hu_5_t_x;
+  const Scalar Ic_5_zz = t8 - t112 + Scalar(0.021281185266713853);
+  const Scalar t154 = Scalar(0.2610759493670886) * hu_5_t_x;
+  const Scalar mu_5_4_y = Ic_5_zz - t154;
+  C[31] = -t152 - Scalar(2.0) * (t6 * t153 - t4 * mu_5_4_y);
+  const Scalar t155 = c_5 * t121 - s_5 * df_qd5_5_x;
+  const Scalar t156 = Scalar(-0.2610759493670886) * t155;
+  const Scalar t157 = t107 + t156;
+  const Scalar t158 = c_5 * t114 + s_5 * t118 + Scalar(1.2151898734177216) * t155;
+  const Scalar C_35 = t156 - c_4 * t157 + s_4 * t158;
+  C[18] = C_35;
+  const Scalar t159 = omega_r_3_y * t80 + omega_3_z * f_u_6_3k_t_y;
+  const Scalar t160 = Scalar(0.5221518987341772) * t159 + c_4 * t133 - s_4 * t134;
+  const Scalar t161 = t145 * t136 + t76;
+  const Scalar t162 = c_3 * t80 + s_3 * t136;
+  const Scalar mu_6_3_z = t81 + c_4 * t82 - s_4 * t78;
+  const Scalar t163 = c_2 * (t162 + c_3 * t137 + s_3 * mu_6_3_y) - s_2 * mu_6_3_z;
+  const Scalar t164 = qd_1 * t163 - qd_2 * f_u_6_3k_t_y;
+  C[36] = s_3 * t160 - c_3 * t161 + Scalar(2.0) * t164;
+  const Scalar t165 = t138 - s_4 * t140 + c_4 * t141;
+  const Scalar t166 = c_4 * t89 - s_4 * t88;
+  const Scalar t167 = Scalar(-0.2610759493670886) * t166 - c_4 * t88 - s_4 * t89 + t90;
+  C[12] = c_3 * t167 - s_3 * t165;
+  const Scalar t168 = t91 + c_4 * t94 + s_4 * t93;
+  const Scalar f_u_qd7_3_a_y = c_4 * t44 + s_4 * t41;
+  const Scalar t169 = c_4 * t41 - Scalar(0.2610759493670886) * f_u_qd7_3_a_y - s_4 * t44 +
+      dtau_qd4_7;
+  C[13] = -c_3 * t169 - s_3 * t168;
+  const Scalar t170 = Scalar(2.0) * t1;
+  const Scalar t171 = s_2 * (t170 * t131 + c_3 * t144 + s_3 * t146);
+  const Scalar t172 = qd_2 * t147 - t1 * (c_3 * t128 - s_3 * f_u_7_4k_a_z);
+  const Scalar kappa_7_2_y = Scalar(2.0) * t172 + kappa_u_7_2k_a_y;
+  C[42] = t171 - c_2 * kappa_7_2_y;
+  C[6] = c_2 * dtau_qd3_7 - s_2 * (s_3 * t169 - c_3 * t168);
+  const Scalar t173 = t151 * t125;
+  const Scalar t174 = hu_5_t_x * t75;
+  const Scalar t175 = t103 + t173 + t174;
+  const Scalar t176 = t151 * t129 + t175;
+  const Scalar t177 = c_5 * t150 - hu_5_t_x * t65 + s_5 * kappa_5_5_y;
+  const Scalar t178 = s_4 * t177 + c_4 * t176;
+  const Scalar t179 = c_4 * t153 + s_4 * mu_5_4_y;
+  const Scalar t180 = c_5 * t106 - s_5 * t105;
+  const Scalar t181 = Scalar(-0.2610759493670886) * t151;
+  const Scalar t182 = t180 - t181 * (s_4 - Scalar(4.654545454545454));
+  C[30] = -t178 - Scalar(2.0) * (omega_r_3_y * t179 + t2 * t182);
+  const Scalar t183 = hu_5_t_x * t145 - c_4 * t177 + s_4 * t176;
+  const Scalar t184 = c_4 * t151;
+  const Scalar t185 = t152 - t145 * t184;
+  const Scalar t186 = s_3 * t184 + c_3 * hu_5_t_x;
+  const Scalar mu_5_3_z = t154 + c_4 * mu_5_4_y - s_4 * t153;
+  const Scalar t187 = c_2 * (t186 + c_3 * t179 - s_3 * t182) - s_2 * mu_5_3_z;
+  const Scalar t188 = s_4 * t151;
+  const Scalar t189 = qd_1 * t187 - qd_2 * t188;
+  C[29] = c_3 * t185 + Scalar(2.0) * t189 + s_3 * t183;
+  const Scalar t190 = s_2 * (t170 * f_u_6_3k_t_y + c_3 * t160 + s_3 * t161);
+  const Scalar t191 = qd_2 * t162 - t1 * (c_3 * t136 - s_3 * t80);
+  C[35] = c_2 * (Scalar(2.0) * t191 + kappa_6_3_z) - t190;
+  const Scalar t192 = Scalar(0.00151524447332703) * omega_5_z;
+  const Scalar t193 = t192 + t101 + t96;
+  const Scalar t194 = t102 - t192 + t22;
+  const Scalar t195 = Scalar(0.001082026026049065) * omega_r_6_a_z;
+  const Scalar t196 = Scalar(0.002300122758781553) * t5;
+  const Scalar t197 = -t195 - t196 + Scalar(0.015058143566941042) * omega_5_z - c_6 * t50 +
+      s_6 * t55;
+  const Scalar t198 = c_5 * (t193 - t194) - t40 * t197;
+  const Scalar t199 = Scalar(0.0039053550262761) * t6 + c_5 * t198;
+  const Scalar t200 = c_5 * t119 - s_5 * t122;
+  const Scalar t201 = Scalar(-0.5221518987341772) * t200;
+  const Scalar t202 = Scalar(0.002315289741004) * omega_r_6_a_z + Scalar(0.01072355976515) * t5 -
       c_6 * P_6_y - s_6 * P_6_x;
-  const Scalar t89 = Scalar(2.430379746835443) * t88 - t86;
-  const Scalar t90 = Scalar(-0.00164448757736927) * t5;
-  const Scalar t91 = t68 - t90 - t78 - t82 - t80 - t89;
-  const Scalar t92 = t62 * t59;
-  const Scalar t93 = t73 + t92 + t80;
-  const Scalar t94 = Scalar(0.16284087268546085) * omega_4_z;
-  const Scalar t95 = t74 + t78 - t92 - t89 - t94;
-  const Scalar t96 = t90 - t82 - t93 + t94;
-  const Scalar t97 = Scalar(0.000757622236663515) * omega_r_6_a_z;
-  const Scalar dI_5_yz = -t97 - t69 + Scalar(0.016509299631967757) * t6 - c_6 * t53 - s_6 * t41;
-  const Scalar t98 = t69 - t97 + c_6 * t54 - s_6 * t42 + Scalar(0.015058143566941042) * t6;
-  const Scalar t99 = Scalar(0.000822243788684635) * t4 -
-      Scalar(1.2151898734177216) * (t81 - omega_4_z * f_u_6_5k_t_x);
-  const Scalar t100 = t81 + Scalar(0.317978721469274) * omega_4_z;
-  const Scalar t101 = Scalar(0.00195267751313805) * t5 -
-      Scalar(0.2610759493670886) * (t88 - omega_4_z * hu_5_t_x);
-  const Scalar t102 = t88 + Scalar(0.0873392833947) * omega_4_z;
+  const Scalar t203 = Scalar(2.430379746835443) * t202 - t73;
+  const Scalar t204 = Scalar(-0.00164448757736927) * t4;
+  const Scalar t205 = t193 - t204 - t199 - t201 - t174 - t203;
+  const Scalar t206 = t113 * t40 + c_5 * (t58 + Ic_5_xx);
+  const Scalar t207 = t181 - Scalar(0.00195267751313805);
+  const Scalar t208 = t113 - t207 - s_5 * t206;
+  const Scalar t209 = Scalar(0.000822243788684635) + Scalar(1.2151898734177216) * t151;
+  const Scalar t210 = t180 - t209;
+  const Scalar dtaud_4_4 = Scalar(2.0) * (t6 * t208 + t4 * t210) + t205;
+  C[24] = dtaud_4_4;
+  const Scalar t211 = s_4 * t157 + t155 + c_4 * t158;
+  const Scalar t212 = c_4 * t124 - s_4 * f_u_qd5_5_t_x;
+  const Scalar t213 = Scalar(-0.2610759493670886) * t212 - s_4 * t124 - c_4 * f_u_qd5_5_t_x +
+      dtau_qd4_5;
+  C[11] = s_3 * t211 - c_3 * t213;
+  C[5] = s_2 * (s_3 * t167 + c_3 * t165) - c_2 * t142;
+  const Scalar P_u5_a_z = s_5 * t119 + c_5 * t122;
+  const Scalar t214 = Scalar(-0.5) * t125;
+  const Scalar t215 = hu_5_t_x * t214 - Scalar(0.2610759493670886) * P_u5_a_z +
+      Scalar(0.08142043634273043) * t4;
+  const Scalar t216 = omega_4_z * t209;
+  const Scalar t217 = t216 - t197 - s_5 * t198 + Scalar(0.0510201361568155) * t6 - t215;
+  const Scalar t218 = t196 - t195 - c_6 * t49 - s_6 * t54 +
+      Scalar(0.016509299631967757) * omega_5_z - t216 - t215;
+  const Scalar t219 = c_5 * t206;
+  const Scalar t220 = Scalar(2.430379746835443) * f_u_6_5k_t_x;
+  const Scalar t221 = t58 - t219 + t220 - Scalar(0.3238615474695915);
+  const Scalar t222 = Scalar(0.2610759493670886) * f_u_6_5k_t_x + t153 -
+      Scalar(0.08142043634273043);
+  const Scalar t223 = t218 - t217 + Scalar(2.0) * (t4 * t222 + t6 * t221);
+  const Scalar t224 = Scalar(1.2151898734177216) * P_u5_a_z - f_u_6_5k_t_x * t214 +
+      Scalar(0.08142043634273043) * t6;
+  const Scalar t225 = omega_4_z * t207;
+  const Scalar t226 = s_5 * t110 - t225 - c_5 * dI_5_yz - t224 + Scalar(0.374881683626407) * t4;
+  const Scalar t227 = t225 + c_5 * t117 - s_5 * t111 - t224 + Scalar(0.3238615474695915) * t4;
+  const Scalar t228 = Scalar(0.5221518987341772) * hu_5_t_x;
+  const Scalar Ic_4_yy = Ic_5_zz - t228;
+  const Scalar t229 = Scalar(2.0) * (t6 * t222 - t4 * Ic_4_yy) + t227 - t226;
   const Scalar hc_4_x = hu_5_t_x - Scalar(0.0873392833947);
   const Scalar f_4_4_x = f_u_6_5k_t_x - Scalar(0.317978721469274);
-  const Scalar hu_4_t_x = c_4 * hc_4_x + s_4 * f_4_4_x;
-  const Scalar t103 = c_4 * t102 + s_4 * t100;
-  const Scalar t104 = Scalar(0.000060956210475372) * t3 +
-      Scalar(0.2610759493670886) * (t103 + omega_r_3_y * hu_4_t_x);
-  const Scalar t105 = Scalar(0.004459880990724) * t3 + Scalar(0.118003557659776) * omega_r_3_y +
-      t103;
-  const Scalar t106 = Scalar(0.002188628560919792) * omega_3_z;
-  const Scalar t107 = t106 - t101 + s_5 * t98 + c_5 * t20 - t99 - t104 +
-      Scalar(0.374881683626407) * omega_4_z;
-  const Scalar t108 = t101 - c_5 * t34 - s_5 * dI_5_yz - t99 +
-      Scalar(0.3238615474695915) * omega_4_z;
-  const Scalar t109 = Scalar(2.0) * s_4;
-  const Scalar t110 = c_4 * (t95 - t96) - t109 * t108;
-  const Scalar t111 = t106 + Scalar(0.061602421026527694) * omega_r_3_y + t104 + t108 + s_4 * t110;
-  const Scalar t112 = c_4 * t110;
-  const Scalar t113 = Scalar(-0.2610759493670886) * t62;
-  const Scalar t114 = t113 - Scalar(0.00195267751313805);
-  const Scalar t115 = omega_4_z * t114;
-  const Scalar t116 = s_5 * t34 - t115 - c_5 * dI_5_yz - t84 + Scalar(0.374881683626407) * t5;
-  const Scalar t117 = t115 + c_5 * t98 - s_5 * t20 - t84 + Scalar(0.3238615474695915) * t5;
-  const Scalar hc_3_x = Scalar(0.118003557659776) + hu_4_t_x;
-  const Scalar t118 = t62 - Scalar(0.004459880990724);
-  const Scalar t119 = c_3 * t118 - s_3 * hc_3_x;
-  const Scalar t120 = s_3 * t118 + c_3 * hc_3_x;
-  const Scalar t121 = Scalar(0.002743824053281128) * t3 +
-      Scalar(0.2610759493670886) * (omega_3_z * hu_4_t_x + t85);
-  const Scalar P_3_y = Scalar(0.118003557659776) * omega_3_z + t85;
-  const Scalar t122 = Scalar(0.002188628560919792) * omega_r_3_y;
-  const Scalar t123 = t120 - Scalar(0.00199167944196776);
-  const Scalar t124 = t2 * t123;
-  const Scalar t125 = t119 - Scalar(0.0003844680514732);
-  const Scalar t126 = t2 * t119;
-  const Scalar t127 = qd_2 * t125;
-  const Scalar t128 = Scalar(0.06740035307411071) * omega_3_z - t122 + c_4 * t65 + t121 + t124 +
-      t127 - s_4 * t117;
-  const Scalar t129 = Scalar(0.00579793204758302) * omega_3_z - t122 - t121 - c_4 * t77 +
-      s_4 * t116;
-  const Scalar t130 = c_4 * f_4_4_x - s_4 * hc_4_x;
-  const Scalar t131 = t5 * hc_4_x + t4 * f_4_4_x;
-  const Scalar t132 = Scalar(0.2610759493670886) * t130 - Scalar(0.002743824053281128);
-  const Scalar t133 = Scalar(0.000060956210475372) + t113;
-  const Scalar t134 = Scalar(2.0) * (omega_3_z * t133 + omega_r_3_y * t132) + t96 + t112;
-  const Scalar t135 = Scalar(0.5221518987341772) * omega_r_3_y;
-  const Scalar t136 = t91 + t130 * t135;
-  const Scalar t137 = c_4 * t100 - s_4 * t102;
-  const Scalar t138 = Scalar(-0.004377257121839584) * t3;
-  const Scalar t139 = Scalar(0.005487648106562256) * omega_r_3_y - t138 -
-      Scalar(0.5221518987341772) * (omega_3_z * t62 + t137) + t95 - t112;
-  const Scalar t140 = Scalar(0.000121912420950744) * omega_3_z - t138 +
-      Scalar(0.5221518987341772) * t137 - t136;
-  const Scalar t141 = Scalar(0.004459880990724) * omega_3_z + t137;
-  const Scalar t142 = Scalar(2.0) * s_3;
-  const Scalar t143 = c_3 * (t140 + t134) - t142 * t129;
-  const Scalar t144 = Scalar(0.023077882494931805) * t1 + t124 - t129 - t127 - s_3 * t143;
-  const Scalar t145 = Scalar(0.01026110182100817) * t1 - c_3 * t143;
-  const Scalar t146 = omega_3_z * t132;
-  const Scalar t147 = omega_r_3_y * t133;
-  const Scalar t148 = Scalar(0.00579793204758302) * t3 + t147 - t146 + s_4 * t65 + c_4 * t117;
-  const Scalar t149 = t147 + Scalar(0.06740035307411071) * t3 + t146 - s_4 * t77 - c_4 * t116;
-  const Scalar t150 = Scalar(0.005130550910504085) * t2 - Scalar(0.0003844680514732) * t1 -
-      c_3 * (t141 + t111) - s_3 * (P_3_y - t149) - qd_2 * (t130 - Scalar(0.5353432998817383));
-  const Scalar t151 = qd_1 * (Scalar(0.00199167944196776) * c_2 + s_2 * t130);
-  const Scalar t152 = t151 - c_3 * P_3_y + s_3 * t141;
-  const Scalar t153 = Scalar(0.005130550910504085) * qd_2;
-  const Scalar dI_2_yz = t153 - c_3 * t149 + Scalar(0.5584211823766702) * t2 - t152 - s_3 * t111;
-  const Scalar t154 = c_3 * t148 - t153 + Scalar(0.5353432998817383) * t2 - t152 - s_3 * t107;
-  C[7] = s_2 * (t128 + t144) - c_2 * (t154 + dI_2_yz);
-  const Scalar Ic_6_xx = t7 + Scalar(0.004771885634746098);
-  const Scalar t155 = t42 + t41 + Scalar(2.0) * (t37 + omega_r_6_y * Ic_6_xx);
-  const Scalar t156 = t42 - t41;
-  const Scalar t157 = Scalar(0.5569620253164557) * mr_7_x;
-  const Scalar kappa_7_6_x = omega_6_z * t157 + t12 + t11;
-  const Scalar Ic_6_yy = t157 + Scalar(0.003342075983680473);
-  const Scalar Iu_6_t_d = Ic_6_xx - Ic_6_yy;
-  const Scalar t158 = c_6 * Iu_6_t_d - t26 * t23;
-  const Scalar t159 = t7 - t157 - Scalar(0.027504612894594268);
-  const Scalar t160 = t54 - t53 - Scalar(2.0) * (t8 * Ic_6_yy + omega_r_6_y * t26);
-  const Scalar t161 = t54 + t53;
-  const Scalar t162 = c_6 * t158;
-  const Scalar Ic_5_xx = Ic_6_yy + t162 + Scalar(0.015058143566941042);
-  const Scalar Ic_5_zz = t7 - t162 + Scalar(0.021281185266713853);
-  const Scalar t163 = t22 + s_6 * t158 + Scalar(0.005074162432556105);
-  const Scalar t164 = c_6 * t44 - s_6 * Ic_6_yz;
-  const Scalar t165 = c_6 * Ic_6_yz + s_6 * t44;
-  const Scalar t166 = t164 + Scalar(0.000757622236663515);
-  const Scalar t167 = t166 * t75 + c_5 * (t159 + Ic_5_xx);
-  const Scalar t168 = t166 - t114 - s_5 * t167;
-  const Scalar t169 = c_5 * t167;
-  const Scalar t170 = Scalar(2.430379746835443) * f_u_6_5k_t_x;
-  const Scalar t171 = Scalar(0.5221518987341772) * hu_5_t_x;
-  const Scalar t172 = Ic_5_xx - t171 - t169 - t170 + Scalar(0.374881683626407);
-  const Scalar t173 = t159 - t169 + t170 - Scalar(0.3238615474695915);
-  const Scalar Ic_4_yy = Ic_5_zz - t171;
-  const Scalar t174 = t20 - t34 - Scalar(2.0) * (t6 * t166 + omega_r_6_a_z * Ic_5_xx);
-  const Scalar t175 = t34 + t20;
-  const Scalar t176 = t165 - Scalar(0.001082026026049065);
-  const Scalar t177 = t73 + Scalar(2.0) * (t6 * t176 + omega_r_6_a_z * t163);
-  C[32] = -t177;
-  const Scalar t178 = c_5 * t176 - s_5 * t163;
-  const Scalar t179 = -s_5 * t176 - c_5 * t163 + Scalar(1.2151898734177216) * hu_5_t_x;
-  const Scalar t180 = t178 - t63;
-  const Scalar t181 = t178 - t113 * (s_4 - Scalar(4.654545454545454));
-  const Scalar dtaud_4_4 = Scalar(2.0) * (t4 * t168 + t5 * t180) + t91;
-  C[24] = dtaud_4_4;
-  const Scalar t182 = c_4 * t168 - s_4 * t180;
-  const Scalar t183 = s_4 * t168 + c_4 * t180;
-  const Scalar t184 = t133 + t182;
-  const Scalar t185 = Scalar(0.2610759493670886) * f_u_6_5k_t_x + t179 -
-      Scalar(0.08142043634273043);
-  const Scalar t186 = c_4 * (Ic_4_yy + t173) - t185 * t109;
-  const Scalar t187 = t185 - t132 + s_4 * t186;
-  const Scalar t188 = c_4 * t186;
-  const Scalar t189 = Scalar(0.5221518987341772) * hu_4_t_x;
-  const Scalar t190 = s_2 * (-t189 - Scalar(0.06740035307411071) - t188 + t173);
-  const Scalar Ic_3_xx = Scalar(0.00579793204758302) + Ic_4_yy - t188;
-  const Scalar t191 = t189 + t172;
-  const Scalar t192 = Scalar(0.2610759493670886) * hu_4_t_x + t172;
-  const Scalar t193 = t65 - t77 + Scalar(2.0) * (t5 * t185 + t4 * t173);
-  const Scalar t194 = t65 + t77;
-  const Scalar t195 = Scalar(2.0) * (t4 * t185 - t5 * Ic_4_yy) + t117 - t116;
-  const Scalar t196 = t117 + t116;
-  const Scalar t197 = omega_r_3_y * t184 + P_3_y + t3 * (t130 - t191);
-  const Scalar t198 = t141 - t3 * t184 - omega_r_3_y * (t130 - Ic_3_xx);
-  const Scalar Iu_3_t_d = Ic_3_xx - t191;
-  const Scalar t199 = t184 * t142 + c_3 * Iu_3_t_d;
-  const Scalar t200 = t107 + t111 + Scalar(2.0) * t198;
-  const Scalar t201 = t107 - t111;
-  const Scalar t202 = t148 - t149 + Scalar(2.0) * t197;
-  const Scalar t203 = t148 + t149;
-  C[9] = s_3 * t200 - c_3 * t202;
-  const Scalar t204 = Scalar(0.002188628560919792) + t183;
-  const Scalar t205 = s_2 * t183 - c_2 * (s_3 * (t130 - t192) - c_3 * t182);
-  const Scalar t206 = qd_1 * t205 + qd_2 * hu_4_t_x;
-  const Scalar t207 = s_2 * (t125 - c_3 * t204 - s_3 * t187);
-  const Scalar t208 = qd_1 * (c_2 * (t184 - Scalar(0.005130550910504085) - s_3 * t199) - t207);
-  const Scalar t209 = c_3 * t187 - s_3 * t204;
-  const Scalar dtaud_3_3 = t139 - Scalar(2.0) * (t3 * t204 + omega_r_3_y * t187);
-  C[2] = c_2 * dtaud_3_3 - s_2 * (s_3 * t202 + c_3 * t200);
-  C[16] = dtaud_3_3;
-  const Scalar t210 = t209 + t123;
-  const Scalar t211 = Scalar(-2.0) * t130;
-  const Scalar t212 = c_2 * (c_3 * t199 + t191 + t211 + Scalar(0.5353432998817383)) - s_2 * t210;
-  const Scalar t213 = Scalar(2.0) * qd_1;
-  const Scalar t214 = c_2 * (t213 * (c_2 * t210 + t190) + t154 - dI_2_yz);
-  C[1] = t214 - s_2 * (t128 - t144 - t212 * t213);
-  const Scalar t215 = t213 * (c_2 * (t120 + t209) + t190);
-  C[15] = c_3 * t203 + t215 - s_3 * t201;
-  const Scalar t216 = qd_2 * t120;
-  const Scalar t217 = t139 - Scalar(2.0) * (t126 - t216);
-  C[14] = c_2 * t217 + s_2 * (s_3 * t203 + c_3 * t201);
-  const Scalar t218 = Scalar(0.5221518987341772) * omega_3_z;
-  const Scalar t219 = s_4 * t194 - t130 * t218 + c_4 * t196;
-  C[23] = t219 + Scalar(2.0) * (omega_r_3_y * t182 - t3 * t192);
-  const Scalar kappa_4_3_x = c_4 * t194 + hu_4_t_x * t218 - s_4 * t196;
-  C[22] = s_3 * kappa_4_3_x - c_3 * t136 - Scalar(2.0) * t206;
-  const Scalar t220 = t62 * t218 + t93;
-  const Scalar t221 = Scalar(2.0) * t2;
-  const Scalar kappa_4_2_x = s_3 * t136 + c_3 * kappa_4_3_x + hu_4_t_x * t221;
-  C[21] = c_2 * (t219 + t3 * t211) - s_2 * kappa_4_2_x;
-  const Scalar t222 = c_6 * mr_7_y;
-  const Scalar f_u_7_4k_a_z = s_5 * t222 + c_5 * mr_7_x;
-  const Scalar t223 = c_5 * t222 - s_5 * mr_7_x;
-  const Scalar t224 = Scalar(0.2610759493670886) * f_u_7_4k_a_z;
-  const Scalar t225 = s_6 * t22 - t224 + c_6 * t39;
-  const Scalar t226 = c_6 * t22 - s_6 * t39;
-  const Scalar t227 = s_6 * t31 + c_6 * kappa_7_6_x;
-  const Scalar t228 = c_6 * t31 - s_6 * kappa_7_6_x;
-  C[46] = Scalar(2.0) * (t6 * Iu_7_a_xy + omega_r_6_a_z * t226) - t228;
-  const Scalar t229 = -t59 * t223 - t79 * f_u_7_4k_a_z + t228;
-  const Scalar t230 = s_6 * mr_7_y;
-  const Scalar t231 = Scalar(2.0) * mr_7_y;
-  const Scalar t232 = Scalar(2.0) * P_6_y - t8 * t231;
-  const Scalar t233 = Scalar(-2.0) * t8;
-  const Scalar t234 = mr_7_x * t233 + omega_6_z * t231;
-  const Scalar C_67 = L_7_x - Scalar(0.27848101265822783) * t234 + t50 + Scalar(2.0) * t47;
-  const Scalar df_qd6_6_y = Scalar(2.0) * P_6_x - omega_r_6_y * t231;
-  const Scalar f_u_qd6_6_a_y = Scalar(0.054922286959804) * omega_r_6_y - hc_6_x * t233;
-  const Scalar t235 = c_6 * t234 + t23 * t49;
-  const Scalar t236 = Scalar(2.0) * c_6 * t49 - s_6 * t234;
-  const Scalar t237 = c_5 * t236 + t75 * t28;
-  const Scalar t238 = Scalar(2.0) * c_5 * t28 - s_5 * t236;
-  C[41] = C_67;
-  const Scalar t239 = t83 * (t223 - Scalar(4.654545454545454) * t230) + c_5 * t51 + s_5 * t227;
-  const Scalar t240 = -t83 * f_u_7_4k_a_z - t59 * t230 - s_5 * t51 + c_5 * t227;
-  const Scalar mu_7_4_x = Scalar(1.2151898734177216) * f_u_7_4k_a_z - s_5 * Iu_7_a_xy - c_5 * t226;
-  C[45] = Scalar(2.0) * (t4 * mu_7_4_x - t5 * t225) - t239;
-  const Scalar mu_u_7_2k_a_y = t224 + c_4 * t225 - s_4 * mu_7_4_x;
-  const Scalar t241 = c_4 * mu_7_4_x + s_4 * t225;
-  const Scalar t242 = c_4 * t230 + s_4 * t223;
-  const Scalar t243 = Scalar(0.2610759493670886) * (t230 - t242) +
-      Scalar(1.2151898734177216) * t223 - c_5 * Iu_7_a_xy + s_5 * t226;
-  const Scalar t244 = c_4 * t223 - s_4 * t230;
-  const Scalar t245 = t135 * t244 + t239;
-  const Scalar t246 = omega_r_3_y * f_u_7_4k_a_z + omega_3_z * t242;
-  const Scalar t247 = Scalar(0.5221518987341772) * t246 - c_4 * t240 - s_4 * t229;
-  const Scalar kappa_u_7_2k_a_y = c_4 * t229 - t218 * t244 - s_4 * t240;
-  C[44] = Scalar(2.0) * (omega_r_3_y * t241 - t3 * t243) - kappa_u_7_2k_a_y;
-  const Scalar t248 = c_3 * f_u_7_4k_a_z + s_3 * t244;
-  const Scalar t249 = c_2 * (t248 + c_3 * t241 + s_3 * t243) - s_2 * mu_u_7_2k_a_y;
-  const Scalar t250 = qd_2 * t248 - t2 * (c_3 * t244 - s_3 * f_u_7_4k_a_z);
-  const Scalar kappa_7_2_y = Scalar(2.0) * t250 + kappa_u_7_2k_a_y;
-  const Scalar t251 = qd_1 * t249 - qd_2 * t242;
-  C[43] = c_3 * t245 - Scalar(2.0) * t251 - s_3 * t247;
-  const Scalar t252 = s_2 * (t221 * t242 + c_3 * t247 + s_3 * t245);
-  C[42] = t252 - c_2 * kappa_7_2_y;
-  const Scalar kappa_5_5_y = t98 + dI_5_yz;
-  const Scalar t253 = c_5 * t175 - hu_5_t_x * t83 + s_5 * kappa_5_5_y;
-  const Scalar t254 = c_5 * kappa_5_5_y - t62 * t83 - s_5 * t175;
-  const Scalar t255 = Scalar(0.2610759493670886) * hu_5_t_x;
-  const Scalar mu_5_4_y = Ic_5_zz - t255;
-  C[31] = -t254 - Scalar(2.0) * (t4 * t179 - t5 * mu_5_4_y);
-  const Scalar mu_5_3_z = t255 + c_4 * mu_5_4_y - s_4 * t179;
-  const Scalar t256 = c_4 * t179 + s_4 * mu_5_4_y;
-  const Scalar t257 = c_4 * t62;
-  const Scalar t258 = t254 - t135 * t257;
-  const Scalar t259 = s_3 * t257 + c_3 * hu_5_t_x;
-  const Scalar t260 = c_2 * (t259 + c_3 * t256 - s_3 * t181) - s_2 * mu_5_3_z;
-  const Scalar t261 = qd_2 * t259 - t2 * (c_3 * t257 - s_3 * hu_5_t_x);
-  const Scalar t262 = hu_5_t_x * t135 - c_4 * t253 + s_4 * t220;
-  const Scalar t263 = s_4 * t253 + c_4 * t220;
-  C[30] = -t263 - Scalar(2.0) * (omega_r_3_y * t256 + t3 * t181);
-  const Scalar t264 = s_4 * t62;
-  const Scalar t265 = qd_1 * t260 - qd_2 * t264;
-  C[29] = c_3 * t258 + Scalar(2.0) * t265 + s_3 * t262;
-  const Scalar t266 = s_2 * (t221 * t264 - s_3 * t258 + c_3 * t262);
-  C[28] = -c_2 * (t263 - Scalar(2.0) * t261) - t266;
-  const Scalar t267 = Scalar(-2.0) * t62;
-  const Scalar t268 = Scalar(2.0) * t100 - t4 * t267;
-  const Scalar df_qd4_4_x = Scalar(2.0) * t102 - t5 * t267;
-  const Scalar t269 = s_5 * f_u_6_5k_t_x;
-  const Scalar t270 = Scalar(0.2610759493670886) * t269;
-  const Scalar t271 = t165 - t270;
-  const Scalar t272 = c_6 * t156 + s_6 * t161;
-  const Scalar t273 = c_6 * t161 - s_6 * t156;
-  const Scalar t274 = c_5 * t87 + s_5 * t272 - hu_6_t_x * t79;
-  const Scalar t275 = s_5 * t87 - c_5 * t272 + hu_6_t_x * t59;
-  const Scalar t276 = t273 - f_u_6_5k_t_x * (c_5 * t59 + s_5 * t79);
-  const Scalar t277 = t159 + Scalar(1.2151898734177216) * f_u_6_5k_t_x;
-  const Scalar t278 = t6 * t159;
-  const Scalar t279 = t98 - dI_5_yz + Scalar(2.0) * (t278 - omega_r_6_a_z * t166);
-  C[39] = t273 + Scalar(2.0) * (t278 - omega_r_6_a_z * t164);
-  const Scalar t280 = Scalar(2.0) * omega_r_6_a_z;
-  const Scalar t281 = Scalar(2.0) * t6;
-  const Scalar t282 = hc_5_x * t281 - f_5_5_x * t280;
-  const Scalar t283 = f_u_6_5k_t_x * t280 + Scalar(2.0) * t57;
-  const Scalar df_qd5_5_x = Scalar(2.0) * t58 - f_u_6_5k_t_x * t281;
-  const Scalar t284 = c_5 * f_u_6_5k_t_x;
-  const Scalar t285 = s_5 * t277 - c_5 * t164;
-  C[38] = t274 - Scalar(2.0) * (t4 * t285 - t5 * t271);
-  const Scalar mu_6_3_z = t270 + c_4 * t271 - s_4 * t285;
-  const Scalar t286 = s_4 * t271 + c_4 * t285;
-  const Scalar t287 = c_4 * t284 - s_4 * hu_6_t_x;
-  const Scalar t288 = t135 * t287 + t274;
-  const Scalar f_u_6_3k_t_y = c_4 * hu_6_t_x + s_4 * t284;
-  const Scalar mu_6_3_y = s_5 * t164 + Scalar(0.2610759493670886) * (hu_6_t_x - f_u_6_3k_t_y) +
-      c_5 * t277;
-  const Scalar t289 = omega_r_3_y * t269 + omega_3_z * f_u_6_3k_t_y;
-  const Scalar t290 = Scalar(0.5221518987341772) * t289 + c_4 * t275 - s_4 * t276;
-  const Scalar kappa_6_3_z = c_4 * t276 - t218 * t287 + s_4 * t275;
-  C[37] = kappa_6_3_z - Scalar(2.0) * (omega_r_3_y * t286 - t3 * mu_6_3_y);
-  const Scalar t291 = s_2 * (t221 * f_u_6_3k_t_y + c_3 * t290 + s_3 * t288);
-  const Scalar t292 = c_3 * t269 + s_3 * t287;
-  const Scalar t293 = c_2 * (t292 + c_3 * t286 + s_3 * mu_6_3_y) - s_2 * mu_6_3_z;
-  const Scalar t294 = qd_2 * t292 - t2 * (c_3 * t287 - s_3 * t269);
-  C[35] = c_2 * (Scalar(2.0) * t294 + kappa_6_3_z) - t291;
-  const Scalar t295 = qd_1 * t293 - qd_2 * f_u_6_3k_t_y;
-  C[36] = s_3 * t290 - c_3 * t288 + Scalar(2.0) * t295;
-  const Scalar t296 = Scalar(0.0007689361029464) * t2;
-  C[8] = t134 - t296 + t145 - Scalar(2.0) * (t105 - t216 - t208);
-  const Scalar t297 = c_6 * t155 + s_6 * t160;
-  const Scalar t298 = c_6 * t160 - s_6 * t155;
-  C[33] = -t298;
-  const Scalar t299 = c_6 * df_qd6_6_y - s_6 * t232;
-  const Scalar t300 = c_6 * t232 + s_6 * df_qd6_6_y;
-  const Scalar t301 = c_6 * t13 - s_6 * t29;
-  const Scalar mu_u_qd7_6_t_y = c_6 * t29 + s_6 * t13;
-  C[34] = mu_u_qd7_6_t_y;
-  const Scalar t302 = Scalar(0.2610759493670886) * t238;
-  const Scalar t303 = mu_u_qd7_6_t_y - t302;
-  const Scalar t304 = Scalar(1.2151898734177216) * t238 - c_5 * t301 - s_5 * C_67;
-  const Scalar dtau_qd4_7 = Scalar(0.2610759493670886) * t235 + Scalar(1.2151898734177216) * t237 +
-      c_5 * C_67 - s_5 * t301;
-  const Scalar dtau_qd3_7 = t302 + c_4 * t303 - s_4 * t304;
-  const Scalar t305 = t238 + c_4 * t304 + s_4 * t303;
-  C[27] = dtau_qd4_7;
-  C[20] = dtau_qd3_7;
-  const Scalar f_u_qd7_3_a_y = c_4 * t235 + s_4 * t237;
-  const Scalar t306 = c_4 * t237 - Scalar(0.2610759493670886) * f_u_qd7_3_a_y - s_4 * t235 +
-      dtau_qd4_7;
-  C[6] = c_2 * dtau_qd3_7 - s_2 * (s_3 * t306 - c_3 * t305);
-  C[13] = -c_3 * t306 - s_3 * t305;
-  const Scalar t307 = c_5 * f_u_qd6_6_a_y - s_5 * t300;
-  const Scalar t308 = c_5 * t300 + s_5 * f_u_qd6_6_a_y;
-  const Scalar t309 = Scalar(-0.2610759493670886) * t307;
-  const Scalar t310 = t298 - t309;
-  const Scalar t311 = -s_5 * C_66 - c_5 * t297 + Scalar(1.2151898734177216) * t307;
-  const Scalar t312 = Scalar(0.2610759493670886) * t299 - c_5 * C_66 + s_5 * t297 -
-      Scalar(1.2151898734177216) * t308;
-  const Scalar t313 = t309 + c_4 * t310 + s_4 * t311;
-  const Scalar t314 = t307 - s_4 * t310 + c_4 * t311;
-  C[26] = -t312;
-  C[19] = -t313;
-  const Scalar t315 = c_5 * t283 - s_5 * df_qd5_5_x;
-  const Scalar f_u_qd5_5_t_x = c_5 * df_qd5_5_x + s_5 * t283;
-  const Scalar dtau_qd4_5 = Scalar(0.2610759493670886) * t282 + c_5 * t279 - s_5 * t174 -
-      Scalar(1.2151898734177216) * f_u_qd5_5_t_x;
-  const Scalar t316 = c_5 * t174 + s_5 * t279 + Scalar(1.2151898734177216) * t315;
-  C[25] = dtau_qd4_5;
-  const Scalar t317 = c_4 * t299 - s_4 * t308;
-  const Scalar t318 = Scalar(-0.2610759493670886) * t317 - c_4 * t308 - s_4 * t299 + t312;
-  C[5] = s_2 * (s_3 * t318 + c_3 * t314) - c_2 * t313;
-  C[12] = c_3 * t318 - s_3 * t314;
-  const Scalar t319 = Scalar(-0.2610759493670886) * t315;
-  const Scalar t320 = t177 + t319;
-  const Scalar C_35 = t319 - c_4 * t320 + s_4 * t316;
-  const Scalar t321 = s_4 * t320 + t315 + c_4 * t316;
-  C[18] = C_35;
-  const Scalar t322 = c_4 * t282 - s_4 * f_u_qd5_5_t_x;
-  const Scalar t323 = Scalar(-0.2610759493670886) * t322 - s_4 * t282 - c_4 * f_u_qd5_5_t_x +
-      dtau_qd4_5;
-  C[4] = c_2 * C_35 - s_2 * (s_3 * t323 + c_3 * t321);
-  C[11] = s_3 * t321 - c_3 * t323;
-  const Scalar t324 = c_4 * t268 - s_4 * df_qd4_4_x;
-  const Scalar t325 = dtaud_4_4 - Scalar(0.2610759493670886) * t324 - c_4 * df_qd4_4_x - s_4 * t268;
-  const Scalar dtau_qd3_4 = Scalar(0.5221518987341772) * t131 - c_4 * t195 - s_4 * t193;
-  const Scalar t326 = c_4 * t193 - s_4 * t195 + Scalar(2.0) * t131;
-  C[10] = -c_3 * t325 - s_3 * t326;
-  C[3] = c_2 * dtau_qd3_4 - s_2 * (s_3 * t325 - c_3 * t326);
+  const Scalar t230 = t4 * hc_4_x + t6 * f_4_4_x;
+  const Scalar dtau_qd3_4 = Scalar(0.5221518987341772) * t230 - c_4 * t229 - s_4 * t223;
   C[17] = dtau_qd3_4;
-  const Scalar t327 = Scalar(0.00398335888393552) * qd_2;
-  const Scalar t328 = t140 - t327 + t145 + Scalar(2.0) * (t126 + t105);
-  const Scalar dI_u2_t_d = t327 - t296 - t328 - t217;
-  C[0] = -t328 - c_2 * (c_2 * dI_u2_t_d - Scalar(2.0) * s_2 * t150);
+  C[4] = c_2 * C_35 - s_2 * (s_3 * t213 + c_3 * t211);
+  const Scalar t231 = t218 + t217;
+  const Scalar t232 = t227 + t226;
+  const Scalar t233 = c_4 * f_4_4_x - s_4 * hc_4_x;
+  const Scalar t234 = s_4 * t231 - t233 * t129 + c_4 * t232;
+  const Scalar t235 = c_4 * t208 - s_4 * t210;
+  const Scalar t236 = Ic_5_xx - t228 - t219 - t220 + Scalar(0.374881683626407);
+  const Scalar hu_4_t_x = c_4 * hc_4_x + s_4 * f_4_4_x;
+  const Scalar t237 = Scalar(0.2610759493670886) * hu_4_t_x + t236;
+  C[23] = t234 + Scalar(2.0) * (omega_r_3_y * t235 - t2 * t237);
+  const Scalar t238 = s_2 * (t170 * t188 - s_3 * t185 + c_3 * t183);
+  const Scalar t239 = qd_2 * t186 - t1 * (c_3 * t184 - s_3 * hu_5_t_x);
+  C[28] = -c_2 * (t178 - Scalar(2.0) * t239) - t238;
+  const Scalar kappa_4_3_x = c_4 * t231 + hu_4_t_x * t129 - s_4 * t232;
+  const Scalar t240 = t205 + t233 * t145;
+  const Scalar t241 = s_4 * t208 + c_4 * t210;
+  const Scalar t242 = s_2 * t241 - c_2 * (s_3 * (t233 - t237) - c_3 * t235);
+  const Scalar t243 = qd_1 * t242 + qd_2 * hu_4_t_x;
+  C[22] = s_3 * kappa_4_3_x - c_3 * t240 - Scalar(2.0) * t243;
+  const Scalar t244 = t200 + Scalar(0.317978721469274) * omega_4_z;
+  const Scalar t245 = Scalar(-2.0) * t151;
+  const Scalar t246 = Scalar(2.0) * t244 - t6 * t245;
+  const Scalar t247 = t202 + Scalar(0.0873392833947) * omega_4_z;
+  const Scalar df_qd4_4_x = Scalar(2.0) * t247 - t4 * t245;
+  const Scalar t248 = c_4 * t246 - s_4 * df_qd4_4_x;
+  const Scalar t249 = dtaud_4_4 - Scalar(0.2610759493670886) * t248 - c_4 * df_qd4_4_x - s_4 * t246;
+  const Scalar t250 = c_4 * t223 - s_4 * t229 + Scalar(2.0) * t230;
+  C[10] = -c_3 * t249 - s_3 * t250;
+  const Scalar t251 = Scalar(0.16284087268546085) * omega_4_z;
+  const Scalar t252 = t194 + t199 - t173 - t203 - t251;
+  const Scalar t253 = t204 - t201 - t175 + t251;
+  const Scalar t254 = Scalar(0.000822243788684635) * t6 -
+      Scalar(1.2151898734177216) * (t200 - omega_4_z * f_u_6_5k_t_x);
+  const Scalar t255 = Scalar(0.00195267751313805) * t4 -
+      Scalar(0.2610759493670886) * (t202 - omega_4_z * hu_5_t_x);
+  const Scalar t256 = t255 - c_5 * t110 - s_5 * dI_5_yz - t254 +
+      Scalar(0.3238615474695915) * omega_4_z;
+  const Scalar t257 = Scalar(2.0) * s_4;
+  const Scalar t258 = c_4 * (t252 - t253) - t257 * t256;
+  const Scalar t259 = c_4 * t258;
+  const Scalar t260 = c_4 * t244 - s_4 * t247;
+  const Scalar t261 = Scalar(-0.004377257121839584) * t2;
+  const Scalar t262 = Scalar(0.005487648106562256) * omega_r_3_y - t261 -
+      Scalar(0.5221518987341772) * (omega_3_z * t151 + t260) + t252 - t259;
+  const Scalar t263 = c_4 * (Ic_4_yy + t221) - t222 * t257;
+  const Scalar t264 = Scalar(0.2610759493670886) * t233 - Scalar(0.002743824053281128);
+  const Scalar t265 = t222 - t264 + s_4 * t263;
+  const Scalar t266 = Scalar(0.002188628560919792) + t241;
+  const Scalar dtaud_3_3 = t262 - Scalar(2.0) * (t2 * t266 + omega_r_3_y * t265);
+  C[16] = dtaud_3_3;
+  const Scalar kappa_4_2_x = s_3 * t240 + c_3 * kappa_4_3_x + hu_4_t_x * t170;
+  const Scalar t267 = Scalar(-2.0) * t233;
+  C[21] = c_2 * (t234 + t2 * t267) - s_2 * kappa_4_2_x;
+  C[3] = c_2 * dtau_qd3_4 - s_2 * (s_3 * t249 - c_3 * t250);
+  const Scalar t268 = c_4 * t247 + s_4 * t244;
+  const Scalar t269 = Scalar(0.000060956210475372) * t2 +
+      Scalar(0.2610759493670886) * (t268 + omega_r_3_y * hu_4_t_x);
+  const Scalar t270 = Scalar(0.002188628560919792) * omega_3_z;
+  const Scalar t271 = t270 + Scalar(0.061602421026527694) * omega_r_3_y + t269 + t256 + s_4 * t258;
+  const Scalar t272 = t270 - t255 + s_5 * t117 + c_5 * t111 - t254 - t269 +
+      Scalar(0.374881683626407) * omega_4_z;
+  const Scalar t273 = t272 - t271;
+  const Scalar t274 = omega_3_z * t264;
+  const Scalar t275 = Scalar(0.000060956210475372) + t181;
+  const Scalar t276 = omega_r_3_y * t275;
+  const Scalar t277 = t276 + Scalar(0.06740035307411071) * t2 + t274 - s_4 * t217 - c_4 * t226;
+  const Scalar t278 = Scalar(0.00579793204758302) * t2 + t276 - t274 + s_4 * t218 + c_4 * t227;
+  const Scalar t279 = t278 + t277;
+  const Scalar t280 = c_3 * t265 - s_3 * t266;
+  const Scalar hc_3_x = Scalar(0.118003557659776) + hu_4_t_x;
+  const Scalar t281 = t151 - Scalar(0.004459880990724);
+  const Scalar t282 = s_3 * t281 + c_3 * hc_3_x;
+  const Scalar t283 = c_4 * t263;
+  const Scalar t284 = Scalar(0.5221518987341772) * hu_4_t_x;
+  const Scalar t285 = s_2 * (-t284 - Scalar(0.06740035307411071) - t283 + t221);
+  const Scalar t286 = Scalar(2.0) * qd_1;
+  const Scalar t287 = t286 * (c_2 * (t282 + t280) + t285);
+  C[15] = c_3 * t279 + t287 - s_3 * t273;
+  const Scalar t288 = Scalar(0.004459880990724) * omega_3_z + t260;
+  const Scalar Ic_3_xx = Scalar(0.00579793204758302) + Ic_4_yy - t283;
+  const Scalar t289 = t275 + t235;
+  const Scalar t290 = t288 - t2 * t289 - omega_r_3_y * (t233 - Ic_3_xx);
+  const Scalar t291 = t272 + t271 + Scalar(2.0) * t290;
+  const Scalar t292 = -P_u5_a_z - Scalar(0.0873392833947) * t6 + Scalar(0.317978721469274) * t4;
+  const Scalar P_3_y = Scalar(0.118003557659776) * omega_3_z + t292;
+  const Scalar t293 = t284 + t236;
+  const Scalar t294 = omega_r_3_y * t289 + P_3_y + t2 * (t233 - t293);
+  const Scalar t295 = t278 - t277 + Scalar(2.0) * t294;
+  C[9] = s_3 * t291 - c_3 * t295;
+  const Scalar t296 = c_3 * t281 - s_3 * hc_3_x;
+  const Scalar t297 = t1 * t296;
+  const Scalar t298 = qd_2 * t282;
+  const Scalar t299 = t262 - Scalar(2.0) * (t297 - t298);
+  C[14] = c_2 * t299 + s_2 * (s_3 * t279 + c_3 * t273);
+  C[2] = c_2 * dtaud_3_3 - s_2 * (s_3 * t295 + c_3 * t291);
+  const Scalar t300 = Scalar(2.0) * (omega_3_z * t275 + omega_r_3_y * t264) + t253 + t259;
+  const Scalar t301 = Scalar(0.000121912420950744) * omega_3_z - t261 +
+      Scalar(0.5221518987341772) * t260 - t240;
+  const Scalar t302 = Scalar(0.002743824053281128) * t2 +
+      Scalar(0.2610759493670886) * (omega_3_z * hu_4_t_x + t292);
+  const Scalar t303 = Scalar(0.002188628560919792) * omega_r_3_y;
+  const Scalar t304 = Scalar(0.00579793204758302) * omega_3_z - t303 - t302 - c_4 * t217 +
+      s_4 * t226;
+  const Scalar t305 = Scalar(2.0) * s_3;
+  const Scalar t306 = c_3 * (t301 + t300) - t305 * t304;
+  const Scalar t307 = Scalar(0.01026110182100817) * t3 - c_3 * t306;
+  const Scalar Iu_3_t_d = Ic_3_xx - t293;
+  const Scalar t308 = t289 * t305 + c_3 * Iu_3_t_d;
+  const Scalar t309 = t296 - Scalar(0.0003844680514732);
+  const Scalar t310 = s_2 * (t309 - c_3 * t266 - s_3 * t265);
+  const Scalar t311 = qd_1 * (c_2 * (t289 - Scalar(0.005130550910504085) - s_3 * t308) - t310);
+  const Scalar t312 = Scalar(0.004459880990724) * t2 + Scalar(0.118003557659776) * omega_r_3_y +
+      t268;
+  const Scalar t313 = Scalar(0.0007689361029464) * t1;
+  C[8] = t300 - t313 + t307 - Scalar(2.0) * (t312 - t298 - t311);
+  const Scalar t314 = t282 - Scalar(0.00199167944196776);
+  const Scalar t315 = t1 * t314;
+  const Scalar t316 = qd_2 * t309;
+  const Scalar t317 = Scalar(0.023077882494931805) * t3 + t315 - t304 - t316 - s_3 * t306;
+  const Scalar t318 = t280 + t314;
+  const Scalar t319 = c_2 * (c_3 * t308 + t293 + t267 + Scalar(0.5353432998817383)) - s_2 * t318;
+  const Scalar t320 = Scalar(0.06740035307411071) * omega_3_z - t303 + c_4 * t218 + t302 + t315 +
+      t316 - s_4 * t227;
+  const Scalar t321 = qd_1 * (Scalar(0.00199167944196776) * c_2 + s_2 * t233);
+  const Scalar t322 = t321 - c_3 * P_3_y + s_3 * t288;
+  const Scalar t323 = Scalar(0.005130550910504085) * qd_2;
+  const Scalar dI_2_yz = t323 - c_3 * t277 + Scalar(0.5584211823766702) * t1 - t322 - s_3 * t271;
+  const Scalar t324 = c_3 * t278 - t323 + Scalar(0.5353432998817383) * t1 - t322 - s_3 * t272;
+  const Scalar t325 = c_2 * (t286 * (c_2 * t318 + t285) + t324 - dI_2_yz);
+  C[1] = t325 - s_2 * (t320 - t317 - t319 * t286);
+  C[7] = s_2 * (t320 + t317) - c_2 * (t324 + dI_2_yz);
+  const Scalar t326 = Scalar(0.00398335888393552) * qd_2;
+  const Scalar t327 = t301 - t326 + t307 + Scalar(2.0) * (t297 + t312);
+  const Scalar dI_u2_t_d = t326 - t313 - t327 - t299;
+  const Scalar t328 = Scalar(0.005130550910504085) * t1 - Scalar(0.0003844680514732) * t3 -
+      c_3 * (t288 + t271) - s_3 * (P_3_y - t277) - qd_2 * (t233 - Scalar(0.5353432998817383));
+  C[0] = -t327 - c_2 * (c_2 * dI_u2_t_d - Scalar(2.0) * s_2 * t328);
   C[48] = Scalar(0.0);
 }
 
@@ -2190,204 +2191,204 @@ static inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
       s_7 = sine[6], c_7 = cosine[6];
-  const Scalar t1 = c_2 * qd_1;
-  const Scalar omega_3_z = qd_3 + t1;
-  const Scalar t2 = s_2 * qd_1;
-  const Scalar t3 = c_3 * t2;
-  const Scalar t4 = s_3 * qd_2 - t3;
-  const Scalar t5 = t4 * t4;
-  const Scalar t6 = omega_3_z * omega_3_z;
-  const Scalar Uz_o_4_y = t5 + t6;
-  const Scalar t7 = t6 - t5;
-  const Scalar t8 = s_3 * t2;
-  const Scalar omega_r_3_y = t8 + c_3 * qd_2;
+  const Scalar t1 = s_2 * qd_1;
+  const Scalar t2 = s_3 * t1;
+  const Scalar omega_r_3_y = t2 + c_3 * qd_2;
+  const Scalar t3 = c_2 * qd_1;
+  const Scalar omega_3_z = qd_3 + t3;
+  const Scalar t4 = Scalar(2.0) * qd_2;
+  const Scalar t5 = c_3 * t4;
+  const Scalar t6 = (t2 + t5) * t3;
+  const Scalar t7 = Scalar(2.0) * omega_r_3_y * omega_3_z - t6;
+  const Scalar t8 = c_3 * t1;
+  const Scalar t9 = s_3 * qd_2 - t8;
+  const Scalar t10 = t9 * omega_r_3_y;
+  const Scalar t11 = qd_2 * t1;
+  const Scalar U_3_xy = t10 + t11;
+  const Scalar t12 = c_4 * U_3_xy + s_4 * t7;
+  const Scalar t13 = c_4 * t9 + s_4 * omega_3_z;
   const Scalar omega_4_z = qd_4 - omega_r_3_y;
-  const Scalar t9 = Scalar(2.0) * qd_2;
-  const Scalar t10 = c_3 * t9;
-  const Scalar t11 = (t8 + t10) * t1;
-  const Scalar t12 = s_3 * t9;
-  const Scalar t13 = (t3 - t12) * t1;
-  const Scalar t14 = Scalar(2.0) * omega_r_3_y * omega_3_z - t11;
-  const Scalar t15 = t4 * omega_r_3_y;
-  const Scalar t16 = s_4 * t4 - c_4 * omega_3_z;
-  const Scalar t17 = c_4 * t4 + s_4 * omega_3_z;
-  const Scalar t18 = t4 * omega_3_z;
-  const Scalar t19 = t2 * t1;
-  const Scalar t20 = t19 + Scalar(31.044303797468356) * s_2;
-  const Scalar ddp_3_y = t10 * t1 + s_3 * t20;
-  const Scalar t21 = t12 * t1 - c_3 * t20;
-  const Scalar t22 = qd_2 * t1;
-  const Scalar t23 = t18 + t13;
-  const Scalar t24 = t18 + t23;
-  const Scalar t25 = t2 * t2;
-  const Scalar t26 = qd_2 * t2;
-  const Scalar t27 = qd_2 * qd_2;
-  const Scalar Uz_o_3_y = t25 + t27;
+  const Scalar t14 = t13 * omega_4_z;
+  const Scalar t15 = t14 + t12;
+  const Scalar t16 = t14 + t15;
+  const Scalar t17 = s_4 * U_3_xy - c_4 * t7;
+  const Scalar t18 = s_4 * t9 - c_4 * omega_3_z;
+  const Scalar t19 = t17 + Scalar(2.0) * t18 * omega_4_z;
+  const Scalar t20 = t10 - t11;
+  const Scalar t21 = t1 * t3;
+  const Scalar t22 = t21 + Scalar(31.044303797468356) * s_2;
+  const Scalar ddp_3_y = t5 * t3 + s_3 * t22;
+  const Scalar t23 = Scalar(0.2610759493670886) * t20 + ddp_3_y;
+  const Scalar t24 = Scalar(0.2610759493670886) * t16 + t23 + Scalar(1.2151898734177216) * t19;
+  const Scalar t25 = t9 * omega_3_z;
+  const Scalar t26 = s_3 * t4;
+  const Scalar t27 = (t8 - t26) * t3;
+  const Scalar t28 = t25 + t27;
+  const Scalar t29 = t25 + t28;
+  const Scalar t30 = t1 * t1;
+  const Scalar t31 = qd_2 * qd_2;
+  const Scalar Uz_o_3_y = t30 + t31;
   const Scalar ddp_3_a_z = Scalar(31.044303797468356) * c_2 - Uz_o_3_y;
-  const Scalar t28 = Scalar(0.2610759493670886) * t24 + ddp_3_a_z;
-  const Scalar U_3_xy = t15 + t26;
-  const Scalar t29 = t15 - t26;
-  const Scalar t30 = c_4 * U_3_xy + s_4 * t14;
-  const Scalar t31 = t17 * omega_4_z;
-  const Scalar t32 = t31 + t30;
-  const Scalar t33 = t31 + t32;
-  const Scalar t34 = s_4 * U_3_xy - c_4 * t14;
-  const Scalar t35 = t34 + Scalar(2.0) * t16 * omega_4_z;
-  const Scalar t36 = Scalar(0.2610759493670886) * t29 + ddp_3_y;
-  const Scalar t37 = Scalar(0.2610759493670886) * t33 + t36 + Scalar(1.2151898734177216) * t35;
-  const Scalar t38 = Uz_o_3_y + t7;
-  const Scalar t39 = Scalar(0.2610759493670886) * t38 - t21;
-  const Scalar t40 = s_4 * t28 - c_4 * t39;
-  const Scalar t41 = s_4 * t39 + c_4 * t28;
-  const Scalar t42 = t17 * t17;
-  const Scalar t43 = omega_4_z * omega_4_z;
-  const Scalar t44 = t43 - t42;
-  const Scalar t45 = t43 + t42;
-  const Scalar t46 = Uz_o_4_y + t44;
-  const Scalar t47 = t17 * t16;
-  const Scalar omega_5_z = qd_5 - t16;
-  const Scalar t48 = t23 + t47;
-  const Scalar t49 = t23 - t47;
-  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * t46 - Scalar(1.2151898734177216) * t48 +
-      t40;
-  const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t37;
-  const Scalar ddp_5_x = s_5 * t37 + c_5 * ddp_o_5_x;
-  const Scalar omega_r_6_a_z = s_5 * t17 + c_5 * omega_4_z;
-  const Scalar t50 = s_5 * omega_4_z - c_5 * t17;
-  const Scalar omega_r_6_y = s_6 * t50 + c_6 * omega_5_z;
-  const Scalar omega_7_z = qd_7 - omega_r_6_y;
+  const Scalar t32 = Scalar(0.2610759493670886) * t29 + ddp_3_a_z;
+  const Scalar t33 = t9 * t9;
+  const Scalar t34 = omega_3_z * omega_3_z;
+  const Scalar t35 = t34 - t33;
+  const Scalar t36 = Uz_o_3_y + t35;
+  const Scalar t37 = t26 * t3 - c_3 * t22;
+  const Scalar t38 = Scalar(0.2610759493670886) * t36 - t37;
+  const Scalar t39 = s_4 * t32 - c_4 * t38;
+  const Scalar t40 = t13 * t13;
+  const Scalar t41 = omega_4_z * omega_4_z;
+  const Scalar t42 = t41 - t40;
+  const Scalar Uz_o_4_y = t33 + t34;
+  const Scalar t43 = Uz_o_4_y + t42;
+  const Scalar t44 = t13 * t18;
+  const Scalar t45 = t28 + t44;
+  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * t43 - Scalar(1.2151898734177216) * t45 +
+      t39;
+  const Scalar ddp_5_x = s_5 * t24 + c_5 * ddp_o_5_x;
+  const Scalar t46 = s_4 * t38 + c_4 * t32;
+  const Scalar t47 = t28 - t44;
+  const Scalar t48 = t41 + t40;
+  const Scalar t49 = Scalar(0.2610759493670886) * t47 + Scalar(1.2151898734177216) * t48 - t46;
+  const Scalar t50 = s_6 * t49 - c_6 * ddp_5_x;
+  const Scalar t51 = s_5 * omega_4_z - c_5 * t13;
+  const Scalar omega_5_z = qd_5 - t18;
+  const Scalar t52 = s_6 * omega_5_z - c_6 * t51;
+  const Scalar t53 = t52 * t52;
+  const Scalar omega_r_6_a_z = s_5 * t13 + c_5 * omega_4_z;
   const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t51 = s_5 * t48 + c_5 * t35;
-  const Scalar t52 = t51 + Scalar(2.0) * omega_r_6_a_z * omega_5_z;
-  const Scalar t53 = t50 * omega_r_6_a_z;
-  const Scalar t54 = s_6 * omega_5_z - c_6 * t50;
-  const Scalar t55 = t53 + t32;
-  const Scalar t56 = t32 - t53;
-  const Scalar t57 = s_6 * t52 - c_6 * t55;
-  const Scalar t58 = Scalar(2.0) * omega_6_z;
-  const Scalar t59 = omega_6_z * omega_6_z;
-  const Scalar t60 = t57 - t54 * t58;
-  const Scalar t61 = s_6 * t55 + c_6 * t52;
-  const Scalar t62 = t61 - omega_r_6_y * t58;
-  const Scalar t63 = t62 - t58 * omega_7_z;
-  const Scalar t64 = t54 * omega_r_6_y;
-  const Scalar t65 = t50 * t50;
-  const Scalar t66 = t50 * omega_5_z;
-  const Scalar t67 = omega_5_z * omega_5_z;
-  const Scalar t68 = s_5 * t35 - c_5 * t48;
-  const Scalar t69 = t66 + t68;
-  const Scalar t70 = t66 + t69;
-  const Scalar t71 = t64 + t69;
-  const Scalar t72 = t69 - t64;
-  const Scalar t73 = t71 + Scalar(2.0) * t54 * omega_7_z;
-  const Scalar t74 = t54 * t54;
-  const Scalar t75 = omega_7_z * omega_7_z;
-  const Scalar I_t7_g = Scalar(0.00242094377852123) * c_7 - Scalar(0.000782782563368496) * s_7;
-  const Scalar I_7_xy = Scalar(0.000391391281684248) + s_7 * I_t7_g;
-  const Scalar t76 = c_7 * I_t7_g;
+  const Scalar t54 = omega_6_z * omega_6_z;
+  const Scalar t55 = t54 - t53;
+  const Scalar t56 = t51 * t51;
+  const Scalar t57 = omega_5_z * omega_5_z;
+  const Scalar Uz_o_6_y = t56 + t57;
+  const Scalar t58 = Uz_o_6_y + t55;
+  const Scalar t59 = Scalar(0.27848101265822783) * t58 + t50;
   const Scalar mr_7_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
-  const Scalar t77 = Scalar(0.0009653051699191118) * c_7 - Scalar(0.0012555365982728983) * s_7;
-  const Scalar I_7_xx = t76 + Scalar(0.002131604094419858);
-  const Scalar t78 = t76 - Scalar(0.004552547872941088);
-  const Scalar t79 = Scalar(0.0012555365982728983) * c_7 + Scalar(0.0009653051699191118) * s_7;
-  const Scalar t80 = Scalar(0.2610759493670886) * t49 + Scalar(1.2151898734177216) * t45 - t41;
-  const Scalar t81 = Scalar(0.27848101265822783) * t72 + s_6 * ddp_5_x + c_6 * t80;
-  const Scalar t82 = t74 + t75;
-  const Scalar t83 = t59 + t75;
-  const Scalar Uz_o_7_y = t74 + t59;
-  const Scalar t84 = t59 - t74;
-  const Scalar U_7_yy_zz = Uz_o_7_y - t82;
-  const Scalar Uz_o_6_y = t65 + t67;
-  const Scalar t85 = t67 - t65;
-  const Scalar U_6_yy_zz = Uz_o_6_y - Uz_o_7_y;
-  const Scalar t86 = Scalar(-0.000103758917218685) * t72 -
-      Scalar(0.000093569097314605) * U_6_yy_zz - mr_7_y * t81 + t79 * U_7_yy_zz + t73 * I_7_xy +
-      t63 * I_7_xx - t60 * (t77 + Scalar(0.014748570382675316)) +
-      Scalar(0.054922286959804) * ddp_6_a_z + Scalar(0.028934422545659894) * t62;
+  const Scalar t60 = s_5 * t45 + c_5 * t19;
+  const Scalar t61 = t60 + Scalar(2.0) * omega_r_6_a_z * omega_5_z;
+  const Scalar t62 = t51 * omega_r_6_a_z;
+  const Scalar t63 = t62 + t15;
+  const Scalar t64 = s_6 * t61 - c_6 * t63;
+  const Scalar t65 = Scalar(2.0) * omega_6_z;
+  const Scalar t66 = t64 - t52 * t65;
+  const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t24;
+  const Scalar ddp_o_7_z = ddp_6_a_z - Scalar(0.27848101265822783) * t66;
   const Scalar mr_7_x = Scalar(0.0008132592973428722) * c_7 - Scalar(0.0006428830269371278) * s_7;
-  const Scalar t87 = s_6 * t80 - c_6 * ddp_5_x;
-  const Scalar t88 = Uz_o_6_y + t84;
-  const Scalar t89 = mr_7_x * t73 - mr_7_y * t63 + Scalar(0.26308374115809) * t81;
-  const Scalar n_6 = Scalar(0.000103758917218685) * t61 - mr_7_x * t81 -
-      Scalar(0.001119670733427555) * t72 + t77 * (Uz_o_7_y - t83) +
-      t57 * (Scalar(0.000093569097314605) + t79) - t63 * I_7_xy + t73 * t78 -
-      Scalar(0.028934422545659894) * t71 - Scalar(0.014748570382675316) * (t88 - Uz_o_7_y) -
-      Scalar(0.054922286959804) * t87 - Scalar(0.27848101265822783) * t89;
-  const Scalar t90 = Scalar(0.27848101265822783) * t88 + t87;
-  const Scalar f_6_y = Scalar(0.054922286959804) * Uz_o_7_y - t89;
+  const Scalar t67 = s_6 * t63 + c_6 * t61;
+  const Scalar omega_r_6_y = s_6 * t51 + c_6 * omega_5_z;
+  const Scalar t68 = t67 - omega_r_6_y * t65;
+  const Scalar t69 = Scalar(0.0009653051699191118) * c_7 - Scalar(0.0012555365982728983) * s_7;
+  const Scalar I_t7_g = Scalar(0.00242094377852123) * c_7 - Scalar(0.000782782563368496) * s_7;
+  const Scalar t70 = c_7 * I_t7_g;
+  const Scalar t71 = t70 - Scalar(0.004552547872941088);
+  const Scalar omega_7_z = qd_7 - omega_r_6_y;
+  const Scalar t72 = omega_7_z * omega_7_z;
+  const Scalar t73 = t54 + t72;
+  const Scalar t74 = t53 + t72;
+  const Scalar I_7_xy = Scalar(0.000391391281684248) + s_7 * I_t7_g;
+  const Scalar I_7_xx = t70 + Scalar(0.002131604094419858);
+  const Scalar t75 = s_5 * t19 - c_5 * t45;
+  const Scalar t76 = t51 * omega_5_z;
+  const Scalar t77 = t76 + t75;
+  const Scalar t78 = t52 * omega_r_6_y;
+  const Scalar t79 = t78 + t77;
+  const Scalar t80 = Scalar(0.0012555365982728983) * c_7 + Scalar(0.0009653051699191118) * s_7;
+  const Scalar t81 = -mr_7_y * t59 - mr_7_x * ddp_o_7_z + I_7_xy * (t73 - t74) - t68 * t69 -
+      t79 * t80 + t64 * I_7_xx - t66 * t71;
+  n[6] = -t81;
+  const Scalar t82 = t68 - t65 * omega_7_z;
+  const Scalar t83 = t77 - t78;
+  const Scalar t84 = Scalar(0.27848101265822783) * t83 + s_6 * ddp_5_x + c_6 * t49;
+  const Scalar t85 = t79 + Scalar(2.0) * t52 * omega_7_z;
+  const Scalar t86 = mr_7_x * t85 - mr_7_y * t82 + Scalar(0.26308374115809) * t84;
+  const Scalar Uz_o_7_y = t53 + t54;
+  const Scalar n_6 = Scalar(0.000103758917218685) * t67 - mr_7_x * t84 -
+      Scalar(0.001119670733427555) * t83 + t69 * (Uz_o_7_y - t73) +
+      t64 * (Scalar(0.000093569097314605) + t80) - t82 * I_7_xy + t85 * t71 -
+      Scalar(0.028934422545659894) * t79 - Scalar(0.014748570382675316) * (t58 - Uz_o_7_y) -
+      Scalar(0.054922286959804) * t50 - Scalar(0.27848101265822783) * t86;
   n[5] = n_6;
-  const Scalar t91 = Scalar(0.00216405205209813) * t55 - Scalar(0.001451156065026714) * t70 -
-      Scalar(0.00151524447332703) * t52 + Scalar(0.004600245517563106) * t85 +
-      Scalar(0.004630579482008) * t80 + n_6;
-  const Scalar t92 = t45 + t85;
-  const Scalar ddp_o_7_z = ddp_6_a_z - Scalar(0.27848101265822783) * t60;
-  const Scalar t93 = -mr_7_y * t90 - mr_7_x * ddp_o_7_z + I_7_xy * (t83 - t82) - t62 * t77 -
-      t71 * t79 + t57 * I_7_xx - t60 * t78;
-  const Scalar t94 = mr_7_x * t83 - mr_7_y * t57 + Scalar(0.054922286959804) * t71 +
-      Scalar(0.26308374115809) * t90;
-  const Scalar F_7_y = -mr_7_y * t82 - mr_7_x * t60 + Scalar(0.26308374115809) * ddp_o_7_z;
-  const Scalar t95 = Scalar(0.000103758917218685) * t84 + Scalar(0.000093569097314605) * t71 -
-      Scalar(0.001119670733427555) * t60 - t93 + Scalar(0.014748570382675316) * t62 +
+  const Scalar F_7_y = -mr_7_y * t74 - mr_7_x * t66 + Scalar(0.26308374115809) * ddp_o_7_z;
+  const Scalar t87 = Scalar(0.000103758917218685) * t55 + Scalar(0.000093569097314605) * t79 -
+      Scalar(0.001119670733427555) * t66 - t81 + Scalar(0.014748570382675316) * t68 +
       Scalar(0.27848101265822783) * F_7_y;
-  const Scalar n_5 = Scalar(0.00216405205209813) * t68 - Scalar(0.001451156065026714) * t56 +
-      Scalar(0.00151524447332703) * (t92 - Uz_o_6_y) + Scalar(0.004600245517563106) * t51 -
-      Scalar(0.010045187828321245) * t55 + Scalar(0.004630579482008) * ddp_6_a_z -
-      Scalar(0.0214471195303) * ddp_5_x - s_6 * t86 - c_6 * t95;
-  const Scalar f_5_x = Scalar(0.004630579482008) * t92 + Scalar(0.0214471195303) * t55 -
-      s_6 * f_6_y - c_6 * t94 + Scalar(0.4059881025443391) * ddp_5_x;
-  const Scalar t96 = Scalar(0.004630579482008) * t56 - Scalar(0.0214471195303) * Uz_o_6_y -
-      Scalar(0.054922286959804) * t62 - Scalar(0.4059881025443391) * ddp_6_a_z - F_7_y;
-  const Scalar f_5_z = Scalar(0.004630579482008) * t70 - Scalar(0.0214471195303) * t52 - s_6 * t94 +
-      c_6 * f_6_y - Scalar(0.4059881025443391) * t80;
-  n[6] = -t93;
-  const Scalar U_5_yy_zz = t45 - Uz_o_6_y;
-  const Scalar t97 = Scalar(0.004600245517563106) * t56 - Scalar(0.00151524447332703) * t70 +
-      Scalar(0.00216405205209813) * U_5_yy_zz - Scalar(0.010045187828321245) * t52 -
-      Scalar(0.0214471195303) * t80 - c_6 * t86 + s_6 * t95;
-  const Scalar f_4_y = Scalar(0.17709188611756838) * t45 + Scalar(0.23490692527912765) * t41 +
-      f_5_z;
+  const Scalar U_7_yy_zz = Uz_o_7_y - t74;
+  const Scalar U_6_yy_zz = Uz_o_6_y - Uz_o_7_y;
+  const Scalar t88 = Scalar(-0.000103758917218685) * t83 -
+      Scalar(0.000093569097314605) * U_6_yy_zz - mr_7_y * t84 + t80 * U_7_yy_zz + t85 * I_7_xy +
+      t82 * I_7_xx - t66 * (t69 + Scalar(0.014748570382675316)) +
+      Scalar(0.054922286959804) * ddp_6_a_z + Scalar(0.028934422545659894) * t68;
+  const Scalar t89 = t57 - t56;
+  const Scalar t90 = t48 + t89;
+  const Scalar t91 = t15 - t62;
+  const Scalar n_5 = Scalar(0.00216405205209813) * t75 - Scalar(0.001451156065026714) * t91 +
+      Scalar(0.00151524447332703) * (t90 - Uz_o_6_y) + Scalar(0.004600245517563106) * t60 -
+      Scalar(0.010045187828321245) * t63 + Scalar(0.004630579482008) * ddp_6_a_z -
+      Scalar(0.0214471195303) * ddp_5_x - s_6 * t88 - c_6 * t87;
   n[4] = n_5;
-  const Scalar t98 = s_5 * t96 - c_5 * f_5_x;
-  const Scalar mu_4_z = Scalar(0.00164448757736927) * t30 - Scalar(0.0039053550262761) * t34 +
-      Scalar(0.0054157634981905) * t49 + Scalar(0.04942675278013915) * (t46 - t45) - s_5 * t97 +
-      Scalar(0.17709188611756838) * t40 + c_5 * t91 - Scalar(0.29071723622709367) * t48 -
-      Scalar(0.2610759493670886) * f_5_z + Scalar(1.2151898734177216) * t98;
-  const Scalar f_u_5_t_y = s_5 * f_5_x + c_5 * t96;
-  const Scalar t99 = Scalar(0.17709188611756838) * t48 + Scalar(0.23490692527912765) * t40 - t98;
-  const Scalar t100 = Scalar(0.0039053550262761) * t44 - Scalar(0.00164448757736927) * t48 -
-      Scalar(0.0054157634981905) * t33 + Scalar(0.04942675278013915) * t35 + n_5 -
-      Scalar(0.2610759493670886) * f_u_5_t_y;
-  const Scalar U_4_yy_zz = Uz_o_4_y - t45;
-  const Scalar t101 = Scalar(0.0039053550262761) * t49 - Scalar(0.00164448757736927) * U_4_yy_zz +
-      Scalar(0.04942675278013915) * t33 + c_5 * t97 + Scalar(0.17709188611756838) * t36 +
-      s_5 * t91 + Scalar(0.29071723622709367) * t35 - Scalar(1.2151898734177216) * f_u_5_t_y;
-  const Scalar t102 = Scalar(0.17709188611756838) * t35 - Scalar(0.23490692527912765) * t36 -
-      f_u_5_t_y;
-  const Scalar mu_3_z = Scalar(0.000121912420950744) * (t38 - Uz_o_4_y) -
-      Scalar(0.000013360662912304) * t29 + Scalar(0.004377257121839584) * t13 +
-      Scalar(0.005487648106562256) * t11 - Scalar(0.022178148964878235) * U_3_xy -
-      Scalar(0.008919761981448) * t21 + c_4 * t100 - Scalar(0.2610759493670886) * t102 + s_4 * t101;
-  const Scalar t103 = Scalar(0.000121912420950744) * t24 - Scalar(0.005487648106562256) * t29 +
-      Scalar(0.27690780075318) * c_2 - Scalar(0.013297019103287584) * (Uz_o_3_y - Uz_o_4_y) +
-      Scalar(0.022178148964878235) * t14 - Scalar(0.15288324476823525) * ddp_3_y - s_4 * t100 +
-      t102 + c_4 * t101;
-  const Scalar t104 = Scalar(0.00796671776787104) * t22 - Scalar(0.0007689361029464) * t19 +
-      Scalar(0.01026110182100817) * (t27 - t25) + Scalar(0.04615576498986361) * t26 - mu_3_z;
-  n[2] = mu_3_z;
+  const Scalar f_6_y = Scalar(0.054922286959804) * Uz_o_7_y - t86;
+  const Scalar t92 = mr_7_x * t73 - mr_7_y * t64 + Scalar(0.054922286959804) * t79 +
+      Scalar(0.26308374115809) * t59;
+  const Scalar f_5_x = Scalar(0.004630579482008) * t90 + Scalar(0.0214471195303) * t63 -
+      s_6 * f_6_y - c_6 * t92 + Scalar(0.4059881025443391) * ddp_5_x;
+  const Scalar t93 = Scalar(0.004630579482008) * t91 - Scalar(0.0214471195303) * Uz_o_6_y -
+      Scalar(0.054922286959804) * t68 - Scalar(0.4059881025443391) * ddp_6_a_z - F_7_y;
+  const Scalar t94 = s_5 * t93 - c_5 * f_5_x;
+  const Scalar t95 = t76 + t77;
+  const Scalar U_5_yy_zz = t48 - Uz_o_6_y;
+  const Scalar t96 = Scalar(0.004600245517563106) * t91 - Scalar(0.00151524447332703) * t95 +
+      Scalar(0.00216405205209813) * U_5_yy_zz - Scalar(0.010045187828321245) * t61 -
+      Scalar(0.0214471195303) * t49 - c_6 * t88 + s_6 * t87;
+  const Scalar f_5_z = Scalar(0.004630579482008) * t95 - Scalar(0.0214471195303) * t61 - s_6 * t92 +
+      c_6 * f_6_y - Scalar(0.4059881025443391) * t49;
+  const Scalar t97 = Scalar(0.00216405205209813) * t63 - Scalar(0.001451156065026714) * t95 -
+      Scalar(0.00151524447332703) * t61 + Scalar(0.004600245517563106) * t89 +
+      Scalar(0.004630579482008) * t49 + n_6;
+  const Scalar mu_4_z = Scalar(0.00164448757736927) * t12 - Scalar(0.0039053550262761) * t17 +
+      Scalar(0.0054157634981905) * t47 + Scalar(0.04942675278013915) * (t43 - t48) - s_5 * t96 +
+      Scalar(0.17709188611756838) * t39 + c_5 * t97 - Scalar(0.29071723622709367) * t45 -
+      Scalar(0.2610759493670886) * f_5_z + Scalar(1.2151898734177216) * t94;
   n[3] = mu_4_z;
-  const Scalar t105 = s_4 * t99 + c_4 * f_4_y;
-  const Scalar t106 = Scalar(0.000121912420950744) * t14 - Scalar(0.000013360662912304) * t24 +
-      Scalar(0.005487648106562256) * t7 - Scalar(0.013297019103287584) * U_3_xy -
-      Scalar(0.15288324476823525) * t21 + Scalar(0.2610759493670886) * t105 + s_4 * f_4_y -
-      c_4 * t99 + mu_4_z;
-  const Scalar t107 = qd_1 * qd_1;
-  const Scalar t108 = Scalar(0.0007689361029464) * (Uz_o_3_y - t107) +
-      Scalar(0.00796671776787104) * t26 - Scalar(0.01026110182100817) * t19 -
-      Scalar(0.04939990503582237) * t22 - s_3 * t106 - c_3 * t103;
-  n[1] = Scalar(0.01993386669246) * c_2 - Scalar(0.00796671776787104) * t25 +
-      Scalar(0.00398335888393552) * t107 + Scalar(0.04777783501284299) * t19 - c_3 * t106 +
-      s_3 * t103;
-  n[0] = s_2 * t108 - c_2 * t104;
+  const Scalar f_u_5_t_y = s_5 * f_5_x + c_5 * t93;
+  const Scalar U_4_yy_zz = Uz_o_4_y - t48;
+  const Scalar t98 = Scalar(0.0039053550262761) * t47 - Scalar(0.00164448757736927) * U_4_yy_zz +
+      Scalar(0.04942675278013915) * t16 + c_5 * t96 + Scalar(0.17709188611756838) * t23 +
+      s_5 * t97 + Scalar(0.29071723622709367) * t19 - Scalar(1.2151898734177216) * f_u_5_t_y;
+  const Scalar t99 = Scalar(0.0039053550262761) * t42 - Scalar(0.00164448757736927) * t45 -
+      Scalar(0.0054157634981905) * t16 + Scalar(0.04942675278013915) * t19 + n_5 -
+      Scalar(0.2610759493670886) * f_u_5_t_y;
+  const Scalar t100 = Scalar(0.17709188611756838) * t19 - Scalar(0.23490692527912765) * t23 -
+      f_u_5_t_y;
+  const Scalar mu_3_z = Scalar(0.000121912420950744) * (t36 - Uz_o_4_y) -
+      Scalar(0.000013360662912304) * t20 + Scalar(0.004377257121839584) * t27 +
+      Scalar(0.005487648106562256) * t6 - Scalar(0.022178148964878235) * U_3_xy -
+      Scalar(0.008919761981448) * t37 + c_4 * t99 - Scalar(0.2610759493670886) * t100 + s_4 * t98;
+  n[2] = mu_3_z;
+  const Scalar t101 = Scalar(0.17709188611756838) * t45 + Scalar(0.23490692527912765) * t39 - t94;
+  const Scalar f_4_y = Scalar(0.17709188611756838) * t48 + Scalar(0.23490692527912765) * t46 +
+      f_5_z;
+  const Scalar t102 = s_4 * t101 + c_4 * f_4_y;
+  const Scalar t103 = Scalar(0.000121912420950744) * t7 - Scalar(0.000013360662912304) * t29 +
+      Scalar(0.005487648106562256) * t35 - Scalar(0.013297019103287584) * U_3_xy -
+      Scalar(0.15288324476823525) * t37 + Scalar(0.2610759493670886) * t102 + s_4 * f_4_y -
+      c_4 * t101 + mu_4_z;
+  const Scalar t104 = Scalar(0.000121912420950744) * t29 - Scalar(0.005487648106562256) * t20 +
+      Scalar(0.27690780075318) * c_2 - Scalar(0.013297019103287584) * (Uz_o_3_y - Uz_o_4_y) +
+      Scalar(0.022178148964878235) * t7 - Scalar(0.15288324476823525) * ddp_3_y - s_4 * t99 + t100 +
+      c_4 * t98;
+  const Scalar t105 = qd_1 * qd_1;
+  n[1] = Scalar(0.01993386669246) * c_2 - Scalar(0.00796671776787104) * t30 +
+      Scalar(0.00398335888393552) * t105 + Scalar(0.04777783501284299) * t21 - c_3 * t103 +
+      s_3 * t104;
+  const Scalar t106 = qd_2 * t3;
+  const Scalar t107 = Scalar(0.0007689361029464) * (Uz_o_3_y - t105) +
+      Scalar(0.00796671776787104) * t11 - Scalar(0.01026110182100817) * t21 -
+      Scalar(0.04939990503582237) * t106 - s_3 * t103 - c_3 * t104;
+  const Scalar t108 = Scalar(0.00796671776787104) * t106 - Scalar(0.0007689361029464) * t21 +
+      Scalar(0.01026110182100817) * (t31 - t30) + Scalar(0.04615576498986361) * t11 - mu_3_z;
+  n[0] = s_2 * t107 - c_2 * t108;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -2885,21 +2886,21 @@ static inline Scalar potential_energy(const Scalar* q, const SinCos& sin_cos = {
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
       s_7 = sine[6], c_7 = cosine[6];
-  const Scalar hu_7_t_y = Scalar(0.002034439958661797) * c_7 + Scalar(0.002573605371338203) * s_7;
-  const Scalar t1 = hu_7_t_y - Scalar(0.067870631425);
   const Scalar hu_7_t_x = Scalar(0.002573605371338203) * c_7 - Scalar(0.002034439958661797) * s_7;
   const Scalar hc_6_x = hu_7_t_x + Scalar(0.231847552695);
   const Scalar hu_6_t_x = Scalar(0.173804705569) * s_6 + c_6 * hc_6_x;
   const Scalar hc_5_x = hu_6_t_x - Scalar(0.014653732538);
-  const Scalar t2 = (Scalar(0.173804705569) * c_6 - s_6 * hc_6_x) - Scalar(2.012523553603);
-  const Scalar hu_5_a_z = c_5 * t1 - s_5 * hc_5_x;
+  const Scalar hu_7_t_y = Scalar(0.002034439958661797) * c_7 + Scalar(0.002573605371338203) * s_7;
+  const Scalar t1 = hu_7_t_y - Scalar(0.067870631425);
   const Scalar hu_5_t_x = s_5 * t1 + c_5 * hc_5_x;
   const Scalar hc_4_x = hu_5_t_x - Scalar(0.55278027465);
-  const Scalar hu_3_a_y = c_4 * t2 - s_4 * hc_4_x;
+  const Scalar t2 = (Scalar(0.173804705569) * c_6 - s_6 * hc_6_x) - Scalar(2.012523553603);
   const Scalar hu_4_t_x = c_4 * hc_4_x + s_4 * t2;
   const Scalar hc_3_x = Scalar(0.746857959872) + hu_4_t_x;
+  const Scalar hu_5_a_z = c_5 * t1 - s_5 * hc_5_x;
   const Scalar hu_3_t_x = s_3 * (hu_5_a_z - Scalar(0.028227094878)) + c_3 * hc_3_x;
   const Scalar hc_2_x = hu_3_t_x - Scalar(0.002031994566);
+  const Scalar hu_3_a_y = c_4 * t2 - s_4 * hc_4_x;
   const Scalar hc_2_y = hu_3_a_y - Scalar(3.344500043512);
   const Scalar hu_2_t_y = s_2 * hc_2_x + c_2 * hc_2_y;
   return Scalar(-9.81) * (hu_2_t_y - Scalar(5.396538059926));

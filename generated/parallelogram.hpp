@@ -387,35 +387,35 @@ static inline void inverse_dynamics_tip_force(const Parameters<Scalar>& paramete
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar t1 = qd_2 * qd_2;
-  const Scalar t2 = s_2 * qdd_2 + c_2 * t1;
-  const Scalar t3 = s_2 * t1 - c_2 * qdd_2;
-  const Scalar t4 = qd_1 * qd_1;
-  const Scalar ddp_o_2_y = g - a_1 * (s_1 * t4 - c_1 * qdd_1);
+  const Scalar t1 = qd_1 * qd_1;
+  const Scalar ddp_o_2_y = g - a_1 * (s_1 * t1 - c_1 * qdd_1);
+  const Scalar t2 = qd_2 * qd_2;
+  const Scalar t3 = s_2 * t2 - c_2 * qdd_2;
   const Scalar ddp_o_3_y = ddp_o_2_y - a_1b * t3;
-  const Scalar t5 = a_1 * (s_1 * qdd_1 + c_1 * t4);
-  const Scalar t6 = a_1b * t2 + t5;
-  const Scalar t7 = m_l3 * (s_1 * ddp_o_3_y - c_1 * t6 + l_3 * t4);
-  const Scalar t8 = s_1 * t6 + c_1 * ddp_o_3_y;
-  const Scalar t9 = s_1 * h_e_2 + c_1 * h_e_1 + t7;
-  const Scalar t10 = s_1 * h_e_1 - c_1 * h_e_2 - m_l3 * (t8 - l_3 * qdd_1);
-  const Scalar t11 = m_l2 * l_2;
-  const Scalar t12 = t11 * (s_2 * t5 + c_2 * ddp_o_2_y);
-  const Scalar t13 = s_1 * (s_1 * t10 + c_1 * t9 - t2 * t11);
-  const Scalar f_2_y = s_1 * t9 - c_1 * t10 - t3 * t11;
-  const Scalar t14 = a_1 * (t13 - c_1 * f_2_y);
-  const Scalar t15 = a_1 * m_l2;
-  const Scalar t16 = m_l1 * l_1;
-  const Scalar I_1_zz = I_l1 + a_1 * t15 + l_1 * t16;
-  const Scalar t17 = g * c_1 * (t15 + t16);
-  const Scalar t18 = m_l3 * l_3;
-  const Scalar I_3_zz = I_l3 + l_3 * t18;
-  tau[0] = t17 + h_e_6 - t8 * t18 - t14 + qdd_1 * (I_1_zz + I_3_zz);
+  const Scalar t4 = s_2 * qdd_2 + c_2 * t2;
+  const Scalar t5 = a_1 * (s_1 * qdd_1 + c_1 * t1);
+  const Scalar t6 = a_1b * t4 + t5;
+  const Scalar t7 = s_1 * t6 + c_1 * ddp_o_3_y;
+  const Scalar t8 = s_1 * h_e_1 - c_1 * h_e_2 - m_l3 * (t7 - l_3 * qdd_1);
   const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
-  const Scalar t19 = a_1b * ((s_1 * c_2 - c_1 * s_2) * t9 - c_m1_2 * t10);
-  const Scalar t20 = m_l1b * l_1b;
-  const Scalar t21 = qdd_2 * (I_l2 + I_l1b + l_2 * t11 + l_1b * t20);
-  tau[1] = g * c_2 * t20 + t12 + t19 + t21;
+  const Scalar t9 = m_l3 * (s_1 * ddp_o_3_y - c_1 * t6 + l_3 * t1);
+  const Scalar t10 = s_1 * h_e_2 + c_1 * h_e_1 + t9;
+  const Scalar t11 = a_1b * ((s_1 * c_2 - c_1 * s_2) * t10 - c_m1_2 * t8);
+  const Scalar t12 = m_l2 * l_2;
+  const Scalar t13 = t12 * (s_2 * t5 + c_2 * ddp_o_2_y);
+  const Scalar t14 = m_l1b * l_1b;
+  const Scalar t15 = qdd_2 * (I_l2 + I_l1b + l_2 * t12 + l_1b * t14);
+  tau[1] = g * c_2 * t14 + t13 + t11 + t15;
+  const Scalar t16 = s_1 * (s_1 * t8 + c_1 * t10 - t4 * t12);
+  const Scalar f_2_y = s_1 * t10 - c_1 * t8 - t3 * t12;
+  const Scalar t17 = a_1 * (t16 - c_1 * f_2_y);
+  const Scalar t18 = m_l3 * l_3;
+  const Scalar t19 = a_1 * m_l2;
+  const Scalar t20 = m_l1 * l_1;
+  const Scalar I_1_zz = I_l1 + a_1 * t19 + l_1 * t20;
+  const Scalar I_3_zz = I_l3 + l_3 * t18;
+  const Scalar t21 = g * c_1 * (t19 + t20);
+  tau[0] = t21 + h_e_6 - t7 * t18 - t17 + qdd_1 * (I_1_zz + I_3_zz);
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -551,14 +551,14 @@ static inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, c
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar t1 = a_1b * m_l3;
-  const Scalar t2 = g * c_2 * ((t1 + m_l2 * l_2) + m_l1b * l_1b);
-  const Scalar t3 = a_1 * m_l2;
-  const Scalar t4 = a_1 - l_3;
-  const Scalar t5 = (s_1 * c_2 - c_1 * s_2) * (l_2 * t3 + t4 * t1);
-  const Scalar t6 = g * c_1 * ((t3 + m_l1 * l_1) + m_l3 * t4);
-  n[0] = t6 + qd_2 * qd_2 * t5;
-  n[1] = t2 - qd_1 * qd_1 * t5;
+  const Scalar t1 = a_1 * m_l2;
+  const Scalar t2 = a_1 - l_3;
+  const Scalar t3 = a_1b * m_l3;
+  const Scalar t4 = (s_1 * c_2 - c_1 * s_2) * (l_2 * t1 + t2 * t3);
+  const Scalar t5 = g * c_1 * ((t1 + m_l1 * l_1) + m_l3 * t2);
+  n[0] = t5 + qd_2 * qd_2 * t4;
+  const Scalar t6 = g * c_2 * ((t3 + m_l2 * l_2) + m_l1b * l_1b);
+  n[1] = t6 - qd_1 * qd_1 * t4;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -649,16 +649,16 @@ static inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const 
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar t1 = m_l3 * l_3 * (Scalar(2.0) * a_1 - l_3);
-  const Scalar t2 = a_1 * a_1 * (m_l2 + m_l3);
-  const Scalar b_1_1 = I_l1 + I_l3 + m_l1 * l_1 * l_1 + t2 - t1;
-  const Scalar t3 = a_1b * m_l3;
-  const Scalar t4 = m_l2 * l_2;
-  const Scalar b_2_2 = I_l2 + I_l1b + m_l1b * l_1b * l_1b + a_1b * t3 + l_2 * t4;
+  const Scalar t1 = a_1b * m_l3;
+  const Scalar t2 = m_l2 * l_2;
+  const Scalar b_2_2 = I_l2 + I_l1b + m_l1b * l_1b * l_1b + a_1b * t1 + l_2 * t2;
   const Scalar c_1m2 = s_1 * s_2 + c_1 * c_2;
-  const Scalar t5 = qd_1 * c_1m2 * (a_1 * t4 + (a_1 - l_3) * t3);
-  const Scalar t6 = qd_2 * (Scalar(0.5) * qd_2 * b_2_2 + t5);
-  return Scalar(0.5) * qd_1 * qd_1 * b_1_1 + t6;
+  const Scalar t3 = qd_1 * c_1m2 * (a_1 * t2 + (a_1 - l_3) * t1);
+  const Scalar t4 = qd_2 * (Scalar(0.5) * qd_2 * b_2_2 + t3);
+  const Scalar t5 = m_l3 * l_3 * (Scalar(2.0) * a_1 - l_3);
+  const Scalar t6 = a_1 * a_1 * (m_l2 + m_l3);
+  const Scalar b_1_1 = I_l1 + I_l3 + m_l1 * l_1 * l_1 + t6 - t5;
+  return Scalar(0.5) * qd_1 * qd_1 * b_1_1 + t4;
 }
 
 // Potential energy of links and rotors (7.36).
@@ -706,15 +706,15 @@ static inline void forward_kinematics(const Parameters<Scalar>& parameters, cons
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = s_1 * c_2 - c_1 * s_2;
   const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
-  const Scalar p_2_x = a_1b * c_m1_2 + a_1;
   const Scalar t2 = t1 * t1 + c_m1_2 * c_m1_2;
+  const Scalar s_1_t_x = s_1 * t2;
+  R[1] = s_1_t_x;
+  R[0] = R[4] = -c_1 * t2;
+  R[3] = -s_1_t_x;
+  const Scalar p_2_x = a_1b * c_m1_2 + a_1;
   const Scalar t3 = a_1b * t1;
   p[0] = s_1 * t3 + c_1 * p_2_x;
   p[1] = s_1 * p_2_x - c_1 * t3;
-  R[0] = R[4] = -c_1 * t2;
-  const Scalar s_1_t_x = s_1 * t2;
-  R[1] = s_1_t_x;
-  R[3] = -s_1_t_x;
   R[8] = Scalar(1.0);
   R[2] = R[5] = R[6] = R[7] = p[2] = Scalar(0.0);
 }
@@ -746,9 +746,9 @@ static inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* 
   J[0] = -a_1 * s_1;
   const Scalar t1 = s_1 * c_2 - c_1 * s_2;
   const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
-  const Scalar R_21_x = s_1 * c_m1_2 - c_1 * t1;
   const Scalar R_20_x = s_1 * t1 + c_1 * c_m1_2;
   J[3] = a_1b * R_20_x;
+  const Scalar R_21_x = s_1 * c_m1_2 - c_1 * t1;
   J[1] = -a_1b * R_21_x;
   J[10] = Scalar(1.0);
   J[4] = J[5] = J[6] = J[7] = J[8] = J[9] = J[11] = Scalar(0.0);
@@ -769,9 +769,9 @@ static inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const S
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
   const Scalar t1 = qd_1 * a_1 * qd_1;
   const Scalar t2 = qd_2 * a_1b * qd_2;
-  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
   const Scalar t3 = s_1 * c_2 - c_1 * s_2;
   const Scalar t4 = t3 * t3;
   const Scalar ddp_3_x = t1 * t4 + c_m1_2 * (c_m1_2 * t1 + t2);

@@ -326,10 +326,10 @@ static inline void inverse_dynamics(const Parameters<Scalar>& parameters, const 
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0>(), sine, cosine);
   const Scalar s_1 = sine[0];
-  const Scalar t1 = g * m * l * s_1;
-  const Scalar t2 = k_r * k_r;
-  const Scalar F_v1 = F + F_m * t2;
-  tau[0] = t1 + qd_1 * F_v1 + qdd_1 * (I + I_m * t2);
+  const Scalar t1 = k_r * k_r;
+  const Scalar F_v1 = F + F_m * t1;
+  const Scalar t2 = g * m * l * s_1;
+  tau[0] = t2 + qd_1 * F_v1 + qdd_1 * (I + I_m * t1);
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -354,10 +354,10 @@ static inline void inverse_dynamics_tip_force(const Parameters<Scalar>& paramete
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0>(), sine, cosine);
   const Scalar s_1 = sine[0];
-  const Scalar t1 = g * m * l * s_1;
-  const Scalar t2 = k_r * k_r;
-  const Scalar F_v1 = F + F_m * t2;
-  tau[0] = t1 + qd_1 * F_v1 + h_e_6 + qdd_1 * (I + I_m * t2);
+  const Scalar t1 = k_r * k_r;
+  const Scalar F_v1 = F + F_m * t1;
+  const Scalar t2 = g * m * l * s_1;
+  tau[0] = t2 + qd_1 * F_v1 + h_e_6 + qdd_1 * (I + I_m * t1);
 }
 
 // The entries of B in inertia_matrix that are not always zero.

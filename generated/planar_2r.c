@@ -93,19 +93,19 @@ void planar_2r_inverse_dynamics_given(const planar_2r_parameters* parameters, co
   const double t1 = g * c_1;
   const double ddp_o_2_y = t1 + a_1 * qdd_1;
   const double ddp_2_y = s_2 * (a_1 * qd_1 * qd_1 - g * s_1) + c_2 * ddp_o_2_y;
-  const double omega_2_z = qd_1 + qd_2;
   const double t2 = m_l2 * l_2;
-  const double domega_2_z = qdd_1 + qdd_2;
-  const double t3 = a_1 * t2 * (s_2 * omega_2_z * omega_2_z - c_2 * domega_2_z);
   const double I_2_zz = I_l2 + l_2 * t2;
+  const double domega_2_z = qdd_1 + qdd_2;
   const double N_2_z = ddp_2_y * t2 + domega_2_z * I_2_zz;
-  const double t4 = a_1 * (m_l2 + m_m2);
-  const double t5 = m_l1 * l_1;
-  const double I_1_zz = I_l1 + I_m2 + l_1 * t5 + a_1 * t4;
-  const double mr_1_x = t5 + t4;
-  const double t6 = qdd_1 * (I_m1 * k_r1 * k_r1 + I_1_zz);
+  const double t3 = a_1 * (m_l2 + m_m2);
+  const double t4 = m_l1 * l_1;
+  const double I_1_zz = I_l1 + I_m2 + l_1 * t4 + a_1 * t3;
+  const double t5 = qdd_1 * (I_m1 * k_r1 * k_r1 + I_1_zz);
+  const double omega_2_z = qd_1 + qd_2;
+  const double t6 = a_1 * t2 * (s_2 * omega_2_z * omega_2_z - c_2 * domega_2_z);
+  const double mr_1_x = t4 + t3;
   const double t7 = I_m2 * k_r2;
-  tau[0] = t1 * mr_1_x + qdd_2 * t7 + N_2_z - t3 + t6;
+  tau[0] = t1 * mr_1_x + qdd_2 * t7 + N_2_z - t6 + t5;
   tau[1] = t7 * (qdd_1 + k_r2 * qdd_2) + N_2_z;
 }
 
@@ -131,25 +131,25 @@ void planar_2r_inverse_dynamics_tip_force_given(const planar_2r_parameters* para
   const double s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const double f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
   const double t1 = s_1 * h_e_1 - c_1 * h_e_2;
-  const double t2 = g * c_1;
-  const double ddp_o_2_y = t2 + a_1 * qdd_1;
+  const double t2 = s_2 * f_e1_x + c_2 * t1;
+  const double t3 = g * c_1;
+  const double ddp_o_2_y = t3 + a_1 * qdd_1;
   const double ddp_2_y = s_2 * (a_1 * qd_1 * qd_1 - g * s_1) + c_2 * ddp_o_2_y;
-  const double t3 = m_l2 * l_2;
-  const double I_2_zz = I_l2 + l_2 * t3;
-  const double t4 = s_2 * f_e1_x + c_2 * t1;
+  const double t4 = m_l2 * l_2;
+  const double I_2_zz = I_l2 + l_2 * t4;
   const double domega_2_z = qdd_1 + qdd_2;
-  const double mu_2_z = h_e_6 - a_2 * t4 + ddp_2_y * t3 + domega_2_z * I_2_zz;
+  const double mu_2_z = h_e_6 - a_2 * t2 + ddp_2_y * t4 + domega_2_z * I_2_zz;
+  const double t5 = I_m2 * k_r2;
+  tau[1] = t5 * (qdd_1 + k_r2 * qdd_2) + mu_2_z;
   const double omega_2_z = qd_1 + qd_2;
-  const double t5 = s_2 * (s_2 * t1 - c_2 * f_e1_x + omega_2_z * omega_2_z * t3);
-  const double t6 = a_1 * (t5 + c_2 * (t4 - domega_2_z * t3));
-  const double t7 = a_1 * (m_l2 + m_m2);
-  const double t8 = m_l1 * l_1;
-  const double I_1_zz = I_l1 + I_m2 + l_1 * t8 + a_1 * t7;
-  const double mr_1_x = t8 + t7;
-  const double t9 = qdd_1 * (I_m1 * k_r1 * k_r1 + I_1_zz);
-  const double t10 = I_m2 * k_r2;
-  tau[0] = t2 * mr_1_x + qdd_2 * t10 + mu_2_z - t6 + t9;
-  tau[1] = t10 * (qdd_1 + k_r2 * qdd_2) + mu_2_z;
+  const double t6 = s_2 * (s_2 * t1 - c_2 * f_e1_x + omega_2_z * omega_2_z * t4);
+  const double t7 = a_1 * (t6 + c_2 * (t2 - domega_2_z * t4));
+  const double t8 = a_1 * (m_l2 + m_m2);
+  const double t9 = m_l1 * l_1;
+  const double I_1_zz = I_l1 + I_m2 + l_1 * t9 + a_1 * t8;
+  const double t10 = qdd_1 * (I_m1 * k_r1 * k_r1 + I_1_zz);
+  const double mr_1_x = t9 + t8;
+  tau[0] = t3 * mr_1_x + qdd_2 * t5 + mu_2_z - t7 + t10;
 }
 
 void planar_2r_inverse_dynamics_tip_force(const planar_2r_parameters* parameters, const double* q,
@@ -178,8 +178,8 @@ void planar_2r_inertia_matrix_given(const planar_2r_parameters* parameters, cons
   const double t3 = a_1 * a_1 * (m_l2 + m_m2);
   B[0] = I_l1 + I_m2 + Ic_2_zz + I_m1 * k_r1 * k_r1 + 2.0 * t2 + m_l1 * l_1 * l_1 + t3;
   const double t4 = I_m2 * k_r2;
-  B[1] = B[2] = t2 + Ic_2_zz + t4;
   B[3] = Ic_2_zz + k_r2 * t4;
+  B[1] = B[2] = t2 + Ic_2_zz + t4;
 }
 
 void planar_2r_inertia_matrix(const planar_2r_parameters* parameters, const double* q,
@@ -224,11 +224,11 @@ void planar_2r_coriolis_matrix_given(const planar_2r_parameters* parameters, con
   const double a_1 = parameters->a_1, m_l2 = parameters->m_l2, l_2 = parameters->l_2;
   const double s_2 = sine[1];
   const double t1 = l_2 * s_2 * a_1 * m_l2;
-  const double t2 = qd_2 * t1;
   const double C_21 = qd_1 * t1;
   C[2] = C_21;
-  C[1] = -t2 - C_21;
+  const double t2 = qd_2 * t1;
   C[0] = -t2;
+  C[1] = -t2 - C_21;
   C[3] = 0.0;
 }
 
@@ -247,8 +247,8 @@ void planar_2r_gravity_given(const planar_2r_parameters* parameters, const doubl
       m_m2 = parameters->m_m2;
   const double s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const double t1 = (s_1 * s_2 - c_1 * c_2) * m_l2 * l_2;
-  g[0] = -g_2 * (t1 - c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2)));
   g[1] = -g_2 * t1;
+  g[0] = -g_2 * (t1 - c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2)));
 }
 
 void planar_2r_gravity(const planar_2r_parameters* parameters, const double* q,
@@ -266,14 +266,14 @@ void planar_2r_bias_given(const planar_2r_parameters* parameters, const double* 
       l_1 = parameters->l_1, m_l2 = parameters->m_l2, l_2 = parameters->l_2,
       m_m2 = parameters->m_m2;
   const double s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const double mr_1_x = m_l1 * l_1 + a_1 * (m_l2 + m_m2);
   const double t1 = g * c_1;
   const double ddp_2_y = c_2 * t1 + s_2 * (a_1 * qd_1 * qd_1 - g * s_1);
-  const double omega_2_z = qd_1 + qd_2;
   const double t2 = m_l2 * l_2;
   const double N_2_z = ddp_2_y * t2;
-  n[0] = t1 * mr_1_x + N_2_z - a_1 * s_2 * omega_2_z * omega_2_z * t2;
   n[1] = N_2_z;
+  const double mr_1_x = m_l1 * l_1 + a_1 * (m_l2 + m_m2);
+  const double omega_2_z = qd_1 + qd_2;
+  n[0] = t1 * mr_1_x + N_2_z - a_1 * s_2 * omega_2_z * omega_2_z * t2;
 }
 
 void planar_2r_bias(const planar_2r_parameters* parameters, const double* q, const double* qd,
@@ -391,15 +391,15 @@ void planar_2r_forward_kinematics_given(const planar_2r_parameters* parameters, 
     const double* cosine, double* restrict R, double* restrict p) {
   const double a_1 = parameters->a_1, a_2 = parameters->a_2;
   const double s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const double t1 = s_1 * s_2;
-  R[0] = R[4] = c_1 * c_2 - t1;
-  const double p_2_x = a_2 * c_2 + a_1;
-  p[0] = c_1 * p_2_x - a_2 * t1;
-  const double t2 = c_1 * s_2;
-  p[1] = a_2 * t2 + s_1 * p_2_x;
-  const double n_1_t_y = s_1 * c_2 + t2;
+  const double t1 = c_1 * s_2;
+  const double n_1_t_y = s_1 * c_2 + t1;
   R[3] = n_1_t_y;
+  const double t2 = s_1 * s_2;
+  R[0] = R[4] = c_1 * c_2 - t2;
   R[1] = -n_1_t_y;
+  const double p_2_x = a_2 * c_2 + a_1;
+  p[1] = a_2 * t1 + s_1 * p_2_x;
+  p[0] = c_1 * p_2_x - a_2 * t2;
   R[8] = 1.0;
   R[2] = R[5] = R[6] = R[7] = p[2] = 0.0;
 }
@@ -426,12 +426,12 @@ void planar_2r_jacobian_given(const planar_2r_parameters* parameters, const doub
   const double s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const double p_2_x = a_2 * c_2 + a_1;
   const double t1 = a_2 * s_2;
-  const double p_1u_t_y = c_1 * t1 + s_1 * p_2_x;
   const double t2 = s_1 * t1 - c_1 * p_2_x;
-  J[3] = -t2 - a_1 * c_1;
   J[2] = -t2;
-  J[1] = a_1 * s_1 - p_1u_t_y;
+  const double p_1u_t_y = c_1 * t1 + s_1 * p_2_x;
   J[0] = -p_1u_t_y;
+  J[3] = -t2 - a_1 * c_1;
+  J[1] = a_1 * s_1 - p_1u_t_y;
   J[10] = J[11] = 1.0;
   J[4] = J[5] = J[6] = J[7] = J[8] = J[9] = 0.0;
 }

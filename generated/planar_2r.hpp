@@ -341,19 +341,19 @@ static inline void inverse_dynamics(const Parameters<Scalar>& parameters, const 
   const Scalar t1 = g * c_1;
   const Scalar ddp_o_2_y = t1 + a_1 * qdd_1;
   const Scalar ddp_2_y = s_2 * (a_1 * qd_1 * qd_1 - g * s_1) + c_2 * ddp_o_2_y;
-  const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t2 = m_l2 * l_2;
-  const Scalar domega_2_z = qdd_1 + qdd_2;
-  const Scalar t3 = a_1 * t2 * (s_2 * omega_2_z * omega_2_z - c_2 * domega_2_z);
   const Scalar I_2_zz = I_l2 + l_2 * t2;
+  const Scalar domega_2_z = qdd_1 + qdd_2;
   const Scalar N_2_z = ddp_2_y * t2 + domega_2_z * I_2_zz;
-  const Scalar t4 = a_1 * (m_l2 + m_m2);
-  const Scalar t5 = m_l1 * l_1;
-  const Scalar I_1_zz = I_l1 + I_m2 + l_1 * t5 + a_1 * t4;
-  const Scalar mr_1_x = t5 + t4;
-  const Scalar t6 = qdd_1 * (I_m1 * k_r1 * k_r1 + I_1_zz);
+  const Scalar t3 = a_1 * (m_l2 + m_m2);
+  const Scalar t4 = m_l1 * l_1;
+  const Scalar I_1_zz = I_l1 + I_m2 + l_1 * t4 + a_1 * t3;
+  const Scalar t5 = qdd_1 * (I_m1 * k_r1 * k_r1 + I_1_zz);
+  const Scalar omega_2_z = qd_1 + qd_2;
+  const Scalar t6 = a_1 * t2 * (s_2 * omega_2_z * omega_2_z - c_2 * domega_2_z);
+  const Scalar mr_1_x = t4 + t3;
   const Scalar t7 = I_m2 * k_r2;
-  tau[0] = t1 * mr_1_x + qdd_2 * t7 + N_2_z - t3 + t6;
+  tau[0] = t1 * mr_1_x + qdd_2 * t7 + N_2_z - t6 + t5;
   tau[1] = t7 * (qdd_1 + k_r2 * qdd_2) + N_2_z;
 }
 
@@ -384,25 +384,25 @@ static inline void inverse_dynamics_tip_force(const Parameters<Scalar>& paramete
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
   const Scalar t1 = s_1 * h_e_1 - c_1 * h_e_2;
-  const Scalar t2 = g * c_1;
-  const Scalar ddp_o_2_y = t2 + a_1 * qdd_1;
+  const Scalar t2 = s_2 * f_e1_x + c_2 * t1;
+  const Scalar t3 = g * c_1;
+  const Scalar ddp_o_2_y = t3 + a_1 * qdd_1;
   const Scalar ddp_2_y = s_2 * (a_1 * qd_1 * qd_1 - g * s_1) + c_2 * ddp_o_2_y;
-  const Scalar t3 = m_l2 * l_2;
-  const Scalar I_2_zz = I_l2 + l_2 * t3;
-  const Scalar t4 = s_2 * f_e1_x + c_2 * t1;
+  const Scalar t4 = m_l2 * l_2;
+  const Scalar I_2_zz = I_l2 + l_2 * t4;
   const Scalar domega_2_z = qdd_1 + qdd_2;
-  const Scalar mu_2_z = h_e_6 - a_2 * t4 + ddp_2_y * t3 + domega_2_z * I_2_zz;
+  const Scalar mu_2_z = h_e_6 - a_2 * t2 + ddp_2_y * t4 + domega_2_z * I_2_zz;
+  const Scalar t5 = I_m2 * k_r2;
+  tau[1] = t5 * (qdd_1 + k_r2 * qdd_2) + mu_2_z;
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t5 = s_2 * (s_2 * t1 - c_2 * f_e1_x + omega_2_z * omega_2_z * t3);
-  const Scalar t6 = a_1 * (t5 + c_2 * (t4 - domega_2_z * t3));
-  const Scalar t7 = a_1 * (m_l2 + m_m2);
-  const Scalar t8 = m_l1 * l_1;
-  const Scalar I_1_zz = I_l1 + I_m2 + l_1 * t8 + a_1 * t7;
-  const Scalar mr_1_x = t8 + t7;
-  const Scalar t9 = qdd_1 * (I_m1 * k_r1 * k_r1 + I_1_zz);
-  const Scalar t10 = I_m2 * k_r2;
-  tau[0] = t2 * mr_1_x + qdd_2 * t10 + mu_2_z - t6 + t9;
-  tau[1] = t10 * (qdd_1 + k_r2 * qdd_2) + mu_2_z;
+  const Scalar t6 = s_2 * (s_2 * t1 - c_2 * f_e1_x + omega_2_z * omega_2_z * t4);
+  const Scalar t7 = a_1 * (t6 + c_2 * (t2 - domega_2_z * t4));
+  const Scalar t8 = a_1 * (m_l2 + m_m2);
+  const Scalar t9 = m_l1 * l_1;
+  const Scalar I_1_zz = I_l1 + I_m2 + l_1 * t9 + a_1 * t8;
+  const Scalar t10 = qdd_1 * (I_m1 * k_r1 * k_r1 + I_1_zz);
+  const Scalar mr_1_x = t9 + t8;
+  tau[0] = t3 * mr_1_x + qdd_2 * t5 + mu_2_z - t7 + t10;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -434,8 +434,8 @@ static inline void inertia_matrix(const Parameters<Scalar>& parameters, const Sc
   const Scalar t3 = a_1 * a_1 * (m_l2 + m_m2);
   B[0] = I_l1 + I_m2 + Ic_2_zz + I_m1 * k_r1 * k_r1 + Scalar(2.0) * t2 + m_l1 * l_1 * l_1 + t3;
   const Scalar t4 = I_m2 * k_r2;
-  B[1] = B[2] = t2 + Ic_2_zz + t4;
   B[3] = Ic_2_zz + k_r2 * t4;
+  B[1] = B[2] = t2 + Ic_2_zz + t4;
 }
 
 // The entries of c in christoffel that are not always zero.
@@ -485,11 +485,11 @@ static inline void coriolis_matrix(const Parameters<Scalar>& parameters, const S
   sin_cos(q, Joints<1>(), sine, cosine);
   const Scalar s_2 = sine[1];
   const Scalar t1 = l_2 * s_2 * a_1 * m_l2;
-  const Scalar t2 = qd_2 * t1;
   const Scalar C_21 = qd_1 * t1;
   C[2] = C_21;
-  C[1] = -t2 - C_21;
+  const Scalar t2 = qd_2 * t1;
   C[0] = -t2;
+  C[1] = -t2 - C_21;
   C[3] = Scalar(0.0);
 }
 
@@ -508,8 +508,8 @@ static inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = (s_1 * s_2 - c_1 * c_2) * m_l2 * l_2;
-  g[0] = -g_2 * (t1 - c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2)));
   g[1] = -g_2 * t1;
+  g[0] = -g_2 * (t1 - c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2)));
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).
@@ -528,14 +528,14 @@ static inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, c
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar mr_1_x = m_l1 * l_1 + a_1 * (m_l2 + m_m2);
   const Scalar t1 = g * c_1;
   const Scalar ddp_2_y = c_2 * t1 + s_2 * (a_1 * qd_1 * qd_1 - g * s_1);
-  const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t2 = m_l2 * l_2;
   const Scalar N_2_z = ddp_2_y * t2;
-  n[0] = t1 * mr_1_x + N_2_z - a_1 * s_2 * omega_2_z * omega_2_z * t2;
   n[1] = N_2_z;
+  const Scalar mr_1_x = m_l1 * l_1 + a_1 * (m_l2 + m_m2);
+  const Scalar omega_2_z = qd_1 + qd_2;
+  n[0] = t1 * mr_1_x + N_2_z - a_1 * s_2 * omega_2_z * omega_2_z * t2;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -667,15 +667,15 @@ static inline void forward_kinematics(const Parameters<Scalar>& parameters, cons
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar t1 = s_1 * s_2;
-  R[0] = R[4] = c_1 * c_2 - t1;
-  const Scalar p_2_x = a_2 * c_2 + a_1;
-  p[0] = c_1 * p_2_x - a_2 * t1;
-  const Scalar t2 = c_1 * s_2;
-  p[1] = a_2 * t2 + s_1 * p_2_x;
-  const Scalar n_1_t_y = s_1 * c_2 + t2;
+  const Scalar t1 = c_1 * s_2;
+  const Scalar n_1_t_y = s_1 * c_2 + t1;
   R[3] = n_1_t_y;
+  const Scalar t2 = s_1 * s_2;
+  R[0] = R[4] = c_1 * c_2 - t2;
   R[1] = -n_1_t_y;
+  const Scalar p_2_x = a_2 * c_2 + a_1;
+  p[1] = a_2 * t1 + s_1 * p_2_x;
+  p[0] = c_1 * p_2_x - a_2 * t2;
   R[8] = Scalar(1.0);
   R[2] = R[5] = R[6] = R[7] = p[2] = Scalar(0.0);
 }
@@ -705,12 +705,12 @@ static inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* 
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar p_2_x = a_2 * c_2 + a_1;
   const Scalar t1 = a_2 * s_2;
-  const Scalar p_1u_t_y = c_1 * t1 + s_1 * p_2_x;
   const Scalar t2 = s_1 * t1 - c_1 * p_2_x;
-  J[3] = -t2 - a_1 * c_1;
   J[2] = -t2;
-  J[1] = a_1 * s_1 - p_1u_t_y;
+  const Scalar p_1u_t_y = c_1 * t1 + s_1 * p_2_x;
   J[0] = -p_1u_t_y;
+  J[3] = -t2 - a_1 * c_1;
+  J[1] = a_1 * s_1 - p_1u_t_y;
   J[10] = J[11] = Scalar(1.0);
   J[4] = J[5] = J[6] = J[7] = J[8] = J[9] = Scalar(0.0);
 }

@@ -339,22 +339,22 @@ static inline void inverse_dynamics(const Parameters<Scalar>& parameters, const 
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar t1 = I_m2 * k_r2;
-  const Scalar t2 = k_r2 * t1;
-  const Scalar t3 = a_1 * (m_l2 + m_m2);
-  const Scalar t4 = m_l1 * l_1;
-  const Scalar b_1_1 = I_l1 + I_m2 + t2 + I_m1 * k_r1 * k_r1 + l_1 * t4 + a_1 * t3 -
-      Scalar(2.0) * t1;
-  const Scalar t5 = g * c_1 * (t4 + t3);
-  const Scalar t6 = m_l2 * l_2;
   const Scalar c_1m2 = s_1 * s_2 + c_1 * c_2;
-  const Scalar t7 = a_1 * c_1m2 * t6 + t1 - t2;
-  const Scalar b_2_2 = I_l2 + t2 + l_2 * t6;
-  const Scalar t8 = a_1 * (s_1 * c_2 - c_1 * s_2);
-  const Scalar t9 = qd_2 * qd_2 * t6 * t8;
-  tau[0] = t5 + t9 + qdd_2 * t7 + qdd_1 * b_1_1;
-  const Scalar t10 = t6 * (qd_1 * qd_1 * t8 - g * c_2);
-  tau[1] = qdd_1 * t7 - t10 + qdd_2 * b_2_2;
+  const Scalar t1 = m_l2 * l_2;
+  const Scalar t2 = I_m2 * k_r2;
+  const Scalar t3 = k_r2 * t2;
+  const Scalar t4 = a_1 * c_1m2 * t1 + t2 - t3;
+  const Scalar t5 = a_1 * (m_l2 + m_m2);
+  const Scalar t6 = m_l1 * l_1;
+  const Scalar b_1_1 = I_l1 + I_m2 + t3 + I_m1 * k_r1 * k_r1 + l_1 * t6 + a_1 * t5 -
+      Scalar(2.0) * t2;
+  const Scalar t7 = a_1 * (s_1 * c_2 - c_1 * s_2);
+  const Scalar t8 = qd_2 * qd_2 * t1 * t7;
+  const Scalar t9 = g * c_1 * (t6 + t5);
+  tau[0] = t9 + t8 + qdd_2 * t4 + qdd_1 * b_1_1;
+  const Scalar t10 = t1 * (qd_1 * qd_1 * t7 - g * c_2);
+  const Scalar b_2_2 = I_l2 + t3 + l_2 * t1;
+  tau[1] = qdd_1 * t4 - t10 + qdd_2 * b_2_2;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -506,8 +506,8 @@ static inline void gravity(const Parameters<Scalar>& parameters, const Scalar* q
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar c_1 = cosine[0], c_2 = cosine[1];
-  g[0] = g_2 * c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2));
   g[1] = g_2 * m_l2 * l_2 * c_2;
+  g[0] = g_2 * c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2));
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).
@@ -526,11 +526,11 @@ static inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, c
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar t1 = g * c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2));
-  const Scalar t2 = a_1 * (s_1 * c_2 - c_1 * s_2);
-  const Scalar t3 = m_l2 * l_2;
-  n[0] = t1 + qd_2 * qd_2 * t2 * t3;
-  n[1] = -t3 * (qd_1 * qd_1 * t2 - g * c_2);
+  const Scalar t1 = a_1 * (s_1 * c_2 - c_1 * s_2);
+  const Scalar t2 = m_l2 * l_2;
+  const Scalar t3 = g * c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2));
+  n[0] = t3 + qd_2 * qd_2 * t1 * t2;
+  n[1] = -t2 * (qd_1 * qd_1 * t1 - g * c_2);
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -608,9 +608,9 @@ static inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const 
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
   const Scalar t1 = m_l2 * l_2;
   const Scalar I_2_zz = I_l2 + l_2 * t1;
+  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
   const Scalar t2 = Scalar(2.0) * qd_1;
   const Scalar L_2_z = qd_2 * I_2_zz + a_1 * c_m1_2 * t1 * t2;
   const Scalar t3 = a_1 * a_1 * (m_l2 + m_m2);
@@ -660,17 +660,17 @@ static inline void forward_kinematics(const Parameters<Scalar>& parameters, cons
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
   const Scalar t1 = s_1 * c_2 - c_1 * s_2;
   const Scalar t2 = s_1 * t1;
+  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
   R[0] = R[4] = t2 + c_1 * c_m1_2;
   const Scalar t3 = c_1 * t1;
-  const Scalar p_2_x = a_2 * c_m1_2 + a_1;
-  p[0] = a_2 * t2 + c_1 * p_2_x;
-  p[1] = s_1 * p_2_x - a_2 * t3;
   const Scalar n_1_t_y = s_1 * c_m1_2 - t3;
   R[3] = n_1_t_y;
   R[1] = -n_1_t_y;
+  const Scalar p_2_x = a_2 * c_m1_2 + a_1;
+  p[0] = a_2 * t2 + c_1 * p_2_x;
+  p[1] = s_1 * p_2_x - a_2 * t3;
   R[8] = Scalar(1.0);
   R[2] = R[5] = R[6] = R[7] = p[2] = Scalar(0.0);
 }
@@ -723,9 +723,9 @@ static inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const S
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
   const Scalar t1 = qd_1 * a_1 * qd_1;
   const Scalar t2 = qd_2 * a_2 * qd_2;
-  const Scalar c_m1_2 = s_1 * s_2 + c_1 * c_2;
   const Scalar t3 = s_1 * c_2 - c_1 * s_2;
   const Scalar t4 = t3 * t3 * t1 + c_m1_2 * (c_m1_2 * t1 + t2);
   const Scalar t5 = t3 * t2;

@@ -315,10 +315,10 @@ static inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Sca
   const Scalar domega_2_z = qdd_1 + qdd_2;
   const Scalar N_2_z = Scalar(22.5) * domega_2_z -
       Scalar(25.0) * (s_2 * ddp_o_2_x - c_2 * ddp_o_2_y);
-  tau[1] = qdd_1 + N_2_z + Scalar(100.0) * qdd_2;
   const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t1 = s_2 * omega_2_z * omega_2_z - c_2 * domega_2_z;
   tau[0] = qdd_2 + N_2_z - Scalar(25.0) * t1 + Scalar(784.8) * c_1 + Scalar(177.51) * qdd_1;
+  tau[1] = qdd_1 + N_2_z + Scalar(100.0) * qdd_2;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -340,17 +340,17 @@ static inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd,
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
   const Scalar t1 = s_1 * h_e_1 - c_1 * h_e_2;
-  const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t2 = s_2 * (s_2 * t1 - c_2 * f_e1_x + Scalar(25.0) * omega_2_z * omega_2_z);
-  const Scalar t3 = s_2 * f_e1_x + c_2 * t1;
+  const Scalar t2 = s_2 * f_e1_x + c_2 * t1;
   const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
   const Scalar ddp_o_2_y = Scalar(9.81) * c_1 + qdd_1;
-  const Scalar t4 = s_2 * ddp_o_2_x - c_2 * ddp_o_2_y;
+  const Scalar t3 = s_2 * ddp_o_2_x - c_2 * ddp_o_2_y;
   const Scalar domega_2_z = qdd_1 + qdd_2;
-  const Scalar mu_2_z = h_e_6 - t3 + Scalar(22.5) * domega_2_z - Scalar(25.0) * t4;
-  const Scalar t5 = c_2 * (t3 - Scalar(25.0) * domega_2_z);
-  tau[0] = qdd_2 - t5 + mu_2_z - t2 + Scalar(784.8) * c_1 + Scalar(177.51) * qdd_1;
+  const Scalar mu_2_z = h_e_6 - t2 + Scalar(22.5) * domega_2_z - Scalar(25.0) * t3;
   tau[1] = qdd_1 + mu_2_z + Scalar(100.0) * qdd_2;
+  const Scalar t4 = c_2 * (t2 - Scalar(25.0) * domega_2_z);
+  const Scalar omega_2_z = qd_1 + qd_2;
+  const Scalar t5 = s_2 * (s_2 * t1 - c_2 * f_e1_x + Scalar(25.0) * omega_2_z * omega_2_z);
+  tau[0] = qdd_2 - t4 + mu_2_z - t5 + Scalar(784.8) * c_1 + Scalar(177.51) * qdd_1;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -415,11 +415,11 @@ static inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
   sin_cos(q, Joints<1>(), sine, cosine);
   const Scalar s_2 = sine[1];
   const Scalar t1 = Scalar(25.0) * s_2;
-  const Scalar t2 = qd_2 * t1;
   const Scalar C_21 = qd_1 * t1;
   C[2] = C_21;
-  C[1] = -t2 - C_21;
+  const Scalar t2 = qd_2 * t1;
   C[0] = -t2;
+  C[1] = -t2 - C_21;
   C[3] = Scalar(0.0);
 }
 
@@ -434,8 +434,8 @@ static inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar hu_2_t_x = Scalar(-245.25) * (s_1 * s_2 - c_1 * c_2);
-  g[0] = hu_2_t_x + Scalar(784.8) * c_1;
   g[1] = hu_2_t_x;
+  g[0] = hu_2_t_x + Scalar(784.8) * c_1;
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).
@@ -477,18 +477,18 @@ static inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Sca
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar ddp_o_2_x = Scalar(9.81) * s_1 - qd_1 * qd_1;
   const Scalar t1 = Scalar(25.0) * s_2;
   const Scalar t2 = ddp_o_2_x * t1 - Scalar(245.25) * c_1 * c_2;
   const Scalar t3 = tau_2 + t2;
   const Scalar mu_2_1_z = Scalar(25.0) * c_2 + Scalar(23.5);
   const Scalar t4 = Scalar(0.00816326530612245) * mu_2_1_z;
+  const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar t5 = t4 * t3 - tau_1 - t2 - omega_2_z * omega_2_z * t1 + Scalar(784.8) * c_1;
   const Scalar b_2_1_1 = Scalar(50.0) * c_2 - mu_2_1_z * t4 + Scalar(200.01);
   const Scalar t6 = t5 / b_2_1_1;
-  qdd[1] = t4 * t6 + Scalar(0.00816326530612245) * t3;
   qdd[0] = -t6;
+  qdd[1] = t4 * t6 + Scalar(0.00816326530612245) * t3;
   bool valid = b_2_1_1 > Scalar(0.0);
   for (int k = 0; k < 2; ++k) valid &= Scalar(0.0) * qdd[k] < Scalar(1.0);
   return valid;
@@ -549,13 +549,13 @@ static inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar t1 = s_1 * s_2;
   R[0] = R[4] = c_1 * c_2 - t1;
-  const Scalar p_2_x = c_2 + Scalar(1.0);
-  p[0] = c_1 * p_2_x - t1;
   const Scalar t2 = c_1 * s_2;
-  p[1] = t2 + s_1 * p_2_x;
   const Scalar n_1_t_y = t2 + s_1 * c_2;
   R[3] = n_1_t_y;
   R[1] = -n_1_t_y;
+  const Scalar p_2_x = c_2 + Scalar(1.0);
+  p[1] = t2 + s_1 * p_2_x;
+  p[0] = c_1 * p_2_x - t1;
   R[8] = Scalar(1.0);
   R[2] = R[5] = R[6] = R[7] = p[2] = Scalar(0.0);
 }
@@ -581,12 +581,12 @@ static inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = 
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const Scalar p_2_x = c_2 + Scalar(1.0);
-  const Scalar p_1u_t_y = c_1 * s_2 + s_1 * p_2_x;
   const Scalar p_1u_t_x = c_1 * p_2_x - s_1 * s_2;
-  J[3] = p_1u_t_x - c_1;
   J[2] = p_1u_t_x;
-  J[1] = s_1 - p_1u_t_y;
+  const Scalar p_1u_t_y = c_1 * s_2 + s_1 * p_2_x;
   J[0] = -p_1u_t_y;
+  J[1] = s_1 - p_1u_t_y;
+  J[3] = p_1u_t_x - c_1;
   J[10] = J[11] = Scalar(1.0);
   J[4] = J[5] = J[6] = J[7] = J[8] = J[9] = Scalar(0.0);
 }
@@ -605,11 +605,11 @@ static inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  const Scalar t1 = qd_1 * qd_1;
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t1 = omega_2_z * omega_2_z;
-  const Scalar t2 = qd_1 * qd_1;
-  const Scalar t3 = s_2 * s_2 * t2 + c_2 * (c_2 * t2 + t1);
-  const Scalar t4 = s_2 * t1;
+  const Scalar t2 = omega_2_z * omega_2_z;
+  const Scalar t3 = s_2 * s_2 * t1 + c_2 * (c_2 * t1 + t2);
+  const Scalar t4 = s_2 * t2;
   a[0] = s_1 * t4 - c_1 * t3;
   a[1] = -s_1 * t3 - c_1 * t4;
   a[2] = a[3] = a[4] = a[5] = Scalar(0.0);

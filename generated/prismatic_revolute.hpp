@@ -333,12 +333,12 @@ static inline void inverse_dynamics(const Parameters<Scalar>& parameters, const 
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<1>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1];
-  const Scalar m_1 = m_l1 + m_l2 + m_m2;
   const Scalar t1 = m_l2 * l_2;
   const Scalar t2 = t1 * (s_2 * qdd_2 + c_2 * qd_2 * qd_2);
+  const Scalar m_1 = m_l1 + m_l2 + m_m2;
   tau[0] = qdd_1 * (m_1 + I_m1 * k_r1 * k_r1) - t2;
-  const Scalar t3 = (s_2 * qdd_1 - g * c_2) * t1;
   const Scalar I_2_zz = I_l2 + l_2 * t1;
+  const Scalar t3 = (s_2 * qdd_1 - g * c_2) * t1;
   tau[1] = qdd_2 * (I_2_zz + I_m2 * k_r2 * k_r2) - t3;
 }
 
@@ -401,8 +401,8 @@ static inline void inertia_matrix(const Parameters<Scalar>& parameters, const Sc
   const Scalar s_2 = sine[1];
   B[0] = m_l1 + m_l2 + m_m2 + I_m1 * k_r1 * k_r1;
   const Scalar t1 = m_l2 * l_2;
-  B[3] = I_l2 + I_m2 * k_r2 * k_r2 + l_2 * t1;
   B[1] = B[2] = -s_2 * t1;
+  B[3] = I_l2 + I_m2 * k_r2 * k_r2 + l_2 * t1;
 }
 
 // The entries of c in christoffel that are not always zero.
@@ -512,21 +512,21 @@ static inline bool forward_dynamics(const Parameters<Scalar>& parameters, const 
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<1>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1];
-  const Scalar b_1_1 = m_l1 + m_l2 + m_m2 + I_m1 * k_r1 * k_r1;
   const Scalar t1 = m_l2 * l_2;
   const Scalar b_2_2 = I_l2 + I_m2 * k_r2 * k_r2 + l_2 * t1;
-  const Scalar t2 = c_2 * t1;
-  const Scalar t3 = s_2 * t1;
-  const Scalar t4 = tau_2 - g * t2;
   const Scalar d_2 = Scalar(1.0) / b_2_2;
-  const Scalar t5 = d_2 * t3;
-  const Scalar y_2_1 = t5 * t4 + qd_2 * qd_2 * t2 + tau_1;
-  const Scalar t6 = t3 * t5;
-  const Scalar b_2_1_1 = b_1_1 - t6;
-  const Scalar scale_1 = t6 + b_1_1;
+  const Scalar t2 = s_2 * t1;
+  const Scalar t3 = d_2 * t2;
+  const Scalar t4 = t2 * t3;
+  const Scalar b_1_1 = m_l1 + m_l2 + m_m2 + I_m1 * k_r1 * k_r1;
+  const Scalar b_2_1_1 = b_1_1 - t4;
+  const Scalar t5 = c_2 * t1;
+  const Scalar t6 = tau_2 - g * t5;
+  const Scalar y_2_1 = t3 * t6 + qd_2 * qd_2 * t5 + tau_1;
   const Scalar qdd_1 = y_2_1 / b_2_1_1;
-  qdd[1] = t5 * qdd_1 + d_2 * t4;
   qdd[0] = qdd_1;
+  qdd[1] = t3 * qdd_1 + d_2 * t6;
+  const Scalar scale_1 = t4 + b_1_1;
   bool valid = scale_1 + Scalar(0.015625) * b_2_1_1 - scale_1 > Scalar(0.0);
   valid &= b_2_2 > Scalar(0.0);
   for (int k = 0; k < 2; ++k) valid &= Scalar(0.0) * qdd[k] < Scalar(1.0);
@@ -551,11 +551,11 @@ static inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const 
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<1>(), sine, cosine);
   const Scalar s_2 = sine[1];
-  const Scalar t1 = qd_1 * qd_1 * (m_l1 + m_l2 + m_m2 + I_m1 * k_r1 * k_r1);
-  const Scalar t2 = m_l2 * l_2;
-  const Scalar I_2_zz = I_l2 + l_2 * t2;
-  const Scalar t3 = qd_2 * (I_2_zz + I_m2 * k_r2 * k_r2);
-  const Scalar T_2 = t1 - qd_2 * (Scalar(2.0) * s_2 * qd_1 * t2 - t3);
+  const Scalar t1 = m_l2 * l_2;
+  const Scalar I_2_zz = I_l2 + l_2 * t1;
+  const Scalar t2 = qd_2 * (I_2_zz + I_m2 * k_r2 * k_r2);
+  const Scalar t3 = qd_1 * qd_1 * (m_l1 + m_l2 + m_m2 + I_m1 * k_r1 * k_r1);
+  const Scalar T_2 = t3 - qd_2 * (Scalar(2.0) * s_2 * qd_1 * t1 - t2);
   return Scalar(0.5) * T_2;
 }
 
@@ -596,11 +596,11 @@ static inline void forward_kinematics(const Parameters<Scalar>& parameters, cons
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<1>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1];
-  p[0] = a_2 * c_2 + q_1;
   R[0] = R[4] = c_2;
-  p[1] = a_2 * s_2;
   R[3] = s_2;
   R[1] = -s_2;
+  p[1] = a_2 * s_2;
+  p[0] = a_2 * c_2 + q_1;
   R[2] = R[5] = R[6] = R[7] = p[2] = Scalar(0.0);
   R[8] = Scalar(1.0);
 }

@@ -337,117 +337,117 @@ static inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Sca
   sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
-  const Scalar t1 = qd_1 * qd_1;
   const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t2 = s_2_3 * qd_1;
-  const Scalar t3 = t2 * t2;
+  const Scalar t1 = s_2_3 * qd_1;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t4 = omega_3_z * omega_3_z;
-  const Scalar t5 = t1 - t3 + t4;
-  const Scalar Uz_o_4_y = t3 + t4;
-  const Scalar t6 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t7 = qd_2 * qd_2;
-  const Scalar t8 = Scalar(0.3476146364057434) * qdd_1 + s_2 * qdd_2 + c_2 * (t7 + t1);
-  const Scalar t9 = s_2 * t7 - c_2 * qdd_2 + Scalar(22.71885132005558);
-  const Scalar t10 = t7 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
-  const Scalar t11 = s_2_3 * t9 - t6 * t8;
-  const Scalar ddp_3_y = s_2_3 * t8 + t6 * t9;
-  const Scalar t12 = t6 * qd_1;
-  const Scalar t13 = t12 * t2;
+  const Scalar t2 = omega_3_z * t1;
+  const Scalar t3 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t4 = t3 * qdd_1;
+  const Scalar t5 = t4 + t2;
+  const Scalar t6 = t2 + t5;
+  const Scalar t7 = t3 * qd_1;
+  const Scalar t8 = omega_3_z * t7;
+  const Scalar t9 = t8 - s_2_3 * qdd_1;
+  const Scalar t10 = t8 + t9;
+  const Scalar t11 = Scalar(2.0) * qd_1;
+  const Scalar t12 = qd_1 * qd_1;
+  const Scalar t13 = Scalar(0.3476146364057434) * t12 - c_2 * qdd_1 + s_2 * qd_2 * t11;
+  const Scalar ddp_o_4_z = Scalar(0.04701250578971746) * t6 - Scalar(1.0030106530801297) * t10 -
+      t13;
+  const Scalar t14 = t1 * t1;
+  const Scalar t15 = omega_3_z * omega_3_z;
+  const Scalar t16 = t12 - t14 + t15;
+  const Scalar t17 = t7 * t1;
   const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar U_3_yx = domega_3_z - t13;
+  const Scalar Uz_o_4_x = t17 + domega_3_z;
+  const Scalar t18 = qd_2 * qd_2;
+  const Scalar t19 = Scalar(0.3476146364057434) * qdd_1 + s_2 * qdd_2 + c_2 * (t18 + t12);
+  const Scalar t20 = s_2 * t18 - c_2 * qdd_2 + Scalar(22.71885132005558);
+  const Scalar t21 = s_2_3 * t20 - t3 * t19;
+  const Scalar ddp_o_4_x = Scalar(0.04701250578971746) * t16 +
+      Scalar(1.0030106530801297) * Uz_o_4_x - t21;
+  const Scalar ddp_4_x = s_4 * ddp_o_4_z + c_4 * ddp_o_4_x;
+  const Scalar U_3_yx = domega_3_z - t17;
+  const Scalar Uz_o_4_y = t14 + t15;
+  const Scalar ddp_3_y = s_2_3 * t19 + t3 * t20;
   const Scalar ddp_4_a_z = Scalar(0.04701250578971746) * U_3_yx -
       Scalar(1.0030106530801297) * Uz_o_4_y - ddp_3_y;
-  const Scalar t14 = omega_3_z * t2;
-  const Scalar omega_r_4_y = s_4 * t2 + c_4 * omega_3_z;
-  const Scalar t15 = s_4 * omega_3_z - c_4 * t2;
-  const Scalar t16 = omega_3_z * t12;
-  const Scalar omega_4_z = qd_4 - t12;
-  const Scalar t17 = s_5 * omega_4_z - c_5 * t15;
-  const Scalar omega_5_z = qd_5 + omega_r_4_y;
-  const Scalar Uz_o_6_y = t17 * t17 + omega_5_z * omega_5_z;
-  const Scalar t18 = t16 - s_2_3 * qdd_1;
-  const Scalar t19 = t16 + t18;
-  const Scalar Uz_o_4_x = t13 + domega_3_z;
-  const Scalar t20 = t15 * omega_4_z;
-  const Scalar domega_5_z = qdd_5 - t20 - s_4 * t19 + c_4 * Uz_o_4_x;
-  const Scalar omega_r_6_a_z = s_5 * t15 + c_5 * omega_4_z;
-  const Scalar t21 = t15 * omega_r_4_y;
-  const Scalar t22 = omega_r_4_y * omega_4_z;
-  const Scalar t23 = t17 * omega_r_6_a_z;
-  const Scalar Uz_o_6_x = domega_5_z - t23;
-  const Scalar f_4_z = Scalar(0.23306405) * ddp_4_a_z -
-      Scalar(0.001243584) * (s_5 * Uz_o_6_x + c_5 * Uz_o_6_y);
-  const Scalar f_3_y = Scalar(0.138357356) * Uz_o_4_y - f_4_z + Scalar(1.405871712) * ddp_3_y;
-  const Scalar t24 = t6 * qdd_1;
-  const Scalar t25 = t24 + t14;
-  const Scalar t26 = t14 + t25;
-  const Scalar domega_4_z = qdd_4 - t25;
-  const Scalar t27 = Scalar(2.0) * qd_1;
-  const Scalar t28 = Scalar(0.3476146364057434) * t1 - c_2 * qdd_1 + s_2 * qd_2 * t27;
-  const Scalar ddp_o_4_z = Scalar(0.04701250578971746) * t26 - Scalar(1.0030106530801297) * t19 -
-      t28;
-  const Scalar ddp_o_4_x = Scalar(0.04701250578971746) * t5 +
-      Scalar(1.0030106530801297) * Uz_o_4_x - t11;
-  const Scalar ddp_4_x = s_4 * ddp_o_4_z + c_4 * ddp_o_4_x;
-  const Scalar f_4_x = Scalar(0.23306405) * ddp_4_x -
-      Scalar(0.001243584) * (s_5 * Uz_o_6_y - c_5 * Uz_o_6_x);
-  const Scalar t29 = s_5 * ddp_4_a_z - c_5 * ddp_4_x;
-  const Scalar t30 = s_4 * ddp_o_4_x - c_4 * ddp_o_4_z;
+  const Scalar t22 = s_5 * ddp_4_a_z - c_5 * ddp_4_x;
+  const Scalar t23 = s_4 * omega_3_z - c_4 * t1;
+  const Scalar omega_4_z = qd_4 - t7;
+  const Scalar omega_r_6_a_z = s_5 * t23 + c_5 * omega_4_z;
   const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t31 = Scalar(0.00004) * omega_6_z;
-  const Scalar mu_5_z = t17 * t31 - Scalar(0.00024216) * t23 + Scalar(0.00064216) * domega_5_z -
-      Scalar(0.001243584) * t29;
-  const Scalar t32 = omega_r_6_a_z * omega_5_z;
-  const Scalar t33 = t17 * omega_5_z;
-  const Scalar t34 = Scalar(0.0013) * t20 - mu_5_z;
+  const Scalar t24 = Scalar(0.00004) * omega_6_z;
+  const Scalar t25 = s_5 * omega_4_z - c_5 * t23;
+  const Scalar t26 = t23 * omega_4_z;
+  const Scalar domega_5_z = qdd_5 - t26 - s_4 * t10 + c_4 * Uz_o_4_x;
+  const Scalar t27 = t25 * omega_r_6_a_z;
+  const Scalar mu_5_z = t25 * t24 - Scalar(0.00024216) * t27 + Scalar(0.00064216) * domega_5_z -
+      Scalar(0.001243584) * t22;
   tau[4] = mu_5_z + Scalar(0.85444524) * detail::sign(qd_5) + Scalar(0.4272830209354) * qd_5 +
       Scalar(0.181052127515) * qdd_5;
-  const Scalar t35 = t22 + s_4 * Uz_o_4_x + c_4 * t19;
-  const Scalar U_4_zy = t22 + t35;
-  const Scalar t36 = domega_4_z - t21;
-  const Scalar t37 = t32 + s_5 * t36 - c_5 * U_4_zy;
-  const Scalar t38 = omega_5_z * t31 - Scalar(0.00024216) * t37 - Scalar(0.00064216) * t32 +
-      Scalar(0.001243584) * t30;
-  const Scalar domega_6_z = qdd_6 - t33 + s_5 * U_4_zy + c_5 * t36;
-  const Scalar Uz_o_6_z = t32 + t37;
-  const Scalar t39 = Scalar(0.23306405) * t30 - Scalar(0.001243584) * Uz_o_6_z;
-  const Scalar t40 = Scalar(0.00004) * domega_6_z;
-  const Scalar mu_5_y = Scalar(0.0004) * t33 - t40;
-  const Scalar mu_4_x = Scalar(0.0003) * t35 - s_5 * mu_5_y + Scalar(0.0016) * t22 + c_5 * t38;
-  const Scalar mu_4_z = Scalar(-0.0003) * t21 - c_5 * mu_5_y + Scalar(0.0016) * domega_4_z -
-      s_5 * t38;
-  tau[5] = t40 + Scalar(0.2158232532732) * qd_6 + Scalar(0.55443978) * detail::sign(qd_6) +
+  const Scalar omega_r_4_y = s_4 * t1 + c_4 * omega_3_z;
+  const Scalar t28 = omega_r_4_y * omega_4_z;
+  const Scalar t29 = t28 + s_4 * Uz_o_4_x + c_4 * t10;
+  const Scalar U_4_zy = t28 + t29;
+  const Scalar omega_5_z = qd_5 + omega_r_4_y;
+  const Scalar t30 = t25 * omega_5_z;
+  const Scalar domega_4_z = qdd_4 - t5;
+  const Scalar t31 = t23 * omega_r_4_y;
+  const Scalar t32 = domega_4_z - t31;
+  const Scalar domega_6_z = qdd_6 - t30 + s_5 * U_4_zy + c_5 * t32;
+  const Scalar t33 = Scalar(0.00004) * domega_6_z;
+  tau[5] = t33 + Scalar(0.2158232532732) * qd_6 + Scalar(0.55443978) * detail::sign(qd_6) +
       Scalar(0.20582599086) * qdd_6;
+  const Scalar mu_5_y = Scalar(0.0004) * t30 - t33;
+  const Scalar t34 = omega_r_6_a_z * omega_5_z;
+  const Scalar t35 = t34 + s_5 * t32 - c_5 * U_4_zy;
+  const Scalar t36 = s_4 * ddp_o_4_x - c_4 * ddp_o_4_z;
+  const Scalar t37 = omega_5_z * t24 - Scalar(0.00024216) * t35 - Scalar(0.00064216) * t34 +
+      Scalar(0.001243584) * t36;
+  const Scalar mu_4_z = Scalar(-0.0003) * t31 - c_5 * mu_5_y + Scalar(0.0016) * domega_4_z -
+      s_5 * t37;
   tau[3] = mu_4_z + Scalar(0.411645229697152) * qd_4 + Scalar(1.06831142) * detail::sign(qd_4) +
       Scalar(0.2023536943736) * qdd_4;
-  const Scalar f_u_4_t_x = s_4 * t39 + c_4 * f_4_x;
-  const Scalar t41 = s_4 * mu_4_x - Scalar(0.000316274) * (t5 - Uz_o_4_y) - c_4 * t34 +
-      Scalar(0.004704) * t24 + Scalar(0.065620624) * t13 + Scalar(0.04701250578971746) * f_4_z +
-      Scalar(0.078120624) * domega_3_z - Scalar(0.138357356) * t11 +
+  const Scalar mu_4_x = Scalar(0.0003) * t29 - s_5 * mu_5_y + Scalar(0.0016) * t28 + c_5 * t37;
+  const Scalar Uz_o_6_z = t34 + t35;
+  const Scalar t38 = Scalar(0.23306405) * t36 - Scalar(0.001243584) * Uz_o_6_z;
+  const Scalar Uz_o_6_y = t25 * t25 + omega_5_z * omega_5_z;
+  const Scalar Uz_o_6_x = domega_5_z - t27;
+  const Scalar f_4_x = Scalar(0.23306405) * ddp_4_x -
+      Scalar(0.001243584) * (s_5 * Uz_o_6_y - c_5 * Uz_o_6_x);
+  const Scalar f_u_4_t_x = s_4 * t38 + c_4 * f_4_x;
+  const Scalar t39 = Scalar(0.0013) * t26 - mu_5_z;
+  const Scalar f_4_z = Scalar(0.23306405) * ddp_4_a_z -
+      Scalar(0.001243584) * (s_5 * Uz_o_6_x + c_5 * Uz_o_6_y);
+  const Scalar t40 = s_4 * mu_4_x - Scalar(0.000316274) * (t16 - Uz_o_4_y) - c_4 * t39 +
+      Scalar(0.004704) * t4 + Scalar(0.065620624) * t17 + Scalar(0.04701250578971746) * f_4_z +
+      Scalar(0.078120624) * domega_3_z - Scalar(0.138357356) * t21 +
       Scalar(1.0030106530801297) * f_u_4_t_x;
-  const Scalar f_u_4_t_y = s_4 * f_4_x - c_4 * t39;
-  const Scalar mu_3_y = Scalar(0.000316274) * t19 - mu_4_z + Scalar(0.0125) * t14 +
-      Scalar(0.004704) * Uz_o_4_x + Scalar(0.04701250578971746) * f_u_4_t_y;
-  const Scalar f_3_x = Scalar(0.138357356) * Uz_o_4_x + f_u_4_t_x - Scalar(1.405871712) * t11;
-  const Scalar U_3_yy_zz = t1 - Uz_o_4_y;
-  const Scalar t42 = Scalar(0.000316274) * t26 + s_4 * t34 + c_4 * mu_4_x +
-      Scalar(0.004704) * U_3_yy_zz + Scalar(0.078120624) * t16 + Scalar(0.065620624) * t18 +
-      Scalar(0.138357356) * t28 - Scalar(1.0030106530801297) * f_u_4_t_y;
-  const Scalar t43 = c_2 * (Scalar(0.138357356) * t19 - f_u_4_t_y + Scalar(1.405871712) * t28);
-  tau[2] = t41 + Scalar(6.36419655) * detail::sign(qd_3) + Scalar(3.9804259903722) * qd_3 +
-      Scalar(0.86242563124731) * qdd_3;
-  const Scalar t44 = Scalar(0.023751) * c_2 + Scalar(0.12059664) * s_2;
+  const Scalar f_3_x = Scalar(0.138357356) * Uz_o_4_x + f_u_4_t_x - Scalar(1.405871712) * t21;
+  const Scalar f_3_y = Scalar(0.138357356) * Uz_o_4_y - f_4_z + Scalar(1.405871712) * ddp_3_y;
   const Scalar I_t2_g = Scalar(0.0141984) * s_2 + Scalar(0.03707456) * c_2;
-  const Scalar t45 = qdd_1 * (c_2 * I_t2_g - Scalar(2.493827218941039));
   const Scalar I_2_xy = s_2 * I_t2_g - Scalar(0.0070992);
-  tau[1] = Scalar(1.024164) * s_2 - t1 * I_2_xy + qdd_1 * t44 + t41 +
+  const Scalar t41 = Scalar(0.023751) * c_2 + Scalar(0.12059664) * s_2;
+  tau[1] = Scalar(1.024164) * s_2 - t12 * I_2_xy + qdd_1 * t41 + t40 +
       Scalar(10.6197775) * detail::sign(qd_2) + Scalar(9.496868641825) * qd_2 + s_3 * f_3_x +
       c_3 * f_3_y + Scalar(4.863424598025) * qdd_2;
-  const Scalar t46 = t27 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
-  const Scalar t47 = s_2_3 * f_3_y + t6 * f_3_x;
-  tau[0] = t6 * mu_3_y + t10 + qdd_2 * t44 - s_2_3 * t42 + Scalar(0.3476146364057434) * t47 - t43 +
-      Scalar(25.9836065) * detail::sign(qd_1) + t46 - t45;
+  tau[2] = t40 + Scalar(6.36419655) * detail::sign(qd_3) + Scalar(3.9804259903722) * qd_3 +
+      Scalar(0.86242563124731) * qdd_3;
+  const Scalar t42 = s_2_3 * f_3_y + t3 * f_3_x;
+  const Scalar f_u_4_t_y = s_4 * f_4_x - c_4 * t38;
+  const Scalar U_3_yy_zz = t12 - Uz_o_4_y;
+  const Scalar t43 = Scalar(0.000316274) * t6 + s_4 * t39 + c_4 * mu_4_x +
+      Scalar(0.004704) * U_3_yy_zz + Scalar(0.078120624) * t8 + Scalar(0.065620624) * t9 +
+      Scalar(0.138357356) * t13 - Scalar(1.0030106530801297) * f_u_4_t_y;
+  const Scalar t44 = c_2 * (Scalar(0.138357356) * t10 - f_u_4_t_y + Scalar(1.405871712) * t13);
+  const Scalar mu_3_y = Scalar(0.000316274) * t10 - mu_4_z + Scalar(0.0125) * t2 +
+      Scalar(0.004704) * Uz_o_4_x + Scalar(0.04701250578971746) * f_u_4_t_y;
+  const Scalar t45 = t11 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
+  const Scalar t46 = qdd_1 * (c_2 * I_t2_g - Scalar(2.493827218941039));
+  const Scalar t47 = t18 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
+  tau[0] = t3 * mu_3_y + t47 + qdd_2 * t41 - s_2_3 * t43 + Scalar(0.3476146364057434) * t42 - t44 +
+      Scalar(25.9836065) * detail::sign(qd_1) + t45 - t46;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -471,134 +471,134 @@ static inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd,
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
       s_6 = sine[5], c_6 = cosine[5];
-  const Scalar t1 = s_1 * h_e_1 - c_1 * h_e_2;
-  const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
-  const Scalar t2 = s_1 * h_e_4 - c_1 * h_e_5;
-  const Scalar mu_e1_x = s_1 * h_e_5 + c_1 * h_e_4;
-  const Scalar t3 = s_2 * s_3 - c_2 * c_3;
-  const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t4 = s_2_3 * h_e_6 + t3 * mu_e1_x;
-  const Scalar mu_e4_a_z = s_2_3 * mu_e1_x - t3 * h_e_6;
-  const Scalar mu_e4_y = s_4 * t4 - c_4 * t2;
-  const Scalar t5 = s_4 * t2 + c_4 * t4;
-  const Scalar t6 = t3 * qd_1;
-  const Scalar omega_4_z = qd_4 - t6;
+  const Scalar t1 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t2 = t1 * qd_1;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t7 = s_2_3 * qd_1;
-  const Scalar t8 = s_4 * omega_3_z - c_4 * t7;
-  const Scalar omega_r_6_a_z = s_5 * t8 + c_5 * omega_4_z;
-  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t9 = Scalar(0.00004) * omega_6_z;
-  const Scalar t10 = s_5 * omega_4_z - c_5 * t8;
-  const Scalar omega_r_4_y = s_4 * t7 + c_4 * omega_3_z;
-  const Scalar omega_5_z = qd_5 + omega_r_4_y;
-  const Scalar omega_r_6_y = s_6 * t10 + c_6 * omega_5_z;
-  const Scalar t11 = s_5 * mu_e4_a_z + c_5 * t5;
-  const Scalar mu_6_x = omega_r_6_y * t9 + s_6 * mu_e4_y - c_6 * t11;
-  const Scalar t12 = (s_6 * omega_5_z - c_6 * t10) * t9;
-  const Scalar t13 = t12 - s_6 * t11 - c_6 * mu_e4_y;
-  const Scalar t14 = t8 * omega_r_4_y;
-  const Scalar t15 = omega_r_4_y * omega_4_z;
-  const Scalar t16 = t8 * omega_4_z;
-  const Scalar t17 = t7 * t7;
-  const Scalar t18 = t6 * t7;
-  const Scalar t19 = omega_3_z * t7;
-  const Scalar t20 = omega_3_z * t6;
-  const Scalar t21 = omega_3_z * omega_3_z;
-  const Scalar t22 = t20 - s_2_3 * qdd_1;
-  const Scalar t23 = t20 + t22;
-  const Scalar t24 = t3 * qdd_1;
-  const Scalar t25 = t24 + t19;
-  const Scalar t26 = t19 + t25;
-  const Scalar domega_4_z = qdd_4 - t25;
-  const Scalar t27 = Scalar(0.4318) * c_2;
-  const Scalar t28 = qd_1 * qd_1;
-  const Scalar t29 = Scalar(0.1501) * t28 - qdd_1 * t27 + Scalar(0.8636) * s_2 * qd_1 * qd_2;
-  const Scalar ddp_o_4_z = Scalar(0.0203) * t26 - Scalar(0.4331) * t23 - t29;
+  const Scalar t3 = omega_3_z * t2;
+  const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar t4 = t3 - s_2_3 * qdd_1;
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = s_2_3 * qd_1;
+  const Scalar omega_r_4_y = s_4 * t6 + c_4 * omega_3_z;
+  const Scalar omega_4_z = qd_4 - t2;
+  const Scalar t7 = omega_r_4_y * omega_4_z;
+  const Scalar t8 = t2 * t6;
   const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar Uz_o_4_x = t18 + domega_3_z;
-  const Scalar t30 = qd_2 * qd_2;
-  const Scalar t31 = Scalar(0.1501) * qdd_1 + Scalar(0.4318) * (s_2 * qdd_2 + c_2 * (t30 + t28));
-  const Scalar t32 = Scalar(0.4318) * (s_2 * t30 - c_2 * qdd_2) + Scalar(9.81);
-  const Scalar t33 = t30 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
-  const Scalar t34 = s_2_3 * t32 - t3 * t31;
-  const Scalar ddp_3_y = s_2_3 * t31 + t3 * t32;
-  const Scalar t35 = t28 - t17 + t21;
-  const Scalar Uz_o_4_y = t17 + t21;
-  const Scalar ddp_o_4_x = Scalar(0.0203) * t35 + Scalar(0.4331) * Uz_o_4_x - t34;
-  const Scalar t36 = s_4 * ddp_o_4_x - c_4 * ddp_o_4_z;
-  const Scalar ddp_4_x = s_4 * ddp_o_4_z + c_4 * ddp_o_4_x;
-  const Scalar U_3_yx = domega_3_z - t18;
-  const Scalar ddp_4_a_z = Scalar(0.0203) * U_3_yx - Scalar(0.4331) * Uz_o_4_y - ddp_3_y;
-  const Scalar t37 = s_5 * ddp_4_a_z - c_5 * ddp_4_x;
-  const Scalar domega_5_z = qdd_5 - t16 - s_4 * t23 + c_4 * Uz_o_4_x;
-  const Scalar t38 = t10 * omega_r_6_a_z;
-  const Scalar mu_5_z = Scalar(0.00064216) * domega_5_z - Scalar(0.00024216) * t38 -
-      Scalar(0.00288) * t37 + s_6 * mu_6_x - c_6 * t13;
-  const Scalar Uz_o_6_x = domega_5_z - t38;
-  const Scalar t39 = omega_r_6_a_z * omega_5_z;
-  const Scalar t40 = Scalar(0.0013) * t16 - mu_5_z;
-  tau[4] = Scalar(0.85444524) * detail::sign(qd_5) + Scalar(0.4272830209354) * qd_5 +
-      Scalar(0.181052127515) * qdd_5 + mu_5_z;
-  const Scalar t41 = t15 + s_4 * Uz_o_4_x + c_4 * t23;
-  const Scalar U_4_zy = t15 + t41;
-  const Scalar t42 = domega_4_z - t14;
-  const Scalar t43 = t39 + s_5 * t42 - c_5 * U_4_zy;
-  const Scalar t44 = Scalar(-0.00024216) * t43 - Scalar(0.00064216) * t39 + Scalar(0.00288) * t36 +
-      s_6 * t13 + c_6 * mu_6_x;
-  const Scalar Uz_o_6_z = t39 + t43;
-  const Scalar t45 = s_2_3 * h_e_3 + t3 * f_e1_x;
-  const Scalar f_e4_a_z = s_2_3 * f_e1_x - t3 * h_e_3;
-  const Scalar f_e4_y = s_4 * t45 - c_4 * t1;
-  const Scalar t46 = s_4 * t1 + c_4 * t45;
-  const Scalar t47 = s_5 * f_e4_a_z + c_5 * t46;
-  const Scalar f_e6_y = s_6 * t47 + c_6 * f_e4_y;
-  const Scalar f_e6_x = s_6 * f_e4_y - c_6 * t47;
-  const Scalar t48 = Scalar(-0.00288) * Uz_o_6_z - s_6 * f_e6_x - c_6 * f_e6_y + Scalar(1.25) * t36;
-  const Scalar f_5_x = Scalar(0.00288) * Uz_o_6_x - s_6 * f_e6_y + c_6 * f_e6_x;
-  const Scalar Uz_o_6_y = t10 * t10 + omega_5_z * omega_5_z;
-  const Scalar t49 = Scalar(0.00288) * Uz_o_6_y + s_5 * t46 - c_5 * f_e4_a_z;
-  const Scalar t50 = t10 * omega_5_z;
-  const Scalar domega_6_z = qdd_6 - t50 + s_5 * U_4_zy + c_5 * t42;
-  const Scalar mu_6_z = Scalar(0.00004) * domega_6_z - s_5 * t5 + c_5 * mu_e4_a_z;
-  const Scalar f_4_z = -s_5 * f_5_x - c_5 * t49 + Scalar(1.25) * ddp_4_a_z;
-  const Scalar f_4_x = c_5 * f_5_x - s_5 * t49 + Scalar(1.25) * ddp_4_x;
-  const Scalar mu_5_y = Scalar(0.0004) * t50 - mu_6_z;
-  const Scalar mu_4_x = Scalar(0.0003) * t41 + Scalar(0.0016) * t15 - s_5 * mu_5_y + c_5 * t44;
-  const Scalar mu_4_z = Scalar(0.0016) * domega_4_z - Scalar(0.0003) * t14 - s_5 * t44 -
-      c_5 * mu_5_y;
+  const Scalar Uz_o_4_x = t8 + domega_3_z;
+  const Scalar t9 = t7 + s_4 * Uz_o_4_x + c_4 * t5;
+  const Scalar U_4_zy = t7 + t9;
+  const Scalar t10 = s_4 * omega_3_z - c_4 * t6;
+  const Scalar t11 = s_5 * omega_4_z - c_5 * t10;
+  const Scalar omega_5_z = qd_5 + omega_r_4_y;
+  const Scalar t12 = t11 * omega_5_z;
+  const Scalar t13 = omega_3_z * t6;
+  const Scalar t14 = t1 * qdd_1;
+  const Scalar t15 = t14 + t13;
+  const Scalar domega_4_z = qdd_4 - t15;
+  const Scalar t16 = t10 * omega_r_4_y;
+  const Scalar t17 = domega_4_z - t16;
+  const Scalar domega_6_z = qdd_6 - t12 + s_5 * U_4_zy + c_5 * t17;
+  const Scalar mu_e1_x = s_1 * h_e_5 + c_1 * h_e_4;
+  const Scalar t18 = s_2_3 * h_e_6 + t1 * mu_e1_x;
+  const Scalar t19 = s_1 * h_e_4 - c_1 * h_e_5;
+  const Scalar t20 = s_4 * t19 + c_4 * t18;
+  const Scalar mu_e4_a_z = s_2_3 * mu_e1_x - t1 * h_e_6;
+  const Scalar mu_6_z = Scalar(0.00004) * domega_6_z - s_5 * t20 + c_5 * mu_e4_a_z;
   tau[5] = Scalar(0.2158232532732) * qd_6 + Scalar(0.55443978) * detail::sign(qd_6) +
       Scalar(0.20582599086) * qdd_6 + mu_6_z;
-  const Scalar f_3_y = Scalar(0.32042) * Uz_o_4_y - f_4_z + Scalar(7.540157480314961) * ddp_3_y;
+  const Scalar omega_r_6_y = s_6 * t11 + c_6 * omega_5_z;
+  const Scalar omega_r_6_a_z = s_5 * t10 + c_5 * omega_4_z;
+  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
+  const Scalar t21 = Scalar(0.00004) * omega_6_z;
+  const Scalar t22 = s_5 * mu_e4_a_z + c_5 * t20;
+  const Scalar mu_e4_y = s_4 * t18 - c_4 * t19;
+  const Scalar mu_6_x = omega_r_6_y * t21 + s_6 * mu_e4_y - c_6 * t22;
+  const Scalar t23 = (s_6 * omega_5_z - c_6 * t11) * t21;
+  const Scalar t24 = t23 - s_6 * t22 - c_6 * mu_e4_y;
+  const Scalar t25 = t13 + t15;
+  const Scalar t26 = Scalar(0.4318) * c_2;
+  const Scalar t27 = qd_1 * qd_1;
+  const Scalar t28 = Scalar(0.1501) * t27 - qdd_1 * t26 + Scalar(0.8636) * s_2 * qd_1 * qd_2;
+  const Scalar ddp_o_4_z = Scalar(0.0203) * t25 - Scalar(0.4331) * t5 - t28;
+  const Scalar t29 = qd_2 * qd_2;
+  const Scalar t30 = Scalar(0.1501) * qdd_1 + Scalar(0.4318) * (s_2 * qdd_2 + c_2 * (t29 + t27));
+  const Scalar t31 = Scalar(0.4318) * (s_2 * t29 - c_2 * qdd_2) + Scalar(9.81);
+  const Scalar t32 = s_2_3 * t31 - t1 * t30;
+  const Scalar t33 = t6 * t6;
+  const Scalar t34 = omega_3_z * omega_3_z;
+  const Scalar t35 = t27 - t33 + t34;
+  const Scalar ddp_o_4_x = Scalar(0.0203) * t35 + Scalar(0.4331) * Uz_o_4_x - t32;
+  const Scalar ddp_4_x = s_4 * ddp_o_4_z + c_4 * ddp_o_4_x;
+  const Scalar ddp_3_y = s_2_3 * t30 + t1 * t31;
+  const Scalar U_3_yx = domega_3_z - t8;
+  const Scalar Uz_o_4_y = t33 + t34;
+  const Scalar ddp_4_a_z = Scalar(0.0203) * U_3_yx - Scalar(0.4331) * Uz_o_4_y - ddp_3_y;
+  const Scalar t36 = s_5 * ddp_4_a_z - c_5 * ddp_4_x;
+  const Scalar t37 = t10 * omega_4_z;
+  const Scalar domega_5_z = qdd_5 - t37 - s_4 * t5 + c_4 * Uz_o_4_x;
+  const Scalar t38 = t11 * omega_r_6_a_z;
+  const Scalar mu_5_z = Scalar(0.00064216) * domega_5_z - Scalar(0.00024216) * t38 -
+      Scalar(0.00288) * t36 + s_6 * mu_6_x - c_6 * t24;
+  tau[4] = Scalar(0.85444524) * detail::sign(qd_5) + Scalar(0.4272830209354) * qd_5 +
+      Scalar(0.181052127515) * qdd_5 + mu_5_z;
+  const Scalar t39 = omega_r_6_a_z * omega_5_z;
+  const Scalar t40 = t39 + s_5 * t17 - c_5 * U_4_zy;
+  const Scalar t41 = s_4 * ddp_o_4_x - c_4 * ddp_o_4_z;
+  const Scalar t42 = Scalar(-0.00024216) * t40 - Scalar(0.00064216) * t39 + Scalar(0.00288) * t41 +
+      s_6 * t24 + c_6 * mu_6_x;
+  const Scalar mu_5_y = Scalar(0.0004) * t12 - mu_6_z;
+  const Scalar mu_4_z = Scalar(0.0016) * domega_4_z - Scalar(0.0003) * t16 - s_5 * t42 -
+      c_5 * mu_5_y;
   tau[3] = Scalar(0.411645229697152) * qd_4 + Scalar(1.06831142) * detail::sign(qd_4) +
       Scalar(0.2023536943736) * qdd_4 + mu_4_z;
+  const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
+  const Scalar t43 = s_2_3 * h_e_3 + t1 * f_e1_x;
+  const Scalar t44 = s_1 * h_e_1 - c_1 * h_e_2;
+  const Scalar t45 = s_4 * t44 + c_4 * t43;
+  const Scalar f_e4_a_z = s_2_3 * f_e1_x - t1 * h_e_3;
+  const Scalar t46 = s_5 * f_e4_a_z + c_5 * t45;
+  const Scalar f_e4_y = s_4 * t43 - c_4 * t44;
+  const Scalar f_e6_y = s_6 * t46 + c_6 * f_e4_y;
+  const Scalar f_e6_x = s_6 * f_e4_y - c_6 * t46;
+  const Scalar Uz_o_6_x = domega_5_z - t38;
+  const Scalar f_5_x = Scalar(0.00288) * Uz_o_6_x - s_6 * f_e6_y + c_6 * f_e6_x;
+  const Scalar Uz_o_6_y = t11 * t11 + omega_5_z * omega_5_z;
+  const Scalar t47 = Scalar(0.00288) * Uz_o_6_y + s_5 * t45 - c_5 * f_e4_a_z;
+  const Scalar f_4_x = c_5 * f_5_x - s_5 * t47 + Scalar(1.25) * ddp_4_x;
+  const Scalar Uz_o_6_z = t39 + t40;
+  const Scalar t48 = Scalar(-0.00288) * Uz_o_6_z - s_6 * f_e6_x - c_6 * f_e6_y + Scalar(1.25) * t41;
   const Scalar f_u_4_t_x = s_4 * t48 + c_4 * f_4_x;
-  const Scalar t51 = Scalar(0.004704) * t24 - Scalar(0.000316274) * (t35 - Uz_o_4_y) +
-      Scalar(0.065620624) * t18 + Scalar(0.0203) * f_4_z + Scalar(0.078120624) * domega_3_z -
-      Scalar(0.32042) * t34 + Scalar(0.4331) * f_u_4_t_x + s_4 * mu_4_x - c_4 * t40;
-  const Scalar f_u_4_t_y = s_4 * f_4_x - c_4 * t48;
-  const Scalar mu_3_y = Scalar(0.000316274) * t23 + Scalar(0.0125) * t19 +
-      Scalar(0.004704) * Uz_o_4_x + Scalar(0.0203) * f_u_4_t_y - mu_4_z;
-  const Scalar f_3_x = Scalar(0.32042) * Uz_o_4_x + f_u_4_t_x - Scalar(7.540157480314961) * t34;
-  const Scalar t52 = t27 * (Scalar(0.32042) * t23 - f_u_4_t_y + Scalar(7.540157480314961) * t29);
-  const Scalar U_3_yy_zz = t28 - Uz_o_4_y;
-  const Scalar t53 = Scalar(0.000316274) * t26 + Scalar(0.004704) * U_3_yy_zz +
-      Scalar(0.078120624) * t20 + Scalar(0.065620624) * t22 + Scalar(0.32042) * t29 -
-      Scalar(0.4331) * f_u_4_t_y + s_4 * t40 + c_4 * mu_4_x;
+  const Scalar mu_4_x = Scalar(0.0003) * t9 + Scalar(0.0016) * t7 - s_5 * mu_5_y + c_5 * t42;
+  const Scalar t49 = Scalar(0.0013) * t37 - mu_5_z;
+  const Scalar f_4_z = -s_5 * f_5_x - c_5 * t47 + Scalar(1.25) * ddp_4_a_z;
+  const Scalar t50 = Scalar(0.004704) * t14 - Scalar(0.000316274) * (t35 - Uz_o_4_y) +
+      Scalar(0.065620624) * t8 + Scalar(0.0203) * f_4_z + Scalar(0.078120624) * domega_3_z -
+      Scalar(0.32042) * t32 + Scalar(0.4331) * f_u_4_t_x + s_4 * mu_4_x - c_4 * t49;
   tau[2] = Scalar(6.36419655) * detail::sign(qd_3) + Scalar(3.9804259903722) * qd_3 +
-      Scalar(0.86242563124731) * qdd_3 + t51;
+      Scalar(0.86242563124731) * qdd_3 + t50;
+  const Scalar f_3_x = Scalar(0.32042) * Uz_o_4_x + f_u_4_t_x - Scalar(7.540157480314961) * t32;
+  const Scalar f_3_y = Scalar(0.32042) * Uz_o_4_y - f_4_z + Scalar(7.540157480314961) * ddp_3_y;
+  const Scalar t51 = s_2_3 * f_3_y + t1 * f_3_x;
+  const Scalar f_u_4_t_y = s_4 * f_4_x - c_4 * t48;
+  const Scalar t52 = t26 * (Scalar(0.32042) * t5 - f_u_4_t_y + Scalar(7.540157480314961) * t28);
+  const Scalar U_3_yy_zz = t27 - Uz_o_4_y;
+  const Scalar t53 = Scalar(0.000316274) * t25 + Scalar(0.004704) * U_3_yy_zz +
+      Scalar(0.078120624) * t3 + Scalar(0.065620624) * t4 + Scalar(0.32042) * t28 -
+      Scalar(0.4331) * f_u_4_t_y + s_4 * t49 + c_4 * mu_4_x;
+  const Scalar mu_3_y = Scalar(0.000316274) * t5 + Scalar(0.0125) * t13 +
+      Scalar(0.004704) * Uz_o_4_x + Scalar(0.0203) * f_u_4_t_y - mu_4_z;
   const Scalar I_t2_g = Scalar(0.0141984) * s_2 + Scalar(0.03707456) * c_2;
-  const Scalar t54 = qdd_1 * (c_2 * I_t2_g - Scalar(2.493827218941039));
   const Scalar I_2_xy = s_2 * I_t2_g - Scalar(0.0070992);
-  const Scalar t55 = Scalar(0.023751) * c_2 + Scalar(0.12059664) * s_2;
-  const Scalar t56 = s_2_3 * f_3_y + t3 * f_3_x;
-  const Scalar t57 = s_3 * f_3_x + c_3 * f_3_y;
-  tau[1] = Scalar(1.024164) * s_2 - t28 * I_2_xy + qdd_1 * t55 + t51 +
+  const Scalar t54 = qd_1 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
+  const Scalar t55 = qdd_1 * (c_2 * I_t2_g - Scalar(2.493827218941039));
+  const Scalar t56 = t29 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
+  const Scalar t57 = Scalar(0.023751) * c_2 + Scalar(0.12059664) * s_2;
+  tau[0] = t56 + qdd_2 * t57 + t1 * mu_3_y + Scalar(0.1501) * t51 - t52 - s_2_3 * t53 +
+      Scalar(25.9836065) * detail::sign(qd_1) + Scalar(2.0) * t54 - t55;
+  const Scalar t58 = s_3 * f_3_x + c_3 * f_3_y;
+  tau[1] = Scalar(1.024164) * s_2 - t27 * I_2_xy + qdd_1 * t57 + t50 +
       Scalar(10.6197775) * detail::sign(qd_2) + Scalar(9.496868641825) * qd_2 +
-      Scalar(0.4318) * t57 + Scalar(4.863424598025) * qdd_2;
-  const Scalar t58 = qd_1 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
-  tau[0] = t33 + qdd_2 * t55 + t3 * mu_3_y + Scalar(0.1501) * t56 - t52 - s_2_3 * t53 +
-      Scalar(25.9836065) * detail::sign(qd_1) + Scalar(2.0) * t58 - t54;
+      Scalar(0.4318) * t58 + Scalar(4.863424598025) * qdd_2;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -622,59 +622,59 @@ static inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_
   sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
-  const Scalar t1 = Scalar(0.00020216) * c_5;
-  const Scalar t2 = t1 + Scalar(0.001247328);
-  const Scalar t3 = c_5 * t1;
-  const Scalar mu_u_4_4_a_y = t3 - Scalar(0.00184216);
-  const Scalar Iu_5_t_xx = t3 - Scalar(0.00020216);
-  B[21] = Scalar(0.2023536943736) - mu_u_4_4_a_y;
-  const Scalar Iu_4_t_d = Iu_5_t_xx - Scalar(0.0001);
-  const Scalar t4 = c_4 * Iu_4_t_d;
-  const Scalar t5 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t6 = c_4 * s_5;
-  const Scalar t7 = Scalar(0.000116928) * t6;
-  const Scalar t8 = c_4 * t4;
-  const Scalar t9 = Scalar(0.002494656) * c_5;
-  const Scalar Ic_3_zz = -t7 - t8 + Iu_5_t_xx + t9 + Scalar(0.313647409);
-  const Scalar Ic_3_xx = t8 + Scalar(0.0001) + t9;
-  const Scalar Iu_3_t_d = t7 + mu_u_4_4_a_y + Ic_3_xx + Scalar(0.300117184);
-  B[14] = Ic_3_zz + Scalar(0.86242563124731);
-  const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t10 = s_2_3 * (Scalar(0.000058464) * c_5 - t6 * t2 + Scalar(0.0106736385));
-  const Scalar Iu_3_t_g = Scalar(2.0) * t10 - t5 * Iu_3_t_d;
-  const Scalar t11 = Scalar(0.000432288) * c_5;
-  const Scalar f_3_3_x = t11 + Scalar(0.1293554295);
-  const Scalar t12 = t11 * (c_4 * t5 +
-      Scalar(2.876748834110593) * s_4 * (Scalar(0.04701250578971746) * t5 + c_2));
-  const Scalar hc_3_x = Scalar(0.000432288) * t6 - Scalar(0.0038087875);
-  const Scalar hu_3_t_x = s_2_3 * f_3_3_x - t5 * hc_3_x;
-  const Scalar t13 = c_2 * (Scalar(5.753497668221186) * hu_3_t_x - Scalar(0.0141984) * s_2 +
-      Scalar(1.601861202) * c_2);
-  const Scalar t14 = s_4 * s_5;
-  B[0] = Scalar(0.000864576) * t14 + Ic_3_xx + t5 * Iu_3_t_g + t13 + Scalar(2.99250185137411);
-  const Scalar t15 = t5 * (Scalar(0.000058464) * t6 - Scalar(0.000432288) * t14 + mu_u_4_4_a_y);
-  B[3] = B[18] = t6 * (Scalar(0.001243584) * c_2 + s_2_3 * t2) + t15;
-  const Scalar t16 = t2 * t14;
-  B[9] = B[19] = Scalar(-0.001243584) * s_3 * t14 - t16;
-  B[11] = B[17] = B[31] = B[32] = Scalar(0.00004) * t14;
-  B[15] = B[20] = -t16;
-  const Scalar Ic_3_yz = t16 + Scalar(0.004704);
-  const Scalar t17 = Scalar(0.001247328) * c_5 + Scalar(0.00064216);
-  B[4] = B[24] = t12 + s_2_3 * (Scalar(0.000432288) * s_5 + s_4 * t17);
-  const Scalar t18 = Scalar(0.000058464) * s_5;
-  const Scalar B_13 = s_2_3 * (hc_3_x - s_4 * (t18 + t4)) + t5 * (Ic_3_yz + f_3_3_x);
-  const Scalar t19 = t18 - c_4 * t17;
-  B[1] = B[6] = Scalar(0.023751) * c_2 + B_13 +
-      Scalar(0.001243584) * s_2 * (t14 + Scalar(555.1009815179352));
-  const Scalar t20 = c_3 * hc_3_x + s_3 * f_3_3_x;
-  B[2] = B[12] = B_13;
-  B[10] = B[25] = Scalar(0.001243584) * (s_3 * c_4 * c_5 + c_3 * s_5) - t19;
-  B[16] = B[26] = -t19;
-  B[7] = Ic_3_zz + Scalar(5.753497668221186) * t20 + Scalar(6.502360360025);
-  B[8] = B[13] = Ic_3_zz + Scalar(2.876748834110593) * t20;
   const Scalar mu_u_6_5_a_z = Scalar(0.00004) * c_5;
-  B[5] = B[30] = Scalar(-0.00004) * s_2_3 * t6 - t5 * mu_u_6_5_a_z;
   B[23] = B[33] = mu_u_6_5_a_z;
+  const Scalar t1 = s_4 * s_5;
+  B[11] = B[17] = B[31] = B[32] = Scalar(0.00004) * t1;
+  const Scalar t2 = Scalar(0.00020216) * c_5;
+  const Scalar t3 = t2 + Scalar(0.001247328);
+  const Scalar t4 = t3 * t1;
+  B[15] = B[20] = -t4;
+  const Scalar t5 = Scalar(0.001247328) * c_5 + Scalar(0.00064216);
+  const Scalar t6 = Scalar(0.000058464) * s_5;
+  const Scalar t7 = t6 - c_4 * t5;
+  B[16] = B[26] = -t7;
+  const Scalar t8 = c_5 * t2;
+  const Scalar mu_u_4_4_a_y = t8 - Scalar(0.00184216);
+  B[21] = Scalar(0.2023536943736) - mu_u_4_4_a_y;
+  B[9] = B[19] = Scalar(-0.001243584) * s_3 * t1 - t4;
+  B[10] = B[25] = Scalar(0.001243584) * (s_3 * c_4 * c_5 + c_3 * s_5) - t7;
+  const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar t9 = c_4 * s_5;
+  const Scalar t10 = s_2 * s_3 - c_2 * c_3;
+  B[5] = B[30] = Scalar(-0.00004) * s_2_3 * t9 - t10 * mu_u_6_5_a_z;
+  const Scalar t11 = t10 * (Scalar(0.000058464) * t9 - Scalar(0.000432288) * t1 + mu_u_4_4_a_y);
+  B[3] = B[18] = t9 * (Scalar(0.001243584) * c_2 + s_2_3 * t3) + t11;
+  const Scalar t12 = Scalar(0.000432288) * c_5;
+  const Scalar t13 = t12 * (c_4 * t10 +
+      Scalar(2.876748834110593) * s_4 * (Scalar(0.04701250578971746) * t10 + c_2));
+  B[4] = B[24] = t13 + s_2_3 * (Scalar(0.000432288) * s_5 + s_4 * t5);
+  const Scalar Iu_5_t_xx = t8 - Scalar(0.00020216);
+  const Scalar Iu_4_t_d = Iu_5_t_xx - Scalar(0.0001);
+  const Scalar t14 = c_4 * Iu_4_t_d;
+  const Scalar t15 = c_4 * t14;
+  const Scalar t16 = Scalar(0.000116928) * t9;
+  const Scalar t17 = Scalar(0.002494656) * c_5;
+  const Scalar Ic_3_zz = -t16 - t15 + Iu_5_t_xx + t17 + Scalar(0.313647409);
+  const Scalar f_3_3_x = t12 + Scalar(0.1293554295);
+  const Scalar hc_3_x = Scalar(0.000432288) * t9 - Scalar(0.0038087875);
+  const Scalar t18 = c_3 * hc_3_x + s_3 * f_3_3_x;
+  B[7] = Ic_3_zz + Scalar(5.753497668221186) * t18 + Scalar(6.502360360025);
+  B[14] = Ic_3_zz + Scalar(0.86242563124731);
+  B[8] = B[13] = Ic_3_zz + Scalar(2.876748834110593) * t18;
+  const Scalar Ic_3_yz = t4 + Scalar(0.004704);
+  const Scalar B_13 = s_2_3 * (hc_3_x - s_4 * (t6 + t14)) + t10 * (Ic_3_yz + f_3_3_x);
+  B[2] = B[12] = B_13;
+  B[1] = B[6] = Scalar(0.023751) * c_2 + B_13 +
+      Scalar(0.001243584) * s_2 * (t1 + Scalar(555.1009815179352));
+  const Scalar Ic_3_xx = t15 + Scalar(0.0001) + t17;
+  const Scalar Iu_3_t_d = t16 + mu_u_4_4_a_y + Ic_3_xx + Scalar(0.300117184);
+  const Scalar t19 = s_2_3 * (Scalar(0.000058464) * c_5 - t9 * t3 + Scalar(0.0106736385));
+  const Scalar Iu_3_t_g = Scalar(2.0) * t19 - t10 * Iu_3_t_d;
+  const Scalar hu_3_t_x = s_2_3 * f_3_3_x - t10 * hc_3_x;
+  const Scalar t20 = c_2 * (Scalar(5.753497668221186) * hu_3_t_x - Scalar(0.0141984) * s_2 +
+      Scalar(1.601861202) * c_2);
+  B[0] = Scalar(0.000864576) * t1 + Ic_3_xx + t10 * Iu_3_t_g + t20 + Scalar(2.99250185137411);
   B[22] = B[27] = B[29] = B[34] = Scalar(0.0);
   B[28] = Scalar(0.181694287515);
   B[35] = Scalar(0.20586599086);
@@ -1112,16 +1112,16 @@ static inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {
   sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
-  const Scalar t1 = Scalar(0.0282528) * s_5;
   const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar t1 = Scalar(0.0282528) * s_5;
   g[3] = s_4 * s_2_3 * t1;
   const Scalar t2 = s_2 * s_3 - c_2 * c_3;
   const Scalar t3 = Scalar(0.0282528) * c_5;
   g[4] = t2 * t1 - c_4 * s_2_3 * t3;
   const Scalar hc_3_x = c_4 * t1 - Scalar(0.24892875);
   const Scalar hu_3_t_x = s_2_3 * (t3 + Scalar(8.45420895)) - t2 * hc_3_x;
-  g[1] = Scalar(1.024164) * s_2 - hu_3_t_x - Scalar(37.2347379) * c_2;
   g[2] = -hu_3_t_x;
+  g[1] = Scalar(1.024164) * s_2 - hu_3_t_x - Scalar(37.2347379) * c_2;
   g[0] = g[5] = Scalar(0.0);
 }
 
@@ -1454,43 +1454,43 @@ static inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
   const Scalar t1 = s_2 * qd_1;
   const Scalar v_o_3_y = t1 + Scalar(2.876748834110593) * qd_2;
   const Scalar t2 = c_2 * qd_1;
-  const Scalar t3 = s_3 * t2;
-  const Scalar v_r_3_y = t3 + c_3 * v_o_3_y;
-  const Scalar t4 = t3 + c_3 * t1;
-  const Scalar t5 = c_3 * t2;
-  const Scalar t6 = t5 - s_3 * v_o_3_y;
-  const Scalar t7 = s_3 * t1 - t5;
+  const Scalar t3 = c_3 * t2;
+  const Scalar t4 = t3 - s_3 * v_o_3_y;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t8 = t6 - Scalar(2.8854097268487675) * omega_3_z;
-  const Scalar t9 = Scalar(0.004704) * t7 - Scalar(0.007617575) * v_r_3_y -
-      Scalar(0.258710859) * t6 + Scalar(0.313105249) * omega_3_z;
+  const Scalar t5 = t4 - Scalar(2.8854097268487675) * omega_3_z;
+  const Scalar t6 = s_3 * t2;
+  const Scalar t7 = t6 + c_3 * t1;
+  const Scalar t8 = s_3 * t1 - t3;
+  const Scalar v_o_4_z = Scalar(0.13524317121918722) * t8 + Scalar(2.876748834110593) * t2 +
+      Scalar(2.8854097268487675) * t7;
+  const Scalar v_r_3_y = t6 + c_3 * v_o_3_y;
   const Scalar v_o_4_y = v_r_3_y - Scalar(0.13524317121918722) * omega_3_z;
-  const Scalar v_o_4_z = Scalar(0.13524317121918722) * t7 + Scalar(2.876748834110593) * t2 +
-      Scalar(2.8854097268487675) * t4;
-  const Scalar t10 = s_5 * v_o_4_y + c_5 * (s_4 * v_o_4_z - c_4 * t8);
-  const Scalar v_r_4_y = c_4 * v_o_4_z + s_4 * t8;
-  const Scalar omega_5_z = s_4 * t4 + qd_5 + c_4 * omega_3_z;
-  const Scalar t11 = omega_5_z * (Scalar(0.00064216) * omega_5_z + Scalar(0.000864576) * t10);
-  const Scalar t12 = s_4 * omega_3_z - c_4 * t4;
-  const Scalar omega_4_z = qd_4 - t7;
-  const Scalar t13 = s_5 * omega_4_z - c_5 * t12;
-  const Scalar t14 = t13 * (Scalar(0.00024216) * t13 + Scalar(0.000864576) * v_r_4_y);
-  const Scalar omega_6_z = qd_6 + s_5 * t12 + c_5 * omega_4_z;
-  const Scalar t15 = s_2 * (Scalar(0.690314699) * qd_2 - Scalar(0.0070992) * t2 -
-      Scalar(1.601861202) * t1);
-  const Scalar t16 = c_2 * (Scalar(0.023751) * qd_2 - Scalar(0.0070992) * t1) + t15 +
-      Scalar(4.29424586937411) * qd_1;
-  const Scalar t17 = qd_2 * (Scalar(0.023751) * t2 + Scalar(0.690314699) * t1 +
-      Scalar(6.502360360025) * qd_2);
-  const Scalar L_3_y = Scalar(0.0106736385) * t4 + Scalar(0.004704) * omega_3_z +
+  const Scalar t9 = s_5 * v_o_4_y + c_5 * (s_4 * v_o_4_z - c_4 * t5);
+  const Scalar omega_5_z = s_4 * t7 + qd_5 + c_4 * omega_3_z;
+  const Scalar t10 = omega_5_z * (Scalar(0.00064216) * omega_5_z + Scalar(0.000864576) * t9);
+  const Scalar v_r_4_y = c_4 * v_o_4_z + s_4 * t5;
+  const Scalar t11 = s_4 * omega_3_z - c_4 * t7;
+  const Scalar omega_4_z = qd_4 - t8;
+  const Scalar t12 = s_5 * omega_4_z - c_5 * t11;
+  const Scalar t13 = t12 * (Scalar(0.00024216) * t12 + Scalar(0.000864576) * v_r_4_y);
+  const Scalar omega_6_z = qd_6 + s_5 * t11 + c_5 * omega_4_z;
+  const Scalar t14 = Scalar(0.004704) * t8 - Scalar(0.007617575) * v_r_3_y -
+      Scalar(0.258710859) * t4 + Scalar(0.313105249) * omega_3_z;
+  const Scalar L_3_y = Scalar(0.0106736385) * t7 + Scalar(0.004704) * omega_3_z +
       Scalar(0.02191385) * t2;
-  const Scalar t18 = t4 * (Scalar(0.0106736385) * t7 + Scalar(0.299575024) * t4 +
+  const Scalar t15 = t7 * (Scalar(0.0106736385) * t8 + Scalar(0.299575024) * t7 +
       Scalar(0.744246162) * t2);
-  const Scalar T_2 = Scalar(0.00004) * omega_6_z * omega_6_z + Scalar(0.0003) * t12 * t12 +
-      Scalar(0.0016) * omega_4_z * omega_4_z + t11 + t14 + t7 * L_3_y +
+  const Scalar t16 = s_2 * (Scalar(0.690314699) * qd_2 - Scalar(0.0070992) * t2 -
+      Scalar(1.601861202) * t1);
+  const Scalar t17 = c_2 * (Scalar(0.023751) * qd_2 - Scalar(0.0070992) * t1) + t16 +
+      Scalar(4.29424586937411) * qd_1;
+  const Scalar t18 = qd_2 * (Scalar(0.023751) * t2 + Scalar(0.690314699) * t1 +
+      Scalar(6.502360360025) * qd_2);
+  const Scalar T_2 = Scalar(0.00004) * omega_6_z * omega_6_z + Scalar(0.0003) * t11 * t11 +
+      Scalar(0.0016) * omega_4_z * omega_4_z + t10 + t13 + t8 * L_3_y +
       Scalar(0.20582599086) * qd_6 * qd_6 + Scalar(0.181052127515) * qd_5 * qd_5 +
-      Scalar(0.2023536943736) * qd_4 * qd_4 + t18 + Scalar(0.86242563124731) * qd_3 * qd_3 +
-      omega_3_z * t9 + t17 + qd_1 * t16;
+      Scalar(0.2023536943736) * qd_4 * qd_4 + t15 + Scalar(0.86242563124731) * qd_3 * qd_3 +
+      omega_3_z * t14 + t18 + qd_1 * t17;
   return Scalar(0.5) * T_2;
 }
 

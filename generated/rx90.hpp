@@ -1424,22 +1424,22 @@ static inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5];
   const Scalar t1 = Scalar(0.06867) * c_6 + Scalar(0.109872) * s_6;
-  const Scalar hu_6_t_y = Scalar(0.109872) * c_6 - Scalar(0.06867) * s_6;
-  const Scalar t2 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t2 = t1 - Scalar(0.199143);
+  const Scalar hu_5_t_y = Scalar(0.310977) * c_5 - s_5 * t2;
   const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
   const Scalar t3 = c_4 * s_2_3;
-  g[5] = hu_6_t_y * (s_5 * t2 - c_5 * t3) + s_4 * s_2_3 * t1;
-  const Scalar t4 = t1 - Scalar(0.199143);
+  const Scalar t4 = Scalar(0.310977) * s_5 + c_5 * t2;
+  const Scalar t5 = s_2 * s_3 - c_2 * c_3;
+  g[4] = t5 * t4 - hu_5_t_y * t3;
+  const Scalar hu_6_t_y = Scalar(0.109872) * c_6 - Scalar(0.06867) * s_6;
+  g[5] = hu_6_t_y * (s_5 * t5 - c_5 * t3) + s_4 * s_2_3 * t1;
+  const Scalar t6 = t4 + Scalar(1.141884);
   const Scalar hc_4_y = hu_6_t_y + Scalar(2.104245);
-  const Scalar hu_5_t_y = Scalar(0.310977) * c_5 - s_5 * t4;
-  const Scalar t5 = Scalar(0.310977) * s_5 + c_5 * t4;
-  g[4] = t2 * t5 - hu_5_t_y * t3;
-  const Scalar t6 = t5 + Scalar(1.141884);
   g[3] = s_2_3 * (s_4 * t6 - c_4 * hc_4_y);
   const Scalar hc_3_y = hu_5_t_y + Scalar(37.580148);
-  const Scalar t7 = s_2_3 * hc_3_y - t2 * (c_4 * t6 + s_4 * hc_4_y - Scalar(2.692845));
-  g[1] = Scalar(4.102542) * s_2 - t7 + Scalar(194.232114) * c_2;
+  const Scalar t7 = s_2_3 * hc_3_y - t5 * (c_4 * t6 + s_4 * hc_4_y - Scalar(2.692845));
   g[2] = -t7;
+  g[1] = Scalar(4.102542) * s_2 - t7 + Scalar(194.232114) * c_2;
   g[0] = Scalar(0.0);
 }
 
@@ -1849,61 +1849,61 @@ static inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
   sin_cos(q, Joints<1, 2, 3, 4, 5>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5];
-  const Scalar omega_3_z = qd_2 + qd_3;
   const Scalar t1 = c_2 * qd_1;
   const Scalar t2 = s_2 * qd_1;
   const Scalar omega_r_3_x = s_3 * t1 + c_3 * t2;
   const Scalar v_r_4_a_y = t1 - omega_r_3_x;
   const Scalar t3 = s_3 * qd_2;
+  const Scalar omega_3_z = qd_2 + qd_3;
   const Scalar t4 = omega_3_z - t3;
-  const Scalar v_r_4_y = s_4 * t4 + c_4 * v_r_4_a_y;
   const Scalar v_r_4_x = s_4 * v_r_4_a_y - c_4 * t4;
-  const Scalar t5 = s_4 * omega_3_z - c_4 * omega_r_3_x;
+  const Scalar t5 = c_3 * qd_2;
+  const Scalar v_r_5_x = s_5 * t5 + c_5 * v_r_4_x;
+  const Scalar v_r_4_y = s_4 * t4 + c_4 * v_r_4_a_y;
+  const Scalar v_r_6_x = s_6 * v_r_4_y + c_6 * v_r_5_x;
+  const Scalar t6 = s_6 * v_r_5_x - c_6 * v_r_4_y;
+  const Scalar t7 = s_4 * omega_3_z - c_4 * omega_r_3_x;
+  const Scalar t8 = s_3 * t2 - c_3 * t1;
+  const Scalar omega_4_z = qd_4 - t8;
+  const Scalar omega_r_5_x = s_5 * omega_4_z - c_5 * t7;
   const Scalar omega_r_5_a_z = s_4 * omega_r_3_x + c_4 * omega_3_z;
   const Scalar omega_5_z = qd_5 + omega_r_5_a_z;
-  const Scalar t6 = s_3 * t2 - c_3 * t1;
-  const Scalar omega_4_z = qd_4 - t6;
-  const Scalar t7 = c_3 * qd_2;
-  const Scalar L_3_z = Scalar(0.016137) * omega_r_3_x + Scalar(0.0408384) * t6 +
-      Scalar(0.24705) * t7 - Scalar(3.44772) * t3 + Scalar(2.0518487) * omega_3_z;
-  const Scalar v_r_5_x = s_5 * t7 + c_5 * v_r_4_x;
-  const Scalar v_r_6_x = s_6 * v_r_4_y + c_6 * v_r_5_x;
-  const Scalar t8 = s_6 * v_r_5_x - c_6 * v_r_4_y;
-  const Scalar omega_r_5_x = s_5 * omega_4_z - c_5 * t5;
   const Scalar t9 = s_6 * omega_5_z - c_6 * omega_r_5_x;
   const Scalar t10 = s_6 * omega_r_5_x + c_6 * omega_5_z;
-  const Scalar omega_r_5_y = s_5 * t5 + c_5 * omega_4_z;
+  const Scalar omega_r_5_y = s_5 * t7 + c_5 * omega_4_z;
   const Scalar omega_6_z = qd_6 + omega_r_5_y;
   const Scalar t11 = Scalar(0.000534) * t9 - Scalar(0.0009944) * t10 -
-      Scalar(0.0013246) * omega_6_z - Scalar(0.0063) * t8 + Scalar(0.01008) * v_r_6_x;
-  const Scalar t12 = s_5 * v_r_4_x - c_5 * t7;
-  const Scalar t13 = Scalar(0.0007639) * omega_r_5_x - Scalar(0.0016163) * omega_r_5_y +
-      Scalar(0.01827) * t12 + Scalar(0.02853) * v_r_5_x - Scalar(0.0158056) * omega_5_z;
-  const Scalar t14 = Scalar(0.0110896) * t5 - Scalar(0.0523608) * omega_r_5_a_z +
-      Scalar(0.0469862) * omega_4_z - Scalar(0.10476) * v_r_4_y - Scalar(0.19305) * v_r_4_x;
-  const Scalar t15 = t10 * (Scalar(0.000256) * t9 + Scalar(0.0009944) * omega_6_z +
+      Scalar(0.0013246) * omega_6_z - Scalar(0.0063) * t6 + Scalar(0.01008) * v_r_6_x;
+  const Scalar t12 = s_5 * v_r_4_x - c_5 * t5;
+  const Scalar t13 = t10 * (Scalar(0.000256) * t9 + Scalar(0.0009944) * omega_6_z +
       Scalar(0.0063) * t12);
-  const Scalar t16 = Scalar(0.0002546) * t9 + Scalar(0.000256) * t10 -
+  const Scalar t14 = Scalar(0.0002546) * t9 + Scalar(0.000256) * t10 -
       Scalar(0.000534) * omega_6_z + Scalar(0.01008) * t12;
+  const Scalar t15 = Scalar(0.0007639) * omega_r_5_x - Scalar(0.0016163) * omega_r_5_y +
+      Scalar(0.01827) * t12 + Scalar(0.02853) * v_r_5_x - Scalar(0.0158056) * omega_5_z;
   const Scalar L_5_y = Scalar(0.0010857) * omega_r_5_x + Scalar(0.0016163) * omega_5_z +
       Scalar(0.01827) * v_r_4_y;
-  const Scalar t17 = Scalar(0.0007639) * omega_5_z - Scalar(0.0010857) * omega_r_5_y -
+  const Scalar t16 = Scalar(0.0007639) * omega_5_z - Scalar(0.0010857) * omega_r_5_y -
       Scalar(0.0099214) * omega_r_5_x + Scalar(0.02853) * v_r_4_y;
-  const Scalar L_4_y = Scalar(0.0009736) * t5 + Scalar(0.10476) * t7 +
+  const Scalar t17 = Scalar(0.0110896) * t7 - Scalar(0.0523608) * omega_r_5_a_z +
+      Scalar(0.0469862) * omega_4_z - Scalar(0.10476) * v_r_4_y - Scalar(0.19305) * v_r_4_x;
+  const Scalar L_4_y = Scalar(0.0009736) * t7 + Scalar(0.10476) * t5 +
       Scalar(0.0523608) * omega_4_z;
   const Scalar L_4_x = Scalar(0.0009736) * omega_r_5_a_z - Scalar(0.0110896) * omega_4_z -
-      Scalar(0.0221926) * t5 + Scalar(0.19305) * t7;
-  const Scalar L_2_y = Scalar(0.0444376) * qd_2 + Scalar(0.0684948) * t2;
-  const Scalar t18 = t2 * (Scalar(0.1098692) * qd_2 - Scalar(0.0684948) * t1 +
-      Scalar(8.4002222) * t2);
-  const Scalar L_2_z = Scalar(0.0444376) * t1 - Scalar(0.1098692) * t2 + Scalar(8.554441) * qd_2;
+      Scalar(0.0221926) * t7 + Scalar(0.19305) * t5;
+  const Scalar L_3_z = Scalar(0.016137) * omega_r_3_x + Scalar(0.0408384) * t8 +
+      Scalar(0.24705) * t5 - Scalar(3.44772) * t3 + Scalar(2.0518487) * omega_3_z;
   const Scalar L_3_y = Scalar(0.026176) * omega_r_3_x - Scalar(0.0408384) * omega_3_z +
       Scalar(0.24705) * t1;
-  const Scalar t19 = Scalar(0.026176) * t6 - Scalar(0.016137) * omega_3_z -
+  const Scalar t18 = Scalar(0.026176) * t8 - Scalar(0.016137) * omega_3_z -
       Scalar(1.9036137) * omega_r_3_x + Scalar(3.44772) * t1;
-  const Scalar t20 = -t15 - t9 * t16 + omega_6_z * t11 - omega_r_5_y * L_5_y + omega_r_5_x * t17 -
-      t1 * L_2_y + omega_5_z * t13 + omega_r_5_a_z * L_4_y + t5 * L_4_x + t6 * L_3_y -
-      omega_4_z * t14 + omega_r_3_x * t19 - omega_3_z * L_3_z + t18 - qd_2 * L_2_z -
+  const Scalar L_2_y = Scalar(0.0444376) * qd_2 + Scalar(0.0684948) * t2;
+  const Scalar t19 = t2 * (Scalar(0.1098692) * qd_2 - Scalar(0.0684948) * t1 +
+      Scalar(8.4002222) * t2);
+  const Scalar L_2_z = Scalar(0.0444376) * t1 - Scalar(0.1098692) * t2 + Scalar(8.554441) * qd_2;
+  const Scalar t20 = -t13 - t9 * t14 + omega_6_z * t11 - omega_r_5_y * L_5_y + omega_r_5_x * t16 -
+      t1 * L_2_y + omega_5_z * t15 + omega_r_5_a_z * L_4_y + t7 * L_4_x + t8 * L_3_y -
+      omega_4_z * t17 + omega_r_3_x * t18 - omega_3_z * L_3_z + t19 - qd_2 * L_2_z -
       Scalar(9.3573967) * qd_1 * qd_1;
   return Scalar(-0.5) * t20;
 }
@@ -1923,8 +1923,8 @@ static inline Scalar potential_energy(const Scalar* q, const SinCos& sin_cos = {
   const Scalar hu_6_t_y = Scalar(0.0112) * c_6 - Scalar(0.007) * s_6;
   const Scalar hc_4_y = hu_6_t_y + Scalar(0.2145);
   const Scalar t2 = c_4 * ((c_5 * t1 + Scalar(0.0317) * s_5) + Scalar(0.1164)) + s_4 * hc_4_y;
-  const Scalar hu_5_t_y = Scalar(0.0317) * c_5 - s_5 * t1;
   const Scalar t3 = t2 - Scalar(0.2745);
+  const Scalar hu_5_t_y = Scalar(0.0317) * c_5 - s_5 * t1;
   const Scalar hc_3_y = hu_5_t_y + Scalar(3.8308);
   const Scalar hu_3_t_y = c_3 * hc_3_y - s_3 * t3;
   const Scalar hc_2_y = hu_3_t_y - Scalar(0.4182);
@@ -1954,40 +1954,40 @@ static inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
       s_6 = sine[5], c_6 = cosine[5];
-  const Scalar t1 = s_4 * c_6;
-  const Scalar n_4_t_y = c_5 * t1 + c_4 * s_6;
-  const Scalar t2 = s_4 * s_6;
-  const Scalar t3 = c_5 * t2 - c_4 * c_6;
+  const Scalar t1 = Scalar(0.45) * s_3 - Scalar(0.45);
+  const Scalar t2 = Scalar(0.45) * c_3;
+  p[2] = c_2 * t2 - s_2 * t1;
+  const Scalar t3 = s_2 * t2 + c_2 * t1;
+  p[0] = -c_1 * t3;
+  p[1] = -s_1 * t3;
   const Scalar t4 = c_3 * s_5;
   const Scalar t5 = s_3 * c_5 + c_4 * t4;
   const Scalar t6 = s_3 * s_5;
   const Scalar t7 = c_4 * t6 - c_3 * c_5;
   R[8] = -s_2 * t5 - c_2 * t7;
-  const Scalar t8 = s_2 * t7 - c_2 * t5;
-  const Scalar t9 = c_4 * c_5;
-  const Scalar t10 = t1 + s_6 * t9;
-  const Scalar t11 = t2 - c_6 * t9;
-  const Scalar t12 = s_6 * t6 - c_3 * t10;
-  const Scalar t13 = s_3 * t10 + s_6 * t4;
-  const Scalar t14 = c_6 * t6 + c_3 * t11;
-  const Scalar t15 = s_3 * t11 - c_6 * t4;
-  R[6] = -s_2 * t14 - c_2 * t15;
-  const Scalar n_2_t_x = s_2 * t15 - c_2 * t14;
-  R[7] = s_2 * t12 - c_2 * t13;
-  const Scalar t16 = s_2 * t13 + c_2 * t12;
-  R[1] = s_1 * t3 + c_1 * t16;
-  R[4] = s_1 * t16 - c_1 * t3;
+  const Scalar t8 = c_4 * c_5;
+  const Scalar t9 = s_4 * c_6;
+  const Scalar t10 = t9 + s_6 * t8;
+  const Scalar t11 = s_6 * t6 - c_3 * t10;
+  const Scalar t12 = s_3 * t10 + s_6 * t4;
+  R[7] = s_2 * t11 - c_2 * t12;
+  const Scalar t13 = s_2 * t7 - c_2 * t5;
+  const Scalar t14 = s_4 * s_5;
+  R[2] = s_1 * t14 + c_1 * t13;
+  R[5] = s_1 * t13 - c_1 * t14;
+  const Scalar t15 = s_4 * s_6;
+  const Scalar t16 = t15 - c_6 * t8;
+  const Scalar t17 = c_6 * t6 + c_3 * t16;
+  const Scalar t18 = s_3 * t16 - c_6 * t4;
+  R[6] = -s_2 * t17 - c_2 * t18;
+  const Scalar n_2_t_x = s_2 * t18 - c_2 * t17;
+  const Scalar n_4_t_y = c_5 * t9 + c_4 * s_6;
   R[3] = s_1 * n_2_t_x + c_1 * n_4_t_y;
+  const Scalar t19 = s_2 * t12 + c_2 * t11;
+  const Scalar t20 = c_5 * t15 - c_4 * c_6;
+  R[1] = s_1 * t20 + c_1 * t19;
+  R[4] = s_1 * t19 - c_1 * t20;
   R[0] = c_1 * n_2_t_x - s_1 * n_4_t_y;
-  const Scalar t17 = Scalar(0.45) * s_3 - Scalar(0.45);
-  const Scalar t18 = Scalar(0.45) * c_3;
-  p[2] = c_2 * t18 - s_2 * t17;
-  const Scalar t19 = s_2 * t18 + c_2 * t17;
-  p[0] = -c_1 * t19;
-  p[1] = -s_1 * t19;
-  const Scalar t20 = s_4 * s_5;
-  R[2] = s_1 * t20 + c_1 * t8;
-  R[5] = s_1 * t8 - c_1 * t20;
 }
 
 // The entries of J in jacobian that are not always zero.

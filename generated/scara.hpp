@@ -414,40 +414,40 @@ static inline void inverse_dynamics_tip_force(const Parameters<Scalar>& paramete
   sin_cos(q, Joints<0, 1, 3>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_4 = sine[3],
       c_4 = cosine[3];
-  const Scalar m_3 = m_l3 + m_l4 + m_m4;
-  const Scalar ddp_s_3_z = g + qdd_3;
   const Scalar domega_2_z = qdd_1 + qdd_2;
   const Scalar t1 = I_m3 * k_r3;
+  const Scalar ddp_s_3_z = g + qdd_3;
+  const Scalar m_3 = m_l3 + m_l4 + m_m4;
   tau[2] = h_e_3 + ddp_s_3_z * m_3 + t1 * (domega_2_z + k_r3 * qdd_3);
-  const Scalar t2 = a_2 * (m_m3 + m_3);
-  const Scalar t3 = a_1 * m_3;
-  const Scalar t4 = m_l2 * l_2;
-  const Scalar I_2_zz = I_l2 + I_l3 + I_m3 + I_m4 + l_2 * t4 + a_2 * t2;
-  const Scalar t5 = t4 + t2;
-  const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
-  const Scalar t6 = s_1 * h_e_1 - c_1 * h_e_2;
-  const Scalar t7 = s_2 * f_e1_x + c_2 * t6;
-  const Scalar t8 = s_2 * t6 - c_2 * f_e1_x;
-  const Scalar t9 = s_4 * t7 + c_4 * t8;
-  const Scalar f_e4_y = s_4 * t8 - c_4 * t7;
-  const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t10 = qd_1 * qd_1;
-  const Scalar t11 = (s_2 * qdd_1 - c_2 * t10) * t3;
-  const Scalar t12 = s_4 * f_e4_y + c_4 * t9 - t11 + omega_2_z * omega_2_z * t5;
-  const Scalar t13 = s_4 * t9 - c_4 * f_e4_y;
-  const Scalar t14 = s_2 * t10 + c_2 * qdd_1;
-  const Scalar t15 = s_2 * t12 + c_2 * (t13 - t14 * t3 - domega_2_z * t5);
   const Scalar domega_4_z = qdd_4 + domega_2_z;
   const Scalar mu_4_z = h_e_6 + I_l4 * domega_4_z;
-  const Scalar t16 = I_m4 * k_r4;
-  const Scalar mu_2_z = qdd_4 * t16 - a_2 * t13 + qdd_3 * t1 + mu_4_z + a_1 * t14 * t5 +
+  const Scalar t2 = I_m4 * k_r4;
+  tau[3] = mu_4_z + t2 * (domega_2_z + k_r4 * qdd_4);
+  const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
+  const Scalar t3 = s_1 * h_e_1 - c_1 * h_e_2;
+  const Scalar t4 = s_2 * f_e1_x + c_2 * t3;
+  const Scalar t5 = s_2 * t3 - c_2 * f_e1_x;
+  const Scalar t6 = s_4 * t4 + c_4 * t5;
+  const Scalar f_e4_y = s_4 * t5 - c_4 * t4;
+  const Scalar t7 = s_4 * t6 - c_4 * f_e4_y;
+  const Scalar t8 = a_2 * (m_m3 + m_3);
+  const Scalar t9 = m_l2 * l_2;
+  const Scalar I_2_zz = I_l2 + I_l3 + I_m3 + I_m4 + l_2 * t9 + a_2 * t8;
+  const Scalar t10 = t9 + t8;
+  const Scalar t11 = qd_1 * qd_1;
+  const Scalar t12 = s_2 * t11 + c_2 * qdd_1;
+  const Scalar mu_2_z = qdd_4 * t2 - a_2 * t7 + qdd_3 * t1 + mu_4_z + a_1 * t12 * t10 +
       domega_2_z * I_2_zz;
-  tau[3] = mu_4_z + t16 * (domega_2_z + k_r4 * qdd_4);
-  const Scalar t17 = a_1 * a_1 * (m_l2 + m_m2 + m_m3);
-  const Scalar t18 = I_l1 + I_m2 + m_l1 * l_1 * l_1 + t17 + I_m1 * k_r1 * k_r1;
-  const Scalar t19 = I_m2 * k_r2;
-  tau[0] = qdd_2 * t19 + qdd_1 * t18 + mu_2_z - a_1 * t15;
-  tau[1] = t19 * (qdd_1 + k_r2 * qdd_2) + mu_2_z;
+  const Scalar t13 = I_m2 * k_r2;
+  tau[1] = t13 * (qdd_1 + k_r2 * qdd_2) + mu_2_z;
+  const Scalar t14 = a_1 * m_3;
+  const Scalar omega_2_z = qd_1 + qd_2;
+  const Scalar t15 = (s_2 * qdd_1 - c_2 * t11) * t14;
+  const Scalar t16 = s_4 * f_e4_y + c_4 * t6 - t15 + omega_2_z * omega_2_z * t10;
+  const Scalar t17 = s_2 * t16 + c_2 * (t7 - t12 * t14 - domega_2_z * t10);
+  const Scalar t18 = a_1 * a_1 * (m_l2 + m_m2 + m_m3);
+  const Scalar t19 = I_l1 + I_m2 + m_l1 * l_1 * l_1 + t18 + I_m1 * k_r1 * k_r1;
+  tau[0] = qdd_2 * t13 + qdd_1 * t19 + mu_2_z - a_1 * t17;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -565,11 +565,11 @@ static inline void coriolis_matrix(const Parameters<Scalar>& parameters, const S
   const Scalar s_2 = sine[1];
   const Scalar hc_2_x = m_l2 * l_2 + a_2 * ((m_l3 + m_l4) + (m_m3 + m_m4));
   const Scalar t1 = hc_2_x * a_1 * s_2;
-  const Scalar t2 = qd_2 * t1;
   const Scalar C_21 = qd_1 * t1;
   C[4] = C_21;
-  C[1] = -t2 - C_21;
+  const Scalar t2 = qd_2 * t1;
   C[0] = -t2;
+  C[1] = -t2 - C_21;
   C[2] = C[3] = C[5] = C[6] = C[7] = C[8] = C[9] = C[10] = Scalar(0.0);
   C[11] = C[12] = C[13] = C[14] = C[15] = Scalar(0.0);
 }
@@ -611,10 +611,10 @@ static inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, c
   const Scalar m_3 = m_l3 + m_l4 + m_m4;
   n[2] = g * m_3;
   const Scalar t1 = (m_l2 * l_2 + a_2 * (m_m3 + m_3)) * a_1 * s_2;
-  const Scalar omega_2_z = qd_1 + qd_2;
   const Scalar mu_2_z = qd_1 * qd_1 * t1;
-  n[0] = mu_2_z - omega_2_z * omega_2_z * t1;
   n[1] = mu_2_z;
+  const Scalar omega_2_z = qd_1 + qd_2;
+  n[0] = mu_2_z - omega_2_z * omega_2_z * t1;
   n[3] = Scalar(0.0);
 }
 
@@ -722,26 +722,26 @@ static inline Scalar kinetic_energy(const Parameters<Scalar>& parameters, const 
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<1>(), sine, cosine);
   const Scalar c_2 = cosine[1];
-  const Scalar t1 = a_1 * a_1 * (m_l2 + m_m2 + m_m3);
-  const Scalar t2 = I_l1 + I_m2 + I_m1 * k_r1 * k_r1 + t1 + m_l1 * l_1 * l_1;
   const Scalar m_3 = m_l3 + m_l4 + m_m4;
-  const Scalar t3 = a_2 * (m_m3 + m_3);
-  const Scalar t4 = m_l2 * l_2;
-  const Scalar I_2_zz = I_l2 + I_l3 + I_m3 + I_m4 + a_2 * t3 + l_2 * t4;
-  const Scalar t5 = a_1 * qd_1;
+  const Scalar t1 = a_2 * (m_m3 + m_3);
+  const Scalar t2 = m_l2 * l_2;
+  const Scalar I_2_zz = I_l2 + I_l3 + I_m3 + I_m4 + a_2 * t1 + l_2 * t2;
   const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t6 = omega_2_z * (Scalar(2.0) * c_2 * t5 * (t3 + t4) + omega_2_z * I_2_zz);
-  const Scalar v_v_3 = qd_3 * qd_3 + t5 * t5;
-  const Scalar t7 = k_r4 * qd_4;
-  const Scalar t8 = Scalar(2.0) * omega_2_z;
-  const Scalar t9 = I_m4 * t7 * (t7 + t8);
-  const Scalar omega_4_z = qd_4 + omega_2_z;
+  const Scalar t3 = a_1 * qd_1;
+  const Scalar t4 = omega_2_z * (Scalar(2.0) * c_2 * t3 * (t1 + t2) + omega_2_z * I_2_zz);
+  const Scalar t5 = a_1 * a_1 * (m_l2 + m_m2 + m_m3);
+  const Scalar t6 = I_l1 + I_m2 + I_m1 * k_r1 * k_r1 + t5 + m_l1 * l_1 * l_1;
+  const Scalar t7 = Scalar(2.0) * omega_2_z;
+  const Scalar t8 = k_r4 * qd_4;
+  const Scalar t9 = I_m4 * t8 * (t8 + t7);
   const Scalar t10 = k_r3 * qd_3;
-  const Scalar t11 = I_m3 * t10 * (t10 + t8);
+  const Scalar t11 = I_m3 * t10 * (t10 + t7);
+  const Scalar v_v_3 = qd_3 * qd_3 + t3 * t3;
+  const Scalar omega_4_z = qd_4 + omega_2_z;
   const Scalar t12 = k_r2 * qd_2;
   const Scalar t13 = I_m2 * t12 * (t12 + Scalar(2.0) * qd_1);
-  const Scalar T_2 = qd_1 * qd_1 * t2 + t9 + I_l4 * omega_4_z * omega_4_z + t11 + m_3 * v_v_3 +
-      t13 + t6;
+  const Scalar T_2 = qd_1 * qd_1 * t6 + t9 + I_l4 * omega_4_z * omega_4_z + t11 + m_3 * v_v_3 +
+      t13 + t4;
   return Scalar(0.5) * T_2;
 }
 
@@ -787,13 +787,13 @@ static inline void forward_kinematics(const Parameters<Scalar>& parameters, cons
   p[2] = q_3;
   const Scalar t1 = s_2 * s_4 - c_2 * c_4;
   const Scalar n_2_t_y = s_2 * c_4 + c_2 * s_4;
-  R[0] = R[4] = -s_1 * n_2_t_y - c_1 * t1;
   const Scalar R_12 = s_1 * t1 - c_1 * n_2_t_y;
   R[1] = R_12;
-  R[3] = -R_12;
   const Scalar p_2_x = a_2 * c_2 + a_1;
   const Scalar t2 = a_2 * s_2;
   p[1] = c_1 * t2 + s_1 * p_2_x;
+  R[0] = R[4] = -s_1 * n_2_t_y - c_1 * t1;
+  R[3] = -R_12;
   p[0] = c_1 * p_2_x - s_1 * t2;
   R[8] = Scalar(1.0);
   R[2] = R[5] = R[6] = R[7] = Scalar(0.0);
@@ -825,14 +825,14 @@ static inline void jacobian(const Parameters<Scalar>& parameters, const Scalar* 
   const Scalar p_2_x = a_2 * c_2 + a_1;
   const Scalar t1 = a_2 * s_2;
   const Scalar t2 = s_1 * t1 - c_1 * p_2_x;
-  const Scalar p_1u_t_y = c_1 * t1 + s_1 * p_2_x;
   J[4] = -t2;
-  const Scalar t3 = t2 + a_1 * c_1;
-  J[7] = a_2 * (s_1 * s_2 - c_1 * c_2) - t3;
-  J[5] = -t3;
+  const Scalar p_1u_t_y = c_1 * t1 + s_1 * p_2_x;
   J[0] = -p_1u_t_y;
+  const Scalar t3 = t2 + a_1 * c_1;
+  J[5] = -t3;
   const Scalar t4 = p_1u_t_y - a_1 * s_1;
   J[1] = -t4;
+  J[7] = a_2 * (s_1 * s_2 - c_1 * c_2) - t3;
   const Scalar R_21_x = s_1 * c_2 + c_1 * s_2;
   J[3] = a_2 * R_21_x - t4;
   J[10] = J[20] = J[21] = J[23] = Scalar(1.0);

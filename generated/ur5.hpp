@@ -598,47 +598,47 @@ static inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
   B[22] = B[27] = Scalar(-0.003292500193635) * c_5;
   B[11] = B[17] = B[23] = B[31] = B[32] = B[33] = Scalar(0.0001321171875) * c_5;
-  const Scalar t1 = s_2 * s_3 - c_2 * c_3;
-  const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t2 = s_4 * t1 - c_4 * s_2_3;
-  const Scalar t3 = s_5 * t2;
-  B[5] = B[30] = Scalar(0.0001321171875) * t3;
-  const Scalar t4 = s_4 * s_2_3 + c_4 * t1;
-  const Scalar t5 = Scalar(0.0015110828546699) * c_5;
-  const Scalar t6 = c_5 * t5;
-  const Scalar Iu_5_t_xx = t6 - Scalar(0.0015110828546699);
-  const Scalar t7 = t6 - Scalar(0.0181863807738199);
-  B[21] = -t7;
-  const Scalar Iu_4_t_d = Iu_5_t_xx + Scalar(0.01215478073165);
-  const Scalar t8 = t4 * (Scalar(0.00658500038727) * t3 + t4 * Iu_4_t_d);
-  const Scalar t9 = Scalar(0.064127121625) * t2 - Scalar(0.0149450629075) * s_5 * t4;
-  const Scalar t10 = c_2 * (Scalar(0.677642004375) * t1 - t9);
-  const Scalar t11 = t1 * (t1 - Scalar(3.2504845342625623) * t9);
-  B[0] = Iu_5_t_xx + Scalar(0.00767648760637) * c_5 - t8 + Scalar(0.1879281038293699) +
-      Scalar(0.56787913724375) * t11 - Scalar(2.0) * t10 + Scalar(1.39293427915) * c_2 * c_2;
-  const Scalar t12 = s_5 * (Scalar(1.0834926704907584) * c_2 - t1);
-  B[4] = B[24] = Scalar(0.003838243803185) * t4 * (c_5 + Scalar(0.9997801700313045)) -
-      Scalar(0.003292500193635) * t3 - Scalar(0.013793413942275) * t12;
   const Scalar B_35 = Scalar(0.013793413942275) * c_5 * (s_4 - Scalar(0.23870089068696182));
-  B[10] = B[25] = B_35 + Scalar(0.0149450629075) * c_5 * (s_2 * t4 - c_2 * t2);
   B[16] = B[26] = B_35;
-  const Scalar t13 = s_4 - Scalar(0.23305369910246615) * c_4 * s_5;
-  const Scalar t14 = t7 + Scalar(0.05918556107625) * t13;
-  const Scalar t15 = t7 + Scalar(0.1183711221525) * t13 - Scalar(0.57197413724375);
-  B[14] = -t15;
-  B[15] = B[20] = -t14;
-  const Scalar t16 = Scalar(0.0149450629075) * t3 + Scalar(0.064127121625) * t4;
-  B[9] = B[19] = c_2 * t9 - s_2 * t16 - t14;
+  const Scalar t1 = Scalar(0.0015110828546699) * c_5;
+  const Scalar t2 = c_5 * t1;
+  const Scalar t3 = t2 - Scalar(0.0181863807738199);
+  B[21] = -t3;
+  const Scalar t4 = s_4 - Scalar(0.23305369910246615) * c_4 * s_5;
+  const Scalar t5 = t3 + Scalar(0.1183711221525) * t4 - Scalar(0.57197413724375);
+  B[14] = -t5;
+  const Scalar t6 = t3 + Scalar(0.05918556107625) * t4;
+  B[15] = B[20] = -t6;
+  const Scalar t7 = s_2 * s_3 - c_2 * c_3;
+  const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar t8 = s_4 * t7 - c_4 * s_2_3;
+  const Scalar t9 = s_5 * t8;
+  B[5] = B[30] = Scalar(0.0001321171875) * t9;
+  const Scalar t10 = s_4 * s_2_3 + c_4 * t7;
+  const Scalar t11 = s_5 * (Scalar(1.0834926704907584) * c_2 - t7);
+  B[4] = B[24] = Scalar(0.003838243803185) * t10 * (c_5 + Scalar(0.9997801700313045)) -
+      Scalar(0.003292500193635) * t9 - Scalar(0.013793413942275) * t11;
+  B[10] = B[25] = B_35 + Scalar(0.0149450629075) * c_5 * (s_2 * t10 - c_2 * t8);
   const Scalar Ic_4_yz = Scalar(0.003292500193635) * c_5 - Scalar(0.000035853228);
-  const Scalar t17 = (t5 * t3 + t4 * Ic_4_yz) + Scalar(0.25682352941176473) * t16;
-  const Scalar f_3_3_x = Scalar(0.677642004375) * s_2_3 - t16;
-  const Scalar t18 = t10 - s_2 * f_3_3_x;
-  const Scalar t19 = t17 - Scalar(0.013793413942275) * s_2_3 * (c_5 + Scalar(9.172679381315092));
-  B[3] = B[18] = -t17;
-  B[1] = B[6] = Scalar(0.0149450629075) * s_2 * (c_5 + Scalar(23.37228607112171)) - t19;
-  B[2] = B[12] = -t19;
-  B[7] = -t15 - Scalar(2.0) * t18 + Scalar(1.40804167915);
-  B[8] = B[13] = -t18 - t15;
+  const Scalar t12 = Scalar(0.0149450629075) * t9 + Scalar(0.064127121625) * t10;
+  const Scalar t13 = (t1 * t9 + t10 * Ic_4_yz) + Scalar(0.25682352941176473) * t12;
+  B[3] = B[18] = -t13;
+  const Scalar t14 = Scalar(0.064127121625) * t8 - Scalar(0.0149450629075) * s_5 * t10;
+  const Scalar t15 = c_2 * (Scalar(0.677642004375) * t7 - t14);
+  const Scalar t16 = t7 * (t7 - Scalar(3.2504845342625623) * t14);
+  const Scalar Iu_5_t_xx = t2 - Scalar(0.0015110828546699);
+  const Scalar Iu_4_t_d = Iu_5_t_xx + Scalar(0.01215478073165);
+  const Scalar t17 = t10 * (Scalar(0.00658500038727) * t9 + t10 * Iu_4_t_d);
+  B[0] = Iu_5_t_xx + Scalar(0.00767648760637) * c_5 - t17 + Scalar(0.1879281038293699) +
+      Scalar(0.56787913724375) * t16 - Scalar(2.0) * t15 + Scalar(1.39293427915) * c_2 * c_2;
+  B[9] = B[19] = c_2 * t14 - s_2 * t12 - t6;
+  const Scalar t18 = t13 - Scalar(0.013793413942275) * s_2_3 * (c_5 + Scalar(9.172679381315092));
+  B[2] = B[12] = -t18;
+  B[1] = B[6] = Scalar(0.0149450629075) * s_2 * (c_5 + Scalar(23.37228607112171)) - t18;
+  const Scalar f_3_3_x = Scalar(0.677642004375) * s_2_3 - t12;
+  const Scalar t19 = t15 - s_2 * f_3_3_x;
+  B[7] = -t5 - Scalar(2.0) * t19 + Scalar(1.40804167915);
+  B[8] = B[13] = -t19 - t5;
   B[29] = B[34] = Scalar(0.0);
   B[35] = Scalar(0.0001321171875);
   B[28] = Scalar(0.0038374000421699);
@@ -973,12 +973,12 @@ static inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {
   const Scalar s_2_3 = c_2 * s_3 + s_2 * c_3;
   const Scalar c_2_3_4 = c_4 * c_2_3 - s_4 * s_2_3;
   const Scalar s_2_3_4 = c_4 * s_2_3 + s_4 * c_2_3;
-  g[4] = Scalar(-0.344967216759) * c_5 * s_2_3_4;
   const Scalar hu_4_t_x = Scalar(1.48020485445) * s_2_3_4 - Scalar(0.344967216759) * s_5 * c_2_3_4;
   g[3] = hu_4_t_x;
+  g[4] = Scalar(-0.344967216759) * c_5 * s_2_3_4;
   const Scalar t1 = Scalar(15.64157191275) * c_2_3 - hu_4_t_x;
-  g[1] = -t1 - Scalar(38.1586437) * c_2;
   g[2] = -t1;
+  g[1] = -t1 - Scalar(38.1586437) * c_2;
   g[0] = g[5] = Scalar(0.0);
 }
 
@@ -1282,44 +1282,44 @@ static inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
   sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
-  const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar omega_4_z = qd_4 + omega_3_z;
   const Scalar t1 = c_2 * qd_1;
   const Scalar t2 = s_2 * qd_1;
-  const Scalar t3 = s_3 * t2 - c_3 * t1;
-  const Scalar t4 = Scalar(0.25682352941176473) * t3 + s_3 * qd_2;
   const Scalar omega_r_3_x = s_3 * t1 + c_3 * t2;
-  const Scalar t5 = c_3 * qd_2;
-  const Scalar t6 = Scalar(0.25682352941176473) * omega_r_3_x +
-      Scalar(0.9229411764705883) * omega_3_z + t5;
-  const Scalar L_3_z = Scalar(0.12652256366625) * omega_r_3_x +
-      Scalar(0.57197413724375) * omega_3_z + Scalar(1.35528400875) * t5;
-  const Scalar t7 = s_4 * t3 - c_4 * omega_r_3_x;
-  const Scalar omega_r_5_x = s_5 * omega_4_z - c_5 * t7;
-  const Scalar t8 = omega_r_5_x * (Scalar(0.029890125815) * (s_4 * t4 - c_4 * t6) -
-      Scalar(0.0016432000421699) * omega_r_5_x);
-  const Scalar t9 = c_4 * t4 + s_4 * t6;
-  const Scalar v_o_4_z = t1 - Scalar(0.9229411764705883) * t3;
-  const Scalar v_o_5_z = Scalar(0.22270588235294117) * t7 + v_o_4_z;
-  const Scalar v_r_5_x = s_5 * v_o_5_z - c_5 * (t9 - Scalar(0.22270588235294117) * omega_4_z);
-  const Scalar t10 = t7 * (Scalar(0.01434898073165) * t7 + Scalar(0.12825424325) * v_o_4_z);
-  const Scalar omega_r_5_y = s_5 * t7 + c_5 * omega_4_z;
-  const Scalar t11 = s_4 * omega_r_3_x + c_4 * t3;
-  const Scalar t12 = omega_r_3_x *
-      (Scalar(0.56787913724375) * omega_r_3_x - Scalar(0.12652256366625) * omega_3_z);
-  const Scalar omega_6_z = qd_6 + omega_r_5_y;
-  const Scalar t13 = Scalar(0.000035853228) * omega_r_5_y;
-  const Scalar omega_5_z = qd_5 + t11;
-  const Scalar t14 = omega_5_z * (-t13 - Scalar(0.0038374000421699) * omega_5_z +
+  const Scalar t3 = c_3 * qd_2;
+  const Scalar omega_3_z = qd_2 + qd_3;
+  const Scalar t4 = Scalar(0.25682352941176473) * omega_r_3_x +
+      Scalar(0.9229411764705883) * omega_3_z + t3;
+  const Scalar t5 = s_3 * t2 - c_3 * t1;
+  const Scalar t6 = Scalar(0.25682352941176473) * t5 + s_3 * qd_2;
+  const Scalar t7 = c_4 * t6 + s_4 * t4;
+  const Scalar omega_4_z = qd_4 + omega_3_z;
+  const Scalar t8 = s_4 * t5 - c_4 * omega_r_3_x;
+  const Scalar v_o_4_z = t1 - Scalar(0.9229411764705883) * t5;
+  const Scalar v_o_5_z = Scalar(0.22270588235294117) * t8 + v_o_4_z;
+  const Scalar v_r_5_x = s_5 * v_o_5_z - c_5 * (t7 - Scalar(0.22270588235294117) * omega_4_z);
+  const Scalar omega_r_5_y = s_5 * t8 + c_5 * omega_4_z;
+  const Scalar t9 = Scalar(0.000035853228) * omega_r_5_y;
+  const Scalar t10 = s_4 * omega_r_3_x + c_4 * t5;
+  const Scalar omega_5_z = qd_5 + t10;
+  const Scalar t11 = omega_5_z * (-t9 - Scalar(0.0038374000421699) * omega_5_z +
       Scalar(0.029890125815) * v_r_5_x);
-  const Scalar t15 = Scalar(-0.000035853228) * t11;
-  const Scalar t16 = omega_4_z * (t15 - Scalar(0.01654318073165) * omega_4_z +
-      Scalar(0.12825424325) * t9);
+  const Scalar omega_6_z = qd_6 + omega_r_5_y;
+  const Scalar omega_r_5_x = s_5 * omega_4_z - c_5 * t8;
+  const Scalar t12 = omega_r_5_x *
+      (Scalar(0.029890125815) * (s_4 * t6 - c_4 * t4) - Scalar(0.0016432000421699) * omega_r_5_x);
+  const Scalar t13 = Scalar(-0.000035853228) * t10;
+  const Scalar t14 = omega_4_z * (t13 - Scalar(0.01654318073165) * omega_4_z +
+      Scalar(0.12825424325) * t7);
+  const Scalar t15 = t8 * (Scalar(0.01434898073165) * t8 + Scalar(0.12825424325) * v_o_4_z);
+  const Scalar L_3_z = Scalar(0.12652256366625) * omega_r_3_x +
+      Scalar(0.57197413724375) * omega_3_z + Scalar(1.35528400875) * t3;
+  const Scalar t16 = omega_r_3_x *
+      (Scalar(0.56787913724375) * omega_r_3_x - Scalar(0.12652256366625) * omega_3_z);
   const Scalar L_2_x = Scalar(0.349300285625) * qd_2 - Scalar(1.39293427915) * t2;
   const Scalar L_2_z = Scalar(0.349300285625) * t2 + Scalar(1.40804167915) * qd_2;
-  const Scalar T_2 = omega_5_z * t13 - omega_4_z * t15 +
-      Scalar(0.0001321171875) * omega_6_z * omega_6_z - t14 - t8 + t10 - t16 - t12 -
-      Scalar(1.35528400875) * t1 * t3 + t2 * L_2_x + omega_3_z * L_3_z + qd_2 * L_2_z +
+  const Scalar T_2 = omega_5_z * t9 - omega_4_z * t13 +
+      Scalar(0.0001321171875) * omega_6_z * omega_6_z - t11 - t12 + t15 - t14 - t16 -
+      Scalar(1.35528400875) * t1 * t5 + t2 * L_2_x + omega_3_z * L_3_z + qd_2 * L_2_z +
       Scalar(2.1327493394493) * qd_1 * qd_1;
   return Scalar(0.5) * T_2;
 }

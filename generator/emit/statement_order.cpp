@@ -9,18 +9,15 @@
 namespace flatdyn {
 namespace {
 
-template <class T>
-auto at(std::vector<T>& values, int k) -> decltype(values[0]) {
-  return values[static_cast<std::size_t>(k)];
-}
-template <class T>
-auto at(const std::vector<T>& values, int k) -> decltype(values[0]) {
-  return values[static_cast<std::size_t>(k)];
+// An entry of a list by statement or value.
+template <class List>
+decltype(auto) entry(List& list, int k) {
+  return list[static_cast<std::size_t>(k)];
 }
 
 std::vector<int> sizes_of(const std::vector<std::vector<int>>& lists, int count) {
   std::vector<int> sizes;
-  for (int k = 0; k < count; ++k) sizes.push_back(static_cast<int>(at(lists, k).size()));
+  for (int k = 0; k < count; ++k) sizes.push_back(static_cast<int>(entry(lists, k).size()));
   return sizes;
 }
 
@@ -39,14 +36,14 @@ class FromTheEnd {
   std::vector<int> run() {
     for (const int value : uses_.read_at_the_end) begin_life(value);
     for (int k = 0; k < uses_.statements(); ++k) {
-      if (at(users_left_, k) == 0) make_ready(k);
+      if (entry(users_left_, k) == 0) make_ready(k);
     }
     while (!ready_.empty()) {
       const int next = -std::get<2>(*ready_.begin());
       ready_.erase(ready_.begin());
-      at(is_ready_, next) = false;
+      entry(is_ready_, next) = false;
       order_.push_back(next);
-      for (const int value : at(uses_.needs, next)) use(value);
+      for (const int value : entry(uses_.needs, next)) use(value);
     }
     std::reverse(order_.begin(), order_.end());
     return std::move(order_);
@@ -55,28 +52,28 @@ class FromTheEnd {
  private:
   using Rank = std::tuple<int, int, int>;  // the least one is next
 
-  Rank rank(int k) const { return {at(growth_, k) - (at(is_live_, k) ? 1 : 0), -at(asked_, k), -k}; }
+  Rank rank(int k) const { return {entry(growth_, k) - (entry(is_live_, k) ? 1 : 0), -entry(asked_, k), -k}; }
 
   void make_ready(int k) {
-    at(is_ready_, k) = true;
+    entry(is_ready_, k) = true;
     ready_.insert(rank(k));
   }
 
   void begin_life(int value) {
-    if (at(is_live_, value)) return;
-    at(is_live_, value) = true;
-    for (const int user : at(uses_.users, value)) {
-      if (at(is_ready_, user)) ready_.erase(rank(user));
-      --at(growth_, user);
-      if (at(is_ready_, user)) ready_.insert(rank(user));
+    if (entry(is_live_, value)) return;
+    entry(is_live_, value) = true;
+    for (const int user : entry(uses_.users, value)) {
+      if (entry(is_ready_, user)) ready_.erase(rank(user));
+      --entry(growth_, user);
+      if (entry(is_ready_, user)) ready_.insert(rank(user));
     }
   }
 
   void use(int value) {
     begin_life(value);
     if (value >= uses_.statements()) return;
-    at(asked_, value) = static_cast<int>(order_.size());
-    if (--at(users_left_, value) == 0) make_ready(value);
+    entry(asked_, value) = static_cast<int>(order_.size());
+    if (--entry(users_left_, value) == 0) make_ready(value);
   }
 
   const StatementUses& uses_;
@@ -101,26 +98,26 @@ class FromTheBeginning {
         place_(uses.needs.size(), 0),
         is_ready_(uses.needs.size(), false),
         given_(order) {
-    for (std::size_t k = 0; k < order.size(); ++k) at(place_, order[k]) = static_cast<int>(k);
-    // What is read at the end, or given, ends with no statement.
-    for (const int value : uses.read_at_the_end) ++at(users_left_, value);
+    for (std::size_t k = 0; k < order.size(); ++k) entry(place_, order[k]) = static_cast<int>(k);
+    // No statement ends the life of a value that is read at the end.
+    for (const int value : uses.read_at_the_end) ++entry(users_left_, value);
     for (int k = 0; k < uses.statements(); ++k) {
-      const std::vector<int>& needs = at(uses.needs, k);
-      at(needs_left_, k) = static_cast<int>(
+      const std::vector<int>& needs = entry(uses.needs, k);
+      entry(needs_left_, k) = static_cast<int>(
           std::count_if(needs.begin(), needs.end(), [&uses](int value) { return value < uses.statements(); }));
     }
   }
 
   std::vector<int> run() {
     for (int k = 0; k < uses_.statements(); ++k) {
-      if (at(users_left_, k) == 1) credit_last_user(k);
-      if (at(needs_left_, k) == 0) make_ready(k);
+      if (entry(users_left_, k) == 1) credit_last_user(k);
+      if (entry(needs_left_, k) == 0) make_ready(k);
     }
     std::vector<int> order;
     while (!ready_.empty()) {
-      const int next = at(given_, std::get<1>(*ready_.begin()));
+      const int next = entry(given_, std::get<1>(*ready_.begin()));
       ready_.erase(ready_.begin());
-      at(is_ready_, next) = false;
+      entry(is_ready_, next) = false;
       order.push_back(next);
       place(next);
     }
@@ -130,31 +127,31 @@ class FromTheBeginning {
  private:
   using Rank = std::tuple<int, int>;
 
-  Rank rank(int k) const { return {(at(uses_.makes, k) ? 1 : 0) - at(ended_, k), at(place_, k)}; }
+  Rank rank(int k) const { return {(entry(uses_.makes, k) ? 1 : 0) - entry(ended_, k), entry(place_, k)}; }
 
   void make_ready(int k) {
-    at(is_ready_, k) = true;
+    entry(is_ready_, k) = true;
     ready_.insert(rank(k));
   }
 
   void place(int k) {
-    at(needs_left_, k) = kPlaced;
-    for (const int value : at(uses_.needs, k)) {
-      if (value < uses_.statements() && --at(users_left_, value) == 1) credit_last_user(value);
+    entry(needs_left_, k) = kPlaced;
+    for (const int value : entry(uses_.needs, k)) {
+      if (value < uses_.statements() && --entry(users_left_, value) == 1) credit_last_user(value);
     }
-    if (!at(uses_.makes, k)) return;
-    for (const int user : at(uses_.users, k)) {
-      if (--at(needs_left_, user) == 0) make_ready(user);
+    if (!entry(uses_.makes, k)) return;
+    for (const int user : entry(uses_.users, k)) {
+      if (--entry(needs_left_, user) == 0) make_ready(user);
     }
   }
 
   // The one user that is left ends the value's life. There is none if the value is read at the end.
   void credit_last_user(int value) {
-    for (const int user : at(uses_.users, value)) {
-      if (at(needs_left_, user) == kPlaced) continue;
-      if (at(is_ready_, user)) ready_.erase(rank(user));
-      ++at(ended_, user);
-      if (at(is_ready_, user)) ready_.insert(rank(user));
+    for (const int user : entry(uses_.users, value)) {
+      if (entry(needs_left_, user) == kPlaced) continue;
+      if (entry(is_ready_, user)) ready_.erase(rank(user));
+      ++entry(ended_, user);
+      if (entry(is_ready_, user)) ready_.insert(rank(user));
     }
   }
 
@@ -170,11 +167,44 @@ class FromTheBeginning {
   std::set<Rank> ready_;
 };
 
+struct LiveValues {
+  long sum = 0;   // over the statements
+  long most = 0;  // at once
+};
+
+LiveValues live_values(const StatementUses& uses, const std::vector<int>& order) {
+  std::vector<std::size_t> born(uses.users.size(), 0), last(uses.users.size(), 0);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    for (const int value : entry(uses.needs, order[k])) entry(last, value) = k;
+    if (entry(uses.makes, order[k])) entry(born, order[k]) = entry(last, order[k]) = k;
+  }
+  for (const int value : uses.read_at_the_end) entry(last, value) = order.size();
+  std::vector<long> change(order.size() + 1, 0);
+  for (std::size_t value = 0; value < born.size(); ++value) {
+    ++change[born[value]];
+    --change[last[value]];
+  }
+  LiveValues live;
+  long now = 0;
+  for (const long more : change) {
+    now += more;
+    live.sum += now;
+    live.most = std::max(live.most, now);
+  }
+  return live;
+}
+
 }  // namespace
 
 std::vector<int> order_of_short_lives(const StatementUses& uses) {
-  const std::vector<int> from_the_end = FromTheEnd(uses).run();
-  return FromTheBeginning(uses, from_the_end).run();
+  std::vector<int> as_given;
+  for (int k = 0; k < uses.statements(); ++k) as_given.push_back(k);
+  constexpr long kRegisters = 16;  // those of most processors
+  const LiveValues given = live_values(uses, as_given);
+  if (given.most <= kRegisters) return as_given;
+  std::vector<int> shorter = FromTheBeginning(uses, FromTheEnd(uses).run()).run();
+  const bool is_worth_it = live_values(uses, shorter).sum * 10 < given.sum * 9;
+  return is_worth_it ? shorter : as_given;
 }
 
 }  // namespace flatdyn

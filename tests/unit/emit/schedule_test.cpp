@@ -34,8 +34,8 @@ TEST_F(Schedules, ShareWhatIsUsedTwiceAndInlineTheRest) {
   EXPECT_EQ(body({build.plus({shared, build.q(2)}), build.times({shared, build.plus({build.q(2), build.q(3)})})}),
             "  const Scalar q_1 = q[0], q_2 = q[1], q_3 = q[2], q_4 = q[3];\n"
             "  const Scalar t1 = q_1 / q_2;\n"
-            "  y[1] = t1 * (q_3 + q_4);\n"
-            "  y[0] = t1 + q_3;\n");
+            "  y[0] = t1 + q_3;\n"
+            "  y[1] = t1 * (q_3 + q_4);\n");
 }
 
 TEST_F(Schedules, AskForAllSinesAndCosinesFirstInOneCall) {
@@ -45,9 +45,9 @@ TEST_F(Schedules, AskForAllSinesAndCosinesFirstInOneCall) {
             "  Scalar sine[joint_count], cosine[joint_count];\n"
             "  sin_cos(q, Joints<0, 2>(), sine, cosine);\n"
             "  const Scalar c_1 = cosine[0], s_3 = sine[2], c_3 = cosine[2];\n"
-            "  y[0] = c_1 * c_3;\n"
             "  y[2] = q_2;\n"
-            "  y[1] = s_3;\n");
+            "  y[1] = s_3;\n"
+            "  y[0] = c_1 * c_3;\n");
 }
 
 TEST_F(Schedules, LeaveSumsOfAnglesToTheDerivation) {

@@ -5,9 +5,6 @@
 
 #include <algorithm>
 
-#include "emit/schedule.hpp"
-#include "unit/emit/hand_made.hpp"
-
 namespace flatdyn {
 namespace {
 
@@ -39,16 +36,35 @@ StatementUses uses_among(const std::vector<std::vector<int>>& needs) {
   return uses;
 }
 
-// Each value is used by a sum of all and by an output of its own: 0 1 2 3, then the outputs, then the chain of sums.
+// Statements 0 … n - 1 make values; n … 2n - 1 give them away one by one; the others sum them up.
+StatementUses kept_for_later(int n) {
+  std::vector<std::vector<int>> needs(static_cast<std::size_t>(n));
+  for (int k = 0; k < n; ++k) needs.push_back({k});
+  needs.push_back({0, 1});
+  for (int k = 2; k < n; ++k) needs.push_back({k, 2 * n + k - 2});
+  needs.push_back({3 * n - 2});
+  return uses_among(needs);
+}
+
+std::vector<int> as_given(const StatementUses& uses) {
+  std::vector<int> order;
+  for (int k = 0; k < uses.statements(); ++k) order.push_back(k);
+  return order;
+}
+
 TEST(StatementOrder, FinishesWhatIsBegun) {
-  const StatementUses uses = uses_among({{}, {}, {}, {}, {0}, {1}, {2}, {3}, {0, 1}, {8, 2}, {9, 3}, {10}});
-  const std::vector<int> order = order_of_short_lives(uses);
-  EXPECT_LE(most_live(uses, order), 2);
-  EXPECT_EQ(most_live(uses, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}), 4);
+  const StatementUses uses = kept_for_later(20);
+  EXPECT_EQ(most_live(uses, as_given(uses)), 20);
+  EXPECT_LE(most_live(uses, order_of_short_lives(uses)), 2);
+}
+
+TEST(StatementOrder, StaysWhereRegistersSuffice) {
+  const StatementUses uses = kept_for_later(8);
+  EXPECT_EQ(order_of_short_lives(uses), as_given(uses));
 }
 
 TEST(StatementOrder, KeepsEveryStatementAfterItsNeeds) {
-  const StatementUses uses = uses_among({{}, {0}, {0, 1}, {1}, {2, 3}, {0, 4}});
+  const StatementUses uses = kept_for_later(30);
   std::vector<bool> is_made(uses.needs.size(), false);
   for (const int k : order_of_short_lives(uses)) {
     for (const int value : uses.needs[static_cast<std::size_t>(k)])
@@ -56,29 +72,6 @@ TEST(StatementOrder, KeepsEveryStatementAfterItsNeeds) {
     is_made[static_cast<std::size_t>(k)] = true;
   }
   EXPECT_EQ(std::count(is_made.begin(), is_made.end(), true), uses.statements());
-}
-
-// A value that is read after all statements dies nowhere, so the others come first.
-TEST(StatementOrder, MakesWhatIsReadAtTheEndLast) {
-  StatementUses uses = uses_among({{}, {}, {1}, {0, 2}});
-  uses.makes[3] = true;
-  uses.read_at_the_end = {0, 3};
-  EXPECT_EQ(order_of_short_lives(uses), (std::vector<int>{1, 2, 0, 3}));
-}
-
-TEST(StatementOrder, LeavesFewValuesLiveInAFunction) {
-  const Function function = testing::two_link_inverse_dynamics();
-  const Schedule schedule = make_schedule(function);
-  const auto is_sine = [&function](const Statement& statement) {
-    const Op op = function.graph[statement.node].op;
-    return op == Op::sin || op == Op::cos;
-  };
-  std::vector<Statement> statements = schedule.statements;
-  std::erase_if(statements, is_sine);
-  const StatementUses uses = uses_of(function, schedule, statements, {});
-  std::vector<int> order;
-  for (int k = 0; k < uses.statements(); ++k) order.push_back(k);
-  EXPECT_LE(most_live(uses, order), 5);
 }
 
 }  // namespace
