@@ -864,140 +864,140 @@ static inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
       s_7 = sine[6], c_7 = cosine[6];
-  const Scalar hu_7_t_x = Scalar(0.0008132592973428722) * c_7 - Scalar(0.0006428830269371278) * s_7;
-  const Scalar t1 = Scalar(0.27848101265822783) * hu_7_t_x + Scalar(0.006684151967360946);
-  const Scalar Iu_7_a_xz = Scalar(0.0009653051699191118) * c_7 -
-      Scalar(0.0012555365982728983) * s_7;
-  const Scalar t2 = s_6 * Iu_7_a_xz + c_6 * t1;
-  const Scalar t3 = s_6 * t1 - c_6 * Iu_7_a_xz;
-  B[34] = B[46] = -t2;
   const Scalar Iu_7_a_xy = Scalar(0.0012555365982728983) * c_7 +
       Scalar(0.0009653051699191118) * s_7;
   B[41] = B[47] = -Iu_7_a_xy;
-  const Scalar hu_7_t_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
-  const Scalar t4 = c_6 * hu_7_t_y;
-  const Scalar f_u_7_5_a_z = s_5 * t4 + c_5 * hu_7_t_x;
-  const Scalar t5 = s_5 * hu_7_t_x - c_5 * t4;
-  const Scalar mu_7_4_x = Scalar(1.2151898734177216) * f_u_7_5_a_z - s_5 * Iu_7_a_xy + c_5 * t3;
-  const Scalar t6 = Scalar(0.2610759493670886) * f_u_7_5_a_z;
-  const Scalar t7 = t2 - t6;
-  const Scalar mu_u_7_3_a_y = t6 - s_4 * mu_7_4_x + c_4 * t7;
-  const Scalar t8 = f_u_7_5_a_z + s_4 * t7 + c_4 * mu_7_4_x;
-  B[20] = B[44] = -mu_u_7_3_a_y;
-  const Scalar t9 = s_6 * hu_7_t_y;
-  const Scalar t10 = Scalar(1.2151898734177216) * t5 - Scalar(0.2610759493670886) * t9 +
-      c_5 * Iu_7_a_xy + s_5 * t3;
-  const Scalar Ic_6_yz = Scalar(0.000093569097314605) + Iu_7_a_xy;
-  B[27] = B[45] = -t10;
-  const Scalar t11 = s_4 * t5 - c_4 * t9;
-  const Scalar t12 = s_4 * t9 - Scalar(0.2610759493670886) * t11 + c_4 * t5 + t10;
-  B[6] = B[42] = s_2 * (s_3 * t12 - c_3 * t8) - c_2 * mu_u_7_3_a_y;
-  B[13] = B[43] = c_3 * t12 + s_3 * t8;
   const Scalar Iu_7_t_g = Scalar(0.00242094377852123) * c_7 - Scalar(0.000782782563368496) * s_7;
-  const Scalar t13 = Scalar(0.27848101265822783) * hu_7_t_y - Scalar(0.000287632364465563) -
+  const Scalar t1 = c_7 * Iu_7_t_g;
+  const Scalar hu_7_t_x = Scalar(0.0008132592973428722) * c_7 - Scalar(0.0006428830269371278) * s_7;
+  const Scalar t2 = Scalar(0.5569620253164557) * hu_7_t_x;
+  const Scalar t3 = t1 - t2 - Scalar(0.055009225789188536);
+  B[40] = -t3;
+  const Scalar t4 = Scalar(0.27848101265822783) * hu_7_t_x + Scalar(0.006684151967360946);
+  const Scalar Iu_7_a_xz = Scalar(0.0009653051699191118) * c_7 -
+      Scalar(0.0012555365982728983) * s_7;
+  const Scalar t5 = s_6 * Iu_7_a_xz + c_6 * t4;
+  B[34] = B[46] = -t5;
+  const Scalar hu_7_t_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
+  const Scalar t6 = Scalar(0.27848101265822783) * hu_7_t_y - Scalar(0.000287632364465563) -
       s_7 * Iu_7_t_g;
-  const Scalar t14 = c_7 * Iu_7_t_g;
-  const Scalar f_5_5_x = hu_7_t_y - Scalar(0.0214471195303);
-  const Scalar t15 = s_6 * t13 - c_6 * Ic_6_yz;
-  const Scalar Iu_6_a_xz = s_6 * Ic_6_yz + c_6 * t13;
-  B[33] = B[39] = -t15;
-  const Scalar hc_6_x = hu_7_t_x + Scalar(0.07326382665162);
-  const Scalar t16 = Scalar(0.5569620253164557) * hu_7_t_x;
-  const Scalar t17 = t14 - t16 - Scalar(0.055009225789188536);
-  const Scalar Ic_6_yy = t16 - Scalar(0.00528056308065248);
-  B[40] = -t17;
-  const Scalar f_u_6_6_t_x = Scalar(0.054922286959804) * c_6 - s_6 * hc_6_x;
-  const Scalar hu_6_t_x = Scalar(0.054922286959804) * s_6 + c_6 * hc_6_x;
-  const Scalar t18 = t17 + Scalar(1.2151898734177216) * f_u_6_6_t_x;
-  const Scalar t19 = t17 + Scalar(0.04208100218189551);
-  const Scalar t20 = c_5 * Iu_6_a_xz + s_5 * t18;
-  const Scalar mu_u_6_4_a_y = Scalar(0.2610759493670886) * hu_6_t_x - s_5 * Iu_6_a_xz + c_5 * t18;
-  B[26] = B[38] = -mu_u_6_4_a_y;
-  const Scalar t21 = Scalar(0.2610759493670886) * f_u_6_6_t_x;
-  const Scalar t22 = s_5 * t21;
-  const Scalar t23 = t15 + t22;
-  const Scalar mu_6_3_z = t22 - c_4 * t23 - s_4 * t20;
-  const Scalar t24 = s_4 * t23 - c_4 * t20 - s_5 * f_u_6_6_t_x;
-  const Scalar t25 = t15 + Scalar(0.00216405205209813);
-  B[19] = B[37] = mu_6_3_z;
-  const Scalar t26 = c_5 * f_u_6_6_t_x;
-  const Scalar f_u_6_4_t_y = s_4 * t26 + c_4 * hu_6_t_x;
-  const Scalar t27 = c_4 * t26 - Scalar(0.2610759493670886) * f_u_6_4_t_y - s_4 * hu_6_t_x +
-      mu_u_6_4_a_y;
-  B[5] = B[35] = c_2 * mu_6_3_z - s_2 * (c_3 * t24 - s_3 * t27);
-  B[12] = B[36] = s_3 * t24 + c_3 * t27;
-  const Scalar hc_5_x = hu_6_t_x - Scalar(0.004630579482008);
-  const Scalar Iu_7_t_xx = t14 - Scalar(0.00242094377852123);
+  const Scalar Ic_6_yz = Scalar(0.000093569097314605) + Iu_7_a_xy;
+  const Scalar t7 = s_6 * t6 - c_6 * Ic_6_yz;
+  B[33] = B[39] = -t7;
+  const Scalar t8 = s_6 * t4 - c_6 * Iu_7_a_xz;
+  const Scalar t9 = c_6 * hu_7_t_y;
+  const Scalar t10 = s_5 * hu_7_t_x - c_5 * t9;
+  const Scalar t11 = s_6 * hu_7_t_y;
+  const Scalar t12 = Scalar(1.2151898734177216) * t10 - Scalar(0.2610759493670886) * t11 +
+      c_5 * Iu_7_a_xy + s_5 * t8;
+  B[27] = B[45] = -t12;
+  const Scalar Iu_7_t_xx = t1 - Scalar(0.00242094377852123);
+  const Scalar Ic_6_yy = t2 - Scalar(0.00528056308065248);
   const Scalar Iu_6_t_d = Iu_7_t_xx - Ic_6_yy;
   const Scalar Ic_6_xy = Iu_7_a_xz + Scalar(0.014748570382675316);
-  const Scalar t28 = Scalar(2.0) * s_6 * Ic_6_xy - c_6 * Iu_6_t_d;
-  const Scalar Ic_5_xz = Iu_7_a_xz - s_6 * t28 + Scalar(0.01014832486511221);
-  const Scalar t29 = c_6 * t28;
-  const Scalar Ic_5_zz = t14 + t29 + Scalar(0.04256237053342771);
-  const Scalar Iu_6_t_xx = Ic_6_yy - t29;
+  const Scalar t13 = Scalar(2.0) * s_6 * Ic_6_xy - c_6 * Iu_6_t_d;
+  const Scalar t14 = c_6 * t13;
+  const Scalar Ic_5_zz = t1 + t14 + Scalar(0.04256237053342771);
   B[32] = Ic_5_zz;
-  const Scalar hu_5_t_x = s_5 * f_5_5_x + c_5 * hc_5_x;
-  const Scalar t30 = s_5 * hc_5_x - c_5 * f_5_5_x;
-  const Scalar B_45 = -c_5 * t25 - s_5 * Ic_5_xz + Scalar(1.2151898734177216) * t30;
-  const Scalar t31 = s_5 * t25 - c_5 * Ic_5_xz + Scalar(1.2151898734177216) * hu_5_t_x;
-  const Scalar t32 = t21 + t31 - Scalar(0.16284087268546085);
+  const Scalar Iu_6_a_xz = s_6 * Ic_6_yz + c_6 * t6;
+  const Scalar hc_6_x = hu_7_t_x + Scalar(0.07326382665162);
+  const Scalar f_u_6_6_t_x = Scalar(0.054922286959804) * c_6 - s_6 * hc_6_x;
+  const Scalar t15 = t3 + Scalar(1.2151898734177216) * f_u_6_6_t_x;
+  const Scalar hu_6_t_x = Scalar(0.054922286959804) * s_6 + c_6 * hc_6_x;
+  const Scalar mu_u_6_4_a_y = Scalar(0.2610759493670886) * hu_6_t_x - s_5 * Iu_6_a_xz + c_5 * t15;
+  B[26] = B[38] = -mu_u_6_4_a_y;
+  const Scalar t16 = c_5 * Iu_6_a_xz + s_5 * t15;
+  const Scalar t17 = Scalar(0.2610759493670886) * f_u_6_6_t_x;
+  const Scalar t18 = s_5 * t17;
+  const Scalar t19 = t7 + t18;
+  const Scalar mu_6_3_z = t18 - c_4 * t19 - s_4 * t16;
+  B[19] = B[37] = mu_6_3_z;
+  const Scalar f_u_7_5_a_z = s_5 * t9 + c_5 * hu_7_t_x;
+  const Scalar mu_7_4_x = Scalar(1.2151898734177216) * f_u_7_5_a_z - s_5 * Iu_7_a_xy + c_5 * t8;
+  const Scalar t20 = Scalar(0.2610759493670886) * f_u_7_5_a_z;
+  const Scalar t21 = t5 - t20;
+  const Scalar mu_u_7_3_a_y = t20 - s_4 * mu_7_4_x + c_4 * t21;
+  B[20] = B[44] = -mu_u_7_3_a_y;
+  const Scalar Ic_5_xz = Iu_7_a_xz - s_6 * t13 + Scalar(0.01014832486511221);
+  const Scalar hc_5_x = hu_6_t_x - Scalar(0.004630579482008);
+  const Scalar f_5_5_x = hu_7_t_y - Scalar(0.0214471195303);
+  const Scalar t22 = s_5 * hc_5_x - c_5 * f_5_5_x;
+  const Scalar t23 = t7 + Scalar(0.00216405205209813);
+  const Scalar B_45 = -c_5 * t23 - s_5 * Ic_5_xz + Scalar(1.2151898734177216) * t22;
   B[25] = B[31] = B_45;
-  const Scalar t33 = Scalar(0.2610759493670886) * hu_5_t_x;
-  const Scalar mu_5_4_y = Ic_5_zz - t33;
-  const Scalar mu_5_3_z = t33 - s_4 * t31 + c_4 * mu_5_4_y;
-  const Scalar t34 = hu_5_t_x + s_4 * mu_5_4_y + c_4 * t31;
+  const Scalar t24 = f_u_7_5_a_z + s_4 * t21 + c_4 * mu_7_4_x;
+  const Scalar t25 = s_4 * t10 - c_4 * t11;
+  const Scalar t26 = s_4 * t11 - Scalar(0.2610759493670886) * t25 + c_4 * t10 + t12;
+  B[13] = B[43] = c_3 * t26 + s_3 * t24;
+  const Scalar t27 = s_4 * t19 - c_4 * t16 - s_5 * f_u_6_6_t_x;
+  const Scalar t28 = c_5 * f_u_6_6_t_x;
+  const Scalar f_u_6_4_t_y = s_4 * t28 + c_4 * hu_6_t_x;
+  const Scalar t29 = c_4 * t28 - Scalar(0.2610759493670886) * f_u_6_4_t_y - s_4 * hu_6_t_x +
+      mu_u_6_4_a_y;
+  B[12] = B[36] = s_3 * t27 + c_3 * t29;
+  const Scalar hu_5_t_x = s_5 * f_5_5_x + c_5 * hc_5_x;
+  const Scalar t30 = s_5 * t23 - c_5 * Ic_5_xz + Scalar(1.2151898734177216) * hu_5_t_x;
+  const Scalar t31 = Scalar(0.2610759493670886) * hu_5_t_x;
+  const Scalar mu_5_4_y = Ic_5_zz - t31;
+  const Scalar mu_5_3_z = t31 - s_4 * t30 + c_4 * mu_5_4_y;
   B[18] = B[30] = mu_5_3_z;
-  const Scalar t35 = B_45 + t30 * (c_4 - Scalar(0.2610759493670886) * s_4);
-  B[4] = B[28] = c_2 * mu_5_3_z - s_2 * (s_3 * t35 - c_3 * t34);
-  B[11] = B[29] = -c_3 * t35 - s_3 * t34;
-  const Scalar t36 = B_45 - Scalar(0.00164448757736927);
-  const Scalar Iu_5_t_d = Iu_6_t_xx + t19;
+  B[6] = B[42] = s_2 * (s_3 * t26 - c_3 * t24) - c_2 * mu_u_7_3_a_y;
+  const Scalar Iu_6_t_xx = Ic_6_yy - t14;
+  const Scalar t32 = t3 + Scalar(0.04208100218189551);
+  const Scalar Iu_5_t_d = Iu_6_t_xx + t32;
   const Scalar Ic_5_xy = Iu_6_a_xz - Scalar(0.00151524447332703);
-  const Scalar t37 = Scalar(2.0) * s_5 * Ic_5_xy - c_5 * Iu_5_t_d;
-  const Scalar t38 = c_5 * t37;
-  const Scalar t39 = Scalar(2.430379746835443) * f_u_6_6_t_x;
-  const Scalar t40 = t38 + t19 + t39;
-  const Scalar f_4_4_x = f_u_6_6_t_x - Scalar(0.635957442938548);
-  const Scalar t41 = Scalar(0.5221518987341772) * hu_5_t_x;
-  const Scalar B_44 = Iu_6_t_xx - t41 + t38 - t39 + Scalar(0.7918443694347095);
-  const Scalar Ic_4_yy = Ic_5_zz - t41 - Scalar(0.6898040971210785);
-  const Scalar hc_4_x = hu_5_t_x - Scalar(0.1746785667894);
+  const Scalar t33 = Scalar(2.0) * s_5 * Ic_5_xy - c_5 * Iu_5_t_d;
+  const Scalar t34 = c_5 * t33;
+  const Scalar t35 = Scalar(0.5221518987341772) * hu_5_t_x;
+  const Scalar t36 = Scalar(2.430379746835443) * f_u_6_6_t_x;
+  const Scalar B_44 = Iu_6_t_xx - t35 + t34 - t36 + Scalar(0.7918443694347095);
   B[24] = B_44;
-  const Scalar t42 = Scalar(-0.2610759493670886) * t30;
-  const Scalar t43 = Iu_6_a_xz - Scalar(0.00542059949960313) - t42 - s_5 * t37;
-  const Scalar Iu_4_a_xy = s_4 * t43 - c_4 * t36;
-  const Scalar t44 = c_4 * t43 + s_4 * t36;
-  const Scalar t45 = t42 - Scalar(0.000121912420950744) + t44;
-  const Scalar t46 = Scalar(0.013297019103287584) + t30 - Iu_4_a_xy;
+  B[5] = B[35] = c_2 * mu_6_3_z - s_2 * (c_3 * t27 - s_3 * t29);
+  const Scalar t37 = hu_5_t_x + s_4 * mu_5_4_y + c_4 * t30;
+  const Scalar t38 = B_45 + t22 * (c_4 - Scalar(0.2610759493670886) * s_4);
+  B[11] = B[29] = -c_3 * t38 - s_3 * t37;
+  const Scalar t39 = Scalar(-0.2610759493670886) * t22;
+  const Scalar t40 = Iu_6_a_xz - Scalar(0.00542059949960313) - t39 - s_5 * t33;
+  const Scalar t41 = B_45 - Scalar(0.00164448757736927);
+  const Scalar Iu_4_a_xy = s_4 * t40 - c_4 * t41;
   B[17] = B[23] = -Iu_4_a_xy;
+  B[4] = B[28] = c_2 * mu_5_3_z - s_2 * (s_3 * t38 - c_3 * t37);
+  const Scalar t42 = c_4 * t40 + s_4 * t41;
+  const Scalar hc_4_x = hu_5_t_x - Scalar(0.1746785667894);
+  const Scalar f_4_4_x = f_u_6_6_t_x - Scalar(0.635957442938548);
   const Scalar hu_4_t_x = c_4 * hc_4_x + s_4 * f_4_4_x;
-  const Scalar t47 = s_4 * hc_4_x - c_4 * f_4_4_x;
-  const Scalar t48 = Scalar(0.2610759493670886) * hu_4_t_x + t47 + B_44;
-  B[3] = B[21] = s_2 * (c_3 * t44 - s_3 * t48) - c_2 * Iu_4_a_xy;
-  B[10] = B[22] = -s_3 * t44 - c_3 * t48;
-  const Scalar t49 = Scalar(2.0) * s_4 * t32 - c_4 * (t40 + Ic_4_yy);
-  const Scalar t50 = Scalar(0.2610759493670886) * t47 + t32 + Scalar(0.24149476342611426) +
-      hu_4_t_x - s_4 * t49;
-  const Scalar t51 = c_4 * t49;
-  const Scalar Iu_4_t_xx = t51 + Ic_4_yy;
-  const Scalar t52 = Scalar(0.5221518987341772) * hu_4_t_x;
-  const Scalar t53 = t40 - t52 + t51 - Scalar(0.8246048032693);
-  const Scalar t54 = t52 + B_44 - Scalar(0.7013999612162445);
-  const Scalar t55 = Scalar(-2.0) * t47;
-  B[16] = -t53;
+  const Scalar t43 = s_4 * hc_4_x - c_4 * f_4_4_x;
+  const Scalar t44 = Scalar(0.2610759493670886) * hu_4_t_x + t43 + B_44;
+  B[10] = B[22] = -s_3 * t42 - c_3 * t44;
+  const Scalar t45 = t34 + t32 + t36;
+  const Scalar Ic_4_yy = Ic_5_zz - t35 - Scalar(0.6898040971210785);
+  const Scalar t46 = t17 + t30 - Scalar(0.16284087268546085);
+  const Scalar t47 = Scalar(2.0) * s_4 * t46 - c_4 * (t45 + Ic_4_yy);
+  const Scalar t48 = c_4 * t47;
+  const Scalar t49 = Scalar(0.5221518987341772) * hu_4_t_x;
+  const Scalar t50 = t45 - t49 + t48 - Scalar(0.8246048032693);
+  B[16] = -t50;
+  B[3] = B[21] = s_2 * (c_3 * t42 - s_3 * t44) - c_2 * Iu_4_a_xy;
+  const Scalar t51 = Scalar(0.2610759493670886) * t43 + t46 + Scalar(0.24149476342611426) +
+      hu_4_t_x - s_4 * t47;
+  const Scalar t52 = Scalar(0.013297019103287584) + t22 - Iu_4_a_xy;
+  const Scalar t53 = c_3 * t52 + s_3 * t51;
+  B[9] = B[15] = -t53;
+  const Scalar Iu_4_t_xx = t48 + Ic_4_yy;
+  const Scalar t54 = t49 + B_44 - Scalar(0.7013999612162445);
   const Scalar Iu_3_t_d = Iu_4_t_xx - t54;
-  const Scalar t56 = Scalar(2.0) * s_3 * t45 - c_3 * Iu_3_t_d;
-  const Scalar t57 = c_3 * t46 + s_3 * t50;
-  B[1] = B[7] = -s_2 * (Scalar(0.01026110182100817) + t45 - s_3 * t56) -
-      c_2 * (Scalar(0.0007689361029464) + t57);
-  const Scalar t58 = s_3 * t46 - c_3 * t50;
-  B[9] = B[15] = -t57;
-  const Scalar t59 = c_3 * t56;
-  B[8] = Iu_4_t_xx + t59 - t55 + Scalar(1.8182423259695848);
-  const Scalar t60 = -t59 - t55 + t54;
-  B[2] = B[14] = -s_2 * t58 - c_2 * t53;
-  const Scalar t61 = Scalar(2.0) * s_2 * (Scalar(0.00398335888393552) + t58) +
-      c_2 * (t53 + t60 + Scalar(1.7720865609797212));
+  const Scalar t55 = t39 - Scalar(0.000121912420950744) + t42;
+  const Scalar t56 = Scalar(2.0) * s_3 * t55 - c_3 * Iu_3_t_d;
+  const Scalar t57 = c_3 * t56;
+  const Scalar t58 = Scalar(-2.0) * t43;
+  B[8] = Iu_4_t_xx + t57 - t58 + Scalar(1.8182423259695848);
+  const Scalar t59 = s_3 * t52 - c_3 * t51;
+  B[2] = B[14] = -s_2 * t59 - c_2 * t50;
+  B[1] = B[7] = -s_2 * (Scalar(0.01026110182100817) + t55 - s_3 * t56) -
+      c_2 * (Scalar(0.0007689361029464) + t53);
+  const Scalar t60 = -t57 - t58 + t54;
+  const Scalar t61 = Scalar(2.0) * s_2 * (Scalar(0.00398335888393552) + t59) +
+      c_2 * (t50 + t60 + Scalar(1.7720865609797212));
   B[0] = t60 - c_2 * t61 + Scalar(1.8094240094691274);
   B[48] = Scalar(0.006684151967360946);
 }
@@ -2144,34 +2144,34 @@ static inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
       s_7 = sine[6], c_7 = cosine[6];
-  const Scalar hu_7_t_x = Scalar(0.025247068692827772) * c_7 - Scalar(0.019957855994472227) * s_7;
-  const Scalar hu_7_t_y = Scalar(0.019957855994472227) * c_7 + Scalar(0.025247068692827772) * s_7;
   const Scalar t1 = s_2 * c_3;
   const Scalar t2 = c_4 * t1 - c_2 * s_4;
   const Scalar t3 = s_2 * s_3;
   const Scalar t4 = s_5 * t3 - c_5 * t2;
-  const Scalar t5 = s_4 * t1 + c_2 * c_4;
-  const Scalar g_6_a_z = s_5 * t2 + c_5 * t3;
-  g[6] = -hu_7_t_y * (s_6 * t5 + c_6 * t4) - hu_7_t_x * g_6_a_z;
+  const Scalar hu_7_t_x = Scalar(0.025247068692827772) * c_7 - Scalar(0.019957855994472227) * s_7;
   const Scalar hc_6_x = hu_7_t_x + Scalar(2.27442449193795);
-  const Scalar t6 = hu_7_t_y - Scalar(0.66581089427925);
-  const Scalar t7 = Scalar(1.70502416163189) * c_6 - s_6 * hc_6_x;
+  const Scalar t5 = Scalar(1.70502416163189) * c_6 - s_6 * hc_6_x;
   const Scalar hu_6_t_x = Scalar(1.70502416163189) * s_6 + c_6 * hc_6_x;
-  g[5] = t7 * t4 + hu_6_t_x * t5;
+  const Scalar t6 = s_4 * t1 + c_2 * c_4;
+  g[5] = t5 * t4 + hu_6_t_x * t6;
   const Scalar hc_5_x = hu_6_t_x - Scalar(0.14375311619778);
-  const Scalar t8 = t7 - Scalar(19.74285606084543);
-  const Scalar t9 = s_5 * hc_5_x - c_5 * t6;
-  const Scalar hu_5_t_x = s_5 * t6 + c_5 * hc_5_x;
-  g[4] = t9 * t2 + hu_5_t_x * t3;
-  const Scalar t10 = Scalar(0.27690780075318) + t9;
+  const Scalar hu_7_t_y = Scalar(0.019957855994472227) * c_7 + Scalar(0.025247068692827772) * s_7;
+  const Scalar t7 = hu_7_t_y - Scalar(0.66581089427925);
+  const Scalar t8 = s_5 * hc_5_x - c_5 * t7;
+  const Scalar hu_5_t_x = s_5 * t7 + c_5 * hc_5_x;
+  g[4] = t8 * t2 + hu_5_t_x * t3;
+  const Scalar g_6_a_z = s_5 * t2 + c_5 * t3;
+  g[6] = -hu_7_t_y * (s_6 * t6 + c_6 * t4) - hu_7_t_x * g_6_a_z;
   const Scalar hc_4_x = hu_5_t_x - Scalar(5.4227744943165);
-  const Scalar hu_4_t_x = c_4 * hc_4_x + s_4 * t8;
-  const Scalar t11 = s_4 * hc_4_x - c_4 * t8;
-  g[3] = t11 * t1 + c_2 * hu_4_t_x;
+  const Scalar t9 = t5 - Scalar(19.74285606084543);
+  const Scalar t10 = s_4 * hc_4_x - c_4 * t9;
+  const Scalar hu_4_t_x = c_4 * hc_4_x + s_4 * t9;
+  g[3] = t10 * t1 + c_2 * hu_4_t_x;
   const Scalar hc_3_x = Scalar(7.32667658634432) + hu_4_t_x;
-  g[2] = s_2 * (c_3 * t10 + s_3 * hc_3_x);
-  const Scalar t12 = c_2 * (Scalar(0.01993386669246) + s_3 * t10 - c_3 * hc_3_x);
-  g[1] = t12 - s_2 * (t11 + Scalar(32.80954542685272));
+  const Scalar t11 = Scalar(0.27690780075318) + t8;
+  g[2] = s_2 * (c_3 * t11 + s_3 * hc_3_x);
+  const Scalar t12 = c_2 * (Scalar(0.01993386669246) + s_3 * t11 - c_3 * hc_3_x);
+  g[1] = t12 - s_2 * (t10 + Scalar(32.80954542685272));
   g[0] = Scalar(0.0);
 }
 
@@ -2191,204 +2191,204 @@ static inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
       s_7 = sine[6], c_7 = cosine[6];
-  const Scalar t1 = s_2 * qd_1;
-  const Scalar t2 = s_3 * t1;
-  const Scalar omega_r_3_y = t2 + c_3 * qd_2;
-  const Scalar t3 = c_2 * qd_1;
-  const Scalar omega_3_z = qd_3 + t3;
-  const Scalar t4 = Scalar(2.0) * qd_2;
-  const Scalar t5 = c_3 * t4;
-  const Scalar t6 = (t2 + t5) * t3;
-  const Scalar t7 = Scalar(2.0) * omega_r_3_y * omega_3_z - t6;
-  const Scalar t8 = c_3 * t1;
-  const Scalar t9 = s_3 * qd_2 - t8;
-  const Scalar t10 = t9 * omega_r_3_y;
-  const Scalar t11 = qd_2 * t1;
-  const Scalar U_3_xy = t10 + t11;
-  const Scalar t12 = c_4 * U_3_xy + s_4 * t7;
-  const Scalar t13 = c_4 * t9 + s_4 * omega_3_z;
+  const Scalar t1 = c_2 * qd_1;
+  const Scalar omega_3_z = qd_3 + t1;
+  const Scalar t2 = s_2 * qd_1;
+  const Scalar t3 = c_3 * t2;
+  const Scalar t4 = s_3 * qd_2 - t3;
+  const Scalar t5 = t4 * t4;
+  const Scalar t6 = omega_3_z * omega_3_z;
+  const Scalar Uz_o_4_y = t5 + t6;
+  const Scalar t7 = t6 - t5;
+  const Scalar t8 = s_3 * t2;
+  const Scalar omega_r_3_y = t8 + c_3 * qd_2;
   const Scalar omega_4_z = qd_4 - omega_r_3_y;
-  const Scalar t14 = t13 * omega_4_z;
-  const Scalar t15 = t14 + t12;
-  const Scalar t16 = t14 + t15;
-  const Scalar t17 = s_4 * U_3_xy - c_4 * t7;
-  const Scalar t18 = s_4 * t9 - c_4 * omega_3_z;
-  const Scalar t19 = t17 + Scalar(2.0) * t18 * omega_4_z;
-  const Scalar t20 = t10 - t11;
-  const Scalar t21 = t1 * t3;
-  const Scalar t22 = t21 + Scalar(31.044303797468356) * s_2;
-  const Scalar ddp_3_y = t5 * t3 + s_3 * t22;
-  const Scalar t23 = Scalar(0.2610759493670886) * t20 + ddp_3_y;
-  const Scalar t24 = Scalar(0.2610759493670886) * t16 + t23 + Scalar(1.2151898734177216) * t19;
-  const Scalar t25 = t9 * omega_3_z;
-  const Scalar t26 = s_3 * t4;
-  const Scalar t27 = (t8 - t26) * t3;
-  const Scalar t28 = t25 + t27;
-  const Scalar t29 = t25 + t28;
-  const Scalar t30 = t1 * t1;
-  const Scalar t31 = qd_2 * qd_2;
-  const Scalar Uz_o_3_y = t30 + t31;
+  const Scalar t9 = Scalar(2.0) * qd_2;
+  const Scalar t10 = c_3 * t9;
+  const Scalar t11 = (t8 + t10) * t1;
+  const Scalar t12 = s_3 * t9;
+  const Scalar t13 = (t3 - t12) * t1;
+  const Scalar t14 = Scalar(2.0) * omega_r_3_y * omega_3_z - t11;
+  const Scalar t15 = t4 * omega_r_3_y;
+  const Scalar t16 = s_4 * t4 - c_4 * omega_3_z;
+  const Scalar t17 = c_4 * t4 + s_4 * omega_3_z;
+  const Scalar t18 = t4 * omega_3_z;
+  const Scalar t19 = t2 * t1;
+  const Scalar t20 = t19 + Scalar(31.044303797468356) * s_2;
+  const Scalar ddp_3_y = t10 * t1 + s_3 * t20;
+  const Scalar t21 = t12 * t1 - c_3 * t20;
+  const Scalar t22 = qd_2 * t1;
+  const Scalar t23 = t18 + t13;
+  const Scalar t24 = t18 + t23;
+  const Scalar t25 = t2 * t2;
+  const Scalar t26 = qd_2 * t2;
+  const Scalar t27 = qd_2 * qd_2;
+  const Scalar Uz_o_3_y = t25 + t27;
   const Scalar ddp_3_a_z = Scalar(31.044303797468356) * c_2 - Uz_o_3_y;
-  const Scalar t32 = Scalar(0.2610759493670886) * t29 + ddp_3_a_z;
-  const Scalar t33 = t9 * t9;
-  const Scalar t34 = omega_3_z * omega_3_z;
-  const Scalar t35 = t34 - t33;
-  const Scalar t36 = Uz_o_3_y + t35;
-  const Scalar t37 = t26 * t3 - c_3 * t22;
-  const Scalar t38 = Scalar(0.2610759493670886) * t36 - t37;
-  const Scalar t39 = s_4 * t32 - c_4 * t38;
-  const Scalar t40 = t13 * t13;
-  const Scalar t41 = omega_4_z * omega_4_z;
-  const Scalar t42 = t41 - t40;
-  const Scalar Uz_o_4_y = t33 + t34;
-  const Scalar t43 = Uz_o_4_y + t42;
-  const Scalar t44 = t13 * t18;
-  const Scalar t45 = t28 + t44;
-  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * t43 - Scalar(1.2151898734177216) * t45 +
-      t39;
-  const Scalar ddp_5_x = s_5 * t24 + c_5 * ddp_o_5_x;
-  const Scalar t46 = s_4 * t38 + c_4 * t32;
-  const Scalar t47 = t28 - t44;
-  const Scalar t48 = t41 + t40;
-  const Scalar t49 = Scalar(0.2610759493670886) * t47 + Scalar(1.2151898734177216) * t48 - t46;
-  const Scalar t50 = s_6 * t49 - c_6 * ddp_5_x;
-  const Scalar t51 = s_5 * omega_4_z - c_5 * t13;
-  const Scalar omega_5_z = qd_5 - t18;
-  const Scalar t52 = s_6 * omega_5_z - c_6 * t51;
-  const Scalar t53 = t52 * t52;
-  const Scalar omega_r_6_a_z = s_5 * t13 + c_5 * omega_4_z;
-  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t54 = omega_6_z * omega_6_z;
-  const Scalar t55 = t54 - t53;
-  const Scalar t56 = t51 * t51;
-  const Scalar t57 = omega_5_z * omega_5_z;
-  const Scalar Uz_o_6_y = t56 + t57;
-  const Scalar t58 = Uz_o_6_y + t55;
-  const Scalar t59 = Scalar(0.27848101265822783) * t58 + t50;
-  const Scalar mr_7_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
-  const Scalar t60 = s_5 * t45 + c_5 * t19;
-  const Scalar t61 = t60 + Scalar(2.0) * omega_r_6_a_z * omega_5_z;
-  const Scalar t62 = t51 * omega_r_6_a_z;
-  const Scalar t63 = t62 + t15;
-  const Scalar t64 = s_6 * t61 - c_6 * t63;
-  const Scalar t65 = Scalar(2.0) * omega_6_z;
-  const Scalar t66 = t64 - t52 * t65;
-  const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t24;
-  const Scalar ddp_o_7_z = ddp_6_a_z - Scalar(0.27848101265822783) * t66;
-  const Scalar mr_7_x = Scalar(0.0008132592973428722) * c_7 - Scalar(0.0006428830269371278) * s_7;
-  const Scalar t67 = s_6 * t63 + c_6 * t61;
-  const Scalar omega_r_6_y = s_6 * t51 + c_6 * omega_5_z;
-  const Scalar t68 = t67 - omega_r_6_y * t65;
-  const Scalar t69 = Scalar(0.0009653051699191118) * c_7 - Scalar(0.0012555365982728983) * s_7;
-  const Scalar I_t7_g = Scalar(0.00242094377852123) * c_7 - Scalar(0.000782782563368496) * s_7;
-  const Scalar t70 = c_7 * I_t7_g;
-  const Scalar t71 = t70 - Scalar(0.004552547872941088);
+  const Scalar t28 = Scalar(0.2610759493670886) * t24 + ddp_3_a_z;
+  const Scalar U_3_xy = t15 + t26;
+  const Scalar t29 = t15 - t26;
+  const Scalar t30 = c_4 * U_3_xy + s_4 * t14;
+  const Scalar t31 = t17 * omega_4_z;
+  const Scalar t32 = t31 + t30;
+  const Scalar t33 = t31 + t32;
+  const Scalar t34 = s_4 * U_3_xy - c_4 * t14;
+  const Scalar t35 = t34 + Scalar(2.0) * t16 * omega_4_z;
+  const Scalar t36 = Scalar(0.2610759493670886) * t29 + ddp_3_y;
+  const Scalar t37 = Scalar(0.2610759493670886) * t33 + t36 + Scalar(1.2151898734177216) * t35;
+  const Scalar t38 = Uz_o_3_y + t7;
+  const Scalar t39 = Scalar(0.2610759493670886) * t38 - t21;
+  const Scalar t40 = s_4 * t28 - c_4 * t39;
+  const Scalar t41 = s_4 * t39 + c_4 * t28;
+  const Scalar t42 = t17 * t17;
+  const Scalar t43 = omega_4_z * omega_4_z;
+  const Scalar t44 = t43 - t42;
+  const Scalar t45 = t43 + t42;
+  const Scalar t46 = Uz_o_4_y + t44;
+  const Scalar t47 = t17 * t16;
+  const Scalar omega_5_z = qd_5 - t16;
+  const Scalar t48 = t23 + t47;
+  const Scalar t49 = t23 - t47;
+  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * t46 - Scalar(1.2151898734177216) * t48 +
+      t40;
+  const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t37;
+  const Scalar ddp_5_x = s_5 * t37 + c_5 * ddp_o_5_x;
+  const Scalar omega_r_6_a_z = s_5 * t17 + c_5 * omega_4_z;
+  const Scalar t50 = s_5 * omega_4_z - c_5 * t17;
+  const Scalar omega_r_6_y = s_6 * t50 + c_6 * omega_5_z;
   const Scalar omega_7_z = qd_7 - omega_r_6_y;
-  const Scalar t72 = omega_7_z * omega_7_z;
-  const Scalar t73 = t54 + t72;
-  const Scalar t74 = t53 + t72;
+  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
+  const Scalar t51 = s_5 * t48 + c_5 * t35;
+  const Scalar t52 = t51 + Scalar(2.0) * omega_r_6_a_z * omega_5_z;
+  const Scalar t53 = t50 * omega_r_6_a_z;
+  const Scalar t54 = s_6 * omega_5_z - c_6 * t50;
+  const Scalar t55 = t53 + t32;
+  const Scalar t56 = t32 - t53;
+  const Scalar t57 = s_6 * t52 - c_6 * t55;
+  const Scalar t58 = Scalar(2.0) * omega_6_z;
+  const Scalar t59 = omega_6_z * omega_6_z;
+  const Scalar t60 = t57 - t54 * t58;
+  const Scalar t61 = s_6 * t55 + c_6 * t52;
+  const Scalar t62 = t61 - omega_r_6_y * t58;
+  const Scalar t63 = t62 - t58 * omega_7_z;
+  const Scalar t64 = t54 * omega_r_6_y;
+  const Scalar t65 = t50 * t50;
+  const Scalar t66 = t50 * omega_5_z;
+  const Scalar t67 = omega_5_z * omega_5_z;
+  const Scalar t68 = s_5 * t35 - c_5 * t48;
+  const Scalar t69 = t66 + t68;
+  const Scalar t70 = t66 + t69;
+  const Scalar t71 = t64 + t69;
+  const Scalar t72 = t69 - t64;
+  const Scalar t73 = t71 + Scalar(2.0) * t54 * omega_7_z;
+  const Scalar t74 = t54 * t54;
+  const Scalar t75 = omega_7_z * omega_7_z;
+  const Scalar I_t7_g = Scalar(0.00242094377852123) * c_7 - Scalar(0.000782782563368496) * s_7;
   const Scalar I_7_xy = Scalar(0.000391391281684248) + s_7 * I_t7_g;
-  const Scalar I_7_xx = t70 + Scalar(0.002131604094419858);
-  const Scalar t75 = s_5 * t19 - c_5 * t45;
-  const Scalar t76 = t51 * omega_5_z;
-  const Scalar t77 = t76 + t75;
-  const Scalar t78 = t52 * omega_r_6_y;
-  const Scalar t79 = t78 + t77;
-  const Scalar t80 = Scalar(0.0012555365982728983) * c_7 + Scalar(0.0009653051699191118) * s_7;
-  const Scalar t81 = -mr_7_y * t59 - mr_7_x * ddp_o_7_z + I_7_xy * (t73 - t74) - t68 * t69 -
-      t79 * t80 + t64 * I_7_xx - t66 * t71;
-  n[6] = -t81;
-  const Scalar t82 = t68 - t65 * omega_7_z;
-  const Scalar t83 = t77 - t78;
-  const Scalar t84 = Scalar(0.27848101265822783) * t83 + s_6 * ddp_5_x + c_6 * t49;
-  const Scalar t85 = t79 + Scalar(2.0) * t52 * omega_7_z;
-  const Scalar t86 = mr_7_x * t85 - mr_7_y * t82 + Scalar(0.26308374115809) * t84;
-  const Scalar Uz_o_7_y = t53 + t54;
-  const Scalar n_6 = Scalar(0.000103758917218685) * t67 - mr_7_x * t84 -
-      Scalar(0.001119670733427555) * t83 + t69 * (Uz_o_7_y - t73) +
-      t64 * (Scalar(0.000093569097314605) + t80) - t82 * I_7_xy + t85 * t71 -
-      Scalar(0.028934422545659894) * t79 - Scalar(0.014748570382675316) * (t58 - Uz_o_7_y) -
-      Scalar(0.054922286959804) * t50 - Scalar(0.27848101265822783) * t86;
-  n[5] = n_6;
-  const Scalar F_7_y = -mr_7_y * t74 - mr_7_x * t66 + Scalar(0.26308374115809) * ddp_o_7_z;
-  const Scalar t87 = Scalar(0.000103758917218685) * t55 + Scalar(0.000093569097314605) * t79 -
-      Scalar(0.001119670733427555) * t66 - t81 + Scalar(0.014748570382675316) * t68 +
-      Scalar(0.27848101265822783) * F_7_y;
-  const Scalar U_7_yy_zz = Uz_o_7_y - t74;
+  const Scalar t76 = c_7 * I_t7_g;
+  const Scalar mr_7_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
+  const Scalar t77 = Scalar(0.0009653051699191118) * c_7 - Scalar(0.0012555365982728983) * s_7;
+  const Scalar I_7_xx = t76 + Scalar(0.002131604094419858);
+  const Scalar t78 = t76 - Scalar(0.004552547872941088);
+  const Scalar t79 = Scalar(0.0012555365982728983) * c_7 + Scalar(0.0009653051699191118) * s_7;
+  const Scalar t80 = Scalar(0.2610759493670886) * t49 + Scalar(1.2151898734177216) * t45 - t41;
+  const Scalar t81 = Scalar(0.27848101265822783) * t72 + s_6 * ddp_5_x + c_6 * t80;
+  const Scalar t82 = t74 + t75;
+  const Scalar t83 = t59 + t75;
+  const Scalar Uz_o_7_y = t74 + t59;
+  const Scalar t84 = t59 - t74;
+  const Scalar U_7_yy_zz = Uz_o_7_y - t82;
+  const Scalar Uz_o_6_y = t65 + t67;
+  const Scalar t85 = t67 - t65;
   const Scalar U_6_yy_zz = Uz_o_6_y - Uz_o_7_y;
-  const Scalar t88 = Scalar(-0.000103758917218685) * t83 -
-      Scalar(0.000093569097314605) * U_6_yy_zz - mr_7_y * t84 + t80 * U_7_yy_zz + t85 * I_7_xy +
-      t82 * I_7_xx - t66 * (t69 + Scalar(0.014748570382675316)) +
-      Scalar(0.054922286959804) * ddp_6_a_z + Scalar(0.028934422545659894) * t68;
-  const Scalar t89 = t57 - t56;
-  const Scalar t90 = t48 + t89;
-  const Scalar t91 = t15 - t62;
-  const Scalar n_5 = Scalar(0.00216405205209813) * t75 - Scalar(0.001451156065026714) * t91 +
-      Scalar(0.00151524447332703) * (t90 - Uz_o_6_y) + Scalar(0.004600245517563106) * t60 -
-      Scalar(0.010045187828321245) * t63 + Scalar(0.004630579482008) * ddp_6_a_z -
-      Scalar(0.0214471195303) * ddp_5_x - s_6 * t88 - c_6 * t87;
-  n[4] = n_5;
-  const Scalar f_6_y = Scalar(0.054922286959804) * Uz_o_7_y - t86;
-  const Scalar t92 = mr_7_x * t73 - mr_7_y * t64 + Scalar(0.054922286959804) * t79 +
-      Scalar(0.26308374115809) * t59;
-  const Scalar f_5_x = Scalar(0.004630579482008) * t90 + Scalar(0.0214471195303) * t63 -
-      s_6 * f_6_y - c_6 * t92 + Scalar(0.4059881025443391) * ddp_5_x;
-  const Scalar t93 = Scalar(0.004630579482008) * t91 - Scalar(0.0214471195303) * Uz_o_6_y -
-      Scalar(0.054922286959804) * t68 - Scalar(0.4059881025443391) * ddp_6_a_z - F_7_y;
-  const Scalar t94 = s_5 * t93 - c_5 * f_5_x;
-  const Scalar t95 = t76 + t77;
-  const Scalar U_5_yy_zz = t48 - Uz_o_6_y;
-  const Scalar t96 = Scalar(0.004600245517563106) * t91 - Scalar(0.00151524447332703) * t95 +
-      Scalar(0.00216405205209813) * U_5_yy_zz - Scalar(0.010045187828321245) * t61 -
-      Scalar(0.0214471195303) * t49 - c_6 * t88 + s_6 * t87;
-  const Scalar f_5_z = Scalar(0.004630579482008) * t95 - Scalar(0.0214471195303) * t61 - s_6 * t92 +
-      c_6 * f_6_y - Scalar(0.4059881025443391) * t49;
-  const Scalar t97 = Scalar(0.00216405205209813) * t63 - Scalar(0.001451156065026714) * t95 -
-      Scalar(0.00151524447332703) * t61 + Scalar(0.004600245517563106) * t89 +
-      Scalar(0.004630579482008) * t49 + n_6;
-  const Scalar mu_4_z = Scalar(0.00164448757736927) * t12 - Scalar(0.0039053550262761) * t17 +
-      Scalar(0.0054157634981905) * t47 + Scalar(0.04942675278013915) * (t43 - t48) - s_5 * t96 +
-      Scalar(0.17709188611756838) * t39 + c_5 * t97 - Scalar(0.29071723622709367) * t45 -
-      Scalar(0.2610759493670886) * f_5_z + Scalar(1.2151898734177216) * t94;
-  n[3] = mu_4_z;
-  const Scalar f_u_5_t_y = s_5 * f_5_x + c_5 * t93;
-  const Scalar U_4_yy_zz = Uz_o_4_y - t48;
-  const Scalar t98 = Scalar(0.0039053550262761) * t47 - Scalar(0.00164448757736927) * U_4_yy_zz +
-      Scalar(0.04942675278013915) * t16 + c_5 * t96 + Scalar(0.17709188611756838) * t23 +
-      s_5 * t97 + Scalar(0.29071723622709367) * t19 - Scalar(1.2151898734177216) * f_u_5_t_y;
-  const Scalar t99 = Scalar(0.0039053550262761) * t42 - Scalar(0.00164448757736927) * t45 -
-      Scalar(0.0054157634981905) * t16 + Scalar(0.04942675278013915) * t19 + n_5 -
-      Scalar(0.2610759493670886) * f_u_5_t_y;
-  const Scalar t100 = Scalar(0.17709188611756838) * t19 - Scalar(0.23490692527912765) * t23 -
-      f_u_5_t_y;
-  const Scalar mu_3_z = Scalar(0.000121912420950744) * (t36 - Uz_o_4_y) -
-      Scalar(0.000013360662912304) * t20 + Scalar(0.004377257121839584) * t27 +
-      Scalar(0.005487648106562256) * t6 - Scalar(0.022178148964878235) * U_3_xy -
-      Scalar(0.008919761981448) * t37 + c_4 * t99 - Scalar(0.2610759493670886) * t100 + s_4 * t98;
-  n[2] = mu_3_z;
-  const Scalar t101 = Scalar(0.17709188611756838) * t45 + Scalar(0.23490692527912765) * t39 - t94;
-  const Scalar f_4_y = Scalar(0.17709188611756838) * t48 + Scalar(0.23490692527912765) * t46 +
+  const Scalar t86 = Scalar(-0.000103758917218685) * t72 -
+      Scalar(0.000093569097314605) * U_6_yy_zz - mr_7_y * t81 + t79 * U_7_yy_zz + t73 * I_7_xy +
+      t63 * I_7_xx - t60 * (t77 + Scalar(0.014748570382675316)) +
+      Scalar(0.054922286959804) * ddp_6_a_z + Scalar(0.028934422545659894) * t62;
+  const Scalar mr_7_x = Scalar(0.0008132592973428722) * c_7 - Scalar(0.0006428830269371278) * s_7;
+  const Scalar t87 = s_6 * t80 - c_6 * ddp_5_x;
+  const Scalar t88 = Uz_o_6_y + t84;
+  const Scalar t89 = mr_7_x * t73 - mr_7_y * t63 + Scalar(0.26308374115809) * t81;
+  const Scalar n_6 = Scalar(0.000103758917218685) * t61 - mr_7_x * t81 -
+      Scalar(0.001119670733427555) * t72 + t77 * (Uz_o_7_y - t83) +
+      t57 * (Scalar(0.000093569097314605) + t79) - t63 * I_7_xy + t73 * t78 -
+      Scalar(0.028934422545659894) * t71 - Scalar(0.014748570382675316) * (t88 - Uz_o_7_y) -
+      Scalar(0.054922286959804) * t87 - Scalar(0.27848101265822783) * t89;
+  const Scalar t90 = Scalar(0.27848101265822783) * t88 + t87;
+  const Scalar f_6_y = Scalar(0.054922286959804) * Uz_o_7_y - t89;
+  n[5] = n_6;
+  const Scalar t91 = Scalar(0.00216405205209813) * t55 - Scalar(0.001451156065026714) * t70 -
+      Scalar(0.00151524447332703) * t52 + Scalar(0.004600245517563106) * t85 +
+      Scalar(0.004630579482008) * t80 + n_6;
+  const Scalar t92 = t45 + t85;
+  const Scalar ddp_o_7_z = ddp_6_a_z - Scalar(0.27848101265822783) * t60;
+  const Scalar t93 = -mr_7_y * t90 - mr_7_x * ddp_o_7_z + I_7_xy * (t83 - t82) - t62 * t77 -
+      t71 * t79 + t57 * I_7_xx - t60 * t78;
+  const Scalar t94 = mr_7_x * t83 - mr_7_y * t57 + Scalar(0.054922286959804) * t71 +
+      Scalar(0.26308374115809) * t90;
+  const Scalar F_7_y = -mr_7_y * t82 - mr_7_x * t60 + Scalar(0.26308374115809) * ddp_o_7_z;
+  const Scalar t95 = Scalar(0.000103758917218685) * t84 + Scalar(0.000093569097314605) * t71 -
+      Scalar(0.001119670733427555) * t60 - t93 + Scalar(0.014748570382675316) * t62 +
+      Scalar(0.27848101265822783) * F_7_y;
+  const Scalar n_5 = Scalar(0.00216405205209813) * t68 - Scalar(0.001451156065026714) * t56 +
+      Scalar(0.00151524447332703) * (t92 - Uz_o_6_y) + Scalar(0.004600245517563106) * t51 -
+      Scalar(0.010045187828321245) * t55 + Scalar(0.004630579482008) * ddp_6_a_z -
+      Scalar(0.0214471195303) * ddp_5_x - s_6 * t86 - c_6 * t95;
+  const Scalar f_5_x = Scalar(0.004630579482008) * t92 + Scalar(0.0214471195303) * t55 -
+      s_6 * f_6_y - c_6 * t94 + Scalar(0.4059881025443391) * ddp_5_x;
+  const Scalar t96 = Scalar(0.004630579482008) * t56 - Scalar(0.0214471195303) * Uz_o_6_y -
+      Scalar(0.054922286959804) * t62 - Scalar(0.4059881025443391) * ddp_6_a_z - F_7_y;
+  const Scalar f_5_z = Scalar(0.004630579482008) * t70 - Scalar(0.0214471195303) * t52 - s_6 * t94 +
+      c_6 * f_6_y - Scalar(0.4059881025443391) * t80;
+  n[6] = -t93;
+  const Scalar U_5_yy_zz = t45 - Uz_o_6_y;
+  const Scalar t97 = Scalar(0.004600245517563106) * t56 - Scalar(0.00151524447332703) * t70 +
+      Scalar(0.00216405205209813) * U_5_yy_zz - Scalar(0.010045187828321245) * t52 -
+      Scalar(0.0214471195303) * t80 - c_6 * t86 + s_6 * t95;
+  const Scalar f_4_y = Scalar(0.17709188611756838) * t45 + Scalar(0.23490692527912765) * t41 +
       f_5_z;
-  const Scalar t102 = s_4 * t101 + c_4 * f_4_y;
-  const Scalar t103 = Scalar(0.000121912420950744) * t7 - Scalar(0.000013360662912304) * t29 +
-      Scalar(0.005487648106562256) * t35 - Scalar(0.013297019103287584) * U_3_xy -
-      Scalar(0.15288324476823525) * t37 + Scalar(0.2610759493670886) * t102 + s_4 * f_4_y -
-      c_4 * t101 + mu_4_z;
-  const Scalar t104 = Scalar(0.000121912420950744) * t29 - Scalar(0.005487648106562256) * t20 +
+  n[4] = n_5;
+  const Scalar t98 = s_5 * t96 - c_5 * f_5_x;
+  const Scalar mu_4_z = Scalar(0.00164448757736927) * t30 - Scalar(0.0039053550262761) * t34 +
+      Scalar(0.0054157634981905) * t49 + Scalar(0.04942675278013915) * (t46 - t45) - s_5 * t97 +
+      Scalar(0.17709188611756838) * t40 + c_5 * t91 - Scalar(0.29071723622709367) * t48 -
+      Scalar(0.2610759493670886) * f_5_z + Scalar(1.2151898734177216) * t98;
+  const Scalar f_u_5_t_y = s_5 * f_5_x + c_5 * t96;
+  const Scalar t99 = Scalar(0.17709188611756838) * t48 + Scalar(0.23490692527912765) * t40 - t98;
+  const Scalar t100 = Scalar(0.0039053550262761) * t44 - Scalar(0.00164448757736927) * t48 -
+      Scalar(0.0054157634981905) * t33 + Scalar(0.04942675278013915) * t35 + n_5 -
+      Scalar(0.2610759493670886) * f_u_5_t_y;
+  const Scalar U_4_yy_zz = Uz_o_4_y - t45;
+  const Scalar t101 = Scalar(0.0039053550262761) * t49 - Scalar(0.00164448757736927) * U_4_yy_zz +
+      Scalar(0.04942675278013915) * t33 + c_5 * t97 + Scalar(0.17709188611756838) * t36 +
+      s_5 * t91 + Scalar(0.29071723622709367) * t35 - Scalar(1.2151898734177216) * f_u_5_t_y;
+  const Scalar t102 = Scalar(0.17709188611756838) * t35 - Scalar(0.23490692527912765) * t36 -
+      f_u_5_t_y;
+  const Scalar mu_3_z = Scalar(0.000121912420950744) * (t38 - Uz_o_4_y) -
+      Scalar(0.000013360662912304) * t29 + Scalar(0.004377257121839584) * t13 +
+      Scalar(0.005487648106562256) * t11 - Scalar(0.022178148964878235) * U_3_xy -
+      Scalar(0.008919761981448) * t21 + c_4 * t100 - Scalar(0.2610759493670886) * t102 + s_4 * t101;
+  const Scalar t103 = Scalar(0.000121912420950744) * t24 - Scalar(0.005487648106562256) * t29 +
       Scalar(0.27690780075318) * c_2 - Scalar(0.013297019103287584) * (Uz_o_3_y - Uz_o_4_y) +
-      Scalar(0.022178148964878235) * t7 - Scalar(0.15288324476823525) * ddp_3_y - s_4 * t99 + t100 +
-      c_4 * t98;
-  const Scalar t105 = qd_1 * qd_1;
-  n[1] = Scalar(0.01993386669246) * c_2 - Scalar(0.00796671776787104) * t30 +
-      Scalar(0.00398335888393552) * t105 + Scalar(0.04777783501284299) * t21 - c_3 * t103 +
-      s_3 * t104;
-  const Scalar t106 = qd_2 * t3;
-  const Scalar t107 = Scalar(0.0007689361029464) * (Uz_o_3_y - t105) +
-      Scalar(0.00796671776787104) * t11 - Scalar(0.01026110182100817) * t21 -
-      Scalar(0.04939990503582237) * t106 - s_3 * t103 - c_3 * t104;
-  const Scalar t108 = Scalar(0.00796671776787104) * t106 - Scalar(0.0007689361029464) * t21 +
-      Scalar(0.01026110182100817) * (t31 - t30) + Scalar(0.04615576498986361) * t11 - mu_3_z;
-  n[0] = s_2 * t107 - c_2 * t108;
+      Scalar(0.022178148964878235) * t14 - Scalar(0.15288324476823525) * ddp_3_y - s_4 * t100 +
+      t102 + c_4 * t101;
+  const Scalar t104 = Scalar(0.00796671776787104) * t22 - Scalar(0.0007689361029464) * t19 +
+      Scalar(0.01026110182100817) * (t27 - t25) + Scalar(0.04615576498986361) * t26 - mu_3_z;
+  n[2] = mu_3_z;
+  n[3] = mu_4_z;
+  const Scalar t105 = s_4 * t99 + c_4 * f_4_y;
+  const Scalar t106 = Scalar(0.000121912420950744) * t14 - Scalar(0.000013360662912304) * t24 +
+      Scalar(0.005487648106562256) * t7 - Scalar(0.013297019103287584) * U_3_xy -
+      Scalar(0.15288324476823525) * t21 + Scalar(0.2610759493670886) * t105 + s_4 * f_4_y -
+      c_4 * t99 + mu_4_z;
+  const Scalar t107 = qd_1 * qd_1;
+  const Scalar t108 = Scalar(0.0007689361029464) * (Uz_o_3_y - t107) +
+      Scalar(0.00796671776787104) * t26 - Scalar(0.01026110182100817) * t19 -
+      Scalar(0.04939990503582237) * t22 - s_3 * t106 - c_3 * t103;
+  n[1] = Scalar(0.01993386669246) * c_2 - Scalar(0.00796671776787104) * t25 +
+      Scalar(0.00398335888393552) * t107 + Scalar(0.04777783501284299) * t19 - c_3 * t106 +
+      s_3 * t103;
+  n[0] = s_2 * t108 - c_2 * t104;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -2792,85 +2792,85 @@ static inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
       s_7 = sine[6], c_7 = cosine[6];
   const Scalar t1 = s_2 * qd_1;
-  const Scalar t2 = c_2 * qd_1;
-  const Scalar L_2_x = Scalar(0.00398335888393552) * t2 + Scalar(0.01026110182100817) * qd_2 -
+  const Scalar omega_r_3_y = s_3 * t1 + c_3 * qd_2;
+  const Scalar t2 = c_4 * omega_r_3_y;
+  const Scalar t3 = s_4 * omega_r_3_y;
+  const Scalar t4 = Scalar(3.83030303030303) * t2 - t3;
+  const Scalar omega_4_z = qd_4 - omega_r_3_y;
+  const Scalar t5 = t4 - Scalar(4.654545454545454) * omega_4_z;
+  const Scalar t6 = c_3 * t1 - s_3 * qd_2;
+  const Scalar t7 = c_2 * qd_1;
+  const Scalar omega_3_z = qd_3 + t7;
+  const Scalar t8 = c_4 * t6 - s_4 * omega_3_z;
+  const Scalar t9 = s_4 * t6 + c_4 * omega_3_z;
+  const Scalar t10 = omega_3_z + Scalar(3.83030303030303) * t6;
+  const Scalar t11 = t10 - t9 + Scalar(4.654545454545454) * t8;
+  const Scalar t12 = c_5 * t5 + s_5 * t11;
+  const Scalar t13 = t2 + Scalar(3.83030303030303) * t3;
+  const Scalar t14 = omega_4_z + t13;
+  const Scalar t15 = c_6 * t12 - s_6 * t14;
+  const Scalar t16 = c_5 * t8 + s_5 * omega_4_z;
+  const Scalar omega_5_z = qd_5 + t9;
+  const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * t16;
+  const Scalar t17 = c_5 * t11 - s_5 * t5;
+  const Scalar t18 = Scalar(1.0666666666666667) * omega_r_6_y + t17;
+  const Scalar t19 = c_7 * t15 - s_7 * t18;
+  const Scalar t20 = c_7 * t18 + s_7 * t15;
+  const Scalar t21 = c_6 * t16 - s_6 * omega_5_z;
+  const Scalar omega_r_6_a_z = c_5 * omega_4_z - s_5 * t8;
+  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
+  const Scalar t22 = c_7 * t21 - s_7 * omega_6_z;
+  const Scalar t23 = c_7 * omega_6_z + s_7 * t21;
+  const Scalar omega_7_z = qd_7 - omega_r_6_y;
+  const Scalar t24 = Scalar(0.0009653051699191118) * t22 - Scalar(0.0012555365982728983) * t23 -
+      Scalar(0.0003356825931791965) * t19 - Scalar(0.0004246448862708035) * t20 +
+      Scalar(0.006684151967360946) * omega_7_z;
+  const Scalar t25 = c_6 * t14 + s_6 * t12;
+  const Scalar t26 = t25 - Scalar(1.0666666666666667) * omega_6_z;
+  const Scalar t27 = Scalar(0.000391391281684248) * t23 + Scalar(0.0003356825931791965) * t26 -
+      Scalar(0.0009653051699191118) * omega_7_z - Scalar(0.00242094377852123) * t22;
+  const Scalar t28 = t23 * (Scalar(0.000391391281684248) * t22 +
+      Scalar(0.0004246448862708035) * t26 + Scalar(0.0012555365982728983) * omega_7_z);
+  const Scalar t29 = Scalar(0.000103758917218685) * t21 +
+      Scalar(0.000093569097314605) * omega_r_6_y + Scalar(0.05258828201066731) * omega_6_z +
+      Scalar(0.028677776418885) * t15 - Scalar(0.038254846194675) * t25;
+  const Scalar t30 = Scalar(0.014748570382675316) * omega_r_6_y -
+      Scalar(0.000103758917218685) * omega_6_z - Scalar(0.009543771269492195) * t21 +
+      Scalar(0.028677776418885) * t17;
+  const Scalar t31 = omega_r_6_y *
+      (Scalar(0.000093569097314605) * omega_6_z - Scalar(0.014748570382675316) * t21 +
+      Scalar(0.038254846194675) * t17);
+  const Scalar L_5_z = Scalar(0.004600245517563106) * t16 -
+      Scalar(0.00216405205209813) * omega_r_6_a_z - Scalar(0.00241786586877) * t17 -
+      Scalar(0.011198654185125) * t12 + Scalar(0.033018599263935515) * omega_5_z;
+  const Scalar t32 = Scalar(0.004600245517563106) * omega_5_z -
+      Scalar(0.00151524447332703) * omega_r_6_a_z + Scalar(0.011198654185125) * t14 +
+      Scalar(0.030116287133882085) * t16;
+  const Scalar t33 = omega_r_6_a_z *
+      (Scalar(-0.00151524447332703) * t16 - Scalar(0.00216405205209813) * omega_5_z +
+      Scalar(0.00241786586877) * t14);
+  const Scalar t34 = Scalar(-0.0039053550262761) * omega_4_z - Scalar(0.16284087268546085) * t9 +
+      Scalar(0.332066386344495) * t10 + Scalar(0.647723094939183) * t8;
+  const Scalar t35 = t9 * (Scalar(0.00164448757736927) * omega_4_z +
+      Scalar(0.09120874531725) * t10 + Scalar(0.16284087268546085) * t8);
+  const Scalar t36 = Scalar(0.00164448757736927) * t9 + Scalar(0.0039053550262761) * t8 -
+      Scalar(0.09120874531725) * t13 + Scalar(0.332066386344495) * t4 -
+      Scalar(0.749763367252814) * omega_4_z;
+  const Scalar L_2_x = Scalar(0.00398335888393552) * t7 + Scalar(0.01026110182100817) * qd_2 -
       Scalar(1.0706865997634767) * t1;
   const Scalar L_2_y = Scalar(0.0007689361029464) * qd_2 + Scalar(0.00398335888393552) * t1;
-  const Scalar t3 = qd_1 * (Scalar(0.03733744848940618) * qd_1 - (c_2 * L_2_y + s_2 * L_2_x));
-  const Scalar omega_r_3_y = s_3 * t1 + c_3 * qd_2;
-  const Scalar t4 = c_3 * t1 - s_3 * qd_2;
-  const Scalar L_2_z = Scalar(-0.0007689361029464) * t2 - Scalar(0.01026110182100817) * t1 +
+  const Scalar t37 = qd_1 * (Scalar(0.03733744848940618) * qd_1 - (c_2 * L_2_y + s_2 * L_2_x));
+  const Scalar t38 = t6 * (Scalar(0.000121912420950744) * omega_r_3_y +
+      Scalar(0.01159586409516604) * t6 + Scalar(0.005487648106562256) * omega_3_z);
+  const Scalar t39 = omega_r_3_y *
+      (Scalar(0.000121912420950744) * t6 - Scalar(0.004377257121839584) * omega_3_z);
+  const Scalar t40 = omega_3_z * (Scalar(0.13480070614822143) * omega_3_z -
+      Scalar(0.022216781084735585) * omega_r_3_y + Scalar(0.47750187874566624) * t6);
+  const Scalar L_2_z = Scalar(-0.0007689361029464) * t7 - Scalar(0.01026110182100817) * t1 +
       Scalar(1.1168423647533403) * qd_2;
-  const Scalar omega_3_z = qd_3 + t2;
-  const Scalar t5 = t4 * (Scalar(0.000121912420950744) * omega_r_3_y +
-      Scalar(0.01159586409516604) * t4 + Scalar(0.005487648106562256) * omega_3_z);
-  const Scalar t6 = omega_r_3_y * (Scalar(0.000121912420950744) * t4 -
-      Scalar(0.004377257121839584) * omega_3_z);
-  const Scalar t7 = omega_3_z * (Scalar(0.13480070614822143) * omega_3_z -
-      Scalar(0.022216781084735585) * omega_r_3_y + Scalar(0.47750187874566624) * t4);
-  const Scalar t8 = c_4 * t4 - s_4 * omega_3_z;
-  const Scalar t9 = s_4 * t4 + c_4 * omega_3_z;
-  const Scalar t10 = omega_3_z + Scalar(3.83030303030303) * t4;
-  const Scalar omega_4_z = qd_4 - omega_r_3_y;
-  const Scalar t11 = c_4 * omega_r_3_y;
-  const Scalar t12 = s_4 * omega_r_3_y;
-  const Scalar t13 = Scalar(3.83030303030303) * t11 - t12;
-  const Scalar t14 = t11 + Scalar(3.83030303030303) * t12;
-  const Scalar t15 = t13 - Scalar(4.654545454545454) * omega_4_z;
-  const Scalar t16 = Scalar(0.00164448757736927) * t9 + Scalar(0.0039053550262761) * t8 -
-      Scalar(0.09120874531725) * t14 + Scalar(0.332066386344495) * t13 -
-      Scalar(0.749763367252814) * omega_4_z;
-  const Scalar t17 = omega_4_z + t14;
-  const Scalar t18 = t10 - t9 + Scalar(4.654545454545454) * t8;
-  const Scalar t19 = c_5 * t18 - s_5 * t15;
-  const Scalar t20 = c_5 * t15 + s_5 * t18;
-  const Scalar omega_r_6_a_z = c_5 * omega_4_z - s_5 * t8;
-  const Scalar t21 = c_5 * t8 + s_5 * omega_4_z;
-  const Scalar omega_5_z = qd_5 + t9;
-  const Scalar t22 = c_6 * t20 - s_6 * t17;
-  const Scalar omega_r_6_y = c_6 * omega_5_z + s_6 * t21;
-  const Scalar t23 = Scalar(1.0666666666666667) * omega_r_6_y + t19;
-  const Scalar t24 = c_7 * t22 - s_7 * t23;
-  const Scalar t25 = c_7 * t23 + s_7 * t22;
-  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t26 = c_6 * t21 - s_6 * omega_5_z;
-  const Scalar t27 = c_7 * t26 - s_7 * omega_6_z;
-  const Scalar t28 = c_7 * omega_6_z + s_7 * t26;
-  const Scalar omega_7_z = qd_7 - omega_r_6_y;
-  const Scalar t29 = Scalar(0.0009653051699191118) * t27 - Scalar(0.0012555365982728983) * t28 -
-      Scalar(0.0003356825931791965) * t24 - Scalar(0.0004246448862708035) * t25 +
-      Scalar(0.006684151967360946) * omega_7_z;
-  const Scalar t30 = c_6 * t17 + s_6 * t20;
-  const Scalar t31 = Scalar(0.000103758917218685) * t26 +
-      Scalar(0.000093569097314605) * omega_r_6_y + Scalar(0.05258828201066731) * omega_6_z +
-      Scalar(0.028677776418885) * t22 - Scalar(0.038254846194675) * t30;
-  const Scalar t32 = t30 - Scalar(1.0666666666666667) * omega_6_z;
-  const Scalar L_5_z = Scalar(0.004600245517563106) * t21 -
-      Scalar(0.00216405205209813) * omega_r_6_a_z - Scalar(0.00241786586877) * t19 -
-      Scalar(0.011198654185125) * t20 + Scalar(0.033018599263935515) * omega_5_z;
-  const Scalar t33 = Scalar(0.000391391281684248) * t28 + Scalar(0.0003356825931791965) * t32 -
-      Scalar(0.0009653051699191118) * omega_7_z - Scalar(0.00242094377852123) * t27;
-  const Scalar t34 = t28 * (Scalar(0.000391391281684248) * t27 +
-      Scalar(0.0004246448862708035) * t32 + Scalar(0.0012555365982728983) * omega_7_z);
-  const Scalar t35 = Scalar(0.014748570382675316) * omega_r_6_y -
-      Scalar(0.000103758917218685) * omega_6_z - Scalar(0.009543771269492195) * t26 +
-      Scalar(0.028677776418885) * t19;
-  const Scalar t36 = omega_r_6_y *
-      (Scalar(0.000093569097314605) * omega_6_z - Scalar(0.014748570382675316) * t26 +
-      Scalar(0.038254846194675) * t19);
-  const Scalar t37 = Scalar(0.004600245517563106) * omega_5_z -
-      Scalar(0.00151524447332703) * omega_r_6_a_z + Scalar(0.011198654185125) * t17 +
-      Scalar(0.030116287133882085) * t21;
-  const Scalar t38 = omega_r_6_a_z *
-      (Scalar(-0.00151524447332703) * t21 - Scalar(0.00216405205209813) * omega_5_z +
-      Scalar(0.00241786586877) * t17);
-  const Scalar t39 = Scalar(-0.0039053550262761) * omega_4_z - Scalar(0.16284087268546085) * t9 +
-      Scalar(0.332066386344495) * t10 + Scalar(0.647723094939183) * t8;
-  const Scalar t40 = t9 * (Scalar(0.00164448757736927) * omega_4_z +
-      Scalar(0.09120874531725) * t10 + Scalar(0.16284087268546085) * t8);
-  const Scalar t41 = t6 - t27 * t33 - t34 + t5 + t38 + omega_7_z * t29 + t21 * t37 +
-      omega_5_z * L_5_z - t40 - t26 * t35 + t36 + omega_6_z * t31 + t3 + t7 + qd_2 * L_2_z +
-      t8 * t39 - omega_4_z * t16;
+  const Scalar t41 = t39 - t22 * t27 - t28 + t38 + t33 + omega_7_z * t24 + t16 * t32 +
+      omega_5_z * L_5_z - t35 - t21 * t30 + t31 + omega_6_z * t29 + t37 + t40 + qd_2 * L_2_z +
+      t8 * t34 - omega_4_z * t36;
   return Scalar(0.5) * t41;
 }
 
@@ -2927,53 +2927,53 @@ static inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
       s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6];
-  const Scalar n_7_t_x = Scalar(0.7071067811865476) * c_7 + Scalar(0.7071067811865476) * s_7;
+  const Scalar t1 = c_4 * s_6;
+  const Scalar a_4_t_x = s_4 * c_6 + c_5 * t1;
+  const Scalar t2 = s_3 * s_5;
+  const Scalar t3 = s_6 * t2 - c_3 * a_4_t_x;
+  const Scalar t4 = s_4 * s_6;
+  const Scalar t5 = c_5 * t4 - c_4 * c_6;
+  R[8] = s_2 * t3 + c_2 * t5;
   const Scalar n_6_a_y = Scalar(0.7071067811865476) * c_7 - Scalar(0.7071067811865476) * s_7;
-  const Scalar t1 = s_5 * n_6_a_y;
-  const Scalar t2 = c_6 * t1 - c_5 * n_7_t_x;
-  const Scalar t3 = c_5 * c_6;
-  const Scalar t4 = t1 - n_7_t_x * t3;
-  const Scalar t5 = c_4 * s_6;
-  const Scalar t6 = s_4 * t4 - n_7_t_x * t5;
-  const Scalar t7 = s_4 * s_6;
-  const Scalar t8 = n_7_t_x * t7 + c_4 * t4;
-  const Scalar t9 = s_5 * n_7_t_x;
-  const Scalar s_5_t_x = t9 + n_6_a_y * t3;
-  const Scalar n_5_t_y = c_6 * t9 + c_5 * n_6_a_y;
-  const Scalar s_4_t_y = s_4 * s_5_t_x + n_6_a_y * t5;
-  const Scalar t10 = n_6_a_y * t7 - c_4 * s_5_t_x;
-  const Scalar t11 = c_5 * t7 - c_4 * c_6;
-  const Scalar a_4_t_x = s_4 * c_6 + c_5 * t5;
+  const Scalar t6 = s_5 * n_6_a_y;
+  const Scalar n_7_t_x = Scalar(0.7071067811865476) * c_7 + Scalar(0.7071067811865476) * s_7;
+  const Scalar t7 = c_5 * c_6;
+  const Scalar t8 = t6 - n_7_t_x * t7;
+  const Scalar t9 = n_7_t_x * t4 + c_4 * t8;
+  const Scalar t10 = s_5 * n_7_t_x;
+  const Scalar n_5_t_y = c_6 * t10 + c_5 * n_6_a_y;
+  const Scalar t11 = s_3 * n_5_t_y + c_3 * t9;
+  const Scalar t12 = s_4 * t8 - n_7_t_x * t1;
+  R[6] = s_2 * t11 - c_2 * t12;
+  const Scalar s_5_t_x = t10 + n_6_a_y * t7;
+  const Scalar t13 = n_6_a_y * t4 - c_4 * s_5_t_x;
+  const Scalar t14 = c_6 * t6 - c_5 * n_7_t_x;
+  const Scalar t15 = s_3 * t14 + c_3 * t13;
+  const Scalar s_4_t_y = s_4 * s_5_t_x + n_6_a_y * t1;
+  R[7] = s_2 * t15 + c_2 * s_4_t_y;
+  const Scalar a_2_t_x = s_2 * t5 - c_2 * t3;
+  const Scalar t16 = c_3 * s_5;
+  const Scalar a_3_t_y = s_3 * a_4_t_x + s_6 * t16;
+  R[5] = s_1 * a_2_t_x + c_1 * a_3_t_y;
   const Scalar p_6u_t_x = Scalar(0.088) * c_6 + Scalar(0.2104) * s_6;
   const Scalar p_5_x = c_5 * p_6u_t_x - Scalar(0.0825);
-  const Scalar t12 = Scalar(0.2104) * c_6 - Scalar(0.088) * s_6 - Scalar(0.384);
-  const Scalar t13 = s_4 * p_5_x - c_4 * t12 + Scalar(0.316);
-  const Scalar p_4_x = c_4 * p_5_x + Scalar(0.0825) + s_4 * t12;
-  const Scalar t14 = s_3 * s_5;
-  const Scalar t15 = t14 * p_6u_t_x - c_3 * p_4_x;
-  p[2] = s_2 * t15 + c_2 * t13 + Scalar(0.333);
-  const Scalar p_2u_t_x = s_2 * t13 - c_2 * t15;
-  const Scalar t16 = s_6 * t14 - c_3 * a_4_t_x;
-  R[8] = s_2 * t16 + c_2 * t11;
-  const Scalar a_2_t_x = s_2 * t11 - c_2 * t16;
-  const Scalar t17 = s_3 * n_5_t_y + c_3 * t8;
-  const Scalar t18 = s_3 * t8 - c_3 * n_5_t_y;
-  R[6] = s_2 * t17 - c_2 * t6;
-  const Scalar t19 = s_2 * t6 + c_2 * t17;
-  R[0] = s_1 * t18 - c_1 * t19;
-  R[3] = -s_1 * t19 - c_1 * t18;
-  const Scalar t20 = s_3 * t2 + c_3 * t10;
-  const Scalar t21 = s_3 * t10 - c_3 * t2;
-  R[7] = s_2 * t20 + c_2 * s_4_t_y;
-  const Scalar s_2_t_x = s_2 * s_4_t_y - c_2 * t20;
-  R[1] = s_1 * t21 + c_1 * s_2_t_x;
-  R[4] = s_1 * s_2_t_x - c_1 * t21;
-  const Scalar t22 = c_3 * s_5;
-  const Scalar p_3u_t_y = t22 * p_6u_t_x + s_3 * p_4_x;
-  const Scalar a_3_t_y = s_3 * a_4_t_x + s_6 * t22;
-  R[5] = s_1 * a_2_t_x + c_1 * a_3_t_y;
+  const Scalar t17 = Scalar(0.2104) * c_6 - Scalar(0.088) * s_6 - Scalar(0.384);
+  const Scalar p_4_x = c_4 * p_5_x + Scalar(0.0825) + s_4 * t17;
+  const Scalar t18 = t2 * p_6u_t_x - c_3 * p_4_x;
+  const Scalar t19 = s_4 * p_5_x - c_4 * t17 + Scalar(0.316);
+  p[2] = s_2 * t18 + c_2 * t19 + Scalar(0.333);
   R[2] = c_1 * a_2_t_x - s_1 * a_3_t_y;
+  const Scalar t20 = s_2 * t12 + c_2 * t11;
+  const Scalar t21 = s_3 * t9 - c_3 * n_5_t_y;
+  R[0] = s_1 * t21 - c_1 * t20;
+  const Scalar s_2_t_x = s_2 * s_4_t_y - c_2 * t15;
+  const Scalar t22 = s_3 * t13 - c_3 * t14;
+  R[1] = s_1 * t22 + c_1 * s_2_t_x;
+  R[4] = s_1 * s_2_t_x - c_1 * t22;
+  const Scalar p_2u_t_x = s_2 * t19 - c_2 * t18;
+  const Scalar p_3u_t_y = t16 * p_6u_t_x + s_3 * p_4_x;
   p[1] = s_1 * p_2u_t_x + c_1 * p_3u_t_y;
+  R[3] = -s_1 * t20 - c_1 * t21;
   p[0] = c_1 * p_2u_t_x - s_1 * p_3u_t_y;
 }
 
@@ -2999,94 +2999,94 @@ static inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = 
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
       s_6 = sine[5], c_6 = cosine[5];
-  J[37] = c_2;
   J[29] = c_1;
+  J[37] = c_2;
   J[22] = -s_1;
-  const Scalar p_6u_t_x = Scalar(0.088) * c_6 + Scalar(0.2104) * s_6;
-  const Scalar t1 = s_5 * p_6u_t_x;
-  const Scalar p_5_x = c_5 * p_6u_t_x - Scalar(0.0825);
-  const Scalar t2 = Scalar(0.2104) * c_6 - Scalar(0.088) * s_6 - Scalar(0.384);
-  const Scalar p_4_x = c_4 * p_5_x + Scalar(0.0825) + s_4 * t2;
-  const Scalar t3 = s_4 * p_5_x - c_4 * t2 + Scalar(0.316);
-  const Scalar p_3u_t_y = c_3 * t1 + s_3 * p_4_x;
-  const Scalar t4 = s_3 * t1 - c_3 * p_4_x;
-  const Scalar t5 = s_1 * s_3;
-  const Scalar J_54 = c_2 * t5 - c_1 * c_3;
-  J[31] = J_54;
-  const Scalar t6 = c_1 * c_2;
-  const Scalar t7 = c_3 * t6 - t5;
-  const Scalar t8 = s_1 * c_3;
-  const Scalar z_4_x = s_3 * t6 + t8;
-  const Scalar R_31_x = c_2 * t8 + c_1 * s_3;
-  J[24] = z_4_x;
-  const Scalar t9 = s_2 * c_3;
-  const Scalar R_42_y = s_4 * t9 + c_2 * c_4;
-  J[39] = R_42_y;
-  const Scalar t10 = c_4 * t9 - c_2 * s_4;
-  const Scalar z_3_y = s_1 * s_2;
-  J[30] = z_3_y;
-  const Scalar t11 = s_4 * R_31_x - c_4 * z_3_y;
-  J[32] = -t11;
-  const Scalar R_41_x = s_4 * z_3_y + c_4 * R_31_x;
   const Scalar z_3_x = c_1 * s_2;
   J[23] = z_3_x;
-  const Scalar t12 = s_4 * t7 - c_4 * z_3_x;
-  J[25] = -t12;
-  const Scalar t13 = s_4 * z_3_x + c_4 * t7;
-  const Scalar p_2u_t_x = s_2 * t3 - c_2 * t4;
-  const Scalar t14 = s_2 * t4 + c_2 * t3;
-  J[1] = c_1 * t14;
-  J[8] = s_1 * t14;
-  const Scalar t15 = Scalar(0.316) * c_2 - t14;
-  const Scalar t16 = t15 - Scalar(0.0825) * t9;
-  const Scalar p_1u_t_y = s_1 * p_2u_t_x + c_1 * p_3u_t_y;
-  const Scalar t17 = s_1 * p_3u_t_y - c_1 * p_2u_t_x;
-  J[15] = c_1 * t17 - s_1 * p_1u_t_y;
-  J[7] = -t17;
-  const Scalar t18 = Scalar(0.316) * z_3_x + t17;
-  J[9] = z_3_x * t15 - c_2 * t18;
-  const Scalar t19 = Scalar(0.0825) * t7 + t18;
-  J[0] = -p_1u_t_y;
-  const Scalar r_3_y = p_1u_t_y - Scalar(0.316) * z_3_y;
-  J[2] = -z_3_y * t15 - c_2 * r_3_y;
-  J[16] = s_2 * (s_1 * t18 + c_1 * r_3_y);
-  const Scalar r_4_y = r_3_y - Scalar(0.0825) * R_31_x;
-  J[17] = J_54 * t19 + z_4_x * r_4_y;
-  const Scalar t20 = s_5 * z_4_x - c_5 * t13;
-  const Scalar R_60_y = s_6 * t20 - c_6 * t12;
-  J[27] = -R_60_y;
-  const Scalar t21 = Scalar(-0.0825) * t13 - Scalar(0.384) * t12 + t19;
-  const Scalar t22 = t21 - Scalar(0.088) * (s_6 * t12 + c_6 * t20);
-  const Scalar z_6_x = s_5 * t13 + c_5 * z_4_x;
-  J[26] = z_6_x;
-  const Scalar t23 = s_5 * J_54 - c_5 * R_41_x;
-  const Scalar R_61_y = s_6 * t23 - c_6 * t11;
-  J[34] = -R_61_y;
-  const Scalar r_5_y = Scalar(0.0825) * R_41_x + Scalar(0.384) * t11 + r_4_y;
-  const Scalar r_7_y = Scalar(0.088) * (s_6 * t11 + c_6 * t23) + r_5_y;
-  const Scalar J_56 = s_5 * R_41_x + c_5 * J_54;
-  J[19] = r_5_y * z_6_x + t21 * J_56;
-  J[18] = -t11 * t21 - t12 * r_5_y;
-  J[20] = -R_61_y * t22 - R_60_y * r_7_y;
-  J[33] = J_56;
-  const Scalar t24 = s_2 * s_3;
-  J[3] = t24 * r_4_y - J_54 * t16;
-  J[10] = t24 * t19 + z_4_x * t16;
-  const Scalar t25 = Scalar(0.0825) * t10 + Scalar(0.384) * R_42_y + t16;
-  J[11] = -R_42_y * t21 - t12 * t25;
-  J[4] = t11 * t25 - R_42_y * r_5_y;
-  J[38] = -t24;
-  const Scalar R_52_x = s_5 * t24 - c_5 * t10;
-  const Scalar R_52_y = s_5 * t10 + c_5 * t24;
-  J[12] = t21 * R_52_y + t25 * z_6_x;
-  J[5] = r_5_y * R_52_y - t25 * J_56;
+  const Scalar z_3_y = s_1 * s_2;
+  J[30] = z_3_y;
+  const Scalar t1 = s_2 * s_3;
+  J[38] = -t1;
+  const Scalar t2 = c_1 * c_2;
+  const Scalar t3 = s_1 * c_3;
+  const Scalar z_4_x = s_3 * t2 + t3;
+  J[24] = z_4_x;
+  const Scalar t4 = s_1 * s_3;
+  const Scalar J_54 = c_2 * t4 - c_1 * c_3;
+  J[31] = J_54;
+  const Scalar t5 = s_2 * c_3;
+  const Scalar R_42_y = s_4 * t5 + c_2 * c_4;
+  J[39] = R_42_y;
+  const Scalar t6 = c_3 * t2 - t4;
+  const Scalar t7 = s_4 * t6 - c_4 * z_3_x;
+  J[25] = -t7;
+  const Scalar R_31_x = c_2 * t3 + c_1 * s_3;
+  const Scalar t8 = s_4 * R_31_x - c_4 * z_3_y;
+  J[32] = -t8;
+  const Scalar t9 = c_4 * t5 - c_2 * s_4;
+  const Scalar R_52_y = s_5 * t9 + c_5 * t1;
   J[40] = -R_52_y;
+  const Scalar t10 = s_4 * z_3_x + c_4 * t6;
+  const Scalar z_6_x = s_5 * t10 + c_5 * z_4_x;
+  J[26] = z_6_x;
+  const Scalar R_41_x = s_4 * z_3_y + c_4 * R_31_x;
+  const Scalar J_56 = s_5 * R_41_x + c_5 * J_54;
+  J[33] = J_56;
+  const Scalar R_52_x = s_5 * t1 - c_5 * t9;
   const Scalar J_67 = s_6 * R_52_x - c_6 * R_42_y;
-  const Scalar R_62_x = s_6 * R_42_y + c_6 * R_52_x;
-  const Scalar t26 = Scalar(0.088) * R_62_x + t25;
-  J[6] = R_61_y * t26 - J_67 * r_7_y;
-  J[13] = -J_67 * t22 - R_60_y * t26;
   J[41] = J_67;
+  const Scalar p_6u_t_x = Scalar(0.088) * c_6 + Scalar(0.2104) * s_6;
+  const Scalar p_5_x = c_5 * p_6u_t_x - Scalar(0.0825);
+  const Scalar t11 = Scalar(0.2104) * c_6 - Scalar(0.088) * s_6 - Scalar(0.384);
+  const Scalar p_4_x = c_4 * p_5_x + Scalar(0.0825) + s_4 * t11;
+  const Scalar t12 = s_5 * p_6u_t_x;
+  const Scalar t13 = s_3 * t12 - c_3 * p_4_x;
+  const Scalar t14 = s_4 * p_5_x - c_4 * t11 + Scalar(0.316);
+  const Scalar t15 = s_2 * t13 + c_2 * t14;
+  J[1] = c_1 * t15;
+  J[8] = s_1 * t15;
+  const Scalar t16 = s_5 * z_4_x - c_5 * t10;
+  const Scalar R_60_y = s_6 * t16 - c_6 * t7;
+  J[27] = -R_60_y;
+  const Scalar t17 = s_5 * J_54 - c_5 * R_41_x;
+  const Scalar R_61_y = s_6 * t17 - c_6 * t8;
+  J[34] = -R_61_y;
+  const Scalar p_2u_t_x = s_2 * t14 - c_2 * t13;
+  const Scalar p_3u_t_y = c_3 * t12 + s_3 * p_4_x;
+  const Scalar t18 = s_1 * p_3u_t_y - c_1 * p_2u_t_x;
+  J[7] = -t18;
+  const Scalar p_1u_t_y = s_1 * p_2u_t_x + c_1 * p_3u_t_y;
+  J[0] = -p_1u_t_y;
+  J[15] = c_1 * t18 - s_1 * p_1u_t_y;
+  const Scalar t19 = Scalar(0.316) * z_3_x + t18;
+  const Scalar t20 = Scalar(0.316) * c_2 - t15;
+  J[9] = z_3_x * t20 - c_2 * t19;
+  const Scalar r_3_y = p_1u_t_y - Scalar(0.316) * z_3_y;
+  J[2] = -z_3_y * t20 - c_2 * r_3_y;
+  J[16] = s_2 * (s_1 * t19 + c_1 * r_3_y);
+  const Scalar r_4_y = r_3_y - Scalar(0.0825) * R_31_x;
+  const Scalar t21 = t20 - Scalar(0.0825) * t5;
+  J[3] = t1 * r_4_y - J_54 * t21;
+  const Scalar t22 = Scalar(0.0825) * t6 + t19;
+  J[10] = t1 * t22 + z_4_x * t21;
+  J[17] = J_54 * t22 + z_4_x * r_4_y;
+  const Scalar t23 = Scalar(-0.0825) * t10 - Scalar(0.384) * t7 + t22;
+  const Scalar t24 = Scalar(0.0825) * t9 + Scalar(0.384) * R_42_y + t21;
+  J[12] = t23 * R_52_y + t24 * z_6_x;
+  const Scalar r_5_y = Scalar(0.0825) * R_41_x + Scalar(0.384) * t8 + r_4_y;
+  J[19] = r_5_y * z_6_x + t23 * J_56;
+  J[4] = t8 * t24 - R_42_y * r_5_y;
+  J[11] = -R_42_y * t23 - t7 * t24;
+  J[18] = -t8 * t23 - t7 * r_5_y;
+  J[5] = r_5_y * R_52_y - t24 * J_56;
+  const Scalar r_7_y = Scalar(0.088) * (s_6 * t8 + c_6 * t17) + r_5_y;
+  const Scalar R_62_x = s_6 * R_42_y + c_6 * R_52_x;
+  const Scalar t25 = Scalar(0.088) * R_62_x + t24;
+  J[6] = R_61_y * t25 - J_67 * r_7_y;
+  const Scalar t26 = t23 - Scalar(0.088) * (s_6 * t7 + c_6 * t16);
+  J[13] = -J_67 * t26 - R_60_y * t25;
+  J[20] = -R_61_y * t26 - R_60_y * r_7_y;
   J[35] = Scalar(1.0);
   J[14] = J[21] = J[28] = J[36] = Scalar(0.0);
 }

@@ -365,16 +365,16 @@ static inline void inverse_dynamics_tip_force(const Parameters<Scalar>& paramete
   Scalar sine[joint_count], cosine[joint_count];
   sin_cos(q, Joints<1>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1];
-  const Scalar m_1 = m_l1 + m_l2 + m_m2;
-  const Scalar t1 = qdd_1 * (m_1 + I_m1 * k_r1 * k_r1);
+  const Scalar t1 = s_2 * h_e_1 - c_2 * h_e_2;
   const Scalar t2 = m_l2 * l_2;
   const Scalar t3 = c_2 * (-s_2 * h_e_2 - c_2 * h_e_1 + qd_2 * qd_2 * t2);
-  const Scalar t4 = s_2 * h_e_1 - c_2 * h_e_2;
-  tau[0] = s_2 * (t4 - qdd_2 * t2) - t3 + t1;
-  const Scalar t5 = (s_2 * qdd_1 - g * c_2) * t2;
+  const Scalar m_1 = m_l1 + m_l2 + m_m2;
+  const Scalar t4 = qdd_1 * (m_1 + I_m1 * k_r1 * k_r1);
+  tau[0] = s_2 * (t1 - qdd_2 * t2) - t3 + t4;
   const Scalar I_2_zz = I_l2 + l_2 * t2;
-  const Scalar t6 = qdd_2 * (I_2_zz + I_m2 * k_r2 * k_r2);
-  tau[1] = h_e_6 - t5 - a_2 * t4 + t6;
+  const Scalar t5 = qdd_2 * (I_2_zz + I_m2 * k_r2 * k_r2);
+  const Scalar t6 = (s_2 * qdd_1 - g * c_2) * t2;
+  tau[1] = h_e_6 - t6 - a_2 * t1 + t5;
 }
 
 // The entries of B in inertia_matrix that are not always zero.

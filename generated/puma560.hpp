@@ -337,117 +337,117 @@ static inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Sca
   sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
+  const Scalar t1 = qd_1 * qd_1;
   const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t1 = s_2_3 * qd_1;
+  const Scalar t2 = s_2_3 * qd_1;
+  const Scalar t3 = t2 * t2;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t2 = omega_3_z * t1;
-  const Scalar t3 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t4 = t3 * qdd_1;
-  const Scalar t5 = t4 + t2;
-  const Scalar t6 = t2 + t5;
-  const Scalar t7 = t3 * qd_1;
-  const Scalar t8 = omega_3_z * t7;
-  const Scalar t9 = t8 - s_2_3 * qdd_1;
-  const Scalar t10 = t8 + t9;
-  const Scalar t11 = Scalar(2.0) * qd_1;
-  const Scalar t12 = qd_1 * qd_1;
-  const Scalar t13 = Scalar(0.3476146364057434) * t12 - c_2 * qdd_1 + s_2 * qd_2 * t11;
-  const Scalar ddp_o_4_z = Scalar(0.04701250578971746) * t6 - Scalar(1.0030106530801297) * t10 -
-      t13;
-  const Scalar t14 = t1 * t1;
-  const Scalar t15 = omega_3_z * omega_3_z;
-  const Scalar t16 = t12 - t14 + t15;
-  const Scalar t17 = t7 * t1;
+  const Scalar t4 = omega_3_z * omega_3_z;
+  const Scalar t5 = t1 - t3 + t4;
+  const Scalar Uz_o_4_y = t3 + t4;
+  const Scalar t6 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t7 = qd_2 * qd_2;
+  const Scalar t8 = Scalar(0.3476146364057434) * qdd_1 + s_2 * qdd_2 + c_2 * (t7 + t1);
+  const Scalar t9 = s_2 * t7 - c_2 * qdd_2 + Scalar(22.71885132005558);
+  const Scalar t10 = t7 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
+  const Scalar t11 = s_2_3 * t9 - t6 * t8;
+  const Scalar ddp_3_y = s_2_3 * t8 + t6 * t9;
+  const Scalar t12 = t6 * qd_1;
+  const Scalar t13 = t12 * t2;
   const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar Uz_o_4_x = t17 + domega_3_z;
-  const Scalar t18 = qd_2 * qd_2;
-  const Scalar t19 = Scalar(0.3476146364057434) * qdd_1 + s_2 * qdd_2 + c_2 * (t18 + t12);
-  const Scalar t20 = s_2 * t18 - c_2 * qdd_2 + Scalar(22.71885132005558);
-  const Scalar t21 = s_2_3 * t20 - t3 * t19;
-  const Scalar ddp_o_4_x = Scalar(0.04701250578971746) * t16 +
-      Scalar(1.0030106530801297) * Uz_o_4_x - t21;
-  const Scalar ddp_4_x = s_4 * ddp_o_4_z + c_4 * ddp_o_4_x;
-  const Scalar U_3_yx = domega_3_z - t17;
-  const Scalar Uz_o_4_y = t14 + t15;
-  const Scalar ddp_3_y = s_2_3 * t19 + t3 * t20;
+  const Scalar U_3_yx = domega_3_z - t13;
   const Scalar ddp_4_a_z = Scalar(0.04701250578971746) * U_3_yx -
       Scalar(1.0030106530801297) * Uz_o_4_y - ddp_3_y;
-  const Scalar t22 = s_5 * ddp_4_a_z - c_5 * ddp_4_x;
-  const Scalar t23 = s_4 * omega_3_z - c_4 * t1;
-  const Scalar omega_4_z = qd_4 - t7;
-  const Scalar omega_r_6_a_z = s_5 * t23 + c_5 * omega_4_z;
-  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t24 = Scalar(0.00004) * omega_6_z;
-  const Scalar t25 = s_5 * omega_4_z - c_5 * t23;
-  const Scalar t26 = t23 * omega_4_z;
-  const Scalar domega_5_z = qdd_5 - t26 - s_4 * t10 + c_4 * Uz_o_4_x;
-  const Scalar t27 = t25 * omega_r_6_a_z;
-  const Scalar mu_5_z = t25 * t24 - Scalar(0.00024216) * t27 + Scalar(0.00064216) * domega_5_z -
-      Scalar(0.001243584) * t22;
-  tau[4] = mu_5_z + Scalar(0.85444524) * detail::sign(qd_5) + Scalar(0.4272830209354) * qd_5 +
-      Scalar(0.181052127515) * qdd_5;
-  const Scalar omega_r_4_y = s_4 * t1 + c_4 * omega_3_z;
-  const Scalar t28 = omega_r_4_y * omega_4_z;
-  const Scalar t29 = t28 + s_4 * Uz_o_4_x + c_4 * t10;
-  const Scalar U_4_zy = t28 + t29;
+  const Scalar t14 = omega_3_z * t2;
+  const Scalar omega_r_4_y = s_4 * t2 + c_4 * omega_3_z;
+  const Scalar t15 = s_4 * omega_3_z - c_4 * t2;
+  const Scalar t16 = omega_3_z * t12;
+  const Scalar omega_4_z = qd_4 - t12;
+  const Scalar t17 = s_5 * omega_4_z - c_5 * t15;
   const Scalar omega_5_z = qd_5 + omega_r_4_y;
-  const Scalar t30 = t25 * omega_5_z;
-  const Scalar domega_4_z = qdd_4 - t5;
-  const Scalar t31 = t23 * omega_r_4_y;
-  const Scalar t32 = domega_4_z - t31;
-  const Scalar domega_6_z = qdd_6 - t30 + s_5 * U_4_zy + c_5 * t32;
-  const Scalar t33 = Scalar(0.00004) * domega_6_z;
-  tau[5] = t33 + Scalar(0.2158232532732) * qd_6 + Scalar(0.55443978) * detail::sign(qd_6) +
-      Scalar(0.20582599086) * qdd_6;
-  const Scalar mu_5_y = Scalar(0.0004) * t30 - t33;
-  const Scalar t34 = omega_r_6_a_z * omega_5_z;
-  const Scalar t35 = t34 + s_5 * t32 - c_5 * U_4_zy;
-  const Scalar t36 = s_4 * ddp_o_4_x - c_4 * ddp_o_4_z;
-  const Scalar t37 = omega_5_z * t24 - Scalar(0.00024216) * t35 - Scalar(0.00064216) * t34 +
-      Scalar(0.001243584) * t36;
-  const Scalar mu_4_z = Scalar(-0.0003) * t31 - c_5 * mu_5_y + Scalar(0.0016) * domega_4_z -
-      s_5 * t37;
-  tau[3] = mu_4_z + Scalar(0.411645229697152) * qd_4 + Scalar(1.06831142) * detail::sign(qd_4) +
-      Scalar(0.2023536943736) * qdd_4;
-  const Scalar mu_4_x = Scalar(0.0003) * t29 - s_5 * mu_5_y + Scalar(0.0016) * t28 + c_5 * t37;
-  const Scalar Uz_o_6_z = t34 + t35;
-  const Scalar t38 = Scalar(0.23306405) * t36 - Scalar(0.001243584) * Uz_o_6_z;
-  const Scalar Uz_o_6_y = t25 * t25 + omega_5_z * omega_5_z;
-  const Scalar Uz_o_6_x = domega_5_z - t27;
-  const Scalar f_4_x = Scalar(0.23306405) * ddp_4_x -
-      Scalar(0.001243584) * (s_5 * Uz_o_6_y - c_5 * Uz_o_6_x);
-  const Scalar f_u_4_t_x = s_4 * t38 + c_4 * f_4_x;
-  const Scalar t39 = Scalar(0.0013) * t26 - mu_5_z;
+  const Scalar Uz_o_6_y = t17 * t17 + omega_5_z * omega_5_z;
+  const Scalar t18 = t16 - s_2_3 * qdd_1;
+  const Scalar t19 = t16 + t18;
+  const Scalar Uz_o_4_x = t13 + domega_3_z;
+  const Scalar t20 = t15 * omega_4_z;
+  const Scalar domega_5_z = qdd_5 - t20 - s_4 * t19 + c_4 * Uz_o_4_x;
+  const Scalar omega_r_6_a_z = s_5 * t15 + c_5 * omega_4_z;
+  const Scalar t21 = t15 * omega_r_4_y;
+  const Scalar t22 = omega_r_4_y * omega_4_z;
+  const Scalar t23 = t17 * omega_r_6_a_z;
+  const Scalar Uz_o_6_x = domega_5_z - t23;
   const Scalar f_4_z = Scalar(0.23306405) * ddp_4_a_z -
       Scalar(0.001243584) * (s_5 * Uz_o_6_x + c_5 * Uz_o_6_y);
-  const Scalar t40 = s_4 * mu_4_x - Scalar(0.000316274) * (t16 - Uz_o_4_y) - c_4 * t39 +
-      Scalar(0.004704) * t4 + Scalar(0.065620624) * t17 + Scalar(0.04701250578971746) * f_4_z +
-      Scalar(0.078120624) * domega_3_z - Scalar(0.138357356) * t21 +
-      Scalar(1.0030106530801297) * f_u_4_t_x;
-  const Scalar f_3_x = Scalar(0.138357356) * Uz_o_4_x + f_u_4_t_x - Scalar(1.405871712) * t21;
   const Scalar f_3_y = Scalar(0.138357356) * Uz_o_4_y - f_4_z + Scalar(1.405871712) * ddp_3_y;
+  const Scalar t24 = t6 * qdd_1;
+  const Scalar t25 = t24 + t14;
+  const Scalar t26 = t14 + t25;
+  const Scalar domega_4_z = qdd_4 - t25;
+  const Scalar t27 = Scalar(2.0) * qd_1;
+  const Scalar t28 = Scalar(0.3476146364057434) * t1 - c_2 * qdd_1 + s_2 * qd_2 * t27;
+  const Scalar ddp_o_4_z = Scalar(0.04701250578971746) * t26 - Scalar(1.0030106530801297) * t19 -
+      t28;
+  const Scalar ddp_o_4_x = Scalar(0.04701250578971746) * t5 +
+      Scalar(1.0030106530801297) * Uz_o_4_x - t11;
+  const Scalar ddp_4_x = s_4 * ddp_o_4_z + c_4 * ddp_o_4_x;
+  const Scalar f_4_x = Scalar(0.23306405) * ddp_4_x -
+      Scalar(0.001243584) * (s_5 * Uz_o_6_y - c_5 * Uz_o_6_x);
+  const Scalar t29 = s_5 * ddp_4_a_z - c_5 * ddp_4_x;
+  const Scalar t30 = s_4 * ddp_o_4_x - c_4 * ddp_o_4_z;
+  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
+  const Scalar t31 = Scalar(0.00004) * omega_6_z;
+  const Scalar mu_5_z = t17 * t31 - Scalar(0.00024216) * t23 + Scalar(0.00064216) * domega_5_z -
+      Scalar(0.001243584) * t29;
+  const Scalar t32 = omega_r_6_a_z * omega_5_z;
+  const Scalar t33 = t17 * omega_5_z;
+  const Scalar t34 = Scalar(0.0013) * t20 - mu_5_z;
+  tau[4] = mu_5_z + Scalar(0.85444524) * detail::sign(qd_5) + Scalar(0.4272830209354) * qd_5 +
+      Scalar(0.181052127515) * qdd_5;
+  const Scalar t35 = t22 + s_4 * Uz_o_4_x + c_4 * t19;
+  const Scalar U_4_zy = t22 + t35;
+  const Scalar t36 = domega_4_z - t21;
+  const Scalar t37 = t32 + s_5 * t36 - c_5 * U_4_zy;
+  const Scalar t38 = omega_5_z * t31 - Scalar(0.00024216) * t37 - Scalar(0.00064216) * t32 +
+      Scalar(0.001243584) * t30;
+  const Scalar domega_6_z = qdd_6 - t33 + s_5 * U_4_zy + c_5 * t36;
+  const Scalar Uz_o_6_z = t32 + t37;
+  const Scalar t39 = Scalar(0.23306405) * t30 - Scalar(0.001243584) * Uz_o_6_z;
+  const Scalar t40 = Scalar(0.00004) * domega_6_z;
+  const Scalar mu_5_y = Scalar(0.0004) * t33 - t40;
+  const Scalar mu_4_x = Scalar(0.0003) * t35 - s_5 * mu_5_y + Scalar(0.0016) * t22 + c_5 * t38;
+  const Scalar mu_4_z = Scalar(-0.0003) * t21 - c_5 * mu_5_y + Scalar(0.0016) * domega_4_z -
+      s_5 * t38;
+  tau[5] = t40 + Scalar(0.2158232532732) * qd_6 + Scalar(0.55443978) * detail::sign(qd_6) +
+      Scalar(0.20582599086) * qdd_6;
+  tau[3] = mu_4_z + Scalar(0.411645229697152) * qd_4 + Scalar(1.06831142) * detail::sign(qd_4) +
+      Scalar(0.2023536943736) * qdd_4;
+  const Scalar f_u_4_t_x = s_4 * t39 + c_4 * f_4_x;
+  const Scalar t41 = s_4 * mu_4_x - Scalar(0.000316274) * (t5 - Uz_o_4_y) - c_4 * t34 +
+      Scalar(0.004704) * t24 + Scalar(0.065620624) * t13 + Scalar(0.04701250578971746) * f_4_z +
+      Scalar(0.078120624) * domega_3_z - Scalar(0.138357356) * t11 +
+      Scalar(1.0030106530801297) * f_u_4_t_x;
+  const Scalar f_u_4_t_y = s_4 * f_4_x - c_4 * t39;
+  const Scalar mu_3_y = Scalar(0.000316274) * t19 - mu_4_z + Scalar(0.0125) * t14 +
+      Scalar(0.004704) * Uz_o_4_x + Scalar(0.04701250578971746) * f_u_4_t_y;
+  const Scalar f_3_x = Scalar(0.138357356) * Uz_o_4_x + f_u_4_t_x - Scalar(1.405871712) * t11;
+  const Scalar U_3_yy_zz = t1 - Uz_o_4_y;
+  const Scalar t42 = Scalar(0.000316274) * t26 + s_4 * t34 + c_4 * mu_4_x +
+      Scalar(0.004704) * U_3_yy_zz + Scalar(0.078120624) * t16 + Scalar(0.065620624) * t18 +
+      Scalar(0.138357356) * t28 - Scalar(1.0030106530801297) * f_u_4_t_y;
+  const Scalar t43 = c_2 * (Scalar(0.138357356) * t19 - f_u_4_t_y + Scalar(1.405871712) * t28);
+  tau[2] = t41 + Scalar(6.36419655) * detail::sign(qd_3) + Scalar(3.9804259903722) * qd_3 +
+      Scalar(0.86242563124731) * qdd_3;
+  const Scalar t44 = Scalar(0.023751) * c_2 + Scalar(0.12059664) * s_2;
   const Scalar I_t2_g = Scalar(0.0141984) * s_2 + Scalar(0.03707456) * c_2;
+  const Scalar t45 = qdd_1 * (c_2 * I_t2_g - Scalar(2.493827218941039));
   const Scalar I_2_xy = s_2 * I_t2_g - Scalar(0.0070992);
-  const Scalar t41 = Scalar(0.023751) * c_2 + Scalar(0.12059664) * s_2;
-  tau[1] = Scalar(1.024164) * s_2 - t12 * I_2_xy + qdd_1 * t41 + t40 +
+  tau[1] = Scalar(1.024164) * s_2 - t1 * I_2_xy + qdd_1 * t44 + t41 +
       Scalar(10.6197775) * detail::sign(qd_2) + Scalar(9.496868641825) * qd_2 + s_3 * f_3_x +
       c_3 * f_3_y + Scalar(4.863424598025) * qdd_2;
-  tau[2] = t40 + Scalar(6.36419655) * detail::sign(qd_3) + Scalar(3.9804259903722) * qd_3 +
-      Scalar(0.86242563124731) * qdd_3;
-  const Scalar t42 = s_2_3 * f_3_y + t3 * f_3_x;
-  const Scalar f_u_4_t_y = s_4 * f_4_x - c_4 * t38;
-  const Scalar U_3_yy_zz = t12 - Uz_o_4_y;
-  const Scalar t43 = Scalar(0.000316274) * t6 + s_4 * t39 + c_4 * mu_4_x +
-      Scalar(0.004704) * U_3_yy_zz + Scalar(0.078120624) * t8 + Scalar(0.065620624) * t9 +
-      Scalar(0.138357356) * t13 - Scalar(1.0030106530801297) * f_u_4_t_y;
-  const Scalar t44 = c_2 * (Scalar(0.138357356) * t10 - f_u_4_t_y + Scalar(1.405871712) * t13);
-  const Scalar mu_3_y = Scalar(0.000316274) * t10 - mu_4_z + Scalar(0.0125) * t2 +
-      Scalar(0.004704) * Uz_o_4_x + Scalar(0.04701250578971746) * f_u_4_t_y;
-  const Scalar t45 = t11 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
-  const Scalar t46 = qdd_1 * (c_2 * I_t2_g - Scalar(2.493827218941039));
-  const Scalar t47 = t18 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
-  tau[0] = t3 * mu_3_y + t47 + qdd_2 * t41 - s_2_3 * t43 + Scalar(0.3476146364057434) * t42 - t44 +
-      Scalar(25.9836065) * detail::sign(qd_1) + t45 - t46;
+  const Scalar t46 = t27 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
+  const Scalar t47 = s_2_3 * f_3_y + t6 * f_3_x;
+  tau[0] = t6 * mu_3_y + t10 + qdd_2 * t44 - s_2_3 * t42 + Scalar(0.3476146364057434) * t47 - t43 +
+      Scalar(25.9836065) * detail::sign(qd_1) + t46 - t45;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -471,134 +471,134 @@ static inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd,
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
       s_6 = sine[5], c_6 = cosine[5];
-  const Scalar t1 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t2 = t1 * qd_1;
-  const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t3 = omega_3_z * t2;
-  const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t4 = t3 - s_2_3 * qdd_1;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = s_2_3 * qd_1;
-  const Scalar omega_r_4_y = s_4 * t6 + c_4 * omega_3_z;
-  const Scalar omega_4_z = qd_4 - t2;
-  const Scalar t7 = omega_r_4_y * omega_4_z;
-  const Scalar t8 = t2 * t6;
-  const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar Uz_o_4_x = t8 + domega_3_z;
-  const Scalar t9 = t7 + s_4 * Uz_o_4_x + c_4 * t5;
-  const Scalar U_4_zy = t7 + t9;
-  const Scalar t10 = s_4 * omega_3_z - c_4 * t6;
-  const Scalar t11 = s_5 * omega_4_z - c_5 * t10;
-  const Scalar omega_5_z = qd_5 + omega_r_4_y;
-  const Scalar t12 = t11 * omega_5_z;
-  const Scalar t13 = omega_3_z * t6;
-  const Scalar t14 = t1 * qdd_1;
-  const Scalar t15 = t14 + t13;
-  const Scalar domega_4_z = qdd_4 - t15;
-  const Scalar t16 = t10 * omega_r_4_y;
-  const Scalar t17 = domega_4_z - t16;
-  const Scalar domega_6_z = qdd_6 - t12 + s_5 * U_4_zy + c_5 * t17;
+  const Scalar t1 = s_1 * h_e_1 - c_1 * h_e_2;
+  const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
+  const Scalar t2 = s_1 * h_e_4 - c_1 * h_e_5;
   const Scalar mu_e1_x = s_1 * h_e_5 + c_1 * h_e_4;
-  const Scalar t18 = s_2_3 * h_e_6 + t1 * mu_e1_x;
-  const Scalar t19 = s_1 * h_e_4 - c_1 * h_e_5;
-  const Scalar t20 = s_4 * t19 + c_4 * t18;
-  const Scalar mu_e4_a_z = s_2_3 * mu_e1_x - t1 * h_e_6;
-  const Scalar mu_6_z = Scalar(0.00004) * domega_6_z - s_5 * t20 + c_5 * mu_e4_a_z;
-  tau[5] = Scalar(0.2158232532732) * qd_6 + Scalar(0.55443978) * detail::sign(qd_6) +
-      Scalar(0.20582599086) * qdd_6 + mu_6_z;
-  const Scalar omega_r_6_y = s_6 * t11 + c_6 * omega_5_z;
-  const Scalar omega_r_6_a_z = s_5 * t10 + c_5 * omega_4_z;
+  const Scalar t3 = s_2 * s_3 - c_2 * c_3;
+  const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar t4 = s_2_3 * h_e_6 + t3 * mu_e1_x;
+  const Scalar mu_e4_a_z = s_2_3 * mu_e1_x - t3 * h_e_6;
+  const Scalar mu_e4_y = s_4 * t4 - c_4 * t2;
+  const Scalar t5 = s_4 * t2 + c_4 * t4;
+  const Scalar t6 = t3 * qd_1;
+  const Scalar omega_4_z = qd_4 - t6;
+  const Scalar omega_3_z = qd_2 + qd_3;
+  const Scalar t7 = s_2_3 * qd_1;
+  const Scalar t8 = s_4 * omega_3_z - c_4 * t7;
+  const Scalar omega_r_6_a_z = s_5 * t8 + c_5 * omega_4_z;
   const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t21 = Scalar(0.00004) * omega_6_z;
-  const Scalar t22 = s_5 * mu_e4_a_z + c_5 * t20;
-  const Scalar mu_e4_y = s_4 * t18 - c_4 * t19;
-  const Scalar mu_6_x = omega_r_6_y * t21 + s_6 * mu_e4_y - c_6 * t22;
-  const Scalar t23 = (s_6 * omega_5_z - c_6 * t11) * t21;
-  const Scalar t24 = t23 - s_6 * t22 - c_6 * mu_e4_y;
-  const Scalar t25 = t13 + t15;
-  const Scalar t26 = Scalar(0.4318) * c_2;
-  const Scalar t27 = qd_1 * qd_1;
-  const Scalar t28 = Scalar(0.1501) * t27 - qdd_1 * t26 + Scalar(0.8636) * s_2 * qd_1 * qd_2;
-  const Scalar ddp_o_4_z = Scalar(0.0203) * t25 - Scalar(0.4331) * t5 - t28;
-  const Scalar t29 = qd_2 * qd_2;
-  const Scalar t30 = Scalar(0.1501) * qdd_1 + Scalar(0.4318) * (s_2 * qdd_2 + c_2 * (t29 + t27));
-  const Scalar t31 = Scalar(0.4318) * (s_2 * t29 - c_2 * qdd_2) + Scalar(9.81);
-  const Scalar t32 = s_2_3 * t31 - t1 * t30;
-  const Scalar t33 = t6 * t6;
-  const Scalar t34 = omega_3_z * omega_3_z;
-  const Scalar t35 = t27 - t33 + t34;
-  const Scalar ddp_o_4_x = Scalar(0.0203) * t35 + Scalar(0.4331) * Uz_o_4_x - t32;
+  const Scalar t9 = Scalar(0.00004) * omega_6_z;
+  const Scalar t10 = s_5 * omega_4_z - c_5 * t8;
+  const Scalar omega_r_4_y = s_4 * t7 + c_4 * omega_3_z;
+  const Scalar omega_5_z = qd_5 + omega_r_4_y;
+  const Scalar omega_r_6_y = s_6 * t10 + c_6 * omega_5_z;
+  const Scalar t11 = s_5 * mu_e4_a_z + c_5 * t5;
+  const Scalar mu_6_x = omega_r_6_y * t9 + s_6 * mu_e4_y - c_6 * t11;
+  const Scalar t12 = (s_6 * omega_5_z - c_6 * t10) * t9;
+  const Scalar t13 = t12 - s_6 * t11 - c_6 * mu_e4_y;
+  const Scalar t14 = t8 * omega_r_4_y;
+  const Scalar t15 = omega_r_4_y * omega_4_z;
+  const Scalar t16 = t8 * omega_4_z;
+  const Scalar t17 = t7 * t7;
+  const Scalar t18 = t6 * t7;
+  const Scalar t19 = omega_3_z * t7;
+  const Scalar t20 = omega_3_z * t6;
+  const Scalar t21 = omega_3_z * omega_3_z;
+  const Scalar t22 = t20 - s_2_3 * qdd_1;
+  const Scalar t23 = t20 + t22;
+  const Scalar t24 = t3 * qdd_1;
+  const Scalar t25 = t24 + t19;
+  const Scalar t26 = t19 + t25;
+  const Scalar domega_4_z = qdd_4 - t25;
+  const Scalar t27 = Scalar(0.4318) * c_2;
+  const Scalar t28 = qd_1 * qd_1;
+  const Scalar t29 = Scalar(0.1501) * t28 - qdd_1 * t27 + Scalar(0.8636) * s_2 * qd_1 * qd_2;
+  const Scalar ddp_o_4_z = Scalar(0.0203) * t26 - Scalar(0.4331) * t23 - t29;
+  const Scalar domega_3_z = qdd_2 + qdd_3;
+  const Scalar Uz_o_4_x = t18 + domega_3_z;
+  const Scalar t30 = qd_2 * qd_2;
+  const Scalar t31 = Scalar(0.1501) * qdd_1 + Scalar(0.4318) * (s_2 * qdd_2 + c_2 * (t30 + t28));
+  const Scalar t32 = Scalar(0.4318) * (s_2 * t30 - c_2 * qdd_2) + Scalar(9.81);
+  const Scalar t33 = t30 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
+  const Scalar t34 = s_2_3 * t32 - t3 * t31;
+  const Scalar ddp_3_y = s_2_3 * t31 + t3 * t32;
+  const Scalar t35 = t28 - t17 + t21;
+  const Scalar Uz_o_4_y = t17 + t21;
+  const Scalar ddp_o_4_x = Scalar(0.0203) * t35 + Scalar(0.4331) * Uz_o_4_x - t34;
+  const Scalar t36 = s_4 * ddp_o_4_x - c_4 * ddp_o_4_z;
   const Scalar ddp_4_x = s_4 * ddp_o_4_z + c_4 * ddp_o_4_x;
-  const Scalar ddp_3_y = s_2_3 * t30 + t1 * t31;
-  const Scalar U_3_yx = domega_3_z - t8;
-  const Scalar Uz_o_4_y = t33 + t34;
+  const Scalar U_3_yx = domega_3_z - t18;
   const Scalar ddp_4_a_z = Scalar(0.0203) * U_3_yx - Scalar(0.4331) * Uz_o_4_y - ddp_3_y;
-  const Scalar t36 = s_5 * ddp_4_a_z - c_5 * ddp_4_x;
-  const Scalar t37 = t10 * omega_4_z;
-  const Scalar domega_5_z = qdd_5 - t37 - s_4 * t5 + c_4 * Uz_o_4_x;
-  const Scalar t38 = t11 * omega_r_6_a_z;
+  const Scalar t37 = s_5 * ddp_4_a_z - c_5 * ddp_4_x;
+  const Scalar domega_5_z = qdd_5 - t16 - s_4 * t23 + c_4 * Uz_o_4_x;
+  const Scalar t38 = t10 * omega_r_6_a_z;
   const Scalar mu_5_z = Scalar(0.00064216) * domega_5_z - Scalar(0.00024216) * t38 -
-      Scalar(0.00288) * t36 + s_6 * mu_6_x - c_6 * t24;
+      Scalar(0.00288) * t37 + s_6 * mu_6_x - c_6 * t13;
+  const Scalar Uz_o_6_x = domega_5_z - t38;
+  const Scalar t39 = omega_r_6_a_z * omega_5_z;
+  const Scalar t40 = Scalar(0.0013) * t16 - mu_5_z;
   tau[4] = Scalar(0.85444524) * detail::sign(qd_5) + Scalar(0.4272830209354) * qd_5 +
       Scalar(0.181052127515) * qdd_5 + mu_5_z;
-  const Scalar t39 = omega_r_6_a_z * omega_5_z;
-  const Scalar t40 = t39 + s_5 * t17 - c_5 * U_4_zy;
-  const Scalar t41 = s_4 * ddp_o_4_x - c_4 * ddp_o_4_z;
-  const Scalar t42 = Scalar(-0.00024216) * t40 - Scalar(0.00064216) * t39 + Scalar(0.00288) * t41 +
-      s_6 * t24 + c_6 * mu_6_x;
-  const Scalar mu_5_y = Scalar(0.0004) * t12 - mu_6_z;
-  const Scalar mu_4_z = Scalar(0.0016) * domega_4_z - Scalar(0.0003) * t16 - s_5 * t42 -
+  const Scalar t41 = t15 + s_4 * Uz_o_4_x + c_4 * t23;
+  const Scalar U_4_zy = t15 + t41;
+  const Scalar t42 = domega_4_z - t14;
+  const Scalar t43 = t39 + s_5 * t42 - c_5 * U_4_zy;
+  const Scalar t44 = Scalar(-0.00024216) * t43 - Scalar(0.00064216) * t39 + Scalar(0.00288) * t36 +
+      s_6 * t13 + c_6 * mu_6_x;
+  const Scalar Uz_o_6_z = t39 + t43;
+  const Scalar t45 = s_2_3 * h_e_3 + t3 * f_e1_x;
+  const Scalar f_e4_a_z = s_2_3 * f_e1_x - t3 * h_e_3;
+  const Scalar f_e4_y = s_4 * t45 - c_4 * t1;
+  const Scalar t46 = s_4 * t1 + c_4 * t45;
+  const Scalar t47 = s_5 * f_e4_a_z + c_5 * t46;
+  const Scalar f_e6_y = s_6 * t47 + c_6 * f_e4_y;
+  const Scalar f_e6_x = s_6 * f_e4_y - c_6 * t47;
+  const Scalar t48 = Scalar(-0.00288) * Uz_o_6_z - s_6 * f_e6_x - c_6 * f_e6_y + Scalar(1.25) * t36;
+  const Scalar f_5_x = Scalar(0.00288) * Uz_o_6_x - s_6 * f_e6_y + c_6 * f_e6_x;
+  const Scalar Uz_o_6_y = t10 * t10 + omega_5_z * omega_5_z;
+  const Scalar t49 = Scalar(0.00288) * Uz_o_6_y + s_5 * t46 - c_5 * f_e4_a_z;
+  const Scalar t50 = t10 * omega_5_z;
+  const Scalar domega_6_z = qdd_6 - t50 + s_5 * U_4_zy + c_5 * t42;
+  const Scalar mu_6_z = Scalar(0.00004) * domega_6_z - s_5 * t5 + c_5 * mu_e4_a_z;
+  const Scalar f_4_z = -s_5 * f_5_x - c_5 * t49 + Scalar(1.25) * ddp_4_a_z;
+  const Scalar f_4_x = c_5 * f_5_x - s_5 * t49 + Scalar(1.25) * ddp_4_x;
+  const Scalar mu_5_y = Scalar(0.0004) * t50 - mu_6_z;
+  const Scalar mu_4_x = Scalar(0.0003) * t41 + Scalar(0.0016) * t15 - s_5 * mu_5_y + c_5 * t44;
+  const Scalar mu_4_z = Scalar(0.0016) * domega_4_z - Scalar(0.0003) * t14 - s_5 * t44 -
       c_5 * mu_5_y;
+  tau[5] = Scalar(0.2158232532732) * qd_6 + Scalar(0.55443978) * detail::sign(qd_6) +
+      Scalar(0.20582599086) * qdd_6 + mu_6_z;
+  const Scalar f_3_y = Scalar(0.32042) * Uz_o_4_y - f_4_z + Scalar(7.540157480314961) * ddp_3_y;
   tau[3] = Scalar(0.411645229697152) * qd_4 + Scalar(1.06831142) * detail::sign(qd_4) +
       Scalar(0.2023536943736) * qdd_4 + mu_4_z;
-  const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
-  const Scalar t43 = s_2_3 * h_e_3 + t1 * f_e1_x;
-  const Scalar t44 = s_1 * h_e_1 - c_1 * h_e_2;
-  const Scalar t45 = s_4 * t44 + c_4 * t43;
-  const Scalar f_e4_a_z = s_2_3 * f_e1_x - t1 * h_e_3;
-  const Scalar t46 = s_5 * f_e4_a_z + c_5 * t45;
-  const Scalar f_e4_y = s_4 * t43 - c_4 * t44;
-  const Scalar f_e6_y = s_6 * t46 + c_6 * f_e4_y;
-  const Scalar f_e6_x = s_6 * f_e4_y - c_6 * t46;
-  const Scalar Uz_o_6_x = domega_5_z - t38;
-  const Scalar f_5_x = Scalar(0.00288) * Uz_o_6_x - s_6 * f_e6_y + c_6 * f_e6_x;
-  const Scalar Uz_o_6_y = t11 * t11 + omega_5_z * omega_5_z;
-  const Scalar t47 = Scalar(0.00288) * Uz_o_6_y + s_5 * t45 - c_5 * f_e4_a_z;
-  const Scalar f_4_x = c_5 * f_5_x - s_5 * t47 + Scalar(1.25) * ddp_4_x;
-  const Scalar Uz_o_6_z = t39 + t40;
-  const Scalar t48 = Scalar(-0.00288) * Uz_o_6_z - s_6 * f_e6_x - c_6 * f_e6_y + Scalar(1.25) * t41;
   const Scalar f_u_4_t_x = s_4 * t48 + c_4 * f_4_x;
-  const Scalar mu_4_x = Scalar(0.0003) * t9 + Scalar(0.0016) * t7 - s_5 * mu_5_y + c_5 * t42;
-  const Scalar t49 = Scalar(0.0013) * t37 - mu_5_z;
-  const Scalar f_4_z = -s_5 * f_5_x - c_5 * t47 + Scalar(1.25) * ddp_4_a_z;
-  const Scalar t50 = Scalar(0.004704) * t14 - Scalar(0.000316274) * (t35 - Uz_o_4_y) +
-      Scalar(0.065620624) * t8 + Scalar(0.0203) * f_4_z + Scalar(0.078120624) * domega_3_z -
-      Scalar(0.32042) * t32 + Scalar(0.4331) * f_u_4_t_x + s_4 * mu_4_x - c_4 * t49;
-  tau[2] = Scalar(6.36419655) * detail::sign(qd_3) + Scalar(3.9804259903722) * qd_3 +
-      Scalar(0.86242563124731) * qdd_3 + t50;
-  const Scalar f_3_x = Scalar(0.32042) * Uz_o_4_x + f_u_4_t_x - Scalar(7.540157480314961) * t32;
-  const Scalar f_3_y = Scalar(0.32042) * Uz_o_4_y - f_4_z + Scalar(7.540157480314961) * ddp_3_y;
-  const Scalar t51 = s_2_3 * f_3_y + t1 * f_3_x;
+  const Scalar t51 = Scalar(0.004704) * t24 - Scalar(0.000316274) * (t35 - Uz_o_4_y) +
+      Scalar(0.065620624) * t18 + Scalar(0.0203) * f_4_z + Scalar(0.078120624) * domega_3_z -
+      Scalar(0.32042) * t34 + Scalar(0.4331) * f_u_4_t_x + s_4 * mu_4_x - c_4 * t40;
   const Scalar f_u_4_t_y = s_4 * f_4_x - c_4 * t48;
-  const Scalar t52 = t26 * (Scalar(0.32042) * t5 - f_u_4_t_y + Scalar(7.540157480314961) * t28);
-  const Scalar U_3_yy_zz = t27 - Uz_o_4_y;
-  const Scalar t53 = Scalar(0.000316274) * t25 + Scalar(0.004704) * U_3_yy_zz +
-      Scalar(0.078120624) * t3 + Scalar(0.065620624) * t4 + Scalar(0.32042) * t28 -
-      Scalar(0.4331) * f_u_4_t_y + s_4 * t49 + c_4 * mu_4_x;
-  const Scalar mu_3_y = Scalar(0.000316274) * t5 + Scalar(0.0125) * t13 +
+  const Scalar mu_3_y = Scalar(0.000316274) * t23 + Scalar(0.0125) * t19 +
       Scalar(0.004704) * Uz_o_4_x + Scalar(0.0203) * f_u_4_t_y - mu_4_z;
+  const Scalar f_3_x = Scalar(0.32042) * Uz_o_4_x + f_u_4_t_x - Scalar(7.540157480314961) * t34;
+  const Scalar t52 = t27 * (Scalar(0.32042) * t23 - f_u_4_t_y + Scalar(7.540157480314961) * t29);
+  const Scalar U_3_yy_zz = t28 - Uz_o_4_y;
+  const Scalar t53 = Scalar(0.000316274) * t26 + Scalar(0.004704) * U_3_yy_zz +
+      Scalar(0.078120624) * t20 + Scalar(0.065620624) * t22 + Scalar(0.32042) * t29 -
+      Scalar(0.4331) * f_u_4_t_y + s_4 * t40 + c_4 * mu_4_x;
+  tau[2] = Scalar(6.36419655) * detail::sign(qd_3) + Scalar(3.9804259903722) * qd_3 +
+      Scalar(0.86242563124731) * qdd_3 + t51;
   const Scalar I_t2_g = Scalar(0.0141984) * s_2 + Scalar(0.03707456) * c_2;
+  const Scalar t54 = qdd_1 * (c_2 * I_t2_g - Scalar(2.493827218941039));
   const Scalar I_2_xy = s_2 * I_t2_g - Scalar(0.0070992);
-  const Scalar t54 = qd_1 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
-  const Scalar t55 = qdd_1 * (c_2 * I_t2_g - Scalar(2.493827218941039));
-  const Scalar t56 = t29 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
-  const Scalar t57 = Scalar(0.023751) * c_2 + Scalar(0.12059664) * s_2;
-  tau[0] = t56 + qdd_2 * t57 + t1 * mu_3_y + Scalar(0.1501) * t51 - t52 - s_2_3 * t53 +
-      Scalar(25.9836065) * detail::sign(qd_1) + Scalar(2.0) * t54 - t55;
-  const Scalar t58 = s_3 * f_3_x + c_3 * f_3_y;
-  tau[1] = Scalar(1.024164) * s_2 - t27 * I_2_xy + qdd_1 * t57 + t50 +
+  const Scalar t55 = Scalar(0.023751) * c_2 + Scalar(0.12059664) * s_2;
+  const Scalar t56 = s_2_3 * f_3_y + t3 * f_3_x;
+  const Scalar t57 = s_3 * f_3_x + c_3 * f_3_y;
+  tau[1] = Scalar(1.024164) * s_2 - t28 * I_2_xy + qdd_1 * t55 + t51 +
       Scalar(10.6197775) * detail::sign(qd_2) + Scalar(9.496868641825) * qd_2 +
-      Scalar(0.4318) * t58 + Scalar(4.863424598025) * qdd_2;
+      Scalar(0.4318) * t57 + Scalar(4.863424598025) * qdd_2;
+  const Scalar t58 = qd_1 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
+  tau[0] = t33 + qdd_2 * t55 + t3 * mu_3_y + Scalar(0.1501) * t56 - t52 - s_2_3 * t53 +
+      Scalar(25.9836065) * detail::sign(qd_1) + Scalar(2.0) * t58 - t54;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -1534,40 +1534,40 @@ static inline void forward_kinematics(const Scalar* q, Scalar* R, Scalar* p,
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
       s_6 = sine[5], c_6 = cosine[5];
-  const Scalar t1 = s_4 * c_6;
-  const Scalar n_4_t_y = c_5 * t1 + c_4 * s_6;
-  const Scalar t2 = s_4 * s_6;
-  const Scalar t3 = c_5 * t2 - c_4 * c_6;
+  const Scalar t1 = Scalar(0.0203) * c_3 - Scalar(0.4331) * s_3 - Scalar(0.4318);
+  const Scalar t2 = Scalar(0.0203) * s_3 + Scalar(0.4331) * c_3;
+  p[2] = c_2 * t2 + s_2 * t1;
+  const Scalar t3 = s_2 * t2 - c_2 * t1;
+  p[1] = Scalar(0.1501) * c_1 + s_1 * t3;
   const Scalar t4 = c_3 * s_5;
   const Scalar a_3_t_x = s_3 * c_5 + c_4 * t4;
   const Scalar t5 = s_3 * s_5;
   const Scalar t6 = c_4 * t5 - c_3 * c_5;
   R[8] = -s_2 * a_3_t_x - c_2 * t6;
-  const Scalar t7 = s_2 * t6 - c_2 * a_3_t_x;
-  const Scalar t8 = c_4 * c_5;
-  const Scalar t9 = t1 + s_6 * t8;
-  const Scalar t10 = t2 - c_6 * t8;
-  const Scalar t11 = s_6 * t5 - c_3 * t9;
-  const Scalar t12 = s_3 * t9 + s_6 * t4;
-  const Scalar t13 = c_6 * t5 + c_3 * t10;
-  const Scalar t14 = s_3 * t10 - c_6 * t4;
-  R[6] = s_2 * t13 + c_2 * t14;
-  const Scalar n_2_t_x = s_2 * t14 - c_2 * t13;
-  R[7] = c_2 * t12 - s_2 * t11;
-  const Scalar t15 = s_2 * t12 + c_2 * t11;
-  R[1] = s_1 * t3 + c_1 * t15;
-  R[4] = s_1 * t15 - c_1 * t3;
+  p[0] = c_1 * t3 - Scalar(0.1501) * s_1;
+  const Scalar t7 = c_4 * c_5;
+  const Scalar t8 = s_4 * s_6;
+  const Scalar t9 = t8 - c_6 * t7;
+  const Scalar t10 = c_6 * t5 + c_3 * t9;
+  const Scalar t11 = s_3 * t9 - c_6 * t4;
+  R[6] = s_2 * t10 + c_2 * t11;
+  const Scalar t12 = s_4 * c_6;
+  const Scalar t13 = t12 + s_6 * t7;
+  const Scalar t14 = s_6 * t5 - c_3 * t13;
+  const Scalar t15 = s_3 * t13 + s_6 * t4;
+  R[7] = c_2 * t15 - s_2 * t14;
+  const Scalar t16 = s_2 * t6 - c_2 * a_3_t_x;
+  const Scalar t17 = s_4 * s_5;
+  R[2] = -s_1 * t17 - c_1 * t16;
+  R[5] = c_1 * t17 - s_1 * t16;
+  const Scalar n_2_t_x = s_2 * t11 - c_2 * t10;
+  const Scalar n_4_t_y = c_5 * t12 + c_4 * s_6;
   R[3] = s_1 * n_2_t_x + c_1 * n_4_t_y;
+  const Scalar t18 = s_2 * t15 + c_2 * t14;
+  const Scalar t19 = c_5 * t8 - c_4 * c_6;
+  R[1] = s_1 * t19 + c_1 * t18;
+  R[4] = s_1 * t18 - c_1 * t19;
   R[0] = c_1 * n_2_t_x - s_1 * n_4_t_y;
-  const Scalar t16 = Scalar(0.0203) * c_3 - Scalar(0.4331) * s_3 - Scalar(0.4318);
-  const Scalar t17 = Scalar(0.0203) * s_3 + Scalar(0.4331) * c_3;
-  p[2] = c_2 * t17 + s_2 * t16;
-  const Scalar t18 = s_2 * t17 - c_2 * t16;
-  p[1] = Scalar(0.1501) * c_1 + s_1 * t18;
-  p[0] = c_1 * t18 - Scalar(0.1501) * s_1;
-  const Scalar t19 = s_4 * s_5;
-  R[2] = -s_1 * t19 - c_1 * t7;
-  R[5] = c_1 * t19 - s_1 * t7;
 }
 
 // The entries of J in jacobian that are not always zero.
@@ -1596,54 +1596,54 @@ static inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = 
   const Scalar z_4_z = c_2 * c_3 - s_2 * s_3;
   J[33] = z_4_z;
   const Scalar t1 = c_2 * s_3 + s_2 * c_3;
-  J[34] = s_4 * t1;
-  const Scalar z_6_z = c_5 * z_4_z - c_4 * s_5 * t1;
-  J[35] = z_6_z;
-  const Scalar t2 = s_1 * c_4;
-  const Scalar t3 = c_1 * c_4;
   const Scalar z_4_x = c_1 * t1;
   J[21] = z_4_x;
-  const Scalar t4 = s_1 * s_4;
-  const Scalar z_6_x = c_5 * z_4_x - s_5 * (t4 - z_4_z * t3);
-  const Scalar R_41_y = t3 - z_4_z * t4;
-  J[28] = R_41_y;
-  J[23] = z_6_x;
   const Scalar z_4_y = s_1 * t1;
   J[27] = z_4_y;
-  const Scalar t5 = c_1 * s_4;
-  const Scalar z_6_y = c_5 * z_4_y + s_5 * (t5 + z_4_z * t2);
-  const Scalar t6 = t2 + z_4_z * t5;
-  J[22] = -t6;
-  J[29] = z_6_y;
-  const Scalar t7 = Scalar(0.0203) * s_3 + Scalar(0.4331) * c_3;
-  const Scalar t8 = Scalar(0.0203) * c_3 - Scalar(0.4331) * s_3 - Scalar(0.4318);
-  const Scalar t9 = c_2 * t8 - s_2 * t7;
-  const Scalar p_2u_a_z = c_2 * t7 + s_2 * t8;
+  J[34] = s_4 * t1;
+  const Scalar t2 = Scalar(0.0203) * s_3 + Scalar(0.4331) * c_3;
+  const Scalar t3 = Scalar(0.0203) * c_3 - Scalar(0.4331) * s_3 - Scalar(0.4318);
+  const Scalar p_2u_a_z = c_2 * t2 + s_2 * t3;
   J[1] = c_1 * p_2u_a_z;
   J[7] = s_1 * p_2u_a_z;
+  const Scalar t4 = c_2 * t3 - s_2 * t2;
+  const Scalar J_P3_z = Scalar(0.4318) * c_2 + t4;
+  J[14] = J_P3_z;
+  const Scalar t5 = s_1 * s_4;
+  const Scalar t6 = c_1 * c_4;
+  const Scalar R_41_y = t6 - z_4_z * t5;
+  J[28] = R_41_y;
+  const Scalar z_6_z = c_5 * z_4_z - c_4 * s_5 * t1;
+  J[35] = z_6_z;
   const Scalar r_3_z = Scalar(0.4318) * s_2 + p_2u_a_z;
   J[2] = c_1 * r_3_z;
   J[8] = s_1 * r_3_z;
-  const Scalar r_4_z = Scalar(-0.0203) * t1 - Scalar(0.4331) * z_4_z + r_3_z;
-  const Scalar J_P3_z = Scalar(0.4318) * c_2 + t9;
-  J[14] = J_P3_z;
-  const Scalar t10 = Scalar(0.4331) * t1 - Scalar(0.0203) * z_4_z + J_P3_z;
-  const Scalar t11 = t1 * r_4_z + z_4_z * t10;
-  const Scalar t12 = t10 * z_6_z;
-  J[5] = s_1 * t12 + r_4_z * z_6_y;
-  J[11] = -c_1 * t12 - r_4_z * z_6_x;
-  J[17] = t10 * (c_1 * z_6_y - s_1 * z_6_x);
-  J[16] = t10 * (c_1 * R_41_y + s_1 * t6);
-  const Scalar t13 = s_4 * t10;
-  J[4] = z_4_y * t13 + r_4_z * R_41_y;
-  J[10] = r_4_z * t6 - z_4_x * t13;
-  J[9] = -c_1 * t11;
-  J[3] = s_1 * t11;
-  const Scalar t14 = Scalar(0.1501) * s_1 + c_1 * t9;
-  const Scalar p_1u_t_y = Scalar(0.1501) * c_1 - s_1 * t9;
-  J[13] = c_1 * t14 - s_1 * p_1u_t_y;
-  J[6] = -t14;
+  const Scalar t7 = c_1 * s_4;
+  const Scalar t8 = s_1 * c_4;
+  const Scalar t9 = t8 + z_4_z * t7;
+  J[22] = -t9;
+  const Scalar t10 = Scalar(0.1501) * s_1 + c_1 * t4;
+  J[6] = -t10;
+  const Scalar p_1u_t_y = Scalar(0.1501) * c_1 - s_1 * t4;
   J[0] = -p_1u_t_y;
+  const Scalar z_6_x = c_5 * z_4_x - s_5 * (t5 - z_4_z * t6);
+  J[23] = z_6_x;
+  const Scalar z_6_y = c_5 * z_4_y + s_5 * (t7 + z_4_z * t8);
+  J[29] = z_6_y;
+  J[13] = c_1 * t10 - s_1 * p_1u_t_y;
+  const Scalar t11 = Scalar(0.4331) * t1 - Scalar(0.0203) * z_4_z + J_P3_z;
+  J[16] = t11 * (c_1 * R_41_y + s_1 * t9);
+  const Scalar r_4_z = Scalar(-0.0203) * t1 - Scalar(0.4331) * z_4_z + r_3_z;
+  const Scalar t12 = t1 * r_4_z + z_4_z * t11;
+  J[3] = s_1 * t12;
+  const Scalar t13 = s_4 * t11;
+  J[4] = z_4_y * t13 + r_4_z * R_41_y;
+  const Scalar t14 = t11 * z_6_z;
+  J[5] = s_1 * t14 + r_4_z * z_6_y;
+  J[9] = -c_1 * t12;
+  J[10] = r_4_z * t9 - z_4_x * t13;
+  J[11] = -c_1 * t14 - r_4_z * z_6_x;
+  J[17] = t11 * (c_1 * z_6_y - s_1 * z_6_x);
   J[30] = Scalar(1.0);
   J[12] = J[15] = J[18] = J[24] = J[31] = J[32] = Scalar(0.0);
 }
@@ -1663,73 +1663,73 @@ static inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
       s_6 = sine[5], c_6 = cosine[5];
-  const Scalar omega_3_z = qd_2 + qd_3;
   const Scalar t1 = c_2 * s_3;
   const Scalar t2 = qd_1 * (t1 + s_2 * c_3);
+  const Scalar omega_3_z = qd_2 + qd_3;
   const Scalar t3 = s_4 * omega_3_z;
   const Scalar t4 = t3 - c_4 * t2;
   const Scalar t5 = c_2 * c_3;
   const Scalar t6 = qd_1 * (s_2 * s_3 - t5);
-  const Scalar t7 = t3 * t6 + qd_4 * t4;
   const Scalar omega_4_z = qd_4 - t6;
-  const Scalar t8 = s_5 * omega_4_z - c_5 * t4;
-  const Scalar omega_r_6_a_z = s_5 * t4 + c_5 * omega_4_z;
-  const Scalar t9 = c_4 * omega_3_z;
-  const Scalar omega_r_4_y = s_4 * t2 + t9;
-  const Scalar t10 = t9 * t6 + qd_4 * omega_r_4_y;
+  const Scalar t7 = s_5 * omega_4_z - c_5 * t4;
+  const Scalar t8 = c_4 * omega_3_z;
+  const Scalar omega_r_4_y = s_4 * t2 + t8;
   const Scalar omega_5_z = qd_5 + omega_r_4_y;
+  const Scalar t9 = qd_6 * (s_6 * omega_5_z - c_6 * t7);
+  const Scalar omega_r_6_a_z = s_5 * t4 + c_5 * omega_4_z;
+  const Scalar t10 = t8 * t6 + qd_4 * omega_r_4_y;
   const Scalar t11 = omega_3_z * t2;
   const Scalar t12 = qd_5 * omega_r_6_a_z - s_5 * t11 - c_5 * t10;
-  const Scalar domega_q_5_y = c_5 * t11 + qd_5 * t8 - s_5 * t10;
-  const Scalar t13 = qd_6 * (s_6 * omega_5_z - c_6 * t8);
-  const Scalar omega_r_6_y = s_6 * t8 + c_6 * omega_5_z;
-  const Scalar t14 = qd_6 * omega_r_6_y - s_6 * t7 - c_6 * t12;
-  const Scalar t15 = t13 - s_6 * t12 + c_6 * t7;
-  const Scalar t16 = omega_3_z * (Scalar(0.04687139228815516) * t2 - t6);
-  const Scalar t17 = t2 * t6;
-  const Scalar t18 = t2 * t2;
-  const Scalar t19 = omega_3_z * omega_3_z;
-  const Scalar t20 = s_2 * qd_1;
-  const Scalar t21 = qd_1 * qd_1;
-  const Scalar t22 = Scalar(0.1501) * t21 + Scalar(0.8636) * qd_2 * t20 - Scalar(0.8662) * t16;
-  const Scalar t23 = qd_2 * qd_2 - t20 * t20 + t21;
-  const Scalar t24 = qd_1 * t20;
-  const Scalar t25 = t5 * t24 + s_3 * t23;
-  const Scalar t26 = t1 * t24 - c_3 * t23;
-  const Scalar t27 = Scalar(0.0203) * (t21 - t18 + t19) + Scalar(0.4331) * t17 +
-      Scalar(0.4318) * t26;
-  const Scalar Uz_o_4_y = t18 + t19;
-  const Scalar t28 = Scalar(0.0203) * t17 + Scalar(0.4318) * t25 + Scalar(0.4331) * Uz_o_4_y;
-  const Scalar t29 = s_4 * t22 - c_4 * t27;
-  const Scalar t30 = s_4 * t27 + c_4 * t22;
-  const Scalar t31 = s_5 * t29 + c_5 * t28;
-  const Scalar t32 = s_5 * t28 - c_5 * t29;
-  const Scalar t33 = s_6 * t32 + c_6 * t30;
-  const Scalar t34 = s_6 * t30 - c_6 * t32;
-  const Scalar t35 = s_6 * t33 - c_6 * t34;
-  const Scalar t36 = s_6 * t34 + c_6 * t33;
-  const Scalar t37 = s_5 * t35 + c_5 * t31;
-  const Scalar t38 = s_5 * t31 - c_5 * t35;
-  const Scalar t39 = s_6 * t15 + c_6 * t14;
-  const Scalar domega_e_6_t_y = s_6 * t14 - c_6 * t15;
-  const Scalar domega_e_5_t_y = s_5 * t39 + c_5 * domega_q_5_y;
-  const Scalar t40 = s_5 * domega_q_5_y - c_5 * t39;
-  const Scalar t41 = s_4 * domega_e_6_t_y + c_4 * t40;
-  const Scalar t42 = s_4 * t40 - c_4 * domega_e_6_t_y;
-  const Scalar t43 = s_3 * domega_e_5_t_y + c_3 * t41;
-  const Scalar t44 = s_3 * t41 - c_3 * domega_e_5_t_y;
-  a[5] = s_2 * t43 + c_2 * t44;
-  const Scalar t45 = s_2 * t44 - c_2 * t43;
-  a[3] = s_1 * t42 + c_1 * t45;
-  a[4] = s_1 * t45 - c_1 * t42;
-  const Scalar t46 = s_4 * t36 - c_4 * t38;
-  const Scalar t47 = s_4 * t38 + c_4 * t36;
-  const Scalar t48 = s_3 * t37 - c_3 * t46;
-  const Scalar t49 = s_3 * t46 + c_3 * t37;
-  a[2] = s_2 * t48 - c_2 * t49;
-  const Scalar t50 = s_2 * t49 + c_2 * t48;
-  a[0] = s_1 * t47 - c_1 * t50;
-  a[1] = -s_1 * t50 - c_1 * t47;
+  const Scalar t13 = t3 * t6 + qd_4 * t4;
+  const Scalar t14 = t9 - s_6 * t12 + c_6 * t13;
+  const Scalar omega_r_6_y = s_6 * t7 + c_6 * omega_5_z;
+  const Scalar t15 = qd_6 * omega_r_6_y - s_6 * t13 - c_6 * t12;
+  const Scalar t16 = s_6 * t14 + c_6 * t15;
+  const Scalar domega_q_5_y = c_5 * t11 + qd_5 * t7 - s_5 * t10;
+  const Scalar t17 = s_5 * domega_q_5_y - c_5 * t16;
+  const Scalar domega_e_6_t_y = s_6 * t15 - c_6 * t14;
+  const Scalar t18 = s_4 * domega_e_6_t_y + c_4 * t17;
+  const Scalar domega_e_5_t_y = s_5 * t16 + c_5 * domega_q_5_y;
+  const Scalar t19 = s_3 * domega_e_5_t_y + c_3 * t18;
+  const Scalar t20 = s_3 * t18 - c_3 * domega_e_5_t_y;
+  a[5] = s_2 * t19 + c_2 * t20;
+  const Scalar t21 = omega_3_z * (Scalar(0.04687139228815516) * t2 - t6);
+  const Scalar t22 = s_2 * qd_1;
+  const Scalar t23 = qd_1 * qd_1;
+  const Scalar t24 = Scalar(0.1501) * t23 + Scalar(0.8636) * qd_2 * t22 - Scalar(0.8662) * t21;
+  const Scalar t25 = t2 * t2;
+  const Scalar t26 = omega_3_z * omega_3_z;
+  const Scalar t27 = qd_2 * qd_2 - t22 * t22 + t23;
+  const Scalar t28 = qd_1 * t22;
+  const Scalar t29 = t1 * t28 - c_3 * t27;
+  const Scalar t30 = t2 * t6;
+  const Scalar t31 = Scalar(0.0203) * (t23 - t25 + t26) + Scalar(0.4331) * t30 +
+      Scalar(0.4318) * t29;
+  const Scalar t32 = s_4 * t24 - c_4 * t31;
+  const Scalar Uz_o_4_y = t25 + t26;
+  const Scalar t33 = t5 * t28 + s_3 * t27;
+  const Scalar t34 = Scalar(0.0203) * t30 + Scalar(0.4318) * t33 + Scalar(0.4331) * Uz_o_4_y;
+  const Scalar t35 = s_5 * t34 - c_5 * t32;
+  const Scalar t36 = s_4 * t31 + c_4 * t24;
+  const Scalar t37 = s_6 * t35 + c_6 * t36;
+  const Scalar t38 = s_6 * t36 - c_6 * t35;
+  const Scalar t39 = s_6 * t37 - c_6 * t38;
+  const Scalar t40 = s_5 * t32 + c_5 * t34;
+  const Scalar t41 = s_5 * t40 - c_5 * t39;
+  const Scalar t42 = s_6 * t38 + c_6 * t37;
+  const Scalar t43 = s_4 * t42 - c_4 * t41;
+  const Scalar t44 = s_5 * t39 + c_5 * t40;
+  const Scalar t45 = s_3 * t44 - c_3 * t43;
+  const Scalar t46 = s_3 * t43 + c_3 * t44;
+  a[2] = s_2 * t45 - c_2 * t46;
+  const Scalar t47 = s_2 * t20 - c_2 * t19;
+  const Scalar t48 = s_4 * t17 - c_4 * domega_e_6_t_y;
+  a[3] = s_1 * t48 + c_1 * t47;
+  a[4] = s_1 * t47 - c_1 * t48;
+  const Scalar t49 = s_2 * t46 + c_2 * t45;
+  const Scalar t50 = s_4 * t41 + c_4 * t42;
+  a[0] = s_1 * t50 - c_1 * t49;
+  a[1] = -s_1 * t49 - c_1 * t50;
 }
 
 // The functions as types, with the shapes of their arguments, for adapters such as

@@ -724,50 +724,50 @@ static inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_
       c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5], s_8 = sine[7], c_8 = cosine[7],
       s_9 = sine[8], c_9 = cosine[8], s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11],
       c_12 = cosine[11];
+  B[130] = Scalar(0.001231440536717216) * c_12 + Scalar(0.002838197420805067);
+  B[91] = Scalar(0.001231440536717216) * c_9 + Scalar(0.002838197420805067);
+  B[52] = Scalar(0.001231440536717216) * c_6 + Scalar(0.002838197420805067);
   B[13] = Scalar(0.001231440536717216) * c_3 + Scalar(0.002838197420805067);
   B[14] = B[25] = Scalar(0.000615720268358608) * c_3 + Scalar(0.0005426192213171668);
-  B[52] = Scalar(0.001231440536717216) * c_6 + Scalar(0.002838197420805067);
   B[53] = B[64] = Scalar(0.000615720268358608) * c_6 + Scalar(0.0005426192213171668);
-  B[91] = Scalar(0.001231440536717216) * c_9 + Scalar(0.002838197420805067);
   B[92] = B[103] = Scalar(0.000615720268358608) * c_9 + Scalar(0.0005426192213171668);
-  B[130] = Scalar(0.001231440536717216) * c_12 + Scalar(0.002838197420805067);
   B[131] = B[142] = Scalar(0.000615720268358608) * c_12 + Scalar(0.0005426192213171668);
+  const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
+  const Scalar mu_u_9_8_a_z = Scalar(0.00023148988883634047) * c_8_9;
+  B[80] = B[102] = mu_u_9_8_a_z;
+  const Scalar c_2_3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar mu_u_3_2_a_z = Scalar(0.00023148988883634047) * c_2_3;
+  B[2] = B[24] = mu_u_3_2_a_z;
+  const Scalar c_5_6 = s_5 * c_6 + c_5 * s_6;
+  B[41] = B[63] = Scalar(-0.00023148988883634047) * c_5_6;
   const Scalar c_11_12 = s_11 * c_12 + c_11 * s_12;
+  B[119] = B[141] = Scalar(-0.00023148988883634047) * c_11_12;
   B[118] = B[129] = Scalar(-6.823068516838894e-08) * c_11 -
       Scalar(0.00023148988883634047) * c_11_12 - Scalar(0.0007940924716883453) * s_11;
-  B[119] = B[141] = Scalar(-0.00023148988883634047) * c_11_12;
   const Scalar t1 = c_11 * (s_11 * s_12 - c_11 * c_12);
   const Scalar I_t11_g = Scalar(3.21970574695491e-07) * c_11 + Scalar(0.0022644781431582876) * s_11;
   B[117] = Scalar(-0.0005396092213171668) * c_11_12 * c_11_12 - Scalar(0.001231440536717216) * t1 -
       s_11 * I_t11_g + Scalar(0.0031799702681776175);
-  const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
+  B[79] = B[90] = mu_u_9_8_a_z - Scalar(6.823068516838894e-08) * c_8 +
+      Scalar(0.0007940924716883453) * s_8;
   const Scalar t2 = c_8 * (s_8 * s_9 - c_8 * c_9);
   const Scalar t3 = s_8 * (Scalar(3.21970574695491e-07) * c_8 -
       Scalar(0.0022644781431582876) * s_8);
   B[78] = Scalar(-0.0005396092213171668) * c_8_9 * c_8_9 - Scalar(0.001231440536717216) * t2 + t3 +
       Scalar(0.0031799702681776175);
-  const Scalar mu_u_9_8_a_z = Scalar(0.00023148988883634047) * c_8_9;
-  B[79] = B[90] = mu_u_9_8_a_z - Scalar(6.823068516838894e-08) * c_8 +
-      Scalar(0.0007940924716883453) * s_8;
-  B[80] = B[102] = mu_u_9_8_a_z;
-  const Scalar c_5_6 = s_5 * c_6 + c_5 * s_6;
   B[40] = B[51] = Scalar(-6.823068516838894e-08) * c_5 - Scalar(0.00023148988883634047) * c_5_6 -
       Scalar(0.0007940924716883453) * s_5;
-  B[41] = B[63] = Scalar(-0.00023148988883634047) * c_5_6;
   const Scalar t4 = c_5 * (s_5 * s_6 - c_5 * c_6);
   const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
   B[39] = Scalar(-0.0005396092213171668) * c_5_6 * c_5_6 - Scalar(0.001231440536717216) * t4 -
       s_5 * I_t5_g + Scalar(0.0031799702681776175);
-  const Scalar c_2_3 = s_2 * c_3 + c_2 * s_3;
+  B[1] = B[12] = mu_u_3_2_a_z - Scalar(6.823068516838894e-08) * c_2 +
+      Scalar(0.0007940924716883453) * s_2;
   const Scalar t5 = c_2 * (s_2 * s_3 - c_2 * c_3);
   const Scalar t6 = s_2 * (Scalar(3.21970574695491e-07) * c_2 -
       Scalar(0.0022644781431582876) * s_2);
   B[0] = Scalar(-0.0005396092213171668) * c_2_3 * c_2_3 - Scalar(0.001231440536717216) * t5 + t6 +
       Scalar(0.0031799702681776175);
-  const Scalar mu_u_3_2_a_z = Scalar(0.00023148988883634047) * c_2_3;
-  B[1] = B[12] = mu_u_3_2_a_z - Scalar(6.823068516838894e-08) * c_2 +
-      Scalar(0.0007940924716883453) * s_2;
-  B[2] = B[24] = mu_u_3_2_a_z;
   B[3] = B[4] = B[5] = B[6] = B[7] = B[8] = B[9] = B[10] = Scalar(0.0);
   B[11] = B[15] = B[16] = B[17] = B[18] = B[19] = B[20] = B[21] = Scalar(0.0);
   B[22] = B[23] = B[27] = B[28] = B[29] = B[30] = B[31] = B[32] = Scalar(0.0);
@@ -839,79 +839,79 @@ static inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos
       c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5], s_8 = sine[7], c_8 = cosine[7],
       s_9 = sine[8], c_9 = cosine[8], s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11],
       c_12 = cosine[11];
-  const Scalar c_11_12 = c_11 * s_12 + s_11 * c_12;
-  const Scalar t1 = c_11 * c_12 - s_11 * s_12;
-  const Scalar c_10_12_12 = Scalar(-0.00023148988883634047) * t1;
-  c[767] = Scalar(6.823068516838894e-08) * s_11 + c_10_12_12 - Scalar(0.0007940924716883453) * c_11;
+  const Scalar t1 = c_2 * c_3 - s_2 * s_3;
+  c[4] = c[5] = Scalar(0.00023148988883634047) * t1;
+  const Scalar t2 = c_5 * c_6 - s_5 * s_6;
+  const Scalar c_4_6_6 = Scalar(-0.00023148988883634047) * t2;
+  c[253] = c[254] = c_4_6_6;
+  const Scalar t3 = c_8 * c_9 - s_8 * s_9;
+  c[511] = c[512] = Scalar(0.00023148988883634047) * t3;
+  const Scalar t4 = c_11 * c_12 - s_11 * s_12;
+  const Scalar c_10_12_12 = Scalar(-0.00023148988883634047) * t4;
   c[778] = c[779] = c_10_12_12;
   const Scalar dmu_10_12_y = Scalar(0.000615720268358608) * c_11 +
-      Scalar(0.0005396092213171668) * t1;
+      Scalar(0.0005396092213171668) * t4;
+  const Scalar c_11_12 = c_11 * s_12 + s_11 * c_12;
   const Scalar c_12_10_10 = c_11_12 * dmu_10_12_y;
-  const Scalar t2 = s_11 * t1;
-  const Scalar t3 = t2 - c_11 * c_11_12;
   c[912] = c_12_10_10;
-  c[777] = -c_12_10_10;
-  c[923] = Scalar(-0.000615720268358608) * t3;
-  c[856] = c[857] = Scalar(0.000615720268358608) * t3;
+  const Scalar dmu_7_9_y = Scalar(0.000615720268358608) * c_8 + Scalar(0.0005396092213171668) * t3;
+  const Scalar c_8_9 = c_8 * s_9 + s_8 * c_9;
+  const Scalar c_9_7_7 = c_8_9 * dmu_7_9_y;
+  c[651] = c_9_7_7;
+  const Scalar dmu_4_6_y = Scalar(0.000615720268358608) * c_5 + Scalar(0.0005396092213171668) * t2;
+  const Scalar c_5_6 = c_5 * s_6 + s_5 * c_6;
+  const Scalar c_6_4_4 = c_5_6 * dmu_4_6_y;
+  c[399] = c_6_4_4;
+  const Scalar dmu_1_3_y = Scalar(0.000615720268358608) * c_2 + Scalar(0.0005396092213171668) * t1;
+  const Scalar c_2_3 = c_2 * s_3 + s_2 * c_3;
+  const Scalar c_3_1_1 = c_2_3 * dmu_1_3_y;
+  c[156] = c_3_1_1;
+  c[2] = Scalar(6.823068516838894e-08) * s_2 - Scalar(-0.00023148988883634047) * t1 +
+      Scalar(0.0007940924716883453) * c_2;
+  c[503] = Scalar(6.823068516838894e-08) * s_8 - Scalar(-0.00023148988883634047) * t3 +
+      Scalar(0.0007940924716883453) * c_8;
+  const Scalar t5 = s_11 * t4;
   const Scalar I_t11_g = c_11 + Scalar(7033.183530202893) * s_11;
   const Scalar dI_11_xx = c_12_10_10 - Scalar(1.609852873477455e-07) +
-      Scalar(0.000615720268358608) * t2 + Scalar(3.21970574695491e-07) * c_11 * I_t11_g;
+      Scalar(0.000615720268358608) * t5 + Scalar(3.21970574695491e-07) * c_11 * I_t11_g;
   c[834] = dI_11_xx;
-  c[766] = -dI_11_xx;
-  const Scalar c_5_6 = c_5 * s_6 + s_5 * c_6;
-  const Scalar t4 = c_5 * c_6 - s_5 * s_6;
-  const Scalar c_4_6_6 = Scalar(-0.00023148988883634047) * t4;
-  c[248] = Scalar(6.823068516838894e-08) * s_5 + c_4_6_6 - Scalar(0.0007940924716883453) * c_5;
-  c[253] = c[254] = c_4_6_6;
-  const Scalar dmu_4_6_y = Scalar(0.000615720268358608) * c_5 + Scalar(0.0005396092213171668) * t4;
-  const Scalar c_6_4_4 = c_5_6 * dmu_4_6_y;
-  const Scalar t5 = s_5 * t4;
-  const Scalar t6 = t5 - c_5 * c_5_6;
-  c[399] = c_6_4_4;
-  c[252] = -c_6_4_4;
-  c[404] = Scalar(-0.000615720268358608) * t6;
-  c[331] = c[332] = Scalar(0.000615720268358608) * t6;
+  const Scalar t6 = s_8 * t3;
+  const Scalar t7 = c_8 * (c_8 - Scalar(7033.183530202893) * s_8);
+  const Scalar dI_8_xx = Scalar(1.609852873477455e-07) + c_9_7_7 +
+      Scalar(0.000615720268358608) * t6 - Scalar(3.21970574695491e-07) * t7;
+  c[573] = dI_8_xx;
+  const Scalar t8 = s_5 * t2;
   const Scalar I_t5_g = c_5 + Scalar(7033.183530202893) * s_5;
   const Scalar dI_5_xx = c_6_4_4 - Scalar(1.609852873477455e-07) +
-      Scalar(0.000615720268358608) * t5 + Scalar(3.21970574695491e-07) * c_5 * I_t5_g;
+      Scalar(0.000615720268358608) * t8 + Scalar(3.21970574695491e-07) * c_5 * I_t5_g;
   c[321] = dI_5_xx;
-  c[247] = -dI_5_xx;
-  const Scalar c_2_3 = c_2 * s_3 + s_2 * c_3;
-  const Scalar t7 = c_2 * c_3 - s_2 * s_3;
-  c[4] = c[5] = Scalar(0.00023148988883634047) * t7;
-  c[2] = Scalar(6.823068516838894e-08) * s_2 - Scalar(-0.00023148988883634047) * t7 +
-      Scalar(0.0007940924716883453) * c_2;
-  const Scalar dmu_1_3_y = Scalar(0.000615720268358608) * c_2 + Scalar(0.0005396092213171668) * t7;
-  const Scalar c_3_1_1 = c_2_3 * dmu_1_3_y;
-  const Scalar t8 = s_2 * t7;
-  const Scalar t9 = t8 - c_2 * c_2_3;
-  c[156] = c_3_1_1;
-  c[3] = -c_3_1_1;
-  c[158] = Scalar(-0.000615720268358608) * t9;
-  c[82] = c[83] = Scalar(0.000615720268358608) * t9;
+  const Scalar t9 = s_2 * t1;
   const Scalar t10 = c_2 * (c_2 - Scalar(7033.183530202893) * s_2);
   const Scalar dI_2_xx = Scalar(1.609852873477455e-07) + c_3_1_1 +
-      Scalar(0.000615720268358608) * t8 - Scalar(3.21970574695491e-07) * t10;
+      Scalar(0.000615720268358608) * t9 - Scalar(3.21970574695491e-07) * t10;
   c[78] = dI_2_xx;
-  c[1] = -dI_2_xx;
-  const Scalar c_8_9 = c_8 * s_9 + s_8 * c_9;
-  const Scalar t11 = c_8 * c_9 - s_8 * s_9;
-  c[511] = c[512] = Scalar(0.00023148988883634047) * t11;
-  c[503] = Scalar(6.823068516838894e-08) * s_8 - Scalar(-0.00023148988883634047) * t11 +
-      Scalar(0.0007940924716883453) * c_8;
-  const Scalar dmu_7_9_y = Scalar(0.000615720268358608) * c_8 + Scalar(0.0005396092213171668) * t11;
-  const Scalar c_9_7_7 = c_8_9 * dmu_7_9_y;
-  const Scalar t12 = s_8 * t11;
-  const Scalar t13 = t12 - c_8 * c_8_9;
-  c[651] = c_9_7_7;
+  c[3] = -c_3_1_1;
+  const Scalar t11 = t9 - c_2 * c_2_3;
+  c[158] = Scalar(-0.000615720268358608) * t11;
+  c[82] = c[83] = Scalar(0.000615720268358608) * t11;
+  c[248] = Scalar(6.823068516838894e-08) * s_5 + c_4_6_6 - Scalar(0.0007940924716883453) * c_5;
+  c[252] = -c_6_4_4;
+  const Scalar t12 = t8 - c_5 * c_5_6;
+  c[404] = Scalar(-0.000615720268358608) * t12;
+  c[331] = c[332] = Scalar(0.000615720268358608) * t12;
   c[510] = -c_9_7_7;
+  const Scalar t13 = t6 - c_8 * c_8_9;
   c[659] = Scalar(-0.000615720268358608) * t13;
   c[589] = c[590] = Scalar(0.000615720268358608) * t13;
-  const Scalar t14 = c_8 * (c_8 - Scalar(7033.183530202893) * s_8);
-  const Scalar dI_8_xx = Scalar(1.609852873477455e-07) + c_9_7_7 +
-      Scalar(0.000615720268358608) * t12 - Scalar(3.21970574695491e-07) * t14;
-  c[573] = dI_8_xx;
+  c[767] = Scalar(6.823068516838894e-08) * s_11 + c_10_12_12 - Scalar(0.0007940924716883453) * c_11;
+  c[777] = -c_12_10_10;
+  const Scalar t14 = t5 - c_11 * c_11_12;
+  c[923] = Scalar(-0.000615720268358608) * t14;
+  c[856] = c[857] = Scalar(0.000615720268358608) * t14;
+  c[766] = -dI_11_xx;
   c[502] = -dI_8_xx;
+  c[247] = -dI_5_xx;
+  c[1] = -dI_2_xx;
   c[0] = c[6] = c[7] = c[8] = c[9] = c[10] = c[11] = c[12] = Scalar(0.0);
   c[13] = c[14] = c[15] = c[16] = c[17] = c[18] = c[19] = c[20] = Scalar(0.0);
   c[21] = c[22] = c[23] = c[24] = c[25] = c[26] = c[27] = c[28] = Scalar(0.0);
@@ -1184,38 +1184,38 @@ static inline void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {
       s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
       c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
       s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
-  const Scalar t1 = Scalar(0.037751348953737156) * s_12;
-  const Scalar t2 = Scalar(0.037751348953737156) * c_12;
-  g[11] = c_10 * c_11 * t1 + c_10 * s_11 * t2;
-  const Scalar hc_11_y = t2 + Scalar(0.1737624403145115);
-  const Scalar t3 = Scalar(0.000020065123418265) + t1;
-  g[9] = Scalar(-0.08509272390476785) * c_10 - s_10 * (s_11 * t3 - c_11 * hc_11_y);
-  const Scalar hu_11_t_y = c_11 * t3 + s_11 * hc_11_y;
-  g[10] = c_10 * hu_11_t_y;
-  const Scalar t4 = Scalar(0.037751348953737156) * s_9;
-  const Scalar t5 = Scalar(0.037751348953737156) * c_9;
-  g[8] = c_7 * c_8 * t4 + c_7 * s_8 * t5;
-  const Scalar hc_8_y = t5 + Scalar(0.1737624403145115);
-  const Scalar t6 = t4 - Scalar(0.000020065123418265);
-  g[6] = Scalar(0.08509272390476785) * c_7 - s_7 * (s_8 * t6 - c_8 * hc_8_y);
-  const Scalar hu_8_t_y = c_8 * t6 + s_8 * hc_8_y;
-  g[7] = c_7 * hu_8_t_y;
-  const Scalar t7 = Scalar(0.037751348953737156) * s_6;
-  const Scalar t8 = Scalar(0.037751348953737156) * c_6;
-  g[5] = c_4 * c_5 * t7 + c_4 * s_5 * t8;
-  const Scalar hc_5_y = t8 + Scalar(0.1737624403145115);
-  const Scalar t9 = Scalar(0.000020065123418265) + t7;
-  g[3] = Scalar(-0.08509272390476785) * c_4 - s_4 * (s_5 * t9 - c_5 * hc_5_y);
-  const Scalar hu_5_t_y = c_5 * t9 + s_5 * hc_5_y;
-  g[4] = c_4 * hu_5_t_y;
-  const Scalar t10 = Scalar(0.037751348953737156) * s_3;
-  const Scalar t11 = Scalar(0.037751348953737156) * c_3;
-  g[2] = c_1 * c_2 * t10 + c_1 * s_2 * t11;
-  const Scalar hc_2_y = t11 + Scalar(0.1737624403145115);
-  const Scalar t12 = t10 - Scalar(0.000020065123418265);
-  g[0] = Scalar(0.08509272390476785) * c_1 - s_1 * (s_2 * t12 - c_2 * hc_2_y);
-  const Scalar hu_2_t_y = c_2 * t12 + s_2 * hc_2_y;
+  const Scalar t1 = Scalar(0.037751348953737156) * s_3;
+  const Scalar t2 = Scalar(0.037751348953737156) * c_3;
+  g[2] = c_1 * c_2 * t1 + c_1 * s_2 * t2;
+  const Scalar t3 = Scalar(0.037751348953737156) * s_6;
+  const Scalar t4 = Scalar(0.037751348953737156) * c_6;
+  g[5] = c_4 * c_5 * t3 + c_4 * s_5 * t4;
+  const Scalar t5 = Scalar(0.037751348953737156) * s_9;
+  const Scalar t6 = Scalar(0.037751348953737156) * c_9;
+  g[8] = c_7 * c_8 * t5 + c_7 * s_8 * t6;
+  const Scalar t7 = Scalar(0.037751348953737156) * s_12;
+  const Scalar t8 = Scalar(0.037751348953737156) * c_12;
+  g[11] = c_10 * c_11 * t7 + c_10 * s_11 * t8;
+  const Scalar hc_2_y = t2 + Scalar(0.1737624403145115);
+  const Scalar t9 = t1 - Scalar(0.000020065123418265);
+  const Scalar hu_2_t_y = c_2 * t9 + s_2 * hc_2_y;
   g[1] = c_1 * hu_2_t_y;
+  const Scalar hc_5_y = t4 + Scalar(0.1737624403145115);
+  const Scalar t10 = Scalar(0.000020065123418265) + t3;
+  const Scalar hu_5_t_y = c_5 * t10 + s_5 * hc_5_y;
+  g[4] = c_4 * hu_5_t_y;
+  const Scalar hc_8_y = t6 + Scalar(0.1737624403145115);
+  const Scalar t11 = t5 - Scalar(0.000020065123418265);
+  const Scalar hu_8_t_y = c_8 * t11 + s_8 * hc_8_y;
+  g[7] = c_7 * hu_8_t_y;
+  const Scalar hc_11_y = t8 + Scalar(0.1737624403145115);
+  const Scalar t12 = Scalar(0.000020065123418265) + t7;
+  const Scalar hu_11_t_y = c_11 * t12 + s_11 * hc_11_y;
+  g[10] = c_10 * hu_11_t_y;
+  g[6] = Scalar(0.08509272390476785) * c_7 - s_7 * (s_8 * t11 - c_8 * hc_8_y);
+  g[0] = Scalar(0.08509272390476785) * c_1 - s_1 * (s_2 * t9 - c_2 * hc_2_y);
+  g[9] = Scalar(-0.08509272390476785) * c_10 - s_10 * (s_11 * t12 - c_11 * hc_11_y);
+  g[3] = Scalar(-0.08509272390476785) * c_4 - s_4 * (s_5 * t10 - c_5 * hc_5_y);
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).
@@ -1595,59 +1595,59 @@ static inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
       s_9 = sine[8], c_9 = cosine[8], s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11],
       c_12 = cosine[11];
   const Scalar t1 = s_11 * s_12 - c_11 * c_12;
-  const Scalar c_11_12 = s_11 * c_12 + c_11 * s_12;
-  const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t2 = qd_11 * (c_11 * t1 - s_11 * c_11_12);
-  const Scalar t3 = omega_12_z * (Scalar(0.0005426192213171668) * omega_12_z -
-      Scalar(0.00046297977767268094) * c_11_12 * qd_10 - Scalar(0.001231440536717216) * t2);
-  const Scalar t4 = s_8 * s_9 - c_8 * c_9;
-  const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
-  const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar t5 = qd_8 * (c_8 * t4 - s_8 * c_8_9);
-  const Scalar t6 = omega_9_z * (Scalar(0.00046297977767268094) * c_8_9 * qd_7 +
-      Scalar(0.0005426192213171668) * omega_9_z - Scalar(0.001231440536717216) * t5);
-  const Scalar t7 = s_5 * s_6 - c_5 * c_6;
-  const Scalar c_5_6 = s_5 * c_6 + c_5 * s_6;
-  const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t8 = qd_5 * (c_5 * t7 - s_5 * c_5_6);
-  const Scalar t9 = omega_6_z * (Scalar(0.0005426192213171668) * omega_6_z -
-      Scalar(0.00046297977767268094) * c_5_6 * qd_4 - Scalar(0.001231440536717216) * t8);
-  const Scalar t10 = s_2 * s_3 - c_2 * c_3;
-  const Scalar c_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t11 = qd_2 * (c_2 * t10 - s_2 * c_2_3);
-  const Scalar t12 = omega_3_z * (Scalar(0.00046297977767268094) * c_2_3 * qd_1 +
-      Scalar(0.0005426192213171668) * omega_3_z - Scalar(0.001231440536717216) * t11);
-  const Scalar I_8_yy = s_8 * (Scalar(3.21970574695491e-07) * c_8 -
-      Scalar(0.0022644781431582876) * s_8) + Scalar(0.0022644781431582876);
-  const Scalar t13 = qd_7 * (I_8_yy -
-      Scalar(0.001231440536717216) * t4 * (c_8 - Scalar(0.4381934857818318) * t4));
-  const Scalar I_8_yz = Scalar(6.823068516838894e-08) * c_8 - Scalar(0.0007940924716883453) * s_8;
-  const Scalar t14 = qd_7 * (qd_8 * I_8_yz - t13);
-  const Scalar L_8_z = Scalar(0.0022955781994879005) * qd_8 - qd_7 * I_8_yz;
   const Scalar I_t11_g = Scalar(3.21970574695491e-07) * c_11 + Scalar(0.0022644781431582876) * s_11;
-  const Scalar t15 = Scalar(0.001231440536717216) * t1 * (c_11 - Scalar(0.4381934857818318) * t1) +
+  const Scalar t2 = Scalar(0.001231440536717216) * t1 * (c_11 - Scalar(0.4381934857818318) * t1) +
       (s_11 * I_t11_g - Scalar(0.0022644781431582876));
   const Scalar I_11_yz = Scalar(6.823068516838894e-08) * c_11 +
       Scalar(0.0007940924716883453) * s_11;
-  const Scalar t16 = qd_10 * (qd_11 * I_11_yz + qd_10 * t15);
-  const Scalar L_11_z = Scalar(0.0022955781994879005) * qd_11 - qd_10 * I_11_yz;
-  const Scalar t17 = qd_4 * qd_4 + qd_1 * qd_1 + qd_10 * qd_10 + qd_7 * qd_7;
+  const Scalar t3 = qd_10 * (qd_11 * I_11_yz + qd_10 * t2);
+  const Scalar t4 = s_8 * s_9 - c_8 * c_9;
+  const Scalar I_8_yy = s_8 * (Scalar(3.21970574695491e-07) * c_8 -
+      Scalar(0.0022644781431582876) * s_8) + Scalar(0.0022644781431582876);
+  const Scalar t5 = qd_7 * (I_8_yy -
+      Scalar(0.001231440536717216) * t4 * (c_8 - Scalar(0.4381934857818318) * t4));
+  const Scalar I_8_yz = Scalar(6.823068516838894e-08) * c_8 - Scalar(0.0007940924716883453) * s_8;
+  const Scalar t6 = qd_7 * (qd_8 * I_8_yz - t5);
+  const Scalar t7 = s_5 * s_6 - c_5 * c_6;
   const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
-  const Scalar t18 = Scalar(0.001231440536717216) * t7 * (c_5 - Scalar(0.4381934857818318) * t7) +
+  const Scalar t8 = Scalar(0.001231440536717216) * t7 * (c_5 - Scalar(0.4381934857818318) * t7) +
       (s_5 * I_t5_g - Scalar(0.0022644781431582876));
   const Scalar I_5_yz = Scalar(6.823068516838894e-08) * c_5 + Scalar(0.0007940924716883453) * s_5;
-  const Scalar t19 = qd_4 * (qd_5 * I_5_yz + qd_4 * t18);
-  const Scalar L_5_z = Scalar(0.0022955781994879005) * qd_5 - qd_4 * I_5_yz;
+  const Scalar t9 = qd_4 * (qd_5 * I_5_yz + qd_4 * t8);
+  const Scalar t10 = s_2 * s_3 - c_2 * c_3;
   const Scalar I_2_yy = s_2 * (Scalar(3.21970574695491e-07) * c_2 -
       Scalar(0.0022644781431582876) * s_2) + Scalar(0.0022644781431582876);
-  const Scalar t20 = qd_1 * (I_2_yy -
+  const Scalar t11 = qd_1 * (I_2_yy -
       Scalar(0.001231440536717216) * t10 * (c_2 - Scalar(0.4381934857818318) * t10));
   const Scalar I_2_yz = Scalar(6.823068516838894e-08) * c_2 - Scalar(0.0007940924716883453) * s_2;
-  const Scalar t21 = qd_1 * (qd_2 * I_2_yz - t20);
+  const Scalar t12 = qd_1 * (qd_2 * I_2_yz - t11);
+  const Scalar c_11_12 = s_11 * c_12 + c_11 * s_12;
+  const Scalar t13 = qd_11 * (c_11 * t1 - s_11 * c_11_12);
+  const Scalar omega_12_z = qd_11 + qd_12;
+  const Scalar t14 = omega_12_z * (Scalar(0.0005426192213171668) * omega_12_z -
+      Scalar(0.00046297977767268094) * c_11_12 * qd_10 - Scalar(0.001231440536717216) * t13);
+  const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
+  const Scalar t15 = qd_8 * (c_8 * t4 - s_8 * c_8_9);
+  const Scalar omega_9_z = qd_8 + qd_9;
+  const Scalar t16 = omega_9_z * (Scalar(0.00046297977767268094) * c_8_9 * qd_7 +
+      Scalar(0.0005426192213171668) * omega_9_z - Scalar(0.001231440536717216) * t15);
+  const Scalar c_5_6 = s_5 * c_6 + c_5 * s_6;
+  const Scalar t17 = qd_5 * (c_5 * t7 - s_5 * c_5_6);
+  const Scalar omega_6_z = qd_5 + qd_6;
+  const Scalar t18 = omega_6_z * (Scalar(0.0005426192213171668) * omega_6_z -
+      Scalar(0.00046297977767268094) * c_5_6 * qd_4 - Scalar(0.001231440536717216) * t17);
+  const Scalar c_2_3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar t19 = qd_2 * (c_2 * t10 - s_2 * c_2_3);
+  const Scalar omega_3_z = qd_2 + qd_3;
+  const Scalar t20 = omega_3_z * (Scalar(0.00046297977767268094) * c_2_3 * qd_1 +
+      Scalar(0.0005426192213171668) * omega_3_z - Scalar(0.001231440536717216) * t19);
+  const Scalar L_11_z = Scalar(0.0022955781994879005) * qd_11 - qd_10 * I_11_yz;
+  const Scalar L_8_z = Scalar(0.0022955781994879005) * qd_8 - qd_7 * I_8_yz;
+  const Scalar L_5_z = Scalar(0.0022955781994879005) * qd_5 - qd_4 * I_5_yz;
   const Scalar L_2_z = Scalar(0.0022955781994879005) * qd_2 - qd_1 * I_2_yz;
-  const Scalar T_2 = Scalar(0.00037588290370216287) * t17 + t3 + t6 + t9 + t12 + qd_11 * L_11_z +
-      qd_8 * L_8_z + qd_5 * L_5_z + qd_2 * L_2_z - t16 - t14 - t19 - t21;
+  const Scalar t21 = qd_4 * qd_4 + qd_1 * qd_1 + qd_10 * qd_10 + qd_7 * qd_7;
+  const Scalar T_2 = Scalar(0.00037588290370216287) * t21 + t14 + t16 + t18 + t20 + qd_11 * L_11_z +
+      qd_8 * L_8_z + qd_5 * L_5_z + qd_2 * L_2_z - t3 - t6 - t9 - t12;
   return Scalar(0.5) * T_2;
 }
 

@@ -9,8 +9,8 @@
 
 namespace flatdyn {
 
-// The statements' numbers, each after those that it needs. They stay in their order where 16 registers suffice, and
-// unless a tenth of the live values can be saved: short lives leave a processor less to do side by side.
+// The statements' numbers, each after those that it needs. They stay in their order where few values are live at once:
+// short lives leave a processor less to do side by side.
 std::vector<int> order_of_short_lives(const StatementUses& uses);
 
 }  // namespace flatdyn
