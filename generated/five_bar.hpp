@@ -960,8 +960,8 @@ static inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = 
   J[1] = -J_P2_x * t7;
   J[3] = -t12 * t7;
   J[0] = -p_1u_t_y - J_P2_x * t8;
-  J[4] = J[5] = J[6] = J[7] = J[8] = J[9] = Scalar(0.0);
   const Scalar regular_l1 = t5 * t5 - Scalar(6.561e-17);
+  J[4] = J[5] = J[6] = J[7] = J[8] = J[9] = Scalar(0.0);
   bool valid = Scalar(6.4072265625e-08) + Scalar(0.015625) * regular_l1 -
       Scalar(6.4072265625e-08) > Scalar(0.0);
   for (int k = 0; k < 12; ++k) valid &= Scalar(0.0) * J[k] < Scalar(1.0);
@@ -1020,8 +1020,8 @@ static inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   const Scalar t24 = s_2 * t22 + c_2 * t21;
   a[0] = s_1 * t24 - c_1 * t23;
   a[1] = -c_1 * t24 - s_1 * t23;
-  a[2] = a[3] = a[4] = Scalar(0.0);
   const Scalar regular_l1 = t9 * t9 - Scalar(6.561e-17);
+  a[2] = a[3] = a[4] = Scalar(0.0);
   bool valid = Scalar(6.4072265625e-08) + Scalar(0.015625) * regular_l1 -
       Scalar(6.4072265625e-08) > Scalar(0.0);
   for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * a[k] < Scalar(1.0);
@@ -1105,8 +1105,8 @@ static inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos 
   const Scalar t8 = Scalar(1.0) / t7;
   dq[1] = t8 * (t2 * t3 - t4 * t5);
   dq[3] = t8 * (t1 * t3 - t4 * t6);
-  dq[0] = dq[2] = Scalar(0.0);
   const Scalar regular_l1 = t7 * t7 - Scalar(6.561e-17);
+  dq[0] = dq[2] = Scalar(0.0);
   bool valid = Scalar(6.4072265625e-08) + Scalar(0.015625) * regular_l1 -
       Scalar(6.4072265625e-08) > Scalar(0.0);
   for (int k = 0; k < 4; ++k) valid &= Scalar(0.0) * dq[k] < Scalar(1.0);

@@ -979,10 +979,10 @@ static inline bool jacobian(const Parameters<Scalar>& parameters, const Scalar* 
   J[0] = r_2_y * t6 - p_1u_t_y;
   const Scalar t8 = s_1 * t7 - c_1 * p_2_x;
   J[1] = (t8 + t3) * t6 - t8;
-  J[2] = J[3] = J[4] = Scalar(0.0);
   const Scalar t9 = t4 * t4;
   const Scalar t10 = t5 * t5 - Scalar(1e-12) * t9;
   const Scalar scale_l1 = Scalar(0.0009765625) * t9;
+  J[2] = J[3] = J[4] = Scalar(0.0);
   bool valid = scale_l1 + Scalar(0.015625) * t10 - scale_l1 > Scalar(0.0);
   for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * J[k] < Scalar(1.0);
   return valid;
@@ -1033,10 +1033,10 @@ static inline bool jacobian_dot_qd(const Parameters<Scalar>& parameters, const S
   const Scalar t19 = s_2 * ddp_e_y + c_2 * t17;
   a[0] = s_1 * t18 - c_1 * t19;
   a[1] = -s_1 * t19 - c_1 * t18;
-  a[2] = a[3] = a[4] = Scalar(0.0);
   const Scalar t20 = t5 * t5;
   const Scalar t21 = t6 * t6 - Scalar(1e-12) * t20;
   const Scalar scale_l1 = Scalar(0.0009765625) * t20;
+  a[2] = a[3] = a[4] = Scalar(0.0);
   bool valid = scale_l1 + Scalar(0.015625) * t21 - scale_l1 > Scalar(0.0);
   for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * a[k] < Scalar(1.0);
   return valid;
@@ -1124,10 +1124,10 @@ static inline bool loop_step(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t10 = Scalar(1.0) / t9;
   dq[1] = -t10 * (t6 * t7 + t3 * t4);
   dq[2] = -t10 * (t5 * t7 - t2 * t4);
-  dq[0] = Scalar(0.0);
   const Scalar t11 = t8 * t8;
   const Scalar t12 = t9 * t9 - Scalar(1e-12) * t11;
   const Scalar scale_l1 = Scalar(0.0009765625) * t11;
+  dq[0] = Scalar(0.0);
   bool valid = scale_l1 + Scalar(0.015625) * t12 - scale_l1 > Scalar(0.0);
   for (int k = 0; k < 3; ++k) valid &= Scalar(0.0) * dq[k] < Scalar(1.0);
   return valid;

@@ -345,222 +345,222 @@ static inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Sca
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
       s_7 = sine[6], c_7 = cosine[6];
-  const Scalar t1 = s_2 * qd_1;
-  const Scalar t2 = c_2 * qd_1;
-  const Scalar t3 = t1 * t2;
-  const Scalar Uz_o_3_x = qdd_2 - t3;
-  const Scalar t4 = s_2 * qdd_1;
-  const Scalar Uz_o_3_z = t4 + Scalar(2.0) * qd_2 * t2;
-  const Scalar t5 = c_3 * Uz_o_3_z;
-  const Scalar t6 = s_3 * Uz_o_3_x - t5;
-  const Scalar omega_r_3_y = s_3 * t1 + c_3 * qd_2;
-  const Scalar omega_3_z = qd_3 + t2;
-  const Scalar t7 = t6 + Scalar(2.0) * omega_r_3_y * omega_3_z;
-  const Scalar t8 = qd_2 * t1;
-  const Scalar t9 = c_2 * qdd_1;
-  const Scalar t10 = t8 - t9;
-  const Scalar domega_3_z = qdd_3 - t10;
-  const Scalar t11 = s_3 * qd_2 - c_3 * t1;
-  const Scalar t12 = t11 * omega_r_3_y;
-  const Scalar Uz_o_4_x = domega_3_z - t12;
-  const Scalar t13 = s_4 * Uz_o_4_x + c_4 * t7;
-  const Scalar t14 = s_4 * t11 - c_4 * omega_3_z;
-  const Scalar omega_4_z = qd_4 - omega_r_3_y;
-  const Scalar t15 = t13 - Scalar(2.0) * t14 * omega_4_z;
-  const Scalar t16 = s_3 * Uz_o_3_z;
-  const Scalar Uz_3_x = c_3 * Uz_o_3_x + t16;
-  const Scalar t17 = t11 * omega_3_z;
-  const Scalar domega_3_y = Uz_3_x - t17;
-  const Scalar domega_4_z = qdd_4 - domega_3_y;
-  const Scalar t18 = c_4 * t11 + s_4 * omega_3_z;
-  const Scalar t19 = t18 * t14;
-  const Scalar t20 = t19 + domega_4_z;
-  const Scalar t21 = s_5 * t20 - c_5 * t15;
-  const Scalar omega_r_6_a_z = s_5 * t18 + c_5 * omega_4_z;
-  const Scalar omega_5_z = qd_5 - t14;
-  const Scalar Uz_o_6_z = t21 + Scalar(2.0) * omega_r_6_a_z * omega_5_z;
-  const Scalar t22 = s_4 * t7 - c_4 * Uz_o_4_x;
-  const Scalar t23 = t18 * omega_4_z;
-  const Scalar t24 = t23 + t22;
-  const Scalar domega_5_z = qdd_5 - t24;
-  const Scalar t25 = s_5 * omega_4_z - c_5 * t18;
-  const Scalar t26 = t25 * omega_r_6_a_z;
-  const Scalar Uz_o_6_x = domega_5_z - t26;
-  const Scalar t27 = s_6 * Uz_o_6_x - c_6 * Uz_o_6_z;
-  const Scalar omega_r_6_y = s_6 * t25 + c_6 * omega_5_z;
-  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t28 = Scalar(2.0) * omega_6_z;
-  const Scalar t29 = t27 + omega_r_6_y * t28;
-  const Scalar omega_7_z = qd_7 - omega_r_6_y;
-  const Scalar t30 = t29 + t28 * omega_7_z;
-  const Scalar mr_7_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
-  const Scalar t31 = c_5 * t20 + s_5 * t15;
-  const Scalar t32 = t25 * omega_5_z;
-  const Scalar domega_r_6_z = t31 - t32;
-  const Scalar domega_6_z = qdd_6 + domega_r_6_z;
-  const Scalar t33 = s_6 * omega_5_z - c_6 * t25;
-  const Scalar t34 = t33 * omega_r_6_y;
-  const Scalar Uz_o_7_x = domega_6_z - t34;
-  const Scalar t35 = Uz_o_7_x - Scalar(2.0) * t33 * omega_7_z;
-  const Scalar mr_7_x = Scalar(0.0008132592973428722) * c_7 - Scalar(0.0006428830269371278) * s_7;
-  const Scalar U_6_yx = t34 + domega_6_z;
-  const Scalar t36 = t23 + t24;
-  const Scalar t37 = Scalar(31.044303797468356) * s_2 - Uz_o_3_x;
-  const Scalar ddp_3_y = t5 + s_3 * t37;
-  const Scalar U_3_yx = t12 + domega_3_z;
-  const Scalar ddp_o_4_y = Scalar(0.2610759493670886) * U_3_yx + ddp_3_y;
-  const Scalar t38 = Scalar(0.2610759493670886) * t36 + ddp_o_4_y -
-      Scalar(1.2151898734177216) * t15;
-  const Scalar t39 = t17 - domega_3_y;
-  const Scalar t40 = t1 * t1;
-  const Scalar t41 = qd_2 * qd_2;
-  const Scalar Uz_o_3_y = t40 + t41;
-  const Scalar ddp_3_a_z = Scalar(31.044303797468356) * c_2 - Uz_o_3_y;
-  const Scalar t42 = Scalar(0.2610759493670886) * t39 + ddp_3_a_z;
-  const Scalar t43 = t11 * t11;
-  const Scalar t44 = omega_3_z * omega_3_z;
-  const Scalar t45 = t44 - t43;
-  const Scalar t46 = Uz_o_3_y + t45;
-  const Scalar ddp_3_x = t16 - c_3 * t37;
-  const Scalar t47 = Scalar(0.2610759493670886) * t46 - ddp_3_x;
-  const Scalar t48 = s_4 * t42 - c_4 * t47;
-  const Scalar t49 = t18 * t18;
-  const Scalar t50 = omega_4_z * omega_4_z;
-  const Scalar t51 = t50 - t49;
-  const Scalar Uz_o_4_y = t43 + t44;
-  const Scalar t52 = Uz_o_4_y + t51;
-  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * t52 - Scalar(1.2151898734177216) * t20 +
-      t48;
-  const Scalar ddp_5_x = s_5 * t38 + c_5 * ddp_o_5_x;
-  const Scalar t53 = s_4 * t47 + c_4 * t42;
-  const Scalar U_4_yx = domega_4_z - t19;
-  const Scalar t54 = t50 + t49;
-  const Scalar t55 = Scalar(0.2610759493670886) * U_4_yx + Scalar(1.2151898734177216) * t54 - t53;
-  const Scalar ddp_o_7_y = Scalar(0.27848101265822783) * U_6_yx - s_6 * ddp_5_x - c_6 * t55;
-  const Scalar f_u_7_a_y = mr_7_x * t35 - mr_7_y * t30 + Scalar(0.26308374115809) * ddp_o_7_y;
-  const Scalar Uz_6_x = s_6 * Uz_o_6_z + c_6 * Uz_o_6_x;
-  const Scalar t56 = t33 * omega_6_z;
-  const Scalar domega_6_y = Uz_6_x - t56;
-  const Scalar domega_7_z = qdd_7 - domega_6_y;
-  const Scalar t57 = t56 - domega_7_z;
-  const Scalar t58 = Scalar(0.0012555365982728983) * c_7 + Scalar(0.0009653051699191118) * s_7;
   const Scalar I_t7_g = Scalar(0.00242094377852123) * c_7 - Scalar(0.000782782563368496) * s_7;
   const Scalar I_7_xy = Scalar(0.000391391281684248) + s_7 * I_t7_g;
-  const Scalar t59 = c_7 * I_t7_g;
-  const Scalar t60 = t59 - Scalar(0.004552547872941088);
-  const Scalar t61 = s_6 * t55 - c_6 * ddp_5_x;
-  const Scalar t62 = omega_7_z * omega_7_z;
+  const Scalar t1 = c_7 * I_t7_g;
+  const Scalar t2 = Scalar(0.0012555365982728983) * c_7 + Scalar(0.0009653051699191118) * s_7;
+  const Scalar t3 = Scalar(0.0009653051699191118) * c_7 - Scalar(0.0012555365982728983) * s_7;
+  const Scalar mr_7_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
+  const Scalar mr_7_x = Scalar(0.0008132592973428722) * c_7 - Scalar(0.0006428830269371278) * s_7;
+  const Scalar t4 = c_2 * qd_1;
+  const Scalar omega_3_z = qd_3 + t4;
+  const Scalar t5 = s_2 * qdd_1;
+  const Scalar Uz_o_3_z = t5 + Scalar(2.0) * qd_2 * t4;
+  const Scalar t6 = s_2 * qd_1;
+  const Scalar t7 = t6 * t4;
+  const Scalar Uz_o_3_x = qdd_2 - t7;
+  const Scalar U_2_yx = t7 + qdd_2;
+  const Scalar t8 = s_3 * Uz_o_3_z;
+  const Scalar Uz_3_x = c_3 * Uz_o_3_x + t8;
+  const Scalar t9 = s_3 * qd_2 - c_3 * t6;
+  const Scalar t10 = t9 * omega_3_z;
+  const Scalar domega_3_y = Uz_3_x - t10;
+  const Scalar t11 = t10 - domega_3_y;
+  const Scalar domega_4_z = qdd_4 - domega_3_y;
+  const Scalar t12 = t6 * t6;
+  const Scalar t13 = qd_2 * qd_2;
+  const Scalar Uz_o_3_y = t12 + t13;
+  const Scalar ddp_3_a_z = Scalar(31.044303797468356) * c_2 - Uz_o_3_y;
+  const Scalar t14 = Scalar(0.2610759493670886) * t11 + ddp_3_a_z;
+  const Scalar t15 = Scalar(31.044303797468356) * s_2 - Uz_o_3_x;
+  const Scalar ddp_3_x = t8 - c_3 * t15;
+  const Scalar t16 = t9 * t9;
+  const Scalar t17 = omega_3_z * omega_3_z;
+  const Scalar t18 = t17 - t16;
+  const Scalar Uz_o_4_y = t16 + t17;
+  const Scalar t19 = Uz_o_3_y + t18;
+  const Scalar t20 = Scalar(0.2610759493670886) * t19 - ddp_3_x;
+  const Scalar t21 = s_4 * t20 + c_4 * t14;
+  const Scalar t22 = s_4 * t14 - c_4 * t20;
+  const Scalar omega_r_3_y = s_3 * t6 + c_3 * qd_2;
+  const Scalar t23 = qd_2 * t6;
+  const Scalar omega_4_z = qd_4 - omega_r_3_y;
+  const Scalar t24 = c_4 * t9 + s_4 * omega_3_z;
+  const Scalar t25 = t24 * t24;
+  const Scalar t26 = omega_4_z * omega_4_z;
+  const Scalar t27 = t26 + t25;
+  const Scalar t28 = t26 - t25;
+  const Scalar t29 = s_4 * t9 - c_4 * omega_3_z;
+  const Scalar t30 = t9 * omega_r_3_y;
+  const Scalar t31 = t24 * t29;
+  const Scalar U_4_yx = domega_4_z - t31;
+  const Scalar t32 = t31 + domega_4_z;
+  const Scalar t33 = c_3 * Uz_o_3_z;
+  const Scalar ddp_3_y = t33 + s_3 * t15;
+  const Scalar t34 = s_3 * Uz_o_3_x - t33;
+  const Scalar t35 = t34 + Scalar(2.0) * omega_r_3_y * omega_3_z;
+  const Scalar t36 = c_2 * qdd_1;
+  const Scalar t37 = t23 - t36;
+  const Scalar t38 = t23 + t37;
+  const Scalar domega_3_z = qdd_3 - t37;
+  const Scalar U_3_yx = t30 + domega_3_z;
+  const Scalar Uz_o_4_x = domega_3_z - t30;
+  const Scalar omega_5_z = qd_5 - t29;
+  const Scalar t39 = s_4 * Uz_o_4_x + c_4 * t35;
+  const Scalar t40 = t39 - Scalar(2.0) * t29 * omega_4_z;
+  const Scalar t41 = c_5 * t32 + s_5 * t40;
+  const Scalar t42 = s_5 * omega_4_z - c_5 * t24;
+  const Scalar t43 = t42 * omega_5_z;
+  const Scalar domega_r_6_z = t41 - t43;
+  const Scalar t44 = t43 - domega_r_6_z;
+  const Scalar domega_6_z = qdd_6 + domega_r_6_z;
+  const Scalar omega_r_6_y = s_6 * t42 + c_6 * omega_5_z;
+  const Scalar t45 = s_6 * omega_5_z - c_6 * t42;
+  const Scalar t46 = t45 * omega_r_6_y;
+  const Scalar U_6_yx = t46 + domega_6_z;
+  const Scalar Uz_o_7_x = domega_6_z - t46;
+  const Scalar t47 = s_4 * t35 - c_4 * Uz_o_4_x;
+  const Scalar t48 = t24 * omega_4_z;
+  const Scalar omega_r_6_a_z = s_5 * t24 + c_5 * omega_4_z;
+  const Scalar t49 = t48 + t47;
+  const Scalar t50 = t48 + t49;
+  const Scalar domega_5_z = qdd_5 - t49;
+  const Scalar omega_7_z = qd_7 - omega_r_6_y;
+  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
+  const Scalar t51 = s_5 * t32 - c_5 * t40;
+  const Scalar Uz_o_6_z = t51 + Scalar(2.0) * omega_r_6_a_z * omega_5_z;
+  const Scalar t52 = t42 * omega_r_6_a_z;
+  const Scalar t53 = t42 * t42;
+  const Scalar t54 = omega_5_z * omega_5_z;
+  const Scalar Uz_o_6_x = domega_5_z - t52;
+  const Scalar U_5_yx = t52 + domega_5_z;
+  const Scalar t55 = s_6 * Uz_o_6_x - c_6 * Uz_o_6_z;
+  const Scalar t56 = Scalar(2.0) * omega_6_z;
+  const Scalar t57 = t55 + omega_r_6_y * t56;
+  const Scalar t58 = t57 + t56 * omega_7_z;
+  const Scalar t59 = Uz_o_7_x - Scalar(2.0) * t45 * omega_7_z;
+  const Scalar t60 = omega_7_z * omega_7_z;
+  const Scalar t61 = t45 * omega_6_z;
+  const Scalar t62 = t45 * t45;
   const Scalar t63 = omega_6_z * omega_6_z;
-  const Scalar t64 = t63 + t62;
-  const Scalar t65 = t33 * t33;
-  const Scalar Uz_o_7_y = t65 + t63;
-  const Scalar t66 = Scalar(0.0009653051699191118) * c_7 - Scalar(0.0012555365982728983) * s_7;
-  const Scalar t67 = t63 - t65;
-  const Scalar t68 = t25 * t25;
-  const Scalar t69 = omega_5_z * omega_5_z;
-  const Scalar Uz_o_6_y = t68 + t69;
-  const Scalar t70 = Uz_o_6_y + t67;
-  const Scalar mu_6_z = Scalar(0.000093569097314605) * Uz_6_x - Scalar(0.000103758917218685) * t27 +
-      mr_7_x * ddp_o_7_y + Scalar(0.001119670733427555) * U_6_yx + t66 * (Uz_o_7_y - t64) +
-      t57 * t58 + t30 * I_7_xy - t35 * t60 - Scalar(0.014748570382675316) * (t70 - Uz_o_7_y) +
-      Scalar(0.028934422545659894) * Uz_o_7_x - Scalar(0.054922286959804) * t61 +
+  const Scalar t64 = t63 + t60;
+  const Scalar t65 = t62 + t60;
+  const Scalar Uz_o_7_y = t62 + t63;
+  const Scalar t66 = t63 - t62;
+  const Scalar Uz_6_x = s_6 * Uz_o_6_z + c_6 * Uz_o_6_x;
+  const Scalar domega_6_y = Uz_6_x - t61;
+  const Scalar domega_7_z = qdd_7 - domega_6_y;
+  const Scalar t67 = t61 - domega_6_y;
+  const Scalar ddp_o_4_y = Scalar(0.2610759493670886) * U_3_yx + ddp_3_y;
+  const Scalar t68 = Scalar(0.2610759493670886) * t50 + ddp_o_4_y -
+      Scalar(1.2151898734177216) * t40;
+  const Scalar t69 = Uz_o_4_y + t28;
+  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * t69 - Scalar(1.2151898734177216) * t32 +
+      t22;
+  const Scalar ddp_5_x = s_5 * t68 + c_5 * ddp_o_5_x;
+  const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t68;
+  const Scalar t70 = Scalar(0.2610759493670886) * U_4_yx + Scalar(1.2151898734177216) * t27 - t21;
+  const Scalar ddp_o_7_y = Scalar(0.27848101265822783) * U_6_yx - s_6 * ddp_5_x - c_6 * t70;
+  const Scalar f_u_7_a_y = mr_7_x * t59 - mr_7_y * t58 + Scalar(0.26308374115809) * ddp_o_7_y;
+  const Scalar t71 = t61 - domega_7_z;
+  const Scalar t72 = t61 + domega_7_z;
+  const Scalar t73 = t1 - Scalar(0.004552547872941088);
+  const Scalar I_7_xx = t1 + Scalar(0.002131604094419858);
+  const Scalar t74 = s_6 * t70 - c_6 * ddp_5_x;
+  const Scalar Uz_o_6_y = t53 + t54;
+  const Scalar t75 = t54 - t53;
+  const Scalar t76 = Uz_o_6_y + t66;
+  const Scalar mu_6_z = Scalar(0.000093569097314605) * Uz_6_x - Scalar(0.000103758917218685) * t55 +
+      mr_7_x * ddp_o_7_y + Scalar(0.001119670733427555) * U_6_yx + t3 * (Uz_o_7_y - t64) +
+      t71 * t2 + t58 * I_7_xy - t59 * t73 - Scalar(0.014748570382675316) * (t76 - Uz_o_7_y) +
+      Scalar(0.028934422545659894) * Uz_o_7_x - Scalar(0.054922286959804) * t74 +
       Scalar(0.27848101265822783) * f_u_7_a_y;
-  tau[5] = mu_6_z;
-  const Scalar t71 = t56 + domega_7_z;
-  const Scalar I_7_xx = t59 + Scalar(0.002131604094419858);
-  const Scalar t72 = t56 - domega_6_y;
-  const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t38;
-  const Scalar ddp_o_7_z = Scalar(0.27848101265822783) * t72 + ddp_6_a_z;
-  const Scalar t73 = Scalar(0.27848101265822783) * t70 + t61;
-  const Scalar t74 = t65 + t62;
-  const Scalar t75 = -mr_7_y * t73 - mr_7_x * ddp_o_7_z + I_7_xy * (t64 - t74) + t29 * t66 +
-      Uz_o_7_x * t58 + t57 * I_7_xx + t71 * t60;
-  tau[6] = -t75;
-  const Scalar F_7_y = mr_7_x * t71 - mr_7_y * t74 + Scalar(0.26308374115809) * ddp_o_7_z;
-  const Scalar t76 = Scalar(0.000103758917218685) * t67 - Scalar(0.000093569097314605) * Uz_o_7_x +
-      Scalar(0.001119670733427555) * t72 - t75 - Scalar(0.014748570382675316) * t29 +
-      Scalar(0.27848101265822783) * F_7_y;
-  const Scalar U_7_yy_zz = Uz_o_7_y - t74;
-  const Scalar U_6_yy_zz = Uz_o_6_y - Uz_o_7_y;
-  const Scalar t77 = Scalar(0.000103758917218685) * U_6_yx -
-      Scalar(0.000093569097314605) * U_6_yy_zz + mr_7_y * ddp_o_7_y + t58 * U_7_yy_zz + t71 * t66 -
-      t35 * I_7_xy - t30 * I_7_xx + Scalar(0.014748570382675316) * t72 -
-      Scalar(0.028934422545659894) * t29 + Scalar(0.054922286959804) * ddp_6_a_z;
-  const Scalar U_5_yx = t26 + domega_5_z;
-  const Scalar t78 = t69 - t68;
-  const Scalar t79 = t54 + t78;
-  const Scalar t80 = Scalar(0.00216405205209813) * t31 - Scalar(0.001451156065026714) * U_5_yx -
-      Scalar(0.00151524447332703) * (t79 - Uz_o_6_y) - Scalar(0.004600245517563106) * t21 -
-      Scalar(0.004630579482008) * ddp_6_a_z - Scalar(0.010045187828321245) * Uz_o_6_x +
-      Scalar(0.0214471195303) * ddp_5_x + s_6 * t77 + c_6 * t76;
-  tau[4] = -t80;
+  const Scalar t77 = Scalar(0.27848101265822783) * t76 + t74;
   const Scalar f_6_y = Scalar(0.054922286959804) * Uz_o_7_y + f_u_7_a_y;
-  const Scalar f_6_x = mr_7_y * t57 - mr_7_x * t64 + Scalar(0.054922286959804) * Uz_o_7_x -
-      Scalar(0.26308374115809) * t73;
+  tau[5] = mu_6_z;
+  const Scalar t78 = Scalar(-0.00216405205209813) * Uz_o_6_x - Scalar(0.001451156065026714) * t44 -
+      Scalar(0.00151524447332703) * Uz_o_6_z + Scalar(0.004600245517563106) * t75 +
+      Scalar(0.004630579482008) * t70 + mu_6_z;
+  const Scalar t79 = t27 + t75;
+  const Scalar U_7_yy_zz = Uz_o_7_y - t65;
+  const Scalar U_6_yy_zz = Uz_o_6_y - Uz_o_7_y;
+  const Scalar t80 = Scalar(0.000103758917218685) * U_6_yx -
+      Scalar(0.000093569097314605) * U_6_yy_zz + mr_7_y * ddp_o_7_y + t2 * U_7_yy_zz + t72 * t3 -
+      t59 * I_7_xy - t58 * I_7_xx + Scalar(0.014748570382675316) * t67 -
+      Scalar(0.028934422545659894) * t57 + Scalar(0.054922286959804) * ddp_6_a_z;
+  const Scalar ddp_o_7_z = Scalar(0.27848101265822783) * t67 + ddp_6_a_z;
+  const Scalar t81 = -mr_7_y * t77 - mr_7_x * ddp_o_7_z + I_7_xy * (t64 - t65) + t57 * t3 +
+      Uz_o_7_x * t2 + t71 * I_7_xx + t72 * t73;
+  const Scalar f_6_x = mr_7_y * t71 - mr_7_x * t64 + Scalar(0.054922286959804) * Uz_o_7_x -
+      Scalar(0.26308374115809) * t77;
+  const Scalar F_7_y = mr_7_x * t72 - mr_7_y * t65 + Scalar(0.26308374115809) * ddp_o_7_z;
+  const Scalar t82 = Scalar(0.000103758917218685) * t66 - Scalar(0.000093569097314605) * Uz_o_7_x +
+      Scalar(0.001119670733427555) * t67 - t81 - Scalar(0.014748570382675316) * t57 +
+      Scalar(0.27848101265822783) * F_7_y;
+  const Scalar t83 = Scalar(0.00216405205209813) * t41 - Scalar(0.001451156065026714) * U_5_yx -
+      Scalar(0.00151524447332703) * (t79 - Uz_o_6_y) - Scalar(0.004600245517563106) * t51 -
+      Scalar(0.004630579482008) * ddp_6_a_z - Scalar(0.010045187828321245) * Uz_o_6_x +
+      Scalar(0.0214471195303) * ddp_5_x + s_6 * t80 + c_6 * t82;
   const Scalar f_5_x = Scalar(0.004630579482008) * t79 - Scalar(0.0214471195303) * Uz_o_6_x -
       s_6 * f_6_y + c_6 * f_6_x + Scalar(0.4059881025443391) * ddp_5_x;
-  const Scalar t81 = Scalar(0.004630579482008) * U_5_yx + Scalar(0.0214471195303) * Uz_o_6_y -
-      Scalar(0.054922286959804) * t29 + Scalar(0.4059881025443391) * ddp_6_a_z + F_7_y;
-  const Scalar f_u_5_t_x = s_5 * t81 + c_5 * f_5_x;
-  const Scalar t82 = t32 - domega_r_6_z;
-  const Scalar U_5_yy_zz = t54 - Uz_o_6_y;
-  const Scalar t83 = Scalar(0.00151524447332703) * t82 - Scalar(0.00216405205209813) * U_5_yy_zz +
+  const Scalar t84 = Scalar(0.004630579482008) * U_5_yx + Scalar(0.0214471195303) * Uz_o_6_y -
+      Scalar(0.054922286959804) * t57 + Scalar(0.4059881025443391) * ddp_6_a_z + F_7_y;
+  const Scalar f_5_z = Scalar(0.004630579482008) * t44 - Scalar(0.0214471195303) * Uz_o_6_z +
+      s_6 * f_6_x + c_6 * f_6_y - Scalar(0.4059881025443391) * t70;
+  tau[6] = -t81;
+  const Scalar U_5_yy_zz = t27 - Uz_o_6_y;
+  const Scalar t85 = Scalar(0.00151524447332703) * t44 - Scalar(0.00216405205209813) * U_5_yy_zz +
       Scalar(0.004600245517563106) * U_5_yx + Scalar(0.010045187828321245) * Uz_o_6_z +
-      Scalar(0.0214471195303) * t55 + c_6 * t77 - s_6 * t76;
-  const Scalar f_5_z = Scalar(0.004630579482008) * t82 - Scalar(0.0214471195303) * Uz_o_6_z +
-      s_6 * f_6_x + c_6 * f_6_y - Scalar(0.4059881025443391) * t55;
-  const Scalar t84 = Scalar(-0.00216405205209813) * Uz_o_6_x - Scalar(0.001451156065026714) * t82 -
-      Scalar(0.00151524447332703) * Uz_o_6_z + Scalar(0.004600245517563106) * t78 +
-      Scalar(0.004630579482008) * t55 + mu_6_z;
-  const Scalar tau_4 = Scalar(0.00164448757736927) * t22 + Scalar(0.0039053550262761) * t13 +
-      Scalar(0.0054157634981905) * U_4_yx + Scalar(0.04942675278013915) * (t52 - t54) +
-      Scalar(0.17709188611756838) * t48 + s_5 * t83 + c_5 * t84 -
-      Scalar(0.29071723622709367) * t20 - Scalar(0.2610759493670886) * f_5_z -
-      Scalar(1.2151898734177216) * f_u_5_t_x;
-  tau[3] = tau_4;
-  const Scalar t85 = s_5 * f_5_x - c_5 * t81;
-  const Scalar U_4_yy_zz = Uz_o_4_y - t54;
-  const Scalar mu_4_x = Scalar(0.0039053550262761) * U_4_yx -
-      Scalar(0.00164448757736927) * U_4_yy_zz + Scalar(0.04942675278013915) * t36 +
-      Scalar(0.17709188611756838) * ddp_o_4_y + s_5 * t84 - c_5 * t83 -
-      Scalar(0.29071723622709367) * t15 - Scalar(1.2151898734177216) * t85;
-  const Scalar t86 = Scalar(0.0039053550262761) * t51 - Scalar(0.00164448757736927) * t20 -
-      Scalar(0.0054157634981905) * t36 - Scalar(0.04942675278013915) * t15 - t80 -
-      Scalar(0.2610759493670886) * t85;
-  const Scalar t87 = Scalar(0.17709188611756838) * t15 + Scalar(0.23490692527912765) * ddp_o_4_y +
-      t85;
-  const Scalar mu_u_3_a_y = Scalar(0.000013360662912304) * U_3_yx -
-      Scalar(0.000121912420950744) * (t46 - Uz_o_4_y) + Scalar(0.004377257121839584) * Uz_3_x +
-      Scalar(0.005487648106562256) * t6 + Scalar(0.008919761981448) * ddp_3_x -
-      Scalar(0.022178148964878235) * Uz_o_4_x - Scalar(0.2610759493670886) * t87 - c_4 * t86 -
-      s_4 * mu_4_x;
-  tau[2] = -mu_u_3_a_y;
-  const Scalar f_4_x = Scalar(0.17709188611756838) * t20 + Scalar(0.23490692527912765) * t48 +
-      f_u_5_t_x;
-  const Scalar f_4_y = Scalar(0.17709188611756838) * t54 + Scalar(0.23490692527912765) * t53 +
+      Scalar(0.0214471195303) * t70 + c_6 * t80 - s_6 * t82;
+  const Scalar f_4_y = Scalar(0.17709188611756838) * t27 + Scalar(0.23490692527912765) * t21 +
       f_5_z;
+  tau[4] = -t83;
+  const Scalar f_u_5_t_x = s_5 * t84 + c_5 * f_5_x;
+  const Scalar tau_4 = Scalar(0.00164448757736927) * t47 + Scalar(0.0039053550262761) * t39 +
+      Scalar(0.0054157634981905) * U_4_yx + Scalar(0.04942675278013915) * (t69 - t27) +
+      Scalar(0.17709188611756838) * t22 + s_5 * t85 + c_5 * t78 -
+      Scalar(0.29071723622709367) * t32 - Scalar(0.2610759493670886) * f_5_z -
+      Scalar(1.2151898734177216) * f_u_5_t_x;
+  const Scalar t86 = s_5 * f_5_x - c_5 * t84;
+  const Scalar f_4_x = Scalar(0.17709188611756838) * t32 + Scalar(0.23490692527912765) * t22 +
+      f_u_5_t_x;
+  const Scalar t87 = Scalar(0.0039053550262761) * t28 - Scalar(0.00164448757736927) * t32 -
+      Scalar(0.0054157634981905) * t50 - Scalar(0.04942675278013915) * t40 - t83 -
+      Scalar(0.2610759493670886) * t86;
+  const Scalar U_4_yy_zz = Uz_o_4_y - t27;
+  const Scalar mu_4_x = Scalar(0.0039053550262761) * U_4_yx -
+      Scalar(0.00164448757736927) * U_4_yy_zz + Scalar(0.04942675278013915) * t50 +
+      Scalar(0.17709188611756838) * ddp_o_4_y + s_5 * t78 - c_5 * t85 -
+      Scalar(0.29071723622709367) * t40 - Scalar(1.2151898734177216) * t86;
+  const Scalar t88 = Scalar(0.17709188611756838) * t40 + Scalar(0.23490692527912765) * ddp_o_4_y +
+      t86;
+  const Scalar mu_u_3_a_y = Scalar(0.000013360662912304) * U_3_yx -
+      Scalar(0.000121912420950744) * (t19 - Uz_o_4_y) + Scalar(0.004377257121839584) * Uz_3_x +
+      Scalar(0.005487648106562256) * t34 + Scalar(0.008919761981448) * ddp_3_x -
+      Scalar(0.022178148964878235) * Uz_o_4_x - Scalar(0.2610759493670886) * t88 - c_4 * t87 -
+      s_4 * mu_4_x;
+  const Scalar t89 = Scalar(0.000121912420950744) * t11 - Scalar(0.005487648106562256) * U_3_yx +
+      Scalar(0.27690780075318) * c_2 - Scalar(0.013297019103287584) * (Uz_o_3_y - Uz_o_4_y) +
+      Scalar(0.022178148964878235) * t35 - Scalar(0.15288324476823525) * ddp_3_y - s_4 * t87 - t88 +
+      c_4 * mu_4_x;
+  const Scalar mu_2_y = Scalar(0.0007689361029464) * Uz_o_3_x +
+      Scalar(0.00398335888393552) * Uz_o_3_z + Scalar(0.01026110182100817) * (t13 - t12) +
+      Scalar(0.023077882494931805) * t38 + mu_u_3_a_y;
+  tau[2] = -mu_u_3_a_y;
+  tau[3] = tau_4;
   const Scalar f_u_4_t_y = s_4 * f_4_x + c_4 * f_4_y;
-  const Scalar t88 = Scalar(0.000121912420950744) * t7 - Scalar(0.000013360662912304) * t39 +
-      Scalar(0.005487648106562256) * t45 + Scalar(0.013297019103287584) * Uz_o_4_x -
+  const Scalar t90 = Scalar(0.000121912420950744) * t35 - Scalar(0.000013360662912304) * t11 +
+      Scalar(0.005487648106562256) * t18 + Scalar(0.013297019103287584) * Uz_o_4_x -
       Scalar(0.15288324476823525) * ddp_3_x + Scalar(0.2610759493670886) * f_u_4_t_y + s_4 * f_4_y -
       c_4 * f_4_x + tau_4;
-  const Scalar t89 = Scalar(0.000121912420950744) * t39 - Scalar(0.005487648106562256) * U_3_yx +
-      Scalar(0.27690780075318) * c_2 - Scalar(0.013297019103287584) * (Uz_o_3_y - Uz_o_4_y) +
-      Scalar(0.022178148964878235) * t7 - Scalar(0.15288324476823525) * ddp_3_y - s_4 * t86 - t87 +
-      c_4 * mu_4_x;
-  const Scalar U_2_yx = t3 + qdd_2;
-  const Scalar t90 = qd_1 * qd_1;
-  tau[1] = Scalar(0.01993386669246) * c_2 - Scalar(0.0007689361029464) * t9 -
-      Scalar(0.00796671776787104) * t40 + Scalar(0.00398335888393552) * t90 -
-      Scalar(0.01026110182100817) * t4 - Scalar(0.024699952517911183) * Uz_o_3_x +
-      Scalar(0.023077882494931805) * U_2_yx - c_3 * t88 + s_3 * t89;
-  const Scalar t91 = t8 + t10;
-  const Scalar mu_2_x = Scalar(-0.0007689361029464) * (Uz_o_3_y - t90) -
-      Scalar(0.00398335888393552) * t91 + Scalar(0.01026110182100817) * U_2_yx +
-      Scalar(0.024699952517911183) * Uz_o_3_z + s_3 * t88 + c_3 * t89;
-  const Scalar mu_2_y = Scalar(0.0007689361029464) * Uz_o_3_x +
-      Scalar(0.00398335888393552) * Uz_o_3_z + Scalar(0.01026110182100817) * (t41 - t40) +
-      Scalar(0.023077882494931805) * t91 + mu_u_3_a_y;
+  const Scalar t91 = qd_1 * qd_1;
+  tau[1] = Scalar(0.01993386669246) * c_2 - Scalar(0.0007689361029464) * t36 -
+      Scalar(0.00796671776787104) * t12 + Scalar(0.00398335888393552) * t91 -
+      Scalar(0.01026110182100817) * t5 - Scalar(0.024699952517911183) * Uz_o_3_x +
+      Scalar(0.023077882494931805) * U_2_yx - c_3 * t90 + s_3 * t89;
+  const Scalar mu_2_x = Scalar(-0.0007689361029464) * (Uz_o_3_y - t91) -
+      Scalar(0.00398335888393552) * t38 + Scalar(0.01026110182100817) * U_2_yx +
+      Scalar(0.024699952517911183) * Uz_o_3_z + s_3 * t90 + c_3 * t89;
   tau[0] = Scalar(0.014259565994474374) * qdd_1 - c_2 * mu_2_y - s_2 * mu_2_x;
 }
 
@@ -586,258 +586,258 @@ static inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd,
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
       s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6];
-  const Scalar t1 = s_2 * qd_1;
-  const Scalar t2 = c_2 * qd_1;
-  const Scalar t3 = t1 * t2;
-  const Scalar Uz_o_3_x = qdd_2 - t3;
-  const Scalar t4 = s_2 * qdd_1;
-  const Scalar Uz_o_3_z = t4 + Scalar(2.0) * qd_2 * t2;
-  const Scalar t5 = c_3 * Uz_o_3_z;
-  const Scalar t6 = s_3 * Uz_o_3_x - t5;
-  const Scalar omega_r_3_y = s_3 * t1 + c_3 * qd_2;
-  const Scalar omega_3_z = qd_3 + t2;
-  const Scalar t7 = t6 + Scalar(2.0) * omega_r_3_y * omega_3_z;
-  const Scalar t8 = qd_2 * t1;
-  const Scalar t9 = c_2 * qdd_1;
-  const Scalar t10 = t8 - t9;
-  const Scalar domega_3_z = qdd_3 - t10;
-  const Scalar t11 = s_3 * qd_2 - c_3 * t1;
-  const Scalar t12 = t11 * omega_r_3_y;
-  const Scalar Uz_o_4_x = domega_3_z - t12;
-  const Scalar t13 = s_4 * Uz_o_4_x + c_4 * t7;
-  const Scalar t14 = s_4 * t11 - c_4 * omega_3_z;
-  const Scalar omega_4_z = qd_4 - omega_r_3_y;
-  const Scalar t15 = t13 - Scalar(2.0) * t14 * omega_4_z;
-  const Scalar t16 = s_3 * Uz_o_3_z;
-  const Scalar Uz_3_x = c_3 * Uz_o_3_x + t16;
-  const Scalar t17 = t11 * omega_3_z;
-  const Scalar domega_3_y = Uz_3_x - t17;
-  const Scalar domega_4_z = qdd_4 - domega_3_y;
-  const Scalar t18 = c_4 * t11 + s_4 * omega_3_z;
-  const Scalar t19 = t18 * t14;
-  const Scalar t20 = t19 + domega_4_z;
-  const Scalar t21 = s_5 * t20 - c_5 * t15;
-  const Scalar omega_r_6_a_z = s_5 * t18 + c_5 * omega_4_z;
-  const Scalar omega_5_z = qd_5 - t14;
-  const Scalar Uz_o_6_z = t21 + Scalar(2.0) * omega_r_6_a_z * omega_5_z;
-  const Scalar t22 = s_4 * t7 - c_4 * Uz_o_4_x;
-  const Scalar t23 = t18 * omega_4_z;
-  const Scalar t24 = t23 + t22;
-  const Scalar domega_5_z = qdd_5 - t24;
-  const Scalar t25 = s_5 * omega_4_z - c_5 * t18;
-  const Scalar t26 = t25 * omega_r_6_a_z;
-  const Scalar Uz_o_6_x = domega_5_z - t26;
-  const Scalar Uz_6_x = s_6 * Uz_o_6_z + c_6 * Uz_o_6_x;
-  const Scalar t27 = s_6 * omega_5_z - c_6 * t25;
-  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t28 = t27 * omega_6_z;
-  const Scalar domega_6_y = Uz_6_x - t28;
-  const Scalar t29 = t28 - domega_6_y;
-  const Scalar t30 = t17 - domega_3_y;
-  const Scalar t31 = t1 * t1;
-  const Scalar t32 = qd_2 * qd_2;
-  const Scalar Uz_o_3_y = t31 + t32;
-  const Scalar ddp_3_a_z = Scalar(9.81) * c_2 - Scalar(0.316) * Uz_o_3_y;
-  const Scalar t33 = Scalar(0.0825) * t30 + ddp_3_a_z;
-  const Scalar t34 = t11 * t11;
-  const Scalar t35 = omega_3_z * omega_3_z;
-  const Scalar t36 = t35 - t34;
-  const Scalar t37 = Uz_o_3_y + t36;
-  const Scalar t38 = Scalar(9.81) * s_2 - Scalar(0.316) * Uz_o_3_x;
-  const Scalar ddp_3_x = Scalar(0.316) * t16 - c_3 * t38;
-  const Scalar t39 = Scalar(0.0825) * t37 - ddp_3_x;
-  const Scalar t40 = s_4 * t33 - c_4 * t39;
-  const Scalar t41 = t18 * t18;
-  const Scalar t42 = omega_4_z * omega_4_z;
-  const Scalar t43 = t42 - t41;
-  const Scalar Uz_o_4_y = t34 + t35;
-  const Scalar t44 = Uz_o_4_y + t43;
-  const Scalar ddp_o_5_x = Scalar(0.0825) * t44 + t40 - Scalar(0.384) * t20;
-  const Scalar t45 = t23 + t24;
-  const Scalar ddp_3_y = Scalar(0.316) * t5 + s_3 * t38;
-  const Scalar U_3_yx = t12 + domega_3_z;
-  const Scalar ddp_o_4_y = Scalar(0.0825) * U_3_yx + ddp_3_y;
-  const Scalar t46 = Scalar(0.0825) * t45 + ddp_o_4_y - Scalar(0.384) * t15;
-  const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t46;
-  const Scalar ddp_o_7_z = Scalar(0.088) * t29 + ddp_6_a_z;
-  const Scalar ddp_5_x = c_5 * ddp_o_5_x + s_5 * t46;
-  const Scalar t47 = s_4 * t39 + c_4 * t33;
-  const Scalar U_4_yx = domega_4_z - t19;
-  const Scalar t48 = t42 + t41;
-  const Scalar t49 = Scalar(0.0825) * U_4_yx + Scalar(0.384) * t48 - t47;
-  const Scalar t50 = s_6 * t49 - c_6 * ddp_5_x;
-  const Scalar t51 = t27 * t27;
-  const Scalar t52 = omega_6_z * omega_6_z;
-  const Scalar t53 = t52 - t51;
-  const Scalar t54 = t25 * t25;
-  const Scalar t55 = omega_5_z * omega_5_z;
-  const Scalar Uz_o_6_y = t54 + t55;
-  const Scalar t56 = Uz_o_6_y + t53;
-  const Scalar t57 = Scalar(0.088) * t56 + t50;
-  const Scalar t58 = s_7 * ddp_o_7_z - c_7 * t57;
-  const Scalar ddp_7_y = s_7 * t57 + c_7 * ddp_o_7_z;
-  const Scalar t59 = s_6 * Uz_o_6_x - c_6 * Uz_o_6_z;
-  const Scalar omega_r_6_y = s_6 * t25 + c_6 * omega_5_z;
-  const Scalar t60 = t59 + Scalar(2.0) * omega_r_6_y * omega_6_z;
-  const Scalar t61 = c_5 * t20 + s_5 * t15;
-  const Scalar t62 = t25 * omega_5_z;
-  const Scalar domega_r_6_z = t61 - t62;
-  const Scalar domega_6_z = qdd_6 + domega_r_6_z;
-  const Scalar t63 = t27 * omega_r_6_y;
-  const Scalar Uz_o_7_x = domega_6_z - t63;
-  const Scalar t64 = s_7 * t60 - c_7 * Uz_o_7_x;
-  const Scalar t65 = s_7 * Uz_o_7_x + c_7 * t60;
-  const Scalar domega_7_z = qdd_7 - domega_6_y;
-  const Scalar t66 = s_7 * omega_6_z + c_7 * t27;
-  const Scalar t67 = s_7 * t27 - c_7 * omega_6_z;
-  const Scalar t68 = t66 * t67;
-  const Scalar t69 = t68 + domega_7_z;
-  const Scalar U_7_yx = domega_7_z - t68;
-  const Scalar t70 = t66 * t66;
-  const Scalar omega_7_z = qd_7 - omega_r_6_y;
-  const Scalar t71 = omega_7_z * omega_7_z;
-  const Scalar t72 = t71 - t70;
-  const Scalar Uz_o_7_y = t51 + t52;
-  const Scalar t73 = Uz_o_7_y + t72;
-  const Scalar t74 = t71 + t70;
+  const Scalar t1 = s_1 * h_e_4 - c_1 * h_e_5;
   const Scalar mu_e1_x = s_1 * h_e_5 + c_1 * h_e_4;
-  const Scalar t75 = s_2 * h_e_6 - c_2 * mu_e1_x;
-  const Scalar t76 = s_1 * h_e_4 - c_1 * h_e_5;
-  const Scalar t77 = s_3 * t76 + c_3 * t75;
-  const Scalar mu_e3_a_z = s_2 * mu_e1_x + c_2 * h_e_6;
-  const Scalar mu_e4_x = s_4 * mu_e3_a_z - c_4 * t77;
-  const Scalar mu_e3_y = s_3 * t75 - c_3 * t76;
-  const Scalar mu_e5_x = s_5 * mu_e3_y + c_5 * mu_e4_x;
-  const Scalar mu_e4_y = s_4 * t77 + c_4 * mu_e3_a_z;
-  const Scalar tau_7 = Scalar(0.002573605371338203) * ddp_7_y - Scalar(0.002034439958661797) * t58 -
-      Scalar(0.000391391281684248) * (t73 - t74) + Scalar(0.0012555365982728983) * t64 -
-      Scalar(0.0009653051699191118) * t65 + Scalar(0.002131604094419858) * U_7_yx +
-      Scalar(0.004552547872941088) * t69 + s_6 * mu_e5_x - c_6 * mu_e4_y;
-  tau[6] = tau_7;
-  const Scalar t78 = Scalar(2.0) * omega_7_z;
-  const Scalar t79 = t64 + t66 * t78;
-  const Scalar t80 = t65 - t67 * t78;
-  const Scalar U_6_yx = t63 + domega_6_z;
-  const Scalar ddp_o_7_y = Scalar(0.088) * U_6_yx - c_6 * t49 - s_6 * ddp_5_x;
+  const Scalar t2 = s_1 * h_e_1 - c_1 * h_e_2;
   const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
-  const Scalar t81 = s_2 * h_e_3 - c_2 * f_e1_x;
-  const Scalar t82 = s_1 * h_e_1 - c_1 * h_e_2;
-  const Scalar t83 = s_3 * t82 + c_3 * t81;
+  const Scalar t3 = s_2 * qd_1;
+  const Scalar omega_r_3_y = s_3 * t3 + c_3 * qd_2;
+  const Scalar omega_4_z = qd_4 - omega_r_3_y;
+  const Scalar t4 = c_2 * qd_1;
+  const Scalar omega_3_z = qd_3 + t4;
+  const Scalar t5 = s_3 * qd_2 - c_3 * t3;
+  const Scalar t6 = c_4 * t5 + s_4 * omega_3_z;
+  const Scalar omega_r_6_a_z = s_5 * t6 + c_5 * omega_4_z;
+  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
+  const Scalar t7 = qd_2 * t3;
+  const Scalar t8 = c_2 * qdd_1;
+  const Scalar t9 = t7 - t8;
+  const Scalar t10 = t7 + t9;
+  const Scalar domega_3_z = qdd_3 - t9;
+  const Scalar t11 = s_2 * qdd_1;
+  const Scalar Uz_o_3_z = t11 + Scalar(2.0) * qd_2 * t4;
+  const Scalar t12 = t3 * t4;
+  const Scalar t13 = t3 * t3;
+  const Scalar Uz_o_3_x = qdd_2 - t12;
+  const Scalar U_2_yx = t12 + qdd_2;
+  const Scalar t14 = c_3 * Uz_o_3_z;
+  const Scalar t15 = s_3 * Uz_o_3_x - t14;
+  const Scalar t16 = t15 + Scalar(2.0) * omega_r_3_y * omega_3_z;
+  const Scalar t17 = t5 * omega_r_3_y;
+  const Scalar Uz_o_4_x = domega_3_z - t17;
+  const Scalar U_3_yx = t17 + domega_3_z;
+  const Scalar t18 = s_4 * t16 - c_4 * Uz_o_4_x;
+  const Scalar t19 = t6 * omega_4_z;
+  const Scalar t20 = t19 + t18;
+  const Scalar t21 = t19 + t20;
+  const Scalar domega_5_z = qdd_5 - t20;
+  const Scalar t22 = s_4 * t5 - c_4 * omega_3_z;
+  const Scalar omega_5_z = qd_5 - t22;
+  const Scalar t23 = s_3 * Uz_o_3_z;
+  const Scalar Uz_3_x = c_3 * Uz_o_3_x + t23;
+  const Scalar t24 = t5 * omega_3_z;
+  const Scalar t25 = t5 * t5;
+  const Scalar t26 = omega_3_z * omega_3_z;
+  const Scalar domega_3_y = Uz_3_x - t24;
+  const Scalar t27 = t24 - domega_3_y;
+  const Scalar domega_4_z = qdd_4 - domega_3_y;
+  const Scalar t28 = s_4 * Uz_o_4_x + c_4 * t16;
+  const Scalar t29 = t28 - Scalar(2.0) * t22 * omega_4_z;
+  const Scalar t30 = t6 * t22;
+  const Scalar t31 = t30 + domega_4_z;
+  const Scalar U_4_yx = domega_4_z - t30;
+  const Scalar t32 = s_5 * t31 - c_5 * t29;
+  const Scalar Uz_o_6_z = t32 + Scalar(2.0) * omega_r_6_a_z * omega_5_z;
+  const Scalar t33 = s_5 * omega_4_z - c_5 * t6;
+  const Scalar t34 = t33 * omega_r_6_a_z;
+  const Scalar t35 = t6 * t6;
+  const Scalar t36 = omega_4_z * omega_4_z;
+  const Scalar Uz_o_6_x = domega_5_z - t34;
+  const Scalar U_5_yx = t34 + domega_5_z;
+  const Scalar Uz_6_x = s_6 * Uz_o_6_z + c_6 * Uz_o_6_x;
+  const Scalar t37 = s_6 * omega_5_z - c_6 * t33;
+  const Scalar t38 = t37 * omega_6_z;
+  const Scalar domega_6_y = Uz_6_x - t38;
+  const Scalar t39 = t38 - domega_6_y;
+  const Scalar domega_7_z = qdd_7 - domega_6_y;
+  const Scalar t40 = s_7 * omega_6_z + c_7 * t37;
+  const Scalar t41 = s_7 * t37 - c_7 * omega_6_z;
+  const Scalar t42 = t40 * t41;
+  const Scalar t43 = t42 + domega_7_z;
+  const Scalar U_7_yx = domega_7_z - t42;
+  const Scalar t44 = s_2 * h_e_3 - c_2 * f_e1_x;
   const Scalar f_e3_a_z = s_2 * f_e1_x + c_2 * h_e_3;
-  const Scalar f_e4_x = s_4 * f_e3_a_z - c_4 * t83;
-  const Scalar f_e3_y = s_3 * t81 - c_3 * t82;
+  const Scalar f_e3_y = s_3 * t44 - c_3 * t2;
+  const Scalar t45 = s_3 * t2 + c_3 * t44;
+  const Scalar f_e4_x = s_4 * f_e3_a_z - c_4 * t45;
+  const Scalar f_e4_y = s_4 * t45 + c_4 * f_e3_a_z;
+  const Scalar t46 = s_5 * f_e4_x - c_5 * f_e3_y;
   const Scalar f_e5_x = s_5 * f_e3_y + c_5 * f_e4_x;
-  const Scalar f_e4_y = s_4 * t83 + c_4 * f_e3_a_z;
   const Scalar f_e6_x = s_6 * f_e4_y + c_6 * f_e5_x;
-  const Scalar t84 = s_5 * f_e4_x - c_5 * f_e3_y;
-  const Scalar t85 = s_7 * f_e6_x - c_7 * t84;
-  const Scalar U_7_yy_zz = Uz_o_7_y - t74;
-  const Scalar mu_e6_x = s_6 * mu_e4_y + c_6 * mu_e5_x;
-  const Scalar t86 = s_5 * mu_e4_x - c_5 * mu_e3_y;
-  const Scalar mu_7_x = Scalar(-0.000391391281684248) * t79 -
-      Scalar(0.002034439958661797) * ddp_o_7_y - Scalar(0.0009653051699191118) * U_7_yx -
-      Scalar(0.0012555365982728983) * U_7_yy_zz + Scalar(0.004552547872941088) * t80 +
-      Scalar(0.2104) * t85 + s_7 * t86 + c_7 * mu_e6_x;
-  const Scalar f_e7_x = s_7 * t84 + c_7 * f_e6_x;
-  const Scalar mu_7_y = Scalar(0.000391391281684248) * t80 - Scalar(0.0009653051699191118) * t72 +
-      Scalar(0.002573605371338203) * ddp_o_7_y - Scalar(0.0012555365982728983) * t69 -
-      Scalar(0.002131604094419858) * t79 + Scalar(0.2104) * f_e7_x - s_7 * mu_e6_x + c_7 * t86;
-  const Scalar t87 = Scalar(0.002034439958661797) * t80 + Scalar(0.002573605371338203) * t79 +
+  const Scalar f_e7_x = s_7 * t46 + c_7 * f_e6_x;
+  const Scalar t47 = s_7 * f_e6_x - c_7 * t46;
+  const Scalar t48 = s_2 * h_e_6 - c_2 * mu_e1_x;
+  const Scalar mu_e3_a_z = s_2 * mu_e1_x + c_2 * h_e_6;
+  const Scalar mu_e3_y = s_3 * t48 - c_3 * t1;
+  const Scalar t49 = s_3 * t1 + c_3 * t48;
+  const Scalar mu_e4_x = s_4 * mu_e3_a_z - c_4 * t49;
+  const Scalar mu_e4_y = s_4 * t49 + c_4 * mu_e3_a_z;
+  const Scalar t50 = s_5 * mu_e4_x - c_5 * mu_e3_y;
+  const Scalar mu_e5_x = s_5 * mu_e3_y + c_5 * mu_e4_x;
+  const Scalar omega_r_6_y = s_6 * t33 + c_6 * omega_5_z;
+  const Scalar omega_7_z = qd_7 - omega_r_6_y;
+  const Scalar t51 = c_5 * t31 + s_5 * t29;
+  const Scalar t52 = t33 * omega_5_z;
+  const Scalar t53 = t33 * t33;
+  const Scalar t54 = omega_5_z * omega_5_z;
+  const Scalar domega_r_6_z = t51 - t52;
+  const Scalar t55 = t52 - domega_r_6_z;
+  const Scalar domega_6_z = qdd_6 + domega_r_6_z;
+  const Scalar t56 = s_6 * Uz_o_6_x - c_6 * Uz_o_6_z;
+  const Scalar t57 = t56 + Scalar(2.0) * omega_r_6_y * omega_6_z;
+  const Scalar t58 = t37 * omega_r_6_y;
+  const Scalar t59 = t37 * t37;
+  const Scalar t60 = omega_6_z * omega_6_z;
+  const Scalar Uz_o_7_x = domega_6_z - t58;
+  const Scalar U_6_yx = t58 + domega_6_z;
+  const Scalar t61 = s_7 * Uz_o_7_x + c_7 * t57;
+  const Scalar t62 = Scalar(2.0) * omega_7_z;
+  const Scalar t63 = t61 - t41 * t62;
+  const Scalar t64 = omega_7_z * omega_7_z;
+  const Scalar t65 = s_7 * t57 - c_7 * Uz_o_7_x;
+  const Scalar t66 = t65 + t40 * t62;
+  const Scalar t67 = t40 * t40;
+  const Scalar t68 = t64 - t67;
+  const Scalar t69 = t64 + t67;
+  const Scalar t70 = Scalar(9.81) * s_2 - Scalar(0.316) * Uz_o_3_x;
+  const Scalar ddp_3_y = Scalar(0.316) * t14 + s_3 * t70;
+  const Scalar ddp_3_x = Scalar(0.316) * t23 - c_3 * t70;
+  const Scalar t71 = qd_2 * qd_2;
+  const Scalar Uz_o_3_y = t13 + t71;
+  const Scalar ddp_3_a_z = Scalar(9.81) * c_2 - Scalar(0.316) * Uz_o_3_y;
+  const Scalar t72 = Scalar(0.0825) * t27 + ddp_3_a_z;
+  const Scalar t73 = t26 - t25;
+  const Scalar Uz_o_4_y = t25 + t26;
+  const Scalar t74 = Uz_o_3_y + t73;
+  const Scalar t75 = Scalar(0.0825) * t74 - ddp_3_x;
+  const Scalar t76 = s_4 * t75 + c_4 * t72;
+  const Scalar t77 = s_4 * t72 - c_4 * t75;
+  const Scalar t78 = t36 + t35;
+  const Scalar t79 = t36 - t35;
+  const Scalar t80 = Uz_o_4_y + t79;
+  const Scalar ddp_o_5_x = Scalar(0.0825) * t80 + t77 - Scalar(0.384) * t31;
+  const Scalar ddp_o_4_y = Scalar(0.0825) * U_3_yx + ddp_3_y;
+  const Scalar t81 = Scalar(0.0825) * t21 + ddp_o_4_y - Scalar(0.384) * t29;
+  const Scalar ddp_5_x = c_5 * ddp_o_5_x + s_5 * t81;
+  const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t81;
+  const Scalar t82 = Scalar(0.0825) * U_4_yx + Scalar(0.384) * t78 - t76;
+  const Scalar ddp_o_7_y = Scalar(0.088) * U_6_yx - c_6 * t82 - s_6 * ddp_5_x;
+  const Scalar t83 = Scalar(0.002034439958661797) * t63 + Scalar(0.002573605371338203) * t66 +
       s_6 * f_e5_x - c_6 * f_e4_y - Scalar(2.634631280625) * ddp_o_7_y;
-  const Scalar mu_6_z = Scalar(0.000093569097314605) * Uz_6_x - Scalar(0.000103758917218685) * t59 +
-      Scalar(0.001119670733427555) * U_6_yx - Scalar(0.014748570382675316) * (t56 - Uz_o_7_y) +
-      Scalar(0.028934422545659894) * Uz_o_7_x - Scalar(0.173804705569) * t50 - Scalar(0.088) * t87 +
+  const Scalar Uz_o_7_y = t59 + t60;
+  const Scalar t84 = t60 - t59;
+  const Scalar U_7_yy_zz = Uz_o_7_y - t69;
+  const Scalar mu_e6_x = s_6 * mu_e4_y + c_6 * mu_e5_x;
+  const Scalar mu_7_x = Scalar(-0.000391391281684248) * t66 -
+      Scalar(0.002034439958661797) * ddp_o_7_y - Scalar(0.0009653051699191118) * U_7_yx -
+      Scalar(0.0012555365982728983) * U_7_yy_zz + Scalar(0.004552547872941088) * t63 +
+      Scalar(0.2104) * t47 + s_7 * t50 + c_7 * mu_e6_x;
+  const Scalar mu_7_y = Scalar(0.000391391281684248) * t63 - Scalar(0.0009653051699191118) * t68 +
+      Scalar(0.002573605371338203) * ddp_o_7_y - Scalar(0.0012555365982728983) * t43 -
+      Scalar(0.002131604094419858) * t66 + Scalar(0.2104) * f_e7_x - s_7 * mu_e6_x + c_7 * t50;
+  const Scalar t85 = Uz_o_7_y + t68;
+  const Scalar t86 = s_6 * t82 - c_6 * ddp_5_x;
+  const Scalar Uz_o_6_y = t53 + t54;
+  const Scalar t87 = t54 - t53;
+  const Scalar t88 = Uz_o_6_y + t84;
+  const Scalar mu_6_z = Scalar(0.000093569097314605) * Uz_6_x - Scalar(0.000103758917218685) * t56 +
+      Scalar(0.001119670733427555) * U_6_yx - Scalar(0.014748570382675316) * (t88 - Uz_o_7_y) +
+      Scalar(0.028934422545659894) * Uz_o_7_x - Scalar(0.173804705569) * t86 - Scalar(0.088) * t83 +
       s_7 * mu_7_x + c_7 * mu_7_y;
-  tau[5] = mu_6_z;
-  const Scalar f_7_x = Scalar(-0.002573605371338203) * t73 - Scalar(0.002034439958661797) * t69 +
-      f_e7_x + Scalar(2.634631280625) * t58;
-  const Scalar t88 = Scalar(0.002034439958661797) * t74 - Scalar(0.002573605371338203) * U_7_yx +
-      t85 - Scalar(2.634631280625) * ddp_7_y;
-  const Scalar t89 = s_7 * f_7_x - c_7 * t88;
-  const Scalar t90 = Scalar(0.000103758917218685) * t53 - Scalar(0.000093569097314605) * Uz_o_7_x +
-      Scalar(0.001119670733427555) * t29 - Scalar(0.014748570382675316) * t60 +
-      Scalar(0.088) * t89 + tau_7;
+  const Scalar t89 = Scalar(0.088) * t88 + t86;
+  const Scalar f_6_y = Scalar(0.173804705569) * Uz_o_7_y - t83;
   const Scalar U_6_yy_zz = Uz_o_6_y - Uz_o_7_y;
-  const Scalar t91 = Scalar(0.000103758917218685) * U_6_yx -
-      Scalar(0.000093569097314605) * U_6_yy_zz + Scalar(0.014748570382675316) * t29 -
-      Scalar(0.028934422545659894) * t60 + Scalar(0.173804705569) * ddp_6_a_z + s_7 * mu_7_y -
+  const Scalar t90 = Scalar(0.000103758917218685) * U_6_yx -
+      Scalar(0.000093569097314605) * U_6_yy_zz + Scalar(0.014748570382675316) * t39 -
+      Scalar(0.028934422545659894) * t57 + Scalar(0.173804705569) * ddp_6_a_z + s_7 * mu_7_y -
       c_7 * mu_7_x;
-  const Scalar U_5_yx = t26 + domega_5_z;
-  const Scalar t92 = t55 - t54;
-  const Scalar t93 = t48 + t92;
-  const Scalar t94 = Scalar(0.00216405205209813) * t61 - Scalar(0.001451156065026714) * U_5_yx -
-      Scalar(0.00151524447332703) * (t93 - Uz_o_6_y) - Scalar(0.004600245517563106) * t21 -
+  tau[5] = mu_6_z;
+  const Scalar t91 = Scalar(-0.00216405205209813) * Uz_o_6_x - Scalar(0.001451156065026714) * t55 -
+      Scalar(0.00151524447332703) * Uz_o_6_z + Scalar(0.004600245517563106) * t87 +
+      Scalar(0.014653732538) * t82 + mu_6_z;
+  const Scalar t92 = t78 + t87;
+  const Scalar ddp_o_7_z = Scalar(0.088) * t39 + ddp_6_a_z;
+  const Scalar t93 = s_7 * ddp_o_7_z - c_7 * t89;
+  const Scalar ddp_7_y = s_7 * t89 + c_7 * ddp_o_7_z;
+  const Scalar tau_7 = Scalar(0.002573605371338203) * ddp_7_y - Scalar(0.002034439958661797) * t93 -
+      Scalar(0.000391391281684248) * (t85 - t69) + Scalar(0.0012555365982728983) * t65 -
+      Scalar(0.0009653051699191118) * t61 + Scalar(0.002131604094419858) * U_7_yx +
+      Scalar(0.004552547872941088) * t43 + s_6 * mu_e5_x - c_6 * mu_e4_y;
+  const Scalar f_7_x = Scalar(-0.002573605371338203) * t85 - Scalar(0.002034439958661797) * t43 +
+      f_e7_x + Scalar(2.634631280625) * t93;
+  const Scalar t94 = Scalar(0.002034439958661797) * t69 - Scalar(0.002573605371338203) * U_7_yx +
+      t47 - Scalar(2.634631280625) * ddp_7_y;
+  tau[6] = tau_7;
+  const Scalar f_6_x = Scalar(0.173804705569) * Uz_o_7_x + s_7 * t94 + c_7 * f_7_x;
+  const Scalar t95 = s_7 * f_7_x - c_7 * t94;
+  const Scalar t96 = Scalar(0.000103758917218685) * t84 - Scalar(0.000093569097314605) * Uz_o_7_x +
+      Scalar(0.001119670733427555) * t39 - Scalar(0.014748570382675316) * t57 +
+      Scalar(0.088) * t95 + tau_7;
+  const Scalar t97 = Scalar(0.00216405205209813) * t51 - Scalar(0.001451156065026714) * U_5_yx -
+      Scalar(0.00151524447332703) * (t92 - Uz_o_6_y) - Scalar(0.004600245517563106) * t32 -
       Scalar(0.014653732538) * ddp_6_a_z - Scalar(0.010045187828321245) * Uz_o_6_x +
-      Scalar(0.067870631425) * ddp_5_x + s_6 * t91 + c_6 * t90;
-  tau[4] = -t94;
-  const Scalar f_6_x = Scalar(0.173804705569) * Uz_o_7_x + s_7 * t88 + c_7 * f_7_x;
-  const Scalar f_6_y = Scalar(0.173804705569) * Uz_o_7_y - t87;
-  const Scalar f_5_x = Scalar(0.014653732538) * t93 - Scalar(0.067870631425) * Uz_o_6_x -
+      Scalar(0.067870631425) * ddp_5_x + s_6 * t90 + c_6 * t96;
+  const Scalar f_5_x = Scalar(0.014653732538) * t92 - Scalar(0.067870631425) * Uz_o_6_x -
       s_6 * f_6_y + c_6 * f_6_x + Scalar(4.065735684829545) * ddp_5_x;
-  const Scalar t95 = Scalar(0.014653732538) * U_5_yx + Scalar(0.067870631425) * Uz_o_6_y -
-      Scalar(0.173804705569) * t60 + Scalar(4.065735684829545) * ddp_6_a_z + t89;
-  const Scalar f_u_5_t_x = s_5 * t95 + c_5 * f_5_x;
-  const Scalar t96 = t62 - domega_r_6_z;
-  const Scalar U_5_yy_zz = t48 - Uz_o_6_y;
-  const Scalar t97 = Scalar(0.00151524447332703) * t96 - Scalar(0.00216405205209813) * U_5_yy_zz +
+  const Scalar t98 = Scalar(0.014653732538) * U_5_yx + Scalar(0.067870631425) * Uz_o_6_y -
+      Scalar(0.173804705569) * t57 + Scalar(4.065735684829545) * ddp_6_a_z + t95;
+  const Scalar f_5_z = Scalar(0.014653732538) * t55 - Scalar(0.067870631425) * Uz_o_6_z +
+      s_6 * f_6_x + c_6 * f_6_y - Scalar(4.065735684829545) * t82;
+  const Scalar U_5_yy_zz = t78 - Uz_o_6_y;
+  const Scalar t99 = Scalar(0.00151524447332703) * t55 - Scalar(0.00216405205209813) * U_5_yy_zz +
       Scalar(0.004600245517563106) * U_5_yx + Scalar(0.010045187828321245) * Uz_o_6_z +
-      Scalar(0.067870631425) * t49 - s_6 * t90 + c_6 * t91;
-  const Scalar f_5_z = Scalar(0.014653732538) * t96 - Scalar(0.067870631425) * Uz_o_6_z +
-      s_6 * f_6_x + c_6 * f_6_y - Scalar(4.065735684829545) * t49;
-  const Scalar t98 = Scalar(-0.00216405205209813) * Uz_o_6_x - Scalar(0.001451156065026714) * t96 -
-      Scalar(0.00151524447332703) * Uz_o_6_z + Scalar(0.004600245517563106) * t92 +
-      Scalar(0.014653732538) * t49 + mu_6_z;
-  const Scalar tau_4 = Scalar(0.00164448757736927) * t22 + Scalar(0.0039053550262761) * t13 +
-      Scalar(0.0054157634981905) * U_4_yx + Scalar(0.04942675278013915) * (t44 - t48) +
-      Scalar(0.5604173611315455) * t40 - Scalar(0.29071723622709367) * t20 -
-      Scalar(0.0825) * f_5_z + s_5 * t97 + c_5 * t98 - Scalar(0.384) * f_u_5_t_x;
-  tau[3] = tau_4;
-  const Scalar t99 = s_5 * f_5_x - c_5 * t95;
-  const Scalar U_4_yy_zz = Uz_o_4_y - t48;
-  const Scalar mu_4_x = Scalar(0.0039053550262761) * U_4_yx -
-      Scalar(0.00164448757736927) * U_4_yy_zz + Scalar(0.04942675278013915) * t45 +
-      Scalar(0.5604173611315455) * ddp_o_4_y + s_5 * t98 - c_5 * t97 -
-      Scalar(0.29071723622709367) * t15 - Scalar(0.384) * t99;
-  const Scalar t100 = Scalar(0.0039053550262761) * t43 - Scalar(0.00164448757736927) * t20 -
-      Scalar(0.0054157634981905) * t45 - Scalar(0.04942675278013915) * t15 - Scalar(0.0825) * t99 -
-      t94;
-  const Scalar t101 = Scalar(2.352456790569697) * ddp_o_4_y + Scalar(0.5604173611315455) * t15 +
-      t99;
-  const Scalar mu_u_3_a_y = Scalar(0.000013360662912304) * U_3_yx -
-      Scalar(0.000121912420950744) * (t37 - Uz_o_4_y) + Scalar(0.004377257121839584) * Uz_3_x +
-      Scalar(0.005487648106562256) * t6 + Scalar(0.028227094878) * ddp_3_x -
-      Scalar(0.022178148964878235) * Uz_o_4_x - Scalar(0.0825) * t101 - c_4 * t100 - s_4 * mu_4_x;
-  tau[2] = -mu_u_3_a_y;
-  const Scalar f_4_x = Scalar(0.5604173611315455) * t20 + Scalar(2.352456790569697) * t40 +
+      Scalar(0.067870631425) * t82 - s_6 * t96 + c_6 * t90;
+  const Scalar f_4_y = Scalar(0.5604173611315455) * t78 + Scalar(2.352456790569697) * t76 + f_5_z;
+  tau[4] = -t97;
+  const Scalar f_u_5_t_x = s_5 * t98 + c_5 * f_5_x;
+  const Scalar tau_4 = Scalar(0.00164448757736927) * t18 + Scalar(0.0039053550262761) * t28 +
+      Scalar(0.0054157634981905) * U_4_yx + Scalar(0.04942675278013915) * (t80 - t78) +
+      Scalar(0.5604173611315455) * t77 - Scalar(0.29071723622709367) * t31 -
+      Scalar(0.0825) * f_5_z + s_5 * t99 + c_5 * t91 - Scalar(0.384) * f_u_5_t_x;
+  const Scalar t100 = s_5 * f_5_x - c_5 * t98;
+  const Scalar t101 = Scalar(0.0039053550262761) * t79 - Scalar(0.00164448757736927) * t31 -
+      Scalar(0.0054157634981905) * t21 - Scalar(0.04942675278013915) * t29 - Scalar(0.0825) * t100 -
+      t97;
+  const Scalar f_4_x = Scalar(0.5604173611315455) * t31 + Scalar(2.352456790569697) * t77 +
       f_u_5_t_x;
-  const Scalar f_4_y = Scalar(0.5604173611315455) * t48 + Scalar(2.352456790569697) * t47 + f_5_z;
-  const Scalar t102 = Scalar(0.028227094878) * Uz_o_4_x - Scalar(1.531037141165631) * ddp_3_x +
-      s_4 * f_4_y - c_4 * f_4_x;
+  const Scalar U_4_yy_zz = Uz_o_4_y - t78;
+  const Scalar mu_4_x = Scalar(0.0039053550262761) * U_4_yx -
+      Scalar(0.00164448757736927) * U_4_yy_zz + Scalar(0.04942675278013915) * t21 +
+      Scalar(0.5604173611315455) * ddp_o_4_y + s_5 * t91 - c_5 * t99 -
+      Scalar(0.29071723622709367) * t29 - Scalar(0.384) * t100;
+  const Scalar t102 = Scalar(2.352456790569697) * ddp_o_4_y + Scalar(0.5604173611315455) * t29 +
+      t100;
+  const Scalar mu_u_3_a_y = Scalar(0.000013360662912304) * U_3_yx -
+      Scalar(0.000121912420950744) * (t74 - Uz_o_4_y) + Scalar(0.004377257121839584) * Uz_3_x +
+      Scalar(0.005487648106562256) * t15 + Scalar(0.028227094878) * ddp_3_x -
+      Scalar(0.022178148964878235) * Uz_o_4_x - Scalar(0.0825) * t102 - c_4 * t101 - s_4 * mu_4_x;
   const Scalar t103 = Scalar(0.028227094878) * Uz_o_4_y - Scalar(1.531037141165631) * ddp_3_y -
-      t101;
-  const Scalar t104 = s_3 * t103 - c_3 * t102;
-  const Scalar f_u_4_t_y = s_4 * f_4_x + c_4 * f_4_y;
-  const Scalar t105 = Scalar(0.000121912420950744) * t7 - Scalar(0.000013360662912304) * t30 +
-      Scalar(0.005487648106562256) * t36 + Scalar(0.004377257121839584) * Uz_o_4_x +
-      Scalar(0.0825) * f_u_4_t_y + tau_4;
+      t102;
   const Scalar U_3_yy_zz = Uz_o_3_y - Uz_o_4_y;
-  const Scalar t106 = Scalar(0.005487648106562256) * U_3_yx - Scalar(0.000121912420950744) * t30 +
+  const Scalar t104 = Scalar(0.005487648106562256) * U_3_yx - Scalar(0.000121912420950744) * t27 +
       Scalar(0.004377257121839584) * U_3_yy_zz - Scalar(0.028227094878) * ddp_3_a_z -
-      Scalar(0.022178148964878235) * t7 + s_4 * t100 - c_4 * mu_4_x;
-  const Scalar U_2_yx = t3 + qdd_2;
-  const Scalar t107 = qd_1 * qd_1;
-  tau[1] = Scalar(0.01993386669246) * c_2 - Scalar(0.0007689361029464) * t9 -
-      Scalar(0.00796671776787104) * t31 + Scalar(0.00398335888393552) * t107 -
-      Scalar(0.01026110182100817) * t4 - Scalar(0.024699952517911183) * Uz_o_3_x +
-      Scalar(0.023077882494931805) * U_2_yx - s_3 * t106 + Scalar(0.316) * t104 - c_3 * t105;
-  const Scalar t108 = s_3 * t102 + c_3 * t103;
-  const Scalar t109 = t8 + t10;
-  const Scalar mu_2_x = Scalar(-0.0007689361029464) * (Uz_o_3_y - t107) -
-      Scalar(0.00398335888393552) * t109 + Scalar(0.01026110182100817) * U_2_yx +
-      Scalar(0.024699952517911183) * Uz_o_3_z - c_3 * t106 + Scalar(0.316) * t108 + s_3 * t105;
+      Scalar(0.022178148964878235) * t16 + s_4 * t101 - c_4 * mu_4_x;
+  const Scalar t105 = Scalar(0.028227094878) * Uz_o_4_x - Scalar(1.531037141165631) * ddp_3_x +
+      s_4 * f_4_y - c_4 * f_4_x;
+  const Scalar f_u_4_t_y = s_4 * f_4_x + c_4 * f_4_y;
+  const Scalar t106 = Scalar(0.000121912420950744) * t16 - Scalar(0.000013360662912304) * t27 +
+      Scalar(0.005487648106562256) * t73 + Scalar(0.004377257121839584) * Uz_o_4_x +
+      Scalar(0.0825) * f_u_4_t_y + tau_4;
+  tau[3] = tau_4;
   const Scalar mu_2_y = Scalar(0.0007689361029464) * Uz_o_3_x +
-      Scalar(0.00398335888393552) * Uz_o_3_z + Scalar(0.01026110182100817) * (t32 - t31) +
-      Scalar(0.023077882494931805) * t109 + mu_u_3_a_y;
+      Scalar(0.00398335888393552) * Uz_o_3_z + Scalar(0.01026110182100817) * (t71 - t13) +
+      Scalar(0.023077882494931805) * t10 + mu_u_3_a_y;
+  tau[2] = -mu_u_3_a_y;
+  const Scalar t107 = qd_1 * qd_1;
+  const Scalar t108 = s_3 * t103 - c_3 * t105;
+  tau[1] = Scalar(0.01993386669246) * c_2 - Scalar(0.0007689361029464) * t8 -
+      Scalar(0.00796671776787104) * t13 + Scalar(0.00398335888393552) * t107 -
+      Scalar(0.01026110182100817) * t11 - Scalar(0.024699952517911183) * Uz_o_3_x +
+      Scalar(0.023077882494931805) * U_2_yx - s_3 * t104 + Scalar(0.316) * t108 - c_3 * t106;
+  const Scalar t109 = s_3 * t105 + c_3 * t103;
+  const Scalar mu_2_x = Scalar(-0.0007689361029464) * (Uz_o_3_y - t107) -
+      Scalar(0.00398335888393552) * t10 + Scalar(0.01026110182100817) * U_2_yx +
+      Scalar(0.024699952517911183) * Uz_o_3_z - c_3 * t104 + Scalar(0.316) * t109 + s_3 * t106;
   tau[0] = Scalar(0.014259565994474374) * qdd_1 - c_2 * mu_2_y - s_2 * mu_2_x;
 }
 
@@ -1025,595 +1025,600 @@ static inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
       s_7 = sine[6], c_7 = cosine[6];
+  const Scalar Iu_7_a_xy = Scalar(0.0006277682991364491) * c_7 +
+      Scalar(0.0004826525849595559) * s_7;
+  const Scalar I_t7_g = Scalar(0.001210471889260615) * c_7 - Scalar(0.000391391281684248) * s_7;
+  const Scalar Ic_7_xy = Scalar(0.000195695640842124) + s_7 * I_t7_g;
+  const Scalar t1 = c_7 * I_t7_g;
+  const Scalar mr_7_y = Scalar(0.0003214415134685639) * c_7 + Scalar(0.0004066296486714361) * s_7;
   const Scalar Iu_7_a_xz = Scalar(0.0004826525849595559) * c_7 -
       Scalar(0.0006277682991364491) * s_7;
   c[167] = Scalar(-2.0) * Iu_7_a_xz;
-  const Scalar mr_7_y = Scalar(0.0003214415134685639) * c_7 + Scalar(0.0004066296486714361) * s_7;
-  const Scalar t1 = c_6 * mr_7_y;
-  const Scalar t2 = Scalar(0.27848101265822783) * t1;
-  const Scalar Iu_7_a_xy = Scalar(0.0006277682991364491) * c_7 +
-      Scalar(0.0004826525849595559) * s_7;
-  const Scalar t3 = s_6 * Iu_7_a_xy;
-  const Scalar db_57_7 = t2 + t3;
-  c[139] = Scalar(2.0) * db_57_7;
-  const Scalar I_t7_g = Scalar(0.001210471889260615) * c_7 - Scalar(0.000391391281684248) * s_7;
-  const Scalar Ic_7_xy = Scalar(0.000195695640842124) + s_7 * I_t7_g;
-  const Scalar t4 = Scalar(2.0) * Ic_7_xy;
-  const Scalar t5 = Scalar(0.27848101265822783) * mr_7_y;
-  const Scalar t6 = t5 - t4;
-  const Scalar c_7_6_6 = t5 + t6;
-  c[188] = c_7_6_6;
-  c[166] = -c_7_6_6;
-  const Scalar t7 = Scalar(1.2151898734177216) * c_5;
-  const Scalar t8 = Scalar(0.2610759493670886) * s_6 + c_6 * t7;
   const Scalar mr_7_x = Scalar(0.0004066296486714361) * c_7 - Scalar(0.0003214415134685639) * s_7;
-  const Scalar t9 = mr_7_x * t8 + s_5 * t5 * (s_6 + Scalar(4.363636363636363));
-  const Scalar t10 = s_5 * c_6;
-  const Scalar t11 = t9 - Iu_7_a_xy * t10 - c_5 * Iu_7_a_xz;
-  c[111] = Scalar(2.0) * t11;
-  const Scalar t12 = Scalar(-0.0000518794586093425) - t5 + Ic_7_xy;
-  const Scalar Ic_6_yz = Scalar(0.0000467845486573025) + Iu_7_a_xy;
-  const Scalar Iu_6_a_xz = s_6 * Ic_6_yz - c_6 * t12;
-  c[132] = Scalar(-2.0) * Iu_6_a_xz;
-  const Scalar t13 = c_7 * I_t7_g;
-  const Scalar Ic_7_xx = t13 - Scalar(0.001210471889260615);
-  const Scalar t14 = Scalar(0.5569620253164557) * mr_7_x;
-  const Scalar Ic_6_yy = t14 - Scalar(0.00264028154032624);
+  const Scalar Ic_7_xx = t1 - Scalar(0.001210471889260615);
+  const Scalar t2 = Scalar(0.5569620253164557) * mr_7_x;
+  const Scalar Ic_6_yy = t2 - Scalar(0.00264028154032624);
+  const Scalar t3 = t1 - t2 - Scalar(0.027504612894594268);
+  const Scalar dI_7_xy = t1 + Ic_7_xx;
   const Scalar Iu_6_t_d = Ic_7_xx - Ic_6_yy;
   const Scalar Ic_6_xy = Iu_7_a_xz + Scalar(0.007374285191337658);
-  const Scalar t15 = Scalar(2.0) * Ic_6_xy;
-  const Scalar t16 = s_6 * t15 - c_6 * Iu_6_t_d;
-  const Scalar t17 = s_6 * t16;
-  const Scalar dmu_5_6_y = s_6 * Iu_6_t_d + c_6 * t15;
-  const Scalar c_6_5_5 = t17 - c_6 * dmu_5_6_y;
-  c[154] = c_6_5_5;
-  const Scalar t18 = c_6 * Iu_7_a_xy + s_6 * t4;
-  const Scalar c_7_5_5 = c_6 * (t2 + db_57_7) + s_6 * t18;
-  c[182] = c_7_5_5;
-  const Scalar hc_6_x = mr_7_x + Scalar(0.03663191332581);
-  const Scalar hu_6_t_x = Scalar(0.027461143479902) * s_6 + c_6 * hc_6_x;
-  const Scalar t19 = s_5 * hu_6_t_x;
-  const Scalar t20 = c_4 - Scalar(1.0);
-  const Scalar v_o_3_5_z = Scalar(0.2610759493670886) * t20 + Scalar(1.2151898734177216) * s_4;
-  const Scalar t21 = v_o_3_5_z * t19;
-  const Scalar t22 = s_4 * c_5;
-  const Scalar t23 = s_6 * t22 - c_4 * c_6;
-  const Scalar w_3_6_x = c_6 * t22 + c_4 * s_6;
-  const Scalar t24 = Ic_6_yz * w_3_6_x + t12 * t23 - t21;
-  c[76] = Scalar(-2.0) * t24;
-  const Scalar t25 = c_5 * v_o_3_5_z;
-  const Scalar t26 = mr_7_x * t10;
-  const Scalar t27 = mr_7_y * (Scalar(0.27848101265822783) * t23 + t25) - v_o_3_5_z * t26;
-  const Scalar t28 = s_4 * s_5;
-  const Scalar t29 = t27 - Iu_7_a_xy * w_3_6_x + Iu_7_a_xz * t28;
-  c[83] = Scalar(-2.0) * t29;
-  const Scalar t30 = Scalar(0.27848101265822783) * mr_7_x;
-  const Scalar t31 = t30 + Scalar(0.003342075983680473);
-  const Scalar t32 = s_6 * Iu_7_a_xz + c_6 * t31;
-  const Scalar t33 = Scalar(0.2610759493670886) * c_6 - s_6 * t7;
-  const Scalar t34 = mr_7_y * t33 - s_5 * t32;
-  const Scalar v_o_4_7_y = Scalar(0.27848101265822783) * c_5 - t33;
-  const Scalar t35 = s_5 * s_6;
-  const Scalar t36 = Iu_7_a_xz * t35 - mr_7_y * v_o_4_7_y;
-  const Scalar dI_7_xy = t13 + Ic_7_xx;
-  const Scalar t37 = t30 - dI_7_xy;
-  const Scalar t38 = t36 + t10 * t37 - c_5 * t6;
-  c[110] = t34 + t38;
-  const Scalar c_7_4_6 = t34 - t38;
-  c[186] = c_7_4_6;
-  const Scalar t39 = c_6 * Iu_7_a_xz;
-  const Scalar db_56_7r = t39 - s_6 * t37;
-  const Scalar t40 = s_6 * t31 - t39;
-  c[138] = db_56_7r + t40;
-  const Scalar c_7_5_6 = t40 - db_56_7r;
-  c[187] = c_7_5_6;
-  c[131] = -c_6_5_5;
-  c[137] = -c_7_5_5;
-  const Scalar t41 = s_6 * t12 + c_6 * Ic_6_yz;
-  const Scalar t42 = Scalar(0.027461143479902) * t33 - hc_6_x * t8;
-  const Scalar t43 = t42 - s_5 * t41;
-  c[104] = Scalar(-2.0) * t43;
-  const Scalar t44 = s_3 * c_4;
-  const Scalar t45 = s_5 * t44 - c_3 * c_5;
-  const Scalar t46 = Iu_6_a_xz * t45;
-  const Scalar t47 = c_4 - Scalar(0.2610759493670886) * s_4;
-  const Scalar t48 = t47 + Scalar(1.2151898734177216);
-  const Scalar t49 = s_5 * t48;
-  const Scalar v_o_2_5_z = s_3 + Scalar(1.2151898734177216) * s_3 *
-      (c_4 - Scalar(0.21484375) * s_4);
-  const Scalar v_2_6_a_z = c_3 * t49 + c_5 * v_o_2_5_z;
-  const Scalar f_u_6_6_t_x = Scalar(0.027461143479902) * c_6 - s_6 * hc_6_x;
-  const Scalar t50 = f_u_6_6_t_x * v_2_6_a_z;
-  const Scalar t51 = t13 - t14 - Scalar(0.027504612894594268);
-  const Scalar w_2_5_x = c_5 * t44 + c_3 * s_5;
-  const Scalar db_26_5 = t46 - t50 - t51 * w_2_5_x;
-  const Scalar t52 = s_3 * s_4;
-  const Scalar w_2_7_a_z = s_6 * w_2_5_x + c_6 * t52;
-  const Scalar t53 = s_6 * t52 - c_6 * w_2_5_x;
-  const Scalar t54 = t46 + w_2_7_a_z * dmu_5_6_y - t16 * t53 + t50;
-  c[47] = db_26_5 - t54;
-  const Scalar c_6_2_5 = db_26_5 + t54;
-  c[151] = c_6_2_5;
-  const Scalar t55 = Scalar(0.27848101265822783) * s_4 + s_6 * v_o_3_5_z;
-  const Scalar t56 = s_5 * t55;
-  const Scalar t57 = Iu_7_a_xz * t23;
-  const Scalar t58 = mr_7_y * t56 + t57;
-  const Scalar t59 = t58 + w_3_6_x * t37 + t28 * t6;
-  const Scalar t60 = t57 - mr_7_y * v_o_3_5_z * t35 + w_3_6_x * t31;
-  c[82] = t60 - t59;
-  const Scalar c_7_3_6 = t59 + t60;
-  c[185] = c_7_3_6;
-  c[164] = -c_7_4_6;
-  c[165] = -c_7_5_6;
-  const Scalar t61 = -t12 * t28 - Iu_6_t_d * w_3_6_x + t15 * t23 + Scalar(0.027461143479902) * t25;
-  const Scalar t62 = Ic_6_yz * t28 + Iu_6_t_d * t23 + t15 * w_3_6_x - hc_6_x * t25;
-  const Scalar t63 = Scalar(0.027461143479902) * t23 + hc_6_x * w_3_6_x;
-  const Scalar db_33_6r = t23 * t61 - w_3_6_x * t62 + t28 * (t21 - t24) + t25 * t63;
-  c[73] = db_33_6r;
-  const Scalar t64 = t58 - w_3_6_x * dI_7_xy - t28 * t4;
-  const Scalar t65 = mr_7_x * t56 - Iu_7_a_xy * t23 + w_3_6_x * t4 - t28 * dI_7_xy;
-  const Scalar df_3_7_z = mr_7_y * t28 + mr_7_x * w_3_6_x;
-  const Scalar c_7_3_3 = df_3_7_z * t56 + t23 * (t27 + t29) + w_3_6_x * t65 + t28 * t64;
-  c[173] = c_7_3_3;
-  const Scalar t66 = s_2 * c_3;
-  const Scalar t67 = c_4 * t66 - c_2 * s_4;
-  const Scalar t68 = s_2 * s_3;
-  const Scalar w_1_5_x = s_5 * t68 - c_5 * t67;
-  const Scalar w_1_4_y = s_4 * t66 + c_2 * c_4;
-  const Scalar t69 = s_6 * w_1_5_x - c_6 * w_1_4_y;
-  const Scalar w_1_6_x = s_6 * w_1_4_y + c_6 * w_1_5_x;
-  const Scalar w_1_5_y = s_5 * t67 + c_5 * t68;
-  const Scalar t70 = Iu_6_a_xz * w_1_5_y;
-  const Scalar v_o_1_4_y = Scalar(0.2610759493670886) * c_2 + t66;
-  const Scalar v_1_5_a_y = v_o_1_4_y - Scalar(0.2610759493670886) * w_1_4_y +
-      Scalar(1.2151898734177216) * t67;
-  const Scalar t71 = t68 * t49 - c_5 * v_1_5_a_y;
-  const Scalar t72 = f_u_6_6_t_x * t71;
-  const Scalar db_15_6r = t70 - t69 * dmu_5_6_y - t16 * w_1_6_x - t72;
-  const Scalar t73 = t70 + t51 * w_1_5_x + t72;
-  const Scalar c_5_1_6 = t73 + db_15_6r;
-  c[127] = c_5_1_6;
-  c[128] = -c_6_2_5;
-  const Scalar t74 = c_5 * Iu_7_a_xy + s_5 * t40;
-  const Scalar t75 = s_5 * mr_7_x - c_5 * t1;
-  const Scalar t76 = v_o_3_5_z * t75 + s_4 * t74;
-  const Scalar dmu_5_7_y = t39 + s_6 * dI_7_xy;
-  const Scalar t77 = mr_7_x * t55 * t35 - t23 * db_57_7 - c_6 * t27 + w_3_6_x * t18 -
-      t28 * dmu_5_7_y;
-  const Scalar c_5_3_7 = t76 - t77;
-  c[135] = c_5_3_7;
-  c[163] = -c_7_3_6;
-  c[79] = -c_7_3_3;
-  const Scalar Ic_5_xz = Ic_6_xy - Scalar(0.002300122758781553) - t17;
-  const Scalar f_5_5_x = mr_7_y - Scalar(0.01072355976515);
-  const Scalar t78 = c_5 * t48;
-  const Scalar v_1_5_x = t68 * t78 + s_5 * v_1_5_a_y;
-  const Scalar hc_5_x = hu_6_t_x - Scalar(0.002315289741004);
-  const Scalar t79 = f_5_5_x * t71 + hc_5_x * v_1_5_x;
-  const Scalar t80 = t41 - Scalar(0.001082026026049065);
-  const Scalar t81 = -t80 * w_1_5_x - Ic_5_xz * w_1_5_y + t79;
-  c[14] = Scalar(-2.0) * t81;
-  const Scalar t82 = s_5 * v_o_2_5_z - c_3 * t78;
-  const Scalar t83 = f_5_5_x * v_2_6_a_z - hc_5_x * t82;
-  const Scalar t84 = Ic_5_xz * t45 - t80 * w_2_5_x + t83;
-  c[42] = Scalar(-2.0) * t84;
-  const Scalar t85 = Scalar(0.2610759493670886) * c_4 + s_4;
-  const Scalar t86 = t85 - Scalar(0.2610759493670886);
-  const Scalar t87 = c_3 * t86;
-  const Scalar t88 = s_6 * t87 + c_6 * t82;
-  const Scalar t89 = s_6 * t82 - c_6 * t87;
-  const Scalar t90 = Scalar(0.027461143479902) * t89 + hc_6_x * t88;
-  const Scalar t91 = Ic_6_yz * t53 - t12 * w_2_7_a_z + t90;
-  c[48] = Scalar(2.0) * t91;
-  const Scalar v_o_2_7_z = Scalar(0.27848101265822783) * w_2_7_a_z + v_2_6_a_z;
-  const Scalar t92 = mr_7_y * v_o_2_7_z - mr_7_x * t88;
-  const Scalar t93 = t92 + Iu_7_a_xy * t53 + Iu_7_a_xz * t45;
-  c[55] = Scalar(-2.0) * t93;
-  const Scalar hu_5_t_x = s_5 * f_5_5_x + c_5 * hc_5_x;
-  const Scalar t94 = -s_5 * t80 - c_5 * Ic_5_xz + Scalar(1.2151898734177216) * hu_5_t_x;
-  c[98] = Scalar(2.0) * t94;
-  c[19] = db_15_6r - t73;
-  c[150] = -c_5_1_6;
-  c[145] = -db_33_6r;
-  const Scalar t95 = s_5 * Iu_6_a_xz - c_5 * t51;
-  const Scalar t96 = f_u_6_6_t_x * t25;
-  const Scalar t97 = t96 - s_4 * t95;
-  const Scalar t98 = Iu_6_a_xz * t28 + t23 * dmu_5_6_y + t16 * w_3_6_x + t96;
-  const Scalar c_5_3_6 = t97 - t98;
-  c[129] = c_5_3_6;
-  c[81] = -t77 - t76;
-  c[180] = -c_5_3_7;
-  const Scalar t99 = c_6 * t16;
-  const Scalar t100 = Scalar(1.2151898734177216) * f_u_6_6_t_x;
-  const Scalar t101 = c_5 * Iu_6_a_xz;
-  const Scalar t102 = t101 - s_5 * (t99 + s_6 * dmu_5_6_y + t100);
-  const Scalar t103 = t101 + s_5 * (t51 + t100);
-  c[103] = t103 - t102;
-  const Scalar c_6_4_5 = t102 + t103;
-  c[153] = c_6_4_5;
-  const Scalar t104 = mr_7_x * v_o_4_7_y;
-  const Scalar t105 = s_6 * (t104 + s_5 * db_57_7);
-  const Scalar t106 = c_5 * dmu_5_7_y - t105 - c_6 * (t9 - s_5 * t18);
-  const Scalar f_u_7_5_a_z = mr_7_y * t10 + c_5 * mr_7_x;
-  const Scalar t107 = Scalar(1.2151898734177216) * f_u_7_5_a_z - s_5 * Iu_7_a_xy + c_5 * t40;
-  const Scalar c_5_4_7 = t107 + t106;
-  c[136] = c_5_4_7;
-  const Scalar t108 = t104 + s_5 * (t3 - c_6 * t4) - c_5 * dI_7_xy;
-  const Scalar t109 = s_5 * (c_6 * t108 - s_6 * (t9 + t11));
-  const Scalar t110 = t36 - t10 * dI_7_xy + c_5 * t4;
-  const Scalar t111 = t26 - c_5 * mr_7_y;
-  const Scalar db_44_7r = v_o_4_7_y * t111 + c_5 * t110 + t109;
-  c[108] = db_44_7r;
-  const Scalar t112 = t86 * t68;
-  const Scalar t113 = s_6 * t112 - c_6 * v_1_5_x;
-  const Scalar t114 = c_6 * t112 + s_6 * v_1_5_x;
-  const Scalar t115 = Scalar(0.027461143479902) * t114 - hc_6_x * t113;
-  const Scalar t116 = Ic_6_yz * w_1_6_x + t12 * t69 + t115;
-  c[20] = Scalar(-2.0) * t116;
-  const Scalar t117 = mr_7_y * (Scalar(0.27848101265822783) * t69 + t71) - mr_7_x * t113;
-  const Scalar t118 = t117 - Iu_7_a_xy * w_1_6_x - Iu_7_a_xz * w_1_5_y;
-  c[27] = Scalar(-2.0) * t118;
-  const Scalar t119 = Scalar(0.2610759493670886) * f_u_7_5_a_z;
-  const Scalar t120 = t32 - t119;
-  const Scalar t121 = s_4 * t107 - c_4 * t120;
-  const Scalar t122 = s_6 * mr_7_y;
-  const Scalar t123 = t85 * t75 - t47 * t122;
-  const Scalar t124 = c_3 * t123 + s_3 * t121;
-  const Scalar t125 = Scalar(0.27848101265822783) * t45 + t89;
-  const Scalar t126 = t125 * t111 + t92 * t35 + w_2_7_a_z * t11 + t53 * t108 + t45 * t110;
-  const Scalar c_4_2_7 = t124 + t126;
-  c[106] = c_4_2_7;
-  const Scalar t127 = mr_7_x * t125;
-  const Scalar t128 = s_6 * t127 - w_2_7_a_z * db_57_7 - c_6 * t92 - t53 * t18 - t45 * dmu_5_7_y;
-  const Scalar db_27_5 = v_2_6_a_z * t1 - Iu_7_a_xy * w_2_5_x - mr_7_x * t82 - t45 * t40;
-  c[53] = db_27_5 - t128;
-  const Scalar c_7_2_5 = t128 + db_27_5;
-  c[179] = c_7_2_5;
-  const Scalar t129 = Iu_7_a_xz * w_2_7_a_z;
-  const Scalar t130 = t129 + mr_7_y * t125;
-  const Scalar t131 = t130 - t53 * t37 + t45 * t6;
-  const Scalar t132 = mr_7_y * t89 - t129 + t53 * t31;
-  const Scalar c_6_2_7 = t132 - t131;
-  c[162] = c_6_2_7;
-  const Scalar t133 = c_5 * t12 + s_5 * (t16 + Scalar(0.033370503469248));
-  const Scalar t134 = c_5 * Ic_6_yz + s_5 * (Scalar(1.2151898734177216) * hc_6_x - dmu_5_6_y);
-  const Scalar t135 = t23 * t133 + t43 * t28 + w_3_6_x * t134;
-  const Scalar t136 = Scalar(0.2610759493670886) * f_u_6_6_t_x;
-  const Scalar t137 = s_5 * t136;
-  const Scalar t138 = t41 - t137;
-  const Scalar t139 = s_4 * t138 + c_4 * t103;
-  const Scalar c_4_3_6 = t139 - t135;
-  c[101] = c_4_3_6;
-  const Scalar t140 = s_5 * (s_6 * t27 + s_4 * t110);
-  const Scalar t141 = t56 * t111 + t23 * t11 - w_3_6_x * t108 + t140;
-  const Scalar t142 = s_4 * t120 + c_4 * t107;
-  c[80] = t141 + t142;
-  const Scalar c_7_3_4 = t142 - t141;
-  c[176] = c_7_3_4;
-  c[75] = -t97 - t98;
-  c[152] = -c_5_3_6;
-  c[130] = -c_6_4_5;
-  c[109] = t106 - t107;
-  c[181] = -c_5_4_7;
-  const Scalar Iu_6_t_xx = Ic_6_yy - t99;
-  const Scalar t143 = t51 + Scalar(0.021040501090947756);
-  const Scalar Iu_5_t_d = Iu_6_t_xx + t143;
+  const Scalar t4 = Scalar(2.0) * Ic_6_xy;
+  const Scalar t5 = s_6 * t4 - c_6 * Iu_6_t_d;
+  const Scalar t6 = c_6 * t5;
+  const Scalar Iu_6_t_xx = Ic_6_yy - t6;
+  const Scalar Ic_5_zz = Ic_7_xx + t6 + Scalar(0.02249165715597447);
+  const Scalar t7 = t3 + Scalar(0.021040501090947756);
+  const Scalar Iu_5_t_d = Iu_6_t_xx + t7;
+  const Scalar t8 = Scalar(0.27848101265822783) * mr_7_y;
+  const Scalar t9 = Scalar(-0.0000518794586093425) - t8 + Ic_7_xy;
+  const Scalar t10 = Scalar(2.0) * Ic_7_xy;
+  const Scalar Ic_6_yz = Scalar(0.0000467845486573025) + Iu_7_a_xy;
+  const Scalar Iu_6_a_xz = s_6 * Ic_6_yz - c_6 * t9;
+  c[132] = Scalar(-2.0) * Iu_6_a_xz;
   const Scalar Ic_5_xy = Iu_6_a_xz - Scalar(0.000757622236663515);
-  const Scalar t144 = Scalar(2.0) * Ic_5_xy;
-  const Scalar t145 = t144 * w_1_5_y + Ic_5_xz * w_1_4_y + f_5_5_x * t112 + Iu_5_t_d * w_1_5_x;
-  const Scalar t146 = t144 * w_1_5_x - t80 * w_1_4_y + hc_5_x * t112 - Iu_5_t_d * w_1_5_y;
-  const Scalar t147 = t112 * (f_5_5_x * w_1_5_y - hc_5_x * w_1_5_x);
-  const Scalar c_1_1_5 = t147 + w_1_5_y * t145 - w_1_5_x * t146 - w_1_4_y * (t79 + t81);
-  c[10] = c_1_1_5;
-  const Scalar t148 = t144 * t45 + Ic_5_xz * t52 - f_5_5_x * t87 - Iu_5_t_d * w_2_5_x;
-  const Scalar t149 = t80 * t52 + t144 * w_2_5_x + Iu_5_t_d * t45 + hc_5_x * t87;
-  const Scalar df_2_5_z = f_5_5_x * t45 + hc_5_x * w_2_5_x;
-  const Scalar db_22_5r = t45 * t148 - t87 * df_2_5_z - w_2_5_x * t149 + t52 * (t83 + t84);
-  c[39] = db_22_5r;
-  const Scalar t150 = Iu_6_t_d * t53 - t12 * t45 + t15 * w_2_7_a_z +
-      Scalar(0.027461143479902) * v_2_6_a_z;
-  const Scalar dmu_2_6_x = -Ic_6_yz * t45 - Iu_6_t_d * w_2_7_a_z + t15 * t53 + hc_6_x * v_2_6_a_z;
-  const Scalar df_2_6_z = Scalar(0.027461143479902) * w_2_7_a_z - hc_6_x * t53;
-  const Scalar c_2_2_6 = w_2_7_a_z * t150 - t53 * dmu_2_6_x + v_2_6_a_z * df_2_6_z +
-      t45 * (t90 + t91);
-  c[44] = c_2_2_6;
-  const Scalar t151 = s_5 * (Scalar(1.2151898734177216) * t19 + s_6 * t133 + c_6 * t134);
-  const Scalar c_6_4_4 = c_5 * (t42 + t43) - t151;
-  c[149] = c_6_4_4;
-  const Scalar t152 = t130 + t53 * dI_7_xy - t45 * t4;
-  const Scalar dmu_2_7_x = Iu_7_a_xy * w_2_7_a_z - t127 + t53 * t4 + t45 * dI_7_xy;
-  const Scalar df_2_7_z = mr_7_y * t45 - mr_7_x * t53;
-  const Scalar c_7_2_2 = t125 * df_2_7_z + w_2_7_a_z * (t92 + t93) + t53 * dmu_2_7_x + t45 * t152;
-  c[170] = c_7_2_2;
-  c[177] = -db_44_7r;
-  const Scalar t153 = s_5 * Ic_5_xz - c_5 * t80;
-  const Scalar t154 = s_5 * hc_5_x - c_5 * f_5_5_x;
-  const Scalar t155 = t154 * v_o_3_5_z;
-  const Scalar t156 = t155 - s_4 * t153;
-  c[70] = Scalar(2.0) * t156;
-  const Scalar t157 = t69 * t133 - w_1_5_y * t43 + w_1_6_x * t134 + t71 * t19 + c_5 * t115;
-  const Scalar t158 = c_5 * f_u_6_6_t_x;
-  const Scalar t159 = t85 * t158 + hu_6_t_x * t47;
-  const Scalar t160 = t68 * t159 - t67 * t138 + w_1_4_y * t103;
-  const Scalar c_4_1_6 = t160 - t157;
-  c[99] = c_4_1_6;
-  const Scalar v_1_7_a_z = Scalar(0.27848101265822783) * w_1_5_y + t114;
-  const Scalar t161 = v_1_7_a_z * t111 - t117 * t35 - t69 * t11 + w_1_6_x * t108 + w_1_5_y * t110;
-  const Scalar t162 = w_1_4_y * t107 - t68 * t123 - t67 * t120;
-  c[24] = t162 - t161;
-  const Scalar c_7_1_4 = t162 + t161;
-  c[174] = c_7_1_4;
-  const Scalar t163 = mr_7_x * v_1_7_a_z;
-  const Scalar t164 = s_6 * t163 + t69 * db_57_7 + c_6 * t117 - w_1_6_x * t18 - w_1_5_y * dmu_5_7_y;
-  const Scalar db_17_5 = t71 * t1 - Iu_7_a_xy * w_1_5_x + mr_7_x * v_1_5_x + w_1_5_y * t40;
-  c[25] = t164 + db_17_5;
-  const Scalar c_7_1_5 = db_17_5 - t164;
-  c[178] = c_7_1_5;
-  const Scalar t165 = Iu_7_a_xz * t69;
-  const Scalar t166 = t165 - mr_7_y * v_1_7_a_z;
-  const Scalar t167 = t166 + w_1_6_x * t37 - w_1_5_y * t6;
-  const Scalar t168 = mr_7_y * t114 + t165 + w_1_6_x * t31;
-  c[26] = t168 - t167;
-  const Scalar c_7_1_6 = t168 + t167;
-  c[183] = c_7_1_6;
-  const Scalar t169 = f_u_7_5_a_z + t142;
-  const Scalar t170 = s_4 * t75 - t20 * t122;
-  const Scalar t171 = c_4 + Scalar(1.2151898734177216);
-  const Scalar t172 = s_4 * t122 - Scalar(0.2610759493670886) * t170 + t171 * t75 + t74;
-  const Scalar t173 = c_3 * t169 - s_3 * t172;
-  const Scalar t174 = t125 * df_3_7_z + w_2_7_a_z * t29 + t23 * t92 - t53 * t65 + t45 * t64;
-  c[51] = t173 - t174;
-  const Scalar c_7_2_3 = t173 + t174;
-  c[172] = c_7_2_3;
-  const Scalar t175 = s_4 * t103 - c_4 * t138;
-  const Scalar t176 = s_3 * t175 - c_3 * t159;
-  const Scalar t177 = w_2_7_a_z * t133 - t53 * t134 + v_2_6_a_z * t19 + t45 * t43 - c_5 * t90;
-  c[46] = t176 - t177;
-  const Scalar c_6_2_4 = t176 + t177;
-  c[147] = c_6_2_4;
-  c[52] = t126 - t124;
-  c[175] = -c_4_2_7;
-  c[134] = -c_7_2_5;
-  c[54] = -t132 - t131;
-  c[184] = -c_6_2_7;
-  c[74] = -t139 - t135;
-  c[148] = -c_4_3_6;
-  c[107] = -c_7_3_4;
-  c[112] = -c_1_1_5;
-  const Scalar t178 = s_5 * t144 - c_5 * Iu_5_t_d;
-  const Scalar t179 = Scalar(0.2610759493670886) * hc_5_x - t178;
-  const Scalar t180 = c_5 * t144 + s_5 * Iu_5_t_d;
-  const Scalar dmu_4_5_y = Scalar(0.2610759493670886) * f_5_5_x - t180;
-  const Scalar t181 = Scalar(-0.2610759493670886) * t154;
-  const Scalar c_5_4_4 = t181 - s_5 * t179 + c_5 * dmu_4_5_y;
-  c[121] = c_5_4_4;
-  const Scalar t182 = t12 * w_1_5_y - Iu_6_t_d * w_1_6_x + t15 * t69 +
-      Scalar(0.027461143479902) * t71;
-  const Scalar t183 = Iu_6_t_d * t69 - Ic_6_yz * w_1_5_y + t15 * w_1_6_x - hc_6_x * t71;
-  const Scalar t184 = t71 * (Scalar(0.027461143479902) * t69 + hc_6_x * w_1_6_x);
-  const Scalar c_1_1_6 = t69 * t182 - w_1_6_x * t183 + t184 + w_1_5_y * (t115 + t116);
-  c[15] = c_1_1_6;
-  c[142] = -c_2_2_6;
-  c[102] = -c_6_4_4;
-  const Scalar t185 = w_1_5_y * (t166 - w_1_6_x * dI_7_xy + w_1_5_y * t4);
-  const Scalar t186 = w_1_6_x * (-t163 - Iu_7_a_xy * t69 + w_1_6_x * t4 + w_1_5_y * dI_7_xy);
-  const Scalar t187 = v_1_7_a_z * (mr_7_y * w_1_5_y - mr_7_x * w_1_6_x);
-  const Scalar c_7_1_1 = t187 + t69 * (t117 + t118) + t186 - t185;
-  c[168] = c_7_1_1;
-  c[50] = -c_7_2_2;
-  const Scalar t188 = s_2 * (s_3 * t169 + c_3 * t172);
-  const Scalar t189 = v_1_7_a_z * df_3_7_z - t23 * t117 - t69 * t29 - w_1_6_x * t65 + w_1_5_y * t64;
-  c[23] = t189 + t188;
-  const Scalar c_3_1_7 = t189 - t188;
-  c[77] = c_3_1_7;
-  c[18] = -t160 - t157;
-  c[146] = -c_4_1_6;
-  c[105] = -c_7_1_4;
-  c[133] = -c_7_1_5;
-  c[161] = -c_7_1_6;
-  c[114] = -db_22_5r;
-  const Scalar t190 = t139 + s_5 * f_u_6_6_t_x;
-  const Scalar t191 = f_u_6_6_t_x * t22 + hu_6_t_x * t20;
-  const Scalar t192 = Scalar(0.2610759493670886) * t191 + t95 + s_4 * hu_6_t_x - t158 * t171;
-  const Scalar t193 = c_3 * t190 - s_3 * t192;
-  const Scalar t194 = w_2_7_a_z * t61 + t53 * t62 - t45 * t24 + v_2_6_a_z * t63 + t90 * t28;
-  const Scalar c_3_2_6 = t193 + t194;
-  c[72] = c_3_2_6;
-  c[78] = -c_7_2_3;
-  c[100] = -c_6_2_4;
-  c[97] = -c_5_4_4;
-  c[140] = -c_1_1_6;
-  c[21] = -c_7_1_1;
-  const Scalar mu_u_7_3_a_y = t119 - t121;
-  const Scalar t195 = s_2 * mu_u_7_3_a_y - c_2 * t173;
-  const Scalar t196 = v_1_7_a_z * df_2_7_z - w_2_7_a_z * t117 - t69 * t93 + w_1_6_x * dmu_2_7_x +
-      w_1_5_y * t152;
-  c[22] = t196 + t195;
-  const Scalar c_7_1_2 = t195 - t196;
-  c[169] = c_7_1_2;
-  const Scalar t197 = s_2 * (s_3 * t190 + c_3 * t192);
-  const Scalar t198 = t69 * t61 - w_1_6_x * t62 + w_1_5_y * t24 - t115 * t28 + t71 * t63;
-  c[17] = t198 - t197;
-  const Scalar c_3_1_6 = t197 + t198;
-  c[71] = c_3_1_6;
-  c[171] = -c_3_1_7;
-  const Scalar t199 = t94 * w_1_4_y;
-  const Scalar db_14_5r = w_1_5_y * dmu_4_5_y - w_1_5_x * t179 + t154 * t112 + t199;
-  const Scalar Ic_5_zz = Ic_7_xx + t99 + Scalar(0.02249165715597447);
-  const Scalar t200 = Scalar(0.2610759493670886) * hu_5_t_x;
-  const Scalar mu_5_4_y = Ic_5_zz - t200;
-  const Scalar t201 = t154 * t85;
-  const Scalar t202 = -t67 * mu_5_4_y - t68 * t201 + t199;
-  const Scalar c_4_1_5 = t202 + db_14_5r;
-  c[94] = c_4_1_5;
-  c[45] = t194 - t193;
-  c[144] = -c_3_2_6;
-  const Scalar t203 = s_4 * t94 - c_4 * mu_5_4_y;
-  const Scalar t204 = c_3 * t201 + s_3 * t203;
-  const Scalar t205 = t45 * dmu_4_5_y + t94 * t52 - t154 * t87 + w_2_5_x * t179;
-  c[41] = t204 - t205;
-  const Scalar c_5_2_4 = t204 + t205;
-  c[119] = c_5_2_4;
-  const Scalar t206 = Ic_5_xy - Scalar(0.00195267751313805) - t181 - s_5 * t178;
-  const Scalar t207 = Scalar(1.2151898734177216) * t154 - t153;
-  const Scalar t208 = t207 - Scalar(0.000822243788684635);
+  const Scalar t11 = Scalar(2.0) * Ic_5_xy;
+  const Scalar t12 = s_5 * t11 - c_5 * Iu_5_t_d;
+  const Scalar t13 = c_5 * t12;
+  const Scalar hc_6_x = mr_7_x + Scalar(0.03663191332581);
+  const Scalar f_u_6_6_t_x = Scalar(0.027461143479902) * c_6 - s_6 * hc_6_x;
+  const Scalar t14 = Scalar(2.430379746835443) * f_u_6_6_t_x;
+  const Scalar t15 = t13 + t7 + t14;
+  const Scalar f_5_5_x = mr_7_y - Scalar(0.01072355976515);
+  const Scalar hu_6_t_x = Scalar(0.027461143479902) * s_6 + c_6 * hc_6_x;
+  const Scalar hc_5_x = hu_6_t_x - Scalar(0.002315289741004);
+  const Scalar t16 = s_5 * hc_5_x - c_5 * f_5_5_x;
+  const Scalar t17 = Scalar(-0.2610759493670886) * t16;
+  const Scalar t18 = Ic_5_xy - Scalar(0.00195267751313805) - t17 - s_5 * t12;
+  const Scalar t19 = s_6 * t5;
+  const Scalar Ic_5_xz = Ic_6_xy - Scalar(0.002300122758781553) - t19;
+  const Scalar t20 = s_2 * c_3;
+  const Scalar t21 = c_4 * t20 - c_2 * s_4;
+  const Scalar w_1_4_y = s_4 * t20 + c_2 * c_4;
+  const Scalar t22 = s_6 * t9 + c_6 * Ic_6_yz;
+  const Scalar t23 = t22 - Scalar(0.001082026026049065);
+  const Scalar t24 = s_5 * Ic_5_xz - c_5 * t23;
+  const Scalar t25 = Scalar(1.2151898734177216) * t16 - t24;
+  const Scalar t26 = t25 - Scalar(0.000822243788684635);
+  const Scalar t27 = s_2 * s_3;
+  const Scalar t28 = c_4 - Scalar(0.2610759493670886) * s_4;
+  const Scalar t29 = t25 + t16 * t28;
+  const Scalar t30 = Scalar(0.2610759493670886) * c_4 + s_4;
+  const Scalar hu_5_t_x = s_5 * f_5_5_x + c_5 * hc_5_x;
   const Scalar hc_4_x = hu_5_t_x - Scalar(0.0873392833947);
   const Scalar f_4_4_x = f_u_6_6_t_x - Scalar(0.317978721469274);
-  const Scalar t209 = hc_4_x * t47 + f_4_4_x * t85;
-  const Scalar t210 = t68 * t209;
-  const Scalar t211 = t208 * t67 - t206 * w_1_4_y - t210;
-  c[9] = Scalar(2.0) * t211;
-  const Scalar t212 = c_4 * t206 + s_4 * t208;
-  c[65] = Scalar(-2.0) * t212;
-  const Scalar mu_6_3_z = t137 - t175;
-  const Scalar t213 = s_2 * mu_6_3_z - c_2 * t193;
-  const Scalar t214 = t69 * t150 + w_1_6_x * dmu_2_6_x + t71 * df_2_6_z - w_1_5_y * t91 -
-      t45 * t115;
-  const Scalar c_2_1_6 = t213 + t214;
-  c[43] = c_2_1_6;
-  c[49] = -c_7_1_2;
-  c[143] = -c_3_1_6;
-  c[13] = db_14_5r - t202;
-  c[118] = -c_4_1_5;
-  c[95] = -c_5_2_4;
-  const Scalar t215 = c_4 * Ic_5_xz - s_4 * t178;
-  const Scalar t216 = c_4 * t80 - s_4 * t180;
-  const Scalar db_33_5r = c_4 * (t155 + t156) - s_4 * (s_5 * t215 - c_5 * t216);
-  c[68] = db_33_5r;
-  c[16] = t214 - t213;
-  c[141] = -c_2_1_6;
-  const Scalar t217 = c_4 * t94;
-  const Scalar t218 = s_4 * mu_5_4_y + t217;
-  const Scalar t219 = hu_5_t_x + t218;
-  const Scalar t220 = t207 + t154 * t47;
-  const Scalar t221 = s_2 * (c_3 * t220 + s_3 * t219);
-  const Scalar t222 = w_1_5_y * t215 - s_4 * hu_5_t_x * t112 + w_1_5_x * t216 + w_1_4_y * t156 -
-      c_4 * t79;
-  c[12] = t222 - t221;
-  const Scalar c_3_1_5 = t222 + t221;
-  c[66] = c_3_1_5;
-  const Scalar t223 = s_4 * (hu_5_t_x * t87 + s_3 * t156);
-  const Scalar t224 = t45 * t215 - w_2_5_x * t216 + t223 + c_4 * t83;
-  const Scalar t225 = s_3 * t220 - c_3 * t219;
-  c[40] = t225 - t224;
-  const Scalar c_5_2_3 = t224 + t225;
-  c[116] = c_5_2_3;
-  const Scalar t226 = t217 - s_4 * (s_5 * dmu_4_5_y + c_5 * t179);
-  const Scalar c_4_3_5 = t218 + t226;
-  c[96] = c_4_3_5;
-  const Scalar t227 = c_5 * t178;
-  const Scalar t228 = Scalar(2.430379746835443) * f_u_6_6_t_x;
-  const Scalar t229 = t227 + t143 + t228;
-  const Scalar t230 = Scalar(0.5221518987341772) * hu_5_t_x;
-  const Scalar Ic_4_yy = Ic_5_zz - t230 - Scalar(0.34490204856053924);
-  const Scalar t231 = t229 + Ic_4_yy;
-  const Scalar t232 = t136 + t94 - Scalar(0.08142043634273043);
-  const Scalar t233 = Scalar(2.0) * t232;
-  const Scalar t234 = t233 * w_1_4_y - t206 * t68 - t231 * t67 - f_4_4_x * v_o_1_4_y;
-  const Scalar t235 = hc_4_x * v_o_1_4_y - t208 * t68 + t233 * t67 + t231 * w_1_4_y;
-  const Scalar t236 = v_o_1_4_y * (hc_4_x * t67 + f_4_4_x * w_1_4_y);
-  const Scalar c_4_1_1 = -t236 - t68 * (t210 - t211) + w_1_4_y * t234 - t67 * t235;
+  const Scalar t31 = hc_4_x * t28 + f_4_4_x * t30;
+  const Scalar t32 = t27 * t31;
+  const Scalar t33 = c_3 * t31;
+  const Scalar t34 = t26 * t21 - t18 * w_1_4_y - t32;
+  c[9] = Scalar(2.0) * t34;
+  const Scalar v_o_1_4_y = Scalar(0.2610759493670886) * c_2 + t20;
+  const Scalar t35 = Scalar(0.5221518987341772) * hu_5_t_x;
+  const Scalar t36 = Iu_6_t_xx - t35 + t13 - t14 + Scalar(0.39592218471735474);
+  const Scalar Ic_4_yy = Ic_5_zz - t35 - Scalar(0.34490204856053924);
+  const Scalar t37 = t15 + Ic_4_yy;
+  const Scalar t38 = -s_5 * t23 - c_5 * Ic_5_xz + Scalar(1.2151898734177216) * hu_5_t_x;
+  c[98] = Scalar(2.0) * t38;
+  const Scalar t39 = Scalar(0.2610759493670886) * f_u_6_6_t_x;
+  const Scalar t40 = t39 + t38 - Scalar(0.08142043634273043);
+  const Scalar t41 = s_5 * t39;
+  const Scalar t42 = Scalar(2.0) * t40;
+  const Scalar t43 = t42 * w_1_4_y - t18 * t27 - t37 * t21 - f_4_4_x * v_o_1_4_y;
+  const Scalar t44 = hc_4_x * v_o_1_4_y - t26 * t27 + t42 * t21 + t37 * w_1_4_y;
+  const Scalar t45 = v_o_1_4_y * (hc_4_x * t21 + f_4_4_x * w_1_4_y);
+  const Scalar c_4_1_1 = -t45 - t27 * (t32 - t34) + w_1_4_y * t43 - t21 * t44;
   c[84] = c_4_1_1;
-  c[117] = -db_33_5r;
-  const Scalar Iu_4_a_xy = s_4 * t206 - c_4 * t208;
-  const Scalar t237 = c_3 * t209;
-  const Scalar t238 = s_3 * Iu_4_a_xy - t237;
-  c[37] = Scalar(2.0) * t238;
-  const Scalar mu_5_3_z = t200 - t203;
-  const Scalar t239 = s_2 * mu_5_3_z + c_2 * t225;
-  const Scalar t240 = t112 * df_2_5_z + w_1_5_y * t148 + w_1_5_x * t149 - t52 * t79 + w_1_4_y * t84;
-  const Scalar c_2_1_5 = t239 - t240;
-  c[38] = c_2_1_5;
-  c[115] = -c_3_1_5;
-  c[67] = -c_5_2_3;
-  c[69] = t226 - t218;
-  c[120] = -c_4_3_5;
   c[6] = -c_4_1_1;
-  const Scalar t241 = s_4 * t233 - c_4 * t231;
-  const Scalar t242 = Scalar(0.2610759493670886) * hc_4_x - t241;
-  const Scalar t243 = c_4 * t233 + s_4 * t231;
-  const Scalar dmu_3_4_y = Scalar(0.2610759493670886) * f_4_4_x - t243;
-  const Scalar t244 = s_4 * hc_4_x - c_4 * f_4_4_x;
-  const Scalar t245 = Scalar(-0.2610759493670886) * t244;
-  const Scalar db_33_4r = t245 - s_4 * t242 + c_4 * dmu_3_4_y;
-  c[64] = db_33_4r;
-  c[11] = -t239 - t240;
-  c[113] = -c_2_1_5;
-  c[89] = -db_33_4r;
-  const Scalar t246 = t212 * t68;
-  const Scalar t247 = t246 - t244 * v_o_1_4_y + w_1_4_y * dmu_3_4_y + t67 * t242;
-  const Scalar t248 = Iu_6_t_xx - t230 + t227 - t228 + Scalar(0.39592218471735474);
+  const Scalar t46 = s_4 * t42 - c_4 * t37;
+  const Scalar t47 = c_4 * t42 + s_4 * t37;
+  const Scalar t48 = c_4 * t46;
   const Scalar hu_4_t_x = c_4 * hc_4_x + s_4 * f_4_4_x;
-  const Scalar t249 = Scalar(0.2610759493670886) * hu_4_t_x + t244 + t248;
-  const Scalar t250 = t246 + t66 * t249;
-  const Scalar c_3_1_4 = t250 + t247;
-  c[62] = c_3_1_4;
-  c[8] = t247 - t250;
-  c[87] = -c_3_1_4;
-  const Scalar t251 = c_4 * t241;
-  const Scalar t252 = Scalar(0.5221518987341772) * hu_4_t_x;
-  const Scalar t253 = t252 + t248 - Scalar(0.35069998060812224);
-  const Scalar Iu_3_t_d = t251 + Ic_4_yy - t253;
-  const Scalar t254 = t181 - Scalar(0.000060956210475372) + t212;
-  const Scalar t255 = Scalar(2.0) * t254;
-  const Scalar t256 = s_3 * t255 - c_3 * Iu_3_t_d;
-  const Scalar t257 = s_3 * t256;
-  const Scalar dmu_2_3_y = c_3 * t255 + s_3 * Iu_3_t_d;
-  const Scalar c_3_2_2 = t257 - c_3 * dmu_2_3_y;
-  c[58] = c_3_2_2;
-  const Scalar t258 = Scalar(0.002743824053281128) - t245 + t232 - s_4 * t241;
+  const Scalar t49 = Scalar(0.5221518987341772) * hu_4_t_x;
+  const Scalar t50 = t15 - t49 + t48 - Scalar(0.41230240163465);
+  const Scalar t51 = t49 + t36 - Scalar(0.35069998060812224);
+  const Scalar Iu_3_t_d = t48 + Ic_4_yy - t51;
+  const Scalar t52 = s_4 * hc_4_x - c_4 * f_4_4_x;
+  const Scalar t53 = Scalar(0.2610759493670886) * hu_4_t_x + t52 + t36;
+  const Scalar t54 = c_4 * t18 + s_4 * t26;
+  c[65] = Scalar(-2.0) * t54;
+  const Scalar t55 = t17 - Scalar(0.000060956210475372) + t54;
+  const Scalar t56 = Scalar(2.0) * t55;
+  const Scalar t57 = s_3 * t56 - c_3 * Iu_3_t_d;
+  const Scalar dmu_2_3_y = c_3 * t56 + s_3 * Iu_3_t_d;
+  const Scalar t58 = c_3 * t57;
+  const Scalar t59 = Scalar(2.0) * t52 + t50 - t58 + t51 + Scalar(0.8860432804898606);
+  const Scalar t60 = Scalar(-0.2610759493670886) * t52;
+  const Scalar t61 = Scalar(0.002743824053281128) - t60 + t40 - s_4 * t46;
+  const Scalar t62 = Scalar(2.0) * s_2;
+  const Scalar Iu_4_a_xy = s_4 * t18 - c_4 * t26;
+  const Scalar t63 = c_3 * t18 - s_3 * (f_4_4_x - t46);
+  const Scalar t64 = c_3 * t26 + s_3 * (hc_4_x + t47);
+  const Scalar t65 = Scalar(0.2610759493670886) * hc_4_x - t46;
+  const Scalar dmu_3_4_y = Scalar(0.2610759493670886) * f_4_4_x - t47;
+  const Scalar db_33_4r = t60 - s_4 * t65 + c_4 * dmu_3_4_y;
+  c[64] = db_33_4r;
+  c[89] = -db_33_4r;
   const Scalar Ic_3_yz = Iu_4_a_xy - Scalar(0.002188628560919792);
   const Scalar hc_3_x = Scalar(0.118003557659776) + hu_4_t_x;
-  const Scalar t259 = Scalar(0.004459880990724) + t154;
-  const Scalar t260 = c_3 * t259 + s_3 * hc_3_x;
-  const Scalar t261 = t260 - c_3 * Ic_3_yz + s_3 * t258;
-  const Scalar t262 = Scalar(2.0) * s_2;
-  c[5] = -t261 * t262;
-  const Scalar t263 = s_3 * (t259 - Ic_3_yz) - c_3 * (t258 + hc_3_x);
-  c[33] = Scalar(2.0) * t263;
-  const Scalar t264 = c_3 * t206 - s_3 * (f_4_4_x - t241);
-  const Scalar t265 = c_3 * t208 + s_3 * (hc_4_x + t243);
-  const Scalar t266 = s_3 * (hu_4_t_x * v_o_1_4_y + s_2 * t238);
-  const Scalar db_12_4r = t68 * t237 - t67 * t265 - t266 + w_1_4_y * t264;
-  const Scalar t267 = c_3 * t212;
-  const Scalar t268 = t267 - s_3 * t249;
-  const Scalar db_14_2 = s_2 * Iu_4_a_xy + c_2 * t268;
+  const Scalar t66 = Scalar(0.004459880990724) + t16;
+  const Scalar t67 = s_3 * (t66 - Ic_3_yz) - c_3 * (t61 + hc_3_x);
+  const Scalar t68 = c_3 * t66 + s_3 * hc_3_x;
+  c[33] = Scalar(2.0) * t67;
+  const Scalar t69 = Scalar(0.00199167944196776) + t67;
+  const Scalar t70 = c_2 * t67;
+  const Scalar t71 = t70 + s_2 * (t58 + s_3 * dmu_2_3_y);
+  const Scalar db_13_2 = s_2 * t50 - t70;
+  c[4] = db_13_2 + t71;
+  const Scalar c_3_1_2 = db_13_2 - t71;
+  c[57] = c_3_1_2;
+  c[31] = -c_3_1_2;
+  const Scalar t72 = c_2 * (s_2 * t59 - Scalar(2.0) * c_2 * t69);
+  const Scalar c_1_1_2 = t72 + s_2 * (t69 * t62 + c_2 * t59);
+  c[1] = c_1_1_2;
+  c[28] = -c_1_1_2;
+  const Scalar t73 = t68 - c_3 * Ic_3_yz + s_3 * t61;
+  c[5] = -t73 * t62;
+  const Scalar t74 = s_3 * (c_2 * t61 - s_2 * t57);
+  const Scalar t75 = s_2 * (t74 - c_3 * (c_2 * Ic_3_yz - s_2 * dmu_2_3_y));
+  const Scalar c_3_1_1 = c_2 * s_2 * (t68 + t73) + t75;
+  const Scalar t76 = s_3 * t57;
+  c[2] = Scalar(2.0) * (s_2 * (Scalar(0.0003844680514732) + t73) -
+      c_2 * (Scalar(0.005130550910504085) + t55 - t76));
+  const Scalar c_3_2_2 = t76 - c_3 * dmu_2_3_y;
+  c[58] = c_3_2_2;
+  c[32] = -c_3_2_2;
+  c[56] = c_3_1_1;
+  c[3] = -c_3_1_1;
+  const Scalar t77 = t28 + Scalar(1.2151898734177216);
+  const Scalar t78 = c_5 * t77;
+  const Scalar t79 = s_5 * t77;
+  const Scalar v_o_2_5_z = s_3 + Scalar(1.2151898734177216) * s_3 *
+      (c_4 - Scalar(0.21484375) * s_4);
+  const Scalar v_2_6_a_z = c_3 * t79 + c_5 * v_o_2_5_z;
+  const Scalar t80 = s_5 * v_o_2_5_z - c_3 * t78;
+  const Scalar v_1_5_a_y = v_o_1_4_y - Scalar(0.2610759493670886) * w_1_4_y +
+      Scalar(1.2151898734177216) * t21;
+  const Scalar t81 = t27 * t79 - c_5 * v_1_5_a_y;
+  const Scalar v_1_5_x = t27 * t78 + s_5 * v_1_5_a_y;
+  const Scalar t82 = t30 - Scalar(0.2610759493670886);
+  const Scalar t83 = t82 * t27;
+  const Scalar t84 = c_3 * t82;
+  const Scalar t85 = s_3 * c_4;
+  const Scalar t86 = s_5 * t85 - c_3 * c_5;
+  const Scalar w_2_5_x = c_5 * t85 + c_3 * s_5;
+  const Scalar w_1_5_x = s_5 * t27 - c_5 * t21;
+  const Scalar w_1_5_y = s_5 * t21 + c_5 * t27;
+  const Scalar t87 = f_5_5_x * t81 + hc_5_x * v_1_5_x;
+  const Scalar t88 = f_5_5_x * v_2_6_a_z - hc_5_x * t80;
+  const Scalar t89 = Ic_5_xz * t86 - t23 * w_2_5_x + t88;
+  c[42] = Scalar(-2.0) * t89;
+  const Scalar t90 = s_3 * s_4;
+  const Scalar t91 = t11 * t86 + Ic_5_xz * t90 - f_5_5_x * t84 - Iu_5_t_d * w_2_5_x;
+  const Scalar t92 = t23 * t90 + t11 * w_2_5_x + Iu_5_t_d * t86 + hc_5_x * t84;
+  const Scalar df_2_5_z = f_5_5_x * t86 + hc_5_x * w_2_5_x;
+  const Scalar t93 = t83 * df_2_5_z + w_1_5_y * t91 + w_1_5_x * t92 - t90 * t87 + w_1_4_y * t89;
+  const Scalar db_22_5r = t86 * t91 - t84 * df_2_5_z - w_2_5_x * t92 + t90 * (t88 + t89);
+  c[39] = db_22_5r;
+  c[114] = -db_22_5r;
+  const Scalar t94 = -t23 * w_1_5_x - Ic_5_xz * w_1_5_y + t87;
+  c[14] = Scalar(-2.0) * t94;
+  const Scalar t95 = t11 * w_1_5_y + Ic_5_xz * w_1_4_y + f_5_5_x * t83 + Iu_5_t_d * w_1_5_x;
+  const Scalar t96 = c_4 * Ic_5_xz - s_4 * t12;
+  const Scalar t97 = Scalar(0.2610759493670886) * hc_5_x - t12;
+  const Scalar t98 = t11 * w_1_5_x - t23 * w_1_4_y + hc_5_x * t83 - Iu_5_t_d * w_1_5_y;
+  const Scalar t99 = c_5 * t11 + s_5 * Iu_5_t_d;
+  const Scalar t100 = t83 * (f_5_5_x * w_1_5_y - hc_5_x * w_1_5_x);
+  const Scalar c_1_1_5 = t100 + w_1_5_y * t95 - w_1_5_x * t98 - w_1_4_y * (t87 + t94);
+  const Scalar t101 = c_4 * t23 - s_4 * t99;
+  const Scalar dmu_4_5_y = Scalar(0.2610759493670886) * f_5_5_x - t99;
+  const Scalar c_5_4_4 = t17 - s_5 * t97 + c_5 * dmu_4_5_y;
+  c[10] = c_1_1_5;
+  c[112] = -c_1_1_5;
+  c[121] = c_5_4_4;
+  c[97] = -c_5_4_4;
+  const Scalar t102 = c_4 - Scalar(1.0);
+  const Scalar v_o_3_5_z = Scalar(0.2610759493670886) * t102 + Scalar(1.2151898734177216) * s_4;
+  const Scalar t103 = t16 * v_o_3_5_z;
+  const Scalar t104 = t103 - s_4 * t24;
+  const Scalar t105 = w_1_5_y * t96 - s_4 * hu_5_t_x * t83 + w_1_5_x * t101 + w_1_4_y * t104 -
+      c_4 * t87;
+  const Scalar db_33_5r = c_4 * (t103 + t104) - s_4 * (s_5 * t96 - c_5 * t101);
+  c[70] = Scalar(2.0) * t104;
+  const Scalar t106 = s_4 * (hu_5_t_x * t84 + s_3 * t104);
+  const Scalar t107 = t86 * t96 - w_2_5_x * t101 + t106 + c_4 * t88;
+  c[68] = db_33_5r;
+  c[117] = -db_33_5r;
+  const Scalar t108 = c_3 * t54;
+  const Scalar t109 = t54 * t27;
+  const Scalar t110 = t109 + t20 * t53;
+  const Scalar t111 = t109 - t52 * v_o_1_4_y + w_1_4_y * dmu_3_4_y + t21 * t65;
+  const Scalar t112 = t108 + s_3 * (t52 - s_4 * dmu_3_4_y - c_4 * t65);
+  const Scalar t113 = t108 - s_3 * t53;
+  c[8] = t111 - t110;
+  const Scalar c_3_1_4 = t110 + t111;
+  c[62] = c_3_1_4;
+  c[87] = -c_3_1_4;
+  c[36] = t112 - t113;
+  const Scalar c_3_2_4 = t113 + t112;
+  const Scalar db_14_2 = s_2 * Iu_4_a_xy + c_2 * t113;
+  const Scalar t114 = s_3 * Iu_4_a_xy - t33;
+  const Scalar t115 = s_3 * (hu_4_t_x * v_o_1_4_y + s_2 * t114);
+  const Scalar db_12_4r = t27 * t33 - t21 * t64 - t115 + w_1_4_y * t63;
+  const Scalar t116 = s_3 * (s_3 * hu_4_t_x - s_4 * t63 + c_4 * t64);
+  const Scalar db_22_4r = c_3 * (t33 - t114) + t116;
+  c[37] = Scalar(2.0) * t114;
   c[7] = db_14_2 + db_12_4r;
   const Scalar c_4_1_2 = db_14_2 - db_12_4r;
   c[85] = c_4_1_2;
-  const Scalar t269 = t267 + s_3 * (t244 - s_4 * dmu_3_4_y - c_4 * t242);
-  const Scalar c_3_2_4 = t268 + t269;
-  c[63] = c_3_2_4;
-  c[32] = -c_3_2_2;
-  const Scalar t270 = s_3 * (s_3 * hu_4_t_x - s_4 * t264 + c_4 * t265);
-  const Scalar db_22_4r = c_3 * (t237 - t238) + t270;
-  c[35] = db_22_4r;
   c[34] = -c_4_1_2;
-  c[36] = t269 - t268;
+  c[63] = c_3_2_4;
   c[88] = -c_3_2_4;
+  c[35] = db_22_4r;
   c[86] = -db_22_4r;
-  c[2] = Scalar(2.0) * (s_2 * (Scalar(0.0003844680514732) + t261) -
-      c_2 * (Scalar(0.005130550910504085) + t254 - t257));
-  const Scalar t271 = c_3 * t256;
-  const Scalar t272 = c_2 * t263;
-  const Scalar t273 = t272 + s_2 * (t271 + s_3 * dmu_2_3_y);
-  const Scalar t274 = t229 - t252 + t251 - Scalar(0.41230240163465);
-  const Scalar db_13_2 = s_2 * t274 - t272;
-  c[4] = db_13_2 + t273;
-  const Scalar c_3_1_2 = db_13_2 - t273;
-  c[57] = c_3_1_2;
-  const Scalar t275 = Scalar(2.0) * t244 + t274 - t271 + t253 + Scalar(0.8860432804898606);
-  const Scalar t276 = Scalar(0.00199167944196776) + t263;
-  const Scalar t277 = c_2 * (s_2 * t275 - Scalar(2.0) * c_2 * t276);
-  const Scalar c_1_1_2 = t277 + s_2 * (t276 * t262 + c_2 * t275);
-  c[1] = c_1_1_2;
-  const Scalar t278 = s_3 * (c_2 * t258 - s_2 * t256);
-  const Scalar t279 = s_2 * (t278 - c_3 * (c_2 * Ic_3_yz - s_2 * dmu_2_3_y));
-  const Scalar c_3_1_1 = c_2 * s_2 * (t260 + t261) + t279;
-  c[56] = c_3_1_1;
-  c[31] = -c_3_1_2;
-  c[28] = -c_1_1_2;
-  c[3] = -c_3_1_1;
+  const Scalar t117 = s_5 * Iu_6_a_xz - c_5 * t3;
+  const Scalar t118 = c_5 * f_u_6_6_t_x;
+  const Scalar t119 = c_4 + Scalar(1.2151898734177216);
+  const Scalar t120 = s_4 * c_5;
+  const Scalar t121 = f_u_6_6_t_x * t120 + hu_6_t_x * t102;
+  const Scalar t122 = Scalar(0.2610759493670886) * t121 + t117 + s_4 * hu_6_t_x - t118 * t119;
+  const Scalar t123 = t30 * t118 + hu_6_t_x * t28;
+  const Scalar t124 = s_5 * hu_6_t_x;
+  const Scalar t125 = c_6 * mr_7_y;
+  const Scalar t126 = s_5 * mr_7_x - c_5 * t125;
+  const Scalar t127 = s_6 * mr_7_y;
+  const Scalar t128 = s_4 * t126 - t102 * t127;
+  const Scalar t129 = t30 * t126 - t28 * t127;
+  const Scalar t130 = t16 * t30;
+  const Scalar t131 = Scalar(0.27848101265822783) * mr_7_x;
+  const Scalar t132 = t131 + Scalar(0.003342075983680473);
+  const Scalar t133 = t131 - dI_7_xy;
+  const Scalar t134 = c_6 * Iu_7_a_xz;
+  const Scalar t135 = s_6 * t132 - t134;
+  const Scalar t136 = c_5 * Iu_7_a_xy + s_5 * t135;
+  const Scalar t137 = s_4 * t127 - Scalar(0.2610759493670886) * t128 + t119 * t126 + t136;
+  const Scalar t138 = v_o_3_5_z * t126 + s_4 * t136;
+  const Scalar t139 = Scalar(0.2610759493670886) * hu_5_t_x;
+  const Scalar mu_5_4_y = Ic_5_zz - t139;
+  const Scalar t140 = t38 * w_1_4_y;
+  const Scalar t141 = -t21 * mu_5_4_y - t27 * t130 + t140;
+  const Scalar db_14_5r = w_1_5_y * dmu_4_5_y - w_1_5_x * t97 + t16 * t83 + t140;
+  const Scalar t142 = t86 * dmu_4_5_y + t38 * t90 - t16 * t84 + w_2_5_x * t97;
+  c[13] = db_14_5r - t141;
+  const Scalar c_4_1_5 = t141 + db_14_5r;
+  c[94] = c_4_1_5;
+  c[118] = -c_4_1_5;
+  const Scalar t143 = s_5 * c_6;
+  const Scalar f_u_7_5_a_z = mr_7_y * t143 + c_5 * mr_7_x;
+  const Scalar t144 = Scalar(1.2151898734177216) * f_u_7_5_a_z - s_5 * Iu_7_a_xy + c_5 * t135;
+  const Scalar t145 = s_6 * Iu_7_a_xz + c_6 * t132;
+  const Scalar t146 = Scalar(0.2610759493670886) * f_u_7_5_a_z;
+  const Scalar t147 = t145 - t146;
+  const Scalar t148 = w_1_4_y * t144 - t27 * t129 - t21 * t147;
+  const Scalar t149 = Scalar(1.2151898734177216) * f_u_6_6_t_x;
+  const Scalar t150 = c_5 * Iu_6_a_xz;
+  const Scalar t151 = t150 + s_5 * (t3 + t149);
+  const Scalar t152 = t22 - t41;
+  const Scalar t153 = t27 * t123 - t21 * t152 + w_1_4_y * t151;
+  const Scalar t154 = s_4 * t147 + c_4 * t144;
+  const Scalar t155 = f_u_7_5_a_z + t154;
+  const Scalar t156 = s_4 * t144 - c_4 * t147;
+  const Scalar t157 = c_3 * t129 + s_3 * t156;
+  const Scalar mu_u_7_3_a_y = t146 - t156;
+  const Scalar t158 = s_2 * (s_3 * t155 + c_3 * t137);
+  const Scalar t159 = c_3 * t155 - s_3 * t137;
+  const Scalar t160 = s_2 * mu_u_7_3_a_y - c_2 * t159;
+  const Scalar t161 = s_4 * t152 + c_4 * t151;
+  const Scalar t162 = s_4 * t151 - c_4 * t152;
+  const Scalar t163 = s_3 * t162 - c_3 * t123;
+  const Scalar mu_6_3_z = t41 - t162;
+  const Scalar t164 = t161 + s_5 * f_u_6_6_t_x;
+  const Scalar t165 = s_2 * (s_3 * t164 + c_3 * t122);
+  const Scalar t166 = c_3 * t164 - s_3 * t122;
+  const Scalar t167 = s_2 * mu_6_3_z - c_2 * t166;
+  const Scalar t168 = c_4 * t38;
+  const Scalar t169 = t168 - s_4 * (s_5 * dmu_4_5_y + c_5 * t97);
+  const Scalar t170 = s_4 * mu_5_4_y + t168;
+  const Scalar t171 = s_4 * t38 - c_4 * mu_5_4_y;
+  const Scalar t172 = hu_5_t_x + t170;
+  const Scalar t173 = c_3 * t130 + s_3 * t171;
+  const Scalar mu_5_3_z = t139 - t171;
+  c[41] = t173 - t142;
+  const Scalar c_5_2_4 = t173 + t142;
+  c[119] = c_5_2_4;
+  c[95] = -c_5_2_4;
+  c[69] = t169 - t170;
+  const Scalar c_4_3_5 = t170 + t169;
+  c[96] = c_4_3_5;
+  c[120] = -c_4_3_5;
+  const Scalar t174 = s_2 * (c_3 * t29 + s_3 * t172);
+  const Scalar t175 = s_3 * t29 - c_3 * t172;
+  const Scalar t176 = s_2 * mu_5_3_z + c_2 * t175;
+  c[12] = t105 - t174;
+  const Scalar c_3_1_5 = t105 + t174;
+  c[66] = c_3_1_5;
+  c[115] = -c_3_1_5;
+  c[40] = t175 - t107;
+  const Scalar c_5_2_3 = t107 + t175;
+  c[116] = c_5_2_3;
+  c[67] = -c_5_2_3;
+  c[11] = -t176 - t93;
+  const Scalar c_2_1_5 = t176 - t93;
+  c[38] = c_2_1_5;
+  c[113] = -c_2_1_5;
+  const Scalar t177 = s_6 * t120 - c_4 * c_6;
+  const Scalar w_3_6_x = c_6 * t120 + c_4 * s_6;
+  const Scalar t178 = v_o_3_5_z * t124;
+  const Scalar t179 = Ic_6_yz * w_3_6_x + t9 * t177 - t178;
+  c[76] = Scalar(-2.0) * t179;
+  const Scalar t180 = c_5 * v_o_3_5_z;
+  const Scalar t181 = s_4 * s_5;
+  const Scalar t182 = -t9 * t181 - Iu_6_t_d * w_3_6_x + t4 * t177 +
+      Scalar(0.027461143479902) * t180;
+  const Scalar t183 = Ic_6_yz * t181 + Iu_6_t_d * t177 + t4 * w_3_6_x - hc_6_x * t180;
+  const Scalar t184 = Scalar(0.027461143479902) * t177 + hc_6_x * w_3_6_x;
+  const Scalar db_33_6r = t177 * t182 - w_3_6_x * t183 + t181 * (t178 - t179) + t180 * t184;
+  c[73] = db_33_6r;
+  c[145] = -db_33_6r;
+  const Scalar w_2_7_a_z = s_6 * w_2_5_x + c_6 * t90;
+  const Scalar t185 = s_6 * t90 - c_6 * w_2_5_x;
+  const Scalar t186 = s_6 * t84 + c_6 * t80;
+  const Scalar t187 = s_6 * t80 - c_6 * t84;
+  const Scalar db_27_5 = v_2_6_a_z * t125 - Iu_7_a_xy * w_2_5_x - mr_7_x * t80 - t86 * t135;
+  const Scalar t188 = s_6 * w_1_5_x - c_6 * w_1_4_y;
+  const Scalar w_1_6_x = s_6 * w_1_4_y + c_6 * w_1_5_x;
+  const Scalar t189 = s_6 * t83 - c_6 * v_1_5_x;
+  const Scalar t190 = c_6 * t83 + s_6 * v_1_5_x;
+  const Scalar db_17_5 = t81 * t125 - Iu_7_a_xy * w_1_5_x + mr_7_x * v_1_5_x + w_1_5_y * t135;
+  const Scalar t191 = Scalar(0.27848101265822783) * t125;
+  const Scalar t192 = Scalar(0.027461143479902) * t190 - hc_6_x * t189;
+  const Scalar t193 = mr_7_y * (Scalar(0.27848101265822783) * t188 + t81) - mr_7_x * t189;
+  const Scalar t194 = t188 * t182 - w_1_6_x * t183 + w_1_5_y * t179 - t192 * t181 + t81 * t184;
+  c[17] = t194 - t165;
+  const Scalar c_3_1_6 = t165 + t194;
+  c[71] = c_3_1_6;
+  c[143] = -c_3_1_6;
+  const Scalar t195 = Scalar(0.027461143479902) * t187 + hc_6_x * t186;
+  const Scalar t196 = w_2_7_a_z * t182 + t185 * t183 - t86 * t179 + v_2_6_a_z * t184 + t195 * t181;
+  c[45] = t196 - t166;
+  const Scalar c_3_2_6 = t166 + t196;
+  c[72] = c_3_2_6;
+  c[144] = -c_3_2_6;
+  const Scalar v_o_2_7_z = Scalar(0.27848101265822783) * w_2_7_a_z + v_2_6_a_z;
+  const Scalar t197 = mr_7_y * v_o_2_7_z - mr_7_x * t186;
+  const Scalar t198 = t197 + Iu_7_a_xy * t185 + Iu_7_a_xz * t86;
+  c[55] = Scalar(-2.0) * t198;
+  const Scalar t199 = Scalar(0.27848101265822783) * t86 + t187;
+  const Scalar t200 = Iu_7_a_xz * w_2_7_a_z;
+  const Scalar t201 = mr_7_y * t187 - t200 + t185 * t132;
+  const Scalar t202 = t200 + mr_7_y * t199;
+  const Scalar t203 = t202 + t185 * dI_7_xy - t86 * t10;
+  const Scalar t204 = mr_7_x * t199;
+  const Scalar dmu_2_7_x = Iu_7_a_xy * w_2_7_a_z - t204 + t185 * t10 + t86 * dI_7_xy;
+  const Scalar df_2_7_z = mr_7_y * t86 - mr_7_x * t185;
+  const Scalar v_1_7_a_z = Scalar(0.27848101265822783) * w_1_5_y + t190;
+  const Scalar t205 = v_1_7_a_z * df_2_7_z - w_2_7_a_z * t193 - t188 * t198 + w_1_6_x * dmu_2_7_x +
+      w_1_5_y * t203;
+  const Scalar c_7_2_2 = t199 * df_2_7_z + w_2_7_a_z * (t197 + t198) + t185 * dmu_2_7_x +
+      t86 * t203;
+  c[170] = c_7_2_2;
+  c[50] = -c_7_2_2;
+  c[22] = t205 + t160;
+  const Scalar c_7_1_2 = t160 - t205;
+  c[169] = c_7_1_2;
+  c[49] = -c_7_1_2;
+  const Scalar t206 = mr_7_x * t143;
+  const Scalar t207 = mr_7_y * (Scalar(0.27848101265822783) * t177 + t180) - v_o_3_5_z * t206;
+  const Scalar t208 = t206 - c_5 * mr_7_y;
+  const Scalar t209 = f_u_6_6_t_x * t180;
+  const Scalar t210 = t209 - s_4 * t117;
+  const Scalar t211 = t207 - Iu_7_a_xy * w_3_6_x + Iu_7_a_xz * t181;
+  c[83] = Scalar(-2.0) * t211;
+  const Scalar t212 = Scalar(0.27848101265822783) * s_4 + s_6 * v_o_3_5_z;
+  const Scalar t213 = s_5 * t212;
+  const Scalar t214 = Iu_7_a_xz * t177;
+  const Scalar t215 = mr_7_y * t213 + t214;
+  const Scalar t216 = t215 - w_3_6_x * dI_7_xy - t181 * t10;
+  const Scalar t217 = mr_7_x * t213 - Iu_7_a_xy * t177 + w_3_6_x * t10 - t181 * dI_7_xy;
+  const Scalar df_3_7_z = mr_7_y * t181 + mr_7_x * w_3_6_x;
+  const Scalar t218 = v_1_7_a_z * df_3_7_z - t177 * t193 - t188 * t211 - w_1_6_x * t217 +
+      w_1_5_y * t216;
+  c[23] = t218 + t158;
+  const Scalar c_3_1_7 = t218 - t158;
+  c[77] = c_3_1_7;
+  c[171] = -c_3_1_7;
+  const Scalar t219 = t199 * df_3_7_z + w_2_7_a_z * t211 + t177 * t197 - t185 * t217 + t86 * t216;
+  const Scalar c_7_3_3 = df_3_7_z * t213 + t177 * (t207 + t211) + w_3_6_x * t217 + t181 * t216;
+  c[173] = c_7_3_3;
+  c[79] = -c_7_3_3;
+  c[51] = t159 - t219;
+  const Scalar c_7_2_3 = t159 + t219;
+  c[172] = c_7_2_3;
+  c[78] = -c_7_2_3;
+  const Scalar t220 = Scalar(1.2151898734177216) * c_5;
+  const Scalar t221 = Scalar(0.2610759493670886) * c_6 - s_6 * t220;
+  const Scalar t222 = Scalar(0.2610759493670886) * s_6 + c_6 * t220;
+  const Scalar t223 = mr_7_y * t221 - s_5 * t145;
+  const Scalar t224 = mr_7_x * t222 + s_5 * t8 * (s_6 + Scalar(4.363636363636363));
+  const Scalar t225 = Scalar(0.027461143479902) * t221 - hc_6_x * t222;
+  const Scalar v_o_4_7_y = Scalar(0.27848101265822783) * c_5 - t221;
+  const Scalar t226 = t225 - s_5 * t22;
+  c[104] = Scalar(-2.0) * t226;
+  const Scalar t227 = t224 - Iu_7_a_xy * t143 - c_5 * Iu_7_a_xz;
+  c[111] = Scalar(2.0) * t227;
+  const Scalar t228 = s_6 * Iu_7_a_xy;
+  const Scalar t229 = mr_7_x * v_o_4_7_y;
+  const Scalar t230 = t229 + s_5 * (t228 - c_6 * t10) - c_5 * dI_7_xy;
+  const Scalar db_57_7 = t191 + t228;
+  const Scalar t231 = s_6 * (t229 + s_5 * db_57_7);
+  c[139] = Scalar(2.0) * db_57_7;
+  const Scalar t232 = s_5 * s_6;
+  const Scalar t233 = t214 - mr_7_y * v_o_3_5_z * t232 + w_3_6_x * t132;
+  const Scalar t234 = Iu_7_a_xz * t232 - mr_7_y * v_o_4_7_y;
+  const Scalar t235 = t234 - t143 * dI_7_xy + c_5 * t10;
+  const Scalar t236 = t199 * t208 + t197 * t232 + w_2_7_a_z * t227 + t185 * t230 + t86 * t235;
+  c[52] = t236 - t157;
+  const Scalar c_4_2_7 = t157 + t236;
+  c[106] = c_4_2_7;
+  c[175] = -c_4_2_7;
+  const Scalar t237 = s_5 * (s_6 * t207 + s_4 * t235);
+  const Scalar t238 = t213 * t208 + t177 * t227 - w_3_6_x * t230 + t237;
+  c[80] = t238 + t154;
+  const Scalar c_7_3_4 = t154 - t238;
+  c[176] = c_7_3_4;
+  c[107] = -c_7_3_4;
+  const Scalar t239 = s_5 * (c_6 * t230 - s_6 * (t224 + t227));
+  const Scalar db_44_7r = v_o_4_7_y * t208 + c_5 * t235 + t239;
+  const Scalar t240 = v_1_7_a_z * t208 - t193 * t232 - t188 * t227 + w_1_6_x * t230 +
+      w_1_5_y * t235;
+  c[108] = db_44_7r;
+  c[177] = -db_44_7r;
+  c[24] = t148 - t240;
+  const Scalar c_7_1_4 = t148 + t240;
+  c[174] = c_7_1_4;
+  c[105] = -c_7_1_4;
+  const Scalar t241 = v_1_7_a_z * (mr_7_y * w_1_5_y - mr_7_x * w_1_6_x);
+  const Scalar t242 = mr_7_x * v_1_7_a_z;
+  const Scalar t243 = Iu_7_a_xz * t188;
+  const Scalar t244 = mr_7_y * t190 + t243 + w_1_6_x * t132;
+  const Scalar t245 = t243 - mr_7_y * v_1_7_a_z;
+  const Scalar t246 = t193 - Iu_7_a_xy * w_1_6_x - Iu_7_a_xz * w_1_5_y;
+  c[27] = Scalar(-2.0) * t246;
+  const Scalar t247 = w_1_5_y * (t245 - w_1_6_x * dI_7_xy + w_1_5_y * t10);
+  const Scalar t248 = w_1_6_x * (-t242 - Iu_7_a_xy * t188 + w_1_6_x * t10 + w_1_5_y * dI_7_xy);
+  const Scalar c_7_1_1 = t241 + t188 * (t193 + t246) + t248 - t247;
+  const Scalar t249 = c_6 * Iu_7_a_xy + s_6 * t10;
+  const Scalar dmu_5_7_y = t134 + s_6 * dI_7_xy;
+  const Scalar t250 = mr_7_x * t212 * t232 - t177 * db_57_7 - c_6 * t207 + w_3_6_x * t249 -
+      t181 * dmu_5_7_y;
+  const Scalar t251 = s_6 * t242 + t188 * db_57_7 + c_6 * t193 - w_1_6_x * t249 -
+      w_1_5_y * dmu_5_7_y;
+  const Scalar t252 = s_6 * t204 - w_2_7_a_z * db_57_7 - c_6 * t197 - t185 * t249 - t86 * dmu_5_7_y;
+  const Scalar t253 = c_5 * dmu_5_7_y - t231 - c_6 * (t224 - s_5 * t249);
+  const Scalar c_7_5_5 = c_6 * (t191 + db_57_7) + s_6 * t249;
+  const Scalar t254 = t8 - t10;
+  const Scalar t255 = t234 + t143 * t133 - c_5 * t254;
+  const Scalar t256 = t245 + w_1_6_x * t133 - w_1_5_y * t254;
+  const Scalar t257 = t202 - t185 * t133 + t86 * t254;
+  const Scalar t258 = t215 + w_3_6_x * t133 + t181 * t254;
+  const Scalar db_56_7r = t134 - s_6 * t133;
+  const Scalar c_7_6_6 = t8 + t254;
+  c[188] = c_7_6_6;
+  c[166] = -c_7_6_6;
+  c[182] = c_7_5_5;
+  c[137] = -c_7_5_5;
+  c[110] = t223 + t255;
+  const Scalar c_7_4_6 = t223 - t255;
+  c[186] = c_7_4_6;
+  c[164] = -c_7_4_6;
+  c[138] = db_56_7r + t135;
+  const Scalar c_7_5_6 = t135 - db_56_7r;
+  c[187] = c_7_5_6;
+  c[165] = -c_7_5_6;
+  c[82] = t233 - t258;
+  const Scalar c_7_3_6 = t258 + t233;
+  c[185] = c_7_3_6;
+  c[163] = -c_7_3_6;
+  c[81] = -t250 - t138;
+  const Scalar c_5_3_7 = t138 - t250;
+  c[135] = c_5_3_7;
+  c[180] = -c_5_3_7;
+  c[109] = t253 - t144;
+  const Scalar c_5_4_7 = t144 + t253;
+  c[136] = c_5_4_7;
+  c[181] = -c_5_4_7;
+  c[53] = db_27_5 - t252;
+  const Scalar c_7_2_5 = t252 + db_27_5;
+  c[179] = c_7_2_5;
+  c[134] = -c_7_2_5;
+  c[54] = -t201 - t257;
+  const Scalar c_6_2_7 = t201 - t257;
+  c[162] = c_6_2_7;
+  c[184] = -c_6_2_7;
+  c[25] = t251 + db_17_5;
+  const Scalar c_7_1_5 = db_17_5 - t251;
+  c[178] = c_7_1_5;
+  c[133] = -c_7_1_5;
+  c[26] = t244 - t256;
+  const Scalar c_7_1_6 = t244 + t256;
+  c[183] = c_7_1_6;
+  c[161] = -c_7_1_6;
+  c[168] = c_7_1_1;
+  c[21] = -c_7_1_1;
+  const Scalar t259 = Ic_6_yz * w_1_6_x + t9 * t188 + t192;
+  c[20] = Scalar(-2.0) * t259;
+  const Scalar t260 = t9 * w_1_5_y - Iu_6_t_d * w_1_6_x + t4 * t188 +
+      Scalar(0.027461143479902) * t81;
+  const Scalar t261 = Iu_6_t_d * t188 - Ic_6_yz * w_1_5_y + t4 * w_1_6_x - hc_6_x * t81;
+  const Scalar t262 = t81 * (Scalar(0.027461143479902) * t188 + hc_6_x * w_1_6_x);
+  const Scalar c_1_1_6 = t188 * t260 - w_1_6_x * t261 + t262 + w_1_5_y * (t192 + t259);
+  c[15] = c_1_1_6;
+  c[140] = -c_1_1_6;
+  const Scalar t263 = Ic_6_yz * t185 - t9 * w_2_7_a_z + t195;
+  c[48] = Scalar(2.0) * t263;
+  const Scalar t264 = Iu_6_t_d * t185 - t9 * t86 + t4 * w_2_7_a_z +
+      Scalar(0.027461143479902) * v_2_6_a_z;
+  const Scalar t265 = c_5 * t9 + s_5 * (t5 + Scalar(0.033370503469248));
+  const Scalar dmu_2_6_x = -Ic_6_yz * t86 - Iu_6_t_d * w_2_7_a_z + t4 * t185 + hc_6_x * v_2_6_a_z;
+  const Scalar dmu_5_6_y = s_6 * Iu_6_t_d + c_6 * t4;
+  const Scalar t266 = t150 - s_5 * (t6 + s_6 * dmu_5_6_y + t149);
+  const Scalar t267 = c_5 * Ic_6_yz + s_5 * (Scalar(1.2151898734177216) * hc_6_x - dmu_5_6_y);
+  const Scalar df_2_6_z = Scalar(0.027461143479902) * w_2_7_a_z - hc_6_x * t185;
+  const Scalar t268 = Iu_6_a_xz * t181 + t177 * dmu_5_6_y + t5 * w_3_6_x + t209;
+  const Scalar t269 = t177 * t265 + t226 * t181 + w_3_6_x * t267;
+  const Scalar c_6_5_5 = t19 - c_6 * dmu_5_6_y;
+  c[154] = c_6_5_5;
+  c[131] = -c_6_5_5;
+  c[75] = -t210 - t268;
+  const Scalar c_5_3_6 = t210 - t268;
+  c[129] = c_5_3_6;
+  c[152] = -c_5_3_6;
+  c[103] = t151 - t266;
+  const Scalar c_6_4_5 = t266 + t151;
+  c[153] = c_6_4_5;
+  c[130] = -c_6_4_5;
+  c[74] = -t161 - t269;
+  const Scalar c_4_3_6 = t161 - t269;
+  c[101] = c_4_3_6;
+  c[148] = -c_4_3_6;
+  const Scalar t270 = t188 * t264 + w_1_6_x * dmu_2_6_x + t81 * df_2_6_z - w_1_5_y * t263 -
+      t86 * t192;
+  const Scalar c_2_2_6 = w_2_7_a_z * t264 - t185 * dmu_2_6_x + v_2_6_a_z * df_2_6_z +
+      t86 * (t195 + t263);
+  const Scalar t271 = t188 * t265 - w_1_5_y * t226 + w_1_6_x * t267 + t81 * t124 + c_5 * t192;
+  const Scalar t272 = Iu_6_a_xz * w_1_5_y;
+  const Scalar t273 = f_u_6_6_t_x * t81;
+  const Scalar db_15_6r = t272 - t188 * dmu_5_6_y - t5 * w_1_6_x - t273;
+  const Scalar t274 = t272 + t3 * w_1_5_x + t273;
+  const Scalar t275 = w_2_7_a_z * t265 - t185 * t267 + v_2_6_a_z * t124 + t86 * t226 - c_5 * t195;
+  const Scalar t276 = s_5 * (Scalar(1.2151898734177216) * t124 + s_6 * t265 + c_6 * t267);
+  const Scalar c_6_4_4 = c_5 * (t225 + t226) - t276;
+  const Scalar t277 = f_u_6_6_t_x * v_2_6_a_z;
+  const Scalar t278 = Iu_6_a_xz * t86;
+  const Scalar t279 = t278 + w_2_7_a_z * dmu_5_6_y - t5 * t185 + t277;
+  const Scalar db_26_5 = t278 - t277 - t3 * w_2_5_x;
+  c[47] = db_26_5 - t279;
+  const Scalar c_6_2_5 = db_26_5 + t279;
+  c[151] = c_6_2_5;
+  c[128] = -c_6_2_5;
+  c[19] = db_15_6r - t274;
+  const Scalar c_5_1_6 = t274 + db_15_6r;
+  c[127] = c_5_1_6;
+  c[150] = -c_5_1_6;
+  c[44] = c_2_2_6;
+  c[142] = -c_2_2_6;
+  c[149] = c_6_4_4;
+  c[102] = -c_6_4_4;
+  c[18] = -t153 - t271;
+  const Scalar c_4_1_6 = t153 - t271;
+  c[99] = c_4_1_6;
+  c[146] = -c_4_1_6;
+  c[46] = t163 - t275;
+  const Scalar c_6_2_4 = t163 + t275;
+  c[147] = c_6_2_4;
+  c[100] = -c_6_2_4;
+  c[16] = t270 - t167;
+  const Scalar c_2_1_6 = t167 + t270;
+  c[43] = c_2_1_6;
+  c[141] = -c_2_1_6;
   c[0] = c[29] = c[30] = c[59] = c[60] = c[61] = c[90] = c[91] = Scalar(0.0);
   c[92] = c[93] = c[122] = c[123] = c[124] = c[125] = c[126] = c[155] = Scalar(0.0);
   c[156] = c[157] = c[158] = c[159] = c[160] = c[189] = c[190] = c[191] = Scalar(0.0);
@@ -2186,204 +2191,204 @@ static inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5],
       s_7 = sine[6], c_7 = cosine[6];
-  const Scalar t1 = s_2 * qd_1;
-  const Scalar t2 = s_3 * t1;
-  const Scalar omega_r_3_y = t2 + c_3 * qd_2;
-  const Scalar t3 = c_2 * qd_1;
-  const Scalar omega_3_z = qd_3 + t3;
-  const Scalar t4 = Scalar(2.0) * qd_2;
-  const Scalar t5 = c_3 * t4;
-  const Scalar t6 = (t2 + t5) * t3;
-  const Scalar t7 = Scalar(2.0) * omega_r_3_y * omega_3_z - t6;
-  const Scalar t8 = c_3 * t1;
-  const Scalar t9 = s_3 * qd_2 - t8;
-  const Scalar t10 = t9 * omega_r_3_y;
-  const Scalar t11 = qd_2 * t1;
-  const Scalar U_3_xy = t10 + t11;
-  const Scalar t12 = c_4 * U_3_xy + s_4 * t7;
-  const Scalar t13 = c_4 * t9 + s_4 * omega_3_z;
+  const Scalar t1 = c_2 * qd_1;
+  const Scalar omega_3_z = qd_3 + t1;
+  const Scalar t2 = s_2 * qd_1;
+  const Scalar t3 = c_3 * t2;
+  const Scalar t4 = s_3 * qd_2 - t3;
+  const Scalar t5 = t4 * t4;
+  const Scalar t6 = omega_3_z * omega_3_z;
+  const Scalar Uz_o_4_y = t5 + t6;
+  const Scalar t7 = t6 - t5;
+  const Scalar t8 = s_3 * t2;
+  const Scalar omega_r_3_y = t8 + c_3 * qd_2;
   const Scalar omega_4_z = qd_4 - omega_r_3_y;
-  const Scalar t14 = t13 * omega_4_z;
-  const Scalar t15 = t14 + t12;
-  const Scalar t16 = t14 + t15;
-  const Scalar t17 = s_4 * U_3_xy - c_4 * t7;
-  const Scalar t18 = s_4 * t9 - c_4 * omega_3_z;
-  const Scalar t19 = t17 + Scalar(2.0) * t18 * omega_4_z;
-  const Scalar t20 = t10 - t11;
-  const Scalar t21 = t1 * t3;
-  const Scalar t22 = t21 + Scalar(31.044303797468356) * s_2;
-  const Scalar ddp_3_y = t5 * t3 + s_3 * t22;
-  const Scalar t23 = Scalar(0.2610759493670886) * t20 + ddp_3_y;
-  const Scalar t24 = Scalar(0.2610759493670886) * t16 + t23 + Scalar(1.2151898734177216) * t19;
-  const Scalar t25 = t9 * omega_3_z;
-  const Scalar t26 = s_3 * t4;
-  const Scalar t27 = (t8 - t26) * t3;
-  const Scalar t28 = t25 + t27;
-  const Scalar t29 = t25 + t28;
-  const Scalar t30 = t1 * t1;
-  const Scalar t31 = qd_2 * qd_2;
-  const Scalar Uz_o_3_y = t30 + t31;
+  const Scalar t9 = Scalar(2.0) * qd_2;
+  const Scalar t10 = c_3 * t9;
+  const Scalar t11 = (t8 + t10) * t1;
+  const Scalar t12 = s_3 * t9;
+  const Scalar t13 = (t3 - t12) * t1;
+  const Scalar t14 = Scalar(2.0) * omega_r_3_y * omega_3_z - t11;
+  const Scalar t15 = t4 * omega_r_3_y;
+  const Scalar t16 = s_4 * t4 - c_4 * omega_3_z;
+  const Scalar t17 = c_4 * t4 + s_4 * omega_3_z;
+  const Scalar t18 = t4 * omega_3_z;
+  const Scalar t19 = t2 * t1;
+  const Scalar t20 = t19 + Scalar(31.044303797468356) * s_2;
+  const Scalar ddp_3_y = t10 * t1 + s_3 * t20;
+  const Scalar t21 = t12 * t1 - c_3 * t20;
+  const Scalar t22 = qd_2 * t1;
+  const Scalar t23 = t18 + t13;
+  const Scalar t24 = t18 + t23;
+  const Scalar t25 = t2 * t2;
+  const Scalar t26 = qd_2 * t2;
+  const Scalar t27 = qd_2 * qd_2;
+  const Scalar Uz_o_3_y = t25 + t27;
   const Scalar ddp_3_a_z = Scalar(31.044303797468356) * c_2 - Uz_o_3_y;
-  const Scalar t32 = Scalar(0.2610759493670886) * t29 + ddp_3_a_z;
-  const Scalar t33 = t9 * t9;
-  const Scalar t34 = omega_3_z * omega_3_z;
-  const Scalar t35 = t34 - t33;
-  const Scalar t36 = Uz_o_3_y + t35;
-  const Scalar t37 = t26 * t3 - c_3 * t22;
-  const Scalar t38 = Scalar(0.2610759493670886) * t36 - t37;
-  const Scalar t39 = s_4 * t32 - c_4 * t38;
-  const Scalar t40 = t13 * t13;
-  const Scalar t41 = omega_4_z * omega_4_z;
-  const Scalar t42 = t41 - t40;
-  const Scalar Uz_o_4_y = t33 + t34;
-  const Scalar t43 = Uz_o_4_y + t42;
-  const Scalar t44 = t13 * t18;
-  const Scalar t45 = t28 + t44;
-  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * t43 - Scalar(1.2151898734177216) * t45 +
-      t39;
-  const Scalar ddp_5_x = s_5 * t24 + c_5 * ddp_o_5_x;
-  const Scalar t46 = s_4 * t38 + c_4 * t32;
-  const Scalar t47 = t28 - t44;
-  const Scalar t48 = t41 + t40;
-  const Scalar t49 = Scalar(0.2610759493670886) * t47 + Scalar(1.2151898734177216) * t48 - t46;
-  const Scalar t50 = s_6 * t49 - c_6 * ddp_5_x;
-  const Scalar t51 = s_5 * omega_4_z - c_5 * t13;
-  const Scalar omega_5_z = qd_5 - t18;
-  const Scalar t52 = s_6 * omega_5_z - c_6 * t51;
-  const Scalar t53 = t52 * t52;
-  const Scalar omega_r_6_a_z = s_5 * t13 + c_5 * omega_4_z;
-  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t54 = omega_6_z * omega_6_z;
-  const Scalar t55 = t54 - t53;
-  const Scalar t56 = t51 * t51;
-  const Scalar t57 = omega_5_z * omega_5_z;
-  const Scalar Uz_o_6_y = t56 + t57;
-  const Scalar t58 = Uz_o_6_y + t55;
-  const Scalar t59 = Scalar(0.27848101265822783) * t58 + t50;
-  const Scalar mr_7_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
-  const Scalar t60 = s_5 * t45 + c_5 * t19;
-  const Scalar t61 = t60 + Scalar(2.0) * omega_r_6_a_z * omega_5_z;
-  const Scalar t62 = t51 * omega_r_6_a_z;
-  const Scalar t63 = t62 + t15;
-  const Scalar t64 = s_6 * t61 - c_6 * t63;
-  const Scalar t65 = Scalar(2.0) * omega_6_z;
-  const Scalar t66 = t64 - t52 * t65;
-  const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t24;
-  const Scalar ddp_o_7_z = ddp_6_a_z - Scalar(0.27848101265822783) * t66;
-  const Scalar mr_7_x = Scalar(0.0008132592973428722) * c_7 - Scalar(0.0006428830269371278) * s_7;
-  const Scalar t67 = s_6 * t63 + c_6 * t61;
-  const Scalar omega_r_6_y = s_6 * t51 + c_6 * omega_5_z;
-  const Scalar t68 = t67 - omega_r_6_y * t65;
-  const Scalar t69 = Scalar(0.0009653051699191118) * c_7 - Scalar(0.0012555365982728983) * s_7;
-  const Scalar I_t7_g = Scalar(0.00242094377852123) * c_7 - Scalar(0.000782782563368496) * s_7;
-  const Scalar t70 = c_7 * I_t7_g;
-  const Scalar t71 = t70 - Scalar(0.004552547872941088);
+  const Scalar t28 = Scalar(0.2610759493670886) * t24 + ddp_3_a_z;
+  const Scalar U_3_xy = t15 + t26;
+  const Scalar t29 = t15 - t26;
+  const Scalar t30 = c_4 * U_3_xy + s_4 * t14;
+  const Scalar t31 = t17 * omega_4_z;
+  const Scalar t32 = t31 + t30;
+  const Scalar t33 = t31 + t32;
+  const Scalar t34 = s_4 * U_3_xy - c_4 * t14;
+  const Scalar t35 = t34 + Scalar(2.0) * t16 * omega_4_z;
+  const Scalar t36 = Scalar(0.2610759493670886) * t29 + ddp_3_y;
+  const Scalar t37 = Scalar(0.2610759493670886) * t33 + t36 + Scalar(1.2151898734177216) * t35;
+  const Scalar t38 = Uz_o_3_y + t7;
+  const Scalar t39 = Scalar(0.2610759493670886) * t38 - t21;
+  const Scalar t40 = s_4 * t28 - c_4 * t39;
+  const Scalar t41 = s_4 * t39 + c_4 * t28;
+  const Scalar t42 = t17 * t17;
+  const Scalar t43 = omega_4_z * omega_4_z;
+  const Scalar t44 = t43 - t42;
+  const Scalar t45 = t43 + t42;
+  const Scalar t46 = Uz_o_4_y + t44;
+  const Scalar t47 = t17 * t16;
+  const Scalar omega_5_z = qd_5 - t16;
+  const Scalar t48 = t23 + t47;
+  const Scalar t49 = t23 - t47;
+  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * t46 - Scalar(1.2151898734177216) * t48 +
+      t40;
+  const Scalar ddp_6_a_z = s_5 * ddp_o_5_x - c_5 * t37;
+  const Scalar ddp_5_x = s_5 * t37 + c_5 * ddp_o_5_x;
+  const Scalar omega_r_6_a_z = s_5 * t17 + c_5 * omega_4_z;
+  const Scalar t50 = s_5 * omega_4_z - c_5 * t17;
+  const Scalar omega_r_6_y = s_6 * t50 + c_6 * omega_5_z;
   const Scalar omega_7_z = qd_7 - omega_r_6_y;
-  const Scalar t72 = omega_7_z * omega_7_z;
-  const Scalar t73 = t54 + t72;
-  const Scalar t74 = t53 + t72;
+  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
+  const Scalar t51 = s_5 * t48 + c_5 * t35;
+  const Scalar t52 = t51 + Scalar(2.0) * omega_r_6_a_z * omega_5_z;
+  const Scalar t53 = t50 * omega_r_6_a_z;
+  const Scalar t54 = s_6 * omega_5_z - c_6 * t50;
+  const Scalar t55 = t53 + t32;
+  const Scalar t56 = t32 - t53;
+  const Scalar t57 = s_6 * t52 - c_6 * t55;
+  const Scalar t58 = Scalar(2.0) * omega_6_z;
+  const Scalar t59 = omega_6_z * omega_6_z;
+  const Scalar t60 = t57 - t54 * t58;
+  const Scalar t61 = s_6 * t55 + c_6 * t52;
+  const Scalar t62 = t61 - omega_r_6_y * t58;
+  const Scalar t63 = t62 - t58 * omega_7_z;
+  const Scalar t64 = t54 * omega_r_6_y;
+  const Scalar t65 = t50 * t50;
+  const Scalar t66 = t50 * omega_5_z;
+  const Scalar t67 = omega_5_z * omega_5_z;
+  const Scalar t68 = s_5 * t35 - c_5 * t48;
+  const Scalar t69 = t66 + t68;
+  const Scalar t70 = t66 + t69;
+  const Scalar t71 = t64 + t69;
+  const Scalar t72 = t69 - t64;
+  const Scalar t73 = t71 + Scalar(2.0) * t54 * omega_7_z;
+  const Scalar t74 = t54 * t54;
+  const Scalar t75 = omega_7_z * omega_7_z;
+  const Scalar I_t7_g = Scalar(0.00242094377852123) * c_7 - Scalar(0.000782782563368496) * s_7;
   const Scalar I_7_xy = Scalar(0.000391391281684248) + s_7 * I_t7_g;
-  const Scalar I_7_xx = t70 + Scalar(0.002131604094419858);
-  const Scalar t75 = s_5 * t19 - c_5 * t45;
-  const Scalar t76 = t51 * omega_5_z;
-  const Scalar t77 = t76 + t75;
-  const Scalar t78 = t52 * omega_r_6_y;
-  const Scalar t79 = t78 + t77;
-  const Scalar t80 = Scalar(0.0012555365982728983) * c_7 + Scalar(0.0009653051699191118) * s_7;
-  const Scalar t81 = -mr_7_y * t59 - mr_7_x * ddp_o_7_z + I_7_xy * (t73 - t74) - t68 * t69 -
-      t79 * t80 + t64 * I_7_xx - t66 * t71;
-  n[6] = -t81;
-  const Scalar t82 = t68 - t65 * omega_7_z;
-  const Scalar t83 = t77 - t78;
-  const Scalar t84 = Scalar(0.27848101265822783) * t83 + s_6 * ddp_5_x + c_6 * t49;
-  const Scalar t85 = t79 + Scalar(2.0) * t52 * omega_7_z;
-  const Scalar t86 = mr_7_x * t85 - mr_7_y * t82 + Scalar(0.26308374115809) * t84;
-  const Scalar Uz_o_7_y = t53 + t54;
-  const Scalar n_6 = Scalar(0.000103758917218685) * t67 - mr_7_x * t84 -
-      Scalar(0.001119670733427555) * t83 + t69 * (Uz_o_7_y - t73) +
-      t64 * (Scalar(0.000093569097314605) + t80) - t82 * I_7_xy + t85 * t71 -
-      Scalar(0.028934422545659894) * t79 - Scalar(0.014748570382675316) * (t58 - Uz_o_7_y) -
-      Scalar(0.054922286959804) * t50 - Scalar(0.27848101265822783) * t86;
-  n[5] = n_6;
-  const Scalar F_7_y = -mr_7_y * t74 - mr_7_x * t66 + Scalar(0.26308374115809) * ddp_o_7_z;
-  const Scalar t87 = Scalar(0.000103758917218685) * t55 + Scalar(0.000093569097314605) * t79 -
-      Scalar(0.001119670733427555) * t66 - t81 + Scalar(0.014748570382675316) * t68 +
-      Scalar(0.27848101265822783) * F_7_y;
-  const Scalar U_7_yy_zz = Uz_o_7_y - t74;
+  const Scalar t76 = c_7 * I_t7_g;
+  const Scalar mr_7_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
+  const Scalar t77 = Scalar(0.0009653051699191118) * c_7 - Scalar(0.0012555365982728983) * s_7;
+  const Scalar I_7_xx = t76 + Scalar(0.002131604094419858);
+  const Scalar t78 = t76 - Scalar(0.004552547872941088);
+  const Scalar t79 = Scalar(0.0012555365982728983) * c_7 + Scalar(0.0009653051699191118) * s_7;
+  const Scalar t80 = Scalar(0.2610759493670886) * t49 + Scalar(1.2151898734177216) * t45 - t41;
+  const Scalar t81 = Scalar(0.27848101265822783) * t72 + s_6 * ddp_5_x + c_6 * t80;
+  const Scalar t82 = t74 + t75;
+  const Scalar t83 = t59 + t75;
+  const Scalar Uz_o_7_y = t74 + t59;
+  const Scalar t84 = t59 - t74;
+  const Scalar U_7_yy_zz = Uz_o_7_y - t82;
+  const Scalar Uz_o_6_y = t65 + t67;
+  const Scalar t85 = t67 - t65;
   const Scalar U_6_yy_zz = Uz_o_6_y - Uz_o_7_y;
-  const Scalar t88 = Scalar(-0.000103758917218685) * t83 -
-      Scalar(0.000093569097314605) * U_6_yy_zz - mr_7_y * t84 + t80 * U_7_yy_zz + t85 * I_7_xy +
-      t82 * I_7_xx - t66 * (t69 + Scalar(0.014748570382675316)) +
-      Scalar(0.054922286959804) * ddp_6_a_z + Scalar(0.028934422545659894) * t68;
-  const Scalar t89 = t57 - t56;
-  const Scalar t90 = t48 + t89;
-  const Scalar t91 = t15 - t62;
-  const Scalar n_5 = Scalar(0.00216405205209813) * t75 - Scalar(0.001451156065026714) * t91 +
-      Scalar(0.00151524447332703) * (t90 - Uz_o_6_y) + Scalar(0.004600245517563106) * t60 -
-      Scalar(0.010045187828321245) * t63 + Scalar(0.004630579482008) * ddp_6_a_z -
-      Scalar(0.0214471195303) * ddp_5_x - s_6 * t88 - c_6 * t87;
-  n[4] = n_5;
-  const Scalar f_6_y = Scalar(0.054922286959804) * Uz_o_7_y - t86;
-  const Scalar t92 = mr_7_x * t73 - mr_7_y * t64 + Scalar(0.054922286959804) * t79 +
-      Scalar(0.26308374115809) * t59;
-  const Scalar f_5_x = Scalar(0.004630579482008) * t90 + Scalar(0.0214471195303) * t63 -
-      s_6 * f_6_y - c_6 * t92 + Scalar(0.4059881025443391) * ddp_5_x;
-  const Scalar t93 = Scalar(0.004630579482008) * t91 - Scalar(0.0214471195303) * Uz_o_6_y -
-      Scalar(0.054922286959804) * t68 - Scalar(0.4059881025443391) * ddp_6_a_z - F_7_y;
-  const Scalar t94 = s_5 * t93 - c_5 * f_5_x;
-  const Scalar t95 = t76 + t77;
-  const Scalar U_5_yy_zz = t48 - Uz_o_6_y;
-  const Scalar t96 = Scalar(0.004600245517563106) * t91 - Scalar(0.00151524447332703) * t95 +
-      Scalar(0.00216405205209813) * U_5_yy_zz - Scalar(0.010045187828321245) * t61 -
-      Scalar(0.0214471195303) * t49 - c_6 * t88 + s_6 * t87;
-  const Scalar f_5_z = Scalar(0.004630579482008) * t95 - Scalar(0.0214471195303) * t61 - s_6 * t92 +
-      c_6 * f_6_y - Scalar(0.4059881025443391) * t49;
-  const Scalar t97 = Scalar(0.00216405205209813) * t63 - Scalar(0.001451156065026714) * t95 -
-      Scalar(0.00151524447332703) * t61 + Scalar(0.004600245517563106) * t89 +
-      Scalar(0.004630579482008) * t49 + n_6;
-  const Scalar mu_4_z = Scalar(0.00164448757736927) * t12 - Scalar(0.0039053550262761) * t17 +
-      Scalar(0.0054157634981905) * t47 + Scalar(0.04942675278013915) * (t43 - t48) - s_5 * t96 +
-      Scalar(0.17709188611756838) * t39 + c_5 * t97 - Scalar(0.29071723622709367) * t45 -
-      Scalar(0.2610759493670886) * f_5_z + Scalar(1.2151898734177216) * t94;
-  n[3] = mu_4_z;
-  const Scalar f_u_5_t_y = s_5 * f_5_x + c_5 * t93;
-  const Scalar U_4_yy_zz = Uz_o_4_y - t48;
-  const Scalar t98 = Scalar(0.0039053550262761) * t47 - Scalar(0.00164448757736927) * U_4_yy_zz +
-      Scalar(0.04942675278013915) * t16 + c_5 * t96 + Scalar(0.17709188611756838) * t23 +
-      s_5 * t97 + Scalar(0.29071723622709367) * t19 - Scalar(1.2151898734177216) * f_u_5_t_y;
-  const Scalar t99 = Scalar(0.0039053550262761) * t42 - Scalar(0.00164448757736927) * t45 -
-      Scalar(0.0054157634981905) * t16 + Scalar(0.04942675278013915) * t19 + n_5 -
-      Scalar(0.2610759493670886) * f_u_5_t_y;
-  const Scalar t100 = Scalar(0.17709188611756838) * t19 - Scalar(0.23490692527912765) * t23 -
-      f_u_5_t_y;
-  const Scalar mu_3_z = Scalar(0.000121912420950744) * (t36 - Uz_o_4_y) -
-      Scalar(0.000013360662912304) * t20 + Scalar(0.004377257121839584) * t27 +
-      Scalar(0.005487648106562256) * t6 - Scalar(0.022178148964878235) * U_3_xy -
-      Scalar(0.008919761981448) * t37 + c_4 * t99 - Scalar(0.2610759493670886) * t100 + s_4 * t98;
-  n[2] = mu_3_z;
-  const Scalar t101 = Scalar(0.17709188611756838) * t45 + Scalar(0.23490692527912765) * t39 - t94;
-  const Scalar f_4_y = Scalar(0.17709188611756838) * t48 + Scalar(0.23490692527912765) * t46 +
+  const Scalar t86 = Scalar(-0.000103758917218685) * t72 -
+      Scalar(0.000093569097314605) * U_6_yy_zz - mr_7_y * t81 + t79 * U_7_yy_zz + t73 * I_7_xy +
+      t63 * I_7_xx - t60 * (t77 + Scalar(0.014748570382675316)) +
+      Scalar(0.054922286959804) * ddp_6_a_z + Scalar(0.028934422545659894) * t62;
+  const Scalar mr_7_x = Scalar(0.0008132592973428722) * c_7 - Scalar(0.0006428830269371278) * s_7;
+  const Scalar t87 = s_6 * t80 - c_6 * ddp_5_x;
+  const Scalar t88 = Uz_o_6_y + t84;
+  const Scalar t89 = mr_7_x * t73 - mr_7_y * t63 + Scalar(0.26308374115809) * t81;
+  const Scalar n_6 = Scalar(0.000103758917218685) * t61 - mr_7_x * t81 -
+      Scalar(0.001119670733427555) * t72 + t77 * (Uz_o_7_y - t83) +
+      t57 * (Scalar(0.000093569097314605) + t79) - t63 * I_7_xy + t73 * t78 -
+      Scalar(0.028934422545659894) * t71 - Scalar(0.014748570382675316) * (t88 - Uz_o_7_y) -
+      Scalar(0.054922286959804) * t87 - Scalar(0.27848101265822783) * t89;
+  const Scalar t90 = Scalar(0.27848101265822783) * t88 + t87;
+  const Scalar f_6_y = Scalar(0.054922286959804) * Uz_o_7_y - t89;
+  n[5] = n_6;
+  const Scalar t91 = Scalar(0.00216405205209813) * t55 - Scalar(0.001451156065026714) * t70 -
+      Scalar(0.00151524447332703) * t52 + Scalar(0.004600245517563106) * t85 +
+      Scalar(0.004630579482008) * t80 + n_6;
+  const Scalar t92 = t45 + t85;
+  const Scalar ddp_o_7_z = ddp_6_a_z - Scalar(0.27848101265822783) * t60;
+  const Scalar t93 = -mr_7_y * t90 - mr_7_x * ddp_o_7_z + I_7_xy * (t83 - t82) - t62 * t77 -
+      t71 * t79 + t57 * I_7_xx - t60 * t78;
+  const Scalar t94 = mr_7_x * t83 - mr_7_y * t57 + Scalar(0.054922286959804) * t71 +
+      Scalar(0.26308374115809) * t90;
+  const Scalar F_7_y = -mr_7_y * t82 - mr_7_x * t60 + Scalar(0.26308374115809) * ddp_o_7_z;
+  const Scalar t95 = Scalar(0.000103758917218685) * t84 + Scalar(0.000093569097314605) * t71 -
+      Scalar(0.001119670733427555) * t60 - t93 + Scalar(0.014748570382675316) * t62 +
+      Scalar(0.27848101265822783) * F_7_y;
+  const Scalar n_5 = Scalar(0.00216405205209813) * t68 - Scalar(0.001451156065026714) * t56 +
+      Scalar(0.00151524447332703) * (t92 - Uz_o_6_y) + Scalar(0.004600245517563106) * t51 -
+      Scalar(0.010045187828321245) * t55 + Scalar(0.004630579482008) * ddp_6_a_z -
+      Scalar(0.0214471195303) * ddp_5_x - s_6 * t86 - c_6 * t95;
+  const Scalar f_5_x = Scalar(0.004630579482008) * t92 + Scalar(0.0214471195303) * t55 -
+      s_6 * f_6_y - c_6 * t94 + Scalar(0.4059881025443391) * ddp_5_x;
+  const Scalar t96 = Scalar(0.004630579482008) * t56 - Scalar(0.0214471195303) * Uz_o_6_y -
+      Scalar(0.054922286959804) * t62 - Scalar(0.4059881025443391) * ddp_6_a_z - F_7_y;
+  const Scalar f_5_z = Scalar(0.004630579482008) * t70 - Scalar(0.0214471195303) * t52 - s_6 * t94 +
+      c_6 * f_6_y - Scalar(0.4059881025443391) * t80;
+  n[6] = -t93;
+  const Scalar U_5_yy_zz = t45 - Uz_o_6_y;
+  const Scalar t97 = Scalar(0.004600245517563106) * t56 - Scalar(0.00151524447332703) * t70 +
+      Scalar(0.00216405205209813) * U_5_yy_zz - Scalar(0.010045187828321245) * t52 -
+      Scalar(0.0214471195303) * t80 - c_6 * t86 + s_6 * t95;
+  const Scalar f_4_y = Scalar(0.17709188611756838) * t45 + Scalar(0.23490692527912765) * t41 +
       f_5_z;
-  const Scalar t102 = s_4 * t101 + c_4 * f_4_y;
-  const Scalar t103 = Scalar(0.000121912420950744) * t7 - Scalar(0.000013360662912304) * t29 +
-      Scalar(0.005487648106562256) * t35 - Scalar(0.013297019103287584) * U_3_xy -
-      Scalar(0.15288324476823525) * t37 + Scalar(0.2610759493670886) * t102 + s_4 * f_4_y -
-      c_4 * t101 + mu_4_z;
-  const Scalar t104 = Scalar(0.000121912420950744) * t29 - Scalar(0.005487648106562256) * t20 +
+  n[4] = n_5;
+  const Scalar t98 = s_5 * t96 - c_5 * f_5_x;
+  const Scalar mu_4_z = Scalar(0.00164448757736927) * t30 - Scalar(0.0039053550262761) * t34 +
+      Scalar(0.0054157634981905) * t49 + Scalar(0.04942675278013915) * (t46 - t45) - s_5 * t97 +
+      Scalar(0.17709188611756838) * t40 + c_5 * t91 - Scalar(0.29071723622709367) * t48 -
+      Scalar(0.2610759493670886) * f_5_z + Scalar(1.2151898734177216) * t98;
+  const Scalar f_u_5_t_y = s_5 * f_5_x + c_5 * t96;
+  const Scalar t99 = Scalar(0.17709188611756838) * t48 + Scalar(0.23490692527912765) * t40 - t98;
+  const Scalar t100 = Scalar(0.0039053550262761) * t44 - Scalar(0.00164448757736927) * t48 -
+      Scalar(0.0054157634981905) * t33 + Scalar(0.04942675278013915) * t35 + n_5 -
+      Scalar(0.2610759493670886) * f_u_5_t_y;
+  const Scalar U_4_yy_zz = Uz_o_4_y - t45;
+  const Scalar t101 = Scalar(0.0039053550262761) * t49 - Scalar(0.00164448757736927) * U_4_yy_zz +
+      Scalar(0.04942675278013915) * t33 + c_5 * t97 + Scalar(0.17709188611756838) * t36 +
+      s_5 * t91 + Scalar(0.29071723622709367) * t35 - Scalar(1.2151898734177216) * f_u_5_t_y;
+  const Scalar t102 = Scalar(0.17709188611756838) * t35 - Scalar(0.23490692527912765) * t36 -
+      f_u_5_t_y;
+  const Scalar mu_3_z = Scalar(0.000121912420950744) * (t38 - Uz_o_4_y) -
+      Scalar(0.000013360662912304) * t29 + Scalar(0.004377257121839584) * t13 +
+      Scalar(0.005487648106562256) * t11 - Scalar(0.022178148964878235) * U_3_xy -
+      Scalar(0.008919761981448) * t21 + c_4 * t100 - Scalar(0.2610759493670886) * t102 + s_4 * t101;
+  const Scalar t103 = Scalar(0.000121912420950744) * t24 - Scalar(0.005487648106562256) * t29 +
       Scalar(0.27690780075318) * c_2 - Scalar(0.013297019103287584) * (Uz_o_3_y - Uz_o_4_y) +
-      Scalar(0.022178148964878235) * t7 - Scalar(0.15288324476823525) * ddp_3_y - s_4 * t99 + t100 +
-      c_4 * t98;
-  const Scalar t105 = qd_1 * qd_1;
-  n[1] = Scalar(0.01993386669246) * c_2 - Scalar(0.00796671776787104) * t30 +
-      Scalar(0.00398335888393552) * t105 + Scalar(0.04777783501284299) * t21 - c_3 * t103 +
-      s_3 * t104;
-  const Scalar t106 = qd_2 * t3;
-  const Scalar t107 = Scalar(0.0007689361029464) * (Uz_o_3_y - t105) +
-      Scalar(0.00796671776787104) * t11 - Scalar(0.01026110182100817) * t21 -
-      Scalar(0.04939990503582237) * t106 - s_3 * t103 - c_3 * t104;
-  const Scalar t108 = Scalar(0.00796671776787104) * t106 - Scalar(0.0007689361029464) * t21 +
-      Scalar(0.01026110182100817) * (t31 - t30) + Scalar(0.04615576498986361) * t11 - mu_3_z;
-  n[0] = s_2 * t107 - c_2 * t108;
+      Scalar(0.022178148964878235) * t14 - Scalar(0.15288324476823525) * ddp_3_y - s_4 * t100 +
+      t102 + c_4 * t101;
+  const Scalar t104 = Scalar(0.00796671776787104) * t22 - Scalar(0.0007689361029464) * t19 +
+      Scalar(0.01026110182100817) * (t27 - t25) + Scalar(0.04615576498986361) * t26 - mu_3_z;
+  n[2] = mu_3_z;
+  n[3] = mu_4_z;
+  const Scalar t105 = s_4 * t99 + c_4 * f_4_y;
+  const Scalar t106 = Scalar(0.000121912420950744) * t14 - Scalar(0.000013360662912304) * t24 +
+      Scalar(0.005487648106562256) * t7 - Scalar(0.013297019103287584) * U_3_xy -
+      Scalar(0.15288324476823525) * t21 + Scalar(0.2610759493670886) * t105 + s_4 * f_4_y -
+      c_4 * t99 + mu_4_z;
+  const Scalar t107 = qd_1 * qd_1;
+  const Scalar t108 = Scalar(0.0007689361029464) * (Uz_o_3_y - t107) +
+      Scalar(0.00796671776787104) * t26 - Scalar(0.01026110182100817) * t19 -
+      Scalar(0.04939990503582237) * t22 - s_3 * t106 - c_3 * t103;
+  n[1] = Scalar(0.01993386669246) * c_2 - Scalar(0.00796671776787104) * t25 +
+      Scalar(0.00398335888393552) * t107 + Scalar(0.04777783501284299) * t19 - c_3 * t106 +
+      s_3 * t103;
+  n[0] = s_2 * t108 - c_2 * t104;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -2410,363 +2415,362 @@ static inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Sca
       s_7 = sine[6], c_7 = cosine[6];
   const Scalar Iu_7_t_g = Scalar(0.00242094377852123) * c_7 - Scalar(0.000782782563368496) * s_7;
   const Scalar t1 = c_7 * Iu_7_t_g;
-  const Scalar Iu_7_t_xx = t1 - Scalar(0.00242094377852123);
-  const Scalar hu_7_t_x = Scalar(0.0008132592973428722) * c_7 - Scalar(0.0006428830269371278) * s_7;
-  const Scalar t2 = Scalar(0.5569620253164557) * hu_7_t_x;
-  const Scalar Ic_6_yy = t2 - Scalar(0.00528056308065248);
-  const Scalar Iu_6_t_d = Iu_7_t_xx - Ic_6_yy;
+  const Scalar t2 = s_7 * Iu_7_t_g;
   const Scalar Iu_7_a_xz = Scalar(0.0009653051699191118) * c_7 -
       Scalar(0.0012555365982728983) * s_7;
-  const Scalar Ic_6_xy = Iu_7_a_xz + Scalar(0.014748570382675316);
-  const Scalar t3 = Scalar(2.0) * s_6;
-  const Scalar t4 = Ic_6_xy * t3 - c_6 * Iu_6_t_d;
-  const Scalar t5 = c_6 * t4;
-  const Scalar Iu_6_t_xx = Ic_6_yy - t5;
-  const Scalar t6 = t1 - t2 - Scalar(0.055009225789188536);
-  const Scalar t7 = t6 + Scalar(0.04208100218189551);
-  const Scalar Iu_5_t_d = Iu_6_t_xx + t7;
-  const Scalar t8 = s_7 * Iu_7_t_g;
-  const Scalar hu_7_t_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
-  const Scalar t9 = Scalar(0.27848101265822783) * hu_7_t_y - Scalar(0.000287632364465563) - t8;
+  const Scalar hu_7_t_x = Scalar(0.0008132592973428722) * c_7 - Scalar(0.0006428830269371278) * s_7;
   const Scalar Iu_7_a_xy = Scalar(0.0012555365982728983) * c_7 +
       Scalar(0.0009653051699191118) * s_7;
+  const Scalar hu_7_t_y = Scalar(0.0006428830269371278) * c_7 + Scalar(0.0008132592973428722) * s_7;
+  const Scalar t3 = c_2 * qd_1;
+  const Scalar omega_3_z = qd_3 + t3;
+  const Scalar t4 = s_2 * qd_1;
+  const Scalar t5 = s_3 * t4;
+  const Scalar omega_r_3_y = t5 + c_3 * qd_2;
+  const Scalar t6 = Scalar(2.0) * omega_r_3_y;
+  const Scalar t7 = Scalar(2.0) * qd_2;
+  const Scalar t8 = c_3 * t7;
+  const Scalar t9 = omega_3_z * t6 - t3 * (t5 + t8);
+  const Scalar beta_4_f = qd_4 - t6;
+  const Scalar t10 = c_3 * t4;
+  const Scalar t11 = s_3 * qd_2 - t10;
+  const Scalar t12 = t11 * omega_r_3_y;
+  const Scalar omega_4_z = qd_4 - omega_r_3_y;
+  const Scalar t13 = c_4 * t11 + s_4 * omega_3_z;
+  const Scalar t14 = t13 * omega_4_z;
+  const Scalar t15 = qd_2 * t4;
+  const Scalar U_3_xy = t12 + t15;
+  const Scalar t16 = c_4 * U_3_xy + t14 + s_4 * t9;
+  const Scalar t17 = t12 - t15 + t14 + t16;
+  const Scalar t18 = s_4 * t11 - c_4 * omega_3_z;
+  const Scalar t19 = Scalar(-2.0) * t18;
+  const Scalar t20 = c_4 * t9 - s_4 * U_3_xy + omega_4_z * t19;
+  const Scalar beta_5_f = qd_5 + t19;
+  const Scalar t21 = s_2 * (qd_1 * t3 + Scalar(31.044303797468356));
+  const Scalar t22 = Scalar(-0.2610759493670886) * t17 - t3 * t8 - s_3 * t21 +
+      Scalar(1.2151898734177216) * t20;
+  const Scalar t23 = t11 * omega_3_z;
+  const Scalar t24 = s_3 * t7;
+  const Scalar domega_r_4_z = t23 + t3 * (t10 - t24);
+  const Scalar t25 = t4 * t4;
+  const Scalar t26 = qd_2 * qd_2;
+  const Scalar Uz_o_3_y = t25 + t26;
+  const Scalar t27 = t11 * t11;
+  const Scalar t28 = omega_3_z * omega_3_z;
+  const Scalar t29 = t28 - t27;
+  const Scalar Uz_o_4_y = t27 + t28;
+  const Scalar t30 = Scalar(0.2610759493670886) * (Uz_o_3_y + t29) - t3 * t24 + c_3 * t21;
+  const Scalar t31 = Scalar(0.2610759493670886) * (t23 + domega_r_4_z) - Uz_o_3_y +
+      Scalar(31.044303797468356) * c_2;
+  const Scalar beta_3_f = qd_3 + Scalar(2.0) * t3;
+  const Scalar t32 = t13 * t13;
+  const Scalar t33 = omega_4_z * omega_4_z;
+  const Scalar t34 = t13 * t18;
+  const Scalar omega_5_z = qd_5 - t18;
+  const Scalar U_4_yx = domega_r_4_z - t34;
+  const Scalar t35 = Scalar(0.2610759493670886) * U_4_yx - s_4 * t30 +
+      Scalar(1.2151898734177216) * (t33 + t32) - c_4 * t31;
+  const Scalar t36 = t33 - t32;
+  const Scalar t37 = domega_r_4_z + t34;
+  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * (Uz_o_4_y + t36) - c_4 * t30 -
+      Scalar(1.2151898734177216) * t37 + s_4 * t31;
+  const Scalar t38 = s_5 * t22 - c_5 * ddp_o_5_x;
+  const Scalar t39 = s_5 * omega_4_z - c_5 * t13;
+  const Scalar t40 = s_6 * omega_5_z - c_6 * t39;
+  const Scalar omega_r_6_a_z = s_5 * t13 + c_5 * omega_4_z;
+  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
+  const Scalar t41 = omega_6_z * omega_6_z - t40 * t40;
+  const Scalar t42 = t39 * t39;
+  const Scalar t43 = omega_5_z * omega_5_z;
+  const Scalar Uz_o_6_y = t42 + t43;
+  const Scalar t44 = hu_7_t_y * (Scalar(0.27848101265822783) * (Uz_o_6_y + t41) + s_6 * t35 +
+      c_6 * t38);
+  const Scalar omega_r_6_y = s_6 * t39 + c_6 * omega_5_z;
+  const Scalar t45 = t39 * omega_5_z;
+  const Scalar t46 = t45 - c_5 * t37 - s_5 * t20;
+  const Scalar t47 = Iu_7_a_xy * (t40 * omega_r_6_y + t46);
+  const Scalar t48 = Scalar(2.0) * omega_r_6_y;
+  const Scalar U_5_xy = t39 * omega_r_6_a_z + t16;
+  const Scalar t49 = Scalar(2.0) * omega_r_6_a_z;
+  const Scalar Iu_7_t_xy = Scalar(0.000391391281684248) + t2;
+  const Scalar t50 = Scalar(0.27848101265822783) * hu_7_t_y - Scalar(0.000287632364465563) - t2;
+  const Scalar Iu_7_t_xx = t1 - Scalar(0.00242094377852123);
+  const Scalar Iu_7_d = t1 + Iu_7_t_xx;
+  const Scalar Uz_o_6_z = s_5 * t37 + omega_5_z * t49 - c_5 * t20;
+  const Scalar beta_6_f = qd_6 + t49;
+  const Scalar t51 = t40 * omega_6_z;
+  const Scalar domega_r_7_z = t51 - s_6 * Uz_o_6_z + c_6 * U_5_xy;
+  const Scalar t52 = hu_7_t_x * (Scalar(0.27848101265822783) * (t51 + domega_r_7_z) +
+      s_5 * ddp_o_5_x + c_5 * t22);
+  const Scalar t53 = Iu_7_a_xz * (-s_6 * U_5_xy - c_6 * Uz_o_6_z + omega_6_z * t48);
+  const Scalar t54 = t44 + t52 - t51 * Iu_7_d + t47 - t53 - Iu_7_t_xy * t41 +
+      Scalar(0.006684151967360946) * domega_r_7_z - tau_7;
+  const Scalar beta_7_f = qd_7 - t48;
+  const Scalar t55 = Scalar(2.0) * Iu_7_t_xy;
   const Scalar Ic_6_yz = Scalar(0.000093569097314605) + Iu_7_a_xy;
-  const Scalar Iu_6_a_xz = s_6 * Ic_6_yz + c_6 * t9;
-  const Scalar Ic_5_xy = Iu_6_a_xz - Scalar(0.00151524447332703);
-  const Scalar t10 = Scalar(2.0) * s_5 * Ic_5_xy - c_5 * Iu_5_t_d;
-  const Scalar t11 = c_5 * t10;
-  const Scalar t12 = t11 + t7;
+  const Scalar Iu_6_a_xz = s_6 * Ic_6_yz + c_6 * t50;
+  const Scalar t56 = s_6 * t50 - c_6 * Ic_6_yz;
+  const Scalar t57 = Scalar(0.5569620253164557) * hu_7_t_x;
+  const Scalar t58 = t1 - t57 - Scalar(0.055009225789188536);
+  const Scalar Ic_6_yy = t57 - Scalar(0.00528056308065248);
+  const Scalar Iu_6_t_d = Iu_7_t_xx - Ic_6_yy;
+  const Scalar Ic_6_xy = Iu_7_a_xz + Scalar(0.014748570382675316);
+  const Scalar t59 = Scalar(2.0) * s_6;
+  const Scalar t60 = Ic_6_xy * t59 - c_6 * Iu_6_t_d;
+  const Scalar Iu_6_t_xy = Ic_6_xy - s_6 * t60;
+  const Scalar t61 = c_6 * t60;
+  const Scalar Iu_6_t_xx = Ic_6_yy - t61;
+  const Scalar Iu_6_t_yy = Iu_7_t_xx + t61;
   const Scalar hc_6_x = hu_7_t_x + Scalar(0.07326382665162);
   const Scalar f_u_6_6_t_x = Scalar(0.054922286959804) * c_6 - s_6 * hc_6_x;
-  const Scalar t13 = Scalar(2.430379746835443) * f_u_6_6_t_x;
-  const Scalar t14 = t12 + t13;
-  const Scalar Iu_6_t_yy = Iu_7_t_xx + t5;
   const Scalar hu_6_t_x = Scalar(0.054922286959804) * s_6 + c_6 * hc_6_x;
+  const Scalar t62 = hu_7_t_y * omega_6_z + hu_7_t_x * t40;
+  const Scalar t63 = omega_6_z * t55 - Iu_7_a_xz * beta_7_f +
+      t40 * (Iu_7_d - Scalar(0.006684151967360946));
+  const Scalar t64 = qd_7 * (Scalar(0.5569620253164557) * t62 - t63);
+  const Scalar Iu_7_y = Iu_7_d + Scalar(0.006684151967360946);
+  const Scalar t65 = Iu_7_a_xy * beta_7_f - t40 * t55 + omega_6_z * Iu_7_y;
+  const Scalar Iu_6_d = Iu_6_t_xx - Iu_6_t_yy;
+  const Scalar t66 = Scalar(149.60760989322966) * Iu_7_a_xy;
+  const Scalar t67 = -t56 * U_5_xy - Iu_6_a_xz * Uz_o_6_z + t64 - t45 * Iu_6_d +
+      Iu_6_t_xy * (t43 - t42) - t66 * t54 - t58 * t46 + f_u_6_6_t_x * t38 + hu_6_t_x * t35 + tau_6;
   const Scalar hc_5_x = hu_6_t_x - Scalar(0.004630579482008);
   const Scalar f_5_5_x = hu_7_t_y - Scalar(0.0214471195303);
   const Scalar hu_5_t_x = s_5 * f_5_5_x + c_5 * hc_5_x;
-  const Scalar t15 = Scalar(0.5221518987341772) * hu_5_t_x;
-  const Scalar Ic_4_yy = Iu_6_t_yy - t15 - Scalar(0.6448207828091296);
-  const Scalar Iu_6_t_xy = Ic_6_xy - s_6 * t4;
+  const Scalar t68 = s_5 * hc_5_x - c_5 * f_5_5_x;
   const Scalar Ic_5_xz = Iu_6_t_xy - Scalar(0.004600245517563106);
-  const Scalar t16 = s_6 * t9 - c_6 * Ic_6_yz;
-  const Scalar t17 = t16 + Scalar(0.00216405205209813);
-  const Scalar t18 = s_5 * t17 - c_5 * Ic_5_xz;
-  const Scalar t19 = t18 + Scalar(1.2151898734177216) * hu_5_t_x;
-  const Scalar t20 = Scalar(0.2610759493670886) * f_u_6_6_t_x;
-  const Scalar t21 = t20 + t19 - Scalar(0.16284087268546085);
-  const Scalar t22 = Scalar(2.0) * s_4 * t21 - c_4 * (t14 + Ic_4_yy);
-  const Scalar t23 = c_4 * t22;
-  const Scalar Iu_4_t_xx = t23 + Ic_4_yy;
-  const Scalar Iu_5_t_yy = Iu_6_t_xx + t11;
-  const Scalar t24 = Iu_5_t_yy - t15 - t13 + Scalar(0.7918443694347095);
+  const Scalar t69 = Scalar(2.0) * Iu_6_t_xy;
+  const Scalar t70 = t56 + Scalar(0.00216405205209813);
+  const Scalar t71 = s_5 * t70 - c_5 * Ic_5_xz;
+  const Scalar t72 = c_5 * t70 + s_5 * Ic_5_xz;
+  const Scalar t73 = t58 + Scalar(0.04208100218189551);
+  const Scalar Iu_5_t_d = Iu_6_t_xx + t73;
+  const Scalar Ic_5_xy = Iu_6_a_xz - Scalar(0.00151524447332703);
+  const Scalar t74 = Scalar(2.0) * s_5 * Ic_5_xy - c_5 * Iu_5_t_d;
+  const Scalar Iu_5_t_xy = Ic_5_xy - s_5 * t74;
+  const Scalar t75 = c_5 * t74;
+  const Scalar t76 = t75 + t73;
+  const Scalar Iu_5_t_yy = Iu_6_t_xx + t75;
+  const Scalar t77 = Scalar(0.27848101265822783) * beta_7_f;
+  const Scalar t78 = c_6 * hu_7_t_y;
+  const Scalar t79 = qd_6 * (Iu_6_a_xz * beta_6_f + t39 * (Iu_6_d + t58) - omega_5_z * t69);
+  const Scalar t80 = qd_6 * (-t56 * beta_6_f - t39 * t69 + omega_5_z * (t58 - Iu_6_d));
+  const Scalar t81 = qd_6 * (hu_6_t_x * t39 + f_u_6_6_t_x * omega_5_z);
+  const Scalar t82 = t79 - qd_7 * (t78 * t77 + s_6 * t65);
+  const Scalar t83 = qd_6 * beta_6_f;
+  const Scalar f_p_6_a_y = hu_7_t_y * qd_7 * beta_7_f + Scalar(2.0) * t81;
+  const Scalar t84 = s_6 * hu_7_t_y;
+  const Scalar t85 = qd_7 * (t84 * t77 - c_6 * t65) + t80;
+  const Scalar t86 = hu_7_t_x * beta_7_f;
+  const Scalar t87 = hu_6_t_x * t83 - qd_7 * (t59 * t62 - c_6 * t86);
+  const Scalar t88 = qd_7 * (s_6 * t86 + Scalar(2.0) * c_6 * t62);
+  const Scalar t89 = Iu_5_t_yy + t76;
+  const Scalar Ic_5_zz = Iu_6_t_yy + Scalar(0.04498331431194894);
+  const Scalar t90 = Scalar(0.27848101265822783) * hu_7_t_x + Scalar(0.006684151967360946);
+  const Scalar t91 = s_6 * Iu_7_a_xz + c_6 * t90;
+  const Scalar t92 = s_6 * t90 - c_6 * Iu_7_a_xz;
+  const Scalar t93 = t91 * t66 + t56;
+  const Scalar t94 = Iu_7_a_xy * t66 + t58;
+  const Scalar t95 = t58 + Scalar(1.2151898734177216) * f_u_6_6_t_x;
+  const Scalar t96 = Scalar(1.0) / t94;
+  const Scalar t97 = t93 * t96;
+  const Scalar t98 = Scalar(149.60760989322966) * t91;
+  const Scalar t99 = t72 * t37 - t97 * t67 + t71 * t20 + t82 + Iu_5_t_xy * t36 + Ic_5_zz * t16 +
+      t14 * t89 + t68 * ddp_o_5_x + hu_5_t_x * t22 - t98 * t54 + tau_5;
+  const Scalar t100 = qd_5 * (t68 * omega_4_z - hu_5_t_x * t13);
+  const Scalar t101 = f_u_6_6_t_x * t83 - t88 - Scalar(2.0) * t100;
   const Scalar hc_4_x = hu_5_t_x - Scalar(0.1746785667894);
   const Scalar f_4_4_x = f_u_6_6_t_x - Scalar(0.635957442938548);
   const Scalar hu_4_t_x = c_4 * hc_4_x + s_4 * f_4_4_x;
-  const Scalar t25 = Scalar(0.5221518987341772) * hu_4_t_x;
-  const Scalar t26 = t25 + t24 - Scalar(0.7013999612162445);
-  const Scalar Iu_3_t_d = Iu_4_t_xx - t26;
-  const Scalar Iu_5_t_xy = Ic_5_xy - s_5 * t10;
-  const Scalar t27 = s_5 * hc_5_x - c_5 * f_5_5_x;
-  const Scalar t28 = Scalar(-0.2610759493670886) * t27;
-  const Scalar t29 = Scalar(-0.0039053550262761) - t28 + Iu_5_t_xy;
-  const Scalar t30 = c_5 * t17 + s_5 * Ic_5_xz;
-  const Scalar t31 = Scalar(1.2151898734177216) * t27 - t30;
-  const Scalar t32 = t31 - Scalar(0.00164448757736927);
-  const Scalar t33 = c_4 * t29 + s_4 * t32;
-  const Scalar t34 = t28 - Scalar(0.000121912420950744) + t33;
-  const Scalar t35 = Scalar(2.0) * s_3 * t34 - c_3 * Iu_3_t_d;
-  const Scalar t36 = c_3 * t35;
-  const Scalar t37 = t26 - t36;
-  const Scalar t38 = s_4 * hc_4_x - c_4 * f_4_4_x;
-  const Scalar t39 = Scalar(-2.0) * t38;
-  const Scalar t40 = t37 - t39;
-  const Scalar t41 = t14 + t23;
-  const Scalar t42 = t41 - t25 - Scalar(0.8246048032693);
-  const Scalar t43 = t21 - s_4 * t22;
-  const Scalar t44 = Scalar(0.005487648106562256) + Scalar(0.2610759493670886) * t38 + t43;
-  const Scalar Iu_4_a_xy = s_4 * t29 - c_4 * t32;
-  const Scalar Ic_3_yz = Iu_4_a_xy - Scalar(0.004377257121839584);
-  const Scalar hc_3_x = Scalar(0.236007115319552) + hu_4_t_x;
-  const Scalar t45 = Scalar(0.008919761981448) + t27;
-  const Scalar t46 = s_3 * t45 - c_3 * hc_3_x;
-  const Scalar t47 = t46 - s_3 * Ic_3_yz - c_3 * t44;
-  const Scalar t48 = Scalar(0.00398335888393552) + t47;
-  const Scalar t49 = Scalar(2.0) * s_2 * t48 + c_2 * (t42 + t40 + Scalar(1.7720865609797212));
-  const Scalar t50 = (t48 - s_2 * t49) * qd_1;
-  const Scalar Iu_3_t_yy = Iu_4_t_xx + t36;
-  const Scalar t51 = t37 - Iu_3_t_yy;
-  const Scalar t52 = s_2 * (t42 + t51);
-  const Scalar t53 = qd_1 * (t50 - qd_3 * t52);
-  const Scalar t54 = s_3 * t44 - c_3 * Ic_3_yz;
-  const Scalar t55 = s_2 * qd_1;
-  const Scalar t56 = Scalar(2.0) * qd_2;
-  const Scalar t57 = qd_1 * (qd_2 * t52 + c_2 * (t54 * t55 - t47 * t56));
-  const Scalar Iu_4_d = t41 + Iu_4_t_xx;
-  const Scalar t58 = c_3 * t55;
-  const Scalar t59 = s_3 * qd_2 - t58;
-  const Scalar t60 = Scalar(2.0) * t43;
-  const Scalar t61 = c_2 * qd_1;
-  const Scalar omega_3_z = qd_3 + t61;
-  const Scalar t62 = s_3 * t55;
-  const Scalar omega_r_3_y = t62 + c_3 * qd_2;
-  const Scalar t63 = Scalar(2.0) * omega_r_3_y;
-  const Scalar beta_4_f = qd_4 - t63;
-  const Scalar t64 = qd_4 * (t33 * beta_4_f + t59 * (t24 - Iu_4_d) + omega_3_z * t60);
-  const Scalar t65 = c_4 * t59 + s_4 * omega_3_z;
-  const Scalar omega_4_z = qd_4 - omega_r_3_y;
-  const Scalar t66 = s_5 * omega_4_z - c_5 * t65;
-  const Scalar t67 = s_4 * t59 - c_4 * omega_3_z;
-  const Scalar omega_5_z = qd_5 - t67;
-  const Scalar omega_r_6_y = s_6 * t66 + c_6 * omega_5_z;
-  const Scalar t68 = Scalar(2.0) * omega_r_6_y;
-  const Scalar beta_7_f = qd_7 - t68;
-  const Scalar t69 = hu_7_t_x * beta_7_f;
-  const Scalar t70 = s_6 * omega_5_z - c_6 * t66;
-  const Scalar omega_r_6_a_z = s_5 * t65 + c_5 * omega_4_z;
-  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t71 = hu_7_t_y * omega_6_z + hu_7_t_x * t70;
-  const Scalar t72 = Scalar(2.0) * omega_r_6_a_z;
-  const Scalar beta_6_f = qd_6 + t72;
-  const Scalar t73 = qd_6 * beta_6_f;
-  const Scalar t74 = hu_6_t_x * t73 - qd_7 * (t3 * t71 - c_6 * t69);
-  const Scalar t75 = qd_6 * (hu_6_t_x * t66 + f_u_6_6_t_x * omega_5_z);
-  const Scalar f_p_6_a_y = hu_7_t_y * qd_7 * beta_7_f + Scalar(2.0) * t75;
-  const Scalar t76 = Scalar(-2.0) * t67;
-  const Scalar beta_5_f = qd_5 + t76;
-  const Scalar t77 = qd_5 * beta_5_f;
-  const Scalar t78 = t27 * t77 + s_5 * t74 - c_5 * f_p_6_a_y;
-  const Scalar Iu_7_t_xy = Scalar(0.000391391281684248) + t8;
-  const Scalar t79 = Scalar(2.0) * Iu_7_t_xy;
-  const Scalar Iu_7_d = t1 + Iu_7_t_xx;
-  const Scalar Iu_7_y = Iu_7_d + Scalar(0.006684151967360946);
-  const Scalar t80 = Iu_7_a_xy * beta_7_f - t70 * t79 + omega_6_z * Iu_7_y;
-  const Scalar t81 = Scalar(0.27848101265822783) * beta_7_f;
-  const Scalar t82 = s_6 * hu_7_t_y;
-  const Scalar Iu_6_d = Iu_6_t_xx - Iu_6_t_yy;
-  const Scalar t83 = Scalar(2.0) * Iu_6_t_xy;
-  const Scalar t84 = qd_6 * (-t16 * beta_6_f - t66 * t83 + omega_5_z * (t6 - Iu_6_d));
-  const Scalar t85 = qd_7 * (t82 * t81 - c_6 * t80) + t84;
-  const Scalar t86 = Iu_5_t_yy + t12;
-  const Scalar Ic_5_zz = Iu_6_t_yy + Scalar(0.04498331431194894);
-  const Scalar Iu_5_y = Ic_5_zz - t86;
-  const Scalar t87 = Scalar(2.0) * Iu_5_t_xy;
-  const Scalar t88 = qd_5 * (t30 * beta_5_f + t65 * t87 + omega_4_z * Iu_5_y);
-  const Scalar t89 = omega_6_z * t79 - Iu_7_a_xz * beta_7_f +
-      t70 * (Iu_7_d - Scalar(0.006684151967360946));
-  const Scalar t90 = qd_7 * (Scalar(0.5569620253164557) * t71 - t89);
-  const Scalar t91 = -s_5 * t90 - c_5 * t85 - t88 + Scalar(1.2151898734177216) * t78;
-  const Scalar t92 = c_6 * hu_7_t_y;
-  const Scalar t93 = qd_6 * (Iu_6_a_xz * beta_6_f + t66 * (Iu_6_d + t6) - omega_5_z * t83);
-  const Scalar t94 = t93 - qd_7 * (t92 * t81 + s_6 * t80);
-  const Scalar t95 = t94 - Scalar(0.2610759493670886) * t78;
-  const Scalar t96 = t78 + Scalar(2.0) * qd_4 * (t38 * omega_3_z + hu_4_t_x * t59);
-  const Scalar t97 = c_4 * t95 + Scalar(0.2610759493670886) * t96 - s_4 * t91 + t64;
-  const Scalar t98 = t34 - s_3 * t35;
-  const Scalar t99 = t55 * t55;
-  const Scalar t100 = qd_2 * qd_2;
-  const Scalar t101 = c_3 * t56;
-  const Scalar t102 = omega_3_z * t63 - t61 * (t62 + t101);
-  const Scalar t103 = t65 * omega_4_z;
-  const Scalar t104 = t59 * omega_r_3_y;
-  const Scalar t105 = qd_2 * t55;
-  const Scalar U_3_xy = t104 + t105;
-  const Scalar t106 = c_4 * U_3_xy + t103 + s_4 * t102;
-  const Scalar t107 = t104 - t105 + t103 + t106;
-  const Scalar t108 = c_4 * t102 - s_4 * U_3_xy + omega_4_z * t76;
-  const Scalar t109 = s_2 * (qd_1 * t61 + Scalar(31.044303797468356));
-  const Scalar t110 = Scalar(-0.2610759493670886) * t107 - t61 * t101 - s_3 * t109 +
-      Scalar(1.2151898734177216) * t108;
-  const Scalar t111 = t65 * t65;
-  const Scalar t112 = omega_4_z * omega_4_z;
-  const Scalar t113 = t112 - t111;
-  const Scalar t114 = t59 * t59;
-  const Scalar t115 = omega_3_z * omega_3_z;
-  const Scalar Uz_o_4_y = t114 + t115;
-  const Scalar t116 = t59 * omega_3_z;
-  const Scalar t117 = s_3 * t56;
-  const Scalar domega_r_4_z = t116 + t61 * (t58 - t117);
-  const Scalar Uz_o_3_y = t99 + t100;
-  const Scalar t118 = Scalar(0.2610759493670886) * (t116 + domega_r_4_z) - Uz_o_3_y +
-      Scalar(31.044303797468356) * c_2;
-  const Scalar t119 = t115 - t114;
-  const Scalar t120 = Scalar(0.2610759493670886) * (Uz_o_3_y + t119) - t61 * t117 + c_3 * t109;
-  const Scalar t121 = t65 * t67;
-  const Scalar t122 = domega_r_4_z + t121;
-  const Scalar ddp_o_5_x = Scalar(0.2610759493670886) * (Uz_o_4_y + t113) - c_4 * t120 -
-      Scalar(1.2151898734177216) * t122 + s_4 * t118;
-  const Scalar t123 = s_5 * t110 - c_5 * ddp_o_5_x;
-  const Scalar t124 = omega_6_z * omega_6_z - t70 * t70;
-  const Scalar t125 = t66 * t66;
-  const Scalar t126 = omega_5_z * omega_5_z;
-  const Scalar Uz_o_6_y = t125 + t126;
-  const Scalar U_4_yx = domega_r_4_z - t121;
-  const Scalar t127 = Scalar(0.2610759493670886) * U_4_yx - s_4 * t120 +
-      Scalar(1.2151898734177216) * (t112 + t111) - c_4 * t118;
-  const Scalar t128 = hu_7_t_y * (Scalar(0.27848101265822783) * (Uz_o_6_y + t124) + s_6 * t127 +
-      c_6 * t123);
-  const Scalar Uz_o_6_z = s_5 * t122 + omega_5_z * t72 - c_5 * t108;
-  const Scalar t129 = t70 * omega_6_z;
-  const Scalar U_5_xy = t66 * omega_r_6_a_z + t106;
-  const Scalar domega_r_7_z = t129 - s_6 * Uz_o_6_z + c_6 * U_5_xy;
-  const Scalar t130 = hu_7_t_x * (Scalar(0.27848101265822783) * (t129 + domega_r_7_z) +
-      s_5 * ddp_o_5_x + c_5 * t110);
-  const Scalar t131 = Iu_7_a_xz * (-s_6 * U_5_xy - c_6 * Uz_o_6_z + omega_6_z * t68);
-  const Scalar t132 = t66 * omega_5_z;
-  const Scalar t133 = t132 - c_5 * t122 - s_5 * t108;
-  const Scalar t134 = Iu_7_a_xy * (t70 * omega_r_6_y + t133);
-  const Scalar t135 = t128 + t130 - t129 * Iu_7_d + t134 - t131 - Iu_7_t_xy * t124 +
-      Scalar(0.006684151967360946) * domega_r_7_z - tau_7;
-  const Scalar t136 = Scalar(149.60760989322966) * Iu_7_a_xy;
-  const Scalar t137 = -t16 * U_5_xy - Iu_6_a_xz * Uz_o_6_z + t90 - t132 * Iu_6_d +
-      Iu_6_t_xy * (t126 - t125) - t136 * t135 - t6 * t133 + f_u_6_6_t_x * t123 + hu_6_t_x * t127 +
-      tau_6;
-  const Scalar t138 = Scalar(0.27848101265822783) * hu_7_t_x + Scalar(0.006684151967360946);
-  const Scalar t139 = s_6 * Iu_7_a_xz + c_6 * t138;
-  const Scalar t140 = t139 * t136 + t16;
-  const Scalar t141 = Iu_7_a_xy * t136 + t6;
-  const Scalar t142 = Scalar(1.0) / t141;
-  const Scalar t143 = t140 * t142;
-  const Scalar t144 = Scalar(149.60760989322966) * t139;
-  const Scalar t145 = t30 * t122 - t143 * t137 + t18 * t108 + t94 + Iu_5_t_xy * t113 +
-      Ic_5_zz * t106 + t103 * t86 + t27 * ddp_o_5_x + hu_5_t_x * t110 - t144 * t135 + tau_5;
-  const Scalar t146 = t6 + Scalar(1.2151898734177216) * f_u_6_6_t_x;
-  const Scalar mu_u_6_4_a_y = Scalar(0.2610759493670886) * hu_6_t_x - s_5 * Iu_6_a_xz + c_5 * t146;
-  const Scalar t147 = s_6 * t138 - c_6 * Iu_7_a_xz;
-  const Scalar t148 = s_5 * hu_7_t_x - c_5 * t92;
-  const Scalar t149 = Scalar(1.2151898734177216) * t148 - Scalar(0.2610759493670886) * t82 +
-      c_5 * Iu_7_a_xy + s_5 * t147;
-  const Scalar t150 = t149 * t136 + mu_u_6_4_a_y;
-  const Scalar t151 = t150 * t143 - t149 * t144 + t31;
-  const Scalar b_6_5_5 = t140 * t143 - t139 * t144 + Ic_5_zz;
+  const Scalar t102 = s_4 * hc_4_x - c_4 * f_4_4_x;
+  const Scalar t103 = Scalar(-0.2610759493670886) * t68;
+  const Scalar t104 = Scalar(-0.0039053550262761) - t103 + Iu_5_t_xy;
+  const Scalar t105 = Scalar(2.0) * Iu_5_t_xy;
+  const Scalar t106 = Scalar(1.2151898734177216) * t68 - t72;
+  const Scalar t107 = t106 - Scalar(0.00164448757736927);
+  const Scalar t108 = c_4 * t104 + s_4 * t107;
+  const Scalar Iu_4_a_xy = s_4 * t104 - c_4 * t107;
+  const Scalar t109 = t103 - Scalar(0.000121912420950744) + t108;
+  const Scalar t110 = Scalar(2.430379746835443) * f_u_6_6_t_x;
+  const Scalar t111 = t76 + t110;
+  const Scalar t112 = Scalar(0.5221518987341772) * hu_5_t_x;
+  const Scalar t113 = Iu_5_t_yy - t112 - t110 + Scalar(0.7918443694347095);
+  const Scalar Ic_4_yy = Iu_6_t_yy - t112 - Scalar(0.6448207828091296);
+  const Scalar t114 = t71 + Scalar(1.2151898734177216) * hu_5_t_x;
+  const Scalar t115 = Scalar(0.2610759493670886) * f_u_6_6_t_x;
+  const Scalar t116 = t115 + t114 - Scalar(0.16284087268546085);
+  const Scalar t117 = s_5 * t115;
+  const Scalar t118 = t56 + t117;
+  const Scalar t119 = Scalar(2.0) * s_4 * t116 - c_4 * (t111 + Ic_4_yy);
+  const Scalar t120 = t116 - s_4 * t119;
+  const Scalar t121 = c_4 * t119;
+  const Scalar Iu_4_t_xx = t121 + Ic_4_yy;
+  const Scalar t122 = t111 + t121;
+  const Scalar Iu_5_x = Ic_5_zz + t89;
+  const Scalar t123 = qd_5 * (t71 * beta_5_f + t13 * Iu_5_x + omega_4_z * t105);
+  const Scalar Iu_5_y = Ic_5_zz - t89;
+  const Scalar t124 = qd_5 * (t72 * beta_5_f + t13 * t105 + omega_4_z * Iu_5_y);
+  const Scalar t125 = qd_5 * beta_5_f;
+  const Scalar t126 = hu_5_t_x * t125 + s_5 * f_p_6_a_y + c_5 * t87;
+  const Scalar t127 = t68 * t125 + s_5 * t87 - c_5 * f_p_6_a_y;
+  const Scalar mu_4_z = s_5 * t85 - c_5 * t64 - Scalar(0.2610759493670886) * t101 + t123 +
+      Scalar(1.2151898734177216) * t126;
+  const Scalar t128 = -s_5 * t64 - c_5 * t85 - t124 + Scalar(1.2151898734177216) * t127;
+  const Scalar t129 = t82 - Scalar(0.2610759493670886) * t127;
+  const Scalar t130 = t127 + Scalar(2.0) * qd_4 * (t102 * omega_3_z + hu_4_t_x * t11);
+  const Scalar Iu_4_d = t122 + Iu_4_t_xx;
+  const Scalar mu_u_6_4_a_y = Scalar(0.2610759493670886) * hu_6_t_x - s_5 * Iu_6_a_xz + c_5 * t95;
+  const Scalar t131 = c_5 * Iu_6_a_xz + s_5 * t95;
+  const Scalar mu_6_3_z = t117 - c_4 * t118 - s_4 * t131;
+  const Scalar t132 = s_4 * t118 - c_4 * t131 - s_5 * f_u_6_6_t_x;
+  const Scalar t133 = c_5 * f_u_6_6_t_x;
+  const Scalar t134 = s_5 * hu_7_t_x - c_5 * t78;
+  const Scalar f_u_7_5_a_z = s_5 * t78 + c_5 * hu_7_t_x;
+  const Scalar t135 = Scalar(1.2151898734177216) * t134 - Scalar(0.2610759493670886) * t84 +
+      c_5 * Iu_7_a_xy + s_5 * t92;
+  const Scalar mu_7_4_x = Scalar(1.2151898734177216) * f_u_7_5_a_z - s_5 * Iu_7_a_xy + c_5 * t92;
+  const Scalar t136 = t135 * t66 + mu_u_6_4_a_y;
+  const Scalar t137 = t136 * t97 - t135 * t98 + t106;
+  const Scalar t138 = t106 + t68 * (c_4 - Scalar(0.2610759493670886) * s_4);
+  const Scalar t139 = Scalar(0.008919761981448) + t68;
+  const Scalar b_6_5_5 = t93 * t97 - t91 * t98 + Ic_5_zz;
   const Scalar d_5 = Scalar(1.0) / b_6_5_5;
-  const Scalar t152 = t151 * d_5;
-  const Scalar t153 = hu_5_t_x * t77 + s_5 * f_p_6_a_y + c_5 * t74;
-  const Scalar Iu_5_x = Ic_5_zz + t86;
-  const Scalar t154 = qd_5 * (t18 * beta_5_f + t65 * Iu_5_x + omega_4_z * t87);
-  const Scalar t155 = qd_7 * (s_6 * t69 + Scalar(2.0) * c_6 * t71);
-  const Scalar t156 = qd_5 * (t27 * omega_4_z - hu_5_t_x * t65);
-  const Scalar t157 = f_u_6_6_t_x * t73 - t155 - Scalar(2.0) * t156;
-  const Scalar mu_4_z = s_5 * t85 - c_5 * t90 - Scalar(0.2610759493670886) * t157 + t154 +
-      Scalar(1.2151898734177216) * t153;
-  const Scalar t158 = t150 * t142;
-  const Scalar t159 = Scalar(-149.60760989322966) * t149;
-  const Scalar t160 = Iu_4_a_xy * U_3_xy - t33 * t102 + mu_4_z - t159 * t135 - t116 * Iu_4_d +
-      t43 * t119 - tau_4 + t152 * t145 + t158 * t137 + t38 * t120 + hu_4_t_x * t118 +
-      t24 * domega_r_4_z;
-  const Scalar t161 = Scalar(0.2610759493670886) * hu_5_t_x;
-  const Scalar mu_5_4_y = Ic_5_zz - t161;
-  const Scalar mu_5_3_z = t161 - s_4 * t19 + c_4 * mu_5_4_y;
-  const Scalar t162 = c_5 * Iu_6_a_xz + s_5 * t146;
-  const Scalar t163 = s_5 * t20;
-  const Scalar t164 = t16 + t163;
-  const Scalar mu_6_3_z = t163 - c_4 * t164 - s_4 * t162;
-  const Scalar f_u_7_5_a_z = s_5 * t92 + c_5 * hu_7_t_x;
-  const Scalar mu_7_4_x = Scalar(1.2151898734177216) * f_u_7_5_a_z - s_5 * Iu_7_a_xy + c_5 * t147;
-  const Scalar t165 = Scalar(0.2610759493670886) * f_u_7_5_a_z;
-  const Scalar t166 = t139 - t165;
-  const Scalar mu_u_7_3_a_y = t165 - s_4 * mu_7_4_x + c_4 * t166;
-  const Scalar b_7_6_3 = mu_6_3_z - mu_u_7_3_a_y * t136;
-  const Scalar b_6_5_3 = -b_7_6_3 * t143 - mu_u_7_3_a_y * t144 + mu_5_3_z;
-  const Scalar t167 = Iu_4_a_xy - mu_u_7_3_a_y * t159 + b_7_6_3 * t158 + b_6_5_3 * t152;
-  const Scalar t168 = t149 * t159 - t151 * t152 + t150 * t158 + t24;
-  const Scalar t169 = Scalar(1.0) / t168;
-  const Scalar t170 = t167 * t169;
-  const Scalar t171 = b_6_5_3 * d_5;
-  const Scalar t172 = b_7_6_3 * t142;
-  const Scalar t173 = Scalar(149.60760989322966) * mu_u_7_3_a_y;
-  const Scalar t174 = c_3 * t45 + s_3 * hc_3_x;
-  const Scalar t175 = t98 * (t100 - t99) - t170 * t160 - t173 * t135 + t97 + tau_3 - t171 * t145 +
-      t172 * t137 - t174 * t109 - t57;
-  const Scalar t176 = t174 + t54;
-  const Scalar t177 = hu_5_t_x + s_4 * mu_5_4_y + c_4 * t19;
-  const Scalar t178 = t31 + t27 * (c_4 - Scalar(0.2610759493670886) * s_4);
-  const Scalar t179 = f_u_7_5_a_z + s_4 * t166 + c_4 * mu_7_4_x;
-  const Scalar t180 = s_4 * t148 - c_4 * t82;
-  const Scalar t181 = s_4 * t82 - Scalar(0.2610759493670886) * t180 + c_4 * t148 + t149;
-  const Scalar t182 = c_3 * t181 + s_3 * t179;
-  const Scalar t183 = s_4 * t164 - c_4 * t162 - s_5 * f_u_6_6_t_x;
-  const Scalar t184 = c_5 * f_u_6_6_t_x;
-  const Scalar f_u_6_4_t_y = s_4 * t184 + c_4 * hu_6_t_x;
-  const Scalar t185 = c_4 * t184 - Scalar(0.2610759493670886) * f_u_6_4_t_y - s_4 * hu_6_t_x +
+  const Scalar t140 = t137 * d_5;
+  const Scalar t141 = t136 * t96;
+  const Scalar t142 = Scalar(-149.60760989322966) * t135;
+  const Scalar t143 = Iu_4_a_xy * U_3_xy - t108 * t9 + mu_4_z - t142 * t54 - t23 * Iu_4_d +
+      t120 * t29 - tau_4 + t140 * t99 + t141 * t67 + t102 * t30 + hu_4_t_x * t31 +
+      t113 * domega_r_4_z;
+  const Scalar hc_3_x = Scalar(0.236007115319552) + hu_4_t_x;
+  const Scalar t144 = c_3 * t139 + s_3 * hc_3_x;
+  const Scalar t145 = s_3 * t139 - c_3 * hc_3_x;
+  const Scalar t146 = Scalar(0.005487648106562256) + Scalar(0.2610759493670886) * t102 + t120;
+  const Scalar t147 = Scalar(2.0) * t120;
+  const Scalar Ic_3_yz = Iu_4_a_xy - Scalar(0.004377257121839584);
+  const Scalar t148 = t145 - s_3 * Ic_3_yz - c_3 * t146;
+  const Scalar t149 = s_3 * t146 - c_3 * Ic_3_yz;
+  const Scalar hu_2_t_x = s_2 * (t102 + Scalar(1.056862013749792)) -
+      c_2 * (Scalar(0.000642110282856) + t145);
+  const Scalar t150 = Scalar(0.5221518987341772) * hu_4_t_x;
+  const Scalar t151 = t122 - t150 - Scalar(0.8246048032693);
+  const Scalar t152 = t150 + t113 - Scalar(0.7013999612162445);
+  const Scalar Iu_3_t_d = Iu_4_t_xx - t152;
+  const Scalar t153 = Scalar(2.0) * s_3 * t109 - c_3 * Iu_3_t_d;
+  const Scalar t154 = t109 - s_3 * t153;
+  const Scalar t155 = c_3 * t153;
+  const Scalar t156 = t152 - t155;
+  const Scalar Iu_3_t_yy = Iu_4_t_xx + t155;
+  const Scalar t157 = qd_4 * (t108 * beta_4_f + t11 * (t113 - Iu_4_d) + omega_3_z * t147);
+  const Scalar t158 = qd_4 * (Iu_4_a_xy * beta_4_f + t11 * t147 + omega_3_z * (t113 + Iu_4_d));
+  const Scalar t159 = c_4 * t129 + Scalar(0.2610759493670886) * t130 - s_4 * t128 + t157;
+  const Scalar t160 = s_4 * t129 + c_4 * t128 + t130 + t158;
+  const Scalar t161 = qd_4 * beta_4_f;
+  const Scalar t162 = Scalar(0.2610759493670886) * hu_5_t_x;
+  const Scalar mu_5_4_y = Ic_5_zz - t162;
+  const Scalar mu_5_3_z = t162 - s_4 * t114 + c_4 * mu_5_4_y;
+  const Scalar t163 = hu_5_t_x + s_4 * mu_5_4_y + c_4 * t114;
+  const Scalar t164 = Scalar(0.2610759493670886) * f_u_7_5_a_z;
+  const Scalar t165 = t91 - t164;
+  const Scalar mu_u_7_3_a_y = t164 - s_4 * mu_7_4_x + c_4 * t165;
+  const Scalar t166 = f_u_7_5_a_z + s_4 * t165 + c_4 * mu_7_4_x;
+  const Scalar t167 = t156 - Iu_3_t_yy;
+  const Scalar t168 = s_2 * (t151 + t167);
+  const Scalar t169 = qd_1 * (qd_2 * t168 + c_2 * (t149 * t4 - t148 * t7));
+  const Scalar t170 = t144 + t149;
+  const Scalar t171 = Scalar(-2.0) * t154 * t4 - t170 * beta_3_f + qd_2 * (t151 - t167);
+  const Scalar t172 = qd_3 * (t154 * t7 + t148 * beta_3_f);
+  const Scalar b_7_6_3 = mu_6_3_z - mu_u_7_3_a_y * t66;
+  const Scalar b_6_5_3 = -b_7_6_3 * t97 - mu_u_7_3_a_y * t98 + mu_5_3_z;
+  const Scalar t173 = Iu_4_a_xy - mu_u_7_3_a_y * t142 + b_7_6_3 * t141 + b_6_5_3 * t140;
+  const Scalar t174 = t135 * t142 - t137 * t140 + t136 * t141 + t113;
+  const Scalar t175 = Scalar(0.2610759493670886) * hu_4_t_x + t102 + t113;
+  const Scalar t176 = Scalar(1.0) / t174;
+  const Scalar t177 = t173 * t176;
+  const Scalar t178 = b_6_5_3 * d_5;
+  const Scalar t179 = b_7_6_3 * t96;
+  const Scalar t180 = Scalar(149.60760989322966) * mu_u_7_3_a_y;
+  const Scalar t181 = t154 * (t26 - t25) - t177 * t143 - t180 * t54 + t159 + tau_3 - t178 * t99 +
+      t179 * t67 - t144 * t21 - t169;
+  const Scalar t182 = Scalar(0.01026110182100817) + t154;
+  const Scalar t183 = s_4 * t126 - c_4 * t101 + t102 * t161;
+  const Scalar t184 = s_4 * t101 + c_4 * t126 + mu_4_z - Scalar(0.2610759493670886) * t183 +
+      hu_4_t_x * t161;
+  const Scalar t185 = Scalar(-2.0) * t102;
+  const Scalar t186 = t156 - t185;
+  const Scalar t187 = s_2 * (s_3 * t184 + c_3 * t160 - qd_3 * t171);
+  const Scalar f_u_6_4_t_y = s_4 * t133 + c_4 * hu_6_t_x;
+  const Scalar t188 = c_4 * t133 - Scalar(0.2610759493670886) * f_u_6_4_t_y - s_4 * hu_6_t_x +
       mu_u_6_4_a_y;
-  const Scalar b_7_6_2 = t182 * t136 + s_3 * t183 + c_3 * t185;
-  const Scalar t186 = b_7_6_2 * t143 - t182 * t144 + c_3 * t178 + s_3 * t177;
-  const Scalar t187 = Scalar(0.2610759493670886) * hu_4_t_x + t38 + t24;
-  const Scalar t188 = -t182 * t159 - s_3 * t33 + t186 * t152 - b_7_6_2 * t158 - c_3 * t187;
-  const Scalar t189 = -t182 * t173 - t188 * t170 - t186 * t171 - b_7_6_2 * t172 + t176;
-  const Scalar t190 = mu_u_7_3_a_y * t173 + t167 * t170 - b_7_6_3 * t172 + b_6_5_3 * t171 + t42;
-  const Scalar t191 = Scalar(1.0) / t190;
-  const Scalar t192 = t189 * t191;
-  const Scalar beta_3_f = qd_3 + Scalar(2.0) * t61;
-  const Scalar t193 = qd_3 * (t98 * t56 + t47 * beta_3_f);
-  const Scalar t194 = qd_4 * (Iu_4_a_xy * beta_4_f + t59 * t60 + omega_3_z * (t24 + Iu_4_d));
-  const Scalar t195 = s_4 * t95 + c_4 * t91 + t96 + t194;
-  const Scalar t196 = t188 * t169;
-  const Scalar t197 = qd_4 * beta_4_f;
-  const Scalar t198 = s_4 * t153 - c_4 * t157 + t38 * t197;
-  const Scalar t199 = s_4 * t157 + c_4 * t153 + mu_4_z - Scalar(0.2610759493670886) * t198 +
-      hu_4_t_x * t197;
-  const Scalar t200 = t186 * d_5;
-  const Scalar t201 = b_7_6_2 * t142;
-  const Scalar t202 = Scalar(149.60760989322966) * t182;
-  const Scalar hu_2_t_x = s_2 * (t38 + Scalar(1.056862013749792)) -
-      c_2 * (Scalar(0.000642110282856) + t46);
-  const Scalar y_3_2 = t202 * t135 + c_3 * t199 + tau_2 - t192 * t175 + t201 * t137 - s_3 * t195 -
-      t193 + Scalar(31.044303797468356) * hu_2_t_x + t196 * t160 + t200 * t145 - t53;
-  const Scalar t203 = b_7_6_2 * t201 - t182 * t202 - t186 * t200 + t189 * t192 + Iu_3_t_yy - t39 -
-      t188 * t196 + Scalar(1.8182423259695848);
-  const Scalar t204 = Scalar(1.0) / t203;
-  const Scalar t205 = s_2 * (s_3 * t178 - c_3 * t177);
-  const Scalar t206 = s_2 * (s_3 * t181 - c_3 * t179) - c_2 * mu_u_7_3_a_y;
-  const Scalar t207 = s_2 * (c_3 * t183 - s_3 * t185);
-  const Scalar b_7_6_1 = t206 * t136 - t207 + c_2 * mu_6_3_z;
-  const Scalar t208 = b_7_6_1 * t143 - t206 * t144 + t205 - c_2 * mu_5_3_z;
-  const Scalar t209 = s_2 * (c_3 * t33 - s_3 * t187);
-  const Scalar t210 = -t206 * t159 - c_2 * Iu_4_a_xy + t208 * t152 - b_7_6_1 * t158 + t209;
-  const Scalar t211 = t206 * t173 + t210 * t170 + b_7_6_1 * t172 + t208 * t171 - s_2 * t47 -
-      c_2 * t42;
-  const Scalar t212 = Scalar(0.01026110182100817) + t98;
-  const Scalar t213 = Scalar(0.0007689361029464) + t176;
-  const Scalar t214 = t206 * t202 + t208 * t200 - b_7_6_1 * t201 + t211 * t192 + t210 * t196 +
-      s_2 * t212 + c_2 * t213;
-  const Scalar t215 = t214 * t204;
-  const Scalar t216 = qd_2 * (Scalar(2.0) * t50 - (s_2 * t213 - c_2 * t212) * qd_2);
-  const Scalar t217 = t211 * t191;
-  const Scalar t218 = Scalar(-2.0) * t98 * t55 - t176 * beta_3_f + qd_2 * (t42 - t51);
-  const Scalar t219 = s_2 * (s_3 * t199 + c_3 * t195 - qd_3 * t218);
-  const Scalar t220 = t210 * t169;
-  const Scalar t221 = t208 * d_5;
-  const Scalar t222 = b_7_6_1 * t142;
-  const Scalar t223 = Scalar(-149.60760989322966) * t206;
-  const Scalar t224 = tau_1 - t223 * t135 + t222 * t137 + c_2 * t97 + t215 * y_3_2 + t217 * t175 +
-      t220 * t160 + t221 * t145 + t219 + t216;
-  const Scalar t225 = t206 * t223 - t208 * t221 + b_7_6_1 * t222 - t214 * t215 - t210 * t220 +
-      t211 * t217 + t40 - c_2 * t49 + Scalar(1.8094240094691274);
+  const Scalar t189 = s_4 * t134 - c_4 * t84;
+  const Scalar t190 = s_4 * t84 - Scalar(0.2610759493670886) * t189 + c_4 * t134 + t135;
+  const Scalar t191 = Scalar(0.00398335888393552) + t148;
+  const Scalar t192 = Scalar(2.0) * s_2 * t191 + c_2 * (t151 + t186 + Scalar(1.7720865609797212));
+  const Scalar t193 = (t191 - s_2 * t192) * qd_1;
+  const Scalar t194 = qd_1 * (t193 - qd_3 * t168);
+  const Scalar t195 = c_3 * t190 + s_3 * t166;
+  const Scalar t196 = s_2 * (s_3 * t190 - c_3 * t166) - c_2 * mu_u_7_3_a_y;
+  const Scalar b_7_6_2 = t195 * t66 + s_3 * t132 + c_3 * t188;
+  const Scalar t197 = s_2 * (c_3 * t132 - s_3 * t188);
+  const Scalar b_7_6_1 = t196 * t66 - t197 + c_2 * mu_6_3_z;
+  const Scalar t198 = b_7_6_2 * t97 - t195 * t98 + c_3 * t138 + s_3 * t163;
+  const Scalar t199 = s_2 * (s_3 * t138 - c_3 * t163);
+  const Scalar t200 = b_7_6_1 * t97 - t196 * t98 + t199 - c_2 * mu_5_3_z;
+  const Scalar t201 = -t195 * t142 - s_3 * t108 + t198 * t140 - b_7_6_2 * t141 - c_3 * t175;
+  const Scalar t202 = s_2 * (c_3 * t108 - s_3 * t175);
+  const Scalar t203 = -t196 * t142 - c_2 * Iu_4_a_xy + t200 * t140 - b_7_6_1 * t141 + t202;
+  const Scalar t204 = t196 * t180 + t203 * t177 + b_7_6_1 * t179 + t200 * t178 - s_2 * t148 -
+      c_2 * t151;
+  const Scalar t205 = mu_u_7_3_a_y * t180 + t173 * t177 - b_7_6_3 * t179 + b_6_5_3 * t178 + t151;
+  const Scalar t206 = -t195 * t180 - t201 * t177 - t198 * t178 - b_7_6_2 * t179 + t170;
+  const Scalar t207 = Scalar(0.0007689361029464) + t170;
+  const Scalar t208 = qd_2 * (Scalar(2.0) * t193 - (s_2 * t207 - c_2 * t182) * qd_2);
+  const Scalar t209 = Scalar(1.0) / t205;
+  const Scalar t210 = t206 * t209;
+  const Scalar t211 = t201 * t176;
+  const Scalar t212 = t198 * d_5;
+  const Scalar t213 = b_7_6_2 * t96;
+  const Scalar t214 = Scalar(149.60760989322966) * t195;
+  const Scalar y_3_2 = t214 * t54 + c_3 * t184 + tau_2 - t210 * t181 + t213 * t67 - s_3 * t160 -
+      t172 + Scalar(31.044303797468356) * hu_2_t_x + t211 * t143 + t212 * t99 - t194;
+  const Scalar t215 = b_7_6_2 * t213 - t195 * t214 - t198 * t212 + t206 * t210 + Iu_3_t_yy - t185 -
+      t201 * t211 + Scalar(1.8182423259695848);
+  const Scalar t216 = t196 * t214 + t200 * t212 - b_7_6_1 * t213 + t204 * t210 + t203 * t211 +
+      s_2 * t182 + c_2 * t207;
+  const Scalar t217 = Scalar(1.0) / t215;
+  const Scalar t218 = t216 * t217;
+  const Scalar t219 = t204 * t209;
+  const Scalar t220 = t203 * t176;
+  const Scalar t221 = t200 * d_5;
+  const Scalar t222 = b_7_6_1 * t96;
+  const Scalar t223 = Scalar(-149.60760989322966) * t196;
+  const Scalar t224 = tau_1 - t223 * t54 + t222 * t67 + c_2 * t159 + t218 * y_3_2 + t219 * t181 +
+      t220 * t143 + t221 * t99 + t187 + t208;
+  const Scalar t225 = t196 * t223 - t200 * t221 + b_7_6_1 * t222 - t216 * t218 - t203 * t220 +
+      t204 * t219 + t186 - c_2 * t192 + Scalar(1.8094240094691274);
   const Scalar qdd_1 = t224 / t225;
-  qdd[0] = qdd_1;
-  const Scalar qdd_2 = t204 * (t214 * qdd_1 + y_3_2);
-  qdd[1] = qdd_2;
-  const Scalar t226 = t191 * (t189 * qdd_2 - t211 * qdd_1 + t175);
-  qdd[2] = -t226;
-  const Scalar t227 = t169 * (t167 * t226 + t210 * qdd_1 + t160 + t188 * qdd_2);
-  qdd[3] = -t227;
-  const Scalar t228 = t208 * qdd_1 + t186 * qdd_2 + b_6_5_3 * t226 + t151 * t227 + t145;
+  const Scalar qdd_2 = t217 * (t216 * qdd_1 + y_3_2);
+  const Scalar t226 = t209 * (t206 * qdd_2 - t204 * qdd_1 + t181);
+  const Scalar t227 = t176 * (t173 * t226 + t203 * qdd_1 + t143 + t201 * qdd_2);
+  const Scalar t228 = t200 * qdd_1 + t198 * qdd_2 + b_6_5_3 * t226 + t137 * t227 + t99;
   const Scalar qdd_5 = d_5 * t228;
+  const Scalar t229 = t93 * qdd_5 + b_7_6_3 * t226 - b_7_6_1 * qdd_1 - b_7_6_2 * qdd_2 -
+      t136 * t227 + t67;
+  const Scalar t230 = t195 * qdd_2 + t135 * t227 + mu_u_7_3_a_y * t226 - t91 * qdd_5;
+  const Scalar t231 = t96 * t229;
+  qdd[6] = Scalar(-149.60760989322966) * t230 -
+      Scalar(149.60760989322966) * (t196 * qdd_1 + Iu_7_a_xy * t231 + t54);
+  qdd[0] = qdd_1;
+  qdd[1] = qdd_2;
+  qdd[2] = -t226;
+  qdd[3] = -t227;
   qdd[4] = qdd_5;
-  const Scalar t229 = t140 * qdd_5 + b_7_6_3 * t226 - b_7_6_1 * qdd_1 - b_7_6_2 * qdd_2 -
-      t150 * t227 + t137;
-  const Scalar t230 = t142 * t229;
-  qdd[5] = -t230;
-  const Scalar t231 = t182 * qdd_2 + t149 * t227 + mu_u_7_3_a_y * t226 - t139 * qdd_5;
-  qdd[6] = Scalar(-149.60760989322966) * t231 -
-      Scalar(149.60760989322966) * (t206 * qdd_1 + Iu_7_a_xy * t230 + t135);
+  qdd[5] = -t231;
   bool valid = t225 > Scalar(0.0);
-  valid &= t203 > Scalar(0.0);
-  valid &= -t190 > Scalar(0.0);
-  valid &= t168 > Scalar(0.0);
+  valid &= t215 > Scalar(0.0);
+  valid &= -t205 > Scalar(0.0);
+  valid &= t174 > Scalar(0.0);
   valid &= b_6_5_5 > Scalar(0.0);
-  valid &= -t141 > Scalar(0.0);
+  valid &= -t94 > Scalar(0.0);
   for (int k = 0; k < 7; ++k) valid &= Scalar(0.0) * qdd[k] < Scalar(1.0);
   return valid;
 }
@@ -3103,111 +3107,111 @@ static inline void jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
       s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6];
-  const Scalar t1 = s_2 * qd_1;
-  const Scalar t2 = c_3 * t1;
-  const Scalar t3 = s_3 * qd_2;
-  const Scalar t4 = t3 - t2;
-  const Scalar t5 = c_2 * qd_1;
-  const Scalar omega_3_z = qd_3 + t5;
-  const Scalar t6 = c_4 * t4 + s_4 * omega_3_z;
-  const Scalar t7 = s_3 * t1;
+  const Scalar t1 = c_2 * qd_1;
+  const Scalar t2 = s_2 * qd_1;
+  const Scalar t3 = c_3 * t2;
+  const Scalar t4 = s_3 * qd_2;
+  const Scalar t5 = t4 - t3;
+  const Scalar t6 = t1 * (Scalar(2.0) * t4 - t3);
+  const Scalar domega_q_3_y = t4 * t1 - qd_3 * t5;
+  const Scalar t7 = s_3 * t2;
   const Scalar t8 = c_3 * qd_2;
   const Scalar omega_r_3_y = t7 + t8;
+  const Scalar t9 = t1 * (t7 + Scalar(2.0) * t8);
+  const Scalar t10 = t8 * t1 - qd_3 * omega_r_3_y;
+  const Scalar omega_3_z = qd_3 + t1;
+  const Scalar t11 = c_4 * t5 + s_4 * omega_3_z;
   const Scalar omega_4_z = qd_4 - omega_r_3_y;
-  const Scalar t9 = s_5 * omega_4_z - c_5 * t6;
-  const Scalar t10 = s_4 * t4 - c_4 * omega_3_z;
-  const Scalar omega_5_z = qd_5 - t10;
-  const Scalar t11 = s_6 * omega_5_z - c_6 * t9;
-  const Scalar omega_r_6_a_z = s_5 * t6 + c_5 * omega_4_z;
+  const Scalar t12 = s_5 * omega_4_z - c_5 * t11;
+  const Scalar t13 = s_4 * t5 - c_4 * omega_3_z;
+  const Scalar t14 = qd_2 * t2;
+  const Scalar Uz_o_3_y = t2 * t2 + qd_2 * qd_2;
+  const Scalar t15 = s_4 * t14 + c_4 * t10 + qd_4 * t13;
+  const Scalar t16 = c_4 * t14 - s_4 * t10 + qd_4 * t11;
+  const Scalar domega_q_5_y = c_5 * domega_q_3_y + qd_5 * t12 + s_5 * t15;
+  const Scalar omega_r_6_a_z = s_5 * t11 + c_5 * omega_4_z;
+  const Scalar t17 = qd_5 * omega_r_6_a_z - s_5 * domega_q_3_y + c_5 * t15;
+  const Scalar omega_5_z = qd_5 - t13;
+  const Scalar t18 = s_6 * omega_5_z - c_6 * t12;
+  const Scalar domega_f_7_a_z = qd_6 * t18 - s_6 * t17 + c_6 * t16;
+  const Scalar omega_r_6_y = s_6 * t12 + c_6 * omega_5_z;
+  const Scalar t19 = qd_6 * omega_r_6_y - s_6 * t16 - c_6 * t17;
   const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t12 = qd_7 * (s_7 * omega_6_z + c_7 * t11);
-  const Scalar omega_r_6_y = s_6 * t9 + c_6 * omega_5_z;
-  const Scalar t13 = t8 * t5 - qd_3 * omega_r_3_y;
-  const Scalar t14 = qd_2 * t1;
-  const Scalar t15 = s_4 * t14 + c_4 * t13 + qd_4 * t10;
-  const Scalar domega_q_3_y = t3 * t5 - qd_3 * t4;
-  const Scalar t16 = qd_5 * omega_r_6_a_z - s_5 * domega_q_3_y + c_5 * t15;
-  const Scalar t17 = c_4 * t14 - s_4 * t13 + qd_4 * t6;
-  const Scalar t18 = qd_6 * omega_r_6_y - s_6 * t17 - c_6 * t16;
-  const Scalar domega_q_5_y = c_5 * domega_q_3_y + qd_5 * t9 + s_5 * t15;
-  const Scalar t19 = t12 + s_7 * t18 + c_7 * domega_q_5_y;
-  const Scalar t20 = qd_7 * (s_7 * t11 - c_7 * omega_6_z);
-  const Scalar t21 = t20 + s_7 * domega_q_5_y - c_7 * t18;
-  const Scalar t22 = s_7 * t19 - c_7 * t21;
-  const Scalar domega_f_7_a_z = qd_6 * t11 - s_6 * t16 + c_6 * t17;
-  const Scalar t23 = s_6 * domega_f_7_a_z + c_6 * t22;
-  const Scalar domega_e_6_a_y = s_7 * t21 + c_7 * t19;
-  const Scalar t24 = s_5 * domega_e_6_a_y - c_5 * t23;
-  const Scalar t25 = s_6 * t22 - c_6 * domega_f_7_a_z;
-  const Scalar t26 = s_4 * t25 + c_4 * t24;
-  const Scalar domega_e_5_t_y = s_5 * t23 + c_5 * domega_e_6_a_y;
-  const Scalar t27 = s_3 * domega_e_5_t_y + c_3 * t26;
-  const Scalar domega_e_3_a_y = s_4 * t24 - c_4 * t25;
-  a[5] = s_2 * t27 - c_2 * domega_e_3_a_y;
-  const Scalar t28 = s_2 * domega_e_3_a_y + c_2 * t27;
-  const Scalar t29 = s_3 * t26 - c_3 * domega_e_5_t_y;
-  a[3] = s_1 * t29 - c_1 * t28;
-  const Scalar t30 = t6 * omega_4_z;
-  const Scalar t31 = t5 * (t7 + Scalar(2.0) * t8);
-  const Scalar t32 = Scalar(2.0) * omega_r_3_y * omega_3_z - t31;
-  const Scalar t33 = t4 * omega_r_3_y;
-  const Scalar U_3_xy = t33 + t14;
-  const Scalar t34 = c_4 * U_3_xy + t30 + s_4 * t32;
-  const Scalar t35 = (t33 - t14) + (t30 + t34);
-  const Scalar t36 = s_4 * U_3_xy - c_4 * t32 + Scalar(2.0) * t10 * omega_4_z;
-  const Scalar t37 = Scalar(0.316) * t31 + Scalar(0.0825) * t35 + Scalar(0.384) * t36;
-  const Scalar t38 = t4 * omega_3_z;
-  const Scalar t39 = t5 * (Scalar(2.0) * t3 - t2);
-  const Scalar domega_r_4_z = t38 - t39;
-  const Scalar Uz_o_3_y = t1 * t1 + qd_2 * qd_2;
-  const Scalar t40 = Scalar(0.316) * Uz_o_3_y - Scalar(0.0825) * (t38 + domega_r_4_z);
-  const Scalar t41 = t6 * t6;
-  const Scalar t42 = omega_4_z * omega_4_z;
-  const Scalar t43 = t4 * t4;
-  const Scalar t44 = omega_3_z * omega_3_z;
-  const Scalar t45 = t43 + t44 + t42 - t41;
-  const Scalar t46 = t6 * t10;
-  const Scalar t47 = domega_r_4_z + t46;
-  const Scalar t48 = Scalar(0.316) * t39 - Scalar(0.0825) * (Uz_o_3_y - t43 + t44);
-  const Scalar ddp_o_5_x = Scalar(0.0825) * t45 - s_4 * t40 + c_4 * t48 - Scalar(0.384) * t47;
-  const Scalar ddp_5_x = c_5 * ddp_o_5_x + s_5 * t37;
-  const Scalar t49 = t11 * t11;
-  const Scalar t50 = omega_6_z * omega_6_z;
-  const Scalar t51 = t9 * t9 - t49 + t50 + omega_5_z * omega_5_z;
-  const Scalar U_4_yx = domega_r_4_z - t46;
-  const Scalar t52 = Scalar(0.0825) * U_4_yx + s_4 * t48 + c_4 * t40 + Scalar(0.384) * (t42 + t41);
-  const Scalar t53 = Scalar(0.088) * t51 + s_6 * t52 - c_6 * ddp_5_x;
-  const Scalar t54 = t11 * omega_r_6_y;
-  const Scalar t55 = t9 * omega_5_z - c_5 * t47 + s_5 * t36;
-  const Scalar t56 = t54 + t55;
-  const Scalar t57 = Scalar(2.0) * omega_6_z;
-  const Scalar U_5_xy = t9 * omega_r_6_a_z + t34;
-  const Scalar Uz_o_6_z = s_5 * t47 + Scalar(2.0) * omega_r_6_a_z * omega_5_z + c_5 * t36;
-  const Scalar t58 = -s_6 * U_5_xy - c_6 * Uz_o_6_z + omega_r_6_y * t57;
-  const Scalar t59 = s_7 * t56 - c_7 * t58;
-  const Scalar t60 = c_6 * U_5_xy - s_6 * Uz_o_6_z + t11 * t57;
-  const Scalar t61 = Scalar(0.088) * t60 + s_5 * ddp_o_5_x - c_5 * t37;
-  const Scalar t62 = s_7 * t53 + c_7 * t61 + Scalar(0.2104) * t59;
-  const Scalar t63 = c_7 * t56 + s_7 * t58;
-  const Scalar t64 = c_7 * t53 - s_7 * t61 + Scalar(0.2104) * t63;
-  const Scalar t65 = s_7 * t62 + c_7 * t64;
-  const Scalar Uz_o_7_y = t49 + t50;
-  const Scalar t66 = Scalar(0.088) * (t55 - t54) - Scalar(0.2104) * Uz_o_7_y + s_6 * ddp_5_x +
-      c_6 * t52;
-  const Scalar a_6_t_x = s_6 * t66 - c_6 * t65;
-  const Scalar t67 = s_7 * t64 - c_7 * t62;
-  const Scalar t68 = s_5 * t67 - c_5 * a_6_t_x;
-  const Scalar t69 = c_6 * t66 + s_6 * t65;
-  const Scalar a_4_t_x = s_4 * t69 - c_4 * t68;
-  const Scalar t70 = s_5 * a_6_t_x + c_5 * t67;
-  const Scalar t71 = s_3 * t70 - c_3 * a_4_t_x;
-  const Scalar t72 = s_4 * t68 + c_4 * t69;
-  a[2] = s_2 * t71 - c_2 * t72;
-  a[4] = -s_1 * t28 - c_1 * t29;
-  const Scalar t73 = s_2 * t72 + c_2 * t71;
-  const Scalar t74 = s_3 * a_4_t_x + c_3 * t70;
-  a[0] = -s_1 * t74 - c_1 * t73;
-  a[1] = c_1 * t74 - s_1 * t73;
+  const Scalar t20 = qd_7 * (s_7 * omega_6_z + c_7 * t18);
+  const Scalar t21 = t20 + s_7 * t19 + c_7 * domega_q_5_y;
+  const Scalar t22 = qd_7 * (s_7 * t18 - c_7 * omega_6_z);
+  const Scalar t23 = t22 + s_7 * domega_q_5_y - c_7 * t19;
+  const Scalar t24 = Scalar(2.0) * omega_r_3_y * omega_3_z - t9;
+  const Scalar t25 = t5 * omega_r_3_y;
+  const Scalar t26 = t11 * omega_4_z;
+  const Scalar U_3_xy = t25 + t14;
+  const Scalar t27 = c_4 * U_3_xy + t26 + s_4 * t24;
+  const Scalar t28 = (t25 - t14) + (t26 + t27);
+  const Scalar t29 = s_4 * U_3_xy - c_4 * t24 + Scalar(2.0) * t13 * omega_4_z;
+  const Scalar t30 = Scalar(0.316) * t9 + Scalar(0.0825) * t28 + Scalar(0.384) * t29;
+  const Scalar U_5_xy = t12 * omega_r_6_a_z + t27;
+  const Scalar t31 = t11 * t13;
+  const Scalar t32 = t11 * t11;
+  const Scalar t33 = omega_4_z * omega_4_z;
+  const Scalar t34 = t5 * omega_3_z;
+  const Scalar t35 = t5 * t5;
+  const Scalar t36 = omega_3_z * omega_3_z;
+  const Scalar domega_r_4_z = t34 - t6;
+  const Scalar t37 = Scalar(0.316) * t6 - Scalar(0.0825) * (Uz_o_3_y - t35 + t36);
+  const Scalar t38 = t35 + t36 + t33 - t32;
+  const Scalar t39 = Scalar(0.316) * Uz_o_3_y - Scalar(0.0825) * (t34 + domega_r_4_z);
+  const Scalar t40 = domega_r_4_z + t31;
+  const Scalar U_4_yx = domega_r_4_z - t31;
+  const Scalar t41 = Scalar(0.0825) * U_4_yx + s_4 * t37 + c_4 * t39 + Scalar(0.384) * (t33 + t32);
+  const Scalar ddp_o_5_x = Scalar(0.0825) * t38 - s_4 * t39 + c_4 * t37 - Scalar(0.384) * t40;
+  const Scalar Uz_o_6_z = s_5 * t40 + Scalar(2.0) * omega_r_6_a_z * omega_5_z + c_5 * t29;
+  const Scalar t42 = t12 * omega_5_z - c_5 * t40 + s_5 * t29;
+  const Scalar t43 = Scalar(2.0) * omega_6_z;
+  const Scalar t44 = omega_6_z * omega_6_z;
+  const Scalar t45 = -s_6 * U_5_xy - c_6 * Uz_o_6_z + omega_r_6_y * t43;
+  const Scalar t46 = c_6 * U_5_xy - s_6 * Uz_o_6_z + t18 * t43;
+  const Scalar t47 = t18 * omega_r_6_y;
+  const Scalar t48 = t18 * t18;
+  const Scalar t49 = t12 * t12 - t48 + t44 + omega_5_z * omega_5_z;
+  const Scalar Uz_o_7_y = t48 + t44;
+  const Scalar t50 = Scalar(0.088) * t46 + s_5 * ddp_o_5_x - c_5 * t30;
+  const Scalar ddp_5_x = c_5 * ddp_o_5_x + s_5 * t30;
+  const Scalar t51 = Scalar(0.088) * (t42 - t47) - Scalar(0.2104) * Uz_o_7_y + s_6 * ddp_5_x +
+      c_6 * t41;
+  const Scalar t52 = Scalar(0.088) * t49 + s_6 * t41 - c_6 * ddp_5_x;
+  const Scalar t53 = t47 + t42;
+  const Scalar t54 = c_7 * t53 + s_7 * t45;
+  const Scalar t55 = s_7 * t53 - c_7 * t45;
+  const Scalar t56 = s_7 * t52 + c_7 * t50 + Scalar(0.2104) * t55;
+  const Scalar t57 = c_7 * t52 - s_7 * t50 + Scalar(0.2104) * t54;
+  const Scalar t58 = s_7 * t56 + c_7 * t57;
+  const Scalar t59 = s_7 * t57 - c_7 * t56;
+  const Scalar t60 = c_6 * t51 + s_6 * t58;
+  const Scalar a_6_t_x = s_6 * t51 - c_6 * t58;
+  const Scalar t61 = s_7 * t21 - c_7 * t23;
+  const Scalar domega_e_6_a_y = s_7 * t23 + c_7 * t21;
+  const Scalar t62 = s_6 * t61 - c_6 * domega_f_7_a_z;
+  const Scalar t63 = s_6 * domega_f_7_a_z + c_6 * t61;
+  const Scalar t64 = s_5 * domega_e_6_a_y - c_5 * t63;
+  const Scalar domega_e_5_t_y = s_5 * t63 + c_5 * domega_e_6_a_y;
+  const Scalar domega_e_3_a_y = s_4 * t64 - c_4 * t62;
+  const Scalar t65 = s_4 * t62 + c_4 * t64;
+  const Scalar t66 = s_5 * t59 - c_5 * a_6_t_x;
+  const Scalar t67 = s_5 * a_6_t_x + c_5 * t59;
+  const Scalar t68 = s_4 * t66 + c_4 * t60;
+  const Scalar a_4_t_x = s_4 * t60 - c_4 * t66;
+  const Scalar t69 = s_3 * t67 - c_3 * a_4_t_x;
+  const Scalar t70 = s_3 * a_4_t_x + c_3 * t67;
+  a[2] = s_2 * t69 - c_2 * t68;
+  const Scalar t71 = s_2 * t68 + c_2 * t69;
+  a[0] = -s_1 * t70 - c_1 * t71;
+  a[1] = c_1 * t70 - s_1 * t71;
+  const Scalar t72 = s_3 * domega_e_5_t_y + c_3 * t65;
+  const Scalar t73 = s_3 * t65 - c_3 * domega_e_5_t_y;
+  a[5] = s_2 * t72 - c_2 * domega_e_3_a_y;
+  const Scalar t74 = s_2 * domega_e_3_a_y + c_2 * t72;
+  a[3] = s_1 * t73 - c_1 * t74;
+  a[4] = -s_1 * t74 - c_1 * t73;
 }
 
 // The functions as types, with the shapes of their arguments, for adapters such as

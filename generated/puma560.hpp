@@ -337,117 +337,117 @@ static inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Sca
   sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
+  const Scalar t1 = qd_1 * qd_1;
   const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t1 = s_2_3 * qd_1;
+  const Scalar t2 = s_2_3 * qd_1;
+  const Scalar t3 = t2 * t2;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t2 = omega_3_z * t1;
-  const Scalar t3 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t4 = t3 * qdd_1;
-  const Scalar t5 = t4 + t2;
-  const Scalar t6 = t2 + t5;
-  const Scalar t7 = t3 * qd_1;
-  const Scalar t8 = omega_3_z * t7;
-  const Scalar t9 = t8 - s_2_3 * qdd_1;
-  const Scalar t10 = t8 + t9;
-  const Scalar t11 = Scalar(2.0) * qd_1;
-  const Scalar t12 = qd_1 * qd_1;
-  const Scalar t13 = Scalar(0.3476146364057434) * t12 - c_2 * qdd_1 + s_2 * qd_2 * t11;
-  const Scalar ddp_o_4_z = Scalar(0.04701250578971746) * t6 - Scalar(1.0030106530801297) * t10 -
-      t13;
-  const Scalar t14 = t1 * t1;
-  const Scalar t15 = omega_3_z * omega_3_z;
-  const Scalar t16 = t12 - t14 + t15;
-  const Scalar t17 = t7 * t1;
+  const Scalar t4 = omega_3_z * omega_3_z;
+  const Scalar t5 = t1 - t3 + t4;
+  const Scalar Uz_o_4_y = t3 + t4;
+  const Scalar t6 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t7 = qd_2 * qd_2;
+  const Scalar t8 = Scalar(0.3476146364057434) * qdd_1 + s_2 * qdd_2 + c_2 * (t7 + t1);
+  const Scalar t9 = s_2 * t7 - c_2 * qdd_2 + Scalar(22.71885132005558);
+  const Scalar t10 = t7 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
+  const Scalar t11 = s_2_3 * t9 - t6 * t8;
+  const Scalar ddp_3_y = s_2_3 * t8 + t6 * t9;
+  const Scalar t12 = t6 * qd_1;
+  const Scalar t13 = t12 * t2;
   const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar Uz_o_4_x = t17 + domega_3_z;
-  const Scalar t18 = qd_2 * qd_2;
-  const Scalar t19 = Scalar(0.3476146364057434) * qdd_1 + s_2 * qdd_2 + c_2 * (t18 + t12);
-  const Scalar t20 = s_2 * t18 - c_2 * qdd_2 + Scalar(22.71885132005558);
-  const Scalar t21 = s_2_3 * t20 - t3 * t19;
-  const Scalar ddp_o_4_x = Scalar(0.04701250578971746) * t16 +
-      Scalar(1.0030106530801297) * Uz_o_4_x - t21;
-  const Scalar ddp_4_x = s_4 * ddp_o_4_z + c_4 * ddp_o_4_x;
-  const Scalar U_3_yx = domega_3_z - t17;
-  const Scalar Uz_o_4_y = t14 + t15;
-  const Scalar ddp_3_y = s_2_3 * t19 + t3 * t20;
+  const Scalar U_3_yx = domega_3_z - t13;
   const Scalar ddp_4_a_z = Scalar(0.04701250578971746) * U_3_yx -
       Scalar(1.0030106530801297) * Uz_o_4_y - ddp_3_y;
-  const Scalar t22 = s_5 * ddp_4_a_z - c_5 * ddp_4_x;
-  const Scalar t23 = s_4 * omega_3_z - c_4 * t1;
-  const Scalar omega_4_z = qd_4 - t7;
-  const Scalar omega_r_6_a_z = s_5 * t23 + c_5 * omega_4_z;
-  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t24 = Scalar(0.00004) * omega_6_z;
-  const Scalar t25 = s_5 * omega_4_z - c_5 * t23;
-  const Scalar t26 = t23 * omega_4_z;
-  const Scalar domega_5_z = qdd_5 - t26 - s_4 * t10 + c_4 * Uz_o_4_x;
-  const Scalar t27 = t25 * omega_r_6_a_z;
-  const Scalar mu_5_z = t25 * t24 - Scalar(0.00024216) * t27 + Scalar(0.00064216) * domega_5_z -
-      Scalar(0.001243584) * t22;
-  tau[4] = mu_5_z + Scalar(0.85444524) * detail::sign(qd_5) + Scalar(0.4272830209354) * qd_5 +
-      Scalar(0.181052127515) * qdd_5;
-  const Scalar omega_r_4_y = s_4 * t1 + c_4 * omega_3_z;
-  const Scalar t28 = omega_r_4_y * omega_4_z;
-  const Scalar t29 = t28 + s_4 * Uz_o_4_x + c_4 * t10;
-  const Scalar U_4_zy = t28 + t29;
+  const Scalar t14 = omega_3_z * t2;
+  const Scalar omega_r_4_y = s_4 * t2 + c_4 * omega_3_z;
+  const Scalar t15 = s_4 * omega_3_z - c_4 * t2;
+  const Scalar t16 = omega_3_z * t12;
+  const Scalar omega_4_z = qd_4 - t12;
+  const Scalar t17 = s_5 * omega_4_z - c_5 * t15;
   const Scalar omega_5_z = qd_5 + omega_r_4_y;
-  const Scalar t30 = t25 * omega_5_z;
-  const Scalar domega_4_z = qdd_4 - t5;
-  const Scalar t31 = t23 * omega_r_4_y;
-  const Scalar t32 = domega_4_z - t31;
-  const Scalar domega_6_z = qdd_6 - t30 + s_5 * U_4_zy + c_5 * t32;
-  const Scalar t33 = Scalar(0.00004) * domega_6_z;
-  tau[5] = t33 + Scalar(0.2158232532732) * qd_6 + Scalar(0.55443978) * detail::sign(qd_6) +
-      Scalar(0.20582599086) * qdd_6;
-  const Scalar mu_5_y = Scalar(0.0004) * t30 - t33;
-  const Scalar t34 = omega_r_6_a_z * omega_5_z;
-  const Scalar t35 = t34 + s_5 * t32 - c_5 * U_4_zy;
-  const Scalar t36 = s_4 * ddp_o_4_x - c_4 * ddp_o_4_z;
-  const Scalar t37 = omega_5_z * t24 - Scalar(0.00024216) * t35 - Scalar(0.00064216) * t34 +
-      Scalar(0.001243584) * t36;
-  const Scalar mu_4_z = Scalar(-0.0003) * t31 - c_5 * mu_5_y + Scalar(0.0016) * domega_4_z -
-      s_5 * t37;
-  tau[3] = mu_4_z + Scalar(0.411645229697152) * qd_4 + Scalar(1.06831142) * detail::sign(qd_4) +
-      Scalar(0.2023536943736) * qdd_4;
-  const Scalar mu_4_x = Scalar(0.0003) * t29 - s_5 * mu_5_y + Scalar(0.0016) * t28 + c_5 * t37;
-  const Scalar Uz_o_6_z = t34 + t35;
-  const Scalar t38 = Scalar(0.23306405) * t36 - Scalar(0.001243584) * Uz_o_6_z;
-  const Scalar Uz_o_6_y = t25 * t25 + omega_5_z * omega_5_z;
-  const Scalar Uz_o_6_x = domega_5_z - t27;
-  const Scalar f_4_x = Scalar(0.23306405) * ddp_4_x -
-      Scalar(0.001243584) * (s_5 * Uz_o_6_y - c_5 * Uz_o_6_x);
-  const Scalar f_u_4_t_x = s_4 * t38 + c_4 * f_4_x;
-  const Scalar t39 = Scalar(0.0013) * t26 - mu_5_z;
+  const Scalar Uz_o_6_y = t17 * t17 + omega_5_z * omega_5_z;
+  const Scalar t18 = t16 - s_2_3 * qdd_1;
+  const Scalar t19 = t16 + t18;
+  const Scalar Uz_o_4_x = t13 + domega_3_z;
+  const Scalar t20 = t15 * omega_4_z;
+  const Scalar domega_5_z = qdd_5 - t20 - s_4 * t19 + c_4 * Uz_o_4_x;
+  const Scalar omega_r_6_a_z = s_5 * t15 + c_5 * omega_4_z;
+  const Scalar t21 = t15 * omega_r_4_y;
+  const Scalar t22 = omega_r_4_y * omega_4_z;
+  const Scalar t23 = t17 * omega_r_6_a_z;
+  const Scalar Uz_o_6_x = domega_5_z - t23;
   const Scalar f_4_z = Scalar(0.23306405) * ddp_4_a_z -
       Scalar(0.001243584) * (s_5 * Uz_o_6_x + c_5 * Uz_o_6_y);
-  const Scalar t40 = s_4 * mu_4_x - Scalar(0.000316274) * (t16 - Uz_o_4_y) - c_4 * t39 +
-      Scalar(0.004704) * t4 + Scalar(0.065620624) * t17 + Scalar(0.04701250578971746) * f_4_z +
-      Scalar(0.078120624) * domega_3_z - Scalar(0.138357356) * t21 +
-      Scalar(1.0030106530801297) * f_u_4_t_x;
-  const Scalar f_3_x = Scalar(0.138357356) * Uz_o_4_x + f_u_4_t_x - Scalar(1.405871712) * t21;
   const Scalar f_3_y = Scalar(0.138357356) * Uz_o_4_y - f_4_z + Scalar(1.405871712) * ddp_3_y;
+  const Scalar t24 = t6 * qdd_1;
+  const Scalar t25 = t24 + t14;
+  const Scalar t26 = t14 + t25;
+  const Scalar domega_4_z = qdd_4 - t25;
+  const Scalar t27 = Scalar(2.0) * qd_1;
+  const Scalar t28 = Scalar(0.3476146364057434) * t1 - c_2 * qdd_1 + s_2 * qd_2 * t27;
+  const Scalar ddp_o_4_z = Scalar(0.04701250578971746) * t26 - Scalar(1.0030106530801297) * t19 -
+      t28;
+  const Scalar ddp_o_4_x = Scalar(0.04701250578971746) * t5 +
+      Scalar(1.0030106530801297) * Uz_o_4_x - t11;
+  const Scalar ddp_4_x = s_4 * ddp_o_4_z + c_4 * ddp_o_4_x;
+  const Scalar f_4_x = Scalar(0.23306405) * ddp_4_x -
+      Scalar(0.001243584) * (s_5 * Uz_o_6_y - c_5 * Uz_o_6_x);
+  const Scalar t29 = s_5 * ddp_4_a_z - c_5 * ddp_4_x;
+  const Scalar t30 = s_4 * ddp_o_4_x - c_4 * ddp_o_4_z;
+  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
+  const Scalar t31 = Scalar(0.00004) * omega_6_z;
+  const Scalar mu_5_z = t17 * t31 - Scalar(0.00024216) * t23 + Scalar(0.00064216) * domega_5_z -
+      Scalar(0.001243584) * t29;
+  const Scalar t32 = omega_r_6_a_z * omega_5_z;
+  const Scalar t33 = t17 * omega_5_z;
+  const Scalar t34 = Scalar(0.0013) * t20 - mu_5_z;
+  tau[4] = mu_5_z + Scalar(0.85444524) * detail::sign(qd_5) + Scalar(0.4272830209354) * qd_5 +
+      Scalar(0.181052127515) * qdd_5;
+  const Scalar t35 = t22 + s_4 * Uz_o_4_x + c_4 * t19;
+  const Scalar U_4_zy = t22 + t35;
+  const Scalar t36 = domega_4_z - t21;
+  const Scalar t37 = t32 + s_5 * t36 - c_5 * U_4_zy;
+  const Scalar t38 = omega_5_z * t31 - Scalar(0.00024216) * t37 - Scalar(0.00064216) * t32 +
+      Scalar(0.001243584) * t30;
+  const Scalar domega_6_z = qdd_6 - t33 + s_5 * U_4_zy + c_5 * t36;
+  const Scalar Uz_o_6_z = t32 + t37;
+  const Scalar t39 = Scalar(0.23306405) * t30 - Scalar(0.001243584) * Uz_o_6_z;
+  const Scalar t40 = Scalar(0.00004) * domega_6_z;
+  const Scalar mu_5_y = Scalar(0.0004) * t33 - t40;
+  const Scalar mu_4_x = Scalar(0.0003) * t35 - s_5 * mu_5_y + Scalar(0.0016) * t22 + c_5 * t38;
+  const Scalar mu_4_z = Scalar(-0.0003) * t21 - c_5 * mu_5_y + Scalar(0.0016) * domega_4_z -
+      s_5 * t38;
+  tau[5] = t40 + Scalar(0.2158232532732) * qd_6 + Scalar(0.55443978) * detail::sign(qd_6) +
+      Scalar(0.20582599086) * qdd_6;
+  tau[3] = mu_4_z + Scalar(0.411645229697152) * qd_4 + Scalar(1.06831142) * detail::sign(qd_4) +
+      Scalar(0.2023536943736) * qdd_4;
+  const Scalar f_u_4_t_x = s_4 * t39 + c_4 * f_4_x;
+  const Scalar t41 = s_4 * mu_4_x - Scalar(0.000316274) * (t5 - Uz_o_4_y) - c_4 * t34 +
+      Scalar(0.004704) * t24 + Scalar(0.065620624) * t13 + Scalar(0.04701250578971746) * f_4_z +
+      Scalar(0.078120624) * domega_3_z - Scalar(0.138357356) * t11 +
+      Scalar(1.0030106530801297) * f_u_4_t_x;
+  const Scalar f_u_4_t_y = s_4 * f_4_x - c_4 * t39;
+  const Scalar mu_3_y = Scalar(0.000316274) * t19 - mu_4_z + Scalar(0.0125) * t14 +
+      Scalar(0.004704) * Uz_o_4_x + Scalar(0.04701250578971746) * f_u_4_t_y;
+  const Scalar f_3_x = Scalar(0.138357356) * Uz_o_4_x + f_u_4_t_x - Scalar(1.405871712) * t11;
+  const Scalar U_3_yy_zz = t1 - Uz_o_4_y;
+  const Scalar t42 = Scalar(0.000316274) * t26 + s_4 * t34 + c_4 * mu_4_x +
+      Scalar(0.004704) * U_3_yy_zz + Scalar(0.078120624) * t16 + Scalar(0.065620624) * t18 +
+      Scalar(0.138357356) * t28 - Scalar(1.0030106530801297) * f_u_4_t_y;
+  const Scalar t43 = c_2 * (Scalar(0.138357356) * t19 - f_u_4_t_y + Scalar(1.405871712) * t28);
+  tau[2] = t41 + Scalar(6.36419655) * detail::sign(qd_3) + Scalar(3.9804259903722) * qd_3 +
+      Scalar(0.86242563124731) * qdd_3;
+  const Scalar t44 = Scalar(0.023751) * c_2 + Scalar(0.12059664) * s_2;
   const Scalar I_t2_g = Scalar(0.0141984) * s_2 + Scalar(0.03707456) * c_2;
+  const Scalar t45 = qdd_1 * (c_2 * I_t2_g - Scalar(2.493827218941039));
   const Scalar I_2_xy = s_2 * I_t2_g - Scalar(0.0070992);
-  const Scalar t41 = Scalar(0.023751) * c_2 + Scalar(0.12059664) * s_2;
-  tau[1] = Scalar(1.024164) * s_2 - t12 * I_2_xy + qdd_1 * t41 + t40 +
+  tau[1] = Scalar(1.024164) * s_2 - t1 * I_2_xy + qdd_1 * t44 + t41 +
       Scalar(10.6197775) * detail::sign(qd_2) + Scalar(9.496868641825) * qd_2 + s_3 * f_3_x +
       c_3 * f_3_y + Scalar(4.863424598025) * qdd_2;
-  tau[2] = t40 + Scalar(6.36419655) * detail::sign(qd_3) + Scalar(3.9804259903722) * qd_3 +
-      Scalar(0.86242563124731) * qdd_3;
-  const Scalar t42 = s_2_3 * f_3_y + t3 * f_3_x;
-  const Scalar f_u_4_t_y = s_4 * f_4_x - c_4 * t38;
-  const Scalar U_3_yy_zz = t12 - Uz_o_4_y;
-  const Scalar t43 = Scalar(0.000316274) * t6 + s_4 * t39 + c_4 * mu_4_x +
-      Scalar(0.004704) * U_3_yy_zz + Scalar(0.078120624) * t8 + Scalar(0.065620624) * t9 +
-      Scalar(0.138357356) * t13 - Scalar(1.0030106530801297) * f_u_4_t_y;
-  const Scalar t44 = c_2 * (Scalar(0.138357356) * t10 - f_u_4_t_y + Scalar(1.405871712) * t13);
-  const Scalar mu_3_y = Scalar(0.000316274) * t10 - mu_4_z + Scalar(0.0125) * t2 +
-      Scalar(0.004704) * Uz_o_4_x + Scalar(0.04701250578971746) * f_u_4_t_y;
-  const Scalar t45 = t11 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
-  const Scalar t46 = qdd_1 * (c_2 * I_t2_g - Scalar(2.493827218941039));
-  const Scalar t47 = t18 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
-  tau[0] = t3 * mu_3_y + t47 + qdd_2 * t41 - s_2_3 * t43 + Scalar(0.3476146364057434) * t42 - t44 +
-      Scalar(25.9836065) * detail::sign(qd_1) + t45 - t46;
+  const Scalar t46 = t27 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
+  const Scalar t47 = s_2_3 * f_3_y + t6 * f_3_x;
+  tau[0] = t6 * mu_3_y + t10 + qdd_2 * t44 - s_2_3 * t42 + Scalar(0.3476146364057434) * t47 - t43 +
+      Scalar(25.9836065) * detail::sign(qd_1) + t46 - t45;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -471,134 +471,134 @@ static inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd,
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
       s_6 = sine[5], c_6 = cosine[5];
-  const Scalar t1 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t2 = t1 * qd_1;
-  const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t3 = omega_3_z * t2;
-  const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t4 = t3 - s_2_3 * qdd_1;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = s_2_3 * qd_1;
-  const Scalar omega_r_4_y = s_4 * t6 + c_4 * omega_3_z;
-  const Scalar omega_4_z = qd_4 - t2;
-  const Scalar t7 = omega_r_4_y * omega_4_z;
-  const Scalar t8 = t2 * t6;
-  const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar Uz_o_4_x = t8 + domega_3_z;
-  const Scalar t9 = t7 + s_4 * Uz_o_4_x + c_4 * t5;
-  const Scalar U_4_zy = t7 + t9;
-  const Scalar t10 = s_4 * omega_3_z - c_4 * t6;
-  const Scalar t11 = s_5 * omega_4_z - c_5 * t10;
-  const Scalar omega_5_z = qd_5 + omega_r_4_y;
-  const Scalar t12 = t11 * omega_5_z;
-  const Scalar t13 = omega_3_z * t6;
-  const Scalar t14 = t1 * qdd_1;
-  const Scalar t15 = t14 + t13;
-  const Scalar domega_4_z = qdd_4 - t15;
-  const Scalar t16 = t10 * omega_r_4_y;
-  const Scalar t17 = domega_4_z - t16;
-  const Scalar domega_6_z = qdd_6 - t12 + s_5 * U_4_zy + c_5 * t17;
+  const Scalar t1 = s_1 * h_e_1 - c_1 * h_e_2;
+  const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
+  const Scalar t2 = s_1 * h_e_4 - c_1 * h_e_5;
   const Scalar mu_e1_x = s_1 * h_e_5 + c_1 * h_e_4;
-  const Scalar t18 = s_2_3 * h_e_6 + t1 * mu_e1_x;
-  const Scalar t19 = s_1 * h_e_4 - c_1 * h_e_5;
-  const Scalar t20 = s_4 * t19 + c_4 * t18;
-  const Scalar mu_e4_a_z = s_2_3 * mu_e1_x - t1 * h_e_6;
-  const Scalar mu_6_z = Scalar(0.00004) * domega_6_z - s_5 * t20 + c_5 * mu_e4_a_z;
-  tau[5] = Scalar(0.2158232532732) * qd_6 + Scalar(0.55443978) * detail::sign(qd_6) +
-      Scalar(0.20582599086) * qdd_6 + mu_6_z;
-  const Scalar omega_r_6_y = s_6 * t11 + c_6 * omega_5_z;
-  const Scalar omega_r_6_a_z = s_5 * t10 + c_5 * omega_4_z;
+  const Scalar t3 = s_2 * s_3 - c_2 * c_3;
+  const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar t4 = s_2_3 * h_e_6 + t3 * mu_e1_x;
+  const Scalar mu_e4_a_z = s_2_3 * mu_e1_x - t3 * h_e_6;
+  const Scalar mu_e4_y = s_4 * t4 - c_4 * t2;
+  const Scalar t5 = s_4 * t2 + c_4 * t4;
+  const Scalar t6 = t3 * qd_1;
+  const Scalar omega_4_z = qd_4 - t6;
+  const Scalar omega_3_z = qd_2 + qd_3;
+  const Scalar t7 = s_2_3 * qd_1;
+  const Scalar t8 = s_4 * omega_3_z - c_4 * t7;
+  const Scalar omega_r_6_a_z = s_5 * t8 + c_5 * omega_4_z;
   const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t21 = Scalar(0.00004) * omega_6_z;
-  const Scalar t22 = s_5 * mu_e4_a_z + c_5 * t20;
-  const Scalar mu_e4_y = s_4 * t18 - c_4 * t19;
-  const Scalar mu_6_x = omega_r_6_y * t21 + s_6 * mu_e4_y - c_6 * t22;
-  const Scalar t23 = (s_6 * omega_5_z - c_6 * t11) * t21;
-  const Scalar t24 = t23 - s_6 * t22 - c_6 * mu_e4_y;
-  const Scalar t25 = t13 + t15;
-  const Scalar t26 = Scalar(0.4318) * c_2;
-  const Scalar t27 = qd_1 * qd_1;
-  const Scalar t28 = Scalar(0.1501) * t27 - qdd_1 * t26 + Scalar(0.8636) * s_2 * qd_1 * qd_2;
-  const Scalar ddp_o_4_z = Scalar(0.0203) * t25 - Scalar(0.4331) * t5 - t28;
-  const Scalar t29 = qd_2 * qd_2;
-  const Scalar t30 = Scalar(0.1501) * qdd_1 + Scalar(0.4318) * (s_2 * qdd_2 + c_2 * (t29 + t27));
-  const Scalar t31 = Scalar(0.4318) * (s_2 * t29 - c_2 * qdd_2) + Scalar(9.81);
-  const Scalar t32 = s_2_3 * t31 - t1 * t30;
-  const Scalar t33 = t6 * t6;
-  const Scalar t34 = omega_3_z * omega_3_z;
-  const Scalar t35 = t27 - t33 + t34;
-  const Scalar ddp_o_4_x = Scalar(0.0203) * t35 + Scalar(0.4331) * Uz_o_4_x - t32;
+  const Scalar t9 = Scalar(0.00004) * omega_6_z;
+  const Scalar t10 = s_5 * omega_4_z - c_5 * t8;
+  const Scalar omega_r_4_y = s_4 * t7 + c_4 * omega_3_z;
+  const Scalar omega_5_z = qd_5 + omega_r_4_y;
+  const Scalar omega_r_6_y = s_6 * t10 + c_6 * omega_5_z;
+  const Scalar t11 = s_5 * mu_e4_a_z + c_5 * t5;
+  const Scalar mu_6_x = omega_r_6_y * t9 + s_6 * mu_e4_y - c_6 * t11;
+  const Scalar t12 = (s_6 * omega_5_z - c_6 * t10) * t9;
+  const Scalar t13 = t12 - s_6 * t11 - c_6 * mu_e4_y;
+  const Scalar t14 = t8 * omega_r_4_y;
+  const Scalar t15 = omega_r_4_y * omega_4_z;
+  const Scalar t16 = t8 * omega_4_z;
+  const Scalar t17 = t7 * t7;
+  const Scalar t18 = t6 * t7;
+  const Scalar t19 = omega_3_z * t7;
+  const Scalar t20 = omega_3_z * t6;
+  const Scalar t21 = omega_3_z * omega_3_z;
+  const Scalar t22 = t20 - s_2_3 * qdd_1;
+  const Scalar t23 = t20 + t22;
+  const Scalar t24 = t3 * qdd_1;
+  const Scalar t25 = t24 + t19;
+  const Scalar t26 = t19 + t25;
+  const Scalar domega_4_z = qdd_4 - t25;
+  const Scalar t27 = Scalar(0.4318) * c_2;
+  const Scalar t28 = qd_1 * qd_1;
+  const Scalar t29 = Scalar(0.1501) * t28 - qdd_1 * t27 + Scalar(0.8636) * s_2 * qd_1 * qd_2;
+  const Scalar ddp_o_4_z = Scalar(0.0203) * t26 - Scalar(0.4331) * t23 - t29;
+  const Scalar domega_3_z = qdd_2 + qdd_3;
+  const Scalar Uz_o_4_x = t18 + domega_3_z;
+  const Scalar t30 = qd_2 * qd_2;
+  const Scalar t31 = Scalar(0.1501) * qdd_1 + Scalar(0.4318) * (s_2 * qdd_2 + c_2 * (t30 + t28));
+  const Scalar t32 = Scalar(0.4318) * (s_2 * t30 - c_2 * qdd_2) + Scalar(9.81);
+  const Scalar t33 = t30 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
+  const Scalar t34 = s_2_3 * t32 - t3 * t31;
+  const Scalar ddp_3_y = s_2_3 * t31 + t3 * t32;
+  const Scalar t35 = t28 - t17 + t21;
+  const Scalar Uz_o_4_y = t17 + t21;
+  const Scalar ddp_o_4_x = Scalar(0.0203) * t35 + Scalar(0.4331) * Uz_o_4_x - t34;
+  const Scalar t36 = s_4 * ddp_o_4_x - c_4 * ddp_o_4_z;
   const Scalar ddp_4_x = s_4 * ddp_o_4_z + c_4 * ddp_o_4_x;
-  const Scalar ddp_3_y = s_2_3 * t30 + t1 * t31;
-  const Scalar U_3_yx = domega_3_z - t8;
-  const Scalar Uz_o_4_y = t33 + t34;
+  const Scalar U_3_yx = domega_3_z - t18;
   const Scalar ddp_4_a_z = Scalar(0.0203) * U_3_yx - Scalar(0.4331) * Uz_o_4_y - ddp_3_y;
-  const Scalar t36 = s_5 * ddp_4_a_z - c_5 * ddp_4_x;
-  const Scalar t37 = t10 * omega_4_z;
-  const Scalar domega_5_z = qdd_5 - t37 - s_4 * t5 + c_4 * Uz_o_4_x;
-  const Scalar t38 = t11 * omega_r_6_a_z;
+  const Scalar t37 = s_5 * ddp_4_a_z - c_5 * ddp_4_x;
+  const Scalar domega_5_z = qdd_5 - t16 - s_4 * t23 + c_4 * Uz_o_4_x;
+  const Scalar t38 = t10 * omega_r_6_a_z;
   const Scalar mu_5_z = Scalar(0.00064216) * domega_5_z - Scalar(0.00024216) * t38 -
-      Scalar(0.00288) * t36 + s_6 * mu_6_x - c_6 * t24;
+      Scalar(0.00288) * t37 + s_6 * mu_6_x - c_6 * t13;
+  const Scalar Uz_o_6_x = domega_5_z - t38;
+  const Scalar t39 = omega_r_6_a_z * omega_5_z;
+  const Scalar t40 = Scalar(0.0013) * t16 - mu_5_z;
   tau[4] = Scalar(0.85444524) * detail::sign(qd_5) + Scalar(0.4272830209354) * qd_5 +
       Scalar(0.181052127515) * qdd_5 + mu_5_z;
-  const Scalar t39 = omega_r_6_a_z * omega_5_z;
-  const Scalar t40 = t39 + s_5 * t17 - c_5 * U_4_zy;
-  const Scalar t41 = s_4 * ddp_o_4_x - c_4 * ddp_o_4_z;
-  const Scalar t42 = Scalar(-0.00024216) * t40 - Scalar(0.00064216) * t39 + Scalar(0.00288) * t41 +
-      s_6 * t24 + c_6 * mu_6_x;
-  const Scalar mu_5_y = Scalar(0.0004) * t12 - mu_6_z;
-  const Scalar mu_4_z = Scalar(0.0016) * domega_4_z - Scalar(0.0003) * t16 - s_5 * t42 -
+  const Scalar t41 = t15 + s_4 * Uz_o_4_x + c_4 * t23;
+  const Scalar U_4_zy = t15 + t41;
+  const Scalar t42 = domega_4_z - t14;
+  const Scalar t43 = t39 + s_5 * t42 - c_5 * U_4_zy;
+  const Scalar t44 = Scalar(-0.00024216) * t43 - Scalar(0.00064216) * t39 + Scalar(0.00288) * t36 +
+      s_6 * t13 + c_6 * mu_6_x;
+  const Scalar Uz_o_6_z = t39 + t43;
+  const Scalar t45 = s_2_3 * h_e_3 + t3 * f_e1_x;
+  const Scalar f_e4_a_z = s_2_3 * f_e1_x - t3 * h_e_3;
+  const Scalar f_e4_y = s_4 * t45 - c_4 * t1;
+  const Scalar t46 = s_4 * t1 + c_4 * t45;
+  const Scalar t47 = s_5 * f_e4_a_z + c_5 * t46;
+  const Scalar f_e6_y = s_6 * t47 + c_6 * f_e4_y;
+  const Scalar f_e6_x = s_6 * f_e4_y - c_6 * t47;
+  const Scalar t48 = Scalar(-0.00288) * Uz_o_6_z - s_6 * f_e6_x - c_6 * f_e6_y + Scalar(1.25) * t36;
+  const Scalar f_5_x = Scalar(0.00288) * Uz_o_6_x - s_6 * f_e6_y + c_6 * f_e6_x;
+  const Scalar Uz_o_6_y = t10 * t10 + omega_5_z * omega_5_z;
+  const Scalar t49 = Scalar(0.00288) * Uz_o_6_y + s_5 * t46 - c_5 * f_e4_a_z;
+  const Scalar t50 = t10 * omega_5_z;
+  const Scalar domega_6_z = qdd_6 - t50 + s_5 * U_4_zy + c_5 * t42;
+  const Scalar mu_6_z = Scalar(0.00004) * domega_6_z - s_5 * t5 + c_5 * mu_e4_a_z;
+  const Scalar f_4_z = -s_5 * f_5_x - c_5 * t49 + Scalar(1.25) * ddp_4_a_z;
+  const Scalar f_4_x = c_5 * f_5_x - s_5 * t49 + Scalar(1.25) * ddp_4_x;
+  const Scalar mu_5_y = Scalar(0.0004) * t50 - mu_6_z;
+  const Scalar mu_4_x = Scalar(0.0003) * t41 + Scalar(0.0016) * t15 - s_5 * mu_5_y + c_5 * t44;
+  const Scalar mu_4_z = Scalar(0.0016) * domega_4_z - Scalar(0.0003) * t14 - s_5 * t44 -
       c_5 * mu_5_y;
+  tau[5] = Scalar(0.2158232532732) * qd_6 + Scalar(0.55443978) * detail::sign(qd_6) +
+      Scalar(0.20582599086) * qdd_6 + mu_6_z;
+  const Scalar f_3_y = Scalar(0.32042) * Uz_o_4_y - f_4_z + Scalar(7.540157480314961) * ddp_3_y;
   tau[3] = Scalar(0.411645229697152) * qd_4 + Scalar(1.06831142) * detail::sign(qd_4) +
       Scalar(0.2023536943736) * qdd_4 + mu_4_z;
-  const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
-  const Scalar t43 = s_2_3 * h_e_3 + t1 * f_e1_x;
-  const Scalar t44 = s_1 * h_e_1 - c_1 * h_e_2;
-  const Scalar t45 = s_4 * t44 + c_4 * t43;
-  const Scalar f_e4_a_z = s_2_3 * f_e1_x - t1 * h_e_3;
-  const Scalar t46 = s_5 * f_e4_a_z + c_5 * t45;
-  const Scalar f_e4_y = s_4 * t43 - c_4 * t44;
-  const Scalar f_e6_y = s_6 * t46 + c_6 * f_e4_y;
-  const Scalar f_e6_x = s_6 * f_e4_y - c_6 * t46;
-  const Scalar Uz_o_6_x = domega_5_z - t38;
-  const Scalar f_5_x = Scalar(0.00288) * Uz_o_6_x - s_6 * f_e6_y + c_6 * f_e6_x;
-  const Scalar Uz_o_6_y = t11 * t11 + omega_5_z * omega_5_z;
-  const Scalar t47 = Scalar(0.00288) * Uz_o_6_y + s_5 * t45 - c_5 * f_e4_a_z;
-  const Scalar f_4_x = c_5 * f_5_x - s_5 * t47 + Scalar(1.25) * ddp_4_x;
-  const Scalar Uz_o_6_z = t39 + t40;
-  const Scalar t48 = Scalar(-0.00288) * Uz_o_6_z - s_6 * f_e6_x - c_6 * f_e6_y + Scalar(1.25) * t41;
   const Scalar f_u_4_t_x = s_4 * t48 + c_4 * f_4_x;
-  const Scalar mu_4_x = Scalar(0.0003) * t9 + Scalar(0.0016) * t7 - s_5 * mu_5_y + c_5 * t42;
-  const Scalar t49 = Scalar(0.0013) * t37 - mu_5_z;
-  const Scalar f_4_z = -s_5 * f_5_x - c_5 * t47 + Scalar(1.25) * ddp_4_a_z;
-  const Scalar t50 = Scalar(0.004704) * t14 - Scalar(0.000316274) * (t35 - Uz_o_4_y) +
-      Scalar(0.065620624) * t8 + Scalar(0.0203) * f_4_z + Scalar(0.078120624) * domega_3_z -
-      Scalar(0.32042) * t32 + Scalar(0.4331) * f_u_4_t_x + s_4 * mu_4_x - c_4 * t49;
-  tau[2] = Scalar(6.36419655) * detail::sign(qd_3) + Scalar(3.9804259903722) * qd_3 +
-      Scalar(0.86242563124731) * qdd_3 + t50;
-  const Scalar f_3_x = Scalar(0.32042) * Uz_o_4_x + f_u_4_t_x - Scalar(7.540157480314961) * t32;
-  const Scalar f_3_y = Scalar(0.32042) * Uz_o_4_y - f_4_z + Scalar(7.540157480314961) * ddp_3_y;
-  const Scalar t51 = s_2_3 * f_3_y + t1 * f_3_x;
+  const Scalar t51 = Scalar(0.004704) * t24 - Scalar(0.000316274) * (t35 - Uz_o_4_y) +
+      Scalar(0.065620624) * t18 + Scalar(0.0203) * f_4_z + Scalar(0.078120624) * domega_3_z -
+      Scalar(0.32042) * t34 + Scalar(0.4331) * f_u_4_t_x + s_4 * mu_4_x - c_4 * t40;
   const Scalar f_u_4_t_y = s_4 * f_4_x - c_4 * t48;
-  const Scalar t52 = t26 * (Scalar(0.32042) * t5 - f_u_4_t_y + Scalar(7.540157480314961) * t28);
-  const Scalar U_3_yy_zz = t27 - Uz_o_4_y;
-  const Scalar t53 = Scalar(0.000316274) * t25 + Scalar(0.004704) * U_3_yy_zz +
-      Scalar(0.078120624) * t3 + Scalar(0.065620624) * t4 + Scalar(0.32042) * t28 -
-      Scalar(0.4331) * f_u_4_t_y + s_4 * t49 + c_4 * mu_4_x;
-  const Scalar mu_3_y = Scalar(0.000316274) * t5 + Scalar(0.0125) * t13 +
+  const Scalar mu_3_y = Scalar(0.000316274) * t23 + Scalar(0.0125) * t19 +
       Scalar(0.004704) * Uz_o_4_x + Scalar(0.0203) * f_u_4_t_y - mu_4_z;
+  const Scalar f_3_x = Scalar(0.32042) * Uz_o_4_x + f_u_4_t_x - Scalar(7.540157480314961) * t34;
+  const Scalar t52 = t27 * (Scalar(0.32042) * t23 - f_u_4_t_y + Scalar(7.540157480314961) * t29);
+  const Scalar U_3_yy_zz = t28 - Uz_o_4_y;
+  const Scalar t53 = Scalar(0.000316274) * t26 + Scalar(0.004704) * U_3_yy_zz +
+      Scalar(0.078120624) * t20 + Scalar(0.065620624) * t22 + Scalar(0.32042) * t29 -
+      Scalar(0.4331) * f_u_4_t_y + s_4 * t40 + c_4 * mu_4_x;
+  tau[2] = Scalar(6.36419655) * detail::sign(qd_3) + Scalar(3.9804259903722) * qd_3 +
+      Scalar(0.86242563124731) * qdd_3 + t51;
   const Scalar I_t2_g = Scalar(0.0141984) * s_2 + Scalar(0.03707456) * c_2;
+  const Scalar t54 = qdd_1 * (c_2 * I_t2_g - Scalar(2.493827218941039));
   const Scalar I_2_xy = s_2 * I_t2_g - Scalar(0.0070992);
-  const Scalar t54 = qd_1 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
-  const Scalar t55 = qdd_1 * (c_2 * I_t2_g - Scalar(2.493827218941039));
-  const Scalar t56 = t29 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
-  const Scalar t57 = Scalar(0.023751) * c_2 + Scalar(0.12059664) * s_2;
-  tau[0] = t56 + qdd_2 * t57 + t1 * mu_3_y + Scalar(0.1501) * t51 - t52 - s_2_3 * t53 +
-      Scalar(25.9836065) * detail::sign(qd_1) + Scalar(2.0) * t54 - t55;
-  const Scalar t58 = s_3 * f_3_x + c_3 * f_3_y;
-  tau[1] = Scalar(1.024164) * s_2 - t27 * I_2_xy + qdd_1 * t57 + t50 +
+  const Scalar t55 = Scalar(0.023751) * c_2 + Scalar(0.12059664) * s_2;
+  const Scalar t56 = s_2_3 * f_3_y + t3 * f_3_x;
+  const Scalar t57 = s_3 * f_3_x + c_3 * f_3_y;
+  tau[1] = Scalar(1.024164) * s_2 - t28 * I_2_xy + qdd_1 * t55 + t51 +
       Scalar(10.6197775) * detail::sign(qd_2) + Scalar(9.496868641825) * qd_2 +
-      Scalar(0.4318) * t58 + Scalar(4.863424598025) * qdd_2;
+      Scalar(0.4318) * t57 + Scalar(4.863424598025) * qdd_2;
+  const Scalar t58 = qd_1 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
+  tau[0] = t33 + qdd_2 * t55 + t3 * mu_3_y + Scalar(0.1501) * t56 - t52 - s_2_3 * t53 +
+      Scalar(25.9836065) * detail::sign(qd_1) + Scalar(2.0) * t58 - t54;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -703,186 +703,186 @@ static inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
   c[102] = Scalar(0.00002) * s_5;
   c[82] = c[118] = Scalar(-0.00002) * s_5;
-  const Scalar t1 = Scalar(0.00020216) * s_5;
-  const Scalar db_44_5r = c_5 * t1;
-  c[76] = db_44_5r;
-  const Scalar t2 = s_4 * c_5;
-  c[40] = c[61] = c[116] = c[117] = Scalar(0.00002) * t2;
-  const Scalar t3 = c_4 * s_5;
-  const Scalar db_26_4 = Scalar(0.00002) * t3;
-  c[39] = c[60] = c[112] = c[113] = db_26_4;
-  c[79] = c[80] = Scalar(-0.00002) * t3;
-  c[100] = c[101] = Scalar(-0.00002) * t2;
-  const Scalar v_3_6_a_z = Scalar(0.000058464) * c_5 + Scalar(0.001247328) * t3;
-  c[56] = -v_3_6_a_z;
-  c[93] = -db_44_5r;
   const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t4 = s_4 * s_5;
-  const Scalar t5 = s_2_3 * t4;
-  c[18] = c[111] = Scalar(0.00002) * t5;
-  const Scalar t6 = c_5 * s_2_3;
-  const Scalar t7 = s_2 * s_3 - c_2 * c_3;
-  const Scalar mu_u_6_3_t_x = Scalar(0.00002) * t6 - t7 * db_26_4;
-  c[36] = c[57] = mu_u_6_3_t_x;
-  const Scalar t8 = Scalar(0.00010108) * c_5;
-  const Scalar t9 = t8 + Scalar(0.000623664);
-  const Scalar t10 = t3 * t9;
-  c[51] = Scalar(-2.0) * t10;
-  c[78] = Scalar(-0.00002) * t5;
-  const Scalar t11 = t9 * t4;
-  const Scalar t12 = Scalar(2.0) * s_4;
-  const Scalar c_5_3_3 = t11 * t12 + c_4 * v_3_6_a_z;
-  c[89] = c_5_3_3;
-  c[16] = c[17] = c[106] = c[108] = -mu_u_6_3_t_x;
-  const Scalar t13 = Scalar(0.000621792) * s_2;
-  const Scalar v_2_3_y = s_2_3 * t13 - Scalar(0.000621792) * c_2 * t7;
-  const Scalar t14 = Scalar(0.000216144) * c_5;
-  const Scalar f_3_3_x = t14 + Scalar(0.06467771475);
-  const Scalar v_2_3_x = s_2 * t7 + c_2 * s_2_3;
-  const Scalar hc_3_x = Scalar(0.000216144) * t3 - Scalar(0.00190439375);
+  const Scalar t1 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t2 = Scalar(0.00010108) * c_5;
+  const Scalar t3 = c_5 * t2;
+  const Scalar mu_u_4_4_a_y = t3 - Scalar(0.00092108);
+  const Scalar Iu_4_t_d = t3 - Scalar(0.00015108);
+  const Scalar t4 = c_4 * Iu_4_t_d;
+  const Scalar Iu_3_t_d = c_4 * (Scalar(0.000058464) * s_5 + t4) + Scalar(0.001247328) * c_5 +
+      mu_u_4_4_a_y + Scalar(0.150108592);
+  const Scalar t5 = c_4 * s_5;
+  const Scalar mu_4_3_y = Scalar(0.000029232) * t5 + mu_u_4_4_a_y;
+  c[79] = c[80] = Scalar(-0.00002) * t5;
+  const Scalar t6 = t2 + Scalar(0.000623664);
+  const Scalar t7 = t5 * t6;
+  c[51] = Scalar(-2.0) * t7;
+  const Scalar t8 = Scalar(0.000029232) * c_5 - t7 + Scalar(0.00533681925);
+  const Scalar t9 = t1 * t7;
+  const Scalar t10 = Scalar(2.0) * t8;
+  const Scalar Iu_3_t_g = s_2_3 * t10 - t1 * Iu_3_t_d;
+  const Scalar t11 = Scalar(0.000216144) * c_5;
+  const Scalar f_3_3_x = t11 + Scalar(0.06467771475);
+  const Scalar hc_3_x = Scalar(0.000216144) * t5 - Scalar(0.00190439375);
+  const Scalar hu_3_t_x = s_2_3 * f_3_3_x - t1 * hc_3_x;
+  const Scalar t12 = s_2 * (Scalar(2.876748834110593) * hu_3_t_x - Scalar(0.0070992) * s_2 +
+      Scalar(0.800930601) * c_2);
+  const Scalar t13 = Scalar(2.876748834110593) * c_2;
+  const Scalar t14 = t1 * (t1 * t10 + s_2_3 * Iu_3_t_d + f_3_3_x * t13);
+  const Scalar t15 = (s_2_3 * hc_3_x + t1 * f_3_3_x) * t13;
+  const Scalar t16 = Scalar(0.0035496) + t8 + t15 - s_2_3 * Iu_3_t_g + t12;
+  const Scalar c_3_1_1 = t15 - s_2_3 * (Iu_3_t_g - hc_3_x * t13) + t14;
+  const Scalar t17 = Scalar(0.13524317121918722) * t1 + Scalar(2.8854097268487675) * s_2_3 + t13;
+  c[21] = Scalar(2.0) * t16;
+  c[1] = Scalar(-2.0) * t16;
+  c[42] = c_3_1_1;
+  c[3] = -c_3_1_1;
+  const Scalar dmu_3_4_x = Scalar(0.000029232) * s_5 + t4;
+  const Scalar t18 = s_4 * t1;
+  const Scalar t19 = s_4 * s_5;
+  const Scalar t20 = t6 * t19;
+  const Scalar Ic_3_yz = t20 + Scalar(0.002352);
+  const Scalar db_13_3 = dmu_3_4_x * t18 + s_2_3 * Ic_3_yz + hu_3_t_x;
+  const Scalar c_1_3_3 = Scalar(2.0) * db_13_3;
+  c[2] = c_1_3_3 - Scalar(0.023751) * s_2 +
+      Scalar(0.001243584) * c_2 * (t19 + Scalar(555.1009815179352));
+  c[4] = c[5] = c_1_3_3;
+  const Scalar t21 = t18 - c_4 * t17;
+  const Scalar t22 = c_4 * t1 + s_4 * t17;
+  const Scalar t23 = s_5 * t22;
+  const Scalar t24 = s_4 * c_5;
+  c[40] = c[61] = c[116] = c[117] = Scalar(0.00002) * t24;
+  c[100] = c[101] = Scalar(-0.00002) * t24;
+  const Scalar t25 = s_2_3 * t24;
+  const Scalar t26 = t25 + Scalar(2.138345864661654) * t22;
+  const Scalar t27 = s_4 * Iu_4_t_d;
+  const Scalar t28 = c_4 * s_2_3;
+  const Scalar db_15_4 = Scalar(0.00032108) * t28 - t11 * t21;
+  const Scalar t29 = s_5 * t1;
+  const Scalar t30 = s_4 * (Iu_4_t_d * t28 - t2 * t29);
+  const Scalar t31 = s_2_3 * (t28 * (Scalar(0.000432288) * s_5 - t27) - t30);
+  const Scalar t32 = Scalar(0.00010108) * s_5;
+  const Scalar db_11_4r = t31 + t1 * (Scalar(0.000216144) * t23 + t26 * t32);
+  c[6] = db_11_4r;
+  c[63] = -db_11_4r;
+  const Scalar t33 = c_5 * s_2_3;
+  const Scalar t34 = t23 - t33;
+  const Scalar v_3_6_a_z = Scalar(0.000058464) * c_5 + Scalar(0.001247328) * t5;
+  c[56] = -v_3_6_a_z;
+  const Scalar t35 = s_2_3 * t5 + c_5 * t1;
+  const Scalar t36 = t29 - c_5 * t28;
+  const Scalar t37 = Scalar(0.00010108) * t36 + Scalar(0.000216144) * t21;
+  const Scalar t38 = t35 * t32 + c_5 * t37;
+  c[99] = Scalar(-0.00002) * t36;
+  c[19] = c[115] = Scalar(0.00002) * t36;
+  c[13] = db_15_4 - t38;
+  const Scalar c_5_1_4 = db_15_4 + t38;
+  c[90] = c_5_1_4;
+  c[73] = -c_5_1_4;
+  const Scalar t39 = t19 * t37 + Scalar(0.000216144) * c_4 * t34;
+  const Scalar t40 = t39 - s_4 * (t6 * t35 - Scalar(0.5) * s_2_3 * v_3_6_a_z);
+  const Scalar c_1_5_5 = Scalar(-0.000432288) * t34;
+  c[14] = c_1_5_5;
+  const Scalar v_2_3_x = s_2 * t1 + c_2 * s_2_3;
+  const Scalar t41 = Scalar(0.000621792) * v_2_3_x;
+  const Scalar v_o_2_4_x = t41 + Scalar(0.000623664);
+  const Scalar t42 = t2 + v_o_2_4_x;
+  c[30] = Scalar(-2.0) * t5 * t42;
+  const Scalar t43 = Scalar(0.000621792) * s_2;
+  const Scalar v_2_3_y = s_2_3 * t43 - Scalar(0.000621792) * c_2 * t1;
   const Scalar c_2_3_3 = Scalar(9253.090532237768) * f_3_3_x * v_2_3_y -
       Scalar(5.753497668221186) * hc_3_x * v_2_3_x;
   c[25] = c[26] = c_2_3_3;
-  const Scalar t15 = c_5 * t8;
-  const Scalar Iu_4_t_d = t15 - Scalar(0.00015108);
-  const Scalar t16 = c_4 * Iu_4_t_d;
-  const Scalar dmu_3_4_x = Scalar(0.000029232) * s_5 + t16;
-  const Scalar db_33_4r = dmu_3_4_x * t12;
-  c[50] = db_33_4r;
-  c[54] = -c_5_3_3;
-  const Scalar t17 = c_4 * s_2_3;
-  const Scalar t18 = s_5 * t7;
-  const Scalar t19 = t18 - c_5 * t17;
-  c[99] = Scalar(-0.00002) * t19;
-  c[19] = c[115] = Scalar(0.00002) * t19;
-  const Scalar t20 = s_4 * (s_5 * t1 - Scalar(0.00010108));
-  const Scalar t21 = Scalar(0.000623664) * t2;
-  const Scalar t22 = t21 - t20;
-  const Scalar t23 = Scalar(0.00032108) * s_4;
-  const Scalar t24 = t23 + t21;
-  const Scalar c_4_3_5 = t24 - t22;
-  c[75] = c_4_3_5;
   c[44] = -c_2_3_3;
-  c[68] = -db_33_4r;
-  c[55] = -t24 - t22;
-  c[92] = -c_4_3_5;
-  const Scalar t25 = s_4 * t7;
-  const Scalar Ic_3_yz = t11 + Scalar(0.002352);
-  const Scalar hu_3_t_x = s_2_3 * f_3_3_x - t7 * hc_3_x;
-  const Scalar db_13_3 = dmu_3_4_x * t25 + s_2_3 * Ic_3_yz + hu_3_t_x;
-  const Scalar c_1_3_3 = Scalar(2.0) * db_13_3;
-  c[4] = c[5] = c_1_3_3;
+  const Scalar t44 = c_4 * c_5 * v_2_3_y - s_5 * t41;
   const Scalar v_o_2_4_y = v_2_3_y - Scalar(0.000029232);
-  const Scalar t26 = t16 - s_5 * v_o_2_4_y;
-  const Scalar db_22_4r = t26 * t12;
-  c[28] = db_22_4r;
-  const Scalar t27 = Scalar(2.876748834110593) * c_2;
-  const Scalar t28 = Scalar(0.13524317121918722) * t7 + Scalar(2.8854097268487675) * s_2_3 + t27;
-  const Scalar t29 = c_4 * t7 + s_4 * t28;
-  const Scalar t30 = s_5 * t29;
-  const Scalar t31 = t30 - t6;
-  const Scalar c_1_5_5 = Scalar(-0.000432288) * t31;
-  c[14] = c_1_5_5;
-  const Scalar t32 = s_2_3 * t2;
-  const Scalar t33 = t32 + Scalar(2.138345864661654) * t29;
-  c[9] = -t33 * t1;
-  const Scalar t34 = s_4 * Iu_4_t_d;
-  const Scalar t35 = s_4 * s_2_3;
-  const Scalar t36 = t34 * t35;
-  const Scalar t37 = Scalar(0.000216144) * t5;
-  const Scalar t38 = t7 * t10;
-  const Scalar t39 = dmu_3_4_x * t17 - t36 + t37 - t38;
-  const Scalar mu_u_4_4_a_y = t15 - Scalar(0.00092108);
-  const Scalar mu_4_3_y = Scalar(0.000029232) * t3 + mu_u_4_4_a_y;
-  const Scalar t40 = -t37 - t38 + s_2_3 * mu_4_3_y;
-  c[8] = t40 - t39;
-  const Scalar c_4_1_3 = t39 + t40;
-  c[66] = c_4_1_3;
-  const Scalar t41 = Scalar(0.000621792) * v_2_3_x;
-  const Scalar v_o_2_4_x = t41 + Scalar(0.000623664);
-  const Scalar t42 = t3 * v_o_2_4_x - c_5 * v_o_2_4_y;
-  const Scalar c_2_5_5 = Scalar(-2.0) * t42;
+  const Scalar t45 = t4 - s_5 * v_o_2_4_y;
+  const Scalar t46 = t5 * v_o_2_4_x - c_5 * v_o_2_4_y;
+  const Scalar t47 = t39 - s_4 * (t35 * t42 - s_2_3 * t46);
+  const Scalar c_2_5_5 = Scalar(-2.0) * t46;
   c[35] = c_2_5_5;
-  const Scalar t43 = t8 + v_o_2_4_x;
-  c[30] = Scalar(-2.0) * t3 * t43;
-  c[48] = -c_4_1_3;
-  const Scalar t44 = t25 - c_4 * t28;
-  const Scalar t45 = Scalar(0.00010108) * t19 + Scalar(0.000216144) * t44;
-  const Scalar t46 = s_2_3 * t3 + c_5 * t7;
-  const Scalar t47 = Scalar(0.00010108) * s_5;
-  const Scalar t48 = t46 * t47 + c_5 * t45;
-  const Scalar db_15_4 = Scalar(0.00032108) * t17 - t14 * t44;
-  c[13] = db_15_4 - t48;
-  const Scalar c_5_1_4 = db_15_4 + t48;
-  c[90] = c_5_1_4;
-  c[65] = -db_22_4r;
-  const Scalar t49 = v_o_2_4_x * t2;
-  const Scalar t50 = t23 + t49;
-  const Scalar t51 = t49 - t20;
-  const Scalar c_4_2_5 = t50 - t51;
-  c[74] = c_4_2_5;
-  c[2] = c_1_3_3 - Scalar(0.023751) * s_2 +
-      Scalar(0.001243584) * c_2 * (t4 + Scalar(555.1009815179352));
-  const Scalar t52 = s_4 * (Iu_4_t_d * t17 - t8 * t18);
-  const Scalar t53 = s_2_3 * (t17 * (Scalar(0.000432288) * s_5 - t34) - t52);
-  const Scalar db_11_4r = t53 + t7 * (Scalar(0.000216144) * t30 + t33 * t47);
-  c[6] = db_11_4r;
-  const Scalar db_11_5r = t35 * c_1_5_5 + Scalar(2.0) * t46 * t45;
+  const Scalar t48 = v_o_2_4_x * t24;
+  const Scalar t49 = t19 * v_2_3_y;
+  const Scalar t50 = s_4 * s_2_3;
+  const Scalar db_11_5r = t50 * c_1_5_5 + Scalar(2.0) * t35 * t37;
+  const Scalar t51 = t27 * t50;
   c[10] = db_11_5r;
-  c[73] = -c_5_1_4;
-  const Scalar db_23_4r = s_4 * dmu_3_4_x + s_4 * t26;
-  const Scalar t54 = t4 * v_2_3_y;
-  c[29] = db_23_4r - t54;
-  const Scalar c_3_2_4 = db_23_4r + t54;
-  c[49] = c_3_2_4;
-  c[34] = -t50 - t51;
-  c[91] = -c_4_2_5;
   c[84] = -db_11_5r;
-  const Scalar c_5_2_2 = t4 * t43 * t12 - c_4 * c_2_5_5;
-  c[86] = c_5_2_2;
-  c[63] = -db_11_4r;
-  const Scalar t55 = t4 * t45 + Scalar(0.000216144) * c_4 * t31;
-  const Scalar t56 = t55 - s_4 * (t9 * t46 - Scalar(0.5) * s_2_3 * v_3_6_a_z);
-  const Scalar t57 = Scalar(0.000216144) * t19 - Scalar(0.000029232) * t32 + t7 * t24;
-  const Scalar c_3_1_5 = t57 - t56;
-  c[52] = c_3_1_5;
-  c[67] = -c_3_2_4;
-  const Scalar Iu_3_t_d = c_4 * (Scalar(0.000058464) * s_5 + t16) + Scalar(0.001247328) * c_5 +
-      mu_u_4_4_a_y + Scalar(0.150108592);
-  const Scalar t58 = Scalar(0.000029232) * c_5 - t10 + Scalar(0.00533681925);
-  const Scalar t59 = Scalar(2.0) * t58;
-  const Scalar Iu_3_t_g = s_2_3 * t59 - t7 * Iu_3_t_d;
-  const Scalar t60 = s_2 * (Scalar(2.876748834110593) * hu_3_t_x - Scalar(0.0070992) * s_2 +
-      Scalar(0.800930601) * c_2);
-  const Scalar t61 = (s_2_3 * hc_3_x + t7 * f_3_3_x) * t27;
-  const Scalar t62 = Scalar(0.0035496) + t58 + t61 - s_2_3 * Iu_3_t_g + t60;
-  c[21] = Scalar(2.0) * t62;
-  c[1] = Scalar(-2.0) * t62;
-  const Scalar t63 = t7 * (t7 * t59 + s_2_3 * Iu_3_t_d + f_3_3_x * t27);
-  const Scalar c_3_1_1 = t61 - s_2_3 * (Iu_3_t_g - hc_3_x * t27) + t63;
-  c[42] = c_3_1_1;
-  c[32] = -c_5_2_2;
-  const Scalar t64 = t37 - t36 + c_4 * (s_2_3 * t26 - t18 * t43);
-  const Scalar t65 = t40 - t3 * t13;
-  c[7] = t65 - t64;
-  const Scalar c_4_1_2 = t64 + t65;
+  const Scalar t52 = s_2_3 * t19;
+  c[18] = c[111] = Scalar(0.00002) * t52;
+  c[78] = Scalar(-0.00002) * t52;
+  const Scalar t53 = Scalar(0.000216144) * t52;
+  const Scalar t54 = t53 - t51 + c_4 * (s_2_3 * t45 - t29 * t42);
+  const Scalar t55 = -t53 - t9 + s_2_3 * mu_4_3_y;
+  const Scalar t56 = dmu_3_4_x * t28 - t51 + t53 - t9;
+  c[8] = t55 - t56;
+  const Scalar c_4_1_3 = t56 + t55;
+  c[66] = c_4_1_3;
+  c[48] = -c_4_1_3;
+  const Scalar t57 = t55 - t5 * t43;
+  const Scalar db_26_4 = Scalar(0.00002) * t5;
+  c[39] = c[60] = c[112] = c[113] = db_26_4;
+  const Scalar mu_u_6_3_t_x = Scalar(0.00002) * t33 - t1 * db_26_4;
+  c[36] = c[57] = mu_u_6_3_t_x;
+  c[16] = c[17] = c[106] = c[108] = -mu_u_6_3_t_x;
+  c[7] = t57 - t54;
+  const Scalar c_4_1_2 = t54 + t57;
   c[64] = c_4_1_2;
-  c[12] = -t57 - t56;
-  c[87] = -c_3_1_5;
-  c[3] = -c_3_1_1;
   c[27] = -c_4_1_2;
-  const Scalar t66 = t55 - s_4 * (t46 * t43 - s_2_3 * t42);
-  const Scalar t67 = t13 * t2 + t57;
-  const Scalar c_2_1_5 = t67 - t66;
+  const Scalar t58 = Scalar(0.00020216) * s_5;
+  c[9] = -t26 * t58;
+  const Scalar db_44_5r = c_5 * t58;
+  c[76] = db_44_5r;
+  c[93] = -db_44_5r;
+  const Scalar t59 = s_4 * (s_5 * t58 - Scalar(0.00010108));
+  const Scalar t60 = Scalar(0.000623664) * t24;
+  const Scalar t61 = Scalar(0.00032108) * s_4;
+  const Scalar t62 = t61 + t60;
+  const Scalar t63 = Scalar(0.000216144) * t36 - Scalar(0.000029232) * t25 + t1 * t62;
+  const Scalar t64 = t43 * t24 + t63;
+  const Scalar t65 = t60 - t59;
+  c[55] = -t62 - t65;
+  const Scalar c_4_3_5 = t62 - t65;
+  c[75] = c_4_3_5;
+  c[92] = -c_4_3_5;
+  const Scalar t66 = t61 + t48;
+  const Scalar t67 = t48 - t59;
+  c[34] = -t66 - t67;
+  const Scalar c_4_2_5 = t66 - t67;
+  c[74] = c_4_2_5;
+  c[91] = -c_4_2_5;
+  c[12] = -t63 - t40;
+  const Scalar c_3_1_5 = t63 - t40;
+  c[52] = c_3_1_5;
+  c[87] = -c_3_1_5;
+  c[11] = -t64 - t47;
+  const Scalar c_2_1_5 = t64 - t47;
   c[31] = c_2_1_5;
-  const Scalar t68 = Scalar(0.5) * c_5_2_2 + Scalar(0.5) * c_5_3_3;
-  const Scalar t69 = c_4 * c_5 * v_2_3_y - s_5 * t41;
-  c[33] = t69 - t68;
-  const Scalar c_5_2_3 = t69 + t68;
-  c[88] = c_5_2_3;
-  c[11] = -t67 - t66;
   c[85] = -c_2_1_5;
+  const Scalar t68 = Scalar(2.0) * s_4;
+  const Scalar c_5_2_2 = t19 * t42 * t68 - c_4 * c_2_5_5;
+  const Scalar c_5_3_3 = t20 * t68 + c_4 * v_3_6_a_z;
+  c[89] = c_5_3_3;
+  c[54] = -c_5_3_3;
+  c[86] = c_5_2_2;
+  c[32] = -c_5_2_2;
+  const Scalar t69 = Scalar(0.5) * c_5_2_2 + Scalar(0.5) * c_5_3_3;
+  c[33] = t44 - t69;
+  const Scalar c_5_2_3 = t44 + t69;
+  c[88] = c_5_2_3;
   c[53] = -c_5_2_3;
+  const Scalar db_33_4r = dmu_3_4_x * t68;
+  c[50] = db_33_4r;
+  c[68] = -db_33_4r;
+  const Scalar db_23_4r = s_4 * dmu_3_4_x + s_4 * t45;
+  const Scalar db_22_4r = t45 * t68;
+  c[28] = db_22_4r;
+  c[65] = -db_22_4r;
+  c[29] = db_23_4r - t49;
+  const Scalar c_3_2_4 = db_23_4r + t49;
+  c[49] = c_3_2_4;
+  c[67] = -c_3_2_4;
   c[0] = c[15] = c[20] = c[22] = c[23] = c[24] = c[37] = c[38] = Scalar(0.0);
   c[41] = c[43] = c[45] = c[46] = c[47] = c[58] = c[59] = c[62] = Scalar(0.0);
   c[69] = c[70] = c[71] = c[72] = c[77] = c[81] = c[83] = c[94] = Scalar(0.0);
@@ -916,188 +916,188 @@ static inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
   sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
-  const Scalar t1 = Scalar(0.00020216) * s_5;
-  C[21] = c_5 * qd_5 * t1;
   const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t2 = c_5 * s_2_3;
-  const Scalar t3 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t4 = c_4 * s_5;
-  const Scalar t5 = t3 * t4;
-  const Scalar mu_u_6_3_t_x = Scalar(0.00002) * t2 - Scalar(0.00002) * t5;
-  const Scalar t6 = qd_1 * mu_u_6_3_t_x;
-  const Scalar t7 = s_4 * c_5;
-  const Scalar t8 = Scalar(0.00002) * (qd_5 * t7 + qd_4 * t4);
-  C[11] = C[17] = t6 + t8;
-  C[31] = C[32] = t8 - t6;
-  const Scalar t9 = c_4 * s_2_3;
-  const Scalar t10 = s_5 * t3;
-  const Scalar t11 = t10 - c_5 * t9;
-  const Scalar t12 = s_4 * s_5;
-  const Scalar t13 = s_2_3 * t12;
-  const Scalar t14 = qd_2 + qd_3;
-  C[5] = C[30] = Scalar(0.00002) * (qd_5 * t11 + qd_4 * t13) - mu_u_6_3_t_x * t14;
-  const Scalar t15 = Scalar(0.00010108) * c_5;
-  const Scalar t16 = t15 + Scalar(0.000623664);
-  const Scalar t17 = t16 * t12;
-  const Scalar t18 = Scalar(2.0) * s_4;
-  const Scalar t19 = Scalar(0.000029232) * c_5;
-  const Scalar v_3_6_a_z = t19 + Scalar(0.000623664) * t4;
-  const Scalar t20 = Scalar(2.0) * c_4;
-  const Scalar c_5_3_3 = t17 * t18 + v_3_6_a_z * t20;
-  const Scalar t21 = c_5 * t15;
-  const Scalar Iu_4_t_d = t21 - Scalar(0.00015108);
-  const Scalar t22 = c_4 * Iu_4_t_d;
-  const Scalar t23 = Scalar(0.000029232) * s_5;
-  const Scalar dmu_3_4_x = t23 + t22;
-  const Scalar t24 = qd_4 * t18;
-  C[14] = dmu_3_4_x * t24 - qd_5 * c_5_3_3;
-  const Scalar t25 = s_4 * s_2_3;
-  const Scalar t26 = qd_1 * t25 + c_4 * t14;
-  const Scalar t27 = Scalar(0.00002) * s_5;
-  C[23] = -(qd_5 + t26) * t27;
-  const Scalar C_56 = Scalar(0.00002) * (s_5 * qd_4 - qd_1 * t11) - Scalar(0.00002) * t7 * t14;
-  C[29] = C_56;
-  C[33] = -t27 * (qd_5 - t26);
-  C[34] = -C_56;
-  const Scalar v_2_3_x = s_2 * t3 + c_2 * s_2_3;
-  const Scalar t28 = Scalar(0.000621792) * v_2_3_x;
-  const Scalar v_o_2_4_x = t28 + Scalar(0.000623664);
-  const Scalar t29 = v_o_2_4_x * t7;
-  const Scalar t30 = Scalar(0.00032108) * s_4 + t29;
-  const Scalar t31 = s_4 * (s_5 * t1 - Scalar(0.00010108));
-  const Scalar t32 = t29 - t31;
-  const Scalar c_4_2_5 = t30 - t32;
-  const Scalar t33 = Scalar(21.27093596059113) * c_2;
-  const Scalar t34 = t3 + Scalar(21.334975369458128) * s_2_3 + t33;
-  const Scalar t35 = s_4 * t3;
-  const Scalar t36 = Scalar(0.000216144) * t35 - Scalar(0.000029232) * c_4 * t34;
-  const Scalar t37 = Scalar(0.00010108) * t11 + t36;
-  const Scalar t38 = s_2_3 * t4;
-  const Scalar t39 = t38 + c_5 * t3;
-  const Scalar t40 = Scalar(0.00010108) * s_5;
-  const Scalar t41 = t39 * t40 + c_5 * t37;
-  const Scalar db_15_4 = Scalar(0.00032108) * t9 - c_5 * t36;
-  const Scalar c_5_1_4 = db_15_4 + t41;
-  const Scalar t42 = Scalar(0.000623664) * t7 - t31;
-  const Scalar t43 = Scalar(0.000623664) * c_5 + Scalar(0.00032108);
-  const Scalar t44 = s_4 * t43;
-  const Scalar t45 = t42 - t44;
-  const Scalar t46 = t1 * (Scalar(0.09893153937475267) * qd_6 - c_5 * qd_4);
-  const Scalar C_54 = t46 + qd_3 * t45 - qd_2 * c_4_2_5 + qd_1 * c_5_1_4;
+  const Scalar t1 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t2 = Scalar(0.00010108) * c_5;
+  const Scalar t3 = c_5 * t2;
+  const Scalar mu_u_4_4_a_y = t3 - Scalar(0.00092108);
+  const Scalar Iu_4_t_d = t3 - Scalar(0.00015108);
+  const Scalar t4 = c_4 * Iu_4_t_d;
+  const Scalar t5 = Scalar(0.000058464) * s_5;
+  const Scalar Iu_3_t_d = c_4 * (t5 + t4) + Scalar(0.001247328) * c_5 + mu_u_4_4_a_y +
+      Scalar(0.150108592);
+  const Scalar t6 = Scalar(0.000029232) * c_5;
+  const Scalar t7 = c_4 * s_5;
+  const Scalar t8 = t2 + Scalar(0.000623664);
+  const Scalar t9 = t7 * t8;
+  const Scalar t10 = t6 - t9 + Scalar(0.00533681925);
+  const Scalar t11 = Scalar(2.0) * t10;
+  const Scalar Iu_3_t_g = s_2_3 * t11 - t1 * Iu_3_t_d;
+  const Scalar t12 = Scalar(21.27093596059113) * c_2;
+  const Scalar f_3_3_x = t6 + Scalar(0.00874721925);
+  const Scalar t13 = t1 * (t1 * t11 + s_2_3 * Iu_3_t_d + f_3_3_x * t12);
+  const Scalar v_3_6_a_z = t6 + Scalar(0.000623664) * t7;
+  const Scalar t14 = Scalar(0.000029232) * t7;
+  const Scalar mu_4_3_y = t14 + mu_u_4_4_a_y;
+  const Scalar hc_3_x = t14 - Scalar(0.00025755625);
+  const Scalar t15 = (s_2_3 * hc_3_x + t1 * f_3_3_x) * t12;
+  const Scalar t16 = t15 - s_2_3 * (Iu_3_t_g - hc_3_x * t12) + t13;
+  const Scalar t17 = t1 + Scalar(21.334975369458128) * s_2_3 + t12;
+  const Scalar hu_3_t_x = s_2_3 * f_3_3_x - t1 * hc_3_x;
+  const Scalar t18 = s_2 * (Scalar(21.27093596059113) * hu_3_t_x +
+      (Scalar(0.800930601) * c_2 - Scalar(0.0070992) * s_2));
+  const Scalar Iu_2_a_yz = Scalar(0.0035496) + t10 + t15 - s_2_3 * Iu_3_t_g + t18;
+  const Scalar t19 = Scalar(2.0) * Iu_2_a_yz;
+  const Scalar t20 = c_4 * s_2_3;
+  const Scalar t21 = s_5 * t1;
+  const Scalar t22 = s_2_3 * t7;
+  const Scalar t23 = Scalar(0.000216144) * t22 - s_4 * (Iu_4_t_d * t20 - t2 * t21);
+  const Scalar t24 = Scalar(0.000216144) * s_5 - s_4 * Iu_4_t_d;
+  const Scalar t25 = t22 + c_5 * t1;
+  const Scalar t26 = t21 - c_5 * t20;
+  const Scalar t27 = Scalar(0.000029232) * s_5;
+  const Scalar t28 = Scalar(0.00010108) * s_5;
+  const Scalar t29 = Scalar(7.394088669950739) * c_4 * t1 + s_4 * t17;
+  const Scalar t30 = s_4 * c_5;
+  const Scalar t31 = s_2_3 * t30;
+  const Scalar t32 = t31 + Scalar(0.28919667590027703) * t29;
+  const Scalar t33 = t1 * (t32 * t28 + t27 * t29);
+  const Scalar db_11_4r = s_2_3 * (t23 + t20 * t24) + t33;
+  const Scalar dmu_3_4_x = t27 + t4;
+  const Scalar t34 = s_4 * s_5;
+  const Scalar t35 = s_2_3 * t34;
+  const Scalar t36 = t1 * t9;
+  const Scalar t37 = (Scalar(0.000216144) * t35 + t36) - s_2_3 * mu_4_3_y;
+  const Scalar t38 = s_4 * s_2_3;
+  const Scalar t39 = t24 * t38;
+  const Scalar t40 = -dmu_3_4_x * t20 - t39 + t36;
+  const Scalar t41 = Scalar(0.000621792) * s_2;
+  const Scalar v_2_3_y = s_2_3 * t41 - Scalar(0.000621792) * c_2 * t1;
+  const Scalar v_o_2_4_y = v_2_3_y - Scalar(0.000029232);
+  const Scalar t42 = t4 - s_5 * v_o_2_4_y;
+  const Scalar v_2_3_x = s_2 * t1 + c_2 * s_2_3;
+  const Scalar t43 = Scalar(68418.17186644772) * f_3_3_x * v_2_3_y -
+      Scalar(42.54187192118226) * hc_3_x * v_2_3_x;
+  const Scalar t44 = Scalar(0.000621792) * v_2_3_x;
+  const Scalar v_o_2_4_x = t44 + Scalar(0.000623664);
+  const Scalar t45 = t2 + v_o_2_4_x;
+  const Scalar t46 = t7 * v_o_2_4_x - c_5 * v_o_2_4_y;
+  const Scalar t47 = c_4 * c_5 * v_2_3_y - s_5 * t44;
+  const Scalar t48 = t34 * v_2_3_y;
+  const Scalar t49 = v_o_2_4_x * t30;
+  const Scalar t50 = t1 * t7;
+  const Scalar t51 = t39 + t20 * t42 - t45 * t50;
+  const Scalar t52 = s_4 * t1;
+  const Scalar t53 = Scalar(0.000216144) * t52 - Scalar(0.000029232) * c_4 * t17;
+  const Scalar db_15_4 = Scalar(0.00032108) * t20 - c_5 * t53;
+  const Scalar t54 = Scalar(0.00010108) * t26 + t53;
+  const Scalar t55 = t25 * t28 + c_5 * t54;
+  const Scalar t56 = Scalar(0.00020216) * s_5;
+  C[21] = c_5 * qd_5 * t56;
+  const Scalar t57 = Scalar(0.00002) * qd_6;
+  const Scalar t58 = t35 * t57 + qd_1 * db_11_4r;
+  const Scalar t59 = t7 * t41 + t37;
+  const Scalar t60 = t51 + t59;
+  const Scalar t61 = t59 - t51;
+  const Scalar c_1_4_5 = db_15_4 - t55;
+  const Scalar c_5_1_4 = db_15_4 + t55;
+  const Scalar t62 = t37 - t40;
+  C[3] = t58 + qd_5 * c_1_4_5 - qd_4 * t32 * t56 - qd_3 * t62 - qd_2 * t60;
+  const Scalar t63 = t40 + t37;
+  C[18] = -t58 - qd_5 * c_5_1_4 - qd_3 * t63 - qd_2 * t61;
+  const Scalar t64 = t8 * t34;
+  const Scalar t65 = s_4 * t8;
+  const Scalar Ic_3_yz = t64 + Scalar(0.002352);
+  const Scalar db_13_3 = Scalar(2.0) * (dmu_3_4_x * t52 + s_2_3 * Ic_3_yz) +
+      Scalar(14.788177339901479) * hu_3_t_x;
+  const Scalar t66 = c_5 * s_2_3;
+  const Scalar t67 = t5 * t29 - Scalar(0.000432288) * t66;
+  const Scalar mu_u_6_3_t_x = Scalar(0.00002) * t66 - Scalar(0.00002) * t50;
+  const Scalar t68 = Scalar(2.0) * t25 * t54 - t67 * t38;
+  C[0] = qd_4 * db_11_4r + qd_5 * t68 - qd_3 * t16 - qd_2 * t19;
+  const Scalar t69 = t34 * t54 + Scalar(0.5) * c_4 * t67;
+  const Scalar t70 = t26 * t57 + qd_1 * t68;
+  const Scalar t71 = s_4 * t45;
+  const Scalar t72 = t46 * t38 + t69 - t25 * t71;
+  const Scalar t73 = v_3_6_a_z * t38 + t69 - t25 * t65;
+  const Scalar t74 = t34 * (t65 + t71) + c_4 * (t46 + v_3_6_a_z);
+  const Scalar t75 = Scalar(0.000623664) * c_5 + Scalar(0.00032108);
+  const Scalar t76 = Scalar(0.000216144) * t26 - (Scalar(0.000029232) * t31 - t52 * t75);
+  const Scalar t77 = t41 * t30 + t76;
+  const Scalar t78 = s_4 * t75;
+  const Scalar t79 = t76 + t73;
+  const Scalar t80 = t76 - t73;
+  const Scalar t81 = t77 + t72;
+  C[4] = t70 + qd_4 * c_1_4_5 - qd_3 * t79 - qd_2 * t81 - qd_5 * t67;
+  const Scalar t82 = t77 - t72;
+  C[24] = qd_4 * c_5_1_4 - t70 - qd_3 * t80 - qd_2 * t82;
+  const Scalar t83 = qd_6 * mu_u_6_3_t_x;
+  const Scalar t84 = t83 + qd_1 * t16;
+  const Scalar t85 = t83 + qd_1 * t19;
+  C[6] = qd_5 * t82 + qd_4 * t61 + t85;
+  C[12] = qd_5 * t80 + qd_4 * t63 + t84;
+  const Scalar t86 = qd_3 * db_13_3;
+  C[2] = -qd_5 * t79 - qd_4 * t62 + t86 - t84 + qd_2 * db_13_3;
+  const Scalar t87 = qd_2 * (Scalar(0.023751) * s_2 - db_13_3 -
+      Scalar(0.001243584) * c_2 * (t34 + Scalar(555.1009815179352)));
+  C[1] = -qd_5 * t81 - qd_4 * t60 + t86 - t87 - t85;
+  const Scalar t88 = Scalar(2.0) * s_4;
+  const Scalar t89 = Scalar(2.0) * c_4;
+  const Scalar t90 = t34 * t45 * t88 + t46 * t89;
+  const Scalar c_5_3_3 = t64 * t88 + v_3_6_a_z * t89;
+  const Scalar t91 = qd_4 * t88;
+  C[14] = dmu_3_4_x * t91 - qd_5 * c_5_3_3;
+  const Scalar t92 = qd_3 * t43;
+  C[7] = t42 * t91 - qd_5 * t90 + t92;
+  const Scalar t93 = qd_2 * t43;
+  const Scalar t94 = t47 - t74;
+  const Scalar t95 = t47 + t74;
+  const Scalar db_23_4r = s_4 * dmu_3_4_x + s_4 * t42;
+  const Scalar t96 = db_23_4r - t48;
+  C[8] = qd_4 * t96 + qd_5 * t94 + t92 + t93;
+  const Scalar c_3_2_4 = db_23_4r + t48;
+  C[13] = qd_4 * c_3_2_4 - qd_5 * t95 - t93;
+  const Scalar t97 = t7 * t57;
+  const Scalar t98 = qd_2 * t42 * t88 + (t97 + qd_1 * t61);
+  const Scalar t99 = (qd_3 * dmu_3_4_x * t88 + qd_2 * c_3_2_4) + (t97 + qd_1 * t63);
+  const Scalar t100 = t30 * t57;
+  const Scalar t101 = (t100 + qd_1 * t82) - qd_2 * t90;
+  const Scalar t102 = (qd_3 * c_5_3_3 + qd_2 * t95) - (t100 + qd_1 * t80);
+  const Scalar t103 = Scalar(0.00032108) * s_4 + t49;
+  const Scalar t104 = s_4 * (s_5 * t56 - Scalar(0.00010108));
+  const Scalar t105 = t49 - t104;
+  const Scalar t106 = Scalar(0.000623664) * t30 - t104;
+  const Scalar t107 = t56 * (Scalar(0.09893153937475267) * qd_6 - c_5 * qd_4);
+  const Scalar t108 = t103 + t105;
+  const Scalar c_4_2_5 = t103 - t105;
+  C[19] = qd_5 * c_4_2_5 - qd_3 * c_3_2_4 - t98;
+  C[25] = qd_3 * t95 - qd_4 * c_4_2_5 - t101;
+  const Scalar t109 = Scalar(2.0) * qd_4;
+  C[9] = qd_3 * t96 - qd_5 * t108 + t98 - t7 * t45 * t109;
+  const Scalar t110 = Scalar(0.00002) * (qd_5 * t30 + qd_4 * t7);
+  const Scalar t111 = Scalar(2.0) * qd_5;
+  C[10] = qd_3 * t94 - qd_4 * t108 + t101 - t46 * t111;
+  const Scalar t112 = t106 + t78;
+  C[15] = -qd_5 * t112 - t9 * t109 + t99;
+  C[16] = -v_3_6_a_z * t111 - qd_4 * t112 - t102;
+  const Scalar t113 = t106 - t78;
+  const Scalar C_54 = t107 + qd_3 * t113 - qd_2 * c_4_2_5 + qd_1 * c_5_1_4;
+  C[20] = -qd_5 * t113 - t99;
+  C[26] = qd_4 * t113 + t102;
   C[27] = C_54;
   C[22] = -C_54;
-  const Scalar t47 = Scalar(0.000216144) * t38 - s_4 * (Iu_4_t_d * t9 - t15 * t10);
-  const Scalar t48 = Scalar(0.000216144) * s_5 - s_4 * Iu_4_t_d;
-  const Scalar t49 = Scalar(7.394088669950739) * c_4 * t3 + s_4 * t34;
-  const Scalar t50 = s_2_3 * t7;
-  const Scalar t51 = t50 + Scalar(0.28919667590027703) * t49;
-  const Scalar t52 = t3 * (t51 * t40 + t23 * t49);
-  const Scalar db_11_4r = s_2_3 * (t47 + t9 * t48) + t52;
-  const Scalar t53 = Scalar(0.00002) * qd_6;
-  const Scalar t54 = t13 * t53 + qd_1 * db_11_4r;
-  const Scalar t55 = Scalar(0.000621792) * s_2;
-  const Scalar v_2_3_y = s_2_3 * t55 - Scalar(0.000621792) * c_2 * t3;
-  const Scalar v_o_2_4_y = v_2_3_y - Scalar(0.000029232);
-  const Scalar t56 = t22 - s_5 * v_o_2_4_y;
-  const Scalar t57 = t15 + v_o_2_4_x;
-  const Scalar t58 = t48 * t25;
-  const Scalar t59 = t58 + t9 * t56 - t57 * t5;
-  const Scalar t60 = t4 * t16;
-  const Scalar t61 = t3 * t60;
-  const Scalar mu_u_4_4_a_y = t21 - Scalar(0.00092108);
-  const Scalar t62 = Scalar(0.000029232) * t4;
-  const Scalar mu_4_3_y = t62 + mu_u_4_4_a_y;
-  const Scalar t63 = (Scalar(0.000216144) * t13 + t61) - s_2_3 * mu_4_3_y;
-  const Scalar t64 = t4 * t55 + t63;
-  const Scalar t65 = t59 + t64;
-  const Scalar c_1_4_5 = db_15_4 - t41;
-  const Scalar t66 = -dmu_3_4_x * t9 - t58 + t61;
-  const Scalar t67 = t63 - t66;
-  C[3] = t54 + qd_5 * c_1_4_5 - qd_4 * t51 * t1 - qd_3 * t67 - qd_2 * t65;
-  const Scalar t68 = Scalar(0.000058464) * s_5;
-  const Scalar t69 = t68 * t49 - Scalar(0.000432288) * t2;
-  const Scalar t70 = t12 * t37 + Scalar(0.5) * c_4 * t69;
-  const Scalar t71 = s_4 * t16;
-  const Scalar t72 = v_3_6_a_z * t25 + t70 - t39 * t71;
-  const Scalar t73 = Scalar(0.000216144) * t11 - (Scalar(0.000029232) * t50 - t35 * t43);
-  const Scalar t74 = t73 + t72;
-  const Scalar t75 = s_4 * t57;
-  const Scalar t76 = t4 * v_o_2_4_x - c_5 * v_o_2_4_y;
-  const Scalar t77 = t76 * t25 + t70 - t39 * t75;
-  const Scalar t78 = t55 * t7 + t73;
-  const Scalar t79 = t78 + t77;
-  const Scalar t80 = Scalar(2.0) * t39 * t37 - t69 * t25;
-  const Scalar t81 = t11 * t53 + qd_1 * t80;
-  C[4] = t81 + qd_4 * c_1_4_5 - qd_3 * t74 - qd_2 * t79 - qd_5 * t69;
-  const Scalar t82 = t12 * t57 * t18 + t76 * t20;
-  const Scalar f_3_3_x = t19 + Scalar(0.00874721925);
-  const Scalar hc_3_x = t62 - Scalar(0.00025755625);
-  const Scalar t83 = Scalar(68418.17186644772) * f_3_3_x * v_2_3_y -
-      Scalar(42.54187192118226) * hc_3_x * v_2_3_x;
-  const Scalar t84 = qd_3 * t83;
-  C[7] = t56 * t24 - qd_5 * t82 + t84;
-  const Scalar Iu_3_t_d = c_4 * (t68 + t22) + Scalar(0.001247328) * c_5 + mu_u_4_4_a_y +
-      Scalar(0.150108592);
-  const Scalar t85 = t19 - t60 + Scalar(0.00533681925);
-  const Scalar t86 = Scalar(2.0) * t85;
-  const Scalar Iu_3_t_g = s_2_3 * t86 - t3 * Iu_3_t_d;
-  const Scalar t87 = t3 * (t3 * t86 + s_2_3 * Iu_3_t_d + f_3_3_x * t33);
-  const Scalar t88 = (s_2_3 * hc_3_x + t3 * f_3_3_x) * t33;
-  const Scalar t89 = t88 - s_2_3 * (Iu_3_t_g - hc_3_x * t33) + t87;
-  const Scalar hu_3_t_x = s_2_3 * f_3_3_x - t3 * hc_3_x;
-  const Scalar t90 = s_2 * (Scalar(21.27093596059113) * hu_3_t_x +
-      (Scalar(0.800930601) * c_2 - Scalar(0.0070992) * s_2));
-  const Scalar Iu_2_a_yz = Scalar(0.0035496) + t85 + t88 - s_2_3 * Iu_3_t_g + t90;
-  const Scalar t91 = Scalar(2.0) * Iu_2_a_yz;
-  C[0] = qd_4 * db_11_4r + qd_5 * t80 - qd_3 * t89 - qd_2 * t91;
-  const Scalar t92 = t12 * (t71 + t75) + c_4 * (t76 + v_3_6_a_z);
-  const Scalar t93 = c_4 * c_5 * v_2_3_y - s_5 * t28;
-  const Scalar t94 = t93 - t92;
-  const Scalar db_23_4r = s_4 * dmu_3_4_x + s_4 * t56;
-  const Scalar t95 = t12 * v_2_3_y;
-  const Scalar t96 = db_23_4r - t95;
-  const Scalar t97 = qd_2 * t83;
-  C[8] = qd_4 * t96 + qd_5 * t94 + t84 + t97;
-  const Scalar t98 = t64 - t59;
-  const Scalar t99 = t4 * t53;
-  const Scalar t100 = qd_2 * t56 * t18 + (t99 + qd_1 * t98);
-  const Scalar t101 = t30 + t32;
-  const Scalar t102 = Scalar(2.0) * qd_4;
-  C[9] = qd_3 * t96 - qd_5 * t101 + t100 - t4 * t57 * t102;
-  const Scalar c_3_2_4 = db_23_4r + t95;
-  const Scalar t103 = t66 + t63;
-  const Scalar t104 = (qd_3 * dmu_3_4_x * t18 + qd_2 * c_3_2_4) + (t99 + qd_1 * t103);
-  const Scalar t105 = t42 + t44;
-  C[15] = -qd_5 * t105 - t60 * t102 + t104;
-  C[18] = -t54 - qd_5 * c_5_1_4 - qd_3 * t103 - qd_2 * t98;
-  const Scalar t106 = t73 - t72;
-  const Scalar t107 = t78 - t77;
-  C[24] = qd_4 * c_5_1_4 - t81 - qd_3 * t106 - qd_2 * t107;
-  const Scalar t108 = qd_6 * mu_u_6_3_t_x;
-  const Scalar t109 = t108 + qd_1 * t89;
-  const Scalar Ic_3_yz = t17 + Scalar(0.002352);
-  const Scalar db_13_3 = Scalar(2.0) * (dmu_3_4_x * t35 + s_2_3 * Ic_3_yz) +
-      Scalar(14.788177339901479) * hu_3_t_x;
-  const Scalar t110 = qd_3 * db_13_3;
-  C[2] = -qd_5 * t74 - qd_4 * t67 + t110 - t109 + qd_2 * db_13_3;
-  const Scalar t111 = t108 + qd_1 * t91;
-  C[6] = qd_5 * t107 + qd_4 * t98 + t111;
-  const Scalar t112 = t7 * t53;
-  const Scalar t113 = (t112 + qd_1 * t107) - qd_2 * t82;
-  const Scalar t114 = Scalar(2.0) * qd_5;
-  C[10] = qd_3 * t94 - qd_4 * t101 + t113 - t76 * t114;
-  C[12] = qd_5 * t106 + qd_4 * t103 + t109;
-  const Scalar t115 = t93 + t92;
-  C[13] = qd_4 * c_3_2_4 - qd_5 * t115 - t97;
-  C[19] = qd_5 * c_4_2_5 - qd_3 * c_3_2_4 - t100;
-  C[20] = -qd_5 * t45 - t104;
-  const Scalar t116 = qd_2 * (Scalar(0.023751) * s_2 - db_13_3 -
-      Scalar(0.001243584) * c_2 * (t12 + Scalar(555.1009815179352)));
-  C[1] = -qd_5 * t79 - qd_4 * t65 + t110 - t116 - t111;
-  C[25] = qd_3 * t115 - qd_4 * c_4_2_5 - t113;
-  const Scalar t117 = (qd_3 * c_5_3_3 + qd_2 * t115) - (t112 + qd_1 * t106);
-  C[26] = qd_4 * t45 + t117;
-  C[16] = -v_3_6_a_z * t114 - qd_4 * t105 - t117;
+  const Scalar t114 = qd_2 + qd_3;
+  C[5] = C[30] = Scalar(0.00002) * (qd_5 * t26 + qd_4 * t35) - mu_u_6_3_t_x * t114;
+  const Scalar C_56 = Scalar(0.00002) * (s_5 * qd_4 - qd_1 * t26) - Scalar(0.00002) * t30 * t114;
+  const Scalar t115 = qd_1 * t38 + c_4 * t114;
+  const Scalar t116 = qd_1 * mu_u_6_3_t_x;
+  C[11] = C[17] = t116 + t110;
+  C[31] = C[32] = t110 - t116;
+  C[29] = C_56;
+  C[34] = -C_56;
+  const Scalar t117 = Scalar(0.00002) * s_5;
+  C[23] = -(qd_5 + t115) * t117;
+  C[33] = -t117 * (qd_5 - t115);
   C[28] = C[35] = Scalar(0.0);
 }
 
@@ -1139,100 +1139,100 @@ static inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
   sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
+  const Scalar t1 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t2 = t1 * qd_1;
+  const Scalar omega_4_z = qd_4 - t2;
   const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t1 = s_2_3 * qd_1;
-  const Scalar t2 = t1 * t1;
+  const Scalar t3 = s_2_3 * qd_1;
+  const Scalar t4 = s_4 * t3;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t3 = omega_3_z * omega_3_z;
-  const Scalar t4 = qd_1 * qd_1;
-  const Scalar t5 = t4 - t2 + t3;
-  const Scalar t6 = qd_2 * qd_2;
-  const Scalar t7 = s_2 * t6 + Scalar(22.71885132005558);
-  const Scalar t8 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t9 = c_2 * (t6 + t4);
-  const Scalar t10 = s_2_3 * t7 - t8 * t9;
-  const Scalar t11 = t8 * qd_1;
-  const Scalar t12 = t1 * t11;
-  const Scalar t13 = Scalar(0.04701250578971746) * t5 + Scalar(1.0030106530801297) * t12 - t10;
-  const Scalar t14 = omega_3_z * t1;
-  const Scalar t15 = omega_3_z * t11;
-  const Scalar t16 = Scalar(2.0) * qd_1;
-  const Scalar t17 = Scalar(0.3476146364057434) * t4 + s_2 * qd_2 * t16;
-  const Scalar t18 = t17 - Scalar(0.09402501157943492) * t14 + Scalar(2.0060213061602594) * t15;
-  const Scalar t19 = s_4 * t18 - c_4 * t13;
-  const Scalar Uz_o_4_y = t2 + t3;
-  const Scalar t20 = s_2_3 * t9 + t8 * t7;
-  const Scalar t21 = Scalar(0.04701250578971746) * t12 + Scalar(1.0030106530801297) * Uz_o_4_y +
-      t20;
-  const Scalar t22 = s_5 * t21 - c_5 * t19;
-  const Scalar t23 = c_4 * t1;
-  const Scalar t24 = s_4 * omega_3_z;
-  const Scalar t25 = t24 - t23;
-  const Scalar omega_4_z = qd_4 - t11;
-  const Scalar omega_r_6_a_z = s_5 * t25 + c_5 * omega_4_z;
-  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t26 = Scalar(0.00004) * omega_6_z;
-  const Scalar t27 = s_5 * omega_4_z - c_5 * t25;
-  const Scalar t28 = t27 * omega_r_6_a_z;
-  const Scalar t29 = t25 * omega_4_z;
-  const Scalar t30 = t29 + t11 * (Scalar(2.0) * t24 - t23);
-  const Scalar t31 = Scalar(0.00024216) * t28 - t27 * t26 + Scalar(0.00064216) * t30 -
-      Scalar(0.001243584) * t22;
-  n[4] = Scalar(0.85444524) * detail::sign(qd_5) - t31 + Scalar(0.4272830209354) * qd_5;
-  const Scalar t32 = s_4 * t1;
-  const Scalar t33 = c_4 * omega_3_z;
-  const Scalar omega_r_4_y = t32 + t33;
-  const Scalar t34 = omega_r_4_y * omega_4_z;
-  const Scalar t35 = t34 + t11 * (t32 + Scalar(2.0) * t33);
-  const Scalar U_4_zy = t34 + t35;
+  const Scalar t5 = c_4 * omega_3_z;
+  const Scalar omega_r_4_y = t4 + t5;
+  const Scalar t6 = omega_r_4_y * omega_4_z;
+  const Scalar t7 = t6 + t2 * (t4 + Scalar(2.0) * t5);
   const Scalar omega_5_z = qd_5 + omega_r_4_y;
-  const Scalar t36 = t27 * omega_5_z;
-  const Scalar t37 = t25 * omega_r_4_y;
-  const Scalar U_4_xy = t37 + t14;
-  const Scalar domega_5_y = t36 - s_5 * U_4_zy + c_5 * U_4_xy;
-  const Scalar t38 = Scalar(0.00004) * domega_5_y;
-  n[5] = Scalar(0.2158232532732) * qd_6 - t38 + Scalar(0.55443978) * detail::sign(qd_6);
-  const Scalar mu_5_y = t38 + Scalar(0.0004) * t36;
-  const Scalar t39 = omega_r_6_a_z * omega_5_z;
-  const Scalar t40 = t39 - s_5 * U_4_xy - c_5 * U_4_zy;
-  const Scalar t41 = s_4 * t13 + c_4 * t18;
-  const Scalar t42 = omega_5_z * t26 - Scalar(0.00024216) * t40 - Scalar(0.00064216) * t39 +
-      Scalar(0.001243584) * t41;
-  const Scalar mu_u_4_a_y = Scalar(0.0003) * t37 + c_5 * mu_5_y + Scalar(0.0016) * t14 + s_5 * t42;
+  const Scalar t8 = c_4 * t3;
+  const Scalar t9 = s_4 * omega_3_z;
+  const Scalar t10 = t9 - t8;
+  const Scalar t11 = t10 * omega_r_4_y;
+  const Scalar U_4_zy = t6 + t7;
+  const Scalar t12 = omega_3_z * t3;
+  const Scalar U_4_xy = t11 + t12;
+  const Scalar omega_r_6_a_z = s_5 * t10 + c_5 * omega_4_z;
+  const Scalar t13 = omega_r_6_a_z * omega_5_z;
+  const Scalar t14 = t13 - s_5 * U_4_xy - c_5 * U_4_zy;
+  const Scalar t15 = s_5 * omega_4_z - c_5 * t10;
+  const Scalar t16 = t10 * omega_4_z;
+  const Scalar t17 = t16 + t2 * (Scalar(2.0) * t9 - t8);
+  const Scalar t18 = t15 * omega_5_z;
+  const Scalar domega_5_y = t18 - s_5 * U_4_zy + c_5 * U_4_xy;
+  const Scalar t19 = Scalar(0.00004) * domega_5_y;
+  const Scalar mu_5_y = t19 + Scalar(0.0004) * t18;
+  n[5] = Scalar(0.2158232532732) * qd_6 - t19 + Scalar(0.55443978) * detail::sign(qd_6);
+  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
+  const Scalar t20 = Scalar(0.00004) * omega_6_z;
+  const Scalar t21 = t15 * omega_r_6_a_z;
+  const Scalar t22 = t3 * t2;
+  const Scalar t23 = t3 * t3;
+  const Scalar t24 = omega_3_z * t2;
+  const Scalar t25 = omega_3_z * omega_3_z;
+  const Scalar t26 = qd_1 * qd_1;
+  const Scalar t27 = t26 - t23 + t25;
+  const Scalar Uz_o_4_y = t23 + t25;
+  const Scalar t28 = qd_2 * qd_2;
+  const Scalar t29 = s_2 * t28 + Scalar(22.71885132005558);
+  const Scalar t30 = c_2 * (t28 + t26);
+  const Scalar t31 = t28 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
+  const Scalar t32 = s_2_3 * t29 - t1 * t30;
+  const Scalar t33 = s_2_3 * t30 + t1 * t29;
+  const Scalar t34 = Scalar(0.04701250578971746) * t27 + Scalar(1.0030106530801297) * t22 - t32;
+  const Scalar t35 = Scalar(2.0) * qd_1;
+  const Scalar t36 = Scalar(0.3476146364057434) * t26 + s_2 * qd_2 * t35;
+  const Scalar t37 = t36 - Scalar(0.09402501157943492) * t12 + Scalar(2.0060213061602594) * t24;
+  const Scalar t38 = s_4 * t34 + c_4 * t37;
+  const Scalar t39 = s_4 * t37 - c_4 * t34;
+  const Scalar t40 = omega_5_z * t20 - Scalar(0.00024216) * t14 - Scalar(0.00064216) * t13 +
+      Scalar(0.001243584) * t38;
+  const Scalar mu_4_x = Scalar(0.0003) * t7 - s_5 * mu_5_y + Scalar(0.0016) * t6 + c_5 * t40;
+  const Scalar mu_u_4_a_y = Scalar(0.0003) * t11 + c_5 * mu_5_y + Scalar(0.0016) * t12 + s_5 * t40;
+  const Scalar Uz_o_6_z = t13 + t14;
+  const Scalar t41 = Scalar(0.23306405) * t38 - Scalar(0.001243584) * Uz_o_6_z;
+  const Scalar Uz_o_6_y = t15 * t15 + omega_5_z * omega_5_z;
   n[3] = Scalar(0.411645229697152) * qd_4 - mu_u_4_a_y + Scalar(1.06831142) * detail::sign(qd_4);
-  const Scalar mu_4_x = Scalar(0.0003) * t35 - s_5 * mu_5_y + Scalar(0.0016) * t34 + c_5 * t42;
-  const Scalar Uz_o_6_z = t39 + t40;
-  const Scalar t43 = Scalar(0.23306405) * t41 - Scalar(0.001243584) * Uz_o_6_z;
-  const Scalar Uz_o_6_y = t27 * t27 + omega_5_z * omega_5_z;
-  const Scalar U_5_xy = t28 + t30;
-  const Scalar t44 = Scalar(0.001243584) * (c_5 * U_5_xy + s_5 * Uz_o_6_y) +
-      Scalar(0.23306405) * t19;
-  const Scalar t45 = s_4 * t43 - c_4 * t44;
-  const Scalar t46 = Scalar(0.0013) * t29 + t31;
-  const Scalar t47 = Scalar(0.23306405) * t21 -
+  const Scalar t42 = Scalar(0.04701250578971746) * t22 + Scalar(1.0030106530801297) * Uz_o_4_y +
+      t33;
+  const Scalar U_5_xy = t21 + t17;
+  const Scalar t43 = Scalar(0.23306405) * t42 -
       Scalar(0.001243584) * (s_5 * U_5_xy - c_5 * Uz_o_6_y);
-  const Scalar t48 = Scalar(0.000316274) * (t5 - Uz_o_4_y) - s_4 * mu_4_x + c_4 * t46 -
-      Scalar(0.065620624) * t12 + Scalar(0.04701250578971746) * t47 + Scalar(0.138357356) * t10 -
-      Scalar(1.0030106530801297) * t45;
-  const Scalar t49 = Scalar(-0.138357356) * t12 - t45 + Scalar(1.405871712) * t10;
-  const Scalar f_3_y = Scalar(0.138357356) * Uz_o_4_y + t47 + Scalar(1.405871712) * t20;
+  const Scalar t44 = Scalar(0.001243584) * (c_5 * U_5_xy + s_5 * Uz_o_6_y) +
+      Scalar(0.23306405) * t39;
+  const Scalar t45 = s_5 * t42 - c_5 * t39;
+  const Scalar t46 = Scalar(0.00024216) * t21 - t15 * t20 + Scalar(0.00064216) * t17 -
+      Scalar(0.001243584) * t45;
+  const Scalar t47 = Scalar(0.0013) * t16 + t46;
+  n[4] = Scalar(0.85444524) * detail::sign(qd_5) - t46 + Scalar(0.4272830209354) * qd_5;
+  const Scalar f_3_y = Scalar(0.138357356) * Uz_o_4_y + t43 + Scalar(1.405871712) * t33;
+  const Scalar t48 = s_4 * t44 + c_4 * t41;
+  const Scalar t49 = s_4 * t41 - c_4 * t44;
+  const Scalar t50 = Scalar(0.000316274) * (t27 - Uz_o_4_y) - s_4 * mu_4_x + c_4 * t47 -
+      Scalar(0.065620624) * t22 + Scalar(0.04701250578971746) * t43 + Scalar(0.138357356) * t32 -
+      Scalar(1.0030106530801297) * t49;
+  const Scalar t51 = Scalar(-0.138357356) * t22 - t49 + Scalar(1.405871712) * t32;
+  const Scalar t52 = Scalar(0.000632548) * t24 + Scalar(0.004704) * t22 + mu_u_4_a_y +
+      Scalar(0.0125) * t12 - Scalar(0.04701250578971746) * t48;
+  const Scalar U_3_yy_zz = t26 - Uz_o_4_y;
+  const Scalar mu_3_x = Scalar(0.000632548) * t12 + s_4 * t47 + c_4 * mu_4_x +
+      Scalar(0.004704) * U_3_yy_zz + Scalar(0.138357356) * t36 + Scalar(0.143741248) * t24 +
+      Scalar(1.0030106530801297) * t48;
+  const Scalar t53 = c_2 * (Scalar(0.276714712) * t24 + t48 + Scalar(1.405871712) * t36);
+  n[2] = Scalar(6.36419655) * detail::sign(qd_3) - t50 + Scalar(3.9804259903722) * qd_3;
   const Scalar I_t2_g = Scalar(0.0141984) * s_2 + Scalar(0.03707456) * c_2;
   const Scalar I_2_xy = s_2 * I_t2_g - Scalar(0.0070992);
-  n[1] = Scalar(1.024164) * s_2 - t4 * I_2_xy - t48 + Scalar(10.6197775) * detail::sign(qd_2) +
-      Scalar(9.496868641825) * qd_2 - s_3 * t49 + c_3 * f_3_y;
-  n[2] = Scalar(6.36419655) * detail::sign(qd_3) - t48 + Scalar(3.9804259903722) * qd_3;
-  const Scalar t50 = s_2_3 * f_3_y - t8 * t49;
-  const Scalar t51 = s_4 * t44 + c_4 * t43;
-  const Scalar U_3_yy_zz = t4 - Uz_o_4_y;
-  const Scalar mu_3_x = Scalar(0.000632548) * t14 + s_4 * t46 + c_4 * mu_4_x +
-      Scalar(0.004704) * U_3_yy_zz + Scalar(0.138357356) * t17 + Scalar(0.143741248) * t15 +
-      Scalar(1.0030106530801297) * t51;
-  const Scalar t52 = c_2 * (Scalar(0.276714712) * t15 + t51 + Scalar(1.405871712) * t17);
-  const Scalar t53 = Scalar(0.000632548) * t15 + Scalar(0.004704) * t12 + mu_u_4_a_y +
-      Scalar(0.0125) * t14 - Scalar(0.04701250578971746) * t51;
-  const Scalar t54 = t16 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
-  const Scalar t55 = t6 * (Scalar(0.12059664) * c_2 - Scalar(0.023751) * s_2);
-  n[0] = t8 * t53 + t55 - s_2_3 * mu_3_x + Scalar(0.3476146364057434) * t50 - t52 +
+  n[1] = Scalar(1.024164) * s_2 - t26 * I_2_xy - t50 + Scalar(10.6197775) * detail::sign(qd_2) +
+      Scalar(9.496868641825) * qd_2 - s_3 * t51 + c_3 * f_3_y;
+  const Scalar t54 = t35 * (qd_2 * I_2_xy + Scalar(2.9009108839754));
+  const Scalar t55 = s_2_3 * f_3_y - t1 * t51;
+  n[0] = t1 * t52 + t31 - s_2_3 * mu_3_x + Scalar(0.3476146364057434) * t55 - t53 +
       Scalar(25.9836065) * detail::sign(qd_1) + t54;
 }
 
@@ -1256,183 +1256,183 @@ static inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Sca
   sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
+  const Scalar t1 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t2 = t1 * qd_1;
+  const Scalar omega_4_z = qd_4 - t2;
   const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t1 = s_2_3 * qd_1;
-  const Scalar t2 = c_4 * t1;
+  const Scalar t3 = s_2_3 * qd_1;
+  const Scalar t4 = s_4 * t3;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t3 = s_4 * omega_3_z;
-  const Scalar t4 = t3 - t2;
-  const Scalar t5 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t6 = t5 * qd_1;
-  const Scalar omega_4_z = qd_4 - t6;
-  const Scalar omega_r_6_a_z = s_5 * t4 + c_5 * omega_4_z;
-  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
-  const Scalar t7 = Scalar(0.00004) * omega_6_z;
-  const Scalar t8 = s_4 * t1;
-  const Scalar t9 = c_4 * omega_3_z;
-  const Scalar omega_r_4_y = t8 + t9;
+  const Scalar t5 = c_4 * omega_3_z;
+  const Scalar omega_r_4_y = t4 + t5;
+  const Scalar t6 = omega_r_4_y * omega_4_z;
+  const Scalar t7 = t2 * (t4 + Scalar(2.0) * t5) + Scalar(2.0) * t6;
+  const Scalar t8 = c_4 * t3;
+  const Scalar t9 = s_4 * omega_3_z;
+  const Scalar t10 = t9 - t8;
+  const Scalar t11 = t10 * omega_4_z;
+  const Scalar t12 = t11 + t2 * (Scalar(2.0) * t9 - t8);
+  const Scalar t13 = t3 * t3;
+  const Scalar t14 = omega_3_z * omega_3_z;
+  const Scalar Uz_o_4_y = t13 + t14;
+  const Scalar t15 = qd_1 * qd_1;
+  const Scalar t16 = t15 - t13 + t14;
+  const Scalar t17 = qd_2 * qd_2;
+  const Scalar t18 = Scalar(2.876748834110593) * s_2 * t17 + Scalar(65.3564290473018);
+  const Scalar t19 = Scalar(2.876748834110593) * c_2;
+  const Scalar t20 = (t17 + t15) * t19;
+  const Scalar t21 = t17 * (Scalar(0.690314699) * c_2 - Scalar(0.023751) * s_2);
+  const Scalar t22 = s_2_3 * t20 + t1 * t18;
+  const Scalar t23 = s_2_3 * t18 - t1 * t20;
+  const Scalar t24 = omega_3_z * t3;
+  const Scalar t25 = omega_3_z * t2;
+  const Scalar t26 = t3 * t2;
+  const Scalar omega_r_6_a_z = s_5 * t10 + c_5 * omega_4_z;
+  const Scalar t27 = s_5 * omega_4_z - c_5 * t10;
+  const Scalar t28 = t10 * omega_r_4_y;
   const Scalar omega_5_z = qd_5 + omega_r_4_y;
-  const Scalar t10 = t1 * t1;
-  const Scalar t11 = omega_3_z * omega_3_z;
-  const Scalar t12 = qd_1 * qd_1;
-  const Scalar t13 = t12 - t10 + t11;
-  const Scalar t14 = qd_2 * qd_2;
-  const Scalar t15 = Scalar(2.876748834110593) * s_2 * t14 + Scalar(65.3564290473018);
-  const Scalar t16 = Scalar(2.876748834110593) * c_2;
-  const Scalar t17 = (t14 + t12) * t16;
-  const Scalar t18 = s_2_3 * t15 - t5 * t17;
-  const Scalar t19 = t1 * t6;
-  const Scalar t20 = Scalar(0.13524317121918722) * t13 + Scalar(2.8854097268487675) * t19 - t18;
-  const Scalar t21 = omega_3_z * t1;
-  const Scalar t22 = omega_3_z * t6;
-  const Scalar t23 = t12 + Scalar(5.753497668221186) * s_2 * qd_1 * qd_2;
-  const Scalar t24 = t23 - Scalar(0.27048634243837444) * t21 + Scalar(5.770819453697535) * t22;
-  const Scalar t25 = s_4 * t20 + c_4 * t24;
-  const Scalar t26 = omega_r_6_a_z * omega_5_z;
-  const Scalar t27 = omega_5_z * t7 - Scalar(0.00088432) * t26 + Scalar(0.000432288) * t25;
-  const Scalar t28 = s_5 * omega_4_z - c_5 * t4;
-  const Scalar t29 = t28 * omega_5_z;
-  const Scalar t30 = omega_r_4_y * omega_4_z;
-  const Scalar t31 = t6 * (t8 + Scalar(2.0) * t9) + Scalar(2.0) * t30;
-  const Scalar t32 = t4 * omega_r_4_y;
-  const Scalar U_4_xy = t32 + t21;
-  const Scalar domega_5_y = t29 + c_5 * U_4_xy - s_5 * t31;
-  const Scalar mu_5_y = Scalar(0.00064216) * t29 - Scalar(0.00020216) * domega_5_y;
-  const Scalar mu_4_x = Scalar(0.00238432) * t30 - s_5 * mu_5_y + c_5 * t27;
-  const Scalar t33 = Scalar(0.2158232532732) * qd_6 - Scalar(0.00004) * domega_5_y +
-      Scalar(0.55443978) * detail::sign(qd_6) - tau_6;
-  const Scalar t34 = s_4 * (mu_4_x - Scalar(0.00019430115597482132) * s_5 * t33);
-  const Scalar Uz_o_6_y = t28 * t28 + omega_5_z * omega_5_z;
-  const Scalar t35 = Scalar(0.000432288) * s_5;
-  const Scalar t36 = t28 * omega_r_6_a_z;
-  const Scalar t37 = t4 * omega_4_z;
-  const Scalar t38 = t37 + t6 * (Scalar(2.0) * t3 - t2);
-  const Scalar U_5_xy = t36 + t38;
-  const Scalar t39 = Scalar(0.000432288) * c_5;
-  const Scalar t40 = t35 * Uz_o_6_y + t39 * U_5_xy;
-  const Scalar Uz_o_6_z = Scalar(2.0) * t26 - s_5 * U_4_xy - c_5 * t31;
-  const Scalar t41 = Scalar(0.000432288) * Uz_o_6_z;
-  const Scalar t42 = c_4 * t40 + s_4 * t41;
-  const Scalar Uz_o_4_y = t10 + t11;
-  const Scalar t43 = s_2_3 * t17 + t5 * t15;
-  const Scalar t44 = s_5 * (Scalar(0.13524317121918722) * t19 +
-      Scalar(2.8854097268487675) * Uz_o_4_y + t43);
-  const Scalar t45 = t44 - c_5 * (s_4 * t24 - c_4 * t20);
-  const Scalar t46 = Scalar(0.00024216) * t36 - t28 * t7 + Scalar(0.00064216) * t38 -
-      Scalar(0.000432288) * t45;
-  const Scalar t47 = Scalar(0.00184216) * t37 - Scalar(0.00054216) * t38 + t46;
-  const Scalar t48 = t35 * U_5_xy - t39 * Uz_o_6_y;
-  const Scalar t49 = c_4 * t47 - Scalar(0.13524317121918722) * t48 - t34 +
-      Scalar(2.8854097268487675) * t42 + Scalar(0.0038087875) * t43 -
-      Scalar(0.0106736385) * (t13 - Uz_o_4_y) - Scalar(0.300117184) * t19 +
-      Scalar(0.1293554295) * t18;
-  const Scalar mu_u_4_a_y = Scalar(0.00054216) * t32 + c_5 * mu_5_y + Scalar(0.00184216) * t21 +
-      s_5 * t27;
-  const Scalar t50 = Scalar(0.00019430115597482132) * c_5;
-  const Scalar t51 = -t50 * t33 - mu_u_4_a_y + Scalar(0.411645229697152) * qd_4 +
-      Scalar(1.06831142) * detail::sign(qd_4) - tau_4;
-  const Scalar t52 = Scalar(0.00020216) * c_5;
-  const Scalar t53 = t52 + Scalar(0.001247328);
-  const Scalar t54 = s_4 * s_5;
-  const Scalar t55 = t53 * t54;
-  const Scalar t56 = Scalar(7.772046238992852e-09) * t54;
-  const Scalar t57 = c_5 * t56 + t55;
-  const Scalar t58 = Scalar(0.00020216777204623898) * c_5 * c_5 - Scalar(0.2041958543736);
-  const Scalar t59 = Scalar(1.0) / t58;
-  const Scalar t60 = t57 * t59;
-  const Scalar t61 = Scalar(0.85444524) * detail::sign(qd_5) - t46 +
+  const Scalar omega_6_z = qd_6 + omega_r_6_a_z;
+  const Scalar t29 = Scalar(0.00004) * omega_6_z;
+  const Scalar t30 = Scalar(0.13524317121918722) * t16 + Scalar(2.8854097268487675) * t26 - t23;
+  const Scalar t31 = t15 + Scalar(5.753497668221186) * s_2 * qd_1 * qd_2;
+  const Scalar t32 = t31 - Scalar(0.27048634243837444) * t24 + Scalar(5.770819453697535) * t25;
+  const Scalar t33 = s_5 * (Scalar(0.13524317121918722) * t26 +
+      Scalar(2.8854097268487675) * Uz_o_4_y + t22);
+  const Scalar t34 = t33 - c_5 * (s_4 * t32 - c_4 * t30);
+  const Scalar t35 = s_4 * t30 + c_4 * t32;
+  const Scalar t36 = t27 * omega_r_6_a_z;
+  const Scalar t37 = Scalar(0.00024216) * t36 - t27 * t29 + Scalar(0.00064216) * t12 -
+      Scalar(0.000432288) * t34;
+  const Scalar t38 = Scalar(0.00184216) * t11 - Scalar(0.00054216) * t12 + t37;
+  const Scalar U_5_xy = t36 + t12;
+  const Scalar t39 = omega_r_6_a_z * omega_5_z;
+  const Scalar t40 = omega_5_z * t29 - Scalar(0.00088432) * t39 + Scalar(0.000432288) * t35;
+  const Scalar t41 = Scalar(0.85444524) * detail::sign(qd_5) - t37 +
       Scalar(0.4272830209354) * qd_5 - tau_5;
-  const Scalar t62 = Scalar(0.001247328) * c_5 + Scalar(0.00064216);
-  const Scalar t63 = Scalar(0.000058464) * s_5 - c_4 * t62;
-  const Scalar t64 = Scalar(5.5037503582353615) * t63;
-  const Scalar t65 = t64 * t61 - t60 * t51 + Scalar(6.36419655) * detail::sign(qd_3) - t49 +
+  const Scalar Uz_o_6_y = t27 * t27 + omega_5_z * omega_5_z;
+  const Scalar t42 = t27 * omega_5_z;
+  const Scalar t43 = Scalar(0.000432288) * s_5;
+  const Scalar t44 = Scalar(0.000432288) * c_5;
+  const Scalar t45 = t43 * U_5_xy - t44 * Uz_o_6_y;
+  const Scalar t46 = t43 * Uz_o_6_y + t44 * U_5_xy;
+  const Scalar U_4_xy = t28 + t24;
+  const Scalar Uz_o_6_z = Scalar(2.0) * t39 - s_5 * U_4_xy - c_5 * t7;
+  const Scalar domega_5_y = t42 + c_5 * U_4_xy - s_5 * t7;
+  const Scalar mu_5_y = Scalar(0.00064216) * t42 - Scalar(0.00020216) * domega_5_y;
+  const Scalar t47 = Scalar(0.2158232532732) * qd_6 - Scalar(0.00004) * domega_5_y +
+      Scalar(0.55443978) * detail::sign(qd_6) - tau_6;
+  const Scalar t48 = Scalar(0.000432288) * Uz_o_6_z;
+  const Scalar mu_4_x = Scalar(0.00238432) * t6 - s_5 * mu_5_y + c_5 * t40;
+  const Scalar mu_u_4_a_y = Scalar(0.00054216) * t28 + c_5 * mu_5_y + Scalar(0.00184216) * t24 +
+      s_5 * t40;
+  const Scalar t49 = s_4 * (mu_4_x - Scalar(0.00019430115597482132) * s_5 * t47);
+  const Scalar t50 = c_4 * t46 + s_4 * t48;
+  const Scalar t51 = c_4 * t38 - Scalar(0.13524317121918722) * t45 - t49 +
+      Scalar(2.8854097268487675) * t50 + Scalar(0.0038087875) * t22 -
+      Scalar(0.0106736385) * (t16 - Uz_o_4_y) - Scalar(0.300117184) * t26 +
+      Scalar(0.1293554295) * t23;
+  const Scalar t52 = Scalar(0.0038087875) * t16 - t50 + Scalar(0.1293554295) * t26;
+  const Scalar t53 = s_4 * t46 - c_4 * t48;
+  const Scalar t54 = Scalar(0.0038087875) * t26 - t45 + Scalar(0.1293554295) * Uz_o_4_y;
+  const Scalar U_3_yy_zz = t15 - Uz_o_4_y;
+  const Scalar t55 = s_4 * t38 + c_4 * mu_4_x + Scalar(2.8854097268487675) * t53 +
+      Scalar(0.004704) * U_3_yy_zz - Scalar(0.021347277) * t24 - t54 + Scalar(0.1293554295) * t31 +
+      Scalar(0.613764593) * t25;
+  const Scalar t56 = Scalar(0.13524317121918722) * t53 - Scalar(0.004704) * t26 - mu_u_4_a_y -
+      Scalar(0.013530225) * t24 + Scalar(0.0038087875) * t31 + Scalar(0.021347277) * t25 - t52;
+  const Scalar t57 = t19 * (Scalar(0.007617575) * t24 - t53 - Scalar(0.258710859) * t25);
+  const Scalar t58 = s_3 * t52 + c_3 * t54;
+  const Scalar t59 = Scalar(0.00019430115597482132) * c_5;
+  const Scalar t60 = -t59 * t47 - mu_u_4_a_y + Scalar(0.411645229697152) * qd_4 +
+      Scalar(1.06831142) * detail::sign(qd_4) - tau_4;
+  const Scalar t61 = Scalar(0.00020216) * c_5;
+  const Scalar t62 = t61 + Scalar(0.001247328);
+  const Scalar t63 = c_5 * t61;
+  const Scalar t64 = s_4 * s_5;
+  const Scalar t65 = t62 * t64;
+  const Scalar t66 = Scalar(7.772046238992852e-09) * t64;
+  const Scalar t67 = c_5 * t66 + t65;
+  const Scalar Ic_3_yz = t65 + Scalar(0.004704);
+  const Scalar t68 = Scalar(0.00020216777204623898) * c_5 * c_5 - Scalar(0.2041958543736);
+  const Scalar t69 = Scalar(1.0) / t68;
+  const Scalar t70 = t67 * t69;
+  const Scalar t71 = Scalar(0.001247328) * c_5 + Scalar(0.00064216);
+  const Scalar t72 = Scalar(0.000058464) * s_5 - c_4 * t71;
+  const Scalar t73 = Scalar(5.5037503582353615) * t72;
+  const Scalar t74 = t73 * t41 - t70 * t60 + Scalar(6.36419655) * detail::sign(qd_3) - t51 +
       Scalar(3.9804259903722) * qd_3 - tau_3;
-  const Scalar t66 = c_5 * t52;
-  const Scalar Iu_5_t_xx = t66 - Scalar(0.00020216);
+  const Scalar Iu_5_t_xx = t63 - Scalar(0.00020216);
+  const Scalar mu_u_4_4_a_y = t63 - Scalar(0.00184216);
   const Scalar Iu_4_t_d = Iu_5_t_xx - Scalar(0.0001);
-  const Scalar t67 = c_4 * Iu_4_t_d;
-  const Scalar t68 = c_4 * t67;
-  const Scalar t69 = c_4 * s_5;
-  const Scalar t70 = Scalar(0.000116928) * t69;
-  const Scalar t71 = Scalar(0.002494656) * c_5;
-  const Scalar t72 = -t54 * t56 - t70 - t68 + Iu_5_t_xx + t71 + Scalar(0.313647409);
-  const Scalar b_4_3_3 = t57 * t60 - t63 * t64 + t72 + Scalar(0.86242563124731);
+  const Scalar t75 = c_4 * Iu_4_t_d;
+  const Scalar t76 = c_4 * t75;
+  const Scalar Ic_3_xz = Scalar(0.000058464) * t64 + s_4 * t75;
+  const Scalar t77 = c_4 * s_5;
+  const Scalar t78 = Scalar(0.000116928) * t77;
+  const Scalar t79 = Scalar(0.002494656) * c_5;
+  const Scalar t80 = -t64 * t66 - t78 - t76 + Iu_5_t_xx + t79 + Scalar(0.313647409);
+  const Scalar Ic_3_xx = t76 + Scalar(0.0001) + t79;
+  const Scalar Iu_3_t_d = t78 + mu_u_4_4_a_y + Ic_3_xx + Scalar(0.300117184);
+  const Scalar t81 = t1 * (Scalar(0.000058464) * t77 - Scalar(0.000432288) * t64 + mu_u_4_4_a_y);
+  const Scalar t82 = t72 - Scalar(0.001243584) * (s_3 * c_4 * c_5 + c_3 * s_5);
+  const Scalar f_3_3_x = t44 + Scalar(0.1293554295);
+  const Scalar t83 = t44 * (c_4 * t1 +
+      Scalar(2.876748834110593) * s_4 * (Scalar(0.04701250578971746) * t1 + c_2));
+  const Scalar t84 = t83 + s_2_3 * (t43 + s_4 * t71);
+  const Scalar hc_3_x = Scalar(0.000432288) * t77 - Scalar(0.0038087875);
+  const Scalar t85 = c_3 * hc_3_x + s_3 * f_3_3_x;
+  const Scalar t86 = Scalar(0.001243584) * s_3 * t64 + t67;
+  const Scalar b_4_3_3 = t67 * t70 - t72 * t73 + t80 + Scalar(0.86242563124731);
   const Scalar d_3 = Scalar(1.0) / b_4_3_3;
-  const Scalar t73 = Scalar(0.001243584) * s_3 * t54 + t57;
-  const Scalar t74 = t63 - Scalar(0.001243584) * (s_3 * c_4 * c_5 + c_3 * s_5);
-  const Scalar f_3_3_x = t39 + Scalar(0.1293554295);
-  const Scalar hc_3_x = Scalar(0.000432288) * t69 - Scalar(0.0038087875);
-  const Scalar t75 = c_3 * hc_3_x + s_3 * f_3_3_x;
-  const Scalar b_4_3_2 = t73 * t60 - t74 * t64 + t72 + Scalar(2.876748834110593) * t75;
-  const Scalar t76 = b_4_3_2 * d_3;
-  const Scalar t77 = Scalar(0.0038087875) * t13 - t42 + Scalar(0.1293554295) * t19;
-  const Scalar t78 = Scalar(0.0038087875) * t19 - t48 + Scalar(0.1293554295) * Uz_o_4_y;
-  const Scalar t79 = s_3 * t77 + c_3 * t78;
-  const Scalar t80 = t73 * t59;
-  const Scalar t81 = Scalar(5.5037503582353615) * t74;
-  const Scalar t82 = Scalar(1.601861202) * c_2 - Scalar(0.0141984) * s_2;
-  const Scalar t83 = Scalar(0.0070992) + s_2 * t82;
-  const Scalar t84 = t80 * t51 - t81 * t61 - Scalar(1.024164) * s_2 + t49 -
-      Scalar(2.876748834110593) * t79 - t12 * t83 - Scalar(10.6197775) * detail::sign(qd_2) +
-      tau_2 + t76 * t65 + Scalar(37.2347379) * c_2 - Scalar(9.496868641825) * qd_2;
-  const Scalar Ic_3_xz = Scalar(0.000058464) * t54 + s_4 * t67;
-  const Scalar Ic_3_yz = t55 + Scalar(0.004704);
-  const Scalar t85 = Scalar(0.00004) * s_2_3 * t69 + Scalar(0.00004) * c_5 * t5;
-  const Scalar t86 = Scalar(0.00019430115597482132) * t54 * t85 + s_2_3 * (hc_3_x - Ic_3_xz) +
-      t5 * (Ic_3_yz + f_3_3_x);
-  const Scalar t87 = t39 * (c_4 * t5 +
-      Scalar(2.876748834110593) * s_4 * (Scalar(0.04701250578971746) * t5 + c_2));
-  const Scalar t88 = t87 + s_2_3 * (t35 + s_4 * t62);
-  const Scalar mu_u_4_4_a_y = t66 - Scalar(0.00184216);
-  const Scalar t89 = t5 * (Scalar(0.000058464) * t69 - Scalar(0.000432288) * t54 + mu_u_4_4_a_y);
-  const Scalar b_6_4_1 = t85 * t50 + t69 * (Scalar(0.001243584) * c_2 + s_2_3 * t53) + t89;
-  const Scalar t90 = t88 * t64 - b_6_4_1 * t60 + t86;
-  const Scalar b_3_2_1 = t88 * t81 - b_6_4_1 * t80 + Scalar(0.023751) * c_2 - t90 * t76 + t86 +
-      Scalar(0.001243584) * s_2 * (t54 + Scalar(555.1009815179352));
-  const Scalar b_3_2_2 = t73 * t80 - t74 * t81 - b_4_3_2 * t76 + t72 +
-      Scalar(5.753497668221186) * t75 + Scalar(6.502360360025);
+  const Scalar b_4_3_2 = t86 * t70 - t82 * t73 + t80 + Scalar(2.876748834110593) * t85;
+  const Scalar t87 = b_4_3_2 * d_3;
+  const Scalar t88 = t86 * t69;
+  const Scalar t89 = Scalar(5.5037503582353615) * t82;
+  const Scalar b_3_2_2 = t86 * t88 - t82 * t89 - b_4_3_2 * t87 + t80 +
+      Scalar(5.753497668221186) * t85 + Scalar(6.502360360025);
+  const Scalar t90 = Scalar(1.601861202) * c_2 - Scalar(0.0141984) * s_2;
+  const Scalar t91 = Scalar(0.0070992) + s_2 * t90;
+  const Scalar t92 = t88 * t60 - t89 * t41 - Scalar(1.024164) * s_2 + t51 -
+      Scalar(2.876748834110593) * t58 - t15 * t91 - Scalar(10.6197775) * detail::sign(qd_2) +
+      tau_2 + t87 * t74 + Scalar(37.2347379) * c_2 - Scalar(9.496868641825) * qd_2;
+  const Scalar t93 = qd_1 * (qd_2 * t91 - Scalar(2.9009108839754));
+  const Scalar t94 = Scalar(0.00004) * s_2_3 * t77 + Scalar(0.00004) * c_5 * t1;
+  const Scalar t95 = Scalar(0.00019430115597482132) * t64 * t94 + s_2_3 * (hc_3_x - Ic_3_xz) +
+      t1 * (Ic_3_yz + f_3_3_x);
+  const Scalar b_6_4_1 = t94 * t59 + t77 * (Scalar(0.001243584) * c_2 + s_2_3 * t62) + t81;
+  const Scalar t96 = t84 * t73 - b_6_4_1 * t70 + t95;
+  const Scalar b_3_2_1 = t84 * t89 - b_6_4_1 * t88 + Scalar(0.023751) * c_2 - t96 * t87 + t95 +
+      Scalar(0.001243584) * s_2 * (t64 + Scalar(555.1009815179352));
+  const Scalar hu_3_t_x = s_2_3 * f_3_3_x - t1 * hc_3_x;
+  const Scalar t97 = c_2 * (Scalar(5.753497668221186) * hu_3_t_x + t90);
+  const Scalar t98 = s_2_3 * (Scalar(0.000058464) * c_5 - t77 * t62 + Scalar(0.0106736385));
+  const Scalar Iu_3_t_g = Scalar(2.0) * t98 - t1 * Iu_3_t_d;
   const Scalar d_2 = Scalar(1.0) / b_3_2_2;
-  const Scalar t91 = b_3_2_1 * d_2;
-  const Scalar t92 = t90 * d_3;
-  const Scalar t93 = s_4 * t40 - c_4 * t41;
-  const Scalar U_3_yy_zz = t12 - Uz_o_4_y;
-  const Scalar t94 = s_4 * t47 + c_4 * mu_4_x + Scalar(2.8854097268487675) * t93 +
-      Scalar(0.004704) * U_3_yy_zz - Scalar(0.021347277) * t21 - t78 + Scalar(0.1293554295) * t23 +
-      Scalar(0.613764593) * t22;
-  const Scalar t95 = Scalar(0.13524317121918722) * t93 - Scalar(0.004704) * t19 - mu_u_4_a_y -
-      Scalar(0.013530225) * t21 + Scalar(0.0038087875) * t23 + Scalar(0.021347277) * t22 - t77;
-  const Scalar t96 = b_6_4_1 * t59;
-  const Scalar t97 = t16 * (Scalar(0.007617575) * t21 - t93 - Scalar(0.258710859) * t22);
-  const Scalar t98 = Scalar(5.5037503582353615) * t88;
-  const Scalar t99 = Scalar(-4.857528899370533) * t85;
-  const Scalar t100 = qd_1 * (qd_2 * t83 - Scalar(2.9009108839754));
-  const Scalar t101 = t14 * (Scalar(0.690314699) * c_2 - Scalar(0.023751) * s_2);
-  const Scalar t102 = -t99 * t33 - t98 * t61 + t96 * t51 - t5 * t95 - t92 * t65 + t91 * t84 + t97 +
-      t101 - s_2_3 * t94 - tau_1 + Scalar(25.9836065) * detail::sign(qd_1) - Scalar(2.0) * t100;
-  const Scalar Ic_3_xx = t68 + Scalar(0.0001) + t71;
-  const Scalar Iu_3_t_d = t70 + mu_u_4_4_a_y + Ic_3_xx + Scalar(0.300117184);
-  const Scalar t103 = s_2_3 * (Scalar(0.000058464) * c_5 - t69 * t53 + Scalar(0.0106736385));
-  const Scalar Iu_3_t_g = Scalar(2.0) * t103 - t5 * Iu_3_t_d;
-  const Scalar hu_3_t_x = s_2_3 * f_3_3_x - t5 * hc_3_x;
-  const Scalar t104 = c_2 * (Scalar(5.753497668221186) * hu_3_t_x + t82);
-  const Scalar b_2_1_1 = t85 * t99 - t88 * t98 + b_6_4_1 * t96 + Scalar(0.000864576) * t54 +
-      Ic_3_xx - t90 * t92 - b_3_2_1 * t91 + t5 * Iu_3_t_g + t104 + Scalar(2.99250185137411);
-  const Scalar t105 = t102 / b_2_1_1;
+  const Scalar t99 = b_3_2_1 * d_2;
+  const Scalar t100 = t96 * d_3;
+  const Scalar t101 = b_6_4_1 * t69;
+  const Scalar t102 = Scalar(5.5037503582353615) * t84;
+  const Scalar t103 = Scalar(-4.857528899370533) * t94;
+  const Scalar t104 = -t103 * t47 - t102 * t41 + t101 * t60 - t1 * t56 - t100 * t74 + t99 * t92 +
+      t57 + t21 - s_2_3 * t55 - tau_1 + Scalar(25.9836065) * detail::sign(qd_1) - Scalar(2.0) * t93;
+  const Scalar b_2_1_1 = t94 * t103 - t84 * t102 + b_6_4_1 * t101 + Scalar(0.000864576) * t64 +
+      Ic_3_xx - t96 * t100 - b_3_2_1 * t99 + t1 * Iu_3_t_g + t97 + Scalar(2.99250185137411);
+  const Scalar t105 = t104 / b_2_1_1;
+  const Scalar qdd_2 = d_2 * (b_3_2_1 * t105 + t92);
+  const Scalar t106 = d_3 * (b_4_3_2 * qdd_2 - t96 * t105 + t74);
+  const Scalar qdd_4 = t69 * (t67 * t106 - t86 * qdd_2 - b_6_4_1 * t105 + t60);
+  const Scalar t107 = t82 * qdd_2 - t72 * t106;
+  qdd[4] = Scalar(5.5037503582353615) * t107 - Scalar(5.5037503582353615) * (t41 - t84 * t105);
+  const Scalar t108 = t64 * (qdd_2 - t106) + c_5 * qdd_4;
+  qdd[5] = Scalar(-0.00019430115597482132) * t108 - Scalar(4.857528899370533) * (t94 * t105 + t47);
   qdd[0] = -t105;
-  const Scalar qdd_2 = d_2 * (b_3_2_1 * t105 + t84);
   qdd[1] = qdd_2;
-  const Scalar t106 = d_3 * (b_4_3_2 * qdd_2 - t90 * t105 + t65);
   qdd[2] = -t106;
-  const Scalar qdd_4 = t59 * (t57 * t106 - t73 * qdd_2 - b_6_4_1 * t105 + t51);
   qdd[3] = qdd_4;
-  const Scalar t107 = t74 * qdd_2 - t63 * t106;
-  qdd[4] = Scalar(5.5037503582353615) * t107 - Scalar(5.5037503582353615) * (t61 - t88 * t105);
-  const Scalar t108 = t54 * (qdd_2 - t106) + c_5 * qdd_4;
-  qdd[5] = Scalar(-0.00019430115597482132) * t108 - Scalar(4.857528899370533) * (t85 * t105 + t33);
   bool valid = b_2_1_1 > Scalar(0.0);
   valid &= b_3_2_2 > Scalar(0.0);
   valid &= b_4_3_3 > Scalar(0.0);
-  valid &= -t58 > Scalar(0.0);
+  valid &= -t68 > Scalar(0.0);
   for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * qdd[k] < Scalar(1.0);
   return valid;
 }

@@ -350,155 +350,155 @@ static inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Sca
       s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
       c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
       s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
-  const Scalar t1 = qd_1 * qd_1;
-  const Scalar t2 = qd_2 * qd_2;
-  const Scalar c_2_3 = c_2 * s_3 + s_2 * c_3;
-  const Scalar t3 = c_2_3 * (s_2 * qdd_2 + c_2 * (t1 + t2) + Scalar(61.3125) * c_1);
-  const Scalar t4 = c_2 * c_3 - s_2 * s_3;
-  const Scalar t5 = t4 * (c_2 * qdd_2 - s_2 * t2) + t3;
-  const Scalar t6 = c_2_3 * (qdd_1 + Scalar(2.3310271737123758) * t4 * t1);
-  const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar N_3_z = Scalar(0.00023148988883634047) * t6 +
-      Scalar(0.0005426192213171668) * domega_3_z + Scalar(0.000615720268358608) * t5;
-  tau[2] = N_3_z;
-  const Scalar t7 = qd_4 * qd_4;
-  const Scalar t8 = qd_5 * qd_5;
-  const Scalar c_5_6 = c_5 * s_6 + s_5 * c_6;
-  const Scalar t9 = c_5_6 * (s_5 * qdd_5 + c_5 * (t7 + t8) + Scalar(61.3125) * c_4);
-  const Scalar t10 = c_5 * c_6 - s_5 * s_6;
-  const Scalar t11 = t10 * (c_5 * qdd_5 - s_5 * t8) + t9;
-  const Scalar t12 = c_5_6 * (qdd_4 - Scalar(2.3310271737123758) * t10 * t7);
-  const Scalar domega_6_z = qdd_5 + qdd_6;
-  const Scalar N_6_z = Scalar(0.0005426192213171668) * domega_6_z -
-      Scalar(0.00023148988883634047) * t12 + Scalar(0.000615720268358608) * t11;
-  tau[5] = N_6_z;
-  const Scalar t13 = qd_7 * qd_7;
-  const Scalar t14 = qd_8 * qd_8;
-  const Scalar c_8_9 = c_8 * s_9 + s_8 * c_9;
-  const Scalar t15 = c_8_9 * (s_8 * qdd_8 + c_8 * (t13 + t14) + Scalar(61.3125) * c_7);
-  const Scalar t16 = c_8 * c_9 - s_8 * s_9;
-  const Scalar t17 = t16 * (c_8 * qdd_8 - s_8 * t14) + t15;
-  const Scalar t18 = c_8_9 * (qdd_7 + Scalar(2.3310271737123758) * t16 * t13);
-  const Scalar domega_9_z = qdd_8 + qdd_9;
-  const Scalar N_9_z = Scalar(0.00023148988883634047) * t18 +
-      Scalar(0.0005426192213171668) * domega_9_z + Scalar(0.000615720268358608) * t17;
-  tau[8] = N_9_z;
-  const Scalar t19 = qd_10 * qd_10;
-  const Scalar t20 = qd_11 * qd_11;
+  const Scalar t1 = c_11 * c_12 - s_11 * s_12;
   const Scalar c_11_12 = c_11 * s_12 + s_11 * c_12;
-  const Scalar t21 = c_11_12 * (s_11 * qdd_11 + c_11 * (t19 + t20) + Scalar(61.3125) * c_10);
-  const Scalar t22 = c_11 * c_12 - s_11 * s_12;
-  const Scalar t23 = t22 * (c_11 * qdd_11 - s_11 * t20) + t21;
-  const Scalar t24 = c_11_12 * (qdd_10 - Scalar(2.3310271737123758) * t22 * t19);
-  const Scalar domega_12_z = qdd_11 + qdd_12;
-  const Scalar N_12_z = Scalar(0.0005426192213171668) * domega_12_z -
-      Scalar(0.00023148988883634047) * t24 + Scalar(0.000615720268358608) * t23;
-  tau[11] = N_12_z;
-  const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t25 = c_11_12 * omega_12_z;
-  const Scalar t26 = c_11 * (t22 * domega_12_z - omega_12_z * t25);
-  const Scalar t27 = omega_12_z * omega_12_z;
-  const Scalar t28 = c_11_12 * domega_12_z;
-  const Scalar t29 = t26 + s_11 * (t22 * (t19 + t27) + t28);
   const Scalar I_t11_g = Scalar(3.21970574695491e-07) * c_11 + Scalar(0.0022644781431582876) * s_11;
-  const Scalar t30 = c_11 * I_t11_g - Scalar(1.609852873477455e-07);
-  const Scalar mr_11_y = c_11 + Scalar(8659.923823660012) * s_11;
-  const Scalar I_11_yz = Scalar(6.823068516838894e-08) * c_11 +
-      Scalar(0.0007940924716883453) * s_11;
-  tau[10] = Scalar(0.000615720268358608) * t29 - qdd_10 * I_11_yz + t19 * t30 +
-      Scalar(0.0022955781994879005) * qdd_11 + N_12_z +
-      Scalar(0.000020065123418265) * c_10 * mr_11_y;
-  const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar t31 = c_8_9 * omega_9_z;
-  const Scalar t32 = c_8 * (t16 * domega_9_z - omega_9_z * t31);
-  const Scalar t33 = omega_9_z * omega_9_z;
-  const Scalar t34 = c_8_9 * domega_9_z;
-  const Scalar t35 = t32 + s_8 * (t16 * (t13 + t33) + t34);
-  const Scalar t36 = Scalar(3.21970574695491e-07) * c_8 - Scalar(0.0022644781431582876) * s_8;
-  const Scalar I_8_xy = c_8 * t36 - Scalar(1.609852873477455e-07);
-  const Scalar t37 = c_7 * (c_8 - Scalar(8659.923823660012) * s_8);
-  const Scalar I_8_yz = Scalar(6.823068516838894e-08) * c_8 - Scalar(0.0007940924716883453) * s_8;
-  tau[7] = Scalar(0.000615720268358608) * t35 - qdd_7 * I_8_yz - t13 * I_8_xy +
-      Scalar(0.0022955781994879005) * qdd_8 + N_9_z - Scalar(0.000020065123418265) * t37;
-  const Scalar t38 = qd_7 * t31;
-  const Scalar t39 = t33 + Scalar(2.6598149554338075) * c_8 * qdd_7 -
-      Scalar(4.6620543474247516) * t38 - Scalar(5.319629910867615) * s_8 * qd_7 * qd_8 +
-      Scalar(163.07990445503535) * s_7;
-  const Scalar t40 = qd_8 * (Scalar(6.823068516838894e-08) * s_8 +
-      Scalar(0.0007940924716883453) * c_8) + Scalar(2.0) * qd_7 * I_8_xy;
-  const Scalar t41 = c_8 * (Scalar(0.000615720268358608) * t16 * qdd_7 -
-      Scalar(0.001231440536717216) * t38);
-  const Scalar t42 = qdd_7 * (Scalar(0.0005396092213171668) * c_8_9 * c_8_9 - s_8 * t36 -
+  const Scalar t2 = c_11 * I_t11_g - Scalar(1.609852873477455e-07);
+  const Scalar t3 = qdd_10 * (Scalar(0.0005396092213171668) * c_11_12 * c_11_12 + s_11 * I_t11_g -
       Scalar(0.0031799702681776175));
-  const Scalar mr_8_x = Scalar(0.00011547445686160344) * s_8 + c_8;
-  tau[6] = t41 - qdd_8 * I_8_yz + Scalar(0.00023148988883634047) * (t34 + t16 * t39) + qd_8 * t40 +
-      Scalar(0.08509272390476785) * c_7 - t42 + Scalar(0.1737624403145115) * s_7 * mr_8_x;
-  const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t43 = c_5_6 * omega_6_z;
-  const Scalar t44 = c_5 * (t10 * domega_6_z - omega_6_z * t43);
-  const Scalar t45 = omega_6_z * omega_6_z;
-  const Scalar t46 = c_5_6 * domega_6_z;
-  const Scalar t47 = t44 + s_5 * (t10 * (t7 + t45) + t46);
-  const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
-  const Scalar t48 = c_5 * I_t5_g - Scalar(1.609852873477455e-07);
-  const Scalar mr_5_y = c_5 + Scalar(8659.923823660012) * s_5;
-  const Scalar I_5_yz = Scalar(6.823068516838894e-08) * c_5 + Scalar(0.0007940924716883453) * s_5;
-  tau[4] = Scalar(0.000615720268358608) * t47 - qdd_4 * I_5_yz + t7 * t48 +
-      Scalar(0.0022955781994879005) * qdd_5 + N_6_z + Scalar(0.000020065123418265) * c_4 * mr_5_y;
-  const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t49 = c_2_3 * omega_3_z;
-  const Scalar t50 = c_2 * (t4 * domega_3_z - omega_3_z * t49);
-  const Scalar t51 = omega_3_z * omega_3_z;
-  const Scalar t52 = c_2_3 * domega_3_z;
-  const Scalar t53 = t50 + s_2 * (t4 * (t1 + t51) + t52);
-  const Scalar t54 = Scalar(3.21970574695491e-07) * c_2 - Scalar(0.0022644781431582876) * s_2;
-  const Scalar I_2_xy = c_2 * t54 - Scalar(1.609852873477455e-07);
-  const Scalar t55 = c_1 * (c_2 - Scalar(8659.923823660012) * s_2);
-  const Scalar I_2_yz = Scalar(6.823068516838894e-08) * c_2 - Scalar(0.0007940924716883453) * s_2;
-  tau[1] = Scalar(0.000615720268358608) * t53 - qdd_1 * I_2_yz - t1 * I_2_xy +
-      Scalar(0.0022955781994879005) * qdd_2 + N_3_z - Scalar(0.000020065123418265) * t55;
-  const Scalar t56 = qd_1 * t49;
-  const Scalar t57 = t51 + Scalar(2.6598149554338075) * c_2 * qdd_1 -
-      Scalar(4.6620543474247516) * t56 - Scalar(5.319629910867615) * s_2 * qd_1 * qd_2 +
-      Scalar(163.07990445503535) * s_1;
-  const Scalar t58 = qd_2 * (Scalar(6.823068516838894e-08) * s_2 +
-      Scalar(0.0007940924716883453) * c_2) + Scalar(2.0) * qd_1 * I_2_xy;
-  const Scalar t59 = c_2 * (Scalar(0.000615720268358608) * t4 * qdd_1 -
-      Scalar(0.001231440536717216) * t56);
-  const Scalar t60 = qdd_1 * (Scalar(0.0005396092213171668) * c_2_3 * c_2_3 - s_2 * t54 -
-      Scalar(0.0031799702681776175));
-  const Scalar mr_2_x = Scalar(0.00011547445686160344) * s_2 + c_2;
-  tau[0] = t59 - qdd_2 * I_2_yz + Scalar(0.00023148988883634047) * (t52 + t4 * t57) + qd_2 * t58 +
-      Scalar(0.08509272390476785) * c_1 - t60 + Scalar(0.1737624403145115) * s_1 * mr_2_x;
-  const Scalar t61 = qd_10 * t25;
-  const Scalar t62 = Scalar(2.6598149554338075) * c_11 * qdd_10 - t27 -
-      Scalar(4.6620543474247516) * t61 - Scalar(5.319629910867615) * s_11 * qd_10 * qd_11 +
-      Scalar(163.07990445503535) * s_10;
   const Scalar I_11_xz = Scalar(0.0007940924716883453) * c_11 -
       Scalar(6.823068516838894e-08) * s_11;
-  const Scalar t63 = qd_11 * (qd_11 * I_11_xz + Scalar(2.0) * qd_10 * t30);
-  const Scalar t64 = c_11 * (Scalar(0.000615720268358608) * t22 * qdd_10 -
-      Scalar(0.001231440536717216) * t61);
-  const Scalar t65 = qdd_10 * (Scalar(0.0005396092213171668) * c_11_12 * c_11_12 + s_11 * I_t11_g -
-      Scalar(0.0031799702681776175));
+  const Scalar t4 = qd_11 * (qd_11 * I_11_xz + Scalar(2.0) * qd_10 * t2);
+  const Scalar omega_12_z = qd_11 + qd_12;
+  const Scalar t5 = omega_12_z * omega_12_z;
+  const Scalar t6 = c_11_12 * omega_12_z;
+  const Scalar t7 = qd_10 * t6;
+  const Scalar t8 = Scalar(2.6598149554338075) * c_11 * qdd_10 - t5 -
+      Scalar(4.6620543474247516) * t7 - Scalar(5.319629910867615) * s_11 * qd_10 * qd_11 +
+      Scalar(163.07990445503535) * s_10;
+  const Scalar t9 = c_11 * (Scalar(0.000615720268358608) * t1 * qdd_10 -
+      Scalar(0.001231440536717216) * t7);
+  const Scalar domega_12_z = qdd_11 + qdd_12;
+  const Scalar t10 = c_11 * (t1 * domega_12_z - omega_12_z * t6);
+  const Scalar t11 = c_11_12 * domega_12_z;
+  const Scalar I_11_yz = Scalar(6.823068516838894e-08) * c_11 +
+      Scalar(0.0007940924716883453) * s_11;
   const Scalar mr_11_x = c_11 - Scalar(0.00011547445686160344) * s_11;
-  const Scalar t66 = qdd_11 * I_11_yz - t64 + Scalar(0.00023148988883634047) * (t28 - t22 * t62) +
-      t63 + Scalar(0.08509272390476785) * c_10 + t65 - Scalar(0.1737624403145115) * s_10 * mr_11_x;
-  tau[9] = -t66;
-  const Scalar t67 = qd_4 * t43;
-  const Scalar t68 = Scalar(2.6598149554338075) * c_5 * qdd_4 - t45 -
-      Scalar(4.6620543474247516) * t67 - Scalar(5.319629910867615) * s_5 * qd_4 * qd_5 +
-      Scalar(163.07990445503535) * s_4;
-  const Scalar I_5_xz = Scalar(0.0007940924716883453) * c_5 - Scalar(6.823068516838894e-08) * s_5;
-  const Scalar t69 = qd_5 * (qd_5 * I_5_xz + Scalar(2.0) * qd_4 * t48);
-  const Scalar t70 = c_5 * (Scalar(0.000615720268358608) * t10 * qdd_4 -
-      Scalar(0.001231440536717216) * t67);
-  const Scalar t71 = qdd_4 * (Scalar(0.0005396092213171668) * c_5_6 * c_5_6 + s_5 * I_t5_g -
+  const Scalar t12 = qdd_11 * I_11_yz - t9 + Scalar(0.00023148988883634047) * (t11 - t1 * t8) + t4 +
+      Scalar(0.08509272390476785) * c_10 + t3 - Scalar(0.1737624403145115) * s_10 * mr_11_x;
+  tau[9] = -t12;
+  const Scalar t13 = qd_10 * qd_10;
+  const Scalar t14 = t10 + s_11 * (t1 * (t13 + t5) + t11);
+  const Scalar t15 = qd_11 * qd_11;
+  const Scalar t16 = c_11_12 * (s_11 * qdd_11 + c_11 * (t13 + t15) + Scalar(61.3125) * c_10);
+  const Scalar t17 = t1 * (c_11 * qdd_11 - s_11 * t15) + t16;
+  const Scalar t18 = c_11_12 * (qdd_10 - Scalar(2.3310271737123758) * t1 * t13);
+  const Scalar N_12_z = Scalar(0.0005426192213171668) * domega_12_z -
+      Scalar(0.00023148988883634047) * t18 + Scalar(0.000615720268358608) * t17;
+  tau[11] = N_12_z;
+  const Scalar mr_11_y = c_11 + Scalar(8659.923823660012) * s_11;
+  tau[10] = Scalar(0.000615720268358608) * t14 - qdd_10 * I_11_yz + t13 * t2 +
+      Scalar(0.0022955781994879005) * qdd_11 + N_12_z +
+      Scalar(0.000020065123418265) * c_10 * mr_11_y;
+  const Scalar t19 = c_5 * c_6 - s_5 * s_6;
+  const Scalar c_5_6 = c_5 * s_6 + s_5 * c_6;
+  const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
+  const Scalar t20 = c_5 * I_t5_g - Scalar(1.609852873477455e-07);
+  const Scalar t21 = qdd_4 * (Scalar(0.0005396092213171668) * c_5_6 * c_5_6 + s_5 * I_t5_g -
       Scalar(0.0031799702681776175));
+  const Scalar I_5_xz = Scalar(0.0007940924716883453) * c_5 - Scalar(6.823068516838894e-08) * s_5;
+  const Scalar t22 = qd_5 * (qd_5 * I_5_xz + Scalar(2.0) * qd_4 * t20);
+  const Scalar omega_6_z = qd_5 + qd_6;
+  const Scalar t23 = omega_6_z * omega_6_z;
+  const Scalar t24 = c_5_6 * omega_6_z;
+  const Scalar t25 = qd_4 * t24;
+  const Scalar t26 = Scalar(2.6598149554338075) * c_5 * qdd_4 - t23 -
+      Scalar(4.6620543474247516) * t25 - Scalar(5.319629910867615) * s_5 * qd_4 * qd_5 +
+      Scalar(163.07990445503535) * s_4;
+  const Scalar t27 = c_5 * (Scalar(0.000615720268358608) * t19 * qdd_4 -
+      Scalar(0.001231440536717216) * t25);
+  const Scalar domega_6_z = qdd_5 + qdd_6;
+  const Scalar t28 = c_5 * (t19 * domega_6_z - omega_6_z * t24);
+  const Scalar t29 = c_5_6 * domega_6_z;
+  const Scalar I_5_yz = Scalar(6.823068516838894e-08) * c_5 + Scalar(0.0007940924716883453) * s_5;
   const Scalar mr_5_x = c_5 - Scalar(0.00011547445686160344) * s_5;
-  const Scalar t72 = qdd_5 * I_5_yz - t70 + Scalar(0.00023148988883634047) * (t46 - t10 * t68) +
-      t69 + Scalar(0.08509272390476785) * c_4 + t71 - Scalar(0.1737624403145115) * s_4 * mr_5_x;
-  tau[3] = -t72;
+  const Scalar t30 = qdd_5 * I_5_yz - t27 + Scalar(0.00023148988883634047) * (t29 - t19 * t26) +
+      t22 + Scalar(0.08509272390476785) * c_4 + t21 - Scalar(0.1737624403145115) * s_4 * mr_5_x;
+  tau[3] = -t30;
+  const Scalar t31 = qd_4 * qd_4;
+  const Scalar t32 = t28 + s_5 * (t19 * (t31 + t23) + t29);
+  const Scalar t33 = qd_5 * qd_5;
+  const Scalar t34 = c_5_6 * (s_5 * qdd_5 + c_5 * (t31 + t33) + Scalar(61.3125) * c_4);
+  const Scalar t35 = t19 * (c_5 * qdd_5 - s_5 * t33) + t34;
+  const Scalar t36 = c_5_6 * (qdd_4 - Scalar(2.3310271737123758) * t19 * t31);
+  const Scalar N_6_z = Scalar(0.0005426192213171668) * domega_6_z -
+      Scalar(0.00023148988883634047) * t36 + Scalar(0.000615720268358608) * t35;
+  tau[5] = N_6_z;
+  const Scalar mr_5_y = c_5 + Scalar(8659.923823660012) * s_5;
+  tau[4] = Scalar(0.000615720268358608) * t32 - qdd_4 * I_5_yz + t31 * t20 +
+      Scalar(0.0022955781994879005) * qdd_5 + N_6_z + Scalar(0.000020065123418265) * c_4 * mr_5_y;
+  const Scalar t37 = c_8 * c_9 - s_8 * s_9;
+  const Scalar c_8_9 = c_8 * s_9 + s_8 * c_9;
+  const Scalar omega_9_z = qd_8 + qd_9;
+  const Scalar t38 = omega_9_z * omega_9_z;
+  const Scalar t39 = c_8_9 * omega_9_z;
+  const Scalar t40 = qd_7 * t39;
+  const Scalar t41 = t38 + Scalar(2.6598149554338075) * c_8 * qdd_7 -
+      Scalar(4.6620543474247516) * t40 - Scalar(5.319629910867615) * s_8 * qd_7 * qd_8 +
+      Scalar(163.07990445503535) * s_7;
+  const Scalar t42 = c_8 * (Scalar(0.000615720268358608) * t37 * qdd_7 -
+      Scalar(0.001231440536717216) * t40);
+  const Scalar t43 = Scalar(3.21970574695491e-07) * c_8 - Scalar(0.0022644781431582876) * s_8;
+  const Scalar t44 = qdd_7 * (Scalar(0.0005396092213171668) * c_8_9 * c_8_9 - s_8 * t43 -
+      Scalar(0.0031799702681776175));
+  const Scalar I_8_xy = c_8 * t43 - Scalar(1.609852873477455e-07);
+  const Scalar domega_9_z = qdd_8 + qdd_9;
+  const Scalar t45 = c_8 * (t37 * domega_9_z - omega_9_z * t39);
+  const Scalar t46 = c_8_9 * domega_9_z;
+  const Scalar I_8_yz = Scalar(6.823068516838894e-08) * c_8 - Scalar(0.0007940924716883453) * s_8;
+  const Scalar t47 = qd_8 * (Scalar(6.823068516838894e-08) * s_8 +
+      Scalar(0.0007940924716883453) * c_8) + Scalar(2.0) * qd_7 * I_8_xy;
+  const Scalar mr_8_x = Scalar(0.00011547445686160344) * s_8 + c_8;
+  tau[6] = t42 - qdd_8 * I_8_yz + Scalar(0.00023148988883634047) * (t46 + t37 * t41) + qd_8 * t47 +
+      Scalar(0.08509272390476785) * c_7 - t44 + Scalar(0.1737624403145115) * s_7 * mr_8_x;
+  const Scalar t48 = qd_7 * qd_7;
+  const Scalar t49 = t45 + s_8 * (t37 * (t48 + t38) + t46);
+  const Scalar t50 = qd_8 * qd_8;
+  const Scalar t51 = c_8_9 * (s_8 * qdd_8 + c_8 * (t48 + t50) + Scalar(61.3125) * c_7);
+  const Scalar t52 = t37 * (c_8 * qdd_8 - s_8 * t50) + t51;
+  const Scalar t53 = c_8_9 * (qdd_7 + Scalar(2.3310271737123758) * t37 * t48);
+  const Scalar N_9_z = Scalar(0.00023148988883634047) * t53 +
+      Scalar(0.0005426192213171668) * domega_9_z + Scalar(0.000615720268358608) * t52;
+  tau[8] = N_9_z;
+  const Scalar t54 = c_7 * (c_8 - Scalar(8659.923823660012) * s_8);
+  tau[7] = Scalar(0.000615720268358608) * t49 - qdd_7 * I_8_yz - t48 * I_8_xy +
+      Scalar(0.0022955781994879005) * qdd_8 + N_9_z - Scalar(0.000020065123418265) * t54;
+  const Scalar t55 = c_2 * c_3 - s_2 * s_3;
+  const Scalar c_2_3 = c_2 * s_3 + s_2 * c_3;
+  const Scalar omega_3_z = qd_2 + qd_3;
+  const Scalar t56 = omega_3_z * omega_3_z;
+  const Scalar t57 = c_2_3 * omega_3_z;
+  const Scalar t58 = qd_1 * t57;
+  const Scalar t59 = t56 + Scalar(2.6598149554338075) * c_2 * qdd_1 -
+      Scalar(4.6620543474247516) * t58 - Scalar(5.319629910867615) * s_2 * qd_1 * qd_2 +
+      Scalar(163.07990445503535) * s_1;
+  const Scalar t60 = c_2 * (Scalar(0.000615720268358608) * t55 * qdd_1 -
+      Scalar(0.001231440536717216) * t58);
+  const Scalar t61 = Scalar(3.21970574695491e-07) * c_2 - Scalar(0.0022644781431582876) * s_2;
+  const Scalar t62 = qdd_1 * (Scalar(0.0005396092213171668) * c_2_3 * c_2_3 - s_2 * t61 -
+      Scalar(0.0031799702681776175));
+  const Scalar I_2_xy = c_2 * t61 - Scalar(1.609852873477455e-07);
+  const Scalar domega_3_z = qdd_2 + qdd_3;
+  const Scalar t63 = c_2 * (t55 * domega_3_z - omega_3_z * t57);
+  const Scalar t64 = c_2_3 * domega_3_z;
+  const Scalar I_2_yz = Scalar(6.823068516838894e-08) * c_2 - Scalar(0.0007940924716883453) * s_2;
+  const Scalar t65 = qd_2 * (Scalar(6.823068516838894e-08) * s_2 +
+      Scalar(0.0007940924716883453) * c_2) + Scalar(2.0) * qd_1 * I_2_xy;
+  const Scalar mr_2_x = Scalar(0.00011547445686160344) * s_2 + c_2;
+  tau[0] = t60 - qdd_2 * I_2_yz + Scalar(0.00023148988883634047) * (t64 + t55 * t59) + qd_2 * t65 +
+      Scalar(0.08509272390476785) * c_1 - t62 + Scalar(0.1737624403145115) * s_1 * mr_2_x;
+  const Scalar t66 = qd_1 * qd_1;
+  const Scalar t67 = t63 + s_2 * (t55 * (t66 + t56) + t64);
+  const Scalar t68 = qd_2 * qd_2;
+  const Scalar t69 = c_2_3 * (s_2 * qdd_2 + c_2 * (t66 + t68) + Scalar(61.3125) * c_1);
+  const Scalar t70 = t55 * (c_2 * qdd_2 - s_2 * t68) + t69;
+  const Scalar t71 = c_2_3 * (qdd_1 + Scalar(2.3310271737123758) * t55 * t66);
+  const Scalar N_3_z = Scalar(0.00023148988883634047) * t71 +
+      Scalar(0.0005426192213171668) * domega_3_z + Scalar(0.000615720268358608) * t70;
+  tau[2] = N_3_z;
+  const Scalar t72 = c_1 * (c_2 - Scalar(8659.923823660012) * s_2);
+  tau[1] = Scalar(0.000615720268358608) * t67 - qdd_1 * I_2_yz - t66 * I_2_xy +
+      Scalar(0.0022955781994879005) * qdd_2 + N_3_z - Scalar(0.000020065123418265) * t72;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -526,172 +526,172 @@ static inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd,
       s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
       c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
       s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
-  const Scalar t1 = qd_2 * qd_2;
-  const Scalar t2 = qd_1 * qd_1;
-  const Scalar t3 = s_2 * qdd_2 + c_2 * (t1 + t2);
-  const Scalar t4 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t5 = Scalar(0.006131963366925577) * qdd_1 - Scalar(0.014293773236512354) * t4 * t2 +
-      Scalar(0.0163098878695209) * t3 + c_1;
-  const Scalar c_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t6 = t4 * (s_2 * t1 - c_2 * qdd_2);
-  const Scalar domega_3_z = qdd_2 + qdd_3;
-  const Scalar N_3_z = Scalar(0.0005426192213171668) * domega_3_z +
-      Scalar(0.000615720268358608) * t6 + Scalar(0.037751348953737156) * c_2_3 * t5;
-  tau[2] = N_3_z;
-  const Scalar t7 = qd_5 * qd_5;
-  const Scalar t8 = qd_4 * qd_4;
-  const Scalar t9 = s_5 * qdd_5 + c_5 * (t7 + t8);
-  const Scalar t10 = s_5 * s_6 - c_5 * c_6;
-  const Scalar t11 = Scalar(-0.006131963366925577) * qdd_4 -
-      Scalar(0.014293773236512354) * t10 * t8 + Scalar(0.0163098878695209) * t9 + c_4;
+  const Scalar t1 = s_5 * s_6 - c_5 * c_6;
   const Scalar c_5_6 = s_5 * c_6 + c_5 * s_6;
-  const Scalar t12 = t10 * (s_5 * t7 - c_5 * qdd_5);
-  const Scalar domega_6_z = qdd_5 + qdd_6;
-  const Scalar N_6_z = Scalar(0.0005426192213171668) * domega_6_z +
-      Scalar(0.000615720268358608) * t12 + Scalar(0.037751348953737156) * c_5_6 * t11;
-  tau[5] = N_6_z;
-  const Scalar t13 = qd_8 * qd_8;
-  const Scalar t14 = qd_7 * qd_7;
-  const Scalar t15 = s_8 * qdd_8 + c_8 * (t13 + t14);
-  const Scalar t16 = s_8 * s_9 - c_8 * c_9;
-  const Scalar t17 = Scalar(0.006131963366925577) * qdd_7 -
-      Scalar(0.014293773236512354) * t16 * t14 + Scalar(0.0163098878695209) * t15 + c_7;
-  const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
-  const Scalar t18 = t16 * (s_8 * t13 - c_8 * qdd_8);
-  const Scalar domega_9_z = qdd_8 + qdd_9;
-  const Scalar N_9_z = Scalar(0.0005426192213171668) * domega_9_z +
-      Scalar(0.000615720268358608) * t18 + Scalar(0.037751348953737156) * c_8_9 * t17;
-  tau[8] = N_9_z;
-  const Scalar t19 = s_11 * s_12 - c_11 * c_12;
-  const Scalar t20 = qd_10 * qd_10;
-  const Scalar t21 = t19 * t20;
-  const Scalar c_11_12 = s_11 * c_12 + c_11 * s_12;
-  const Scalar t22 = c_11_12 * t21;
-  const Scalar domega_12_z = qdd_11 + qdd_12;
-  const Scalar t23 = domega_12_z - t22;
-  const Scalar U_12_yx = t22 + domega_12_z;
-  const Scalar t24 = qd_11 * qd_11;
-  const Scalar t25 = s_11 * qdd_11 + c_11 * (t24 + t20);
-  const Scalar t26 = c_11_12 * (Scalar(2.6598149554338075) * t25 - qdd_10 +
-      Scalar(163.07990445503535) * c_10);
-  const Scalar t27 = s_10 * h_e_2 - c_10 * h_e_3;
-  const Scalar t28 = t19 * h_e_1 - c_11_12 * t27;
-  const Scalar t29 = t19 * (s_11 * t24 - c_11 * qdd_11);
-  const Scalar mu_12_z = Scalar(1.505e-06) * U_12_yx + Scalar(0.000615720268358608) * t29 +
-      Scalar(0.0005411142213171667) * t23 + Scalar(0.00023148988883634047) * t26 +
-      Scalar(0.16) * t28 + s_10 * h_e_6 + c_10 * h_e_5;
-  tau[11] = mu_12_z;
-  const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar t30 = c_8_9 * omega_9_z;
-  const Scalar t31 = c_8_9 * domega_9_z;
-  const Scalar t32 = omega_9_z * omega_9_z;
-  const Scalar t33 = s_8 * (t31 - t16 * (t14 + t32));
-  const Scalar t34 = t33 - c_8 * (omega_9_z * t30 + t16 * domega_9_z);
-  const Scalar t35 = Scalar(3.21970574695491e-07) * c_8 - Scalar(0.0022644781431582876) * s_8;
-  const Scalar I_8_xy = c_8 * t35 - Scalar(1.609852873477455e-07);
-  const Scalar I_8_yz = Scalar(6.823068516838894e-08) * c_8 - Scalar(0.0007940924716883453) * s_8;
-  const Scalar t36 = c_7 * (c_8 - Scalar(8659.923823660012) * s_8);
-  tau[7] = Scalar(0.000615720268358608) * t34 - qdd_7 * I_8_yz - t14 * I_8_xy +
-      Scalar(0.0022955781994879005) * qdd_8 + N_9_z - Scalar(0.000020065123418265) * t36;
-  const Scalar t37 = qd_7 * t30;
-  const Scalar t38 = t32 + Scalar(2.6598149554338075) * c_8 * qdd_7 -
-      Scalar(4.6620543474247516) * t37 - Scalar(5.319629910867615) * s_8 * qd_7 * qd_8 +
-      Scalar(163.07990445503535) * s_7;
-  const Scalar t39 = c_8 * (Scalar(0.5) * t16 * qdd_7 + t37);
-  const Scalar t40 = qd_8 * (Scalar(6.823068516838894e-08) * s_8 +
-      Scalar(0.0007940924716883453) * c_8) + Scalar(2.0) * qd_7 * I_8_xy;
-  const Scalar t41 = qdd_7 * (s_8 * t35 - Scalar(0.0005396092213171668) * c_8_9 * c_8_9 +
-      Scalar(0.0031799702681776175));
-  const Scalar mr_8_x = Scalar(0.00011547445686160344) * s_8 + c_8;
-  tau[6] = -qdd_8 * I_8_yz - Scalar(0.001231440536717216) * t39 +
-      Scalar(0.00023148988883634047) * (t31 - t16 * t38) + qd_8 * t40 +
-      Scalar(0.08509272390476785) * c_7 + t41 + Scalar(0.1737624403145115) * s_7 * mr_8_x;
   const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t42 = c_5_6 * omega_6_z;
-  const Scalar t43 = c_5_6 * domega_6_z;
-  const Scalar t44 = omega_6_z * omega_6_z;
-  const Scalar t45 = s_5 * (t43 - t10 * (t8 + t44));
-  const Scalar t46 = t45 - c_5 * (omega_6_z * t42 + t10 * domega_6_z);
-  const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
-  const Scalar t47 = c_5 * I_t5_g - Scalar(1.609852873477455e-07);
-  const Scalar I_5_yz = Scalar(6.823068516838894e-08) * c_5 + Scalar(0.0007940924716883453) * s_5;
-  const Scalar mr_5_y = c_5 + Scalar(8659.923823660012) * s_5;
-  tau[4] = Scalar(0.000615720268358608) * t46 - qdd_4 * I_5_yz + t8 * t47 +
-      Scalar(0.0022955781994879005) * qdd_5 + N_6_z + Scalar(0.000020065123418265) * c_4 * mr_5_y;
-  const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t48 = c_2_3 * omega_3_z;
-  const Scalar t49 = c_2_3 * domega_3_z;
-  const Scalar t50 = omega_3_z * omega_3_z;
-  const Scalar t51 = s_2 * (t49 - t4 * (t2 + t50));
-  const Scalar t52 = t51 - c_2 * (omega_3_z * t48 + t4 * domega_3_z);
-  const Scalar t53 = Scalar(3.21970574695491e-07) * c_2 - Scalar(0.0022644781431582876) * s_2;
-  const Scalar I_2_xy = c_2 * t53 - Scalar(1.609852873477455e-07);
-  const Scalar I_2_yz = Scalar(6.823068516838894e-08) * c_2 - Scalar(0.0007940924716883453) * s_2;
-  const Scalar t54 = c_1 * (c_2 - Scalar(8659.923823660012) * s_2);
-  tau[1] = Scalar(0.000615720268358608) * t52 - qdd_1 * I_2_yz - t2 * I_2_xy +
-      Scalar(0.0022955781994879005) * qdd_2 + N_3_z - Scalar(0.000020065123418265) * t54;
-  const Scalar t55 = qd_1 * t48;
-  const Scalar t56 = t50 + Scalar(2.6598149554338075) * c_2 * qdd_1 -
-      Scalar(4.6620543474247516) * t55 - Scalar(5.319629910867615) * s_2 * qd_1 * qd_2 +
-      Scalar(163.07990445503535) * s_1;
-  const Scalar t57 = c_2 * (Scalar(0.5) * t4 * qdd_1 + t55);
-  const Scalar t58 = qd_2 * (Scalar(6.823068516838894e-08) * s_2 +
-      Scalar(0.0007940924716883453) * c_2) + Scalar(2.0) * qd_1 * I_2_xy;
-  const Scalar t59 = qdd_1 * (s_2 * t53 - Scalar(0.0005396092213171668) * c_2_3 * c_2_3 +
-      Scalar(0.0031799702681776175));
-  const Scalar mr_2_x = Scalar(0.00011547445686160344) * s_2 + c_2;
-  tau[0] = -qdd_2 * I_2_yz - Scalar(0.001231440536717216) * t57 +
-      Scalar(0.00023148988883634047) * (t49 - t4 * t56) + qd_2 * t58 +
-      Scalar(0.08509272390476785) * c_1 + t59 + Scalar(0.1737624403145115) * s_1 * mr_2_x;
-  const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t60 = t19 * t21 + omega_12_z * omega_12_z;
-  const Scalar t61 = t19 * t27 + c_11_12 * h_e_1;
-  const Scalar t62 = c_12 * (Scalar(0.0038482516772413) * t23 + t28) -
-      s_12 * (Scalar(0.0038482516772413) * t60 + t61);
-  const Scalar I_t11_g = Scalar(3.21970574695491e-07) * c_11 + Scalar(0.0022644781431582876) * s_11;
-  const Scalar t63 = c_11 * I_t11_g - Scalar(1.609852873477455e-07);
-  const Scalar I_11_yz = Scalar(6.823068516838894e-08) * c_11 +
-      Scalar(0.0007940924716883453) * s_11;
-  const Scalar mr_11_y = c_11 + Scalar(8659.923823660012) * s_11;
-  tau[10] = t20 * t63 - qdd_10 * I_11_yz + Scalar(0.0022955781994879005) * qdd_11 +
-      Scalar(0.000020065123418265) * c_10 * mr_11_y + Scalar(0.16) * t62 + mu_12_z;
-  const Scalar t64 = qd_4 * t42;
-  const Scalar t65 = Scalar(2.6598149554338075) * c_5 * qdd_4 - t44 -
-      Scalar(4.6620543474247516) * t64 - Scalar(5.319629910867615) * s_5 * qd_4 * qd_5 +
+  const Scalar t2 = omega_6_z * omega_6_z;
+  const Scalar t3 = c_5_6 * omega_6_z;
+  const Scalar t4 = qd_4 * t3;
+  const Scalar t5 = Scalar(2.6598149554338075) * c_5 * qdd_4 - t2 -
+      Scalar(4.6620543474247516) * t4 - Scalar(5.319629910867615) * s_5 * qd_4 * qd_5 +
       Scalar(163.07990445503535) * s_4;
-  const Scalar t66 = c_5 * (Scalar(0.5) * t10 * qdd_4 + t64);
-  const Scalar I_5_xz = Scalar(0.0007940924716883453) * c_5 - Scalar(6.823068516838894e-08) * s_5;
-  const Scalar t67 = qd_5 * (qd_5 * I_5_xz + Scalar(2.0) * qd_4 * t47);
-  const Scalar t68 = qdd_4 * (Scalar(0.0005396092213171668) * c_5_6 * c_5_6 + s_5 * I_t5_g -
+  const Scalar t6 = c_5 * (Scalar(0.5) * t1 * qdd_4 + t4);
+  const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
+  const Scalar t7 = c_5 * I_t5_g - Scalar(1.609852873477455e-07);
+  const Scalar t8 = qdd_4 * (Scalar(0.0005396092213171668) * c_5_6 * c_5_6 + s_5 * I_t5_g -
       Scalar(0.0031799702681776175));
+  const Scalar I_5_xz = Scalar(0.0007940924716883453) * c_5 - Scalar(6.823068516838894e-08) * s_5;
+  const Scalar t9 = qd_5 * (qd_5 * I_5_xz + Scalar(2.0) * qd_4 * t7);
+  const Scalar domega_6_z = qdd_5 + qdd_6;
+  const Scalar t10 = c_5_6 * domega_6_z;
+  const Scalar I_5_yz = Scalar(6.823068516838894e-08) * c_5 + Scalar(0.0007940924716883453) * s_5;
   const Scalar mr_5_x = c_5 - Scalar(0.00011547445686160344) * s_5;
-  const Scalar t69 = qdd_5 * I_5_yz + Scalar(0.001231440536717216) * t66 +
-      Scalar(0.00023148988883634047) * (t43 + t10 * t65) + t67 + Scalar(0.08509272390476785) * c_4 +
-      t68 - Scalar(0.1737624403145115) * s_4 * mr_5_x;
-  tau[3] = -t69;
-  const Scalar U_12_yy_zz = t20 - t60;
-  const Scalar t70 = Scalar(2.0) * qd_10;
-  const Scalar t71 = t19 * qdd_10 + c_11_12 * omega_12_z * t70;
-  const Scalar t72 = s_10 * h_e_5 - c_10 * h_e_6;
+  const Scalar t11 = qdd_5 * I_5_yz + Scalar(0.001231440536717216) * t6 +
+      Scalar(0.00023148988883634047) * (t10 + t1 * t5) + t9 + Scalar(0.08509272390476785) * c_4 +
+      t8 - Scalar(0.1737624403145115) * s_4 * mr_5_x;
+  tau[3] = -t11;
+  const Scalar t12 = qd_4 * qd_4;
+  const Scalar t13 = s_5 * (t10 - t1 * (t12 + t2));
+  const Scalar t14 = t13 - c_5 * (omega_6_z * t3 + t1 * domega_6_z);
+  const Scalar t15 = qd_5 * qd_5;
+  const Scalar t16 = s_5 * qdd_5 + c_5 * (t15 + t12);
+  const Scalar t17 = Scalar(-0.006131963366925577) * qdd_4 -
+      Scalar(0.014293773236512354) * t1 * t12 + Scalar(0.0163098878695209) * t16 + c_4;
+  const Scalar t18 = t1 * (s_5 * t15 - c_5 * qdd_5);
+  const Scalar N_6_z = Scalar(0.0005426192213171668) * domega_6_z +
+      Scalar(0.000615720268358608) * t18 + Scalar(0.037751348953737156) * c_5_6 * t17;
+  tau[5] = N_6_z;
+  const Scalar mr_5_y = c_5 + Scalar(8659.923823660012) * s_5;
+  tau[4] = Scalar(0.000615720268358608) * t14 - qdd_4 * I_5_yz + t12 * t7 +
+      Scalar(0.0022955781994879005) * qdd_5 + N_6_z + Scalar(0.000020065123418265) * c_4 * mr_5_y;
   const Scalar f_e10_y = s_10 * h_e_3 + c_10 * h_e_2;
+  const Scalar t19 = s_10 * h_e_2 - c_10 * h_e_3;
+  const Scalar omega_12_z = qd_11 + qd_12;
+  const Scalar t20 = s_11 * s_12 - c_11 * c_12;
+  const Scalar c_11_12 = s_11 * c_12 + c_11 * s_12;
+  const Scalar t21 = t20 * t19 + c_11_12 * h_e_1;
+  const Scalar t22 = t20 * h_e_1 - c_11_12 * t19;
+  const Scalar t23 = qd_10 * qd_10;
+  const Scalar t24 = t20 * t23;
+  const Scalar t25 = t20 * t24 + omega_12_z * omega_12_z;
+  const Scalar t26 = c_11_12 * t24;
+  const Scalar U_12_yy_zz = t23 - t25;
+  const Scalar t27 = Scalar(2.0) * qd_10;
+  const Scalar t28 = t20 * qdd_10 + c_11_12 * omega_12_z * t27;
+  const Scalar t29 = s_10 * h_e_5 - c_10 * h_e_6;
   const Scalar mu_12_x = Scalar(0.00023148988883634047) * U_12_yy_zz -
       Scalar(0.001231440536717216) * s_11 * qd_10 * qd_11 +
-      Scalar(0.000615720268358608) * c_11 * qdd_10 - Scalar(0.0005411142213171667) * t71 +
-      Scalar(0.037751348953737156) * s_10 - Scalar(0.05945) * t61 + Scalar(0.16) * f_e10_y -
-      t19 * h_e_4 + c_11_12 * t72;
-  const Scalar t73 = t19 * (t72 - Scalar(3.01e-06) * qd_10 * omega_12_z);
-  const Scalar t74 = c_11_12 * (Scalar(1.505e-06) * qdd_10 + h_e_4);
-  const Scalar mu_12_y = Scalar(0.00023148988883634047) * t23 + Scalar(0.05945) * t28 - t74 - t73;
-  const Scalar f_12_z = f_e10_y - Scalar(0.0038482516772413) * t71;
+      Scalar(0.000615720268358608) * c_11 * qdd_10 - Scalar(0.0005411142213171667) * t28 +
+      Scalar(0.037751348953737156) * s_10 - Scalar(0.05945) * t21 + Scalar(0.16) * f_e10_y -
+      t20 * h_e_4 + c_11_12 * t29;
+  const Scalar t30 = t20 * (t29 - Scalar(3.01e-06) * qd_10 * omega_12_z);
+  const Scalar f_12_z = f_e10_y - Scalar(0.0038482516772413) * t28;
+  const Scalar t31 = c_11_12 * (Scalar(1.505e-06) * qdd_10 + h_e_4);
+  const Scalar domega_12_z = qdd_11 + qdd_12;
+  const Scalar t32 = domega_12_z - t26;
+  const Scalar mu_12_y = Scalar(0.00023148988883634047) * t32 + Scalar(0.05945) * t22 - t31 - t30;
+  const Scalar U_12_yx = t26 + domega_12_z;
+  const Scalar t33 = c_12 * (Scalar(0.0038482516772413) * t32 + t22) -
+      s_12 * (Scalar(0.0038482516772413) * t25 + t21);
+  const Scalar I_t11_g = Scalar(3.21970574695491e-07) * c_11 + Scalar(0.0022644781431582876) * s_11;
+  const Scalar t34 = c_11 * I_t11_g - Scalar(1.609852873477455e-07);
+  const Scalar t35 = qdd_10 * (s_11 * I_t11_g - Scalar(0.0026388560468604506));
   const Scalar I_11_xz = Scalar(0.0007940924716883453) * c_11 -
       Scalar(6.823068516838894e-08) * s_11;
-  const Scalar t75 = qd_11 * (qd_11 * I_11_xz + t70 * t63);
-  const Scalar t76 = qdd_10 * (s_11 * I_t11_g - Scalar(0.0026388560468604506));
+  const Scalar t36 = qd_11 * (qd_11 * I_11_xz + t27 * t34);
+  const Scalar I_11_yz = Scalar(6.823068516838894e-08) * c_11 +
+      Scalar(0.0007940924716883453) * s_11;
   const Scalar mr_11_x = c_11 - Scalar(0.00011547445686160344) * s_11;
-  const Scalar t77 = qdd_11 * I_11_yz + t75 + t76 + Scalar(0.08509272390476785) * c_10 -
-      Scalar(0.1737624403145115) * s_10 * mr_11_x - Scalar(0.16) * c_11 * f_12_z + t19 * mu_12_x +
+  const Scalar t37 = qdd_11 * I_11_yz + t36 + t35 + Scalar(0.08509272390476785) * c_10 -
+      Scalar(0.1737624403145115) * s_10 * mr_11_x - Scalar(0.16) * c_11 * f_12_z + t20 * mu_12_x +
       c_11_12 * mu_12_y;
-  tau[9] = -t77;
+  tau[9] = -t37;
+  const Scalar t38 = qd_11 * qd_11;
+  const Scalar t39 = t20 * (s_11 * t38 - c_11 * qdd_11);
+  const Scalar t40 = s_11 * qdd_11 + c_11 * (t38 + t23);
+  const Scalar t41 = c_11_12 * (Scalar(2.6598149554338075) * t40 - qdd_10 +
+      Scalar(163.07990445503535) * c_10);
+  const Scalar mu_12_z = Scalar(1.505e-06) * U_12_yx + Scalar(0.000615720268358608) * t39 +
+      Scalar(0.0005411142213171667) * t32 + Scalar(0.00023148988883634047) * t41 +
+      Scalar(0.16) * t22 + s_10 * h_e_6 + c_10 * h_e_5;
+  tau[11] = mu_12_z;
+  const Scalar mr_11_y = c_11 + Scalar(8659.923823660012) * s_11;
+  tau[10] = t23 * t34 - qdd_10 * I_11_yz + Scalar(0.0022955781994879005) * qdd_11 +
+      Scalar(0.000020065123418265) * c_10 * mr_11_y + Scalar(0.16) * t33 + mu_12_z;
+  const Scalar t42 = s_8 * s_9 - c_8 * c_9;
+  const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
+  const Scalar omega_9_z = qd_8 + qd_9;
+  const Scalar t43 = omega_9_z * omega_9_z;
+  const Scalar t44 = c_8_9 * omega_9_z;
+  const Scalar t45 = qd_7 * t44;
+  const Scalar t46 = t43 + Scalar(2.6598149554338075) * c_8 * qdd_7 -
+      Scalar(4.6620543474247516) * t45 - Scalar(5.319629910867615) * s_8 * qd_7 * qd_8 +
+      Scalar(163.07990445503535) * s_7;
+  const Scalar t47 = c_8 * (Scalar(0.5) * t42 * qdd_7 + t45);
+  const Scalar t48 = Scalar(3.21970574695491e-07) * c_8 - Scalar(0.0022644781431582876) * s_8;
+  const Scalar t49 = qdd_7 * (s_8 * t48 - Scalar(0.0005396092213171668) * c_8_9 * c_8_9 +
+      Scalar(0.0031799702681776175));
+  const Scalar I_8_xy = c_8 * t48 - Scalar(1.609852873477455e-07);
+  const Scalar domega_9_z = qdd_8 + qdd_9;
+  const Scalar t50 = c_8_9 * domega_9_z;
+  const Scalar I_8_yz = Scalar(6.823068516838894e-08) * c_8 - Scalar(0.0007940924716883453) * s_8;
+  const Scalar t51 = qd_8 * (Scalar(6.823068516838894e-08) * s_8 +
+      Scalar(0.0007940924716883453) * c_8) + Scalar(2.0) * qd_7 * I_8_xy;
+  const Scalar mr_8_x = Scalar(0.00011547445686160344) * s_8 + c_8;
+  tau[6] = -qdd_8 * I_8_yz - Scalar(0.001231440536717216) * t47 +
+      Scalar(0.00023148988883634047) * (t50 - t42 * t46) + qd_8 * t51 +
+      Scalar(0.08509272390476785) * c_7 + t49 + Scalar(0.1737624403145115) * s_7 * mr_8_x;
+  const Scalar t52 = qd_7 * qd_7;
+  const Scalar t53 = s_8 * (t50 - t42 * (t52 + t43));
+  const Scalar t54 = t53 - c_8 * (omega_9_z * t44 + t42 * domega_9_z);
+  const Scalar t55 = qd_8 * qd_8;
+  const Scalar t56 = s_8 * qdd_8 + c_8 * (t55 + t52);
+  const Scalar t57 = Scalar(0.006131963366925577) * qdd_7 -
+      Scalar(0.014293773236512354) * t42 * t52 + Scalar(0.0163098878695209) * t56 + c_7;
+  const Scalar t58 = t42 * (s_8 * t55 - c_8 * qdd_8);
+  const Scalar N_9_z = Scalar(0.0005426192213171668) * domega_9_z +
+      Scalar(0.000615720268358608) * t58 + Scalar(0.037751348953737156) * c_8_9 * t57;
+  tau[8] = N_9_z;
+  const Scalar t59 = c_7 * (c_8 - Scalar(8659.923823660012) * s_8);
+  tau[7] = Scalar(0.000615720268358608) * t54 - qdd_7 * I_8_yz - t52 * I_8_xy +
+      Scalar(0.0022955781994879005) * qdd_8 + N_9_z - Scalar(0.000020065123418265) * t59;
+  const Scalar t60 = s_2 * s_3 - c_2 * c_3;
+  const Scalar c_2_3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar omega_3_z = qd_2 + qd_3;
+  const Scalar t61 = omega_3_z * omega_3_z;
+  const Scalar t62 = c_2_3 * omega_3_z;
+  const Scalar t63 = qd_1 * t62;
+  const Scalar t64 = t61 + Scalar(2.6598149554338075) * c_2 * qdd_1 -
+      Scalar(4.6620543474247516) * t63 - Scalar(5.319629910867615) * s_2 * qd_1 * qd_2 +
+      Scalar(163.07990445503535) * s_1;
+  const Scalar t65 = c_2 * (Scalar(0.5) * t60 * qdd_1 + t63);
+  const Scalar t66 = Scalar(3.21970574695491e-07) * c_2 - Scalar(0.0022644781431582876) * s_2;
+  const Scalar t67 = qdd_1 * (s_2 * t66 - Scalar(0.0005396092213171668) * c_2_3 * c_2_3 +
+      Scalar(0.0031799702681776175));
+  const Scalar I_2_xy = c_2 * t66 - Scalar(1.609852873477455e-07);
+  const Scalar domega_3_z = qdd_2 + qdd_3;
+  const Scalar t68 = c_2_3 * domega_3_z;
+  const Scalar I_2_yz = Scalar(6.823068516838894e-08) * c_2 - Scalar(0.0007940924716883453) * s_2;
+  const Scalar t69 = qd_2 * (Scalar(6.823068516838894e-08) * s_2 +
+      Scalar(0.0007940924716883453) * c_2) + Scalar(2.0) * qd_1 * I_2_xy;
+  const Scalar mr_2_x = Scalar(0.00011547445686160344) * s_2 + c_2;
+  tau[0] = -qdd_2 * I_2_yz - Scalar(0.001231440536717216) * t65 +
+      Scalar(0.00023148988883634047) * (t68 - t60 * t64) + qd_2 * t69 +
+      Scalar(0.08509272390476785) * c_1 + t67 + Scalar(0.1737624403145115) * s_1 * mr_2_x;
+  const Scalar t70 = qd_1 * qd_1;
+  const Scalar t71 = s_2 * (t68 - t60 * (t70 + t61));
+  const Scalar t72 = t71 - c_2 * (omega_3_z * t62 + t60 * domega_3_z);
+  const Scalar t73 = qd_2 * qd_2;
+  const Scalar t74 = s_2 * qdd_2 + c_2 * (t73 + t70);
+  const Scalar t75 = Scalar(0.006131963366925577) * qdd_1 -
+      Scalar(0.014293773236512354) * t60 * t70 + Scalar(0.0163098878695209) * t74 + c_1;
+  const Scalar t76 = t60 * (s_2 * t73 - c_2 * qdd_2);
+  const Scalar N_3_z = Scalar(0.0005426192213171668) * domega_3_z +
+      Scalar(0.000615720268358608) * t76 + Scalar(0.037751348953737156) * c_2_3 * t75;
+  tau[2] = N_3_z;
+  const Scalar t77 = c_1 * (c_2 - Scalar(8659.923823660012) * s_2);
+  tau[1] = Scalar(0.000615720268358608) * t72 - qdd_1 * I_2_yz - t70 * I_2_xy +
+      Scalar(0.0022955781994879005) * qdd_2 + N_3_z - Scalar(0.000020065123418265) * t77;
 }
 
 // The entries of B in inertia_matrix that are not always zero.
@@ -1060,100 +1060,100 @@ static inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
       c_5 = cosine[4], s_6 = sine[5], c_6 = cosine[5], s_8 = sine[7], c_8 = cosine[7],
       s_9 = sine[8], c_9 = cosine[8], s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11],
       c_12 = cosine[11];
+  const Scalar c_2_3 = c_2 * s_3 + s_2 * c_3;
   const Scalar t1 = c_2 * c_3 - s_2 * s_3;
   const Scalar t2 = Scalar(0.000615720268358608) * c_2;
+  const Scalar t3 = Scalar(-0.000615720268358608) * s_2 * t1;
+  const Scalar t4 = t3 + c_2_3 * t2;
   const Scalar dmu_1_3_y = Scalar(0.0005396092213171668) * t1 + t2;
-  const Scalar c_2_3 = c_2 * s_3 + s_2 * c_3;
-  const Scalar t3 = c_2_3 * dmu_1_3_y;
-  const Scalar C_3_1 = qd_1 * t3;
-  C[24] = C_3_1;
-  const Scalar t4 = c_5 * c_6 - s_5 * s_6;
-  const Scalar t5 = Scalar(0.000615720268358608) * c_5;
-  const Scalar dmu_4_6_y = Scalar(0.0005396092213171668) * t4 + t5;
-  const Scalar c_5_6 = c_5 * s_6 + s_5 * c_6;
-  const Scalar t6 = c_5_6 * dmu_4_6_y;
-  const Scalar C_6_4 = qd_4 * t6;
-  C[63] = C_6_4;
-  const Scalar t7 = c_8 * c_9 - s_8 * s_9;
-  const Scalar t8 = Scalar(0.000615720268358608) * c_8;
-  const Scalar dmu_7_9_y = Scalar(0.0005396092213171668) * t7 + t8;
-  const Scalar c_8_9 = c_8 * s_9 + s_8 * c_9;
-  const Scalar t9 = c_8_9 * dmu_7_9_y;
-  const Scalar C_9_7 = qd_7 * t9;
-  C[102] = C_9_7;
-  const Scalar t10 = c_11 * c_12 - s_11 * s_12;
-  const Scalar t11 = Scalar(0.000615720268358608) * c_11;
-  const Scalar dmu_10_12_y = Scalar(0.0005396092213171668) * t10 + t11;
-  const Scalar c_11_12 = c_11 * s_12 + s_11 * c_12;
-  const Scalar t12 = c_11_12 * dmu_10_12_y;
-  const Scalar C_12_10 = qd_10 * t12;
-  C[141] = C_12_10;
-  const Scalar t13 = Scalar(-0.000615720268358608) * s_2 * t1;
-  const Scalar t14 = Scalar(1.609852873477455e-07) + t3 - t13 -
+  const Scalar t5 = c_2_3 * dmu_1_3_y;
+  const Scalar t6 = Scalar(1.609852873477455e-07) + t5 - t3 -
       Scalar(3.21970574695491e-07) * c_2 * (c_2 - Scalar(7033.183530202893) * s_2);
-  const Scalar C_2_1 = qd_1 * t14;
+  C[0] = -qd_3 * t5 - qd_2 * t6;
+  const Scalar C_2_1 = qd_1 * t6;
+  const Scalar C_3_1 = qd_1 * t5;
+  C[25] = qd_2 * t4;
+  C[13] = -qd_3 * t4;
+  C[24] = C_3_1;
   C[12] = C_2_1;
-  const Scalar t15 = t13 + c_2_3 * t2;
-  C[25] = qd_2 * t15;
-  const Scalar t16 = Scalar(-0.000615720268358608) * s_5 * t4;
-  const Scalar I_t5_g = c_5 + Scalar(7033.183530202893) * s_5;
-  const Scalar t17 = t6 - Scalar(1.609852873477455e-07) - t16 +
-      Scalar(3.21970574695491e-07) * c_5 * I_t5_g;
-  const Scalar C_5_4 = qd_4 * t17;
-  C[51] = C_5_4;
-  const Scalar t18 = t16 + c_5_6 * t5;
-  C[64] = qd_5 * t18;
-  const Scalar t19 = Scalar(-0.000615720268358608) * s_8 * t7;
-  const Scalar t20 = Scalar(1.609852873477455e-07) + t9 - t19 -
-      Scalar(3.21970574695491e-07) * c_8 * (c_8 - Scalar(7033.183530202893) * s_8);
-  const Scalar C_8_7 = qd_7 * t20;
-  C[90] = C_8_7;
-  const Scalar t21 = t19 + c_8_9 * t8;
-  C[103] = qd_8 * t21;
-  const Scalar t22 = Scalar(-0.000615720268358608) * s_11 * t10;
-  const Scalar I_t11_g = c_11 + Scalar(7033.183530202893) * s_11;
-  const Scalar t23 = t12 - Scalar(1.609852873477455e-07) - t22 +
-      Scalar(3.21970574695491e-07) * c_11 * I_t11_g;
-  const Scalar C_11_10 = qd_10 * t23;
-  C[129] = C_11_10;
-  const Scalar t24 = t22 + c_11_12 * t11;
-  C[142] = qd_11 * t24;
-  const Scalar t25 = Scalar(-0.00023148988883634047) * t1;
-  const Scalar t26 = qd_2 + qd_3;
-  C[2] = -t25 * t26 - C_3_1;
-  C[13] = -qd_3 * t15;
-  C[14] = -t15 * t26;
-  const Scalar t27 = Scalar(-0.00023148988883634047) * t4;
-  const Scalar t28 = qd_5 + qd_6;
-  C[41] = t27 * t28 - C_6_4;
-  C[52] = -qd_6 * t18;
-  C[53] = -t18 * t28;
-  const Scalar t29 = Scalar(-0.00023148988883634047) * t7;
-  const Scalar t30 = qd_8 + qd_9;
-  C[80] = -t29 * t30 - C_9_7;
-  C[91] = -qd_9 * t21;
-  C[92] = -t21 * t30;
-  const Scalar t31 = Scalar(-0.00023148988883634047) * t10;
-  const Scalar t32 = qd_11 + qd_12;
-  C[119] = t31 * t32 - C_12_10;
-  C[130] = -qd_12 * t24;
-  C[131] = -t24 * t32;
-  C[0] = -qd_3 * t3 - qd_2 * t14;
-  C[39] = -qd_6 * t6 - qd_5 * t17;
-  C[78] = -qd_9 * t9 - qd_8 * t20;
-  C[117] = -qd_12 * t12 - qd_11 * t23;
   const Scalar db_12_2 = Scalar(0.00008592284601731775) * s_2 + Scalar(0.2915150276442773) * t1 +
       c_2;
-  C[1] = -qd_3 * t25 - (C_2_1 - Scalar(0.0007940924716883453) * qd_2 * db_12_2);
-  const Scalar Ic_5_xz = Scalar(0.2915150276442773) * t4 - Scalar(0.00008592284601731775) * s_5 +
+  const Scalar t7 = Scalar(-0.00023148988883634047) * t1;
+  C[1] = -qd_3 * t7 - (C_2_1 - Scalar(0.0007940924716883453) * qd_2 * db_12_2);
+  const Scalar t8 = qd_2 + qd_3;
+  C[2] = -t7 * t8 - C_3_1;
+  C[14] = -t4 * t8;
+  const Scalar c_5_6 = c_5 * s_6 + s_5 * c_6;
+  const Scalar t9 = c_5 * c_6 - s_5 * s_6;
+  const Scalar t10 = Scalar(0.000615720268358608) * c_5;
+  const Scalar t11 = Scalar(-0.000615720268358608) * s_5 * t9;
+  const Scalar t12 = t11 + c_5_6 * t10;
+  const Scalar dmu_4_6_y = Scalar(0.0005396092213171668) * t9 + t10;
+  const Scalar t13 = c_5_6 * dmu_4_6_y;
+  C[64] = qd_5 * t12;
+  C[52] = -qd_6 * t12;
+  const Scalar I_t5_g = c_5 + Scalar(7033.183530202893) * s_5;
+  const Scalar t14 = t13 - Scalar(1.609852873477455e-07) - t11 +
+      Scalar(3.21970574695491e-07) * c_5 * I_t5_g;
+  C[39] = -qd_6 * t13 - qd_5 * t14;
+  const Scalar C_5_4 = qd_4 * t14;
+  const Scalar C_6_4 = qd_4 * t13;
+  C[63] = C_6_4;
+  C[51] = C_5_4;
+  const Scalar Ic_5_xz = Scalar(0.2915150276442773) * t9 - Scalar(0.00008592284601731775) * s_5 +
       c_5;
-  C[40] = qd_6 * t27 - (Scalar(0.0007940924716883453) * qd_5 * Ic_5_xz + C_5_4);
-  const Scalar db_78_8 = Scalar(0.00008592284601731775) * s_8 + Scalar(0.2915150276442773) * t7 +
+  const Scalar t15 = Scalar(-0.00023148988883634047) * t9;
+  C[40] = qd_6 * t15 - (Scalar(0.0007940924716883453) * qd_5 * Ic_5_xz + C_5_4);
+  const Scalar t16 = qd_5 + qd_6;
+  C[41] = t15 * t16 - C_6_4;
+  C[53] = -t12 * t16;
+  const Scalar c_8_9 = c_8 * s_9 + s_8 * c_9;
+  const Scalar t17 = c_8 * c_9 - s_8 * s_9;
+  const Scalar t18 = Scalar(0.000615720268358608) * c_8;
+  const Scalar t19 = Scalar(-0.000615720268358608) * s_8 * t17;
+  const Scalar t20 = t19 + c_8_9 * t18;
+  const Scalar dmu_7_9_y = Scalar(0.0005396092213171668) * t17 + t18;
+  const Scalar t21 = c_8_9 * dmu_7_9_y;
+  const Scalar t22 = Scalar(1.609852873477455e-07) + t21 - t19 -
+      Scalar(3.21970574695491e-07) * c_8 * (c_8 - Scalar(7033.183530202893) * s_8);
+  C[78] = -qd_9 * t21 - qd_8 * t22;
+  const Scalar C_8_7 = qd_7 * t22;
+  const Scalar C_9_7 = qd_7 * t21;
+  C[103] = qd_8 * t20;
+  C[91] = -qd_9 * t20;
+  C[102] = C_9_7;
+  C[90] = C_8_7;
+  const Scalar db_78_8 = Scalar(0.00008592284601731775) * s_8 + Scalar(0.2915150276442773) * t17 +
       c_8;
-  C[79] = -qd_9 * t29 - (C_8_7 - Scalar(0.0007940924716883453) * qd_8 * db_78_8);
-  const Scalar Ic_11_xz = Scalar(0.2915150276442773) * t10 - Scalar(0.00008592284601731775) * s_11 +
+  const Scalar t23 = Scalar(-0.00023148988883634047) * t17;
+  C[79] = -qd_9 * t23 - (C_8_7 - Scalar(0.0007940924716883453) * qd_8 * db_78_8);
+  const Scalar t24 = qd_8 + qd_9;
+  C[80] = -t23 * t24 - C_9_7;
+  C[92] = -t20 * t24;
+  const Scalar c_11_12 = c_11 * s_12 + s_11 * c_12;
+  const Scalar t25 = c_11 * c_12 - s_11 * s_12;
+  const Scalar t26 = Scalar(0.000615720268358608) * c_11;
+  const Scalar t27 = Scalar(-0.000615720268358608) * s_11 * t25;
+  const Scalar t28 = t27 + c_11_12 * t26;
+  const Scalar dmu_10_12_y = Scalar(0.0005396092213171668) * t25 + t26;
+  const Scalar t29 = c_11_12 * dmu_10_12_y;
+  C[142] = qd_11 * t28;
+  C[130] = -qd_12 * t28;
+  const Scalar I_t11_g = c_11 + Scalar(7033.183530202893) * s_11;
+  const Scalar t30 = t29 - Scalar(1.609852873477455e-07) - t27 +
+      Scalar(3.21970574695491e-07) * c_11 * I_t11_g;
+  C[117] = -qd_12 * t29 - qd_11 * t30;
+  const Scalar C_11_10 = qd_10 * t30;
+  const Scalar C_12_10 = qd_10 * t29;
+  C[141] = C_12_10;
+  C[129] = C_11_10;
+  const Scalar Ic_11_xz = Scalar(0.2915150276442773) * t25 - Scalar(0.00008592284601731775) * s_11 +
       c_11;
+  const Scalar t31 = Scalar(-0.00023148988883634047) * t25;
   C[118] = qd_12 * t31 - (Scalar(0.0007940924716883453) * qd_11 * Ic_11_xz + C_11_10);
+  const Scalar t32 = qd_11 + qd_12;
+  C[119] = t31 * t32 - C_12_10;
+  C[131] = -t28 * t32;
   C[3] = C[4] = C[5] = C[6] = C[7] = C[8] = C[9] = C[10] = Scalar(0.0);
   C[11] = C[15] = C[16] = C[17] = C[18] = C[19] = C[20] = C[21] = Scalar(0.0);
   C[22] = C[23] = C[26] = C[27] = C[28] = C[29] = C[30] = C[31] = Scalar(0.0);
@@ -1238,121 +1238,121 @@ static inline void bias(const Scalar* q, const Scalar* qd, Scalar* n,
       s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
   const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
   const Scalar t1 = s_8 * s_9 - c_8 * c_9;
-  const Scalar t2 = c_8_9 * t1;
   const Scalar omega_9_z = qd_8 + qd_9;
-  const Scalar t3 = qd_7 * omega_9_z;
-  const Scalar t4 = qd_8 * Scalar(2.0) * qd_7;
-  const Scalar t5 = Scalar(61.3125) * s_7;
-  const Scalar t6 = Scalar(-0.000615720268358608) * t1;
-  const Scalar t7 = (s_8 * t4 - t5) * t6;
+  const Scalar t2 = qd_7 * omega_9_z;
+  const Scalar t3 = omega_9_z * omega_9_z;
+  const Scalar t4 = qd_8 * qd_8;
+  const Scalar t5 = qd_8 * Scalar(2.0) * qd_7;
+  const Scalar t6 = Scalar(61.3125) * s_7;
+  const Scalar t7 = c_8_9 * t1;
+  const Scalar t8 = Scalar(-0.000615720268358608) * t1;
+  const Scalar t9 = (s_8 * t5 - t6) * t8;
+  const Scalar t10 = s_8 * t8;
   const Scalar I_8_xy = c_8 * (Scalar(3.21970574695491e-07) * c_8 -
       Scalar(0.0022644781431582876) * s_8) - Scalar(1.609852873477455e-07);
-  const Scalar t8 = omega_9_z * omega_9_z;
-  const Scalar t9 = qd_8 * qd_8;
-  const Scalar t10 = t9 * (Scalar(6.823068516838894e-08) * s_8 +
+  const Scalar t11 = t4 * (Scalar(6.823068516838894e-08) * s_8 +
       Scalar(0.0007940924716883453) * c_8);
   const Scalar mr_8_x = Scalar(3.2725991304e-07) * s_8 + Scalar(0.002834045917464) * c_8;
-  n[6] = Scalar(0.0010792184426343335) * t2 * t3 - Scalar(0.00023148988883634047) * t1 * t8 -
-      Scalar(0.001231440536717216) * c_8 * c_8_9 * t3 + t10 - t7 + t4 * I_8_xy +
-      Scalar(0.08509272390476785) * c_7 + mr_8_x * t5;
+  n[6] = Scalar(0.0010792184426343335) * t7 * t2 - Scalar(0.00023148988883634047) * t1 * t3 -
+      Scalar(0.001231440536717216) * c_8 * c_8_9 * t2 + t11 - t9 + t5 * I_8_xy +
+      Scalar(0.08509272390476785) * c_7 + mr_8_x * t6;
+  const Scalar t12 = Scalar(0.000615720268358608) * c_8_9;
   const Scalar c_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t11 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t12 = c_2_3 * t11;
+  const Scalar t13 = s_2 * s_3 - c_2 * c_3;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t13 = qd_1 * omega_3_z;
-  const Scalar t14 = qd_2 * Scalar(2.0) * qd_1;
-  const Scalar t15 = Scalar(61.3125) * s_1;
-  const Scalar t16 = Scalar(-0.000615720268358608) * t11;
-  const Scalar t17 = (s_2 * t14 - t15) * t16;
+  const Scalar t14 = qd_1 * omega_3_z;
+  const Scalar t15 = omega_3_z * omega_3_z;
+  const Scalar t16 = qd_2 * qd_2;
+  const Scalar t17 = qd_2 * Scalar(2.0) * qd_1;
+  const Scalar t18 = Scalar(61.3125) * s_1;
+  const Scalar t19 = c_2_3 * t13;
+  const Scalar t20 = Scalar(-0.000615720268358608) * t13;
+  const Scalar t21 = (s_2 * t17 - t18) * t20;
+  const Scalar t22 = s_2 * t20;
   const Scalar I_2_xy = c_2 * (Scalar(3.21970574695491e-07) * c_2 -
       Scalar(0.0022644781431582876) * s_2) - Scalar(1.609852873477455e-07);
-  const Scalar t18 = omega_3_z * omega_3_z;
-  const Scalar t19 = qd_2 * qd_2;
-  const Scalar t20 = t19 * (Scalar(6.823068516838894e-08) * s_2 +
+  const Scalar t23 = t16 * (Scalar(6.823068516838894e-08) * s_2 +
       Scalar(0.0007940924716883453) * c_2);
   const Scalar mr_2_x = Scalar(3.2725991304e-07) * s_2 + Scalar(0.002834045917464) * c_2;
-  n[0] = Scalar(0.0010792184426343335) * t12 * t13 - Scalar(0.00023148988883634047) * t11 * t18 -
-      Scalar(0.001231440536717216) * c_2 * c_2_3 * t13 + t20 - t17 + t14 * I_2_xy +
-      Scalar(0.08509272390476785) * c_1 + mr_2_x * t15;
+  n[0] = Scalar(0.0010792184426343335) * t19 * t14 - Scalar(0.00023148988883634047) * t13 * t15 -
+      Scalar(0.001231440536717216) * c_2 * c_2_3 * t14 + t23 - t21 + t17 * I_2_xy +
+      Scalar(0.08509272390476785) * c_1 + mr_2_x * t18;
+  const Scalar t24 = Scalar(0.000615720268358608) * c_2_3;
+  const Scalar c_5_6 = s_5 * c_6 + c_5 * s_6;
+  const Scalar t25 = s_5 * s_6 - c_5 * c_6;
+  const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
+  const Scalar t26 = c_5 * I_t5_g - Scalar(1.609852873477455e-07);
+  const Scalar omega_6_z = qd_5 + qd_6;
+  const Scalar t27 = qd_4 * omega_6_z;
+  const Scalar t28 = omega_6_z * omega_6_z;
+  const Scalar t29 = qd_5 * qd_5;
+  const Scalar t30 = qd_5 * Scalar(2.0) * qd_4;
+  const Scalar t31 = Scalar(61.3125) * s_4;
+  const Scalar t32 = c_5_6 * t25;
+  const Scalar t33 = Scalar(-0.000615720268358608) * t25;
+  const Scalar t34 = (s_5 * t30 - t31) * t33;
+  const Scalar t35 = s_5 * t33;
+  const Scalar I_5_xz = Scalar(0.0007940924716883453) * c_5 - Scalar(6.823068516838894e-08) * s_5;
+  const Scalar mr_5_x = Scalar(0.002834045917464) * c_5 - Scalar(3.2725991304e-07) * s_5;
+  const Scalar t36 = Scalar(0.001231440536717216) * c_5 * c_5_6 * t27 -
+      Scalar(0.00023148988883634047) * t25 * t28 - Scalar(0.0010792184426343335) * t32 * t27 +
+      t29 * I_5_xz + t34 + t30 * t26 + Scalar(0.08509272390476785) * c_4 - mr_5_x * t31;
+  n[3] = -t36;
+  const Scalar t37 = Scalar(0.000615720268358608) * c_5_6;
+  const Scalar t38 = qd_4 * qd_4;
+  const Scalar t39 = Scalar(61.3125) * c_4;
+  const Scalar t40 = (c_5 * (t29 + t38) + t39) * t37;
+  const Scalar t41 = Scalar(0.0005396092213171668) * t38 * t32 + t29 * t35 - t40;
+  n[5] = -t41;
+  const Scalar mr_5_y = Scalar(3.2725991304e-07) * c_5 + Scalar(0.002834045917464) * s_5;
+  const Scalar t42 = c_5 * t28 * t37 - (t38 + t28) * t35 - t38 * t26 + t41 - mr_5_y * t39;
+  n[4] = -t42;
   const Scalar c_11_12 = s_11 * c_12 + c_11 * s_12;
-  const Scalar t21 = s_11 * s_12 - c_11 * c_12;
-  const Scalar t22 = c_11_12 * t21;
-  const Scalar omega_12_z = qd_11 + qd_12;
-  const Scalar t23 = qd_10 * omega_12_z;
-  const Scalar t24 = qd_11 * Scalar(2.0) * qd_10;
-  const Scalar t25 = Scalar(61.3125) * s_10;
-  const Scalar t26 = Scalar(-0.000615720268358608) * t21;
-  const Scalar t27 = (s_11 * t24 - t25) * t26;
+  const Scalar t43 = s_11 * s_12 - c_11 * c_12;
   const Scalar I_t11_g = Scalar(3.21970574695491e-07) * c_11 + Scalar(0.0022644781431582876) * s_11;
-  const Scalar t28 = c_11 * I_t11_g - Scalar(1.609852873477455e-07);
-  const Scalar t29 = omega_12_z * omega_12_z;
+  const Scalar t44 = c_11 * I_t11_g - Scalar(1.609852873477455e-07);
+  const Scalar omega_12_z = qd_11 + qd_12;
+  const Scalar t45 = qd_10 * omega_12_z;
+  const Scalar t46 = omega_12_z * omega_12_z;
+  const Scalar t47 = qd_11 * qd_11;
+  const Scalar t48 = qd_11 * Scalar(2.0) * qd_10;
+  const Scalar t49 = Scalar(61.3125) * s_10;
+  const Scalar t50 = c_11_12 * t43;
+  const Scalar t51 = Scalar(-0.000615720268358608) * t43;
+  const Scalar t52 = (s_11 * t48 - t49) * t51;
+  const Scalar t53 = s_11 * t51;
   const Scalar I_11_xz = Scalar(0.0007940924716883453) * c_11 -
       Scalar(6.823068516838894e-08) * s_11;
-  const Scalar t30 = qd_11 * qd_11;
   const Scalar mr_11_x = Scalar(0.002834045917464) * c_11 - Scalar(3.2725991304e-07) * s_11;
-  const Scalar t31 = Scalar(0.001231440536717216) * c_11 * c_11_12 * t23 -
-      Scalar(0.00023148988883634047) * t21 * t29 - Scalar(0.0010792184426343335) * t22 * t23 +
-      t30 * I_11_xz + t27 + t24 * t28 + Scalar(0.08509272390476785) * c_10 - mr_11_x * t25;
-  n[9] = -t31;
-  const Scalar c_5_6 = s_5 * c_6 + c_5 * s_6;
-  const Scalar t32 = s_5 * s_6 - c_5 * c_6;
-  const Scalar t33 = c_5_6 * t32;
-  const Scalar omega_6_z = qd_5 + qd_6;
-  const Scalar t34 = qd_4 * omega_6_z;
-  const Scalar t35 = qd_5 * Scalar(2.0) * qd_4;
-  const Scalar t36 = Scalar(61.3125) * s_4;
-  const Scalar t37 = Scalar(-0.000615720268358608) * t32;
-  const Scalar t38 = (s_5 * t35 - t36) * t37;
-  const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
-  const Scalar t39 = c_5 * I_t5_g - Scalar(1.609852873477455e-07);
-  const Scalar t40 = omega_6_z * omega_6_z;
-  const Scalar I_5_xz = Scalar(0.0007940924716883453) * c_5 - Scalar(6.823068516838894e-08) * s_5;
-  const Scalar t41 = qd_5 * qd_5;
-  const Scalar mr_5_x = Scalar(0.002834045917464) * c_5 - Scalar(3.2725991304e-07) * s_5;
-  const Scalar t42 = Scalar(0.001231440536717216) * c_5 * c_5_6 * t34 -
-      Scalar(0.00023148988883634047) * t32 * t40 - Scalar(0.0010792184426343335) * t33 * t34 +
-      t41 * I_5_xz + t38 + t35 * t39 + Scalar(0.08509272390476785) * c_4 - mr_5_x * t36;
-  n[3] = -t42;
-  const Scalar t43 = s_2 * t16;
-  const Scalar t44 = qd_1 * qd_1;
-  const Scalar t45 = Scalar(61.3125) * c_1;
-  const Scalar t46 = Scalar(0.000615720268358608) * c_2_3;
-  const Scalar t47 = (c_2 * (t19 + t44) + t45) * t46;
-  const Scalar t48 = Scalar(0.0005396092213171668) * t44 * t12 + t19 * t43 - t47;
-  n[2] = -t48;
-  const Scalar t49 = s_5 * t37;
-  const Scalar t50 = qd_4 * qd_4;
-  const Scalar t51 = Scalar(61.3125) * c_4;
-  const Scalar t52 = Scalar(0.000615720268358608) * c_5_6;
-  const Scalar t53 = (c_5 * (t41 + t50) + t51) * t52;
-  const Scalar t54 = Scalar(0.0005396092213171668) * t50 * t33 + t41 * t49 - t53;
-  n[5] = -t54;
-  const Scalar t55 = s_8 * t6;
-  const Scalar t56 = qd_7 * qd_7;
-  const Scalar t57 = Scalar(61.3125) * c_7;
-  const Scalar t58 = Scalar(0.000615720268358608) * c_8_9;
-  const Scalar t59 = (c_8 * (t9 + t56) + t57) * t58;
-  const Scalar t60 = Scalar(0.0005396092213171668) * t56 * t2 + t9 * t55 - t59;
-  n[8] = -t60;
-  const Scalar t61 = s_11 * t26;
-  const Scalar t62 = qd_10 * qd_10;
-  const Scalar t63 = Scalar(61.3125) * c_10;
-  const Scalar t64 = Scalar(0.000615720268358608) * c_11_12;
-  const Scalar t65 = (c_11 * (t30 + t62) + t63) * t64;
-  const Scalar t66 = Scalar(0.0005396092213171668) * t62 * t22 + t30 * t61 - t65;
-  n[11] = -t66;
+  const Scalar t54 = Scalar(0.001231440536717216) * c_11 * c_11_12 * t45 -
+      Scalar(0.00023148988883634047) * t43 * t46 - Scalar(0.0010792184426343335) * t50 * t45 +
+      t47 * I_11_xz + t52 + t48 * t44 + Scalar(0.08509272390476785) * c_10 - mr_11_x * t49;
+  n[9] = -t54;
+  const Scalar t55 = Scalar(0.000615720268358608) * c_11_12;
+  const Scalar t56 = qd_10 * qd_10;
+  const Scalar t57 = Scalar(61.3125) * c_10;
+  const Scalar t58 = (c_11 * (t47 + t56) + t57) * t55;
+  const Scalar t59 = Scalar(0.0005396092213171668) * t56 * t50 + t47 * t53 - t58;
+  n[11] = -t59;
   const Scalar mr_11_y = Scalar(3.2725991304e-07) * c_11 + Scalar(0.002834045917464) * s_11;
-  const Scalar t67 = c_11 * t29 * t64 - (t62 + t29) * t61 - t62 * t28 + t66 - mr_11_y * t63;
-  n[10] = -t67;
-  const Scalar t68 = (Scalar(3.2725991304e-07) * c_8 - Scalar(0.002834045917464) * s_8) * t57;
-  const Scalar t69 = c_8 * t8 * t58 - (t56 + t8) * t55 + t56 * I_8_xy + t60 + t68;
-  n[7] = -t69;
-  const Scalar mr_5_y = Scalar(3.2725991304e-07) * c_5 + Scalar(0.002834045917464) * s_5;
-  const Scalar t70 = c_5 * t40 * t52 - (t50 + t40) * t49 - t50 * t39 + t54 - mr_5_y * t51;
-  n[4] = -t70;
-  const Scalar t71 = (Scalar(3.2725991304e-07) * c_2 - Scalar(0.002834045917464) * s_2) * t45;
-  const Scalar t72 = c_2 * t18 * t46 - (t44 + t18) * t43 + t44 * I_2_xy + t48 + t71;
-  n[1] = -t72;
+  const Scalar t60 = c_11 * t46 * t55 - (t56 + t46) * t53 - t56 * t44 + t59 - mr_11_y * t57;
+  n[10] = -t60;
+  const Scalar t61 = qd_1 * qd_1;
+  const Scalar t62 = Scalar(61.3125) * c_1;
+  const Scalar t63 = (c_2 * (t16 + t61) + t62) * t24;
+  const Scalar t64 = Scalar(0.0005396092213171668) * t61 * t19 + t16 * t22 - t63;
+  const Scalar t65 = (Scalar(3.2725991304e-07) * c_2 - Scalar(0.002834045917464) * s_2) * t62;
+  const Scalar t66 = c_2 * t15 * t24 - (t61 + t15) * t22 + t61 * I_2_xy + t64 + t65;
+  n[2] = -t64;
+  n[1] = -t66;
+  const Scalar t67 = qd_7 * qd_7;
+  const Scalar t68 = Scalar(61.3125) * c_7;
+  const Scalar t69 = (c_8 * (t4 + t67) + t68) * t12;
+  const Scalar t70 = Scalar(0.0005396092213171668) * t67 * t7 + t4 * t10 - t69;
+  const Scalar t71 = (Scalar(3.2725991304e-07) * c_8 - Scalar(0.002834045917464) * s_8) * t68;
+  const Scalar t72 = c_8 * t3 * t12 - (t67 + t3) * t10 + t67 * I_8_xy + t70 + t71;
+  n[8] = -t70;
+  n[7] = -t72;
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
@@ -1380,199 +1380,198 @@ static inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Sca
       s_6 = sine[5], c_6 = cosine[5], s_7 = sine[6], c_7 = cosine[6], s_8 = sine[7],
       c_8 = cosine[7], s_9 = sine[8], c_9 = cosine[8], s_10 = sine[9], c_10 = cosine[9],
       s_11 = sine[10], c_11 = cosine[10], s_12 = sine[11], c_12 = cosine[11];
-  const Scalar c_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t1 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t2 = c_2_3 * t1;
-  const Scalar t3 = Scalar(-0.0005396092213171668) * t2;
-  const Scalar t4 = qd_1 * qd_1;
-  const Scalar t5 = Scalar(-0.000615720268358608) * t1;
-  const Scalar t6 = s_2 * t5;
-  const Scalar t7 = qd_2 * qd_2;
-  const Scalar t8 = Scalar(0.000615720268358608) * c_2_3;
-  const Scalar t9 = Scalar(61.3125) * c_1;
-  const Scalar t10 = t8 * (c_2 * (t7 + t4) + t9);
-  const Scalar t11 = t6 * t7 - t3 * t4 - t10 + tau_3;
-  const Scalar mu_3_2_z = Scalar(0.000615720268358608) * c_3 + Scalar(0.0005426192213171668);
-  const Scalar t12 = Scalar(1842.912968642313) * mu_3_2_z;
-  const Scalar t13 = c_2 * t8;
-  const Scalar t14 = Scalar(3.21970574695491e-07) * c_2 - Scalar(0.0022644781431582876) * s_2;
-  const Scalar Iu_2_a_yz = Scalar(1.609852873477455e-07) + t6 + t13 + t3 - c_2 * t14;
-  const Scalar hu_2_a_z = Scalar(3.2725991304e-07) * c_2 - t8 - Scalar(0.002834045917464) * s_2;
-  const Scalar t15 = Scalar(2.0) * qd_2;
-  const Scalar beta_3_f = qd_3 + t15;
-  const Scalar t16 = qd_3 * beta_3_f;
-  const Scalar y_3_2 = t13 * t16 - t6 * t16 - Iu_2_a_yz * t4 + hu_2_a_z * t9 + tau_2 - t12 * t11;
-  const Scalar t17 = Scalar(0.4266157182460592) * c_2_3;
-  const Scalar t18 = Scalar(6.823068516838894e-08) * c_2 - Scalar(0.00023148988883634047) * c_2_3 +
-      mu_3_2_z * t17 - Scalar(0.0007940924716883453) * s_2;
-  const Scalar b_3_2_2 = Scalar(0.001231440536717216) * c_3 - mu_3_2_z * t12 +
-      Scalar(0.002838197420805067);
-  const Scalar d_2 = Scalar(1.0) / b_3_2_2;
-  const Scalar t19 = t18 * d_2;
-  const Scalar hc_2_x = Scalar(3.2725991304e-07) * s_2 + t5 + Scalar(0.002834045917464) * c_2;
-  const Scalar t20 = Scalar(-0.00023148988883634047) * t1;
-  const Scalar t21 = (Scalar(6.823068516838894e-08) * s_2 + t20 +
-      Scalar(0.0007940924716883453) * c_2) * t7;
-  const Scalar t22 = qd_1 * qd_3;
-  const Scalar t23 = Scalar(0.001231440536717216) * c_2;
-  const Scalar t24 = t20 * t16 + t21 - c_2_3 * t23 * t22 +
-      Scalar(0.0010792184426343335) * t2 * t22 - Iu_2_a_yz * qd_1 * t15 +
-      Scalar(0.08509272390476785) * c_1 + Scalar(61.3125) * s_1 * hc_2_x - t19 * y_3_2 + t17 * t11 -
-      tau_1;
-  const Scalar t25 = t18 * t19 + Scalar(0.0006383664465097825) * c_2_3 * c_2_3 + t1 * t23 -
-      s_2 * t14 - Scalar(0.0031799702681776175);
-  const Scalar qdd_1 = t24 / t25;
-  qdd[0] = qdd_1;
-  const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
-  const Scalar t26 = s_8 * s_9 - c_8 * c_9;
-  const Scalar t27 = c_8_9 * t26;
-  const Scalar t28 = Scalar(-0.0005396092213171668) * t27;
-  const Scalar t29 = qd_7 * qd_7;
-  const Scalar t30 = Scalar(-0.000615720268358608) * t26;
-  const Scalar t31 = s_8 * t30;
-  const Scalar t32 = qd_8 * qd_8;
-  const Scalar t33 = Scalar(0.000615720268358608) * c_8_9;
-  const Scalar t34 = Scalar(61.3125) * c_7;
-  const Scalar t35 = t33 * (c_8 * (t32 + t29) + t34);
-  const Scalar t36 = t31 * t32 - t28 * t29 - t35 + tau_9;
-  const Scalar mu_9_8_z = Scalar(0.000615720268358608) * c_9 + Scalar(0.0005426192213171668);
-  const Scalar t37 = Scalar(1842.912968642313) * mu_9_8_z;
-  const Scalar t38 = c_8 * t33;
-  const Scalar t39 = Scalar(3.21970574695491e-07) * c_8 - Scalar(0.0022644781431582876) * s_8;
-  const Scalar Iu_8_a_yz = Scalar(1.609852873477455e-07) + t31 + t38 + t28 - c_8 * t39;
-  const Scalar hu_8_a_z = Scalar(3.2725991304e-07) * c_8 - t33 - Scalar(0.002834045917464) * s_8;
-  const Scalar t40 = Scalar(2.0) * qd_8;
-  const Scalar beta_9_f = qd_9 + t40;
-  const Scalar t41 = qd_9 * beta_9_f;
-  const Scalar y_9_8 = t38 * t41 - t31 * t41 - Iu_8_a_yz * t29 + hu_8_a_z * t34 + tau_8 - t37 * t36;
-  const Scalar t42 = Scalar(0.4266157182460592) * c_8_9;
-  const Scalar t43 = Scalar(6.823068516838894e-08) * c_8 - Scalar(0.00023148988883634047) * c_8_9 +
-      mu_9_8_z * t42 - Scalar(0.0007940924716883453) * s_8;
-  const Scalar b_9_8_8 = Scalar(0.001231440536717216) * c_9 - mu_9_8_z * t37 +
-      Scalar(0.002838197420805067);
-  const Scalar d_8 = Scalar(1.0) / b_9_8_8;
-  const Scalar t44 = t43 * d_8;
-  const Scalar hc_8_x = Scalar(3.2725991304e-07) * s_8 + t30 + Scalar(0.002834045917464) * c_8;
-  const Scalar t45 = Scalar(-0.00023148988883634047) * t26;
-  const Scalar t46 = (Scalar(6.823068516838894e-08) * s_8 + t45 +
-      Scalar(0.0007940924716883453) * c_8) * t32;
-  const Scalar t47 = qd_7 * qd_9;
-  const Scalar t48 = Scalar(0.001231440536717216) * c_8;
-  const Scalar t49 = t45 * t41 + t46 - c_8_9 * t48 * t47 +
-      Scalar(0.0010792184426343335) * t27 * t47 - Iu_8_a_yz * qd_7 * t40 +
-      Scalar(0.08509272390476785) * c_7 + Scalar(61.3125) * s_7 * hc_8_x - t44 * y_9_8 + t42 * t36 -
-      tau_7;
-  const Scalar t50 = t43 * t44 + Scalar(0.0006383664465097825) * c_8_9 * c_8_9 + t26 * t48 -
-      s_8 * t39 - Scalar(0.0031799702681776175);
-  const Scalar qdd_7 = t49 / t50;
-  qdd[6] = qdd_7;
-  const Scalar c_5_6 = s_5 * c_6 + c_5 * s_6;
-  const Scalar t51 = s_5 * s_6 - c_5 * c_6;
-  const Scalar t52 = c_5_6 * t51;
-  const Scalar t53 = Scalar(-0.0005396092213171668) * t52;
-  const Scalar t54 = qd_4 * qd_4;
-  const Scalar t55 = Scalar(-0.000615720268358608) * t51;
-  const Scalar t56 = s_5 * t55;
-  const Scalar t57 = qd_5 * qd_5;
-  const Scalar t58 = Scalar(0.000615720268358608) * c_5_6;
-  const Scalar t59 = Scalar(61.3125) * c_4;
-  const Scalar t60 = t58 * (c_5 * (t57 + t54) + t59);
-  const Scalar t61 = t56 * t57 - t53 * t54 - t60 + tau_6;
-  const Scalar mu_6_5_z = Scalar(0.000615720268358608) * c_6 + Scalar(0.0005426192213171668);
-  const Scalar t62 = Scalar(1842.912968642313) * mu_6_5_z;
-  const Scalar t63 = c_5 * t58;
-  const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
-  const Scalar Iu_5_a_yz = t56 - Scalar(1.609852873477455e-07) + t63 + t53 + c_5 * I_t5_g;
-  const Scalar hc_5_y = Scalar(3.2725991304e-07) * c_5 + t58 + Scalar(0.002834045917464) * s_5;
-  const Scalar t64 = Scalar(2.0) * qd_5;
-  const Scalar beta_6_f = qd_6 + t64;
-  const Scalar t65 = qd_6 * beta_6_f;
-  const Scalar y_6_5 = t63 * t65 - t56 * t65 - Iu_5_a_yz * t54 - hc_5_y * t59 + tau_5 - t62 * t61;
-  const Scalar t66 = Scalar(0.4266157182460592) * c_5_6;
-  const Scalar t67 = Scalar(6.823068516838894e-08) * c_5 + Scalar(0.00023148988883634047) * c_5_6 -
-      mu_6_5_z * t66 + Scalar(0.0007940924716883453) * s_5;
-  const Scalar b_6_5_5 = Scalar(0.001231440536717216) * c_6 - mu_6_5_z * t62 +
-      Scalar(0.002838197420805067);
-  const Scalar d_5 = Scalar(1.0) / b_6_5_5;
-  const Scalar t68 = t67 * d_5;
-  const Scalar hc_5_x = t55 - Scalar(3.2725991304e-07) * s_5 + Scalar(0.002834045917464) * c_5;
-  const Scalar t69 = Scalar(-0.00023148988883634047) * t51;
-  const Scalar Ic_5_xz = t69 - Scalar(6.823068516838894e-08) * s_5 +
-      Scalar(0.0007940924716883453) * c_5;
-  const Scalar t70 = qd_4 * qd_6;
-  const Scalar t71 = Scalar(0.001231440536717216) * c_5;
-  const Scalar y_5_4 = t69 * t65 + Ic_5_xz * t57 + c_5_6 * t71 * t70 -
-      Scalar(0.0010792184426343335) * t52 * t70 + Iu_5_a_yz * qd_4 * t64 +
-      Scalar(0.08509272390476785) * c_4 - Scalar(61.3125) * s_4 * hc_5_x + t68 * y_6_5 + t66 * t61 +
-      tau_4;
-  const Scalar t72 = t67 * t68 + Scalar(0.0006383664465097825) * c_5_6 * c_5_6 + t51 * t71 +
-      s_5 * I_t5_g - Scalar(0.0031799702681776175);
-  const Scalar t73 = y_5_4 / t72;
-  qdd[3] = -t73;
   const Scalar c_11_12 = s_11 * c_12 + c_11 * s_12;
-  const Scalar t74 = s_11 * s_12 - c_11 * c_12;
-  const Scalar t75 = c_11_12 * t74;
-  const Scalar t76 = Scalar(-0.0005396092213171668) * t75;
-  const Scalar t77 = qd_10 * qd_10;
-  const Scalar t78 = Scalar(-0.000615720268358608) * t74;
-  const Scalar t79 = s_11 * t78;
-  const Scalar t80 = qd_11 * qd_11;
-  const Scalar t81 = Scalar(0.000615720268358608) * c_11_12;
-  const Scalar t82 = Scalar(61.3125) * c_10;
-  const Scalar t83 = t81 * (c_11 * (t80 + t77) + t82);
-  const Scalar t84 = t79 * t80 - t76 * t77 - t83 + tau_12;
-  const Scalar mu_12_11_z = Scalar(0.000615720268358608) * c_12 + Scalar(0.0005426192213171668);
-  const Scalar t85 = Scalar(1842.912968642313) * mu_12_11_z;
-  const Scalar t86 = c_11 * t81;
+  const Scalar t1 = s_11 * s_12 - c_11 * c_12;
+  const Scalar t2 = c_11_12 * t1;
+  const Scalar t3 = Scalar(-0.0005396092213171668) * t2;
+  const Scalar t4 = Scalar(-0.000615720268358608) * t1;
+  const Scalar t5 = s_11 * t4;
+  const Scalar hc_11_x = t4 - Scalar(3.2725991304e-07) * s_11 + Scalar(0.002834045917464) * c_11;
+  const Scalar t6 = qd_10 * qd_10;
+  const Scalar t7 = qd_11 * qd_11;
+  const Scalar t8 = Scalar(0.000615720268358608) * c_11_12;
+  const Scalar t9 = Scalar(61.3125) * c_10;
+  const Scalar t10 = t8 * (c_11 * (t7 + t6) + t9);
+  const Scalar t11 = t5 * t7 - t3 * t6 - t10 + tau_12;
+  const Scalar t12 = c_11 * t8;
+  const Scalar hc_11_y = Scalar(3.2725991304e-07) * c_11 + t8 + Scalar(0.002834045917464) * s_11;
   const Scalar I_t11_g = Scalar(3.21970574695491e-07) * c_11 + Scalar(0.0022644781431582876) * s_11;
-  const Scalar Iu_11_a_yz = t79 - Scalar(1.609852873477455e-07) + t86 + t76 + c_11 * I_t11_g;
-  const Scalar hc_11_y = Scalar(3.2725991304e-07) * c_11 + t81 + Scalar(0.002834045917464) * s_11;
-  const Scalar t87 = Scalar(2.0) * qd_11;
-  const Scalar beta_12_f = qd_12 + t87;
-  const Scalar t88 = qd_12 * beta_12_f;
-  const Scalar y_12_11 = t86 * t88 - t79 * t88 - Iu_11_a_yz * t77 - hc_11_y * t82 + tau_11 -
-      t85 * t84;
-  const Scalar t89 = Scalar(0.4266157182460592) * c_11_12;
-  const Scalar t90 = Scalar(6.823068516838894e-08) * c_11 +
-      Scalar(0.00023148988883634047) * c_11_12 - mu_12_11_z * t89 +
-      Scalar(0.0007940924716883453) * s_11;
-  const Scalar b_12_11_11 = Scalar(0.001231440536717216) * c_12 - mu_12_11_z * t85 +
+  const Scalar Iu_11_a_yz = t5 - Scalar(1.609852873477455e-07) + t12 + t3 + c_11 * I_t11_g;
+  const Scalar t13 = Scalar(2.0) * qd_11;
+  const Scalar beta_12_f = qd_12 + t13;
+  const Scalar t14 = qd_12 * beta_12_f;
+  const Scalar mu_12_11_z = Scalar(0.000615720268358608) * c_12 + Scalar(0.0005426192213171668);
+  const Scalar t15 = Scalar(1842.912968642313) * mu_12_11_z;
+  const Scalar y_12_11 = t12 * t14 - t5 * t14 - Iu_11_a_yz * t6 - hc_11_y * t9 + tau_11 - t15 * t11;
+  const Scalar t16 = qd_10 * qd_12;
+  const Scalar b_12_11_11 = Scalar(0.001231440536717216) * c_12 - mu_12_11_z * t15 +
       Scalar(0.002838197420805067);
-  const Scalar d_11 = Scalar(1.0) / b_12_11_11;
-  const Scalar t91 = t90 * d_11;
-  const Scalar hc_11_x = t78 - Scalar(3.2725991304e-07) * s_11 + Scalar(0.002834045917464) * c_11;
-  const Scalar t92 = Scalar(-0.00023148988883634047) * t74;
-  const Scalar Ic_11_xz = t92 - Scalar(6.823068516838894e-08) * s_11 +
+  const Scalar t17 = Scalar(0.4266157182460592) * c_11_12;
+  const Scalar t18 = Scalar(6.823068516838894e-08) * c_11 +
+      Scalar(0.00023148988883634047) * c_11_12 - mu_12_11_z * t17 +
+      Scalar(0.0007940924716883453) * s_11;
+  const Scalar t19 = Scalar(-0.00023148988883634047) * t1;
+  const Scalar Ic_11_xz = t19 - Scalar(6.823068516838894e-08) * s_11 +
       Scalar(0.0007940924716883453) * c_11;
-  const Scalar t93 = qd_10 * qd_12;
-  const Scalar t94 = Scalar(0.001231440536717216) * c_11;
-  const Scalar y_11_10 = t92 * t88 + Ic_11_xz * t80 + c_11_12 * t94 * t93 -
-      Scalar(0.0010792184426343335) * t75 * t93 + Iu_11_a_yz * qd_10 * t87 +
-      Scalar(0.08509272390476785) * c_10 - Scalar(61.3125) * s_10 * hc_11_x + t91 * y_12_11 +
-      t89 * t84 + tau_10;
-  const Scalar t95 = t90 * t91 + Scalar(0.0006383664465097825) * c_11_12 * c_11_12 + t74 * t94 +
+  const Scalar t20 = Scalar(0.001231440536717216) * c_11;
+  const Scalar d_11 = Scalar(1.0) / b_12_11_11;
+  const Scalar t21 = t18 * d_11;
+  const Scalar y_11_10 = t19 * t14 + Ic_11_xz * t7 + c_11_12 * t20 * t16 -
+      Scalar(0.0010792184426343335) * t2 * t16 + Iu_11_a_yz * qd_10 * t13 +
+      Scalar(0.08509272390476785) * c_10 - Scalar(61.3125) * s_10 * hc_11_x + t21 * y_12_11 +
+      t17 * t11 + tau_10;
+  const Scalar t22 = t18 * t21 + Scalar(0.0006383664465097825) * c_11_12 * c_11_12 + t1 * t20 +
       s_11 * I_t11_g - Scalar(0.0031799702681776175);
-  const Scalar t96 = y_11_10 / t95;
-  qdd[9] = -t96;
-  const Scalar qdd_2 = t19 * qdd_1 + d_2 * y_3_2;
-  qdd[1] = qdd_2;
-  const Scalar qdd_8 = t44 * qdd_7 + d_8 * y_9_8;
+  const Scalar t23 = y_11_10 / t22;
+  const Scalar t24 = t21 * t23 - d_11 * y_12_11;
+  qdd[11] = t15 * t24 - t17 * t23 + Scalar(1842.912968642313) * t11;
+  qdd[9] = -t23;
+  qdd[10] = -t24;
+  const Scalar c_5_6 = s_5 * c_6 + c_5 * s_6;
+  const Scalar t25 = s_5 * s_6 - c_5 * c_6;
+  const Scalar t26 = c_5_6 * t25;
+  const Scalar t27 = Scalar(-0.0005396092213171668) * t26;
+  const Scalar t28 = Scalar(-0.000615720268358608) * t25;
+  const Scalar t29 = s_5 * t28;
+  const Scalar hc_5_x = t28 - Scalar(3.2725991304e-07) * s_5 + Scalar(0.002834045917464) * c_5;
+  const Scalar t30 = qd_4 * qd_4;
+  const Scalar t31 = qd_5 * qd_5;
+  const Scalar t32 = Scalar(0.000615720268358608) * c_5_6;
+  const Scalar t33 = Scalar(61.3125) * c_4;
+  const Scalar t34 = t32 * (c_5 * (t31 + t30) + t33);
+  const Scalar t35 = t29 * t31 - t27 * t30 - t34 + tau_6;
+  const Scalar t36 = c_5 * t32;
+  const Scalar hc_5_y = Scalar(3.2725991304e-07) * c_5 + t32 + Scalar(0.002834045917464) * s_5;
+  const Scalar I_t5_g = Scalar(3.21970574695491e-07) * c_5 + Scalar(0.0022644781431582876) * s_5;
+  const Scalar Iu_5_a_yz = t29 - Scalar(1.609852873477455e-07) + t36 + t27 + c_5 * I_t5_g;
+  const Scalar t37 = Scalar(2.0) * qd_5;
+  const Scalar beta_6_f = qd_6 + t37;
+  const Scalar t38 = qd_6 * beta_6_f;
+  const Scalar mu_6_5_z = Scalar(0.000615720268358608) * c_6 + Scalar(0.0005426192213171668);
+  const Scalar t39 = Scalar(1842.912968642313) * mu_6_5_z;
+  const Scalar y_6_5 = t36 * t38 - t29 * t38 - Iu_5_a_yz * t30 - hc_5_y * t33 + tau_5 - t39 * t35;
+  const Scalar t40 = qd_4 * qd_6;
+  const Scalar b_6_5_5 = Scalar(0.001231440536717216) * c_6 - mu_6_5_z * t39 +
+      Scalar(0.002838197420805067);
+  const Scalar t41 = Scalar(0.4266157182460592) * c_5_6;
+  const Scalar t42 = Scalar(6.823068516838894e-08) * c_5 + Scalar(0.00023148988883634047) * c_5_6 -
+      mu_6_5_z * t41 + Scalar(0.0007940924716883453) * s_5;
+  const Scalar t43 = Scalar(-0.00023148988883634047) * t25;
+  const Scalar Ic_5_xz = t43 - Scalar(6.823068516838894e-08) * s_5 +
+      Scalar(0.0007940924716883453) * c_5;
+  const Scalar t44 = Scalar(0.001231440536717216) * c_5;
+  const Scalar d_5 = Scalar(1.0) / b_6_5_5;
+  const Scalar t45 = t42 * d_5;
+  const Scalar y_5_4 = t43 * t38 + Ic_5_xz * t31 + c_5_6 * t44 * t40 -
+      Scalar(0.0010792184426343335) * t26 * t40 + Iu_5_a_yz * qd_4 * t37 +
+      Scalar(0.08509272390476785) * c_4 - Scalar(61.3125) * s_4 * hc_5_x + t45 * y_6_5 + t41 * t35 +
+      tau_4;
+  const Scalar t46 = t42 * t45 + Scalar(0.0006383664465097825) * c_5_6 * c_5_6 + t25 * t44 +
+      s_5 * I_t5_g - Scalar(0.0031799702681776175);
+  const Scalar t47 = y_5_4 / t46;
+  const Scalar t48 = t45 * t47 - d_5 * y_6_5;
+  qdd[5] = t39 * t48 - t41 * t47 + Scalar(1842.912968642313) * t35;
+  qdd[3] = -t47;
+  qdd[4] = -t48;
+  const Scalar c_8_9 = s_8 * c_9 + c_8 * s_9;
+  const Scalar t49 = s_8 * s_9 - c_8 * c_9;
+  const Scalar t50 = c_8_9 * t49;
+  const Scalar t51 = Scalar(-0.0005396092213171668) * t50;
+  const Scalar t52 = Scalar(-0.000615720268358608) * t49;
+  const Scalar t53 = s_8 * t52;
+  const Scalar hc_8_x = Scalar(3.2725991304e-07) * s_8 + t52 + Scalar(0.002834045917464) * c_8;
+  const Scalar t54 = qd_7 * qd_7;
+  const Scalar t55 = qd_8 * qd_8;
+  const Scalar t56 = Scalar(0.000615720268358608) * c_8_9;
+  const Scalar t57 = Scalar(61.3125) * c_7;
+  const Scalar t58 = t56 * (c_8 * (t55 + t54) + t57);
+  const Scalar t59 = t53 * t55 - t51 * t54 - t58 + tau_9;
+  const Scalar t60 = c_8 * t56;
+  const Scalar hu_8_a_z = Scalar(3.2725991304e-07) * c_8 - t56 - Scalar(0.002834045917464) * s_8;
+  const Scalar t61 = Scalar(3.21970574695491e-07) * c_8 - Scalar(0.0022644781431582876) * s_8;
+  const Scalar Iu_8_a_yz = Scalar(1.609852873477455e-07) + t53 + t60 + t51 - c_8 * t61;
+  const Scalar t62 = Scalar(2.0) * qd_8;
+  const Scalar beta_9_f = qd_9 + t62;
+  const Scalar t63 = qd_9 * beta_9_f;
+  const Scalar mu_9_8_z = Scalar(0.000615720268358608) * c_9 + Scalar(0.0005426192213171668);
+  const Scalar t64 = Scalar(1842.912968642313) * mu_9_8_z;
+  const Scalar y_9_8 = t60 * t63 - t53 * t63 - Iu_8_a_yz * t54 + hu_8_a_z * t57 + tau_8 - t64 * t59;
+  const Scalar t65 = Scalar(-0.00023148988883634047) * t49;
+  const Scalar t66 = (Scalar(6.823068516838894e-08) * s_8 + t65 +
+      Scalar(0.0007940924716883453) * c_8) * t55;
+  const Scalar t67 = qd_7 * qd_9;
+  const Scalar b_9_8_8 = Scalar(0.001231440536717216) * c_9 - mu_9_8_z * t64 +
+      Scalar(0.002838197420805067);
+  const Scalar t68 = Scalar(0.4266157182460592) * c_8_9;
+  const Scalar t69 = Scalar(6.823068516838894e-08) * c_8 - Scalar(0.00023148988883634047) * c_8_9 +
+      mu_9_8_z * t68 - Scalar(0.0007940924716883453) * s_8;
+  const Scalar t70 = Scalar(0.001231440536717216) * c_8;
+  const Scalar d_8 = Scalar(1.0) / b_9_8_8;
+  const Scalar t71 = t69 * d_8;
+  const Scalar t72 = t65 * t63 + t66 - c_8_9 * t70 * t67 +
+      Scalar(0.0010792184426343335) * t50 * t67 - Iu_8_a_yz * qd_7 * t62 +
+      Scalar(0.08509272390476785) * c_7 + Scalar(61.3125) * s_7 * hc_8_x - t71 * y_9_8 + t68 * t59 -
+      tau_7;
+  const Scalar t73 = t69 * t71 + Scalar(0.0006383664465097825) * c_8_9 * c_8_9 + t49 * t70 -
+      s_8 * t61 - Scalar(0.0031799702681776175);
+  const Scalar qdd_7 = t72 / t73;
+  const Scalar qdd_8 = t71 * qdd_7 + d_8 * y_9_8;
+  qdd[8] = -t68 * qdd_7 - t64 * qdd_8 + Scalar(1842.912968642313) * t59;
+  qdd[6] = qdd_7;
   qdd[7] = qdd_8;
-  const Scalar t97 = t68 * t73 - d_5 * y_6_5;
-  qdd[4] = -t97;
-  const Scalar t98 = t91 * t96 - d_11 * y_12_11;
-  qdd[10] = -t98;
-  qdd[2] = -t17 * qdd_1 - t12 * qdd_2 + Scalar(1842.912968642313) * t11;
-  qdd[5] = t62 * t97 - t66 * t73 + Scalar(1842.912968642313) * t61;
-  qdd[8] = -t42 * qdd_7 - t37 * qdd_8 + Scalar(1842.912968642313) * t36;
-  qdd[11] = t85 * t98 - t89 * t96 + Scalar(1842.912968642313) * t84;
-  bool valid = -t25 > Scalar(0.0);
+  const Scalar c_2_3 = s_2 * c_3 + c_2 * s_3;
+  const Scalar t74 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t75 = c_2_3 * t74;
+  const Scalar t76 = Scalar(-0.0005396092213171668) * t75;
+  const Scalar t77 = Scalar(-0.000615720268358608) * t74;
+  const Scalar t78 = s_2 * t77;
+  const Scalar hc_2_x = Scalar(3.2725991304e-07) * s_2 + t77 + Scalar(0.002834045917464) * c_2;
+  const Scalar t79 = qd_1 * qd_1;
+  const Scalar t80 = qd_2 * qd_2;
+  const Scalar t81 = Scalar(0.000615720268358608) * c_2_3;
+  const Scalar t82 = Scalar(61.3125) * c_1;
+  const Scalar t83 = t81 * (c_2 * (t80 + t79) + t82);
+  const Scalar t84 = t78 * t80 - t76 * t79 - t83 + tau_3;
+  const Scalar t85 = c_2 * t81;
+  const Scalar hu_2_a_z = Scalar(3.2725991304e-07) * c_2 - t81 - Scalar(0.002834045917464) * s_2;
+  const Scalar t86 = Scalar(3.21970574695491e-07) * c_2 - Scalar(0.0022644781431582876) * s_2;
+  const Scalar Iu_2_a_yz = Scalar(1.609852873477455e-07) + t78 + t85 + t76 - c_2 * t86;
+  const Scalar t87 = Scalar(2.0) * qd_2;
+  const Scalar beta_3_f = qd_3 + t87;
+  const Scalar t88 = qd_3 * beta_3_f;
+  const Scalar mu_3_2_z = Scalar(0.000615720268358608) * c_3 + Scalar(0.0005426192213171668);
+  const Scalar t89 = Scalar(1842.912968642313) * mu_3_2_z;
+  const Scalar y_3_2 = t85 * t88 - t78 * t88 - Iu_2_a_yz * t79 + hu_2_a_z * t82 + tau_2 - t89 * t84;
+  const Scalar t90 = Scalar(-0.00023148988883634047) * t74;
+  const Scalar t91 = (Scalar(6.823068516838894e-08) * s_2 + t90 +
+      Scalar(0.0007940924716883453) * c_2) * t80;
+  const Scalar t92 = qd_1 * qd_3;
+  const Scalar b_3_2_2 = Scalar(0.001231440536717216) * c_3 - mu_3_2_z * t89 +
+      Scalar(0.002838197420805067);
+  const Scalar t93 = Scalar(0.4266157182460592) * c_2_3;
+  const Scalar t94 = Scalar(6.823068516838894e-08) * c_2 - Scalar(0.00023148988883634047) * c_2_3 +
+      mu_3_2_z * t93 - Scalar(0.0007940924716883453) * s_2;
+  const Scalar t95 = Scalar(0.001231440536717216) * c_2;
+  const Scalar d_2 = Scalar(1.0) / b_3_2_2;
+  const Scalar t96 = t94 * d_2;
+  const Scalar t97 = t90 * t88 + t91 - c_2_3 * t95 * t92 +
+      Scalar(0.0010792184426343335) * t75 * t92 - Iu_2_a_yz * qd_1 * t87 +
+      Scalar(0.08509272390476785) * c_1 + Scalar(61.3125) * s_1 * hc_2_x - t96 * y_3_2 + t93 * t84 -
+      tau_1;
+  const Scalar t98 = t94 * t96 + Scalar(0.0006383664465097825) * c_2_3 * c_2_3 + t74 * t95 -
+      s_2 * t86 - Scalar(0.0031799702681776175);
+  const Scalar qdd_1 = t97 / t98;
+  const Scalar qdd_2 = t96 * qdd_1 + d_2 * y_3_2;
+  qdd[2] = -t93 * qdd_1 - t89 * qdd_2 + Scalar(1842.912968642313) * t84;
+  qdd[0] = qdd_1;
+  qdd[1] = qdd_2;
+  bool valid = -t98 > Scalar(0.0);
   valid &= b_3_2_2 > Scalar(0.0);
-  valid &= -t72 > Scalar(0.0);
+  valid &= -t46 > Scalar(0.0);
   valid &= b_6_5_5 > Scalar(0.0);
-  valid &= -t50 > Scalar(0.0);
+  valid &= -t73 > Scalar(0.0);
   valid &= b_9_8_8 > Scalar(0.0);
-  valid &= -t95 > Scalar(0.0);
+  valid &= -t22 > Scalar(0.0);
   valid &= b_12_11_11 > Scalar(0.0);
   for (int k = 0; k < 12; ++k) valid &= Scalar(0.0) * qdd[k] < Scalar(1.0);
   return valid;

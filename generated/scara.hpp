@@ -414,40 +414,40 @@ static inline void inverse_dynamics_tip_force(const Parameters<Scalar>& paramete
   sin_cos(q, Joints<0, 1, 3>(), sine, cosine);
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_4 = sine[3],
       c_4 = cosine[3];
+  const Scalar m_3 = m_l3 + m_l4 + m_m4;
+  const Scalar ddp_s_3_z = g + qdd_3;
   const Scalar domega_2_z = qdd_1 + qdd_2;
   const Scalar t1 = I_m3 * k_r3;
-  const Scalar ddp_s_3_z = g + qdd_3;
-  const Scalar m_3 = m_l3 + m_l4 + m_m4;
   tau[2] = h_e_3 + ddp_s_3_z * m_3 + t1 * (domega_2_z + k_r3 * qdd_3);
+  const Scalar t2 = a_2 * (m_m3 + m_3);
+  const Scalar t3 = a_1 * m_3;
+  const Scalar t4 = m_l2 * l_2;
+  const Scalar I_2_zz = I_l2 + I_l3 + I_m3 + I_m4 + l_2 * t4 + a_2 * t2;
+  const Scalar t5 = t4 + t2;
+  const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
+  const Scalar t6 = s_1 * h_e_1 - c_1 * h_e_2;
+  const Scalar t7 = s_2 * f_e1_x + c_2 * t6;
+  const Scalar t8 = s_2 * t6 - c_2 * f_e1_x;
+  const Scalar t9 = s_4 * t7 + c_4 * t8;
+  const Scalar f_e4_y = s_4 * t8 - c_4 * t7;
+  const Scalar omega_2_z = qd_1 + qd_2;
+  const Scalar t10 = qd_1 * qd_1;
+  const Scalar t11 = (s_2 * qdd_1 - c_2 * t10) * t3;
+  const Scalar t12 = s_4 * f_e4_y + c_4 * t9 - t11 + omega_2_z * omega_2_z * t5;
+  const Scalar t13 = s_4 * t9 - c_4 * f_e4_y;
+  const Scalar t14 = s_2 * t10 + c_2 * qdd_1;
+  const Scalar t15 = s_2 * t12 + c_2 * (t13 - t14 * t3 - domega_2_z * t5);
   const Scalar domega_4_z = qdd_4 + domega_2_z;
   const Scalar mu_4_z = h_e_6 + I_l4 * domega_4_z;
-  const Scalar t2 = I_m4 * k_r4;
-  tau[3] = mu_4_z + t2 * (domega_2_z + k_r4 * qdd_4);
-  const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
-  const Scalar t3 = s_1 * h_e_1 - c_1 * h_e_2;
-  const Scalar t4 = s_2 * f_e1_x + c_2 * t3;
-  const Scalar t5 = s_2 * t3 - c_2 * f_e1_x;
-  const Scalar t6 = s_4 * t4 + c_4 * t5;
-  const Scalar f_e4_y = s_4 * t5 - c_4 * t4;
-  const Scalar t7 = s_4 * t6 - c_4 * f_e4_y;
-  const Scalar t8 = a_2 * (m_m3 + m_3);
-  const Scalar t9 = m_l2 * l_2;
-  const Scalar I_2_zz = I_l2 + I_l3 + I_m3 + I_m4 + l_2 * t9 + a_2 * t8;
-  const Scalar t10 = t9 + t8;
-  const Scalar t11 = qd_1 * qd_1;
-  const Scalar t12 = s_2 * t11 + c_2 * qdd_1;
-  const Scalar mu_2_z = qdd_4 * t2 - a_2 * t7 + qdd_3 * t1 + mu_4_z + a_1 * t12 * t10 +
+  const Scalar t16 = I_m4 * k_r4;
+  const Scalar mu_2_z = qdd_4 * t16 - a_2 * t13 + qdd_3 * t1 + mu_4_z + a_1 * t14 * t5 +
       domega_2_z * I_2_zz;
-  const Scalar t13 = I_m2 * k_r2;
-  tau[1] = t13 * (qdd_1 + k_r2 * qdd_2) + mu_2_z;
-  const Scalar t14 = a_1 * m_3;
-  const Scalar omega_2_z = qd_1 + qd_2;
-  const Scalar t15 = (s_2 * qdd_1 - c_2 * t11) * t14;
-  const Scalar t16 = s_4 * f_e4_y + c_4 * t6 - t15 + omega_2_z * omega_2_z * t10;
-  const Scalar t17 = s_2 * t16 + c_2 * (t7 - t12 * t14 - domega_2_z * t10);
-  const Scalar t18 = a_1 * a_1 * (m_l2 + m_m2 + m_m3);
-  const Scalar t19 = I_l1 + I_m2 + m_l1 * l_1 * l_1 + t18 + I_m1 * k_r1 * k_r1;
-  tau[0] = qdd_2 * t13 + qdd_1 * t19 + mu_2_z - a_1 * t17;
+  tau[3] = mu_4_z + t16 * (domega_2_z + k_r4 * qdd_4);
+  const Scalar t17 = a_1 * a_1 * (m_l2 + m_m2 + m_m3);
+  const Scalar t18 = I_l1 + I_m2 + m_l1 * l_1 * l_1 + t17 + I_m1 * k_r1 * k_r1;
+  const Scalar t19 = I_m2 * k_r2;
+  tau[0] = qdd_2 * t19 + qdd_1 * t18 + mu_2_z - a_1 * t15;
+  tau[1] = t19 * (qdd_1 + k_r2 * qdd_2) + mu_2_z;
 }
 
 // The entries of B in inertia_matrix that are not always zero.

@@ -723,8 +723,8 @@ static inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = 
   const Scalar R_l1a21_x = c_1 * s_2 + s_1 * c_2;
   const Scalar p_l1ae_y = s_1 + Scalar(2.0) * R_l1a21_x;
   J[0] = Scalar(0.045) * (Scalar(3.3333333333333335) / t1) * (R_l1a21_x * p_l1ae_x - t1 * p_l1ae_y);
-  J[1] = J[2] = J[3] = J[4] = J[5] = Scalar(0.0);
   const Scalar regular_l1 = Scalar(0.09) * t1 * t1 - Scalar(9e-14);
+  J[1] = J[2] = J[3] = J[4] = J[5] = Scalar(0.0);
   bool valid = Scalar(0.000087890625) + Scalar(0.015625) * regular_l1 -
       Scalar(0.000087890625) > Scalar(0.0);
   for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * J[k] < Scalar(1.0);
@@ -760,8 +760,8 @@ static inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   const Scalar driftr1_2 = Scalar(0.15) * s_1 * t7 + t5 * t6;
   const Scalar driftr1_1 = t3 * t7 + t2 * t5;
   a[0] = t4 * (t6 * driftr1_2 + t2 * driftr1_1);
-  a[1] = a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
   const Scalar regular_l1 = Scalar(0.09) * t1 * t1 - Scalar(9e-14);
+  a[1] = a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
   bool valid = Scalar(0.000087890625) + Scalar(0.015625) * regular_l1 -
       Scalar(0.000087890625) > Scalar(0.0);
   for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * a[k] < Scalar(1.0);
@@ -836,8 +836,8 @@ static inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos 
   dq[1] = p_l1ae_y * t3;
   const Scalar t4 = Scalar(-0.3) * t2;
   dq[2] = -t3 * (t1 * p_l1ae_y + t4 * (Scalar(0.15) * c_1 + t4 - q_3));
-  dq[0] = Scalar(0.0);
   const Scalar regular_l1 = Scalar(0.09) * t2 * t2 - Scalar(9e-14);
+  dq[0] = Scalar(0.0);
   bool valid = Scalar(0.000087890625) + Scalar(0.015625) * regular_l1 -
       Scalar(0.000087890625) > Scalar(0.0);
   for (int k = 0; k < 3; ++k) valid &= Scalar(0.0) * dq[k] < Scalar(1.0);

@@ -341,98 +341,98 @@ static inline void inverse_dynamics(const Scalar* q, const Scalar* qd, const Sca
   const Scalar t1 = s_2 * s_3 - c_2 * c_3;
   const Scalar t2 = s_4 * s_2_3 + c_4 * t1;
   const Scalar t3 = t2 * qd_1;
-  const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar omega_4_z = qd_4 + omega_3_z;
-  const Scalar t4 = omega_4_z * t3;
-  const Scalar t5 = s_4 * t1 - c_4 * s_2_3;
-  const Scalar t6 = t5 * qdd_1 + Scalar(2.0) * t4;
-  const Scalar t7 = Scalar(0.5) * t1 * qdd_1 + s_2_3 * qd_1 * omega_3_z;
-  const Scalar t8 = Scalar(2.0) * s_2 * qd_1 * qd_2 - c_2 * qdd_1;
-  const Scalar t9 = qd_1 * qd_1;
-  const Scalar t10 = Scalar(0.25682352941176473) * t9 + t8 + Scalar(1.8458823529411765) * t7;
-  const Scalar t11 = Scalar(0.22270588235294117) * t6 - t10;
-  const Scalar t12 = t5 * qd_1;
-  const Scalar t13 = t12 * t3;
+  const Scalar omega_5_z = qd_5 + t3;
   const Scalar domega_3_z = qdd_2 + qdd_3;
   const Scalar domega_4_z = qdd_4 + domega_3_z;
-  const Scalar Uz_o_5_x = domega_4_z - t13;
-  const Scalar t14 = omega_3_z * omega_3_z;
-  const Scalar t15 = qd_2 * qd_2;
-  const Scalar t16 = s_2 * t15 - c_2 * qdd_2 + Scalar(23.08235294117647);
-  const Scalar t17 = Scalar(0.9229411764705883) * (s_2_3 * t14 + t1 * domega_3_z) + t16;
+  const Scalar omega_3_z = qd_2 + qd_3;
+  const Scalar omega_4_z = qd_4 + omega_3_z;
+  const Scalar t4 = omega_3_z * omega_3_z;
+  const Scalar t5 = Scalar(0.5) * t1 * qdd_1 + s_2_3 * qd_1 * omega_3_z;
+  const Scalar t6 = qd_2 * qd_2;
+  const Scalar t7 = Scalar(2.0) * s_2 * qd_1 * qd_2 - c_2 * qdd_1;
+  const Scalar t8 = qd_1 * qd_1;
+  const Scalar t9 = s_4 * t1 - c_4 * s_2_3;
+  const Scalar t10 = t9 * qd_1;
+  const Scalar t11 = t10 * t3;
+  const Scalar t12 = omega_4_z * t3;
+  const Scalar t13 = t9 * qdd_1 + Scalar(2.0) * t12;
+  const Scalar t14 = Scalar(0.25682352941176473) * t8 + t7 + Scalar(1.8458823529411765) * t5;
+  const Scalar t15 = Scalar(0.22270588235294117) * t13 - t14;
+  const Scalar Uz_o_5_x = domega_4_z - t11;
+  const Scalar t16 = s_2 * t6 - c_2 * qdd_2 + Scalar(23.08235294117647);
+  const Scalar t17 = Scalar(0.9229411764705883) * (s_2_3 * t4 + t1 * domega_3_z) + t16;
   const Scalar t18 = s_2_3 * domega_3_z;
-  const Scalar t19 = s_2 * qdd_2;
-  const Scalar ddp_o_3_x = t19 + c_2 * (t15 + t9);
+  const Scalar t19 = s_2_3 * (qdd_1 - Scalar(1.211162571801966) * t1 * t8);
+  const Scalar t20 = s_2 * qdd_2;
+  const Scalar ddp_o_3_x = t20 + c_2 * (t6 + t8);
   const Scalar ddp_o_4_x = Scalar(0.25682352941176473) * qdd_1 + ddp_o_3_x +
-      Scalar(0.9229411764705883) * (t18 - t1 * (t9 + t14));
-  const Scalar t20 = t2 * ddp_o_4_x + t5 * t17;
-  const Scalar ddp_o_5_x = Scalar(0.22270588235294117) * Uz_o_5_x - t20;
-  const Scalar ddp_5_x = s_5 * t11 + c_5 * ddp_o_5_x;
-  const Scalar omega_r_5_y = s_5 * t12 + c_5 * omega_4_z;
+      Scalar(0.9229411764705883) * (t18 - t1 * (t8 + t4));
+  const Scalar t21 = t2 * ddp_o_4_x + t9 * t17;
+  const Scalar t22 = t9 * ddp_o_4_x - t2 * t17;
+  const Scalar ddp_o_5_x = Scalar(0.22270588235294117) * Uz_o_5_x - t21;
+  const Scalar omega_r_5_x = s_5 * omega_4_z - c_5 * t10;
+  const Scalar t23 = omega_5_z * omega_5_z + omega_r_5_x * omega_r_5_x;
+  const Scalar t24 = Scalar(0.0149450629075) * t23 +
+      Scalar(0.28794534274300054) * (s_5 * ddp_o_5_x - c_5 * t15);
+  const Scalar ddp_5_x = s_5 * t15 + c_5 * ddp_o_5_x;
+  const Scalar t25 = omega_4_z * t10;
+  const Scalar Uz_o_5_y = t10 * t10 + omega_4_z * omega_4_z;
+  const Scalar omega_r_5_y = s_5 * t10 + c_5 * omega_4_z;
+  const Scalar U_5_yy_zz = Uz_o_5_y - t23;
   const Scalar omega_6_z = qd_6 + omega_r_5_y;
-  const Scalar t21 = Scalar(0.0001321171875) * omega_6_z;
-  const Scalar omega_r_5_x = s_5 * omega_4_z - c_5 * t12;
-  const Scalar Uz_5_x = s_5 * t6 + c_5 * Uz_o_5_x;
-  const Scalar t22 = omega_4_z * t12;
-  const Scalar t23 = t2 * qdd_1;
-  const Scalar domega_4_y = t22 - t23;
+  const Scalar t26 = Scalar(0.0001321171875) * omega_6_z;
+  const Scalar t27 = omega_r_5_y * omega_5_z;
+  const Scalar t28 = omega_r_5_x * omega_r_5_y;
+  const Scalar ddp_o_5_y = Scalar(0.22270588235294117) * Uz_o_5_y + t22;
+  const Scalar t29 = Scalar(0.000035853228) * U_5_yy_zz - omega_5_z * t26 +
+      Scalar(0.0054806000843398) * t27 - Scalar(0.0149450629075) * ddp_o_5_y;
+  const Scalar t30 = omega_r_5_x * omega_5_z;
+  const Scalar U_4_yy_zz = t8 - Uz_o_5_y;
+  const Scalar U_5_zy = s_5 * Uz_o_5_x - c_5 * t13 + Scalar(2.0) * t27;
+  const Scalar t31 = Scalar(0.28794534274300054) * ddp_o_5_y - Scalar(0.0149450629075) * U_5_zy +
+      Scalar(0.4462748022139784) * t22;
+  const Scalar Uz_5_x = s_5 * t13 + c_5 * Uz_o_5_x;
+  const Scalar t32 = t2 * qdd_1;
+  const Scalar domega_4_y = t25 - t32;
   const Scalar domega_5_z = qdd_5 - domega_4_y;
-  const Scalar t24 = omega_r_5_x * omega_r_5_y;
-  const Scalar mu_5_z = Scalar(0.000035853228) * Uz_5_x + omega_r_5_x * t21 -
-      Scalar(0.0016432000421699) * t24 + Scalar(0.0038374000421699) * domega_5_z -
+  const Scalar mu_5_z = Scalar(0.000035853228) * Uz_5_x + omega_r_5_x * t26 -
+      Scalar(0.0016432000421699) * t28 + Scalar(0.0038374000421699) * domega_5_z -
       Scalar(0.0149450629075) * ddp_5_x;
+  const Scalar t33 = t2 * (Scalar(-0.000035853228) * Uz_o_5_x -
+      Scalar(0.0017106935695699) * domega_4_y + Scalar(0.0039048935695699) * t25 - mu_5_z);
+  const Scalar t34 = domega_5_z - t28;
   tau[4] = mu_5_z;
-  const Scalar omega_5_z = qd_5 + t3;
-  const Scalar t25 = omega_r_5_x * omega_5_z;
-  const Scalar domega_5_y = Uz_5_x - t25;
+  const Scalar domega_5_y = Uz_5_x - t30;
+  const Scalar t35 = Scalar(0.0149450629075) * t34 - Scalar(0.28794534274300054) * ddp_5_x;
   const Scalar domega_6_z = qdd_6 + domega_5_y;
   const Scalar N_6_z = Scalar(0.0001321171875) * domega_6_z;
-  tau[5] = N_6_z;
-  const Scalar t26 = domega_5_z - t24;
-  const Scalar t27 = Scalar(-0.000035853228) * t26 - N_6_z + Scalar(0.0038374000421699) * t25 +
+  const Scalar t36 = Scalar(-0.000035853228) * t34 - N_6_z + Scalar(0.0038374000421699) * t30 +
       Scalar(0.0016432000421699) * domega_5_y;
-  const Scalar t28 = omega_5_z * omega_5_z + omega_r_5_x * omega_r_5_x;
-  const Scalar t29 = Scalar(0.0149450629075) * t28 +
-      Scalar(0.28794534274300054) * (s_5 * ddp_o_5_x - c_5 * t11);
-  const Scalar t30 = Scalar(0.0149450629075) * t26 - Scalar(0.28794534274300054) * ddp_5_x;
-  const Scalar t31 = s_5 * t29 - c_5 * t30;
-  const Scalar Uz_o_5_y = t12 * t12 + omega_4_z * omega_4_z;
-  const Scalar U_5_yy_zz = Uz_o_5_y - t28;
-  const Scalar t32 = omega_r_5_y * omega_5_z;
-  const Scalar t33 = t5 * ddp_o_4_x - t2 * t17;
-  const Scalar ddp_o_5_y = Scalar(0.22270588235294117) * Uz_o_5_y + t33;
-  const Scalar t34 = Scalar(0.000035853228) * U_5_yy_zz - omega_5_z * t21 +
-      Scalar(0.0054806000843398) * t32 - Scalar(0.0149450629075) * ddp_o_5_y;
-  const Scalar tau_4 = Scalar(0.000035853228) * t23 - Scalar(0.0017106935695699) * t13 - c_5 * t27 +
-      Scalar(0.0039048935695699) * domega_4_z + s_5 * t34 + Scalar(0.22270588235294117) * t31;
-  tau[3] = tau_4;
-  const Scalar t35 = Scalar(0.4462748022139784) * t20 - t31;
-  const Scalar U_5_zy = s_5 * Uz_o_5_x - c_5 * t6 + Scalar(2.0) * t32;
-  const Scalar t36 = Scalar(0.28794534274300054) * ddp_o_5_y - Scalar(0.0149450629075) * U_5_zy +
-      Scalar(0.4462748022139784) * t33;
-  const Scalar t37 = s_4 * t35 - c_4 * t36;
-  const Scalar t38 = s_2_3 * (qdd_1 - Scalar(1.211162571801966) * t1 * t9);
-  const Scalar t39 = Scalar(0.047511847575) * t38 + Scalar(0.0534495715) * domega_3_z - tau_4 -
-      Scalar(0.9229411764705883) * t37;
-  tau[2] = -t39;
-  const Scalar t40 = s_5 * t30 + c_5 * t29;
-  const Scalar t41 = t40 + Scalar(0.4462748022139784) * t10;
-  const Scalar t42 = t18 - t1 * (t14 + Scalar(19.425495399093375) * t41);
-  const Scalar f_u_4_t_x = t5 * t36 + t2 * t35;
-  const Scalar U_4_yy_zz = t9 - Uz_o_5_y;
-  const Scalar t43 = Scalar(0.000035853228) * U_4_yy_zz + Scalar(0.0056155871391398) * t4 -
-      s_5 * t27 - c_5 * t34 - Scalar(0.22270588235294117) * t40;
-  const Scalar t44 = c_2 * (Scalar(0.16073527663193116) * t15 - Scalar(0.658714134193021) * t8 -
-      t41);
-  const Scalar t45 = t2 * (Scalar(-0.000035853228) * Uz_o_5_x -
-      Scalar(0.0017106935695699) * domega_4_y + Scalar(0.0039048935695699) * t22 - mu_5_z);
-  tau[0] = -t45 - Scalar(0.115089143) * t1 * t7 + Scalar(0.1252186854919588) * qdd_1 +
-      Scalar(0.16073527663193116) * t19 + t5 * t43 + Scalar(0.25682352941176473) * f_u_4_t_x -
-      Scalar(0.047511847575) * t42 + t44;
-  const Scalar t46 = Scalar(0.16073527663193116) * qdd_1 - Scalar(0.26021797085) * c_2 * t9 +
+  tau[5] = N_6_z;
+  const Scalar t37 = s_5 * t24 - c_5 * t35;
+  const Scalar tau_4 = Scalar(0.000035853228) * t32 - Scalar(0.0017106935695699) * t11 - c_5 * t36 +
+      Scalar(0.0039048935695699) * domega_4_z + s_5 * t29 + Scalar(0.22270588235294117) * t37;
+  const Scalar t38 = s_5 * t35 + c_5 * t24;
+  const Scalar t39 = Scalar(0.000035853228) * U_4_yy_zz + Scalar(0.0056155871391398) * t12 -
+      s_5 * t36 - c_5 * t29 - Scalar(0.22270588235294117) * t38;
+  const Scalar t40 = t38 + Scalar(0.4462748022139784) * t14;
+  const Scalar t41 = t18 - t1 * (t4 + Scalar(19.425495399093375) * t40);
+  const Scalar t42 = c_2 * (Scalar(0.16073527663193116) * t6 - Scalar(0.658714134193021) * t7 -
+      t40);
+  const Scalar t43 = Scalar(0.4462748022139784) * t21 - t37;
+  const Scalar t44 = c_2 * (t9 * t43 - t2 * t31 + Scalar(0.918932105043021) * t16);
+  const Scalar f_u_4_t_x = t9 * t31 + t2 * t43;
+  tau[0] = -t33 - Scalar(0.115089143) * t1 * t5 + Scalar(0.1252186854919588) * qdd_1 +
+      Scalar(0.16073527663193116) * t20 + t9 * t39 + Scalar(0.25682352941176473) * f_u_4_t_x -
+      Scalar(0.047511847575) * t41 + t42;
+  const Scalar t45 = Scalar(0.16073527663193116) * qdd_1 - Scalar(0.26021797085) * c_2 * t8 +
       Scalar(0.918932105043021) * ddp_o_3_x + f_u_4_t_x;
-  const Scalar t47 = c_2 * (t5 * t35 - t2 * t36 + Scalar(0.918932105043021) * t16);
-  tau[1] = s_2 * t46 - Scalar(0.24511057085) * qdd_2 - t39 - t47;
+  const Scalar t46 = s_4 * t43 - c_4 * t31;
+  const Scalar t47 = Scalar(0.047511847575) * t19 + Scalar(0.0534495715) * domega_3_z - tau_4 -
+      Scalar(0.9229411764705883) * t46;
+  tau[1] = s_2 * t45 - Scalar(0.24511057085) * qdd_2 - t47 - t44;
+  tau[3] = tau_4;
+  tau[2] = -t47;
 }
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
@@ -456,122 +456,122 @@ static inline void inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd,
   const Scalar s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2],
       c_3 = cosine[2], s_4 = sine[3], c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4],
       s_6 = sine[5], c_6 = cosine[5];
+  const Scalar t1 = s_1 * h_e_4 - c_1 * h_e_5;
+  const Scalar mu_e1_x = s_1 * h_e_5 + c_1 * h_e_4;
+  const Scalar t2 = s_1 * h_e_1 - c_1 * h_e_2;
+  const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
   const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t1 = s_2 * s_3 - c_2 * c_3;
-  const Scalar t2 = s_4 * s_2_3 + c_4 * t1;
-  const Scalar t3 = t2 * qd_1;
+  const Scalar t3 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t4 = s_4 * s_2_3 + c_4 * t3;
+  const Scalar t5 = s_4 * t3 - c_4 * s_2_3;
+  const Scalar f_e4_y = t5 * f_e1_x - t4 * h_e_3;
+  const Scalar t6 = t5 * h_e_3 + t4 * f_e1_x;
+  const Scalar f_e5_x = s_5 * t2 - c_5 * t6;
+  const Scalar f_e6_x = s_6 * f_e4_y + c_6 * f_e5_x;
+  const Scalar t7 = s_6 * f_e5_x - c_6 * f_e4_y;
+  const Scalar mu_e4_y = t5 * mu_e1_x - t4 * h_e_6;
+  const Scalar t8 = t5 * h_e_6 + t4 * mu_e1_x;
+  const Scalar t9 = t4 * qd_1;
+  const Scalar omega_5_z = qd_5 + t9;
   const Scalar omega_3_z = qd_2 + qd_3;
   const Scalar omega_4_z = qd_4 + omega_3_z;
-  const Scalar t4 = omega_4_z * t3;
-  const Scalar t5 = s_4 * t1 - c_4 * s_2_3;
-  const Scalar t6 = t5 * qdd_1 + Scalar(2.0) * t4;
-  const Scalar t7 = t5 * qd_1;
-  const Scalar t8 = t7 * t3;
+  const Scalar t10 = t5 * qd_1;
+  const Scalar omega_r_5_y = s_5 * t10 + c_5 * omega_4_z;
+  const Scalar omega_6_z = qd_6 + omega_r_5_y;
+  const Scalar t11 = Scalar(0.0001321171875) * omega_6_z;
+  const Scalar omega_r_5_x = s_5 * omega_4_z - c_5 * t10;
+  const Scalar t12 = (s_6 * omega_r_5_x + c_6 * omega_5_z) * t11;
+  const Scalar t13 = (s_6 * omega_5_z - c_6 * omega_r_5_x) * t11;
+  const Scalar mu_e5_x = s_5 * t1 - c_5 * t8;
+  const Scalar t14 = Scalar(0.0823) * t7 - t12 + s_6 * mu_e4_y + c_6 * mu_e5_x;
+  const Scalar mu_6_y = t13 + Scalar(0.0823) * f_e6_x - s_6 * mu_e5_x + c_6 * mu_e4_y;
   const Scalar domega_3_z = qdd_2 + qdd_3;
   const Scalar domega_4_z = qdd_4 + domega_3_z;
-  const Scalar Uz_o_5_x = domega_4_z - t8;
-  const Scalar Uz_5_x = s_5 * t6 + c_5 * Uz_o_5_x;
-  const Scalar omega_r_5_x = s_5 * omega_4_z - c_5 * t7;
-  const Scalar omega_5_z = qd_5 + t3;
-  const Scalar t9 = omega_r_5_x * omega_5_z;
-  const Scalar domega_5_y = Uz_5_x - t9;
-  const Scalar domega_6_z = qdd_6 + domega_5_y;
-  const Scalar mu_e1_x = s_1 * h_e_5 + c_1 * h_e_4;
-  const Scalar t10 = t5 * h_e_6 + t2 * mu_e1_x;
-  const Scalar t11 = s_1 * h_e_4 - c_1 * h_e_5;
-  const Scalar tau_6 = Scalar(0.0001321171875) * domega_6_z + s_5 * t10 + c_5 * t11;
-  tau[5] = tau_6;
-  const Scalar f_e1_x = s_1 * h_e_2 + c_1 * h_e_1;
-  const Scalar t12 = t5 * h_e_3 + t2 * f_e1_x;
-  const Scalar t13 = s_1 * h_e_1 - c_1 * h_e_2;
-  const Scalar f_e5_x = s_5 * t13 - c_5 * t12;
-  const Scalar f_e4_y = t5 * f_e1_x - t2 * h_e_3;
-  const Scalar t14 = s_6 * f_e5_x - c_6 * f_e4_y;
-  const Scalar omega_r_5_y = s_5 * t7 + c_5 * omega_4_z;
-  const Scalar omega_6_z = qd_6 + omega_r_5_y;
-  const Scalar t15 = Scalar(0.0001321171875) * omega_6_z;
-  const Scalar t16 = (s_6 * omega_r_5_x + c_6 * omega_5_z) * t15;
-  const Scalar mu_e5_x = s_5 * t11 - c_5 * t10;
-  const Scalar mu_e4_y = t5 * mu_e1_x - t2 * h_e_6;
-  const Scalar t17 = Scalar(0.0823) * t14 - t16 + s_6 * mu_e4_y + c_6 * mu_e5_x;
-  const Scalar f_e6_x = s_6 * f_e4_y + c_6 * f_e5_x;
-  const Scalar t18 = (s_6 * omega_5_z - c_6 * omega_r_5_x) * t15;
-  const Scalar mu_6_y = t18 + Scalar(0.0823) * f_e6_x - s_6 * mu_e5_x + c_6 * mu_e4_y;
-  const Scalar t19 = Scalar(0.5) * t1 * qdd_1 + s_2_3 * qd_1 * omega_3_z;
-  const Scalar t20 = Scalar(0.425) * c_2;
-  const Scalar t21 = Scalar(0.85) * s_2 * qd_1 * qd_2 - qdd_1 * t20;
-  const Scalar t22 = qd_1 * qd_1;
-  const Scalar t23 = Scalar(0.10915) * t22 + t21 + Scalar(0.7845) * t19;
-  const Scalar t24 = Scalar(0.09465) * t6 - t23;
-  const Scalar t25 = omega_3_z * omega_3_z;
-  const Scalar t26 = qd_2 * qd_2;
-  const Scalar t27 = Scalar(0.425) * (s_2 * t26 - c_2 * qdd_2) + Scalar(9.81);
-  const Scalar t28 = Scalar(0.39225) * (s_2_3 * t25 + t1 * domega_3_z) + t27;
-  const Scalar t29 = s_2_3 * domega_3_z;
-  const Scalar t30 = s_2 * qdd_2;
-  const Scalar ddp_o_3_x = Scalar(0.425) * t30 + (t26 + t22) * t20;
+  const Scalar t15 = t10 * t9;
+  const Scalar t16 = omega_4_z * t9;
+  const Scalar Uz_o_5_y = t10 * t10 + omega_4_z * omega_4_z;
+  const Scalar t17 = omega_4_z * t10;
+  const Scalar t18 = omega_3_z * omega_3_z;
+  const Scalar t19 = Scalar(0.5) * t3 * qdd_1 + s_2_3 * qd_1 * omega_3_z;
+  const Scalar t20 = qd_2 * qd_2;
+  const Scalar t21 = Scalar(0.425) * (s_2 * t20 - c_2 * qdd_2) + Scalar(9.81);
+  const Scalar t22 = Scalar(0.39225) * (s_2_3 * t18 + t3 * domega_3_z) + t21;
+  const Scalar t23 = s_2_3 * domega_3_z;
+  const Scalar t24 = Scalar(0.425) * c_2;
+  const Scalar t25 = qd_1 * qd_1;
+  const Scalar t26 = s_2_3 * (qdd_1 - Scalar(1.211162571801966) * t3 * t25);
+  const Scalar t27 = s_2 * qdd_2;
+  const Scalar ddp_o_3_x = Scalar(0.425) * t27 + (t20 + t25) * t24;
+  const Scalar t28 = Scalar(0.85) * s_2 * qd_1 * qd_2 - qdd_1 * t24;
   const Scalar ddp_o_4_x = Scalar(0.10915) * qdd_1 + ddp_o_3_x +
-      Scalar(0.39225) * (t29 - t1 * (t22 + t25));
-  const Scalar t31 = t2 * ddp_o_4_x + t5 * t28;
-  const Scalar ddp_o_5_x = Scalar(0.09465) * Uz_o_5_x - t31;
-  const Scalar ddp_5_x = s_5 * t24 + c_5 * ddp_o_5_x;
-  const Scalar t32 = omega_4_z * t7;
-  const Scalar t33 = t2 * qdd_1;
-  const Scalar domega_4_y = t32 - t33;
+      Scalar(0.39225) * (t23 - t3 * (t25 + t18));
+  const Scalar t29 = t5 * ddp_o_4_x - t4 * t22;
+  const Scalar t30 = t4 * ddp_o_4_x + t5 * t22;
+  const Scalar ddp_o_5_y = Scalar(0.09465) * Uz_o_5_y + t29;
+  const Scalar t31 = t5 * qdd_1 + Scalar(2.0) * t16;
+  const Scalar Uz_o_5_x = domega_4_z - t15;
+  const Scalar t32 = omega_r_5_y * omega_5_z;
+  const Scalar t33 = omega_r_5_x * omega_r_5_y;
+  const Scalar U_5_zy = s_5 * Uz_o_5_x - c_5 * t31 + Scalar(2.0) * t32;
+  const Scalar t34 = s_6 * f_e6_x - Scalar(0.0351648539) * U_5_zy - c_6 * t7 +
+      Scalar(2.4707255485895) * t29 + Scalar(1.5941610670892763) * ddp_o_5_y;
+  const Scalar t35 = omega_5_z * omega_5_z + omega_r_5_x * omega_r_5_x;
+  const Scalar t36 = omega_r_5_x * omega_5_z;
+  const Scalar U_5_yy_zz = Uz_o_5_y - t35;
+  const Scalar mu_5_x = Scalar(0.000035853228) * U_5_yy_zz + Scalar(0.0054806000843398) * t32 -
+      Scalar(0.0351648539) * ddp_o_5_y - s_6 * mu_6_y + c_6 * t14;
+  const Scalar U_4_yy_zz = t25 - Uz_o_5_y;
+  const Scalar t37 = t4 * qdd_1;
+  const Scalar domega_4_y = t17 - t37;
   const Scalar domega_5_z = qdd_5 - domega_4_y;
-  const Scalar t34 = omega_r_5_x * omega_r_5_y;
-  const Scalar mu_5_z = Scalar(0.000035853228) * Uz_5_x - Scalar(0.0016432000421699) * t34 +
-      Scalar(0.0038374000421699) * domega_5_z - Scalar(0.0351648539) * ddp_5_x - s_6 * t17 -
+  const Scalar Uz_5_x = s_5 * t31 + c_5 * Uz_o_5_x;
+  const Scalar t38 = Scalar(0.10915) * t25 + t28 + Scalar(0.7845) * t19;
+  const Scalar t39 = Scalar(0.09465) * t31 - t38;
+  const Scalar t40 = s_2 * (qdd_1 - Scalar(1.6189225931148576) * c_2 * t25);
+  const Scalar ddp_o_5_x = Scalar(0.09465) * Uz_o_5_x - t30;
+  const Scalar ddp_5_x = s_5 * t39 + c_5 * ddp_o_5_x;
+  const Scalar mu_5_z = Scalar(0.000035853228) * Uz_5_x - Scalar(0.0016432000421699) * t33 +
+      Scalar(0.0038374000421699) * domega_5_z - Scalar(0.0351648539) * ddp_5_x - s_6 * t14 -
       c_6 * mu_6_y;
-  tau[4] = mu_5_z;
-  const Scalar t35 = domega_5_z - t34;
-  const Scalar t36 = Scalar(0.0351648539) * t35 - s_6 * t14 - c_6 * f_e6_x -
+  const Scalar t41 = t4 * (Scalar(-0.000035853228) * Uz_o_5_x -
+      Scalar(0.0017106935695699) * domega_4_y + Scalar(0.0039048935695699) * t17 - mu_5_z);
+  const Scalar t42 = domega_5_z - t33;
+  const Scalar t43 = Scalar(0.0351648539) * t42 - s_6 * t7 - c_6 * f_e6_x -
       Scalar(1.5941610670892763) * ddp_5_x;
-  const Scalar t37 = s_5 * ddp_o_5_x - c_5 * t24;
-  const Scalar t38 = omega_5_z * omega_5_z + omega_r_5_x * omega_r_5_x;
-  const Scalar t39 = Scalar(0.0351648539) * t38 - s_5 * t12 - c_5 * t13 +
-      Scalar(1.5941610670892763) * t37;
-  const Scalar t40 = s_5 * t39 - c_5 * t36;
-  const Scalar Uz_o_5_y = t7 * t7 + omega_4_z * omega_4_z;
-  const Scalar U_5_yy_zz = Uz_o_5_y - t38;
-  const Scalar t41 = omega_r_5_y * omega_5_z;
-  const Scalar t42 = t5 * ddp_o_4_x - t2 * t28;
-  const Scalar ddp_o_5_y = Scalar(0.09465) * Uz_o_5_y + t42;
-  const Scalar mu_5_x = Scalar(0.000035853228) * U_5_yy_zz + Scalar(0.0054806000843398) * t41 -
-      Scalar(0.0351648539) * ddp_o_5_y - s_6 * mu_6_y + c_6 * t17;
-  const Scalar t43 = Scalar(0.0038374000421699) * t9 - Scalar(0.000035853228) * t35 +
+  const Scalar t44 = s_5 * ddp_o_5_x - c_5 * t39;
+  const Scalar t45 = Scalar(0.0351648539) * t35 - s_5 * t6 - c_5 * t2 +
+      Scalar(1.5941610670892763) * t44;
+  tau[4] = mu_5_z;
+  const Scalar domega_5_y = Uz_5_x - t36;
+  const Scalar domega_6_z = qdd_6 + domega_5_y;
+  const Scalar tau_6 = Scalar(0.0001321171875) * domega_6_z + s_5 * t8 + c_5 * t1;
+  const Scalar t46 = Scalar(0.0038374000421699) * t36 - Scalar(0.000035853228) * t42 +
       Scalar(0.0016432000421699) * domega_5_y - tau_6;
-  const Scalar tau_4 = Scalar(0.000035853228) * t33 - Scalar(0.0017106935695699) * t8 +
-      Scalar(0.0039048935695699) * domega_4_z + Scalar(0.09465) * t40 + s_5 * mu_5_x - c_5 * t43;
-  tau[3] = tau_4;
-  const Scalar t44 = Scalar(2.4707255485895) * t31 - t40;
-  const Scalar U_5_zy = s_5 * Uz_o_5_x - c_5 * t6 + Scalar(2.0) * t41;
-  const Scalar t45 = s_6 * f_e6_x - Scalar(0.0351648539) * U_5_zy - c_6 * t14 +
-      Scalar(2.4707255485895) * t42 + Scalar(1.5941610670892763) * ddp_o_5_y;
-  const Scalar t46 = s_4 * t44 - c_4 * t45;
-  const Scalar t47 = s_2_3 * (qdd_1 - Scalar(1.211162571801966) * t1 * t22);
-  const Scalar t48 = Scalar(0.047511847575) * t47 + Scalar(0.0534495715) * domega_3_z - tau_4 -
-      Scalar(0.39225) * t46;
-  tau[2] = -t48;
-  const Scalar t49 = s_5 * t36 + c_5 * t39;
-  const Scalar t50 = Scalar(2.4707255485895) * t23 + t49;
-  const Scalar t51 = t30 + c_2 * (t26 -
-      Scalar(2.6440990982534) * (Scalar(5.087513384321224) * t21 + t50));
-  const Scalar t52 = t29 - t1 * (t25 + Scalar(8.255835544614685) * t50);
-  const Scalar f_u_4_t_x = t5 * t45 + t2 * t44;
-  const Scalar U_4_yy_zz = t22 - Uz_o_5_y;
-  const Scalar t53 = Scalar(0.000035853228) * U_4_yy_zz + Scalar(0.0056155871391398) * t4 -
-      Scalar(0.09465) * t49 - s_5 * t43 - c_5 * mu_5_x;
-  const Scalar t54 = t2 * (Scalar(-0.000035853228) * Uz_o_5_x -
-      Scalar(0.0017106935695699) * domega_4_y + Scalar(0.0039048935695699) * t32 - mu_5_z);
-  tau[0] = Scalar(0.1252186854919588) * qdd_1 - Scalar(0.115089143) * t1 * t19 +
-      Scalar(0.10915) * f_u_4_t_x + Scalar(0.6122775784705883) * c_2 * t21 + t5 * t53 - t54 +
+  tau[5] = tau_6;
+  const Scalar t47 = s_5 * t45 - c_5 * t43;
+  const Scalar tau_4 = Scalar(0.000035853228) * t37 - Scalar(0.0017106935695699) * t15 +
+      Scalar(0.0039048935695699) * domega_4_z + Scalar(0.09465) * t47 + s_5 * mu_5_x - c_5 * t46;
+  const Scalar t48 = s_5 * t43 + c_5 * t45;
+  const Scalar t49 = Scalar(0.000035853228) * U_4_yy_zz + Scalar(0.0056155871391398) * t16 -
+      Scalar(0.09465) * t48 - s_5 * t46 - c_5 * mu_5_x;
+  const Scalar t50 = Scalar(2.4707255485895) * t38 + t48;
+  const Scalar t51 = t27 + c_2 * (t20 -
+      Scalar(2.6440990982534) * (Scalar(5.087513384321224) * t28 + t50));
+  const Scalar t52 = t23 - t3 * (t18 + Scalar(8.255835544614685) * t50);
+  const Scalar t53 = Scalar(2.4707255485895) * t30 - t47;
+  const Scalar t54 = c_2 * (t5 * t53 - t4 * t34 + Scalar(5.087513384321224) * t21);
+  const Scalar f_u_4_t_x = t5 * t34 + t4 * t53;
+  tau[0] = Scalar(0.1252186854919588) * qdd_1 - Scalar(0.115089143) * t3 * t19 +
+      Scalar(0.10915) * f_u_4_t_x + Scalar(0.6122775784705883) * c_2 * t28 + t5 * t49 - t41 +
       Scalar(0.16073527663193116) * t51 - Scalar(0.047511847575) * t52;
+  const Scalar t55 = s_4 * t53 - c_4 * t34;
+  const Scalar t56 = Scalar(0.047511847575) * t26 + Scalar(0.0534495715) * domega_3_z - tau_4 -
+      Scalar(0.39225) * t55;
   const Scalar f_3_x = Scalar(5.087513384321224) * ddp_o_3_x + f_u_4_t_x;
-  const Scalar t55 = c_2 * (t5 * t44 - t2 * t45 + Scalar(5.087513384321224) * t27);
-  const Scalar t56 = s_2 * (qdd_1 - Scalar(1.6189225931148576) * c_2 * t22);
-  const Scalar t57 = Scalar(0.24511057085) * qdd_2 - Scalar(0.16073527663193116) * t56 + t48 -
-      Scalar(0.425) * (s_2 * f_3_x - t55);
+  const Scalar t57 = Scalar(0.24511057085) * qdd_2 - Scalar(0.16073527663193116) * t40 + t56 -
+      Scalar(0.425) * (s_2 * f_3_x - t54);
+  tau[3] = tau_4;
+  tau[2] = -t56;
   tau[1] = -t57;
 }
 
@@ -823,138 +823,138 @@ static inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
   sin_cos(q, Joints<1, 2, 3, 4>(), sine, cosine);
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
-  const Scalar t1 = s_5 * qd_5;
-  const Scalar C_44 = Scalar(0.0015110828546699) * c_5 * t1;
-  C[21] = C_44;
-  const Scalar t2 = s_2 * s_3 - c_2 * c_3;
+  const Scalar t1 = s_2 * s_3 - c_2 * c_3;
   const Scalar s_2_3 = s_2 * c_3 + c_2 * s_3;
-  const Scalar t3 = s_4 * t2 - c_4 * s_2_3;
-  const Scalar t4 = c_5 * t3;
-  const Scalar t5 = qd_2 + qd_3;
-  const Scalar t6 = qd_4 + t5;
-  const Scalar C_56 = Scalar(0.00006605859375) * s_5 * t6 - Scalar(0.00006605859375) * qd_1 * t4;
-  C[29] = C_56;
-  const Scalar t7 = s_4 * s_2_3 + c_4 * t2;
-  const Scalar t8 = s_5 * t7;
-  C[5] = C[30] = Scalar(0.00006605859375) * (qd_5 * t4 + t8 * t6);
-  const Scalar t9 = qd_1 * t8;
-  C[11] = C[17] = C[23] = Scalar(-0.00006605859375) * (t9 + t1);
-  C[31] = C[32] = C[33] = Scalar(-0.00006605859375) * (t1 - t9);
-  C[34] = -C_56;
-  const Scalar t10 = Scalar(-0.0019191219015925) * t4;
-  const Scalar t11 = Scalar(-0.0016462500968175) * t8;
-  const Scalar t12 = -t10 - t11 + Scalar(0.00191870002108495) * t3;
-  const Scalar t13 = t10 - t11 - Scalar(0.0015110828546699) * t3 * (c_5 * c_5 - Scalar(0.5));
-  const Scalar t14 = t12 + t13;
-  const Scalar t15 = Scalar(0.0015110828546699) * s_5;
-  const Scalar t16 = c_5 * t15;
-  const Scalar t17 = Scalar(0.00006605859375) * qd_6;
-  const Scalar t18 = s_5 * t17;
-  const Scalar C_54 = t18 - t6 * t16 - qd_1 * t14;
-  C[27] = C_54;
-  const Scalar t19 = Scalar(1.0834926704907584) * c_2;
-  const Scalar t20 = t2 - t19;
+  const Scalar t2 = s_4 * t1 - c_4 * s_2_3;
+  const Scalar t3 = s_4 * s_2_3 + c_4 * t1;
+  const Scalar t4 = Scalar(1.0834926704907584) * c_2;
+  const Scalar t5 = t1 - t4;
   const Scalar v_o_2_4_x = Scalar(1.0834926704907584) * s_2 + s_2_3;
-  const Scalar t21 = t3 * t20 + t7 * v_o_2_4_x;
-  const Scalar t22 = Scalar(0.013793413942275) * s_5;
-  const Scalar t23 = t3 * v_o_2_4_x - t7 * t20;
-  const Scalar t24 = Scalar(0.05918556107625) * t23 - t21 * t22;
-  const Scalar t25 = Scalar(0.013793413942275) * t23 - t15;
-  const Scalar t26 = c_5 * t25;
-  const Scalar t27 = qd_4 * t24 - qd_5 * t26;
-  const Scalar t28 = s_5 * t3;
-  const Scalar t29 = Scalar(0.0068967069711375) * t28 + Scalar(0.029592780538125) * t7;
-  const Scalar f_3_3_x = Scalar(0.677642004375) * s_2_3 - Scalar(2.1669853409815167) * t29;
-  const Scalar t30 = c_2 * f_3_3_x;
-  const Scalar t31 = Scalar(0.0320635608125) * t3 - Scalar(0.00747253145375) * t8;
-  const Scalar t32 = s_2 * (Scalar(0.677642004375) * t2 - Scalar(2.0) * t31);
-  const Scalar t33 = t30 + t32;
-  C[7] = t27 - qd_3 * t33;
-  const Scalar t34 = s_2_3 * t3 - t2 * t7;
-  const Scalar t35 = Scalar(0.013793413942275) * t34 - t15;
-  const Scalar t36 = c_5 * t35;
-  const Scalar t37 = s_2_3 * t7 + t2 * t3;
-  const Scalar t38 = Scalar(0.05918556107625) * t34 - t37 * t22;
-  const Scalar t39 = qd_5 * t36 - qd_4 * t38;
-  C[14] = -t39;
-  C[22] = Scalar(0.003292500193635) * t1 - C_54;
-  const Scalar t40 = Scalar(0.00075554142733495) * c_5;
-  const Scalar Iu_4_t_d = c_5 * t40 + Scalar(0.00532184893849005);
-  const Scalar t41 = Scalar(0.003292500193635) * t28 + t7 * Iu_4_t_d;
-  const Scalar t42 = Scalar(0.0068967069711375) * s_5;
-  const Scalar t43 = t7 * (Scalar(0.003292500193635) * t8 - t3 * Iu_4_t_d +
-      Scalar(0.029592780538125) * t20);
-  const Scalar t44 = t29 * t20 - t3 * (t41 - t20 * t42) + t43;
-  const Scalar t45 = t8 * t17;
-  const Scalar t46 = t45 - qd_1 * t44;
-  const Scalar t47 = t12 - t13;
+  const Scalar t6 = t2 * t5 + t3 * v_o_2_4_x;
+  const Scalar t7 = t2 * v_o_2_4_x - t3 * t5;
+  const Scalar t8 = Scalar(0.0015110828546699) * s_5;
+  const Scalar t9 = s_2_3 * t2 - t1 * t3;
+  const Scalar t10 = Scalar(0.013793413942275) * t9 - t8;
+  const Scalar t11 = Scalar(-0.5) * t2;
+  const Scalar t12 = Scalar(-0.0068967069711375) * t3;
+  const Scalar t13 = c_5 * t2;
+  const Scalar t14 = Scalar(0.00075554142733495) * c_5;
+  const Scalar t15 = t14 + Scalar(0.0019191219015925);
+  const Scalar t16 = t13 * t15;
+  const Scalar t17 = s_2_3 * t3 + t1 * t2;
+  const Scalar t18 = t17 - Scalar(0.23870089068696182);
+  const Scalar t19 = t16 - s_5 * (t11 * t10 + t18 * t12);
+  const Scalar t20 = Scalar(0.013793413942275) * t7 - t8;
+  const Scalar t21 = c_5 * t8;
+  const Scalar t22 = t6 - Scalar(0.23870089068696182);
+  const Scalar t23 = s_5 * (t20 * t11 + t22 * t12) - t16;
+  const Scalar t24 = s_5 * t3;
+  const Scalar t25 = Scalar(0.0320635608125) * t2 - Scalar(0.00747253145375) * t24;
   const Scalar Ic_4_yz = Scalar(0.0016462500968175) * c_5 - Scalar(0.000017926614);
-  const Scalar t48 = t3 * Ic_4_yz - t8 * t40 + Scalar(0.25682352941176473) * t31;
-  C[3] = Scalar(2.0) * t48 * t6 - qd_5 * t47 + t46;
-  const Scalar t49 = Scalar(0.5) * t24 + Scalar(0.5) * t38;
-  const Scalar t50 = s_2 * t31 + t29 * t19;
-  const Scalar t51 = t50 + t49;
-  const Scalar t52 = qd_2 * t24;
-  C[9] = t27 + qd_3 * t51 + t52;
-  C[18] = qd_5 * t14 - t46;
-  const Scalar t53 = t50 - t49;
-  C[19] = C_44 - t52 + qd_3 * t53;
-  const Scalar t54 = Scalar(0.0019191219015925) * t8 +
-      Scalar(0.0068967069711375) * c_5 * (Scalar(0.2413001912045889) * t3 - t20);
-  const Scalar t55 = t54 - Scalar(0.000017926614) * t4;
-  const Scalar t56 = t40 + Scalar(0.0019191219015925);
-  const Scalar t57 = t28 * (Scalar(0.0019191219015925) + t56) -
-      c_5 * (Scalar(0.000017926614) * t7 - Scalar(0.00075554142733495) * t28);
-  const Scalar t58 = t3 * t57 + t7 * (t54 + t55);
-  const Scalar t59 = t2 * (Scalar(0.283939568621875) * s_2_3 - t29);
-  const Scalar t60 = Scalar(0.0016462500968175) * s_5 - t3 * t41 +
-      Scalar(0.9229411764705883) * s_2_3 * t31 - t59;
-  const Scalar c_3_1_1 = Scalar(2.0) * t60 + t30;
-  const Scalar t61 = c_3_1_1 - t32 + Scalar(1.39293427915) * c_2 * s_2;
-  C[0] = -qd_5 * t58 - qd_4 * t44 - qd_3 * c_3_1_1 - qd_2 * t61;
-  const Scalar t62 = t45 - qd_1 * t61;
-  const Scalar t63 = Scalar(-0.5) * t3;
-  const Scalar t64 = t21 - Scalar(0.23870089068696182);
-  const Scalar t65 = Scalar(-0.0068967069711375) * t7;
-  const Scalar t66 = t4 * t56;
-  const Scalar t67 = s_5 * (t25 * t63 + t64 * t65) - t66;
-  const Scalar t68 = t12 - s_2_3 * t42;
-  const Scalar t69 = t68 - Scalar(0.00747253145375) * s_2 * s_5;
-  const Scalar t70 = t69 - t67;
-  const Scalar t71 = t48 - Scalar(0.0068967069711375) * t2 * (c_5 + Scalar(9.172679381315092));
-  const Scalar t72 = qd_2 * (t71 +
+  const Scalar t26 = t2 * Ic_4_yz - t24 * t14 + Scalar(0.25682352941176473) * t25;
+  const Scalar Iu_4_t_d = c_5 * t14 + Scalar(0.00532184893849005);
+  const Scalar t27 = s_5 * t2;
+  const Scalar t28 = t27 * (Scalar(0.0019191219015925) + t15) -
+      c_5 * (Scalar(0.000017926614) * t3 - Scalar(0.00075554142733495) * t27);
+  const Scalar t29 = Scalar(0.0068967069711375) * t27 + Scalar(0.029592780538125) * t3;
+  const Scalar t30 = Scalar(0.003292500193635) * t27 + t3 * Iu_4_t_d;
+  const Scalar t31 = t3 * (Scalar(0.003292500193635) * t24 - t2 * Iu_4_t_d +
+      Scalar(0.029592780538125) * t5);
+  const Scalar t32 = s_2 * t25 + t29 * t4;
+  const Scalar t33 = Scalar(0.0068967069711375) * s_5;
+  const Scalar t34 = t29 * t5 - t2 * (t30 - t5 * t33) + t31;
+  const Scalar t35 = Scalar(0.0019191219015925) * t24 +
+      Scalar(0.0068967069711375) * c_5 * (Scalar(0.2413001912045889) * t2 - t5);
+  const Scalar t36 = t35 - Scalar(0.000017926614) * t13;
+  const Scalar t37 = t2 * t28 + t3 * (t35 + t36);
+  const Scalar t38 = Scalar(-0.00747253145375) * c_5 * (s_2 * t2 + c_2 * t3);
+  const Scalar t39 = t1 * (Scalar(0.283939568621875) * s_2_3 - t29);
+  const Scalar t40 = Scalar(0.0016462500968175) * s_5 - t2 * t30 +
+      Scalar(0.9229411764705883) * s_2_3 * t25 - t39;
+  const Scalar f_3_3_x = Scalar(0.677642004375) * s_2_3 - Scalar(2.1669853409815167) * t29;
+  const Scalar t41 = c_2 * f_3_3_x;
+  const Scalar c_3_1_1 = Scalar(2.0) * t40 + t41;
+  const Scalar t42 = s_2 * (Scalar(0.677642004375) * t1 - Scalar(2.0) * t25);
+  const Scalar t43 = t26 - Scalar(0.0068967069711375) * t1 * (c_5 + Scalar(9.172679381315092));
+  const Scalar t44 = t41 + t42;
+  const Scalar t45 = c_3_1_1 - t42 + Scalar(1.39293427915) * c_2 * s_2;
+  C[0] = -qd_5 * t37 - qd_4 * t34 - qd_3 * c_3_1_1 - qd_2 * t45;
+  const Scalar t46 = Scalar(-0.0019191219015925) * t13;
+  const Scalar t47 = Scalar(-0.0016462500968175) * t24;
+  const Scalar t48 = -t46 - t47 + Scalar(0.00191870002108495) * t2;
+  const Scalar t49 = t46 - t47 - Scalar(0.0015110828546699) * t2 * (c_5 * c_5 - Scalar(0.5));
+  const Scalar t50 = t48 - s_2_3 * t33;
+  const Scalar t51 = Scalar(0.00006605859375) * qd_6;
+  const Scalar t52 = t13 * t51 - qd_1 * t37;
+  const Scalar t53 = t24 * t51;
+  const Scalar t54 = t53 - qd_1 * t45;
+  const Scalar t55 = t53 - qd_1 * c_3_1_1;
+  const Scalar t56 = t53 - qd_1 * t34;
+  const Scalar t57 = s_5 * t51;
+  const Scalar t58 = t50 - Scalar(0.00747253145375) * s_2 * s_5;
+  const Scalar t59 = t58 - t23;
+  const Scalar t60 = t58 + t23;
+  C[6] = qd_5 * t60 - t54;
+  const Scalar t61 = qd_2 * (t43 +
       Scalar(0.00747253145375) * c_2 * (c_5 + Scalar(23.37228607112171)));
-  const Scalar t73 = qd_4 * t48;
-  C[1] = Scalar(2.0) * (t73 + qd_3 * t71 + t72) - qd_5 * t70 + t62;
-  const Scalar t74 = t37 - Scalar(0.23870089068696182);
-  const Scalar t75 = t66 - s_5 * (t63 * t35 + t74 * t65);
-  const Scalar t76 = t68 + t75;
-  const Scalar t77 = t45 - qd_1 * c_3_1_1;
-  C[2] = Scalar(2.0) * (t73 + t71 * t5) - qd_5 * t76 + t77;
-  const Scalar t78 = t4 * t17 - qd_1 * t58;
-  C[4] = t78 - qd_4 * t47 - qd_3 * t76 - Scalar(2.0) * qd_5 * t55 - qd_2 * t70;
-  const Scalar t79 = Scalar(-0.5) * c_5 * (t25 + t35);
-  const Scalar t80 = Scalar(-0.00747253145375) * c_5 * (s_2 * t3 + c_2 * t7);
-  const Scalar t81 = t80 + t79;
-  C[8] = qd_5 * t81 + qd_4 * t51 - t33 * t5;
-  const Scalar t82 = t80 - t79;
-  C[13] = -qd_5 * t82 - qd_4 * t53 + qd_2 * t33;
-  const Scalar t83 = qd_3 * t38 - qd_2 * t53;
-  C[15] = t83 - t39;
-  C[20] = C_44 - t83;
-  const Scalar t84 = t69 + t67;
-  C[6] = qd_5 * t84 - t62;
-  const Scalar t85 = t68 - t75;
-  C[12] = qd_5 * t85 - t77;
-  C[24] = -qd_4 * t14 - t78 - qd_3 * t85 - qd_2 * t84;
-  const Scalar t86 = t18 + qd_2 * t26 - qd_1 * t84;
-  const Scalar t87 = qd_4 * t16;
-  C[25] = qd_3 * t82 - t87 + t86;
-  const Scalar t88 = t18 - qd_1 * t85 + qd_3 * t36 + qd_2 * t82;
-  C[26] = t88 - t87;
-  const Scalar t89 = Scalar(0.013793413942275) * t1;
-  C[10] = qd_3 * t81 - t64 * t89 - qd_4 * t26 - t86;
-  C[16] = -t74 * t89 - qd_4 * t36 - t88;
+  const Scalar t62 = qd_4 * t26;
+  C[1] = Scalar(2.0) * (t62 + qd_3 * t43 + t61) - qd_5 * t59 + t54;
+  const Scalar t63 = qd_2 + qd_3;
+  const Scalar t64 = t50 + t19;
+  C[2] = Scalar(2.0) * (t62 + t43 * t63) - qd_5 * t64 + t55;
+  const Scalar t65 = t50 - t19;
+  C[12] = qd_5 * t65 - t55;
+  const Scalar t66 = t48 - t49;
+  C[4] = t52 - qd_4 * t66 - qd_3 * t64 - Scalar(2.0) * qd_5 * t36 - qd_2 * t59;
+  const Scalar t67 = t48 + t49;
+  C[24] = -qd_4 * t67 - t52 - qd_3 * t65 - qd_2 * t60;
+  C[18] = qd_5 * t67 - t56;
+  const Scalar t68 = qd_4 + t63;
+  C[3] = Scalar(2.0) * t26 * t68 - qd_5 * t66 + t56;
+  const Scalar C_54 = t57 - t68 * t21 - qd_1 * t67;
+  const Scalar t69 = qd_4 * t21;
+  C[5] = C[30] = Scalar(0.00006605859375) * (qd_5 * t13 + t24 * t68);
+  const Scalar C_56 = Scalar(0.00006605859375) * s_5 * t68 - Scalar(0.00006605859375) * qd_1 * t13;
+  const Scalar t70 = qd_1 * t24;
+  C[29] = C_56;
+  C[34] = -C_56;
+  C[27] = C_54;
+  const Scalar t71 = Scalar(0.013793413942275) * s_5;
+  const Scalar t72 = Scalar(0.05918556107625) * t7 - t6 * t71;
+  const Scalar t73 = Scalar(0.05918556107625) * t9 - t17 * t71;
+  const Scalar t74 = Scalar(0.5) * t72 + Scalar(0.5) * t73;
+  const Scalar t75 = t32 + t74;
+  const Scalar t76 = t32 - t74;
+  const Scalar t77 = Scalar(-0.5) * c_5 * (t20 + t10);
+  const Scalar t78 = c_5 * t20;
+  const Scalar t79 = t57 + qd_2 * t78 - qd_1 * t60;
+  const Scalar t80 = c_5 * t10;
+  const Scalar t81 = t38 + t77;
+  C[8] = qd_5 * t81 + qd_4 * t75 - t44 * t63;
+  const Scalar t82 = t38 - t77;
+  const Scalar t83 = t57 - qd_1 * t65 + qd_3 * t80 + qd_2 * t82;
+  C[13] = -qd_5 * t82 - qd_4 * t76 + qd_2 * t44;
+  C[25] = qd_3 * t82 - t69 + t79;
+  C[26] = t83 - t69;
+  const Scalar t84 = s_5 * qd_5;
+  C[22] = Scalar(0.003292500193635) * t84 - C_54;
+  C[11] = C[17] = C[23] = Scalar(-0.00006605859375) * (t70 + t84);
+  C[31] = C[32] = C[33] = Scalar(-0.00006605859375) * (t84 - t70);
+  const Scalar t85 = Scalar(0.013793413942275) * t84;
+  C[10] = qd_3 * t81 - t22 * t85 - qd_4 * t78 - t79;
+  C[16] = -t18 * t85 - qd_4 * t80 - t83;
+  const Scalar t86 = qd_4 * t72 - qd_5 * t78;
+  C[7] = t86 - qd_3 * t44;
+  const Scalar t87 = qd_2 * t72;
+  C[9] = t86 + qd_3 * t75 + t87;
+  const Scalar C_44 = Scalar(0.0015110828546699) * c_5 * t84;
+  C[19] = C_44 - t87 + qd_3 * t76;
+  const Scalar t88 = qd_3 * t73 - qd_2 * t76;
+  const Scalar t89 = qd_5 * t80 - qd_4 * t73;
+  C[21] = C_44;
+  C[20] = C_44 - t88;
+  C[15] = t88 - t89;
+  C[14] = -t89;
   C[28] = C[35] = Scalar(0.0);
 }
 
@@ -1108,161 +1108,162 @@ static inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Sca
   const Scalar s_2 = sine[1], c_2 = cosine[1], s_3 = sine[2], c_3 = cosine[2], s_4 = sine[3],
       c_4 = cosine[3], s_5 = sine[4], c_5 = cosine[4];
   const Scalar s_2_3 = c_2 * s_3 + s_2 * c_3;
+  const Scalar t1 = c_2 * c_3 - s_2 * s_3;
+  const Scalar t2 = c_4 * t1 - s_4 * s_2_3;
+  const Scalar t3 = t2 * qd_1;
+  const Scalar omega_5_z = qd_5 - t3;
   const Scalar omega_3_z = qd_2 + qd_3;
-  const Scalar t1 = s_2_3 * omega_3_z;
-  const Scalar t2 = qd_2 * qd_2;
-  const Scalar ddp_o_3_y = s_2 * t2 + Scalar(23.08235294117647);
-  const Scalar ddp_o_4_y = Scalar(0.9229411764705883) * omega_3_z * t1 + ddp_o_3_y;
-  const Scalar t3 = c_2 * c_3 - s_2 * s_3;
-  const Scalar t4 = c_4 * s_2_3 + s_4 * t3;
-  const Scalar t5 = c_4 * t3 - s_4 * s_2_3;
-  const Scalar t6 = omega_3_z * omega_3_z;
-  const Scalar t7 = qd_1 * qd_1;
-  const Scalar t8 = c_2 * (t7 + t2);
-  const Scalar t9 = t8 + Scalar(0.9229411764705883) * t3 * (t7 + t6);
-  const Scalar t10 = t5 * t9 + t4 * ddp_o_4_y;
-  const Scalar t11 = t4 * qd_1;
-  const Scalar t12 = t5 * qd_1;
-  const Scalar t13 = t11 * t12;
-  const Scalar t14 = t10 - Scalar(0.22270588235294117) * t13;
   const Scalar omega_4_z = qd_4 + omega_3_z;
-  const Scalar t15 = omega_4_z * t12;
-  const Scalar t16 = qd_1 * t1;
-  const Scalar t17 = qd_1 * s_2 * qd_2;
-  const Scalar t18 = Scalar(0.25682352941176473) * t7 + Scalar(2.0) * t17 +
-      Scalar(1.8458823529411765) * t16;
-  const Scalar t19 = Scalar(0.44541176470588234) * t15 + t18;
-  const Scalar t20 = c_5 * t14 - s_5 * t19;
-  const Scalar t21 = c_5 * t11;
-  const Scalar t22 = s_5 * omega_4_z;
-  const Scalar omega_r_5_x = t21 + t22;
-  const Scalar t23 = s_5 * t11;
-  const Scalar t24 = c_5 * omega_4_z;
-  const Scalar omega_r_5_y = t24 - t23;
-  const Scalar t25 = omega_r_5_x * omega_r_5_y;
-  const Scalar t26 = omega_4_z * t11;
-  const Scalar t27 = t26 - t25;
-  const Scalar t28 = Scalar(0.0149450629075) * t27 - Scalar(0.28794534274300054) * t20;
-  const Scalar omega_5_z = qd_5 - t12;
-  const Scalar t29 = omega_r_5_x * omega_r_5_x + omega_5_z * omega_5_z;
-  const Scalar t30 = Scalar(0.0149450629075) * t29 +
-      Scalar(0.28794534274300054) * (c_5 * t19 + s_5 * t14);
-  const Scalar t31 = c_5 * t28 - s_5 * t30;
-  const Scalar t32 = Scalar(0.4462748022139784) * t10 - t31;
-  const Scalar t33 = omega_r_5_y * omega_5_z;
-  const Scalar t34 = t12 * (t24 - Scalar(0.5) * t23) + t33;
-  const Scalar Uz_o_5_y = t11 * t11 + omega_4_z * omega_4_z;
-  const Scalar t35 = t5 * ddp_o_4_y - t4 * t9;
-  const Scalar t36 = Scalar(0.064127121625) * Uz_o_5_y - Scalar(0.029890125815) * t34 +
-      Scalar(0.734220144956979) * t35;
-  const Scalar t37 = s_4 * t32 + c_4 * t36;
+  const Scalar t4 = c_4 * s_2_3 + s_4 * t1;
+  const Scalar t5 = t4 * qd_1;
+  const Scalar t6 = s_5 * t5;
+  const Scalar t7 = c_5 * omega_4_z;
+  const Scalar omega_r_5_y = t7 - t6;
+  const Scalar t8 = omega_r_5_y * omega_5_z;
+  const Scalar t9 = t3 * (t7 - Scalar(0.5) * t6) + t8;
+  const Scalar t10 = qd_1 * s_2 * qd_2;
+  const Scalar t11 = qd_2 * qd_2;
+  const Scalar t12 = s_2_3 * omega_3_z;
+  const Scalar t13 = qd_1 * t12;
+  const Scalar ddp_o_3_y = s_2 * t11 + Scalar(23.08235294117647);
+  const Scalar ddp_o_4_y = Scalar(0.9229411764705883) * omega_3_z * t12 + ddp_o_3_y;
+  const Scalar t14 = omega_3_z * omega_3_z;
+  const Scalar t15 = qd_1 * qd_1;
+  const Scalar t16 = c_2 * (t15 + t11);
+  const Scalar t17 = t16 + Scalar(0.9229411764705883) * t1 * (t15 + t14);
+  const Scalar t18 = t2 * t17 + t4 * ddp_o_4_y;
+  const Scalar t19 = t2 * ddp_o_4_y - t4 * t17;
+  const Scalar t20 = c_5 * t5;
+  const Scalar t21 = s_5 * omega_4_z;
+  const Scalar t22 = (t20 + Scalar(2.0) * t21) * t3;
+  const Scalar omega_r_5_x = t20 + t21;
   const Scalar omega_6_z = qd_6 + omega_r_5_y;
-  const Scalar t38 = Scalar(0.0001321171875) * omega_6_z;
-  const Scalar t39 = Scalar(0.000035853228) * t29 + omega_5_z * t38 +
-      Scalar(0.003292500193635) * Uz_o_5_y - Scalar(0.0054806000843398) * t33 +
-      Scalar(0.0149450629075) * t35;
-  const Scalar t40 = omega_r_5_x * omega_5_z;
-  const Scalar t41 = (t21 + Scalar(2.0) * t22) * t12;
-  const Scalar t42 = Scalar(0.0001321171875) * (t40 + t41) + tau_6;
-  const Scalar t43 = Scalar(-0.000035853228) * t27 - Scalar(0.0015110828546699) * t41 +
-      Scalar(0.0023263171875) * t40 - t42;
-  const Scalar t44 = Scalar(0.0017106935695699) * t13 + s_5 * t39 +
-      Scalar(0.22270588235294117) * t31 + c_5 * t43;
-  const Scalar t45 = Scalar(0.0575445715) * t3 * s_2_3 * t7 + t44 +
-      Scalar(0.9229411764705883) * t37;
-  const Scalar t46 = Scalar(0.000035853228) * t41 - omega_r_5_x * t38 +
-      Scalar(0.0016432000421699) * t25 - Scalar(0.0038374000421699) * t26 +
-      Scalar(0.0149450629075) * t20;
-  const Scalar t47 = t46 + tau_5;
-  const Scalar t48 = Scalar(0.8580028554367816) * c_5;
-  const Scalar y_5_4 = t44 + t48 * t47 + tau_4;
-  const Scalar t49 = s_4 - Scalar(0.23305369910246615) * c_4 * s_5;
-  const Scalar t50 = c_5 * c_5;
-  const Scalar t51 = Scalar(0.0016432000421699) * t50;
-  const Scalar t52 = t51 - Scalar(0.0181863807738199) + Scalar(0.05918556107625) * t49;
-  const Scalar t53 = s_4 - Scalar(0.23870089068696182);
-  const Scalar t54 = t50 * t53;
-  const Scalar t55 = t52 - Scalar(0.011834788548693463) * t54;
-  const Scalar t56 = Scalar(0.004468174609834886) * t50 - Scalar(0.0181863807738199);
-  const Scalar t57 = Scalar(1.0) / t56;
-  const Scalar t58 = t55 * t57;
-  const Scalar t59 = Scalar(3.594468596105858) * c_5 * t53;
-  const Scalar t60 = tau_3 + t45 - t59 * t47 - t58 * y_5_4;
-  const Scalar t61 = s_5 * t4;
-  const Scalar t62 = Scalar(0.0149450629075) * t61 + Scalar(0.064127121625) * t5;
-  const Scalar f_3_3_x = t62 + Scalar(0.677642004375) * s_2_3;
-  const Scalar t63 = Scalar(0.064127121625) * t4 - Scalar(0.0149450629075) * s_5 * t5;
-  const Scalar t64 = c_2 * (Scalar(0.677642004375) * t3 - t63);
-  const Scalar t65 = s_2 * f_3_3_x + t64;
-  const Scalar t66 = Scalar(0.9229411764705883) * t53;
-  const Scalar t67 = c_2 * t4 - s_2 * t5 + t66;
-  const Scalar t68 = t50 * t67;
-  const Scalar t69 = c_2 * t63 - Scalar(0.012822906649317328) * t68 - s_2 * t62 + t52;
-  const Scalar t70 = t51 + Scalar(0.1183711221525) * t49 - Scalar(0.5901605180175699);
-  const Scalar t71 = Scalar(0.053719559287835256) * t67 * t54 - t69 * t58 - t65 + t70;
-  const Scalar t72 = Scalar(0.04957999324859619) * t53 * t54 - t55 * t58 + t70;
-  const Scalar t73 = Scalar(1.0) / t72;
-  const Scalar t74 = t71 * t73;
-  const Scalar t75 = t5 * t32 - t4 * t36;
-  const Scalar f_3_x = Scalar(0.918932105043021) * t8 + t75;
-  const Scalar t76 = Scalar(0.26021797085) * s_2 * t7 + t4 * t32 + t5 * t36 +
+  const Scalar t23 = Scalar(0.0001321171875) * omega_6_z;
+  const Scalar t24 = omega_r_5_x * omega_r_5_y;
+  const Scalar t25 = omega_r_5_x * omega_r_5_x + omega_5_z * omega_5_z;
+  const Scalar Uz_o_5_y = t5 * t5 + omega_4_z * omega_4_z;
+  const Scalar t26 = Scalar(0.000035853228) * t25 + omega_5_z * t23 +
+      Scalar(0.003292500193635) * Uz_o_5_y - Scalar(0.0054806000843398) * t8 +
+      Scalar(0.0149450629075) * t19;
+  const Scalar t27 = Scalar(0.064127121625) * Uz_o_5_y - Scalar(0.029890125815) * t9 +
+      Scalar(0.734220144956979) * t19;
+  const Scalar t28 = omega_r_5_x * omega_5_z;
+  const Scalar U_4_yy_zz = t15 - Uz_o_5_y;
+  const Scalar t29 = omega_4_z * t3;
+  const Scalar t30 = t5 * t3;
+  const Scalar t31 = omega_4_z * t5;
+  const Scalar t32 = t18 - Scalar(0.22270588235294117) * t30;
+  const Scalar t33 = Scalar(0.25682352941176473) * t15 + Scalar(2.0) * t10 +
+      Scalar(1.8458823529411765) * t13;
+  const Scalar t34 = Scalar(0.44541176470588234) * t29 + t33;
+  const Scalar t35 = Scalar(0.0149450629075) * t25 +
+      Scalar(0.28794534274300054) * (c_5 * t34 + s_5 * t32);
+  const Scalar t36 = c_5 * t32 - s_5 * t34;
+  const Scalar t37 = Scalar(0.000035853228) * t22 - omega_r_5_x * t23 +
+      Scalar(0.0016432000421699) * t24 - Scalar(0.0038374000421699) * t31 +
+      Scalar(0.0149450629075) * t36;
+  const Scalar t38 = t31 - t24;
+  const Scalar t39 = Scalar(0.0149450629075) * t38 - Scalar(0.28794534274300054) * t36;
+  const Scalar t40 = t2 * (Scalar(0.0021942) * t31 - Scalar(0.000035853228) * t30 - t37);
+  const Scalar t41 = t37 + tau_5;
+  const Scalar t42 = Scalar(0.0001321171875) * (t28 + t22) + tau_6;
+  const Scalar t43 = Scalar(-0.000035853228) * t38 - Scalar(0.0015110828546699) * t22 +
+      Scalar(0.0023263171875) * t28 - t42;
+  const Scalar t44 = c_5 * t39 - s_5 * t35;
+  const Scalar t45 = c_5 * t35 + s_5 * t39;
+  const Scalar t46 = Scalar(0.0056155871391398) * t29 - Scalar(0.000035853228) * U_4_yy_zz -
+      c_5 * t26 + Scalar(0.22270588235294117) * t45 + s_5 * t43;
+  const Scalar t47 = Scalar(0.0017106935695699) * t30 + s_5 * t26 +
+      Scalar(0.22270588235294117) * t44 + c_5 * t43;
+  const Scalar t48 = Scalar(0.4462748022139784) * t18 - t44;
+  const Scalar t49 = t45 + Scalar(0.4462748022139784) * t33;
+  const Scalar t50 = t1 * (t14 - Scalar(2.422325143603932) * t13 +
+      Scalar(19.425495399093375) * t49);
+  const Scalar t51 = c_2 * (Scalar(0.16073527663193116) * t11 - Scalar(1.317428268386042) * t10 -
+      t49);
+  const Scalar t52 = Scalar(0.26021797085) * s_2 * t15 + t4 * t48 + t2 * t27 +
       Scalar(0.918932105043021) * ddp_o_3_y;
-  const Scalar t77 = t69 * t57;
-  const Scalar t78 = Scalar(3.8945803781899033) * c_5 * t67;
-  const Scalar t79 = tau_2 + t45 - s_2 * f_3_x - t78 * t47 + c_2 * t76 - t77 * y_5_4 - t74 * t60;
-  const Scalar t80 = Scalar(0.058204748750363244) * t67 * t68 - t69 * t77 + t70 -
-      Scalar(2.0) * t65 - t71 * t74 - Scalar(1.40804167915);
-  const Scalar t81 = Scalar(1.0) / t80;
+  const Scalar t53 = t2 * t48 - t4 * t27;
+  const Scalar t54 = s_4 * t48 + c_4 * t27;
+  const Scalar t55 = Scalar(0.0575445715) * t1 * s_2_3 * t15 + t47 +
+      Scalar(0.9229411764705883) * t54;
+  const Scalar f_3_x = Scalar(0.918932105043021) * t16 + t53;
+  const Scalar t56 = Scalar(0.8580028554367816) * c_5;
+  const Scalar y_5_4 = t47 + t56 * t41 + tau_4;
+  const Scalar t57 = s_4 - Scalar(0.23305369910246615) * c_4 * s_5;
+  const Scalar t58 = c_5 * c_5;
+  const Scalar t59 = Scalar(0.0016432000421699) * t58;
+  const Scalar t60 = t59 + Scalar(0.1183711221525) * t57 - Scalar(0.5901605180175699);
+  const Scalar t61 = t59 - Scalar(0.0181863807738199) + Scalar(0.05918556107625) * t57;
+  const Scalar t62 = s_4 - Scalar(0.23870089068696182);
+  const Scalar t63 = t58 * t62;
+  const Scalar t64 = t61 - Scalar(0.011834788548693463) * t63;
+  const Scalar t65 = Scalar(0.004468174609834886) * t58 - Scalar(0.0181863807738199);
+  const Scalar t66 = Scalar(1.0) / t65;
+  const Scalar t67 = t64 * t66;
+  const Scalar t68 = Scalar(3.594468596105858) * c_5 * t62;
+  const Scalar t69 = tau_3 + t55 - t68 * t41 - t67 * y_5_4;
+  const Scalar t70 = s_5 * t4;
+  const Scalar t71 = Scalar(0.0149450629075) * t70 + Scalar(0.064127121625) * t2;
+  const Scalar f_3_3_x = t71 + Scalar(0.677642004375) * s_2_3;
+  const Scalar t72 = Scalar(0.064127121625) * t4 - Scalar(0.0149450629075) * s_5 * t2;
+  const Scalar t73 = c_2 * (Scalar(0.677642004375) * t1 - t72);
+  const Scalar t74 = s_2 * f_3_3_x + t73;
+  const Scalar t75 = Scalar(0.04957999324859619) * t62 * t63 - t64 * t67 + t60;
+  const Scalar t76 = Scalar(0.9229411764705883) * t62;
+  const Scalar t77 = c_2 * t4 - s_2 * t2 + t76;
+  const Scalar t78 = t58 * t77;
+  const Scalar t79 = c_2 * t72 - Scalar(0.012822906649317328) * t78 - s_2 * t71 + t61;
+  const Scalar t80 = Scalar(0.053719559287835256) * t77 * t63 - t79 * t67 - t74 + t60;
+  const Scalar t81 = t1 * (t1 - Scalar(3.2504845342625623) * t72);
+  const Scalar t82 = s_5 * (Scalar(1.0834926704907584) * c_2 + t1);
+  const Scalar t83 = Scalar(0.003292500193635) * t70 -
+      Scalar(0.003838243803185) * t2 * (c_5 + Scalar(0.9997801700313045)) -
+      Scalar(0.013793413942275) * t82;
+  const Scalar Ic_4_xx = Scalar(0.0015110828546699) * t58 + Scalar(0.0127704043495801);
+  const Scalar t84 = Scalar(1.0) / t75;
+  const Scalar t85 = t80 * t84;
+  const Scalar t86 = t79 * t66;
+  const Scalar t87 = Scalar(0.058204748750363244) * t77 * t78 - t79 * t86 + t60 -
+      Scalar(2.0) * t74 - t80 * t85 - Scalar(1.40804167915);
+  const Scalar t88 = Scalar(3.8945803781899033) * c_5 * t77;
+  const Scalar t89 = tau_2 + t55 - s_2 * f_3_x - t88 * t41 + c_2 * t52 - t86 * y_5_4 - t85 * t69;
   const Scalar Ic_4_yz = Scalar(0.003292500193635) * c_5 - Scalar(0.000035853228);
-  const Scalar t82 = Scalar(0.0016432000421699) * c_5 * t61 + t5 * Ic_4_yz +
-      Scalar(0.25682352941176473) * t62;
-  const Scalar t83 = s_5 * (Scalar(1.0834926704907584) * c_2 + t3);
-  const Scalar t84 = Scalar(0.003292500193635) * t61 -
-      Scalar(0.003838243803185) * t5 * (c_5 + Scalar(0.9997801700313045)) -
-      Scalar(0.013793413942275) * t83;
-  const Scalar t85 = t84 * t48 + t82;
-  const Scalar t86 = t82 + Scalar(0.013793413942275) * s_2_3 * (c_5 + Scalar(9.172679381315092));
-  const Scalar t87 = -t84 * t59 - t85 * t58 + t86;
-  const Scalar t88 = Scalar(0.0149450629075) * c_5;
-  const Scalar t89 = -t84 * t78 - t85 * t77 + t86 - t87 * t74 +
-      s_2 * (t88 + Scalar(0.349300285625));
-  const Scalar t90 = t89 * t81;
-  const Scalar t91 = t87 * t73;
-  const Scalar t92 = t85 * t57;
-  const Scalar t93 = c_5 * t30 + s_5 * t28;
-  const Scalar t94 = t93 + Scalar(0.4462748022139784) * t18;
-  const Scalar t95 = t3 * (t6 - Scalar(2.422325143603932) * t16 + Scalar(19.425495399093375) * t94);
-  const Scalar t96 = c_2 * (Scalar(0.16073527663193116) * t2 - Scalar(1.317428268386042) * t17 -
-      t94);
-  const Scalar U_4_yy_zz = t7 - Uz_o_5_y;
-  const Scalar t97 = Scalar(0.0056155871391398) * t15 - Scalar(0.000035853228) * U_4_yy_zz -
-      c_5 * t39 + Scalar(0.22270588235294117) * t93 + s_5 * t43;
-  const Scalar t98 = t5 * (Scalar(0.0021942) * t26 - Scalar(0.000035853228) * t13 - t46);
-  const Scalar t99 = Scalar(-260.5931070544678) * t84;
-  const Scalar t100 = Scalar(0.25682352941176473) * t75 - t98 - t91 * t60 -
-      Scalar(0.047511847575) * t95 + t4 * t97 - tau_1 - t92 * y_5_4 - t90 * t79 + t96 - t99 * t47;
-  const Scalar t101 = t3 * (t3 - Scalar(3.2504845342625623) * t63);
-  const Scalar Ic_4_xx = Scalar(0.0015110828546699) * t50 + Scalar(0.0127704043495801);
+  const Scalar t90 = Scalar(0.0016432000421699) * c_5 * t70 + t2 * Ic_4_yz +
+      Scalar(0.25682352941176473) * t71;
+  const Scalar t91 = t90 + Scalar(0.013793413942275) * s_2_3 * (c_5 + Scalar(9.172679381315092));
+  const Scalar t92 = t83 * t56 + t90;
+  const Scalar t93 = -t83 * t68 - t92 * t67 + t91;
+  const Scalar t94 = Scalar(0.0149450629075) * c_5;
+  const Scalar t95 = -t83 * t88 - t92 * t86 + t91 - t93 * t85 +
+      s_2 * (t94 + Scalar(0.349300285625));
+  const Scalar t96 = Scalar(1.0) / t87;
+  const Scalar t97 = t95 * t96;
+  const Scalar t98 = t93 * t84;
+  const Scalar t99 = t92 * t66;
+  const Scalar t100 = Scalar(-260.5931070544678) * t83;
+  const Scalar t101 = Scalar(0.25682352941176473) * t53 - t40 - t98 * t69 -
+      Scalar(0.047511847575) * t50 + t4 * t46 - tau_1 - t99 * y_5_4 - t97 * t89 + t51 - t100 * t41;
   const Scalar Iu_4_t_d = Ic_4_xx - Scalar(0.0021267064726);
-  const Scalar t102 = t5 * (Scalar(0.00658500038727) * t61 + t5 * Iu_4_t_d);
-  const Scalar b_2_1_1 = Scalar(0.00767648760637) * c_5 - Scalar(0.0001321171875) * t61 * t61 -
-      t102 + Ic_4_xx + t85 * t92 + t87 * t91 + t84 * t99 + t89 * t90 + Scalar(0.1736466166251199) +
-      Scalar(0.56787913724375) * t101 + Scalar(2.0) * t64 + Scalar(1.39293427915) * c_2 * c_2;
-  const Scalar t103 = t100 / b_2_1_1;
+  const Scalar t102 = t2 * (Scalar(0.00658500038727) * t70 + t2 * Iu_4_t_d);
+  const Scalar b_2_1_1 = Scalar(0.00767648760637) * c_5 - Scalar(0.0001321171875) * t70 * t70 -
+      t102 + Ic_4_xx + t92 * t99 + t93 * t98 + t83 * t100 + t95 * t97 + Scalar(0.1736466166251199) +
+      Scalar(0.56787913724375) * t81 + Scalar(2.0) * t73 + Scalar(1.39293427915) * c_2 * c_2;
+  const Scalar t103 = t101 / b_2_1_1;
+  const Scalar t104 = t96 * (t95 * t103 + t89);
+  const Scalar t105 = t84 * (t93 * t103 - t80 * t104 + t69);
+  const Scalar t106 = t83 * t103 + t94 * (t77 * t104 + t76 * t105) + t41;
+  const Scalar t107 = t66 * (t92 * t103 - t79 * t104 - t64 * t105 + y_5_4);
+  qdd[5] = c_5 * (t104 + t105) - t70 * t103 + c_5 * t107 + Scalar(7569.03790432263) * t42;
+  qdd[4] = Scalar(260.5931070544678) * t106 - t56 * t107;
   qdd[0] = -t103;
-  const Scalar t104 = t81 * (t89 * t103 + t79);
   qdd[1] = -t104;
-  const Scalar t105 = t73 * (t87 * t103 - t71 * t104 + t60);
   qdd[2] = -t105;
-  const Scalar t106 = t57 * (t85 * t103 - t69 * t104 - t55 * t105 + y_5_4);
-  qdd[3] = -t106;
-  const Scalar t107 = t84 * t103 + t88 * (t67 * t104 + t66 * t105) + t47;
-  qdd[4] = Scalar(260.5931070544678) * t107 - t48 * t106;
-  qdd[5] = c_5 * (t104 + t105) - t61 * t103 + c_5 * t106 + Scalar(7569.03790432263) * t42;
+  qdd[3] = -t107;
   bool valid = b_2_1_1 > Scalar(0.0);
-  valid &= -t80 > Scalar(0.0);
-  valid &= -t72 > Scalar(0.0);
-  valid &= -t56 > Scalar(0.0);
+  valid &= -t87 > Scalar(0.0);
+  valid &= -t75 > Scalar(0.0);
+  valid &= -t65 > Scalar(0.0);
   for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * qdd[k] < Scalar(1.0);
   return valid;
 }

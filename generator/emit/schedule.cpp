@@ -5,6 +5,9 @@
 #include <map>
 #include <tuple>
 
+#include "emit/statement_order.hpp"
+#include "emit/statement_uses.hpp"
+
 namespace flatdyn {
 
 namespace {
@@ -177,10 +180,32 @@ class Scheduler {
   Schedule schedule_;
 };
 
+// Orders the statements after the sines and cosines so that values live shortly. Constants are stored last.
+void reorder(const Function& function, Schedule& schedule) {
+  std::vector<Statement>& all = schedule.statements;
+  const auto is_sine = [&function](const Statement& statement) {
+    return statement.targets.empty() && is_trigonometric(function.graph[statement.node]);
+  };
+  const auto is_computed = [&function](const Statement& statement) {
+    return statement.targets.empty() || !function.graph.is_constant(statement.node);
+  };
+  const auto begin = std::find_if(all.rbegin(), all.rend(), is_sine).base();
+  const auto end = std::stable_partition(begin, all.end(), is_computed);
+  std::vector<NodeId> read_at_the_end = function.validity_conditions;
+  read_at_the_end.insert(read_at_the_end.end(), function.pivot_scales.begin(), function.pivot_scales.end());
+  const std::vector<Statement> statements(begin, end);
+  auto place = begin;
+  for (const int k : order_of_short_lives(uses_of(function, schedule, statements, read_at_the_end))) {
+    *place++ = statements[static_cast<std::size_t>(k)];
+  }
+}
+
 }  // namespace
 
 Schedule make_schedule(const Function& function, const std::vector<bool>& is_fused) {
-  return Scheduler(function, is_fused).run();
+  Schedule schedule = Scheduler(function, is_fused).run();
+  reorder(function, schedule);
+  return schedule;
 }
 
 }  // namespace flatdyn

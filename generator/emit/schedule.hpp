@@ -26,8 +26,9 @@ struct Schedule {
 };
 
 // The variables are nodes with two uses, sines and cosines, named sums and quotients, and operands that would make a
-// line too long. Sines and cosines come first (a library call spills every register); then depth-first from the
-// outputs, operands nearest to the inputs first, so that lifetimes are short. Ids break ties.
+// line too long. Sines and cosines come first (a library call spills every register), constants that are stored last.
+// Between them the order is depth-first from the outputs, operands nearest to the inputs first, or one in which fewer
+// values are live at once (statement_order.hpp). Ids break ties.
 //
 // `is_fused`: by node, which products are written in every sum that uses them (passes/fuse_products.hpp), never as
 // variables.
