@@ -87,6 +87,7 @@ ExitCode run_generator(const BenchArguments& arguments) {
   GenerationOptions options;
   static_cast<PipelineOptions&>(options) = arguments.options();
   options.functions = arguments.functions;
+  options.in_processes = false;  // the cost of each function by itself
   Progress progress(arguments.quiet);
   const GenerationResult result = generate_code(arguments.robots.front(), options, progress);
   print_diagnostics(result.robot.diagnostics, arguments);

@@ -19,7 +19,7 @@ namespace {
 
 using Task = std::uint32_t;
 
-// What precedes a text in a pipe.
+// The bytes before a text in a pipe.
 struct Head {
   Task task = 0;
   std::uint64_t length = 0;
