@@ -65,8 +65,11 @@ Function as_printed(const Function& function, const std::string& scalar) {
   for (std::size_t k = 0; k < function.validity_conditions.size(); ++k) {
     if (always_holds(function, k)) continue;
     const NodeId value = image[static_cast<std::size_t>(function.validity_conditions[k])];
-    result.validity_conditions.push_back(has_scale(function, k) ? result.graph.scaled(kPivotSignificance, value)
-                                                                : value);
+    const bool is_scaled = has_scale(function, k);
+    result.validity_conditions.push_back(is_scaled ? result.graph.scaled(kPivotSignificance, value) : value);
+    if (k >= function.pivot_scales.size()) continue;
+    result.pivot_scales.push_back(is_scaled ? image[static_cast<std::size_t>(function.pivot_scales[k])]
+                                            : result.validity_conditions.back());
   }
   return result;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "readback/straight_line.hpp"
 
+#include <algorithm>
+
 #include "diagnostics/diagnostics.hpp"
 
 namespace flatdyn {
@@ -105,6 +107,20 @@ NodeId node_of(const Operation& operation, const std::vector<NodeId>& nodes, Gra
   return graph.sign(node(operation.a));
 }
 
+// The scale of a condition: s in s + x - s, s - x - s, or -s + x + s.
+int scale_of(const StraightLine& lines, int condition) {
+  const Operation& last = lines[condition];
+  const bool adds = last.step == Step::add;
+  if (adds || last.step == Step::subtract) {
+    const Operation& first = lines[last.a];
+    const bool is_sum = first.step == Step::add || first.step == Step::subtract;
+    const bool is_below = is_sum && lines[first.a].step == Step::negate;
+    if (is_sum && !adds && first.a == last.b) return first.a;
+    if (is_below && adds && lines[first.a].a == last.b) return first.a;
+  }
+  refuse("a condition without its scale");
+}
+
 }  // namespace
 
 Function graph_of(const StraightLine& lines, const Function& like) {
@@ -122,9 +138,14 @@ Function graph_of(const StraightLine& lines, const Function& like) {
     }
   }
   result.validity_conditions.clear();
-  result.pivot_scales.clear();  // they cancel
   for (const int condition : lines.validity_conditions)
     result.validity_conditions.push_back(nodes[static_cast<std::size_t>(condition)]);
+  result.pivot_scales.clear();
+  for (std::size_t k = 0; k < std::min(like.pivot_scales.size(), lines.validity_conditions.size()); ++k) {
+    const int condition = lines.validity_conditions[k];
+    const int from = has_scale(like, k) ? scale_of(lines, condition) : condition;
+    result.pivot_scales.push_back(nodes[static_cast<std::size_t>(from)]);
+  }
   return result;
 }
 
