@@ -14,7 +14,8 @@ namespace {
 BenchPeer reference_peer() {
   return {"reference",
           "reference",
-          std::string(kBenchFlags) + " -DNDEBUG -DEigen=eigen_of_reference $(pkg-config --cflags eigen3)",
+          std::string(kBenchFlags) +
+              " -ftree-slp-vectorize -DNDEBUG -DEigen=eigen_of_reference $(pkg-config --cflags eigen3)",
           "",
           templates::bench_reference_cpp,
           {"inverse_dynamics", "inverse_dynamics_tip_force", "inertia_matrix", "christoffel", "coriolis_matrix",

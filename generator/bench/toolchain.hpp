@@ -25,8 +25,8 @@ struct Toolchain {
 // Finds the compiler. Throws Failure(io) if there is none.
 Toolchain find_toolchain();
 
-// The compiler flags for timed generated code.
-inline constexpr const char* kBenchFlags = "-std=c++17 -O3 -march=native -ffp-contract=off";
+// The compiler flags for timed generated code, which round as it is written (docs/generated-code.md).
+inline constexpr const char* kBenchFlags = "-std=c++17 -O3 -march=native -ffp-contract=off -fno-tree-slp-vectorize";
 
 struct CompileJob {
   std::string stem, flags;
