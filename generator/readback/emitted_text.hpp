@@ -89,8 +89,8 @@ class EmittedText {
 };
 
 // The function with every constant as it is printed: rounded to the nearest double, and for "float" once more. It lacks
-// what is not printed: entries left out, and conditions that always hold. A condition with a scale is 1/64 of the pivot,
-// as in scale + pivot / 64 - scale.
+// what is not printed: entries left out, and conditions that always hold. A condition with a scale is 1/64 of the
+// pivot, as in scale + pivot / 64 - scale.
 Function as_printed(const Function& function, const std::string& scalar = "double");
 
 }  // namespace flatdyn
