@@ -12,9 +12,9 @@ namespace flatdyn {
 struct OperationCount {
   int additions = 0;  // additions and subtractions
   int multiplications = 0;
-  int fused = 0;          // fused multiply-adds, which are counted neither as additions nor as multiplications
   int divisions = 0;      // divisions and square roots, which take a processor as long
   int trigonometric = 0;  // sines and cosines, counted one by one
+  int fused = 0;          // fused multiply-adds, which are counted neither as additions nor as multiplications
 
   int arithmetic() const { return additions + multiplications + fused; }
   bool operator==(const OperationCount&) const = default;
