@@ -137,7 +137,8 @@ void check_fma(const GenerateArguments& arguments) {
   const LanguageChoice& language = kLanguages.at(arguments.language);
   if (!language.has_fma || arguments.python) {
     throw Failure(ExitCode::usage,
-                  fmt::format("--fma: {} has no fused multiply-add", arguments.python ? "Python" : language.name),
+                  arguments.python ? "--fma: the module for Python is without fused multiply-adds"
+                                   : fmt::format("--fma: {} has no fused multiply-add", language.name),
                   "leave it out");
   }
   if (arguments.firmware.empty() || arguments.scalars.front() == "float") return;

@@ -35,7 +35,7 @@ class FolderWriter {
       if (function.base_parameters > 0)
         throw Failure(ExitCode::unsupported, "--firmware: no self test for " + function.name);
     }
-    vectors_ = test_vectors(robot, mechanism, functions, options.scalar, progress);
+    vectors_ = test_vectors(robot, mechanism, functions, options, progress);
   }
 
   std::vector<FirmwareFile> files() const {

@@ -65,21 +65,22 @@ ExpectedEntry entry_of(const Real50& value, double scale, double allowed, double
 }
 
 // The functions' text as the target executes it: all forms of the text compute the same bits.
-EmittedText text_of(const Mechanism& mechanism, const std::vector<Function>& functions, const std::string& scalar) {
+EmittedText text_of(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& form) {
   EmitOptions options;
-  options.scalar = scalar;
+  options.scalar = form.scalar;
+  options.fuses = form.fuses;
   return EmittedText(emit_cpp(mechanism, functions, options));
 }
 
 class VectorMaker {
  public:
   VectorMaker(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
-              const std::string& scalar)
+              const EmitOptions& form)
       : mechanism_(mechanism),
         functions_(functions),
-        scalar_(scalar),
+        scalar_(form.scalar),
         values_(robot, mechanism, kSeed),
-        text_(text_of(mechanism, functions, scalar)) {
+        text_(text_of(mechanism, functions, form)) {
     for (const Function& function : functions) expected_.push_back(values_.of(function));
   }
 
@@ -144,8 +145,8 @@ class VectorMaker {
 }  // namespace
 
 TestVectors test_vectors(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
-                         const std::string& scalar, Progress& progress) {
-  return VectorMaker(robot, mechanism, functions, scalar).run(progress);
+                         const EmitOptions& form, Progress& progress) {
+  return VectorMaker(robot, mechanism, functions, form).run(progress);
 }
 
 }  // namespace flatdyn

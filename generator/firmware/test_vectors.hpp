@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnostics/progress.hpp"
+#include "emit/emit_options.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
 #include "model/robot.hpp"
@@ -32,8 +33,8 @@ struct TestVectors {
   std::vector<std::vector<ExpectedEntry>> expected;
 };
 
-// The vectors for the scalar "double" or "float", the same on every machine.
+// The vectors for the form's scalar, the same on every machine.
 TestVectors test_vectors(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
-                         const std::string& scalar, Progress& progress);
+                         const EmitOptions& form, Progress& progress);
 
 }  // namespace flatdyn

@@ -22,15 +22,15 @@ void fma();
 template <class Scalar>
 struct MultiplyAdd {
   template <class S>
-  static auto of(const S& a, const S& b, const S& c, int) noexcept -> decltype(S(fma(a, b, c))) {
-    return fma(a, b, c);
+  static S of(const S& a, const S& b, const S& c, int decltype(fma(a, b, c))::*) noexcept {
+    return S(fma(a, b, c));
   }
   template <class S>
-  static S of(const S& a, const S& b, const S& c, long) noexcept {
+  static S of(const S& a, const S& b, const S& c, ...) noexcept {
     return a * b + c;
   }
   Scalar operator()(const Scalar& a, const Scalar& b, const Scalar& c) const noexcept {
-    return of(a, b, c, 0);
+    return of(a, b, c, nullptr);
   }
 };
 template <>

@@ -3,12 +3,14 @@
 
 #include <poll.h>
 #include <sched.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdint>
 #include <cstring>
 
@@ -56,6 +58,7 @@ bool write_all(int to, const void* data, std::size_t length) {
 
 // Takes tasks and writes their texts until there are no more. Does not return: nothing of the parent is cleaned up.
 [[noreturn]] void work(int tasks, int results, const std::function<std::string(std::size_t)>& compute) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // it does not outlive the parent
   Task task = 0;
   while (::read(tasks, &task, sizeof(task)) == static_cast<ssize_t>(sizeof(task))) {
     try {

@@ -65,9 +65,15 @@ def in_field(scalar):
     return Arithmetic(lambda x: modulo_prime(rounded_to(scalar, x)), lambda x: x % PRIME, lambda x: x % PRIME)
 
 
-def as_written(scalar, is_each_rounded):
-    """Bit by bit. An operation inside an expression is exact unless each is rounded."""
+def as_written(scalar, is_each_rounded, sizes=None):
+    """Bit by bit. An operation inside an expression is exact unless each is rounded; `sizes` then gets their results."""
     def rounded(x):
         return Fraction(rounded_to(scalar, x))
 
-    return Arithmetic(rounded, rounded, rounded if is_each_rounded else lambda x: x)
+    def noted(x):
+        result = rounded(x)
+        if sizes is not None:
+            sizes.add(abs(result))
+        return result
+
+    return Arithmetic(rounded, rounded, noted if is_each_rounded else lambda x: x)

@@ -58,8 +58,9 @@ class Function:
             yield f"{name} of the header is another number than that of the scripts"
 
     def differences(self, state, angles):
-        """The outputs and angles whose bits differ between header and scripts."""
-        arithmetic, text = as_written(self.scalar, False), as_written(self.scalar, True)
+        """The outputs, angles and operations whose bits differ between header and scripts."""
+        sizes = set()
+        arithmetic, text = as_written(self.scalar, False), as_written(self.scalar, True, sizes)
         leaves = self.values_of_leaves(state, arithmetic, False)
         values, written = self.operations.evaluate(leaves, arithmetic), self.header.evaluate(leaves, text)
         for output in self.outputs:
@@ -74,6 +75,7 @@ class Function:
                 is_same = stated is computed is None
             if not is_same:
                 yield f"the angle of {leaf['name']}"
+        yield from (name for name in self.operations.names if abs(values[name]) not in sizes and values[name] != 0)
 
     def stated_sizes(self):
         """By name: how large leaves and results are."""

@@ -89,7 +89,7 @@ TEST(Pair, IsOfCppOnly) {
   EXPECT_THAT(refused("--form pair --python"), HasSubstr("--form: C has one form only"));
   EXPECT_THAT(refused("--form pair --language javascript"), HasSubstr("--form: JavaScript has one form only"));
   EXPECT_THAT(refused("--fma --language javascript"), HasSubstr("--fma: JavaScript has no fused multiply-add"));
-  EXPECT_THAT(refused("--fma --python"), HasSubstr("--fma: Python has no fused multiply-add"));
+  EXPECT_THAT(refused("--fma --python"), HasSubstr("--fma: the module for Python is without"));
   EXPECT_THAT(refused("--fma --firmware cortex-m4 --scalar double"), HasSubstr("fused multiply-adds in float only"));
   EXPECT_THAT(refused("--scalar double,float"), HasSubstr("use --form pair"));
   EXPECT_THAT(refused("--scalar double,float --language c"), HasSubstr("name one"));

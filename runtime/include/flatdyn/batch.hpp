@@ -3,11 +3,12 @@
 // Debian's libxsimd-dev), and with OpenMP (-fopenmp) on all cores. The width of the lanes is that of the target
 // machine: -march=native, or -mavx2 -mfma.
 //
-//   std::vector<double> q(flatdyn::tiles_length<double, 7>(n)), tau(q.size()), …;  // joint i of state k at [k /
-//   8][i][k % 8] flatdyn::for_each_state<double>(n, [](auto... of) { return panda::inverse_dynamics(of...); },
+//   std::vector<double> q(flatdyn::tiles_length<double, 7>(n)), qd(q.size()), qdd(q.size()), tau(q.size());
+//   flatdyn::for_each_state<double>(n, [](auto... of) { return panda::inverse_dynamics(of...); },
 //                                   flatdyn::in_tiles<7>(q.data()), flatdyn::in_tiles<7>(qd.data()),
 //                                   flatdyn::in_tiles<7>(qdd.data()), flatdyn::out_tiles<7>(tau.data()));
 //
+// Joint i of state k is at [k / 8][i][k % 8].
 // flatdyn/states.hpp has the other layout, columns, and outputs without zeros. Arrays that begin at a multiple of 64
 // bytes are fastest: no access crosses cache lines.
 //

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the arguments of many states lie in memory, for flatdyn/batch.hpp:
 //
-//   tiles    in_tiles<7>(q), out_tiles<49>(B)      entry i of state k at [k / 8][i][k % 8], in float [k / 16][i][k %
-//   16] columns  in<7>(q, stride), out<49>(B, stride)  entry i of state k at [i][k], that is at i * stride + k
+//   tiles    in_tiles<7>(q), out_tiles<49>(B)      entry i of state k at [k / 8][i][k % 8]; float: [k / 16][i][k % 16]
+//   columns  in<7>(q, stride), out<49>(B, stride)  entry i of state k at [i][k], that is at i * stride + k
 //
 // Tiles are the fast ones: whatever a few states need lies together. Each is a cache line of every entry, and the last
 // one has its full length, too: an array of tiles has tiles_length<double, 7>(n) numbers. (A second template argument

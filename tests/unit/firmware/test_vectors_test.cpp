@@ -41,7 +41,9 @@ Made made(const char* robot, const std::vector<std::string>& names, const std::s
   EmitOptions emit;
   emit.scalar = scalar;
   result.header = emit_cpp(result.model.mechanism, result.functions, emit);
-  result.vectors = test_vectors(result.model.robot, result.model.mechanism, result.functions, scalar, quiet);
+  EmitOptions form;
+  form.scalar = scalar;
+  result.vectors = test_vectors(result.model.robot, result.model.mechanism, result.functions, form, quiet);
   return result;
 }
 
