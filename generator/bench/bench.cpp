@@ -75,10 +75,7 @@ BenchRow bench_row(const BenchCase& of, const BenchErrors& errors, const std::ve
   row.variant = of.variant;
   row.is_peer = of.is_peer;
   row.is_whole = of.is_peer || is_whole_call(of.of);
-  if (of.call) {
-    const Function& function = of.call->function;
-    row.operations = of.of.fuses ? count_fused_operations(function) : count_operations(function);
-  }
+  if (of.call) row.operations = operations_as_written(of.call->function, of.of.fuses);
   row.time = quartiles(samples);
   row.rounds = samples.size();
   row.scaled = errors.scaled;

@@ -25,9 +25,6 @@ std::string scalar_type(const BenchVariant& variant) {
 
 bool has_angles(const Function& function) { return count_operations(function).trigonometric > 0; }
 
-// The namespace of the whole functions, which has sources of sines of its own.
-std::string name_space_of(const BenchVariant& variant) { return variant.fuses ? kFusedNamespace : kBenchNamespace; }
-
 std::string given_type(const BenchVariant& variant) {
   return fmt::format("{}::GivenSinCos<{}>", name_space_of(variant), scalar_type(variant));
 }

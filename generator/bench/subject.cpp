@@ -44,8 +44,10 @@ std::optional<CalledFunction> with_budget(const BenchSubject& subject, const std
 
 std::string name_space_of_budget(const std::string& budget) { return in_robot(cpp_identifier("budget " + budget)); }
 
+std::string name_space_of(const BenchVariant& variant) { return variant.fuses ? kFusedNamespace : kBenchNamespace; }
+
 CalledFunction whole_function(const Function& function, const BenchVariant& variant) {
-  const std::string scope = variant.fuses ? kFusedNamespace : kBenchNamespace;
+  const std::string scope = name_space_of(variant);
   return {function, scope, scope + "::"};
 }
 

@@ -43,6 +43,9 @@ struct CalledFunction {
   std::string receiver;  // prefix of the call: "robot::", "motion."
 };
 
+// The namespace of the whole functions that a variant calls, which has sources of sines of its own.
+std::string name_space_of(const BenchVariant& variant);
+
 // A whole function as a variant calls it.
 CalledFunction whole_function(const Function& function, const BenchVariant& variant);
 

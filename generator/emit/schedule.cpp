@@ -70,7 +70,6 @@ class Scheduler {
     return is_negation(graph_[id]) || is_fused_[static_cast<std::size_t>(id)];
   }
 
-  // Counts uses.
   void count_uses() {
     for (const auto& [id, targets] : stores_) ++at(uses_, id);
     for (NodeId id : function_.validity_conditions) ++at(uses_, id);

@@ -65,8 +65,8 @@ std::vector<std::string> function_comment(const Function& function, const Functi
   for (const std::string& argument : text.arguments) lines.push_back("  " + comment_text(argument));
   const std::string result = text.result.empty() ? "" : "Returns " + comment_text(text.result) + ".";
   for (const std::string& line : wrapped_words(result, kCommentWidth)) lines.push_back(line);
-  const OperationCount count = text.uses_fma ? count_fused_operations(function) : count_operations(function);
-  std::string facts = "Reads " + text.reads + ". Operations: " + to_string(count) + ".";
+  std::string facts =
+      "Reads " + text.reads + ". Operations: " + to_string(operations_as_written(function, text.uses_fma)) + ".";
   if (function.at_rest) facts += " Holds where qd = 0, and does not read it.";
   facts += task_facts(function.task);
   facts += partial_output_text(function, text.outputs);

@@ -37,8 +37,7 @@ StageText stage_text(const Stage& stage, const std::string& name, HeaderScope ma
   make_scope.made = name;
   make_scope.fields = stage.fields;
   const FunctionText make = function_text(stage.make, stage.make.name, make_scope);
-  const OperationCount count = make.uses_fma ? count_fused_operations(stage.make) : count_operations(stage.make);
-  StageText text{name, make, to_string(count), {}, ""};
+  StageText text{name, make, to_string(operations_as_written(stage.make, make.uses_fma)), {}, ""};
   NameTable names(std::set<std::string>{"with"});
   for (const Function& member : stage.members) {
     text.members.push_back({member, function_text(member, names.unique(member.name), member_scope)});

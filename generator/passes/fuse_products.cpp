@@ -86,7 +86,8 @@ class Chooser {
 
 std::vector<bool> products_to_fuse(const Function& function) { return Chooser(function).run(); }
 
-OperationCount count_fused_operations(const Function& function) {
+OperationCount operations_as_written(const Function& function, bool fuses) {
+  if (!fuses) return count_operations(function);
   const std::vector<bool> is_fused = products_to_fuse(function);
   const Graph& graph = function.graph;
   OperationCount count = count_operations(function);

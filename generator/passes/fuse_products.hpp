@@ -18,7 +18,8 @@ namespace flatdyn {
 // product that several sums can start with is computed.
 std::vector<bool> products_to_fuse(const Function& function);
 
-// The operations of one evaluation with these products fused; additions and multiplications are those that remain.
-OperationCount count_fused_operations(const Function& function);
+// The operations of one evaluation; if the text `fuses`, with these products fused, and additions and multiplications
+// are those that remain.
+OperationCount operations_as_written(const Function& function, bool fuses);
 
 }  // namespace flatdyn

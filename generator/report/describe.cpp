@@ -237,17 +237,13 @@ int structural_zeros(const Function& function) {
 
 namespace {
 
-OperationCount count_as_written(const Function& function, bool fuses) {
-  return fuses ? count_fused_operations(function) : count_operations(function);
-}
-
 // The heads of a table's columns with numbers of operations, after the first column; and these cells of a function.
 std::vector<std::string> count_heads(const std::string& first, bool fuses) {
   if (fuses) return {first, "mul", "add", "fma", "div", "sin/cos"};
   return {first, "mul", "add", "div", "sin/cos"};
 }
 std::vector<std::string> count_cells(const std::string& name, const Function& function, bool fuses) {
-  const OperationCount count = count_as_written(function, fuses);
+  const OperationCount count = operations_as_written(function, fuses);
   std::vector<std::string> cells = {name, std::to_string(count.multiplications), std::to_string(count.additions)};
   if (fuses) cells.push_back(std::to_string(count.fused));
   cells.insert(cells.end(), {std::to_string(count.divisions), std::to_string(count.trigonometric)});
@@ -255,7 +251,7 @@ std::vector<std::string> count_cells(const std::string& name, const Function& fu
 }
 
 nlohmann::ordered_json count_json(const std::string& name, const Function& function, bool fuses) {
-  const OperationCount count = count_as_written(function, fuses);
+  const OperationCount count = operations_as_written(function, fuses);
   nlohmann::ordered_json json = {
       {"name", name}, {"multiplications", count.multiplications}, {"additions", count.additions}};
   if (fuses) json["fused_multiply_adds"] = count.fused;
