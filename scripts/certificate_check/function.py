@@ -12,7 +12,7 @@ from certificate_check.gappa_scripts import Operations
 from certificate_check.leaves import angle_of, error_of_constant, exact_constant, is_constant, is_sine
 from certificate_check.outputs import Output
 
-STATES_OF_TEXT = 10  # states at which header and scripts are compared
+STATES_OF_TEXT = 40  # states at which header and scripts are compared
 REFERENCE = {"double": 53 + 9, "float": 24 + 27}  # bits of the results with which flatdyn compares, but for two
 FORMAT = {"double": "float<ieee_64, ne>", "float": "float<ieee_32, ne>"}
 

@@ -197,6 +197,51 @@ TEST_P(RoundingIsAsWritten, WithFusedMultiplyAddsOfTheText) {
   EXPECT_EQ(answer("-O2"), "000");
 }
 
+// A scalar that converts to double, in the global namespace, where argument-dependent lookup finds the library's fma:
+// its derivatives must not be lost. The derivative of gravity's first entry by q_1 is a difference quotient.
+TEST(FusedMultiplyAdds, KeepTheDerivativesOfScalarsThatConvertToDouble) {
+  const TemporaryFolder folder;
+  EmitOptions options;
+  options.fuses = true;
+  const LoadedRobot model = model_of("planar_2r_example_7_2.toml");
+  PipelineOptions pipeline;
+  pipeline.functions = {"gravity"};
+  Progress quiet(true);
+  Diagnostics left_out;
+  write(folder.path() / "arm.hpp",
+        emit_cpp(model.mechanism, functions_of(make_functions(model, pipeline, quiet, left_out)), options));
+  write(folder.path() / "main.cpp", R"(
+#include <cmath>
+#include <cstdio>
+#include "arm.hpp"
+struct Dual {
+  double x = 0, dx = 0;
+  Dual() = default;
+  explicit Dual(double value, double derivative = 0) : x(value), dx(derivative) {}
+  operator double() const { return x; }
+};
+Dual operator+(Dual a, Dual b) { return Dual(a.x + b.x, a.dx + b.dx); }
+Dual operator-(Dual a, Dual b) { return Dual(a.x - b.x, a.dx - b.dx); }
+Dual operator-(Dual a) { return Dual(-a.x, -a.dx); }
+Dual operator*(Dual a, Dual b) { return Dual(a.x * b.x, a.x * b.dx + a.dx * b.x); }
+Dual sin(Dual a) { return Dual(std::sin(a.x), std::cos(a.x) * a.dx); }
+Dual cos(Dual a) { return Dual(std::cos(a.x), -std::sin(a.x) * a.dx); }
+int main() {
+  using namespace planar_2r_example_7_2;
+  const double h = 1e-6, before[2] = {0.3 - h, 0.7}, after[2] = {0.3 + h, 0.7};
+  double g_before[2], g_after[2];
+  gravity(before, g_before);
+  gravity(after, g_after);
+  const Dual q[2] = {Dual(0.3, 1), Dual(0.7)};
+  Dual g[2];
+  gravity(q, g);
+  std::printf("%d", std::fabs(g[0].dx - (g_after[0] - g_before[0]) / (2 * h)) < 1e-4 && std::fabs(g[0].dx) > 1);
+}
+)");
+  EXPECT_NE(content_of(folder.path() / "arm.hpp").find("= fma("), std::string::npos);
+  EXPECT_EQ(output_of(folder.path(), "g++ -std=c++17 -O1 main.cpp -o main && ./main"), "1");
+}
+
 // Adapters are shared by no two files, either.
 TEST(RoundingIsAsWrittenByClang, IsAnsweredForFunctionsOfEigen) {
   if (!__builtin_cpu_supports("fma")) GTEST_SKIP() << "this processor has no fused multiply-add";

@@ -31,7 +31,7 @@ struct Made {
   TestVectors vectors;
 };
 
-Made made(const char* robot, const std::vector<std::string>& names, const std::string& scalar) {
+Made made(const char* robot, const std::vector<std::string>& names, const std::string& scalar, bool fuses = false) {
   PipelineOptions options;
   options.functions = names;
   Made result{testing::model_of(robot), {}, "", {}};
@@ -40,16 +40,17 @@ Made made(const char* robot, const std::vector<std::string>& names, const std::s
   result.functions = functions_of(make_functions(result.model, options, quiet, findings));
   EmitOptions emit;
   emit.scalar = scalar;
+  emit.fuses = fuses;
   result.header = emit_cpp(result.model.mechanism, result.functions, emit);
-  EmitOptions form;
-  form.scalar = scalar;
-  result.vectors = test_vectors(result.model.robot, result.model.mechanism, result.functions, form, quiet);
+  result.vectors = test_vectors(result.model.robot, result.model.mechanism, result.functions, emit, quiet);
   return result;
 }
 
 // Gravity of the UR5 reads angles only, so its bounds hold everywhere; functions of speeds have no proof at 1000 rad/s.
-TEST(TestVectors, HaveTheBoundsOfTheCertificate) {
-  const Made ur5 = made("ur5.urdf", {"gravity", "bias"}, "float");
+class TestVectorsOf : public ::testing::TestWithParam<bool> {};  // whether the text has fused multiply-adds
+
+TEST_P(TestVectorsOf, TheTextHaveTheBoundsOfItsCertificate) {
+  const Made ur5 = made("ur5.urdf", {"gravity", "bias"}, "float", GetParam());
   CertifyOptions options;
   options.scalar = "float";
   options.effort = kLittleEffort;
@@ -72,6 +73,8 @@ TEST(TestVectors, HaveTheBoundsOfTheCertificate) {
   EXPECT_TRUE(proven_in_all(0));
   EXPECT_FALSE(proven_in_all(1));
 }
+
+INSTANTIATE_TEST_SUITE_P(Fused, TestVectorsOf, ::testing::Bool());
 
 TEST(TestVectors, ProveNothingWhereThereIsNoCertificate) {
   const auto is_unproven = Field(&ExpectedEntry::proven, -1);
