@@ -3,15 +3,24 @@
 
 #include <gtest/gtest.h>
 
-#include "planning/make_functions.hpp"
-#include "support/robot_models.hpp"
-#include "unit/emit/hand_made.hpp"
-
 namespace flatdyn {
 namespace {
 
 class FuseProducts : public ::testing::Test {
  protected:
+  struct Builder {
+    NodeId q(int i) { return graph.input({InputKind::q, i}); }
+    NodeId times(std::vector<NodeId> factors) { return graph.product(std::move(factors)); }
+    NodeId scaled(const char* exact, NodeId node) { return graph.scaled(Rational(std::string(exact)), node); }
+    NodeId plus(const std::vector<NodeId>& nodes) {
+      std::vector<Term> terms;
+      for (const NodeId node : nodes) terms.push_back({1, node});
+      return graph.sum(std::move(terms));
+    }
+
+    Graph graph;
+  };
+
   Function function(std::vector<NodeId> entries) {
     Function result;
     result.graph = build.graph;
@@ -27,7 +36,7 @@ class FuseProducts : public ::testing::Test {
     EXPECT_EQ(count.fused, fused);
   }
 
-  testing::Builder build;
+  Builder build;
   NodeId a = build.q(0), b = build.q(1), c = build.q(2), d = build.q(3), e = build.q(4);
 };
 
@@ -74,17 +83,6 @@ TEST_F(FuseProducts, AProductOfThreeFactorsIsMultipliedInOneSumOnly) {
   EXPECT_FALSE(is_fused(twice, product));
   expect_count(twice, 2, 2, 0);
   expect_count(function({build.plus({product, d})}), 1, 0, 1);
-}
-
-// 529 without them.
-TEST(FusedOperations, PandaTakesThreeFifths) {
-  PipelineOptions options;
-  options.functions = {"inverse_dynamics"};
-  Progress quiet(true);
-  Diagnostics findings;
-  const Function panda =
-      functions_of(make_functions(testing::model_of("panda.urdf"), options, quiet, findings)).front();
-  EXPECT_LE(operations_as_written(panda, true).arithmetic(), 319);
 }
 
 }  // namespace
