@@ -27,8 +27,10 @@ double limit_of(const Body& body, InputKind kind) {
     case InputKind::q:
       return std::max(size_of(body, body.limits.lower, "position"), size_of(body, body.limits.upper, "position"));
     case InputKind::qd:
+    case InputKind::v:
       return size_of(body, body.limits.velocity, "velocity");
     case InputKind::qdd:
+    case InputKind::a:
       return size_of(body, body.limits.acceleration, "acceleration");
     case InputKind::tau:
       return size_of(body, body.limits.effort, "effort");

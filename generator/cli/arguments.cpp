@@ -186,6 +186,12 @@ void RobotArguments::add_settings_to(CLI::App& command) {
       ->type_name("FILE");
   command.add_option("--gravity", gravity, "g_0 in the base frame, m/s^2, or off; overrides the files")
       ->type_name("X,Y,Z");
+  command
+      .add_option("--base", base,
+                  "floating: the root link moves freely, and the base's velocities, accelerations and forces come "
+                  "before those of the joints (docs/floating-base.md); fixed: it does not, whatever the file says")
+      ->check(CLI::IsMember({"fixed", "floating"}))
+      ->type_name("KIND");
   command.add_option("--tip", tip, "link whose frame is the tip; default: the last, depth-first, of those that move")
       ->type_name("LINK");
   command
@@ -367,6 +373,7 @@ std::string RobotArguments::stamp_of_settings(const std::vector<OptimisedFunctio
   const bool searched = !functions.empty() && functions.front().search;
   return stamp({{"--snap", snap == "1e-5" ? "" : snap},
                 {"--gravity", gravity},
+                {"--base", base},
                 {"--error-budget", error_budget},
                 {"--search", searched ? std::to_string(functions.front().search->candidates) : ""},
                 {"--tip", tip},
@@ -393,6 +400,7 @@ std::vector<std::string> RobotArguments::settings(const LoadedRobot& model) cons
     for (const Number& entry : *wanted.gravity) entries.push_back(plain_number_text(entry, 17));
     lines.push_back(fmt::format("gravity = [{}]", fmt::join(entries, ", ")));
   }
+  if (!base.empty()) lines.push_back(fmt::format("base = \"{}\"", base));
   if (!tip.empty()) lines.push_back(fmt::format("tip = {{ link = {} }}", toml_string(tip)));
   std::vector<std::string> fixed;
   for (const JointPosition& lock : wanted.locked) {
@@ -437,6 +445,7 @@ PipelineOptions RobotArguments::options() const {
   if (!error_budget.empty()) options.read.scene.error_budget = error_budget_option(error_budget);
   if (!search.empty()) options.search = search_option(search);
   if (!tip.empty()) options.read.tip = tip;
+  if (!base.empty()) options.read.floating_base = base == "floating";
   options.read.scene.locked = fixed_options(fixed_joints);
   options.warnings_are_errors = warnings_are_errors;
   options.in_processes = true;

@@ -21,6 +21,7 @@ struct RobotArguments : OutputStyle {
   std::string snap = "1e-5";
   std::string scene;
   std::string gravity;
+  std::string base;
   std::string error_budget;
   std::string search;
   std::string tip;

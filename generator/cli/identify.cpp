@@ -360,6 +360,7 @@ ExitCode identify(IdentifyArguments arguments) {
   StreamOptions stream = arguments.stream;
   if (!arguments.part.empty()) read_part(arguments.part, stream);
   LoadedRobot robot = load_robot(arguments.robot, arguments.options());
+  refuse_floating_base(robot, "identify");
   check_files(arguments, robot.robot);
   print_diagnostics(robot.diagnostics, arguments);
   arguments.note_function_keys(robot);

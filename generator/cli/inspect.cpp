@@ -13,7 +13,7 @@ namespace flatdyn {
 namespace {
 
 struct InspectArguments : RobotArguments {
-  bool base = false;
+  bool base_parameters = false;
   std::string parameters = "given";
   std::string frames = "file";
 };
@@ -30,9 +30,9 @@ ExitCode inspect(const InspectArguments& arguments) {
   if (arguments.json) {
     nlohmann::ordered_json json = model_json(model, effects);
     json.update(links_json(model));
-    if (arguments.base) json.update(base_json(model.mechanism, set, frames));
+    if (arguments.base_parameters) json.update(base_json(model.mechanism, set, frames));
     print_result(json_text(json));
-  } else if (arguments.base) {
+  } else if (arguments.base_parameters) {
     print_result(describe_model(model, effects, SnapDetail::each) + "\n" + describe_bodies(model.mechanism, frames) +
                  "\n" + describe_base(model.mechanism, set, frames));
   } else {
@@ -48,12 +48,12 @@ Run add_inspect(CLI::App& app) {
       app.add_subcommand("inspect",
                          "Print the robot as understood: joints in the order of q, links, inertias, motors.\n\n"
                          "  flatdyn inspect robots/panda.urdf\n"
-                         "  flatdyn inspect robots/planar_2r.toml --base --parameters nonzero");
+                         "  flatdyn inspect robots/planar_2r.toml --base-parameters --parameters nonzero");
   const auto arguments = std::make_shared<InspectArguments>();
   arguments->add_to(*command);
-  command->add_flag("--base", arguments->base,
+  command->add_flag("--base-parameters", arguments->base_parameters,
                     "print the fewest parameters that the torques depend on, and those that they do not depend on");
-  add_parameters_option(*command, arguments->parameters, "for --base: ");
+  add_parameters_option(*command, arguments->parameters, "for --base-parameters: ");
   add_frames_option(*command, arguments->frames);
   return [arguments] { return inspect(*arguments); };
 }

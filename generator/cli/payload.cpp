@@ -94,6 +94,7 @@ std::string hint_of(const PayloadArguments& arguments) {
 ExitCode payload(const PayloadArguments& arguments) {
   const LoadedRobot robot = load_robot(arguments.robot, arguments.options());
   refuse_loops(robot, "payload");
+  refuse_floating_base(robot, "payload");
   check_payload_usage(arguments, robot);
   print_diagnostics(robot.diagnostics, arguments);
   arguments.note_function_keys(robot);

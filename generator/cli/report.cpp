@@ -98,6 +98,7 @@ ExitCode report(const ReportArguments& arguments) {
   const LoadedRobot model = without_scene_restrictions([&] {
     LoadedRobot read = load_robot(arguments.robot, options);
     refuse_loops(read, "report");
+    refuse_floating_base(read, "report");
     arguments.note_function_keys(read);
     return read;
   }());

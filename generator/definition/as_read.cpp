@@ -31,7 +31,9 @@ struct EnergyPair {
 template <class Arithmetic, class F = typename Arithmetic::Scalar>
 EnergyPair<F> energies_at(const Robot& robot, const Mechanism& mechanism, Arithmetic& arithmetic) {
   std::vector<F> qd;
-  for (int k = 0; k < mechanism.size(); ++k) qd.push_back(arithmetic.input({InputKind::qd, k}));
+  for (int k = 0; k < mechanism.size(); ++k) {
+    qd.push_back(arithmetic.input({with_base(InputKind::qd, mechanism.floating_base), k}));
+  }
   const std::vector<JointPoint<F>> q = joint_points(mechanism, arithmetic);
   Lagrangian<F> lagrangian(mechanism_over(mechanism, arithmetic), q);
   const std::vector<F> rates = joint_values(lagrangian.mechanism(), qd);

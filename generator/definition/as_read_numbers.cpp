@@ -54,6 +54,7 @@ class NumberComparison {
   Differences run() {
     if (!has_same_parts()) return std::move(differences_);
     find_reach();
+    compare_motion_of_base();
     compare_base();
     compare_couplings();
     for (std::size_t j = 0; j < robot_.joints.size(); ++j) compare_place(j);
@@ -65,24 +66,31 @@ class NumberComparison {
  private:
   void require(bool holds, const std::string& subject) { differences_.require(holds, subject); }
 
-  const Joint& written(std::size_t body) const { return robot_.joints[static_cast<std::size_t>(moving_[body])]; }
+  // The joint of this index among the moving ones, and the body that it moves.
+  const Joint& written(std::size_t moving) const { return robot_.joints[static_cast<std::size_t>(moving_[moving])]; }
+  std::size_t body_of(std::size_t moving) const { return moving + base_bodies(); }
+  std::size_t base_bodies() const { return robot_.floating_base ? 6 : 0; }
+  // The body that the base link is part of.
+  int base_body() const { return static_cast<int>(base_bodies()) - 1; }
   const FieldFrame<Real>& place(int link) const { return found_.links[static_cast<std::size_t>(link)]; }
 
   // Whether links, joints and symbols are the same, by name and order; without that, nothing else can be compared.
   bool has_same_parts() {
-    require(mechanism_.bodies.size() == moving_.size(), "the number of moving joints");
+    require(mechanism_.floating_base == robot_.floating_base, "whether the base floats");
+    require(mechanism_.bodies.size() == body_of(moving_.size()), "the number of moving joints");
     require(mechanism_.links.size() == robot_.links.size(), "the number of links");
     require(mechanism_.symbols.size() == robot_.symbols.size(), "the number of free symbols");
     if (!differences_.first().empty()) return false;
     for (std::size_t i = 0; i < moving_.size(); ++i) {
-      const Body& body = mechanism_.bodies[i];
+      const Body& body = mechanism_.bodies[body_of(i)];
+      const int index = static_cast<int>(body_of(i));
       const std::string name = joint_name(written(i));
       require(body.joint == written(i).name, name + ": its name");
       require(body.prismatic == (written(i).type == JointType::prismatic), name + ": its kind");
       require(body.continuous == (written(i).type == JointType::continuous), name + ": its kind");
-      require(body.parent < static_cast<int>(i), name + ": its parent");
-      require(!body.rotor || body.rotor->carrier < static_cast<int>(i), name + ": the carrier of its rotor");
-      require(mechanism_.links[static_cast<std::size_t>(written(i).child)].body == static_cast<int>(i),
+      require(body.parent < index, name + ": its parent");
+      require(!body.rotor || body.rotor->carrier < index, name + ": the carrier of its rotor");
+      require(mechanism_.links[static_cast<std::size_t>(written(i).child)].body == index,
               name + ": the link that it moves");
       require(mechanism_.links[static_cast<std::size_t>(written(i).parent)].body == body.parent, name + ": its parent");
     }
@@ -136,7 +144,7 @@ class NumberComparison {
 
   // The root link, whose frame is the base frame; gravity; the tip.
   void compare_base() {
-    require(place(robot_.root).body == -1, "the base link: its body");
+    require(place(robot_.root).body == base_body(), "the base link: its body");
     compare_pose("the base link: its place", pose_of(place(robot_.root)), identity_pose<Real>(), reach_);
     const Vector3<Real> gravity = vector_over(numbers_, robot_.gravity);
     compare_vector("gravity", found_.gravity, gravity, length_sum(gravity));
@@ -144,6 +152,25 @@ class NumberComparison {
     require(found_.tip.body == link.body, "the tip: its body");
     compare_pose("the tip: its place", pose_of(found_.tip),
                  composed(pose_of(link), pose_over(numbers_, robot_.tip_offset)), reach_);
+  }
+
+  // The chain of a floating base: its bodies' axes are those of the base, in order, through its origin, and all that
+  // has inertia is the last one's.
+  void compare_motion_of_base() {
+    Matrix3<Real> R = identity_pose<Real>().R;
+    for (std::size_t k = 0; k < base_bodies(); ++k) {
+      const FieldBody<Real>& body = found_.bodies[k];
+      const std::string subject = "body " + std::to_string(k) + " of the floating base";
+      require(body.parent == static_cast<int>(k) - 1 && body.prismatic == (k < 3), subject);
+      R = times(R, body.R);
+      Vector3<Real> axis = {0, 0, 0};
+      axis[k % 3] = 1;
+      compare_vector(subject, {R[0][2], R[1][2], R[2][2]}, axis, 1);
+      compare_vector(subject, body.p, {0, 0, 0}, reach_ + 1);
+      const bool has_inertia = body.inertia.mass != 0 || length_sum(body.inertia.first_moment) != 0;
+      require(!has_inertia || k + 1 == base_bodies(), subject);
+      require(body.armature == 0 && body.viscous == 0 && body.coulomb == 0 && !body.rotor, subject);
+    }
   }
 
   bool has_coordinate(const Joint& joint) const {
@@ -276,12 +303,13 @@ class NumberComparison {
 
   void compare_joint(std::size_t i) {
     const Joint& joint = written(i);
-    const FieldBody<Real>& body = found_.bodies[i];
+    const FieldBody<Real>& body = found_.bodies[body_of(i)];
     const std::string name = joint_name(joint);
     compare_own(name + ": its armature", body.armature, joint.armature);
     compare_own(name + ": its viscous friction", body.viscous, joint.viscous);
     compare_own(name + ": its Coulomb friction", body.coulomb, joint.coulomb);
-    if (!mechanism_.is_coupled()) compare_limits(name + ": its limits", mechanism_.bodies[i].limits, joint.limits);
+    if (!mechanism_.is_coupled())
+      compare_limits(name + ": its limits", mechanism_.bodies[body_of(i)].limits, joint.limits);
     require(body.rotor.has_value() == joint.motor.has_value(), name + ": its rotor");
     if (!body.rotor || !joint.motor) return;
     const FieldFrame<Real>& carrier = place(carrier_of(joint));
@@ -342,7 +370,7 @@ class NumberComparison {
   void compare_bodies() {
     std::map<int, Sum> bodies;  // by body, -1: the base
     std::vector<Sum> links(robot_.links.size());
-    bodies[-1] = {};
+    bodies[base_body()] = {};
     const auto add_to_link = [&](int link, const WrittenBody<Real>& body) {
       add(identity_pose<Real>(), body, links[static_cast<std::size_t>(link)]);
       add(pose_of(place(link)), body, bodies[place(link).body]);
@@ -354,10 +382,11 @@ class NumberComparison {
       const Joint& joint = robot_.joints[static_cast<std::size_t>(j)];
       if (joint.motor) add_to_link(carrier_of(joint), body_of(*joint.motor));
     }
-    compare_form("the base: its", found_.base, bodies[-1]);
+    compare_form("the base: its", base_bodies() > 0 ? found_.bodies[base_bodies() - 1].inertia : found_.base,
+                 bodies[base_body()]);
     for (std::size_t i = 0; i < moving_.size(); ++i) {
-      compare_form("what joint \"" + written(i).name + "\" moves: its", found_.bodies[i].inertia,
-                   bodies[static_cast<int>(i)]);
+      compare_form("what joint \"" + written(i).name + "\" moves: its", found_.bodies[body_of(i)].inertia,
+                   bodies[static_cast<int>(body_of(i))]);
     }
     for (std::size_t l = 0; l < links.size(); ++l) {
       const InertialParameters& own = mechanism_.links[l].inertia;

@@ -11,6 +11,7 @@
 #include "definition/lagrangian.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "graph/function.hpp"
+#include "model/floating_base.hpp"
 #include "model/joint_points.hpp"
 
 namespace flatdyn {
@@ -29,7 +30,7 @@ class DefinitionPoint {
         function(function_in),
         arithmetic(arithmetic_in),
         q(joint_points(mechanism, arithmetic)),
-        lagrangian(mechanism_over(mechanism, arithmetic), q),
+        lagrangian(mechanism_with_gravity(), q),
         own_values_(own_values) {}
 
   // The function's own values of an output.
@@ -43,7 +44,9 @@ class DefinitionPoint {
   Values drawn(InputKind kind) const { return drawn(kind, mechanism.size()); }
   Values drawn(InputKind kind, int count) const {
     Values result;
-    for (int i = 0; i < count; ++i) result.push_back(arithmetic.input({kind, i}));
+    for (int i = 0; i < count; ++i) {
+      result.push_back(arithmetic.input({with_base(kind, mechanism.floating_base), i}));
+    }
     return result;
   }
   Values qd() const { return drawn(InputKind::qd); }
@@ -61,13 +64,47 @@ class DefinitionPoint {
     throw Failure(ExitCode::bug, "no link named \"" + link + "\"");
   }
 
-  Values inverse_dynamics() { return lagrangian.inverse_dynamics(qd(), qdd(), signs()); }
+  Values inverse_dynamics() { return torques_at(qdd()); }
+
+  // The torques without acceleration.
+  Values bias() {
+    return mechanism.floating_base ? torques_at(Values(qd().size(), F(0))) : lagrangian.bias(qd(), signs());
+  }
+
+  // C with C q̇ the Coriolis and centrifugal torques: that of the Christoffel symbols, (7.44), for joints; for the
+  // velocities of a floating base it is transformed as said in model/floating_base.hpp.
+  Matrix<F> coriolis_matrix() {
+    Matrix<F> C = lagrangian.coriolis_matrix(qd());
+    if (!mechanism.floating_base) return C;
+    const auto A = base_rate_matrix(qd());
+    const Matrix<F>& B = lagrangian.inertia();
+    for (int i = 0; i < C.rows(); ++i) {
+      for (std::size_t j = 0; j < A.size(); ++j) {
+        for (std::size_t k = 0; k < A.size(); ++k) C(i, static_cast<int>(j)) += -(B(i, static_cast<int>(k)) * A[k][j]);
+      }
+    }
+    return C;
+  }
+
+  // The acceleration of a frame while q̈ = 0: the linear part, then the angular one.
+  Values jacobian_dot_qd(const FieldFrame<F>& of_frame) {
+    Values result = lagrangian.jacobian_dot_qd(of_frame, qd());
+    if (!mechanism.floating_base) return result;
+    const Matrix<F> J = lagrangian.jacobian(of_frame);
+    const Values drift = base_drift(qd());
+    for (int i = 0; i < J.rows(); ++i) {
+      for (std::size_t k = 0; k < drift.size(); ++k) {
+        result[static_cast<std::size_t>(i)] += J(i, static_cast<int>(k)) * drift[k];
+      }
+    }
+    return result;
+  }
 
   // τ - n, the value that B q̈ must have.
   Values net_torques() {
     Values result = drawn(InputKind::tau);
-    const Values bias = lagrangian.bias(qd(), signs());
-    for (std::size_t i = 0; i < bias.size(); ++i) result[i] += -bias[i];
+    const Values n = bias();
+    for (std::size_t i = 0; i < n.size(); ++i) result[i] += -n[i];
     return result;
   }
 
@@ -78,6 +115,24 @@ class DefinitionPoint {
   Lagrangian<F> lagrangian;
 
  private:
+  // With a floating base, Lagrange's equations hold for ẍ = ν̇ - Ȧ ν (model/floating_base.hpp).
+  Values torques_at(Values accelerations) {
+    if (mechanism.floating_base) {
+      const Values drift = base_drift(qd());
+      for (std::size_t k = 0; k < drift.size(); ++k) accelerations[k] += drift[k];
+    }
+    return lagrangian.inverse_dynamics(qd(), accelerations, signs());
+  }
+
+  // The mechanism over the field; gravity is g_b if the base floats and there is any.
+  MechanismOver<F> mechanism_with_gravity() const {
+    MechanismOver<F> field = mechanism_over(mechanism, arithmetic);
+    if (mechanism.has_base_gravity()) {
+      for (int k = 0; k < 3; ++k) field.gravity[static_cast<std::size_t>(k)] = arithmetic.input({InputKind::g_b, k});
+    }
+    return field;
+  }
+
   const Values& own_values_;
 };
 

@@ -139,6 +139,10 @@ class RationalDegreeArithmetic {
 std::vector<JointPoint<Degree>> joint_degrees(const Mechanism& mechanism) {
   std::vector<JointPoint<Degree>> degrees;
   for (int i = 0; i < mechanism.body_count(); ++i) {
+    if (mechanism.is_of_base(i)) {
+      degrees.emplace_back();
+      continue;
+    }
     double turns = mechanism.is_coupled() ? 0 : 1;
     for (int k = 0; k < mechanism.position_count() && mechanism.is_coupled(); ++k) {
       turns += std::ceil(
@@ -156,10 +160,14 @@ MechanismDegrees lagrangian_degrees(const Mechanism& mechanism) {
   const Degree drawn = Degree::of(1);
   const auto n = static_cast<std::size_t>(mechanism.size());
   const auto bodies = static_cast<std::size_t>(mechanism.body_count());
-  Lagrangian<Degree> lagrangian(mechanism_over(mechanism, arithmetic), joint_degrees(mechanism));
+  MechanismOver<Degree> field = mechanism_over(mechanism, arithmetic);
+  if (mechanism.has_base_gravity()) field.gravity = {drawn, drawn, drawn};
+  Lagrangian<Degree> lagrangian(std::move(field), joint_degrees(mechanism));
   const std::vector<Degree> rates(n, drawn), signs(bodies, drawn);
+  // Accelerations of a floating base's coordinates have products of its velocities.
+  const std::vector<Degree> accelerations(n, mechanism.floating_base ? drawn * drawn : drawn);
   Degree largest = lagrangian.potential_energy() + lagrangian.kinetic_energy(rates);
-  for (const Degree& torque : lagrangian.inverse_dynamics(rates, rates, signs)) largest += torque;
+  for (const Degree& torque : lagrangian.inverse_dynamics(rates, accelerations, signs)) largest += torque;
   for (const Degree& torque : lagrangian.tip_torques(std::vector<Degree>(6, drawn))) largest += torque;
   for (const FieldFrame<Degree>& link : lagrangian.mechanism().links) {
     for (const Degree& entry : lagrangian.jacobian_dot_qd(link, rates)) largest += entry;

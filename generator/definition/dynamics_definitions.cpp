@@ -40,12 +40,11 @@ constinit const Definition inertia_matrix =
 constinit const Definition christoffel = defined_as([](auto& at, const Output&) { return christoffel_symbols(at); });
 
 constinit const Definition coriolis_matrix =
-    defined_as([](auto& at, const Output&) { return at.lagrangian.coriolis_matrix(at.qd()).entries(); });
+    defined_as([](auto& at, const Output&) { return at.coriolis_matrix().entries(); });
 
 constinit const Definition gravity = defined_as([](auto& at, const Output&) { return at.lagrangian.gravity(); });
 
-constinit const Definition bias =
-    defined_as([](auto& at, const Output&) { return at.lagrangian.bias(at.qd(), at.signs()); });
+constinit const Definition bias = defined_as([](auto& at, const Output&) { return at.bias(); });
 
 // B q̈ is compared with τ - n, without denominators; single accelerations are compared with B⁻¹ (τ - n).
 constinit const Definition forward_dynamics = {

@@ -29,6 +29,6 @@ constinit const Definition jacobian =
     defined_as([](auto& at, const Output&) { return at.lagrangian.jacobian(at.frame()).entries(); });
 
 constinit const Definition jacobian_dot_qd =
-    defined_as([](auto& at, const Output&) { return at.lagrangian.jacobian_dot_qd(at.frame(), at.qd()); });
+    defined_as([](auto& at, const Output&) { return at.jacobian_dot_qd(at.frame()); });
 
 }  // namespace flatdyn::definitions

@@ -38,10 +38,12 @@ class WrittenEnergies {
       for (const Inertial& inertial : robot_.links[l].inertials) add_inertial(inertial, links_[l]);
     }
     const std::vector<int> joints = moving_joints(robot_);
+    const std::size_t first = rates_.size() - joints.size();  // before them: the motion of a floating base
     for (std::size_t i = 0; i < joints.size(); ++i) {
       const Joint& joint = robot_.joints[static_cast<std::size_t>(joints[i])];
-      sum_.kinetic += half_ * numbers_.number(joint.armature.number) * rates_[i] * rates_[i];
-      if (joint.motor) add_rotor(*joint.motor, rates_[i], links_[static_cast<std::size_t>(carrier_of(joint))]);
+      const F& rate = rates_[first + i];
+      sum_.kinetic += half_ * numbers_.number(joint.armature.number) * rate * rate;
+      if (joint.motor) add_rotor(*joint.motor, rate, links_[static_cast<std::size_t>(carrier_of(joint))]);
     }
     return sum_;
   }

@@ -34,6 +34,7 @@ State uniform_state(const Mechanism& mechanism, double q, double rate) {
     rates->assign(n, rate);
   }
   state.h_e.assign(state.h_e.size(), rate);
+  if (mechanism.floating_base) state.g_b = {0, 0, -9.81};
   return state;
 }
 

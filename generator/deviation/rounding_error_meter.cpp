@@ -30,7 +30,7 @@ std::optional<EntryTruth<long double>> RoundingErrorMeter::truth(const State& gi
   if (!expected_.is_regular(given)) return std::nullopt;
   const StateOf<long double> wide = widened<long double>(given);
   TapeInputsOf<long double> inputs;
-  for (const InputKind kind : kStateKinds) inputs[kind] = wide.of(kind);
+  for (const InputKind kind : kArgumentKinds) inputs[kind] = wide.of(kind);
   std::vector<long double> values(graph_.results());
   if (!graph_.run(inputs, values)) return std::nullopt;
   return EntryTruth<long double>{std::move(values), expected_.scale(given)};

@@ -24,7 +24,7 @@ double loss_at(const Function& function, RoundingErrorMeter& meter, const std::v
     const State& state = states[k];
     const auto truth = meter.truth(state);
     TapeInputs inputs;
-    for (const InputKind kind : kStateKinds) inputs[kind] = state.of(kind);
+    for (const InputKind kind : kArgumentKinds) inputs[kind] = state.of(kind);
     if (!truth || !tape.run(inputs, values)) continue;
     worst = std::max(worst, meter.error(values, *truth).scaled);
     reference = std::max(reference, meter.error(meter.reference(state), *truth).scaled);

@@ -21,6 +21,13 @@ InputArgument input_argument(InputKind kind, JointCounts counts, int base_parame
       return {"tau", joints, "joint torques or forces, N m or N"};
     case InputKind::h_e:
       return {"h_e", kWrench, "force (N), then moment (N m), that the tip exerts on its environment, base frame"};
+    case InputKind::g_b:
+      return {"g_b", 3, "gravity in base axes, m/s^2: R^T g_0 with R from base axes to world axes"};
+    case InputKind::v:
+      return {"v", joints,
+              "velocity of the base's origin (m/s) and its angular velocity (rad/s), base axes, then joint velocities"};
+    case InputKind::a:
+      return {"a", joints, "derivatives of the entries of v, per second"};
     case InputKind::qd_r:
       return {"qd_r", joints, "reference velocities, rad/s or m/s"};
     case InputKind::qdd_r:

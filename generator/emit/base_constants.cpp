@@ -17,7 +17,8 @@ std::string meaning(const Mechanism& mechanism, ParameterFrames frames) {
   const std::string text =
       "Base parameters pi_b: the fewest that the torques depend on, as combinations of parameters in ";
   const char* const names =
-      " Each pi_b has the name of the parameter in canonical frames that it keeps (flatdyn inspect --base --frames "
+      " Each pi_b has the name of the parameter in canonical frames that it keeps (flatdyn inspect --base-parameters "
+      "--frames "
       "canonical).";
   return text + frames_text(mechanism, frames) + "." + (has_names_of_file(mechanism, frames) ? names : "") +
          " Numbers here are rounded.";

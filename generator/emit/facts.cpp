@@ -43,11 +43,25 @@ std::string loop_text(const Mechanism& mechanism) {
       fmt::join(dependent, ", "), aligns_axes(mechanism) ? kAxes : "");
 }
 
+std::string gravity_text(const Mechanism& mechanism) {
+  return fmt::format("Gravity is {} m/s^2 in the base frame.", NumberText(mechanism, 17)(mechanism.gravity));
+}
+
+std::string floating_text(const Mechanism& mechanism) {
+  const std::string text = fmt::format(
+      "The base floats. The first entries of v are the velocity of the origin of link \"{}\" (v[0] to v[2], m/s) and "
+      "the link's angular velocity (v[3] to v[5], rad/s), both in the link's axes; the joints' rates follow. a has the "
+      "derivatives of these numbers: the acceleration of the origin is (a[0], a[1], a[2]) + omega x v. tau begins with "
+      "the force on the link (N) and its moment about the link's origin (N m), in the link's axes.",
+      mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)].link);
+  if (!mechanism.has_base_gravity()) return text + " There is no gravity.";
+  return text + " g_b is gravity in the link's axes, m/s^2: R^T g_0 with R from these axes to the world's.";
+}
+
 }  // namespace
 
 std::string facts_of(const Mechanism& mechanism, const std::string& scene) {
-  std::string text =
-      fmt::format("Gravity is {} m/s^2 in the base frame.", NumberText(mechanism, 17)(mechanism.gravity));
+  std::string text = mechanism.floating_base ? floating_text(mechanism) : gravity_text(mechanism);
   if (!mechanism.tip.link.empty()) text += fmt::format(" The tip belongs to link \"{}\".", mechanism.tip.link);
   if (!mechanism.merged.empty()) text += merged_text(mechanism);
   const auto by_index = [](int k) { return fmt::format("q[{}]", k); };

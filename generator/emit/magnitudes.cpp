@@ -10,11 +10,14 @@ double magnitude_of(InputKind kind) {
   switch (kind) {
     case InputKind::qd:
     case InputKind::qd_r:
+    case InputKind::v:
       return 3;
     case InputKind::qdd:
     case InputKind::qdd_r:
     case InputKind::tau:
     case InputKind::h_e:
+    case InputKind::g_b:
+    case InputKind::a:
       return 10;
     default:
       return 1;

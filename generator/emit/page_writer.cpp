@@ -92,6 +92,7 @@ class PageWriter {
   void fill_scope() {
     scope_.joints = mechanism_.size();
     scope_.positions = mechanism_.position_count();
+    scope_.floating_base = mechanism_.floating_base;
     scope_.angles = multiples_of_positions(mechanism_);
     scope_.fuses = options_.fuses;
     scope_.most_lines = options_.most_lines;
@@ -129,10 +130,16 @@ class PageWriter {
 
   void write_constants(data& header) {
     content_.exports.emplace_back("joint_count");
-    header["joint_count"] = std::to_string(mechanism_.size());
+    header["joint_count"] = std::to_string(mechanism_.joints().size());
     data constants(data::type::list);
     header["loops?"] = mechanism_.has_loops();
-    if (mechanism_.size() > 0) {
+    header["floating?"] = mechanism_.floating_base;
+    if (mechanism_.floating_base) {
+      content_.exports.emplace_back("velocity_count");
+      header["velocity_count"] = std::to_string(mechanism_.size());
+      header["velocities"] = dialect_.count_name("velocity_count");
+    }
+    if (mechanism_.joints().size() > 0) {
       std::vector<std::string> joints;
       for (const Body& body : mechanism_.joints()) joints.push_back(dialect_.text(body.joint));
       content_.exports.emplace_back("joint_names");

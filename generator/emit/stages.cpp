@@ -12,7 +12,7 @@ enum Level { kPosition = 1, kVelocity = 2, kRest = 3 };
 
 int level_of(InputKind kind) {
   if (kind == InputKind::q || kind == InputKind::parameter) return kPosition;
-  return kind == InputKind::qd ? kVelocity : kRest;
+  return is_velocity(kind) ? kVelocity : kRest;
 }
 
 std::size_t at(NodeId id) { return static_cast<std::size_t>(id); }

@@ -108,7 +108,8 @@ class FolderWriter {
 
   data arrays() const {
     data list(data::type::list);
-    for (const InputKind kind : kMotionKinds) {
+    for (const InputKind kind : kArgumentKinds) {
+      if (kind == InputKind::parameter) continue;
       const InputArgument argument = input_argument(kind, JointCounts(mechanism_));
       if (!is_read(kind)) continue;
       data item;
@@ -125,7 +126,8 @@ class FolderWriter {
     for (const State& state : vectors_.states) {
       std::string lines;
       if (!mechanism_.symbols.empty()) lines += member("parameters", state.parameters);
-      for (const InputKind kind : kMotionKinds) {
+      for (const InputKind kind : kArgumentKinds) {
+        if (kind == InputKind::parameter) continue;
         if (is_read(kind)) lines += member(input_argument(kind, 0).name, state.of(kind));
       }
       list << data("members", without_newline(lines));

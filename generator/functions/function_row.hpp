@@ -55,13 +55,14 @@ struct FunctionTraits {
   bool uses_base_parameters = false;     // whether it has a column or an entry per base parameter
   bool is_all_or_nothing = false;        // whether its entries cannot be compared one by one with the definition
   bool depends_on_gravity_only = false;  // whether inertia and friction do not change it
+  bool needs_fixed_base = false;         // whether it is not there for robots with a floating base
 };
 
 struct FunctionRow {
   const char* name;
-  const char* summary;   // one line of help
-  const char* equation;  // of the textbook, or ""
-  std::vector<InputKind> inputs;
+  const char* summary;            // one line of help
+  const char* equation;           // of the textbook, or ""
+  std::vector<InputKind> inputs;  // for robots of all kinds
   std::vector<OutputRow> outputs;
   DerivationRow derivation;
   Definition definition;
@@ -69,7 +70,11 @@ struct FunctionRow {
   FunctionTraits traits = {};
 
   // Whether the function applies to the robot.
-  bool applies_to(const Mechanism& mechanism) const { return !traits.needs_loops || mechanism.has_loops(); }
+  bool applies_to(const Mechanism& mechanism) const {
+    return (!traits.needs_loops || mechanism.has_loops()) && !(traits.needs_fixed_base && mechanism.floating_base);
+  }
+  // The arguments for this robot: with a floating base v and a for q̇ and q̈, and g_b if there is gravity.
+  std::vector<InputKind> inputs_for(const Mechanism& mechanism) const;
   // Whether its cost depends on choices of frames and units.
   bool has_choices() const { return derivation.from_choices != nullptr; }
 };

@@ -33,7 +33,8 @@ namespace flatdyn {
 namespace {
 
 constexpr InputKind q = InputKind::q, qd = InputKind::qd, qdd = InputKind::qdd, tau = InputKind::tau,
-                    h_e = InputKind::h_e, pi_b = InputKind::pi_b, qd_r = InputKind::qd_r, qdd_r = InputKind::qdd_r;
+                    h_e = InputKind::h_e, g_b = InputKind::g_b, pi_b = InputKind::pi_b, qd_r = InputKind::qd_r,
+                    qdd_r = InputKind::qdd_r;
 
 constexpr OutputRow scalar(const char* name, OutputQuantity quantity) {
   return {name, Layout::scalar, Extent::one, Extent::one, quantity};
@@ -55,7 +56,7 @@ const std::vector<FunctionRow> kRows = {
     {.name = "inverse_dynamics",
      .summary = "tau = B(q) qdd + C(q, qd) qd + g(q) + friction",
      .equation = "(7.42)",
-     .inputs = {q, qd, qdd},
+     .inputs = {q, g_b, qd, qdd},
      .outputs = {per_joint("tau", OutputQuantity::joint_torque)},
      .derivation = {.from_choices = derive_inverse_dynamics, .closed_form = closed_inverse_dynamics},
      .definition = definitions::inverse_dynamics,
@@ -63,7 +64,7 @@ const std::vector<FunctionRow> kRows = {
     {.name = "inverse_dynamics_tip_force",
      .summary = "Inverse dynamics with a force h_e that the tip exerts on the environment",
      .equation = "(7.42)",
-     .inputs = {q, qd, qdd, h_e},
+     .inputs = {q, g_b, qd, qdd, h_e},
      .outputs = {per_joint("tau", OutputQuantity::joint_torque)},
      .derivation = {.from_choices = derive_inverse_dynamics_tip_force},
      .definition = definitions::inverse_dynamics_tip_force,
@@ -83,7 +84,8 @@ const std::vector<FunctionRow> kRows = {
      .outputs = {{"c", Layout::christoffel, Extent::joints, Extent::joint_pairs, OutputQuantity::christoffel_symbol}},
      .derivation = {.from_choices = derive_christoffel, .closed_form = closed_christoffel},
      .definition = definitions::christoffel,
-     .reference = references::christoffel},
+     .reference = references::christoffel,
+     .traits = {.needs_fixed_base = true}},
     {.name = "coriolis_matrix",
      .summary = "C(q, qd) from the Christoffel symbols",
      .equation = "(7.44)",
@@ -97,7 +99,7 @@ const std::vector<FunctionRow> kRows = {
     {.name = "gravity",
      .summary = "Gravity torques g(q)",
      .equation = "(7.39)",
-     .inputs = {q},
+     .inputs = {q, g_b},
      .outputs = {per_joint("g", OutputQuantity::joint_torque)},
      .derivation = {.from_choices = derive_gravity, .closed_form = closed_gravity},
      .definition = definitions::gravity,
@@ -106,7 +108,7 @@ const std::vector<FunctionRow> kRows = {
     {.name = "bias",
      .summary = "C(q, qd) qd + g(q) + friction",
      .equation = "(7.116)",
-     .inputs = {q, qd},
+     .inputs = {q, g_b, qd},
      .outputs = {per_joint("n", OutputQuantity::joint_torque)},
      .derivation = {.from_choices = derive_bias, .closed_form = closed_bias},
      .definition = definitions::bias,
@@ -114,7 +116,7 @@ const std::vector<FunctionRow> kRows = {
     {.name = "forward_dynamics",
      .summary = "qdd from B(q) qdd = tau - bias(q, qd)",
      .equation = "(7.115)",
-     .inputs = {q, qd, tau},
+     .inputs = {q, g_b, qd, tau},
      .outputs = {per_joint("qdd", OutputQuantity::joint_acceleration)},
      .derivation = {.from_choices = derive_forward_dynamics,
                     .alternatives = {derive_forward_dynamics_by_articulated_bodies,
@@ -138,7 +140,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_potential_energy},
      .definition = definitions::potential_energy,
      .reference = references::potential_energy,
-     .traits = {.depends_on_gravity_only = true}},
+     .traits = {.depends_on_gravity_only = true, .needs_fixed_base = true}},
     {.name = "forward_kinematics",
      .summary = "Pose of the tip",
      .equation = "(2.50)",
@@ -210,7 +212,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_inverse_dynamics_derivatives},
      .definition = definitions::inverse_dynamics_derivatives,
      .reference = references::inverse_dynamics_derivatives,
-     .traits = {.on_request = true}},
+     .traits = {.on_request = true, .needs_fixed_base = true}},
     {.name = "forward_dynamics_derivatives",
      .summary = "Derivatives of qdd(q, qd, tau) by q, qd and tau; Coulomb friction counts as constant",
      .equation = "",
@@ -222,7 +224,7 @@ const std::vector<FunctionRow> kRows = {
      .definition = definitions::forward_dynamics_derivatives,
      .reference = references::forward_dynamics_derivatives,
      // The derivatives depend on the inverse of B that comes with them.
-     .traits = {.on_request = true, .divides_by_pivots = true, .is_all_or_nothing = true}},
+     .traits = {.on_request = true, .divides_by_pivots = true, .is_all_or_nothing = true, .needs_fixed_base = true}},
     {.name = "operational_inertia",
      .summary = "B_A and the consistent inverse of J: the inertia that the tip moves with",
      .equation = "(7.130), (7.138)",
@@ -233,7 +235,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_operational_inertia},
      .definition = definitions::operational_inertia,
      .reference = references::operational_inertia,
-     .traits = {.on_request = true, .divides_by_pivots = true, .uses_task = true}},
+     .traits = {.on_request = true, .divides_by_pivots = true, .uses_task = true, .needs_fixed_base = true}},
     {.name = "operational_bias",
      .summary = "C_A times the tip's velocity, and g_A",
      .equation = "(7.131), (7.132)",
@@ -243,7 +245,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_operational_bias},
      .definition = definitions::operational_bias,
      .reference = references::operational_bias,
-     .traits = {.on_request = true, .divides_by_pivots = true, .uses_task = true}},
+     .traits = {.on_request = true, .divides_by_pivots = true, .uses_task = true, .needs_fixed_base = true}},
     {.name = "null_space_torque",
      .summary = "The part of tau that moves the arm and leaves the tip where it is",
      .equation = "(7.141)",
@@ -252,7 +254,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_null_space_torque},
      .definition = definitions::null_space_torque,
      .reference = references::null_space_torque,
-     .traits = {.on_request = true, .divides_by_pivots = true, .uses_task = true}},
+     .traits = {.on_request = true, .divides_by_pivots = true, .uses_task = true, .needs_fixed_base = true}},
     {.name = "regressor",
      .summary = "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint, of its link with the rotors that it "
                 "carries, in and about the frame that flatdyn inspect shows",
@@ -262,7 +264,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_mechanism = derive_regressor},
      .definition = definitions::regressor,
      .reference = references::regressor,
-     .traits = {.on_request = true}},
+     .traits = {.on_request = true, .needs_fixed_base = true}},
     {.name = "base_regressor",
      .summary = "Y_b(q, qd, qdd) with tau = Y_b pi_b, pi_b the base parameters",
      .equation = "(7.81)",
@@ -271,7 +273,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_mechanism = derive_base_regressor},
      .definition = definitions::base_regressor,
      .reference = references::base_regressor,
-     .traits = {.on_request = true, .uses_base_parameters = true, .is_all_or_nothing = true}},
+     .traits = {.on_request = true, .uses_base_parameters = true, .is_all_or_nothing = true, .needs_fixed_base = true}},
     {.name = "base_parameters",
      .summary = "pi_b of this robot: Y_b pi_b = tau",
      .equation = "",
@@ -280,7 +282,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_mechanism = derive_base_parameters},
      .definition = definitions::base_parameters,
      .reference = references::base_parameters,
-     .traits = {.on_request = true, .uses_base_parameters = true, .is_all_or_nothing = true}},
+     .traits = {.on_request = true, .uses_base_parameters = true, .is_all_or_nothing = true, .needs_fixed_base = true}},
     {.name = "inverse_dynamics_base",
      .summary = "tau = B qdd + C qd + g + friction with the base parameters pi_b as an argument",
      .equation = "(7.42)",
@@ -289,7 +291,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_mechanism = derive_inverse_dynamics_base},
      .definition = definitions::inverse_dynamics_base,
      .reference = references::inverse_dynamics_base,
-     .traits = {.on_request = true, .uses_base_parameters = true}},
+     .traits = {.on_request = true, .uses_base_parameters = true, .needs_fixed_base = true}},
     {.name = "adaptive_regressor",
      .summary = "Y_b(q, qd, qd_r, qdd_r) with B qdd_r + C qd_r + g + friction at qd_r = Y_b pi_b",
      .equation = "(7.81)",
@@ -298,10 +300,19 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_mechanism = derive_adaptive_regressor},
      .definition = definitions::adaptive_regressor,
      .reference = references::adaptive_regressor,
-     .traits = {.on_request = true, .uses_base_parameters = true, .is_all_or_nothing = true}},
+     .traits = {.on_request = true, .uses_base_parameters = true, .is_all_or_nothing = true, .needs_fixed_base = true}},
 };
 
 }  // namespace
+
+std::vector<InputKind> FunctionRow::inputs_for(const Mechanism& mechanism) const {
+  std::vector<InputKind> result;
+  for (const InputKind kind : inputs) {
+    if (kind == InputKind::g_b && !mechanism.has_base_gravity()) continue;
+    result.push_back(with_base(kind, mechanism.floating_base));
+  }
+  return result;
+}
 
 const std::vector<FunctionRow>& function_table() { return kRows; }
 

@@ -56,7 +56,7 @@ class FieldArithmetic {
   F constant(const Rational& value) const { return Traits::from(value); }
 
   F input(const Input& input) const {
-    if (at_rest_ && input.kind == InputKind::qd) return F(0);
+    if (at_rest_ && is_velocity(input.kind)) return F(0);
     const auto kind = static_cast<std::uint64_t>(input.kind);
     return Traits::draw(splitmix64(seed_, (kind << 32) + static_cast<std::uint64_t>(input.index)));
   }

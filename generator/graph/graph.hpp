@@ -25,8 +25,19 @@ namespace flatdyn {
 using NodeId = std::int32_t;
 
 // The kind of a function's input. parameter: a free symbol of the robot; qd_r, qdd_r: reference rates and
-// accelerations; pi_b: base parameters; stored: a value that an earlier stage has computed.
-enum class InputKind : std::uint8_t { q, qd, qdd, tau, h_e, parameter, qd_r, qdd_r, pi_b, stored };
+// accelerations; pi_b: base parameters; g_b: gravity in the axes of a floating base; v, a: q̇ and q̈ of robots
+// with a floating base, whose first six entries are the base's; stored: a value that an earlier
+// stage has computed.
+enum class InputKind : std::uint8_t { q, qd, qdd, tau, h_e, parameter, qd_r, qdd_r, pi_b, g_b, v, a, stored };
+
+// The kind of rates and accelerations of a robot: qd and qdd, or v and a if its base floats.
+constexpr InputKind with_base(InputKind kind, bool floating_base) {
+  if (floating_base && kind == InputKind::qd) return InputKind::v;
+  if (floating_base && kind == InputKind::qdd) return InputKind::a;
+  return kind;
+}
+
+constexpr bool is_velocity(InputKind kind) { return kind == InputKind::qd || kind == InputKind::v; }
 
 struct Input {
   InputKind kind = InputKind::q;

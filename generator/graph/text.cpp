@@ -149,6 +149,12 @@ std::string name_of(InputKind kind) {
       return "qdd_r";
     case InputKind::pi_b:
       return "pi_b";
+    case InputKind::g_b:
+      return "g_b";
+    case InputKind::v:
+      return "v";
+    case InputKind::a:
+      return "a";
     case InputKind::stored:
       return "stored";
   }

@@ -15,6 +15,7 @@
 #include "input/urdf/reader.hpp"
 #include "model/assembly.hpp"
 #include "model/coordinate_limits.hpp"
+#include "model/coupling.hpp"
 #include "model/linear_loops.hpp"
 #include "model/snap_dust.hpp"
 #include "model/validate.hpp"
@@ -127,6 +128,7 @@ void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   apply_to_joints(robot.scene, context.diagnostics, robot);
   hold_joints(context, robot);
   if (!validate_tree(robot, context.diagnostics)) return;
+  robot.floating_base = context.options.floating_base.value_or(robot.floating_base);
   attach(attachments, context, robot);
   if (robot.scene.gravity) robot.gravity = *robot.scene.gravity;
   robot.snaps = context.snaps;
@@ -134,6 +136,12 @@ void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   snap_dust(dust_part(context.options), robot);
   validate_values(robot, payload_places(attachments, robot.scene), context.diagnostics);
   warn_of_units(robot, context);
+}
+
+void refuse_floating_loops(const Robot& robot, Diagnostics& diagnostics) {
+  if (!robot.floating_base || (robot.loops.empty() && !has_coupled_joints(robot))) return;
+  diagnostics.unsupported({robot.file, 0}, "a floating base with coupled joints or closed loops is not supported",
+                          "hold the coupled joints still with --fix, or leave out --base floating");
 }
 
 // "arm" of arm.toml and of arm.urdf.xacro; stdin and pipes have no name.
@@ -161,6 +169,7 @@ std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOpt
   robot.symbols = context.symbols.in_order();
   if (robot.name.empty()) take_name_of_file(robot.file, found, robot);
   if (!found.has_errors()) couple_linear_loops(robot, found);
+  if (!found.has_errors()) refuse_floating_loops(robot, found);
   if (!found.has_errors()) check_assembly(robot, found);
   if (!found.has_errors()) check_coordinates(robot, found);
   hand_over(found, diagnostics);

@@ -37,4 +37,10 @@ void refuse_loops(const LoadedRobot& model, const std::string& what) {
                 "loops are parallelograms");
 }
 
+void refuse_floating_base(const LoadedRobot& model, const std::string& what) {
+  if (!model.mechanism.floating_base) return;
+  throw Failure(ExitCode::unsupported, what + ": robots with a floating base are not supported yet",
+                "inspect, generate, verify and eval know them; --base fixed holds the base still");
+}
+
 }  // namespace flatdyn

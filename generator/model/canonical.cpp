@@ -8,6 +8,7 @@
 
 #include "model/angles.hpp"
 #include "model/coordinate_limits.hpp"
+#include "model/floating_base.hpp"
 #include "model/loop_closure.hpp"
 #include "model/mechanism.hpp"
 #include "model/rational_rotation.hpp"
@@ -466,7 +467,7 @@ Mechanism make_mechanism(const Robot& robot) {
   for (Body& body : mechanism.bodies) body.inertia = snap_residues_to_zero(body.inertia, tree.reach_);
   add_coupling(tree, mechanism);
   add_loops(robot, mechanism);
-  return mechanism;
+  return robot.floating_base ? with_floating_base(std::move(mechanism)) : mechanism;
 }
 
 }  // namespace flatdyn

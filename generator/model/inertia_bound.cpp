@@ -212,7 +212,7 @@ class EnergyBounds {
 
 double scaled_inertia_bound(const Mechanism& mechanism) {
   constexpr double kSmallest = 0x1p-60;
-  if (!mechanism.symbols.empty() || mechanism.has_loops()) return 0;
+  if (!mechanism.symbols.empty() || mechanism.has_loops() || mechanism.floating_base) return 0;
   const EnergyBounds bounds(mechanism, HUGE_VAL);
   if (!bounds.cover(kSmallest)) return 0;
   double proven = kSmallest, failed = 1;
@@ -231,7 +231,9 @@ std::vector<DiagonalBound> diagonal_bounds(const Mechanism& mechanism) {
   if (!mechanism.symbols.empty()) return {};
   const EnergyBounds bounds(mechanism, 0);
   std::vector<DiagonalBound> result;
-  for (int position = 0; position < mechanism.position_count(); ++position) {
+  // Without coupling, entries of q̇ are bodies.
+  const int count = mechanism.is_coupled() ? mechanism.position_count() : mechanism.body_count();
+  for (int position = 0; position < count; ++position) {
     result.push_back({bounds.diagonal_of(position), !bounds.slides_beyond(position)});
   }
   return result;

@@ -133,7 +133,7 @@ InertialParameters transformed(const InertialParameters& a, const Mat3& R, const
 }
 
 bool Mechanism::has_prismatic_joint() const {
-  return std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.prismatic; });
+  return std::any_of(bodies.begin() + base_bodies(), bodies.end(), [](const Body& body) { return body.prismatic; });
 }
 
 Mat3 constant_rotation(const Body& body) {

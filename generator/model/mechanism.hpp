@@ -139,22 +139,38 @@ struct Mechanism {
   std::vector<LoopClosure> loops;
   std::vector<int> independent;  // entries of q; empty: all
 
+  // With a floating base, bodies 0 to 5 are its motion, and the last of them is the base link
+  // (model/floating_base.hpp). q has no entries of theirs; the first six of q̇, q̈ and τ are the base's.
+  bool floating_base = false;
+
+  // The bodies, and the entries of q̇, that are the motion of a floating base.
+  int base_bodies() const { return floating_base ? 6 : 0; }
+  bool is_of_base(int body) const { return body < base_bodies(); }
+  // Whether torques depend on gravity in the axes of a floating base.
+  bool has_base_gravity() const;
   // Entries of q.
-  int position_count() const { return is_coupled() ? static_cast<int>(coordinates.size()) : body_count(); }
+  int position_count() const {
+    return is_coupled() ? static_cast<int>(coordinates.size()) : body_count() - base_bodies();
+  }
   int angle_count() const { return position_count() + static_cast<int>(angles.size()); }
   // The number of entries of q̇, q̈ and τ, and of q if no loop is closed.
-  int size() const { return has_loops() ? static_cast<int>(independent.size()) : position_count(); }
+  int size() const { return base_bodies() + (has_loops() ? static_cast<int>(independent.size()) : position_count()); }
   int body_count() const { return static_cast<int>(bodies.size()); }
   bool is_coupled() const { return !coupling.empty(); }
   bool has_loops() const { return !loops.empty(); }
-  JointRange joints() const;  // the joints that the entries of q̇ belong to, in order
-  // The entry of q that is integrated from entry k of q̇.
-  int position_of(int k) const { return has_loops() ? independent[static_cast<std::size_t>(k)] : k; }
-  int body_at(int position) const { return is_coupled() ? coordinates[static_cast<std::size_t>(position)] : position; }
-  int body_of(int k) const { return body_at(position_of(k)); }
+  // The joints that the entries of q̇ belong to, in order, without the motion of a floating base.
+  JointRange joints() const;
+  // The entry of q that is integrated from entry k of q̇, which must not be the base's.
+  int position_of(int k) const { return has_loops() ? independent[static_cast<std::size_t>(k)] : k - base_bodies(); }
+  int body_at(int position) const {
+    return is_coupled() ? coordinates[static_cast<std::size_t>(position)] : position + base_bodies();
+  }
+  int body_of(int k) const { return k < base_bodies() ? k : body_at(position_of(k)); }
   const Body& joint_at(int position) const { return bodies[static_cast<std::size_t>(body_at(position))]; }
-  const Body& joint(int k) const { return joint_at(position_of(k)); }
-  bool has_prismatic_joint() const;
+  const Body& joint(int k) const { return bodies[static_cast<std::size_t>(body_of(k))]; }
+  bool has_prismatic_joint() const;  // beside the motion of a floating base
+  // Whether entries of q or q̇ are lengths, so that the unit of length is not free.
+  bool has_lengths() const { return floating_base || has_prismatic_joint(); }
 };
 
 class JointRange {
@@ -181,10 +197,12 @@ class JointRange {
   };
 
   explicit JointRange(const Mechanism& mechanism) : mechanism_(mechanism) {}
-  Iterator begin() const { return {mechanism_, 0}; }
+  Iterator begin() const { return {mechanism_, mechanism_.base_bodies()}; }
   Iterator end() const { return {mechanism_, mechanism_.size()}; }
-  std::size_t size() const { return static_cast<std::size_t>(mechanism_.size()); }
-  const Body& operator[](std::size_t k) const { return mechanism_.joint(static_cast<int>(k)); }
+  std::size_t size() const { return static_cast<std::size_t>(mechanism_.size() - mechanism_.base_bodies()); }
+  const Body& operator[](std::size_t k) const {
+    return mechanism_.joint(static_cast<int>(k) + mechanism_.base_bodies());
+  }
 
  private:
   const Mechanism& mechanism_;

@@ -52,7 +52,7 @@ std::vector<int> depth_first_joints(const Robot& robot) {
 }
 
 std::vector<bool> moving_links(const Robot& robot) {
-  std::vector<bool> moves(robot.links.size(), false);
+  std::vector<bool> moves(robot.links.size(), robot.floating_base);
   for (const int j : depth_first_joints(robot)) {
     const Joint& joint = robot.joints[static_cast<std::size_t>(j)];
     moves[static_cast<std::size_t>(joint.child)] =

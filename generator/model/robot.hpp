@@ -123,7 +123,7 @@ struct Robot {
   std::vector<Loop> loops;         // closed loops; those of coupled joints are part of `joints`
   // Positions of some joints near which the loops are closed; other joints are near 0.
   std::vector<JointPosition> assembly;
-  int root = -1;                              // index of the root link; it is the fixed base
+  int root = -1;                              // index of the root link: the base
   int tip = -1;                               // index of the link whose frame is the tip
   Pose tip_offset;                            // the tip frame in the tip link's frame
   bool has_payload = false;                   // one of the links' inertials is a payload of the file
@@ -132,7 +132,8 @@ struct Robot {
   std::vector<Snap> snaps;
   // Angles kept as written that are multiples of pi/12 rounded to two to four digits: 1.57.
   std::vector<Snap> rounded_angles;
-  Scene scene;  // the user's choices for this robot, applied as far as they concern the robot
+  Scene scene;                 // the user's choices for this robot, applied as far as they concern the robot
+  bool floating_base = false;  // whether the root link moves freely
 };
 
 // The indices of all joints, fixed ones too, in depth-first file order. The tree must be valid.

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "model/states.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace flatdyn {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
+constexpr double kPi = 3.141592653589793, kUsualGravity = 9.81;
 // These streams are separate, so that the inputs of the other functions do not depend on them.
-constexpr unsigned kReferenceSeed = 0x7265666e, kBaseSeed = 0x62617365;
+constexpr unsigned kReferenceSeed = 0x7265666e, kBaseSeed = 0x62617365, kGravitySeed = 0x67726176;
+
+constexpr int kNone = -1;
 
 // std::uniform_real_distribution differs between standard libraries; this one does not.
 class Uniform {
@@ -44,6 +47,24 @@ double bound(const std::optional<Value>& limit, double otherwise) {
   return value > 0 ? value : otherwise;
 }
 
+double size_of(const Vec3& v) {
+  if (std::any_of(v.begin(), v.end(), has_symbols)) return kUsualGravity;
+  return std::hypot(nearest_double(v[0]), nearest_double(v[1]), nearest_double(v[2]));
+}
+
+// A vector of this length in a random direction: a random point of a ball of radius 1, scaled.
+std::vector<double> in_any_direction(double length, Uniform& uniform) {
+  for (;;) {
+    std::vector<double> v = {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+    const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    constexpr double kLeast = 1e-2;
+    if (square > 1 || square < kLeast) continue;
+    const double factor = length / std::sqrt(square);
+    for (double& entry : v) entry *= factor;
+    return v;
+  }
+}
+
 }  // namespace
 
 MotionRange motion_range(const Body& body) {
@@ -65,15 +86,17 @@ StateSource::StateSource(const Mechanism& mechanism) {
     positions_.emplace_back(range.lower, range.upper);
   }
   for (int k = 0; k < mechanism.size(); ++k) {
-    joints_.push_back({mechanism.position_of(k), motion_range(mechanism.joint(k))});
+    const int position = mechanism.is_of_base(k) ? kNone : mechanism.position_of(k);
+    joints_.push_back({position, motion_range(mechanism.joint(k))});
   }
+  if (mechanism.floating_base) gravity_ = size_of(mechanism.gravity);
   for (const LoopClosure& loop : mechanism.loops) {
     dependent_.insert(dependent_.end(), loop.dependent.begin(), loop.dependent.end());
   }
 }
 
 std::vector<State> StateSource::draw(int count, unsigned seed) const {
-  Uniform uniform(seed), reference(seed + kReferenceSeed);
+  Uniform uniform(seed), reference(seed + kReferenceSeed), orientation(seed + kGravitySeed);
   std::vector<State> states;
   for (int k = 0; k < count; ++k) {
     State state;
@@ -81,7 +104,7 @@ std::vector<State> StateSource::draw(int count, unsigned seed) const {
     const auto draw_position = [&](std::size_t p) { state.q[p] = uniform(positions_[p].first, positions_[p].second); };
     for (const Joint& joint : joints_) {
       const auto symmetric = [&uniform](double b) { return uniform(-b, b); };
-      draw_position(static_cast<std::size_t>(joint.position));
+      if (joint.position != kNone) draw_position(static_cast<std::size_t>(joint.position));
       state.qd.push_back(symmetric(joint.range.speed));
       state.qdd.push_back(symmetric(joint.range.acceleration));
       state.tau.push_back(symmetric(joint.range.effort));
@@ -90,6 +113,7 @@ std::vector<State> StateSource::draw(int count, unsigned seed) const {
     }
     for (double& h : state.h_e) h = uniform(-50, 50);
     for (const int p : dependent_) draw_position(static_cast<std::size_t>(p));
+    if (gravity_ > 0) state.g_b = in_any_direction(gravity_, orientation);
     states.push_back(std::move(state));
   }
   return states;
@@ -142,6 +166,7 @@ std::vector<State> edge_states(const Mechanism& mechanism) {
       state.tau.assign(n, 1.0);
       state.qd_r.assign(n, -qd);
       state.qdd_r.assign(n, 1.0);
+      if (mechanism.floating_base) state.g_b = {0.0, 0.0, -size_of(mechanism.gravity)};
       states.push_back(std::move(state));
     }
   }

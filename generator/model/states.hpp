@@ -20,19 +20,24 @@ struct StateOf {
   std::vector<S> parameters;                     // values of the free symbols
   std::vector<S> qd_r, qdd_r;                    // reference rates and accelerations
   std::vector<S> pi_b;                           // base parameters
+  std::vector<S> g_b;                            // gravity in the axes of a floating base, m/s^2
 
   const std::vector<S>& of(InputKind kind) const {
-    const std::vector<S>* const members[] = {&q,          &qd,   &qdd,   &tau, &h_e,
-                                             &parameters, &qd_r, &qdd_r, &pi_b};  // in the order of InputKind
+    const std::vector<S>* const members[] = {&q,    &qd,    &qdd,  &tau, &h_e, &parameters,
+                                             &qd_r, &qdd_r, &pi_b, &g_b, &qd,  &qdd};  // in the order of InputKind
     return *members[static_cast<std::size_t>(kind)];
   }
   std::vector<S>& of(InputKind kind) { return const_cast<std::vector<S>&>(std::as_const(*this).of(kind)); }
 };
 
 // All kinds of numbers in a state. Those of a motion come first; the free symbols' values are last.
-inline constexpr InputKind kStateKinds[] = {InputKind::q,     InputKind::qd,   InputKind::qdd,
-                                            InputKind::tau,   InputKind::h_e,  InputKind::qd_r,
-                                            InputKind::qdd_r, InputKind::pi_b, InputKind::parameter};
+inline constexpr InputKind kStateKinds[] = {InputKind::q,   InputKind::qd,       InputKind::qdd,   InputKind::tau,
+                                            InputKind::h_e, InputKind::qd_r,     InputKind::qdd_r, InputKind::pi_b,
+                                            InputKind::g_b, InputKind::parameter};
+// All kinds of arguments. v and a are q̇ and q̈ of a robot with a floating base.
+inline constexpr InputKind kArgumentKinds[] = {InputKind::q,   InputKind::qd,   InputKind::qdd,   InputKind::tau,
+                                               InputKind::h_e, InputKind::qd_r, InputKind::qdd_r, InputKind::pi_b,
+                                               InputKind::g_b, InputKind::v,    InputKind::a,     InputKind::parameter};
 inline constexpr std::span kMotionKinds = std::span(kStateKinds).first<std::size(kStateKinds) - 1>();
 
 // A state in doubles: the compiled code gets exactly the same numbers as the reference.
@@ -42,8 +47,8 @@ using State = StateOf<double>;
 template <class S>
 StateOf<S> widened(const State& state) {
   const auto wide = [](const std::vector<double>& v) { return std::vector<S>(v.begin(), v.end()); };
-  return {wide(state.q),          wide(state.qd),   wide(state.qdd),   wide(state.tau), wide(state.h_e),
-          wide(state.parameters), wide(state.qd_r), wide(state.qdd_r), wide(state.pi_b)};
+  return {wide(state.q),          wide(state.qd),   wide(state.qdd),   wide(state.tau),  wide(state.h_e),
+          wide(state.parameters), wide(state.qd_r), wide(state.qdd_r), wide(state.pi_b), wide(state.g_b)};
 }
 
 // The state that a function in float is given: every number is rounded.
@@ -69,12 +74,13 @@ class StateSource {
 
  private:
   struct Joint {
-    int position;  // entry of q
+    int position;  // entry of q; negative: none, the motion of a floating base
     MotionRange range;
   };
   std::vector<std::pair<double, double>> positions_;  // lower and upper bound, by entry of q
   std::vector<Joint> joints_;                         // by entry of q̇
   std::vector<int> dependent_;                        // entries of q
+  double gravity_ = 0;                                // |g_0|, with a floating base
 };
 
 // The random changes of a child in a search: each coordinate is changed with a probability of 2^-a, with a drawn from 0

@@ -205,7 +205,7 @@ void validate_values(Robot& robot, const std::vector<Place>& payloads, Diagnosti
   }
   for (Joint& joint : robot.joints) check_joint(joint, diagnostics);
   if (!complete) return;
-  if (moving_joints(robot).empty()) {
+  if (moving_joints(robot).empty() && !robot.floating_base) {
     diagnostics.error({robot.file, 0}, "no joint of this robot moves",
                       robot.scene.locked.empty() ? "make a joint revolute, continuous or prismatic"
                                                  : "leave a joint free that [locked] or --fix holds");

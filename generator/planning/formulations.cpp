@@ -41,6 +41,11 @@ struct Request {
 Request parsed(const Mechanism& mechanism, const std::string& name) {
   const std::size_t colon = name.find(':');
   Request request{&known_row(name.substr(0, colon)), nullptr};
+  if (request.row->traits.needs_fixed_base && mechanism.floating_base) {
+    throw Failure(ExitCode::unsupported,
+                  fmt::format("function \"{}\" is not supported for robots with a floating base", request.row->name),
+                  "leave it out of --functions, or fix the base");
+  }
   if (colon == std::string::npos) return request;
   if (request.row->derivation.of_link == nullptr) {
     throw Failure(ExitCode::usage, fmt::format("function \"{}\" is not one of a link", request.row->name),
@@ -68,17 +73,38 @@ Function derived_plainly(const Mechanism& mechanism, const Request& request, con
   return row.of_link(mechanism, request.link != nullptr ? *request.link : mechanism.tip);
 }
 
+// Says of an output that has entries of a floating base which they are.
+void describe_floating(Output& output) {
+  switch (output.quantity) {
+    case OutputQuantity::joint_torque:
+      output.meaning = "force (N) on the base and moment (N m) about its origin, base axes, then joint torques";
+      break;
+    case OutputQuantity::joint_acceleration:
+      output.name = "a";
+      output.meaning = "derivatives of the entries of v: of the base, in base axes, then of the joints";
+      break;
+    case OutputQuantity::joint_inertia:
+      output.meaning = "inertia matrix, symmetric, rows and columns in the order of v, SI units";
+      break;
+    default:
+      break;
+  }
+}
+
 // Sets what a row says of its function. Throws Failure(bug) if the derivation has other outputs than the row.
-void describe(const FunctionRow& row, Function& function) {
+void describe(const FunctionRow& row, const Mechanism& mechanism, Function& function) {
   function.equation = row.equation;
-  function.inputs = row.inputs;
+  function.inputs = row.inputs_for(mechanism);
   const auto is_same = [](const Output& output, const OutputRow& expected) {
     return output.name == expected.name && output.layout == expected.layout;
   };
   if (!std::equal(function.outputs.begin(), function.outputs.end(), row.outputs.begin(), row.outputs.end(), is_same)) {
     throw Failure(ExitCode::bug, fmt::format("{}: its derivation has other outputs than its row", row.name));
   }
-  for (std::size_t k = 0; k < row.outputs.size(); ++k) function.outputs[k].quantity = row.outputs[k].quantity;
+  for (std::size_t k = 0; k < row.outputs.size(); ++k) {
+    function.outputs[k].quantity = row.outputs[k].quantity;
+    if (mechanism.floating_base) describe_floating(function.outputs[k]);
+  }
 }
 
 }  // namespace
@@ -99,7 +125,7 @@ std::optional<Function> formulation(const Mechanism& mechanism, const std::strin
   result->name = name;
   if (request.row->traits.divides_by_pivots) result->proven_pivot_share = choices.guard.proven_share;
   result->summary = summary_of(request);
-  describe(*request.row, *result);
+  describe(*request.row, mechanism, *result);
   return result;
 }
 

@@ -12,7 +12,7 @@ bool changed(Choice& choice, const Choice& value) {
 }
 
 void add_units(std::vector<Move>& moves, const Mechanism& raised) {
-  if (raised.has_prismatic_joint()) return;
+  if (raised.has_lengths()) return;
   std::vector<Number> units = possible_length_units(raised);
   units.emplace_back(1);
   for (const Number& unit : units) {

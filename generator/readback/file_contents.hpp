@@ -53,7 +53,7 @@ struct FileContents {
   std::vector<std::string> name_spaces;  // those that the text may have
   std::string scalar;                    // of constants
   std::vector<std::string> scalars;      // those that the source of a pair is compiled for
-  int joints = 0, positions = 0;         // lengths of qd and q
+  int joints = 0, positions = 0;         // lengths of qd (but for the base's six) and q
   int angles = 0;                        // angles whose sines and cosines there may be
   bool has_loops = false;
   std::vector<FileTable> tables;
@@ -63,6 +63,7 @@ struct FileContents {
   std::vector<FileFunction> functions;
   std::vector<FileStage> stages;
   std::optional<FileLoops> closing;
+  std::optional<int> velocities;  // the length of v, with a floating base
 };
 
 // Compares all of the text but the statements of functions with what it has to hold, and makes sure that

@@ -50,6 +50,10 @@ class JavascriptFile : public FileReader {
   void constants() {
     count("joint_count", contents_.joints);
     if (contents_.has_loops) expect(fmt::format("const position_count = {};", contents_.positions));
+    if (contents_.velocities) {
+      exports_.emplace_back("velocity_count");
+      expect(fmt::format("const velocity_count = {};", *contents_.velocities));
+    }
     for (const FileTable& each : contents_.tables) {
       if (each.name == "position_names") exports_.emplace_back("position_count");
       table(each);

@@ -25,19 +25,24 @@ constexpr auto kInputArrays = std::to_array<InputArray>({{InputKind::q, "q"},
                                                          {InputKind::h_e, "h_e"},
                                                          {InputKind::qd_r, "qd_r"},
                                                          {InputKind::qdd_r, "qdd_r"},
-                                                         {InputKind::pi_b, "pi_b"}});
+                                                         {InputKind::pi_b, "pi_b"},
+                                                         {InputKind::g_b, "g_b"},
+                                                         {InputKind::v, "v"},
+                                                         {InputKind::a, "a"}});
 
 int length_of_input(InputKind kind, const Function& function, const FileContents& contents) {
-  constexpr int kWrench = 6;
+  constexpr int kWrench = 6, kVector = 3;
   switch (kind) {
     case InputKind::q:
       return contents.positions;
     case InputKind::h_e:
       return kWrench;
+    case InputKind::g_b:
+      return kVector;
     case InputKind::pi_b:
       return function.base_parameters;
     default:
-      return contents.joints;
+      return contents.velocities.value_or(contents.joints);
   }
 }
 

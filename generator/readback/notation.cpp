@@ -46,7 +46,7 @@ void note_count(const std::string& name, const std::string& value, ScannedText& 
   if (error != std::errc() || end != value.data() + value.size()) return;
   for (const auto& [kind, in_c] :
        {std::pair("joint_count", "_JOINT_COUNT"), std::pair("position_count", "_POSITION_COUNT"),
-        std::pair("angle_count", "_ANGLE_COUNT")}) {
+        std::pair("angle_count", "_ANGLE_COUNT"), std::pair("velocity_count", "_VELOCITY_COUNT")}) {
     if (name == kind || name.ends_with(in_c)) found.counts[kind] = {name, number};
   }
 }

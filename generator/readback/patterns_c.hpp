@@ -220,13 +220,13 @@ inline constexpr const char* kCRounding = R"(
 bool $prefix$rounding_is_as_written(void) {
   const int method = FLT_EVAL_METHOD;
   if (method != 0 && method != 16 $or_double$) return false;
-  const volatile $real$ a = 0.1$f$, b = 0.7$f$, one = 1.0$f$, tiny = 1e-17$f$, nine = 9.0$f$, seven = 7.0$f$,
+  const volatile $real$ u = 0.1$f$, w = 0.7$f$, one = 1.0$f$, tiny = 1e-17$f$, nine = 9.0$f$, seven = 7.0$f$,
       half = 0.5$f$, zero = 0.0$f$, smallest = $smallest$;
   const volatile $real$ half_a_place = $half_a_place$;
-  const volatile $real$ product = a * b, quotient = nine / seven, next = one + half_a_place;
+  const volatile $real$ product = u * w, quotient = nine / seven, next = one + half_a_place;
   const $real$ x = one, y = tiny, nothing = zero;
   const $real$ infinite = one / nothing, no_number = nothing / nothing;
-  if (!$prefix$is_zero(a * b - product) || !(next > one) || !$prefix$is_zero((x + y) - x) ||
+  if (!$prefix$is_zero(u * w - product) || !(next > one) || !$prefix$is_zero((x + y) - x) ||
       !$prefix$is_zero((x - y) - x) || !$prefix$is_zero(nine / 7.0$f$ - quotient) || !(smallest * half > 0.0$f$) ||
       !(1.0$f$ / (0.0$f$ - nothing) > 0.0$f$) || 0.0$f$ * infinite < 1.0$f$ || 0.0$f$ * no_number < 1.0$f$) {
     return false;

@@ -136,10 +136,11 @@ const ScannedCount& TextReader::count_of_sines() const {
 
 // The number of entries of an input; -1: the text does not say it.
 int TextReader::length_of(InputKind kind) const {
-  constexpr int kWrench = 6;
+  constexpr int kWrench = 6, kVector = 3;
   if (kind == InputKind::h_e) return kWrench;
+  if (kind == InputKind::g_b) return kVector;
   if (kind == InputKind::pi_b) return like_.base_parameters > 0 ? like_.base_parameters : -1;
-  const ScannedCount* count = kind == InputKind::q ? text_.count("position_count") : nullptr;
+  const ScannedCount* count = text_.count(kind == InputKind::q ? "position_count" : "velocity_count");
   if (count == nullptr) count = text_.count("joint_count");
   return count == nullptr ? -1 : count->value;
 }

@@ -14,7 +14,7 @@ VectorX<double> torque_magnitude_of_tree(const Robot<double>& robot, const Vecto
                                          const MagnitudeOptions& options) {
   const auto entry = [](const VectorX<double>& v, int index) { return index < 0 ? 0.0 : std::abs(v[index]); };
   std::vector<MotionMagnitude> motions(robot.links.size());
-  if (options.gravity) motions[static_cast<std::size_t>(robot.root)].ddp = robot.gravity.norm();
+  motions[static_cast<std::size_t>(robot.root)] = magnitude_of_root(robot, qd, qdd, options.gravity);
   for (const Joint<double>& joint : robot.joints) {
     motions[static_cast<std::size_t>(joint.child)] =
         moved(motions[static_cast<std::size_t>(joint.parent)], joint, entry(q, joint.index), entry(qd, joint.index),
@@ -52,6 +52,10 @@ VectorX<double> torque_magnitude_of_tree(const Robot<double>& robot, const Vecto
     const double slide = joint.type == JointType::prismatic ? entry(q, joint.index) : 0;
     f[parent] += f[child];
     mu[parent] += at_joint + (joint.p_0.norm() + slide) * f[child];
+  }
+  if (robot.floating_base) {
+    tau.head<3>().setConstant(f[static_cast<std::size_t>(robot.root)]);
+    tau.segment<3>(3).setConstant(mu[static_cast<std::size_t>(robot.root)]);
   }
   return tau;
 }
@@ -100,6 +104,13 @@ MatrixX<double> coriolis_magnitude(const Robot<double>& robot, const VectorX<dou
       const Eigen::Index low = std::min(j, k), high = std::max(j, k);
       C.col(j) += c.col(high * (high + 1) / 2 + low) * std::abs(qd[k]);
     }
+  }
+  if (!robot.floating_base) return C;
+  const MatrixX<double> B = inertia_magnitude(robot, q);
+  const double v = qd.head<3>().norm(), omega = qd.segment<3>(3).norm();
+  for (Eigen::Index j = 0; j < 6; ++j) {
+    C.col(j) += B.leftCols<3>().rowwise().sum() * (j < 3 ? omega : v) / 2;
+    if (j >= 3) C.col(j) += B.middleCols<3>(3).rowwise().sum() * omega / 2;
   }
   return C;
 }
@@ -152,7 +163,12 @@ double reach(const Robot<double>& robot, const VectorX<double>& coordinates) {
 
 MatrixX<double> jacobian_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   const double way = reach(robot, q);
-  MatrixX<double> J = MatrixX<double>::Zero(6, robot.joint_count());
+  MatrixX<double> J = MatrixX<double>::Zero(6, robot.base_size() + robot.joint_count());
+  if (robot.floating_base) {
+    J.topLeftCorner<3, 3>().setOnes();
+    J.topRows<3>().middleCols<3>(3).setConstant(way);
+    J.bottomRows<3>().middleCols<3>(3).setOnes();
+  }
   int link = robot.tip;
   for (std::size_t j = robot.joints.size(); j-- > 0;) {
     const Joint<double>& joint = robot.joints[j];
@@ -172,6 +188,7 @@ Eigen::Vector2d tip_acceleration_magnitude(const Robot<double>& robot, const Vec
                         qdd = detail::accelerations_of_joints(robot, coordinates, coordinate_rates,
                                                               VectorX<double>::Zero(robot.size()));
   std::vector<detail::MotionMagnitude> motions(robot.links.size());
+  motions[static_cast<std::size_t>(robot.root)] = detail::magnitude_of_root(robot, qd, qdd, false);
   for (const Joint<double>& joint : robot.joints) {
     const auto entry = [&joint](const VectorX<double>& v) { return joint.index < 0 ? 0 : std::abs(v[joint.index]); };
     motions[static_cast<std::size_t>(joint.child)] =

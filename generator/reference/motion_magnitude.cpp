@@ -21,7 +21,23 @@ MotionMagnitude moved(const MotionMagnitude& parent, const Joint<double>& joint,
   return child;
 }
 
+MotionMagnitude magnitude_of_root(const Robot<double>& robot, const VectorX<double>& qd, const VectorX<double>& qdd,
+                                  bool gravity) {
+  MotionMagnitude root;
+  if (gravity) root.ddp = robot.gravity.norm();
+  if (!robot.floating_base) return root;
+  root.omega = qd.segment<3>(3).norm();
+  root.domega = qdd.segment<3>(3).norm();
+  root.ddp += qdd.head<3>().norm() + root.omega * qd.head<3>().norm();
+  return root;
+}
+
 VectorX<double> of_joints(const Robot<double>& robot, const VectorX<double>& q) {
+  if (robot.floating_base) {
+    VectorX<double> positions = VectorX<double>::Zero(robot.base_size() + q.size());
+    positions.tail(q.size()) = q.cwiseAbs();
+    return positions;
+  }
   if (robot.coupling.size() == 0) return q.cwiseAbs();
   return robot.coupling.cwiseAbs() * q.cwiseAbs();
 }

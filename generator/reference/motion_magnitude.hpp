@@ -34,6 +34,10 @@ struct MotionMagnitude {
 // The motion of a joint's child.
 MotionMagnitude moved(const MotionMagnitude& parent, const Joint<double>& joint, double q, double qd, double qdd);
 
+// The motion of the root link, for magnitudes of all rates and accelerations.
+MotionMagnitude magnitude_of_root(const Robot<double>& robot, const VectorX<double>& qd, const VectorX<double>& qdd,
+                                  bool gravity);
+
 // The magnitude of A, or of A G.
 MatrixX<double> motion_magnitude(const Robot<double>& robot, const VectorX<double>& q);
 

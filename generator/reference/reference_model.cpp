@@ -44,6 +44,8 @@ class Converter {
 
   reference::Robot<S> run() {
     result_.root = robot_.root;
+    result_.floating_base = robot_.floating_base;
+    next_index_ = result_.base_size();
     result_.gravity = vector(robot_.gravity);
     for (const Link& link : robot_.links) add_link(link);
     attach_joints_of(robot_.root);

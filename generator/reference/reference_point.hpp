@@ -31,7 +31,11 @@ struct ReferencePoint {
 template <class Generic, class S>
 ReferenceFunction<S> prepared(const ReferenceModel<S>& model, const Function& function) {
   return [robot = model.robot, &function](const StateOf<S>& state) -> std::vector<S> {
-    return Generic{}(ReferencePoint<S>(robot, function, state));
+    const bool has_base_gravity = robot.floating_base && !robot.gravity.isZero(S(0));
+    if (!has_base_gravity) return Generic{}(ReferencePoint<S>(robot, function, state));
+    reference::Robot<S> turned = robot;
+    turned.gravity = vector_of<S>(state.g_b);
+    return Generic{}(ReferencePoint<S>(turned, function, state));
   };
 }
 

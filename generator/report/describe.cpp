@@ -52,12 +52,19 @@ std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_eff
   if (has_accelerations) rows.front().emplace_back("acceleration");
   for (int i = 0; i < mechanism.position_count(); ++i) {
     const Body& body = mechanism.joint_at(i);
-    const std::string parent = body.parent < 0 ? "base" : mechanism.bodies[static_cast<std::size_t>(body.parent)].joint;
+    const bool is_on_base = body.parent < mechanism.base_bodies();
+    const std::string parent = is_on_base ? "base" : mechanism.bodies[static_cast<std::size_t>(body.parent)].joint;
     rows.push_back({std::to_string(i), body.joint, type_of(body), body.link, parent, range_text(body.limits, number),
                     limit_text(body.limits.velocity, number), limit_text(body.limits.effort, number)});
     if (has_accelerations) rows.back().push_back(limit_text(body.limits.acceleration, number));
   }
   text += aligned_table(rows);
+  if (mechanism.floating_base) {
+    text += fmt::format(
+        "\nfloating base, link {}: v, a and tau begin with six entries of the base, in its axes: linear, then "
+        "angular\n",
+        mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)].link);
+  }
   if (mechanism.is_coupled()) {
     const auto by_index = [](int k) { return fmt::format("q[{}]", k); };
     const std::vector<std::string> coupled = coupled_joint_texts(mechanism, by_index);
@@ -100,9 +107,9 @@ std::string inertia_about_origin(const InertialParameters& b, const NumberText& 
 }
 
 // Links are numbered from 1, as in the names of parameters, m1, I1zz, …
-std::string describe_body(const Body& body, int i, const NumberText& number) {
+std::string describe_body(const Body& body, int number_of_link, const NumberText& number) {
   const auto turn = [&number](const PlanarRotation& rotation) { return turn_text(rotation, number); };
-  return fmt::format("link {} ({}), frame in its parent: p = {} m, Rz({}) Rx({}) Rz({}{})\n", i + 1, body.link,
+  return fmt::format("link {} ({}), frame in its parent: p = {} m, Rz({}) Rx({}) Rz({}{})\n", number_of_link, body.link,
                      number(body.p), turn(body.beta), turn(body.alpha), turn(body.theta),
                      body.prismatic ? "" : " + q") +
          inertia_about_origin(body.inertia, number);
@@ -112,8 +119,12 @@ std::string describe_canonical_bodies(const Mechanism& mechanism, const NumberTe
   std::string text =
       "links in the frames of their parameters, which flatdyn chooses so that most constants are 0 or 1: z along the "
       "joint's axis\n";
-  for (int i = 0; i < mechanism.body_count(); ++i) {
-    text += describe_body(mechanism.bodies[static_cast<std::size_t>(i)], i, number);
+  if (mechanism.floating_base) {
+    const Body& base = mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)];
+    text += fmt::format("base ({}), in its own frame\n", base.link) + inertia_about_origin(base.inertia, number);
+  }
+  for (int i = mechanism.base_bodies(); i < mechanism.body_count(); ++i) {
+    text += describe_body(mechanism.bodies[static_cast<std::size_t>(i)], i + 1 - mechanism.base_bodies(), number);
   }
   return text;
 }

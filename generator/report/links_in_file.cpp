@@ -123,6 +123,9 @@ std::string reach_text(const Reach& reach, const std::string& tip) {
   return text + "\n";
 }
 
+// The first body that is a link: with a floating base, that is the base.
+int first_link(const Mechanism& mechanism) { return std::max(0, mechanism.base_bodies() - 1); }
+
 // Sets sums to 0 that are only rounding errors.
 double without_dust(double x) {
   constexpr double kDust = 1e-12;  // m
@@ -136,7 +139,7 @@ std::vector<LinkInFile> links_in_file(const LoadedRobot& model) {
   std::vector<LinkInFile> links;
   std::optional<NumericRobot> numeric;
   if (has_values(model)) numeric = reference_robot<double>(model.robot, {});
-  for (int i = 0; i < mechanism.body_count(); ++i) {
+  for (int i = first_link(mechanism); i < mechanism.body_count(); ++i) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
     const LinkFrame& frame = frame_of(mechanism, i);
     const Mat3 back = transpose(frame.R);
@@ -154,7 +157,9 @@ std::vector<LinkInFile> links_in_file(const LoadedRobot& model) {
 
 std::optional<Reach> reach_of(const LoadedRobot& model) {
   const Mechanism& mechanism = model.mechanism;
-  if (!has_values(model) || mechanism.has_loops() || mechanism.tip.body < 0) return std::nullopt;
+  if (!has_values(model) || mechanism.has_loops() || mechanism.tip.body < 0 || mechanism.floating_base) {
+    return std::nullopt;
+  }
   const std::vector<LinkInFile> links = links_in_file(model);
   const std::vector<int> way = path_to(mechanism, mechanism.tip.body);
   Reach reach;
@@ -187,10 +192,14 @@ std::string describe_links(const LoadedRobot& model) {
       "joint to the farthest joint on it, or to the tip\n";
   for (const LinkInFile& link : links_in_file(model)) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(link.body)];
-    text += fmt::format("link {} ({}), moved by {}", link.body + 1, body.link, body.joint);
+    text +=
+        mechanism.is_of_base(link.body)
+            ? fmt::format("base ({}), which floats", body.link)
+            : fmt::format("link {} ({}), moved by {}", link.body + 1 - mechanism.base_bodies(), body.link, body.joint);
     if (link.length) text += fmt::format(", {:.6g} m long", *link.length);
     if (!link.with.empty()) text += fmt::format(", with {}", fmt::join(link.with, ", "));
-    text += "\n" + inertia_text(link.inertia, number) + friction_text(body, mechanism, number);
+    text += "\n" + inertia_text(link.inertia, number);
+    if (!mechanism.is_of_base(link.body)) text += friction_text(body, mechanism, number);
   }
   return text;
 }

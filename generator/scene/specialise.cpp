@@ -18,8 +18,8 @@ Graph without_velocities(const Graph& graph, std::vector<NodeId>& image) {
   Graph result;
   for (NodeId id = 0; id < graph.size(); ++id) {
     const Node& node = graph[id];
-    const bool is_velocity = node.op == Op::input && node.input.kind == InputKind::qd;
-    image[slot(id)] = is_velocity ? result.constant(0) : unfolded_node(result, node, image);
+    const bool is_zero = node.op == Op::input && is_velocity(node.input.kind);
+    image[slot(id)] = is_zero ? result.constant(0) : unfolded_node(result, node, image);
     copy_name(graph, id, result, image[slot(id)]);
   }
   return result;
@@ -42,7 +42,7 @@ void leave_out(const std::vector<std::vector<bool>>& wanted, Function& function)
 
 Function at_rest(const Function& function) {
   const std::vector<InputKind>& inputs = function.inputs;
-  if (std::find(inputs.begin(), inputs.end(), InputKind::qd) == inputs.end()) return function;
+  if (std::none_of(inputs.begin(), inputs.end(), is_velocity)) return function;
   std::vector<NodeId> image(slot(function.graph.size()));
   Graph still = without_velocities(function.graph, image);
   Function result = with_graph(function, std::move(still), image);

@@ -21,8 +21,12 @@ namespace {
 CsvQuantity quantity_of(InputKind kind) {
   switch (kind) {
     case InputKind::qd:
+    case InputKind::v:
       return CsvQuantity::qd;
+    case InputKind::g_b:
+      return CsvQuantity::g_b;
     case InputKind::qdd:
+    case InputKind::a:
       return CsvQuantity::qdd;
     case InputKind::tau:
       return CsvQuantity::tau;
@@ -56,6 +60,7 @@ class Columns {
     const auto k = static_cast<std::size_t>(input.index);
     if (input.kind == InputKind::parameter) return {mechanism_.symbols[k].name};
     const CsvQuantity quantity = quantity_of(input.kind);
+    if (const std::string name = base_name_of(quantity, input.index, mechanism_); !name.empty()) return {name};
     const std::string stem = stem_of(quantity);
     std::vector<std::string> names = {stem + std::to_string(input.index + 1)};
     if (input.kind == InputKind::pi_b) return names;
@@ -131,7 +136,7 @@ std::vector<Input> inputs_of(const Mechanism& mechanism, const Function& functio
   std::vector<Input> inputs;
   for (const InputKind kind : function.inputs) {
     if (kind == InputKind::parameter) continue;  // they are added below
-    if (kind == InputKind::qd && function.at_rest) continue;
+    if (is_velocity(kind) && function.at_rest) continue;
     const int length = input_argument(kind, JointCounts(mechanism), function.base_parameters).length;
     for (int i = 0; i < length; ++i) inputs.push_back({kind, i});
   }

@@ -23,7 +23,8 @@ constexpr double kTolerance = 1e-30;
 struct ExactState {
   Vector50 q, qd, qdd, tau;
   std::vector<double> parameters;
-  Vector50 rates{};  // rates of all entries of q; empty: not known
+  Vector50 g_b{};
+  Vector50 rates{};  // rates of all entries of q; of another length: not known
 };
 
 Vector50 exact_vector(const std::vector<double>& values) {
@@ -55,11 +56,15 @@ class Functions {
         case InputKind::q:
           return state.q[input.index];
         case InputKind::qd:
+        case InputKind::v:
           return state.qd[input.index];
         case InputKind::qdd:
+        case InputKind::a:
           return state.qdd[input.index];
         case InputKind::tau:
           return state.tau[input.index];
+        case InputKind::g_b:
+          return state.g_b[input.index];
         case InputKind::parameter:
           return Real50(state.parameters[static_cast<std::size_t>(input.index)]);
         default:  // the functions with identities here do not read other kinds
@@ -155,9 +160,10 @@ double round_trip(const Functions& f, ExactState state) {
   return relative((qdd - state.qdd).norm(), qdd.norm());
 }
 
-// With closed loops, q is longer than q̇, and only one function gives the rates of all entries of q.
+// With closed loops, q is longer than q̇, and only one function gives the rates of all entries of q. With a floating
+// base, q̇ begins with the base's velocities.
 Vector50 rates_of(const Functions& f, const ExactState& state) {
-  if (state.q.size() == state.qd.size()) return state.qd;
+  if (state.q.size() <= state.qd.size()) return state.qd.tail(state.q.size());
   return f.has({"loop_motion"}) ? f("loop_motion", state) : Vector50();
 }
 
@@ -171,7 +177,8 @@ std::vector<Property> check_properties(const std::vector<Function>& functions, c
   std::vector<ExactState> exact;
   for (std::size_t k = 0; k < std::min(kStates, states.size()); ++k) {
     const State& s = states[k];
-    exact.push_back({exact_vector(s.q), exact_vector(s.qd), exact_vector(s.qdd), exact_vector(s.tau), s.parameters});
+    exact.push_back({exact_vector(s.q), exact_vector(s.qd), exact_vector(s.qdd), exact_vector(s.tau), s.parameters,
+                     exact_vector(s.g_b)});
     exact.back().rates = rates_of(f, exact.back());
   }
   std::vector<Property> properties;
@@ -186,7 +193,7 @@ std::vector<Property> check_properties(const std::vector<Function>& functions, c
     for (const ExactState& state : exact) pivot = std::min(pivot, smallest_pivot(f, state));
     properties.push_back(definiteness(pivot, exact.size(), proven));
   }
-  const bool moves = !f.are_at_rest() && !exact.empty() && exact.front().rates.size() > 0;
+  const bool moves = !f.are_at_rest() && !exact.empty() && exact.front().rates.size() == exact.front().q.size();
   if (moves && f.has({"inertia_matrix", "coriolis_matrix"})) vanishing("w'(dB/dt - 2C)w = 0, (7.48)", skewness);
   if (moves && f.has({"inverse_dynamics", "bias", "coriolis_matrix", "kinetic_energy"})) {
     vanishing("energy balance, (7.50)", energy_imbalance);

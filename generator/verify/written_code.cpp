@@ -51,7 +51,7 @@ std::optional<FileTable> limits_of(const Mechanism& mechanism, const LimitTable&
 
 std::vector<FileTable> tables_of(const Mechanism& mechanism) {
   std::vector<FileTable> tables;
-  if (mechanism.size() > 0) {
+  if (mechanism.joints().size() > 0) {
     tables.push_back({"const char*", "joint_names", "joint_count"});
     for (const Body& body : mechanism.joints()) tables.back().texts.push_back(body.joint);
   }
@@ -167,7 +167,8 @@ FileContents contents_of(const WrittenCode& code) {
   contents.scalar = options.scalar;
   contents.scalars = {options.scalar};
   contents.scalars.insert(contents.scalars.end(), options.more_scalars.begin(), options.more_scalars.end());
-  contents.joints = mechanism.size();
+  contents.joints = static_cast<int>(mechanism.joints().size());
+  if (mechanism.floating_base) contents.velocities = mechanism.size();
   contents.positions = mechanism.position_count();
   contents.angles = mechanism.angle_count();
   contents.has_loops = mechanism.has_loops();

@@ -33,7 +33,7 @@ std::string output_of(const std::string& command) {
 }
 
 TEST(Frames, AreThoseOfTheFileInInspect) {
-  const std::string inspect = fmt::format("inspect {} -q --base", kArm);
+  const std::string inspect = fmt::format("inspect {} -q --base-parameters", kArm);
   EXPECT_THAT(output_of(inspect), kSaysFile);
   EXPECT_THAT(output_of(inspect), HasSubstr("link link1, moved by theta_1\n  m = 55 kg, m r = (-25, 0, 0) kg m"));
   EXPECT_THAT(output_of(inspect + kCanonical), kSaysCanonical);

@@ -17,6 +17,7 @@ struct ReadOptions {
   std::optional<std::string> tip;                 // --tip: name of the tip link
   std::string scene_file;                         // --scene; empty: none
   Scene scene;                                    // --gravity, --fix: goes before what the scene file says
+  std::optional<bool> floating_base;              // --base; without it the file decides
   std::shared_ptr<Sources> sources = std::make_shared<Sources>();  // of the texts; --xacro
 };
 

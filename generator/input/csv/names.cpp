@@ -14,6 +14,16 @@ namespace {
 
 constexpr int kWrench = 6;
 
+// The columns of a floating base, by quantity.
+const std::map<CsvQuantity, std::vector<std::string>>& base_columns() {
+  static const std::map<CsvQuantity, std::vector<std::string>> names = {
+      {CsvQuantity::qd, {"base_vx", "base_vy", "base_vz", "base_wx", "base_wy", "base_wz"}},
+      {CsvQuantity::qdd, {"base_dvx", "base_dvy", "base_dvz", "base_dwx", "base_dwy", "base_dwz"}},
+      {CsvQuantity::tau, {"base_fx", "base_fy", "base_fz", "base_nx", "base_ny", "base_nz"}},
+      {CsvQuantity::g_b, {"base_gx", "base_gy", "base_gz"}}};
+  return names;
+}
+
 // Longer ones first: "qd_r1" begins with "qd", too.
 constexpr std::pair<const char*, CsvQuantity> kStems[] = {
     {"qdd_r", CsvQuantity::qdd_r}, {"qd_r", CsvQuantity::qd_r}, {"qdd", CsvQuantity::qdd},   {"qd", CsvQuantity::qd},
@@ -132,6 +142,18 @@ bool read_wrench(CsvName& column) {
   return true;
 }
 
+bool read_base(CsvName& column, const Mechanism& mechanism) {
+  if (!mechanism.floating_base) return false;
+  for (const auto& [quantity, names] : base_columns()) {
+    const auto found = std::find(names.begin(), names.end(), column.name);
+    if (found == names.end()) continue;
+    column.quantity = quantity;
+    column.entry = static_cast<int>(found - names.begin());
+    return true;
+  }
+  return false;
+}
+
 // q_elbow.
 bool read_joint(CsvName& column, const Mechanism& mechanism) {
   for (const auto& [stem, quantity] : kStems) {
@@ -199,6 +221,8 @@ int length_of(CsvQuantity quantity, const Mechanism& mechanism) {
       return mechanism.position_count();
     case CsvQuantity::h_e:
       return kWrench;
+    case CsvQuantity::g_b:
+      return mechanism.floating_base ? 3 : 0;
     case CsvQuantity::symbol:
       return static_cast<int>(mechanism.symbols.size());
     default:
@@ -224,6 +248,13 @@ bool is_of_joints(CsvQuantity quantity) {
   }
 }
 
+std::string base_name_of(CsvQuantity quantity, int entry, const Mechanism& mechanism) {
+  const auto found = base_columns().find(quantity);
+  const bool is_of_base = mechanism.floating_base && found != base_columns().end();
+  if (!is_of_base || entry >= static_cast<int>(found->second.size())) return "";
+  return found->second[static_cast<std::size_t>(entry)];
+}
+
 std::string stem_of(CsvQuantity quantity) {
   const auto* found =
       std::find_if(std::begin(kStems), std::end(kStems), [&](const auto& each) { return each.second == quantity; });
@@ -240,8 +271,8 @@ std::optional<int> entry_of_joint(CsvQuantity quantity, const std::string& joint
 CsvName read_csv_name(const std::string& entry, const Mechanism& mechanism) {
   CsvName column;
   std::tie(column.name, column.unit) = split_unit(entry);
-  if (read_symbol(column, mechanism) || read_time(column) || read_wrench(column) || read_joint(column, mechanism) ||
-      read_number(column) || read_message(column, mechanism)) {
+  if (read_symbol(column, mechanism) || read_time(column) || read_wrench(column) || read_base(column, mechanism) ||
+      read_joint(column, mechanism) || read_number(column) || read_message(column, mechanism)) {
     return column;
   }
   read_array(column);

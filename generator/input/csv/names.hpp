@@ -21,6 +21,7 @@ enum class CsvQuantity {
   qd_r,
   qdd_r,
   pi_b,
+  g_b,        // gravity in the axes of a floating base
   symbol,     // a free symbol of the robot
   joint_name  // not a number: which joint an array's entry belongs to
 };
@@ -53,6 +54,8 @@ const Body& joint_of(CsvQuantity quantity, int entry, const Mechanism& mechanism
 bool is_of_joints(CsvQuantity quantity);
 // "q" of the columns q1, …
 std::string stem_of(CsvQuantity quantity);
+// The name of a column that is about a floating base: "base_vx", "base_dwz", "base_nx"; empty for other entries.
+std::string base_name_of(CsvQuantity quantity, int entry, const Mechanism& mechanism);
 // The entry of a joint's quantity that belongs to a joint.
 std::optional<int> entry_of_joint(CsvQuantity quantity, const std::string& joint, const Mechanism& mechanism);
 

@@ -34,12 +34,21 @@ class OverlayReader {
       table.text(other);
     }
     Attachments attachments = read_base(table, key);
+    read_motion(table);
     for (TomlTable& row : named_rows(table, "link")) read_link_row(row);
     for (TomlTable& row : named_rows(table, "joint")) read_joint_row(row);
     return attachments;
   }
 
  private:
+  // How the base of the other file's robot moves.
+  void read_motion(TomlTable& table) {
+    const std::optional<std::string> motion = table.text("base");
+    if (!motion || read_motion_of_base(*motion, robot_)) return;
+    diagnostics_.error(table.place_of("base"), "base: " + quoted(*motion) + " is no way in which a base moves",
+                       "write \"floating\" or \"fixed\"; the other file names the base link");
+  }
+
   // ---- the other robot file
 
   Attachments read_base(TomlTable& table, const std::string& key) {

@@ -174,6 +174,12 @@ void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint,
   if (joint.motor && carrier) carriers.add(joint.name, *carrier, table.what() + ", motor, carrier");
 }
 
+bool read_motion_of_base(const std::string& text, Robot& robot) {
+  if (text != "fixed" && text != "floating") return false;
+  robot.floating_base = text == "floating";
+  return true;
+}
+
 Units read_units(TomlTable& table, Diagnostics& diagnostics) {
   Units units{.has_keys = true};
   units.degrees = read_choice(table, "angles", {"rad", "deg"}, diagnostics) == "deg";

@@ -30,6 +30,9 @@ struct Attachments {
 std::string read_choice(TomlTable& table, const std::string& key, const std::vector<std::string>& known,
                         Diagnostics& diagnostics);
 
+// Whether the text is "fixed" or "floating", how a robot's base moves, which is then taken; else it is a name.
+bool read_motion_of_base(const std::string& text, Robot& robot);
+
 // `angles` and `lengths` at the top of a file: "rad" or "deg", "m" or "mm".
 Units read_units(TomlTable& table, Diagnostics& diagnostics);
 

@@ -89,15 +89,31 @@ class TomlReader {
   void read_links(TomlTable& table) {
     const Place top{file_, 0};
     convention_ = read_convention(table);
-    robot_.links.push_back(
-        {table.text("base").value_or("base"), {}, table.has("base") ? table.place_of("base") : Place{file_, 1}});
+    robot_.links.push_back(read_base(table));
     std::vector<TomlTable> rows = table.tables("link");
-    if (rows.empty() && !table.has("link")) {
+    if (rows.empty() && !table.has("link") && !robot_.floating_base) {
       diagnostics_.error(top, "there is no [[link]] and no other robot file",
                          "add a [[link]] for each joint, or robot = \"file.urdf\"");
     }
     for (std::size_t i = 0; i < rows.size(); ++i) name_link(rows[i], i + 1);
     for (std::size_t i = 0; i < rows.size(); ++i) read_row(rows[i], i + 1);
+  }
+
+  // The base link: base = "floating", base = its name, or a table with its name, motion and inertia.
+  Link read_base(TomlTable& table) {
+    Link base{"base", {}, table.has("base") ? table.place_of("base") : Place{file_, 1}};
+    if (table.is_table("base")) {
+      TomlTable row = *table.table("base");
+      base.name = row.text("name").value_or("base");
+      const std::string motion = read_choice(row, "motion", {"fixed", "floating"}, diagnostics_);
+      robot_.floating_base = motion == "floating";
+      if (const auto inertial = read_inertial(row, diagnostics_)) base.inertials.push_back(*inertial);
+      row.reject_unknown_keys();
+      return base;
+    }
+    const std::string text = table.text("base").value_or("base");
+    if (!read_motion_of_base(text, robot_)) base.name = text;
+    return base;
   }
 
   DhConvention read_convention(TomlTable& table) {

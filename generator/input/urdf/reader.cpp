@@ -8,6 +8,7 @@
 #include "input/common/xacro.hpp"
 #include "input/urdf/actuators.hpp"
 #include "input/urdf/couplings.hpp"
+#include "input/urdf/floating.hpp"
 #include "input/urdf/loops.hpp"
 #include "input/urdf/mimics.hpp"
 #include "input/urdf/names.hpp"
@@ -46,6 +47,7 @@ class UrdfReader {
     refuse_unread_dynamics(root, values_, robot_);
     check_urdf_simulators(root, values_, robot_);
     read_urdf_actuators(root, values_, robot_);
+    take_floating_joints(floating_, diagnostics_, robot_);
   }
 
  private:
@@ -148,6 +150,10 @@ class UrdfReader {
       if (found != kTypes.end() && found->second != JointType::fixed) joint.held = Held{found->second};
       return JointType::fixed;
     }
+    if (type == "floating") {
+      floating_.push_back(static_cast<int>(robot_.joints.size()));
+      return JointType::fixed;
+    }
     if (found == kTypes.end()) {
       report_type(element, what, joint.name, type);
       return JointType::fixed;
@@ -157,7 +163,7 @@ class UrdfReader {
 
   void report_type(const XMLElement& element, const std::string& what, const std::string& name,
                    const std::string& type) {
-    static const std::vector<std::string> kNotYet = {"floating", "planar", "ball", "spherical", "universal", "screw"};
+    static const std::vector<std::string> kNotYet = {"planar", "ball", "spherical", "universal", "screw"};
     if (std::find(kNotYet.begin(), kNotYet.end(), type) != kNotYet.end()) {
       diagnostics_.unsupported(values_.place(element), what + ": type \"" + type + "\" is not supported yet",
                                kFixHint + name);
@@ -226,6 +232,7 @@ class UrdfReader {
   Diagnostics& diagnostics_;
   Robot& robot_;
   std::map<std::string, int> link_of_name_;
+  std::vector<int> floating_;      // joints of that type
   std::vector<int> point_masses_;  // links whose <inertial> has a mass and no inertia
 };
 

@@ -30,7 +30,7 @@ std::optional<Function> derive_forward_dynamics_by_articulated_bodies(const Mech
                                                                       const Choices& choices) {
   if (!has_articulated_form(mechanism) || choices.guard.compares) return std::nullopt;
   return derived(mechanism, choices, [](DerivationContext& context) {
-    const Motion motion{context.joint_motion(InputKind::qd), context.joint_drift(), context.mechanism.gravity, true};
+    const Motion motion{context.joint_motion(InputKind::qd), context.joint_drift(), context.gravity(), true};
     const std::vector<Number> tau = context.all(InputKind::tau);
     const ArticulatedSolution solution = articulated_accelerations(context.frames, motion, tau);
     return finished_accelerations(context, solution.qdd, conditions_of(context, solution.pivots));
@@ -43,7 +43,7 @@ std::optional<Function> derive_forward_dynamics_by_composite_bodies(const Mechan
   if (mechanism.has_prismatic_joint() || mechanism.has_loops()) return std::nullopt;
   return derived(mechanism, choices, [](DerivationContext& context) {
     const Factorisation B(context.frames, context.inertia());
-    const Motion motion{context.joint_motion(InputKind::qd), context.joint_drift(), context.mechanism.gravity, true};
+    const Motion motion{context.joint_motion(InputKind::qd), context.joint_drift(), context.gravity(), true};
     const std::vector<Number> bias =
         context.at_coordinates(composite_bias_torques(context.frames, motion, composites(context.frames)));
     return finished_accelerations(context, accelerations(context, B, bias), conditions_of(context, B));

@@ -4,7 +4,7 @@
 namespace flatdyn {
 
 std::vector<Number> bias_torques(DerivationContext& context) {
-  const Motion motion{context.joint_motion(InputKind::qd), context.joint_drift(), context.mechanism.gravity, true};
+  const Motion motion{context.joint_motion(InputKind::qd), context.joint_drift(), context.gravity(), true};
   return context.at_coordinates(torques(context.frames, motion));
 }
 
@@ -16,7 +16,7 @@ std::vector<Number> accelerations(DerivationContext& context, const Factorisatio
   const std::vector<Number> tau = context.all(InputKind::tau);
   std::vector<Number> b = bias;
   for (std::size_t i = 0; i < b.size(); ++i) {
-    b[i] = context.derivation.named(tau[i] - b[i], "y_" + label(static_cast<int>(i)));
+    b[i] = context.derivation.named(tau[i] - b[i], "y_" + context.frames.label(static_cast<int>(i)));
   }
   return B.solve(b, "qdd");
 }

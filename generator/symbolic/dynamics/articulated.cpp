@@ -95,9 +95,17 @@ class ArticulatedRecursion {
     return d_.named(cross(omega, turning), "wwp_" + n);
   }
 
+  // The base's twist moves all bodies that are its motion, and there is no drift between them.
+  void move_with_base(int i) {
+    Vec3 omega = {qd(3), qd(4), qd(5)};
+    for (int k = 0; k <= i; ++k) omega = frames_.to_child(k, omega, "omega_b" + frames_.label(k));
+    joint(i).omega = omega;
+  }
+
   void move(int i) {
+    if (frames_.mechanism().is_of_base(i)) return move_with_base(i);
     Joint& j = joint(i);
-    const std::string n = label(i);
+    const std::string n = frames_.label(i);
     const Vec3 before = parent(i) < 0 ? zero_vector() : joint(parent(i)).omega;
     j.c = squared_swing(before, frames_.p(i), n);
     const Vec3 carried = frames_.to_child(i, before, "omega_r_" + n);
@@ -111,7 +119,7 @@ class ArticulatedRecursion {
     const InertialParameters& own = frames_.inertia(i);
     const Vec3& omega = joint(i).omega;
     ArticulatedBody& all = body(i);
-    const std::string n = label(i);
+    const std::string n = frames_.label(i);
     const Mat3 mass = {Vec3{own.mass, 0, 0}, Vec3{0, own.mass, 0}, Vec3{0, 0, own.mass}};
     const Vec3 spin = d_.named(own.inertia * omega, "Iw_" + n);
     all.M = mass;
@@ -130,15 +138,15 @@ class ArticulatedRecursion {
     const Body& moving = frames_.body(i);
     Number tau = tau_[static_cast<std::size_t>(i)];
     if (!motion_.friction) return tau;
-    tau -= d_.named(moving.viscous, "F_v" + label(i)) * qd(i);
+    tau -= d_.named(moving.viscous, "F_v" + frames_.label(i)) * qd(i);
     if (!vanishes(moving.coulomb))
-      tau -= d_.named(moving.coulomb, "F_s" + label(i)) * d_.sign(qd(i), "sgn_" + label(i));
+      tau -= d_.named(moving.coulomb, "F_s" + frames_.label(i)) * d_.sign(qd(i), "sgn_" + frames_.label(i));
     return tau;
   }
 
   // Lets joint i move freely, and adds the remaining inertia of the body to its parent.
   void reduce(int i) {
-    const std::string n = label(i);
+    const std::string n = frames_.label(i);
     ArticulatedBody all = named_body(d_, body(i), n);
     Joint& j = joint(i);
     const bool prismatic = frames_.body(i).prismatic;
@@ -162,7 +170,7 @@ class ArticulatedRecursion {
   }
 
   void hang(int i, ArticulatedBody all) {
-    const std::string n = label(i);
+    const std::string n = frames_.label(i);
     const Joint& j = joint(i);
     Vec3 moment = j.moment;
     Number rest = j.rest;
@@ -189,7 +197,7 @@ class ArticulatedRecursion {
   }
 
   ArticulatedBody up(int i, const ArticulatedBody& a) {
-    const std::string n = label(i);
+    const std::string n = frames_.label(i);
     Mat3 half, G;
     for (std::size_t k = 0; k < 3; ++k) half[k] = frames_.to_parent(i, a.G[k], "Gh" + std::to_string(k) + "_" + n);
     half = transpose(half);
@@ -198,13 +206,20 @@ class ArticulatedRecursion {
             frames_.to_parent(i, a.F, "Fu_" + n), frames_.to_parent(i, a.N, "Nu_" + n)};
   }
 
+  // That of the base's origin less g_0 while q̈ = 0.
+  Vec3 acceleration_of_base() {
+    Vec3 a = Number(-1) * motion_.gravity;
+    if (frames_.mechanism().floating_base) a = a + cross({qd(3), qd(4), qd(5)}, {qd(0), qd(1), qd(2)});
+    return d_.named(a, "ddp_0");
+  }
+
   // Computes q̈_i and the accelerations of body i, from the base outwards.
   void accelerate(int i) {
-    const std::string n = label(i);
+    const std::string n = frames_.label(i);
     Joint& j = joint(i);
     const bool fixed = parent(i) < 0;
     const Vec3 alpha = fixed ? zero_vector() : joint(parent(i)).alpha;
-    const Vec3 a = fixed ? d_.named(Number(-1) * motion_.gravity, "ddp_0") : joint(parent(i)).a;
+    const Vec3 a = fixed ? acceleration_of_base() : joint(parent(i)).a;
     const Vec3 turned = frames_.to_child(i, alpha, "alpha_r_" + n);
     const Vec3 carried = frames_.to_child(i, d_.named(a + cross(alpha, frames_.p(i)) + j.c, "a_o_" + n), "a_r_" + n);
     const Vec3 slide = {0, 0, frames_.slide(i)};

@@ -39,7 +39,7 @@ Mat3 acceleration_matrix(Derivation& d, const Mat3& products, const Vec3& domega
 BodyMotion moved(Frames& frames, int i, const BodyMotion& parent, const JointMotion& motion) {
   Derivation& d = frames.derivation();
   const auto k = static_cast<std::size_t>(i);
-  const std::string n = label(i);
+  const std::string n = frames.label(i);
   const bool prismatic = frames.mechanism().bodies[k].prismatic;
   BodyMotion body;
   const bool one_rate = is_same(parent.omega, parent.omega_r);

@@ -19,7 +19,7 @@ Number moved_axis(const Body& body, const Number& m, const Vec3& h, const Vec3& 
 
 InertialParameters composite_in_parent(Frames& frames, int i, const InertialParameters& composite) {
   Derivation& d = frames.derivation();
-  const std::string n = label(i);
+  const std::string n = frames.label(i);
   InertialParameters slid = composite;
   if (frames.body(i).prismatic) {
     const Vec3 slide = {0, 0, frames.slide(i)};
@@ -42,7 +42,7 @@ void visit_ancestors(Frames& frames, int i, Wrench wrench, Visit visit) {
   Derivation& d = frames.derivation();
   const auto& rotor = frames.body(i).rotor;
   for (int k = i;; k = parent_of(frames, k)) {
-    const std::string n = label(i) + "_" + label(k);
+    const std::string n = frames.label(i) + "_" + frames.label(k);
     if (rotor && k != i && rotor->carrier == k) {
       wrench.mu = wrench.mu + rotor_momentum(frames, i);
     }
@@ -73,7 +73,7 @@ std::vector<InertialParameters> composites(Frames& frames) {
   for (int i = 0; i < frames.mechanism().body_count(); ++i) result.push_back(frames.inertia(i));
   for (int i = frames.mechanism().body_count() - 1; i >= 0; --i) {
     InertialParameters& composite = result[static_cast<std::size_t>(i)];
-    const std::string n = label(i);
+    const std::string n = frames.label(i);
     composite = {d.named(composite.mass, "mc_" + n), d.named(composite.first_moment, "hc_" + n),
                  d.named_symmetric(composite.inertia, "Ic_" + n)};
     if (parent_of(frames, i) < 0) continue;
@@ -94,8 +94,8 @@ Rows inertia_matrix(Frames& frames) {
     visit_ancestors(frames, jj, unit_wrench(frames, jj, bodies[j]), [&](int i, const Wrench& wrench) {
       const auto ii = static_cast<std::size_t>(i);
       Number b = joint_component(frames, i, wrench);
-      if (i == jj) b += d.named(reflected_inertia(frames.body(i)), "I_r" + label(i));
-      B[ii][j] = B[j][ii] = d.named(b, "b_" + label(i) + "_" + label(jj));
+      if (i == jj) b += d.named(reflected_inertia(frames.body(i)), "I_r" + frames.label(i));
+      B[ii][j] = B[j][ii] = d.named(b, "b_" + frames.label(i) + "_" + frames.label(jj));
     });
   }
   return B;
@@ -140,20 +140,20 @@ HalfDerivatives half_derivatives(Frames& frames) {  // the frames' mechanism has
   for (int j = 0; j < frames.mechanism().body_count(); ++j) {
     const auto jj = static_cast<std::size_t>(j);
     visit_ancestors(frames, j, unit_wrench(frames, j, bodies[jj]), [&](int k, const Wrench& wrench) {
-      const std::string n = label(j) + "_" + label(k);
+      const std::string n = frames.label(j) + "_" + frames.label(k);
       const Wrench swept = derivative_by_joint(frames.body(k), wrench);
       for (const auto& [i, twist] : twists[static_cast<std::size_t>(k)]) {
-        if (i < k) result.swept[{i, k, j}] = d.named(power(twist, swept), "db_" + label(i) + n);
+        if (i < k) result.swept[{i, k, j}] = d.named(power(twist, swept), "db_" + frames.label(i) + n);
       }
     });
-    const InertialParameters rate = rate_of(d, frames.body(j), bodies[jj], label(j));
+    const InertialParameters rate = rate_of(d, frames.body(j), bodies[jj], frames.label(j));
     for (const auto& [b, twist_b] : twists[jj]) {
       if (b == j) continue;
       const Wrench turned = applied(rate, twist_b);
-      const std::string n = label(b) + "_" + label(j);
+      const std::string n = frames.label(b) + "_" + frames.label(j);
       const Wrench named = {d.named(turned.f, "df_" + n), d.named(turned.mu, "dmu_" + n)};
       for (const auto& [a, twist_a] : twists[jj]) {
-        if (a <= b) result.turned[{a, b, j}] = d.named(power(twist_a, named), "db_" + label(a) + n + "r");
+        if (a <= b) result.turned[{a, b, j}] = d.named(power(twist_a, named), "db_" + frames.label(a) + n + "r");
       }
     }
   }
@@ -180,7 +180,7 @@ std::map<std::array<int, 3>, Number> christoffel_symbols(Frames& frames) {
   const HalfDerivatives half = half_derivatives(frames);
   std::map<std::array<int, 3>, Number> c;
   const auto set = [&](int i, int j, int k, const Number& value) {
-    c[{i, j, k}] = d.named(value, "c_" + label(i) + "_" + label(j) + "_" + label(k));
+    c[{i, j, k}] = d.named(value, "c_" + frames.label(i) + "_" + frames.label(j) + "_" + frames.label(k));
   };
   for (const auto& [key, swept] : half.swept) {
     const auto [i, k, j] = key;

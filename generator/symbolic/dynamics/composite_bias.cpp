@@ -17,7 +17,7 @@ struct AtAxis {
 
 AtAxis at_axis(Frames& frames, int i, const LinkMotion& parent, const InertialParameters& body) {
   Derivation& d = frames.derivation();
-  const std::string n = label(i);
+  const std::string n = frames.label(i);
   AtAxis here;
   here.h = frames.up_to_axis(i, body.first_moment, "hu_" + n);
   here.I = frames.up_to_axis(i, body.inertia, "Iu_" + n);
@@ -58,9 +58,10 @@ std::vector<Number> composite_bias_torques(Frames& frames, const Motion& motion,
   const std::vector<LinkMotion> links = link_motions(frames, motion);
   std::vector<Wrench> wrenches = rotor_reactions(frames, motion, links);  // in the bodies' frames
   std::vector<Number> tau(links.size(), 0);
-  for (std::size_t k = links.size(); k-- > 0;) {
+  const auto first = static_cast<std::size_t>(frames.mechanism().base_bodies());
+  for (std::size_t k = links.size(); k-- > first;) {
     const int i = static_cast<int>(k), parent = frames.body(i).parent;
-    const std::string n = label(i);
+    const std::string n = frames.label(i);
     const LinkMotion before = parent < 0 ? base_motion(frames, motion) : links[static_cast<std::size_t>(parent)];
     const AtAxis here = at_axis(frames, i, before, bodies[k]);
     const Wrench own = rate_wrench(d, here, motion.qd[k], n);
@@ -74,6 +75,14 @@ std::vector<Number> composite_bias_torques(Frames& frames, const Motion& motion,
     const Vec3 turned = frames.up_from_axis(i, all.f, "f_p_" + n);
     at_parent.f = at_parent.f + turned;
     at_parent.mu = at_parent.mu + frames.up_from_axis(i, all.mu, "mu_p_" + n) + cross(frames.p(i), turned);
+  }
+  if (first == 0) return tau;
+  // The whole robot moves with a floating base as if all joints were locked.
+  const LinkMotion& base = links[first - 1];
+  const Wrench locked = inertial_wrench(d, bodies[first - 1], base, "cb"), &more = wrenches[first - 1];
+  for (std::size_t k = 0; k < 3; ++k) {
+    tau[k] = d.named(locked.f[k] + more.f[k], "tau_" + frames.label(static_cast<int>(k)));
+    tau[k + 3] = d.named(locked.mu[k] + more.mu[k], "tau_" + frames.label(static_cast<int>(k) + 3));
   }
   return tau;
 }

@@ -36,9 +36,13 @@ std::vector<std::pair<int, Number>> moved_by(const Rows& factors, int k) {
   return result;
 }
 
+std::vector<Number> inputs_of(const Mechanism& mechanism, Derivation& derivation, InputKind kind) {
+  return inputs(derivation, with_base(kind, mechanism.floating_base), mechanism.size());
+}
+
 std::vector<Number> rates_of(const Mechanism& mechanism, Derivation& derivation, InputKind kind) {
   static const std::map<InputKind, const char*> names = {{InputKind::qd, "qd_"}, {InputKind::qd_r, "qd_r_"}};
-  return joint_motion(mechanism, derivation, inputs(derivation, kind, mechanism.size()), names.at(kind));
+  return joint_motion(mechanism, derivation, inputs_of(mechanism, derivation, kind), names.at(kind));
 }
 
 // The accelerations of all bodies' joints while those of the coordinates are zero, for motions that close the loops.
@@ -86,7 +90,7 @@ std::vector<Number> joint_motion(const Mechanism& mechanism, Derivation& derivat
   if (kind == InputKind::qd || kind == InputKind::qd_r) return rates_of(mechanism, derivation, kind);
   const bool of_reference = kind == InputKind::qdd_r;
   const std::string name = of_reference ? "qdd_r_" : "qdd_";
-  std::vector<Number> result = joint_motion(mechanism, derivation, inputs(derivation, kind, mechanism.size()), name);
+  std::vector<Number> result = joint_motion(mechanism, derivation, inputs_of(mechanism, derivation, kind), name);
   if (!mechanism.has_loops()) return result;
   const std::vector<Number> drift = joint_drift(mechanism, derivation, of_reference ? InputKind::qd_r : InputKind::qd);
   for (std::size_t i = 0; i < result.size(); ++i) {

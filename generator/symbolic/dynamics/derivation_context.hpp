@@ -22,10 +22,13 @@ struct DerivationContext {
 
   int size() const { return mechanism.size(); }
   // The inputs of a kind for every coordinate, and the motion of every body's joint, which follows from them.
-  std::vector<Number> all(InputKind kind) { return inputs(derivation, kind, size()); }
+  std::vector<Number> all(InputKind kind) {
+    return inputs(derivation, with_base(kind, mechanism.floating_base), size());
+  }
   std::vector<Number> joint_motion(InputKind kind) { return flatdyn::joint_motion(mechanism, derivation, kind); }
   // The accelerations of the joints while q̈ is zero.
   std::vector<Number> joint_drift() { return flatdyn::joint_drift(mechanism, derivation, InputKind::qd); }
+  Vec3 gravity() { return gravity_of(mechanism, derivation); }
   std::vector<Number> at_coordinates(const std::vector<Number>& tau) {
     return flatdyn::at_coordinates(mechanism, derivation, tau, "tau");
   }

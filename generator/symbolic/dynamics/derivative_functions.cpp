@@ -41,8 +41,8 @@ Rows solved(const Factorisation& B, const Rows& matrix, const std::string& name)
 }
 
 Function torque_derivatives_function(DerivationContext& context) {
-  const Motion motion{context.joint_motion(InputKind::qd), context.joint_motion(InputKind::qdd),
-                      context.mechanism.gravity, true};
+  const Motion motion{context.joint_motion(InputKind::qd), context.joint_motion(InputKind::qdd), context.gravity(),
+                      true};
   const TorqueDerivatives tau = derivatives_at_coordinates(context, motion);
   return finished(context, {derivative_output(context, "dtau_dq", tau.dq, "row i, column k: of tau[i] by q[k]"),
                             derivative_output(context, "dtau_dqd", tau.dqd, "row i, column k: of tau[i] by qd[k]")});
@@ -51,8 +51,8 @@ Function torque_derivatives_function(DerivationContext& context) {
 // Differentiates B q̈ + n(q, q̇) = τ: B ∂q̈ = -∂(B q̈ + n) at this q̈.
 Function acceleration_derivatives_function(DerivationContext& context) {
   const Factorisation B(context.frames, context.inertia());
-  const Motion motion{context.joint_motion(InputKind::qd), accelerations_of_joints(context, B),
-                      context.mechanism.gravity, true};
+  const Motion motion{context.joint_motion(InputKind::qd), accelerations_of_joints(context, B), context.gravity(),
+                      true};
   const TorqueDerivatives tau = derivatives_at_coordinates(context, motion);
   const Rows dq = solved(B, tau.dq, "dqdd"), dqd = solved(B, tau.dqd, "dqddd");
   const Rows dtau = B.inverse("a");

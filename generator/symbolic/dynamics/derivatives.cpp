@@ -56,7 +56,7 @@ class TorqueDerivation {
   }
 
   Field field_of_rate(int k) {
-    const Vec3 twice = d_.named(Number(2) * w_of(k), "w_2_" + label(k));
+    const Vec3 twice = d_.named(Number(2) * w_of(k), "w_2_" + frames_.label(k));
     if (frames_.body(k).prismatic) return {twice, zero_vector(), zero_vector()};
     return {zero_vector(), twice, {0, 0, 1}};
   }
@@ -89,12 +89,12 @@ class TorqueDerivation {
     Row row = component_at(i);
     const Body& body = frames_.body(i);
     for (int k = i, below = i; k >= 0; below = k, k = frames_.body(k).parent) {
-      const std::string n = label(i) + "_" + label(k);
+      const std::string n = frames_.label(i) + "_" + frames_.label(k);
       if (k != i) row = in_parent(below, row, n);
       if (k != i && body.rotor && body.rotor->carrier == k) add_rotor(i, row);
       row = {{d_.named(row.wrench.f, "f_" + n), d_.named(row.wrench.mu, "mu_" + n)}, d_.named(row.kappa, "kappa_" + n)};
       set(result_.dq, i, k, times(row, field_of_position(k)), "dtau_");
-      const Number damping = i == k && motion_.friction ? d_.named(body.viscous, "F_v" + label(i)) : Number(0);
+      const Number damping = i == k && motion_.friction ? d_.named(body.viscous, "F_v" + frames_.label(i)) : Number(0);
       set(result_.dqd, i, k, times(row, field_of_rate(k)) + damping, "dtaud_");
     }
   }
@@ -104,7 +104,8 @@ class TorqueDerivation {
     const std::string from = n + "k";
     const Vec3 slid = row.kappa + Number(2) * cross(slide_rate(frames_, k, motion_, at(links_, k)), row.wrench.f);
     const Wrench wrench = to_parent(frames_, k, row.wrench, from);
-    const Vec3 carried = d_.named(cross(at(links_, frames_.body(k).parent).omega, frames_.p(k)), "u_p_" + label(k));
+    const Vec3 carried =
+        d_.named(cross(at(links_, frames_.body(k).parent).omega, frames_.p(k)), "u_p_" + frames_.label(k));
     return {wrench, frames_.to_parent(k, d_.named(slid, "kappa_s_" + from), "kappa_u_" + from) +
                         Number(2) * cross(carried, wrench.f)};
   }
@@ -138,7 +139,7 @@ class TorqueDerivation {
   // The torques at the joints before k of a wrench on composite body k, and of a moment on the carrier of its rotor.
   void add_along_path(int k, Wrench wrench, const Vec3& at_carrier, Rows& result, const std::string& what) {
     for (int i = k; frames_.body(i).parent >= 0;) {
-      const std::string n = what + label(k) + "_" + label(i);
+      const std::string n = what + frames_.label(k) + "_" + frames_.label(i);
       wrench = {d_.named(wrench.f, "df_" + n), d_.named(wrench.mu, "dmu_" + n)};
       wrench = to_parent(frames_, i, wrench, n);
       i = frames_.body(i).parent;
@@ -149,7 +150,7 @@ class TorqueDerivation {
   }
 
   void set(Rows& result, int i, int k, const Number& value, const std::string& name) {
-    at(at(result, i), k) = d_.named(value, name + label(i) + "_" + label(k));
+    at(at(result, i), k) = d_.named(value, name + frames_.label(i) + "_" + frames_.label(k));
   }
 
   Frames& frames_;

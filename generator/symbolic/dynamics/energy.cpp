@@ -14,7 +14,7 @@ struct Velocity {
 
 Velocity link_velocity(Frames& frames, int i, const Velocity& parent, const Number& qd) {
   Derivation& d = frames.derivation();
-  const std::string n = label(i);
+  const std::string n = frames.label(i);
   const Vec3 v_o = d.named(parent.v + cross(parent.omega, frames.p(i)), "v_o_" + n);
   const Vec3 omega = frames.to_child(i, parent.omega, "omega_r_" + n);
   const Vec3 v = frames.to_child(i, v_o, "v_r_" + n);
@@ -58,8 +58,9 @@ Number kinetic_energy(Frames& frames) {
     const Number& qd = rates[static_cast<std::size_t>(i)];
     links.push_back(
         link_velocity(frames, i, body.parent < 0 ? Velocity{} : links[static_cast<std::size_t>(body.parent)], qd));
-    twice += d.named(twice_link_energy(d, frames.inertia(i), links.back(), label(i)), "T_" + label(i));
-    twice += d.named(twice_rotor_energy(d, body, frames.rotor_axis(i), links, qd, label(i)), "T_m" + label(i));
+    twice += d.named(twice_link_energy(d, frames.inertia(i), links.back(), frames.label(i)), "T_" + frames.label(i));
+    twice +=
+        d.named(twice_rotor_energy(d, body, frames.rotor_axis(i), links, qd, frames.label(i)), "T_m" + frames.label(i));
   }
   return d.named(d.named(twice, "T_2") / 2, "T");
 }
@@ -83,10 +84,10 @@ FirstMoments first_moments(Frames& frames, const Number& unit) {  // in `unit` k
   for (std::size_t k = 0; k < n; ++k) h.push_back(1 / unit * frames.inertia(static_cast<int>(k)).first_moment);
   for (std::size_t k = n; k-- > 0;) {
     const int i = static_cast<int>(k), parent = frames.body(i).parent;
-    sum.mass[k] = d.named(sum.mass[k] + frames.inertia(i).mass / unit, "mc_" + label(i));
-    const Vec3 slid = d.named(h[k] + sum.mass[k] * Vec3{0, 0, frames.slide(i)}, "hc_" + label(i));
-    sum.at_axis[k] = frames.up_to_axis(i, slid, "hu_" + label(i));
-    const Vec3 carried = frames.up_from_axis(i, sum.at_axis[k], "hu_" + label(i)) + sum.mass[k] * frames.p(i);
+    sum.mass[k] = d.named(sum.mass[k] + frames.inertia(i).mass / unit, "mc_" + frames.label(i));
+    const Vec3 slid = d.named(h[k] + sum.mass[k] * Vec3{0, 0, frames.slide(i)}, "hc_" + frames.label(i));
+    sum.at_axis[k] = frames.up_to_axis(i, slid, "hu_" + frames.label(i));
+    const Vec3 carried = frames.up_from_axis(i, sum.at_axis[k], "hu_" + frames.label(i)) + sum.mass[k] * frames.p(i);
     Vec3& target = parent < 0 ? sum.base : h[static_cast<std::size_t>(parent)];
     target = target + carried;
     if (parent >= 0) sum.mass[static_cast<std::size_t>(parent)] += sum.mass[k];
@@ -119,17 +120,18 @@ Number unit_of_gravity(const Vec3& g) {
 
 std::vector<Number> gravity_torques(Frames& frames) {
   Derivation& d = frames.derivation();
-  const Number unit = unit_of_gravity(frames.mechanism().gravity);
+  const Vec3 gravity = gravity_of(frames.mechanism(), d);
+  const Number unit = unit_of_gravity(gravity);
   const FirstMoments sum = first_moments(frames, 1 / unit);
-  const Vec3 g_base = d.named(1 / unit * frames.mechanism().gravity, "g_0");
+  const Vec3 g_base = d.named(1 / unit * gravity, "g_0");
   std::vector<Vec3> g;
   std::vector<Number> torques;
   for (int i = 0; i < frames.mechanism().body_count(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const int parent = frames.body(i).parent;
     const Vec3& before = parent < 0 ? g_base : g[static_cast<std::size_t>(parent)];
-    const Vec3 here = frames.down_to_axis(i, before, "g_" + label(i));
-    g.push_back(frames.to_child(i, before, "g_" + label(i)));
+    const Vec3 here = frames.down_to_axis(i, before, "g_" + frames.label(i));
+    g.push_back(frames.to_child(i, before, "g_" + frames.label(i)));
     const Vec3& h = sum.at_axis[k];
     torques.push_back(frames.body(i).prismatic ? -sum.mass[k] * here[2] : h[1] * here[0] - h[0] * here[1]);
   }

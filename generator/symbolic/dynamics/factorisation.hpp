@@ -51,9 +51,11 @@ class Factorisation {
 
  private:
   int parent(std::size_t i) const { return parents_[i]; }
+  std::string name_of(std::size_t k) const { return label(static_cast<int>(k), base_bodies_); }
   void factorise(const std::function<void(std::size_t)>& fail_as_zero);
 
   Derivation& derivation_;
+  int base_bodies_ = 0;
   std::vector<int> parents_;
   std::string prefix_;
   Rows L_;           // below the diagonal

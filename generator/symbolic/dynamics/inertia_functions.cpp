@@ -36,8 +36,21 @@ ChristoffelSymbols christoffel_at_coordinates(DerivationContext& context) {
 }
 
 Function finished_coriolis(DerivationContext& context, const std::vector<NodeId>& entries) {
-  return finished(context, {matrix_output("C", context.size(), context.size(), entries,
-                                          "c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric")});
+  const std::string meaning = context.mechanism.floating_base
+                                  ? "dB/dt - 2 C is skew-symmetric, and C v is the bias without gravity and friction"
+                                  : "c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric";
+  return finished(context, {matrix_output("C", context.size(), context.size(), entries, meaning)});
+}
+
+// C q̇ is a quadratic form in q̇ with the coefficients c_ijk = c_ikj, so C is half its derivative. With a floating base
+// the same fields of accelerations give the C of the connection whose torsion is that of the base's velocities.
+Function coriolis_from_momenta(const Mechanism& mechanism, const Choices& choices) {
+  return derived(with_half_inertia(mechanism), choices, [](DerivationContext& context) {
+    const Motion motion{context.joint_motion(InputKind::qd), context.joint_drift(), zero_vector(), false};
+    const Rows C = torque_derivatives(context.frames, motion).dqd;
+    return finished_coriolis(
+        context, context.nodes(at_coordinates(context.mechanism, context.derivation, C, Shape::general, "C")));
+  });
 }
 
 }  // namespace
@@ -67,6 +80,7 @@ Function derive_christoffel(const Mechanism& mechanism, const Choices& choices) 
 }
 
 Function derive_coriolis_from_christoffel(const Mechanism& mechanism, const Choices& choices) {
+  if (mechanism.floating_base) return coriolis_from_momenta(mechanism, choices);
   return derived(with_half_inertia(mechanism), choices, [](DerivationContext& context) {
     const auto n = static_cast<std::size_t>(context.size());
     const std::vector<Number> qd = context.all(InputKind::qd);
@@ -81,15 +95,9 @@ Function derive_coriolis_from_christoffel(const Mechanism& mechanism, const Choi
   });
 }
 
-// C q̇ is a quadratic form in q̇ with the coefficients c_ijk = c_ikj, so C is half its derivative.
 std::optional<Function> derive_coriolis_from_momenta(const Mechanism& mechanism, const Choices& choices) {
-  if (mechanism.has_loops()) return std::nullopt;
-  return derived(with_half_inertia(mechanism), choices, [](DerivationContext& context) {
-    const Motion motion{context.joint_motion(InputKind::qd), context.joint_drift(), zero_vector(), false};
-    const Rows C = torque_derivatives(context.frames, motion).dqd;
-    return finished_coriolis(
-        context, context.nodes(at_coordinates(context.mechanism, context.derivation, C, Shape::general, "C")));
-  });
+  if (mechanism.has_loops() || mechanism.floating_base) return std::nullopt;
+  return coriolis_from_momenta(mechanism, choices);
 }
 
 }  // namespace flatdyn

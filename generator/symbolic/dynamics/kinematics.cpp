@@ -8,7 +8,7 @@ namespace {
 
 // A free vector of body `body` in base axes.
 Vec3 to_base(Frames& frames, int body, Vec3 v, const std::string& name) {
-  for (int i = body; i >= 0; i = frames.body(i).parent) v = frames.to_parent(i, v, name + "_" + label(i));
+  for (int i = body; i >= 0; i = frames.body(i).parent) v = frames.to_parent(i, v, name + "_" + frames.label(i));
   return v;
 }
 
@@ -16,7 +16,7 @@ Vec3 to_base(Frames& frames, int body, Vec3 v, const std::string& name) {
 Vec3 point_in_base(Frames& frames, int body, Vec3 r, const std::string& name) {
   Derivation& d = frames.derivation();
   for (int i = body; i >= 0; i = frames.body(i).parent) {
-    const std::string n = name + "_" + label(i);
+    const std::string n = name + "_" + frames.label(i);
     r = d.named(r + Vec3{0, 0, frames.slide(i)}, n + "s");
     r = d.named(frames.to_parent(i, r, n + "u") + frames.p(i), n);
   }
@@ -43,7 +43,7 @@ std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link) {
   // Goes from the base outwards: two columns of each frame's rotation are needed to place the next axis and origin.
   SymbolicPose here;
   for (const int i : path_to(frames.mechanism(), link.body)) {
-    const std::string n = label(i);
+    const std::string n = frames.label(i);
     const Vec3 z = d.named(here.R * frames.axis_in_parent(i), "z_" + n);
     const Vec3 origin = d.named(here.p + here.R * frames.p(i) + frames.slide(i) * z, "p_" + n);
     JacobianColumn& J = columns[static_cast<std::size_t>(i)];
@@ -69,11 +69,11 @@ Vec3 angular_acceleration(Frames& frames, int body, const std::vector<LinkMotion
   Vec3 domega = zero_vector();
   for (const int i : path_to(frames.mechanism(), body)) {
     const auto k = static_cast<std::size_t>(i);
-    domega = frames.to_child(i, domega, "domega_f_" + label(i));
-    if (frames.body(i).prismatic) continue;
+    domega = frames.to_child(i, domega, "domega_f_" + frames.label(i));
+    if (frames.body(i).prismatic || frames.mechanism().is_of_base(i)) continue;
     const Number& qd = motion.qd[k];
     const Vec3 carried = {qd * links[k].omega[1], -qd * links[k].omega[0], motion.qdd[k]};
-    domega = d.named(domega + carried, "domega_q_" + label(i));
+    domega = d.named(domega + carried, "domega_q_" + frames.label(i));
   }
   return domega;
 }
@@ -96,7 +96,8 @@ Wrench wrench_on_body(Frames& frames, const LinkFrame& link, const Wrench& wrenc
   if (link.body < 0) return {};
   Wrench local = wrench;
   for (const int i : path_to(frames.mechanism(), link.body)) {
-    local = {frames.to_child(i, local.f, "f_e" + label(i)), frames.to_child(i, local.mu, "mu_e" + label(i))};
+    local = {frames.to_child(i, local.f, "f_e" + frames.label(i)),
+             frames.to_child(i, local.mu, "mu_e" + frames.label(i))};
   }
   return {local.f, local.mu + cross(frames.derivation().named(link.p, "p_e"), local.f)};
 }

@@ -30,7 +30,7 @@ Momenta own_momenta(Frames& frames, int i, const LinkMotion& link) {
 Momenta in_parent(Frames& frames, int i, const Momenta& composite, const InertialParameters& body, const Vec3& slide_u,
                   const Vec3& omega) {
   Derivation& d = frames.derivation();
-  const std::string n = label(i);
+  const std::string n = frames.label(i);
   const Vec3 slide = {0, 0, frames.slide(i)};
   const Momenta slid =
       named_momenta(d, shifted_momenta(composite, body.mass, body.first_moment, slide, slide_u), "s" + n);
@@ -44,10 +44,10 @@ Momenta in_parent(Frames& frames, int i, const Momenta& composite, const Inertia
 }  // namespace
 
 Vec3 slide_rate(Frames& frames, int i, const Motion& motion, const LinkMotion& link) {
-  if (!frames.body(i).prismatic) return zero_vector();
+  if (!frames.body(i).prismatic || frames.mechanism().is_of_base(i)) return zero_vector();
   const Number q = frames.slide(i);
   return frames.derivation().named(Vec3{q * link.omega[1], -q * link.omega[0], motion.qd[static_cast<std::size_t>(i)]},
-                                   "u_s_" + label(i));
+                                   "u_s_" + frames.label(i));
 }
 
 std::vector<Momenta> composite_momenta(Frames& frames, const Motion& motion, const std::vector<LinkMotion>& links,
@@ -63,11 +63,11 @@ std::vector<Momenta> composite_momenta(Frames& frames, const Motion& motion, con
     const Number spin = rotor->gear_ratio * rotor->inertia * motion.qd[i];
     Momenta& carrier = result[static_cast<std::size_t>(rotor->carrier)];
     carrier.L =
-        carrier.L + d.named(spin, "kIqd_" + label(static_cast<int>(i))) * frames.rotor_axis(static_cast<int>(i));
+        carrier.L + d.named(spin, "kIqd_" + frames.label(static_cast<int>(i))) * frames.rotor_axis(static_cast<int>(i));
   }
   for (std::size_t i = links.size(); i-- > 0;) {
     const int k = static_cast<int>(i), parent = frames.body(k).parent;
-    result[i] = named_momenta(d, result[i], label(k));
+    result[i] = named_momenta(d, result[i], frames.label(k));
     if (parent < 0) continue;
     const auto p = static_cast<std::size_t>(parent);
     const Momenta carried =

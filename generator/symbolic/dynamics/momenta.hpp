@@ -22,6 +22,7 @@ std::vector<Momenta> composite_momenta(Frames& frames, const Motion& motion, con
                                        const std::vector<InertialParameters>& bodies);
 
 // The velocity of the origin of frame i as joint i slides, relative to the parent's point that is there at q_i = 0.
+// Zero for the motion of a floating base, whose frames all move together.
 Vec3 slide_rate(Frames& frames, int i, const Motion& motion, const LinkMotion& link);
 
 }  // namespace flatdyn

@@ -13,7 +13,7 @@ struct AxisMotion {
 
 AxisMotion axis_motion(Frames& frames, int i, const LinkMotion& parent) {
   Derivation& d = frames.derivation();
-  const std::string n = label(i);
+  const std::string n = frames.label(i);
   const Vec3 z = frames.axis_in_parent(i);
   const Vec3 column = d.named(parent.U * z, "Uz_o_" + n);
   return {frames.to_child(i, parent.omega, "omega_r_" + n), frames.to_child(i, column, "Uz_" + n),
@@ -38,7 +38,7 @@ void complete_motion(Derivation& d, LinkMotion& link, const Vec3& U_z, const Num
 LinkMotion link_motion(Frames& frames, int i, const LinkMotion& parent, const Motion& motion) {
   Derivation& d = frames.derivation();
   const auto k = static_cast<std::size_t>(i);
-  const std::string n = label(i);
+  const std::string n = frames.label(i);
   const bool prismatic = frames.body(i).prismatic;
   const Number &qd = motion.qd[k], &qdd = motion.qdd[k];
   const AxisMotion axis = axis_motion(frames, i, parent);
@@ -87,10 +87,9 @@ Vec3 product_moment(Derivation& d, const Mat3& I, const LinkMotion& link, const 
           difference(1, 0) * xy - U[1][2] * xz + U[0][2] * yz};
 }
 
-Wrench inertial_wrench(Frames& frames, int i, const LinkMotion& link) {
-  Derivation& d = frames.derivation();
-  const InertialParameters& body = frames.inertia(i);
-  const std::string n = label(i);
+}  // namespace
+
+Wrench inertial_wrench(Derivation& d, const InertialParameters& body, const LinkMotion& link, const std::string& n) {
   const Vec3 h = d.named(body.first_moment, "mr_" + n);
   const Number m = d.named(body.mass, "m_" + n);
   const Mat3 I = d.named_symmetric(body.inertia, "I_" + n);
@@ -99,14 +98,16 @@ Wrench inertial_wrench(Frames& frames, int i, const LinkMotion& link) {
                      "N_" + n)};
 }
 
+namespace {
+
 // The reaction of joint i's spinning rotor on the link that carries it, last two terms of (7.105).
 Vec3 rotor_reaction(Frames& frames, int i, const LinkMotion& carrier, const Motion& motion) {
   Derivation& d = frames.derivation();
   const Rotor& rotor = *frames.body(i).rotor;
   const auto k = static_cast<std::size_t>(i);
-  const Number krI = d.named(rotor.gear_ratio * rotor.inertia, "kI_" + label(i));
-  const Number spin = d.named(krI * motion.qdd[k], "kIqdd_" + label(i));
-  const Number momentum = d.named(krI * motion.qd[k], "kIqd_" + label(i));
+  const Number krI = d.named(rotor.gear_ratio * rotor.inertia, "kI_" + frames.label(i));
+  const Number spin = d.named(krI * motion.qdd[k], "kIqdd_" + frames.label(i));
+  const Number momentum = d.named(krI * motion.qd[k], "kIqd_" + frames.label(i));
   const Vec3& z = frames.rotor_axis(i);
   return spin * z + momentum * cross(carrier.omega, z);
 }
@@ -119,10 +120,55 @@ LinkMotion base_motion(Frames& frames, const Motion& motion) {
   return base;
 }
 
+Vec3 gravity_of(const Mechanism& mechanism, Derivation& derivation) {
+  if (!mechanism.has_base_gravity()) return mechanism.gravity;
+  const std::vector<Number> g = inputs(derivation, InputKind::g_b, 3);
+  return {g[0], g[1], g[2]};
+}
+
+namespace {
+
+// The motion of the link of a floating base. Its acceleration is v̇ + ω × v, as v̇ are derivatives of components in
+// axes that turn.
+LinkMotion floating_motion(Derivation& d, const Motion& motion) {
+  const auto part = [](const std::vector<Number>& twist, std::size_t first) {
+    return Vec3{twist[first], twist[first + 1], twist[first + 2]};
+  };
+  LinkMotion base;
+  base.omega = part(motion.qd, 3);
+  base.domega = part(motion.qdd, 3);
+  base.ddp = d.named(part(motion.qdd, 0) + cross(base.omega, part(motion.qd, 0)) - motion.gravity, "ddp_b");
+  const auto square = [&](std::size_t a, std::size_t b, const char* name) {
+    return d.named(base.omega[a] * base.omega[b], std::string("omega_b") + name);
+  };
+  const Number xx = square(0, 0, "_xx"), yy = square(1, 1, "_yy"), zz = square(2, 2, "_zz"), xy = square(0, 1, "_xy"),
+               xz = square(0, 2, "_xz"), yz = square(1, 2, "_yz");
+  const auto entry = [&](const Number& value, const char* name) { return d.named(value, std::string("U_b_") + name); };
+  const Vec3& a = base.domega;
+  base.U = {Vec3{entry(-yy - zz, "xx"), entry(xy - a[2], "xy"), entry(xz + a[1], "xz")},
+            Vec3{entry(xy + a[2], "yx"), entry(-xx - zz, "yy"), entry(yz - a[0], "yz")},
+            Vec3{entry(xz - a[1], "zx"), entry(yz + a[0], "zy"), entry(-xx - yy, "zz")}};
+  return base;
+}
+
+// The motions of the bodies of a floating base, the base link last.
+std::vector<LinkMotion> motions_of_base(Frames& frames, const Motion& motion) {
+  std::vector<LinkMotion> links(static_cast<std::size_t>(frames.mechanism().base_bodies()));
+  if (links.empty()) return links;
+  links.back() = floating_motion(frames.derivation(), motion);
+  for (std::size_t k = links.size() - 1; k > 0; --k) {
+    const int i = static_cast<int>(k);
+    links[k - 1].omega = frames.to_parent(i, links[k].omega, "omega_b" + frames.label(i));
+  }
+  return links;
+}
+
+}  // namespace
+
 std::vector<LinkMotion> link_motions(Frames& frames, const Motion& motion) {
   const LinkMotion base = base_motion(frames, motion);
-  std::vector<LinkMotion> links;
-  for (int i = 0; i < frames.mechanism().body_count(); ++i) {
+  std::vector<LinkMotion> links = motions_of_base(frames, motion);
+  for (int i = frames.mechanism().base_bodies(); i < frames.mechanism().body_count(); ++i) {
     const int parent = frames.body(i).parent;
     const LinkMotion before = parent < 0 ? base : links[static_cast<std::size_t>(parent)];
     links.push_back(link_motion(frames, i, before, motion));
@@ -145,7 +191,7 @@ Wrench to_parent(Frames& frames, int i, const Wrench& wrench, const std::string&
 Vec3 rotor_momentum(Frames& frames, int i) {
   Derivation& d = frames.derivation();
   const Rotor& rotor = *frames.body(i).rotor;
-  return d.named(rotor.gear_ratio * rotor.inertia, "kI_" + label(i)) * frames.rotor_axis(i);
+  return d.named(rotor.gear_ratio * rotor.inertia, "kI_" + frames.label(i)) * frames.rotor_axis(i);
 }
 
 Number reflected_inertia(const Body& body) {
@@ -174,7 +220,7 @@ Number joint_torque(Frames& frames, int i, const Wrench& wrench, const std::vect
   Derivation& d = frames.derivation();
   const Body& body = frames.body(i);
   const auto k = static_cast<std::size_t>(i);
-  const std::string n = label(i);
+  const std::string n = frames.label(i);
   Number tau = joint_component(frames, i, wrench);
   if (body.rotor && body.rotor->carrier >= 0) {
     const Rotor& rotor = *body.rotor;
@@ -197,7 +243,7 @@ std::vector<Wrench> joint_wrenches(Frames& frames, const Motion& motion, const s
   std::vector<Wrench> wrenches = rotor_reactions(frames, motion, links);
   for (int i = 0; i < mechanism.body_count(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const Wrench own = inertial_wrench(frames, i, links[k]);
+    const Wrench own = inertial_wrench(d, frames.inertia(i), links[k], frames.label(i));
     wrenches[k] = {own.f, own.mu + wrenches[k].mu};
   }
   if (tip && mechanism.tip.body >= 0) {
@@ -205,7 +251,7 @@ std::vector<Wrench> joint_wrenches(Frames& frames, const Motion& motion, const s
     at_tip = {at_tip.f + tip->f, at_tip.mu + tip->mu};
   }
   for (std::size_t i = wrenches.size(); i-- > 0;) {
-    const std::string name = label(static_cast<int>(i));
+    const std::string name = frames.label(static_cast<int>(i));
     wrenches[i] = {d.named(wrenches[i].f, "f_" + name), d.named(wrenches[i].mu, "mu_" + name)};
     const int parent = mechanism.bodies[i].parent;
     if (parent < 0) continue;

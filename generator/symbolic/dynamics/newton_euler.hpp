@@ -16,6 +16,9 @@ struct Motion {
   bool friction = true;
 };
 
+// Gravity in the base frame: g_0, or the input g_b if the base floats, m/s².
+Vec3 gravity_of(const Mechanism& mechanism, Derivation& derivation);
+
 // ω_i, ω̇_i and p̈_i - g_0 of every body, in its own frame; U_i = S(ω̇_i) + S(ω_i)².
 struct LinkMotion {
   Vec3 omega = zero_vector();   // rad/s
@@ -23,10 +26,11 @@ struct LinkMotion {
   Vec3 ddp = zero_vector();     // acceleration of the frame's origin less g_0, m/s^2
   Mat3 U = zero_matrix();       // 1/s^2
 };
-// The motions of all bodies, from the base outwards.
+// The motions of all bodies, from the base outwards. Bodies that are the motion of a floating base all move with the
+// base's full twist; of those before the base link only ω is given.
 std::vector<LinkMotion> link_motions(Frames& frames, const Motion& motion);
 
-// The motion of the base: it is accelerated so that gravity acts on all bodies.
+// The motion of a fixed base: it is accelerated so that gravity acts on all bodies.
 LinkMotion base_motion(Frames& frames, const Motion& motion);
 
 // A force and its moment about the origin of a body's frame, in that frame.
@@ -34,6 +38,9 @@ struct Wrench {
   Vec3 f = zero_vector();   // N
   Vec3 mu = zero_vector();  // N m
 };
+
+// The wrench that gives a body its motion, about the frame's origin. `n`: the label in names.
+Wrench inertial_wrench(Derivation& d, const InertialParameters& body, const LinkMotion& link, const std::string& n);
 
 // The wrench f_i, μ_i on each body through its joint, (7.112), (7.113), in its own frame. `tip`: the wrench that the
 // tip exerts on the environment, on the tip's body.

@@ -9,8 +9,8 @@ namespace flatdyn {
 
 Function derive_inverse_dynamics(const Mechanism& mechanism, const Choices& choices) {
   return derived(mechanism, choices, [](DerivationContext& context) {
-    const Motion motion{context.joint_motion(InputKind::qd), context.joint_motion(InputKind::qdd),
-                        context.mechanism.gravity, true};
+    const Motion motion{context.joint_motion(InputKind::qd), context.joint_motion(InputKind::qdd), context.gravity(),
+                        true};
     const std::vector<Number> tau = torques(context.frames, motion);
     return finished(context, {torque_output("tau", context.nodes(context.at_coordinates(tau)))});
   });
@@ -20,8 +20,8 @@ Function derive_inverse_dynamics_tip_force(const Mechanism& mechanism, const Cho
   return derived(mechanism, at_the_tip(choices, mechanism.tip), [](DerivationContext& context) {
     const std::vector<Number> h = inputs(context.derivation, InputKind::h_e, 6);
     const Wrench tip = wrench_on_body(context.frames, context.mechanism.tip, {{h[0], h[1], h[2]}, {h[3], h[4], h[5]}});
-    const Motion motion{context.joint_motion(InputKind::qd), context.joint_motion(InputKind::qdd),
-                        context.mechanism.gravity, true};
+    const Motion motion{context.joint_motion(InputKind::qd), context.joint_motion(InputKind::qdd), context.gravity(),
+                        true};
     const std::vector<Number> tau = torques(context.frames, motion, tip);
     return finished(context, {torque_output("tau", context.nodes(context.at_coordinates(tau)))});
   });

@@ -27,7 +27,7 @@ std::vector<std::map<int, Twist>> unit_twists(Frames& frames) {
     const int parent = frames.body(k).parent;
     if (parent >= 0) {
       for (const auto& [i, twist] : twists[static_cast<std::size_t>(parent)]) {
-        here[i] = to_child(frames, k, twist, label(i) + "_" + label(k));
+        here[i] = to_child(frames, k, twist, frames.label(i) + "_" + frames.label(k));
       }
     }
     here[k] = unit_twist(frames, k);

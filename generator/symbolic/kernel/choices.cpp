@@ -87,7 +87,7 @@ std::vector<Axes> axes_of(const Choices& choices) {
 std::vector<Number> possible_axial_shifts(const Mechanism& mechanism, int i) {
   std::vector<Number> axial_shifts;
   const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
-  if (body.prismatic) return axial_shifts;
+  if (body.prismatic || mechanism.is_of_base(i)) return axial_shifts;
   const Vec3 axis = axis_of(body);
   add_axial_shift(axial_shifts, -dot(body.p, axis));
   for (std::size_t k = 0; k < 3; ++k) {
@@ -101,7 +101,7 @@ std::vector<Number> possible_axial_shifts(const Mechanism& mechanism, int i) {
 
 std::vector<Number> possible_length_units(const Mechanism& mechanism) {
   std::vector<std::pair<Number, int>> lengths;  // with the number of their occurrences
-  if (mechanism.has_prismatic_joint()) return {};
+  if (mechanism.has_lengths()) return {};
   for (const Body& body : mechanism.bodies) {
     if (body.parent < 0) continue;  // the distance of the first joint from the base has no effect
     for (const Number& entry : body.p) {

@@ -42,7 +42,7 @@ Mat3 turn_tensor_x(Derivation& d, const PlanarRotation& a, const Mat3& T, const 
 }  // namespace
 
 bool can_be_still(const Mechanism& mechanism, int i) {
-  if (mechanism.bodies[static_cast<std::size_t>(i)].prismatic) return false;
+  if (mechanism.bodies[static_cast<std::size_t>(i)].prismatic || mechanism.is_of_base(i)) return false;
   return std::all_of(mechanism.bodies.begin(), mechanism.bodies.end(),
                      [i](const Body& body) { return body.parent != i || vanishes(body.alpha.s); });
 }
@@ -70,7 +70,7 @@ Frames::Turn Frames::turn_by_joint(int i) {
   };
   Turn turn{constant(body.beta, "beta"), constant(body.alpha, "alpha"), constant(body.theta, "theta"), ""};
   turn.constant = turn.gamma;
-  if (body.prismatic) return turn;
+  if (body.prismatic || mechanism_.is_of_base(i)) return turn;
   turn.angles = label(i);
   if (mechanism_.is_coupled()) {
     turn.multiples = angle_factors(mechanism_, i);

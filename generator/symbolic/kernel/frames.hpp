@@ -56,6 +56,8 @@ class Frames {
   // z_m of the rotor that drives joint i, in the frame of the body that carries it.
   const Vec3& rotor_axis(int i) const { return rotor_axis_[static_cast<std::size_t>(i)]; }
 
+  // The label of body i in names.
+  std::string label(int i) const { return flatdyn::label(i, mechanism_.base_bodies()); }
   const Body& body(int i) const { return mechanism_.bodies[static_cast<std::size_t>(i)]; }
   Derivation& derivation() { return derivation_; }
 

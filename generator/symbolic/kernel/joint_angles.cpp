@@ -38,7 +38,10 @@ Number angle_at(const Mechanism& mechanism, Derivation& derivation, int k) {
 
 }  // namespace
 
-std::string label(int i) { return std::to_string(i + 1); }
+std::string label(int i, int base_bodies) {
+  if (i >= base_bodies) return std::to_string(i - base_bodies + 1);
+  return i + 1 == base_bodies ? "b" : "b" + std::to_string(i + 1);
+}
 
 std::vector<Number> inputs(Derivation& derivation, InputKind kind, int size) {
   std::vector<Number> values;
@@ -72,7 +75,8 @@ PlanarRotation rotation_by(const Mechanism& mechanism, Derivation& d, const std:
 }
 
 Number joint_position(const Mechanism& mechanism, Derivation& derivation, int i) {
-  if (!mechanism.is_coupled()) return derivation.input(InputKind::q, i);
+  if (mechanism.is_of_base(i)) return 0;
+  if (!mechanism.is_coupled()) return derivation.input(InputKind::q, i - mechanism.base_bodies());
   const std::vector<Number> q = inputs(derivation, InputKind::q, mechanism.position_count());
   return derivation.named(sum_of(mechanism.coupling[static_cast<std::size_t>(i)], q), "q_" + label(i));
 }

@@ -10,8 +10,9 @@
 
 namespace flatdyn {
 
-// The label of body i, counted from 1 as in the emitted code: "3" for body 2.
-std::string label(int i);
+// The label of body i in names, counted from 1 as in the emitted code: "3" for body 2. Bodies that are the motion of a
+// floating base come before those: the base link is "b".
+std::string label(int i, int base_bodies = 0);
 
 // The inputs of one kind (q, q̇, q̈, ...) as a vector of `size` entries.
 std::vector<Number> inputs(Derivation& derivation, InputKind kind, int size);
@@ -26,7 +27,7 @@ PlanarRotation named(Derivation& derivation, const PlanarRotation& rotation, con
 // So only the cosines and sines of these angles, most of them coordinates, have to be evaluated or given.
 PlanarRotation rotation_by(const Mechanism& mechanism, Derivation& derivation, const std::vector<Number>& multiples);
 
-// The position of body i's joint, rad or m.
+// The position of body i's joint, rad or m; 0 for the motion of a floating base.
 Number joint_position(const Mechanism& mechanism, Derivation& derivation, int i);
 
 }  // namespace flatdyn

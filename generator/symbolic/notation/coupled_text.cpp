@@ -47,6 +47,7 @@ std::string joints_text(const Mechanism& mechanism) {
   const int count = mechanism.position_count();
   std::string text = std::to_string(count) + (count == 1 ? " joint" : " joints");
   if (mechanism.has_loops()) text += ", " + std::to_string(mechanism.size()) + " of them independent";
+  if (mechanism.floating_base) text += ", floating base";
   return text;
 }
 

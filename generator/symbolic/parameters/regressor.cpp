@@ -71,12 +71,12 @@ class Columns {
         entries[jj] = motion_.qd_r[jj];
         return entries;
       case Parameter::Fs:
-        entries[jj] = frames_.derivation().sign(motion_.qd_r[jj], "sgn_" + label(j));
+        entries[jj] = frames_.derivation().sign(motion_.qd_r[jj], "sgn_" + frames_.label(j));
         return entries;
       default:
         break;
     }
-    const Wrench wrench = unit_wrench(frames_.derivation(), parameter_of(index), bodies_[jj], label(j));
+    const Wrench wrench = unit_wrench(frames_.derivation(), parameter_of(index), bodies_[jj], frames_.label(j));
     for (const auto& [i, twist] : twists_[jj]) {
       const int centre = centres_.centre_of(i);
       entries[static_cast<std::size_t>(i)] =
@@ -90,7 +90,7 @@ class Columns {
   Vec3 moment_about(int centre, const Wrench& wrench, int index) {
     const Vec3 lever = centres_.lever(centre, joint_of(index));
     return frames_.derivation().named(wrench.mu + cross(lever, wrench.f),
-                                      "n_" + label(centre) + "_" + parameter_name(index));
+                                      "n_" + frames_.label(centre) + "_" + parameter_name(index));
   }
 
   // The rotor's column: the last two terms of (7.105), and k_r (ω̇_c · z_m + k_r q̈) at the joint itself, (7.114).
@@ -99,16 +99,16 @@ class Columns {
     const auto jj = static_cast<std::size_t>(j);
     const auto& rotor = frames_.mechanism().bodies[jj].rotor;
     std::vector<Number> entries = zeros_;
-    const Number ratio = rotor ? d.named(rotor->gear_ratio, "k_r" + label(j)) : Number(1);
-    const Number spin = d.named(ratio * motion_.qdd_r[jj], "spin_" + label(j));
+    const Number ratio = rotor ? d.named(rotor->gear_ratio, "k_r" + frames_.label(j)) : Number(1);
+    const Number spin = d.named(ratio * motion_.qdd_r[jj], "spin_" + frames_.label(j));
     entries[jj] = ratio * spin;
     if (rotor && rotor->carrier >= 0) {
       const auto c = static_cast<std::size_t>(rotor->carrier);
       const BodyMotion& carrier = bodies_[c];
       const Vec3& z = frames_.rotor_axis(j);
-      entries[jj] += ratio * d.named(dot(z, carrier.domega), "domega_m" + label(j));
+      entries[jj] += ratio * d.named(dot(z, carrier.domega), "domega_m" + frames_.label(j));
       const Vec3 momentum = ratio * rate_times_omega(motion_, j, carrier.omega, carrier.omega_r);
-      const Vec3 reaction = d.named(spin * z + cross(momentum, z), "mu_m" + label(j));
+      const Vec3 reaction = d.named(spin * z + cross(momentum, z), "mu_m" + frames_.label(j));
       for (const auto& [i, twist] : twists_[c]) {
         entries[static_cast<std::size_t>(i)] += power(twist, {zero_vector(), reaction});
       }
@@ -118,8 +118,8 @@ class Columns {
 
   std::vector<Number> named(std::vector<Number> entries, int index) {
     for (std::size_t i = 0; i < entries.size(); ++i) {
-      entries[i] =
-          frames_.derivation().named(entries[i], "y_" + label(static_cast<int>(i)) + "_" + parameter_name(index));
+      entries[i] = frames_.derivation().named(entries[i],
+                                              "y_" + frames_.label(static_cast<int>(i)) + "_" + parameter_name(index));
     }
     return entries;
   }

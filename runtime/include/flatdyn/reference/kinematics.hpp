@@ -9,7 +9,7 @@ namespace flatdyn::reference {
 template <class S>
 std::vector<Pose<S>> link_poses(const Robot<S>& robot, const VectorX<S>& coordinates) {
   VectorX<S> room;
-  return detail::poses_of_tree(robot, of_joints(robot, coordinates, room));
+  return detail::poses_of_tree(robot, positions_of_joints(robot, coordinates, room));
 }
 
 template <class S>
@@ -23,7 +23,11 @@ template <class S>
 MatrixX<S> jacobian(const Robot<S>& robot, const VectorX<S>& q) {
   const std::vector<Pose<S>> poses = link_poses(robot, q);
   const Vector3<S> p_e = tip_pose(robot, q).p;
-  MatrixX<S> J = MatrixX<S>::Zero(6, robot.joint_count());
+  MatrixX<S> J = MatrixX<S>::Zero(6, robot.base_size() + robot.joint_count());
+  if (robot.floating_base) {
+    J.template leftCols<6>().setIdentity();
+    for (int k = 0; k < 3; ++k) J.col(3 + k).template head<3>() = Vector3<S>::Unit(k).cross(p_e);
+  }
   int link = robot.tip;
   for (std::size_t j = robot.joints.size(); j-- > 0;) {
     const Joint<S>& joint = robot.joints[j];
@@ -72,12 +76,15 @@ S potential_energy(const Robot<S>& robot, const VectorX<S>& q) {
 template <class S>
 S kinetic_energy(const Robot<S>& robot, const VectorX<S>& coordinates, const VectorX<S>& coordinate_rates) {
   VectorX<S> positions, rates;
-  const VectorX<S>&q = of_joints(robot, coordinates, positions),
+  const VectorX<S>&q = positions_of_joints(robot, coordinates, positions),
         &qd = rates_of_joints(robot, coordinates, coordinate_rates, rates);
   struct Velocity {
     Vector3<S> omega = Vector3<S>::Zero(), v = Vector3<S>::Zero();  // link axes
   };
   std::vector<Velocity> velocities(robot.links.size());
+  if (robot.floating_base) {
+    velocities[static_cast<std::size_t>(robot.root)] = {qd.template segment<3>(3), qd.template head<3>()};
+  }
   for (const Joint<S>& joint : robot.joints) {
     const JointPlacement<S> place = placement(joint, joint.index >= 0 ? q[joint.index] : S(0));
     const Velocity& parent = velocities[static_cast<std::size_t>(joint.parent)];

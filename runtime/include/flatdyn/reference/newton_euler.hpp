@@ -12,7 +12,7 @@ template <class S>
 std::vector<LinkMotion<S>> link_motions(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd,
                                         const VectorX<S>& qdd, bool gravity) {
   VectorX<S> positions, rates, accelerations;
-  return detail::motions_of_tree(robot, of_joints(robot, q, positions), rates_of_joints(robot, q, qd, rates),
+  return detail::motions_of_tree(robot, positions_of_joints(robot, q, positions), rates_of_joints(robot, q, qd, rates),
                                  accelerations_of_joints(robot, q, qd, qdd, accelerations), gravity);
 }
 
@@ -23,7 +23,7 @@ VectorX<S> inverse_dynamics(const Robot<S>& robot, const VectorX<S>& q, const Ve
   VectorX<S> positions, rates, accelerations;
   return at_coordinates(
       robot, q,
-      detail::torques_of_tree(robot, of_joints(robot, q, positions), rates_of_joints(robot, q, qd, rates),
+      detail::torques_of_tree(robot, positions_of_joints(robot, q, positions), rates_of_joints(robot, q, qd, rates),
                               accelerations_of_joints(robot, q, qd, qdd, accelerations), environment));
 }
 
@@ -81,7 +81,18 @@ MatrixX<S> christoffel(const Robot<S>& robot, const VectorX<S>& q) {
   return c;
 }
 
-// C of (7.44): c_ij = Σ_k c_ijk q̇_k.
+// [ν, δ] of two twists of a floating base: (ω × δ_v - δ_ω × v, ω × δ_ω).
+template <class S>
+VectorX<S> bracket(const VectorX<S>& twist, const VectorX<S>& delta) {
+  const Vector3<S> v = twist.template head<3>(), omega = twist.template segment<3>(3),
+                   delta_v = delta.template head<3>(), delta_omega = delta.template segment<3>(3);
+  VectorX<S> result(6);
+  result << omega.cross(delta_v) - delta_omega.cross(v), omega.cross(delta_omega);
+  return result;
+}
+
+// C of (7.44): c_ij = Σ_k c_ijk q̇_k. With a floating base, the part of C that is not symmetric in both velocities,
+// ½ B [ν, ·], is added, so that Ḃ - 2 C is skew-symmetric there, too.
 template <class S>
 MatrixX<S> coriolis_matrix(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd) {
   const Eigen::Index n = robot.size();
@@ -92,6 +103,12 @@ MatrixX<S> coriolis_matrix(const Robot<S>& robot, const VectorX<S>& q, const Vec
       const Eigen::Index low = std::min(j, k), high = std::max(j, k);
       C.col(j) += c.col(high * (high + 1) / 2 + low) * qd[k];
     }
+  }
+  if (!robot.floating_base) return C;
+  const MatrixX<S> B = inertia_matrix(robot, q);
+  for (Eigen::Index j = 0; j < robot.base_size(); ++j) {
+    const VectorX<S> unit = VectorX<S>::Unit(robot.base_size(), j);
+    C.col(j) += B.leftCols(robot.base_size()) * bracket(VectorX<S>(qd.head(robot.base_size())), unit) / S(2);
   }
   return C;
 }

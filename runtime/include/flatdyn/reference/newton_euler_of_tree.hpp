@@ -89,12 +89,26 @@ std::vector<Pose<S>> poses_of_tree(const Robot<S>& robot, const VectorX<S>& q) {
   return poses;
 }
 
+// The motion of the root link: at rest but for gravity, or that of a floating base. The derivatives of the components
+// of its velocity are not its acceleration, as its axes turn: p̈ = v̇ + ω × v.
+template <class S>
+LinkMotion<S> motion_of_root(const Robot<S>& robot, const VectorX<S>& qd, const VectorX<S>& qdd, bool gravity) {
+  LinkMotion<S> root;
+  if (gravity) root.ddp = -robot.gravity;
+  if (!robot.floating_base) return root;
+  const Vector3<S> v = qd.template head<3>();
+  root.omega = qd.template segment<3>(3);
+  root.domega = qdd.template segment<3>(3);
+  root.ddp += qdd.template head<3>() + root.omega.cross(v);
+  return root;
+}
+
 // The links' motion for the motion of all moving joints; a fixed joint changes only the frame.
 template <class S>
 std::vector<LinkMotion<S>> motions_of_tree(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd,
                                            const VectorX<S>& qdd, bool gravity) {
   std::vector<LinkMotion<S>> motions(robot.links.size());
-  if (gravity) motions[static_cast<std::size_t>(robot.root)].ddp = -robot.gravity;
+  motions[static_cast<std::size_t>(robot.root)] = motion_of_root(robot, qd, qdd, gravity);
   for (const Joint<S>& joint : robot.joints) {
     const bool moves = joint.index >= 0;
     const S zero(0);
@@ -145,6 +159,10 @@ VectorX<S> torques_of_tree(const Robot<S>& robot, const VectorX<S>& q, const Vec
     const Vector3<S> force = place.R * f[child];
     f[parent] += force;
     mu[parent] += place.R * at_joint + place.before.cross(force);
+  }
+  if (robot.floating_base) {
+    tau.template head<3>() = f[static_cast<std::size_t>(robot.root)];
+    tau.template segment<3>(3) = mu[static_cast<std::size_t>(robot.root)];
   }
   return tau;
 }

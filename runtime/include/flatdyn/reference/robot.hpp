@@ -45,7 +45,7 @@ template <class S>
 struct Joint {
   JointType type = JointType::fixed;
   int parent = 0, child = 0;  // links
-  int index = -1;             // among the moving joints; -1 for a fixed joint
+  int index = -1;             // among the moving joints, after a floating base's six; -1 for a fixed joint
   Matrix3<S> R_0 = Matrix3<S>::Identity(), R_1 = Matrix3<S>::Identity();
   Vector3<S> p_0 = Vector3<S>::Zero(), p_1 = Vector3<S>::Zero();
   Vector3<S> axis = Vector3<S>::UnitZ();  // in the joint frame (after R_0), unit
@@ -84,7 +84,12 @@ struct Robot {
   // independent entries of q.
   std::vector<Loop<S>> loops;
   std::vector<int> independent;
+  // Whether the root link moves freely. The first six entries of q̇, q̈ and τ are then its twist (velocity of its origin,
+  // angular velocity), the derivatives of these components, and the force and moment about its origin, all in its axes;
+  // joints have indices from 6 on. "The base frame" is the root's, and gravity is given in its axes.
+  bool floating_base = false;
 
+  int base_size() const { return floating_base ? 6 : 0; }
   int joint_count() const {
     int n = 0;
     for (const Joint<S>& joint : joints) n += joint.index >= 0 ? 1 : 0;
@@ -93,14 +98,23 @@ struct Robot {
   // The length of q.
   int position_count() const { return coupling.size() > 0 ? static_cast<int>(coupling.cols()) : joint_count(); }
   // The length of q̇.
-  int size() const { return loops.empty() ? position_count() : static_cast<int>(independent.size()); }
+  int size() const { return base_size() + (loops.empty() ? position_count() : static_cast<int>(independent.size())); }
 };
 
-// The positions of the moving joints, or any other linear function of q; stored in `room` if joints are coupled.
+// Rates, or any other linear function of q, of the moving joints; stored in `room` if joints are coupled.
 template <class S>
 const VectorX<S>& of_joints(const Robot<S>& robot, const VectorX<S>& q, VectorX<S>& room) {
   if (robot.coupling.size() == 0) return q;
   room = robot.coupling.lazyProduct(q);
+  return room;
+}
+
+// The positions of the moving joints by their indices; stored in `room` if joints are coupled or the base floats.
+template <class S>
+const VectorX<S>& positions_of_joints(const Robot<S>& robot, const VectorX<S>& q, VectorX<S>& room) {
+  if (!robot.floating_base) return of_joints(robot, q, room);
+  room = VectorX<S>::Zero(robot.base_size() + q.size());
+  room.tail(q.size()) = q;
   return room;
 }
 

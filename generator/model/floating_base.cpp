@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "model/floating_base.hpp"
+
+#include <algorithm>
+
+#include "model/rational_rotation.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr int kDirections = 3;
+
+// z of this frame is x of the parent's, x is y, and y is z.
+constexpr int kCycled[3][3] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+
+Body motion_of_base(int index, const std::string& link) {
+  static const char* const kNames[] = {"base_x", "base_y", "base_z", "base_rx", "base_ry", "base_rz"};
+  Mat3 cycled;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) cycled[i][j] = kCycled[i][j];
+  }
+  const ZxzAngles angles = zxz_angles(cycled);
+  Body body;
+  body.joint = kNames[index];
+  body.link = link;
+  body.parent = index - 1;
+  body.prismatic = index < kDirections;
+  body.continuous = !body.prismatic;
+  body.beta = angles.beta;
+  body.alpha = angles.alpha;
+  body.theta = angles.theta;
+  return body;
+}
+
+}  // namespace
+
+bool Mechanism::has_base_gravity() const {
+  return floating_base && !std::all_of(gravity.begin(), gravity.end(), vanishes);
+}
+
+Mechanism with_floating_base(Mechanism mechanism) {
+  constexpr int kBodies = 2 * kDirections;
+  const auto shift = [](int& body) { body += kBodies; };  // the base, -1, becomes body 5
+  for (Body& body : mechanism.bodies) {
+    shift(body.parent);
+    if (body.rotor) shift(body.rotor->carrier);
+  }
+  std::string base;
+  for (WrittenLink& link : mechanism.links) {
+    if (base.empty() && link.body < 0) base = link.link;
+    shift(link.body);
+  }
+  shift(mechanism.tip.body);
+  std::vector<Body> bodies;
+  for (int k = 0; k < kBodies; ++k) bodies.push_back(motion_of_base(k, base));
+  bodies.back().inertia = mechanism.base;
+  mechanism.base = {};
+  mechanism.bodies.insert(mechanism.bodies.begin(), bodies.begin(), bodies.end());
+  mechanism.floating_base = true;
+  return mechanism;
+}
+
+}  // namespace flatdyn

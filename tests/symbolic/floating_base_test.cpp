@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Robots with a floating base: every function against its definition in exact arithmetic and against the reference, and
+// both against the laws of motion that say nothing of coordinates.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "deviation/expected.hpp"
+#include "flatdyn/reference/kinematics.hpp"
+#include "functions/exact_proof.hpp"
+#include "functions/function_table.hpp"
+#include "model/floating_base.hpp"
+#include "model/states.hpp"
+#include "planning/formulations.hpp"
+#include "planning/make_functions.hpp"
+#include "reference/graph_evaluator.hpp"
+#include "reference/reference_model.hpp"
+#include "support/robot_models.hpp"
+#include "support/written_model.hpp"
+
+namespace flatdyn {
+namespace {
+
+// A body with an arm of a turn and a slide, a rotor on each, friction, and a branch.
+const char* const kSatellite = R"(name = "satellite"
+[base]
+name = "bus"
+motion = "floating"
+mass = 20
+com = [0.1, -0.2, 0.05]
+inertia = { xx = 2, yy = 3, zz = 2.5, xy = 0.1, xz = -0.2, yz = 0.3 }
+inertia_about = "com"
+[[link]]
+joint = "shoulder"
+xyz = [0.4, 0.1, 0.2]
+rpy = [0.3, "pi/2", 0]
+mass = 3
+com = [0.2, 0.1, 0]
+inertia = { xx = 0.03, yy = 0.04, zz = 0.05, xy = 0.002 }
+inertia_about = "com"
+viscous = 0.3
+motor = { mass = 0.4, inertia = 1e-3, inertia_transverse = 2e-3, gear_ratio = 40, axis = [0, 1, 0], position = [0.1, 0, 0] }
+[[link]]
+joint = "rail"
+type = "prismatic"
+axis = [1, 1, 0]
+xyz = [0.4, 0, 0]
+mass = 2
+com = [0.2, 0, 0.05]
+inertia = { xx = 0.01, yy = 0.02, zz = 0.02 }
+inertia_about = "com"
+coulomb = 0.2
+motor = { mass = 0.1, inertia = 1e-4, gear_ratio = 20 }
+[[link]]
+joint = "panel"
+parent = "bus"
+xyz = [-0.5, 0, 0]
+rpy = ["pi/2", 0, 0]
+mass = 1
+com = [0, 0.3, 0.1]
+inertia = { xx = 0.04, yy = 0.03, zz = 0.02 }
+inertia_about = "com"
+armature = 0.01
+)";
+
+const char* const kDrone = R"(name = "drone"
+[base]
+motion = "floating"
+mass = 1.5
+com = [0.01, 0.02, -0.03]
+inertia = { xx = 0.02, yy = 0.03, zz = 0.04, xy = 0.001 }
+inertia_about = "com"
+)";
+
+LoadedRobot floating(const std::string& file) {
+  LoadOptions options;
+  options.read.floating_base = true;
+  return load_robot(std::filesystem::path(FLATDYN_SOURCE_DIR) / "robots" / file, options);
+}
+
+struct Subject {
+  const char* name;
+  LoadedRobot (*model)();
+};
+
+class FloatingBase : public ::testing::TestWithParam<Subject> {
+ protected:
+  LoadedRobot model_ = GetParam().model();
+  const Mechanism& mechanism_ = model_.mechanism;
+};
+
+// In each of the ways in which it can be derived.
+TEST_P(FloatingBase, FunctionsAreProven) {
+  for (const FunctionRow& row : function_table()) {
+    if (!row.applies_to(mechanism_) || row.traits.needs_loops) continue;
+    const Choices choices = uniform_choices(mechanism_, Grouping::i_yy);
+    for (FormulationIndex way = 0; way <= row.derivation.alternatives.size(); ++way) {
+      const std::optional<Function> function = formulation(mechanism_, row.name, way, choices);
+      if (!function) continue;
+      const ExactResult result = prove_exactly(mechanism_, *function);
+      EXPECT_TRUE(result.equal) << row.name << ", way " << way << ": " << result.summary();
+    }
+  }
+}
+
+TEST_P(FloatingBase, FunctionsAgreeWithTheReference) {
+  PipelineOptions options;
+  Progress silent(true);
+  Diagnostics none;
+  const ExpectedValues expected(model_.robot, mechanism_, 1);
+  for (const OptimisedFunction& made : make_functions(model_, options, silent, none)) {
+    const Function& function = made.function;
+    const Expected here = expected.of(function);
+    GraphEvaluator<Real50> graph(function);
+    for (const State& state : random_states(mechanism_, 3, 7)) {
+      const auto values = graph(widened<Real50>(state));
+      const std::vector<Real50> right = here.exact(state);
+      const std::vector<double> scale = here.scale(state);
+      ASSERT_TRUE(values) << function.name;
+      ASSERT_EQ(values->size(), right.size()) << function.name;
+      for (std::size_t k = 0; k < right.size(); ++k) {
+        const Real50 difference = abs((*values)[k] - right[k]);
+        EXPECT_LE(difference.convert_to<double>(), 1e-35 * std::max(1.0, scale[k])) << function.name << " " << k;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, FloatingBase,
+                         ::testing::Values(Subject{"drone", [] { return testing::model_of_toml(kDrone); }},
+                                           Subject{"satellite", [] { return testing::model_of_toml(kSatellite); }},
+                                           Subject{"puma", [] { return floating("puma560.toml"); }},
+                                           Subject{"quadruped", [] { return floating("quadruped12.urdf"); }}),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+using Vector = reference::VectorX<Real50>;
+using Matrix = reference::MatrixX<Real50>;
+using Vector3 = reference::Vector3<Real50>;
+
+// The laws of motion in the reference, which the functions agree with.
+class FreeMotion : public ::testing::Test {
+ protected:
+  FreeMotion() : robot_(reference_robot<Real50>(model_.robot, {})) {
+    const State state = random_states(model_.mechanism, 1, 3).front();
+    const StateOf<Real50> wide = widened<Real50>(state);
+    q_ = vector_of(wide.q), v_ = vector_of(wide.qd), a_ = vector_of(wide.qdd);
+    robot_.gravity = vector_of(wide.g_b);
+  }
+
+  // The momentum about the base frame's origin, in base axes: the first rows of B ν.
+  Vector momentum(const Vector& q, const Vector& v) const { return (reference::inertia_matrix(robot_, q) * v).head(6); }
+
+  LoadedRobot model_ = testing::model_of_toml(kSatellite);
+  reference::Robot<Real50> robot_;
+  Vector q_, v_, a_;
+};
+
+const Real50 kStep("1e-12");
+
+double relative(const Real50& difference, const Real50& size) {
+  return Real50(abs(difference / size)).convert_to<double>();
+}
+
+// Derivatives along the motion, by central differences.
+TEST_F(FreeMotion, HasASkewSymmetricMatrix) {
+  const auto n = q_.size();
+  const Matrix later = reference::inertia_matrix(robot_, Vector(q_ + kStep * v_.tail(n))),
+               earlier = reference::inertia_matrix(robot_, Vector(q_ - kStep * v_.tail(n)));
+  const Matrix N = (later - earlier) / (2 * kStep) - 2 * reference::coriolis_matrix(robot_, q_, v_);
+  EXPECT_LT(relative((N + N.transpose()).norm(), N.norm()), 1e-18);
+}
+
+// C ν is the bias without gravity and friction.
+TEST_F(FreeMotion, HasTheTorquesOfItsCoriolisMatrix) {
+  const Vector none = Vector::Zero(v_.size());
+  const Vector torques = reference::inverse_dynamics(robot_, q_, v_, none, {.gravity = false, .friction = false});
+  const Vector product = reference::coriolis_matrix(robot_, q_, v_) * v_;
+  EXPECT_LT(relative((product - torques).norm(), torques.norm()), 1e-40);
+}
+
+// Newton's and Euler's laws for the robot as a whole, in axes that turn: f = ṗ + ω × p, n = l̇ + ω × l + v × p, with
+// the weight at its centre of mass.
+TEST_F(FreeMotion, ObeysTheLawOfMomentum) {
+  const auto n = q_.size();
+  const auto at = [&](const Real50& t) {
+    return momentum(Vector(q_ + t * v_.tail(n) + t * t / 2 * a_.tail(n)), Vector(v_ + t * a_));
+  };
+  const Vector rate = (at(kStep) - at(-kStep)) / (2 * kStep), here = momentum(q_, v_);
+  const Vector3 p = here.head(3), l = here.tail(3), v = v_.head(3), omega = v_.segment(3, 3);
+  const Vector tau = reference::inverse_dynamics(robot_, q_, v_, a_, {.gravity = false, .friction = false});
+  const Vector3 force = rate.head(3) + omega.cross(p), moment = rate.tail(3) + omega.cross(l) + v.cross(p);
+  EXPECT_LT(relative((tau.head(3) - force).norm(), force.norm()), 1e-18);
+  EXPECT_LT(relative((tau.segment(3, 3) - moment).norm(), moment.norm()), 1e-18);
+}
+
+// In free fall all parts fall alike: no joint needs a torque.
+TEST_F(FreeMotion, NeedsNoTorqueInFreeFall) {
+  Vector falling = Vector::Zero(v_.size());
+  falling.head(3) = robot_.gravity;
+  const Vector tau = reference::inverse_dynamics(robot_, q_, Vector(Vector::Zero(v_.size())), falling);
+  EXPECT_LT(tau.norm().convert_to<double>(), 1e-40);
+}
+
+// The power of all forces is the rate of the kinetic energy.
+TEST_F(FreeMotion, KeepsAccountOfItsEnergy) {
+  const auto n = q_.size();
+  const auto energy = [&](const Real50& t) {
+    return reference::kinetic_energy(robot_, Vector(q_ + t * v_.tail(n) + t * t / 2 * a_.tail(n)), Vector(v_ + t * a_));
+  };
+  const Real50 rate = (energy(kStep) - energy(-kStep)) / (2 * kStep);
+  const Vector tau = reference::inverse_dynamics(robot_, q_, v_, a_, {.gravity = false, .friction = false});
+  EXPECT_LT(relative(rate - v_.dot(tau), rate), 1e-18);
+}
+
+constexpr const char* kUrdf = R"(<robot name="r">
+<link name="world"/><link name="body"><inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1"/></inertial></link>
+<link name="arm"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial></link>
+<joint name="free" type="floating"><parent link="world"/><child link="body"/></joint>
+<joint name="turn" type="continuous"><parent link="body"/><child link="arm"/><axis xyz="0 0 1"/></joint></robot>)";
+
+TEST(FloatingInput, IsAJointOfUrdf) {
+  const LoadedRobot model = testing::model_of_urdf(kUrdf);
+  EXPECT_TRUE(model.mechanism.floating_base);
+  ASSERT_EQ(model.robot.links.size(), 2U);
+  EXPECT_EQ(model.robot.links[0].name, "body");
+  EXPECT_EQ(model.mechanism.size(), 7);
+  EXPECT_EQ(model.mechanism.position_count(), 1);
+  EXPECT_EQ(model.mechanism.bodies[5].inertia.mass, 2);
+  EXPECT_EQ(model.mechanism.joints()[0].joint, "turn");
+}
+
+TEST(FloatingInput, ReadsTheBaseOfToml) {
+  const LoadedRobot model = testing::model_of_toml(kSatellite);
+  EXPECT_TRUE(model.mechanism.floating_base);
+  EXPECT_EQ(model.mechanism.bodies[5].link, "bus");
+  const LoadedRobot fixed = testing::model_of_toml("base = \"fixed\"\n[[link]]\nmass = 1\n");
+  EXPECT_FALSE(fixed.mechanism.floating_base);
+  EXPECT_EQ(fixed.robot.links[0].name, "base");
+}
+
+}  // namespace
+}  // namespace flatdyn
