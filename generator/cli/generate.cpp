@@ -29,7 +29,7 @@ struct GenerateArguments : RobotArguments {
   std::string folder;
   std::vector<std::string> functions, staged, fused;
   std::vector<std::string> scalars = {"double"};
-  std::string language = "c++", form = "header", frames = "file", sincos = "polynomials";
+  std::string language = "c++", form = "header", frames = "file", sincos = "polynomials", limbs = "apart";
   std::string name_space, file_name;  // empty: from the robot's name
   std::string firmware;               // a processor; empty: none
   bool python = false, fuses = false;
@@ -40,6 +40,7 @@ struct GenerateArguments : RobotArguments {
   Delivery delivery;
 
   bool is_pair() const { return form == "pair"; }
+  bool has_lanes() const { return limbs == "lanes"; }
   bool is_to_stdout() const { return folder == kStdout; }
 };
 
@@ -73,6 +74,7 @@ std::string stamp_of(const GenerateArguments& arguments, const std::vector<Optim
              {"--language", arguments.language == "c++" ? "" : arguments.language},
              {"--form", arguments.is_pair() ? "pair" : ""},
              {"--sincos", arguments.sincos == "polynomials" ? "" : arguments.sincos},
+             {"--limbs", arguments.has_lanes() ? arguments.limbs : ""},
              {"--namespace", arguments.name_space},
              {"--name", arguments.file_name},
              {"--frames", arguments.frames == "file" ? "" : arguments.frames},
@@ -148,10 +150,23 @@ void check_fma(const GenerateArguments& arguments) {
   }
 }
 
+// Requires C++ without fused operations for limbs in the lanes of vectors.
+void check_limbs(const GenerateArguments& arguments) {
+  if (!arguments.has_lanes()) return;
+  if (arguments.language != "c++") {
+    throw Failure(ExitCode::usage, fmt::format("--limbs lanes: not in {}", kLanguages.at(arguments.language).name),
+                  "leave it out, or use C++");
+  }
+  if (arguments.fuses) {
+    throw Failure(ExitCode::usage, "--limbs lanes: not with fused multiply-adds", "leave it out, or --fma");
+  }
+}
+
 void check_usage(const GenerateArguments& arguments) {
   check_stdout(arguments);
   check_form(arguments);
   check_fma(arguments);
+  check_limbs(arguments);
   check_pass_names(arguments.dumped_passes);
   if (arguments.fused.size() == 1) {
     throw Failure(ExitCode::usage, "--fuse: one function is no set", "name two or more, separated by commas");
@@ -183,6 +198,7 @@ GenerationOptions generation_options(const GenerateArguments& arguments) {
   options.form.form = arguments.is_pair() ? Form::pair : Form::header;
   options.form.sines = arguments.sincos == "library" ? Sines::library : Sines::polynomials;
   options.form.fuses = arguments.fuses;
+  options.form.limbs_in_lanes = arguments.has_lanes();
   options.form.frames = parameter_frames(arguments.frames);
   options.form.more_scalars = {arguments.scalars.begin() + 1, arguments.scalars.end()};
   options.options_stamp = [&arguments](const std::vector<OptimisedFunction>& functions) {
@@ -367,6 +383,12 @@ Run add_generate(CLI::App& app) {
   command->add_flag("--fma", arguments->fuses,
                     "fused multiply-adds, a b + c rounded once, where the target has an instruction for them: fewer "
                     "instructions and errors, other bits");
+  command
+      ->add_option("--limbs", arguments->limbs,
+                   "of C++: each limb by itself (apart), or limbs of the same structure, such as legs, in the lanes of "
+                   "vectors")
+      ->check(CLI::IsMember({"apart", "lanes"}))
+      ->capture_default_str();
   command
       ->add_option("--namespace", arguments->name_space,
                    "C++ namespace, and in C what names begin with; default: the robot's name")

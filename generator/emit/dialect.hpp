@@ -28,6 +28,9 @@ struct ConstantArray {
 inline constexpr const char* kReal = "Real";
 
 // Answers that are given here are those of most languages with the syntax of C.
+// The type of vectors with a number of each limb, followed by the number of lanes: "Limbs4".
+inline constexpr const char* kLimbs = "Limbs";
+
 // The counter of loops.
 inline constexpr const char* kCounter = "k";
 
@@ -92,6 +95,9 @@ class Dialect {
   virtual std::string constant() const { return "const " + scalar_ + " "; }
   virtual std::string arrays() const { return scalar_ + " "; }
   virtual std::string array(const std::string& name, std::size_t length) const;
+  // Whether there are vectors with a number of each limb, and the statement that introduces those with this many lanes.
+  virtual bool has_limbs() const { return false; }
+  virtual std::string limbs_definition([[maybe_unused]] int lanes) const { return ""; }
   virtual std::string condition_type() const { return "bool"; }
   virtual std::string always() const { return "true"; }
   virtual std::string conditions_begin() const { return condition_type() + " valid = "; }

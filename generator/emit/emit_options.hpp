@@ -33,6 +33,7 @@ struct EmitOptions {
   bool fuses = false;                              // whether products and sums are fused multiply-adds, in C++ and C
   ParameterFrames frames = ParameterFrames::file;  // those to which the names of base parameters' parts refer
   std::vector<std::string> more_scalars{};         // scalars beside `scalar` that the source of a pair is compiled for
+  bool limbs_in_lanes = false;                     // whether limbs alike are computed together, in C++
 };
 
 }  // namespace flatdyn

@@ -23,12 +23,12 @@ ExpressionPrinter::Text ExpressionPrinter::define(NodeId id) const {
       return {code, starts_with_minus(code) ? Binding::sum : Binding::atom};
     }
     case Op::sum:
-      if (const Node* dot = negated_sum(node)) return sum(*dot, true);
-      return sum(node, false);
+      if (const std::optional<NodeId> dot = negated_sum(node)) return sum(*dot, true);
+      return sum(id, false);
     case Op::product:
-      return product(node);
+      return product(id);
     case Op::quotient:
-      return quotient(node);
+      return quotient(id);
     case Op::sign:
       return {dialect_.sign(use(node.operands[0])), Binding::atom};
     case Op::sqrt:
@@ -41,12 +41,12 @@ ExpressionPrinter::Text ExpressionPrinter::define(NodeId id) const {
   return reference(id);
 }
 
-// The sum that `node` negates, if it is written inline: its signs are changed instead. Otherwise nullptr.
-const Node* ExpressionPrinter::negated_sum(const Node& node) const {
-  if (!is_scaled(node) || node.terms[0].coefficient != -1) return nullptr;
+// The sum that `node` negates, if it is written inline: its signs are changed instead.
+std::optional<NodeId> ExpressionPrinter::negated_sum(const Node& node) const {
+  if (!is_negation(node)) return std::nullopt;
   const NodeId dot = node.terms[0].node;
   const bool written_out = names_[static_cast<std::size_t>(dot)].empty() && graph_[dot].op == Op::sum;
-  return written_out ? &graph_[dot] : nullptr;
+  return written_out ? std::optional(dot) : std::nullopt;
 }
 
 ExpressionPrinter::Text ExpressionPrinter::reference(NodeId id) const {
@@ -54,7 +54,11 @@ ExpressionPrinter::Text ExpressionPrinter::reference(NodeId id) const {
   return name.empty() ? define(id) : Text{name, Binding::atom};
 }
 
-std::string ExpressionPrinter::operand(NodeId id, Binding at_least) const {
+std::string ExpressionPrinter::operand(NodeId user, NodeId id, Binding at_least) const {
+  if (given_ != nullptr) {
+    const auto given = given_->operands.find({user, id});
+    if (given != given_->operands.end()) return given->second;
+  }
   const Text text = reference(id);
   return text.binding < at_least ? "(" + text.code + ")" : text.code;
 }
@@ -82,22 +86,32 @@ std::vector<Term> readable_order(const Graph& graph, std::vector<Term> terms) {
 
 }  // namespace
 
+// The variable in place of a coefficient; empty: there is none.
+std::string ExpressionPrinter::coefficient_of(NodeId user, NodeId id) const {
+  if (given_ == nullptr) return "";
+  const auto given = given_->coefficients.find({user, id});
+  return given == given_->coefficients.end() ? "" : given->second;
+}
+
 // The summands of a sum, with signs changed if it is `negated`.
-std::vector<ExpressionPrinter::Summand> ExpressionPrinter::summands(const Node& node, bool negated) const {
+std::vector<ExpressionPrinter::Summand> ExpressionPrinter::summands(NodeId id, bool negated) const {
+  const Node& node = graph_[id];
   const auto size_of = [](const Rational& coefficient, double magnitude) {
     constexpr double kLeast = 1e-300;
     return std::ilogb(std::max(std::abs(coefficient.convert_to<double>()) * magnitude, kLeast));
   };
   std::vector<Summand> result;
   for (const Term& term : readable_order(graph_, node.terms)) {
-    const bool plain = abs(term.coefficient) == 1;
+    const std::string by_name = coefficient_of(id, term.node);
+    const bool plain = abs(term.coefficient) == 1 && by_name.empty();
     result.push_back({negated ? Rational(-term.coefficient) : term.coefficient,
-                      operand(term.node, plain ? Binding::quotient : Binding::product),
+                      operand(id, term.node, plain ? Binding::quotient : Binding::product),
                       plain ? Binding::atom : Binding::product,
-                      size_of(term.coefficient, magnitudes_[static_cast<std::size_t>(term.node)]), term.node});
+                      size_of(term.coefficient, magnitudes_[static_cast<std::size_t>(term.node)]), term.node, by_name});
   }
   if (node.value != 0) {
-    result.push_back({negated ? Rational(-node.value) : node.value, "", Binding::atom, size_of(node.value, 1), -1});
+    result.push_back({negated ? Rational(-node.value) : node.value, "", Binding::atom, size_of(node.value, 1), -1,
+                      coefficient_of(id, -1)});
   }
   return result;
 }
@@ -115,8 +129,14 @@ std::vector<ExpressionPrinter::Summand> ExpressionPrinter::small_first(std::vect
   return items;
 }
 
-ExpressionPrinter::Text ExpressionPrinter::sum(const Node& node, bool negated) const {
-  std::vector<Summand> items = summands(node, negated);
+std::vector<Term> ExpressionPrinter::terms_in_order(NodeId id) const {
+  std::vector<Term> terms;
+  for (const Summand& each : small_first(summands(id, false))) terms.push_back({each.coefficient, each.node});
+  return terms;
+}
+
+ExpressionPrinter::Text ExpressionPrinter::sum(NodeId id, bool negated) const {
+  std::vector<Summand> items = summands(id, negated);
   return is_fused_.empty() ? plain_sum(small_first(std::move(items))) : fused_sum(std::move(items));
 }
 
@@ -152,19 +172,25 @@ std::string ExpressionPrinter::fused(const Summand& product, const std::string& 
     std::swap(factors[0], factors[1]);
   const NodeId last = factors.back();
   factors.pop_back();
-  std::string first =
-      factors.size() == 1 && !is_negative ? reference(factors[0]).code : operand(factors[0], Binding::product);
-  for (std::size_t k = 1; k < factors.size(); ++k) first += " * " + operand(factors[k], Binding::product);
+  std::string first = factors.size() == 1 && !is_negative ? reference(factors[0]).code
+                                                          : operand(product.node, factors[0], Binding::product);
+  for (std::size_t k = 1; k < factors.size(); ++k) first += " * " + operand(product.node, factors[k], Binding::product);
   return dialect_.fused((is_negative ? "-" : "") + first, reference(last).code, sum);
+}
+
+// The coefficient without its sign.
+std::string ExpressionPrinter::size_text(const Summand& item) const {
+  return item.by_name.empty() ? dialect_.literal(abs(item.coefficient)) : item.by_name;
 }
 
 ExpressionPrinter::Text ExpressionPrinter::plain_sum(const std::vector<Summand>& items) const {
   const auto magnitude = [this](const Summand& item) {
-    if (item.factor.empty()) return dialect_.literal(abs(item.coefficient));
-    return item.binding == Binding::atom ? item.factor : dialect_.literal(abs(item.coefficient)) + " * " + item.factor;
+    if (item.factor.empty()) return size_text(item);
+    return item.binding == Binding::atom ? item.factor : size_text(item) + " * " + item.factor;
   };
   const Summand& first = items.front();
-  const bool leading_minus = first.coefficient < 0 && first.binding == Binding::atom && !first.factor.empty();
+  const bool has_sign_apart = (first.binding == Binding::atom && !first.factor.empty()) || !first.by_name.empty();
+  const bool leading_minus = first.coefficient < 0 && has_sign_apart;
   std::string code = magnitude(first);
   if (leading_minus) {
     code = "-" + code;
@@ -178,15 +204,16 @@ ExpressionPrinter::Text ExpressionPrinter::plain_sum(const std::vector<Summand>&
   return {code, single ? first.binding : Binding::sum};
 }
 
-ExpressionPrinter::Text ExpressionPrinter::product(const Node& node) const {
-  std::string code = operand(node.operands[0], Binding::product);
-  for (std::size_t k = 1; k < node.operands.size(); ++k) code += " * " + operand(node.operands[k], Binding::product);
+ExpressionPrinter::Text ExpressionPrinter::product(NodeId id) const {
+  const std::vector<NodeId>& factors = graph_[id].operands;
+  std::string code = operand(id, factors[0], Binding::product);
+  for (std::size_t k = 1; k < factors.size(); ++k) code += " * " + operand(id, factors[k], Binding::product);
   return {code, Binding::product};
 }
 
-ExpressionPrinter::Text ExpressionPrinter::quotient(const Node& node) const {
-  return {operand(node.operands[0], Binding::product) + " / " + operand(node.operands[1], Binding::atom),
-          Binding::quotient};
+ExpressionPrinter::Text ExpressionPrinter::quotient(NodeId id) const {
+  const std::vector<NodeId>& parts = graph_[id].operands;
+  return {operand(id, parts[0], Binding::product) + " / " + operand(id, parts[1], Binding::atom), Binding::quotient};
 }
 
 }  // namespace flatdyn

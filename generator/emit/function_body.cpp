@@ -10,6 +10,7 @@
 #include "emit/angles.hpp"
 #include "emit/arguments.hpp"
 #include "emit/expression.hpp"
+#include "emit/limb_text.hpp"
 #include "emit/names.hpp"
 #include "emit/parts.hpp"
 #include "emit/schedule.hpp"
@@ -58,6 +59,7 @@ class BodyWriter {
         inputs_(arguments_read(function)),
         is_fused_(fused_products(function, scope)),
         schedule_(make_schedule(function, is_fused_)),
+        limb_plan_(limb_plan(function, scope.limbs, scope.dialect, schedule_)),
         printer_(function.graph, variables_, scope.dialect, scope.fuses ? is_fused_ : std::vector<bool>()),
         validity_(printer_, scope.dialect) {
     NameTable names = names_in_scope(function, scope);
@@ -66,6 +68,9 @@ class BodyWriter {
     for (const Statement& statement : schedule_.statements) {
       if (is_angle_function(statement)) angles_.insert(angle_index(function_.graph, statement.node, scope_));
     }
+    if (!limb_plan_) return;
+    limbs_.emplace(
+        function_, *limb_plan_, scope.limbs, dialect_, [this](NodeId id) { return given_text(id); }, names, variables_);
   }
 
   FunctionBody body() const {
@@ -82,8 +87,10 @@ class BodyWriter {
     body.takes_cosines = has_op(Op::cos);
     body.text = whole();
     body.uses_fma = has_fused(body.text);
+    body.uses_limbs = limbs_.has_value();
     const auto lines = std::count(body.text.begin(), body.text.end(), '\n');
-    if (lines + lines_around_ > longest()) write_parts(body);
+    body.is_too_long = lines + lines_around_ > longest();
+    if (body.is_too_long && !limbs_) write_parts(body);
     return body;
   }
 
@@ -92,8 +99,29 @@ class BodyWriter {
 
   std::string whole() const {
     std::string text = loads() + trigonometry(false) + sines_and_cosines() + stage();
+    if (limbs_) {
+      text = limbs_->types() + text + limbs_->given();
+      for (const LimbStep& step : limbs_->steps()) text += limb_step(step);
+      return text + ending();
+    }
     for (const PartStep& step : steps(false)) text += step.makes ? definition_line(step) : step.code;
     return (has_fused(text) ? dialect_.fused_begin() : "") + text + ending();
+  }
+
+  std::string limb_step(const LimbStep& step) const {
+    switch (step.kind) {
+      case LimbStep::Kind::scalar:
+        return definition_line(definition(step.index));
+      case LimbStep::Kind::stored:
+        return stored_step(schedule_.statements[static_cast<std::size_t>(step.index)]).code;
+      case LimbStep::Kind::limbs:
+        return limbs_->definition(step.index);
+      case LimbStep::Kind::gathered:
+        return limbs_->gathered(step.index);
+      case LimbStep::Kind::taken:
+        break;
+    }
+    return limbs_->taken(step.index);
   }
 
   // Writes the same statements as several functions. The first ones read all inputs.
@@ -228,7 +256,7 @@ class BodyWriter {
     std::vector<std::string> items;
     for (std::size_t k = 0; k < inputs_.size(); ++k) {
       const NodeId input = find_input(inputs_[k]);
-      if (is_used_by_itself(input)) {
+      if (limbs_ ? limbs_->reads(input) : is_used_by_itself(input)) {
         items.push_back(variable(input) + " = " + access_of_input(inputs_[k], scope_.parameters, dialect_));
       }
       const bool last_of_kind = k + 1 == inputs_.size() || inputs_[k + 1].kind != inputs_[k].kind;
@@ -277,7 +305,7 @@ class BodyWriter {
   std::string sines_and_cosines() const {
     std::vector<std::string> variables;
     for (const Statement& statement : schedule_.statements) {
-      if (!is_angle_function(statement)) continue;
+      if (!is_angle_function(statement) || (limbs_ && !limbs_->reads(statement.node))) continue;
       variables.push_back(variable(statement.node) + " = " + angle_function(statement.node));
     }
     return variables.empty() ? "" : list_line(dialect_.constant(), variables, ";", kStatementIndent);
@@ -292,6 +320,13 @@ class BodyWriter {
   PartSource given_angle_function(NodeId id) const {
     const char* array = function_.graph[id].op == Op::sin ? "sine" : "cosine";
     return {fmt::format("{}[{}]", array, angle_index(function_.graph, id, scope_)), array};
+  }
+
+  // An input, a sine or a cosine that is read.
+  std::string given_text(NodeId id) const {
+    const Node& node = function_.graph[id];
+    if (node.op != Op::input) return given_angle_function(id).text;
+    return access_of_input(node.input, scope_.parameters, dialect_);
   }
 
   NodeId find_input(const Input& input) const {
@@ -313,19 +348,17 @@ class BodyWriter {
     std::vector<PartStep> steps;
     for (const Statement& statement : schedule_.statements) {
       if (is_angle_function(statement)) continue;
-      if (statement.targets.empty()) {
-        steps.push_back(definition(statement.node));
-      } else if (returns_value(function_)) {
-        steps.push_back(give_back(statement.node, of_parts));
-      } else {
-        steps.push_back(store(statement));
-      }
+      steps.push_back(statement.targets.empty() ? definition(statement.node) : stored_step(statement, of_parts));
     }
     return steps;
   }
 
+  PartStep stored_step(const Statement& statement, bool of_parts = false) const {
+    return returns_value(function_) ? give_back(statement.node, of_parts) : store(statement);
+  }
+
   PartStep give_back(NodeId id, bool by_part) const {
-    const std::string value = printer_.use(id);
+    const std::string value = stored_value(id);
     const std::string code =
         by_part ? fmt::format("{} = {};", dialect_.number_use(kResult), value) : fmt::format("return {};", value);
     return {code_line(code, kStatementIndent), {}, variables_used(id), {kResult}};
@@ -359,10 +392,12 @@ class BodyWriter {
     return found;
   }
 
+  std::string stored_value(NodeId id) const { return limbs_ ? limbs_->stored(id) : printer_.use(id); }
+
   // The statement that stores a value: "B[1] = B[7] = b_12;".
   PartStep store(const Statement& statement) const {
     constexpr std::size_t kMostTargets = 8;
-    const std::string value = printer_.use(statement.node);
+    const std::string value = stored_value(statement.node);
     PartStep step{"", {}, variables_used(statement.node), {}};
     std::string code;
     const std::vector<Target>& targets = statement.targets;
@@ -399,17 +434,23 @@ class BodyWriter {
   std::vector<Input> inputs_;
   std::vector<bool> is_fused_;  // by node
   Schedule schedule_;
+  std::optional<LimbPlan> limb_plan_;
   std::vector<std::string> output_names_;
   VariableNames variables_;
   ExpressionPrinter printer_;
   ValidityText validity_;
-  std::set<int> angles_;  // indices of the angles whose sines or cosines are used
+  std::optional<LimbText> limbs_;  // if limbs are computed together
+  std::set<int> angles_;           // indices of the angles whose sines or cosines are used
 };
 
 }  // namespace
 
 FunctionBody function_body(const Function& function, const std::string& name, const HeaderScope& scope) {
-  return BodyWriter(function, name, scope).body();
+  FunctionBody body = BodyWriter(function, name, scope).body();
+  if (!body.uses_limbs || !body.is_too_long) return body;
+  HeaderScope apart = scope;
+  apart.limbs.clear();
+  return BodyWriter(function, name, apart).body();
 }
 
 }  // namespace flatdyn

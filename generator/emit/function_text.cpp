@@ -36,6 +36,7 @@ class FunctionWriter {
     text.uses_sign = body_.uses_sign;
     text.uses_sqrt = body_.uses_sqrt;
     text.uses_fma = body_.uses_fma;
+    text.uses_limbs = body_.uses_limbs;
     text.uses_trigonometry = body_.uses_trigonometry();
     dialect_.declare(text, {body_, scope_, arguments(), sin_cos_variant_name});
     return text;

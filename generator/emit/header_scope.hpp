@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "emit/dialect.hpp"
+#include "emit/limbs.hpp"
 #include "graph/rational.hpp"
 
 namespace flatdyn {
@@ -34,6 +35,7 @@ struct HeaderScope {
   std::vector<std::string> stored;         // and the names of the stage's fields, by index
   std::string made;                        // for a function that makes a stage, the name of that stage,
   std::vector<std::string> fields;         // and the names of its fields
+  std::vector<Limbs> limbs;                // that are computed together, a limb in each lane; empty: each by itself
 
   std::size_t angle_count() const { return static_cast<std::size_t>(positions) + angles.size(); }
 };

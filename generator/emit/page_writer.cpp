@@ -78,6 +78,7 @@ class PageWriter {
     write_angles(header);
     header["uses_sign"] = content_.uses_sign;
     header["uses_sqrt"] = content_.uses_sqrt;
+    header["uses_limbs"] = content_.uses_limbs;
     header["uses_fma"] = content_.uses_fma;
     header["uses_trigonometry"] = content_.uses_trigonometry;
     header["own_sines?"] = content_.uses_trigonometry && options_.sines == Sines::polynomials;
@@ -97,6 +98,7 @@ class PageWriter {
     scope_.fuses = options_.fuses;
     scope_.most_lines = options_.most_lines;
     scope_.proven_positions = positions_of_inertia_bound(mechanism_);
+    if (options_.limbs_in_lanes && dialect_.has_limbs()) scope_.limbs = limbs_of(mechanism_);
     scope_.names = names_.taken;
     for (const std::string& part : parts_of_namespace(namespace_)) scope_.names.insert(part);
     NameTable members({"Scalar", "Parameters", "Real", "restrict"});
@@ -266,6 +268,7 @@ class PageWriter {
     content_.uses_sign = content_.uses_sign || text.uses_sign;
     content_.uses_sqrt = content_.uses_sqrt || text.uses_sqrt;
     content_.uses_fma = content_.uses_fma || text.uses_fma;
+    content_.uses_limbs = content_.uses_limbs || text.uses_limbs;
     content_.uses_trigonometry = content_.uses_trigonometry || text.uses_trigonometry;
   }
 

@@ -8,6 +8,7 @@
 #include "flatdyn/interface.hpp"
 #include "readback/file_known_answer.hpp"
 #include "readback/patterns_cpp.hpp"
+#include "readback/patterns_limbs.hpp"
 
 namespace flatdyn {
 
@@ -27,6 +28,7 @@ void CppFile::file() {
   require_helper("sign()", has_sign_, uses({"detail", "::", "sign"}));
   require_helper("sqrt()", has_sqrt_, uses({"detail", "::", "sqrt"}));
   require_helper("MultiplyAdd", has_fma_, uses({"MultiplyAdd", "<", "Scalar", ">", "fma"}));
+  require_helper("Limbs", has_limbs_, uses({"detail", "::", "Limbs", "<", "Scalar"}));
   require_helper("LibrarySinCos", has_sines_, uses({"sin_cos"}));
 }
 
@@ -63,6 +65,7 @@ void CppFile::source() {
   has_sign_ = accept(kCppSign);
   has_sqrt_ = accept(kCppSqrt);
   has_fma_ = accept(kCppMultiplyAdd);
+  has_limbs_ = accept(kCppLimbs);
   if (has_sines_ && has_polynomials()) {
     expect(kCppPolynomials);
     expect(kCppPolynomialSinesDefined);
@@ -130,6 +133,7 @@ void CppFile::helpers() {
     has_sign_ = accept(kCppSign);
     has_sqrt_ = accept(kCppSqrt);
     has_fma_ = accept(kCppMultiplyAdd);
+    has_limbs_ = accept(kCppLimbs);
     expect(kCppInterface);
   }
   has_sines_ = accept(kCppLibrarySines);

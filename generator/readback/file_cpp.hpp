@@ -59,7 +59,7 @@ class CppFile : public FileReader {
 
   bool is_pair() const { return contents_.form == Form::pair; }
 
-  bool has_sign_ = false, has_sqrt_ = false, has_fma_ = false, has_sines_ = false;
+  bool has_sign_ = false, has_sqrt_ = false, has_fma_ = false, has_limbs_ = false, has_sines_ = false;
   std::vector<Known> known_;   // functions by themselves and members of stages, in the order of the text
   std::vector<Known> makers_;  // functions that make stages
 };

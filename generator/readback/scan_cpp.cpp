@@ -63,6 +63,8 @@ class CppScanner : TokenCursor {
     ++at_;
     if (is("struct")) {
       structure();
+    } else if (is("using")) {
+      skip_past(";");
     } else {
       function();
     }

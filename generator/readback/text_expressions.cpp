@@ -82,7 +82,7 @@ int TextReader::factor() {
     expect("(");
     return function_call(function);
   }
-  if (notation_.is_cpp && locals_.count("fma") != 0 && accept("fma")) {
+  if (notation_.is_cpp && lane_ == kNoLane && locals_.count("fma") != 0 && accept("fma")) {
     expect("(");
     return multiply_add();
   }
@@ -119,9 +119,9 @@ int TextReader::same_in_all_lanes() {
 
 // Reads the argument of sign or sqrt, after the opening bracket.
 int TextReader::function_call(const std::string& function) {
-  if (function == "sign") return lines_.sign(in_brackets());
+  if (function == "sign") return lines_.sign(scalar_in_brackets());
   if (function != "sqrt") fail("an unknown function");
-  return lines_.sqrt(in_brackets());
+  return lines_.sqrt(scalar_in_brackets());
 }
 
 // Reads .sin(q[2]), .cos(0.5 * q[2]), .sign(sum) or .sqrt(sum).
@@ -191,6 +191,8 @@ int TextReader::plain_literal() {
 
 // Reads a variable, an entry of an array, a parameter, or a value that a stage has stored.
 int TextReader::named_value(const std::string& name) {
+  const auto limbs = limbs_.find(name);
+  if (limbs != limbs_.end() && current_ == &written_) return value_of_limb(limbs->second);
   if (accept("[")) {
     const int entry = index();
     expect("]");

@@ -156,8 +156,8 @@ void TextReader::refuse_known(const std::string& name) const {
   const auto fields = text_.fields_.find(current_->member_of);
   const bool is_field = fields != text_.fields_.end() &&
                         std::find(fields->second.begin(), fields->second.end(), name) != fields->second.end();
-  if (!is_name(name) || is_visible(name) || variables_.count(name) != 0 || is_field || is_taken_by_language(name) ||
-      text_.parts_.count(name) != 0) {
+  if (!is_name(name) || is_visible(name) || variables_.count(name) != 0 || limbs_.count(name) != 0 ||
+      types_of_limbs_.count(name) != 0 || is_field || is_taken_by_language(name) || text_.parts_.count(name) != 0) {
     fail("a name that means something else");
   }
 }

@@ -95,6 +95,14 @@ class TextReader {
   void zero();
   void require_all_checked() const;
 
+  // Limbs that are computed together.
+  void type_of_limbs();
+  void limbs();
+  std::vector<int> gathered_limbs(int lanes);
+  std::vector<int> computed_limbs(int lanes);
+  int value_of_limb(const std::vector<int>& values);
+  int scalar_in_brackets();
+
   // Expressions.
   int sum();
   int product();
@@ -114,6 +122,7 @@ class TextReader {
   int written_entry(const std::string& name, int entry) const;
 
   static constexpr const char* kReturned = "returned";  // the entry of this array is the value returned
+  static constexpr int kNoLane = -1;                    // a scalar is read
   static constexpr int kPosition = -1;                  // stands for an angle that is an entry of q
 
   const EmittedText& text_;
@@ -129,6 +138,10 @@ class TextReader {
   bool asked_for_sines_ = false, has_written_ = false;  // whether an entry of an output is written
   std::set<int> angles_asked_, angles_read_;            // whose sine and cosine are computed, and read
   std::set<std::pair<std::string, int>> finite_;        // entries that are checked to be finite
+
+  std::map<std::string, int> types_of_limbs_;      // their lanes, by name
+  std::map<std::string, std::vector<int>> limbs_;  // variables, with an operation for each lane
+  int lane_ = kNoLane, lanes_ = 0, limbs_named_ = 0;
 
   // The state of the function that is carried out:
   const ScannedFunction* current_ = nullptr;

@@ -22,6 +22,11 @@ void TextReader::statement() {
     go_on_with_conditions();
   } else if (is("const") && word(3) == "new") {
     new_arrays();
+  } else if (is("using")) {
+    type_of_limbs();
+  } else if (is("const") && current_ == &written_ && types_of_limbs_.count(word(1)) != 0) {
+    expect("const");
+    limbs();
   } else if (accept("const")) {
     if (notation_.names_types) expect(notation_.scalar);
     definitions();

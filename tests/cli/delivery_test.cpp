@@ -89,6 +89,9 @@ TEST(Pair, IsOfCppOnly) {
   EXPECT_THAT(refused("--form pair --python"), HasSubstr("--form: C has one form only"));
   EXPECT_THAT(refused("--form pair --language javascript"), HasSubstr("--form: JavaScript has one form only"));
   EXPECT_THAT(refused("--fma --language javascript"), HasSubstr("--fma: JavaScript has no fused multiply-add"));
+  EXPECT_THAT(refused("--limbs lanes --language c"), HasSubstr("--limbs lanes: not in C"));
+  EXPECT_THAT(refused("--limbs lanes --python"), HasSubstr("--limbs lanes: not in C"));
+  EXPECT_THAT(refused("--limbs lanes --fma"), HasSubstr("--limbs lanes: not with fused multiply-adds"));
   EXPECT_THAT(refused("--fma --python"), HasSubstr("--fma: the module for Python is without"));
   EXPECT_THAT(refused("--fma --firmware cortex-m4 --scalar double"), HasSubstr("fused multiply-adds in float only"));
   EXPECT_THAT(refused("--scalar double,float"), HasSubstr("use --form pair"));

@@ -45,27 +45,10 @@ std::vector<std::string> cpp_example(const CodeContent& content) {
 }  // namespace
 
 std::vector<std::string> CppDialect::reserved() const {
-  return {"Scalar",
-          "Real",
-          "Parameters",
-          "SinCos",
-          "Joints",
-          "LibrarySinCos",
-          "PolynomialSinCos",
-          "GivenSinCos",
-          "DefaultSinCos",
-          "at",
-          "Configuration",
-          "Motion",
-          "detail",
-          "functions",
-          "std",
-          "sin",
-          "cos",
-          "fma",
-          "joint_count",
-          "joint_names",
-          "rounding_is_as_written"};
+  return {"Scalar",           "Real",        "Parameters",    "SinCos",      "Joints",        "LibrarySinCos",
+          "PolynomialSinCos", "GivenSinCos", "DefaultSinCos", "at",          "Configuration", "Motion",
+          "detail",           "functions",   "std",           "sin",         "cos",           "fma",
+          "Limbs2",           "Limbs4",      "Limbs8",        "joint_count", "joint_names",   "rounding_is_as_written"};
 }
 
 std::string CppDialect::literal(const Rational& value) const { return "Scalar(" + decimal_literal(value) + ")"; }
@@ -80,6 +63,10 @@ std::string CppDialect::sqrt(const std::string& of) const { return "detail::sqrt
 
 std::string CppDialect::fused_begin() const {
   return code_line("constexpr detail::MultiplyAdd<Scalar> fma{};", kStatementIndent);
+}
+
+std::string CppDialect::limbs_definition(int lanes) const {
+  return fmt::format("using {0}{1} = detail::{0}<Scalar, {1}>;", kLimbs, lanes);
 }
 
 std::string CppDialect::filled_sines(const std::set<int>& angles, const HeaderScope& scope) const {
@@ -136,6 +123,9 @@ void CppDialect::write_page(data& page, const CodeContent& content) const {
   page["header_sign?"] = content.uses_sign && !is_pair();
   page["header_sqrt?"] = content.uses_sqrt && !is_pair();
   page["header_fma?"] = content.uses_fma && !is_pair();
+  page["header_limbs?"] = content.uses_limbs && !is_pair();
+  page["limb_operators"] = list_of({"+", "-", "*", "/"});
+  page["limbs_type"] = without_newline(rendered(templates::limbs_hpp, page));
   page["multiply_add"] = without_newline(rendered(templates::multiply_add_hpp, page));
   page["header_angles?"] = content.uses_trigonometry && !content.scope.angles.empty() && !is_pair();
   page["polynomial_sines"] = without_newline(rendered(templates::polynomial_sines_hpp, page));

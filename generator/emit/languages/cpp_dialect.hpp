@@ -31,6 +31,8 @@ class CppDialect : public PageDialect {
   std::string number_use(const std::string& name) const override { return name; }
   std::string stage_type(const std::string& stage) const override { return stage + "<Scalar>"; }
   std::string part_begin(const std::string& name) const override { return "static void " + name + "("; }
+  bool has_limbs() const override { return true; }
+  std::string limbs_definition(int lanes) const override;
   std::string before_part() const override { return "template <class Scalar>\n"; }
   std::string function_end() const override { return ") noexcept {"; }
   std::string part_call(const std::string& name) const override { return "detail::" + name + "("; }

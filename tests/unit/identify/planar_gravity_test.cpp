@@ -14,6 +14,7 @@
 namespace flatdyn {
 namespace {
 
+using Eigen::Vector3d;
 using ::testing::HasSubstr;
 using testing::SimulatedSample;
 
