@@ -124,14 +124,16 @@ std::string header_of(const AbbreviatedFunctions& functions) {
   return cpp_identifier("robot " + functions.budget) + ".hpp";
 }
 
-bool has_fused(const BenchSubject& subject) {
+// Whether a variant has this property.
+bool has_any(const BenchSubject& subject, bool BenchVariant::*property) {
   return std::any_of(subject.variants.begin(), subject.variants.end(),
-                     [](const BenchVariant& variant) { return variant.fuses; });
+                     [property](const BenchVariant& variant) { return variant.*property; });
 }
 
 data headers_of_robot(const BenchSubject& subject) {
   std::vector<std::string> names = {"robot.hpp"};
-  if (has_fused(subject)) names.emplace_back(kFusedHeader);
+  if (has_any(subject, &BenchVariant::fuses)) names.emplace_back(kFusedHeader);
+  if (has_any(subject, &BenchVariant::has_lanes)) names.emplace_back(kLimbsHeader);
   for (const AbbreviatedFunctions& each : subject.abbreviated) names.push_back(header_of(each));
   return list_of(names);
 }
@@ -189,7 +191,13 @@ std::vector<SourceFile> bench_sources(const BenchSubject& subject) {
     emit.name_space = name_space_of_budget(each.budget);
     files.push_back({header_of(each), emit_cpp(subject.mechanism, each.functions, emit)});
   }
-  if (has_fused(subject)) {
+  if (has_any(subject, &BenchVariant::has_lanes)) {
+    emit.name_space = kLimbsNamespace;
+    emit.limbs_in_lanes = true;
+    files.push_back({kLimbsHeader, emit_cpp(subject.mechanism, subject.functions, emit)});
+    emit.limbs_in_lanes = false;
+  }
+  if (has_any(subject, &BenchVariant::fuses)) {
     emit.name_space = kFusedNamespace;
     emit.fuses = true;
     files.push_back({kFusedHeader, emit_cpp(subject.mechanism, subject.functions, emit)});

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bench/calls.hpp"
+#include "emit/limbs.hpp"
 #include "model/identifiers.hpp"
 
 namespace flatdyn {
@@ -44,7 +45,10 @@ std::optional<CalledFunction> with_budget(const BenchSubject& subject, const std
 
 std::string name_space_of_budget(const std::string& budget) { return in_robot(cpp_identifier("budget " + budget)); }
 
-std::string name_space_of(const BenchVariant& variant) { return variant.fuses ? kFusedNamespace : kBenchNamespace; }
+std::string name_space_of(const BenchVariant& variant) {
+  if (variant.has_lanes) return kLimbsNamespace;
+  return variant.fuses ? kFusedNamespace : kBenchNamespace;
+}
 
 CalledFunction whole_function(const Function& function, const BenchVariant& variant) {
   const std::string scope = name_space_of(variant);
@@ -55,6 +59,7 @@ std::optional<CalledFunction> called_function(const BenchSubject& subject, std::
   const Function& whole = subject.functions[k];
   if (!is_made(variant, whole, subject.toolchain.has_xsimd)) return std::nullopt;
   if (variant.is_packed && !can_be_packed(whole)) return std::nullopt;
+  if (variant.has_lanes && limbs_of(subject.mechanism).empty()) return std::nullopt;
   if (variant.call_mode == CallMode::staged) return member(subject.stages, whole.name);
   const std::string budget = variant.budget;
   if (!budget.empty()) return with_budget(subject, whole.name, budget);

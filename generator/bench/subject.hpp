@@ -54,6 +54,8 @@ std::optional<CalledFunction> called_function(const BenchSubject& subject, std::
 
 // The namespace of the functions with fused multiply-adds, and their header.
 inline constexpr const char *kFusedNamespace = "robot::fused", *kFusedHeader = "robot_fused.hpp";
+// The same of functions with limbs in the lanes of vectors.
+inline constexpr const char *kLimbsNamespace = "robot::limbs", *kLimbsHeader = "robot_limbs.hpp";
 // The namespace of a budget's functions: "robot::budget_0_1_".
 std::string name_space_of_budget(const std::string& budget);
 

@@ -14,6 +14,8 @@ const std::vector<BenchVariant>& bench_variants() {
       {"double-staged", "double", CallMode::staged, SinCosSource::own},
       {"double-fma", "double", CallMode::single, SinCosSource::own, "", false, true},
       {"double-fma-given", "double", CallMode::single, SinCosSource::given, "", false, true},
+      {"double-limbs", "double", CallMode::single, SinCosSource::own, "", false, false, true},
+      {"double-limbs-given", "double", CallMode::single, SinCosSource::given, "", false, false, true},
       {"double-0.01%", "double", CallMode::single, SinCosSource::own, "0.01%"},
       {"double-0.1%", "double", CallMode::single, SinCosSource::own, "0.1%"},
       {"double-1%", "double", CallMode::single, SinCosSource::own, "1%"},

@@ -24,6 +24,7 @@ struct BenchVariant {
   const char* budget = "";  // error budget by which the function is abbreviated; "": none
   bool is_packed = false;   // a batch without the zeros and the mirrored entries of matrices
   bool fuses = false;       // whether the function is one with fused multiply-adds
+  bool has_lanes = false;   // whether limbs alike are computed in the lanes of vectors
 };
 
 // All variants. The times of the others are compared with the first one's.

@@ -59,11 +59,13 @@ class Finder {
   // The limb and the place in it of an input's joint; the place is -1 if it belongs to no limb.
   std::pair<Place, int> place_of_input(const Input& input) const {
     const bool is_of_joint = input.kind != InputKind::h_e && input.kind != InputKind::parameter &&
-                             input.kind != InputKind::pi_b && input.kind != InputKind::stored;
+                             input.kind != InputKind::pi_b && input.kind != InputKind::g_b &&
+                             input.kind != InputKind::stored;
     for (std::size_t set = 0; set < sets_.size() && is_of_joint; ++set) {
       for (int limb = 0; limb < sets_[set].count(); ++limb) {
         const std::vector<int>& joints = entry(sets_[set].joints, limb);
-        const auto found = std::find(joints.begin(), joints.end(), input.index);
+        const int joint = input.index - (input.kind == InputKind::q ? 0 : sets_[set].base_velocities);
+        const auto found = std::find(joints.begin(), joints.end(), joint);
         if (found != joints.end()) {
           return {{static_cast<int>(set), limb}, static_cast<int>(found - joints.begin())};
         }

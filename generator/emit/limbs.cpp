@@ -43,12 +43,12 @@ class Tree {
   }
 
   void add_joints(int body, std::vector<int>& joints) const {
-    joints.push_back(body);
+    joints.push_back(body - mechanism_.base_bodies());
     for (const int child : children(body)) add_joints(child, joints);
   }
 
   Limbs set_of(const std::vector<int>& roots) const {
-    Limbs set;
+    Limbs set{{}, mechanism_.base_bodies()};
     for (const int root : roots) add_joints(root, set.joints.emplace_back());
     return set;
   }
@@ -66,7 +66,7 @@ int Limbs::lanes() const {
 
 std::vector<Limbs> limbs_of(const Mechanism& mechanism) {
   std::vector<Limbs> sets;
-  if (!mechanism.is_coupled() && !mechanism.has_loops()) Tree(mechanism).add_sets(-1, sets);
+  if (!mechanism.is_coupled() && !mechanism.has_loops()) Tree(mechanism).add_sets(mechanism.base_bodies() - 1, sets);
   return sets;
 }
 

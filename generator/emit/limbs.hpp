@@ -11,6 +11,7 @@ namespace flatdyn {
 
 struct Limbs {
   std::vector<std::vector<int>> joints;  // by limb: the entries of q, in the same order in each
+  int base_velocities = 0;               // the entries of v before those of joints
 
   int count() const { return static_cast<int>(joints.size()); }
   // The lanes of a vector with a number of each limb: a power of two. The last limb fills those that are left.

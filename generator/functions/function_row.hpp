@@ -55,6 +55,7 @@ struct FunctionTraits {
   bool uses_base_parameters = false;     // whether it has a column or an entry per base parameter
   bool is_all_or_nothing = false;        // whether its entries cannot be compared one by one with the definition
   bool depends_on_gravity_only = false;  // whether inertia and friction do not change it
+  bool needs_floating_base = false;      // whether it is there for robots with a floating base only
   bool needs_fixed_base = false;         // whether it is not there for robots with a floating base
 };
 
@@ -71,7 +72,8 @@ struct FunctionRow {
 
   // Whether the function applies to the robot.
   bool applies_to(const Mechanism& mechanism) const {
-    return (!traits.needs_loops || mechanism.has_loops()) && !(traits.needs_fixed_base && mechanism.floating_base);
+    const bool has_base = mechanism.floating_base ? !traits.needs_fixed_base : !traits.needs_floating_base;
+    return has_base && (!traits.needs_loops || mechanism.has_loops());
   }
   // The arguments for this robot: with a floating base v and a for q̇ and q̈, and g_b if there is gravity.
   std::vector<InputKind> inputs_for(const Mechanism& mechanism) const;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "definition/centroidal_definitions.hpp"
 #include "definition/derivative_definitions.hpp"
 #include "definition/dynamics_definitions.hpp"
 #include "definition/kinematics_definitions.hpp"
@@ -12,6 +13,7 @@
 #include "definition/operational_definitions.hpp"
 #include "definition/regressor_definitions.hpp"
 #include "diagnostics/diagnostics.hpp"
+#include "reference/centroidal_references.hpp"
 #include "reference/derivative_references.hpp"
 #include "reference/dynamics_references.hpp"
 #include "reference/kinematics_references.hpp"
@@ -19,6 +21,7 @@
 #include "reference/operational_references.hpp"
 #include "reference/regressor_references.hpp"
 #include "symbolic/dynamics/acceleration_functions.hpp"
+#include "symbolic/dynamics/centroidal_functions.hpp"
 #include "symbolic/dynamics/derivative_functions.hpp"
 #include "symbolic/dynamics/energy_functions.hpp"
 #include "symbolic/dynamics/inertia_functions.hpp"
@@ -255,6 +258,34 @@ const std::vector<FunctionRow> kRows = {
      .definition = definitions::null_space_torque,
      .reference = references::null_space_torque,
      .traits = {.on_request = true, .divides_by_pivots = true, .uses_task = true, .needs_fixed_base = true}},
+    {.name = "centroidal_momentum_matrix",
+     .summary = "A_G: A_G v is the momentum, and its moment about the centre of mass",
+     .equation = "",
+     .inputs = {q},
+     .outputs = {matrix("A_G", Extent::six, Extent::joints, OutputQuantity::momentum_per_rate)},
+     .derivation = {.from_choices = derive_centroidal_momentum_matrix},
+     .definition = definitions::centroidal_momentum_matrix,
+     .reference = references::centroidal_momentum_matrix,
+     .traits = {.on_request = true, .needs_floating_base = true}},
+    {.name = "centroidal_bias",
+     .summary = "(dA_G/dt) v: A_G a + (dA_G/dt) v is the sum of all forces, and of their moments",
+     .equation = "",
+     .inputs = {q, qd},
+     .outputs = {vector("b_G", Extent::six, OutputQuantity::force_and_moment)},
+     .derivation = {.from_choices = derive_centroidal_bias},
+     .definition = definitions::centroidal_bias,
+     .reference = references::centroidal_bias,
+     .traits = {.on_request = true, .needs_floating_base = true}},
+    {.name = "centre_of_mass",
+     .summary = "Centre of mass of a robot with a floating base, and the Jacobian of its velocity",
+     .equation = "",
+     .inputs = {q},
+     .outputs = {vector("r_G", Extent::three, OutputQuantity::position),
+                 matrix("J_G", Extent::three, Extent::joints, OutputQuantity::tip_jacobian)},
+     .derivation = {.from_choices = derive_centre_of_mass},
+     .definition = definitions::centre_of_mass,
+     .reference = references::centre_of_mass,
+     .traits = {.on_request = true, .needs_floating_base = true}},
     {.name = "regressor",
      .summary = "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint, of its link with the rotors that it "
                 "carries, in and about the frame that flatdyn inspect shows",

@@ -111,6 +111,10 @@ class OutputUnits {
         return joint(row) * kPerSquareSecond / torque(col);
       case OutputQuantity::tip_jacobian:
         return direction(static_cast<int>(row)) / joint(col);
+      case OutputQuantity::momentum_per_rate:
+        return kInertia / (direction(static_cast<int>(row)) * joint(col));
+      case OutputQuantity::force_and_moment:
+        return kEnergy / direction(static_cast<int>(row));
       case OutputQuantity::task_inertia:
         return kInertia / (task_direction(row) * task_direction(col));
       case OutputQuantity::task_force:

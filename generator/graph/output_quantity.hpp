@@ -29,6 +29,8 @@ enum class OutputQuantity {
   loop_gap_per_position,      // its derivative by a joint position
   parameter,                  // an inertial or friction parameter, or a sum of them
   torque_per_parameter,       // a column per parameter
+  momentum_per_rate,          // a momentum, then a moment of momentum, by joint rates
+  force_and_moment,           // three entries of each
 };
 
 }  // namespace flatdyn

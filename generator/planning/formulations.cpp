@@ -46,6 +46,11 @@ Request parsed(const Mechanism& mechanism, const std::string& name) {
                   fmt::format("function \"{}\" is not supported for robots with a floating base", request.row->name),
                   "leave it out of --functions, or fix the base");
   }
+  if (request.row->traits.needs_floating_base && !mechanism.floating_base) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("function \"{}\" is one of robots with a floating base", request.row->name),
+                  "let the base move: --base floating");
+  }
   if (colon == std::string::npos) return request;
   if (request.row->derivation.of_link == nullptr) {
     throw Failure(ExitCode::usage, fmt::format("function \"{}\" is not one of a link", request.row->name),

@@ -71,7 +71,7 @@ data argument_rows(const State& like) {
 std::vector<BenchVariant> stress_variants() {
   std::vector<BenchVariant> variants;
   for (const BenchVariant& variant : bench_variants()) {
-    const bool is_whole = variant.call_mode != CallMode::staged && !variant.is_packed;
+    const bool is_whole = variant.call_mode != CallMode::staged && !variant.is_packed && !variant.has_lanes;
     if (is_whole && *variant.budget == '\0') variants.push_back(variant);
   }
   return variants;
