@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "input/common/sources.hpp"
 #include "model/robot.hpp"
@@ -18,6 +19,7 @@ struct ReadOptions {
   std::string scene_file;                         // --scene; empty: none
   Scene scene;                                    // --gravity, --fix: goes before what the scene file says
   std::shared_ptr<Sources> sources = std::make_shared<Sources>();  // of the texts; --xacro
+  std::vector<std::string> ignored = {};  // --ignore: elements and attributes of MJCF files that are left out
 };
 
 // A number smaller than this fraction of its neighbours is dust: 1e-9, or less if that is asked of angles.
