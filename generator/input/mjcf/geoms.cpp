@@ -41,7 +41,7 @@ class GeomReader {
  private:
   // Whether its group is among those that count, and it has a mass.
   bool counts() const {
-    const auto group = static_cast<int>(nearest_double(values_.number_or(item_, "group", 0).number));
+    const double group = nearest_double(values_.number_or(item_, "group", 0).number);
     if (group < model_.settings.inertia_groups[0] || group > model_.settings.inertia_groups[1]) return false;
     const std::optional<Value> mass = values_.number(item_, "mass");
     return !vanishes(mass ? mass->number : values_.number_or(item_, "density", kWater).number);

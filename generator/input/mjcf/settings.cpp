@@ -48,7 +48,7 @@ void read_eulerseq(const MjcfItem& compiler, const MjcfValues& values, MjcfSetti
 void read_groups(const MjcfItem& compiler, const MjcfValues& values, MjcfSettings& settings) {
   const auto groups = values.numbers(compiler, "inertiagrouprange", 2, 2);
   if (!groups) return;
-  for (std::size_t i = 0; i < 2; ++i) settings.inertia_groups[i] = static_cast<int>(nearest_double(groups->numbers[i]));
+  for (std::size_t i = 0; i < 2; ++i) settings.inertia_groups[i] = nearest_double(groups->numbers[i]);
 }
 
 void read_compiler(const MjcfElement& root, const MjcfValues& values, MjcfSettings& settings) {

@@ -13,7 +13,7 @@ struct MjcfSettings {
   std::string euler_sequence = "xyz";  // small letters: about axes that turn along; capital ones: about the parent's
   bool automatic_limits = true;        // a range says that it limits
   InertiaFromGeom inertia_from_geom = InertiaFromGeom::where_missing;
-  std::array<int, 2> inertia_groups = {0, 5};  // groups of geoms that count for inertia
+  std::array<double, 2> inertia_groups = {0, 5};  // groups of geoms that count for inertia
   std::optional<Value> least_mass, least_inertia;
   std::optional<Value> total_mass;  // masses and inertias are scaled to it
   bool balances_inertia = false;
