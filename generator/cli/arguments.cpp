@@ -205,6 +205,12 @@ void RobotArguments::add_settings_to(CLI::App& command) {
       ->allow_extra_args(false)
       ->check([](const std::string& text) { return text.find(":=") == std::string::npos ? "write NAME:=VALUE" : ""; })
       ->type_name("ARGUMENT");
+  command
+      .add_option("--ignore", ignored,
+                  "leave out elements, or attributes, of this name of an MJCF file, such as tendon; may be repeated")
+      ->allow_extra_args(false)
+      ->check(kNotEmpty)
+      ->type_name("NAME");
   // The option -Werror as compilers spell it: CLI11 would read -W with the value "error".
   command
       .add_option_function<std::string>(
@@ -378,12 +384,14 @@ std::string RobotArguments::stamp_of_settings(const std::vector<OptimisedFunctio
                 {"--search", searched ? std::to_string(functions.front().search->candidates) : ""},
                 {"--tip", tip},
                 {"--fix", fmt::format("{}", fmt::join(fixed_joints, " --fix "))},
-                {"--xacro", fmt::format("{}", fmt::join(xacro, " --xacro "))}});
+                {"--xacro", fmt::format("{}", fmt::join(xacro, " --xacro "))},
+                {"--ignore", fmt::format("{}", fmt::join(ignored, " --ignore "))}});
 }
 
 std::vector<std::string> RobotArguments::settings(const LoadedRobot& model) const {
-  if (model.robot.file == kStandardInput || !xacro.empty()) {
-    throw Failure(ExitCode::usage, "a robot file cannot name a robot that comes from stdin, or with --xacro",
+  if (model.robot.file == kStandardInput || !xacro.empty() || !ignored.empty()) {
+    throw Failure(ExitCode::usage,
+                  "a robot file cannot name a robot that comes from stdin, or with --xacro or --ignore",
                   "write the robot to a file first: xacro FILE NAME:=VALUE > robot.urdf");
   }
   const Scene& wanted = model.robot.scene;
@@ -440,6 +448,7 @@ PipelineOptions RobotArguments::options() const {
   PipelineOptions options;
   options.read.snap_tolerance = snap_option(snap);
   options.read.sources = std::make_shared<Sources>(xacro);
+  options.read.ignored = ignored;
   options.read.scene_file = scene;
   if (!gravity.empty()) options.read.scene.gravity = gravity_option(gravity);
   if (!error_budget.empty()) options.read.scene.error_budget = error_budget_option(error_budget);

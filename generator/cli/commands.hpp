@@ -27,6 +27,7 @@ struct RobotArguments : OutputStyle {
   std::string tip;
   std::vector<std::string> fixed_joints;
   std::vector<std::string> xacro;
+  std::vector<std::string> ignored;
   bool warnings_are_errors = false;
 
   void add_to(CLI::App& command);
@@ -49,7 +50,7 @@ struct RobotArguments : OutputStyle {
 };
 
 // The description of the robot argument in all subcommands.
-inline constexpr const char* kRobotMeaning = "robot file: URDF, xacro or TOML; - reads a URDF or TOML from stdin";
+inline constexpr const char* kRobotMeaning = "robot file: URDF, xacro, MJCF or TOML; - reads one but a xacro from stdin";
 
 // A check for options that are names.
 inline const CLI::Validator kNotEmpty([](const std::string& text) { return text.empty() ? "it is empty" : ""; }, "");

@@ -8,11 +8,11 @@
 #include "input/common/context.hpp"
 #include "input/common/units.hpp"
 #include "input/common/xacro.hpp"
+#include "input/mjcf/reader.hpp"
 #include "input/scene_application.hpp"
 #include "input/scene_reader.hpp"
 #include "input/toml/held_joints.hpp"
 #include "input/toml/reader.hpp"
-#include "input/urdf/reader.hpp"
 #include "model/assembly.hpp"
 #include "model/coordinate_limits.hpp"
 #include "model/coupling.hpp"
@@ -119,7 +119,7 @@ void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   }
   Attachments attachments;
   if (source->kind == FileKind::urdf) {
-    read_urdf(*text, source->name, context, robot);
+    read_xml(*text, source->name, context, robot);
   } else {
     attachments = read_toml(*text, source->name, context, robot);
   }

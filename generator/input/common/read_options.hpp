@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "input/common/sources.hpp"
 #include "model/robot.hpp"
@@ -19,6 +20,7 @@ struct ReadOptions {
   Scene scene;                                    // --gravity, --fix: goes before what the scene file says
   std::optional<bool> floating_base;              // --base; without it the file decides
   std::shared_ptr<Sources> sources = std::make_shared<Sources>();  // of the texts; --xacro
+  std::vector<std::string> ignored = {};  // --ignore: elements and attributes of MJCF files that are left out
 };
 
 // A number smaller than this fraction of its neighbours is dust: 1e-9, or less if that is asked of angles.

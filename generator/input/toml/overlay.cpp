@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "diagnostics/nearest.hpp"
+#include "input/mjcf/reader.hpp"
 #include "input/toml/reader.hpp"
-#include "input/urdf/reader.hpp"
 
 namespace flatdyn {
 
@@ -68,7 +68,7 @@ class OverlayReader {
     if (!source) return {};
     robot_.files.push_back(path.string());
     if (kind == FileKind::toml) return read_toml(source->text, source->name, context_, robot_);
-    read_urdf(source->text, source->name, context_, robot_);
+    read_xml(source->text, source->name, context_, robot_);
     return {};
   }
 

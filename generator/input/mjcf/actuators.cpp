@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "input/mjcf/actuators.hpp"
+
+#include <algorithm>
+
+#include "input/mjcf/joints.hpp"
+#include "input/mjcf/names.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+Number smaller(const Number& a, const Number& b) { return nearest_double(a - b) < 0 ? a : b; }
+
+// The efforts of a joint's actuators; nullopt of one without a limit.
+using Efforts = std::vector<std::optional<Value>>;
+
+class ActuatorReader {
+ public:
+  explicit ActuatorReader(const MjcfModel& model) : model_(model), values_(model.values) {}
+
+  void read() {
+    for (const MjcfElement* section : model_.root.elements("actuator")) {
+      for (const MjcfElement& actuator : section->children) read_actuator(actuator);
+    }
+    for (const auto& [joint, efforts] : efforts_) limit(joint, efforts);
+  }
+
+ private:
+  void read_actuator(const MjcfElement& actuator) {
+    const MjcfItem item = values_.item(actuator, kMainClass, "actuator");
+    if (refuse_muscle(item)) return;
+    const MjcfAttribute* joint = actuator.attribute("joint");
+    if (joint == nullptr) joint = actuator.attribute("jointinparent");
+    if (joint == nullptr) {
+      tell_of_transmission(item);
+      return;
+    }
+    Joint* driven = joint_in(model_.robot, joint->text);
+    if (driven == nullptr) {
+      report_unknown(*joint, item);
+      return;
+    }
+    if (driven->type == JointType::fixed) return;
+    const auto gears = values_.numbers(item, "gear", 1, 6);
+    const Number gear = gears ? gears->numbers[0] : Number(1);
+    add_reflected(item, gear, *driven);
+    efforts_[joint->text].push_back(effort_of(item, gear));
+  }
+
+  // A joint that is held or of a type that is not supported has been spoken of.
+  void report_unknown(const MjcfAttribute& joint, const MjcfItem& item) {
+    const auto& names = model_.names_of_joints;
+    if (std::find(names.begin(), names.end(), joint.text) != names.end()) return;
+    report_missing_name(joint, item.what, "joint", joint_names(model_.robot), model_.diagnostics());
+  }
+
+  bool refuse_muscle(const MjcfItem& item) {
+    const bool is_muscle = item.element->name == "muscle" || values_.text(item, "dyntype") == "muscle" ||
+                           values_.text(item, "gaintype") == "muscle" || values_.text(item, "biastype") == "muscle";
+    if (is_muscle) {
+      refuse_mjcf(item.element->place, item.what + ": muscles are not supported", item.element->name, values_);
+    }
+    return is_muscle;
+  }
+
+  // Tendons have a message of their own.
+  void tell_of_transmission(const MjcfItem& item) {
+    if (item.element->attribute("tendon") != nullptr) return;
+    for (const char* other : {"site", "body", "slidersite", "cranksite"}) {
+      if (item.element->attribute(other) == nullptr) continue;
+      model_.diagnostics().note(item.element->place, item.what + ": it acts at a " + other + ": it is not read",
+                                "forces of actuators are read where they act on a joint",
+                                "actuators that do not act on a joint");
+      return;
+    }
+    if (!values_.context().options.ignored.empty()) return;
+    model_.diagnostics().error(item.element->place, item.what + " drives nothing", "write joint=\"...\"");
+  }
+
+  // Motors turn `gear` times as fast as their joint.
+  void add_reflected(const MjcfItem& item, const Number& gear, Joint& joint) {
+    const Number squared = gear * gear;
+    if (const auto armature = values_.number(item, "armature")) joint.armature.number += squared * armature->number;
+    const auto damping = values_.numbers(item, "damping", 1, 3);
+    if (!damping) return;
+    joint.viscous.number += squared * damping->numbers[0];
+    for (std::size_t k = 1; k < damping->numbers.size(); ++k) {
+      if (vanishes(damping->numbers[k])) continue;
+      refuse_mjcf(damping->spot.place, damping->spot.what + ": damping that is not linear is not supported", "damping",
+                  values_);
+      return;
+    }
+  }
+
+  std::optional<Value> effort_of(const MjcfItem& item, const Number& gear) {
+    std::optional<Value> force = mjcf_effort(item, "forcerange", "forcelimited", values_, model_.settings);
+    if (item.element->name == "motor") {  // its force is what it is told
+      const auto told = mjcf_effort(item, "ctrlrange", "ctrllimited", values_, model_.settings);
+      if (told) force = force ? Value{smaller(force->number, told->number), told->place} : *told;
+    }
+    if (force) force->number *= magnitude(gear);
+    return force;
+  }
+
+  // Actuators of one joint add up; one without a limit leaves the joint without.
+  void limit(const std::string& name, const Efforts& efforts) {
+    Joint& joint = *joint_in(model_.robot, name);
+    if (std::any_of(efforts.begin(), efforts.end(), [](const std::optional<Value>& each) { return !each; })) return;
+    Value whole{0, efforts.front()->place};
+    for (const std::optional<Value>& each : efforts) whole.number += each->number;
+    std::optional<Value>& effort = joint.limits.effort;
+    if (!effort || nearest_double(whole.number - effort->number) < 0) effort = whole;
+  }
+
+  const MjcfModel& model_;
+  const MjcfValues& values_;
+  std::map<std::string, Efforts> efforts_;
+};
+
+// The element that acts through a tendon; nullptr if nothing does.
+const MjcfElement* user_of(const std::string& tendon, const MjcfElement& root) {
+  for (const char* section : {"actuator", "equality"}) {
+    for (const MjcfElement* holder : root.elements(section)) {
+      for (const MjcfElement& child : holder->children) {
+        for (const char* key : {"tendon", "tendon1", "tendon2"}) {
+          if (child.text(key) == tendon) return &child;
+        }
+      }
+    }
+  }
+  return nullptr;
+}
+
+void refuse_tendon(const MjcfElement& tendon, const MjcfModel& model) {
+  const MjcfItem item = model.values.item(tendon, kMainClass, "tendon");
+  const std::string what = "tendon" + (tendon.text("name").empty() ? "" : " \"" + tendon.text("name") + "\"");
+  for (const char* key : {"stiffness", "damping", "frictionloss", "armature"}) {
+    const auto found = model.values.numbers(item, key, 1, 3);
+    const bool pulls = found && std::any_of(found->numbers.begin(), found->numbers.end(),
+                                            [](const Number& each) { return !vanishes(each); });
+    if (!pulls) continue;
+    refuse_mjcf(found->spot.place, what + ": its " + key + " is not supported", "tendon", model.values);
+    return;
+  }
+  if (const MjcfElement* user = user_of(tendon.text("name"), model.root); user && !tendon.text("name").empty()) {
+    refuse_mjcf(tendon.place, what + ": " + name_in_messages(*user) + " acts through it, which is not supported",
+                "tendon", model.values);
+  } else if (mjcf_is_limited(item, "range", "limited", model.values, model.settings)) {
+    model.diagnostics().note(tendon.place, what + ": its range is not read", "limits are read of joints",
+                             "limits of tendons that are not read");
+  }
+}
+
+}  // namespace
+
+void read_mjcf_actuators(const MjcfModel& model) { ActuatorReader(model).read(); }
+
+void refuse_mjcf_tendons(const MjcfModel& model) {
+  for (const MjcfElement* section : model.root.elements("tendon")) {
+    for (const MjcfElement& tendon : section->children) refuse_tendon(tendon, model);
+  }
+  for (const MjcfElement* section : model.root.elements("deformable")) {
+    for (const MjcfElement* flex : section->elements("flex")) {
+      refuse_mjcf(flex->place, name_in_messages(*flex) + ": what bends is not supported", "flex", model.values);
+    }
+  }
+}
+
+}  // namespace flatdyn

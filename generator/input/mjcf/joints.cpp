@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "input/mjcf/joints.hpp"
+
+#include <algorithm>
+
+#include "input/common/exact_root.hpp"
+#include "input/common/units.hpp"
+#include "input/mjcf/names.hpp"
+#include "input/urdf/entries.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+// A joint of a type that the model does not have. It can be held still.
+void refuse_joint_type(const Place& place, const std::string& what, const std::string& type, const std::string& name,
+                       const MjcfValues& values) {
+  values.diagnostics().unsupported(place, what + ": type \"" + type + "\" is not supported yet",
+                                   "hold it still by the option --fix " + name);
+}
+
+Number smaller_magnitude(const Number& a, const Number& b) {
+  return magnitude(a) < magnitude(b) ? Number(magnitude(a)) : Number(magnitude(b));
+}
+
+class JointReader {
+ public:
+  JointReader(const MjcfJoint& joint, const std::string& name, const MjcfModel& model)
+      : values_(model.values),
+        settings_(model.settings),
+        context_(model.values.context()),
+        read_(joint),
+        item_(joint.element->name == "freejoint" ? MjcfValues::plain(*joint.element)
+                                                 : model.values.item(*joint.element, joint.class_name)) {
+    joint_.name = name;
+    joint_.place = joint.element->place;
+    item_.what = "joint \"" + name + "\"";
+  }
+
+  // nullopt if it is refused. One of a type that the model does not have can be held where the file puts the body.
+  std::optional<Joint> read() {
+    const std::string type = this->type();
+    if (type == "free" || type == "ball") {
+      if (is_held(joint_.name, context_)) return joint_;
+      refuse_joint_type(item_.element->place, item_.what, type, joint_.name, values_);
+      return std::nullopt;
+    }
+    joint_.type = type == "slide" ? JointType::prismatic : JointType::continuous;
+    read_axis();
+    read_limits();
+    read_forces();
+    return joint_;
+  }
+
+  Number reference() const { return reference_; }
+
+ private:
+  bool slides() const { return joint_.type == JointType::prismatic; }
+
+  std::string type() const {
+    if (item_.element->name == "freejoint") return "free";
+    return values_.keyword(item_, "type", {"hinge", "slide", "ball", "free"}, "hinge");
+  }
+
+  // The joint's frame is the body's, with the origin on the axis; `ref` is the position at which it does not move the
+  // body.
+  void read_axis() {
+    const MjcfPlace frame = exact_place(read_.frame);
+    joint_.axis = frame.R * values_.vector(item_, "axis", {0, 0, 1});
+    if (vanishes(dot(joint_.axis, joint_.axis))) {
+      context_.diagnostics.error(joint_.place, item_.what + ": its axis is zero", "give the axis a direction");
+      joint_.axis = {0, 0, 1};
+    }
+    const Vec3 position = frame.R * values_.length_vector(item_, "pos") + frame.p;
+    joint_.origin.place = joint_.link_offset.place = joint_.place;
+    if (!slides() && !vanishes(dot(position, position))) {
+      joint_.origin.displacements.push_back(translation(position));
+      joint_.link_offset.displacements.push_back(translation(Number(-1) * position));
+    }
+    read_reference();
+  }
+
+  void read_reference() {
+    const auto found = values_.numbers(item_, "ref", 1, 1);
+    if (!found) return;
+    if (slides()) {
+      reference_ = found->numbers[0];
+      if (vanishes(reference_)) return;
+      const Number length = exact_root(dot(joint_.axis, joint_.axis));
+      joint_.origin.displacements.push_back(translation((-reference_ / length) * joint_.axis));
+      return;
+    }
+    reference_ = decimal_angle(found->numbers[0], found->written[0], settings_.angles, found->spot, context_);
+    for (const Displacement& turn : turn_about(joint_.axis, -reference_, found->spot, found->written[0], context_)) {
+      joint_.origin.displacements.push_back(turn);
+    }
+  }
+
+  void read_limits() {
+    if (mjcf_is_limited(item_, "range", "limited", values_, settings_)) {
+      if (const auto range = values_.range(item_, "range")) {
+        joint_.limits.lower = in_si((*range)[0]);
+        joint_.limits.upper = in_si((*range)[1]);
+      }
+      const bool has_any = joint_.limits.lower || joint_.limits.upper;
+      if (!slides() && has_any) joint_.type = JointType::revolute;
+    }
+    joint_.limits.effort = mjcf_effort(item_, "actuatorfrcrange", "actuatorfrclimited", values_, settings_);
+  }
+
+  std::optional<Value> in_si(std::optional<Value> limit) const {
+    if (limit && !slides()) {
+      limit->number = in_radians(limit->number, settings_.angles, {limit->place, item_.what}, context_.diagnostics);
+    }
+    return limit;
+  }
+
+  void read_forces() {
+    joint_.armature = values_.number_or(item_, "armature", 0);
+    joint_.coulomb = values_.number_or(item_, "frictionloss", 0);
+    joint_.viscous = {0, joint_.place};
+    if (const auto damping = values_.numbers(item_, "damping", 1, 3)) {
+      joint_.viscous = {damping->numbers[0], damping->spot.place};
+      for (std::size_t k = 1; k < damping->numbers.size(); ++k) {
+        if (vanishes(damping->numbers[k])) continue;
+        refuse_mjcf(damping->spot.place, damping->spot.what + ": damping that is not linear is not supported",
+                    "damping", values_);
+        break;
+      }
+    }
+    for (const char* spring : {"stiffness", "springdamper"}) {
+      const MjcfAttribute* found = values_.find(item_, spring);
+      if (found == nullptr || is_zero_text(found->text)) continue;
+      refuse_mjcf(found->place, values_.spot(item_, *found).what + ": springs are not supported yet", spring, values_);
+    }
+  }
+
+  const MjcfValues& values_;
+  const MjcfSettings& settings_;
+  ReadContext& context_;
+  const MjcfJoint& read_;
+  MjcfItem item_;
+  Joint joint_;
+  Number reference_ = 0;
+};
+
+std::string new_joint_name(const std::string& wanted, const MjcfModel& model) {
+  std::vector<std::string> taken = model.names_of_joints;
+  for (const Joint& joint : model.robot.joints) taken.push_back(joint.name);
+  return unused_name(wanted, taken);
+}
+
+int add_link(const std::string& name, const Place& place, Robot& robot) {
+  robot.links.push_back({name, {}, place});
+  return static_cast<int>(robot.links.size()) - 1;
+}
+
+std::string joint_name(const MjcfJoint& joint, const std::string& body, const MjcfModel& model) {
+  const std::string name = joint.element->text("name");
+  return name.empty() ? new_joint_name(body + "_joint", model) : name;
+}
+
+}  // namespace
+
+bool mjcf_is_limited(const MjcfItem& item, const char* range, const char* limited, const MjcfValues& values,
+                     const MjcfSettings& settings) {
+  const std::string word = values.keyword(item, limited, {"true", "false", "auto"}, "auto");
+  const MjcfAttribute* found = values.find(item, range);
+  if (word == "false" || found == nullptr) return false;
+  const std::vector<std::string> words = words_of(found->text);
+  const bool says_nothing = words.size() == 2 && words[0] == words[1];
+  if (word == "true") return true;
+  if (!settings.automatic_limits && !says_nothing) {
+    values.diagnostics().error(found->place,
+                               item.what + ": " + range + " is given, but not " + limited + ", and autolimits is false",
+                               std::string("write ") + limited + "=\"true\" or \"false\"");
+  }
+  return !says_nothing;
+}
+
+std::optional<Value> mjcf_effort(const MjcfItem& item, const char* range, const char* limited, const MjcfValues& values,
+                                 const MjcfSettings& settings) {
+  if (!mjcf_is_limited(item, range, limited, values, settings)) return std::nullopt;
+  const auto limits = values.range(item, range);
+  if (!limits || !(*limits)[0] || !(*limits)[1]) return std::nullopt;
+  const Number lower = (*limits)[0]->number, upper = (*limits)[1]->number;
+  const Value effort{smaller_magnitude(lower, upper), (*limits)[0]->place};
+  if (vanishes(lower + upper)) return effort;
+  values.diagnostics().note(effort.place, item.what + ", " + range + ": the smaller of its two limits counts both ways",
+                            "effort limits are the same both ways here", "effort limits that differ by direction");
+  return effort;
+}
+
+void add_mjcf_joints(const std::vector<MjcfJoint>& joints, const std::string& body, int parent_link,
+                     const MjcfModel& model, MjcfBody& added, std::map<std::string, Number>& references) {
+  Robot& robot = model.robot;
+  std::vector<Joint> moving;
+  for (const MjcfJoint& each : joints) {
+    JointReader reader(each, joint_name(each, body, model), model);
+    const std::optional<Joint> joint = reader.read();
+    if (!joint) continue;
+    references[joint->name] = reader.reference();
+    moving.push_back(*joint);
+  }
+  if (moving.empty()) {
+    Joint fixed;
+    fixed.name = new_joint_name(body, model);
+    fixed.place = added.element->place;
+    moving.push_back(fixed);
+  }
+  moving.front().origin = joined(added.pose, moving.front().origin);
+  for (std::size_t k = 0; k < moving.size(); ++k) {
+    const bool is_last = k + 1 == moving.size();
+    moving[k].parent = parent_link;
+    const std::string link = is_last ? body : new_body_name(body + "_" + std::to_string(k + 1), model);
+    moving[k].child = parent_link = add_link(link, added.element->place, robot);
+    added.joints.push_back(static_cast<int>(robot.joints.size()));
+    robot.joints.push_back(moving[k]);
+  }
+  added.link = parent_link;
+}
+
+}  // namespace flatdyn

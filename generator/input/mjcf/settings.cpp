@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "input/mjcf/settings.hpp"
+
+#include <algorithm>
+
+#include "input/mjcf/names.hpp"
+#include "input/urdf/entries.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+// All elements of this name as one: of an attribute that several give, the last one counts.
+MjcfElement merged(const MjcfElement& root, const std::string& name) {
+  MjcfElement whole{name, {}, {}, root.place};
+  for (const MjcfElement* element : root.elements(name)) {
+    whole.place = element->place;
+    for (const MjcfAttribute& attribute : element->attributes) {
+      std::erase_if(whole.attributes, [&](const MjcfAttribute& each) { return each.name == attribute.name; });
+      whole.attributes.push_back(attribute);
+    }
+    whole.children.insert(whole.children.end(), element->children.begin(), element->children.end());
+  }
+  return whole;
+}
+
+std::optional<Value> positive(std::optional<Value> value) {
+  return value && value->number.info(GiNaC::info_flags::positive) ? value : std::nullopt;
+}
+
+InertiaFromGeom inertia_from_geom(const MjcfItem& compiler, const MjcfValues& values) {
+  const std::string word = values.keyword(compiler, "inertiafromgeom", {"true", "false", "auto"}, "auto");
+  if (word == "auto") return InertiaFromGeom::where_missing;
+  return word == "true" ? InertiaFromGeom::always : InertiaFromGeom::never;
+}
+
+void read_eulerseq(const MjcfItem& compiler, const MjcfValues& values, MjcfSettings& settings) {
+  const std::string sequence = values.text(compiler, "eulerseq", settings.euler_sequence);
+  if (sequence.size() == 3 && sequence.find_first_not_of("xyzXYZ") == std::string::npos) {
+    settings.euler_sequence = sequence;
+  } else {
+    values.diagnostics().error(values.find(compiler, "eulerseq")->place,
+                               "compiler, eulerseq: \"" + sequence + "\" is not three of x, y, z, X, Y, Z",
+                               "small letters are axes that turn along, capital ones those of the parent");
+  }
+}
+
+void read_groups(const MjcfItem& compiler, const MjcfValues& values, MjcfSettings& settings) {
+  const auto groups = values.numbers(compiler, "inertiagrouprange", 2, 2);
+  if (!groups) return;
+  for (std::size_t i = 0; i < 2; ++i) settings.inertia_groups[i] = nearest_double(groups->numbers[i]);
+}
+
+void read_compiler(const MjcfElement& root, const MjcfValues& values, MjcfSettings& settings) {
+  const MjcfElement merged_compiler = merged(root, "compiler");
+  const MjcfItem compiler = MjcfValues::plain(merged_compiler);
+  if (values.keyword(compiler, "coordinate", {"local", "global"}, "local") == "global") {
+    values.diagnostics().unsupported(values.find(compiler, "coordinate")->place,
+                                     "compiler: coordinate=\"global\" is not supported",
+                                     "load and save the file in MuJoCo 2.3.3 or older, which writes local coordinates");
+  }
+  settings.angles.degrees = values.keyword(compiler, "angle", {"degree", "radian"}, "degree") == "degree";
+  settings.automatic_limits = values.flag(compiler, "autolimits", true);
+  settings.balances_inertia = values.flag(compiler, "balanceinertia", false);
+  settings.has_exact_mesh_inertia = values.flag(compiler, "exactmeshinertia", false);
+  settings.inertia_from_geom = inertia_from_geom(compiler, values);
+  settings.least_mass = positive(values.number(compiler, "boundmass"));
+  settings.least_inertia = positive(values.number(compiler, "boundinertia"));
+  settings.total_mass = positive(values.number(compiler, "settotalmass"));
+  settings.mesh_folder = values.text(compiler, "meshdir", values.text(compiler, "assetdir"));
+  read_eulerseq(compiler, values, settings);
+  read_groups(compiler, values, settings);
+}
+
+// Air and water, which brake bodies by their shapes.
+void refuse_medium(const MjcfItem& option, const MjcfValues& values) {
+  for (const char* name : {"density", "viscosity"}) {
+    const MjcfAttribute* found = values.find(option, name);
+    if (found == nullptr || is_zero_text(found->text)) continue;
+    refuse_mjcf(found->place, std::string("option, ") + name + ": forces of a medium are not supported", name, values);
+  }
+}
+
+// Flags that turn off forces or constraints that would be read.
+void refuse_flags(const MjcfElement& flag, const MjcfValues& values) {
+  for (const char* name : {"constraint", "equality", "frictionloss", "spring", "damper", "passive"}) {
+    const MjcfAttribute* found = flag.attribute(name);
+    if (found == nullptr || found->text == "enable") continue;
+    refuse_mjcf(found->place,
+                std::string("option, flag: ") + name + "=\"" + found->text +
+                    "\", which turns off what would be read, " + "is not supported",
+                name, values);
+  }
+}
+
+void read_option(const MjcfElement& root, const MjcfValues& values, Robot& robot) {
+  const MjcfElement merged_option = merged(root, "option");
+  const MjcfItem option = MjcfValues::plain(merged_option);
+  robot.gravity = values.vector(option, "gravity", robot.gravity);
+  refuse_medium(option, values);
+  for (const MjcfElement* flag : merged_option.elements("flag")) {
+    refuse_flags(*flag, values);
+    if (values.keyword(MjcfValues::plain(*flag), "gravity", {"enable", "disable"}, "enable") == "disable")
+      robot.gravity = zero_vector();
+  }
+}
+
+}  // namespace
+
+MjcfSettings mjcf_settings(const MjcfElement& root, const MjcfValues& values, Robot& robot) {
+  MjcfSettings settings;
+  read_compiler(root, values, settings);
+  read_option(root, values, robot);
+  return settings;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// MJCF files as flatdyn reads them against MuJoCo itself, which runs in Node: inertia matrix, bias, torques at random
+// states. MuJoCo's text is without the elements that --ignore leaves out here, and without meshes where masses are
+// given.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <regex>
+
+#include "flatdyn/reference/newton_euler.hpp"
+#include "input/reader.hpp"
+#include "model/coupling.hpp"
+#include "reference/reference_model.hpp"
+#include "system/process.hpp"
+#include "system/temporary_folder.hpp"
+
+namespace flatdyn {
+namespace {
+
+namespace fs = std::filesystem;
+namespace ref = reference;
+using Vector = ref::VectorX<double>;
+using Matrix = ref::MatrixX<double>;
+
+constexpr int kNotInstalled = 77;
+constexpr double kClose = 1e-10;  // of the largest entry
+
+struct MjcfFile {
+  std::string name;
+  std::vector<std::string> ignored = {};
+  std::vector<std::string> held = {};
+};
+
+std::string without(const std::string& text, const std::string& pattern) {
+  return std::regex_replace(text, std::regex(pattern), "");
+}
+
+// The text as MuJoCo reads it without the file's meshes and without what is ignored or held.
+std::string for_mujoco(std::string text, const MjcfFile& file) {
+  text = without(text, "<!--[^]*?-->");
+  text = without(text, "<keyframe>[^]*?</keyframe>");
+  text = without(text, "<asset>[^]*?</asset>");
+  text = without(text, R"re(\bmaterial="[^"]*")re");
+  text = without(text, R"(<geom\s[^>]*\bmesh=[^>]*/>)");
+  for (const std::string& name : file.ignored) {
+    text = without(text, fmt::format("<{}>[^]*?</{}>", name, name));
+    text = without(text, fmt::format(R"(<\w+\s[^>]*\b{}=[^>]*/>)", name == "tendon" ? name : "no-such-name"));
+    text = without(text, fmt::format(R"(\b{}="[^"]*")", name));
+  }
+  if (!file.held.empty()) {
+    text = without(text, R"(<freejoint[^>]*/>)");
+    text = without(text, R"(<joint\s[^>]*type="free"[^>]*/>)");
+  }
+  return text;
+}
+
+std::optional<Robot> read(const fs::path& path, const MjcfFile& file) {
+  ReadOptions options;
+  options.snap_tolerance = 0;
+  options.ignored = file.ignored;
+  for (const std::string& joint : file.held) options.scene.locked.push_back({joint});
+  Diagnostics diagnostics;
+  std::optional<Robot> robot = read_robot(path, options, diagnostics);
+  for (const Diagnostic& found : diagnostics.all()) {
+    if (found.severity == Severity::error) ADD_FAILURE() << to_string(found);
+  }
+  return robot;
+}
+
+// The robot's coordinates, and what they are for the joints of its tree.
+struct Coordinates {
+  Matrix factors;  // by joint and coordinate
+  Vector offsets;
+};
+
+Coordinates coordinates_of(const Robot& robot, const ref::Robot<double>& numbers) {
+  const Eigen::Index n = numbers.joint_count();
+  Coordinates found{numbers.coupling.size() > 0 ? numbers.coupling : Matrix(Matrix::Identity(n, n)), Vector::Zero(n)};
+  const std::vector<LinearPosition> positions = joint_positions(robot);
+  Eigen::Index row = 0;
+  for (const int j : moving_joints(robot)) {
+    found.offsets[row++] = nearest_double(positions[static_cast<std::size_t>(j)].offset);
+  }
+  return found;
+}
+
+struct JointState {
+  Vector q, qd, qdd;
+};
+
+std::vector<JointState> random_states(Eigen::Index n) {
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> draw(-1, 1);
+  const auto vector = [&](double size) { return Vector(Vector::NullaryExpr(n, [&] { return size * draw(engine); })); };
+  std::vector<JointState> states;
+  for (int k = 0; k < 5; ++k) {
+    const Vector q = vector(2), qd = vector(3), qdd = vector(5);
+    states.push_back({q, qd, qdd});
+  }
+  return states;
+}
+
+std::vector<double> numbers_of(const Vector& v) { return {v.begin(), v.end()}; }
+
+void expect_close(const Matrix& found, const Matrix& wanted, const char* what) {
+  ASSERT_EQ(found.rows(), wanted.rows()) << what;
+  const double size = wanted.cwiseAbs().maxCoeff();
+  EXPECT_LE((found - wanted).cwiseAbs().maxCoeff(), kClose * size) << what << ":\n" << found << "\nMuJoCo:\n" << wanted;
+}
+
+class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
+ protected:
+  // Empty where MuJoCo is not installed.
+  nlohmann::json mujoco(const std::string& xml, const std::vector<JointState>& states, const Coordinates& c) {
+    nlohmann::json input = {{"xml", xml}, {"states", nlohmann::json::array()}};
+    for (const JointState& s : states) {
+      input["states"].push_back({{"q", numbers_of(c.factors * s.q + c.offsets)},
+                                 {"qd", numbers_of(c.factors * s.qd)},
+                                 {"qdd", numbers_of(c.factors * s.qdd)}});
+    }
+    write_file(folder_.path() / "in.json", input.dump());
+    const std::string script = std::string(FLATDYN_SOURCE_DIR) + "/tests/differential/mujoco_values.mjs";
+    const int status = run_command("node " + shell_word(script) + " in.json out.json > log 2>&1", folder_.path());
+    if (status == kNotInstalled || status == 127) return {};
+    if (status != 0) throw std::runtime_error(content_of_file(folder_.path() / "log"));
+    return nlohmann::json::parse(content_of_file(folder_.path() / "out.json"));
+  }
+
+  void compare(const fs::path& path, const MjcfFile& file) {
+    std::optional<Robot> robot = read(path, file);
+    ASSERT_TRUE(robot.has_value());
+    const bool has_loops = !robot->loops.empty();
+    robot->loops.clear();
+    const ref::Robot<double> numbers = reference_robot<double>(*robot, {});
+    const Coordinates c = coordinates_of(*robot, numbers);
+    const std::vector<JointState> states = random_states(numbers.size());
+    const nlohmann::json peer = mujoco(for_mujoco(content_of_file(path), file), states, c);
+    if (peer.empty()) GTEST_SKIP() << "MuJoCo is not installed: npm install @mujoco/mujoco";
+    expect_same(numbers, c, states, peer, has_loops);
+  }
+
+  static void expect_same(const ref::Robot<double>& numbers, const Coordinates& c,
+                          const std::vector<JointState>& states, const nlohmann::json& peer, bool has_loops) {
+    const Eigen::Index n = c.factors.rows();
+    ASSERT_EQ(peer["n"].get<Eigen::Index>(), n);
+    const Vector coulomb = vector_of(peer["coulomb"].get<std::vector<double>>());
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      const JointState& s = states[k];
+      const nlohmann::json& at = peer["states"][k];
+      const auto entries = at["B"].get<std::vector<double>>();
+      const Matrix B = Eigen::Map<const Matrix>(entries.data(), n, n);
+      const Vector friction = coulomb.cwiseProduct((c.factors * s.qd).cwiseSign());
+      const auto wanted = [&](const char* name) {
+        return Vector(c.factors.transpose() * (vector_of(at[name].get<std::vector<double>>()) + friction));
+      };
+      expect_close(ref::inertia_matrix(numbers, s.q), c.factors.transpose() * B * c.factors, "B");
+      expect_close(ref::bias(numbers, s.q, s.qd), wanted("bias"), "bias");
+      expect_close(ref::inverse_dynamics(numbers, s.q, s.qd, s.qdd), wanted("tau"), "tau");
+      if (has_loops) continue;  // they are open at these states
+      EXPECT_LE(at["gap"].get<double>(), kClose);
+    }
+  }
+
+  TemporaryFolder folder_;
+};
+
+class MujocoSharedFiles : public MujocoFiles {};
+
+// Real files lie beside the checkout, in ../shared/robots/mjcf.
+TEST_P(MujocoSharedFiles, MoveAsInMujoco) {
+  const fs::path path = fs::path(FLATDYN_SOURCE_DIR) / ".." / "shared" / "robots" / "mjcf" / GetParam().name;
+  if (!fs::exists(path)) GTEST_SKIP() << "no such file: " << path;
+  compare(path, GetParam());
+}
+
+std::string name_of(const ::testing::TestParamInfo<MjcfFile>& info) {
+  std::string name = fs::path(info.param.name).stem().string();
+  for (const std::string& each : info.param.ignored) name += "_without_" + each;
+  for (const std::string& each : info.param.held) name += "_held_" + each;
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, MujocoSharedFiles,
+    ::testing::Values(MjcfFile{"ur5e.xml"}, MjcfFile{"panda_nohand.xml"}, MjcfFile{"iiwa14.xml"},
+                      MjcfFile{"gym_hopper.xml"}, MjcfFile{"gym_pusher_v5.xml"}, MjcfFile{"panda.xml", {"tendon"}},
+                      MjcfFile{"shadow_right_hand.xml", {"tendon"}}, MjcfFile{"gym_half_cheetah.xml", {"stiffness"}},
+                      MjcfFile{"2f85.xml", {"tendon", "stiffness", "mesh"}}, MjcfFile{"go1.xml", {}, {"trunk_joint"}},
+                      MjcfFile{"anymal_c.xml", {}, {"base_joint"}},
+                      MjcfFile{"g1_29dof.xml", {}, {"floating_base_joint"}},
+                      MjcfFile{"gym_humanoid.xml", {"stiffness"}, {"root"}}),
+    name_of);
+
+}  // namespace
+}  // namespace flatdyn

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// node mujoco_values.mjs IN OUT: what MuJoCo computes of an MJCF text at the states in IN, to OUT. Exits with 77 where
+// MuJoCo is not installed.
+import {readFileSync, writeFileSync} from 'node:fs';
+
+const kFriction = 4, kLimits = 8, kContacts = 16, kConstraints = 1;  // bits of disableflags
+
+let mujoco;
+try {
+  const load = (await import(process.env.FLATDYN_MUJOCO ?? '@mujoco/mujoco')).default;
+  mujoco = await load({print: () => {}, printErr: () => {}});
+} catch {
+  process.exit(77);
+}
+
+const {xml, states} = JSON.parse(readFileSync(process.argv[2], 'utf8'));
+const model = mujoco.MjModel.from_xml_string(xml);
+const data = new mujoco.MjData(model);
+const n = model.nv;
+
+function largestGap() {
+  model.opt.disableflags = kFriction | kLimits | kContacts;
+  mujoco.mj_forward(model, data);
+  return Math.max(0, ...Array.from(data.efc_pos, Math.abs));
+}
+
+function valuesAt({q, qd, qdd}) {
+  data.qpos.set(q);
+  data.qvel.set(qd);
+  const gap = largestGap();
+  model.opt.disableflags = kConstraints;
+  mujoco.mj_forward(model, data);
+  const B = new mujoco.DoubleBuffer(n * n);
+  mujoco.mj_fullM(model, data, B);
+  const bias = Array.from(data.qfrc_bias, (force, i) => force - data.qfrc_passive[i]);
+  data.qacc.set(qdd);
+  mujoco.mj_inverse(model, data);
+  return {B: Array.from(B.GetView()), bias, tau: Array.from(data.qfrc_inverse), gap};
+}
+
+const coulomb = Array.from(model.dof_frictionloss);
+writeFileSync(process.argv[3], JSON.stringify({n, coulomb, states: states.map(valuesAt)}));
