@@ -199,6 +199,9 @@ void RobotArguments::add_settings_to(CLI::App& command) {
       ->allow_extra_args(false)
       ->check([](const std::string& text) { return text.find(":=") == std::string::npos ? "write NAME:=VALUE" : ""; })
       ->type_name("ARGUMENT");
+  command.add_option("--model", model_name, "the model of an SDF file that has several")
+      ->check(kNotEmpty)
+      ->type_name("NAME");
   // The option -Werror as compilers spell it: CLI11 would read -W with the value "error".
   command
       .add_option_function<std::string>(
@@ -371,12 +374,13 @@ std::string RobotArguments::stamp_of_settings(const std::vector<OptimisedFunctio
                 {"--search", searched ? std::to_string(functions.front().search->candidates) : ""},
                 {"--tip", tip},
                 {"--fix", fmt::format("{}", fmt::join(fixed_joints, " --fix "))},
-                {"--xacro", fmt::format("{}", fmt::join(xacro, " --xacro "))}});
+                {"--xacro", fmt::format("{}", fmt::join(xacro, " --xacro "))},
+                {"--model", model_name}});
 }
 
 std::vector<std::string> RobotArguments::settings(const LoadedRobot& model) const {
-  if (model.robot.file == kStandardInput || !xacro.empty()) {
-    throw Failure(ExitCode::usage, "a robot file cannot name a robot that comes from stdin, or with --xacro",
+  if (model.robot.file == kStandardInput || !xacro.empty() || !model_name.empty()) {
+    throw Failure(ExitCode::usage, "a robot file cannot name a robot that comes from stdin, or with --xacro or --model",
                   "write the robot to a file first: xacro FILE NAME:=VALUE > robot.urdf");
   }
   const Scene& wanted = model.robot.scene;
@@ -437,6 +441,7 @@ PipelineOptions RobotArguments::options() const {
   if (!error_budget.empty()) options.read.scene.error_budget = error_budget_option(error_budget);
   if (!search.empty()) options.search = search_option(search);
   if (!tip.empty()) options.read.tip = tip;
+  if (!model_name.empty()) options.read.model = model_name;
   options.read.scene.locked = fixed_options(fixed_joints);
   options.warnings_are_errors = warnings_are_errors;
   options.in_processes = true;

@@ -27,6 +27,7 @@ struct RobotArguments : OutputStyle {
   std::vector<std::string> fixed_joints;
   std::vector<std::string> xacro;
   bool warnings_are_errors = false;
+  std::string model_name;  // --model
 
   void add_to(CLI::App& command);
   void add_settings_to(CLI::App& command);  // adds all options but the robot itself
@@ -48,7 +49,7 @@ struct RobotArguments : OutputStyle {
 };
 
 // The description of the robot argument in all subcommands.
-inline constexpr const char* kRobotMeaning = "robot file: URDF, xacro or TOML; - reads a URDF or TOML from stdin";
+inline constexpr const char* kRobotMeaning = "robot file: URDF, SDF, xacro or TOML; - reads it from stdin";
 
 // A check for options that are names.
 inline const CLI::Validator kNotEmpty([](const std::string& text) { return text.empty() ? "it is empty" : ""; }, "");

@@ -80,6 +80,8 @@ void read(const std::string& path, const ReadOptions& options) {
 
 void read_urdf_bytes(std::string_view bytes) { read(file_of(bytes, "robot.urdf"), {}); }
 
+void read_sdf_bytes(std::string_view bytes) { read(file_of(bytes, "robot.sdf"), {}); }
+
 void read_toml_bytes(std::string_view bytes) { read(file_of(bytes, "robot.toml"), {}); }
 
 void read_scene_bytes(std::string_view bytes) {

@@ -18,6 +18,7 @@ struct ReadOptions {
   std::string scene_file;                         // --scene; empty: none
   Scene scene;                                    // --gravity, --fix: goes before what the scene file says
   std::shared_ptr<Sources> sources = std::make_shared<Sources>();  // of the texts; --xacro
+  std::optional<std::string> model{};                              // --model: the model of an SDF with several
 };
 
 // A number smaller than this fraction of its neighbours is dust: 1e-9, or less if that is asked of angles.

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "diagnostics/nearest.hpp"
+#include "input/sdf/reader.hpp"
 #include "input/toml/reader.hpp"
 #include "input/urdf/reader.hpp"
 
@@ -52,14 +53,15 @@ class OverlayReader {
     if (kind == FileKind::unknown || (kind == FileKind::toml && key == "urdf")) {
       diagnostics_.error(place, key + ": " + quoted(*name) + " is no " + (key == "urdf" ? "URDF" : "robot file"),
                          kind == FileKind::toml ? "write robot = " + quoted(*name)
-                                                : "robot files are called .urdf, .xml, .xacro or .toml");
+                                                : "robot files are called .urdf, .sdf, .xml, .xacro or .toml");
       return {};
     }
     const std::optional<Source> source = context_.options.sources->read(path.string(), diagnostics_);
     if (!source) return {};
     robot_.files.push_back(path.string());
     if (kind == FileKind::toml) return read_toml(source->text, source->name, context_, robot_);
-    read_urdf(source->text, source->name, context_, robot_);
+    const bool is_sdf = kind_by_text(kind, source->text) == FileKind::sdf;
+    (is_sdf ? read_sdf : read_urdf)(source->text, source->name, context_, robot_);
     return {};
   }
 

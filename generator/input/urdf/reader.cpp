@@ -6,6 +6,7 @@
 
 #include "diagnostics/nearest.hpp"
 #include "input/common/xacro.hpp"
+#include "input/common/xml_document.hpp"
 #include "input/urdf/actuators.hpp"
 #include "input/urdf/couplings.hpp"
 #include "input/urdf/loops.hpp"
@@ -229,19 +230,10 @@ class UrdfReader {
   std::vector<int> point_masses_;  // links whose <inertial> has a mass and no inertia
 };
 
-// "XML_ERROR_MISMATCHED_ELEMENT" → "mismatched element"
-std::string readable(std::string name) {
-  for (const std::string prefix : {"XML_ERROR_", "XML_"}) {
-    if (name.starts_with(prefix)) name.erase(0, prefix.size());
-  }
-  for (char& c : name) c = c == '_' ? ' ' : static_cast<char>(c | 0x20);
-  return name;
-}
-
 void report_other_format(const XMLElement& root, const Place& place, Diagnostics& diagnostics) {
   const std::string name = root.Name();
   const std::string message = "the outermost element is <" + name + ">, not <robot>";
-  if (name == "sdf" || name == "mujoco" || name == "mujocoinclude") {
+  if (name == "mujoco" || name == "mujocoinclude") {
     diagnostics.unsupported(place, message + ": this format is not supported",
                             "convert the model to URDF, or write a TOML file");
   } else {
@@ -249,76 +241,18 @@ void report_other_format(const XMLElement& root, const Place& place, Diagnostics
   }
 }
 
-// A second outermost element, or text: of two robots in one file it is not clear which is meant.
-const tinyxml2::XMLNode* content_beside(const XMLElement& root) {
-  for (const tinyxml2::XMLNode* node = root.GetDocument()->FirstChild(); node != nullptr; node = node->NextSibling()) {
-    if (node != &root && (node->ToElement() != nullptr || node->ToText() != nullptr)) return node;
-  }
-  return nullptr;
-}
-
-// Processing instructions concern other programs, but the parser takes none within the robot, and no XML
-// declaration after a comment. Blanks stand in for them, so that lines keep their numbers.
-std::string without_instructions(std::string text) {
-  const auto end_of = [&text](std::size_t begin, std::string_view mark) {
-    const std::size_t end = text.find(mark, begin);
-    return end == std::string::npos ? text.size() : end + mark.size();
-  };
-  for (std::size_t k = text.find('<'); k < text.size(); k = text.find('<', k + 1)) {
-    if (text.compare(k, 4, "<!--") == 0) {
-      k = end_of(k, "-->") - 1;
-    } else if (text.compare(k, 9, "<![CDATA[") == 0) {
-      k = end_of(k, "]]>") - 1;
-    } else if (text.compare(k, 2, "<?") == 0) {
-      const std::size_t end = end_of(k, "?>");
-      for (; k < end; ++k) text[k] = text[k] == '\n' ? '\n' : ' ';
-      --k;
-    }
-  }
-  return text;
-}
-
-// Declarations in a DOCTYPE define names for texts, which the parser does not put in.
-const tinyxml2::XMLNode* doctype_with_declarations(const tinyxml2::XMLDocument& document) {
-  for (const tinyxml2::XMLNode* node = document.FirstChild(); node != nullptr; node = node->NextSibling()) {
-    const std::string_view text = node->ToUnknown() == nullptr ? "" : node->Value();
-    if (text.starts_with("DOCTYPE") && text.find('[') != std::string_view::npos) return node;
-  }
-  return nullptr;
-}
-
 }  // namespace
 
 void read_urdf(const std::string& text, const std::string& file, ReadContext& context, Robot& robot) {
-  tinyxml2::XMLDocument document;  // resolves no entities of its own but the five of XML; nesting is bounded (100)
-  const std::string plain = without_instructions(text);
-  if (document.Parse(plain.data(), plain.size()) != tinyxml2::XML_SUCCESS) {
-    context.diagnostics.error({file, document.ErrorLineNum()}, "not well-formed XML: " + readable(document.ErrorName()),
-                              "check the tags and quotes near this line");
-    return;
-  }
-  if (const tinyxml2::XMLNode* doctype = doctype_with_declarations(document)) {
-    context.diagnostics.error({file, doctype->GetLineNum()},
-                              "a <!DOCTYPE ...> with declarations of its own is not read",
-                              "put in what it declares: xmllint --noent --dropdtd FILE > robot.urdf");
-    return;
-  }
-  const XMLElement* root = document.RootElement();
-  if (root == nullptr) {
-    context.diagnostics.error({file, 0}, "there is no element in this file",
-                              "a URDF file is <robot name=\"...\"> ... </robot>");
-    return;
-  }
+  static const XmlForm kForm = {".urdf", "a URDF file is <robot name=\"...\"> ... </robot>"};
+  tinyxml2::XMLDocument document;
+  const XMLElement* root = parse_xml(text, file, kForm, context.diagnostics, document);
+  if (root == nullptr) return;
   if (std::string_view(root->Name()) != "robot") {
     report_other_format(*root, {file, root->GetLineNum()}, context.diagnostics);
     return;
   }
-  if (const tinyxml2::XMLNode* second = content_beside(*root)) {
-    context.diagnostics.error({file, second->GetLineNum()},
-                              "there is something else beside <robot>, the outermost element",
-                              "a URDF file is one <robot name=\"...\"> ... </robot>");
-    return;
-  }
+  if (refuse_content_beside(*root, file, kForm, context.diagnostics)) return;
   if (refuse_template(*root, file, context.diagnostics)) return;
   UrdfReader(file, context, robot).read(*root);
 }
