@@ -120,6 +120,7 @@ Run add_certify(CLI::App& app);
 Run add_stress(CLI::App& app);
 Run add_simulate(CLI::App& app);
 Run add_manipulability(CLI::App& app);
+Run add_convert(CLI::App& app);
 Run add_man(CLI::App& app);
 Run add_completion(CLI::App& app);
 
