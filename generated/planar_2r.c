@@ -522,17 +522,17 @@ static bool planar_2r_sines_are_right(void) {
 bool planar_2r_rounding_is_as_written(void) {
   const int method = FLT_EVAL_METHOD;
   if (method != 0 && method != 16 && method != 1) return false;
-  const volatile double a = 0.1, b = 0.7, one = 1.0, tiny = 1e-17, nine = 9.0,
+  const volatile double u = 0.1, w = 0.7, one = 1.0, tiny = 1e-17, nine = 9.0,
       seven = 7.0, half = 0.5, zero = 0.0, smallest = 0x1p-1022;
   // A little more than half a unit in the last place of 1.
   const volatile double half_a_place = 0x1.001p-53;
-  const volatile double product = a * b, quotient = nine / seven, next = one + half_a_place;
+  const volatile double product = u * w, quotient = nine / seven, next = one + half_a_place;
   const double x = one, y = tiny, nothing = zero;
   const double infinite = one / nothing, no_number = nothing / nothing;
   // In this order: fused multiply-add, extra digits; missing digits, rounded twice; another order,
   // rounding upward; downward; a reciprocal; tiny numbers flushed to zero; signs of zeros not kept;
   // checks of results left out: of infinite ones, of those that are not numbers.
-  if (!planar_2r_is_zero(a * b - product) ||
+  if (!planar_2r_is_zero(u * w - product) ||
       !(next > one) ||
       !planar_2r_is_zero((x + y) - x) ||
       !planar_2r_is_zero((x - y) - x) ||

@@ -812,14 +812,14 @@ static bool rounding_is_as_written() noexcept {
   constexpr bool is_float = sizeof(Scalar) == sizeof(float);
   constexpr int method = FLT_EVAL_METHOD;
   if (method != 0 && method != 16 && (is_float || method != 1)) return false;
-  const volatile Scalar a = Scalar(0.1), b = Scalar(0.7), one = Scalar(1.0), tiny = Scalar(1e-17),
+  const volatile Scalar u = Scalar(0.1), w = Scalar(0.7), one = Scalar(1.0), tiny = Scalar(1e-17),
       nine = Scalar(9.0), seven = Scalar(7.0), half = Scalar(0.5), zero = Scalar(0.0),
       half_a_place = is_float ? Scalar(0x1.001p-24) : Scalar(0x1.001p-53),  // a little more than it
       smallest = is_float ? Scalar(0x1p-126) : Scalar(0x1p-1022);
-  const volatile Scalar product = a * b, quotient = nine / seven, next = one + half_a_place;
+  const volatile Scalar product = u * w, quotient = nine / seven, next = one + half_a_place;
   const Scalar x = one, y = tiny, nothing = zero, infinite = one / nothing, no_number = nothing / nothing;
   const auto is_zero = [](Scalar r) { return !(r < Scalar(0.0)) && !(r > Scalar(0.0)); };
-  if (!is_zero(a * b - product)                     // fused multiply-add, extra digits
+  if (!is_zero(u * w - product)                     // fused multiply-add, extra digits
       || !(next > one)                              // missing digits, rounded twice
       || !is_zero((x + y) - x)                      // another order, rounding upward
       || !is_zero((x - y) - x)                      // rounding downward

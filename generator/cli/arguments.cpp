@@ -211,6 +211,9 @@ void RobotArguments::add_settings_to(CLI::App& command) {
       ->allow_extra_args(false)
       ->check(kNotEmpty)
       ->type_name("NAME");
+  command.add_option("--model", model_name, "the model of an SDF file that has several")
+      ->check(kNotEmpty)
+      ->type_name("NAME");
   // The option -Werror as compilers spell it: CLI11 would read -W with the value "error".
   command
       .add_option_function<std::string>(
@@ -385,13 +388,14 @@ std::string RobotArguments::stamp_of_settings(const std::vector<OptimisedFunctio
                 {"--tip", tip},
                 {"--fix", fmt::format("{}", fmt::join(fixed_joints, " --fix "))},
                 {"--xacro", fmt::format("{}", fmt::join(xacro, " --xacro "))},
-                {"--ignore", fmt::format("{}", fmt::join(ignored, " --ignore "))}});
+                {"--ignore", fmt::format("{}", fmt::join(ignored, " --ignore "))},
+                {"--model", model_name}});
 }
 
 std::vector<std::string> RobotArguments::settings(const LoadedRobot& model) const {
-  if (model.robot.file == kStandardInput || !xacro.empty() || !ignored.empty()) {
+  if (model.robot.file == kStandardInput || !xacro.empty() || !ignored.empty() || !model_name.empty()) {
     throw Failure(ExitCode::usage,
-                  "a robot file cannot name a robot that comes from stdin, or with --xacro or --ignore",
+                  "a robot file cannot name a robot that comes from stdin, or with --xacro, --ignore or --model",
                   "write the robot to a file first: xacro FILE NAME:=VALUE > robot.urdf");
   }
   const Scene& wanted = model.robot.scene;
@@ -455,6 +459,7 @@ PipelineOptions RobotArguments::options() const {
   if (!search.empty()) options.search = search_option(search);
   if (!tip.empty()) options.read.tip = tip;
   if (!base.empty()) options.read.floating_base = base == "floating";
+  if (!model_name.empty()) options.read.model = model_name;
   options.read.scene.locked = fixed_options(fixed_joints);
   options.warnings_are_errors = warnings_are_errors;
   options.in_processes = true;

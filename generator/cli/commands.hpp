@@ -29,6 +29,7 @@ struct RobotArguments : OutputStyle {
   std::vector<std::string> xacro;
   std::vector<std::string> ignored;
   bool warnings_are_errors = false;
+  std::string model_name;  // --model
 
   void add_to(CLI::App& command);
   void add_settings_to(CLI::App& command);  // adds all options but the robot itself
@@ -50,7 +51,8 @@ struct RobotArguments : OutputStyle {
 };
 
 // The description of the robot argument in all subcommands.
-inline constexpr const char* kRobotMeaning = "robot file: URDF, xacro, MJCF or TOML; - reads one but a xacro from stdin";
+inline constexpr const char* kRobotMeaning =
+    "robot file: URDF, SDF, MJCF, xacro or TOML; - reads one but a xacro from stdin";
 
 // A check for options that are names.
 inline const CLI::Validator kNotEmpty([](const std::string& text) { return text.empty() ? "it is empty" : ""; }, "");
@@ -121,6 +123,7 @@ Run add_certify(CLI::App& app);
 Run add_stress(CLI::App& app);
 Run add_simulate(CLI::App& app);
 Run add_manipulability(CLI::App& app);
+Run add_convert(CLI::App& app);
 Run add_man(CLI::App& app);
 Run add_completion(CLI::App& app);
 

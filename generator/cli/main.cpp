@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
   Run chosen;
   for (const auto add : {add_generate, add_inspect, add_derive, add_verify, add_eval, add_excite, add_identify,
                          add_payload, add_torques, add_scale, add_simulate, add_manipulability, add_report, add_bench,
-                         add_certify, add_stress, add_man, add_completion}) {
+                         add_certify, add_stress, add_convert, add_man, add_completion}) {
     const Run command = add(app);
     app.get_subcommands({}).back()->callback([&chosen, command] { chosen = command; });
   }

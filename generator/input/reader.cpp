@@ -11,8 +11,10 @@
 #include "input/mjcf/reader.hpp"
 #include "input/scene_application.hpp"
 #include "input/scene_reader.hpp"
+#include "input/sdf/reader.hpp"
 #include "input/toml/held_joints.hpp"
 #include "input/toml/reader.hpp"
+#include "input/urdf/reader.hpp"
 #include "model/assembly.hpp"
 #include "model/coordinate_limits.hpp"
 #include "model/coupling.hpp"
@@ -88,7 +90,7 @@ bool is_declared_latin1(const std::string& text) {
 
 // Editors on Windows save UTF-16 under the name of "Unicode".
 std::optional<std::string> as_utf8(const Source& source, Diagnostics& diagnostics) {
-  if (source.kind == FileKind::urdf && is_declared_latin1(source.text)) {
+  if (source.kind != FileKind::toml && is_declared_latin1(source.text)) {
     std::string text = utf8_of_latin1(source.text);
     if (text != source.text) {
       diagnostics.note({source.name, 1}, "the file is ISO 8859-1, by its first line: it is read as that",
@@ -107,6 +109,30 @@ std::optional<std::string> as_utf8(const Source& source, Diagnostics& diagnostic
   return text;
 }
 
+Attachments read_text(FileKind kind, const std::string& text, const std::string& name, ReadContext& context,
+                      Robot& robot) {
+  if (kind == FileKind::toml) return read_toml(text, name, context, robot);
+  if (kind == FileKind::sdf) {
+    read_sdf(text, name, context, robot);
+  } else if (kind == FileKind::mjcf) {
+    read_mjcf(text, name, context, robot);
+  } else {
+    read_urdf(text, name, context, robot);
+  }
+  return {};
+}
+
+void check_model_option(const ReadContext& context) {
+  if (!context.options.model || context.model_was_chosen || context.diagnostics.has_errors()) return;
+  throw Failure(ExitCode::usage, "--model " + *context.options.model + " has no effect: no SDF file is read",
+                "leave it out");
+}
+
+void check_ignored(const ReadContext& context) {
+  if (context.options.ignored.empty() || context.mjcf_was_read || context.diagnostics.has_errors()) return;
+  throw Failure(ExitCode::usage, "--ignore has no effect: no MJCF file is read", "leave it out");
+}
+
 void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   const std::optional<Source> source = context.options.sources->read(file, context.diagnostics);
   if (!source) return;
@@ -114,16 +140,14 @@ void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   if (!text) return;
   robot.files.push_back(file);
   if (source->kind == FileKind::unknown) {
-    context.diagnostics.error({file, 0}, "unknown kind of file", "robot files are called .urdf, .xml, .xacro or .toml");
+    context.diagnostics.error({file, 0}, "unknown kind of file",
+                              "robot files are called .urdf, .sdf, .xml, .xacro or .toml");
     return;
   }
-  Attachments attachments;
-  if (source->kind == FileKind::urdf) {
-    read_xml(*text, source->name, context, robot);
-  } else {
-    attachments = read_toml(*text, source->name, context, robot);
-  }
+  const Attachments attachments = read_text(kind_by_text(source->kind, *text), *text, source->name, context, robot);
   context.options.sources->check_arguments();
+  check_model_option(context);
+  check_ignored(context);
   if (robot.links.empty() && context.diagnostics.has_errors()) return;
   apply_to_joints(robot.scene, context.diagnostics, robot);
   hold_joints(context, robot);

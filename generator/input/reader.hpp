@@ -11,8 +11,8 @@
 
 namespace flatdyn {
 
-// Reads a URDF (tinyxml2), a xacro template of one, or a TOML (toml++) file, as its extension says (.urdf or .xml,
-// .xacro, .toml), or, from stdin ("-"), as its content does; checks it (validate.hpp) and orders nothing. All findings
+// Reads a URDF or an SDF (tinyxml2), a xacro template, or a TOML (toml++) file, as its extension and its outermost
+// element say, or, from stdin ("-"), as its content does; checks it (validate.hpp) and orders nothing. All findings
 // go to `diagnostics`; nullopt if any of them is an error.
 std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOptions& options,
                                 Diagnostics& diagnostics);

@@ -104,6 +104,43 @@ std::vector<JointState> random_states(Eigen::Index n) {
   return states;
 }
 
+// A state of a robot with a floating base: v and a in base axes, R from these to world axes.
+struct FreeState {
+  Vector q, v, a;
+  ref::Vector3<double> position;
+  Eigen::Quaterniond orientation;
+  ref::Matrix3<double> R = orientation.toRotationMatrix();
+
+  // ω × v, the part of the acceleration of the base's origin that is not in a.
+  ref::Vector3<double> coriolis() const {
+    return ref::Vector3<double>(v.segment<3>(3)).cross(ref::Vector3<double>(v.head<3>()));
+  }
+
+  // Position, quaternion (w, x, y, z), joints; velocity and acceleration of the origin in world axes.
+  nlohmann::json in_mujoco() const {
+    Vector pose(7 + q.size()), rates = v, accelerations = a;
+    pose << position, orientation.w(), orientation.x(), orientation.y(), orientation.z(), q;
+    rates.head<3>() = R * v.head<3>();
+    accelerations.head<3>() = R * (a.head<3>() + coriolis());
+    const auto list = [](const Vector& x) { return std::vector<double>(x.begin(), x.end()); };
+    return {{"q", list(pose)}, {"qd", list(rates)}, {"qdd", list(accelerations)}};
+  }
+};
+
+std::vector<FreeState> random_free_states(Eigen::Index n) {
+  std::mt19937 engine(2);
+  std::uniform_real_distribution<double> draw(-1, 1);
+  const auto vector = [&](Eigen::Index size, double largest) {
+    return Vector(Vector::NullaryExpr(size, [&] { return largest * draw(engine); }));
+  };
+  std::vector<FreeState> states;
+  for (int k = 0; k < 5; ++k) {
+    const Vector q = vector(n - 6, 2), v = vector(n, 3), a = vector(n, 5), p = vector(3, 1), turn = vector(4, 1);
+    states.push_back({q, v, a, p, Eigen::Quaterniond(turn[0], turn[1], turn[2], turn[3]).normalized()});
+  }
+  return states;
+}
+
 std::vector<double> numbers_of(const Vector& v) { return {v.begin(), v.end()}; }
 
 void expect_close(const Matrix& found, const Matrix& wanted, const char* what) {
@@ -114,14 +151,19 @@ void expect_close(const Matrix& found, const Matrix& wanted, const char* what) {
 
 class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
  protected:
-  // Empty where MuJoCo is not installed.
   nlohmann::json mujoco(const std::string& xml, const std::vector<JointState>& states, const Coordinates& c) {
-    nlohmann::json input = {{"xml", xml}, {"states", nlohmann::json::array()}};
+    nlohmann::json all = nlohmann::json::array();
     for (const JointState& s : states) {
-      input["states"].push_back({{"q", numbers_of(c.factors * s.q + c.offsets)},
-                                 {"qd", numbers_of(c.factors * s.qd)},
-                                 {"qdd", numbers_of(c.factors * s.qdd)}});
+      all.push_back({{"q", numbers_of(c.factors * s.q + c.offsets)},
+                     {"qd", numbers_of(c.factors * s.qd)},
+                     {"qdd", numbers_of(c.factors * s.qdd)}});
     }
+    return mujoco(xml, all);
+  }
+
+  // The values at states as MuJoCo has them; empty where it is not installed.
+  nlohmann::json mujoco(const std::string& xml, const nlohmann::json& states) {
+    const nlohmann::json input = {{"xml", xml}, {"states", states}};
     write_file(folder_.path() / "in.json", input.dump());
     const std::string script = std::string(FLATDYN_SOURCE_DIR) + "/tests/differential/mujoco_values.mjs";
     const int status = run_command("node " + shell_word(script) + " in.json out.json > log 2>&1", folder_.path());
@@ -133,6 +175,7 @@ class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
   void compare(const fs::path& path, const MjcfFile& file) {
     std::optional<Robot> robot = read(path, file);
     ASSERT_TRUE(robot.has_value());
+    if (robot->floating_base) return compare_floating(*robot, for_mujoco(content_of_file(path), file));
     const bool has_loops = !robot->loops.empty();
     robot->loops.clear();
     const ref::Robot<double> numbers = reference_robot<double>(*robot, {});
@@ -165,6 +208,42 @@ class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
     }
   }
 
+  // MuJoCo's velocity of a free joint is that of the origin in world axes and the angular velocity in the body's axes.
+  void compare_floating(const Robot& robot, const std::string& xml) {
+    ref::Robot<double> numbers = reference_robot<double>(robot, {});
+    const Eigen::Index n = numbers.size();
+    const std::vector<FreeState> states = random_free_states(n);
+    nlohmann::json all = nlohmann::json::array();
+    for (const FreeState& s : states) all.push_back(s.in_mujoco());
+    const nlohmann::json peer = mujoco(xml, all);
+    if (peer.empty()) GTEST_SKIP() << "MuJoCo is not installed: npm install @mujoco/mujoco";
+    ASSERT_EQ(peer["n"].get<Eigen::Index>(), n);
+    const ref::Vector3<double> gravity = numbers.gravity;
+    const Vector coulomb = vector_of(peer["coulomb"].get<std::vector<double>>());
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      numbers.gravity = states[k].R.transpose() * gravity;
+      expect_same_free(numbers, states[k], peer["states"][k], coulomb);
+    }
+  }
+
+  static void expect_same_free(const ref::Robot<double>& numbers, const FreeState& s, const nlohmann::json& at,
+                               const Vector& coulomb) {
+    const Eigen::Index n = numbers.size();
+    Matrix T = Matrix::Identity(n, n);
+    T.topLeftCorner<3, 3>() = s.R;
+    const auto entries = at["B"].get<std::vector<double>>();
+    const Vector friction = coulomb.cwiseProduct(s.v.cwiseSign());
+    const auto wanted = [&](const char* name) {
+      return Vector(vector_of(at[name].get<std::vector<double>>()) + friction);
+    };
+    Vector still = Vector::Zero(n);  // MuJoCo's accelerations are zero
+    still.head<3>() = -s.coriolis();
+    expect_close(T * ref::inertia_matrix(numbers, s.q) * T.transpose(), Eigen::Map<const Matrix>(entries.data(), n, n),
+                 "B");
+    expect_close(T * ref::inverse_dynamics(numbers, s.q, s.v, still), wanted("bias"), "bias");
+    expect_close(T * ref::inverse_dynamics(numbers, s.q, s.v, s.a), wanted("tau"), "tau");
+  }
+
   TemporaryFolder folder_;
 };
 
@@ -192,7 +271,8 @@ INSTANTIATE_TEST_SUITE_P(
                       MjcfFile{"2f85.xml", {"tendon", "stiffness", "mesh"}}, MjcfFile{"go1.xml", {}, {"trunk_joint"}},
                       MjcfFile{"anymal_c.xml", {}, {"base_joint"}},
                       MjcfFile{"g1_29dof.xml", {}, {"floating_base_joint"}},
-                      MjcfFile{"gym_humanoid.xml", {"stiffness"}, {"root"}}),
+                      MjcfFile{"gym_humanoid.xml", {"stiffness"}, {"root"}}, MjcfFile{"go1.xml"},
+                      MjcfFile{"anymal_c.xml"}, MjcfFile{"g1_29dof.xml"}, MjcfFile{"gym_humanoid.xml", {"stiffness"}}),
     name_of);
 
 }  // namespace

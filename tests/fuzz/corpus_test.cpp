@@ -36,6 +36,7 @@ void replay(const std::string& target, void (*read)(std::string_view)) {
 
 TEST(Corpus, OfUrdf) { replay("urdf", read_urdf_bytes); }
 TEST(Corpus, OfMjcf) { replay("mjcf", read_mjcf_bytes); }
+TEST(Corpus, OfSdf) { replay("sdf", read_sdf_bytes); }
 TEST(Corpus, OfToml) { replay("toml", read_toml_bytes); }
 TEST(Corpus, OfScenes) { replay("scene", read_scene_bytes); }
 TEST(Corpus, OfCsv) { replay("csv", read_csv_bytes); }

@@ -10,6 +10,7 @@ namespace flatdyn::testing {
 
 void read_urdf_bytes(std::string_view bytes);   // as a URDF
 void read_mjcf_bytes(std::string_view bytes);   // as an MJCF
+void read_sdf_bytes(std::string_view bytes);    // as an SDF
 void read_toml_bytes(std::string_view bytes);   // as a TOML robot file
 void read_scene_bytes(std::string_view bytes);  // as a scene, for a small arm
 void read_csv_bytes(std::string_view bytes);    // as a table of states and as a log, for a small arm

@@ -81,6 +81,7 @@ void read(const std::string& path, const ReadOptions& options) {
 void read_urdf_bytes(std::string_view bytes) { read(file_of(bytes, "robot.urdf"), {}); }
 
 void read_mjcf_bytes(std::string_view bytes) { read(file_of(bytes, "robot.xml"), {}); }
+void read_sdf_bytes(std::string_view bytes) { read(file_of(bytes, "robot.sdf"), {}); }
 
 void read_toml_bytes(std::string_view bytes) { read(file_of(bytes, "robot.toml"), {}); }
 

@@ -134,6 +134,7 @@ FileKind kind_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
   if (extension == ".urdf" || extension == ".xml" || extension == ".xacro") return FileKind::urdf;
+  if (extension == ".sdf" || extension == ".world") return FileKind::sdf;
   return extension == ".toml" ? FileKind::toml : FileKind::unknown;
 }
 

@@ -52,6 +52,8 @@ struct ReadContext {
   std::set<std::string> rotor_joints;  // whose armature is gear_ratio^2 rotor_inertia of a URDF
   std::vector<LongLength> long_lengths = {};
   std::vector<Snap> rounded_angles = {};  // multiples of pi/12 to a few digits
+  bool model_was_chosen = false;          // among those of an SDF
+  bool mjcf_was_read = false;
 };
 
 bool is_held(const std::string& joint, const ReadContext& context);
@@ -87,7 +89,7 @@ void check_infinite_limit(std::string_view written, Bound bound, const Spot& spo
 // /dev/stdin, <(...) of a shell: what is there can be read once, and its name tells nothing.
 bool is_pipe(const std::filesystem::path& path);
 
-FileKind kind_of(const std::filesystem::path& path);  // by its extension; .xacro is a URDF
+FileKind kind_of(const std::filesystem::path& path);  // by its extension; .xacro is a URDF, .xml any XML
 
 // False, and a diagnostic, if a file is larger than 64 MB.
 bool check_size(std::uintmax_t size, const std::string& path, Diagnostics& diagnostics);

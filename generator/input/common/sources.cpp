@@ -7,6 +7,7 @@
 #include "input/common/content_hash.hpp"
 #include "input/common/context.hpp"
 #include "input/common/xacro.hpp"
+#include "input/common/xml_document.hpp"
 #include "system/process.hpp"
 
 namespace flatdyn {
@@ -25,6 +26,13 @@ Source from_standard_input() {
 }
 
 }  // namespace
+
+FileKind kind_by_text(FileKind kind, const std::string& text) {
+  if (kind != FileKind::urdf) return kind;
+  const std::string element = outermost_element(text);
+  if (element == "sdf") return FileKind::sdf;
+  return element == "mujoco" ? FileKind::mjcf : kind;
+}
 
 std::optional<Source> Sources::read(const std::string& path, Diagnostics& diagnostics) {
   if (const auto kept = kept_.find(path); kept != kept_.end()) return kept->second;

@@ -11,7 +11,11 @@
 
 namespace flatdyn {
 
-enum class FileKind { urdf, toml, unknown };
+// XML is a URDF until its outermost element says that it is another format.
+enum class FileKind { urdf, toml, unknown, sdf, mjcf };
+
+// The kind of a file that is named as one, or came from stdin, by its text.
+FileKind kind_by_text(FileKind kind, const std::string& text);
 
 // The name of stdin as a file: in messages, and where a robot is read again.
 inline constexpr const char* kStandardInput = "<stdin>";

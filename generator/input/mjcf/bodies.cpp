@@ -144,7 +144,7 @@ class BodyReader {
                     model_.reference);
     const bool has_joint = std::any_of(body.joints.begin(), body.joints.end(),
                                        [this](int j) { return robot_.joints[at(j)].type != JointType::fixed; });
-    body.moves = has_joint || (parent >= 0 && model_.bodies[at(parent)].moves);
+    body.moves = has_joint || !body.free_joints.empty() || (parent >= 0 && model_.bodies[at(parent)].moves);
     body.geoms = contents.geoms;
     if (contents.inertials.size() > 1) {
       model_.diagnostics().error(contents.inertials[1].element->place, "body \"" + name + "\" has two <inertial>",

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <map>
 
-#include "input/common/xml.hpp"
+#include "input/common/xml_document.hpp"
 
 namespace flatdyn {
 
@@ -76,8 +76,8 @@ class TreeReader {
     if (!text) return;
     robot_.files.push_back(path);
     tinyxml2::XMLDocument document;
-    if (!parse_xml(*text, path, document, context_.diagnostics)) return;
-    read_children(*document.RootElement(), path, parent);
+    const XMLElement* included = parse_xml(*text, path, kMjcfForm, context_.diagnostics, document);
+    if (included != nullptr) read_children(*included, path, parent);
   }
 
   bool can_be_included(const std::string& path, const Place& place) {

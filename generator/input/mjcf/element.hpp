@@ -9,8 +9,11 @@
 #include <vector>
 
 #include "input/common/context.hpp"
+#include "input/common/xml_document.hpp"
 
 namespace flatdyn {
+
+inline const XmlForm kMjcfForm = {".xml", "an MJCF file is one <mujoco> ... </mujoco>"};
 
 struct MjcfAttribute {
   std::string name;

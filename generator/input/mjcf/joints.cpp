@@ -41,7 +41,8 @@ class JointReader {
   std::optional<Joint> read() {
     const std::string type = this->type();
     if (type == "free" || type == "ball") {
-      if (is_held(joint_.name, context_)) return joint_;
+      is_free_ = type == "free" && !is_held(joint_.name, context_);
+      if (is_free_ || is_held(joint_.name, context_)) return joint_;
       refuse_joint_type(item_.element->place, item_.what, type, joint_.name, values_);
       return std::nullopt;
     }
@@ -53,6 +54,7 @@ class JointReader {
   }
 
   Number reference() const { return reference_; }
+  bool is_free() const { return is_free_; }
 
  private:
   bool slides() const { return joint_.type == JointType::prismatic; }
@@ -142,6 +144,7 @@ class JointReader {
   MjcfItem item_;
   Joint joint_;
   Number reference_ = 0;
+  bool is_free_ = false;
 };
 
 std::string new_joint_name(const std::string& wanted, const MjcfModel& model) {
@@ -195,18 +198,21 @@ void add_mjcf_joints(const std::vector<MjcfJoint>& joints, const std::string& bo
                      const MjcfModel& model, MjcfBody& added, std::map<std::string, Number>& references) {
   Robot& robot = model.robot;
   std::vector<Joint> moving;
+  std::vector<bool> is_free;
   for (const MjcfJoint& each : joints) {
     JointReader reader(each, joint_name(each, body, model), model);
     const std::optional<Joint> joint = reader.read();
     if (!joint) continue;
     references[joint->name] = reader.reference();
     moving.push_back(*joint);
+    is_free.push_back(reader.is_free());
   }
   if (moving.empty()) {
     Joint fixed;
     fixed.name = new_joint_name(body, model);
     fixed.place = added.element->place;
     moving.push_back(fixed);
+    is_free.push_back(false);
   }
   moving.front().origin = joined(added.pose, moving.front().origin);
   for (std::size_t k = 0; k < moving.size(); ++k) {
@@ -215,6 +221,7 @@ void add_mjcf_joints(const std::vector<MjcfJoint>& joints, const std::string& bo
     const std::string link = is_last ? body : new_body_name(body + "_" + std::to_string(k + 1), model);
     moving[k].child = parent_link = add_link(link, added.element->place, robot);
     added.joints.push_back(static_cast<int>(robot.joints.size()));
+    if (is_free[k]) added.free_joints.push_back(added.joints.back());
     robot.joints.push_back(moving[k]);
   }
   added.link = parent_link;

@@ -29,6 +29,7 @@ struct MjcfBody {
   bool moves = false;       // against the world
   std::vector<MjcfGeom> geoms;
   std::optional<Inertial> inertial;
+  std::vector<int> free_joints = {};  // indices of the robot's joints that are free ones
 };
 
 struct MjcfModel {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Robots from XML files: URDF, or MuJoCo's MJCF.
 #pragma once
+
+#include <string>
 
 #include "input/common/context.hpp"
 
 namespace flatdyn {
 
-// Reads the text of an XML file into `robot`, as its outermost element says: <robot> or <mujoco>. `file` names it in
-// diagnostics.
-void read_xml(const std::string& text, const std::string& file, ReadContext& context, Robot& robot);
+// Reads the text of an MJCF file, one of MuJoCo, into `robot`. `file` names it in diagnostics, and files that it
+// includes are looked for beside it.
+void read_mjcf(const std::string& text, const std::string& file, ReadContext& context, Robot& robot);
 
 }  // namespace flatdyn

@@ -7,7 +7,9 @@
 
 #include "diagnostics/nearest.hpp"
 #include "input/mjcf/reader.hpp"
+#include "input/sdf/reader.hpp"
 #include "input/toml/reader.hpp"
+#include "input/urdf/reader.hpp"
 
 namespace flatdyn {
 
@@ -61,15 +63,21 @@ class OverlayReader {
     if (kind == FileKind::unknown || (kind == FileKind::toml && key == "urdf")) {
       diagnostics_.error(place, key + ": " + quoted(*name) + " is no " + (key == "urdf" ? "URDF" : "robot file"),
                          kind == FileKind::toml ? "write robot = " + quoted(*name)
-                                                : "robot files are called .urdf, .xml, .xacro or .toml");
+                                                : "robot files are called .urdf, .sdf, .xml, .xacro or .toml");
       return {};
     }
     const std::optional<Source> source = context_.options.sources->read(path.string(), diagnostics_);
     if (!source) return {};
     robot_.files.push_back(path.string());
     if (kind == FileKind::toml) return read_toml(source->text, source->name, context_, robot_);
-    read_xml(source->text, source->name, context_, robot_);
+    const auto read = reader_of(kind_by_text(kind, source->text));
+    read(source->text, source->name, context_, robot_);
     return {};
+  }
+
+  static void (*reader_of(FileKind kind))(const std::string&, const std::string&, ReadContext&, Robot&) {
+    if (kind == FileKind::sdf) return read_sdf;
+    return kind == FileKind::mjcf ? read_mjcf : read_urdf;
   }
 
   bool can_be_read(const fs::path& path, const std::string& key, const Place& place) {

@@ -50,9 +50,9 @@ void take_floating_joints(const std::vector<int>& joints, Diagnostics& diagnosti
     const Joint& joint = robot.joints[static_cast<std::size_t>(index)];
     diagnostics.unsupported(joint.place,
                             "joint \"" + joint.name +
-                                "\": type \"floating\" is supported for one joint only, between a "
-                                "root link without mass and the robot",
-                            "hold it still: make it type=\"fixed\", or give the option --fix " + joint.name);
+                                "\" moves freely: that is supported for one joint only, between a root without mass "
+                                "and the robot",
+                            "hold it still: give the option --fix " + joint.name);
   }
 }
 

@@ -6,7 +6,7 @@
 
 #include "diagnostics/nearest.hpp"
 #include "input/common/xacro.hpp"
-#include "input/common/xml.hpp"
+#include "input/common/xml_document.hpp"
 #include "input/urdf/actuators.hpp"
 #include "input/urdf/couplings.hpp"
 #include "input/urdf/floating.hpp"
@@ -240,7 +240,7 @@ class UrdfReader {
 void report_other_format(const XMLElement& root, const Place& place, Diagnostics& diagnostics) {
   const std::string name = root.Name();
   const std::string message = "the outermost element is <" + name + ">, not <robot>";
-  if (name == "sdf" || name == "mujocoinclude") {
+  if (name == "mujocoinclude") {
     diagnostics.unsupported(place, message + ": this format is not supported",
                             "convert the model to URDF, or write a TOML file");
   } else {
@@ -250,20 +250,18 @@ void report_other_format(const XMLElement& root, const Place& place, Diagnostics
 
 }  // namespace
 
-void read_urdf(const XMLElement& root, const std::string& file, ReadContext& context, Robot& robot) {
-  if (std::string_view(root.Name()) != "robot") {
-    report_other_format(root, {file, root.GetLineNum()}, context.diagnostics);
+void read_urdf(const std::string& text, const std::string& file, ReadContext& context, Robot& robot) {
+  static const XmlForm kForm = {".urdf", "a URDF file is <robot name=\"...\"> ... </robot>"};
+  tinyxml2::XMLDocument document;
+  const XMLElement* root = parse_xml(text, file, kForm, context.diagnostics, document);
+  if (root == nullptr) return;
+  if (std::string_view(root->Name()) != "robot") {
+    report_other_format(*root, {file, root->GetLineNum()}, context.diagnostics);
     return;
   }
-  // Of two robots in one file it is not clear which is meant.
-  if (const tinyxml2::XMLNode* second = content_beside(root)) {
-    context.diagnostics.error({file, second->GetLineNum()},
-                              "there is something else beside <robot>, the outermost element",
-                              "a URDF file is one <robot name=\"...\"> ... </robot>");
-    return;
-  }
-  if (refuse_template(root, file, context.diagnostics)) return;
-  UrdfReader(file, context, robot).read(root);
+  if (refuse_content_beside(*root, file, kForm, context.diagnostics)) return;
+  if (refuse_template(*root, file, context.diagnostics)) return;
+  UrdfReader(file, context, robot).read(*root);
 }
 
 }  // namespace flatdyn

@@ -72,13 +72,13 @@ TEST(TextOfLimbs, DiffersByRoundingAtMost) {
   for (std::size_t k = 0; k < lanes.size(); ++k) EXPECT_NEAR(lanes[k], apart[k], 1e-15);
 }
 
-struct Change {
+struct LaneChange {
   const char *from, *to;
 };
 
 TEST(TextOfLimbs, ChangesAreRefused) {
   const std::string text = quadruped().text(in_lanes());
-  const Change changes[] = {
+  const LaneChange changes[] = {
       {"Scalar(163.07990445503535), Scalar(-163.07990445503535)",
        "Scalar(163.07990445503535), Scalar(-163.07990445503537)"},
       {"Scalar(61.3125), Scalar(-61.3125)", "Scalar(-61.3125), Scalar(61.3125)"},
@@ -107,7 +107,7 @@ TEST(TextOfLimbs, ChangesAreRefused) {
       {"vector_size(32)", "vector_size(64)"},
       {"struct LimbLanes<double, 2>", "struct LimbLanes<int, 2>"},
   };
-  for (const Change& change : changes) {
+  for (const LaneChange& change : changes) {
     std::string wrong = text;
     const std::size_t place = wrong.find(change.from);
     ASSERT_NE(place, std::string::npos) << change.from;

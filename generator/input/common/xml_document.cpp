@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "input/common/xml.hpp"
+#include "input/common/xml_document.hpp"
 
 #include <string_view>
 
@@ -16,20 +16,22 @@ std::string readable(std::string name) {
   return name;
 }
 
+// The place behind the next `mark`, or the end.
+std::size_t behind(const std::string& text, std::size_t begin, std::string_view mark) {
+  const std::size_t end = text.find(mark, begin);
+  return end == std::string::npos ? text.size() : end + mark.size();
+}
+
 // Processing instructions concern other programs, but the parser takes none within the robot, and no XML
 // declaration after a comment. Blanks stand in for them, so that lines keep their numbers.
 std::string without_instructions(std::string text) {
-  const auto end_of = [&text](std::size_t begin, std::string_view mark) {
-    const std::size_t end = text.find(mark, begin);
-    return end == std::string::npos ? text.size() : end + mark.size();
-  };
   for (std::size_t k = text.find('<'); k < text.size(); k = text.find('<', k + 1)) {
     if (text.compare(k, 4, "<!--") == 0) {
-      k = end_of(k, "-->") - 1;
+      k = behind(text, k, "-->") - 1;
     } else if (text.compare(k, 9, "<![CDATA[") == 0) {
-      k = end_of(k, "]]>") - 1;
+      k = behind(text, k, "]]>") - 1;
     } else if (text.compare(k, 2, "<?") == 0) {
-      const std::size_t end = end_of(k, "?>");
+      const std::size_t end = behind(text, k, "?>");
       for (; k < end; ++k) text[k] = text[k] == '\n' ? '\n' : ' ';
       --k;
     }
@@ -48,29 +50,46 @@ const tinyxml2::XMLNode* doctype_with_declarations(const tinyxml2::XMLDocument& 
 
 }  // namespace
 
-bool parse_xml(const std::string& text, const std::string& file, tinyxml2::XMLDocument& document,
-               Diagnostics& diagnostics) {
+const tinyxml2::XMLElement* parse_xml(const std::string& text, const std::string& file, const XmlForm& form,
+                                      Diagnostics& diagnostics, tinyxml2::XMLDocument& document) {
+  // The parser resolves no entities of its own but the five of XML; nesting is bounded (100).
   const std::string plain = without_instructions(text);
   if (document.Parse(plain.data(), plain.size()) != tinyxml2::XML_SUCCESS) {
     diagnostics.error({file, document.ErrorLineNum()}, "not well-formed XML: " + readable(document.ErrorName()),
                       "check the tags and quotes near this line");
-    return false;
+    return nullptr;
   }
   if (const tinyxml2::XMLNode* doctype = doctype_with_declarations(document)) {
     diagnostics.error({file, doctype->GetLineNum()}, "a <!DOCTYPE ...> with declarations of its own is not read",
-                      "put in what it declares: xmllint --noent --dropdtd FILE > robot.urdf");
-    return false;
+                      "put in what it declares: xmllint --noent --dropdtd FILE > robot" + form.extension);
+    return nullptr;
   }
-  if (document.RootElement() != nullptr) return true;
-  diagnostics.error({file, 0}, "there is no element in this file", "a URDF file is <robot name=\"...\"> ... </robot>");
+  const tinyxml2::XMLElement* root = document.RootElement();
+  if (root == nullptr) diagnostics.error({file, 0}, "there is no element in this file", form.outline);
+  return root;
+}
+
+bool refuse_content_beside(const tinyxml2::XMLElement& root, const std::string& file, const XmlForm& form,
+                           Diagnostics& diagnostics) {
+  for (const tinyxml2::XMLNode* node = root.GetDocument()->FirstChild(); node != nullptr; node = node->NextSibling()) {
+    if (node == &root || (node->ToElement() == nullptr && node->ToText() == nullptr)) continue;
+    diagnostics.error({file, node->GetLineNum()},
+                      "there is something else beside <" + std::string(root.Name()) + ">, the outermost element",
+                      form.outline);
+    return true;
+  }
   return false;
 }
 
-const tinyxml2::XMLNode* content_beside(const tinyxml2::XMLElement& root) {
-  for (const tinyxml2::XMLNode* node = root.GetDocument()->FirstChild(); node != nullptr; node = node->NextSibling()) {
-    if (node != &root && (node->ToElement() != nullptr || node->ToText() != nullptr)) return node;
+std::string outermost_element(const std::string& text) {
+  std::size_t k = text.find('<');
+  while (k < text.size() && (text.compare(k, 2, "<?") == 0 || text.compare(k, 2, "<!") == 0)) {
+    const char* end = text.compare(k, 4, "<!--") == 0 ? "-->" : ">";
+    k = text.find('<', behind(text, k, end));
   }
-  return nullptr;
+  if (k >= text.size()) return "";
+  const std::size_t end = text.find_first_of(" \t\r\n/>", k);
+  return text.substr(k + 1, end == std::string::npos ? end : end - k - 1);
 }
 
 }  // namespace flatdyn

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "convert/conversion.hpp"
+#include "convert/decimals.hpp"
+#include "convert/plain_robot.hpp"
+#include "report/toml_string.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+const PlainForm kTomlForm = {.bodies_turn = false, .root_has_body = false};
+
+bool is_zero(const Vec3& v) {
+  return std::all_of(v.begin(), v.end(), [](const Number& x) { return vanishes(x); });
+}
+
+class TomlWriter {
+ public:
+  TomlWriter(const Robot& robot, Diagnostics& diagnostics)
+      : robot_(robot), diagnostics_(diagnostics), plain_(plain_robot(robot, kTomlForm)) {}
+
+  Conversion write() {
+    for (const Loop& loop : robot_.loops) {
+      diagnostics_.unsupported(loop.place, name_of(loop) + " is not written yet", "convert the robot without it");
+    }
+    if (!robot_.symbols.empty()) {
+      const FreeSymbol& first = robot_.symbols.front();
+      diagnostics_.unsupported(first.place, "symbols such as " + first.name + " are not written yet",
+                               "give them values in the file");
+    }
+    if (diagnostics_.has_errors()) return {};
+    write_top();
+    for (const PlainJoint& joint : plain_.joints) write_row(joint);
+    write_tip();
+    return {std::move(text_), std::move(rounded_)};
+  }
+
+ private:
+  // ---- numbers
+
+  static std::string quoted_expression(const Number& value) {
+    std::ostringstream text;
+    text << value;
+    std::string expression = text.str();
+    for (std::size_t k = expression.find("Pi"); k != std::string::npos; k = expression.find("Pi", k)) {
+      expression.replace(k, 2, "pi");
+    }
+    return toml_string(expression);
+  }
+
+  std::string number(const Number& value, const std::string& what) {
+    if (is_short_decimal(value)) return decimal_text(value);
+    if (is_rational(value / GiNaC::Pi)) return quoted_expression(value);
+    constexpr long kShort = 1000000;
+    const bool is_short_fraction = is_rational(value) && GiNaC::ex_to<GiNaC::numeric>(value).denom() < kShort &&
+                                   GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(value).numer()) < kShort;
+    if (is_short_fraction) return quoted_expression(value);
+    rounded_.push_back(what);
+    return decimal_text(value);
+  }
+
+  // An expression is never snapped: angles are read as they are.
+  std::string angle(const Number& value, const std::string& what) {
+    if (vanishes(value)) return "0";
+    if (is_rational(value / GiNaC::Pi)) return quoted_expression(value);
+    const std::string text = number(value, what);
+    return text.front() == '"' ? text : toml_string(text);
+  }
+
+  std::string vector(const Vec3& v, const std::string& what) {
+    const std::string x = number(v[0], what), y = number(v[1], what), z = number(v[2], what);
+    return "[" + x + ", " + y + ", " + z + "]";
+  }
+
+  std::string angles(const Vec3& v, const std::string& what) {
+    const std::string x = angle(v[0], what), y = angle(v[1], what), z = angle(v[2], what);
+    return "[" + x + ", " + y + ", " + z + "]";
+  }
+
+  // ---- tables
+
+  void add(const std::string& key, const std::string& value) { text_ += key + " = " + value + "\n"; }
+
+  std::string link(int index) const { return toml_string(plain_.links[static_cast<std::size_t>(index)].name); }
+
+  void write_top() {
+    add("name", toml_string(robot_.name));
+    add("gravity", vector(robot_.gravity, "gravity"));
+    add("base", link(robot_.root));
+    std::string held;
+    for (const Joint& joint : robot_.joints) {
+      if (!joint.held) continue;
+      const bool turns = joint.held->type != JointType::prismatic;
+      const std::string what = "joint \"" + joint.name + "\", fixed";
+      held += (held.empty() ? "" : ", ") + toml_string(joint.name) + " = " +
+              (turns ? angle(joint.held->position, what) : number(joint.held->position, what));
+    }
+    if (!held.empty()) add("fixed", "{ " + held + " }");
+  }
+
+  static const char* type_of(const Joint* joint) {
+    if (joint == nullptr) return "fixed";
+    switch (joint->held ? joint->held->type : joint->type) {
+      case JointType::fixed:
+        return "fixed";
+      case JointType::prismatic:
+        return "prismatic";
+      case JointType::continuous:
+        return "continuous";
+      case JointType::revolute:
+        break;
+    }
+    return "revolute";
+  }
+
+  void write_row(const PlainJoint& plain) {
+    const PlainLink& child = plain_.links[static_cast<std::size_t>(plain.child)];
+    const std::string what = "joint \"" + plain.name + "\"";
+    text_ += "\n[[link]]\n";
+    add("name", toml_string(child.name));
+    add("joint", toml_string(plain.name));
+    add("parent", link(plain.parent));
+    const std::string type = type_of(plain.joint);
+    add("type", toml_string(type));
+    if (!is_zero(plain.origin.xyz)) add("xyz", vector(plain.origin.xyz, what + ", xyz"));
+    if (!is_zero(plain.origin.rpy)) add("rpy", angles(plain.origin.rpy, what + ", rpy"));
+    if (type != "fixed") add("axis", vector(plain.axis, what + ", axis"));
+    if (child.body) write_body(*child.body, "link \"" + child.name + "\"");
+    if (plain.joint != nullptr && type != "fixed") write_motion(*plain.joint, what);
+  }
+
+  void write_body(const PlainBody& body, const std::string& what) {
+    add("mass", number(body.mass, what + ", mass"));
+    if (!is_zero(body.pose.xyz)) add("com", vector(body.pose.xyz, what + ", com"));
+    const Mat3& I = body.tensor;
+    std::string entries;
+    const std::string names = "xyz";
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = i; j < 3; ++j) {
+        if (vanishes(I[i][j])) continue;
+        entries += fmt::format("{}{}{} = {}", entries.empty() ? "" : ", ", names[i], names[j],
+                               number(I[i][j], what + ", inertia"));
+      }
+    }
+    if (entries.empty()) return;
+    add("inertia", "{ " + entries + " }");
+    add("inertia_about", "\"com\"");
+  }
+
+  void write_motion(const Joint& joint, const std::string& what) {
+    const auto value = [&](const char* key, const Value& each) {
+      if (!vanishes(each.number)) add(key, number(each.number, what + ", " + key));
+    };
+    value("viscous", joint.viscous);
+    value("coulomb", joint.coulomb);
+    value("armature", joint.armature);
+    if (joint.coupled) add("position", position_of(*joint.coupled));
+    std::string limits;
+    const auto limit = [&](const char* key, const std::optional<Value>& each) {
+      if (each) {
+        limits += fmt::format("{}{} = {}", limits.empty() ? "" : ", ", key, number(each->number, what + ", " + key));
+      }
+    };
+    limit("lower", joint.limits.lower);
+    limit("upper", joint.limits.upper);
+    limit("velocity", joint.limits.velocity);
+    limit("acceleration", joint.limits.acceleration);
+    limit("effort", joint.limits.effort);
+    if (!limits.empty()) add("limits", "{ " + limits + " }");
+    if (joint.motor) write_motor(*joint.motor, what + ", motor");
+  }
+
+  // "2*'elbow' + 1/3": rational numbers are written exactly, multiples of pi as such.
+  static std::string position_of(const Coupled& coupled) {
+    std::ostringstream text;
+    for (const Coupled::Term& term : coupled.terms) {
+      text << (text.tellp() > 0 ? " + " : "") << "(" << term.factor << ")*'" << term.joint.name << "'";
+    }
+    if (!vanishes(coupled.offset) || coupled.terms.empty()) {
+      text << (coupled.terms.empty() ? "" : " + ") << "(" << coupled.offset << ")";
+    }
+    std::string expression = text.str();
+    for (std::size_t k = expression.find("*Pi"); k != std::string::npos; k = expression.find("*Pi", k)) {
+      expression.replace(k, 3, "*pi");
+    }
+    return toml_string(expression);
+  }
+
+  void write_motor(const Motor& motor, const std::string& what) {
+    text_ += "[link.motor]\n";
+    add("mass", number(motor.mass.number, what));
+    add("inertia", number(motor.inertia_axial.number, what));
+    add("inertia_transverse", number(motor.inertia_transverse.number, what));
+    add("gear_ratio", number(motor.gear_ratio.number, what));
+    add("axis", vector(motor.axis, what));
+    add("position", vector(motor.position, what));
+    if (motor.carrier >= 0) add("carrier", link(motor.carrier));
+  }
+
+  void write_tip() {
+    text_ += "\n[tip]\n";
+    add("link", link(robot_.tip));
+    const PlainPose pose = plain_pose_of(robot_.tip_offset);
+    if (!is_zero(pose.xyz)) add("xyz", vector(pose.xyz, "tip, xyz"));
+    if (!is_zero(pose.rpy)) add("rpy", angles(pose.rpy, "tip, rpy"));
+  }
+
+  const Robot& robot_;
+  Diagnostics& diagnostics_;
+  PlainRobot plain_;
+  std::string text_;
+  std::vector<std::string> rounded_;
+};
+
+}  // namespace
+
+Conversion toml_of(const Robot& robot, Diagnostics& diagnostics) { return TomlWriter(robot, diagnostics).write(); }
+
+}  // namespace flatdyn

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "input/sdf/joints.hpp"
+
+#include <algorithm>
+
+#include "diagnostics/nearest.hpp"
+#include "input/sdf/joint_axis.hpp"
+#include "input/sdf/placing.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+using tinyxml2::XMLElement;
+
+const SdfNames kOfJoint = {
+    {"parent", "child", "pose", "axis", "axis2", "drake:rotor_inertia", "drake:gear_ratio", "drake:mimic"},
+    {"sensor", "physics", "gearbox_ratio", "gearbox_reference_body", "thread_pitch", "screw_thread_pitch", "frame",
+     "plugin"},
+    {"name", "type"}};
+
+class JointReader {
+ public:
+  JointReader(const SdfTree& tree, std::vector<int> links, SdfUnknown& unknown, ReadContext& context, Robot& robot)
+      : tree_(tree),
+        links_(std::move(links)),
+        unknown_(unknown),
+        context_(context),
+        diagnostics_(context.diagnostics),
+        robot_(robot) {}
+
+  void read() {
+    for (std::size_t i = 1; i < tree_.frames.size(); ++i) {
+      const SdfFrame& frame = tree_.frames[i];
+      const bool is_static = tree_.scopes[static_cast<std::size_t>(frame.scope)].is_static;
+      if (frame.kind == SdfFrame::Kind::joint && !is_static) read_joint(static_cast<int>(i));
+      if (frame.kind == SdfFrame::Kind::link && is_static) fix_to_world(static_cast<int>(i));
+    }
+  }
+
+ private:
+  void read_joint(int index) {
+    const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(index)];
+    unknown_.check(*frame.element, name_of(frame), kOfJoint, *frame.values);
+    const std::string type = frame.values->required_attribute(*frame.element, "type", name_of(frame));
+    Joint joint;
+    joint.place = frame.values->place(*frame.element);
+    joint.viscous.place = joint.coulomb.place = joint.armature.place = joint.place;
+    joint.name = frame.name;
+    const int parent = frame_of_joint(tree_, frame, "parent", diagnostics_);
+    const int parent_body = body_of(tree_, parent), child_body = body_of(tree_, frame.attached_to);
+    joint.parent = link_of(parent_body, frame, "parent");
+    joint.child = link_of(child_body, frame, "child");
+    const std::size_t before = robot_.joints.size();
+    if (joint.parent >= 0 && joint.child >= 0 && !type.empty()) {
+      has_two_axes(frame) ? add_two(index, parent_body, child_body, joint)
+                          : add_one(index, type, parent_body, child_body, joint);
+    }
+    // One that has errors stands for itself, so that its links do not seem to be free.
+    if (robot_.joints.size() == before) robot_.joints.push_back(std::move(joint));
+  }
+
+  // -1, and an error, if a frame moves with no link.
+  int link_of(int body, const SdfFrame& joint, const char* tag) {
+    if (body < 0) return -1;
+    if (body == 0 && std::string_view(tag) == "parent") return world();
+    const int link = links_[static_cast<std::size_t>(body)];
+    if (link < 0) {
+      diagnostics_.error(joint.values->place(*joint.element), name_of(joint) + ": its " + tag + " moves with no link",
+                         "name a link, or a frame that is attached to one");
+    }
+    return link;
+  }
+
+  int world() {
+    if (world_ >= 0) return world_;
+    world_ = static_cast<int>(robot_.links.size());
+    robot_.links.push_back({"world", {}, {robot_.file, 1}});
+    return world_;
+  }
+
+  void fix_to_world(int link) {
+    const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(link)];
+    Joint joint;
+    joint.name = "world to " + frame.name;
+    joint.place = frame.values->place(*frame.element);
+    joint.parent = world();
+    joint.child = links_[static_cast<std::size_t>(link)];
+    joint.origin = {relative_pose(tree_, 0, link), joint.place};
+    robot_.joints.push_back(std::move(joint));
+  }
+
+  // How a joint would move that is held is kept beside its type.
+  void set_type(JointType type, Joint& joint) {
+    joint.type = is_held(joint.name, context_) ? JointType::fixed : type;
+    if (joint.type != type) joint.held = Held{type};
+  }
+
+  void add_one(int index, const std::string& type, int parent, int child, Joint& joint) {
+    const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(index)];
+    static const std::map<std::string, JointType> kMotions = {
+        {"revolute", JointType::revolute}, {"continuous", JointType::continuous}, {"prismatic", JointType::prismatic}};
+    const auto motion = kMotions.find(type);
+    if (motion == kMotions.end()) {
+      if (type != "fixed" && !is_held(joint.name, context_)) refuse_type(frame, type);
+      joint.origin = {relative_pose(tree_, parent, child), joint.place};
+      robot_.joints.push_back(joint);
+      return;
+    }
+    set_type(motion->second, joint);
+    const XMLElement* axis = axis_of(frame, "axis");
+    if (axis == nullptr) return;
+    const Displacements turn = turn_of(index, *axis);
+    joint.origin = {product(relative_pose(tree_, parent, index), turn), joint.place};
+    joint.link_offset = {product(inverse(turn), relative_pose(tree_, index, child)), joint.place};
+    read_sdf_axis(tree_, frame, *axis, unknown_, context_, joint);
+    if (joint.type != JointType::fixed) read_drake_words(tree_, frame, diagnostics_, joint);
+    robot_.joints.push_back(joint);
+  }
+
+  // A link without mass carries the second axis.
+  void add_two(int index, int parent, int child, const Joint& both) {
+    const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(index)];
+    const XMLElement *axis = axis_of(frame, "axis"), *axis2 = axis_of(frame, "axis2");
+    if (axis == nullptr || axis2 == nullptr) return;
+    if (frame.element->FirstChildElement("drake:rotor_inertia") != nullptr) {
+      diagnostics_.unsupported(both.place, name_of(frame) + " has two axes: whose rotor is meant is not clear",
+                               "delete <drake:rotor_inertia>");
+    }
+    const int between = static_cast<int>(robot_.links.size());
+    robot_.links.push_back({frame.name + ".between", {}, both.place});
+    Joint first = both, second = both;
+    first.name = name_of_axis(frame, "axis");
+    second.name = name_of_axis(frame, "axis2");
+    first.child = second.parent = between;
+    set_type(JointType::revolute, first);
+    set_type(JointType::revolute, second);
+    const Displacements turn = turn_of(index, *axis), turn2 = turn_of(index, *axis2);
+    first.origin = {product(relative_pose(tree_, parent, index), turn), both.place};
+    first.link_offset = {inverse(turn), both.place};
+    second.origin = {turn2, both.place};
+    second.link_offset = {product(inverse(turn2), relative_pose(tree_, index, child)), both.place};
+    read_sdf_axis(tree_, frame, *axis, unknown_, context_, first);
+    read_sdf_axis(tree_, frame, *axis2, unknown_, context_, second);
+    robot_.joints.push_back(std::move(first));
+    robot_.joints.push_back(std::move(second));
+  }
+
+  // The rotation from the joint's frame to the one that its axis is written in, so that the axis keeps its decimals.
+  Displacements turn_of(int joint, const XMLElement& axis) {
+    return rotations_in(relative_pose(tree_, joint, frame_of_axis(tree_, joint, axis, diagnostics_)));
+  }
+
+  const XMLElement* axis_of(const SdfFrame& frame, const char* tag) {
+    const XMLElement* axis = frame.values->child(*frame.element, tag, name_of(frame));
+    if (axis == nullptr) {
+      diagnostics_.error(frame.values->place(*frame.element), name_of(frame) + " has no <" + tag + ">",
+                         std::string("write <") + tag + "> <xyz>0 0 1</xyz> </" + tag + ">");
+    }
+    return axis;
+  }
+
+  // The one place where types are refused that the model does not have yet.
+  void refuse_type(const SdfFrame& frame, const std::string& type) {
+    static const std::vector<std::string> kNotYet = {"ball", "screw", "gearbox", "piston", "planar", "floating"};
+    const Place place = frame.values->place(*frame.element);
+    if (std::find(kNotYet.begin(), kNotYet.end(), type) != kNotYet.end()) {
+      diagnostics_.unsupported(place, name_of(frame) + ": type \"" + type + "\" is not supported yet",
+                               "hold it still: make it type=\"fixed\", or give the option --fix " + frame.name);
+      return;
+    }
+    const std::string hint =
+        hint_for_unknown(type, {"revolute", "continuous", "prismatic", "fixed", "universal", "revolute2"}, "types");
+    diagnostics_.error(place, name_of(frame) + ": unknown type \"" + type + "\"", hint);
+  }
+
+  const SdfTree& tree_;
+  std::vector<int> links_;
+  SdfUnknown& unknown_;
+  ReadContext& context_;
+  Diagnostics& diagnostics_;
+  Robot& robot_;
+  int world_ = -1;
+};
+
+}  // namespace
+
+void read_sdf_joints(const SdfTree& tree, std::vector<int> links, SdfUnknown& unknown, ReadContext& context,
+                     Robot& robot) {
+  JointReader(tree, std::move(links), unknown, context, robot).read();
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/program.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Convert : public ::testing::Test {
+ protected:
+  // Converts a file, which must be read back as the same mechanism, exactly.
+  std::string exact(const std::string& arguments, const std::string& output) {
+    const Outcome outcome = run_flatdyn("convert " + arguments + " -o " + scratch.path(output));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("read back: the same mechanism, exactly")) << arguments;
+    return scratch.read(output);
+  }
+
+  Scratch scratch;
+};
+
+TEST_F(Convert, WritesUrdfAsUrdfAndToml) {
+  for (const char* robot : {"robots/panda.urdf", "robots/ur5.urdf"}) {
+    exact(robot, "again.urdf");
+    exact(robot, "again.toml");
+    exact(scratch.path("again.toml"), "back.urdf");
+  }
+}
+
+TEST_F(Convert, WritesDhTables) {
+  for (const char* robot : {"puma560", "rx90"}) {
+    exact("robots/" + std::string(robot) + ".toml", "again.toml");
+  }
+}
+
+TEST_F(Convert, KeepsDecimalsAndAnglesAsTheyAre) {
+  scratch.write("r.urdf", R"(<robot name="r"><link name="base"/><link name="arm"><inertial>
+    <origin xyz="0.1 0 -1e-3"/><mass value="2.50"/><inertia ixx="1e-9" iyy="2" izz="2" ixy="0" ixz="0" iyz="0"/>
+    </inertial><visual/></link><joint name="j" type="revolute"><origin rpy="0 1.5708 0.3"/><parent link="base"/>
+    <child link="arm"/><axis xyz="0 0 1"/><limit lower="-1" upper="1.25"/></joint></robot>)");
+  const std::string urdf = exact(scratch.path("r.urdf"), "a.urdf");
+  EXPECT_THAT(urdf, HasSubstr("<origin rpy=\"0 1.5707963267948966193 0.3\"/>"));
+  EXPECT_THAT(urdf, HasSubstr("<origin xyz=\"0.1 0 -0.001\"/>"));
+  EXPECT_THAT(urdf, HasSubstr("<mass value=\"2.5\"/>"));
+  EXPECT_THAT(urdf, HasSubstr("ixx=\"1e-9\""));
+  EXPECT_THAT(urdf, HasSubstr("<limit lower=\"-1\" upper=\"1.25\"/>"));
+  EXPECT_THAT(urdf, Not(HasSubstr("visual")));
+  EXPECT_THAT(exact(scratch.path("r.urdf"), "a.toml"), HasSubstr("rpy = [0, \"1/2*pi\", \"0.3\"]"));
+}
+
+TEST_F(Convert, RoundsWhatIsNoDecimalAndSaysSo) {
+  scratch.write("r.sdf", R"(<sdf version="1.9"><model name="r"><link name="base"/>
+    <link name="arm"><pose>0 0 1 0.3 0 0</pose></link><link name="hand"><pose>0 0.5 1 0.3 0 0</pose></link>
+    <joint name="j" type="revolute"><parent>base</parent><child>arm</child><axis><xyz>0 0 1</xyz></axis></joint>
+    <joint name="k" type="revolute"><parent>arm</parent><child>hand</child><axis><xyz>0 0 1</xyz></axis></joint>
+    </model></sdf>)");
+  const Outcome outcome = run_flatdyn("convert " + scratch.path("r.sdf") + " -o " + scratch.path("r.urdf"));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("numbers are no finite decimals and are rounded to 25 digits"));
+  EXPECT_THAT(outcome.out, HasSubstr("read back: torques at random states differ by at most"));
+}
+
+TEST_F(Convert, RefusesWhatTheFormatCannotSay) {
+  const auto refused = [this](const std::string& arguments) {
+    const Outcome outcome = run_flatdyn("convert " + arguments + " -o " + scratch.path("r.urdf"));
+    EXPECT_EQ(outcome.code, 4) << arguments;
+    EXPECT_TRUE(scratch.is_empty()) << arguments;
+    return outcome.err;
+  };
+  EXPECT_THAT(refused("robots/panda.urdf --gravity 0,0,-1.62"), HasSubstr("a URDF cannot say which gravity there is"));
+  EXPECT_THAT(refused("robots/pendulum_motor.toml"), HasSubstr("a URDF cannot say what the motor of joint"));
+  EXPECT_THAT(refused("robots/panda.urdf --fix panda_joint1=0.5"), HasSubstr("the position of a joint that is held"));
+  EXPECT_THAT(refused("robots/four_bar.toml"), HasSubstr("not written yet"));
+}
+
+TEST_F(Convert, NeedsANameThatSaysTheFormat) {
+  const Outcome outcome = run_flatdyn("convert robots/panda.urdf -o " + scratch.path("r.xml"));
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("must end in .urdf or .toml"));
+}
+
+}  // namespace
+}  // namespace flatdyn::testing
