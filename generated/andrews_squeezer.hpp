@@ -1169,8 +1169,8 @@ static inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
       Scalar(0.4061290032534085) * t29 * t29 + t23 * t23 * t27 +
       Scalar(1.6691005414350237) * t13 * t13 * t18;
   const Scalar omega_2_z = qd_1 + qd_1 * t8;
-  const Scalar t31 = omega_2_z * (omega_2_z - Scalar(0.6361827949713791) * c_2 * qd_1);
-  T[0] = Scalar(4.6185625e-07) * t31 + Scalar(0.000019907649165) * qd_1 * qd_1 * t30;
+  const Scalar L_2_z = omega_2_z - Scalar(0.6361827949713791) * c_2 * qd_1;
+  T[0] = Scalar(4.6185625e-07) * omega_2_z * L_2_z + Scalar(0.000019907649165) * qd_1 * qd_1 * t30;
   const Scalar regular_l1 = t6 * t6 - Scalar(3.7515625e-13);
   const Scalar regular_l2 = t16 * t16 - Scalar(6.25e-13);
   const Scalar regular_l3 = t25 * t25 - Scalar(6.25e-13);

@@ -95,7 +95,7 @@ bool can_balance(const Vec3& p, Balance balance) {
 Mechanism regrouped(const Mechanism& mechanism, const std::vector<JointGrouping>& groupings) {
   Mechanism result = mechanism;
   const std::vector<Number> carried = carried_masses(mechanism);
-  for (int i = result.body_count() - 1; i >= result.base_bodies(); --i) {
+  for (int i = result.size() - 1; i >= result.base_bodies(); --i) {
     const JointGrouping& chosen = groupings[static_cast<std::size_t>(i)];
     if (chosen.grouping == Grouping::none) continue;
     Body& body = result.bodies[static_cast<std::size_t>(i)];
