@@ -49,7 +49,7 @@ class NumberCollector {
   }
 
   void add(const Body& body) {
-    // What is no number is part of the name.
+    // The name has all that is no number.
     const std::string name = "joint \"" + body.joint + "\" on body " + std::to_string(body.parent) +
                              (body.prismatic ? ", prismatic" : "") + (body.continuous ? ", continuous" : "");
     for (const PlanarRotation& rotation : {body.beta, body.alpha, body.theta}) {

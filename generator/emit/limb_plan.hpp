@@ -26,8 +26,8 @@ struct LimbStep {
   int index = 0;
 };
 
-// What stands for an operand or a coefficient of the first limb's expression in that of all: by the node whose
-// expression it is and the operand (-1: the constant), the number of a gathered vector.
+// The gathered vectors that stand for operands and coefficients of the first limb's expressions in those of all: by the
+// node whose expression it is and the operand (-1: the constant), the number of the vector.
 using GatheredOperands = std::map<std::pair<NodeId, NodeId>, int>;
 
 struct LimbPlan {

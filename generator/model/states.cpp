@@ -11,7 +11,7 @@ constexpr double kPi = 3.141592653589793, kUsualGravity = 9.81;
 // These streams are separate, so that the inputs of the other functions do not depend on them.
 constexpr unsigned kReferenceSeed = 0x7265666e, kBaseSeed = 0x62617365, kGravitySeed = 0x67726176;
 
-constexpr int kNone = -1;
+constexpr int kNoPosition = -1;
 
 // std::uniform_real_distribution differs between standard libraries; this one does not.
 class Uniform {
@@ -47,7 +47,7 @@ double bound(const std::optional<Value>& limit, double otherwise) {
   return value > 0 ? value : otherwise;
 }
 
-double size_of(const Vec3& v) {
+double magnitude_of_gravity(const Vec3& v) {
   if (std::any_of(v.begin(), v.end(), has_symbols)) return kUsualGravity;
   return std::hypot(nearest_double(v[0]), nearest_double(v[1]), nearest_double(v[2]));
 }
@@ -86,10 +86,10 @@ StateSource::StateSource(const Mechanism& mechanism) {
     positions_.emplace_back(range.lower, range.upper);
   }
   for (int k = 0; k < mechanism.size(); ++k) {
-    const int position = mechanism.is_of_base(k) ? kNone : mechanism.position_of(k);
+    const int position = mechanism.is_of_base(k) ? kNoPosition : mechanism.position_of(k);
     joints_.push_back({position, motion_range(mechanism.joint(k))});
   }
-  if (mechanism.floating_base) gravity_ = size_of(mechanism.gravity);
+  if (mechanism.floating_base) gravity_ = magnitude_of_gravity(mechanism.gravity);
   for (const LoopClosure& loop : mechanism.loops) {
     dependent_.insert(dependent_.end(), loop.dependent.begin(), loop.dependent.end());
   }
@@ -104,7 +104,7 @@ std::vector<State> StateSource::draw(int count, unsigned seed) const {
     const auto draw_position = [&](std::size_t p) { state.q[p] = uniform(positions_[p].first, positions_[p].second); };
     for (const Joint& joint : joints_) {
       const auto symmetric = [&uniform](double b) { return uniform(-b, b); };
-      if (joint.position != kNone) draw_position(static_cast<std::size_t>(joint.position));
+      if (joint.position != kNoPosition) draw_position(static_cast<std::size_t>(joint.position));
       state.qd.push_back(symmetric(joint.range.speed));
       state.qdd.push_back(symmetric(joint.range.acceleration));
       state.tau.push_back(symmetric(joint.range.effort));
@@ -166,7 +166,7 @@ std::vector<State> edge_states(const Mechanism& mechanism) {
       state.tau.assign(n, 1.0);
       state.qd_r.assign(n, -qd);
       state.qdd_r.assign(n, 1.0);
-      if (mechanism.floating_base) state.g_b = {0.0, 0.0, -size_of(mechanism.gravity)};
+      if (mechanism.floating_base) state.g_b = {0.0, 0.0, -magnitude_of_gravity(mechanism.gravity)};
       states.push_back(std::move(state));
     }
   }

@@ -189,6 +189,10 @@ void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
                           "joints that move no mass: the inertia matrix is singular");
     }
   }
+  if (robot.floating_base && !has_inertia[static_cast<std::size_t>(robot.root)]) {
+    diagnostics.warning({robot.file, 0}, "the base floats and the robot has no mass: the inertia matrix is singular",
+                        "give its links their <inertial>");
+  }
 }
 
 }  // namespace

@@ -154,7 +154,7 @@ class OverlayReader {
 
   void read_joint_row(TomlTable& row) {
     const std::optional<Reference> name = row.reference("name");
-    if (!name || robot_.joints.empty()) return;  // the robot file could not be read: said there
+    if (!name || robot_.links.empty()) return;  // the robot file could not be read: said there
     std::vector<std::string> known;
     for (Joint& joint : robot_.joints) {
       known.push_back(joint.name);
