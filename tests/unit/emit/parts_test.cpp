@@ -49,10 +49,11 @@ class PartsOf {
 
 bool begins_with(const std::string& line, const std::string& begin) { return line.rfind(begin, 0) == 0; }
 
-// The length in lines of the longest of the robot's functions, from its name to its closing brace. They are before
-// rounding_is_as_written(), which is never cut.
+// The length in lines of the longest of the robot's functions, from its name to its closing brace. They are between
+// the sines and rounding_is_as_written(), which are never cut.
 int longest_function(const std::string& header) {
-  std::istringstream text(header.substr(0, header.find("static bool rounding_is_as_written()")));
+  const std::size_t begin = header.find("}  // namespace detail", header.find("void sines_and_cosines("));
+  std::istringstream text(header.substr(begin, header.find("static bool rounding_is_as_written()") - begin));
   int longest = 0, lines = 0;
   for (std::string line; std::getline(text, line); ++lines) {
     const bool begins = begins_with(line, "void ") || begins_with(line, "inline ") || begins_with(line, "static ");
