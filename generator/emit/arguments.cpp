@@ -24,10 +24,9 @@ InputArgument input_argument(InputKind kind, JointCounts counts, int base_parame
     case InputKind::g_b:
       return {"g_b", 3, "gravity in base axes, m/s^2: R^T g_0 with R from base axes to world axes"};
     case InputKind::v:
-      return {"v", joints,
-              "velocity of the base's origin (m/s) and its angular velocity (rad/s), base axes, then joint velocities"};
+      return {"v", joints, "velocity of the base (linear, then angular; base axes), then of the joints"};
     case InputKind::a:
-      return {"a", joints, "derivatives of the entries of v, per second"};
+      return {"a", joints, "derivatives of the entries of v"};
     case InputKind::qd_r:
       return {"qd_r", joints, "reference velocities, rad/s or m/s"};
     case InputKind::qdd_r:

@@ -47,7 +47,9 @@ std::string gravity_text(const Mechanism& mechanism) {
   return fmt::format("Gravity is {} m/s^2 in the base frame.", NumberText(mechanism, 17)(mechanism.gravity));
 }
 
-std::string floating_text(const Mechanism& mechanism) {
+}  // namespace
+
+std::string floating_base_text(const Mechanism& mechanism) {
   const std::string text = fmt::format(
       "The base floats. The first entries of v are the velocity of the origin of link \"{}\" (v[0] to v[2], m/s) and "
       "the link's angular velocity (v[3] to v[5], rad/s), both in the link's axes; the joints' rates follow. a has the "
@@ -58,10 +60,8 @@ std::string floating_text(const Mechanism& mechanism) {
   return text + " g_b is gravity in the link's axes, m/s^2: R^T g_0 with R from these axes to the world's.";
 }
 
-}  // namespace
-
 std::string facts_of(const Mechanism& mechanism, const std::string& scene) {
-  std::string text = mechanism.floating_base ? floating_text(mechanism) : gravity_text(mechanism);
+  std::string text = mechanism.floating_base ? floating_base_text(mechanism) : gravity_text(mechanism);
   if (!mechanism.tip.link.empty()) text += fmt::format(" The tip belongs to link \"{}\".", mechanism.tip.link);
   if (!mechanism.merged.empty()) text += merged_text(mechanism);
   const auto by_index = [](int k) { return fmt::format("q[{}]", k); };

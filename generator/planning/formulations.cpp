@@ -60,9 +60,17 @@ Request parsed(const Mechanism& mechanism, const std::string& name) {
   return request;
 }
 
-// The summary "Pose of the tip", or "Pose of link hand".
-std::string summary_of(const Request& request) {
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t k = text.find(from); k != std::string::npos; k = text.find(from, k + to.size())) {
+    text.replace(k, from.size(), to);
+  }
+  return text;
+}
+
+// The summary "Pose of the tip", or "Pose of link hand". With a floating base, q̈ is a and q̇ is v.
+std::string summary_of(const Request& request, bool floating_base) {
   std::string summary = request.row->summary;
+  if (floating_base) summary = replaced(replaced(summary, "qdd", "a"), "qd", "v");
   const std::string tip = "the tip";
   const std::size_t place = summary.find(tip);
   if (request.link != nullptr && place != std::string::npos) {
@@ -82,11 +90,11 @@ Function derived_plainly(const Mechanism& mechanism, const Request& request, con
 void describe_floating(Output& output) {
   switch (output.quantity) {
     case OutputQuantity::joint_torque:
-      output.meaning = "force (N) on the base and moment (N m) about its origin, base axes, then joint torques";
+      output.meaning = "force and moment on the base (base axes, N, N m), then joint torques";
       break;
     case OutputQuantity::joint_acceleration:
       output.name = "a";
-      output.meaning = "derivatives of the entries of v: of the base, in base axes, then of the joints";
+      output.meaning = "derivatives of the entries of v";
       break;
     case OutputQuantity::joint_inertia:
       output.meaning = "inertia matrix, symmetric, rows and columns in the order of v, SI units";
@@ -129,7 +137,7 @@ std::optional<Function> formulation(const Mechanism& mechanism, const std::strin
   if (!result) return result;
   result->name = name;
   if (request.row->traits.divides_by_pivots) result->proven_pivot_share = choices.guard.proven_share;
-  result->summary = summary_of(request);
+  result->summary = summary_of(request, mechanism.floating_base);
   describe(*request.row, mechanism, *result);
   return result;
 }

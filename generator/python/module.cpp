@@ -10,6 +10,7 @@
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/version.hpp"
 #include "emit/arguments.hpp"
+#include "emit/facts.hpp"
 #include "emit/page.hpp"
 #include "emit/sections.hpp"
 #include "emit/text_hash.hpp"
@@ -17,6 +18,7 @@
 #include "model/identifiers.hpp"
 #include "model/loop_closure.hpp"
 #include "python/module_names.hpp"
+#include "symbolic/notation/coupled_text.hpp"
 #include "templates.hpp"
 #include "verify/proof.hpp"
 
@@ -24,6 +26,8 @@ namespace flatdyn {
 namespace {
 
 using kainjow::mustache::data;
+
+constexpr std::size_t kPythonWidth = 120;
 
 // The entries as a Python tuple, "7, 7" in brackets, also for a single one.
 std::string tuple_of(const std::vector<std::string>& entries) {
@@ -67,7 +71,10 @@ class ModuleWriter {
     page["prefix"] = dialect_->global("");
     page["scalar"] = options_.scalar;
     page["is_float"] = options_.scalar == "float";
-    page["joints"] = std::to_string(mechanism_.size());
+    page["joints"] = mechanism_.floating_base ? joints_text(mechanism_) : fmt::format("{} joints", mechanism_.size());
+    page["floating?"] = mechanism_.floating_base;
+    if (mechanism_.floating_base)
+      page["floating"] = list_of(wrapped_words(floating_base_text(mechanism_), kPythonWidth));
     std::vector<std::string> names;
     for (const Body& body : mechanism_.joints()) names.push_back(nlohmann::json(body.joint).dump(-1, ' ', true));
     page["joint_names"] = without_newline(list_line("joint_names = (", names, names.size() == 1 ? ",)" : ")", 0));

@@ -177,6 +177,7 @@ class Evaluator {
     StateOf<S> state;
     state.q.assign(static_cast<std::size_t>(mechanism_.position_count()), S(0));
     state.qd = state.qdd = state.tau = state.qd_r = state.qdd_r = zero;
+    if (mechanism_.floating_base) state.g_b.assign(3, S(0));
     state.parameters.assign(mechanism_.symbols.size(), S(0));
     state.pi_b.assign(static_cast<std::size_t>(function_.base_parameters), S(0));
     symbols_.assign(mechanism_.symbols.size(), 0);

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Robots with a floating base on the command line.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/program.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* kBody = R"(name = "body"
+[base]
+motion = "floating"
+mass = 2
+inertia = { xx = 1, yy = 2, zz = 3 }
+inertia_about = "com"
+)";
+
+// f = m (ω × v - g_b), n = ω × I ω.
+TEST(FloatingEval, ReadsTheBaseByItsNames) {
+  const Scratch scratch;
+  scratch.write("body.toml", kBody);
+  scratch.write("states.csv",
+                "base_gx,base_gy,base_gz,base_vx,base_vy,base_vz,base_wx,base_wy,base_wz,base_dvx,base_dvy,base_dvz,"
+                "base_dwx,base_dwy,base_dwz\n0,0,-10,1,0,0,0,1,2,0,0,0,0,0,0\n");
+  const Outcome outcome = run_flatdyn("eval " + scratch.path("body.toml") + " --function inverse_dynamics --states " +
+                                      scratch.path("states.csv"));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr(",0,4,18,2,0,0"));
+  const Outcome reference =
+      run_flatdyn("eval " + scratch.path("body.toml") + " --function inverse_dynamics --reference --states " +
+                  scratch.path("states.csv"));
+  EXPECT_EQ(reference.out, outcome.out);
+}
+
+TEST(FloatingBase, IsRefusedWhereItIsNotSupported) {
+  const Scratch scratch;
+  scratch.write("body.toml", kBody);
+  const Outcome derive = run_flatdyn("derive " + scratch.path("body.toml"));
+  EXPECT_EQ(derive.code, 4);
+  EXPECT_THAT(derive.err, HasSubstr("derive: robots with a floating base are not supported yet"));
+  const Outcome regressor =
+      run_flatdyn("generate " + scratch.path("body.toml") + " --functions regressor -o " + scratch.path("out"));
+  EXPECT_EQ(regressor.code, 4);
+  EXPECT_THAT(regressor.err, HasSubstr("\"regressor\" is not supported for robots with a floating base"));
+  const Outcome fixed = run_flatdyn("generate robots/ur5.urdf --functions centre_of_mass -o " + scratch.path("out"));
+  EXPECT_EQ(fixed.code, 2);
+  EXPECT_THAT(fixed.err, HasSubstr("--base floating"));
+}
+
+// A base that is held still is a base that does not move, whatever the file says.
+TEST(FloatingBase, IsHeldByTheOption) {
+  const Scratch scratch;
+  scratch.write("body.toml", kBody);
+  const Outcome held = run_flatdyn("inspect --base fixed " + scratch.path("body.toml"));
+  EXPECT_EQ(held.code, 3);
+  EXPECT_THAT(held.err, HasSubstr("no joint of this robot moves"));
+}
+
+}  // namespace
+}  // namespace flatdyn::testing
