@@ -121,8 +121,7 @@ class Maker {
       const bool turns = is_turned(body.pose) && !form_.bodies_turn;
       if (turns && has_quarter_turns_only(inertial.frame.displacements)) body = unturned(body, inertial);
       std::optional<PlainBody>& own = plain_.links[static_cast<std::size_t>(link)].body;
-      const bool fits = !own && (link != robot_.root || form_.root_has_body);
-      if (fits && (form_.bodies_turn || !is_turned(body.pose))) {
+      if (!own && (form_.bodies_turn || !is_turned(body.pose))) {
         own = body;
       } else {
         add_link_of_body(link, body);

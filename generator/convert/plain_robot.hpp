@@ -41,10 +41,9 @@ struct PlainRobot {
   std::vector<PlainJoint> joints;
 };
 
-// Where a body may be turned against its link, as in URDF, or not, as in TOML, and whether the root may have one.
+// Where a body may be turned against its link, as in URDF, or not, as in TOML.
 struct PlainForm {
   bool bodies_turn = true;
-  bool root_has_body = true;
 };
 
 PlainPose plain_pose_of(const Pose& pose);

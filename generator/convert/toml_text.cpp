@@ -13,7 +13,7 @@ namespace flatdyn {
 
 namespace {
 
-const PlainForm kTomlForm = {.bodies_turn = false, .root_has_body = false};
+const PlainForm kTomlForm = {.bodies_turn = false};
 
 bool is_zero(const Vec3& v) {
   return std::all_of(v.begin(), v.end(), [](const Number& x) { return vanishes(x); });
@@ -91,7 +91,9 @@ class TomlWriter {
   void write_top() {
     add("name", toml_string(robot_.name));
     add("gravity", vector(robot_.gravity, "gravity"));
-    add("base", link(robot_.root));
+    const PlainLink& base = plain_.links[static_cast<std::size_t>(robot_.root)];
+    const bool is_plain = !base.body && !robot_.floating_base && base.name != "fixed" && base.name != "floating";
+    if (is_plain) add("base", link(robot_.root));
     std::string held;
     for (const Joint& joint : robot_.joints) {
       if (!joint.held) continue;
@@ -101,6 +103,14 @@ class TomlWriter {
               (turns ? angle(joint.held->position, what) : number(joint.held->position, what));
     }
     if (!held.empty()) add("fixed", "{ " + held + " }");
+    if (!is_plain) write_base(base);
+  }
+
+  void write_base(const PlainLink& base) {
+    text_ += "\n[base]\n";
+    add("name", toml_string(base.name));
+    if (robot_.floating_base) add("motion", "\"floating\"");
+    if (base.body) write_body(*base.body, "link \"" + base.name + "\"");
   }
 
   static const char* type_of(const Joint* joint) {

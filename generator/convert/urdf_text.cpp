@@ -39,6 +39,7 @@ class UrdfWriter {
     if (diagnostics_.has_errors()) return {};
     text_ = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", xml_text(robot_.name));
     for (const PlainLink& link : plain_.links) write_link(link);
+    if (robot_.floating_base) write_free_joint();
     for (const PlainJoint& joint : plain_.joints) write_joint(joint);
     text_ += "</robot>\n";
     return {std::move(text_), std::move(rounded_)};
@@ -149,6 +150,27 @@ class UrdfWriter {
     add(2, fmt::format("<child link=\"{}\"/>\n", link(plain.child)));
     if (plain.joint != nullptr && plain.joint->type != JointType::fixed) write_motion(plain, what);
     add(1, "</joint>\n");
+  }
+
+  // A floating base: a joint between it and a link that stands for the world.
+  void write_free_joint() {
+    const std::string world = unused("world"),
+                      base = xml_text(plain_.links[static_cast<std::size_t>(robot_.root)].name);
+    add(1, fmt::format("<link name=\"{}\"/>\n", world));
+    add(1, fmt::format("<joint name=\"{}\" type=\"floating\">\n", unused("floating_base")));
+    add(2, fmt::format("<parent link=\"{}\"/>\n", world));
+    add(2, fmt::format("<child link=\"{}\"/>\n", base));
+    add(1, "</joint>\n");
+  }
+
+  // The name, with underscores behind it as long as a link or joint has it.
+  std::string unused(std::string name) const {
+    const auto is_taken = [&](const auto& each) { return each.name == name; };
+    while (std::any_of(plain_.links.begin(), plain_.links.end(), is_taken) ||
+           std::any_of(plain_.joints.begin(), plain_.joints.end(), is_taken)) {
+      name += "_";
+    }
+    return name;
   }
 
   void write_motion(const PlainJoint& plain, const std::string& what) {

@@ -9,6 +9,7 @@ namespace flatdyn::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 constexpr const char* kBody = R"(name = "body"
 [base]
@@ -48,6 +49,15 @@ TEST(FloatingBase, IsRefusedWhereItIsNotSupported) {
   const Outcome fixed = run_flatdyn("generate robots/ur5.urdf --functions centre_of_mass -o " + scratch.path("out"));
   EXPECT_EQ(fixed.code, 2);
   EXPECT_THAT(fixed.err, HasSubstr("--base floating"));
+}
+
+TEST(FloatingBase, IsConvertedToUrdfAndBack) {
+  const Scratch scratch;
+  scratch.write("body.toml", kBody);
+  const std::string urdf = scratch.path("body.urdf"), toml = scratch.path("again.toml");
+  EXPECT_EQ(run_flatdyn("convert " + scratch.path("body.toml") + " -o " + urdf).code, 0);
+  EXPECT_EQ(run_flatdyn("convert " + urdf + " -o " + toml).code, 0);
+  EXPECT_THAT(run_flatdyn("inspect -q " + toml).out, StartsWith("robot body: 0 joints, floating base"));
 }
 
 // A base that is held still is a base that does not move, whatever the file says.
