@@ -18,7 +18,9 @@ InputArgument input_argument(InputKind kind, JointCounts counts, int base_parame
     case InputKind::qdd:
       return {"qdd", joints, "joint accelerations, rad/s^2 or m/s^2"};
     case InputKind::tau:
-      return {"tau", joints, "joint torques or forces, N m or N"};
+      return {"tau", joints,
+              counts.floating_base ? "force and moment on the base (base axes, N, N m), then joint torques"
+                                   : "joint torques or forces, N m or N"};
     case InputKind::h_e:
       return {"h_e", kWrench, "force (N), then moment (N m), that the tip exerts on its environment, base frame"};
     case InputKind::g_b:

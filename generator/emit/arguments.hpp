@@ -20,9 +20,11 @@ struct InputArgument {
 // The length of q̇, q̈ and τ, and the length of q, which is longer if loops are closed.
 struct JointCounts {
   int joints, positions;
+  bool floating_base = false;
 
   JointCounts(int n) : joints(n), positions(n) {}  // NOLINT(google-explicit-constructor): most robots have one number
-  explicit JointCounts(const Mechanism& mechanism) : joints(mechanism.size()), positions(mechanism.position_count()) {}
+  explicit JointCounts(const Mechanism& mechanism)
+      : joints(mechanism.size()), positions(mechanism.position_count()), floating_base(mechanism.floating_base) {}
 };
 
 // The argument for a kind of input. `counts`: lengths of q and q̇; `base_parameters`: length of pi_b. Throws

@@ -80,6 +80,7 @@ class FunctionWriter {
   JointCounts counts() const {
     JointCounts result(scope_.joints);
     result.positions = scope_.positions;
+    result.floating_base = scope_.floating_base;
     return result;
   }
 

@@ -268,7 +268,7 @@ const std::vector<FunctionRow> kRows = {
      .reference = references::centroidal_momentum_matrix,
      .traits = {.on_request = true, .needs_floating_base = true}},
     {.name = "centroidal_bias",
-     .summary = "(dA_G/dt) v: A_G a + (dA_G/dt) v is the sum of all forces, and of their moments",
+     .summary = "b_G: A_G a + b_G is the sum of all forces, and of their moments about the centre of mass",
      .equation = "",
      .inputs = {q, qd},
      .outputs = {vector("b_G", Extent::six, OutputQuantity::force_and_moment)},

@@ -162,6 +162,23 @@ bool is_in_loop(const Robot& robot, const Link& link) {
   });
 }
 
+// Whether the base link, or one that fixed joints join to it, has a mass.
+bool base_has_body(const Robot& robot) {
+  std::vector<bool> is_of_base(robot.links.size(), false);
+  is_of_base[static_cast<std::size_t>(robot.root)] = true;
+  for (const int j : depth_first_joints(robot)) {
+    const Joint& joint = robot.joints[static_cast<std::size_t>(j)];
+    const bool is_fixed = joint.type == JointType::fixed && is_of_base[static_cast<std::size_t>(joint.parent)];
+    is_of_base[static_cast<std::size_t>(joint.child)] = is_fixed;
+  }
+  for (std::size_t l = 0; l < robot.links.size(); ++l) {
+    for (const Inertial& body : robot.links[l].inertials) {
+      if (is_of_base[l] && !is_exact_zero(body.mass.number)) return true;
+    }
+  }
+  return false;
+}
+
 // Reports joints that move neither mass nor inertia: they make B(q) singular, so there is no forward dynamics.
 void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
   std::vector<bool> has_inertia(robot.links.size(), false);
@@ -189,10 +206,11 @@ void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
                           "joints that move no mass: the inertia matrix is singular");
     }
   }
-  if (robot.floating_base && !has_inertia[static_cast<std::size_t>(robot.root)]) {
-    diagnostics.warning({robot.file, 0}, "the base floats and the robot has no mass: the inertia matrix is singular",
-                        "give its links their <inertial>");
-  }
+  if (!robot.floating_base || base_has_body(robot)) return;
+  diagnostics.warning(
+      robot.links[static_cast<std::size_t>(robot.root)].place,
+      "the floating base has no mass of its own: the inertia matrix is singular unless several limbs have",
+      "give the base link its mass and inertia");
 }
 
 }  // namespace

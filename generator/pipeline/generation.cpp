@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "emit/limbs.hpp"
 #include "emit/narrowed.hpp"
 #include "report/scene_report.hpp"
 
@@ -72,6 +73,10 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   }
   const std::vector<OptimisedFunction> apart = result.functions;
   if (fused) result.functions.push_back({fused->fusion.function, fused->derived, fused->passes, {}});
+  if (options.form.limbs_in_lanes && limbs_of(robot.mechanism).empty()) {
+    result.findings.note({robot.robot.file, 0},
+                         "--limbs lanes has no effect: the robot has no limbs of the same structure", "");
+  }
   // Emit.
   progress.step("emitting and reading back");
   result.form = stamped(options, result);

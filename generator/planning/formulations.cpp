@@ -71,6 +71,9 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 std::string summary_of(const Request& request, bool floating_base) {
   std::string summary = request.row->summary;
   if (floating_base) summary = replaced(replaced(summary, "qdd", "a"), "qd", "v");
+  if (floating_base && summary.starts_with("(dJ/dt) v of ")) {
+    summary = "Acceleration, while a is zero, of " + summary.substr(std::string("(dJ/dt) v of ").size());
+  }
   const std::string tip = "the tip";
   const std::size_t place = summary.find(tip);
   if (request.link != nullptr && place != std::string::npos) {
@@ -98,6 +101,9 @@ void describe_floating(Output& output) {
       break;
     case OutputQuantity::joint_inertia:
       output.meaning = "inertia matrix, symmetric, rows and columns in the order of v, SI units";
+      break;
+    case OutputQuantity::tip_acceleration:
+      output.meaning = "acceleration while a is zero, for an observer at rest, base axes: linear, then angular";
       break;
     default:
       break;

@@ -100,6 +100,14 @@ Diagnostics mending(const Robot& robot, const std::string& function, const Singu
         "give the link its mass and inertia, or the joint an armature or a motor, or hold it still: --fix " +
             joint.name);
   }
+  if (found.all().empty()) {  // the motion of a floating base
+    const Link& base = robot.links[static_cast<std::size_t>(robot.root)];
+    found.unsupported(
+        base.place,
+        fmt::format("{}: B(q) is singular, because the floating base, link \"{}\", has too little inertia", function,
+                    base.name),
+        "give the base its mass and inertia, or hold it still: --base fixed");
+  }
   return found;
 }
 

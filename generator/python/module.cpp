@@ -109,7 +109,7 @@ class ModuleWriter {
   data row_of(const Function& function) const {
     data row;
     row["function"] = cpp_identifier(function.name);
-    row["summary"] = function.summary + " " + function.equation;
+    row["summary"] = function.equation.empty() ? function.summary : function.summary + " " + function.equation;
     row["parameters?"] = has_parameters();
     write_python(function, row);
     return row;

@@ -69,5 +69,17 @@ TEST(FloatingBase, IsHeldByTheOption) {
   EXPECT_THAT(held.err, HasSubstr("no joint of this robot moves"));
 }
 
+// It stays as the file turns it, as by --fix, so that gravity has its direction.
+TEST(FloatingBase, IsHeldWhereTheFilePutsIt) {
+  const Scratch scratch;
+  scratch.write("turned.xml", R"(<mujoco><worldbody><body name="b" euler="0 90 0"><freejoint name="f"/><geom size=".1"/>
+    <body pos=".5 0 0"><joint axis="0 1 0"/><joint axis="1 0 0"/><geom size=".1" pos=".3 .1 0"/></body></body></worldbody></mujoco>)");
+  scratch.write("states.csv", "q1,q2\n0.4,0.3\n");
+  const std::string rest = " --function gravity -q --states " + scratch.path("states.csv");
+  const Outcome by_option = run_flatdyn("eval " + scratch.path("turned.xml") + " --base fixed" + rest);
+  EXPECT_EQ(by_option.code, 0) << by_option.err;
+  EXPECT_EQ(by_option.out, run_flatdyn("eval " + scratch.path("turned.xml") + " --fix f" + rest).out);
+}
+
 }  // namespace
 }  // namespace flatdyn::testing

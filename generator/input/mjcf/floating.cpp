@@ -10,7 +10,9 @@ void take_mjcf_free_joints(MjcfModel& model) {
   for (const MjcfBody& body : model.bodies) {
     joints.insert(joints.end(), body.free_joints.begin(), body.free_joints.end());
   }
-  take_floating_joints(joints, model.diagnostics(), model.robot);
+  // Held still by --base fixed, they are fixed joints.
+  if (model.values.context().options.floating_base.value_or(true))
+    take_floating_joints(joints, model.diagnostics(), model.robot);
 }
 
 }  // namespace flatdyn

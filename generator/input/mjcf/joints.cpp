@@ -158,9 +158,15 @@ int add_link(const std::string& name, const Place& place, Robot& robot) {
   return static_cast<int>(robot.links.size()) - 1;
 }
 
-std::string joint_name(const MjcfJoint& joint, const std::string& body, const MjcfModel& model) {
+// `others`: those of the same body.
+std::string joint_name(const MjcfJoint& joint, const std::string& body, const std::vector<Joint>& others,
+                       const MjcfModel& model) {
   const std::string name = joint.element->text("name");
-  return name.empty() ? new_joint_name(body + "_joint", model) : name;
+  if (!name.empty()) return name;
+  std::vector<std::string> taken = model.names_of_joints;
+  for (const Joint& each : model.robot.joints) taken.push_back(each.name);
+  for (const Joint& each : others) taken.push_back(each.name);
+  return unused_name(body + "_joint", taken);
 }
 
 }  // namespace
@@ -200,7 +206,7 @@ void add_mjcf_joints(const std::vector<MjcfJoint>& joints, const std::string& bo
   std::vector<Joint> moving;
   std::vector<bool> is_free;
   for (const MjcfJoint& each : joints) {
-    JointReader reader(each, joint_name(each, body, model), model);
+    JointReader reader(each, joint_name(each, body, moving, model), model);
     const std::optional<Joint> joint = reader.read();
     if (!joint) continue;
     references[joint->name] = reader.reference();

@@ -48,7 +48,8 @@ class UrdfReader {
     refuse_unread_dynamics(root, values_, robot_);
     check_urdf_simulators(root, values_, robot_);
     read_urdf_actuators(root, values_, robot_);
-    take_floating_joints(floating_, diagnostics_, robot_);
+    // Held still by --base fixed, they are fixed joints.
+    if (context_.options.floating_base.value_or(true)) take_floating_joints(floating_, diagnostics_, robot_);
   }
 
  private:
