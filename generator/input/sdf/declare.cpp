@@ -146,6 +146,7 @@ void SdfDeclarer::declare_model(const SdfModel& model, int parent, const std::st
 
 void SdfDeclarer::declare_children(const SdfModel& model, int scope) {
   const SdfValues& values = *model.values;
+  const std::string prefix = prefix_of(scope);
   for (const XMLElement* e : elements_in(*model.element)) {
     const std::string_view tag = e->Name();
     if (tag == "link") {
@@ -156,7 +157,7 @@ void SdfDeclarer::declare_children(const SdfModel& model, int scope) {
       unknown_.check(*e, named(*e), kOfFrame, values);
       add_frame(Kind::frame, *e, values, scope);
     } else if (tag == "model") {
-      declare_model({e, &values}, scope, tree_.scopes[static_cast<std::size_t>(scope)].prefix, false);
+      declare_model({e, &values}, scope, prefix, false);
     } else if (tag == "include") {
       declare_include(*e, values, scope);
     }
@@ -169,7 +170,7 @@ void SdfDeclarer::declare_include(const XMLElement& include, const SdfValues& va
   if (!model) return;
   stack_.push_back(model->values->file());
   const bool merge = values.flag_attribute(include, "merge", "include");
-  declare_model(*model, scope, tree_.scopes[static_cast<std::size_t>(scope)].prefix, merge);
+  declare_model(*model, scope, prefix_of(scope), merge);
   stack_.pop_back();
 }
 

@@ -40,6 +40,8 @@ class SdfDeclarer {
   void declare_model(const SdfModel& model, int parent, const std::string& prefix, bool merge);
   void declare_children(const SdfModel& model, int scope);
   void declare_include(const tinyxml2::XMLElement& include, const SdfValues& values, int scope);
+  // A copy, as scopes are added while it is in use.
+  std::string prefix_of(int scope) const { return tree_.scopes[static_cast<std::size_t>(scope)].prefix; }
   int add_scope(const SdfModel& model, int parent, const std::string& prefix, bool merge);
   int add_frame(SdfFrame::Kind kind, const tinyxml2::XMLElement& element, const SdfValues& values, int scope);
   void add_name(const std::string& name, int frame, int scope, const SdfValues& values);
