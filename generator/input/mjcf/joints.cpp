@@ -147,9 +147,11 @@ class JointReader {
   bool is_free_ = false;
 };
 
-std::string new_joint_name(const std::string& wanted, const MjcfModel& model) {
+// `others`: the joints of the same body, which the robot does not have yet.
+std::string new_joint_name(const std::string& wanted, const std::vector<Joint>& others, const MjcfModel& model) {
   std::vector<std::string> taken = model.names_of_joints;
   for (const Joint& joint : model.robot.joints) taken.push_back(joint.name);
+  for (const Joint& joint : others) taken.push_back(joint.name);
   return unused_name(wanted, taken);
 }
 
@@ -158,15 +160,10 @@ int add_link(const std::string& name, const Place& place, Robot& robot) {
   return static_cast<int>(robot.links.size()) - 1;
 }
 
-// `others`: those of the same body.
 std::string joint_name(const MjcfJoint& joint, const std::string& body, const std::vector<Joint>& others,
                        const MjcfModel& model) {
   const std::string name = joint.element->text("name");
-  if (!name.empty()) return name;
-  std::vector<std::string> taken = model.names_of_joints;
-  for (const Joint& each : model.robot.joints) taken.push_back(each.name);
-  for (const Joint& each : others) taken.push_back(each.name);
-  return unused_name(body + "_joint", taken);
+  return name.empty() ? new_joint_name(body + "_joint", others, model) : name;
 }
 
 }  // namespace
@@ -215,7 +212,7 @@ void add_mjcf_joints(const std::vector<MjcfJoint>& joints, const std::string& bo
   }
   if (moving.empty()) {
     Joint fixed;
-    fixed.name = new_joint_name(body, model);
+    fixed.name = new_joint_name(body, moving, model);
     fixed.place = added.element->place;
     moving.push_back(fixed);
     is_free.push_back(false);
