@@ -222,6 +222,10 @@ std::string template_symbol(const CalledFunction& called, const BenchVariant& va
   return name;
 }
 
+std::string velocity_argument(const Mechanism& mechanism) {
+  return input_argument(with_base(InputKind::qd, mechanism.floating_base), 0).name;
+}
+
 PlainFunction plain_function(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant) {
   const Function& function = called.function;
   const std::string scalar = scalar_type(variant);

@@ -15,6 +15,9 @@ std::string single_call(const Mechanism& mechanism, const CalledFunction& called
 // The call "robot::at(x.q.of(k))", which makes the first stage at state k.
 std::string at_call(const Mechanism& mechanism, const BenchVariant& variant);
 
+// The argument of with(): "qd", or "v" with a floating base.
+std::string velocity_argument(const Mechanism& mechanism);
+
 // A call over SIMD lanes: a lambda's capture, parameters and body, and the arrays that it is applied to.
 struct BatchCall {
   std::string capture;     // "", or "&x" for a robot with free symbols

@@ -57,6 +57,7 @@ std::string mechanism_numbers(const Mechanism& mechanism, const SymbolValues& sy
   kainjow::mustache::data page;
   page["robot"] = comment_text(mechanism.name);
   page["joints"] = std::to_string(mechanism.size());
+  page["base_bodies"] = std::to_string(mechanism.base_bodies());
   page["links"] = list_of(links);
   page["gravity"] = number(mechanism.gravity);
   page["tip_link"] = std::to_string(mechanism.tip.body);

@@ -61,9 +61,10 @@ bool is_chain(const Mechanism& mechanism) {
   return true;
 }
 
+// Of a floating base, only the last body is one with a mass.
 template <class Has>
 bool any_body(const Mechanism& mechanism, Has has) {
-  return std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(), has);
+  return std::any_of(mechanism.bodies.begin() + std::max(0, mechanism.base_bodies() - 1), mechanism.bodies.end(), has);
 }
 
 // A part of the mechanism that the other libraries cannot express or, like friction, define differently; empty if there
@@ -76,6 +77,7 @@ std::string unknown_to_others(const Mechanism& mechanism) {
 }
 
 std::string unknown_to_kdl(const Mechanism& mechanism) {
+  if (mechanism.floating_base) return "its base is fixed";
   return is_chain(mechanism) ? unknown_to_others(mechanism) : "its dynamics are those of a chain, and this is none";
 }
 
@@ -92,6 +94,7 @@ std::string unknown_to_mujoco(const Mechanism& mechanism) {
 }
 
 std::string unknown_to_dart(const Mechanism& mechanism) {
+  if (mechanism.floating_base) return "it is compared for fixed bases only";
   if (any_body(mechanism, [](const Body& body) { return !body.armature.is_zero(); })) return "it knows no armature";
   return unknown_to_others(mechanism);
 }

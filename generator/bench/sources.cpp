@@ -18,8 +18,8 @@ namespace {
 using kainjow::mustache::data;
 
 // All possible inputs, in the order of the file of states.
-constexpr InputKind kKinds[] = {InputKind::q,   InputKind::qd,   InputKind::qdd,   InputKind::tau,
-                                InputKind::h_e, InputKind::qd_r, InputKind::qdd_r, InputKind::pi_b};
+constexpr InputKind kKinds[] = {InputKind::q,    InputKind::qd,    InputKind::qdd,  InputKind::tau, InputKind::h_e,
+                                InputKind::qd_r, InputKind::qdd_r, InputKind::pi_b, InputKind::g_b};
 
 std::string states_text(const std::vector<State>& states) {
   std::string bytes;
@@ -53,7 +53,7 @@ data main_page(const BenchSubject& subject) {
     arguments += (arguments.empty() ? "" : ", ") + name;
   };
   for (const InputKind kind : kKinds) {
-    add(input_argument(kind, 0).name, subject.states[0].of(kind).size());
+    add(input_argument(with_base(kind, subject.mechanism.floating_base), 0).name, subject.states[0].of(kind).size());
   }
   add("parameters", subject.states[0].parameters.size());
   data page;
@@ -82,7 +82,8 @@ data staged_row(const BenchSubject& subject, const CalledFunction& called, const
   data row = single_row(subject, called, variant);
   const std::string stage = called.receiver.substr(0, called.receiver.size() - 1);
   row["stage"] = stage;
-  row["make"] = at_call(subject.mechanism, variant) + (stage == "motion" ? ".with(x.qd.of(k))" : "");
+  row["make"] = at_call(subject.mechanism, variant) +
+                (stage == "motion" ? fmt::format(".with(x.{}.of(k))", velocity_argument(subject.mechanism)) : "");
   return row;
 }
 
@@ -166,7 +167,11 @@ data robot_page(const BenchSubject& subject) {
 }
 
 SourceFile peer_source(const BenchSubject& subject, const BenchPeer& peer) {
+  const bool floats = subject.mechanism.floating_base;
   data page;
+  page["floating?"] = floats;
+  page["velocities"] = std::string(floats ? "v" : "qd");
+  page["accelerations"] = std::string(floats ? "a" : "qdd");
   for (const Function& function : subject.functions) {
     if (peer.functions.count(function.name) > 0) page[function.name] = true;
   }

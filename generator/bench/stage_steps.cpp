@@ -35,7 +35,8 @@ class StepWriter {
     std::vector<StageStep> steps = {
         {"stages/at", "at(q)", count_operations(stages.configuration.make), fmt::format("keep({});", at()), 1}};
     if (has_motion()) {
-      steps.push_back({"stages/with", "with(qd)", count_operations(stages.motion.make), with(), 1});
+      steps.push_back(
+          {"stages/with", fmt::format("with({})", velocity()), count_operations(stages.motion.make), with(), 1});
     }
     steps.push_back(together(steps));
     steps.push_back(all("stages/apart", "one by one", bench_variants().front()));
@@ -45,20 +46,22 @@ class StepWriter {
  private:
   bool has_motion() const { return !subject_.stages->motion.members.empty(); }
 
+  std::string velocity() const { return velocity_argument(subject_.mechanism); }
+
   std::string at() const { return at_call(subject_.mechanism, bench_variants().front()); }
 
   std::string with() const {
     return fmt::format(
         "static const auto made = stages_of([&x](std::size_t k) {{ return {}; }});\n"
-        "    keep(stage_of(made, k).with(x.qd.of(k)));",
-        at());
+        "    keep(stage_of(made, k).with(x.{}.of(k)));",
+        at(), velocity());
   }
 
   StageStep together(const std::vector<StageStep>& makers) const {
     StageStep step = all("stages/together", "all in stages", in_stages());
     for (const StageStep& maker : makers) step.operations += maker.operations;
     std::string stages = fmt::format("const auto configuration = {};\n    ", at());
-    if (has_motion()) stages += "const auto motion = configuration.with(x.qd.of(k));\n    ";
+    if (has_motion()) stages += fmt::format("const auto motion = configuration.with(x.{}.of(k));\n    ", velocity());
     step.call = stages + step.call;
     return step;
   }

@@ -100,6 +100,15 @@ class DefinitionPoint {
     return result;
   }
 
+  // The accelerations of the coordinates for which Lagrange's equations hold: with a floating base ẍ = ν̇ - Ȧ ν
+  // (model/floating_base.hpp), else the same.
+  Values of_coordinates(Values accelerations) const {
+    if (!mechanism.floating_base) return accelerations;
+    const Values drift = base_drift(qd());
+    for (std::size_t k = 0; k < drift.size(); ++k) accelerations[k] += drift[k];
+    return accelerations;
+  }
+
   // τ - n, the value that B q̈ must have.
   Values net_torques() {
     Values result = drawn(InputKind::tau);
@@ -115,13 +124,8 @@ class DefinitionPoint {
   Lagrangian<F> lagrangian;
 
  private:
-  // With a floating base, Lagrange's equations hold for ẍ = ν̇ - Ȧ ν (model/floating_base.hpp).
-  Values torques_at(Values accelerations) {
-    if (mechanism.floating_base) {
-      const Values drift = base_drift(qd());
-      for (std::size_t k = 0; k < drift.size(); ++k) accelerations[k] += drift[k];
-    }
-    return lagrangian.inverse_dynamics(qd(), accelerations, signs());
+  Values torques_at(const Values& accelerations) {
+    return lagrangian.inverse_dynamics(qd(), of_coordinates(accelerations), signs());
   }
 
   // The mechanism over the field; gravity is g_b if the base floats and there is any.

@@ -42,8 +42,8 @@ class OperationalDefinition {
 
   Values coriolis() {
     const Values qd = point_.qd();
-    Values c = acceleration(times(point_.lagrangian.coriolis_matrix(qd), qd));
-    const Values drift = definition().drift(qd);
+    Values c = acceleration(times(point_.coriolis_matrix(), qd));
+    const Values drift = definition().drift(point_.jacobian_dot_qd(point_.frame()), qd);
     for (std::size_t i = 0; i < c.size(); ++i) c[i] += -drift[static_cast<std::size_t>(task_.rows[i])];
     return force(c);
   }

@@ -23,12 +23,24 @@ class RegressorDefinition {
         lagrangian_(point.lagrangian.mechanism(), point.q) {}
 
   // Y, with tau = Y π.
-  Matrix<F> actual() const { return lagrangian_.regressor(point_.qd(), point_.qdd(), point_.signs()); }
+  Matrix<F> actual() const {
+    return lagrangian_.regressor(point_.qd(), point_.of_coordinates(point_.qdd()), point_.signs());
+  }
 
   // Y of the torques B q̈_r + C(q, q̇) q̇_r + g + friction at q̇_r.
   Matrix<F> adaptive() const {
     return lagrangian_.adaptive(point_.qd(), point_.drawn(InputKind::qd_r), point_.drawn(InputKind::qdd_r),
                                 joint_signs(point_.mechanism, point_.arithmetic, InputKind::qd_r));
+  }
+
+  // Y without the columns of parameters that the mechanism does not have.
+  Values all_columns() const {
+    const Matrix<F> Y = actual();
+    Values entries;
+    for (int i = 0; i < Y.rows(); ++i) {
+      for (const int k : parameter_indices(point_.mechanism)) entries.push_back(Y(i, k));
+    }
+    return entries;
   }
 
   // Y with the columns zero of parameters that the model does not have, as in Y_b K.
@@ -145,7 +157,7 @@ constexpr Definition compared_in_all_columns(AllColumns) {
 }  // namespace
 
 constinit const Definition regressor = {
-    .expected = rules([](auto& at, const Output&) { return regressors_at(at).actual().entries(); }),
+    .expected = rules([](auto& at, const Output&) { return regressors_at(at).all_columns(); }),
     .found = kOwnValues,
     .degree_factor = no_factor,
     .is_over_parameters = true,

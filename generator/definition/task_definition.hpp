@@ -37,10 +37,9 @@ class TaskDefinition {
     return J;
   }
 
-  // J̇ q̇, all six rows. For angles it is T^-1 (ω̇ - Ṫ φ̇), where z is constant, the line of nodes turns about z, and
-  // the last axis turns with the tip.
-  Values drift(const Values& qd) const {
-    Values drift = lagrangian_.jacobian_dot_qd(tip_, qd);
+  // J̇ q̇, all six rows, from the tip's acceleration while q̈ = 0. For angles it is T^-1 (ω̇ - Ṫ φ̇), where z is constant,
+  // the line of nodes turns about z, and the last axis turns with the tip.
+  Values drift(Values drift, const Values& qd) const {
     if (!has_angles_) return drift;
     const Values velocity = times(lagrangian_.jacobian(tip_), qd);
     const Vector3<F> omega = angular(velocity), rates = angle_rates(omega);

@@ -50,7 +50,7 @@ BaseConstants base_constants(const Mechanism& mechanism, const std::vector<std::
   BaseConstants constants{comment_of(mechanism, base, frames), base.size(), {}};
   if (base.size() == 0) return constants;
   std::vector<std::string> kept, values;
-  for (const int index : base.columns) kept.push_back(dialect.text(parameter_name(index)));
+  for (const int index : base.columns) kept.push_back(dialect.text(parameter_name(index, mechanism.base_bodies())));
   for (const Number& value : base_values(mechanism, base)) {
     if (const auto rational = rational_of(value)) values.push_back(dialect.real_literal(*rational));
   }

@@ -15,6 +15,10 @@ int level_of(InputKind kind) {
   return is_velocity(kind) ? kVelocity : kRest;
 }
 
+// The stage of a function with this argument: gravity in axes of a floating base belongs to the position, but may
+// change while that is kept, so that no stage stores it.
+int level_of_argument(InputKind kind) { return kind == InputKind::g_b ? kPosition : level_of(kind); }
+
 std::size_t at(NodeId id) { return static_cast<std::size_t>(id); }
 
 // Whether only the value's own stage can compute it: inputs, sines and cosines.
@@ -31,7 +35,8 @@ class Splitter {
       parts_.push_back(function_of(fusion, k));
       part_levels_.push_back(0);
       for (const InputKind kind : parts_.back().inputs) {
-        part_levels_.back() = std::max(part_levels_.back(), level_of(kind));
+        part_levels_.back() = std::max(part_levels_.back(), level_of_argument(kind));
+        if (is_velocity(kind)) velocity_ = kind;
       }
     }
   }
@@ -166,7 +171,7 @@ class Splitter {
   Function member(const Function& part, const FieldPlaces& given) const {
     Copy made = copy(roots(part), given);
     Function result = with_graph(part, std::move(made.graph), made.image);
-    std::erase_if(result.inputs, [](InputKind kind) { return kind == InputKind::q || kind == InputKind::qd; });
+    std::erase_if(result.inputs, [this](InputKind kind) { return kind == InputKind::q || kind == velocity_; });
     return result;
   }
 
@@ -187,7 +192,7 @@ class Splitter {
     }
     const FieldPlaces motion = places(own);
     stages.motion.fields = names;
-    stages.motion.make = maker("with", {InputKind::qd}, own, configuration);
+    stages.motion.make = maker("with", {velocity_}, own, configuration);
     for (std::size_t k = 0; k < parts_.size(); ++k) {
       if (part_levels_[k] > kPosition) stages.motion.members.push_back(member(parts_[k], motion));
     }
@@ -213,6 +218,7 @@ class Splitter {
   std::vector<int> users_;
   std::vector<Function> parts_;
   std::vector<int> part_levels_;
+  InputKind velocity_ = InputKind::qd;
   std::set<std::string> names_;  // names of fields
 };
 

@@ -5,7 +5,8 @@
 //   .with(qd)  →  Motion: values that depend on q̇, too, and are needed by two of its functions, or by one that takes
 //                 more inputs
 //
-// Functions of q alone are members of Configuration, the others of Motion. Each computes the rest itself.
+// Functions of q alone are members of Configuration, the others of Motion. With a floating base v is in the place of
+// q̇, and g_b is an argument of the members. Each computes the rest itself.
 #pragma once
 
 #include <string>

@@ -23,7 +23,7 @@ enum class Extent {
   positions,        // the entries of q: with closed loops, those of dependent joints, too
   loop_equations,   // the entries of Φ
   task_rows,        // the directions of the task
-  parameters,       // 13 per body
+  parameters,       // 13 per joint, and ten of a floating base
   base_parameters,  // the entries of π_b
 };
 

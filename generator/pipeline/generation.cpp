@@ -62,7 +62,6 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   progress.step("reading");
   result.robot = load_robot(robot_file, options);
   const LoadedRobot& robot = result.robot;
-  if (!options.staged.empty()) refuse_floating_base(robot, "--stages");
   // Derive, specialise to the scene, optimise: every function in each of its formulations.
   result.functions = make_functions(robot, options, progress, result.findings);
   std::optional<OptimisedFusion> fused;

@@ -46,6 +46,10 @@ Request parsed(const Mechanism& mechanism, const std::string& name) {
                   fmt::format("function \"{}\" is not supported for robots with a floating base", request.row->name),
                   "leave it out of --functions, or fix the base");
   }
+  if (request.row->traits.uses_task && mechanism.floating_base && mechanism.task.rates_are_of_angles()) {
+    throw Failure(ExitCode::unsupported, "a task in Euler angles is not supported for robots with a floating base",
+                  "the base turns, too: take angular_velocity, in base axes");
+  }
   if (request.row->traits.needs_floating_base && !mechanism.floating_base) {
     throw Failure(ExitCode::usage,
                   fmt::format("function \"{}\" is one of robots with a floating base", request.row->name),

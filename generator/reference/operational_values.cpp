@@ -74,7 +74,7 @@ OperationalMagnitude::Vector OperationalMagnitude::force(const Vector& b, const 
 }
 
 std::vector<double> OperationalMagnitude::bias(const Vector& qd) const {
-  const Vector zero = Vector::Zero(q_.size());
+  const Vector zero = Vector::Zero(robot_.size());
   const Vector c = reference::inverse_dynamics(robot_, q_, qd, zero, {.gravity = false, .friction = false});
   const Vector g = reference::gravity(robot_, q_);
   const Vector drift = reference::task_drift(robot_, q_, qd, task_).cwiseAbs();

@@ -27,15 +27,24 @@ struct ReferencePoint {
   reference::Environment<S> h_e;
 };
 
+// Whether the gravity that acts on a robot is that of the state, in axes of its floating base.
+template <class S>
+bool has_base_gravity(const reference::Robot<S>& robot) {
+  return robot.floating_base && !robot.gravity.isZero(S(0));
+}
+
+template <class S>
+reference::Robot<S> with_base_gravity(reference::Robot<S> robot, const StateOf<S>& state) {
+  robot.gravity = vector_of<S>(state.g_b);
+  return robot;
+}
+
 // `Generic`: the type of a function object without state that takes a ReferencePoint<S> and returns the entries.
 template <class Generic, class S>
 ReferenceFunction<S> prepared(const ReferenceModel<S>& model, const Function& function) {
   return [robot = model.robot, &function](const StateOf<S>& state) -> std::vector<S> {
-    const bool has_base_gravity = robot.floating_base && !robot.gravity.isZero(S(0));
-    if (!has_base_gravity) return Generic{}(ReferencePoint<S>(robot, function, state));
-    reference::Robot<S> turned = robot;
-    turned.gravity = vector_of<S>(state.g_b);
-    return Generic{}(ReferencePoint<S>(turned, function, state));
+    if (!has_base_gravity(robot)) return Generic{}(ReferencePoint<S>(robot, function, state));
+    return Generic{}(ReferencePoint<S>(with_base_gravity(robot, state), function, state));
   };
 }
 

@@ -2,9 +2,9 @@
 #include "reference/regressor_by_columns.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "reference/magnitude.hpp"
+#include "reference/reference_point.hpp"
 #include "symbolic/parameters/base_parameters.hpp"
 
 namespace flatdyn {
@@ -70,6 +70,11 @@ template <class S>
 reference::Robot<S> unit_robot(const Mechanism& mechanism, reference::Robot<S> robot, const GiNaC::exmap& symbols,
                                int index) {
   const int i = joint_of(index);
+  if (mechanism.is_of_base(i)) {
+    robot.links[static_cast<std::size_t>(robot.root)].inertials =
+        UnitInertials<S>(written_frame(mechanism, i), symbols)(parameter_of(index));
+    return robot;
+  }
   reference::Joint<S>& joint = *std::find_if(robot.joints.begin(), robot.joints.end(),
                                              [i](const reference::Joint<S>& each) { return each.index == i; });
   switch (parameter_of(index)) {
@@ -117,12 +122,14 @@ GiNaC::exmap values_of(const std::vector<FreeSymbol>& symbols, const SymbolValue
   return map;
 }
 
-// A matrix with a column for each robot.
+// A matrix with a column for each robot, with gravity as at the state.
 template <class S, class Column>
-reference::MatrixX<S> by_columns(const std::vector<reference::Robot<S>>& robots, const Column& column) {
+reference::MatrixX<S> by_columns(const std::vector<reference::Robot<S>>& robots, const StateOf<S>& state,
+                                 const Column& column) {
   reference::MatrixX<S> result;
   for (std::size_t k = 0; k < robots.size(); ++k) {
-    const reference::VectorX<S> entries = column(robots[k]);
+    const reference::VectorX<S> entries =
+        has_base_gravity(robots[k]) ? column(with_base_gravity(robots[k], state)) : column(robots[k]);
     if (k == 0) result.resize(entries.size(), static_cast<Eigen::Index>(robots.size()));
     result.col(static_cast<Eigen::Index>(k)) = entries;
   }
@@ -164,9 +171,8 @@ template <class S>
 RegressorReference<S>::RegressorReference(const Mechanism& mechanism, const reference::Robot<S>& robot,
                                           const SymbolValues& symbols, RegressorColumns columns) {
   const GiNaC::exmap values = values_of(mechanism.symbols, symbols);
-  std::vector<int> indices(static_cast<std::size_t>(kParametersPerJoint * mechanism.body_count()));
-  std::iota(indices.begin(), indices.end(), 0);
-  if (columns == RegressorColumns::base) indices = base_parameters(mechanism).columns;
+  const std::vector<int> indices =
+      columns == RegressorColumns::base ? base_parameters(mechanism).columns : parameter_indices(mechanism);
   const reference::Robot<S> empty = without_parameters(robot);
   for (const int index : indices) units_.push_back(unit_robot(mechanism, empty, values, index));
 }
@@ -174,21 +180,21 @@ RegressorReference<S>::RegressorReference(const Mechanism& mechanism, const refe
 template <class S>
 reference::MatrixX<S> RegressorReference<S>::matrix(const StateOf<S>& state) const {
   const reference::VectorX<S> q = vector_of(state.q), qd = vector_of(state.qd), qdd = vector_of(state.qdd);
-  return by_columns(units_, [&](const auto& unit) { return reference::inverse_dynamics(unit, q, qd, qdd); });
+  return by_columns(units_, state, [&](const auto& unit) { return reference::inverse_dynamics(unit, q, qd, qdd); });
 }
 
 template <class S>
 reference::MatrixX<S> RegressorReference<S>::adaptive_matrix(const StateOf<S>& state) const {
-  return by_columns(units_, [&](const auto& unit) { return adaptive_column(unit, state); });
+  return by_columns(units_, state, [&](const auto& unit) { return adaptive_column(unit, state); });
 }
 
 reference::MatrixX<double> magnitudes(const RegressorReference<double>& of, const State& state) {
   const auto q = vector_of(state.q), qd = vector_of(state.qd), qdd = vector_of(state.qdd);
-  return by_columns(of.units(), [&](const auto& unit) { return reference::torque_magnitude(unit, q, qd, qdd); });
+  return by_columns(of.units(), state, [&](const auto& unit) { return reference::torque_magnitude(unit, q, qd, qdd); });
 }
 
 reference::MatrixX<double> adaptive_magnitudes(const RegressorReference<double>& of, const State& state) {
-  return by_columns(of.units(), [&](const auto& unit) { return adaptive_magnitude(unit, state); });
+  return by_columns(of.units(), state, [&](const auto& unit) { return adaptive_magnitude(unit, state); });
 }
 
 template class RegressorReference<float>;

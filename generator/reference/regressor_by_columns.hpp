@@ -12,7 +12,7 @@
 namespace flatdyn {
 
 enum class RegressorColumns {
-  all,   // 13 for every body
+  all,   // 13 for every joint, and ten of a floating base
   base,  // those of the base parameters
 };
 

@@ -22,7 +22,7 @@ std::vector<Unseen> unseen_parameters(const Mechanism& mechanism, const BasePara
   std::vector<Unseen> unseen;
   if (frames == ParameterFrames::canonical) {
     for (const Unidentifiable& each : unidentifiable(mechanism, base, set)) {
-      unseen.emplace_back(parameter_name(each.index), each.reason);
+      unseen.emplace_back(parameter_name(each.index, mechanism.base_bodies()), each.reason);
     }
     return unseen;
   }
@@ -47,7 +47,9 @@ std::string base_table(const Mechanism& mechanism, const BaseParameters& base, c
   for (int k = 0; k < base.size(); ++k) {
     const auto row = static_cast<std::size_t>(k);
     rows.push_back({k, {std::to_string(k), value_text(values[row])}});
-    if (has_names) rows.back().cells.insert(rows.back().cells.begin() + 1, parameter_name(base.columns[row]));
+    if (has_names)
+      rows.back().cells.insert(rows.back().cells.begin() + 1,
+                               parameter_name(base.columns[row], mechanism.base_bodies()));
   }
   if (has_names) return combination_table({"pi_b", "name", "value"}, rows, combinations);
   return combination_table({"pi_b", "value"}, rows, combinations);
@@ -113,7 +115,7 @@ nlohmann::ordered_json base_json(const Mechanism& mechanism, ParameterSet set, P
   json["base_parameters"] = nlohmann::ordered_json::array();
   for (int k = 0; k < base.size(); ++k) {
     const auto row = static_cast<std::size_t>(k);
-    nlohmann::ordered_json entry = {{"kept", parameter_name(base.columns[row])},
+    nlohmann::ordered_json entry = {{"kept", parameter_name(base.columns[row], mechanism.base_bodies())},
                                     {"combination", canonical.text(k, kJsonDigits)},
                                     {"coefficients", coefficients_json(canonical.terms(k))}};
     if (has_file) {

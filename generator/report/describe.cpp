@@ -135,9 +135,10 @@ std::string describe_written_links(const Mechanism& mechanism, const NumberText&
     const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
     for (const WrittenLink* link : links_of(mechanism, i)) {
       const bool is_moved = link->link == body.link;
-      text += fmt::format("link {}, {} {}\n", link->link, is_moved ? "moved by" : "fixed to",
-                          is_moved ? body.joint : body.link) +
-              inertia_about_origin(link->inertia, number);
+      const std::string place = !is_moved                 ? "fixed to " + body.link
+                                : mechanism.is_of_base(i) ? "the base"
+                                                          : "moved by " + body.joint;
+      text += fmt::format("link {}, {}\n", link->link, place) + inertia_about_origin(link->inertia, number);
     }
   }
   return text;

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "diagnostics/table.hpp"
-#include "emit/arguments.hpp"
 
 namespace flatdyn {
 namespace {
@@ -89,15 +88,12 @@ std::string states_to_show(const StressReport& report) {
 }  // namespace
 
 std::string state_csv(const StressReport& report, const StressRow& row, const State& state) {
-  std::vector<std::string> heading;
+  std::vector<std::string> heading = row.columns;
   std::vector<double> values;
   for (const InputKind kind : row.inputs) {
     if (kind == InputKind::parameter) continue;
     const std::vector<double>& numbers = state.of(kind);
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      heading.push_back(input_argument(kind, 0).name + std::to_string(i + 1));
-      values.push_back(numbers[i]);
-    }
+    values.insert(values.end(), numbers.begin(), numbers.end());
   }
   heading.insert(heading.end(), report.symbols.begin(), report.symbols.end());
   values.insert(values.end(), state.parameters.begin(), state.parameters.end());

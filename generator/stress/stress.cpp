@@ -9,6 +9,7 @@
 #include "bench/calls.hpp"
 #include "deviation/extreme_states.hpp"
 #include "diagnostics/nearest.hpp"
+#include "input/csv/names.hpp"
 #include "model/angles.hpp"
 #include "stress/program.hpp"
 #include "stress/worst_state.hpp"
@@ -254,6 +255,17 @@ int affordable(const Function& function, const Mechanism& mechanism, int wanted)
   return static_cast<int>(std::min<std::size_t>(most, static_cast<std::size_t>(wanted)));
 }
 
+std::vector<std::string> columns_of(const Function& function, const Mechanism& mechanism, const State& like) {
+  std::vector<std::string> columns;
+  for (const InputKind kind : function.inputs) {
+    if (kind == InputKind::parameter) continue;
+    for (int i = 0; i < static_cast<int>(like.of(kind).size()); ++i) {
+      columns.push_back(column_name({kind, i}, mechanism));
+    }
+  }
+  return columns;
+}
+
 StressRow row_of(const Function& function, const StressProgram& program, std::size_t k, const std::string& scalar,
                  const ExpectedValues& expected, const StressStates& source, const Mechanism& mechanism,
                  StressOptions options) {
@@ -268,7 +280,9 @@ StressRow row_of(const Function& function, const StressProgram& program, std::si
     run.random(chunk == 0 ? pool : source.random(std::min(left, kChunk), chunk));
   }
   run.edges(source.edges(options.edges));
-  return run.finish(pool, scalar);
+  StressRow row = run.finish(pool, scalar);
+  row.columns = columns_of(function, mechanism, pool.front());
+  return row;
 }
 
 void check_variants(const std::vector<std::string>& wanted) {

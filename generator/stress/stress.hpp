@@ -52,6 +52,7 @@ struct StressRow {
   std::vector<RoundingError> points;                     // a sample of all states
   std::vector<std::size_t> histogram;                    // scaled errors at random states, kStressBins bins
   bool passed = false;
+  std::vector<std::string> columns;  // names of a state's numbers in a file of states: of inputs but free symbols
 };
 
 // The bins of the histogram: two per power of two, from 2^-8 on; values outside count in the first or last bin.

@@ -18,35 +18,6 @@
 namespace flatdyn {
 namespace {
 
-CsvQuantity quantity_of(InputKind kind) {
-  switch (kind) {
-    case InputKind::qd:
-    case InputKind::v:
-      return CsvQuantity::qd;
-    case InputKind::g_b:
-      return CsvQuantity::g_b;
-    case InputKind::qdd:
-    case InputKind::a:
-      return CsvQuantity::qdd;
-    case InputKind::tau:
-      return CsvQuantity::tau;
-    case InputKind::h_e:
-      return CsvQuantity::h_e;
-    case InputKind::qd_r:
-      return CsvQuantity::qd_r;
-    case InputKind::qdd_r:
-      return CsvQuantity::qdd_r;
-    case InputKind::pi_b:
-      return CsvQuantity::pi_b;
-    case InputKind::parameter:
-      return CsvQuantity::symbol;
-    case InputKind::q:
-    case InputKind::stored:  // passed between stages, never read from a file
-      break;
-  }
-  return CsvQuantity::q;
-}
-
 // The place of each input in the table: a column, or none.
 class Columns {
  public:
@@ -58,12 +29,11 @@ class Columns {
 
   std::vector<std::string> names_of(const Input& input) const {
     const auto k = static_cast<std::size_t>(input.index);
-    if (input.kind == InputKind::parameter) return {mechanism_.symbols[k].name};
     const CsvQuantity quantity = quantity_of(input.kind);
-    if (const std::string name = base_name_of(quantity, input.index, mechanism_); !name.empty()) return {name};
+    std::vector<std::string> names = {column_name(input, mechanism_)};
+    const bool is_of_base = !base_name_of(quantity, input.index, mechanism_).empty();
+    if (is_of_base || input.kind == InputKind::parameter || input.kind == InputKind::pi_b) return names;
     const std::string stem = stem_of(quantity);
-    std::vector<std::string> names = {stem + std::to_string(input.index + 1)};
-    if (input.kind == InputKind::pi_b) return names;
     static constexpr const char* kForceNames[] = {"fx", "fy", "fz", "mx", "my", "mz"};
     names.push_back(input.kind == InputKind::h_e ? kForceNames[k]
                                                  : stem + "_" + joint_of(quantity, input.index, mechanism_).joint);

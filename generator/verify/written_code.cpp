@@ -77,7 +77,7 @@ void add_base(const Mechanism& mechanism, FileContents& contents) {
   contents.base_count = base.size();
   if (base.size() == 0) return;
   FileTable names{"const char*", "base_parameter_names", "base_parameter_count"};
-  for (const int index : base.columns) names.texts.push_back(parameter_name(index));
+  for (const int index : base.columns) names.texts.push_back(parameter_name(index, mechanism.base_bodies()));
   contents.base_tables.push_back(names);
   FileTable values{"Real", "base_parameter_values", "base_parameter_count"};
   for (const Number& number : base_values(mechanism, base)) {

@@ -131,6 +131,28 @@ TEST(Bench, MeasuresVariantsAndPeersThatAgree) {
   expect_stages_of(result["robots"][0]["stages"], functions.size());
 }
 
+// MuJoCo has the base in the world's axes and other accelerations of it; the base's own gravity turns.
+TEST(Bench, ComparesRobotsWithAFloatingBase) {
+  const Scratch scratch;
+  std::string heavy = kArmText;
+  heavy.replace(heavy.find("<link name=\"base\"/>"), std::string("<link name=\"base\"/>").size(),
+                R"(<link name="base"><inertial><mass value="5"/>
+    <inertia ixx="0.4" iyy="0.5" izz="0.6" ixy="0" ixz="0" iyz="0"/></inertial></link>)");
+  scratch.write("arm.urdf", heavy);
+  const Outcome outcome = run_flatdyn(fmt::format(
+      "bench {} --base floating -q --json --time 0.01 --states 20 --functions inverse_dynamics,bias,forward_dynamics "
+      "--variants double,double-staged,batch-double,reference,MuJoCo",
+      scratch.path("arm.urdf")));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json robot = json::parse(outcome.out)["robots"][0];
+  for (const json& function : robot["functions"]) {
+    const std::map<std::string, json> rows = by_variant(function);
+    EXPECT_EQ(rows.size(), 4u + mujoco_has(function["name"])) << function["name"];
+    expect_small_errors(rows);
+  }
+  EXPECT_EQ(robot["stages"]["steps"][1]["name"], "with(v)");
+}
+
 // Errors of an abbreviated function are measured against the whole model's values.
 TEST(Bench, ShowsWhatErrorBudgetsBuyAndCost) {
   const Outcome outcome = run_flatdyn(

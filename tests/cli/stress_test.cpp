@@ -36,6 +36,17 @@ TEST(Stress, FindsWorstStatesThatEvalRepeats) {
   EXPECT_EQ(reference.code, 0) << reference.err;
 }
 
+TEST(Stress, DrawsTheMotionOfAFloatingBase) {
+  const Scratch scratch;
+  const Outcome outcome = run_flatdyn(
+      "stress robots/prismatic_revolute.toml --base floating --functions inverse_dynamics --variants "
+      "double,batch-double -o " +
+      scratch.path() + kShort);
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  const auto row = nlohmann::json::parse(scratch.read("stress.json"))["rows"][0];
+  EXPECT_THAT(std::string(row["worst"]["state"]), HasSubstr("base_gx,base_gy,base_gz"));
+}
+
 // Zero has no place on a logarithmic axis, and a scalar that was not asked for has no panel.
 TEST(Stress, SaysThatErrorsOfZeroCannotBePlotted) {
   const Scratch scratch;

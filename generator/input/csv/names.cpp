@@ -261,6 +261,42 @@ std::string stem_of(CsvQuantity quantity) {
   return found == std::end(kStems) ? "" : found->first;
 }
 
+CsvQuantity quantity_of(InputKind kind) {
+  switch (kind) {
+    case InputKind::qd:
+    case InputKind::v:
+      return CsvQuantity::qd;
+    case InputKind::g_b:
+      return CsvQuantity::g_b;
+    case InputKind::qdd:
+    case InputKind::a:
+      return CsvQuantity::qdd;
+    case InputKind::tau:
+      return CsvQuantity::tau;
+    case InputKind::h_e:
+      return CsvQuantity::h_e;
+    case InputKind::qd_r:
+      return CsvQuantity::qd_r;
+    case InputKind::qdd_r:
+      return CsvQuantity::qdd_r;
+    case InputKind::pi_b:
+      return CsvQuantity::pi_b;
+    case InputKind::parameter:
+      return CsvQuantity::symbol;
+    case InputKind::q:
+    case InputKind::stored:  // passed between stages, never read from a file
+      break;
+  }
+  return CsvQuantity::q;
+}
+
+std::string column_name(const Input& input, const Mechanism& mechanism) {
+  if (input.kind == InputKind::parameter) return mechanism.symbols[static_cast<std::size_t>(input.index)].name;
+  const CsvQuantity quantity = quantity_of(input.kind);
+  const std::string of_base = base_name_of(quantity, input.index, mechanism);
+  return of_base.empty() ? stem_of(quantity) + std::to_string(input.index + 1) : of_base;
+}
+
 std::optional<int> entry_of_joint(CsvQuantity quantity, const std::string& joint, const Mechanism& mechanism) {
   for (int k = 0; k < length_of(quantity, mechanism); ++k) {
     if (joint_of(quantity, k, mechanism).joint == joint) return k;

@@ -66,6 +66,23 @@ BodyMotion moved(Frames& frames, int i, const BodyMotion& parent, const JointMot
   return body;
 }
 
+// The motion of the link of a floating base, in whose acceleration v̇ + ω × v v̇ are derivatives of components in axes
+// that turn. `motion` has one rate only.
+BodyMotion floating_motion(Frames& frames, const JointMotion& motion) {
+  Derivation& d = frames.derivation();
+  const auto part = [](const std::vector<Number>& twist, std::size_t first) {
+    return Vec3{twist[first], twist[first + 1], twist[first + 2]};
+  };
+  const std::string n = frames.label(frames.mechanism().base_bodies() - 1);
+  BodyMotion base;
+  base.omega = base.omega_r = part(motion.qd, 3);
+  base.domega = part(motion.qdd_r, 3);
+  base.ddp = d.named(part(motion.qdd_r, 0) + cross(base.omega, part(motion.qd, 0)) - motion.gravity, "ddp_" + n);
+  base.products = products_of(d, base, n);
+  base.U = acceleration_matrix(d, base.products, base.domega, n);
+  return base;
+}
+
 }  // namespace
 
 Vec3 rate_times_omega(const JointMotion& motion, int i, const Vec3& omega, const Vec3& omega_r) {
@@ -78,8 +95,9 @@ Vec3 rate_times_omega(const JointMotion& motion, int i, const Vec3& omega, const
 std::vector<BodyMotion> body_motions(Frames& frames, const JointMotion& motion) {
   BodyMotion base;
   base.ddp = frames.derivation().named(Number(-1) * motion.gravity, "ddp_0");  // so that gravity acts on every body
-  std::vector<BodyMotion> bodies;
-  for (int i = 0; i < frames.mechanism().body_count(); ++i) {
+  std::vector<BodyMotion> bodies(static_cast<std::size_t>(frames.mechanism().base_bodies()));
+  if (frames.mechanism().floating_base) bodies.back() = floating_motion(frames, motion);
+  for (int i = frames.mechanism().base_bodies(); i < frames.mechanism().body_count(); ++i) {
     const int parent = frames.mechanism().bodies[static_cast<std::size_t>(i)].parent;
     bodies.push_back(moved(frames, i, parent < 0 ? base : bodies[static_cast<std::size_t>(parent)], motion));
   }

@@ -11,8 +11,8 @@
 namespace flatdyn {
 
 struct JointMotion {
-  std::vector<Number> qd, qd_r, qdd_r;
-  Vec3 gravity = zero_vector();  // g_0, base frame, m/s^2
+  std::vector<Number> qd, qd_r, qdd_r;  // of a floating base, v and a before those of joints
+  Vec3 gravity = zero_vector();         // in the base frame, m/s^2
 };
 
 // The motion of a body, in its own frame. A point at x in that frame has the acceleration less gravity ddp + U x.
@@ -24,7 +24,8 @@ struct BodyMotion {
   Mat3 U = zero_matrix();                               // S(ω̇) + ω ωᵀ - (ω·ω) 1, 1/s^2
 };
 
-// The motions of all bodies.
+// The motions of all bodies. With a floating base, whose motion is one of its link, bodies before it have none, and
+// q̇_r has to be q̇.
 std::vector<BodyMotion> body_motions(Frames& frames, const JointMotion& motion);
 
 // q̇_i ω of a body, as a bilinear form: ½ (q̇_i ω_r + q̇_ri ω).

@@ -67,7 +67,7 @@ void Centres::place(int i) {
 Vec3 Centres::lever(int centre, int j) {
   const auto known = levers_.find({centre, j});
   if (known != levers_.end()) return known->second;
-  const std::string name = "r_" + label(centre) + "_" + label(j);
+  const std::string name = "r_" + frames_.label(centre) + "_" + frames_.label(j);
   Vec3 lever;
   if (centre_of(j) == centre) {
     lever = frames_.derivation().named(Vec3{0, 0, -height_[static_cast<std::size_t>(j)]}, name);

@@ -121,10 +121,10 @@ Summand coefficient_piece(const Number& coefficient, int digits) {
   return {false, "(" + joined_summands(pieces) + ")" + divisor};
 }
 
-std::vector<CombinationTerm> canonical_terms(const BaseParameters& base, std::size_t k) {
-  std::vector<CombinationTerm> terms = {{parameter_name(base.columns[k]), 1}};
+std::vector<CombinationTerm> canonical_terms(const Mechanism& mechanism, const BaseParameters& base, std::size_t k) {
+  std::vector<CombinationTerm> terms = {{parameter_name(base.columns[k], mechanism.base_bodies()), 1}};
   for (const auto& [index, coefficient] : base.combination[k]) {
-    if (index != base.columns[k]) terms.push_back({parameter_name(index), coefficient});
+    if (index != base.columns[k]) terms.push_back({parameter_name(index, mechanism.base_bodies()), coefficient});
   }
   return terms;
 }
@@ -172,7 +172,7 @@ std::string coefficient_text(const Number& coefficient) {
 Combinations::Combinations(const Mechanism& mechanism, const BaseParameters& base, ParameterFrames frames,
                            ParameterSet set) {
   if (!has_names_of_file(mechanism, frames)) {
-    for (std::size_t k = 0; k < base.columns.size(); ++k) terms_.push_back(canonical_terms(base, k));
+    for (std::size_t k = 0; k < base.columns.size(); ++k) terms_.push_back(canonical_terms(mechanism, base, k));
     return;
   }
   const std::vector<FileParameter> parameters = file_parameters(mechanism, set);

@@ -10,7 +10,7 @@
 // joint j held at 0, as a part of the parent, and so it can be moved there. For a revolute joint in general position
 // M_j is m, m l_z and Î_xx + Î_yy; for a prismatic one the six moments of inertia (Gautier and Khalil, 1990). Near the
 // base, and where gravity does not act, bodies move less freely and M_j is larger, so it is computed rather than
-// listed. Friction dissipates, so its parameters are always independent.
+// listed. A floating base keeps its ten. Friction dissipates, so its parameters are always independent.
 #pragma once
 
 #include <map>

@@ -85,13 +85,14 @@ std::vector<FileParameter> file_parameters(const Mechanism& mechanism, Parameter
     }
   }
   if (has_canonical_links(mechanism)) {
-    for (FileParameter& parameter : parameters) parameter.name = parameter_name(parameter.index);
+    for (FileParameter& parameter : parameters)
+      parameter.name = parameter_name(parameter.index, mechanism.base_bodies());
   }
   return parameters;
 }
 
 bool has_canonical_links(const Mechanism& mechanism) {
-  for (int i = 0; i < mechanism.body_count(); ++i) {
+  for (int i = std::max(0, mechanism.base_bodies() - 1); i < mechanism.body_count(); ++i) {
     const std::vector<const WrittenLink*> links = links_of(mechanism, i);
     if (links.size() != 1 || !is_canonical(*links.front())) return false;
   }

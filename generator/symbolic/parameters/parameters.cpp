@@ -24,11 +24,23 @@ Number driving_inertia(const Body& body) {
 
 }  // namespace
 
-std::string parameter_name(int index) {
+std::string parameter_name(int index, int base_bodies) {
   static const char* const kNames[] = {"m#",   "m#lx", "m#ly", "m#lz", "I#xx", "I#xy", "I#xz",
                                        "I#yy", "I#yz", "I#zz", "Im#",  "Fv#",  "Fs#"};
   std::string name = kNames[static_cast<std::size_t>(parameter_of(index))];
-  return name.replace(name.find('#'), 1, std::to_string(joint_of(index) + 1));
+  return name.replace(name.find('#'), 1, std::to_string(joint_of(index) + 1 - base_bodies));
+}
+
+std::vector<int> parameter_indices(const Mechanism& mechanism) {
+  std::vector<int> indices;
+  const int joints = mechanism.base_bodies();
+  for (int k = 0; joints > 0 && k < kInertialPerBody; ++k) {
+    indices.push_back(index_of(joints - 1, static_cast<Parameter>(k)));
+  }
+  for (int k = kParametersPerJoint * joints; k < kParametersPerJoint * mechanism.body_count(); ++k) {
+    indices.push_back(k);
+  }
+  return indices;
 }
 
 InertialParameters single_parameter(Parameter parameter, const Number& value) {
@@ -63,15 +75,16 @@ std::vector<Number> dynamic_parameters(const Mechanism& mechanism) {
 }
 
 std::vector<bool> parameters_in(const Mechanism& mechanism, ParameterSet set) {
-  std::vector<bool> present;
   const std::vector<Number> values = dynamic_parameters(mechanism);
-  for (int k = 0; k < static_cast<int>(values.size()); ++k) {
+  std::vector<bool> present(values.size(), false);
+  for (const int k : parameter_indices(mechanism)) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(joint_of(k))];
     const bool inertial = static_cast<int>(parameter_of(k)) < kInertialPerBody;
     const bool nonzero = !vanishes(values[static_cast<std::size_t>(k)]);
     const bool given = nonzero || (parameter_of(k) == Parameter::Im && body.rotor);
-    present.push_back(set == ParameterSet::full || (set == ParameterSet::nonzero ? nonzero : inertial) ||
-                      (set == ParameterSet::given && given));
+    present[static_cast<std::size_t>(k)] = set == ParameterSet::full ||
+                                           (set == ParameterSet::nonzero ? nonzero : inertial) ||
+                                           (set == ParameterSet::given && given);
   }
   return present;
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The dynamic parameters in which the model is linear, (7.77): thirteen per joint, joint after joint in the order of q.
+// The dynamic parameters in which the model is linear, (7.77): thirteen per joint, joint after joint in the order of q;
+// before them, ten of the link of a floating base. The vector π has thirteen places for every body of the mechanism, of
+// which those of a floating base's motion are not used.
 #pragma once
 
 #include <cstdint>
@@ -23,19 +25,23 @@ constexpr int index_of(int i, Parameter parameter) { return kParametersPerJoint 
 constexpr int joint_of(int index) { return index / kParametersPerJoint; }
 constexpr Parameter parameter_of(int index) { return static_cast<Parameter>(index % kParametersPerJoint); }
 
-// The name of a parameter by its index in π: "m2", "m2lx", "I2xy", "Im2", "Fv2", "Fs2"; joints are counted from 1.
-std::string parameter_name(int index);
+// The name of a parameter by its index in π: "m2", "m2lx", "I2xy", "Im2", "Fv2", "Fs2"; joints are counted from 1, and
+// a floating base is 0.
+std::string parameter_name(int index, int base_bodies = 0);
+
+// The indices in π of the parameters that the mechanism has, in order: ten of a floating base's link, 13 per joint.
+std::vector<int> parameter_indices(const Mechanism& mechanism);
 
 // A body with one parameter equal to `value` and the others 0; `parameter` is one of the first ten.
 InertialParameters single_parameter(Parameter parameter, const Number& value = 1);
 // The first ten of (7.77).
 std::vector<Number> entries_of(const InertialParameters& body);
 
-// π of the mechanism, 13n numbers. Throws Failure(unsupported) for a joint with both a motor and an armature: their
-// effects differ, and π has one place for them.
+// π of the mechanism, 13 numbers per body. Throws Failure(unsupported) for a joint with both a motor and an armature:
+// their effects differ, and π has one place for them.
 std::vector<Number> dynamic_parameters(const Mechanism& mechanism);
 
-// The subset of the 13n parameters that the model has.
+// The subset of its parameters that the model has.
 enum class ParameterSet : std::uint8_t {
   inertial,  // ten of every link
   given,     // these, and I_m, F_v, F_s of the joints for which the file gives them

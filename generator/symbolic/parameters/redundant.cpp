@@ -237,8 +237,8 @@ std::vector<std::vector<RedundantPart>> redundant_parts(const Mechanism& mechani
     std::vector<Parameter> found = free_columns(echelon), general = leads_in_general(body);
     std::sort(found.begin(), found.end());
     std::sort(general.begin(), general.end());
-    if (found != general) special.push_back(j);
-    parts.push_back(parts_in_general(body));
+    if (found != general && !mechanism.is_of_base(j)) special.push_back(j);
+    parts.push_back(mechanism.is_of_base(j) ? std::vector<RedundantPart>{} : parts_in_general(body));
   }
   if (special.empty()) return parts;
   Rationals rationals(mechanism);

@@ -18,6 +18,7 @@ struct RedundantPart {
 };
 
 // A basis of M_j for every joint j. The leads are the parameters that come last in kPreference, as far as possible.
+// A floating base keeps all of its own.
 std::vector<std::vector<RedundantPart>> redundant_parts(const Mechanism& mechanism);
 
 }  // namespace flatdyn

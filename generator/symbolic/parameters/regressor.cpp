@@ -90,7 +90,7 @@ class Columns {
   Vec3 moment_about(int centre, const Wrench& wrench, int index) {
     const Vec3 lever = centres_.lever(centre, joint_of(index));
     return frames_.derivation().named(wrench.mu + cross(lever, wrench.f),
-                                      "n_" + frames_.label(centre) + "_" + parameter_name(index));
+                                      "n_" + frames_.label(centre) + "_" + name_of(index));
   }
 
   // The rotor's column: the last two terms of (7.105), and k_r (ω̇_c · z_m + k_r q̈) at the joint itself, (7.114).
@@ -116,10 +116,12 @@ class Columns {
     return named(entries, index_of(j, Parameter::Im));
   }
 
+  std::string name_of(int index) const { return parameter_name(index, frames_.mechanism().base_bodies()); }
+
   std::vector<Number> named(std::vector<Number> entries, int index) {
     for (std::size_t i = 0; i < entries.size(); ++i) {
-      entries[i] = frames_.derivation().named(entries[i],
-                                              "y_" + frames_.label(static_cast<int>(i)) + "_" + parameter_name(index));
+      entries[i] =
+          frames_.derivation().named(entries[i], "y_" + frames_.label(static_cast<int>(i)) + "_" + name_of(index));
     }
     return entries;
   }

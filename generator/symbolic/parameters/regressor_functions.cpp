@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/parameters/regressor_functions.hpp"
 
-#include <numeric>
-
 #include "symbolic/dynamics/derivation_context.hpp"
 #include "symbolic/parameters/base_parameters.hpp"
 #include "symbolic/parameters/regressor.hpp"
@@ -20,7 +18,7 @@ Function regressor_of(const Mechanism& mechanism, const std::vector<int>& column
                       const std::string& meaning) {
   DerivationContext context(mechanism);
   const std::vector<Number> qd = context.joint_motion(InputKind::qd);
-  const JointMotion motion{qd, qd, context.joint_motion(InputKind::qdd), mechanism.gravity};
+  const JointMotion motion{qd, qd, context.joint_motion(InputKind::qdd), gravity_of(mechanism, context.derivation)};
   const std::vector<NodeId> entries = context.nodes(regressor_at_coordinates(context, motion, columns));
   return finished(context, {matrix_output(name, context.size(), static_cast<int>(columns.size()), entries, meaning)});
 }
@@ -28,9 +26,11 @@ Function regressor_of(const Mechanism& mechanism, const std::vector<int>& column
 }  // namespace
 
 Function derive_regressor(const Mechanism& mechanism) {
-  std::vector<int> columns(static_cast<std::size_t>(kParametersPerJoint * mechanism.body_count()));
-  std::iota(columns.begin(), columns.end(), 0);
-  return regressor_of(mechanism, columns, "Y", "m, m l (3), I_xx, xy, xz, yy, yz, zz, I_m, F_v, F_s of every joint");
+  const char* const joints = "m, m l (3), I_xx, xy, xz, yy, yz, zz, I_m, F_v, F_s of every joint";
+  const char* const bodies =
+      "the first ten of the base, then m, m l (3), I_xx, xy, xz, yy, yz, zz, I_m, F_v, F_s of "
+      "every joint";
+  return regressor_of(mechanism, parameter_indices(mechanism), "Y", mechanism.floating_base ? bodies : joints);
 }
 
 Function derive_base_regressor(const Mechanism& mechanism) {
@@ -49,7 +49,7 @@ Function derive_inverse_dynamics_base(const Mechanism& mechanism) {
   const Mechanism run_time = with_base_parameters(mechanism, base, inputs(derivation, InputKind::pi_b, base.size()));
   Frames frames(run_time, derivation);
   const Motion motion{joint_motion(mechanism, derivation, InputKind::qd),
-                      joint_motion(mechanism, derivation, InputKind::qdd), mechanism.gravity, true};
+                      joint_motion(mechanism, derivation, InputKind::qdd), gravity_of(mechanism, derivation), true};
   std::vector<NodeId> tau;
   for (const Number& torque : at_coordinates(mechanism, derivation, torques(frames, motion), "tau")) {
     tau.push_back(derivation.node(torque));
