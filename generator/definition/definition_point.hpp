@@ -66,6 +66,15 @@ class DefinitionPoint {
 
   Values inverse_dynamics() { return torques_at(qdd()); }
 
+  // The accelerations of the coordinates in which Lagrange's equations hold, from those of the function's: ẍ = ν̇ - Ȧ ν
+  // with a floating base (model/floating_base.hpp).
+  Values accelerations_of_coordinates(Values accelerations) const {
+    if (!mechanism.floating_base) return accelerations;
+    const Values drift = base_drift(qd());
+    for (std::size_t k = 0; k < drift.size(); ++k) accelerations[k] += drift[k];
+    return accelerations;
+  }
+
   // The torques without acceleration.
   Values bias() {
     return mechanism.floating_base ? torques_at(Values(qd().size(), F(0))) : lagrangian.bias(qd(), signs());
@@ -115,13 +124,8 @@ class DefinitionPoint {
   Lagrangian<F> lagrangian;
 
  private:
-  // With a floating base, Lagrange's equations hold for ẍ = ν̇ - Ȧ ν (model/floating_base.hpp).
-  Values torques_at(Values accelerations) {
-    if (mechanism.floating_base) {
-      const Values drift = base_drift(qd());
-      for (std::size_t k = 0; k < drift.size(); ++k) accelerations[k] += drift[k];
-    }
-    return lagrangian.inverse_dynamics(qd(), accelerations, signs());
+  Values torques_at(const Values& accelerations) {
+    return lagrangian.inverse_dynamics(qd(), accelerations_of_coordinates(accelerations), signs());
   }
 
   // The mechanism over the field; gravity is g_b if the base floats and there is any.
