@@ -66,6 +66,15 @@ class DefinitionPoint {
 
   Values inverse_dynamics() { return torques_at(qdd()); }
 
+  // The accelerations of the coordinates in which Lagrange's equations hold, from those of the function's: ẍ = ν̇ - Ȧ ν
+  // with a floating base (model/floating_base.hpp).
+  Values accelerations_of_coordinates(Values accelerations) const {
+    if (!mechanism.floating_base) return accelerations;
+    const Values drift = base_drift(qd());
+    for (std::size_t k = 0; k < drift.size(); ++k) accelerations[k] += drift[k];
+    return accelerations;
+  }
+
   // The torques without acceleration.
   Values bias() {
     return mechanism.floating_base ? torques_at(Values(qd().size(), F(0))) : lagrangian.bias(qd(), signs());
@@ -100,15 +109,6 @@ class DefinitionPoint {
     return result;
   }
 
-  // The accelerations of the coordinates for which Lagrange's equations hold: with a floating base ẍ = ν̇ - Ȧ ν
-  // (model/floating_base.hpp), else the same.
-  Values of_coordinates(Values accelerations) const {
-    if (!mechanism.floating_base) return accelerations;
-    const Values drift = base_drift(qd());
-    for (std::size_t k = 0; k < drift.size(); ++k) accelerations[k] += drift[k];
-    return accelerations;
-  }
-
   // τ - n, the value that B q̈ must have.
   Values net_torques() {
     Values result = drawn(InputKind::tau);
@@ -125,7 +125,7 @@ class DefinitionPoint {
 
  private:
   Values torques_at(const Values& accelerations) {
-    return lagrangian.inverse_dynamics(qd(), of_coordinates(accelerations), signs());
+    return lagrangian.inverse_dynamics(qd(), accelerations_of_coordinates(accelerations), signs());
   }
 
   // The mechanism over the field; gravity is g_b if the base floats and there is any.

@@ -24,7 +24,7 @@ class RegressorDefinition {
 
   // Y, with tau = Y π.
   Matrix<F> actual() const {
-    return lagrangian_.regressor(point_.qd(), point_.of_coordinates(point_.qdd()), point_.signs());
+    return lagrangian_.regressor(point_.qd(), point_.accelerations_of_coordinates(point_.qdd()), point_.signs());
   }
 
   // Y of the torques B q̈_r + C(q, q̇) q̇_r + g + friction at q̇_r.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "definition/lagrangian.hpp"
+#include "model/floating_base.hpp"
 
 namespace flatdyn {
 
@@ -30,20 +31,32 @@ template <class F>
 struct FieldState {
   std::vector<JointPoint<F>> q;
   std::vector<F> qd, qdd, sign_qd;  // sign_qd: by body's joint
+  Vector3<F> gravity;               // in the axes of the base
 };
 
-// ∂τ/∂q, column by column: τ over dual numbers, with dc = -s dq, ds = c dq.
+// The derivative of gravity in base axes along column k: g_b × δ where it turns a floating base, R ← R exp(S(δ)).
+template <class F>
+Vector3<F> gravity_along(const Mechanism& mechanism, const Vector3<F>& gravity, int k) {
+  Vector3<F> turn = {F(0), F(0), F(0)};
+  if (mechanism.is_of_base(k) && k >= 3) turn[static_cast<std::size_t>(k - 3)] = F(1);
+  return cross(gravity, turn);
+}
+
+// ∂τ/∂q, column by column: τ over dual numbers, with dc = -s dq, ds = c dq. A floating base's displacement changes
+// nothing, and its turn changes gravity in its axes, while the components of velocities and accelerations are held.
 template <class Arithmetic, class F = typename Arithmetic::Scalar>
 Matrix<F> torques_by_position(const Mechanism& mechanism, Arithmetic& arithmetic, const FieldState<F>& state) {
   using D = Dual<F>;
   const auto constant = [](const std::vector<F>& values) { return std::vector<D>(values.begin(), values.end()); };
   ConstantArithmetic<Arithmetic> over_duals{arithmetic};
-  const MechanismOver<D> field = mechanism_over(mechanism, over_duals);
+  MechanismOver<D> field = mechanism_over(mechanism, over_duals);
   const MechanismOver<F> constants = mechanism_over(mechanism, arithmetic);
   Matrix<F> result(mechanism.size(), mechanism.size());
   for (int k = 0; k < mechanism.size(); ++k) {
     std::vector<F> direction(static_cast<std::size_t>(mechanism.size()), F(0));
-    direction[static_cast<std::size_t>(k)] = F(1);
+    if (!mechanism.is_of_base(k)) direction[static_cast<std::size_t>(k)] = F(1);
+    const Vector3<F> turned = gravity_along(mechanism, state.gravity, k);
+    for (std::size_t i = 0; i < 3; ++i) field.gravity[i] = D(state.gravity[i], turned[i]);
     const std::vector<F> rates = joint_values(constants, direction);
     std::vector<JointPoint<D>> q;
     for (const JointPoint<F>& point : state.q) {
@@ -74,6 +87,21 @@ Matrix<F> torques_by_rate(Lagrangian<F>& lagrangian, const std::vector<F>& qd) {
     for (int k = 0; k < result.cols(); ++k) result(i, k) += friction(i, k);
   }
   return result;
+}
+
+// The part of ∂τ/∂ν by which the accelerations of Lagrange's coordinates depend on a floating base's velocity:
+// B ∂(-Ȧ ν)/∂ν.
+template <class F>
+void add_drift_by_rate(const Matrix<F>& B, const std::vector<F>& velocity, Matrix<F>& result) {
+  constexpr int kTwist = 6;
+  for (int j = 0; j < kTwist; ++j) {
+    std::vector<Dual<F>> twist(velocity.begin(), velocity.begin() + kTwist);
+    twist[static_cast<std::size_t>(j)].derivative = F(1);
+    const std::vector<Dual<F>> drift = base_drift(twist);
+    for (int i = 0; i < B.rows(); ++i) {
+      for (int k = 0; k < kTwist; ++k) result(i, j) += B(i, k) * drift[static_cast<std::size_t>(k)].derivative;
+    }
+  }
 }
 
 }  // namespace flatdyn

@@ -71,13 +71,31 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
-// The summary "Pose of the tip", or "Pose of link hand". With a floating base, q̈ is a and q̇ is v.
+// With a floating base, q̈ is a and q̇ is v.
+std::string in_terms_of_base(const std::string& text) { return replaced(replaced(text, "qdd", "a"), "qd", "v"); }
+
+// Said of derivatives by positions with a floating base, which are in its tangent space.
+const char* const kTangentSpace =
+    ". The first columns by q are those of a displacement of the base along its axes (m; it changes nothing), then of "
+    "a "
+    "turn R exp(S(delta)) about its axes (rad), which turns g_b alone: the numbers in v, and in a or tau, are held "
+    "fixed";
+
+bool differentiates_by_position(const FunctionRow& row) {
+  return std::any_of(row.outputs.begin(), row.outputs.end(), [](const OutputRow& output) {
+    return output.quantity == OutputQuantity::torque_per_position ||
+           output.quantity == OutputQuantity::acceleration_per_position;
+  });
+}
+
+// The summary "Pose of the tip", or "Pose of link hand".
 std::string summary_of(const Request& request, bool floating_base) {
   std::string summary = request.row->summary;
-  if (floating_base) summary = replaced(replaced(summary, "qdd", "a"), "qd", "v");
+  if (floating_base) summary = in_terms_of_base(summary);
   if (floating_base && summary.starts_with("(dJ/dt) v of ")) {
     summary = "Acceleration, while a is zero, of " + summary.substr(std::string("(dJ/dt) v of ").size());
   }
+  if (floating_base && differentiates_by_position(*request.row)) summary += kTangentSpace;
   const std::string tip = "the tip";
   const std::size_t place = summary.find(tip);
   if (request.link != nullptr && place != std::string::npos) {
@@ -95,12 +113,13 @@ Function derived_plainly(const Mechanism& mechanism, const Request& request, con
 
 // Says of an output that has entries of a floating base which they are.
 void describe_floating(Output& output) {
+  output.name = in_terms_of_base(output.name);
+  output.meaning = in_terms_of_base(output.meaning);
   switch (output.quantity) {
     case OutputQuantity::joint_torque:
       output.meaning = "force and moment on the base (base axes, N, N m), then joint torques";
       break;
     case OutputQuantity::joint_acceleration:
-      output.name = "a";
       output.meaning = "derivatives of the entries of v";
       break;
     case OutputQuantity::joint_inertia:
@@ -108,6 +127,12 @@ void describe_floating(Output& output) {
       break;
     case OutputQuantity::tip_acceleration:
       output.meaning = "acceleration while a is zero, for an observer at rest, base axes: linear, then angular";
+      break;
+    case OutputQuantity::torque_per_position:
+      output.meaning = "row i: of tau[i]; columns: displacement of the base, its turn, then q";
+      break;
+    case OutputQuantity::acceleration_per_position:
+      output.meaning = "row i: of a[i]; columns: displacement of the base, its turn, then q";
       break;
     default:
       break;

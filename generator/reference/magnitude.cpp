@@ -128,6 +128,11 @@ MatrixX<double> position_derivative_magnitude(const Robot<double>& robot, const 
     further[joint.index] += 1;
     result.col(joint.index) = detail::torque_magnitude_of_tree(robot, further, rates, accelerations, options) - here;
   }
+  if (robot.floating_base) {
+    const VectorX<double> none = VectorX<double>::Zero(rates.size());
+    result.leftCols<3>().setZero();
+    result.middleCols<3>(3) = detail::torque_magnitude_of_tree(robot, positions, none, none, options).replicate<1, 3>();
+  }
   if (robot.coupling.size() == 0) return result;
   const MatrixX<double> A = robot.coupling.cwiseAbs();
   return A.transpose() * result * A;
@@ -135,7 +140,7 @@ MatrixX<double> position_derivative_magnitude(const Robot<double>& robot, const 
 
 MatrixX<double> rate_derivative_magnitude(const Robot<double>& robot, const VectorX<double>& q,
                                           const VectorX<double>& qd) {
-  VectorX<double> viscous = VectorX<double>::Zero(robot.joint_count());
+  VectorX<double> viscous = VectorX<double>::Zero(robot.base_size() + robot.joint_count());
   for (const Joint<double>& joint : robot.joints) {
     if (joint.index >= 0) viscous[joint.index] = std::abs(joint.viscous);
   }

@@ -9,13 +9,16 @@
 namespace flatdyn {
 namespace {
 
+constexpr std::size_t kDirections = 3;
+
 Output derivative_output(DerivationContext& context, const std::string& name, const Rows& rows,
                          const std::string& meaning) {
   return matrix_output(name, context.size(), context.size(), context.nodes(rows), meaning);
 }
 
-TorqueDerivatives derivatives_at_coordinates(DerivationContext& context, const Motion& motion) {
-  const TorqueDerivatives tau = torque_derivatives(context.frames, motion);
+TorqueDerivatives derivatives_at_coordinates(DerivationContext& context, const Motion& motion,
+                                             BaseColumns base_columns) {
+  const TorqueDerivatives tau = torque_derivatives(context.frames, motion, base_columns);
   const auto folded = [&context](const Rows& rows, const std::string& name) {
     return at_coordinates(context.mechanism, context.derivation, rows, Shape::general, name);
   };
@@ -29,12 +32,12 @@ std::vector<Number> accelerations_of_joints(DerivationContext& context, const Fa
 }
 
 // -B⁻¹ times a matrix.
-Rows solved(const Factorisation& B, const Rows& matrix, const std::string& name) {
+Rows solved(DerivationContext& context, const Factorisation& B, const Rows& matrix, const std::string& name) {
   Rows result = matrix;
   for (std::size_t k = 0; k < matrix.size(); ++k) {
     std::vector<Number> column;
     for (const std::vector<Number>& row : matrix) column.push_back(-row[k]);
-    column = B.solve(column, name + "_" + label(static_cast<int>(k)));
+    column = B.solve(column, name + "_" + label(static_cast<int>(k), context.mechanism.base_bodies()));
     for (std::size_t i = 0; i < matrix.size(); ++i) result[i][k] = column[i];
   }
   return result;
@@ -43,9 +46,27 @@ Rows solved(const Factorisation& B, const Rows& matrix, const std::string& name)
 Function torque_derivatives_function(DerivationContext& context) {
   const Motion motion{context.joint_motion(InputKind::qd), context.joint_motion(InputKind::qdd), context.gravity(),
                       true};
-  const TorqueDerivatives tau = derivatives_at_coordinates(context, motion);
+  const TorqueDerivatives tau = derivatives_at_coordinates(context, motion, BaseColumns::derivatives);
   return finished(context, {derivative_output(context, "dtau_dq", tau.dq, "row i, column k: of tau[i] by q[k]"),
                             derivative_output(context, "dtau_dqd", tau.dqd, "row i, column k: of tau[i] by qd[k]")});
+}
+
+// Gravity and the base's velocity v accelerate the whole robot alike: τ depends on v, v̇ and g_b by the acceleration of
+// the base's origin p̈ = v̇ + ω × v - g_b only. While the other rows are those of p̈, v̇ is p̈ - ω × v + g_b.
+void add_rates_of_base_axes(DerivationContext& context, const Motion& motion, Rows& dq, Rows& dqd) {
+  if (!context.mechanism.floating_base) return;
+  Derivation& d = context.derivation;
+  const auto& qd = motion.qd;
+  const Mat3 of_v = skew({qd[0], qd[1], qd[2]}), of_omega = skew({qd[3], qd[4], qd[5]}), of_g = skew(motion.gravity);
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    for (std::size_t j = 0; j < kDirections; ++j) {
+      const std::string n = "_b_" + std::to_string(i) + std::to_string(j);
+      Number &by_turn = dq[i][j + kDirections], &by_v = dqd[i][j], &by_omega = dqd[i][j + kDirections];
+      by_turn = d.named(by_turn + of_g[i][j], "da_turn" + n);     // g_b × e_j
+      by_v = d.named(by_v - of_omega[i][j], "da_v" + n);          // -ω × e_j
+      by_omega = d.named(by_omega + of_v[i][j], "da_omega" + n);  // -e_j × v
+    }
+  }
 }
 
 // Differentiates B q̈ + n(q, q̇) = τ: B ∂q̈ = -∂(B q̈ + n) at this q̈.
@@ -53,8 +74,9 @@ Function acceleration_derivatives_function(DerivationContext& context) {
   const Factorisation B(context.frames, context.inertia());
   const Motion motion{context.joint_motion(InputKind::qd), accelerations_of_joints(context, B), context.gravity(),
                       true};
-  const TorqueDerivatives tau = derivatives_at_coordinates(context, motion);
-  const Rows dq = solved(B, tau.dq, "dqdd"), dqd = solved(B, tau.dqd, "dqddd");
+  const TorqueDerivatives tau = derivatives_at_coordinates(context, motion, BaseColumns::at_origin_acceleration);
+  Rows dq = solved(context, B, tau.dq, "dqdd"), dqd = solved(context, B, tau.dqd, "dqddd");
+  add_rates_of_base_axes(context, motion, dq, dqd);
   const Rows dtau = B.inverse("a");
   Conditions conditions = conditions_of(context, B);
   return finished(context,

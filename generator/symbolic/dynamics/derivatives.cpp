@@ -16,10 +16,11 @@ Vec3 z_column(const Mat3& m) { return {m[0][2], m[1][2], m[2][2]}; }
 
 class TorqueDerivation {
  public:
-  TorqueDerivation(Frames& frames, const Motion& motion)
+  TorqueDerivation(Frames& frames, const Motion& motion, BaseColumns base_columns)
       : frames_(frames),
         d_(frames.derivation()),
         motion_(motion),
+        base_columns_(base_columns),
         links_(link_motions(frames, motion)),
         wrenches_(joint_wrenches(frames, motion, links_)),
         bodies_(composites(frames)),
@@ -49,13 +50,35 @@ class TorqueDerivation {
     return {omega[1], -omega[0], 0};
   }
 
+  // A vector in base axes, in the axes of a body of the base's motion.
+  Vec3 in_base_frame(int k, Vec3 v, const std::string& name) {
+    for (int i = frames_.mechanism().base_bodies() - 1; i > k; --i) v = frames_.to_parent(i, v, name);
+    return v;
+  }
+
+  // The fields of the base's columns, see the header.
+  Field field_of_base_position(int k) {
+    if (frames_.body(k).prismatic || base_columns_ != BaseColumns::derivatives) return {};
+    const Vec3 g = in_base_frame(k, motion_.gravity, "g_b");
+    return {{-g[1], g[0], 0}, zero_vector(), zero_vector()};
+  }
+
+  Field field_of_base_rate(int k) {
+    const bool accelerates = base_columns_ == BaseColumns::derivatives;
+    if (frames_.body(k).prismatic) return {accelerates ? w_of(k) : zero_vector(), zero_vector(), zero_vector()};
+    const Vec3 v = in_base_frame(k, {motion_.qd[0], motion_.qd[1], motion_.qd[2]}, "v_b");
+    return {accelerates ? Vec3{-v[1], v[0], 0} : zero_vector(), w_of(k), {0, 0, 1}};
+  }
+
   Field field_of_position(int k) {
+    if (frames_.mechanism().is_of_base(k)) return field_of_base_position(k);
     const LinkMotion& link = at(links_, k);
     if (frames_.body(k).prismatic) return {z_column(link.U), zero_vector(), zero_vector()};
     return {{link.ddp[1], -link.ddp[0], 0}, z_column(link.U), w_of(k)};
   }
 
   Field field_of_rate(int k) {
+    if (frames_.mechanism().is_of_base(k) && base_columns_ != BaseColumns::coriolis) return field_of_base_rate(k);
     const Vec3 twice = d_.named(Number(2) * w_of(k), "w_2_" + frames_.label(k));
     if (frames_.body(k).prismatic) return {twice, zero_vector(), zero_vector()};
     return {zero_vector(), twice, {0, 0, 1}};
@@ -123,8 +146,10 @@ class TorqueDerivation {
 
   // Computes ∂τ_i/∂q_k for the joints i before k.
   void column_of_position(int k) {
-    const Wrench relative = applied(k, field_of_position(k)),
-                 turned = derivative_by_joint(frames_.body(k), at(wrenches_, k));
+    const Wrench relative = applied(k, field_of_position(k));
+    // The base's forces are in axes that turn with it.
+    const Wrench turned =
+        frames_.mechanism().is_of_base(k) ? Wrench{} : derivative_by_joint(frames_.body(k), at(wrenches_, k));
     add_along_path(k, {relative.f + turned.f, relative.mu + turned.mu}, zero_vector(), result_.dq, "q");
   }
 
@@ -156,6 +181,7 @@ class TorqueDerivation {
   Frames& frames_;
   Derivation& d_;
   const Motion& motion_;
+  const BaseColumns base_columns_;
   std::vector<LinkMotion> links_;
   std::vector<Wrench> wrenches_;
   std::vector<InertialParameters> bodies_;
@@ -165,8 +191,8 @@ class TorqueDerivation {
 
 }  // namespace
 
-TorqueDerivatives torque_derivatives(Frames& frames, const Motion& motion) {
-  return TorqueDerivation(frames, motion).run();
+TorqueDerivatives torque_derivatives(Frames& frames, const Motion& motion, BaseColumns base_columns) {
+  return TorqueDerivation(frames, motion, base_columns).run();
 }
 
 }  // namespace flatdyn

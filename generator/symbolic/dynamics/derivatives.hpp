@@ -11,6 +11,11 @@
 // with the composite body's mass M, first moment H, inertia I, and P = Σ m u, Q = Σ m u rᵀ. Derived from ∂v/∂q_k = v_λ
 // × S_k + S_k × v; the same sums in spatial vectors: Singh, Russell and Wensing, "Efficient analytical derivatives of
 // rigid-body dynamics using spatial vector algebra", 2022.
+//
+// With a floating base, the whole robot is the composite body of the base's six columns. Its origin is accelerated by
+// p̈ = v̇ + ω × v - g_b, all in base axes. A unit change of v_j gives e = ω × e_j; one of ω_j gives e = e_j × v, y = ω ×
+// e_j and e_j in the place of w. A turn of the base about e_j, with v and a held fixed, turns g_b the other way:
+// e = e_j × g_b alone. A displacement changes nothing.
 #pragma once
 
 #include <vector>
@@ -23,7 +28,15 @@ struct TorqueDerivatives {
   Rows dq, dqd;  // [i][k]: ∂τ_i/∂q_k, ∂τ_i/∂q̇_k
 };
 
+// The columns of a floating base.
+enum class BaseColumns {
+  derivatives,             // by its displacement and turn along and about its axes, and by v; v and a are held fixed
+  at_origin_acceleration,  // the same with p̈ = v̇ + ω × v - g_b held fixed in the place of v̇
+  coriolis,                // of v: 2 C, with the C of which Ḃ - 2 C is skew-symmetric; those of its position are zero
+};
+
 // The derivatives of torques() without tip force. Coulomb friction counts as constant: its slope at rest is left out.
-TorqueDerivatives torque_derivatives(Frames& frames, const Motion& motion);
+TorqueDerivatives torque_derivatives(Frames& frames, const Motion& motion,
+                                     BaseColumns base_columns = BaseColumns::derivatives);
 
 }  // namespace flatdyn

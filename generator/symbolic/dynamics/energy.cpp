@@ -100,7 +100,7 @@ FirstMoments first_moments(Frames& frames, const Number& unit) {  // in `unit` k
 Number potential_energy(Frames& frames) {
   Derivation& d = frames.derivation();
   const Vec3 h_base = d.named(first_moments(frames, 1).base, "hc_0");
-  return d.named(-dot(d.named(frames.mechanism().gravity, "g_0"), h_base), "U");
+  return d.named(-dot(d.named(gravity_of(frames.mechanism(), d), "g_0"), h_base), "U");
 }
 
 namespace {

@@ -47,7 +47,7 @@ Function finished_coriolis(DerivationContext& context, const std::vector<NodeId>
 Function coriolis_from_momenta(const Mechanism& mechanism, const Choices& choices) {
   return derived(with_half_inertia(mechanism), choices, [](DerivationContext& context) {
     const Motion motion{context.joint_motion(InputKind::qd), context.joint_drift(), zero_vector(), false};
-    const Rows C = torque_derivatives(context.frames, motion).dqd;
+    const Rows C = torque_derivatives(context.frames, motion, BaseColumns::coriolis).dqd;
     return finished_coriolis(
         context, context.nodes(at_coordinates(context.mechanism, context.derivation, C, Shape::general, "C")));
   });

@@ -7,11 +7,21 @@
 
 namespace flatdyn::reference {
 
-// Derivatives by q (per rad or m) and by q̇ (per rad/s or m/s): row i for entry i, column k for joint k.
+// Derivatives by q (per rad or m) and by q̇ (per rad/s or m/s): row i for entry i, column k for joint k. With a floating
+// base, the first six columns by q are those of its displacement along its axes and of its turn about them, R ← R
+// exp(S(δ)), with the components of velocities, accelerations and forces in its axes held fixed.
 template <class S>
 struct Derivatives {
   MatrixX<S> dq, dqd;
 };
+
+// Lets gravity in base axes change as the base turns about its axis j: g_b ← g_b + g_b × δ.
+template <class S>
+void turn_gravity(Robot<Tangent<S>>& robot, Eigen::Index j) {
+  const Vector3<S> g(robot.gravity[0].value, robot.gravity[1].value, robot.gravity[2].value);
+  const Vector3<S> along = g.cross(Vector3<S>::Unit(j));
+  for (Eigen::Index i = 0; i < 3; ++i) robot.gravity[i].slope = along[i];
+}
 
 // The derivatives of inverse_dynamics; sgn counts as constant.
 template <class S>
@@ -19,24 +29,31 @@ Derivatives<S> inverse_dynamics_derivatives(const Robot<S>& robot, const VectorX
                                             const VectorX<S>& qdd) {
   using T = Tangent<S>;
   const Robot<T> lifted = with_tangents(robot);
-  const Eigen::Index n = q.size();
+  const Eigen::Index n = robot.size(), base = robot.base_size();
   const auto slope = [n](const VectorX<T>& tau) {
     VectorX<S> column(n);
     for (Eigen::Index i = 0; i < n; ++i) column[i] = tau[i].slope;
     return column;
   };
-  const auto constant = [n](const VectorX<S>& x) {
-    VectorX<T> result(n);
-    for (Eigen::Index i = 0; i < n; ++i) result[i] = T(x[i]);
+  const auto constant = [](const VectorX<S>& x) {
+    VectorX<T> result(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = T(x[i]);
     return result;
   };
   VectorX<T> q_t = constant(q), qd_t = constant(qd);
   const VectorX<T> qdd_t = constant(qdd);
-  Derivatives<S> result{MatrixX<S>(n, n), MatrixX<S>(n, n)};
-  for (Eigen::Index k = 0; k < n; ++k) {
+  Derivatives<S> result{MatrixX<S>::Zero(n, n), MatrixX<S>(n, n)};
+  for (Eigen::Index k = base / 2; k < base; ++k) {
+    Robot<T> turned = lifted;
+    turn_gravity(turned, k - base / 2);
+    result.dq.col(k) = slope(inverse_dynamics(turned, q_t, qd_t, qdd_t));
+  }
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
     q_t[k].slope = S(1);
-    result.dq.col(k) = slope(inverse_dynamics(lifted, q_t, qd_t, qdd_t));
+    result.dq.col(base + k) = slope(inverse_dynamics(lifted, q_t, qd_t, qdd_t));
     q_t[k].slope = S(0);
+  }
+  for (Eigen::Index k = 0; k < n; ++k) {
     qd_t[k].slope = S(1);
     result.dqd.col(k) = slope(inverse_dynamics(lifted, q_t, qd_t, qdd_t));
     qd_t[k].slope = S(0);
@@ -53,7 +70,7 @@ struct AccelerationDerivatives {
 template <class S>
 AccelerationDerivatives<S> forward_dynamics_derivatives(const Robot<S>& robot, const VectorX<S>& q,
                                                         const VectorX<S>& qd, const VectorX<S>& tau) {
-  const Eigen::Index n = q.size();
+  const Eigen::Index n = robot.size();
   const VectorX<S> qdd = forward_dynamics(robot, q, qd, tau);
   const Derivatives<S> torques = inverse_dynamics_derivatives(robot, q, qd, qdd);
   const auto B = inertia_matrix(robot, q).llt();

@@ -87,6 +87,7 @@ Robot<Tangent<S>> with_tangents(const Robot<S>& robot) {
   result.R_tip = matrix(robot.R_tip);
   result.p_tip = vector(robot.p_tip);
   result.coupling = robot.coupling.template cast<T>();
+  result.floating_base = robot.floating_base;
   return result;
 }
 
