@@ -169,6 +169,10 @@ class TomlWriter {
     value("viscous", joint.viscous);
     value("coulomb", joint.coulomb);
     value("armature", joint.armature);
+    if (!vanishes(joint.stiffness.number)) {
+      value("stiffness", joint.stiffness);
+      value("spring_reference", joint.spring_reference);
+    }
     if (joint.coupled) add("position", position_of(*joint.coupled));
     std::string limits;
     const auto limit = [&](const char* key, const std::optional<Value>& each) {

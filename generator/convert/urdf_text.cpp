@@ -41,7 +41,7 @@ class UrdfWriter {
     for (const PlainLink& link : plain_.links) write_link(link);
     if (robot_.floating_base) write_free_joint();
     for (const PlainJoint& joint : plain_.joints) write_joint(joint);
-    text_ += "</robot>\n";
+    text_ += springs_ + "</robot>\n";
     return {std::move(text_), std::move(rounded_)};
   }
 
@@ -196,6 +196,18 @@ class UrdfWriter {
     dynamic("armature", joint.armature);
     if (!dynamics.empty()) add(2, "<dynamics" + dynamics + "/>\n");
     if (joint.coupled) write_mimic(*joint.coupled, what);
+    if (!vanishes(joint.stiffness.number)) add_spring(joint, what);
+  }
+
+  // Gazebo's words, as URDF has none.
+  void add_spring(const Joint& joint, const std::string& what) {
+    springs_ += fmt::format("  <gazebo reference=\"{}\">\n    <springStiffness>{}</springStiffness>\n",
+                            xml_text(joint.name), number(joint.stiffness.number, what + ", stiffness"));
+    if (!vanishes(joint.spring_reference.number)) {
+      springs_ += fmt::format("    <springReference>{}</springReference>\n",
+                              number(joint.spring_reference.number, what + ", spring_reference"));
+    }
+    springs_ += "  </gazebo>\n";
   }
 
   void write_mimic(const Coupled& coupled, const std::string& what) {
@@ -207,7 +219,7 @@ class UrdfWriter {
   const Robot& robot_;
   Diagnostics& diagnostics_;
   PlainRobot plain_;
-  std::string text_;
+  std::string text_, springs_;
   std::vector<std::string> rounded_;
 };
 
