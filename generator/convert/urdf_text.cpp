@@ -38,7 +38,7 @@ class UrdfWriter {
     refuse_what_urdf_lacks();
     if (diagnostics_.has_errors()) return {};
     text_ = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", xml_text(robot_.name));
-    for (const PlainLink& link : plain_.links) write_link(link);
+    for (const CleanLink& link : plain_.links) write_link(link);
     if (robot_.floating_base) write_free_joint();
     for (const PlainJoint& joint : plain_.joints) write_joint(joint);
     text_ += springs_ + "</robot>\n";
@@ -114,7 +114,7 @@ class UrdfWriter {
     if (!element.empty()) text_ += std::string(static_cast<std::size_t>(2 * depth), ' ') + element;
   }
 
-  void write_link(const PlainLink& link) {
+  void write_link(const CleanLink& link) {
     if (!link.body) return add(1, fmt::format("<link name=\"{}\"/>\n", xml_text(link.name)));
     const std::string what = "link \"" + link.name + "\"";
     const Mat3& I = link.body->tensor;
@@ -218,7 +218,7 @@ class UrdfWriter {
 
   const Robot& robot_;
   Diagnostics& diagnostics_;
-  PlainRobot plain_;
+  CleanRobot plain_;
   std::string text_, springs_;
   std::vector<std::string> rounded_;
 };

@@ -85,7 +85,8 @@ TEST_F(SpringsOfARobot, AreLeftOutByAScene) {
   ASSERT_EQ(run("generate", functions + scratch.path("b")).code, 0);
   const auto body = [this](const char* folder) {
     const std::string text = scratch.read(std::string(folder) + "/arm.hpp");
-    return text.substr(text.find("inline void inverse_dynamics"));
+    const std::size_t begin = text.find("inline void inverse_dynamics");
+    return text.substr(begin, text.find("}  // namespace arm") - begin);
   };
   EXPECT_EQ(body("a"), body("b"));
 }
