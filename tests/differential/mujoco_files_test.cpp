@@ -270,9 +270,9 @@ INSTANTIATE_TEST_SUITE_P(
                       MjcfFile{"shadow_right_hand.xml", {"tendon"}}, MjcfFile{"gym_half_cheetah.xml"},
                       MjcfFile{"2f85.xml", {"tendon", "mesh"}}, MjcfFile{"go1.xml", {}, {"trunk_joint"}},
                       MjcfFile{"anymal_c.xml", {}, {"base_joint"}},
-                      MjcfFile{"g1_29dof.xml", {}, {"floating_base_joint"}},
-                      MjcfFile{"gym_humanoid.xml", {}, {"root"}}, MjcfFile{"go1.xml"},
-                      MjcfFile{"anymal_c.xml"}, MjcfFile{"g1_29dof.xml"}, MjcfFile{"gym_humanoid.xml"}),
+                      MjcfFile{"g1_29dof.xml", {}, {"floating_base_joint"}}, MjcfFile{"gym_humanoid.xml", {}, {"root"}},
+                      MjcfFile{"go1.xml"}, MjcfFile{"anymal_c.xml"}, MjcfFile{"g1_29dof.xml"},
+                      MjcfFile{"gym_humanoid.xml"}),
     name_of);
 
 }  // namespace
