@@ -42,10 +42,10 @@ std::string rotor_text(const NumberList& number, const Body& body) {
 
 std::string link_text(const NumberList& number, const Body& body) {
   const InertialParameters& of = body.inertia;
-  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", body.parent, body.prismatic,
+  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", body.parent, body.prismatic,
                      number(constant_rotation(body)), number(body.p), number(of.mass), number(centre_of_mass(of)),
                      number(central_tensor(of)), number(body.viscous), number(body.coulomb), number(body.armature),
-                     rotor_text(number, body));
+                     rotor_text(number, body), number(body.stiffness), number(body.spring_reference));
 }
 
 }  // namespace

@@ -399,9 +399,9 @@ std::vector<std::string> RobotArguments::settings(const LoadedRobot& model) cons
                   "write the robot to a file first: xacro FILE NAME:=VALUE > robot.urdf");
   }
   const Scene& wanted = model.robot.scene;
-  if (wanted.payload || !wanted.friction || !wanted.limits.empty()) {
+  if (wanted.payload || !wanted.friction || !wanted.springs || !wanted.limits.empty()) {
     throw Failure(ExitCode::unsupported,
-                  "a robot file cannot repeat what the scene says of payload, friction and limits",
+                  "a robot file cannot repeat what the scene says of payload, friction, springs and limits",
                   "use a scene with gravity and [locked] only, or write these into the robot file");
   }
   std::vector<std::string> lines;

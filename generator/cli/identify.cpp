@@ -361,6 +361,7 @@ ExitCode identify(IdentifyArguments arguments) {
   if (!arguments.part.empty()) read_part(arguments.part, stream);
   LoadedRobot robot = load_robot(arguments.robot, arguments.options());
   refuse_floating_base(robot, "identify");
+  refuse_springs(robot, "identify");
   check_files(arguments, robot.robot);
   print_diagnostics(robot.diagnostics, arguments);
   arguments.note_function_keys(robot);

@@ -107,7 +107,7 @@ class Maker {
     for (const Link& link : robot.links) plain_.links.push_back({link.name, {}});
   }
 
-  PlainRobot make() {
+  CleanRobot make() {
     for (std::size_t i = 0; i < robot_.links.size(); ++i) add_bodies(static_cast<int>(i));
     for (const Joint& joint : robot_.joints) add_joint(joint);
     return std::move(plain_);
@@ -176,13 +176,13 @@ class Maker {
 
   const Robot& robot_;
   PlainForm form_;
-  PlainRobot plain_;
+  CleanRobot plain_;
 };
 
 }  // namespace
 
 PlainPose plain_pose_of(const Pose& pose) { return plain_pose(pose.displacements); }
 
-PlainRobot plain_robot(const Robot& robot, const PlainForm& form) { return Maker(robot, form).make(); }
+CleanRobot plain_robot(const Robot& robot, const PlainForm& form) { return Maker(robot, form).make(); }
 
 }  // namespace flatdyn

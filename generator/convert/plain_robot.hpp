@@ -23,7 +23,7 @@ struct PlainBody {
   Mat3 tensor = zero_matrix();  // about the centre of mass
 };
 
-struct PlainLink {
+struct CleanLink {
   std::string name;
   std::optional<PlainBody> body;
 };
@@ -36,8 +36,8 @@ struct PlainJoint {
   Vec3 axis = {0, 0, 1};  // in the frame of the child
 };
 
-struct PlainRobot {
-  std::vector<PlainLink> links;
+struct CleanRobot {
+  std::vector<CleanLink> links;
   std::vector<PlainJoint> joints;
 };
 
@@ -48,6 +48,6 @@ struct PlainForm {
 
 PlainPose plain_pose_of(const Pose& pose);
 
-PlainRobot plain_robot(const Robot& robot, const PlainForm& form);
+CleanRobot plain_robot(const Robot& robot, const PlainForm& form);
 
 }  // namespace flatdyn

@@ -61,6 +61,8 @@ class NumberCollector {
     add(name + ", armature", body.armature);
     add(name + ", friction", body.viscous);
     add(name + ", friction", body.coulomb);
+    add(name + ", spring", body.stiffness);
+    add(name + ", spring", body.spring_reference);
     const Limits& limits = body.limits;
     for (const auto* limit : {&limits.lower, &limits.upper, &limits.velocity, &limits.acceleration, &limits.effort}) {
       add(name + ", limits", *limit);

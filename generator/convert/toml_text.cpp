@@ -91,7 +91,7 @@ class TomlWriter {
   void write_top() {
     add("name", toml_string(robot_.name));
     add("gravity", vector(robot_.gravity, "gravity"));
-    const PlainLink& base = plain_.links[static_cast<std::size_t>(robot_.root)];
+    const CleanLink& base = plain_.links[static_cast<std::size_t>(robot_.root)];
     const bool is_plain = !base.body && !robot_.floating_base && base.name != "fixed" && base.name != "floating";
     if (is_plain) add("base", link(robot_.root));
     std::string held;
@@ -106,7 +106,7 @@ class TomlWriter {
     if (!is_plain) write_base(base);
   }
 
-  void write_base(const PlainLink& base) {
+  void write_base(const CleanLink& base) {
     text_ += "\n[base]\n";
     add("name", toml_string(base.name));
     if (robot_.floating_base) add("motion", "\"floating\"");
@@ -129,7 +129,7 @@ class TomlWriter {
   }
 
   void write_row(const PlainJoint& plain) {
-    const PlainLink& child = plain_.links[static_cast<std::size_t>(plain.child)];
+    const CleanLink& child = plain_.links[static_cast<std::size_t>(plain.child)];
     const std::string what = "joint \"" + plain.name + "\"";
     text_ += "\n[[link]]\n";
     add("name", toml_string(child.name));
@@ -169,6 +169,10 @@ class TomlWriter {
     value("viscous", joint.viscous);
     value("coulomb", joint.coulomb);
     value("armature", joint.armature);
+    if (!vanishes(joint.stiffness.number)) {
+      value("stiffness", joint.stiffness);
+      value("spring_reference", joint.spring_reference);
+    }
     if (joint.coupled) add("position", position_of(*joint.coupled));
     std::string limits;
     const auto limit = [&](const char* key, const std::optional<Value>& each) {
@@ -222,7 +226,7 @@ class TomlWriter {
 
   const Robot& robot_;
   Diagnostics& diagnostics_;
-  PlainRobot plain_;
+  CleanRobot plain_;
   std::string text_;
   std::vector<std::string> rounded_;
 };

@@ -38,10 +38,10 @@ class UrdfWriter {
     refuse_what_urdf_lacks();
     if (diagnostics_.has_errors()) return {};
     text_ = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", xml_text(robot_.name));
-    for (const PlainLink& link : plain_.links) write_link(link);
+    for (const CleanLink& link : plain_.links) write_link(link);
     if (robot_.floating_base) write_free_joint();
     for (const PlainJoint& joint : plain_.joints) write_joint(joint);
-    text_ += "</robot>\n";
+    text_ += springs_ + "</robot>\n";
     return {std::move(text_), std::move(rounded_)};
   }
 
@@ -114,7 +114,7 @@ class UrdfWriter {
     if (!element.empty()) text_ += std::string(static_cast<std::size_t>(2 * depth), ' ') + element;
   }
 
-  void write_link(const PlainLink& link) {
+  void write_link(const CleanLink& link) {
     if (!link.body) return add(1, fmt::format("<link name=\"{}\"/>\n", xml_text(link.name)));
     const std::string what = "link \"" + link.name + "\"";
     const Mat3& I = link.body->tensor;
@@ -196,6 +196,18 @@ class UrdfWriter {
     dynamic("armature", joint.armature);
     if (!dynamics.empty()) add(2, "<dynamics" + dynamics + "/>\n");
     if (joint.coupled) write_mimic(*joint.coupled, what);
+    if (!vanishes(joint.stiffness.number)) add_spring(joint, what);
+  }
+
+  // Gazebo's words, as URDF has none.
+  void add_spring(const Joint& joint, const std::string& what) {
+    springs_ += fmt::format("  <gazebo reference=\"{}\">\n    <springStiffness>{}</springStiffness>\n",
+                            xml_text(joint.name), number(joint.stiffness.number, what + ", stiffness"));
+    if (!vanishes(joint.spring_reference.number)) {
+      springs_ += fmt::format("    <springReference>{}</springReference>\n",
+                              number(joint.spring_reference.number, what + ", spring_reference"));
+    }
+    springs_ += "  </gazebo>\n";
   }
 
   void write_mimic(const Coupled& coupled, const std::string& what) {
@@ -206,8 +218,8 @@ class UrdfWriter {
 
   const Robot& robot_;
   Diagnostics& diagnostics_;
-  PlainRobot plain_;
-  std::string text_;
+  CleanRobot plain_;
+  std::string text_, springs_;
   std::vector<std::string> rounded_;
 };
 

@@ -37,7 +37,7 @@ EnergyPair<F> energies_at(const Robot& robot, const Mechanism& mechanism, Arithm
   const std::vector<JointPoint<F>> q = joint_points(mechanism, arithmetic);
   Lagrangian<F> lagrangian(mechanism_over(mechanism, arithmetic), q);
   const std::vector<F> rates = joint_values(lagrangian.mechanism(), qd);
-  WrittenEnergies<Arithmetic> written(robot, lagrangian.mechanism(), arithmetic, q, rates);
+  WrittenEnergies<Arithmetic> written(robot, lagrangian.mechanism(), arithmetic, q, rates, mechanism.offsets);
   return {written.sum(), {lagrangian.kinetic_energy(qd), lagrangian.potential_energy()}};
 }
 

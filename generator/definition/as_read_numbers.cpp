@@ -169,7 +169,8 @@ class NumberComparison {
       compare_vector(subject, body.p, {0, 0, 0}, reach_ + 1);
       const bool has_inertia = body.inertia.mass != 0 || length_sum(body.inertia.first_moment) != 0;
       require(!has_inertia || k + 1 == base_bodies(), subject);
-      require(body.armature == 0 && body.viscous == 0 && body.coulomb == 0 && !body.rotor, subject);
+      require(body.armature == 0 && body.viscous == 0 && body.coulomb == 0 && body.stiffness == 0 && !body.rotor,
+              subject);
     }
   }
 
@@ -308,6 +309,12 @@ class NumberComparison {
     compare_own(name + ": its armature", body.armature, joint.armature);
     compare_own(name + ": its viscous friction", body.viscous, joint.viscous);
     compare_own(name + ": its Coulomb friction", body.coulomb, joint.coulomb);
+    compare_own(name + ": its stiffness", body.stiffness, joint.stiffness);
+    if (!vanishes(joint.stiffness.number)) {
+      const Real reference = numbers_.number(joint.spring_reference.number);
+      differences_.compare(name + ": its spring's reference", body.spring_reference + offset_of(i), reference,
+                           1 + abs(reference));
+    }
     if (!mechanism_.is_coupled())
       compare_limits(name + ": its limits", mechanism_.bodies[body_of(i)].limits, joint.limits);
     require(body.rotor.has_value() == joint.motor.has_value(), name + ": its rotor");

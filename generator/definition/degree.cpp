@@ -186,7 +186,7 @@ double energy_degree(const Robot& robot, const Mechanism& mechanism) {
   const std::vector<Degree> qd(static_cast<std::size_t>(mechanism.size()), drawn), rates(q.size(), drawn);
   Lagrangian<Degree> lagrangian(mechanism_over(mechanism, arithmetic), q);
   const Energies<Degree> written =
-      WrittenEnergies<DegreeArithmetic>(robot, lagrangian.mechanism(), arithmetic, q, rates).sum();
+      WrittenEnergies<DegreeArithmetic>(robot, lagrangian.mechanism(), arithmetic, q, rates, mechanism.offsets).sum();
   const Degree largest =
       lagrangian.kinetic_energy(qd) + lagrangian.potential_energy() + written.kinetic + written.potential;
   const double angles = static_cast<double>(mechanism.position_count()) + static_cast<double>(mechanism.symbols.size());

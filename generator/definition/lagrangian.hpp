@@ -93,9 +93,16 @@ class Lagrangian {
     return at_coordinates(mechanism_, result);
   }
 
-  // The torques without acceleration: C qd + g + friction.
+  // The torques k (q - q_0) against the joints' springs.
+  Values springs() const {
+    Values result;
+    for (const FieldBody<F>& body : mechanism_.bodies) result.push_back(body.stiffness * stretch(result.size()));
+    return at_coordinates(mechanism_, result);
+  }
+
+  // The torques without acceleration: C qd + g + friction + springs.
   Values bias(const Values& qd, const Values& sign_qd) {
-    return sum(times(coriolis_matrix(qd), qd), sum(gravity(), friction(qd, sign_qd)));
+    return sum(times(coriolis_matrix(qd), qd), sum(sum(gravity(), springs()), friction(qd, sign_qd)));
   }
 
   // The torques (7.42) without tip force.
@@ -123,13 +130,14 @@ class Lagrangian {
     return half_ * twice;
   }
 
-  // The potential energy, (7.36), zero at the origin of the base frame.
+  // The potential energy, (7.36), zero at the origin of the base frame, with ½ k (q - q_0)² of every spring.
   F potential_energy() const {
     F energy = -dot(mechanism_.gravity, mechanism_.base.first_moment);
     for (std::size_t i = 0; i < poses_.size(); ++i) {
       const FieldInertia<F>& body = mechanism_.bodies[i].inertia;
       const Vector3<F> moment = plus(scaled(body.mass, poses_[i].p), times(poses_[i].R, body.first_moment));
       energy += -dot(mechanism_.gravity, moment);
+      energy += half_ * mechanism_.bodies[i].stiffness * stretch(i) * stretch(i);
     }
     return energy;
   }
@@ -172,6 +180,9 @@ class Lagrangian {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
     return a;
   }
+
+  // q - q_0 of body i's joint.
+  F stretch(std::size_t i) const { return q_[i].d + -mechanism_.bodies[i].spring_reference; }
 
   int body_count() const { return mechanism_.body_count(); }
   int parent(int i) const { return mechanism_.bodies[static_cast<std::size_t>(i)].parent; }

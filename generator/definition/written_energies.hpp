@@ -22,10 +22,16 @@ class WrittenEnergies {
   using F = typename Arithmetic::Scalar;
   using D = Dual<F>;
 
-  // `mechanism`: without loops. `q`, `rates`: of every body's joint.
+  // `mechanism`: without loops. `q`, `rates`: of every body's joint. `offsets`: the constant parts of their positions;
+  // empty: all zero.
   WrittenEnergies(const Robot& robot, const MechanismOver<F>& mechanism, Arithmetic& arithmetic,
-                  const std::vector<JointPoint<F>>& q, const std::vector<F>& rates)
-      : robot_(robot), numbers_(robot, arithmetic), gravity_(vector_over(numbers_, robot.gravity)), rates_(rates) {
+                  const std::vector<JointPoint<F>>& q, const std::vector<F>& rates, const std::vector<Number>& offsets)
+      : robot_(robot),
+        numbers_(robot, arithmetic),
+        gravity_(vector_over(numbers_, robot.gravity)),
+        q_(q),
+        rates_(rates),
+        offsets_(offsets) {
     const std::vector<Pose3<D>> bodies = body_poses(mechanism, moving(q, rates));
     for (const FieldFrame<F>& link : mechanism.links) {
       const Pose3<D> body = link.body < 0 ? identity_pose<D>() : bodies[static_cast<std::size_t>(link.body)];
@@ -43,12 +49,20 @@ class WrittenEnergies {
       const Joint& joint = robot_.joints[static_cast<std::size_t>(joints[i])];
       const F& rate = rates_[first + i];
       sum_.kinetic += half_ * numbers_.number(joint.armature.number) * rate * rate;
+      if (!vanishes(joint.stiffness.number)) add_spring(joint, first + i);
       if (joint.motor) add_rotor(*joint.motor, rate, links_[static_cast<std::size_t>(carrier_of(joint))]);
     }
     return sum_;
   }
 
  private:
+  // The spring of body i's joint: ½ k (q - q_0)².
+  void add_spring(const Joint& joint, std::size_t i) {
+    F stretch = q_[i].d + -numbers_.number(joint.spring_reference.number);
+    if (!offsets_.empty()) stretch += numbers_.number(offsets_[i]);
+    sum_.potential += half_ * numbers_.number(joint.stiffness.number) * stretch * stretch;
+  }
+
   // The mass of a body whose centre is at `centre` in the frame of `pose`.
   void add_mass(const F& mass, const Pose3<D>& pose, const Vector3<F>& centre) {
     const Vector3<D> at = plus(pose.p, times(pose.R, centre));
@@ -116,7 +130,9 @@ class WrittenEnergies {
   const Robot& robot_;
   RationalNumbers<Arithmetic> numbers_;
   Vector3<F> gravity_;
+  const std::vector<JointPoint<F>>& q_;
   const std::vector<F>& rates_;
+  const std::vector<Number>& offsets_;
   std::vector<Pose3<D>> links_;
   F half_ = F(1) / (F(1) + F(1));
   Energies<F> sum_;

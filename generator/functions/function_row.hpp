@@ -57,6 +57,7 @@ struct FunctionTraits {
   bool depends_on_gravity_only = false;  // whether inertia and friction do not change it
   bool needs_floating_base = false;      // whether it is there for robots with a floating base only
   bool needs_fixed_base = false;         // whether it is not there for robots with a floating base
+  bool leaves_out_springs = false;       // whether it is about torques without those of springs
 };
 
 struct FunctionRow {

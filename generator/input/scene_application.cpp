@@ -72,8 +72,10 @@ void add_scene(Scene file, Scene& scene) {
 
 void apply_to_joints(const Scene& scene, Diagnostics& diagnostics, Robot& robot) {
   for (const SceneLimits& wanted : scene.limits) apply_limits(wanted, diagnostics, robot);
-  if (scene.friction) return;
-  for (Joint& joint : robot.joints) joint.viscous.number = joint.coulomb.number = 0;
+  for (Joint& joint : robot.joints) {
+    if (!scene.friction) joint.viscous.number = joint.coulomb.number = 0;
+    if (!scene.springs) joint.stiffness.number = 0;
+  }
 }
 
 }  // namespace flatdyn

@@ -148,6 +148,7 @@ Scene read_scene(const std::string& file, ReadContext& context) {
   if (const std::optional<TomlTable> limits = table.table("limits")) scene.limits = read_all_limits(*limits);
   scene.at_rest = table.boolean("static").value_or(false);
   scene.friction = table.boolean("friction").value_or(true);
+  scene.springs = table.boolean("springs").value_or(true);
   scene.error_budget = read_error_budget(table, diagnostics);
   scene.task.orientation = read_orientation(table, diagnostics);
   scene.task.damping = read_damping(table, diagnostics);

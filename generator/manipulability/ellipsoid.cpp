@@ -100,7 +100,7 @@ Manipulability::Manipulability(const LoadedRobot& model, const TorqueBall& torqu
       rank_(rank_of(model.mechanism)),
       set_(torques.set),
       torque_unit_(torques.radius * torque_units(model.mechanism, torques.norm)) {
-  std::vector<std::string> names = {"inertia_matrix", "gravity", "jacobian"};
+  std::vector<std::string> names = {"inertia_matrix", model.mechanism.has_springs() ? "bias" : "gravity", "jacobian"};
   for (const std::string& pose : poses_to_tip(model.mechanism)) names.push_back(pose);
   const std::vector<Function> functions = derive_numeric_functions(model, names, "an ellipsoid", progress);
   inertia_.emplace(functions[0]);
@@ -111,7 +111,9 @@ Manipulability::Manipulability(const LoadedRobot& model, const TorqueBall& torqu
 
 std::vector<double> Manipulability::values(Tape& tape, const std::vector<double>& q) const {
   TapeInputs given;
+  const std::vector<double> rest(q.size(), 0);
   given[InputKind::q] = q;
+  given[InputKind::qd] = rest;
   std::vector<double> results(tape.results());
   tape.run(given, results);
   return results;

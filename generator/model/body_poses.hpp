@@ -8,7 +8,8 @@
 
 namespace flatdyn {
 
-// The position of joint i: its cosine c and sine s if it is revolute, its displacement d if it is prismatic.
+// The position of joint i: its cosine c and sine s if it is revolute, its displacement d if it is prismatic. A revolute
+// joint with a spring has its angle, too, as d.
 template <class F>
 struct JointPoint {
   F c = F(1), s = F(0), d = F(0);

@@ -365,6 +365,11 @@ Body make_body(const RawTree& tree, const Placer& placer, std::size_t i) {
   body.viscous = rationalised(joint.viscous.number);
   body.coulomb = rationalised(joint.coulomb.number);
   body.limits = joint.limits;
+  body.stiffness = rationalised(joint.stiffness.number);
+  if (!vanishes(body.stiffness)) {
+    const LinearPosition& position = tree.position_[static_cast<std::size_t>(tree.joint_of_[i])];
+    body.spring_reference = (rationalised(joint.spring_reference.number) - rationalised(position.offset)).expand();
+  }
   return body;
 }
 

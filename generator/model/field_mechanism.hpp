@@ -41,6 +41,7 @@ struct FieldBody {
   FieldInertia<F> inertia;
   std::optional<FieldRotor<F>> rotor;
   F armature, viscous, coulomb;
+  F stiffness, spring_reference;
 };
 
 template <class F>
@@ -248,9 +249,17 @@ class MechanismMap {
   }
 
   FieldBody<F> mapped(const Body& body) const {
-    FieldBody<F> result{body.parent,          body.prismatic, rotation(body),         mapped(body.p),
-                        mapped(body.inertia), std::nullopt,   number_(body.armature), number_(body.viscous),
-                        number_(body.coulomb)};
+    FieldBody<F> result{body.parent,
+                        body.prismatic,
+                        rotation(body),
+                        mapped(body.p),
+                        mapped(body.inertia),
+                        std::nullopt,
+                        number_(body.armature),
+                        number_(body.viscous),
+                        number_(body.coulomb),
+                        number_(body.stiffness),
+                        number_(body.spring_reference)};
     if (body.rotor) {
       result.rotor = FieldRotor<F>{body.rotor->carrier, number_(body.rotor->gear_ratio), number_(body.rotor->inertia),
                                    mapped(body.rotor->axis)};

@@ -47,9 +47,12 @@ JointPoint<F> joint_point(const Mechanism& mechanism, Arithmetic& arithmetic, in
     return point;
   }
   const NodeId c = graph.cos(position), s = graph.sin(position);
-  const std::vector<F> values = values_of(std::move(graph), {c, s}, arithmetic);
+  std::vector<NodeId> nodes = {c, s};
+  if (!vanishes(mechanism.bodies[static_cast<std::size_t>(i)].stiffness)) nodes.push_back(position);
+  const std::vector<F> values = values_of(std::move(graph), nodes, arithmetic);
   point.c = values[0];
   point.s = values[1];
+  if (values.size() > 2) point.d = values[2];
   return point;
 }
 

@@ -132,6 +132,10 @@ InertialParameters transformed(const InertialParameters& a, const Mat3& R, const
   return {a.mass, expanded(h + a.mass * p), expanded(I + inertia_between(p, h) + steiner(a.mass, p))};
 }
 
+bool Mechanism::has_springs() const {
+  return std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return !vanishes(body.stiffness); });
+}
+
 bool Mechanism::has_prismatic_joint() const {
   return std::any_of(bodies.begin() + base_bodies(), bodies.end(), [](const Body& body) { return body.prismatic; });
 }

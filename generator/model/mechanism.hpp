@@ -57,6 +57,10 @@ struct Body {
   Number viscous = 0;          // F_v, N m s/rad or N s/m
   Number coulomb = 0;          // F_s, N m or N
   Limits limits;
+  Number stiffness = 0;  // k of a spring at joint i, N m/rad or N/m
+  // q_0: the spring exerts k (q_0 - q), where q is the joint's position without the constant part that a coupled one
+  // has, rad or m.
+  Number spring_reference = 0;
 };
 
 // The unit of the joint's torque or force.
@@ -168,6 +172,7 @@ struct Mechanism {
   int body_of(int k) const { return k < base_bodies() ? k : body_at(position_of(k)); }
   const Body& joint_at(int position) const { return bodies[static_cast<std::size_t>(body_at(position))]; }
   const Body& joint(int k) const { return bodies[static_cast<std::size_t>(body_of(k))]; }
+  bool has_springs() const;
   bool has_prismatic_joint() const;  // beside the motion of a floating base
   // Whether entries of q or q̇ are lengths, so that the unit of length is not free.
   bool has_lengths() const { return floating_base || has_prismatic_joint(); }

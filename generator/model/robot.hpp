@@ -71,6 +71,8 @@ struct Joint {
   std::optional<bool> independent;  // whether URDF+ marks the joint as having a coordinate of its own
   Limits limits;
   Place place;
+  Value stiffness;         // k of a spring at the joint, N m/rad or N/m
+  Value spring_reference;  // q_0, the joint's position where the spring exerts nothing, rad or m
 };
 
 // A closed chain, cut at the joint that closes it: a point of one link coincides with a point of another, and if there

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A scene: a user's choices for one use of a robot, such as joints held still, gravity, payload, limits and the results
 // needed. They come from a scene file (docs/scene-format.md) and from --gravity and --fix, which take precedence. Where
-// each is applied: gravity, locked, payload, friction and limits when the robot is read (input/scene_application.hpp);
-// at_rest and outputs to each function (scene/specialise.hpp); the error budget to the mechanism that functions are
-// derived from (scene/abbreviate.hpp).
+// each is applied: gravity, locked, payload, friction, springs and limits when the robot is read
+// (input/scene_application.hpp); at_rest and outputs to each function (scene/specialise.hpp); the error budget to the
+// mechanism that functions are derived from (scene/abbreviate.hpp).
 #pragma once
 
 #include <optional>
@@ -67,6 +67,7 @@ struct Scene {
   Task task;                         // the tip's task; no rows: all that are independent
   std::vector<Reference> functions;  // empty: those of `outputs`; if there are none: the usual ones
   std::vector<SceneOutputs> outputs;
+  bool springs = true;  // false: no joint has a spring
 };
 
 }  // namespace flatdyn

@@ -151,6 +151,8 @@ void check_joint(Joint& joint, Diagnostics& diagnostics) {
   check_not_negative(joint.coulomb, named(joint) + ": Coulomb friction",
                      "friction acts against the motion: write it positive", diagnostics);
   check_not_negative(joint.armature, named(joint) + ": armature", "reflected inertia is not negative", diagnostics);
+  check_not_negative(joint.stiffness, named(joint) + ": stiffness", "a spring pulls back to where it is relaxed",
+                     diagnostics);
   check_motor(joint, diagnostics);
   check_limits(joint, diagnostics);
 }

@@ -88,9 +88,18 @@ bool differentiates_by_position(const FunctionRow& row) {
   });
 }
 
+// What the summary says of a robot with springs.
+std::string with_springs(const std::string& summary, const FunctionRow& row) {
+  if (row.traits.leaves_out_springs) return summary + ", without springs";
+  return replaced(replaced(summary, "+ friction", "+ friction + springs"), "Potential energy of links and rotors",
+                  "Potential energy of links, rotors and springs");
+}
+
 // The summary "Pose of the tip", or "Pose of link hand".
-std::string summary_of(const Request& request, bool floating_base) {
+std::string summary_of(const Request& request, const Mechanism& mechanism) {
+  const bool floating_base = mechanism.floating_base;
   std::string summary = request.row->summary;
+  if (mechanism.has_springs()) summary = with_springs(summary, *request.row);
   if (floating_base) summary = in_terms_of_base(summary);
   if (floating_base && summary.starts_with("(dJ/dt) v of ")) {
     summary = "Acceleration, while a is zero, of " + summary.substr(std::string("(dJ/dt) v of ").size());
@@ -172,7 +181,7 @@ std::optional<Function> formulation(const Mechanism& mechanism, const std::strin
   if (!result) return result;
   result->name = name;
   if (request.row->traits.divides_by_pivots) result->proven_pivot_share = choices.guard.proven_share;
-  result->summary = summary_of(request, mechanism.floating_base);
+  result->summary = summary_of(request, mechanism);
   describe(*request.row, mechanism, *result);
   return result;
 }

@@ -50,7 +50,9 @@ std::vector<S> momentum_matrix(const ReferencePoint<S>& at) {
 template <class S>
 std::vector<S> momentum_bias(const ReferencePoint<S>& at) {
   const ref::VectorX<S> none = ref::VectorX<S>::Zero(at.robot.size());
-  ref::MatrixX<S> b = ref::inverse_dynamics(at.robot, at.q, at.qd, none, {.gravity = false, .friction = false}).head(6);
+  ref::MatrixX<S> b =
+      ref::inverse_dynamics(at.robot, at.q, at.qd, none, {.gravity = false, .friction = false, .springs = false})
+          .head(6);
   move_to_centre(whole_robot(at).centre, b);
   return row_by_row(b);
 }
@@ -84,7 +86,8 @@ std::vector<double> momentum_magnitude(const At& at) {
 std::vector<double> bias_magnitude(const At& at) {
   const ref::VectorX<double> none = ref::VectorX<double>::Zero(at.robot.size());
   const ref::MatrixX<double> n =
-      ref::torque_magnitude(at.robot, at.q, at.qd, none, {.gravity = false, .friction = false}).head(6);
+      ref::torque_magnitude(at.robot, at.q, at.qd, none, {.gravity = false, .friction = false, .springs = false})
+          .head(6);
   return row_by_row(about_centre(length_of_centre(at), n));
 }
 

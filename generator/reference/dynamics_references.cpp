@@ -64,7 +64,9 @@ constinit const NumericReference coriolis_matrix = computed_by(
 
 constinit const NumericReference gravity = computed_by(
     [](const auto& at) { return row_by_row(ref::gravity(at.robot, at.q)); },
-    [](const At& at) { return row_by_row(ref::torque_magnitude(at.robot, at.q, no_motion(at), no_motion(at))); });
+    [](const At& at) {
+      return row_by_row(ref::torque_magnitude(at.robot, at.q, no_motion(at), no_motion(at), {.springs = false}));
+    });
 
 constinit const NumericReference bias =
     computed_by([](const auto& at) { return row_by_row(ref::bias(at.robot, at.q, at.qd)); },

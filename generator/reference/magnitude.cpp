@@ -8,6 +8,11 @@ namespace flatdyn::reference {
 namespace detail {
 namespace {
 
+// That of a spring's torque at a joint whose position has this absolute value.
+double spring_magnitude(const Joint<double>& joint, double q) {
+  return std::abs(joint.stiffness) * (q + std::abs(joint.spring_q_0));
+}
+
 // The magnitude of each moving joint's torque for the magnitudes of their motion.
 VectorX<double> torque_magnitude_of_tree(const Robot<double>& robot, const VectorX<double>& q,
                                          const VectorX<double>& qd, const VectorX<double>& qdd,
@@ -37,6 +42,7 @@ VectorX<double> torque_magnitude_of_tree(const Robot<double>& robot, const Vecto
     const double v = entry(qd, joint.index), a = entry(qdd, joint.index);
     tau[joint.index] += std::abs(joint.armature) * a;
     if (options.friction) tau[joint.index] += std::abs(joint.viscous) * v + (v > 0 ? std::abs(joint.coulomb) : 0);
+    if (options.springs) tau[joint.index] += spring_magnitude(joint, entry(q, joint.index));
     const Rotor<double>& rotor = joint.rotor;
     const MotionMagnitude& carrier = motions[static_cast<std::size_t>(rotor.carrier)];
     const double k = std::abs(rotor.gear_ratio), spin = k * std::abs(rotor.inertia);
@@ -76,7 +82,8 @@ MatrixX<double> inertia_magnitude(const Robot<double>& robot, const VectorX<doub
   const VectorX<double> zero = VectorX<double>::Zero(n);
   MatrixX<double> B(n, n);
   for (Eigen::Index j = 0; j < n; ++j) {
-    B.col(j) = torque_magnitude(robot, q, zero, VectorX<double>::Unit(n, j), {.gravity = false, .friction = false});
+    B.col(j) = torque_magnitude(robot, q, zero, VectorX<double>::Unit(n, j),
+                                {.gravity = false, .friction = false, .springs = false});
   }
   return B;
 }
@@ -89,7 +96,8 @@ MatrixX<double> christoffel_magnitude(const Robot<double>& robot, const VectorX<
     for (Eigen::Index j = 0; j <= k; ++j) {
       VectorX<double> qd = VectorX<double>::Unit(n, j);
       if (j != k) qd += VectorX<double>::Unit(n, k);
-      c.col(k * (k + 1) / 2 + j) = torque_magnitude(robot, q, qd, zero, {.gravity = false, .friction = false});
+      c.col(k * (k + 1) / 2 + j) =
+          torque_magnitude(robot, q, qd, zero, {.gravity = false, .friction = false, .springs = false});
     }
   }
   return c;
@@ -117,7 +125,7 @@ MatrixX<double> coriolis_magnitude(const Robot<double>& robot, const VectorX<dou
 
 MatrixX<double> position_derivative_magnitude(const Robot<double>& robot, const VectorX<double>& q,
                                               const VectorX<double>& qd, const VectorX<double>& qdd) {
-  const MagnitudeOptions options{.friction = false};
+  const MagnitudeOptions options{.friction = false, .springs = false};
   const VectorX<double> positions = detail::of_joints(robot, q), rates = detail::rates_of_joints(robot, q, qd),
                         accelerations = detail::accelerations_of_joints(robot, q, qd, qdd);
   const VectorX<double> here = detail::torque_magnitude_of_tree(robot, positions, rates, accelerations, options);
@@ -132,6 +140,9 @@ MatrixX<double> position_derivative_magnitude(const Robot<double>& robot, const 
     const VectorX<double> none = VectorX<double>::Zero(rates.size());
     result.leftCols<3>().setZero();
     result.middleCols<3>(3) = detail::torque_magnitude_of_tree(robot, positions, none, none, options).replicate<1, 3>();
+  }
+  for (const Joint<double>& joint : robot.joints) {
+    if (joint.index >= 0) result(joint.index, joint.index) += std::abs(joint.stiffness);
   }
   if (robot.coupling.size() == 0) return result;
   const MatrixX<double> A = robot.coupling.cwiseAbs();
@@ -212,6 +223,11 @@ double potential_magnitude(const Robot<double>& robot, const VectorX<double>& co
         way[static_cast<std::size_t>(joint.parent)] + joint.p_0.norm() + slide + joint.p_1.norm();
   }
   double U = 0;
+  for (const Joint<double>& joint : robot.joints) {
+    if (joint.index < 0) continue;
+    const double stretch = std::abs(q[joint.index]) + std::abs(joint.spring_q_0);
+    U += detail::spring_magnitude(joint, std::abs(q[joint.index])) * stretch / 2;
+  }
   for (std::size_t l = 0; l < robot.links.size(); ++l) {
     for (const Inertial<double>& body : robot.links[l].inertials) {
       U += std::abs(body.mass) * robot.gravity.norm() * (way[l] + body.r_C.norm());

@@ -13,6 +13,7 @@ namespace flatdyn::reference {
 struct MagnitudeOptions {
   bool gravity = true;
   bool friction = true;
+  bool springs = true;
   double f_e = 0, mu_e = 0;  // lengths of the tip's force, N, and moment, N m
 };
 

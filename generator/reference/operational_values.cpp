@@ -75,13 +75,15 @@ OperationalMagnitude::Vector OperationalMagnitude::force(const Vector& b, const 
 
 std::vector<double> OperationalMagnitude::bias(const Vector& qd) const {
   const Vector zero = Vector::Zero(robot_.size());
-  const Vector c = reference::inverse_dynamics(robot_, q_, qd, zero, {.gravity = false, .friction = false});
+  const Vector c =
+      reference::inverse_dynamics(robot_, q_, qd, zero, {.gravity = false, .friction = false, .springs = false});
   const Vector g = reference::gravity(robot_, q_);
   const Vector drift = reference::task_drift(robot_, q_, qd, task_).cwiseAbs();
-  const Vector c_A =
-      force(c, reference::torque_magnitude(robot_, q_, qd, zero)) + B_A_ * drift_terms(qd) + B_A_terms_ * drift;
+  const Vector c_A = force(c, reference::torque_magnitude(robot_, q_, qd, zero, {.springs = false})) +
+                     B_A_ * drift_terms(qd) + B_A_terms_ * drift;
   std::vector<double> entries = row_by_row(c_A);
-  const std::vector<double> more = row_by_row(force(g, reference::torque_magnitude(robot_, q_, zero, zero)));
+  const std::vector<double> more =
+      row_by_row(force(g, reference::torque_magnitude(robot_, q_, zero, zero, {.springs = false})));
   entries.insert(entries.end(), more.begin(), more.end());
   return entries;
 }

@@ -122,6 +122,8 @@ class Converter {
         result.viscous = number(joint.viscous.number);
         result.coulomb = number(joint.coulomb.number);
         result.armature = number(joint.armature.number);
+        result.stiffness = number(joint.stiffness.number);
+        result.spring_q_0 = number(joint.spring_reference.number) - number(position_[j].offset);
         if (joint.motor) result.rotor = rotor(joint);
       } else if (joint.held) {
         hold(joint, result);

@@ -14,7 +14,7 @@ template <class S>
 reference::Robot<S> without_parameters(reference::Robot<S> robot) {
   for (reference::Link<S>& link : robot.links) link.inertials.clear();
   for (reference::Joint<S>& joint : robot.joints) {
-    joint.viscous = joint.coulomb = joint.armature = joint.rotor.inertia = S(0);
+    joint.viscous = joint.coulomb = joint.armature = joint.rotor.inertia = joint.stiffness = S(0);
   }
   return robot;
 }

@@ -170,6 +170,10 @@ nlohmann::ordered_json joint_json(const Body& body, const NumberText& text) {
   joint["viscous_friction"] = number_json(body.viscous, text);
   joint["coulomb_friction"] = number_json(body.coulomb, text);
   joint["armature"] = number_json(body.armature, text);
+  if (!vanishes(body.stiffness)) {
+    joint["stiffness"] = number_json(body.stiffness, text);
+    joint["spring_reference"] = number_json(body.spring_reference, text);
+  }
   if (body.rotor) {
     joint["rotor"] = {{"gear_ratio", number_json(body.rotor->gear_ratio, text)},
                       {"inertia", number_json(body.rotor->inertia, text)},

@@ -100,6 +100,10 @@ std::string friction_text(const Body& body, const Mechanism& mechanism, const Nu
   std::string text = fmt::format("  friction F_v = {} {}{}, F_s = {} {}\n", number(body.viscous), unit, rate,
                                  number(body.coulomb), unit);
   if (!vanishes(body.armature)) text += fmt::format("  reflected inertia {}\n", number(body.armature));
+  if (!vanishes(body.stiffness)) {
+    text += fmt::format("  spring k = {} {}{}, q_0 = {} {}\n", number(body.stiffness), unit,
+                        body.prismatic ? "/m" : "/rad", number(body.spring_reference), body.prismatic ? "m" : "rad");
+  }
   if (!body.rotor) return text;
   const int carrier = body.rotor->carrier;
   const Mat3 R = carrier < 0 ? identity_matrix() : frame_of(mechanism, carrier).R;

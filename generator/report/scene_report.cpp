@@ -26,6 +26,7 @@ class SceneText {
     if (scene.payload) add_payload(*scene.payload);
     if (scene.at_rest) add("static", "true");
     if (!scene.friction) add("friction", "false");
+    if (!scene.springs) add("springs", "false");
     add_task(scene.task);
     if (scene.error_budget) add("error_budget", scene.error_budget->written);
     for (const SceneLimits& limits : scene.limits) add_limits(limits);
@@ -100,6 +101,7 @@ std::string scene_facts(const LoadedRobot& model) {
   const Scene& scene = model.robot.scene;
   if (scene.payload) facts.emplace_back("A payload is part of the link that carries it.");
   if (!scene.friction) facts.emplace_back("Friction is left out.");
+  if (!scene.springs) facts.emplace_back("Springs are left out.");
   if (scene.at_rest) facts.emplace_back("The robot is at rest: functions hold where all joint velocities are 0.");
   if (model.abbreviation) facts.push_back(abbreviation_fact(*model.abbreviation));
   return fmt::format("{}", fmt::join(facts, " "));

@@ -25,6 +25,7 @@ const std::vector<TermGroup>& groups() {
                                              {"Coriolis", "coriolis", {TermKind::coriolis}},
                                              {"gravity", "gravity", {TermKind::gravity}},
                                              {"friction", "friction", {TermKind::viscous, TermKind::coulomb}},
+                                             {"springs", "springs", {TermKind::spring}},
                                              {"tip force", "tip_force", {TermKind::tip_force}}};
   return all;
 }

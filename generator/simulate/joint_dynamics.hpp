@@ -12,7 +12,8 @@
 
 namespace flatdyn {
 
-// B(q) and n(q, q̇) = C q̇ + F_v q̇ + g: all of B q̈ + n = τ except dry friction, which is no function of the state.
+// B(q) and n(q, q̇) = C q̇ + F_v q̇ + k (q - q_0) + g: all of B q̈ + n = τ except dry friction, which is no function of
+// the state.
 struct MotionTerms {
   Eigen::MatrixXd B;  // n × n, kg m^2 (kg for prismatic joints)
   Eigen::VectorXd n;  // n, N m (N)

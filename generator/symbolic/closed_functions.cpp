@@ -69,6 +69,14 @@ class ClosedModel {
     return sum;
   }
 
+  // Entry i of k (q - q_0), the torque against a spring.
+  Number spring_torque(int i) {
+    const Body& body = mechanism_.joint(i);  // coupled joints have no spring here
+    if (vanishes(body.stiffness)) return 0;
+    const Number q = derivation_.input(InputKind::q, mechanism_.position_of(i));
+    return body.stiffness * derivation_.named(q - body.spring_reference, label("stretch", {i}));
+  }
+
   // Entry i of C q̇ plus friction.
   Number velocity_torque(int i) {
     const Body& body = mechanism_.joint(i);  // coupled joints have no friction here
@@ -167,10 +175,10 @@ std::vector<Number> per_joint(int n, const Torque& torque) {
   return values;
 }
 
-// Whether a joint that follows others has friction, which the closed form does not support.
-bool has_coupled_friction(const Mechanism& mechanism) {
+// Whether a joint that follows others has friction or a spring, which the closed form does not support.
+bool has_coupled_forces(const Mechanism& mechanism) {
   return mechanism.is_coupled() && std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(), [](const Body& body) {
-           return !vanishes(body.viscous) || !vanishes(body.coulomb);
+           return !vanishes(body.viscous) || !vanishes(body.coulomb) || !vanishes(body.stiffness);
          });
 }
 
@@ -194,6 +202,7 @@ std::vector<Number> closed_bias(ClosedModel& model) {
   return per_joint(model.n(), [&model](int i) {
     Number torque = model.gravity(i);
     torque += model.velocity_torque(i);
+    torque += model.spring_torque(i);
     return torque;
   });
 }
@@ -202,6 +211,7 @@ std::vector<Number> closed_inverse_dynamics(ClosedModel& model) {
   return per_joint(model.n(), [&model](int i) {
     Number torque = model.gravity(i);
     torque += model.velocity_torque(i);
+    torque += model.spring_torque(i);
     torque += model.inertial_torque(i);
     return torque;
   });
@@ -210,7 +220,7 @@ std::vector<Number> closed_inverse_dynamics(ClosedModel& model) {
 std::vector<Number> closed_kinetic_energy(ClosedModel& model) { return {model.kinetic_energy()}; }
 
 std::optional<Function> closed_variant(const Mechanism& mechanism, const Function& recursive, ClosedEntries entries) {
-  const bool is_coupled = mechanism.has_loops() || !mechanism.angles.empty() || has_coupled_friction(mechanism);
+  const bool is_coupled = mechanism.has_loops() || !mechanism.angles.empty() || has_coupled_forces(mechanism);
   if (entries == nullptr || mechanism.size() > kMostJoints || is_coupled) return std::nullopt;
   ClosedModel model(mechanism);
   Function closed = recursive;

@@ -18,7 +18,9 @@ PathTorques::PathTorques(const LoadedRobot& model, bool tip_force, Progress& pro
       B_(n_ * n_),
       g_(n_),
       J_(tip_force ? 6 * n_ : 0) {
-  std::vector<std::string> names = {"inverse_dynamics", "inertia_matrix", "gravity"};
+  // At rest the bias is gravity and springs.
+  std::vector<std::string> names = {"inverse_dynamics", "inertia_matrix",
+                                    model.mechanism.has_springs() ? "bias" : "gravity"};
   if (tip_force) names.emplace_back("jacobian");
   for (const Function& function : derive_numeric_functions(model, names, "a trajectory", progress))
     tapes_.emplace_back(function);
@@ -39,11 +41,13 @@ PathCoefficients PathTorques::coefficients(const Trajectory& trajectory) {
   for (std::vector<double>* part : {&result.m, &result.a, &result.b, &result.d, &result.a_before}) {
     part->reserve(n_ * trajectory.points.size());
   }
+  const std::vector<double> rest(n_, 0);
   for (const TrajectoryPoint& point : trajectory.points) {
     run(point);
     TapeInputs given;
     given[InputKind::q] = closed_.at(point);
     tapes_[kInertiaMatrix].run(given, B_);
+    given[InputKind::qd] = rest;
     tapes_[kGravityTorques].run(given, g_);
     for (std::size_t i = 0; i < n_; ++i) {
       const double rate = point.qd[i], coulomb = friction_.coulomb[i] * static_cast<double>((rate > 0) - (rate < 0));

@@ -2,8 +2,8 @@
 // The torques of a motion along its path at another pace, 7.7. With s the time of the given motion and s(t) the new
 // law, q̇ = q' ṡ and q̈ = q' s̈ + q'' ṡ², where q', q'' are the rates and accelerations given, and
 //   τ = m s̈ + a ṡ² + b ṡ + d,
-// m = B q', a = B q'' + C(q, q') q' (7.125), b = F_v q', d = g + F_s sgn(q') + Jᵀ h_e: gravity, Coulomb friction and
-// the tip's force do not depend on the pace; viscous friction is proportional to it.
+// m = B q', a = B q'' + C(q, q') q' (7.125), b = F_v q', d = g + k (q - q_0) + F_s sgn(q') + Jᵀ h_e: gravity, springs,
+// Coulomb friction and the tip's force do not depend on the pace; viscous friction is proportional to it.
 #pragma once
 
 #include <vector>

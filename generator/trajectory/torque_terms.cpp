@@ -12,7 +12,7 @@
 namespace flatdyn {
 namespace {
 
-enum : std::size_t { kInertia, kSymbols, kGravity, kInverse, kJacobian };
+enum : std::size_t { kInertia, kSymbols, kGravity, kInverse, kAtRest };
 
 double sign(double x) { return static_cast<double>((x > 0) - (x < 0)); }
 
@@ -33,6 +33,8 @@ const char* name_of(TermKind kind) {
       return "viscous";
     case TermKind::coulomb:
       return "coulomb";
+    case TermKind::spring:
+      return "spring";
     case TermKind::tip_force:
       return "tip_force";
   }
@@ -47,9 +49,10 @@ std::string TorqueTerm::name() const {
 }
 
 TorqueTerms::TorqueTerms(const LoadedRobot& model, bool tip_force, Progress& progress)
-    : n_(model.mechanism.size()), closed_(model) {
+    : n_(model.mechanism.size()), has_springs_(model.mechanism.has_springs()), closed_(model) {
   std::vector<std::string> names = {"inertia_matrix", "christoffel", "gravity",
                                     tip_force ? "inverse_dynamics_tip_force" : "inverse_dynamics"};
+  if (has_springs_) names.emplace_back("bias");
   if (tip_force) names.emplace_back("jacobian");
   const std::vector<Function> functions = derive_numeric_functions(model, names, "a trajectory", progress);
   for (const Function& function : functions) {
@@ -62,6 +65,7 @@ TorqueTerms::TorqueTerms(const LoadedRobot& model, bool tip_force, Progress& pro
     const auto at = static_cast<std::size_t>(i);
     const Function& g = functions[kGravity];
     if (!g.graph.is_zero(g.outputs[0].entries[at])) terms_.push_back({TermKind::gravity, i, -1, -1, at});
+    if (has_springs_) terms_.push_back({TermKind::spring, i, -1, -1, at});
     if (friction_.viscous[at] != 0) terms_.push_back({TermKind::viscous, i, -1, -1, at});
     if (friction_.coulomb[at] != 0) terms_.push_back({TermKind::coulomb, i, -1, -1, at});
     if (tip_force) terms_.push_back({TermKind::tip_force, i, -1, -1, at});
@@ -102,8 +106,10 @@ double TorqueTerms::value_of(const TorqueTerm& term, const TrajectoryPoint& poin
       return friction_.viscous[i] * point.qd[i];
     case TermKind::coulomb:
       return friction_.coulomb[i] * sign(point.qd[i]);
+    case TermKind::spring:
+      return results_[kAtRest][term.entry] - results_[kGravity][term.entry];
     case TermKind::tip_force:
-      return tip_torque(results_[kJacobian], point.h_e, i);
+      return tip_torque(results_.back(), point.h_e, i);
   }
   return 0;
 }
@@ -114,7 +120,9 @@ void TorqueTerms::evaluate(const TrajectoryPoint& point, std::span<double> value
   given[InputKind::qd] = point.qd;
   given[InputKind::qdd] = point.qdd;
   given[InputKind::h_e] = point.h_e;
+  const std::vector<double> rest(static_cast<std::size_t>(n_), 0);
   for (std::size_t k = 0; k < tapes_.size(); ++k) {
+    given[InputKind::qd] = has_springs_ && k == kAtRest ? rest : point.qd;
     if (!tapes_[k].run(given, results_[k])) closed_.refuse_singular();
   }
   for (std::size_t k = 0; k < terms_.size(); ++k) values[k] = value_of(terms_[k], point);

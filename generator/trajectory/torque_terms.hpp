@@ -19,7 +19,7 @@
 
 namespace flatdyn {
 
-enum class TermKind { own_inertia, coupling, centrifugal, coriolis, gravity, viscous, coulomb, tip_force };
+enum class TermKind { own_inertia, coupling, centrifugal, coriolis, gravity, viscous, coulomb, tip_force, spring };
 
 // One term of one joint's torque. j, k: the joints whose acceleration or rates act; -1 for none.
 struct TorqueTerm {
@@ -52,10 +52,11 @@ class TorqueTerms {
   void add_terms_of(int i, const Function& B, const Function& symbols);
 
   int n_ = 0;
+  bool has_springs_ = false;
   ClosedPositions closed_;
   std::vector<TorqueTerm> terms_;
   JointFriction friction_;
-  std::vector<Tape> tapes_;                   // B, Christoffel symbols, g, J of the tip, inverse dynamics
+  std::vector<Tape> tapes_;  // B, Christoffel symbols, g, inverse dynamics, the bias at rest, J of the tip
   std::vector<std::vector<double>> results_;  // one per tape
 };
 

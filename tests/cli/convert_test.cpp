@@ -37,6 +37,17 @@ TEST_F(Convert, WritesDhTables) {
   }
 }
 
+TEST_F(Convert, WritesSprings) {
+  scratch.write("r.toml",
+                "name = \"r\"\n[[link]]\njoint = \"j\"\nmass = 1\ncom = [1, 0, 0]\nstiffness = 2.5\n"
+                "spring_reference = -0.25\n");
+  EXPECT_THAT(exact(scratch.path("r.toml"), "a.toml"), HasSubstr("stiffness = 2.5\nspring_reference = -0.25\n"));
+  EXPECT_THAT(exact(scratch.path("r.toml"), "a.urdf"),
+              HasSubstr("<gazebo reference=\"j\">\n    <springStiffness>2.5</springStiffness>\n"
+                        "    <springReference>-0.25</springReference>\n  </gazebo>\n"));
+  exact(scratch.path("a.urdf"), "b.toml");
+}
+
 TEST_F(Convert, KeepsDecimalsAndAnglesAsTheyAre) {
   scratch.write("r.urdf", R"(<robot name="r"><link name="base"/><link name="arm"><inertial>
     <origin xyz="0.1 0 -1e-3"/><mass value="2.50"/><inertia ixx="1e-9" iyy="2" izz="2" ixy="0" ixz="0" iyz="0"/>

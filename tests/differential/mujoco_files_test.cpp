@@ -267,12 +267,12 @@ INSTANTIATE_TEST_SUITE_P(
     Files, MujocoSharedFiles,
     ::testing::Values(MjcfFile{"ur5e.xml"}, MjcfFile{"panda_nohand.xml"}, MjcfFile{"iiwa14.xml"},
                       MjcfFile{"gym_hopper.xml"}, MjcfFile{"gym_pusher_v5.xml"}, MjcfFile{"panda.xml", {"tendon"}},
-                      MjcfFile{"shadow_right_hand.xml", {"tendon"}}, MjcfFile{"gym_half_cheetah.xml", {"stiffness"}},
-                      MjcfFile{"2f85.xml", {"tendon", "stiffness", "mesh"}}, MjcfFile{"go1.xml", {}, {"trunk_joint"}},
+                      MjcfFile{"shadow_right_hand.xml", {"tendon"}}, MjcfFile{"gym_half_cheetah.xml"},
+                      MjcfFile{"2f85.xml", {"tendon", "mesh"}}, MjcfFile{"go1.xml", {}, {"trunk_joint"}},
                       MjcfFile{"anymal_c.xml", {}, {"base_joint"}},
-                      MjcfFile{"g1_29dof.xml", {}, {"floating_base_joint"}},
-                      MjcfFile{"gym_humanoid.xml", {"stiffness"}, {"root"}}, MjcfFile{"go1.xml"},
-                      MjcfFile{"anymal_c.xml"}, MjcfFile{"g1_29dof.xml"}, MjcfFile{"gym_humanoid.xml", {"stiffness"}}),
+                      MjcfFile{"g1_29dof.xml", {}, {"floating_base_joint"}}, MjcfFile{"gym_humanoid.xml", {}, {"root"}},
+                      MjcfFile{"go1.xml"}, MjcfFile{"anymal_c.xml"}, MjcfFile{"g1_29dof.xml"},
+                      MjcfFile{"gym_humanoid.xml"}),
     name_of);
 
 }  // namespace

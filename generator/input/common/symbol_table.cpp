@@ -29,6 +29,8 @@ std::string with_article(Quantity quantity) {
       return "a viscous friction";
     case Quantity::coulomb_friction:
       return "a Coulomb friction";
+    case Quantity::stiffness:
+      return "a stiffness";
     case Quantity::other:
       return "a value";
   }
@@ -52,6 +54,8 @@ const char* unit_of(Quantity quantity) {
       return "N m s/rad or N s/m";
     case Quantity::coulomb_friction:
       return "N m or N";
+    case Quantity::stiffness:
+      return "N m/rad or N/m";
     case Quantity::gear_ratio:
     case Quantity::other:
       return "";

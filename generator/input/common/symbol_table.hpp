@@ -23,6 +23,7 @@ enum class Quantity {
   gear_ratio,
   viscous_friction,
   coulomb_friction,
+  stiffness,
   other,  // not tracked
 };
 

@@ -42,6 +42,7 @@ class JointReader {
     const std::string type = this->type();
     if (type == "free" || type == "ball") {
       is_free_ = type == "free" && !is_held(joint_.name, context_);
+      if (is_free_) refuse_spring_of_base();
       if (is_free_ || is_held(joint_.name, context_)) return joint_;
       refuse_joint_type(item_.element->place, item_.what, type, joint_.name, values_);
       return std::nullopt;
@@ -62,6 +63,13 @@ class JointReader {
   std::string type() const {
     if (item_.element->name == "freejoint") return "free";
     return values_.keyword(item_, "type", {"hinge", "slide", "ball", "free"}, "hinge");
+  }
+
+  void refuse_spring_of_base() const {
+    const MjcfAttribute* found = values_.find(item_, "stiffness");
+    if (found == nullptr || is_zero_text(found->text)) return;
+    refuse_mjcf(found->place, values_.spot(item_, *found).what + ": a spring of a free joint is not supported",
+                "stiffness", values_);
   }
 
   // The joint's frame is the body's, with the origin on the axis; `ref` is the position at which it does not move the
@@ -120,21 +128,35 @@ class JointReader {
   void read_forces() {
     joint_.armature = values_.number_or(item_, "armature", 0);
     joint_.coulomb = values_.number_or(item_, "frictionloss", 0);
-    joint_.viscous = {0, joint_.place};
-    if (const auto damping = values_.numbers(item_, "damping", 1, 3)) {
-      joint_.viscous = {damping->numbers[0], damping->spot.place};
-      for (std::size_t k = 1; k < damping->numbers.size(); ++k) {
-        if (vanishes(damping->numbers[k])) continue;
-        refuse_mjcf(damping->spot.place, damping->spot.what + ": damping that is not linear is not supported",
-                    "damping", values_);
-        break;
-      }
+    joint_.viscous = linear("damping");
+    joint_.stiffness = linear("stiffness");
+    if (!vanishes(joint_.stiffness.number)) joint_.spring_reference = relaxed_position();
+    const MjcfAttribute* found = values_.find(item_, "springdamper");
+    if (found == nullptr || is_zero_text(found->text)) return;
+    refuse_mjcf(found->place,
+                values_.spot(item_, *found).what + ": a spring that is given by its motion is not supported",
+                "springdamper", values_);
+  }
+
+  // The first of the coefficients of a force by the powers of what it acts against.
+  Value linear(const char* name) const {
+    const auto found = values_.numbers(item_, name, 1, 3);
+    if (!found) return {0, joint_.place};
+    const bool is_linear = std::all_of(found->numbers.begin() + 1, found->numbers.end(),
+                                       [](const Number& coefficient) { return vanishes(coefficient); });
+    if (!is_linear) {
+      refuse_mjcf(found->spot.place, found->spot.what + ": " + name + " that is not linear is not supported", name,
+                  values_);
     }
-    for (const char* spring : {"stiffness", "springdamper"}) {
-      const MjcfAttribute* found = values_.find(item_, spring);
-      if (found == nullptr || is_zero_text(found->text)) continue;
-      refuse_mjcf(found->place, values_.spot(item_, *found).what + ": springs are not supported yet", spring, values_);
-    }
+    return {found->numbers[0], found->spot.place};
+  }
+
+  // MuJoCo's qpos_spring, at which the spring exerts nothing; `ref` moves the body, not the spring.
+  Value relaxed_position() const {
+    const auto found = values_.numbers(item_, "springref", 1, 1);
+    if (!found) return {0, joint_.place};
+    if (slides()) return {found->numbers[0], found->spot.place};
+    return {in_radians(found->numbers[0], settings_.angles, found->spot, context_.diagnostics), found->spot.place};
   }
 
   const MjcfValues& values_;

@@ -2,7 +2,6 @@
 #include "input/sdf/joint_axis.hpp"
 
 #include "input/urdf/entries.hpp"
-#include "input/urdf/unsupported.hpp"
 
 namespace flatdyn {
 
@@ -67,9 +66,8 @@ class AxisReader {
     unknown_.check(dynamics, what, kOfDynamics, values_);
     if (const auto damping = values_.number(dynamics, "damping", what)) joint_.viscous = *damping;
     if (const auto friction = values_.number(dynamics, "friction", what)) joint_.coulomb = *friction;
-    if (const auto stiffness = values_.number(dynamics, "spring_stiffness", what)) {
-      refuse_spring(stiffness->place, what + ", spring_stiffness", stiffness->number, context_.diagnostics);
-    }
+    if (const auto stiffness = values_.number(dynamics, "spring_stiffness", what)) joint_.stiffness = *stiffness;
+    if (const auto reference = values_.number(dynamics, "spring_reference", what)) joint_.spring_reference = *reference;
   }
 
   // The position is multiplier · (that of the leader - reference) + offset.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One axis of an SDF joint: its direction, friction, limits, and the joint that it follows.
+// One axis of an SDF joint: its direction, friction, spring, limits, and the joint that it follows.
 #pragma once
 
 #include "input/sdf/tree.hpp"
@@ -12,7 +12,7 @@ namespace flatdyn {
 // the model.
 int frame_of_axis(const SdfTree& tree, int joint, const tinyxml2::XMLElement& axis, Diagnostics& diagnostics);
 
-// Direction, friction, limits, and the coupling to another joint; the joint's type and name are known.
+// Direction, friction, spring, limits, and the coupling to another joint; the joint's type and name are known.
 void read_sdf_axis(const SdfTree& tree, const SdfFrame& frame, const tinyxml2::XMLElement& axis, SdfUnknown& unknown,
                    ReadContext& context, Joint& joint);
 

@@ -59,7 +59,7 @@ Motor motor_with_defaults(const Place& place) {
 void check_fixed(const TomlTable& table, const ReadContext& context, Joint& joint) {
   if (joint.type != JointType::fixed || is_held(joint.name, context)) return;
   if (context.diagnostics.only_unsupported()) return;  // it is fixed only because its type is not supported
-  for (const char* key : {"viscous", "coulomb", "armature", "position"}) {
+  for (const char* key : {"viscous", "coulomb", "armature", "stiffness", "spring_reference", "position"}) {
     if (!table.has(key)) continue;
     context.diagnostics.error(table.place_of(key), table.what() + ": " + key + " has no effect on a fixed joint",
                               "leave it out, or give the joint the type it has");
@@ -88,6 +88,17 @@ void settle_armature(const TomlTable& table, ReadContext& context, Joint& joint)
                                   "): they are the same thing twice",
                               "delete one of them, or write armature = 0");
   }
+}
+
+void read_spring(TomlTable& table, const ReadContext& context, Joint& joint) {
+  if (auto stiffness = table.number("stiffness", Quantity::stiffness)) joint.stiffness = *stiffness;
+  const Quantity position = joint.type == JointType::prismatic ? Quantity::length : Quantity::angle;
+  const auto reference = table.number("spring_reference", position);
+  if (!reference) return;
+  joint.spring_reference = *reference;
+  if (!vanishes(joint.stiffness.number) || table.has("stiffness")) return;
+  context.diagnostics.error(reference->place, table.what() + ": spring_reference is given, but no stiffness",
+                            "give the spring its stiffness (N m/rad or N/m), or leave the reference out");
 }
 
 template <class T>
@@ -158,6 +169,7 @@ void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint,
   if (auto coulomb = table.number("coulomb", Quantity::coulomb_friction)) joint.coulomb = *coulomb;
   const Quantity reflected = joint.type == JointType::prismatic ? Quantity::mass : Quantity::inertia;
   if (auto armature = table.number("armature", reflected)) joint.armature = *armature;
+  read_spring(table, context, joint);
   if (std::optional<TomlTable> motor = table.table("motor")) {
     joint.motor = read_motor(*motor, joint.motor.value_or(motor_with_defaults(motor->place())), carrier);
   }

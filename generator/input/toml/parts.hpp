@@ -55,7 +55,8 @@ std::optional<Inertial> read_inertial(TomlTable& table, Diagnostics& diagnostics
 
 Limits read_limits(TomlTable& table, JointType type);
 
-// viscous, coulomb, armature, limits, motor of a [[link]] or [[joint]]; what is not there stays as it is.
+// viscous, coulomb, armature, stiffness, spring_reference, limits, motor of a [[link]] or [[joint]]; what is not there
+// stays as it is.
 void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint, MotorCarriers& carriers);
 
 }  // namespace flatdyn

@@ -14,6 +14,7 @@
 #include "input/urdf/mimics.hpp"
 #include "input/urdf/names.hpp"
 #include "input/urdf/simulators.hpp"
+#include "input/urdf/springs.hpp"
 #include "input/urdf/unsupported.hpp"
 #include "input/urdf/values.hpp"
 
@@ -45,6 +46,7 @@ class UrdfReader {
     read_urdf_couplings(root, values_, robot_);
     read_urdf_loops(root, values_, robot_);
     check_urdf_names(root, values_);
+    read_urdf_springs(root, values_, robot_);
     refuse_unread_dynamics(root, values_, robot_);
     check_urdf_simulators(root, values_, robot_);
     read_urdf_actuators(root, values_, robot_);

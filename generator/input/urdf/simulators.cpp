@@ -7,6 +7,7 @@
 
 #include "input/urdf/children.hpp"
 #include "input/urdf/spelling.hpp"
+#include "input/urdf/springs.hpp"
 #include "input/urdf/unsupported.hpp"
 
 namespace flatdyn {
@@ -38,8 +39,10 @@ class SimulatorChecker {
 
   void check_gazebo(const XMLElement& gazebo) {
     const std::string reference = attribute_of(gazebo, "reference");
+    const bool is_of_joint = std::any_of(robot_.joints.begin(), robot_.joints.end(),
+                                         [&reference](const Joint& joint) { return joint.name == reference; });
     check_parts(gazebo, "gazebo" + (reference.empty() ? "" : " \"" + reference + "\""),
-                is_at_rest(robot_, gazebo.Attribute("reference")));
+                is_at_rest(robot_, gazebo.Attribute("reference")), is_of_joint);
   }
 
   void check_mujoco(const XMLElement& mujoco) {
@@ -58,31 +61,40 @@ class SimulatorChecker {
   }
 
  private:
+  void refuse_spring(const XMLElement& element, const std::string& what, const std::string& value) {
+    if (is_zero_text(value)) return;
+    diagnostics_.unsupported(values_.place(element), what + ": springs are not read here",
+                             "write <springStiffness> and <springReference> in <gazebo reference=\"JOINT\">");
+  }
+
   void note(const XMLElement& element, const std::string& what, const std::string& value) {
     diagnostics_.note(values_.place(element), what + (value.empty() ? "" : " (" + value + ")") + " is not read",
                       kSimulatorHint, "settings of simulators that are not read");
   }
 
   // Elements about contact, sight or measurement, or that are read elsewhere, are left aside.
-  void check_parts(const XMLElement& holder, const std::string& what, bool is_still) {
+  // `reads_springs`: springs among the children are read by springs.hpp.
+  void check_parts(const XMLElement& holder, const std::string& what, bool is_still, bool reads_springs = false) {
     static constexpr auto kAside = std::to_array<std::string_view>(
         {"plugin", "sensor", "visual", "collision", "surface", "material", "physics", "mimic"});
     for (const XMLElement* part : elements_in(holder)) {
-      if (!is_one_of(part->Name(), kAside)) check_part(*part, what + ", " + part->Name(), is_still);
+      if (is_one_of(part->Name(), kAside)) continue;
+      const SpringWord spring = spring_word_of(part->Name());
+      if (spring == SpringWord::none) check_part(*part, what + ", " + part->Name(), is_still);
+      if (spring == SpringWord::stiffness && !is_still && !reads_springs) {
+        refuse_spring(*part, what + ", " + part->Name(), value_of(*part));
+      }
     }
   }
 
   void check_part(const XMLElement& part, const std::string& what, bool is_still) {
     static constexpr auto kLoops = std::to_array<std::string_view>(
         {"loop", "loopjoint", "loopconstraint", "jointconstraint", "constraint", "coupling", "mimicjoint"});
-    static constexpr auto kSprings = std::to_array<std::string_view>({"springstiffness", "stiffness"});
     const std::string name = joined_name(part.Name());
     const bool joins = part.FirstChildElement("parent") != nullptr || part.FirstChildElement("child") != nullptr;
     const bool is_model = name == "mujoco" && part.FirstChildElement("equality") != nullptr;
     if ((name == "joint" && joins) || is_one_of(name, kLoops) || is_model) {
       refuse_unsupported(part, " in <gazebo>", kLoopHint, values_);
-    } else if (is_one_of(name, kSprings)) {
-      if (!is_still) refuse_spring(values_.place(part), what, values_.number_of_text(part, what), diagnostics_);
     } else if (name == "mujoco") {
       check_mujoco(part);
     } else if (part.FirstChildElement() == nullptr) {
@@ -108,10 +120,7 @@ class SimulatorChecker {
   void check_dynamics(const XMLElement& dynamics, const std::string& what, bool is_still) {
     if (is_still) return;
     for (const char* key : {"spring_stiffness", "stiffness"}) {
-      const auto stiffness = values_.number(dynamics, key, what);
-      if (stiffness && dynamics.Attribute(key) != nullptr) {
-        refuse_spring(stiffness->place, what + ", " + key, stiffness->number, diagnostics_);
-      }
+      if (dynamics.Attribute(key) != nullptr) refuse_spring(dynamics, what + ", " + key, attribute_of(dynamics, key));
     }
     for (const char* key : {"damping", "friction", "armature"}) {
       const std::string value = attribute_of(dynamics, key);

@@ -36,25 +36,12 @@ class Refuser {
     const std::string_view name = element.Name();
     if (const char* hint = hint_instead_of(name)) {
       refuse_unsupported(element, "", hint, values_);
-    } else if (name == "joint") {
-      check_spring(element);
     } else if (name == "ros2_control") {
       for (const XMLElement* joint : elements_in(element, "joint")) check_controlled(*joint);
     }
   }
 
  private:
-  void check_spring(const XMLElement& joint) {
-    const char* name = joint.Attribute("name");
-    if (is_at_rest(robot_, name)) return;
-    const std::string what = "joint \"" + std::string(name == nullptr ? "" : name) + "\"";
-    for (const char* key : {"spring_stiffness", "stiffness"}) {
-      if (const auto stiffness = values_.dynamics(joint, key, what)) {
-        refuse_spring(stiffness->place, what + ", dynamics, " + key, stiffness->number, diagnostics_);
-      }
-    }
-  }
-
   // Parameters go to drivers, which may be told gear ratios; an inertia there is one that the joint feels.
   void check_controlled(const XMLElement& joint) {
     if (is_at_rest(robot_, joint.Attribute("name"))) return;
@@ -106,12 +93,6 @@ bool is_at_rest(const Robot& robot, const char* joint) {
   return joint != nullptr && std::any_of(robot.joints.begin(), robot.joints.end(), [&](const Joint& each) {
            return each.name == joint && each.type == JointType::fixed;
          });
-}
-
-void refuse_spring(const Place& place, const std::string& what, const Number& stiffness, Diagnostics& diagnostics) {
-  if (vanishes(stiffness)) return;
-  diagnostics.unsupported(place, what + ": springs are not supported yet",
-                          "delete it, or add its torque to what the generated code returns");
 }
 
 void refuse_unread_dynamics(const XMLElement& root, const UrdfValues& values, const Robot& robot) {

@@ -25,7 +25,4 @@ void refuse_unsupported(const tinyxml2::XMLElement& element, const std::string& 
 // A joint of this name that does not move: a spring there does nothing. nullptr is nobody's name.
 bool is_at_rest(const Robot& robot, const char* joint);
 
-// A stiffness other than 0.
-void refuse_spring(const Place& place, const std::string& what, const Number& stiffness, Diagnostics& diagnostics);
-
 }  // namespace flatdyn

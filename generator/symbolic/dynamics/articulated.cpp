@@ -137,7 +137,8 @@ class ArticulatedRecursion {
   Number driving_torque(int i) {
     const Body& moving = frames_.body(i);
     Number tau = tau_[static_cast<std::size_t>(i)];
-    if (!motion_.friction) return tau;
+    if (!motion_.passive) return tau;
+    tau -= spring_torque(frames_, i);
     tau -= d_.named(moving.viscous, "F_v" + frames_.label(i)) * qd(i);
     if (!vanishes(moving.coulomb))
       tau -= d_.named(moving.coulomb, "F_s" + frames_.label(i)) * d_.sign(qd(i), "sgn_" + frames_.label(i));

@@ -116,8 +116,10 @@ class TorqueDerivation {
       if (k != i) row = in_parent(below, row, n);
       if (k != i && body.rotor && body.rotor->carrier == k) add_rotor(i, row);
       row = {{d_.named(row.wrench.f, "f_" + n), d_.named(row.wrench.mu, "mu_" + n)}, d_.named(row.kappa, "kappa_" + n)};
-      set(result_.dq, i, k, times(row, field_of_position(k)), "dtau_");
-      const Number damping = i == k && motion_.friction ? d_.named(body.viscous, "F_v" + frames_.label(i)) : Number(0);
+      const bool has_passive = i == k && motion_.passive;
+      const Number stiffness = has_passive ? d_.named(body.stiffness, "k_" + frames_.label(i)) : Number(0);
+      const Number damping = has_passive ? d_.named(body.viscous, "F_v" + frames_.label(i)) : Number(0);
+      set(result_.dq, i, k, times(row, field_of_position(k)) + stiffness, "dtau_");
       set(result_.dqd, i, k, times(row, field_of_rate(k)) + damping, "dtaud_");
     }
   }

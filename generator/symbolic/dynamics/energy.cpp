@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "symbolic/dynamics/coordinates.hpp"
+#include "symbolic/dynamics/newton_euler.hpp"
 
 namespace flatdyn {
 namespace {
@@ -100,7 +101,15 @@ FirstMoments first_moments(Frames& frames, const Number& unit) {  // in `unit` k
 Number potential_energy(Frames& frames) {
   Derivation& d = frames.derivation();
   const Vec3 h_base = d.named(first_moments(frames, 1).base, "hc_0");
-  return d.named(-dot(d.named(gravity_of(frames.mechanism(), d), "g_0"), h_base), "U");
+  Number U = -dot(d.named(gravity_of(frames.mechanism(), d), "g_0"), h_base);
+  for (int i = 0; i < frames.mechanism().body_count(); ++i) {
+    const Number& stiffness = frames.body(i).stiffness;
+    if (vanishes(stiffness)) continue;
+    const Number stretch = spring_stretch(frames, i);
+    U += d.named(stiffness / 2, "k_" + frames.label(i) + "_h") *
+         d.named(stretch * stretch, "stretch2_" + frames.label(i));
+  }
+  return d.named(U, "U");
 }
 
 namespace {

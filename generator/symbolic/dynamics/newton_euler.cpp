@@ -215,6 +215,19 @@ std::vector<Wrench> rotor_reactions(Frames& frames, const Motion& motion, const 
   return wrenches;
 }
 
+Number spring_stretch(Frames& frames, int i) {
+  Derivation& d = frames.derivation();
+  const std::string n = frames.label(i);
+  const Number q = joint_position(frames.mechanism(), d, i);
+  return d.named(q - d.named(frames.body(i).spring_reference, "q_0" + n), "stretch_" + n);
+}
+
+Number spring_torque(Frames& frames, int i) {
+  const Number& stiffness = frames.body(i).stiffness;
+  if (vanishes(stiffness)) return 0;
+  return frames.derivation().named(stiffness, "k_" + frames.label(i)) * spring_stretch(frames, i);
+}
+
 Number joint_torque(Frames& frames, int i, const Wrench& wrench, const std::vector<LinkMotion>& links,
                     const Motion& motion) {
   Derivation& d = frames.derivation();
@@ -229,9 +242,10 @@ Number joint_torque(Frames& frames, int i, const Wrench& wrench, const std::vect
     tau += krI * d.named(dot(z, links[static_cast<std::size_t>(rotor.carrier)].domega), "domega_m" + n);
   }
   tau += d.named(reflected_inertia(body), "I_r" + n) * motion.qdd[k];
-  if (motion.friction) {
+  if (motion.passive) {
     tau += d.named(body.viscous, "F_v" + n) * motion.qd[k];
     if (!vanishes(body.coulomb)) tau += d.named(body.coulomb, "F_s" + n) * d.sign(motion.qd[k], "sgn_" + n);
+    tau += spring_torque(frames, i);
   }
   return d.named(tau, "tau_" + n);
 }

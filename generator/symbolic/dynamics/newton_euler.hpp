@@ -13,7 +13,7 @@ namespace flatdyn {
 struct Motion {
   std::vector<Number> qd, qdd;
   Vec3 gravity = zero_vector();  // g_0, base frame
-  bool friction = true;
+  bool passive = true;           // whether friction and springs of the joints act
 };
 
 // Gravity in the base frame: g_0, or the input g_b if the base floats, m/s².
@@ -53,7 +53,13 @@ std::vector<Number> torques(Frames& frames, const Motion& motion, const std::opt
 // The reactions of spinning rotors on the bodies that carry them, in the bodies' frames.
 std::vector<Wrench> rotor_reactions(Frames& frames, const Motion& motion, const std::vector<LinkMotion>& links);
 
-// τ_i, (7.114), from the wrench on body i through its joint, with motor and friction.
+// q - q_0: how far joint i is from where its spring exerts nothing, rad or m.
+Number spring_stretch(Frames& frames, int i);
+
+// k (q - q_0) of the spring at joint i, N m or N; 0 if it has none.
+Number spring_torque(Frames& frames, int i);
+
+// τ_i, (7.114), from the wrench on body i through its joint, with motor, friction and spring.
 Number joint_torque(Frames& frames, int i, const Wrench& wrench, const std::vector<LinkMotion>& links,
                     const Motion& motion);
 

@@ -184,7 +184,7 @@ class Deriver {
     return name;
   }
 
-  // Adds the equation Σ b_ij qdd_j + Σ c_ijj qd_j² + Σ 2 c_ijk qd_j qd_k + friction + g_i = tau_i.
+  // Adds the equation Σ b_ij qdd_j + Σ c_ijj qd_j² + Σ 2 c_ijk qd_j qd_k + friction + springs + g_i = tau_i.
   void add_equation(int i) {
     std::vector<SignedTerm> pieces;
     int terms = 0;
@@ -210,6 +210,7 @@ class Deriver {
       add(c, j == k ? 1 : 2, rates, GroupBy::parameters);
     }
     for (const auto& [factor, friction] : friction_of(i)) add(readable(friction), 1, factor, GroupBy::parameters);
+    for (const auto& [factor, spring] : springs_of(i)) add(readable(spring), 1, factor, GroupBy::parameters);
     add(g_[at(i)], 1, "", GroupBy::motion);
     const bool left_out = !complete || terms > options_.max_terms;
     model_.equations.push_back({formatter_.coordinate("tau", i),
@@ -233,6 +234,26 @@ class Deriver {
     for (std::size_t r = 0; r < A.size(); ++r) {
       terms.emplace_back(sign_of(rate_text(A[r])), A[r][at(i)] * mechanism_.bodies[r].coulomb);
     }
+    return terms;
+  }
+
+  // The terms of springs of equation i: functions of position, each with its coefficient.
+  std::vector<std::pair<std::string, Number>> springs_of(int i) {
+    std::vector<std::pair<std::string, Number>> terms;
+    std::vector<Number> stiffness(at(n()), 0);
+    Number rest = 0;
+    for (std::size_t r = 0; r < mechanism_.bodies.size(); ++r) {
+      const Body& body = mechanism_.bodies[r];
+      const auto factor = [&](int k) -> Number {
+        return mechanism_.is_coupled() ? mechanism_.coupling[r][at(k)] : Number(static_cast<int>(r) == k ? 1 : 0);
+      };
+      for (int k = 0; k < n(); ++k) stiffness[at(k)] += factor(i) * factor(k) * body.stiffness;
+      rest -= factor(i) * body.stiffness * body.spring_reference;
+    }
+    for (int k = 0; k < n(); ++k) {
+      if (!vanishes(stiffness[at(k)])) terms.emplace_back(formatter_.coordinate("q", k), stiffness[at(k)]);
+    }
+    if (!vanishes(rest)) terms.emplace_back("", rest);
     return terms;
   }
 

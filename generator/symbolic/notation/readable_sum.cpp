@@ -93,7 +93,8 @@ FactorKind kind_of(const GiNaC::symbol& symbol, const Mechanism& mechanism) {
 // All constants of a body that may be expressions.
 std::vector<Number> constants_of(const Body& body) {
   const InertialParameters& inertia = body.inertia;
-  std::vector<Number> constants = {body.viscous, body.coulomb, body.armature, inertia.mass};
+  std::vector<Number> constants = {body.viscous, body.coulomb,   body.armature,
+                                   inertia.mass, body.stiffness, body.spring_reference};
   for (const PlanarRotation& turn : {body.beta, body.alpha, body.theta}) {
     constants.push_back(turn.c);
     constants.push_back(turn.s);

@@ -148,7 +148,7 @@ Mechanism with_base_parameters(const Mechanism& mechanism, const BaseParameters&
   Mechanism result = mechanism;
   for (Body& body : result.bodies) {
     body.inertia = {};
-    body.armature = body.viscous = body.coulomb = 0;
+    body.armature = body.viscous = body.coulomb = body.stiffness = 0;
     if (body.rotor) body.rotor->inertia = 0;
   }
   for (std::size_t k = 0; k < base.columns.size(); ++k) {

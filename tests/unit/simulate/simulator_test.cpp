@@ -85,6 +85,15 @@ TEST_P(BlockTest, BreaksAwayWhenTheTorqueExceedsDryFriction) {
   EXPECT_NEAR(at(motion, 1.8).q(0), 5.0 / 2 / 6, 10 * slack);
 }
 
+// 2 q̈ + 8 (q − 0.1) = 0 from rest at 0: q = 0.1 − 0.1 cos 2t.
+TEST_P(BlockTest, SwingsOnItsSpring) {
+  const LoadedRobot model = block("stiffness = 8\nspring_reference = 0.1\n");
+  const SimulatedMotion motion = run(model, moving(model, 0, 2));
+  for (const SimulationRow& row : motion.rows) EXPECT_NEAR(row.q(0), 0.1 - 0.1 * std::cos(2 * row.time), 1e-8);
+  EXPECT_NEAR(motion.rows.front().potential, 0.04, 1e-12);
+  EXPECT_LT(energy_error(motion), 1e-8);
+}
+
 TEST_P(BlockTest, StopsAtTheEndOfItsRange) {
   const LoadedRobot model = block("");
   Simulation simulation = moving(model, 2, 2);

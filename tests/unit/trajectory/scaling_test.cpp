@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "support/robot_models.hpp"
+#include "support/sprung_puma.hpp"
 #include "trajectory/plan_motion.hpp"
 #include "trajectory/time_optimal.hpp"
 
@@ -29,8 +29,7 @@ PlacedProfile triangular(double duration, std::size_t joints) {
 }
 
 // Every joint moves forth and back with a pause in between; the limits scale with the motion's needs.
-Case case_of(const char* robot, double torque_part, int intervals = 600) {
-  LoadedRobot model = model_of(robot);
+Case case_of(LoadedRobot model, double torque_part, int intervals = 600) {
   const auto n = static_cast<std::size_t>(model.mechanism.size());
   TrajectoryPlan plan;
   JointPosture there(n), back(n);
@@ -59,8 +58,12 @@ Case case_of(const char* robot, double torque_part, int intervals = 600) {
           std::move(path),  std::move(limits),     std::move(torques)};
 }
 
+Case case_of(const char* robot, double torque_part, int intervals = 600) {
+  return case_of(model_of(robot), torque_part, intervals);
+}
+
 TEST(PathTorques, AreThoseOfTheMotionAtAnyPace) {
-  Case c = case_of("puma560.toml", 1);
+  Case c = case_of(testing::sprung_puma(), 1);
   for (const double pace : {0.5, 1.0, 3.0}) {
     const Trajectory other = slowed(c.sides, pace);
     const std::vector<std::vector<double>> tau = c.torques.torques(other);

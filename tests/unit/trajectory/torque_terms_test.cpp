@@ -5,11 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "flatdyn/reference/newton_euler.hpp"
 #include "reference/reference_model.hpp"
-#include "support/robot_models.hpp"
+#include "support/sprung_puma.hpp"
 
 namespace flatdyn {
 namespace {
@@ -36,10 +37,7 @@ reference::VectorX<double> reference_torques(const Robot& robot, const Trajector
                                      vector_of(point.qdd), environment);
 }
 
-class TermsOf : public ::testing::TestWithParam<const char*> {};
-
-TEST_P(TermsOf, AddUpToTheReference) {
-  const LoadedRobot model = model_of(GetParam());
+void expect_the_references_sum(const LoadedRobot& model) {
   Progress quiet(true);
   for (const bool tip_force : {false, true}) {
     TorqueTerms terms(model, tip_force, quiet);
@@ -62,6 +60,19 @@ TEST_P(TermsOf, AddUpToTheReference) {
       }
     }
   }
+}
+
+class TermsOf : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(TermsOf, AddUpToTheReference) { expect_the_references_sum(model_of(GetParam())); }
+
+TEST(TorqueTerms, HaveSprings) {
+  const LoadedRobot model = testing::sprung_puma();
+  expect_the_references_sum(model);
+  Progress quiet(true);
+  const std::vector<TorqueTerm> terms = TorqueTerms(model, false, quiet).terms();
+  EXPECT_TRUE(
+      std::any_of(terms.begin(), terms.end(), [](const TorqueTerm& term) { return term.name() == "spring_2"; }));
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, TermsOf,

@@ -59,11 +59,18 @@ VectorX<S> jacobian_dot_qd(const Robot<S>& robot, const VectorX<S>& q, const Vec
   return a;
 }
 
-// The potential energy, J, (7.36); zero for a mass at the base frame's origin.
+// The potential energy, J, (7.36), zero for a mass at the base frame's origin, with ½ k (q - q_0)² of every spring.
 template <class S>
 S potential_energy(const Robot<S>& robot, const VectorX<S>& q) {
   const std::vector<Pose<S>> poses = link_poses(robot, q);
   S U(0);
+  VectorX<S> room;
+  const VectorX<S>& positions = positions_of_joints(robot, q, room);
+  for (const Joint<S>& joint : robot.joints) {
+    if (joint.index < 0) continue;
+    const S stretch = positions[joint.index] - joint.spring_q_0;
+    U += joint.stiffness * stretch * stretch / S(2);
+  }
   for (std::size_t l = 0; l < robot.links.size(); ++l) {
     for (const Inertial<S>& body : robot.links[l].inertials) {
       U -= body.mass * robot.gravity.dot(poses[l].p + poses[l].R * body.r_C);

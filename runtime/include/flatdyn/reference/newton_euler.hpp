@@ -16,7 +16,7 @@ std::vector<LinkMotion<S>> link_motions(const Robot<S>& robot, const VectorX<S>&
                                  accelerations_of_joints(robot, q, qd, qdd, accelerations), gravity);
 }
 
-// τ = B q̈ + C q̇ + F_v q̇ + F_s sgn(q̇) + g + Jᵀ h_e, (7.42); N m, or N for prismatic joints.
+// τ = B q̈ + C q̇ + F_v q̇ + F_s sgn(q̇) + g + k (q - q_0) + Jᵀ h_e, (7.42); N m, or N for prismatic joints.
 template <class S>
 VectorX<S> inverse_dynamics(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd, const VectorX<S>& qdd,
                             const Environment<S>& environment = {}) {
@@ -36,12 +36,12 @@ MatrixX<S> inertia_matrix(const Robot<S>& robot, const VectorX<S>& q) {
   for (Eigen::Index i = 0; i < n; ++i) {
     VectorX<S> unit = zero;
     unit[i] = S(1);
-    B.col(i) = inverse_dynamics(robot, q, zero, unit, {.gravity = false, .friction = false});
+    B.col(i) = inverse_dynamics(robot, q, zero, unit, {.gravity = false, .friction = false, .springs = false});
   }
   return B;
 }
 
-// C q̇ + F_v q̇ + F_s sgn(q̇) + g, 7.6: the torques for q̈ = 0.
+// C q̇ + F_v q̇ + F_s sgn(q̇) + g + k (q - q_0), 7.6: the torques for q̈ = 0.
 template <class S>
 VectorX<S> bias(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd) {
   return inverse_dynamics(robot, q, qd, VectorX<S>(VectorX<S>::Zero(robot.size())));
@@ -50,7 +50,7 @@ VectorX<S> bias(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd
 template <class S>
 VectorX<S> gravity(const Robot<S>& robot, const VectorX<S>& q) {
   const VectorX<S> zero = VectorX<S>::Zero(robot.size());
-  return inverse_dynamics(robot, q, zero, zero);
+  return inverse_dynamics(robot, q, zero, zero, {.springs = false});
 }
 
 // q̈ from B q̈ = τ - bias by Cholesky factorisation.
@@ -67,7 +67,7 @@ MatrixX<S> christoffel(const Robot<S>& robot, const VectorX<S>& q) {
   const Eigen::Index n = robot.size();
   const VectorX<S> zero = VectorX<S>::Zero(n);
   const auto velocity_torque = [&](const VectorX<S>& qd) {
-    return inverse_dynamics(robot, q, qd, zero, {.gravity = false, .friction = false});
+    return inverse_dynamics(robot, q, qd, zero, {.gravity = false, .friction = false, .springs = false});
   };
   const auto column = [](Eigen::Index j, Eigen::Index k) { return k * (k + 1) / 2 + j; };
   MatrixX<S> c(n, n * (n + 1) / 2);

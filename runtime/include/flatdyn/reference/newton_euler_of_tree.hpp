@@ -13,6 +13,7 @@ template <class S>
 struct Environment {
   bool gravity = true;
   bool friction = true;
+  bool springs = true;
   Vector3<S> f_e = Vector3<S>::Zero();   // N
   Vector3<S> mu_e = Vector3<S>::Zero();  // N m
 };
@@ -140,6 +141,7 @@ VectorX<S> torques_of_tree(const Robot<S>& robot, const VectorX<S>& q, const Vec
     const S &v = qd[joint.index], &a = qdd[joint.index];
     tau[joint.index] += joint.armature * a;
     if (environment.friction) tau[joint.index] += joint.viscous * v + joint.coulomb * sign(v);
+    if (environment.springs) tau[joint.index] += joint.stiffness * (q[joint.index] - joint.spring_q_0);
     const Rotor<S>& rotor = joint.rotor;
     const LinkMotion<S>& carrier = motions[static_cast<std::size_t>(rotor.carrier)];
     const Vector3<S> turning = carrier.omega.cross(rotor.axis);

@@ -74,7 +74,7 @@ template <class S>
 VectorX<S> operational_coriolis(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd, const Task<S>& task) {
   const OperationalSpace<S> space = operational_space(robot, q, task);
   const VectorX<S> zero = VectorX<S>::Zero(robot.size());
-  const VectorX<S> c = inverse_dynamics(robot, q, qd, zero, {.gravity = false, .friction = false});
+  const VectorX<S> c = inverse_dynamics(robot, q, qd, zero, {.gravity = false, .friction = false, .springs = false});
   return space.B_A * (space.J * space.B_inverse * c - task_drift(robot, q, qd, task));
 }
 

@@ -50,7 +50,9 @@ struct Joint {
   Vector3<S> p_0 = Vector3<S>::Zero(), p_1 = Vector3<S>::Zero();
   Vector3<S> axis = Vector3<S>::UnitZ();  // in the joint frame (after R_0), unit
   S viscous = S(0), coulomb = S(0), armature = S(0);
-  Rotor<S> rotor;  // inertia 0: none
+  Rotor<S> rotor;       // inertia 0: none
+  S stiffness = S(0);   // k of a spring, N m/rad or N/m
+  S spring_q_0 = S(0);  // the joint's position where the spring exerts nothing, less a coupled one's constant part
 };
 
 // A closed loop, cut where a point of one link meets a point of another. The displacement between them is measured

@@ -79,7 +79,9 @@ Robot<Tangent<S>> with_tangents(const Robot<S>& robot) {
                              T(a.viscous),
                              T(a.coulomb),
                              T(a.armature),
-                             {a.rotor.carrier, T(a.rotor.gear_ratio), T(a.rotor.inertia), vector(a.rotor.axis)}});
+                             {a.rotor.carrier, T(a.rotor.gear_ratio), T(a.rotor.inertia), vector(a.rotor.axis)},
+                             T(a.stiffness),
+                             T(a.spring_q_0)});
   }
   result.root = robot.root;
   result.gravity = vector(robot.gravity);

@@ -202,6 +202,17 @@ TEST_F(MjcfReader, ReadsGravityAndItsAbsence) {
       "0");
 }
 
+// The spring is relaxed at MuJoCo's q, which `ref` does not move; angles are in degrees.
+TEST_F(MjcfReader, ReadsSprings) {
+  const Robot robot = mjcf(mjcf_body("a", R"(<joint name="j" stiffness="5 0" springref="45" ref="10"/>)") +
+                           mjcf_body("b", R"(<joint name="k" type="slide" stiffness="2" springref="45"/>)"));
+  ASSERT_EQ(robot.joints.size(), 2U);
+  EXPECT_TRUE(robot.joints[0].stiffness.number.is_equal(5));
+  EXPECT_TRUE(robot.joints[0].spring_reference.number.is_equal(GiNaC::Pi / 4));
+  EXPECT_TRUE(robot.joints[1].stiffness.number.is_equal(2));
+  EXPECT_TRUE(robot.joints[1].spring_reference.number.is_equal(45));
+}
+
 TEST_F(MjcfReader, LeavesOutWhatIsIgnoredWithANote) {
   ReadOptions options;
   options.ignored = {"stiffness"};

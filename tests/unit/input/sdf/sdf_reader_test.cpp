@@ -98,12 +98,15 @@ TEST_F(SdfReader, TakesAxesOfOldFilesInTheFrameOfTheModel) {
   EXPECT_TRUE(is_turned(in_model, "1.6"));
 }
 
-TEST_F(SdfReader, ReadsFrictionAndLimits) {
+TEST_F(SdfReader, ReadsFrictionSpringsAndLimits) {
   const Joint j = joint("revolute", R"(<axis><xyz>0 0 1</xyz>
-    <dynamics><damping>0.5</damping><friction>0.25</friction><spring_stiffness>0</spring_stiffness></dynamics>
+    <dynamics><damping>0.5</damping><friction>0.25</friction><spring_stiffness>12</spring_stiffness>
+      <spring_reference>-0.5</spring_reference></dynamics>
     <limit><lower>-1</lower><upper>2</upper><velocity>3</velocity><effort>-1</effort></limit></axis>)");
   EXPECT_TRUE(j.viscous.number.is_equal(Number(1) / 2));
   EXPECT_TRUE(j.coulomb.number.is_equal(Number(1) / 4));
+  EXPECT_TRUE(j.stiffness.number.is_equal(12));
+  EXPECT_TRUE(j.spring_reference.number.is_equal(Number(-1) / 2));
   EXPECT_TRUE(j.limits.lower->number.is_equal(-1));
   EXPECT_TRUE(j.limits.velocity->number.is_equal(3));
   EXPECT_FALSE(j.limits.effort.has_value());  // negative: not enforced

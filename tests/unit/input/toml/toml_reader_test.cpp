@@ -85,6 +85,26 @@ TEST_F(TomlReader, ReadsEveryKey) {
   EXPECT_EQ(robot.tip, 2);
 }
 
+TEST_F(TomlReader, ReadsSpringsInTheFilesUnits) {
+  const Robot robot = read("r.toml", R"(angles = "deg"
+lengths = "mm"
+[[link]]
+mass = 1
+stiffness = "k"
+spring_reference = 30
+[[link]]
+type = "prismatic"
+mass = 1
+stiffness = 200
+spring_reference = 30
+)");
+  EXPECT_TRUE(robot.joints[0].stiffness.number.is_equal(symbol(robot, "k")));
+  EXPECT_TRUE(robot.joints[0].spring_reference.number.is_equal(GiNaC::Pi / 6));
+  EXPECT_TRUE(robot.joints[1].stiffness.number.is_equal(200));
+  EXPECT_TRUE(robot.joints[1].spring_reference.number.is_equal(Number(3) / 100));
+  EXPECT_EQ(robot.symbols.at(0).unit, "N m/rad or N/m");
+}
+
 TEST_F(TomlReader, KeepsSymbolsInOrderOfAppearance) {
   std::vector<std::string> names;
   for (const FreeSymbol& free : read("planar.toml", kPlanar).symbols) names.push_back(free.name);

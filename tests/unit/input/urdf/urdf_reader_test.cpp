@@ -256,9 +256,20 @@ TEST_F(UrdfReader, TakesSpringsThatDoNothing) {
   EXPECT_TRUE(diagnostics_.all().empty());
 }
 
-TEST_F(UrdfReader, SpringsAndLoopsAreNotSupported) {
+TEST_F(UrdfReader, ReadsSpringsInDynamicsAndGazebo) {
+  const Joint first = joint("revolute", R"(<dynamics spring_stiffness="3" spring_reference="0.25"/>)");
+  const Joint second = joint("revolute", R"(<dynamics stiffness="3"/>)", R"(<gazebo reference="j">
+      <springStiffness>3</springStiffness><springReference> 0.25 </springReference></gazebo>)");
+  for (const Joint& each : {first, second}) {
+    EXPECT_TRUE(each.stiffness.number.is_equal(3));
+    EXPECT_TRUE(each.spring_reference.number.is_equal(Number(1) / 4));
+  }
+  EXPECT_TRUE(diagnostics_.all().empty());
+}
+
+TEST_F(UrdfReader, SpringsOfNoJointAndLoopsAreNotSupported) {
   for (const std::string more : {R"(<gazebo><joint name="l" type="revolute"><child>base</child></joint></gazebo>)",
-                                 R"(<gazebo reference="j"><springStiffness>1</springStiffness></gazebo>)"}) {
+                                 R"(<gazebo reference="arm"><springStiffness>1</springStiffness></gazebo>)"}) {
     diagnostics_ = {};
     EXPECT_FALSE(read_robot(write("r.urdf", one_joint_urdf("revolute", "", more)), {}, diagnostics_).has_value());
     EXPECT_TRUE(diagnostics_.only_unsupported());

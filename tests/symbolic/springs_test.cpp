@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Robots with joint springs: every function against its definition in exact arithmetic and against the reference, and
+// both against what springs are: forces with a potential, each on its own joint.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "definition/as_read.hpp"
+#include "deviation/expected.hpp"
+#include "flatdyn/reference/kinematics.hpp"
+#include "functions/exact_proof.hpp"
+#include "functions/function_table.hpp"
+#include "model/states.hpp"
+#include "planning/formulations.hpp"
+#include "reference/graph_evaluator.hpp"
+#include "reference/reference_model.hpp"
+#include "support/robot_models.hpp"
+#include "support/written_model.hpp"
+
+namespace flatdyn {
+namespace {
+
+// A turn, a slide and a turn, each with a spring, one with friction and one with a rotor on the link before it.
+const char* const kArm = R"(name = "arm"
+[[link]]
+joint = "shoulder"
+rpy = [0.3, "pi/2", 0]
+mass = 3
+com = [0.2, 0.1, 0]
+inertia = { xx = 0.03, yy = 0.04, zz = 0.05, xy = 0.002 }
+inertia_about = "com"
+viscous = 0.3
+stiffness = "k"
+spring_reference = "pi/5"
+[[link]]
+joint = "rail"
+type = "prismatic"
+axis = [1, 1, 0]
+xyz = [0.4, 0, 0]
+mass = 2
+com = [0.2, 0, 0.05]
+inertia = { xx = 0.01, yy = 0.02, zz = 0.02 }
+inertia_about = "com"
+stiffness = 250
+spring_reference = -0.1
+[[link]]
+joint = "wrist"
+xyz = [0.3, 0.1, 0]
+rpy = ["pi/2", 0, 0]
+mass = 1
+com = [0.1, 0.05, 0]
+inertia = { xx = 0.01, yy = 0.02, zz = 0.02 }
+inertia_about = "com"
+coulomb = 0.1
+stiffness = 1.5
+motor = { mass = 0.1, inertia = 1e-4, gear_ratio = 20 }
+)";
+
+// The second joint has a spring and follows the first; the third has one and follows both.
+const char* const kCoupled = R"(name = "hand"
+[[link]]
+joint = "a"
+mass = 1
+com = [0.1, 0.02, 0]
+stiffness = 3
+spring_reference = 0.2
+[[link]]
+joint = "b"
+xyz = [0.2, 0, 0]
+mass = 0.5
+com = [0.1, 0, 0.01]
+stiffness = 4
+spring_reference = -0.5
+viscous = 0.01
+position = "2*a + pi/7"
+[[link]]
+joint = "c"
+xyz = [0.2, 0, 0]
+rpy = ["pi/2", 0, 0]
+mass = 0.5
+com = [0.1, 0, 0.01]
+[[link]]
+joint = "d"
+xyz = [0.2, 0, 0]
+mass = 0.25
+com = [0.1, 0, 0.01]
+stiffness = 2
+spring_reference = 0.3
+position = "c - a + 0.1"
+)";
+
+// A four-bar linkage that is no parallelogram, with springs at a joint that leads and at one that follows.
+const char* const kLoop = R"(name = "four_bar"
+gravity = [0, -9.81, 0]
+[[link]]
+joint = "crank"
+mass = 1
+com = [0.1, 0, 0]
+stiffness = 5
+spring_reference = 0.4
+[[link]]
+joint = "coupler"
+xyz = [0.2, 0, 0]
+mass = 1
+com = [0.25, 0, 0]
+stiffness = 7
+spring_reference = -0.3
+[[link]]
+joint = "rocker"
+parent = "base"
+xyz = [0.5, 0, 0]
+mass = 1
+com = [0.2, 0, 0]
+[[loop]]
+links = ["link2", "link3"]
+from = [0.5, 0, 0]
+to = [0.4, 0, 0]
+dependent = ["coupler", "rocker"]
+)";
+
+const char* const kFloating = R"(name = "bird"
+[base]
+motion = "floating"
+mass = 1.5
+com = [0.01, 0.02, -0.03]
+inertia = { xx = 0.02, yy = 0.03, zz = 0.04, xy = 0.001 }
+inertia_about = "com"
+[[link]]
+joint = "wing"
+xyz = [0.1, 0.2, 0]
+mass = 0.3
+com = [0.2, 0.1, 0]
+inertia = { xx = 0.003, yy = 0.004, zz = 0.005 }
+inertia_about = "com"
+stiffness = 6
+spring_reference = 0.25
+[[link]]
+joint = "tail"
+parent = "base"
+type = "prismatic"
+xyz = [-0.2, 0, 0]
+mass = 0.2
+stiffness = 40
+)";
+
+struct SprungRobot {
+  const char* name;
+  const char* text;
+};
+
+class Springs : public ::testing::TestWithParam<SprungRobot> {
+ protected:
+  LoadedRobot model_ = testing::model_of_toml(GetParam().text);
+  const Mechanism& mechanism_ = model_.mechanism;
+
+  // Derivatives are not there with closed loops, and the task takes all joints of these arms.
+  bool is_made(const std::string& name) const {
+    const bool is_refused = mechanism_.has_loops() && name.ends_with("dynamics_derivatives");
+    return find_row(name)->applies_to(mechanism_) && !is_refused && name != "null_space_torque";
+  }
+};
+
+TEST_P(Springs, AreThoseThatWereRead) {
+  const AsReadResult result = prove_as_read(model_.robot, mechanism_, 1);
+  EXPECT_TRUE(result.holds && result.is_exact) << result.summary();
+  LoadedRobot stiffer = model_;
+  for (Joint& joint : stiffer.robot.joints) joint.spring_reference.number += GiNaC::numeric(1, 1000);
+  EXPECT_FALSE(prove_as_read(stiffer.robot, mechanism_, 1).holds);
+}
+
+// In each of the ways in which it can be derived.
+TEST_P(Springs, FunctionsAreProven) {
+  for (const FunctionRow& row : function_table()) {
+    if (!is_made(row.name)) continue;
+    const Choices choices = uniform_choices(mechanism_, Grouping::i_yy);
+    for (FormulationIndex way = 0; way <= row.derivation.alternatives.size(); ++way) {
+      const std::optional<Function> function = formulation(mechanism_, row.name, way, choices);
+      if (!function) continue;
+      const ExactResult result = prove_exactly(mechanism_, *function);
+      EXPECT_TRUE(result.equal) << row.name << ", way " << way << ": " << result.summary();
+    }
+  }
+}
+
+TEST_P(Springs, FunctionsAgreeWithTheReference) {
+  const ExpectedValues expected(model_.robot, mechanism_, 1);
+  for (const char* name :
+       {"inverse_dynamics", "inverse_dynamics_tip_force", "gravity", "bias", "forward_dynamics", "potential_energy",
+        "inverse_dynamics_derivatives", "forward_dynamics_derivatives", "operational_bias", "inverse_dynamics_base"}) {
+    if (!is_made(name)) continue;
+    const Function function = *formulation(mechanism_, name, 0, uniform_choices(mechanism_, Grouping::i_yy));
+    const Expected here = expected.of(function);
+    GraphEvaluator<Real50> graph(function);
+    std::vector<State> states = random_states(mechanism_, 3, 7);
+    draw_base_parameters(states, function.base_parameters, 3);
+    for (const State& state : with_parameters(states, expected.symbols())) {
+      const auto values = graph(widened<Real50>(state));
+      const std::vector<Real50> right = here.exact(state);
+      const std::vector<double> scale = here.scale(state);
+      ASSERT_TRUE(values) << name;
+      ASSERT_EQ(values->size(), right.size()) << name;
+      for (std::size_t k = 0; k < right.size(); ++k) {
+        const Real50 difference = abs((*values)[k] - right[k]);
+        EXPECT_LE(difference.convert_to<double>(), 1e-35 * std::max(1.0, scale[k])) << name << " " << k;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, Springs,
+                         ::testing::Values(SprungRobot{"arm", kArm}, SprungRobot{"coupled", kCoupled},
+                                           SprungRobot{"loop", kLoop}, SprungRobot{"floating", kFloating}),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+using Vector = reference::VectorX<Real50>;
+
+// The torques at rest are the derivative of the potential energy, and gravity is the part without springs.
+TEST(SpringForces, HaveAPotential) {
+  const Real50 h("1e-15");
+  for (const char* text : {kArm, kCoupled}) {
+    const LoadedRobot model = testing::model_of_toml(text);
+    const reference::Robot<Real50> robot =
+        reference_robot<Real50>(model.robot, SymbolValues(model.mechanism.symbols.size(), GiNaC::numeric(7, 4)));
+    const Vector q = vector_of(widened<Real50>(random_states(model.mechanism, 1, 3).front()).q);
+    const Vector rest = Vector::Zero(q.size()), at_rest = reference::bias(robot, q, rest);
+    for (Eigen::Index k = 0; k < q.size(); ++k) {
+      const Vector step = h * Vector::Unit(q.size(), k);
+      const Real50 slope = (reference::potential_energy(robot, Vector(q + step)) -
+                            reference::potential_energy(robot, Vector(q - step))) /
+                           (2 * h);
+      EXPECT_LT(abs(slope - at_rest[k]), Real50("1e-24"));
+    }
+    EXPECT_GT((at_rest - reference::gravity(robot, q)).norm(), 1);
+  }
+}
+
+}  // namespace
+}  // namespace flatdyn
