@@ -203,6 +203,7 @@ GenerationOptions generation_options(const GenerateArguments& arguments) {
   GenerationOptions options{arguments.options(), arguments.staged, arguments.fused, {}, {}};
   options.functions = arguments.functions;
   options.in_processes = !arguments.trace;  // which shows what each function takes
+  options.needs_floating_base = !arguments.conventions.empty();
   options.form.name_space = arguments.name_space;
   options.form.scalar = arguments.scalars.front();
   options.form.most_lines = arguments.most_lines;

@@ -5,78 +5,18 @@
 
 #include <algorithm>
 
+#include "conventions/coverage.hpp"
+#include "conventions/meanings.hpp"
 #include "diagnostics/table.hpp"
 #include "emit/arguments.hpp"
 #include "emit/languages/cpp_dialect.hpp"
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
-#include "functions/function_table.hpp"
 
 namespace flatdyn {
 namespace {
 
 constexpr int kPose = 7;  // entries of q that are the base's: position, quaternion
-
-const char* axes(bool in_world) { return in_world ? "world axes" : "base axes"; }
-
-// "base: force (world axes, N), moment (base axes, N m); joints: N m or N".
-std::string meaning_of_base(const Convention& convention, const char* linear, const char* linear_unit,
-                            const char* angular, const char* angular_unit, const char* joints) {
-  const std::string first = fmt::format("{} ({}, {})", linear, axes(convention.linear_in_world), linear_unit);
-  const std::string second = fmt::format("{} ({}, {})", angular, axes(convention.angular_in_world), angular_unit);
-  return fmt::format("base: {}, {}; joints: {}", convention.angular_first ? second : first,
-                     convention.angular_first ? first : second, joints);
-}
-
-bool is_of_inertia(const Function& function) {
-  return function.outputs.size() == 1 && function.outputs[0].quantity == OutputQuantity::joint_inertia;
-}
-
-bool is_known(InputKind kind) {
-  switch (kind) {
-    case InputKind::q:
-    case InputKind::v:
-    case InputKind::a:
-    case InputKind::tau:
-    case InputKind::h_e:
-    case InputKind::g_b:
-      return true;
-    default:
-      return false;
-  }
-}
-
-bool is_known(OutputQuantity quantity) {
-  switch (quantity) {
-    case OutputQuantity::number:
-    case OutputQuantity::position:
-    case OutputQuantity::joint_acceleration:
-    case OutputQuantity::joint_torque:
-    case OutputQuantity::joint_inertia:
-    case OutputQuantity::energy:
-    case OutputQuantity::torque_per_rate:
-    case OutputQuantity::tip_jacobian:
-    case OutputQuantity::tip_acceleration:
-    case OutputQuantity::momentum_per_rate:
-    case OutputQuantity::force_and_moment:
-      return true;
-    default:
-      return false;
-  }
-}
-
-// Whether the quantity depends on the acceleration of the base's origin, and on its velocity only through that.
-bool depends_on_acceleration(const Output& output) {
-  switch (output.quantity) {
-    case OutputQuantity::joint_acceleration:
-    case OutputQuantity::joint_torque:
-    case OutputQuantity::tip_acceleration:
-    case OutputQuantity::force_and_moment:
-      return true;
-    default:
-      return false;
-  }
-}
 
 class AdaptorWriter {
  public:
@@ -97,11 +37,8 @@ class AdaptorWriter {
   }
 
  private:
-  bool is_coriolis() const {
-    return function_.outputs.size() == 1 && function_.outputs[0].quantity == OutputQuantity::torque_per_rate;
-  }
   // C of velocities in axes that turn needs B.
-  bool adds_inertia() const { return is_coriolis() && convention_.linear_in_world; }
+  bool adds_inertia() const { return is_coriolis(function_) && convention_.linear_in_world; }
   const FunctionText& inertia() const {
     const auto found = std::find_if(code_.functions.begin(), code_.functions.end(), is_of_inertia);
     return code_.texts[static_cast<std::size_t>(found - code_.functions.begin())];
@@ -130,8 +67,9 @@ class AdaptorWriter {
       } else {
         const std::string core = argument.name + "_b";
         convert(argument, fmt::format("base.to_core({}, {});", argument.name, core), core);
-        if (kind == InputKind::v && sees_from_origin())
+        if (kind == InputKind::v && sees_from_origin()) {
           conversions_.push_back(fmt::format("base.stop_origin({});", core));
+        }
       }
     }
   }
@@ -167,12 +105,8 @@ class AdaptorWriter {
       case OutputQuantity::joint_acceleration:
         return convention_.is_plain() ? "" : fmt::format("base.from_core({});", name);
       case OutputQuantity::joint_inertia:
-        return convention_.is_plain() ? "" : fmt::format("base.both_from_core({});", name);
       case OutputQuantity::torque_per_rate:
-        return convention_.is_plain()
-                   ? ""
-                   : (adds_inertia() ? fmt::format("base.add_turning(B, v_b, {});\n", name) : std::string()) +
-                         fmt::format("base.both_from_core({});", name);
+        return convention_.is_plain() ? "" : turning(name) + fmt::format("base.both_from_core({});", name);
       case OutputQuantity::number:
         return fmt::format("base.turn_frame({});", name);
       case OutputQuantity::position:
@@ -186,6 +120,10 @@ class AdaptorWriter {
       default:
         return "";
     }
+  }
+
+  std::string turning(const std::string& name) const {
+    return adds_inertia() ? fmt::format("base.add_turning(B, v_b, {});\n", name) : "";
   }
 
   std::string core_call(const FunctionText& text, std::vector<std::string> arguments) const {
@@ -253,48 +191,6 @@ class AdaptorWriter {
     return shaped(function_, text, scope);
   }
 
-  std::string meaning_of_input(InputKind kind) const {
-    switch (kind) {
-      case InputKind::q:
-        return meaning_of_pose(convention_);
-      case InputKind::v:
-        return meaning_of_velocity(convention_);
-      case InputKind::a:
-        return "derivatives of the entries of v";
-      case InputKind::tau:
-        return meaning_of_force(convention_);
-      default:
-        return fmt::format("{} that the tip exerts on its environment, world axes",
-                           convention_.angular_first ? "moment (N m), then force (N)" : "force (N), then moment (N m)");
-    }
-  }
-
-  std::string meaning_of_output(const Output& output) const {
-    const std::string order = convention_.angular_first ? "angular, then linear" : "linear, then angular";
-    switch (output.quantity) {
-      case OutputQuantity::joint_torque:
-        return meaning_of_force(convention_);
-      case OutputQuantity::number:
-        return "rotation matrix of the frame, from its axes to world axes";
-      case OutputQuantity::position:
-        return output.name == "r_G" ? "centre of mass, world axes, m" : "position of the frame's origin, world axes, m";
-      case OutputQuantity::tip_jacobian:
-        return output.rows == 3 ? "velocity of the centre of mass by v, world axes"
-                                : "geometric Jacobian in world axes, by v: " + order;
-      case OutputQuantity::tip_acceleration:
-        return "acceleration while a is zero, world axes: " + order;
-      case OutputQuantity::momentum_per_rate:
-        return fmt::format("{}, by v, world axes", momenta());
-      case OutputQuantity::force_and_moment:
-        return fmt::format("rates of these while a is zero, world axes: {}", momenta());
-      default:
-        return output.meaning;
-    }
-  }
-  const char* momenta() const {
-    return convention_.angular_first ? "moment of momentum about r_G, momentum" : "momentum, its moment about r_G";
-  }
-
   std::vector<std::string> comment() const {
     std::vector<std::string> lines = brief_comment(function_);
     std::vector<std::vector<std::string>> rows;
@@ -302,18 +198,20 @@ class AdaptorWriter {
       if (kind == InputKind::g_b) continue;
       const InputArgument argument = input_argument(kind, JointCounts(code_.mechanism));
       const int length = argument.length + (kind == InputKind::q ? kPose : 0);
-      rows.push_back({fmt::format("{}[{}]", argument.name, length), "in", meaning_of_input(kind)});
+      rows.push_back({fmt::format("{}[{}]", argument.name, length), "in", meaning_of_input(kind, convention_)});
     }
     for (std::size_t k = 0; k < text_.outputs.size(); ++k) {
-      const Output& output = function_.outputs[k];
-      rows.push_back(
-          {fmt::format("{}[{}]", text_.outputs[k].name, text_.outputs[k].length), "out", meaning_of_output(output)});
+      Output output = function_.outputs[k];
+      output.name = text_.outputs[k].name;
+      rows.push_back({fmt::format("{}[{}]", text_.outputs[k].name, text_.outputs[k].length), "out",
+                      meaning_of_output(output, convention_)});
       const std::string layout = layout_text(output);
       if (!layout.empty()) rows.push_back({"", "", layout});
     }
     for (const std::string& line : aligned_lines(rows)) lines.push_back("  " + comment_text(line));
     const std::string result = text_.result.empty() ? "" : "Returns " + comment_text(text_.result) + ".";
     for (const std::string& line : wrapped_words(result, kCommentWidth)) lines.push_back(line);
+    if (function_.at_rest) lines.emplace_back("Holds where v = 0, and does not read it.");
     return lines;
   }
 
@@ -329,40 +227,6 @@ class AdaptorWriter {
 
 }  // namespace
 
-std::string meaning_of_pose(const Convention& convention) {
-  return fmt::format("base: position (world axes, m), quaternion ({}); joints: rad or m",
-                     convention.scalar_first ? "w, x, y, z" : "x, y, z, w");
-}
-
-std::string meaning_of_velocity(const Convention& convention) {
-  return meaning_of_base(convention, "linear", "m/s", "angular", "rad/s", "rad/s or m/s");
-}
-
-std::string meaning_of_force(const Convention& convention) {
-  return meaning_of_base(convention, "force", "N", "moment", "N m", "N m or N");
-}
-
-std::string why_not(const AdaptedCode& code, std::size_t function) {
-  const Function& adapted = code.functions[function];
-  if (find_row(adapted.name) == nullptr) return "it is a fused function";
-  if (!is_whole(adapted)) return "the scene leaves out some of its entries";
-  const bool knows_all =
-      std::all_of(adapted.inputs.begin(), adapted.inputs.end(), [](InputKind kind) { return is_known(kind); }) &&
-      std::all_of(adapted.outputs.begin(), adapted.outputs.end(),
-                  [](const Output& output) { return is_known(output.quantity); });
-  if (!knows_all) return "its results are flatdyn's own";
-  const bool is_coriolis =
-      adapted.outputs.size() == 1 && adapted.outputs[0].quantity == OutputQuantity::torque_per_rate;
-  if (is_coriolis && code.convention.linear_in_world &&
-      std::none_of(code.functions.begin(), code.functions.end(), is_of_inertia)) {
-    return "in axes of the world it needs inertia_matrix, too";
-  }
-  return "";
-}
-
-std::optional<Adaptor> adaptor(const AdaptedCode& code, std::size_t function) {
-  if (!why_not(code, function).empty()) return std::nullopt;
-  return AdaptorWriter(code, function).written();
-}
+Adaptor adaptor(const AdaptedCode& code, std::size_t function) { return AdaptorWriter(code, function).written(); }
 
 }  // namespace flatdyn

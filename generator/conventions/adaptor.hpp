@@ -2,7 +2,6 @@
 // The text of a function in another convention: it converts its arguments, calls the function, converts the results.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,15 +28,7 @@ struct Adaptor {
   ShapedFunction shape;
 };
 
-// The adaptor of a function; nullopt if it has none (why_not() says why).
-std::optional<Adaptor> adaptor(const AdaptedCode& code, std::size_t function);
-
-// Why a function has no adaptor; empty if it has one.
-std::string why_not(const AdaptedCode& code, std::size_t function);
-
-// The meaning of q, v and tau: axes, order and units.
-std::string meaning_of_pose(const Convention& convention);
-std::string meaning_of_velocity(const Convention& convention);
-std::string meaning_of_force(const Convention& convention);
+// The adaptor of a function that the convention has (conventions/coverage.hpp).
+Adaptor adaptor(const AdaptedCode& code, std::size_t function);
 
 }  // namespace flatdyn

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include "conventions/adaptor.hpp"
+#include "conventions/coverage.hpp"
+#include "conventions/meanings.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/table.hpp"
 #include "diagnostics/version.hpp"
@@ -158,19 +160,19 @@ class ConventionWriter {
     data list(data::type::list);
     std::vector<ShapedFunction> shapes;
     for (std::size_t k = 0; k < code_.functions.size(); ++k) {
-      const std::optional<Adaptor> found = adaptor(code_, k);
-      if (!found) {
-        left_out.push_back(
-            fmt::format("{} is left out of {}: {}", code_.functions[k].name, convention_.name, why_not(code_, k)));
+      const std::string reason = why_not(code_.functions[k], code_.functions, convention_);
+      if (!reason.empty()) {
+        left_out.push_back(fmt::format("{} is left out of {}: {}", code_.functions[k].name, convention_.name, reason));
         continue;
       }
+      const Adaptor found = adaptor(code_, k);
       data item;
-      item["comment"] = list_of(found->comment);
-      item["template_parameters"] = found->template_parameters;
-      item["signature"] = found->signature;
-      item["body"] = found->body;
+      item["comment"] = list_of(found.comment);
+      item["template_parameters"] = found.template_parameters;
+      item["signature"] = found.signature;
+      item["body"] = found.body;
       list << item;
-      shapes.push_back(found->shape);
+      shapes.push_back(found.shape);
     }
     page["functions"] = data(list);
     write_shapes(page, shapes, core_ + "::" + convention_.name);
@@ -186,8 +188,7 @@ class ConventionWriter {
 
 }  // namespace
 
-ConventionHeader convention_header(const Mechanism& mechanism, const std::vector<Function>& functions,
-                                   const EmitOptions& options, const Convention& convention) {
+void check_conventions_apply(const Mechanism& mechanism) {
   if (!mechanism.floating_base) {
     throw Failure(ExitCode::unsupported, "--convention: the robot has no floating base",
                   "leave it out, or use --base floating");
@@ -195,6 +196,11 @@ ConventionHeader convention_header(const Mechanism& mechanism, const std::vector
   if (mechanism.has_loops()) {
     throw Failure(ExitCode::unsupported, "--convention: closed loops are not supported", "leave it out");
   }
+}
+
+ConventionHeader convention_header(const Mechanism& mechanism, const std::vector<Function>& functions,
+                                   const EmitOptions& options, const Convention& convention) {
+  check_conventions_apply(mechanism);
   return ConventionWriter(mechanism, functions, options, convention).written();
 }
 

@@ -265,13 +265,16 @@ void print(const double* first, int count) {
   for (int k = 0; k < count; ++k) std::printf("%.17g\n", first[k]);
 }
 int main() {
-  double q[n + 1], v[n], a[n], B[n * n], bias[n], tau[n], again[n];
+  double q[n + 1], v[n], a[n], B[n * n], bias[n], tau[n], again[n], next[n + 1], difference[n];
   while (read(q, n + 1) && read(v, n) && read(a, n)) {
     robot::mujoco::inertia_matrix(q, B);
     robot::mujoco::bias(q, v, bias);
     robot::mujoco::inverse_dynamics(q, v, a, tau);
     if (!robot::mujoco::forward_dynamics(q, v, tau, again)) return 1;
     print(B, n * n); print(bias, n); print(tau, n); print(again, n);
+    robot::mujoco::integrate(q, v, 0.7, next);
+    robot::mujoco::difference(q, next, difference);
+    print(next, n + 1); print(difference, n);
   }
 }
 )";
@@ -309,23 +312,24 @@ TEST_F(MujocoConvention, IsThatOfMujoco) {
   const nlohmann::json peer = mujoco(for_mujoco(content_of_file(path), {"go1.xml"}), states);
   if (peer.empty()) GTEST_SKIP() << "MuJoCo is not installed: npm install @mujoco/mujoco";
   const std::vector<double> numbers = printed(path, states);
-  ASSERT_EQ(numbers.size(), states.size() * (n * n + 3 * n));
+  ASSERT_EQ(numbers.size(), states.size() * (n * n + 5 * n + 1));
   const Vector coulomb = vector_of(peer["coulomb"].get<std::vector<double>>());
   const double* next = numbers.data();
-  const auto matrix = [&next](Eigen::Index cols) {
-    next += n * cols;
-    return Matrix(Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-        next - n * cols, n, cols));
+  const auto taken = [&next](Eigen::Index count) {
+    next += count;
+    return Vector(Eigen::Map<const Vector>(next - count, count));
   };
   for (std::size_t k = 0; k < states.size(); ++k) {
     const nlohmann::json& at = peer["states"][k];
     const auto wanted = [&at](const char* name) { return vector_of(at[name].get<std::vector<double>>()); };
     const auto state = [&](const char* name) { return vector_of(states[k][name].get<std::vector<double>>()); };
     const Vector friction = coulomb.cwiseProduct(state("qd").cwiseSign());
-    expect_close(matrix(n), wanted("B").reshaped(n, n), "B", kCloseInDouble);
-    expect_close(matrix(1), wanted("bias") + friction, "bias", kCloseInDouble);
-    expect_close(matrix(1), wanted("tau") + friction, "tau", kCloseInDouble);
-    expect_close(matrix(1), state("qdd"), "a", kCloseInDouble);
+    expect_close(taken(n * n), wanted("B"), "B", kCloseInDouble);
+    expect_close(taken(n), wanted("bias") + friction, "bias", kCloseInDouble);
+    expect_close(taken(n), wanted("tau") + friction, "tau", kCloseInDouble);
+    expect_close(taken(n), state("qdd"), "a", kCloseInDouble);
+    expect_close(taken(n + 1), wanted("next"), "next", kCloseInDouble);
+    expect_close(taken(n), wanted("difference"), "difference", kCloseInDouble);
   }
 }
 

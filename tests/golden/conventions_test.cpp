@@ -23,7 +23,7 @@ constexpr const char* kAllConventions =
     "inertia_matrix,coriolis_matrix,gravity,bias,forward_dynamics,kinetic_energy,forward_kinematics,jacobian,"
     "jacobian_dot_qd,centroidal_momentum_matrix,centroidal_bias,centre_of_mass";
 
-// What the program prints with the satellite's headers: "190 hold, 0 do not".
+// The text that the program prints with the satellite's headers: "190 hold, 0 do not".
 std::string printed(const char* program, const char* compiler) {
   const TemporaryFolder folder;
   const std::string refusal =
