@@ -23,6 +23,9 @@ namespace {
 
 constexpr int kLongPart = 1000;  // lines of a part, unless fewer are asked for
 
+// Parts have no limbs in lanes, which save more than parts do: a function may be this many times as long for them.
+constexpr int kLongerWithLimbs = 4;
+
 // The arrays that parts share, beside a function's own arguments.
 constexpr const char *kKept = "kept", *kPivots = "pivots", *kStored = "stored", *kResult = "result";
 
@@ -95,7 +98,10 @@ class BodyWriter {
   }
 
  private:
-  int longest() const { return scope_.most_lines > 0 ? scope_.most_lines : dialect_.longest_function(); }
+  int longest() const {
+    if (scope_.most_lines > 0) return scope_.most_lines;
+    return dialect_.longest_function() * (limbs_ ? kLongerWithLimbs : 1);
+  }
 
   std::string whole() const {
     std::string text = loads() + trigonometry(false) + sines_and_cosines() + stage();

@@ -24,6 +24,28 @@ struct Place {
   bool is_limb() const { return set != kNone; }
 };
 
+// Whether a class of two limbs saves more than it takes to gather operands of no class: it has operands of classes, and
+// at most one that differs from limb to limb otherwise.
+bool pays(const LimbClasses& known, const std::vector<Term>& a, const std::vector<Term>& b) {
+  int others = 0, classes = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const NodeId x = a[k].node, y = b[k].node;
+    if (x < 0) continue;
+    if (known.has(x)) {
+      ++classes;
+    } else if (x != y) {
+      ++others;
+    }
+  }
+  return a.empty() || (classes > 0 && others <= 1);
+}
+
+bool pays(const LimbClasses& known, const LimbClass& each) {
+  return each.is_given() || std::all_of(each.operands.begin() + 1, each.operands.end(), [&](const auto& of_limb) {
+           return pays(known, each.operands.front(), of_limb);
+         });
+}
+
 class Finder {
  public:
   Finder(const Function& function, const std::vector<Limbs>& sets, const Dialect& dialect)
@@ -194,21 +216,7 @@ class Finder {
     return can_be_class(a, b);
   }
 
-  // Whether a class saves more than it takes to gather operands of no class: it has operands of classes, and at most
-  // one that differs from limb to limb otherwise.
-  bool can_be_class(const Candidate& a, const Candidate& b) const {
-    int others = 0, classes = 0;
-    for (std::size_t k = 0; k < a.operands.size(); ++k) {
-      const NodeId x = a.operands[k].node, y = b.operands[k].node;
-      if (x < 0) continue;
-      if (found_.has(x)) {
-        ++classes;
-      } else if (x != y) {
-        ++others;
-      }
-    }
-    return a.operands.empty() || (classes > 0 && others <= 1);
-  }
+  bool can_be_class(const Candidate& a, const Candidate& b) const { return pays(found_, a.operands, b.operands); }
 
   const Graph& graph_;
   const std::vector<Limbs>& sets_;
@@ -221,6 +229,17 @@ class Finder {
 };
 
 }  // namespace
+
+LimbClasses without(const LimbClasses& classes, const std::vector<bool>& left_out) {
+  LimbClasses kept = {{}, std::vector<int>(classes.class_of.size(), kNone), classes.limb_of};
+  for (std::size_t k = 0; k < classes.classes.size(); ++k) {
+    const LimbClass& each = classes.classes[k];
+    if (left_out[k] || !pays(kept, each)) continue;
+    for (const NodeId member : each.members) entry(kept.class_of, member) = static_cast<int>(kept.classes.size());
+    kept.classes.push_back(each);
+  }
+  return kept;
+}
 
 LimbClasses limb_classes(const Function& function, const std::vector<Limbs>& sets, const Dialect& dialect) {
   return Finder(function, sets, dialect).run();

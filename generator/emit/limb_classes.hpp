@@ -36,6 +36,9 @@ struct LimbClasses {
 // of what has to be alike, so that each limb's bits are those of its own expression.
 LimbClasses limb_classes(const Function& function, const std::vector<Limbs>& sets, const Dialect& dialect);
 
+// The classes without those that are left out, and without others that would save nothing then.
+LimbClasses without(const LimbClasses& classes, const std::vector<bool>& left_out);
+
 // Chooses the signs of the classes so that as many coefficients as possible are the same in all limbs: a limb that is
 // the mirror image of another has the opposite signs in many places.
 void choose_signs(const Graph& graph, LimbClasses& classes);

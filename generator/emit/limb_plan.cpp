@@ -21,7 +21,8 @@ class Planner {
         schedule_(schedule),
         alive_(reachable_from(graph_, roots(function))),
         scalar_state_(alive_.size(), State::open),
-        class_state_(classes.classes.size(), State::open) {
+        class_state_(classes.classes.size(), State::open),
+        cyclic_(classes.classes.size(), false) {
     plan_.is_vector.assign(classes.classes.size(), false);
     plan_.is_read.assign(alive_.size(), false);
     plan_.classes = std::move(classes);
@@ -41,9 +42,13 @@ class Planner {
     for (const auto* list : {&function_.validity_conditions, &function_.pivot_scales}) {
       for (const NodeId id : *list) need(id, false);
     }
-    if (is_cyclic_ || plan_.saved <= 0) return std::nullopt;
+    if (has_cycles() || plan_.saved <= 0) return std::nullopt;
     return std::move(plan_);
   }
+
+  bool has_cycles() const { return std::find(cyclic_.begin(), cyclic_.end(), true) != cyclic_.end(); }
+  // By class: whether it needs a value that needs itself, so that its members cannot be computed at once.
+  const std::vector<bool>& cyclic() const { return cyclic_; }
 
  private:
   enum class State { open, begun, done };
@@ -122,7 +127,7 @@ class Planner {
   }
 
   bool enter(State& state) {
-    is_cyclic_ = is_cyclic_ || state == State::begun;
+    if (state == State::begun) entry(cyclic_, open_classes_.back()) = true;
     if (state != State::open) return false;
     state = State::begun;
     return true;
@@ -130,6 +135,7 @@ class Planner {
 
   void visit_class(int of) {
     if (!enter(entry(class_state_, of))) return;
+    open_classes_.push_back(of);
     const LimbClass& made = entry(plan_.classes.classes, of);
     const auto limbs = static_cast<long>(made.members.size());
     if (made.is_given()) {
@@ -142,6 +148,7 @@ class Planner {
       plan_.saved += (limbs - 1) * operations;
     }
     entry(class_state_, of) = State::done;
+    open_classes_.pop_back();
     if (!made.is_given() && entry(plan_.is_vector, of)) plan_.steps.push_back({Kind::limbs, of});
   }
 
@@ -205,7 +212,8 @@ class Planner {
   std::vector<bool> alive_;
   std::vector<State> scalar_state_;  // by node
   std::vector<State> class_state_;
-  bool is_cyclic_ = false;
+  std::vector<int> open_classes_;  // classes that are begun, each needed by the one before
+  std::vector<bool> cyclic_;
   LimbPlan plan_;
 };
 
@@ -220,12 +228,16 @@ Term without_negations(const Graph& graph, NodeId id) {
 std::optional<LimbPlan> limb_plan(const Function& function, const std::vector<Limbs>& sets, const Dialect& dialect,
                                   Schedule& schedule) {
   if (sets.empty()) return std::nullopt;
-  LimbClasses classes = limb_classes(function, sets, dialect);
-  choose_signs(function.graph, classes);
-  Schedule completed = schedule;
-  std::optional<LimbPlan> plan = Planner(function, std::move(classes), completed).run();
-  if (plan) schedule = std::move(completed);
-  return plan;
+  for (LimbClasses classes = limb_classes(function, sets, dialect); !classes.classes.empty();) {
+    choose_signs(function.graph, classes);
+    Schedule completed = schedule;
+    Planner planner(function, classes, completed);
+    std::optional<LimbPlan> plan = planner.run();
+    if (plan) schedule = std::move(completed);
+    if (!planner.has_cycles()) return plan;
+    classes = without(classes, planner.cyclic());
+  }
+  return std::nullopt;
 }
 
 }  // namespace flatdyn

@@ -56,22 +56,20 @@ std::string LimbText::types() const {
   return text;
 }
 
-std::string LimbText::number(const Term& term) const {
+std::string LimbText::number(const Term& term, bool is_given) const {
   if (term.node < 0) return dialect_.literal(term.coefficient);
   const bool is_negative = term.coefficient < 0;
-  const Op op = function_.graph[term.node].op;
-  const bool is_given = op == Op::input || op == Op::sin || op == Op::cos;
   const std::string text = is_given ? source_(term.node) : printer_.use(term.node);
   const bool is_atom = text.find(' ') == std::string::npos && text.front() != '-';
   return is_negative ? "-" + (is_atom ? text : "(" + text + ")") : text;
 }
 
 // The statement that puts a vector together; the last limb fills the lanes that are left.
-std::string LimbText::put_together(const std::string& name, const Gathered& vector) const {
+std::string LimbText::put_together(const std::string& name, const Gathered& vector, bool is_given) const {
   std::vector<std::string> items;
   const auto lanes = static_cast<std::size_t>(sets_[static_cast<std::size_t>(vector.set)].lanes());
   for (std::size_t lane = 0; lane < lanes; ++lane) {
-    items.push_back(number(vector.numbers[std::min(lane, vector.numbers.size() - 1)]));
+    items.push_back(number(vector.numbers[std::min(lane, vector.numbers.size() - 1)], is_given));
   }
   return list_line(fmt::format("const {} {} = {{", type(vector.set), name), items, "};", kStatementIndent);
 }
@@ -84,7 +82,7 @@ std::string LimbText::given() const {
     for (std::size_t limb = 0; limb < each.members.size(); ++limb) {
       vector.numbers.push_back({each.signs[limb], each.members[limb]});
     }
-    text += put_together(vectors_[static_cast<std::size_t>(each.members.front())], vector);
+    text += put_together(vectors_[static_cast<std::size_t>(each.members.front())], vector, true);
   }
   return text;
 }
@@ -99,7 +97,7 @@ std::string LimbText::definition(int of_class) const {
 
 std::string LimbText::gathered(int index) const {
   const auto k = static_cast<std::size_t>(index);
-  return put_together(gathered_[k], plan_.gathered[k]);
+  return put_together(gathered_[k], plan_.gathered[k], false);
 }
 
 // A number of a vector: "t3[1]"; negative if that is how the member is computed.

@@ -35,8 +35,9 @@ class LimbText {
 
  private:
   std::string type(int set) const;
-  std::string number(const Term& term) const;
-  std::string put_together(const std::string& name, const Gathered& vector) const;
+  // `is_given`: from the arguments, not from variables, which hold inputs once an output may have overwritten them.
+  std::string number(const Term& term, bool is_given) const;
+  std::string put_together(const std::string& name, const Gathered& vector, bool is_given) const;
   std::string in_lane(NodeId member, bool is_negative) const;
   const LimbClass& class_of(NodeId member) const;
 

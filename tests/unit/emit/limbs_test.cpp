@@ -5,11 +5,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "emit/function_text.hpp"
 #include "emit/languages/cpp_dialect.hpp"
 #include "emit/limb_plan.hpp"
 #include "support/printed_code.hpp"
 #include "support/robot_models.hpp"
 #include "unit/emit/compiled.hpp"
+#include "unit/emit/hand_made.hpp"
 
 namespace flatdyn::testing {
 namespace {
@@ -67,6 +69,63 @@ TEST(LimbPlan, IsNoneWhereNothingIsSaved) {
   const Function& function = quadruped().functions().front();
   Schedule schedule = make_schedule(function, std::vector<bool>(static_cast<std::size_t>(function.graph.size())));
   EXPECT_FALSE(limb_plan(function, {}, CppDialect(), schedule));
+}
+
+const std::vector<Limbs>& two_slides() {
+  static const std::vector<Limbs> sets = [] {
+    Limbs slides;
+    slides.joints = {{0}, {1}};
+    return std::vector<Limbs>{slides};
+  }();
+  return sets;
+}
+
+// A polynomial in q of one of the slides, which pays for its lane.
+NodeId of_slide(Builder& b, int k) {
+  NodeId value = b.times({b.q(k), b.qd(k)});
+  for (int degree = 0; degree < 6; ++degree) value = b.plus({b.times({value, b.q(k)}), b.qd(k)});
+  return value;
+}
+
+Function torques(const Builder& b, const std::vector<NodeId>& entries) {
+  Function function;
+  function.name = "f";
+  function.inputs = {InputKind::q, InputKind::qd, InputKind::h_e};
+  function.graph = b.graph;
+  function.outputs = {{"tau", Layout::vector, static_cast<int>(entries.size()), 1, entries, ""}};
+  return function;
+}
+
+// Two products are alike, but the first needs the second: they are computed one after the other, all else at once.
+TEST(LimbPlan, LeavesOutWhatNeedsItself) {
+  Builder b;
+  const NodeId x_0 = of_slide(b, 0), x_1 = of_slide(b, 1);
+  const NodeId second = b.times({b.plus({x_0, x_1}), b.qd(1)});
+  const NodeId first = b.times({b.plus({second, x_0}), b.qd(0)});
+  const Function function = torques(b, {first, second});
+  Schedule schedule = make_schedule(function, std::vector<bool>(static_cast<std::size_t>(function.graph.size())));
+  const auto plan = limb_plan(function, two_slides(), CppDialect(), schedule);
+  ASSERT_TRUE(plan);
+  EXPECT_FALSE(plan->classes.has(first));
+  EXPECT_FALSE(plan->classes.has(second));
+  EXPECT_TRUE(plan->classes.has(x_0));
+}
+
+// Outputs may overlap inputs, so that all inputs are read before the first output is written.
+TEST(CodeOfLimbs, ReadsInputsBeforeItWrites) {
+  Builder b;
+  std::vector<NodeId> values;
+  for (int k = 0; k < 2; ++k) values.push_back(of_slide(b, k));
+  for (int k = 0; k < 2; ++k)
+    values.push_back(b.times({values[static_cast<std::size_t>(k)], b.graph.input({InputKind::h_e, k})}));
+  const Function function = torques(b, values);
+  const CppDialect dialect;
+  HeaderScope scope(dialect);
+  scope.joints = scope.positions = 2;
+  scope.limbs = two_slides();
+  const std::string text = function_text(function, "f", scope).body;
+  EXPECT_NE(text.find("const Limbs2 "), std::string::npos);
+  EXPECT_LT(text.rfind("h_e["), text.find("tau[0] = ")) << text;
 }
 
 // rounding_is_as_written() compares with arithmetic lane by lane; long double has lanes of its own.
