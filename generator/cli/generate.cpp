@@ -5,6 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/delivery.hpp"
+#include "conventions/convention_header.hpp"
 #include "diagnostics/version.hpp"
 #include "firmware/folder.hpp"
 #include "input/common/content_hash.hpp"
@@ -27,7 +28,7 @@ constexpr int kFewestLines = 30, kMostLines = 1'000'000;
 
 struct GenerateArguments : RobotArguments {
   std::string folder;
-  std::vector<std::string> functions, staged, fused;
+  std::vector<std::string> functions, staged, fused, conventions;
   std::vector<std::string> scalars = {"double"};
   std::string language = "c++", form = "header", frames = "file", sincos = "polynomials", limbs = "apart";
   std::string name_space, file_name;  // empty: from the robot's name
@@ -77,6 +78,7 @@ std::string stamp_of(const GenerateArguments& arguments, const std::vector<Optim
              {"--limbs", arguments.has_lanes() ? arguments.limbs : ""},
              {"--namespace", arguments.name_space},
              {"--name", arguments.file_name},
+             {"--convention", fmt::format("{}", fmt::join(arguments.conventions, ","))},
              {"--frames", arguments.frames == "file" ? "" : arguments.frames},
              {"--max-lines", arguments.most_lines == 0 ? "" : std::to_string(arguments.most_lines)}});
   return joined_stamps({of_functions, arguments.fuses ? "--fma" : "", arguments.stamp_of_settings(functions)});
@@ -128,6 +130,9 @@ void check_stdout(const GenerateArguments& arguments) {
     throw Failure(ExitCode::usage, "-o -: several files result, and stdout has room for one",
                   "name a folder; a header in C++ and a module in JavaScript are one file");
   }
+  if (!arguments.conventions.empty()) {
+    throw Failure(ExitCode::usage, "-o -: --convention writes headers of its own", "name a folder");
+  }
   if (!arguments.dumped_passes.empty()) {
     throw Failure(ExitCode::usage, "-o -: --dump-after writes files of its own", "name a folder");
   }
@@ -162,7 +167,15 @@ void check_limbs(const GenerateArguments& arguments) {
   }
 }
 
+// Requires C++ for conventions.
+void check_conventions(const GenerateArguments& arguments) {
+  if (arguments.conventions.empty() || arguments.language == "c++") return;
+  throw Failure(ExitCode::usage, fmt::format("--convention: not in {}", kLanguages.at(arguments.language).name),
+                "leave it out, or use C++");
+}
+
 void check_usage(const GenerateArguments& arguments) {
+  check_conventions(arguments);
   check_stdout(arguments);
   check_form(arguments);
   check_fma(arguments);
@@ -190,6 +203,7 @@ GenerationOptions generation_options(const GenerateArguments& arguments) {
   GenerationOptions options{arguments.options(), arguments.staged, arguments.fused, {}, {}};
   options.functions = arguments.functions;
   options.in_processes = !arguments.trace;  // which shows what each function takes
+  options.needs_floating_base = !arguments.conventions.empty();
   options.form.name_space = arguments.name_space;
   options.form.scalar = arguments.scalars.front();
   options.form.most_lines = arguments.most_lines;
@@ -266,14 +280,31 @@ std::vector<GeneratedFile> companions(const GenerationResult& result, const Gene
   return files;
 }
 
+// The headers in other conventions. Functions that they leave out are noted.
+std::vector<GeneratedFile> convention_headers(GenerationResult& result, const GenerateArguments& arguments) {
+  std::vector<GeneratedFile> files;
+  for (const std::string& name : arguments.conventions) {
+    ConventionHeader header =
+        convention_header(result.robot.mechanism, functions_of(result), result.form, convention_of(name));
+    files.push_back(std::move(header.file));
+    for (const std::string& each : header.left_out) {
+      result.findings.note({result.robot.robot.file, 0}, "--convention: " + each, "");
+    }
+  }
+  return files;
+}
+
 // All files with their paths.
-std::vector<TextFile> files_to_write(const GenerationResult& result, const std::string& manifest,
+std::vector<TextFile> files_to_write(GenerationResult& result, const std::string& manifest,
                                      const GenerateArguments& arguments) {
   if (arguments.is_to_stdout()) return {{kStdout, result.files.front().text}};
   const std::filesystem::path folder = arguments.folder;
   std::vector<TextFile> files;
   for (const GeneratedFile& file : result.files) files.push_back({folder / file.name, file.text});
   for (const GeneratedFile& file : companions(result, arguments)) files.push_back({folder / file.name, file.text});
+  for (const GeneratedFile& file : convention_headers(result, arguments)) {
+    files.push_back({folder / file.name, file.text});
+  }
   files.push_back({(folder / result.files[0].name).replace_extension(".json"), manifest});
   return files;
 }
@@ -334,6 +365,13 @@ void add_form_options(CLI::App& command, GenerateArguments& arguments) {
                       "a C++17 header, a C99 header and source in one scalar, or a JavaScript module")
           ->check(CLI::IsMember({"c++", "c", "javascript"}))
           ->capture_default_str();
+  command
+      .add_option("--convention", arguments.conventions,
+                  "of C++, with a floating base: also a header with the functions as these programs write pose, "
+                  "velocity, acceleration and force; pose: flatdyn's own, with the pose of the base for gravity")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(convention_names()));
   arguments.form_given =
       command
           .add_option("--form", arguments.form,

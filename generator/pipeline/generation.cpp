@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "conventions/convention_header.hpp"
 #include "emit/limbs.hpp"
 #include "emit/narrowed.hpp"
 #include "report/scene_report.hpp"
@@ -62,6 +63,7 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   progress.step("reading");
   result.robot = load_robot(robot_file, options);
   const LoadedRobot& robot = result.robot;
+  if (options.needs_floating_base) check_conventions_apply(robot.mechanism);
   // Derive, specialise to the scene, optimise: every function in each of its formulations.
   result.functions = make_functions(robot, options, progress, result.findings);
   std::optional<OptimisedFusion> fused;

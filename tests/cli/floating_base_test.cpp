@@ -51,6 +51,25 @@ TEST(FloatingBase, IsRefusedWhereItIsNotSupported) {
   EXPECT_THAT(fixed.err, HasSubstr("--base floating"));
 }
 
+TEST(FloatingBase, HasOtherConventionsInCppOnly) {
+  const Scratch scratch;
+  scratch.write("body.toml", kBody);
+  const std::string generate = "generate " + scratch.path("body.toml") + " --convention ";
+  const std::string out = " -o " + scratch.path("out");
+  const Outcome fixed = run_flatdyn("generate robots/planar_2r.toml --convention mujoco" + out);
+  EXPECT_EQ(fixed.code, 4);
+  EXPECT_THAT(fixed.err, HasSubstr("--convention: the robot has no floating base"));
+  const Outcome c = run_flatdyn(generate + "mujoco --language c" + out);
+  EXPECT_EQ(c.code, 2);
+  EXPECT_THAT(c.err, HasSubstr("--convention: not in C"));
+  EXPECT_EQ(run_flatdyn(generate + "mojoco" + out).code, 2);
+  EXPECT_EQ(run_flatdyn(generate + "mujoco -o -").code, 2);
+  const Outcome alone = run_flatdyn(generate + "mujoco --functions coriolis_matrix" + out);
+  EXPECT_EQ(alone.code, 0);
+  EXPECT_THAT(alone.err,
+              HasSubstr("coriolis_matrix is left out of mujoco: in axes of the world it needs inertia_matrix"));
+}
+
 TEST(FloatingBase, IsConvertedToUrdfAndBack) {
   const Scratch scratch;
   scratch.write("body.toml", kBody);

@@ -7,9 +7,11 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <regex>
+#include <sstream>
 
 #include "flatdyn/reference/newton_euler.hpp"
 #include "input/reader.hpp"
@@ -27,7 +29,8 @@ using Vector = ref::VectorX<double>;
 using Matrix = ref::MatrixX<double>;
 
 constexpr int kNotInstalled = 77;
-constexpr double kClose = 1e-10;  // of the largest entry
+constexpr double kClose = 1e-10;          // of the largest entry
+constexpr double kCloseInDouble = 1e-11;  // for code that is emitted for double
 
 struct MjcfFile {
   std::string name;
@@ -143,10 +146,12 @@ std::vector<FreeState> random_free_states(Eigen::Index n) {
 
 std::vector<double> numbers_of(const Vector& v) { return {v.begin(), v.end()}; }
 
-void expect_close(const Matrix& found, const Matrix& wanted, const char* what) {
+void expect_close(const Matrix& found, const Matrix& wanted, const char* what, double tolerance = kClose) {
   ASSERT_EQ(found.rows(), wanted.rows()) << what;
   const double size = wanted.cwiseAbs().maxCoeff();
-  EXPECT_LE((found - wanted).cwiseAbs().maxCoeff(), kClose * size) << what << ":\n" << found << "\nMuJoCo:\n" << wanted;
+  EXPECT_LE((found - wanted).cwiseAbs().maxCoeff(), tolerance * size) << what << ":\n"
+                                                                      << found << "\nMuJoCo:\n"
+                                                                      << wanted;
 }
 
 class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
@@ -246,6 +251,87 @@ class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
 
   TemporaryFolder folder_;
 };
+
+// A program over a robot's header in MuJoCo's convention: per state it reads q, v and a, and prints B, bias, torques,
+// and the accelerations by these torques.
+constexpr const char* kOfStandardInput = R"(#include <cstdio>
+#include "robot_mujoco.hpp"
+constexpr int n = robot::velocity_count;
+bool read(double* first, int count) {
+  for (int k = 0; k < count; ++k) if (std::scanf("%lf", first + k) != 1) return false;
+  return true;
+}
+void print(const double* first, int count) {
+  for (int k = 0; k < count; ++k) std::printf("%.17g\n", first[k]);
+}
+int main() {
+  double q[n + 1], v[n], a[n], B[n * n], bias[n], tau[n], again[n], next[n + 1], difference[n];
+  while (read(q, n + 1) && read(v, n) && read(a, n)) {
+    robot::mujoco::inertia_matrix(q, B);
+    robot::mujoco::bias(q, v, bias);
+    robot::mujoco::inverse_dynamics(q, v, a, tau);
+    if (!robot::mujoco::forward_dynamics(q, v, tau, again)) return 1;
+    print(B, n * n); print(bias, n); print(tau, n); print(again, n);
+    robot::mujoco::integrate(q, v, 0.7, next);
+    robot::mujoco::difference(q, next, difference);
+    print(next, n + 1); print(difference, n);
+  }
+}
+)";
+
+// Emitted code in MuJoCo's convention, of a file and at states.
+class MujocoConvention : public MujocoFiles {
+ protected:
+  // The numbers that the program prints, state by state.
+  std::vector<double> printed(const fs::path& path, const nlohmann::json& states) {
+    std::string input;
+    for (const nlohmann::json& s : states) {
+      for (const char* name : {"q", "qd", "qdd"}) {
+        for (const double x : s[name].get<std::vector<double>>()) input += fmt::format("{} ", x);
+      }
+    }
+    write_file(folder_.path() / "states", input);
+    write_file(folder_.path() / "main.cpp", kOfStandardInput);
+    const std::string command = fmt::format(
+        "({} generate {} --snap 0 --convention mujoco --name robot --namespace robot -o . --functions inertia_matrix,"
+        "bias,inverse_dynamics,forward_dynamics && g++ -std=c++17 -Wall -Wextra -Werror main.cpp -o main && ./main < "
+        "states > numbers) > log 2>&1",
+        shell_word(FLATDYN_PROGRAM), shell_word(path.string()));
+    if (run_command(command, folder_.path()) != 0) ADD_FAILURE() << content_of_file(folder_.path() / "log");
+    std::istringstream text(content_of_file(folder_.path() / "numbers"));
+    return {std::istream_iterator<double>(text), {}};
+  }
+};
+
+TEST_F(MujocoConvention, IsThatOfMujoco) {
+  const fs::path path = fs::path(FLATDYN_SOURCE_DIR) / ".." / "shared" / "robots" / "mjcf" / "go1.xml";
+  if (!fs::exists(path)) GTEST_SKIP() << "no such file: " << path;
+  constexpr Eigen::Index n = 18;
+  nlohmann::json states = nlohmann::json::array();
+  for (const FreeState& s : random_free_states(n)) states.push_back(s.in_mujoco());
+  const nlohmann::json peer = mujoco(for_mujoco(content_of_file(path), {"go1.xml"}), states);
+  if (peer.empty()) GTEST_SKIP() << "MuJoCo is not installed: npm install @mujoco/mujoco";
+  const std::vector<double> numbers = printed(path, states);
+  ASSERT_EQ(numbers.size(), states.size() * (n * n + 5 * n + 1));
+  const Vector coulomb = vector_of(peer["coulomb"].get<std::vector<double>>());
+  const double* next = numbers.data();
+  const auto taken = [&next](Eigen::Index count) {
+    next += count;
+    return Vector(Eigen::Map<const Vector>(next - count, count));
+  };
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const nlohmann::json& at = peer["states"][k];
+    const auto wanted = [&at](const char* name) { return vector_of(at[name].get<std::vector<double>>()); };
+    const auto state = [&](const char* name) { return vector_of(states[k][name].get<std::vector<double>>()); };
+    const Vector friction = coulomb.cwiseProduct(state("qd").cwiseSign());
+    expect_close(taken(n * n), wanted("B"), "B", kCloseInDouble);
+    expect_close(taken(n), wanted("bias") + friction, "bias", kCloseInDouble);
+    expect_close(taken(n), wanted("tau") + friction, "tau", kCloseInDouble);
+    expect_close(taken(n), state("qdd"), "a", kCloseInDouble);
+    expect_close(taken(n + 1), wanted("next"), "next", kCloseInDouble);
+    expect_close(taken(n), wanted("difference"), "difference", kCloseInDouble);
+  }
+}
 
 class MujocoSharedFiles : public MujocoFiles {};
 

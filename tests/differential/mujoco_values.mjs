@@ -3,6 +3,7 @@
 // MuJoCo is not installed.
 import {readFileSync, writeFileSync} from 'node:fs';
 
+const kTime = 0.7;  // of a step, s
 const kFriction = 4, kLimits = 8, kContacts = 16, kConstraints = 1;  // bits of disableflags
 
 let mujoco;
@@ -24,6 +25,14 @@ function largestGap() {
   return Math.max(0, ...Array.from(data.efc_pos, Math.abs));
 }
 
+// The positions after a step, and the velocity that leads to them in the time 1.
+function stepFrom(q, qd) {
+  const next = mujoco.DoubleBuffer.FromArray(q), difference = new mujoco.DoubleBuffer(n);
+  mujoco.mj_integratePos(model, next, qd, kTime);
+  mujoco.mj_differentiatePos(model, difference, 1, q, Array.from(next.GetView()));
+  return {next: Array.from(next.GetView()), difference: Array.from(difference.GetView())};
+}
+
 function valuesAt({q, qd, qdd}) {
   data.qpos.set(q);
   data.qvel.set(qd);
@@ -35,7 +44,7 @@ function valuesAt({q, qd, qdd}) {
   const bias = Array.from(data.qfrc_bias, (force, i) => force - data.qfrc_passive[i]);
   data.qacc.set(qdd);
   mujoco.mj_inverse(model, data);
-  return {B: Array.from(B.GetView()), bias, tau: Array.from(data.qfrc_inverse), gap};
+  return {B: Array.from(B.GetView()), bias, tau: Array.from(data.qfrc_inverse), gap, ...stepFrom(q, qd)};
 }
 
 const coulomb = Array.from(model.dof_frictionloss);

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "conventions/adaptor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "conventions/coverage.hpp"
+#include "conventions/meanings.hpp"
+#include "diagnostics/table.hpp"
+#include "emit/arguments.hpp"
+#include "emit/languages/cpp_dialect.hpp"
+#include "emit/sections.hpp"
+#include "emit/writer.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr int kPose = 7;  // entries of q that are the base's: position, quaternion
+
+class AdaptorWriter {
+ public:
+  AdaptorWriter(const AdaptedCode& code, std::size_t function)
+      : code_(code),
+        convention_(code.convention),
+        function_(code.functions[function]),
+        text_(code.texts[function]),
+        size_(code.mechanism.size()) {}
+
+  Adaptor written() {
+    write_inputs();
+    const std::string call = core_call(text_, arguments_);
+    const bool has_results = write_results();
+    Adaptor result{comment(), template_parameters(), signature(), "", shape()};
+    result.body = without_newline(body(call, has_results));
+    return result;
+  }
+
+ private:
+  // C of velocities in axes that turn needs B.
+  bool adds_inertia() const { return is_coriolis(function_) && convention_.linear_in_world; }
+  const FunctionText& inertia() const {
+    const auto found = std::find_if(code_.functions.begin(), code_.functions.end(), is_of_inertia);
+    return code_.texts[static_cast<std::size_t>(found - code_.functions.begin())];
+  }
+  bool uses_trigonometry() const { return text_.uses_trigonometry || (adds_inertia() && inertia().uses_trigonometry); }
+
+  // Arguments of the call, and what converts them.
+  void write_inputs() {
+    if (!code_.mechanism.symbols.empty()) parameters_.emplace_back("const Parameters<Scalar>& parameters");
+    for (const InputKind kind : function_.inputs) {
+      const InputArgument argument = input_argument(kind, JointCounts(code_.mechanism));
+      if (kind == InputKind::g_b) {
+        needs_base_ = true;
+        locals_.emplace_back("g_b[3]");
+        conversions_.emplace_back("base.gravity(g_b);");
+        arguments_.emplace_back("g_b");
+        continue;
+      }
+      parameters_.push_back("const Scalar* " + argument.name);
+      if (kind == InputKind::q) {
+        arguments_.push_back(fmt::format("q + {}", kPose));
+      } else if (kind == InputKind::h_e) {
+        convert(argument, "base.to_base_axes(h_e, h_e_b);", "h_e_b");
+      } else if (convention_.is_plain()) {
+        arguments_.push_back(argument.name);
+      } else {
+        const std::string core = argument.name + "_b";
+        convert(argument, fmt::format("base.to_core({}, {});", argument.name, core), core);
+        if (kind == InputKind::v && sees_from_origin()) {
+          conversions_.push_back(fmt::format("base.stop_origin({});", core));
+        }
+      }
+    }
+  }
+
+  void convert(const InputArgument& argument, const std::string& statement, const std::string& core) {
+    needs_base_ = true;
+    locals_.push_back(fmt::format("{}[{}]", core, argument.length));
+    conversions_.push_back(statement);
+    arguments_.push_back(core);
+  }
+
+  // Whether the function is called as from a frame that moves with the base's origin at the moment.
+  bool sees_from_origin() const {
+    return convention_.linear_in_world &&
+           std::any_of(function_.outputs.begin(), function_.outputs.end(), depends_on_acceleration);
+  }
+
+  // Adds the outputs, and what converts them in place. Returns whether there are such statements.
+  bool write_results() {
+    for (std::size_t k = 0; k < text_.outputs.size(); ++k) {
+      const std::string& name = text_.outputs[k].name;
+      parameters_.push_back("Scalar* " + name);
+      const std::string statement = conversion_of(function_.outputs[k], name);
+      if (!statement.empty()) results_.push_back(statement);
+    }
+    if (!results_.empty()) needs_base_ = true;
+    return !results_.empty();
+  }
+
+  std::string conversion_of(const Output& output, const std::string& name) const {
+    switch (output.quantity) {
+      case OutputQuantity::joint_torque:
+      case OutputQuantity::joint_acceleration:
+        return convention_.is_plain() ? "" : fmt::format("base.from_core({});", name);
+      case OutputQuantity::joint_inertia:
+      case OutputQuantity::torque_per_rate:
+        return convention_.is_plain() ? "" : turning(name) + fmt::format("base.both_from_core({});", name);
+      case OutputQuantity::number:
+        return fmt::format("base.turn_frame({});", name);
+      case OutputQuantity::position:
+        return fmt::format("base.move_point({});", name);
+      case OutputQuantity::tip_jacobian:
+      case OutputQuantity::momentum_per_rate:
+        return fmt::format("base.rows_to_world({}, {});", name, output.rows);
+      case OutputQuantity::tip_acceleration:
+      case OutputQuantity::force_and_moment:
+        return fmt::format("base.to_world({});", name);
+      default:
+        return "";
+    }
+  }
+
+  std::string turning(const std::string& name) const {
+    return adds_inertia() ? fmt::format("base.add_turning(B, v_b, {});\n", name) : "";
+  }
+
+  std::string core_call(const FunctionText& text, std::vector<std::string> arguments) const {
+    for (const ArrayArgument& output : text.outputs) arguments.push_back(output.name);
+    return call_of(text, std::move(arguments));
+  }
+
+  std::string call_of(const FunctionText& text, std::vector<std::string> arguments) const {
+    if (!code_.mechanism.symbols.empty()) arguments.insert(arguments.begin(), "parameters");
+    if (text.uses_trigonometry) arguments.emplace_back("sin_cos");
+    return without_newline(list_line(fmt::format("{}::{}::{}(", result_before_call(text), code_.name_space, text.name),
+                                     arguments, ");", 2));
+  }
+
+  // "return " for the last statement that has a value, and "const bool is_valid = " for one that results follow.
+  std::string result_before_call(const FunctionText& text) const {
+    if (text.returns == "void") return "";
+    return text.outputs.empty() || !has_conversions() ? "return " : "const bool is_valid = ";
+  }
+  bool has_conversions() const {
+    for (std::size_t k = 0; k < text_.outputs.size(); ++k) {
+      if (!conversion_of(function_.outputs[k], "x").empty()) return true;
+    }
+    return false;
+  }
+
+  std::string body(const std::string& call, bool has_results) const {
+    std::string lines;
+    if (needs_base_) lines += "  const detail::Base<Scalar> base(q);\n";
+    std::vector<std::string> arrays = locals_;
+    if (adds_inertia()) arrays.push_back(fmt::format("B[{}]", size_ * size_));
+    if (!arrays.empty()) lines += list_line("Scalar ", arrays, ";", kStatementIndent);
+    for (const std::string& statement : conversions_) lines += "  " + statement + "\n";
+    if (adds_inertia()) lines += call_of(inertia(), {fmt::format("q + {}", kPose), "B"}) + "\n";
+    lines += call + "\n";
+    for (const std::string& statement : results_) lines += "  " + with_replaced(statement, "\n", "\n  ") + "\n";
+    if (has_results && text_.returns == "bool") lines += "  return is_valid;\n";
+    return lines;
+  }
+
+  std::string template_parameters() const {
+    return uses_trigonometry() ? "class Scalar, class SinCos = DefaultSinCos" : "class Scalar";
+  }
+
+  std::string signature() const {
+    std::vector<std::string> parameters = parameters_;
+    if (uses_trigonometry()) parameters.emplace_back("const SinCos& sin_cos = {}");
+    return without_newline(
+        list_line(fmt::format("static inline {} {}(", text_.returns, text_.name), parameters, ") noexcept {", 0));
+  }
+
+  // The type of the function, with the length of this convention's q.
+  ShapedFunction shape() const {
+    FunctionText text = text_;
+    std::vector<ArrayArgument> inputs;
+    for (std::size_t k = 0; k < text.inputs.size(); ++k) {
+      const InputKind kind = function_.inputs[k];
+      if (kind == InputKind::g_b) continue;
+      inputs.push_back(text.inputs[k]);
+      if (kind == InputKind::q) inputs.back().length += kPose;
+    }
+    text.inputs = inputs;
+    HeaderScope scope(dialect_);
+    if (!code_.mechanism.symbols.empty()) scope.parameters.emplace_back("parameters");
+    return shaped(function_, text, scope);
+  }
+
+  std::vector<std::string> comment() const {
+    std::vector<std::string> lines = brief_comment(function_);
+    std::vector<std::vector<std::string>> rows;
+    for (const InputKind kind : function_.inputs) {
+      if (kind == InputKind::g_b) continue;
+      const InputArgument argument = input_argument(kind, JointCounts(code_.mechanism));
+      const int length = argument.length + (kind == InputKind::q ? kPose : 0);
+      rows.push_back({fmt::format("{}[{}]", argument.name, length), "in", meaning_of_input(kind, convention_)});
+    }
+    for (std::size_t k = 0; k < text_.outputs.size(); ++k) {
+      Output output = function_.outputs[k];
+      output.name = text_.outputs[k].name;
+      rows.push_back({fmt::format("{}[{}]", text_.outputs[k].name, text_.outputs[k].length), "out",
+                      meaning_of_output(output, convention_)});
+      const std::string layout = layout_text(output);
+      if (!layout.empty()) rows.push_back({"", "", layout});
+    }
+    for (const std::string& line : aligned_lines(rows)) lines.push_back("  " + comment_text(line));
+    const std::string result = text_.result.empty() ? "" : "Returns " + comment_text(text_.result) + ".";
+    for (const std::string& line : wrapped_words(result, kCommentWidth)) lines.push_back(line);
+    if (function_.at_rest) lines.emplace_back("Holds where v = 0, and does not read it.");
+    return lines;
+  }
+
+  const AdaptedCode& code_;
+  const Convention& convention_;
+  const Function& function_;
+  const FunctionText& text_;
+  const int size_;
+  CppDialect dialect_;
+  bool needs_base_ = false;
+  std::vector<std::string> parameters_, arguments_, locals_, conversions_, results_;
+};
+
+}  // namespace
+
+Adaptor adaptor(const AdaptedCode& code, std::size_t function) { return AdaptorWriter(code, function).written(); }
+
+}  // namespace flatdyn

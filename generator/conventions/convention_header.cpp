@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "conventions/convention_header.hpp"
+
+#include <fmt/format.h>
+
+#include "conventions/adaptor.hpp"
+#include "conventions/coverage.hpp"
+#include "conventions/meanings.hpp"
+#include "diagnostics/diagnostics.hpp"
+#include "diagnostics/table.hpp"
+#include "diagnostics/version.hpp"
+#include "emit/languages/cpp_dialect.hpp"
+#include "emit/name_space.hpp"
+#include "emit/page.hpp"
+#include "emit/page_writer.hpp"
+#include "emit/writer.hpp"
+#include "model/field_mechanism.hpp"
+#include "templates.hpp"
+
+namespace flatdyn {
+namespace {
+
+using kainjow::mustache::data;
+
+constexpr int kPoseEntries = 7;
+
+// The paragraphs at the head of the file.
+std::vector<std::string> prose(const Mechanism& mechanism, const Convention& convention) {
+  const std::string base = comment_text(mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)].link);
+  const std::vector<std::string> paragraphs = {
+      fmt::format("Base axes are those of link \"{}\", and its linear velocity is that of its origin, about which the "
+                  "moment is. The quaternion turns base axes into world axes: R(quaternion) x is in world axes what x "
+                  "is in base axes. v^T tau is the power. Tip, centre of mass and momentum are in world axes.",
+                  base),
+      "A quaternion is used as it is, by the polynomials of second degree that are R for unit length: for another "
+      "length R is a rotation times the square of the length, and a term of a result is off by the sixth power at "
+      "most. "
+      "A length that is wrong by 1e-7 makes at most 6.1e-7 of the sum of the terms' magnitudes. integrate() returns "
+      "quaternions of unit length, and has the digits of double.",
+      convention.linear_in_world
+          ? "Torques depend on the velocity of the base's origin through its acceleration only. So where the "
+            "acceleration is an argument, or zero, the functions called are given the base as it is for an observer "
+            "who moves with the origin at the moment: without linear velocity, and no omega x v is added and taken "
+            "away again."
+          : "Velocities of the base are in axes that turn. The acceleration of its origin is its linear part of a plus "
+            "omega x v, in base axes; for spatial vectors a is the spatial acceleration of the base."};
+  std::vector<std::string> lines;
+  for (const std::string& paragraph : paragraphs) {
+    if (!lines.empty()) lines.emplace_back();
+    for (const std::string& line : wrapped_words(paragraph, kCommentWidth)) lines.push_back(" " + line);
+  }
+  return lines;
+}
+
+// The comments of integrate() and difference().
+std::vector<std::string> integrate_comment(const Convention& convention) {
+  const char* const constant =
+      !convention.linear_in_world
+          ? "The entries of v are constant, so the base moves along a screw: the exponential of SE(3)."
+      : convention.angular_in_world
+          ? "The entries of v are constant: the origin moves along a line, and the base turns about an axis "
+            "through it."
+          : "The entries of v are constant: the origin moves along a line, and the base turns about an axis "
+            "through it, as by mj_integratePos().";
+  return wrapped_words(fmt::format("The positions q_next to which v moves the robot from q in the time dt (s). {} "
+                                   "q_next may be q.",
+                                   constant),
+                       kCommentWidth);
+}
+
+std::vector<std::string> difference_comment() {
+  return wrapped_words(
+      "The inverse: v with integrate(q_0, v, 1) = q_1, for quaternions of unit length, such that the base turns by pi "
+      "at most; joints are not wrapped. The entries of v are m and rad. v may be q_0 or q_1.",
+      kCommentWidth);
+}
+
+// The statements that compute R^T g_0.
+std::string gravity_statement(const Vec3& gravity, const Dialect& dialect) {
+  std::string sum;
+  for (std::size_t k = 0; k < gravity.size(); ++k) {
+    if (vanishes(gravity[k])) continue;
+    if (!is_rational(gravity[k])) {
+      throw Failure(ExitCode::unsupported, "--convention: gravity is not a number", "give it by --gravity");
+    }
+    sum += fmt::format("{}R_[{}][k] * {}", sum.empty() ? "" : " + ", k, dialect.literal(to_rational(gravity[k])));
+  }
+  return fmt::format("    for (int k = 0; k < 3; ++k) g_b[k] = {};", sum);
+}
+
+class ConventionWriter {
+ public:
+  ConventionWriter(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
+                   const Convention& convention)
+      : mechanism_(mechanism),
+        options_(options),
+        convention_(convention),
+        texts_(function_texts(*dialect_of(mechanism, options), mechanism, functions, options)),
+        core_(namespace_of(mechanism.name, options.name_space)),
+        code_{mechanism, convention, core_, functions, texts_} {}
+
+  ConventionHeader written() {
+    ConventionHeader result;
+    data page;
+    write_names(page);
+    write_base(page);
+    write_adaptors(page, result.left_out);
+    result.file = {fmt::format("{}_{}.hpp", file_name(mechanism_, options_), convention_.name),
+                   rendered(templates::convention_hpp, page)};
+    return result;
+  }
+
+ private:
+  void write_names(data& page) const {
+    const std::string name_space = core_ + "::" + convention_.name;
+    const std::string core = file_name(mechanism_, options_) + ".hpp";
+    page["opening"] = list_of(wrapped_words(
+        fmt::format("The dynamics of robot \"{}\" in the convention of {}: thin functions over {}. Generated by "
+                    "flatdyn {} with that file; to change it, generate both again.",
+                    comment_text(mechanism_.name), convention_.whose, core, kProgramVersion),
+        kCommentWidth));
+    page["core"] = core;
+    page["namespace"] = name_space;
+    page["guard"] = guard_of(name_space, "hpp",
+                             {kProgramVersion, options_.options_stamp, options_.input_hash, options_.scene_stamp});
+    page["n"] = std::to_string(mechanism_.size());
+    page["table"] = list_of(argument_table());
+    page["prose"] = list_of(prose(mechanism_, convention_));
+  }
+
+  std::vector<std::string> argument_table() const {
+    const auto sized = [](const char* name, int length) { return fmt::format("{}[{}]", name, length); };
+    const int n = mechanism_.size();
+    return aligned_lines({{sized("q", kPoseEntries + mechanism_.position_count()), meaning_of_pose(convention_)},
+                          {sized("v", n), meaning_of_velocity(convention_)},
+                          {sized("a", n), "derivatives of the entries of v"},
+                          {sized("tau", n), meaning_of_force(convention_)}});
+  }
+
+  void write_base(data& page) const {
+    const int first = convention_.scalar_first ? 4 : 3;  // of the vector part
+    page["w"] = std::to_string(convention_.scalar_first ? 3 : 6);
+    page["x"] = std::to_string(first);
+    page["y"] = std::to_string(first + 1);
+    page["z"] = std::to_string(first + 2);
+    page["plain?"] = convention_.is_plain();
+    page["linear_in_world?"] = convention_.linear_in_world;
+    page["angular_in_world?"] = convention_.angular_in_world;
+    page["angular_first?"] = convention_.angular_first;
+    page["screw?"] = !convention_.linear_in_world;
+    page["linear"] = std::string(convention_.angular_first ? "3 + " : "");
+    page["angular"] = std::string(convention_.angular_first ? "" : "3 + ");
+    page["integrate_comment"] = list_of(integrate_comment(convention_));
+    page["difference_comment"] = list_of(difference_comment());
+    page["gravity?"] = mechanism_.has_base_gravity();
+    if (mechanism_.has_base_gravity()) page["gravity"] = gravity_statement(mechanism_.gravity, CppDialect());
+  }
+
+  void write_adaptors(data& page, std::vector<std::string>& left_out) const {
+    data list(data::type::list);
+    std::vector<ShapedFunction> shapes;
+    for (std::size_t k = 0; k < code_.functions.size(); ++k) {
+      const std::string reason = why_not(code_.functions[k], code_.functions, convention_);
+      if (!reason.empty()) {
+        left_out.push_back(fmt::format("{} is left out of {}: {}", code_.functions[k].name, convention_.name, reason));
+        continue;
+      }
+      const Adaptor found = adaptor(code_, k);
+      data item;
+      item["comment"] = list_of(found.comment);
+      item["template_parameters"] = found.template_parameters;
+      item["signature"] = found.signature;
+      item["body"] = found.body;
+      list << item;
+      shapes.push_back(found.shape);
+    }
+    page["functions"] = data(list);
+    write_shapes(page, shapes, core_ + "::" + convention_.name);
+  }
+
+  const Mechanism& mechanism_;
+  const EmitOptions& options_;
+  const Convention& convention_;
+  const std::vector<FunctionText> texts_;
+  const std::string core_;  // its namespace
+  const AdaptedCode code_;
+};
+
+}  // namespace
+
+void check_conventions_apply(const Mechanism& mechanism) {
+  if (!mechanism.floating_base) {
+    throw Failure(ExitCode::unsupported, "--convention: the robot has no floating base",
+                  "leave it out, or use --base floating");
+  }
+  if (mechanism.has_loops()) {
+    throw Failure(ExitCode::unsupported, "--convention: closed loops are not supported", "leave it out");
+  }
+}
+
+ConventionHeader convention_header(const Mechanism& mechanism, const std::vector<Function>& functions,
+                                   const EmitOptions& options, const Convention& convention) {
+  check_conventions_apply(mechanism);
+  return ConventionWriter(mechanism, functions, options, convention).written();
+}
+
+}  // namespace flatdyn

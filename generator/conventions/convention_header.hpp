@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The header with a robot's functions in another convention, over its C++ header.
+#pragma once
+
+#include <vector>
+
+#include "conventions/convention.hpp"
+#include "emit/languages/emit.hpp"
+
+namespace flatdyn {
+
+struct ConventionHeader {
+  GeneratedFile file;                 // "quadruped12_mujoco.hpp"
+  std::vector<std::string> left_out;  // a sentence per function that has no adaptor
+};
+
+// Throws Failure(unsupported) for a robot without a floating base, or with closed loops.
+void check_conventions_apply(const Mechanism& mechanism);
+
+// For a robot with a floating base. `functions`: those of the C++ code that was emitted with these options. Throws
+// what check_conventions_apply() throws, and Failure(unsupported) if gravity is not a number.
+ConventionHeader convention_header(const Mechanism& mechanism, const std::vector<Function>& functions,
+                                   const EmitOptions& options, const Convention& convention);
+
+}  // namespace flatdyn

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "conventions/coverage.hpp"
+
+#include <algorithm>
+
+#include "functions/function_table.hpp"
+
+namespace flatdyn {
+namespace {
+
+bool is_known(InputKind kind) {
+  switch (kind) {
+    case InputKind::q:
+    case InputKind::v:
+    case InputKind::a:
+    case InputKind::tau:
+    case InputKind::h_e:
+    case InputKind::g_b:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool is_known(OutputQuantity quantity) {
+  switch (quantity) {
+    case OutputQuantity::number:
+    case OutputQuantity::position:
+    case OutputQuantity::joint_acceleration:
+    case OutputQuantity::joint_torque:
+    case OutputQuantity::joint_inertia:
+    case OutputQuantity::energy:
+    case OutputQuantity::torque_per_rate:
+    case OutputQuantity::tip_jacobian:
+    case OutputQuantity::tip_acceleration:
+    case OutputQuantity::momentum_per_rate:
+    case OutputQuantity::force_and_moment:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+bool is_of_inertia(const Function& function) {
+  return function.outputs.size() == 1 && function.outputs[0].quantity == OutputQuantity::joint_inertia;
+}
+
+bool is_coriolis(const Function& function) {
+  return function.outputs.size() == 1 && function.outputs[0].quantity == OutputQuantity::torque_per_rate;
+}
+
+bool depends_on_acceleration(const Output& output) {
+  switch (output.quantity) {
+    case OutputQuantity::joint_acceleration:
+    case OutputQuantity::joint_torque:
+    case OutputQuantity::tip_acceleration:
+    case OutputQuantity::force_and_moment:
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::string why_not(const Function& adapted, const std::vector<Function>& all, const Convention& convention) {
+  if (find_row(adapted.name) == nullptr) return "it is a fused function";
+  if (!is_whole(adapted)) return "the scene leaves out some of its entries";
+  const bool knows_all =
+      std::all_of(adapted.inputs.begin(), adapted.inputs.end(), [](InputKind kind) { return is_known(kind); }) &&
+      std::all_of(adapted.outputs.begin(), adapted.outputs.end(),
+                  [](const Output& output) { return is_known(output.quantity); });
+  if (!knows_all) return "its results are flatdyn's own";
+  if (is_coriolis(adapted) && convention.linear_in_world && std::none_of(all.begin(), all.end(), is_of_inertia)) {
+    return "in axes of the world it needs inertia_matrix, too";
+  }
+  return "";
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The functions that conventions have, and what they ask of a function to convert it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "conventions/convention.hpp"
+#include "graph/function.hpp"
+
+namespace flatdyn {
+
+// Whether the only output is B, or C.
+bool is_of_inertia(const Function& function);
+bool is_coriolis(const Function& function);
+
+// Whether the output depends on the acceleration of the base's origin, and on its velocity only through that.
+bool depends_on_acceleration(const Output& output);
+
+// Why the function, one of `all` that are emitted, is not there in a convention; empty if it is.
+std::string why_not(const Function& adapted, const std::vector<Function>& all, const Convention& convention);
+
+}  // namespace flatdyn

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "conventions/meanings.hpp"
+
+#include <fmt/format.h>
+
+namespace flatdyn {
+namespace {
+
+const char* axes(bool in_world) { return in_world ? "world axes" : "base axes"; }
+
+// "base: force (world axes, N), moment (base axes, N m); joints: N m or N".
+std::string meaning_of_base(const Convention& convention, const char* linear, const char* linear_unit,
+                            const char* angular, const char* angular_unit, const char* joints) {
+  const std::string first = fmt::format("{} ({}, {})", linear, axes(convention.linear_in_world), linear_unit);
+  const std::string second = fmt::format("{} ({}, {})", angular, axes(convention.angular_in_world), angular_unit);
+  return fmt::format("base: {}, {}; joints: {}", convention.angular_first ? second : first,
+                     convention.angular_first ? first : second, joints);
+}
+
+const char* momenta(const Convention& convention) {
+  return convention.angular_first ? "moment of momentum about r_G, momentum" : "momentum, its moment about r_G";
+}
+
+}  // namespace
+
+std::string meaning_of_pose(const Convention& convention) {
+  return fmt::format("base: position (world axes, m), quaternion ({}); joints: rad or m",
+                     convention.scalar_first ? "w, x, y, z" : "x, y, z, w");
+}
+
+std::string meaning_of_velocity(const Convention& convention) {
+  return meaning_of_base(convention, "linear", "m/s", "angular", "rad/s", "rad/s or m/s");
+}
+
+std::string meaning_of_force(const Convention& convention) {
+  return meaning_of_base(convention, "force", "N", "moment", "N m", "N m or N");
+}
+
+std::string meaning_of_input(InputKind kind, const Convention& convention) {
+  switch (kind) {
+    case InputKind::q:
+      return meaning_of_pose(convention);
+    case InputKind::v:
+      return meaning_of_velocity(convention);
+    case InputKind::a:
+      return "derivatives of the entries of v";
+    case InputKind::tau:
+      return meaning_of_force(convention);
+    default:
+      return fmt::format("{} that the tip exerts on its environment, world axes",
+                         convention.angular_first ? "moment (N m), then force (N)" : "force (N), then moment (N m)");
+  }
+}
+
+std::string meaning_of_output(const Output& output, const Convention& convention) {
+  const std::string order = convention.angular_first ? "angular, then linear" : "linear, then angular";
+  switch (output.quantity) {
+    case OutputQuantity::joint_torque:
+      return meaning_of_force(convention);
+    case OutputQuantity::number:
+      return "rotation matrix of the frame, from its axes to world axes";
+    case OutputQuantity::position:
+      return output.name == "r_G" ? "centre of mass in the world, m" : "position of the frame's origin in the world, m";
+    case OutputQuantity::tip_jacobian:
+      return output.rows == 3 ? "velocity of the centre of mass by v, world axes"
+                              : "geometric Jacobian in world axes, by v: " + order;
+    case OutputQuantity::tip_acceleration:
+      return "acceleration while a is zero, world axes: " + order;
+    case OutputQuantity::momentum_per_rate:
+      return fmt::format("{}, by v, world axes", momenta(convention));
+    case OutputQuantity::force_and_moment:
+      return fmt::format("rates of these while a is zero, world axes: {}", momenta(convention));
+    default:
+      return output.meaning;
+  }
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The meanings of arguments and results in a convention: axes, order, units.
+#pragma once
+
+#include <string>
+
+#include "conventions/convention.hpp"
+#include "graph/function.hpp"
+
+namespace flatdyn {
+
+// "base: position (world axes, m), quaternion (w, x, y, z); joints: rad or m", and the same for v and tau.
+std::string meaning_of_pose(const Convention& convention);
+std::string meaning_of_velocity(const Convention& convention);
+std::string meaning_of_force(const Convention& convention);
+
+// The meaning of an argument other than g_b, which conventions do not have.
+std::string meaning_of_input(InputKind kind, const Convention& convention);
+std::string meaning_of_output(const Output& output, const Convention& convention);
+
+}  // namespace flatdyn
