@@ -42,7 +42,7 @@ class JointReader {
     const std::string type = this->type();
     if (type == "free" || type == "ball") {
       is_free_ = type == "free" && !is_held(joint_.name, context_);
-      if (is_free_) refuse_spring_of_base();
+      if (is_free_ && context_.options.floating_base.value_or(true)) refuse_forces_of_base();
       if (is_free_ || is_held(joint_.name, context_)) return joint_;
       refuse_joint_type(item_.element->place, item_.what, type, joint_.name, values_);
       return std::nullopt;
@@ -65,11 +65,12 @@ class JointReader {
     return values_.keyword(item_, "type", {"hinge", "slide", "ball", "free"}, "hinge");
   }
 
-  void refuse_spring_of_base() const {
-    const MjcfAttribute* found = values_.find(item_, "stiffness");
-    if (found == nullptr || is_zero_text(found->text)) return;
-    refuse_mjcf(found->place, values_.spot(item_, *found).what + ": a spring of a free joint is not supported",
-                "stiffness", values_);
+  void refuse_forces_of_base() const {
+    for (const char* name : {"stiffness", "damping", "frictionloss", "armature"}) {
+      const MjcfAttribute* found = values_.find(item_, name);
+      if (found == nullptr || is_zero_text(found->text)) continue;
+      refuse_mjcf(found->place, values_.spot(item_, *found).what + ": not supported for a free joint", name, values_);
+    }
   }
 
   // The joint's frame is the body's, with the origin on the axis; `ref` is the position at which it does not move the
