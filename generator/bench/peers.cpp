@@ -61,7 +61,7 @@ bool is_chain(const Mechanism& mechanism) {
   return true;
 }
 
-// Of a floating base, only the last body is one with a mass.
+// The bodies of a floating base before its last one have no mass and are passed over.
 template <class Has>
 bool any_body(const Mechanism& mechanism, Has has) {
   return std::any_of(mechanism.bodies.begin() + std::max(0, mechanism.base_bodies() - 1), mechanism.bodies.end(), has);

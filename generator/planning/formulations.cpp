@@ -88,7 +88,7 @@ bool differentiates_by_position(const FunctionRow& row) {
   });
 }
 
-// What the summary says of a robot with springs.
+// The summary for a robot with springs.
 std::string with_springs(const std::string& summary, const FunctionRow& row) {
   if (row.traits.leaves_out_springs) return summary + ", without springs";
   return replaced(replaced(summary, "+ friction", "+ friction + springs"), "Potential energy of links and rotors",

@@ -57,7 +57,7 @@ bool is_of_joints(CsvQuantity quantity);
 std::string stem_of(CsvQuantity quantity);
 // The name of a column that is about a floating base: "base_vx", "base_dwz", "base_nx"; empty for other entries.
 std::string base_name_of(CsvQuantity quantity, int entry, const Mechanism& mechanism);
-// What a column with an input of functions is of, and its name by number: "q1", "base_vx", "qd7", "m1".
+// The quantity of a column with an input of functions, and its name by number: "q1", "base_vx", "qd7", "m1".
 CsvQuantity quantity_of(InputKind kind);
 std::string column_name(const Input& input, const Mechanism& mechanism);
 // The entry of a joint's quantity that belongs to a joint.

@@ -68,7 +68,7 @@ BodyMotion moved(Frames& frames, int i, const BodyMotion& parent, const JointMot
 
 // The motion of the link of a floating base, in whose acceleration v̇ + ω × v v̇ are derivatives of components in axes
 // that turn. `motion` has one rate only.
-BodyMotion floating_motion(Frames& frames, const JointMotion& motion) {
+BodyMotion motion_of_floating_base(Frames& frames, const JointMotion& motion) {
   Derivation& d = frames.derivation();
   const auto part = [](const std::vector<Number>& twist, std::size_t first) {
     return Vec3{twist[first], twist[first + 1], twist[first + 2]};
@@ -96,7 +96,7 @@ std::vector<BodyMotion> body_motions(Frames& frames, const JointMotion& motion) 
   BodyMotion base;
   base.ddp = frames.derivation().named(Number(-1) * motion.gravity, "ddp_0");  // so that gravity acts on every body
   std::vector<BodyMotion> bodies(static_cast<std::size_t>(frames.mechanism().base_bodies()));
-  if (frames.mechanism().floating_base) bodies.back() = floating_motion(frames, motion);
+  if (frames.mechanism().floating_base) bodies.back() = motion_of_floating_base(frames, motion);
   for (int i = frames.mechanism().base_bodies(); i < frames.mechanism().body_count(); ++i) {
     const int parent = frames.mechanism().bodies[static_cast<std::size_t>(i)].parent;
     bodies.push_back(moved(frames, i, parent < 0 ? base : bodies[static_cast<std::size_t>(parent)], motion));
