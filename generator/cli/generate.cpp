@@ -167,8 +167,13 @@ void check_limbs(const GenerateArguments& arguments) {
   }
 }
 
-// Requires C++ for conventions.
+// Requires C++ for conventions, each named once.
 void check_conventions(const GenerateArguments& arguments) {
+  const std::vector<std::string>& names = arguments.conventions;
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    if (std::find(names.begin(), name, *name) == name) continue;
+    throw Failure(ExitCode::usage, "--convention: \"" + *name + "\" is asked for twice", "name it once");
+  }
   if (arguments.conventions.empty() || arguments.language == "c++") return;
   throw Failure(ExitCode::usage, fmt::format("--convention: not in {}", kLanguages.at(arguments.language).name),
                 "leave it out, or use C++");

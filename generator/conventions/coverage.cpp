@@ -71,6 +71,9 @@ std::string why_not(const Function& adapted, const std::vector<Function>& all, c
       std::all_of(adapted.outputs.begin(), adapted.outputs.end(),
                   [](const Output& output) { return is_known(output.quantity); });
   if (!knows_all) return "its results are flatdyn's own";
+  if (find_row(adapted.name)->traits.depends_on_gravity_only && adapted.outputs[0].quantity == OutputQuantity::energy) {
+    return "it is about the base's origin: add -m g_0^T p to flatdyn's own";
+  }
   if (is_coriolis(adapted) && convention.linear_in_world && std::none_of(all.begin(), all.end(), is_of_inertia)) {
     return "in axes of the world it needs inertia_matrix, too";
   }

@@ -136,6 +136,7 @@ class PageWriter {
     data constants(data::type::list);
     header["loops?"] = mechanism_.has_loops();
     header["floating?"] = mechanism_.floating_base;
+    header["springs?"] = mechanism_.has_springs();
     if (mechanism_.floating_base) {
       content_.exports.emplace_back("velocity_count");
       header["velocity_count"] = std::to_string(mechanism_.size());

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "emit/arguments.hpp"
 #include "emit/literals.hpp"
 #include "emit/partial_output.hpp"
 #include "emit/writer.hpp"
@@ -60,6 +63,15 @@ std::vector<std::string> brief_comment(const Function& function) {
   return wrapped_words(comment_text(function.summary + equation + "."), kCommentWidth);
 }
 
+namespace {
+
+std::string velocity_of(const Function& function) {
+  const bool floats = std::find(function.inputs.begin(), function.inputs.end(), InputKind::v) != function.inputs.end();
+  return input_argument(with_base(InputKind::qd, floats), 0).name;
+}
+
+}  // namespace
+
 std::vector<std::string> function_comment(const Function& function, const FunctionText& text) {
   std::vector<std::string> lines = brief_comment(function);
   for (const std::string& argument : text.arguments) lines.push_back("  " + comment_text(argument));
@@ -67,7 +79,7 @@ std::vector<std::string> function_comment(const Function& function, const Functi
   for (const std::string& line : wrapped_words(result, kCommentWidth)) lines.push_back(line);
   std::string facts =
       "Reads " + text.reads + ". Operations: " + to_string(operations_as_written(function, text.uses_fma)) + ".";
-  if (function.at_rest) facts += " Holds where qd = 0, and does not read it.";
+  if (function.at_rest) facts += " Holds where " + velocity_of(function) + " = 0, and does not read it.";
   facts += task_facts(function.task);
   facts += partial_output_text(function, text.outputs);
   for (std::size_t o = 0; o < function.outputs.size(); ++o) facts += zeros(function, o, text);
@@ -85,7 +97,8 @@ std::vector<std::string> call_example(const FunctionText& text, const ExampleCal
   std::vector<std::string> lines;
   std::string declarations, call = how.parameters.empty() ? "" : how.parameters_argument;
   const auto add = [&](const ArrayArgument& array, const std::string& initial) {
-    declarations += fmt::format("{}{}[{}]{}", declarations.empty() ? "" : ", ", array.name, array.length, initial);
+    declarations += fmt::format("{}{}[{}]{}", declarations.empty() ? "" : ", ", array.name,
+                                std::max(array.length, decltype(array.length)(1)), initial);
     call += (call.empty() ? "" : ", ") + array.name;
   };
   for (const ArrayArgument& array : text.inputs) add(array, " = " + how.zeros);

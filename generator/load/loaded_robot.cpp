@@ -39,8 +39,9 @@ void refuse_loops(const LoadedRobot& model, const std::string& what) {
 
 void refuse_floating_base(const LoadedRobot& model, const std::string& what) {
   if (!model.mechanism.floating_base) return;
-  throw Failure(ExitCode::unsupported, what + ": robots with a floating base are not supported yet",
-                "inspect, generate, verify and eval know them; --base fixed holds the base still");
+  throw Failure(
+      ExitCode::unsupported, what + ": robots with a floating base are not supported yet",
+      "inspect, convert, generate, verify, eval, bench and stress know them; --base fixed holds the base still");
 }
 
 void refuse_springs(const LoadedRobot& model, const std::string& what) {

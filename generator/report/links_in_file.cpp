@@ -101,8 +101,9 @@ std::string friction_text(const Body& body, const Mechanism& mechanism, const Nu
                                  number(body.coulomb), unit);
   if (!vanishes(body.armature)) text += fmt::format("  reflected inertia {}\n", number(body.armature));
   if (!vanishes(body.stiffness)) {
-    text += fmt::format("  spring k = {} {}{}, q_0 = {} {}\n", number(body.stiffness), unit,
-                        body.prismatic ? "/m" : "/rad", number(body.spring_reference), body.prismatic ? "m" : "rad");
+    text += fmt::format("  spring k = {} {}{}, q_0 = {} {}{}\n", number(body.stiffness), unit,
+                        body.prismatic ? "/m" : "/rad", number(body.spring_reference), body.prismatic ? "m" : "rad",
+                        mechanism.is_coupled() ? ", less the constant part of a coupled joint's position" : "");
   }
   if (!body.rotor) return text;
   const int carrier = body.rotor->carrier;

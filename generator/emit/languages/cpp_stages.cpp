@@ -31,7 +31,7 @@ std::vector<std::string> example(const std::vector<StageText>& stages, const std
     const bool first_has_parameters = k == 0 && make.parameters.size() > make.inputs.size() + 1;
     lines.push_back(
         k == 0 ? fmt::format("const auto here = {}::at({}q);", name_space, first_has_parameters ? "parameters, " : "")
-               : "const auto moving = here.with(qd);");
+               : fmt::format("const auto moving = here.with({});", make.inputs.front().name));
     for (const StageMember& member : stages[k].members) lines.push_back(call(kNames[k], member.text));
   }
   return lines;

@@ -36,8 +36,9 @@ ChristoffelSymbols christoffel_at_coordinates(DerivationContext& context) {
 }
 
 Function finished_coriolis(DerivationContext& context, const std::vector<NodeId>& entries) {
+  const std::string others = context.mechanism.has_springs() ? "gravity, friction and springs" : "gravity and friction";
   const std::string meaning = context.mechanism.floating_base
-                                  ? "dB/dt - 2 C is skew-symmetric, and C v is the bias without gravity and friction"
+                                  ? "dB/dt - 2 C is skew-symmetric, and C v is the bias without " + others
                                   : "c_ij = sum_k c_ijk qd_k, so that dB/dt - 2 C is skew-symmetric";
   return finished(context, {matrix_output("C", context.size(), context.size(), entries, meaning)});
 }
