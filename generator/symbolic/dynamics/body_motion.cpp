@@ -66,8 +66,8 @@ BodyMotion moved(Frames& frames, int i, const BodyMotion& parent, const JointMot
   return body;
 }
 
-// The motion of the link of a floating base, in whose acceleration v̇ + ω × v v̇ are derivatives of components in axes
-// that turn. `motion` has one rate only.
+// The motion of the link of a floating base. Its origin's acceleration is v̇ + ω × v, as v̇ has the derivatives of
+// components in axes that turn. `motion` has one rate only.
 BodyMotion motion_of_floating_base(Frames& frames, const JointMotion& motion) {
   Derivation& d = frames.derivation();
   const auto part = [](const std::vector<Number>& twist, std::size_t first) {
