@@ -118,7 +118,9 @@ class PageWriter {
     }
     header["stamp"] = list_of(stamp);
     header["joint_table"] = list_of(joint_table(mechanism_));
-    header["writes"] = list_of(partial_output_rule(functions_, dialect_.outputs_may_overlap_inputs()));
+    std::vector<Function> whole;  // without the parts of kernels
+    for (std::size_t k = 0; k < functions_.size() && !options_.is_kernel_part(k); ++k) whole.push_back(functions_[k]);
+    header["writes"] = list_of(partial_output_rule(whole, dialect_.outputs_may_overlap_inputs()));
     header["facts"] = list_of(wrapped_words(facts_of(mechanism_, options_.scene_facts), kCommentWidth));
     header["guard"] = guard_of(namespace_, dialect_.files().front().ending.substr(1),
                                {version, options_.options_stamp, options_.input_hash, options_.scene_stamp});

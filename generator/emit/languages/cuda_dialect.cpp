@@ -150,9 +150,9 @@ std::vector<std::string> batch_example_of(const CodeContent& content) {
   for (const ArrayArgument& output : text.outputs) arguments.push_back(output.name);
   if (text.returns == "Scalar") arguments.emplace_back("results");
   if (text.returns == "bool") arguments.emplace_back("valid");
-  const std::string call = fmt::format("flatdyn::cuda::for_each_state<{}::functions::{}, {}>(", content.name_space,
-                                       text.name, content.options.scalar);
-  return lines_of(list_line("const cudaError_t error = " + call, arguments, ");", 0));
+  const std::string call = fmt::format("flatdyn::cuda::for_each_state<Function, {}>(", content.options.scalar);
+  return lines_of(fmt::format("using Function = {}::functions::{};\n", content.name_space, text.name) +
+                  list_line("cudaError_t error = " + call, arguments, ");", 0));
 }
 
 }  // namespace
