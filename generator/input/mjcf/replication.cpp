@@ -9,7 +9,7 @@ namespace flatdyn {
 
 namespace {
 
-constexpr std::size_t kMostElements = 100000;
+constexpr std::size_t kMostElements = 10000;
 
 std::size_t element_count(const MjcfElement& element) {
   std::size_t count = 1;
@@ -64,7 +64,7 @@ class Replicator {
       elements += count * size;
       return false;
     }
-    diagnostics_.unsupported(replicate_.place, "<replicate>: more than 100000 elements are not supported",
+    diagnostics_.unsupported(replicate_.place, "<replicate>: more than 10000 elements are not supported",
                              "write a smaller count");
     return true;
   }
