@@ -11,7 +11,7 @@ namespace flatdyn {
 
 namespace {
 
-std::string text_of(const Place& place) {
+std::string place_text_of(const Place& place) {
   return place.line > 0 ? fmt::format("{}:{}", place.file, place.line) : place.file;
 }
 
@@ -22,9 +22,9 @@ class PlacesText {
     if (place.file.empty()) return;
     const bool is_same = !text_.empty() && place == last_;
     if (is_same) {
-      text_.insert(text_.size() - text_of(last_).size() - 1, ", " + what);
+      text_.insert(text_.size() - place_text_of(last_).size() - 1, ", " + what);
     } else {
-      text_ += (text_.empty() ? "" : "; ") + what + " " + text_of(place);
+      text_ += (text_.empty() ? "" : "; ") + what + " " + place_text_of(place);
     }
     last_ = place;
   }
@@ -42,7 +42,7 @@ class PlacesText {
   Place last_;
 };
 
-std::string places_of(const Link& link) {
+std::string places_of_part(const Link& link) {
   PlacesText places;
   for (const Inertial& inertial : link.inertials) {
     places.add("inertia", inertial.place);
@@ -51,7 +51,7 @@ std::string places_of(const Link& link) {
   return places.text();
 }
 
-std::string places_of(const Joint& joint) {
+std::string places_of_part(const Joint& joint) {
   PlacesText places;
   places.add("joint", joint.place);
   places.add("viscous friction", joint.viscous);
@@ -74,10 +74,10 @@ std::string places_of(const Joint& joint) {
 std::string describe_places(const Robot& robot) {
   std::vector<std::vector<std::string>> rows = {{"where it is written", ""}};
   for (const Link& link : robot.links) {
-    if (!link.inertials.empty()) rows.push_back({"link \"" + link.name + "\"", places_of(link)});
+    if (!link.inertials.empty()) rows.push_back({"link \"" + link.name + "\"", places_of_part(link)});
   }
   for (const Joint& joint : robot.joints) {
-    if (joint.type != JointType::fixed) rows.push_back({"joint \"" + joint.name + "\"", places_of(joint)});
+    if (joint.type != JointType::fixed) rows.push_back({"joint \"" + joint.name + "\"", places_of_part(joint)});
   }
   return aligned_table(rows);
 }

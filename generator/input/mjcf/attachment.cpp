@@ -146,7 +146,7 @@ class Attachment {
     section(to).children.push_back(element);
   }
 
-  // Of a part of a model, what acts on that part alone.
+  // A part of a model comes with what acts on that part alone.
   void add_section(const char* name) {
     for (const MjcfElement* holder : other_.elements(name)) {
       for (const MjcfElement& child : holder->children) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What <replicate> and <attach> stand for: copies of elements, and models of other files, in the tree of elements.
+// <replicate> and <attach> in the tree of elements: copies of elements, and models of other files.
 #pragma once
 
 #include "input/mjcf/values.hpp"

@@ -23,7 +23,7 @@ T value_at(const std::string& bytes, std::size_t offset) {
   return value;
 }
 
-// Of the size that its count of triangles says.
+// Its size is the one that its count of triangles says.
 bool is_binary_stl(const std::string& bytes) {
   if (bytes.size() < kHeader + 4) return false;
   const auto count = static_cast<std::size_t>(value_at<std::uint32_t>(bytes, kHeader));

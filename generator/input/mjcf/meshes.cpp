@@ -104,8 +104,9 @@ class SolidReader {
         (folder / (model_.settings.strips_path ? fs::path(file.text).filename().string() : file.text)).string();
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
-      diagnostics_.error(file.place, item_.what + ": there is no file \"" + path + "\"",
-                         "put it there, or write an <inertial> of the body, which is needed then; --ignore mesh leaves meshes out");
+      diagnostics_.error(
+          file.place, item_.what + ": there is no file \"" + path + "\"",
+          "put it there, or write an <inertial> of the body, which is needed then; --ignore mesh leaves meshes out");
       return std::nullopt;
     }
     std::vector<std::string>& files = model_.robot.files;

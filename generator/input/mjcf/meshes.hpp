@@ -11,7 +11,7 @@ class MjcfMeshes {
  public:
   explicit MjcfMeshes(const MjcfModel& model) : model_(model) {}
 
-  // Of a mesh, with the orientation of its file's frame in the frame in which its moments are; each is read once.
+  // The moments of a mesh, which is read once.
   struct Solid {
     Pose frame;  // in which the moments are, in the geom's
     MeshMoments moments;

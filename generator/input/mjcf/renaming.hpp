@@ -16,10 +16,10 @@ using MjcfNames = std::map<std::string, std::set<std::string>>;
 // The names of all elements in one. Free joints are joints.
 MjcfNames mjcf_names_in(const MjcfElement& element);
 
-// What an attribute refers to: "joint" of joint1; "" of one that names nothing of the above.
+// The kind of what an attribute refers to: "joint" of joint1; "" of one that names nothing of the above.
 std::string mjcf_reference_kind(const std::string& attribute);
 
-// Whether an element of <equality>, <tendon> or <actuator> refers to some of these names, and to none else.
+// How many of these names an element of <equality>, <tendon> or <actuator> refers to, and how many others.
 struct MjcfReferences {
   int inside = 0, outside = 0;
 };

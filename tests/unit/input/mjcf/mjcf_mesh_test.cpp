@@ -19,7 +19,7 @@ std::string with_mesh(const std::string& mesh, const std::string& geom = "") {
          R"(<geom type="mesh" mesh="m" )" + geom + "/></body></worldbody></mujoco>";
 }
 
-class MjcfMeshes : public RobotFiles {
+class MjcfMeshInertia : public RobotFiles {
  protected:
   Inertial inertial(const std::string& mesh, const std::string& geom = "") {
     return read("r.xml", with_mesh(mesh, geom)).links.back().inertials.at(0);
@@ -45,9 +45,9 @@ std::string exact_summary(const Inertial& inertial) {
   return text.str();
 }
 
-TEST_F(MjcfMeshes, AreExact) {
+TEST_F(MjcfMeshInertia, AreExact) {
   write("p.obj", kPyramid);
-  // Of the mass m and the legs a, b, c: centre (a, b, c)/4, xx = 3 m (b² + c²)/80, xy = m a b/80.
+  // With the mass m and the legs a, b, c: centre (a, b, c)/4, xx = 3 m (b² + c²)/80, xy = m a b/80.
   const char* wanted = "6 at 1/4 1/2 3/4: 117/40 9/4 9/8 3/20 9/40 9/20";
   for (const char* volume : {"", R"(inertia="exact")", R"(inertia="legacy")"}) {
     EXPECT_EQ(exact_summary(inertial(std::string(R"(file="p.obj" )") + volume, R"(mass="6")")), wanted) << volume;
@@ -56,7 +56,7 @@ TEST_F(MjcfMeshes, AreExact) {
             "6 at 5/2 1/20 3/4: 1017/500 981/40 22509/1000 3/20 9/4 9/200");
 }
 
-TEST_F(MjcfMeshes, AreTheSameInAllForms) {
+TEST_F(MjcfMeshInertia, AreTheSameInAllForms) {
   const char* faces = R"(vertex="0 0 0  1 0 0  0 2 0  0 0 3" face="0 2 1  0 1 3  0 3 2  1 2 3")";
   const float corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}};
   std::string ascii = "solid p\n", binary(80, ' ');
@@ -84,13 +84,13 @@ TEST_F(MjcfMeshes, AreTheSameInAllForms) {
   }
 }
 
-TEST_F(MjcfMeshes, NameTheBodyThatNeedsAnInertial) {
+TEST_F(MjcfMeshInertia, NameTheBodyThatNeedsAnInertial) {
   const std::string message = error_of(R"(file="missing.stl")");
   EXPECT_THAT(message, HasSubstr("body \"a\", geom, mesh \"m\": there is no file"));
   EXPECT_THAT(message, HasSubstr("<inertial>"));
 }
 
-TEST_F(MjcfMeshes, AreRefusedWhereTheirInertiaIsAnother) {
+TEST_F(MjcfMeshInertia, AreRefusedWhereTheirInertiaIsAnother) {
   write("p.obj", kPyramid);
   EXPECT_THAT(error_of(R"(file="p.obj" inertia="convex")"), HasSubstr("inertia=\"convex\" is not supported"));
   EXPECT_THAT(error_of(R"(file="p.obj" inertia="shell")"), HasSubstr("inertia=\"shell\" is not supported"));
@@ -102,7 +102,7 @@ TEST_F(MjcfMeshes, AreRefusedWhereTheirInertiaIsAnother) {
   EXPECT_THAT(error_of(R"(file="p.dae")"), HasSubstr("other than .stl and .obj"));
 }
 
-TEST_F(MjcfMeshes, AreErrorsWhereTheyEncloseNothing) {
+TEST_F(MjcfMeshInertia, AreErrorsWhereTheyEncloseNothing) {
   const auto message = [this](const std::string& obj) {
     write("p.obj", obj);
     return error_of(R"(file="p.obj" inertia="exact")");
