@@ -214,6 +214,9 @@ void RobotArguments::add_settings_to(CLI::App& command) {
   command.add_option("--model", model_name, "the model of an SDF file that has several")
       ->check(kNotEmpty)
       ->type_name("NAME");
+  command.add_option("--keyframe", keyframe, "the keyframe of an MJCF file near which its closed loops are closed")
+      ->check(kNotEmpty)
+      ->type_name("NAME");
   // The option -Werror as compilers spell it: CLI11 would read -W with the value "error".
   command
       .add_option_function<std::string>(
@@ -389,13 +392,16 @@ std::string RobotArguments::stamp_of_settings(const std::vector<OptimisedFunctio
                 {"--fix", fmt::format("{}", fmt::join(fixed_joints, " --fix "))},
                 {"--xacro", fmt::format("{}", fmt::join(xacro, " --xacro "))},
                 {"--ignore", fmt::format("{}", fmt::join(ignored, " --ignore "))},
-                {"--model", model_name}});
+                {"--model", model_name},
+                {"--keyframe", keyframe}});
 }
 
 std::vector<std::string> RobotArguments::settings(const LoadedRobot& model) const {
-  if (model.robot.file == kStandardInput || !xacro.empty() || !ignored.empty() || !model_name.empty()) {
+  if (model.robot.file == kStandardInput || !xacro.empty() || !ignored.empty() || !model_name.empty() ||
+      !keyframe.empty()) {
     throw Failure(ExitCode::usage,
-                  "a robot file cannot name a robot that comes from stdin, or with --xacro, --ignore or --model",
+                  "a robot file cannot name a robot that comes from stdin, or with --xacro, --ignore, --model or "
+                  "--keyframe",
                   "write the robot to a file first: xacro FILE NAME:=VALUE > robot.urdf");
   }
   const Scene& wanted = model.robot.scene;
@@ -460,6 +466,7 @@ PipelineOptions RobotArguments::options() const {
   if (!tip.empty()) options.read.tip = tip;
   if (!base.empty()) options.read.floating_base = base == "floating";
   if (!model_name.empty()) options.read.model = model_name;
+  if (!keyframe.empty()) options.read.keyframe = keyframe;
   options.read.scene.locked = fixed_options(fixed_joints);
   options.warnings_are_errors = warnings_are_errors;
   options.in_processes = true;

@@ -30,6 +30,7 @@ struct RobotArguments : OutputStyle {
   std::vector<std::string> ignored;
   bool warnings_are_errors = false;
   std::string model_name;  // --model
+  std::string keyframe;    // --keyframe
 
   void add_to(CLI::App& command);
   void add_settings_to(CLI::App& command);  // adds all options but the robot itself

@@ -93,6 +93,13 @@ void check_identify_usage(const IdentifyArguments& arguments) {
         "in one direction adds the same constant to its torques as an offset does",
         "give one of them");
   }
+  if (arguments.further.springs && (arguments.further.law == FrictionLaw::asymmetric || arguments.further.offsets)) {
+    throw Failure(
+        ExitCode::usage,
+        "--springs cannot be told apart from --offsets and --friction asymmetric: where a spring is relaxed is "
+        "a constant in its joint's torques",
+        "give one of them");
+  }
   if (arguments.parameters == "inertial" && arguments.friction != "coulomb") {
     throw Failure(ExitCode::usage, "--friction has no effect with --parameters inertial, which has no friction",
                   "give --parameters full");
@@ -111,6 +118,9 @@ void check_options_for(const Mechanism& mechanism, const IdentifyArguments& argu
   const Vec3& g = mechanism.gravity;
   if (arguments.gravity_direction && std::all_of(g.begin(), g.end(), vanishes)) {
     throw Failure(ExitCode::usage, "--gravity-direction: the robot is without gravity, which has no direction then");
+  }
+  if (mechanism.is_coupled() && arguments.further.springs) {
+    throw Failure(ExitCode::unsupported, "--springs is for robots without coupled joints and closed loops");
   }
   if (mechanism.has_loops() && (arguments.gravity_direction || arguments.estimator == "iv")) {
     throw Failure(ExitCode::unsupported, "--gravity-direction and --estimator iv are for robots without closed loops");
@@ -287,6 +297,16 @@ class Logs {
   bool reported_ = false;
 };
 
+// By joint; empty if they were not estimated.
+std::vector<IdentifiedSpring> springs_of(const TorqueEquations& equations, const Eigen::VectorXd& values) {
+  std::vector<IdentifiedSpring> springs;
+  Eigen::Index next = equations.parameters() - equations.corrections() - equations.static_parameters();
+  for (int i = 0; i < equations.equations() && equations.further().springs; ++i, next += 2) {
+    springs.push_back({values(next), values(next + 1)});
+  }
+  return springs;
+}
+
 // The lines of a report as comments, wide tables and all.
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -299,7 +319,8 @@ TextFile robot_file(const IdentifyArguments& arguments, const LoadedRobot& robot
                     const Identification& found) {
   IdentifiedRobot about{arguments.output,
                         {fmt::format("Identified by flatdyn {} from measured motion.", kProgramVersion), ""},
-                        arguments.settings(robot)};
+                        arguments.settings(robot),
+                        springs_of(equations, found.physical_values())};
   const std::string report = describe_identification(equations, found, parameter_frames(arguments.frames));
   for (const std::string& line : lines_of(report)) about.comments.push_back(line);
   if (!found.warning_texts.empty()) about.comments.emplace_back();
@@ -330,7 +351,7 @@ std::vector<TextFile> result_files(const IdentifyArguments& arguments, const Loa
 // Finds unknowns in which the torques are not linear, or loads the model if there are none.
 NonlinearFit fit_of_unknowns(IdentifyArguments& arguments, LoadedRobot robot, Logs& logs, Progress& progress) {
   const NonlinearOptions options{arguments.gravity_direction, arguments.delay, arguments.further.law,
-                                 arguments.further.offsets};
+                                 arguments.further.offsets, arguments.further.springs};
   if (!options.any()) {
     auto model = std::make_unique<TorqueModel>(robot, arguments.identification.set, progress);
     return {std::move(robot), std::move(model), arguments.further};
@@ -361,7 +382,7 @@ ExitCode identify(IdentifyArguments arguments) {
   if (!arguments.part.empty()) read_part(arguments.part, stream);
   LoadedRobot robot = load_robot(arguments.robot, arguments.options());
   refuse_floating_base(robot, "identify");
-  refuse_springs(robot, "identify");
+  if (!arguments.further.springs) refuse_springs(robot, "identify", "--springs estimates them; ");
   check_files(arguments, robot.robot);
   print_diagnostics(robot.diagnostics, arguments);
   arguments.note_function_keys(robot);
@@ -450,6 +471,8 @@ Run add_identify(CLI::App& app) {
       ->check(CLI::IsMember({"coulomb", "asymmetric", "stribeck", "smooth"}))
       ->capture_default_str();
   command->add_flag("--offsets", arguments->further.offsets, "also a constant offset of each joint's torques");
+  command->add_flag("--springs", arguments->further.springs,
+                    "also the stiffness k of each joint's spring, and k q_0, which says where it is relaxed");
   command->add_flag("--delay", arguments->delay, "also the time by which all torques are late; reads the logs again");
   command
       ->add_option("--estimator", arguments->estimator,

@@ -6,6 +6,7 @@
 #include "report/describe.hpp"
 #include "report/json_text.hpp"
 #include "report/links_in_file.hpp"
+#include "report/places_in_file.hpp"
 #include "verify/rounded_angles.hpp"
 #include "verify/snap_effect.hpp"
 
@@ -36,7 +37,8 @@ ExitCode inspect(const InspectArguments& arguments) {
     print_result(describe_model(model, effects, SnapDetail::each) + "\n" + describe_bodies(model.mechanism, frames) +
                  "\n" + describe_base(model.mechanism, set, frames));
   } else {
-    print_result(describe_model(model, effects, SnapDetail::each) + "\n" + describe_links(model));
+    print_result(describe_model(model, effects, SnapDetail::each) + "\n" + describe_links(model) +
+                 (arguments.verbose ? "\n" + describe_places(model.robot) : ""));
   }
   return ExitCode::ok;
 }

@@ -51,6 +51,16 @@ class LagrangianRegressor {
     return rows_at_coordinates(mechanism_, Y);
   }
 
+  // Y_s of the torques k q - k q_0 of springs, n x 2 for every body: the derivatives by q of ½ k q² - k q_0 q.
+  Matrix<F> springs() const {
+    Matrix<F> Y(body_count(), 2 * body_count());
+    for (int i = 0; i < body_count(); ++i) {
+      Y(i, 2 * i) = q_[static_cast<std::size_t>(i)].d;
+      Y(i, 2 * i + 1) = -F(1);
+    }
+    return rows_at_coordinates(mechanism_, Y);
+  }
+
  private:
   template <class S>
   struct Motion {

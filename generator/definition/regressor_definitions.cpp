@@ -43,6 +43,19 @@ class RegressorDefinition {
     return entries;
   }
 
+  // Y_s of the joints' springs. Angles are among the positions of joints that have a spring.
+  Values spring_columns() const {
+    Mechanism sprung = point_.mechanism;
+    for (Body& body : sprung.bodies) body.stiffness = 1;
+    const LagrangianRegressor<F> lagrangian(point_.lagrangian.mechanism(), joint_points(sprung, point_.arithmetic));
+    const Matrix<F> Y = lagrangian.springs();
+    Values entries;
+    for (int i = 0; i < Y.rows(); ++i) {
+      for (int k = 2 * point_.mechanism.base_bodies(); k < Y.cols(); ++k) entries.push_back(Y(i, k));
+    }
+    return entries;
+  }
+
   // Y with the columns zero of parameters that the model does not have, as in Y_b K.
   Values given_columns(const Matrix<F>& Y) const {
     const std::vector<bool> given = parameters_in(point_.mechanism, ParameterSet::given);
@@ -158,6 +171,13 @@ constexpr Definition compared_in_all_columns(AllColumns) {
 
 constinit const Definition regressor = {
     .expected = rules([](auto& at, const Output&) { return regressors_at(at).all_columns(); }),
+    .found = kOwnValues,
+    .degree_factor = no_factor,
+    .is_over_parameters = true,
+};
+
+constinit const Definition spring_regressor = {
+    .expected = rules([](auto& at, const Output&) { return regressors_at(at).spring_columns(); }),
     .found = kOwnValues,
     .degree_factor = no_factor,
     .is_over_parameters = true,

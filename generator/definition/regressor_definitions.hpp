@@ -7,6 +7,7 @@
 
 namespace flatdyn::definitions {
 
-extern const Definition regressor, base_regressor, base_parameters, inverse_dynamics_base, adaptive_regressor;
+extern const Definition regressor, base_regressor, base_parameters, inverse_dynamics_base, adaptive_regressor,
+    spring_regressor;
 
 }  // namespace flatdyn::definitions

@@ -25,6 +25,7 @@ enum class Extent {
   task_rows,        // the directions of the task
   parameters,       // 13 per joint, and ten of a floating base
   base_parameters,  // the entries of π_b
+  springs,          // 2 per joint
 };
 
 struct OutputRow {

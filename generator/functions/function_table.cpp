@@ -325,6 +325,16 @@ const std::vector<FunctionRow> kRows = {
      .definition = definitions::inverse_dynamics_base,
      .reference = references::inverse_dynamics_base,
      .traits = {.on_request = true, .uses_base_parameters = true, .leaves_out_springs = true}},
+    {.name = "spring_regressor",
+     .summary =
+         "Y_s(q) with Y_s pi_s the torques of the joints' springs, pi_s the stiffness k and k q_0 of every joint",
+     .equation = "",
+     .inputs = {q},
+     .outputs = {matrix("Y_s", Extent::joints, Extent::springs, OutputQuantity::torque_per_parameter)},
+     .derivation = {.from_mechanism = derive_spring_regressor},
+     .definition = definitions::spring_regressor,
+     .reference = references::spring_regressor,
+     .traits = {.on_request = true}},
     {.name = "adaptive_regressor",
      .summary = "Y_b(q, qd, qd_r, qdd_r) with B qdd_r + C qd_r + g + friction at qd_r = Y_b pi_b",
      .equation = "(7.81)",
@@ -402,6 +412,8 @@ int extent_of(Extent extent, const Mechanism& mechanism, const Function& functio
       return static_cast<int>(parameter_indices(mechanism).size());
     case Extent::base_parameters:
       return base_parameters(mechanism).size();
+    case Extent::springs:
+      return 2 * (mechanism.body_count() - mechanism.base_bodies());
   }
   return 0;
 }

@@ -263,8 +263,7 @@ std::vector<std::vector<double>> friction_dictionary(const TorqueEquations& equa
 }
 
 FrictionSpeeds friction_speeds(const TorqueEquations& equations, const Measurement& measurement) {
-  const int parameters = equations.model().parameters(),
-            offsets = equations.further().offsets ? equations.equations() : 0;
+  const int parameters = equations.model().parameters(), offsets = equations.static_parameters();
   const Index linear = parameters + offsets;
   const std::vector<Dictionary> dictionaries = dictionaries_of(equations, linear);
   const auto joints = static_cast<std::size_t>(equations.equations());

@@ -43,6 +43,7 @@ class NonlinearSearch {
     load_model();
     fit_.further.law = options.law;
     fit_.further.offsets = options.offsets;
+    fit_.further.springs = options.springs;
   }
 
   NonlinearFit run() {
@@ -57,7 +58,10 @@ class NonlinearSearch {
  private:
   // The equations without corrections; with Coulomb friction while the law has no speeds yet.
   FurtherParameters plain() const {
-    FurtherParameters further{.law = fit_.further.law, .speeds = fit_.further.speeds, .offsets = options_.offsets};
+    FurtherParameters further{.law = fit_.further.law,
+                              .speeds = fit_.further.speeds,
+                              .offsets = options_.offsets,
+                              .springs = options_.springs};
     if (has_speed(further.law) && further.speeds.empty()) further.law = FrictionLaw::coulomb;
     return further;
   }
@@ -108,7 +112,8 @@ class NonlinearSearch {
     const TorqueEquations linear(*fit_.model, plain());
     const TorqueEquations equations(*fit_.model, {.law = options_.law,
                                                   .offsets = options_.offsets,
-                                                  .dictionary = friction_dictionary(linear, measured(linear))});
+                                                  .dictionary = friction_dictionary(linear, measured(linear)),
+                                                  .springs = options_.springs});
     const Measurement measurement = measured(equations);
     progress_.step("finding the speeds of the friction law");
     FrictionSpeeds found = friction_speeds(equations, measurement);

@@ -21,6 +21,7 @@ struct NonlinearOptions {
   bool gravity = false, delay = false;
   FrictionLaw law = FrictionLaw::coulomb;  // its speeds are unknown, if it has some
   bool offsets = false;
+  bool springs = false;
 
   bool any() const { return gravity || delay || has_speed(law); }
 };

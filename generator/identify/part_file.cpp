@@ -39,8 +39,10 @@ Eigen::MatrixXd upper_triangle(const ordered_json& list, Eigen::Index size) {
 
 // The settings that all parts must share to be joined.
 ordered_json settings(const StreamOptions& options, const FurtherParameters& further) {
-  ordered_json json = {
-      {"parts", options.parts}, {"offsets", further.offsets}, {"friction", static_cast<int>(further.law)}};
+  ordered_json json = {{"parts", options.parts},
+                       {"offsets", further.offsets},
+                       {"springs", further.springs},
+                       {"friction", static_cast<int>(further.law)}};
   json["band"] = options.band ? ordered_json(*options.band) : ordered_json();
   json["rest_speed"] = options.rest_speed;
   json["decimate"] = options.decimate ? ordered_json(*options.decimate) : ordered_json();

@@ -17,6 +17,7 @@ TorqueEquations::TorqueEquations(const TorqueModel& model, FurtherParameters fur
   for (int i = 0; i < model.joints() && further_.offsets; ++i) {
     terms_[static_cast<std::size_t>(i)].push_back({add_name(fmt::format("offset{}", i + 1)), Term::Kind::constant});
   }
+  for (int i = 0; i < model.joints() && further_.springs; ++i) add_spring(i);
   const auto before = static_cast<int>(names_.size());
   add_corrections();
   parameters_ = static_cast<int>(names_.size());
@@ -72,6 +73,17 @@ void TorqueEquations::add_law(int joint) {
   }
 }
 
+// k q - k q_0, linear in k and k q_0.
+void TorqueEquations::add_spring(int joint) {
+  std::vector<Term>& terms = terms_[static_cast<std::size_t>(joint)];
+  terms.push_back({add_name(fmt::format("k{}", joint + 1)), Term::Kind::position});
+  terms.push_back({add_name(fmt::format("kq{}", joint + 1)), Term::Kind::relaxed});
+}
+
+int TorqueEquations::static_parameters() const {
+  return further_.springs ? 2 * equations() : further_.offsets ? equations() : 0;
+}
+
 void TorqueEquations::add_corrections() {
   const auto law =
       further_.law == FrictionLaw::smooth ? FrictionEntry::Law::smooth_slope : FrictionEntry::Law::stribeck_slope;
@@ -108,6 +120,12 @@ void TorqueEquations::place_terms() {
 Eigen::VectorXd TorqueEquations::file_values() const {
   Eigen::VectorXd values = Eigen::VectorXd::Zero(parameters());
   std::copy(model_.file_values().begin(), model_.file_values().end(), values.begin());
+  if (!further_.springs) return values;
+  Eigen::Index next = parameters() - corrections() - static_parameters();
+  for (const Body& body : model_.mechanism().joints()) {
+    values(next++) = nearest_double(body.stiffness);
+    values(next++) = nearest_double(body.stiffness * body.spring_reference);
+  }
   return values;
 }
 
@@ -133,9 +151,11 @@ void TorqueEquations::evaluate(const MeasuredMotion& motion, double* entries, do
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     for (const Term& term : terms_[i]) {
       const bool is_of_model = term.column < model_.parameters();
-      *entries++ = is_of_model                        ? row[term.column]
-                   : term.kind == Term::Kind::gravity ? of_gravity(static_cast<Eigen::Index>(i), term.slope)
-                                                      : 1;
+      *entries++ = is_of_model                         ? row[term.column]
+                   : term.kind == Term::Kind::gravity  ? of_gravity(static_cast<Eigen::Index>(i), term.slope)
+                   : term.kind == Term::Kind::position ? motion.q[i]
+                   : term.kind == Term::Kind::relaxed  ? -1
+                                                       : 1;
     }
     row += model_.parameters();
   }

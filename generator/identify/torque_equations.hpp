@@ -27,22 +27,26 @@ struct FurtherParameters {
   std::vector<double> speed_factors{};
   std::shared_ptr<const GravityColumns> gravity{};  // null: gravity counts as exact
   bool delay = false;                               // of the torques, s
+  bool springs = false;  // the stiffness k of each joint's spring and k q_0; not with offsets, which say the same
 };
 
 // Y_b(q, q̇, q̈) π_b + J_eᵀ h_e = τ, (7.81), with one equation per joint. Behind π_b come the law's further parameter of
-// each joint that has friction (F_a or F_b), or the dictionary's, then the offsets, and then corrections: of v by joint
-// (rad/s or m/s), of gravity's direction (GravityColumns), and of the delay (s).
+// each joint that has friction (F_a or F_b), or the dictionary's, then the offsets, or k and k q_0 of each joint's
+// spring, and then corrections: of v by joint (rad/s or m/s), of gravity's direction (GravityColumns), and of the delay
+// (s).
 class TorqueEquations : public EquationModel {
  public:
   explicit TorqueEquations(const TorqueModel& model, FurtherParameters further = {});
 
   const TorqueModel& model() const { return model_; }
   const FurtherParameters& further() const { return further_; }
-  // The names of all parameters: "I1zz", …, "Fa1", …, "offset1", …, "v1", …, "gravity1", …, "delay"
+  // The names of all parameters: "I1zz", …, "Fa1", …, "offset1", …, "k1", "kq1", …, "v1", …, "gravity1", …, "delay"
   const std::vector<std::string>& names() const { return names_; }
   // The number of corrections, which are the last parameters.
   int corrections() const { return corrections_; }
-  // The file's π_b, and zeros behind it.
+  // The number of parameters between those of friction and the corrections: of offsets or springs.
+  int static_parameters() const;
+  // The file's π_b, its springs, and zeros elsewhere behind it.
   Eigen::VectorXd file_values() const;
   AccelerationRows acceleration_rows() const;
 
@@ -55,7 +59,7 @@ class TorqueEquations : public EquationModel {
  private:
   // An entry of an equation.
   struct Term {
-    enum class Kind : std::uint8_t { regressor, constant, friction, gravity, rate };
+    enum class Kind : std::uint8_t { regressor, constant, friction, gravity, rate, position, relaxed };
     int column = 0;
     Kind kind = Kind::regressor;
     FrictionEntry friction{};
@@ -64,6 +68,7 @@ class TorqueEquations : public EquationModel {
 
   void add_joint(int joint);
   void add_law(int joint);
+  void add_spring(int joint);
   void add_corrections();
   void add_friction(int joint, int column, FrictionEntry::Law law, double factor = 1);
   int add_name(std::string name);

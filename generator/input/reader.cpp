@@ -133,6 +133,12 @@ void check_ignored(const ReadContext& context) {
   throw Failure(ExitCode::usage, "--ignore has no effect: no MJCF file is read", "leave it out");
 }
 
+void check_keyframe(const ReadContext& context) {
+  if (!context.options.keyframe || context.mjcf_was_read || context.diagnostics.has_errors()) return;
+  throw Failure(ExitCode::usage, "--keyframe " + *context.options.keyframe + " has no effect: no MJCF file is read",
+                "leave it out");
+}
+
 void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   const std::optional<Source> source = context.options.sources->read(file, context.diagnostics);
   if (!source) return;
@@ -148,6 +154,7 @@ void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   context.options.sources->check_arguments();
   check_model_option(context);
   check_ignored(context);
+  check_keyframe(context);
   if (robot.links.empty() && context.diagnostics.has_errors()) return;
   apply_to_joints(robot.scene, context.diagnostics, robot);
   hold_joints(context, robot);

@@ -44,12 +44,13 @@ void refuse_floating_base(const LoadedRobot& model, const std::string& what) {
       "inspect, convert, generate, verify, eval, bench and stress know them; --base fixed holds the base still");
 }
 
-void refuse_springs(const LoadedRobot& model, const std::string& what) {
+void refuse_springs(const LoadedRobot& model, const std::string& what, const std::string& remedy) {
   for (const Body& body : model.mechanism.bodies) {
     if (vanishes(body.stiffness)) continue;
-    throw Failure(ExitCode::unsupported,
-                  fmt::format("{}: springs are not supported yet, and joint \"{}\" has one", what, body.joint),
-                  "a scene with springs = false leaves them out: measured torques must then be without theirs");
+    throw Failure(
+        ExitCode::unsupported,
+        fmt::format("{}: springs are not supported yet, and joint \"{}\" has one", what, body.joint),
+        remedy + "a scene with springs = false leaves them out: measured torques must then be without theirs");
   }
 }
 

@@ -35,7 +35,8 @@ void refuse_loops(const LoadedRobot& model, const std::string& what);
 // The same for robots with a floating base.
 void refuse_floating_base(const LoadedRobot& model, const std::string& what);
 
-// Throws Failure(unsupported) if a joint has a spring, naming `what` does not support it.
-void refuse_springs(const LoadedRobot& model, const std::string& what);
+// Throws Failure(unsupported) if a joint has a spring, naming `what` does not support it. remedy: another one,
+// "--springs estimates them; ".
+void refuse_springs(const LoadedRobot& model, const std::string& what, const std::string& remedy = "");
 
 }  // namespace flatdyn

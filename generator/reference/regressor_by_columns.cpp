@@ -67,6 +67,24 @@ class UnitInertials {
 };
 
 template <class S>
+reference::Joint<S>& joint_of_body(reference::Robot<S>& robot, int i) {
+  return *std::find_if(robot.joints.begin(), robot.joints.end(),
+                       [i](const reference::Joint<S>& each) { return each.index == i; });
+}
+
+// A matrix with two columns for each unit.
+template <class S, class Columns>
+reference::MatrixX<S> two_by_two(const std::vector<std::array<reference::Robot<S>, 2>>& units, const Columns& columns) {
+  reference::MatrixX<S> result;
+  for (std::size_t k = 0; k < units.size(); ++k) {
+    const std::array<reference::VectorX<S>, 2> pair = columns(units[k]);
+    if (k == 0) result.resize(pair[0].size(), static_cast<Eigen::Index>(2 * units.size()));
+    for (std::size_t j = 0; j < 2; ++j) result.col(static_cast<Eigen::Index>(2 * k + j)) = pair[j];
+  }
+  return result;
+}
+
+template <class S>
 reference::Robot<S> unit_robot(const Mechanism& mechanism, reference::Robot<S> robot, const GiNaC::exmap& symbols,
                                int index) {
   const int i = joint_of(index);
@@ -75,8 +93,7 @@ reference::Robot<S> unit_robot(const Mechanism& mechanism, reference::Robot<S> r
         UnitInertials<S>(written_frame(mechanism, i), symbols)(parameter_of(index));
     return robot;
   }
-  reference::Joint<S>& joint = *std::find_if(robot.joints.begin(), robot.joints.end(),
-                                             [i](const reference::Joint<S>& each) { return each.index == i; });
+  reference::Joint<S>& joint = joint_of_body(robot, i);
   switch (parameter_of(index)) {
     case Parameter::Im:
       (mechanism.bodies[static_cast<std::size_t>(i)].rotor ? joint.rotor.inertia : joint.armature) = S(1);
@@ -188,6 +205,38 @@ reference::MatrixX<S> RegressorReference<S>::adaptive_matrix(const StateOf<S>& s
   return by_columns(units_, state, [&](const auto& unit) { return adaptive_column(unit, state); });
 }
 
+template <class S>
+SpringRegressorReference<S>::SpringRegressorReference(const Mechanism& mechanism, const reference::Robot<S>& robot) {
+  for (int i = mechanism.base_bodies(); i < mechanism.body_count(); ++i) {
+    std::array<reference::Robot<S>, 2> unit = {without_parameters(robot), without_parameters(robot)};
+    for (std::size_t k = 0; k < 2; ++k) {
+      reference::Joint<S>& joint = joint_of_body(unit[k], i);
+      joint.stiffness = S(1);
+      joint.spring_q_0 = S(static_cast<int>(k));
+    }
+    units_.push_back(unit);
+  }
+}
+
+template <class S>
+reference::MatrixX<S> SpringRegressorReference<S>::matrix(const StateOf<S>& state) const {
+  const reference::VectorX<S> q = vector_of(state.q);
+  return two_by_two<S>(units_, [&](const auto& relaxed_at) -> std::array<reference::VectorX<S>, 2> {
+    const reference::VectorX<S> zero = reference::VectorX<S>::Zero(relaxed_at[0].size());
+    const reference::VectorX<S> at_0 = reference::inverse_dynamics(relaxed_at[0], q, zero, zero);
+    return {at_0, reference::inverse_dynamics(relaxed_at[1], q, zero, zero) - at_0};
+  });
+}
+
+reference::MatrixX<double> magnitudes(const SpringRegressorReference<double>& of, const State& state) {
+  const auto q = vector_of(state.q);
+  return two_by_two<double>(of.units(), [&](const auto& relaxed_at) -> std::array<reference::VectorX<double>, 2> {
+    const reference::VectorX<double> zero = reference::VectorX<double>::Zero(relaxed_at[0].size());
+    return {reference::torque_magnitude(relaxed_at[0], q, zero, zero),
+            reference::torque_magnitude(relaxed_at[1], q, zero, zero)};
+  });
+}
+
 reference::MatrixX<double> magnitudes(const RegressorReference<double>& of, const State& state) {
   const auto q = vector_of(state.q), qd = vector_of(state.qd), qdd = vector_of(state.qdd);
   return by_columns(of.units(), state, [&](const auto& unit) { return reference::torque_magnitude(unit, q, qd, qdd); });
@@ -200,6 +249,9 @@ reference::MatrixX<double> adaptive_magnitudes(const RegressorReference<double>&
 template class RegressorReference<float>;
 template class RegressorReference<double>;
 template class RegressorReference<Real50>;
+template class SpringRegressorReference<float>;
+template class SpringRegressorReference<double>;
+template class SpringRegressorReference<Real50>;
 template BaseValues<float> base_values_of(const Mechanism&, const SymbolValues&);
 template BaseValues<double> base_values_of(const Mechanism&, const SymbolValues&);
 template BaseValues<Real50> base_values_of(const Mechanism&, const SymbolValues&);

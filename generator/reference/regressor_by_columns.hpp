@@ -3,6 +3,7 @@
 // parameters zero but π_k = 1. The mechanism only tells which frames the parameters refer to.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "model/mechanism.hpp"
@@ -38,6 +39,23 @@ class RegressorReference {
 reference::MatrixX<double> magnitudes(const RegressorReference<double>& of, const State& state);
 reference::MatrixX<double> adaptive_magnitudes(const RegressorReference<double>& of, const State& state);
 
+// Y_s of the torques k q - k q_0 of all joints' springs.
+template <class S>
+class SpringRegressorReference {
+ public:
+  SpringRegressorReference(const Mechanism& mechanism, const reference::Robot<S>& robot);
+
+  reference::MatrixX<S> matrix(const StateOf<S>& state) const;
+
+  // By joint: the written robot without parameters but a spring of the stiffness 1 that is relaxed at 0, and at 1.
+  const std::vector<std::array<reference::Robot<S>, 2>>& units() const { return units_; }
+
+ private:
+  std::vector<std::array<reference::Robot<S>, 2>> units_;
+};
+
+reference::MatrixX<double> magnitudes(const SpringRegressorReference<double>& of, const State& state);
+
 // π_b, and the sums of the absolute values of its terms.
 template <class S>
 struct BaseValues {
@@ -49,6 +67,9 @@ BaseValues<S> base_values_of(const Mechanism& mechanism, const SymbolValues& sym
 extern template class RegressorReference<float>;
 extern template class RegressorReference<double>;
 extern template class RegressorReference<Real50>;
+extern template class SpringRegressorReference<float>;
+extern template class SpringRegressorReference<double>;
+extern template class SpringRegressorReference<Real50>;
 
 extern template BaseValues<float> base_values_of(const Mechanism&, const SymbolValues&);
 extern template BaseValues<double> base_values_of(const Mechanism&, const SymbolValues&);

@@ -62,6 +62,19 @@ ReferenceFunction<double> parameter_magnitudes_of(const ReferenceModel<double>& 
   return [pi_b = base_values_of<double>(model.mechanism, model.symbols)](const State&) { return pi_b.magnitudes; };
 }
 
+template <class S>
+ReferenceFunction<S> springs_of(const ReferenceModel<S>& model, const Function&) {
+  return [Y = SpringRegressorReference<S>(model.mechanism, model.robot)](const StateOf<S>& state) {
+    return row_by_row(Y.matrix(state));
+  };
+}
+
+ReferenceFunction<double> spring_magnitudes_of(const ReferenceModel<double>& model, const Function&) {
+  return [Y = SpringRegressorReference<double>(model.mechanism, model.robot)](const State& state) {
+    return row_by_row(magnitudes(Y, state));
+  };
+}
+
 }  // namespace
 
 constinit const NumericReference regressor = matrix_with<RegressorColumns::all>();
@@ -72,5 +85,7 @@ constinit const NumericReference inverse_dynamics_base = {torques_of<float>, tor
                                                           torque_magnitudes_of, true};
 constinit const NumericReference adaptive_regressor = {adaptive_matrix_of<float>, adaptive_matrix_of<double>,
                                                        adaptive_matrix_of<Real50>, adaptive_magnitudes_of, true};
+constinit const NumericReference spring_regressor = {springs_of<float>, springs_of<double>, springs_of<Real50>,
+                                                     spring_magnitudes_of, true};
 
 }  // namespace flatdyn::references

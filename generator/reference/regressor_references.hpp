@@ -6,6 +6,7 @@
 
 namespace flatdyn::references {
 
-extern const NumericReference regressor, base_regressor, base_parameters, inverse_dynamics_base, adaptive_regressor;
+extern const NumericReference regressor, base_regressor, base_parameters, inverse_dynamics_base, adaptive_regressor,
+    spring_regressor;
 
 }  // namespace flatdyn::references

@@ -82,6 +82,8 @@ std::string meaning_of(const TorqueEquations& equations, const std::string& name
   const char* const of_law = equations.further().law == FrictionLaw::asymmetric
                                  ? "half of what Coulomb friction forwards has more than backwards"
                                  : "what friction near rest has more than F_s";
+  if (name.starts_with("kq")) return "stiffness of the joint's spring times the position where it is relaxed";
+  if (name.front() == 'k') return "stiffness of the joint's spring";
   return name.front() == 'o' ? "added to all torques of the joint" : of_law;
 }
 

@@ -31,7 +31,7 @@ class RobotText {
     if (model_.robot.has_payload) line("payload = { mass = 0 }  # in its link, below");
     for (int i = 0; i < model_.mechanism.body_count(); ++i) add_link(i);
     for (const LinkFrame& link : model_.mechanism.links) add_merged(link);
-    for (int i = 0; i < model_.mechanism.body_count(); ++i) add_joint(i);
+    for (int i = 0; i < model_.mechanism.body_count(); ++i) add_joint(i, about);
     return text_;
   }
 
@@ -94,7 +94,14 @@ class RobotText {
          toml_string(model_.mechanism.bodies[static_cast<std::size_t>(link.body)].link) + ", and is part of it");
   }
 
-  void add_joint(int i) {
+  // A negative stiffness is no spring's: the file then has none.
+  static std::string spring_text(const IdentifiedSpring& spring) {
+    if (spring.stiffness <= 0) return fmt::format("stiffness = 0  # the estimate is {:.6g}\n", spring.stiffness);
+    return fmt::format("stiffness = {}\nspring_reference = {}\n", spring.stiffness,
+                       spring.relaxed_torque / spring.stiffness);
+  }
+
+  void add_joint(int i, const IdentifiedRobot& about) {
     const Body& body = model_.mechanism.bodies[static_cast<std::size_t>(i)];
     std::string values;
     // Subtracts an entry of the file that the estimate was made without.
@@ -110,6 +117,7 @@ class RobotText {
     } else {
       add(Parameter::Im, "armature", body.armature);
     }
+    if (!about.springs.empty()) values += spring_text(about.springs[static_cast<std::size_t>(i)]);
     if (!values.empty()) text_ += "\n[[joint]]\nname = " + toml_string(body.joint) + "\n" + values;
   }
 

@@ -49,6 +49,7 @@ TEST(Identify, RefusesOptionsWithoutAnEffect) {
        {std::pair<std::string, const char*>{" --validate " + log, "that log is one of --data, too"},
         {" --parameters inertial --friction stribeck", "--friction has no effect with --parameters inertial"},
         {" --gravity off --gravity-direction", "the robot is without gravity"},
+        {" --springs --offsets", "--springs cannot be told apart from --offsets"},
         {" --friction asymmetric --offsets", "--friction asymmetric and --offsets cannot be told apart"},
         {" --rest-speed nan", "must be a number from 0"},
         {" --rest-speed -1", "must be a number from 0"}}) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
@@ -95,6 +96,41 @@ TEST_F(SpringsOfARobot, AreRefusedByIdentification) {
   const Outcome outcome = run("excite", "--duration 5 -o " + scratch.path("e.csv"));
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("excite: springs are not supported yet, and joint \"shoulder\" has one"));
+}
+
+// A log of the robot with springs, and the same robot without them: what is estimated is written, and moves alike.
+TEST_F(SpringsOfARobot, AreIdentifiedOnRequest) {
+  scratch.write("plain.toml", arm(false));
+  const auto flatdyn = [](const std::string& command) {
+    const Outcome outcome = run_flatdyn(command);
+    EXPECT_EQ(outcome.code, 0) << command << "\n" << outcome.err;
+    return outcome;
+  };
+  const std::string plain = scratch.path("plain.toml"), log = scratch.path("log.csv"),
+                    found = scratch.path("found.toml");
+  flatdyn(fmt::format("excite {} -q --duration 8 --evaluations 50 -o {}", plain, scratch.path("")));
+  flatdyn(fmt::format("torques {} -q --trajectory {} -o {}", scratch.path("arm.toml"),
+                      scratch.path("arm_excitation.csv"), log));
+  const Outcome outcome = flatdyn(fmt::format("identify {} -q --json --springs --data {} -o {}", plain, log, found));
+  for (const json& each : json::parse(outcome.out)["further_parameters"]) {
+    const std::map<std::string, double> wanted = {{"k1", 12}, {"kq1", 3.6}, {"k2", 200}, {"kq2", 0}};
+    EXPECT_NEAR(each["value"], wanted.at(each["name"]), 1e-6) << each;
+  }
+  const std::string inspected = flatdyn("inspect " + found).out;
+  EXPECT_THAT(inspected, HasSubstr("spring k = 12"));
+  EXPECT_THAT(inspected, HasSubstr("spring k = 200"));
+}
+
+TEST_F(SpringsOfARobot, HaveARegressorOfTheirOwn) {
+  const Outcome outcome = run("verify -q --json --states 4 --functions spring_regressor");
+  ASSERT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+  EXPECT_TRUE(json::parse(outcome.out)["functions"][0]["proven"]);
+  for (const char* robot : {"five_bar.toml", "finger.toml", "quadruped12.urdf --base floating"}) {
+    const Outcome other = run_flatdyn(fmt::format(
+        "verify {}/robots/{} -q --json --states 2 --functions spring_regressor", FLATDYN_SOURCE_DIR, robot));
+    ASSERT_EQ(other.code, 0) << robot << other.err << other.out;
+    EXPECT_TRUE(json::parse(other.out)["functions"][0]["proven"]) << robot;
+  }
 }
 
 TEST_F(SpringsOfARobot, AreCertified) {

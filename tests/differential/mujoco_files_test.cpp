@@ -30,6 +30,7 @@ using Matrix = ref::MatrixX<double>;
 
 constexpr int kNotInstalled = 77;
 constexpr double kClose = 1e-10;          // of the largest entry
+constexpr double kCloseOnAxes = 1e-6;     // of meshes, which MuJoCo turns onto principal axes to some 1e-6 rad
 constexpr double kCloseInDouble = 1e-11;  // for code that is emitted for double
 
 struct MjcfFile {
@@ -168,7 +169,7 @@ class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
 
   // The values at states as MuJoCo has them; empty where it is not installed.
   nlohmann::json mujoco(const std::string& xml, const nlohmann::json& states) {
-    const nlohmann::json input = {{"xml", xml}, {"states", states}};
+    const nlohmann::json input = {{"xml", xml}, {"files", files_}, {"states", states}};
     write_file(folder_.path() / "in.json", input.dump());
     const std::string script = std::string(FLATDYN_SOURCE_DIR) + "/tests/differential/mujoco_values.mjs";
     const int status = run_command("node " + shell_word(script) + " in.json out.json > log 2>&1", folder_.path());
@@ -178,21 +179,26 @@ class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
   }
 
   void compare(const fs::path& path, const MjcfFile& file) {
+    compare(path, file, for_mujoco(content_of_file(path), file));
+  }
+
+  // xml: the text for MuJoCo.
+  void compare(const fs::path& path, const MjcfFile& file, const std::string& xml) {
     std::optional<Robot> robot = read(path, file);
     ASSERT_TRUE(robot.has_value());
-    if (robot->floating_base) return compare_floating(*robot, for_mujoco(content_of_file(path), file));
+    if (robot->floating_base) return compare_floating(*robot, xml);
     const bool has_loops = !robot->loops.empty();
     robot->loops.clear();
     const ref::Robot<double> numbers = reference_robot<double>(*robot, {});
     const Coordinates c = coordinates_of(*robot, numbers);
     const std::vector<JointState> states = random_states(numbers.size());
-    const nlohmann::json peer = mujoco(for_mujoco(content_of_file(path), file), states, c);
+    const nlohmann::json peer = mujoco(xml, states, c);
     if (peer.empty()) GTEST_SKIP() << "MuJoCo is not installed: npm install @mujoco/mujoco";
     expect_same(numbers, c, states, peer, has_loops);
   }
 
-  static void expect_same(const ref::Robot<double>& numbers, const Coordinates& c,
-                          const std::vector<JointState>& states, const nlohmann::json& peer, bool has_loops) {
+  void expect_same(const ref::Robot<double>& numbers, const Coordinates& c, const std::vector<JointState>& states,
+                   const nlohmann::json& peer, bool has_loops) const {
     const Eigen::Index n = c.factors.rows();
     ASSERT_EQ(peer["n"].get<Eigen::Index>(), n);
     const Vector coulomb = vector_of(peer["coulomb"].get<std::vector<double>>());
@@ -205,9 +211,9 @@ class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
       const auto wanted = [&](const char* name) {
         return Vector(c.factors.transpose() * (vector_of(at[name].get<std::vector<double>>()) + friction));
       };
-      expect_close(ref::inertia_matrix(numbers, s.q), c.factors.transpose() * B * c.factors, "B");
-      expect_close(ref::bias(numbers, s.q, s.qd), wanted("bias"), "bias");
-      expect_close(ref::inverse_dynamics(numbers, s.q, s.qd, s.qdd), wanted("tau"), "tau");
+      expect_close(ref::inertia_matrix(numbers, s.q), c.factors.transpose() * B * c.factors, "B", tolerance_);
+      expect_close(ref::bias(numbers, s.q, s.qd), wanted("bias"), "bias", tolerance_);
+      expect_close(ref::inverse_dynamics(numbers, s.q, s.qd, s.qdd), wanted("tau"), "tau", tolerance_);
       if (has_loops) continue;  // they are open at these states
       EXPECT_LE(at["gap"].get<double>(), kClose);
     }
@@ -249,8 +255,142 @@ class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
     expect_close(T * ref::inverse_dynamics(numbers, s.q, s.v, s.a), wanted("tau"), "tau");
   }
 
+  // A file beside main.xml, for both.
+  void add_file(const std::string& name, const std::string& bytes) {
+    write_file(folder_.path() / name, bytes);
+    files_[name] = std::vector<unsigned char>(bytes.begin(), bytes.end());
+  }
+
+  void compare_text(const std::string& xml, double tolerance = kClose) {
+    tolerance_ = tolerance;
+    write_file(folder_.path() / "main.xml", xml);
+    compare(folder_.path() / "main.xml", {"main.xml"}, xml);
+  }
+
+  // Masses, centres and principal moments of bodies of one inertial each; the first body is the world.
+  void compare_bodies(const std::string& xml) {
+    write_file(folder_.path() / "main.xml", xml);
+    const std::optional<Robot> robot = read(folder_.path() / "main.xml", {"main.xml"});
+    ASSERT_TRUE(robot.has_value());
+    const nlohmann::json peer = mujoco(xml, nlohmann::json::array());
+    if (peer.empty()) GTEST_SKIP() << "MuJoCo is not installed: npm install @mujoco/mujoco";
+    const ref::Robot<double> numbers = reference_robot<double>(*robot, {});
+    ASSERT_EQ(numbers.links.size(), peer["bodies"].size());
+    for (std::size_t k = 1; k < numbers.links.size(); ++k) {
+      expect_same_inertia(numbers.links[k].inertials.at(0), peer["bodies"][k]);
+    }
+  }
+
+  static void expect_same_inertia(const ref::Inertial<double>& found, const nlohmann::json& wanted) {
+    expect_close(Vector::Constant(1, found.mass), Vector::Constant(1, wanted["mass"].get<double>()), "mass");
+    expect_close(found.r_C, vector_of(wanted["com"].get<std::vector<double>>()), "centre");
+    const Eigen::SelfAdjointEigenSolver<ref::Matrix3<double>> eigen(found.inertia);
+    expect_close(eigen.eigenvalues(), vector_of(wanted["moments"].get<std::vector<double>>()), "moments");
+  }
+
   TemporaryFolder folder_;
+  double tolerance_ = kClose;
+  nlohmann::json files_ = nlohmann::json::object();
 };
+
+TEST_F(MujocoFiles, CopiesStandWhereMujocoPutsThem) {
+  compare_text(R"(<mujoco><default><joint damping=".3"/></default><worldbody>
+    <body name="hub"><joint name="h" axis="1 0 1"/><geom size=".1"/>
+      <replicate count="3" offset=".4 .1 0" euler="10 20 30" sep="-">
+        <body name="a" pos="0 .5 0"><joint name="j" axis="0 1 0"/><geom type="box" size=".1 .2 .3"/>
+          <body name="b" pos="0 0 .3"><joint name="k"/><geom size=".1" pos=".1 0 0"/></body></body>
+      </replicate></body></worldbody>
+    <actuator><motor joint="j" armature=".5" gear="2"/></actuator>
+    <equality><joint joint1="k" joint2="j" polycoef="0 .5 0 0 0"/></equality></mujoco>)");
+}
+
+TEST_F(MujocoFiles, CopiesOfCopiesStandWhereMujocoPutsThem) {
+  compare_text(R"(<mujoco><default><default class="q"><joint damping="4"/></default></default><worldbody>
+    <body name="hub"><joint name="h" axis="1 0 0"/><geom size=".1"/><frame pos="0 0 .5">
+      <replicate count="2" offset=".3 0 0" sep="-" childclass="q"><frame pos="0 0 .1">
+        <replicate count="3" euler="0 0 40"><body name="a" pos="0 .5 0"><joint name="j" axis="0 1 0"/>
+          <geom type="capsule" size=".1 .2" pos=".1 .2 0"/></body></replicate></frame>
+        <geom name="g" size=".2"/></replicate></frame></body></worldbody></mujoco>)");
+}
+
+TEST_F(MujocoFiles, AttachedModelsMoveAsInMujoco) {
+  add_file("arm.xml", R"(<mujoco model="arm"><default><joint damping="2" armature=".3"/>
+    <default class="k"><joint armature=".5"/></default></default>
+    <worldbody><geom size=".1"/><body name="base" childclass="k" pos="0 0 1"><geom size=".1" pos=".1 0 0"/>
+      <joint name="j" axis="1 1 0"/><body name="tip" pos="1 0 0" euler="17 0 0"><geom type="box" size=".1 .2 .3"/>
+        <joint name="i" axis="0 1 0"/></body></body></worldbody>
+    <actuator><motor joint="j" armature=".1" gear="3"/></actuator>
+    <equality><joint joint1="j" joint2="i"/></equality></mujoco>)");
+  compare_text(R"(<mujoco><asset><model name="s" file="arm.xml"/></asset>
+    <default><joint damping="7" frictionloss="3"/></default>
+    <worldbody><body name="hub" euler="10 0 0"><joint name="h" axis="0 1 0"/><geom size=".1"/>
+      <frame pos="0 0 .4" euler="0 20 0"><attach model="s" prefix="l_"/></frame>
+      <attach model="s" body="tip" prefix="r_"/></body></worldbody></mujoco>)");
+}
+
+using MeshPoint = std::array<float, 3>;
+using MeshTriangle = std::array<MeshPoint, 3>;
+
+// An L of plates, whose centroid does not see all of its faces.
+std::vector<MeshTriangle> bracket_of_plates() {
+  const std::vector<std::array<float, 2>> outline = {{0, 0}, {3, 0}, {3, .25}, {.25, .25}, {.25, 4}, {0, 4}};
+  const float thick = .5;
+  const auto at = [&](std::size_t i, float z) { return MeshPoint{outline[i][0], outline[i][1], z}; };
+  std::vector<MeshTriangle> triangles;
+  for (const auto& [a, b, c] : std::vector<std::array<std::size_t, 3>>{{0, 1, 2}, {0, 2, 3}, {0, 3, 5}, {3, 4, 5}}) {
+    triangles.push_back({at(a, thick), at(b, thick), at(c, thick)});
+    triangles.push_back({at(a, 0), at(c, 0), at(b, 0)});
+  }
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const std::size_t j = (i + 1) % outline.size();
+    triangles.push_back({at(i, 0), at(j, 0), at(j, thick)});
+    triangles.push_back({at(i, 0), at(j, thick), at(i, thick)});
+  }
+  return triangles;
+}
+
+std::string binary_stl(const std::vector<MeshTriangle>& triangles) {
+  std::string bytes(80, ' ');
+  const auto add = [&bytes](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof(value)); };
+  add(static_cast<std::uint32_t>(triangles.size()));
+  for (const MeshTriangle& triangle : triangles) {
+    add(MeshPoint{});
+    add(triangle);
+    add(std::uint16_t{0});
+  }
+  return bytes;
+}
+
+constexpr const char* kPyramid = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf -3 -2 -1\n";
+constexpr const char* kOpenPyramid = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 2 3 4\n";
+constexpr const char* kPrism =  // whose quadrilaterals are not plane
+    "o prism\nv 0 0 0\nv 0 0 3\nv 0 2 0\nv 0 2 3.5\nv 1 0 0\nv 1 0 3\nv 1 2 0\nv 1.25 2 3\n"
+    "f 1 2 4 3\nf 5/1 7/1 8/1 6/1\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n";
+
+TEST_F(MujocoFiles, MeshesHaveMujocosInertia) {
+  add_file("bracket.stl", binary_stl(bracket_of_plates()));
+  add_file("pyramid.obj", kPyramid);
+  add_file("open.obj", kOpenPyramid);
+  add_file("prism.obj", kPrism);
+  std::string meshes, bodies;
+  int k = 0;
+  for (const char* mesh : {R"(file="bracket.stl")", R"(file="bracket.stl" inertia="exact")", R"(file="pyramid.obj")",
+                           R"(file="pyramid.obj" inertia="exact" scale="1 -2 3")",
+                           R"(file="pyramid.obj" refpos="1 2 3" refquat="1 0 0 .5" scale="2 2 2")",
+                           R"(file="pyramid.obj" refpos="1 2 3" scale="2 -3 .1")", R"(file="open.obj")",
+                           R"(file="open.obj" inertia="exact")", R"(file="prism.obj")", R"(file="prism.obj" class="c")",
+                           R"(vertex="0 0 0  1 0 0  0 1 0  0 0 1" face="0 2 1  0 1 3  0 3 2  1 2 3")"}) {
+    meshes += fmt::format(R"(<mesh name="m{}" {}/>)", ++k, mesh);
+    bodies += fmt::format(
+        R"(<body><joint axis="1 2 3"/><geom type="mesh" mesh="m{}" pos=".1 0 0" euler="0 0 30"/></body>)", k);
+  }
+  const std::string xml =
+      "<mujoco><default><default class=\"c\"><mesh scale=\"1 2 3\" inertia=\"exact\"/></default>"
+      "</default><asset>" +
+      meshes + "</asset><worldbody>" + bodies + "</worldbody></mujoco>";
+  compare_bodies(xml);
+  compare_text(xml, kCloseOnAxes);
+}
 
 // A program over a robot's header in MuJoCo's convention: per state it reads q, v and a, and prints B, bias, torques,
 // and the accelerations by these torques.

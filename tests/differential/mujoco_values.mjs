@@ -14,8 +14,11 @@ try {
   process.exit(77);
 }
 
-const {xml, states} = JSON.parse(readFileSync(process.argv[2], 'utf8'));
-const model = mujoco.MjModel.from_xml_string(xml);
+const {xml, files, states} = JSON.parse(readFileSync(process.argv[2], 'utf8'));
+mujoco.FS.mkdir('/model');
+for (const [name, bytes] of Object.entries(files)) mujoco.FS.writeFile('/model/' + name, Uint8Array.from(bytes));
+mujoco.FS.writeFile('/model/main.xml', xml);
+const model = mujoco.MjModel.from_xml_path('/model/main.xml');
 const data = new mujoco.MjData(model);
 const n = model.nv;
 
@@ -47,5 +50,8 @@ function valuesAt({q, qd, qdd}) {
   return {B: Array.from(B.GetView()), bias, tau: Array.from(data.qfrc_inverse), gap, ...stepFrom(q, qd)};
 }
 
+const bodies = Array.from(model.body_mass, (mass, i) => ({
+  mass, com: Array.from(model.body_ipos.slice(3 * i, 3 * i + 3)),
+  moments: Array.from(model.body_inertia.slice(3 * i, 3 * i + 3)).sort((a, b) => a - b)}));
 const coulomb = Array.from(model.dof_frictionloss);
-writeFileSync(process.argv[3], JSON.stringify({n, coulomb, states: states.map(valuesAt)}));
+writeFileSync(process.argv[3], JSON.stringify({n, coulomb, bodies, states: states.map(valuesAt)}));

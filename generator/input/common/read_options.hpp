@@ -22,6 +22,7 @@ struct ReadOptions {
   std::shared_ptr<Sources> sources = std::make_shared<Sources>();  // of the texts; --xacro
   std::vector<std::string> ignored = {};  // --ignore: elements and attributes of MJCF files that are left out
   std::optional<std::string> model{};     // --model: the model of an SDF with several
+  std::optional<std::string> keyframe{};  // --keyframe: the one of an MJCF at which closed loops are assembled
 };
 
 // A number smaller than this fraction of its neighbours is dust: 1e-9, or less if that is asked of angles.

@@ -78,14 +78,33 @@ class BodyReader {
       } else if (child.name == "frame") {
         const Pose pose = mjcf_pose(MjcfValues::plain(child), values_, model_.settings);
         collect(child, {class_for_children(child, around.class_name), joined(around.frame, pose)}, contents);
+      } else if (child.name == "replicate") {
+        collect_copies(child, {class_for_children(child, around.class_name), around.frame}, contents);
       } else {
         refuse_kind(child);
       }
     }
   }
 
+  // Copy k is turned by k times the angles of euler. It stands one offset, in the axes of the copy before, from that.
+  void collect_copies(const MjcfElement& replicate, const Surroundings& around, Contents& contents) {
+    const MjcfItem item = MjcfValues::plain(replicate);
+    const Vec3 offset = values_.length_vector(item, "offset");
+    const Pose turn{mjcf_orientation(item, values_, model_.settings), replicate.place};
+    Vec3 position = zero_vector();
+    int number = 0;
+    for (const MjcfElement& copy : replicate.children) {
+      Pose turned = turn;
+      for (Displacement& each : turned.displacements) each.angle *= number;
+      const Pose pose = joined({{translation(position)}, replicate.place}, turned);
+      collect(copy, {around.class_name, joined(around.frame, pose)}, contents);
+      position = expanded(position + exact_place(turned).R * offset);
+      ++number;
+    }
+  }
+
   void refuse_kind(const MjcfElement& element) {
-    for (const char* kind : {"replicate", "attach", "composite", "flexcomp", "plugin"}) {
+    for (const char* kind : {"composite", "flexcomp", "plugin"}) {
       if (element.name != kind) continue;
       refuse_mjcf(element.place, "<" + element.name + "> is not supported", kind, values_);
     }

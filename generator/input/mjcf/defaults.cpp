@@ -3,6 +3,8 @@
 
 #include <set>
 
+#include "input/mjcf/attachment.hpp"
+
 namespace flatdyn {
 
 namespace {
@@ -29,24 +31,29 @@ MjcfDefaults::MjcfDefaults(const MjcfElement& root, Diagnostics& diagnostics) {
       diagnostics.error(defaults->place, "default: the outermost class is called \"main\", not \"" + name + "\"",
                         "leave its name out, or put the class into another <default>");
     }
-    read(*defaults, "", diagnostics);
+    read_content(*defaults, kMainClass, diagnostics);
+  }
+  for (const MjcfElement* attached : root.elements(kMjcfAttachedDefaults)) {
+    for (const MjcfElement& defaults : attached->children) read(defaults, "", diagnostics);
   }
 }
 
 void MjcfDefaults::read(const MjcfElement& element, const std::string& parent, Diagnostics& diagnostics) {
-  const std::string name = parent.empty() ? kMainClass : element.text("class");
+  const std::string name = element.text("class");
   if (name.empty()) {
     diagnostics.error(element.place, "default: a class inside another one has no name",
                       "write <default class=\"...\">");
     return;
   }
-  if (!parent.empty()) {
-    const bool is_new = classes_.emplace(name, Class{parent, {}}).second;
-    if (!is_new) {
-      diagnostics.error(element.place, "default: there are two classes \"" + name + "\"", "rename one of them");
-      return;
-    }
+  const bool is_new = classes_.emplace(name, Class{parent, {}}).second;
+  if (!is_new) {
+    diagnostics.error(element.place, "default: there are two classes \"" + name + "\"", "rename one of them");
+    return;
   }
+  read_content(element, name, diagnostics);
+}
+
+void MjcfDefaults::read_content(const MjcfElement& element, const std::string& name, Diagnostics& diagnostics) {
   for (const MjcfElement& child : element.children) {
     if (child.name != "default") classes_[name].elements.push_back(child);
   }

@@ -31,7 +31,9 @@ class MjcfDefaults {
     std::vector<MjcfElement> elements;  // in an order in which the last one counts
   };
 
+  // parent: "" of an outermost class.
   void read(const MjcfElement& element, const std::string& parent, Diagnostics& diagnostics);
+  void read_content(const MjcfElement& element, const std::string& name, Diagnostics& diagnostics);
 
   std::map<std::string, Class> classes_;
 };

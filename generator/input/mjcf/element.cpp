@@ -19,10 +19,27 @@ class TreeReader {
       : folder_(std::filesystem::path(file).parent_path()), context_(context), robot_(robot) {}
 
   MjcfElement read(const XMLElement& root, const std::string& file) {
+    files_.push_back(file);
     MjcfElement tree = element_of(root, file);
     read_children(root, file, tree);
-    tell_of_ignored();
     return tree;
+  }
+
+  void tell_of_ignored() {
+    for (const std::string& name : context_.options.ignored) {
+      const auto found = ignored_.find(name);
+      if (found == ignored_.end()) {
+        context_.diagnostics.note({robot_.file, 0}, "--ignore " + name + " has no effect: nothing is called so",
+                                  "name an element or an attribute of the file");
+      } else {
+        const int count = found->second.count;
+        context_.diagnostics.note(found->second.first,
+                                  name + ": left out here" +
+                                      (count > 1 ? ", and in " + std::to_string(count - 1) + " more places" : "") +
+                                      ", by --ignore",
+                                  "the robot is computed without it");
+      }
+    }
   }
 
  private:
@@ -75,6 +92,7 @@ class TreeReader {
     const std::optional<std::string> text = file_text(path, context_.diagnostics);
     if (!text) return;
     robot_.files.push_back(path);
+    files_.push_back(path);
     tinyxml2::XMLDocument document;
     const XMLElement* included = parse_xml(*text, path, kMjcfForm, context_.diagnostics, document);
     if (included != nullptr) read_children(*included, path, parent);
@@ -87,7 +105,7 @@ class TreeReader {
                                  "the path is relative to the folder of the main file");
       return false;
     }
-    const bool was_read = std::any_of(robot_.files.begin(), robot_.files.end(), [&](const std::string& read) {
+    const bool was_read = std::any_of(files_.begin(), files_.end(), [&](const std::string& read) {
       return std::filesystem::equivalent(read, path, error);
     });
     if (!was_read) return true;
@@ -96,27 +114,11 @@ class TreeReader {
     return false;
   }
 
-  void tell_of_ignored() {
-    for (const std::string& name : context_.options.ignored) {
-      const auto found = ignored_.find(name);
-      if (found == ignored_.end()) {
-        context_.diagnostics.note({robot_.file, 0}, "--ignore " + name + " has no effect: nothing is called so",
-                                  "name an element or an attribute of the file");
-      } else {
-        const int count = found->second.count;
-        context_.diagnostics.note(found->second.first,
-                                  name + ": left out here" +
-                                      (count > 1 ? ", and in " + std::to_string(count - 1) + " more places" : "") +
-                                      ", by --ignore",
-                                  "the robot is computed without it");
-      }
-    }
-  }
-
   std::filesystem::path folder_;
   ReadContext& context_;
   Robot& robot_;
   std::map<std::string, Ignored> ignored_;
+  std::vector<std::string> files_;  // that were read
 };
 
 }  // namespace
@@ -147,7 +149,26 @@ std::string name_in_messages(const MjcfElement& element) {
 }
 
 MjcfElement mjcf_tree(const XMLElement& root, const std::string& file, ReadContext& context, Robot& robot) {
-  return TreeReader(file, context, robot).read(root, file);
+  TreeReader reader(file, context, robot);
+  MjcfElement tree = reader.read(root, file);
+  reader.tell_of_ignored();
+  return tree;
+}
+
+std::optional<MjcfElement> mjcf_tree_of_file(const std::string& file, ReadContext& context, Robot& robot) {
+  const std::optional<std::string> text = file_text(file, context.diagnostics);
+  if (!text) return std::nullopt;
+  robot.files.push_back(file);
+  tinyxml2::XMLDocument document;
+  const XMLElement* root = parse_xml(*text, file, kMjcfForm, context.diagnostics, document);
+  if (root == nullptr || refuse_content_beside(*root, file, kMjcfForm, context.diagnostics)) return std::nullopt;
+  if (std::string_view(root->Name()) != "mujoco") {
+    context.diagnostics.error({file, root->GetLineNum()},
+                              "the model is not an MJCF file, but <" + std::string(root->Name()) + ">",
+                              "name an MJCF file");
+    return std::nullopt;
+  }
+  return TreeReader(file, context, robot).read(*root, file);
 }
 
 }  // namespace flatdyn

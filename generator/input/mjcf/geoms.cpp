@@ -16,8 +16,12 @@ constexpr int kWater = 1000;  // kg/m^3, the density where none is given
 
 class GeomReader {
  public:
-  GeomReader(const MjcfGeom& geom, const std::string& body, const MjcfModel& model)
-      : geom_(geom), model_(model), values_(model.values), item_(values_.item(*geom.element, geom.class_name)) {
+  GeomReader(const MjcfGeom& geom, const std::string& body, const MjcfModel& model, MjcfMeshes& meshes)
+      : geom_(geom),
+        model_(model),
+        values_(model.values),
+        meshes_(meshes),
+        item_(values_.item(*geom.element, geom.class_name)) {
     item_.what = "body \"" + body + "\", " + item_.what;
   }
 
@@ -28,7 +32,9 @@ class GeomReader {
                             "sphere");
     if (!counts()) return std::nullopt;
     if (type_ == "plane" || type_ == "hfield") return std::nullopt;
-    if (type_ == "mesh" || type_ == "sdf" || values_.find(item_, "mesh") != nullptr) return refuse_mesh();
+    const MjcfAttribute* mesh = values_.find(item_, "mesh");
+    if (type_ == "mesh") return inertial_of_mesh(mesh);
+    if (type_ == "sdf" || mesh != nullptr) return refuse_mesh();
     if (values_.flag(item_, "shellinertia", false)) {
       values_.diagnostics().unsupported(values_.find(item_, "shellinertia")->place,
                                         item_.what + ": the inertia of a shell is not supported",
@@ -52,12 +58,41 @@ class GeomReader {
     return std::find(names.begin(), names.end(), name) != names.end();
   }
 
+  // A shape that MuJoCo fits to a mesh, or a signed distance function.
   std::optional<Inertial> refuse_mesh() {
     if (is_left_out("mesh")) return std::nullopt;
     refuse_mjcf(geom_.element->place,
-                item_.what + ": the inertia of a mesh is not supported, and the body needs an <inertial>", "mesh",
-                values_);
+                item_.what + ": the inertia of a " + type_ + " by a mesh is not supported, and the body needs an " +
+                    "<inertial>",
+                "mesh", values_);
     return std::nullopt;
+  }
+
+  std::optional<Inertial> inertial_of_mesh(const MjcfAttribute* mesh) {
+    if (is_left_out("mesh")) return std::nullopt;
+    if (mesh == nullptr) {
+      values_.diagnostics().error(geom_.element->place, item_.what + " names no mesh", "write mesh=\"...\"");
+      return std::nullopt;
+    }
+    const MjcfMeshes::Solid* solid = meshes_.find(*mesh, item_.what);
+    if (solid == nullptr) return std::nullopt;
+    Inertial inertial;
+    inertial.place = geom_.element->place;
+    inertial.frame = joined(geom_.frame, joined(mjcf_pose(item_, values_, model_.settings), solid->frame));
+    inertial.frame.displacements.push_back(translation(solid->moments.centre));
+    const Number& volume = solid->moments.volume;
+    inertial.mass = mass_of(volume);
+    for (std::size_t i = 0; i < 3; ++i) {
+      inertial.tensor[i] = expanded((inertial.mass.number / volume) * solid->moments.tensor[i]);
+    }
+    return inertial;
+  }
+
+  Value mass_of(const Number& volume) const {
+    if (const std::optional<Value> mass = values_.number(item_, "mass")) return *mass;
+    Value mass = values_.number_or(item_, "density", kWater);
+    mass.number *= volume;
+    return mass;
   }
 
   // Each number is that of the element, or of the nearest class that has so many.
@@ -102,9 +137,7 @@ class GeomReader {
     }
     if (!solid) return std::nullopt;
     inertial.frame = joined(geom_.frame, inertial.frame);
-    const std::optional<Value> mass = values_.number(item_, "mass");
-    inertial.mass = mass ? *mass : values_.number_or(item_, "density", kWater);
-    if (!mass) inertial.mass.number *= solid->volume;
+    inertial.mass = mass_of(solid->volume);
     for (std::size_t i = 0; i < 3; ++i) {
       inertial.tensor[i][i] = (inertial.mass.number * solid->gyration_squared[i]).expand();
     }
@@ -141,16 +174,19 @@ class GeomReader {
   const MjcfGeom& geom_;
   const MjcfModel& model_;
   const MjcfValues& values_;
+  MjcfMeshes& meshes_;
   MjcfItem item_;
   std::string type_;
 };
 
 }  // namespace
 
-std::vector<Inertial> inertials_of_geoms(const MjcfBody& body, const std::string& name, const MjcfModel& model) {
+std::vector<Inertial> inertials_of_geoms(const MjcfBody& body, const std::string& name, const MjcfModel& model,
+                                         MjcfMeshes& meshes) {
   std::vector<Inertial> inertials;
   for (const MjcfGeom& geom : body.geoms) {
-    if (const std::optional<Inertial> inertial = GeomReader(geom, name, model).read()) inertials.push_back(*inertial);
+    if (const std::optional<Inertial> inertial = GeomReader(geom, name, model, meshes).read())
+      inertials.push_back(*inertial);
   }
   return inertials;
 }

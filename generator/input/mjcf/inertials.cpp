@@ -117,13 +117,13 @@ class InertiaBounds {
   Diagnostics& diagnostics_;
 };
 
-std::vector<Inertial> inertials_of(const MjcfBody& body, const MjcfModel& model) {
+std::vector<Inertial> inertials_of(const MjcfBody& body, const MjcfModel& model, MjcfMeshes& meshes) {
   const InertiaFromGeom from = model.settings.inertia_from_geom;
   const bool by_geoms = from == InertiaFromGeom::always || (from == InertiaFromGeom::where_missing && !body.inertial);
   // Meshes of what stands still may be missing.
   if (by_geoms && (body.moves || model.settings.total_mass)) {
     const std::string name = model.robot.links[static_cast<std::size_t>(body.link)].name;
-    std::vector<Inertial> found = inertials_of_geoms(body, name, model);
+    std::vector<Inertial> found = inertials_of_geoms(body, name, model, meshes);
     if (!found.empty() || !body.inertial) return found;
   }
   return body.inertial ? std::vector<Inertial>{*body.inertial} : std::vector<Inertial>{};
@@ -169,8 +169,9 @@ Inertial mjcf_inertial(const MjcfElement& element, const Pose& frame, const std:
 }
 
 void add_mjcf_inertias(const MjcfModel& model) {
+  MjcfMeshes meshes(model);
   for (const MjcfBody& body : model.bodies) {
-    std::vector<Inertial> inertials = inertials_of(body, model);
+    std::vector<Inertial> inertials = inertials_of(body, model, meshes);
     InertiaBounds(inertials, body, model).apply();
     model.robot.links[static_cast<std::size_t>(body.link)].inertials = inertials;
   }

@@ -41,6 +41,7 @@ class JointReader {
   std::optional<Joint> read() {
     const std::string type = this->type();
     if (type == "free" || type == "ball") {
+      position_count_ = type == "free" ? 7 : 4;
       is_free_ = type == "free" && !is_held(joint_.name, context_);
       if (is_free_ && context_.options.floating_base.value_or(true)) refuse_forces_of_base();
       if (is_free_ || is_held(joint_.name, context_)) return joint_;
@@ -56,6 +57,7 @@ class JointReader {
 
   Number reference() const { return reference_; }
   bool is_free() const { return is_free_; }
+  int position_count() const { return position_count_; }
 
  private:
   bool slides() const { return joint_.type == JointType::prismatic; }
@@ -168,6 +170,7 @@ class JointReader {
   Joint joint_;
   Number reference_ = 0;
   bool is_free_ = false;
+  int position_count_ = 1;
 };
 
 // `others`: the joints of the same body, which the robot does not have yet.
@@ -232,6 +235,7 @@ void add_mjcf_joints(const std::vector<MjcfJoint>& joints, const std::string& bo
     references[joint->name] = reader.reference();
     moving.push_back(*joint);
     is_free.push_back(reader.is_free());
+    added.position_counts.push_back(reader.position_count());
   }
   if (moving.empty()) {
     Joint fixed;
@@ -239,6 +243,7 @@ void add_mjcf_joints(const std::vector<MjcfJoint>& joints, const std::string& bo
     fixed.place = added.element->place;
     moving.push_back(fixed);
     is_free.push_back(false);
+    added.position_counts.push_back(0);
   }
   moving.front().origin = joined(added.pose, moving.front().origin);
   for (std::size_t k = 0; k < moving.size(); ++k) {

@@ -29,7 +29,8 @@ struct MjcfBody {
   bool moves = false;       // against the world
   std::vector<MjcfGeom> geoms;
   std::optional<Inertial> inertial;
-  std::vector<int> free_joints = {};  // indices of the robot's joints that are free ones
+  std::vector<int> free_joints = {};      // indices of the robot's joints that are free ones
+  std::vector<int> position_counts = {};  // of its `joints` in MuJoCo's q: 7 of a free one, 4 of a ball
 };
 
 struct MjcfModel {

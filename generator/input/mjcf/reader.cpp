@@ -5,8 +5,10 @@
 #include "input/mjcf/actuators.hpp"
 #include "input/mjcf/bodies.hpp"
 #include "input/mjcf/equalities.hpp"
+#include "input/mjcf/expansion.hpp"
 #include "input/mjcf/floating.hpp"
 #include "input/mjcf/inertials.hpp"
+#include "input/mjcf/keyframe.hpp"
 #include "input/mjcf/names.hpp"
 
 namespace flatdyn {
@@ -16,8 +18,9 @@ void read_mjcf(const std::string& text, const std::string& file, ReadContext& co
   const tinyxml2::XMLElement* root = parse_xml(text, file, kMjcfForm, context.diagnostics, document);
   if (root == nullptr || refuse_content_beside(*root, file, kMjcfForm, context.diagnostics)) return;
   context.mjcf_was_read = true;
-  const MjcfElement tree = mjcf_tree(*root, file, context, robot);
+  MjcfElement tree = mjcf_tree(*root, file, context, robot);
   check_mjcf_names(tree, context.diagnostics);
+  expand_mjcf(tree, file, context, robot);
   const MjcfDefaults defaults(tree, context.diagnostics);
   const MjcfValues values(defaults, context);
   const MjcfSettings settings = mjcf_settings(tree, values, robot);
@@ -29,6 +32,7 @@ void read_mjcf(const std::string& text, const std::string& file, ReadContext& co
   read_mjcf_actuators(model);
   refuse_mjcf_tendons(model);
   take_mjcf_free_joints(model);
+  read_mjcf_keyframe(model);
 }
 
 }  // namespace flatdyn

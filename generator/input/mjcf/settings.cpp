@@ -67,6 +67,7 @@ void read_compiler(const MjcfElement& root, const MjcfValues& values, MjcfSettin
   settings.least_mass = positive(values.number(compiler, "boundmass"));
   settings.least_inertia = positive(values.number(compiler, "boundinertia"));
   settings.total_mass = positive(values.number(compiler, "settotalmass"));
+  settings.strips_path = values.flag(compiler, "strippath", false);
   settings.mesh_folder = values.text(compiler, "meshdir", values.text(compiler, "assetdir"));
   read_eulerseq(compiler, values, settings);
   read_groups(compiler, values, settings);
@@ -105,7 +106,23 @@ void read_option(const MjcfElement& root, const MjcfValues& values, Robot& robot
   }
 }
 
+bool is_same(const std::optional<Value>& a, const std::optional<Value>& b) {
+  return a.has_value() == b.has_value() && (!a || vanishes(a->number - b->number));
+}
+
 }  // namespace
+
+std::string mjcf_difference(const MjcfSettings& a, const MjcfSettings& b) {
+  if (a.angles.degrees != b.angles.degrees) return "angle";
+  if (a.euler_sequence != b.euler_sequence) return "eulerseq";
+  if (a.automatic_limits != b.automatic_limits) return "autolimits";
+  if (a.inertia_from_geom != b.inertia_from_geom) return "inertiafromgeom";
+  if (a.inertia_groups != b.inertia_groups) return "inertiagrouprange";
+  if (!is_same(a.least_mass, b.least_mass)) return "boundmass";
+  if (!is_same(a.least_inertia, b.least_inertia)) return "boundinertia";
+  if (!is_same(a.total_mass, b.total_mass)) return "settotalmass";
+  return a.balances_inertia != b.balances_inertia ? "balanceinertia" : "";
+}
 
 MjcfSettings mjcf_settings(const MjcfElement& root, const MjcfValues& values, Robot& robot) {
   MjcfSettings settings;

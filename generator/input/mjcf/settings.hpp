@@ -19,9 +19,13 @@ struct MjcfSettings {
   bool balances_inertia = false;
   bool has_exact_mesh_inertia = false;  // of older files
   std::string mesh_folder;              // relative to the file's folder
+  bool strips_path = false;             // files of meshes are named with folders that do not count
 };
 
 // Reads them, and gravity into the robot. Settings that change the dynamics in other ways are refused.
 MjcfSettings mjcf_settings(const MjcfElement& root, const MjcfValues& values, Robot& robot);
+
+// The attribute of <compiler> in which two models differ; "" if there is none. Folders may differ.
+std::string mjcf_difference(const MjcfSettings& a, const MjcfSettings& b);
 
 }  // namespace flatdyn

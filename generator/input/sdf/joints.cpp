@@ -13,11 +13,10 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-const SdfNames kOfJoint = {
-    {"parent", "child", "pose", "axis", "axis2", "drake:rotor_inertia", "drake:gear_ratio", "drake:mimic"},
-    {"sensor", "physics", "gearbox_ratio", "gearbox_reference_body", "thread_pitch", "screw_thread_pitch", "frame",
-     "plugin"},
-    {"name", "type"}};
+const SdfNames kOfJoint = {{"parent", "child", "pose", "axis", "axis2", "thread_pitch", "screw_thread_pitch",
+                            "drake:rotor_inertia", "drake:gear_ratio", "drake:mimic"},
+                           {"sensor", "physics", "gearbox_ratio", "gearbox_reference_body", "frame", "plugin"},
+                           {"name", "type"}};
 
 class JointReader {
  public:
@@ -101,6 +100,7 @@ class JointReader {
     static const std::map<std::string, JointType> kMotions = {
         {"revolute", JointType::revolute}, {"continuous", JointType::continuous}, {"prismatic", JointType::prismatic}};
     const auto motion = kMotions.find(type);
+    if (type == "screw" && !is_held(joint.name, context_)) return add_screw(index, parent, child, joint);
     if (motion == kMotions.end()) {
       if (type != "fixed" && !is_held(joint.name, context_)) refuse_type(frame, type);
       joint.origin = {relative_pose(tree_, parent, child), joint.place};
@@ -116,6 +116,43 @@ class JointReader {
     read_sdf_axis(tree_, frame, *axis, unknown_, context_, joint);
     if (joint.type != JointType::fixed) read_drake_words(tree_, frame, diagnostics_, joint);
     robot_.joints.push_back(joint);
+  }
+
+  // A hinge, and behind a link without mass a slide along the same axis, which follows the hinge.
+  void add_screw(int index, int parent, int child, const Joint& screw) {
+    const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(index)];
+    const XMLElement* axis = axis_of(frame, "axis");
+    const std::optional<Number> travel = travel_of(frame);
+    if (axis == nullptr || !travel) return;
+    const int between = static_cast<int>(robot_.links.size());
+    robot_.links.push_back({frame.name + ".between", {}, screw.place});
+    Joint hinge = screw, slide = screw;
+    const Displacements turn = turn_of(index, *axis);
+    hinge.type = JointType::revolute;
+    hinge.child = slide.parent = between;
+    hinge.origin = {product(relative_pose(tree_, parent, index), turn), screw.place};
+    read_sdf_axis(tree_, frame, *axis, unknown_, context_, hinge);
+    read_drake_words(tree_, frame, diagnostics_, hinge);
+    slide.name = frame.name + ".slide";
+    slide.type = JointType::prismatic;
+    slide.axis = hinge.axis;
+    slide.link_offset = {product(inverse(turn), relative_pose(tree_, index, child)), screw.place};
+    slide.coupled = Coupled{{{{hinge.name, screw.place}, *travel}}, 0, screw.place};
+    robot_.joints.push_back(std::move(hinge));
+    robot_.joints.push_back(std::move(slide));
+  }
+
+  // m per rad: of <screw_thread_pitch>, m per turn, or the older <thread_pitch>, -rad per m.
+  std::optional<Number> travel_of(const SdfFrame& frame) {
+    const std::string what = name_of(frame);
+    if (const auto pitch = frame.values->number(*frame.element, "screw_thread_pitch", what))
+      return pitch->number / (2 * GiNaC::Pi);
+    const auto thread = frame.values->number(*frame.element, "thread_pitch", what);
+    if (thread && !vanishes(thread->number)) return -1 / thread->number;
+    diagnostics_.error(frame.values->place(*frame.element),
+                       what + (thread ? ", thread_pitch: 0 has no meaning" : ": a screw without a pitch"),
+                       "write <screw_thread_pitch>, m per turn");
+    return std::nullopt;
   }
 
   // A link without mass carries the second axis.
@@ -162,15 +199,15 @@ class JointReader {
 
   // The one place where types are refused that the model does not have yet.
   void refuse_type(const SdfFrame& frame, const std::string& type) {
-    static const std::vector<std::string> kNotYet = {"ball", "screw", "gearbox", "piston", "planar", "floating"};
+    static const std::vector<std::string> kNotYet = {"ball", "gearbox", "piston", "planar", "floating"};
     const Place place = frame.values->place(*frame.element);
     if (std::find(kNotYet.begin(), kNotYet.end(), type) != kNotYet.end()) {
       diagnostics_.unsupported(place, name_of(frame) + ": type \"" + type + "\" is not supported yet",
                                "hold it still: make it type=\"fixed\", or give the option --fix " + frame.name);
       return;
     }
-    const std::string hint =
-        hint_for_unknown(type, {"revolute", "continuous", "prismatic", "fixed", "universal", "revolute2"}, "types");
+    const std::string hint = hint_for_unknown(
+        type, {"revolute", "continuous", "prismatic", "fixed", "universal", "revolute2", "screw"}, "types");
     diagnostics_.error(place, name_of(frame) + ": unknown type \"" + type + "\"", hint);
   }
 

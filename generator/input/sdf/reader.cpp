@@ -7,6 +7,7 @@
 #include "input/sdf/choice.hpp"
 #include "input/sdf/files.hpp"
 #include "input/sdf/joints.hpp"
+#include "input/sdf/mimic_plugins.hpp"
 #include "input/sdf/placing.hpp"
 
 namespace flatdyn {
@@ -36,6 +37,7 @@ class SdfReader {
     read_links();
     apply_sdf_gravity_flags(tree_, diagnostics_, robot_);
     read_sdf_joints(tree_, links_, unknown_, context_, robot_);
+    read_sdf_mimic_plugins(tree_, diagnostics_, robot_);
     if (!diagnostics_.has_errors()) stand_on_ground();
   }
 

@@ -2,6 +2,7 @@
 #include "symbolic/parameters/regressor_functions.hpp"
 
 #include "symbolic/dynamics/derivation_context.hpp"
+#include "symbolic/kernel/joint_angles.hpp"
 #include "symbolic/parameters/base_parameters.hpp"
 #include "symbolic/parameters/regressor.hpp"
 
@@ -67,6 +68,23 @@ Function derive_adaptive_regressor(const Mechanism& mechanism) {
   const std::vector<NodeId> entries = context.nodes(regressor_at_coordinates(context, motion, columns));
   return finished(context,
                   {matrix_output("Y_b", context.size(), static_cast<int>(columns.size()), entries, kColumnMeaning)});
+}
+
+Function derive_spring_regressor(const Mechanism& mechanism) {
+  DerivationContext context(mechanism);
+  Rows Y(static_cast<std::size_t>(mechanism.body_count()));
+  for (int j = mechanism.base_bodies(); j < mechanism.body_count(); ++j) {
+    const Number stiffness_column = joint_position(mechanism, context.derivation, j);
+    for (int i = 0; i < mechanism.body_count(); ++i) {
+      std::vector<Number>& row = Y[static_cast<std::size_t>(i)];
+      row.push_back(i == j ? stiffness_column : Number(0));
+      row.push_back(i == j ? -1 : 0);
+    }
+  }
+  const int columns = static_cast<int>(Y.front().size());
+  const std::vector<NodeId> entries = context.nodes(rows_at_coordinates(mechanism, context.derivation, Y, "y"));
+  return finished(context,
+                  {matrix_output("Y_s", context.size(), columns, entries, "k, k q_0 of every joint's spring")});
 }
 
 }  // namespace flatdyn

@@ -18,4 +18,8 @@ Function derive_inverse_dynamics_base(const Mechanism& mechanism);
 // Y_b of the torques B q̈_r + C(q, q̇) q̇_r + g + friction at q̇_r.
 Function derive_adaptive_regressor(const Mechanism& mechanism);
 
+// Y_s with the torques k q - k q_0 of all joints' springs: two columns for each joint, for k and k q_0, whether the
+// robot file gives it a spring or not.
+Function derive_spring_regressor(const Mechanism& mechanism);
+
 }  // namespace flatdyn

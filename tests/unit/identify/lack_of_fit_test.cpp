@@ -181,6 +181,25 @@ TEST_F(LackOfFit, ByOffsetsGoesWithThem) {
   }
 }
 
+TEST_F(LackOfFit, BySpringsGoesWithThem) {
+  const double stiffness[] = {40, 25, 0, 8, 3, 5}, relaxed_at[] = {0.3, -1, 0, 0.5, 2, -0.4};
+  std::vector<SimulatedSample> samples = bench.motion({});
+  for (SimulatedSample& sample : samples) {
+    for (int i = 0; i < 6; ++i) sample.tau(i) += stiffness[i] * (sample.q(i) - relaxed_at[i]);
+  }
+  const TorqueEquations equations(bench.model(), {.springs = true});
+  const Measurement measurement = bench.measured(samples, kEncoderStep, 1, 1, {}, &equations);
+  const Estimate found = estimate_of(equations, measurement, {});
+  ASSERT_EQ(found.values.size(), bench.model().parameters() + 12);
+  for (int i = 0; i < 6; ++i) {
+    const Eigen::Index k = bench.model().parameters() + 2 * i;
+    EXPECT_EQ(equations.names()[static_cast<std::size_t>(k) + 1], fmt::format("kq{}", i + 1));
+    EXPECT_NEAR(found.values(k), stiffness[i], 4 * found.standard_deviations(k)) << i;
+    EXPECT_NEAR(found.values(k + 1), stiffness[i] * relaxed_at[i], 4 * found.standard_deviations(k + 1)) << i;
+    EXPECT_LT(found.standard_deviations(k), 1) << i;
+  }
+}
+
 // The base hangs from the ceiling, or leans by 0.3 rad.
 TEST_F(LackOfFit, ByGravityFromElsewhereIsNamed) {
   for (const double angle : {0.3, std::numbers::pi}) {

@@ -144,6 +144,42 @@ TEST_F(SdfReader, MakesTwoJointsOfAUniversalOne) {
   EXPECT_EQ(make_mechanism(robot).size(), 2);
 }
 
+TEST_F(SdfReader, ReadsAScrewAsAHingeAndASlideThatFollows) {
+  for (const char* pitch : {"<screw_thread_pitch>0.5</screw_thread_pitch>",
+                            "<screw_thread_pitch>.5</screw_thread_pitch><thread_pitch>7</thread_pitch>"}) {
+    const Robot robot = model(kBaseAndArm + sdf_joint("screw", "<axis><xyz>0 1 0</xyz></axis>" + std::string(pitch)));
+    ASSERT_EQ(robot.joints.size(), 2U);
+    const Joint &hinge = robot.joints[0], &slide = robot.joints[1];
+    EXPECT_EQ(hinge.name, "j");
+    EXPECT_EQ(hinge.type, JointType::revolute);
+    EXPECT_EQ(slide.name, "j.slide");
+    EXPECT_EQ(slide.type, JointType::prismatic);
+    EXPECT_TRUE(slide.axis[1].is_equal(1));
+    ASSERT_TRUE(slide.coupled.has_value());
+    EXPECT_EQ(slide.coupled->terms.at(0).joint.name, "j");
+    EXPECT_TRUE(slide.coupled->terms.at(0).factor.is_equal(1 / (4 * GiNaC::Pi)));
+    EXPECT_EQ(make_mechanism(robot).size(), 1);
+  }
+}
+
+TEST_F(SdfReader, ReadsTheThreadOfOlderScrewsInRadiansPerMetre) {
+  const Robot robot = model(kBaseAndArm + sdf_joint("screw", kAxisZ + "<thread_pitch>-8</thread_pitch>"), "1.9");
+  EXPECT_TRUE(robot.joints.at(1).coupled->terms.at(0).factor.is_equal(Number(1) / 8));
+}
+
+TEST_F(SdfReader, ReadsPluginsThatLetAJointFollowAnotherOne) {
+  const Robot robot = model(
+      R"(<link name="base"/><link name="arm"/><link name="hand"/>)" + sdf_joint("revolute", kAxisZ) +
+      R"(<joint name="k" type="revolute"><parent>arm</parent><child>hand</child><axis><xyz>0 0 1</xyz></axis></joint>
+      <plugin name="p" filename="libgazebo_mimic_joint_plugin.so"><joint>j</joint><mimicJoint>k</mimicJoint>
+        <multiplier>-2</multiplier><offset>0.5</offset></plugin>)");
+  ASSERT_TRUE(robot.joints.at(1).coupled.has_value());
+  const Coupled& coupled = *robot.joints[1].coupled;
+  EXPECT_EQ(coupled.terms.at(0).joint.name, "j");
+  EXPECT_TRUE(coupled.terms[0].factor.is_equal(-2));
+  EXPECT_TRUE(coupled.offset.is_equal(Number(1) / 2));
+}
+
 TEST_F(SdfReader, ReadsDegreesAndQuaternions) {
   const auto angle_of = [&](const std::string& pose) {
     const std::string links = R"(<link name="base"/><link name="arm">)" + pose + "</link>";

@@ -93,6 +93,23 @@ TEST_P(BaseFunctions, AdaptiveRegressorIsConsistentWithC) {
   }
 }
 
+// With the springs that the mechanism has: their torques are Y_s π_s.
+TEST_P(BaseFunctions, SpringRegressorGivesTheTorquesOfSprings) {
+  const std::vector<Field> without = values("inverse_dynamics");
+  std::vector<Field> pi_s;
+  for (std::size_t i = 0; i < n; ++i) {
+    mechanism.bodies[i].stiffness = Number(static_cast<int>(i + 2)) / 7;
+    mechanism.bodies[i].spring_reference = Number(3) / static_cast<int>(i + 1);
+    for (const Number& each : {mechanism.bodies[i].stiffness,
+                               Number(mechanism.bodies[i].stiffness * mechanism.bodies[i].spring_reference)}) {
+      pi_s.push_back(Field::from(to_rational(each)));
+    }
+  }
+  const std::vector<Field> with = values("inverse_dynamics"), Y = values("spring_regressor");
+  ASSERT_EQ(Y.size(), n * pi_s.size());
+  for (std::size_t i = 0; i < n; ++i) EXPECT_TRUE(without[i] + row_times(Y, i, pi_s) == with[i]) << "joint " << i;
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, BaseFunctions, ::testing::Range(1u, 9u));
 
 int operations(const std::string& robot, const std::string& function) {

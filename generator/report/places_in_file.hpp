@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Where the numbers of a robot are written: of what a class of defaults gives, that is the class's line.
+#pragma once
+
+#include <string>
+
+#include "model/robot.hpp"
+
+namespace flatdyn {
+
+// The places of masses, and of joints with their friction, springs, armatures, motors and limits, a line for each link
+// that has a mass and for each joint that moves. Numbers that are zero because nothing gives them have none.
+std::string describe_places(const Robot& robot);
+
+}  // namespace flatdyn
