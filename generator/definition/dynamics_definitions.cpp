@@ -44,7 +44,7 @@ auto dynamics_of_free_base(Point& at, const Output& output) {
     for (int k = 0; k < kOfBase; ++k) of_base(i, k) = B(i, k);
   }
   const std::vector<F> a_b = solution(of_base, needed);
-  if (output.name == "a_b") return a_b;
+  if (output.name == "a_base") return a_b;
   std::copy(a_b.begin(), a_b.end(), a.begin());
   tau = added(tau, times(B, a));
   std::fill_n(tau.begin(), kOfBase, F(0));

@@ -263,7 +263,7 @@ const std::vector<FunctionRow> kRows = {
                 "six entries of qdd are not read, those of tau are zero",
      .equation = "",
      .inputs = {q, g_b, qd, qdd},
-     .outputs = {vector("a_b", Extent::six, OutputQuantity::joint_acceleration),
+     .outputs = {vector("a_base", Extent::six, OutputQuantity::joint_acceleration),
                  per_joint("tau", OutputQuantity::joint_torque)},
      .derivation = {.from_choices = derive_inverse_dynamics_floating},
      .definition = definitions::inverse_dynamics_floating,

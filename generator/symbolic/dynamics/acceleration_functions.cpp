@@ -129,7 +129,7 @@ Function derive_inverse_dynamics_floating(const Mechanism& mechanism, const Choi
     const FreeBase robot(context);
     const BaseAcceleration base = robot.solve(vector_at(needed, 0), vector_at(needed, kSlides));
     return finished(context,
-                    {vector_output("a_b", context.nodes(rates_of_twist(context, base)), "derivatives of v[0..5]"),
+                    {vector_output("a_base", context.nodes(rates_of_twist(context, base)), "derivatives of v[0..5]"),
                      torque_output("tau", context.nodes(torques_with(context, base, needed)))},
                     robot.conditions());
   });
