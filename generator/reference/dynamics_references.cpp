@@ -63,7 +63,7 @@ std::vector<S> dynamics_of_free_base(const ReferencePoint<S>& at) {
   return entries;
 }
 
-// What the base needs goes through the inverse of its part of B, and from there to the joints.
+// The wrench that the base needs goes through the inverse of its part of B, and from there to the joints.
 std::vector<double> magnitude_of_free_base(const At& at) {
   const std::vector<double> own = dynamics_of_free_base(at);
   const ref::VectorX<double> zero = ref::VectorX<double>::Zero(kTwist),
