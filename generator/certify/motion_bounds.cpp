@@ -66,21 +66,43 @@ double length_of(const Vec3& v) {
 
 }  // namespace
 
-MotionBounds::MotionBounds(const Mechanism& mechanism, const InputLimits& limits) {
-  for (int i = 0; i < mechanism.body_count(); ++i) {
-    rates_.push_back(limits({InputKind::qd, i}));
-    accelerations_.push_back(limits({InputKind::qdd, i}));
-    const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
-    Link link;
-    if (body.parent >= 0) {
-      link = links_[static_cast<std::size_t>(body.parent)];
-      for (double& lever : link.lever) lever = (lever + length_of(body.p)) * kRoundingMargin;
-      link.before.push_back(body.parent);
-      link.lever.push_back(length_of({body.p[0], body.p[1], 0}));  // a displacement along the axis has no moment arm
-    }
-    links_.push_back(std::move(link));
+MotionBounds::MotionBounds(const Mechanism& mechanism, const InputLimits& limits) : base_(mechanism.base_bodies() - 1) {
+  if (mechanism.floating_base) {
+    add_base(limits);
+  } else {
+    of_base_ = length_of(mechanism.gravity);
   }
-  gravity_ = length_of(mechanism.gravity);
+  for (int i = base_ + 1; i < mechanism.body_count(); ++i) {
+    rates_.push_back(limits({with_base(InputKind::qd, mechanism.floating_base), i}));
+    accelerations_.push_back(limits({with_base(InputKind::qdd, mechanism.floating_base), i}));
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
+    links_.push_back(body.parent < 0 ? Link{} : after(body.parent, body));
+  }
+}
+
+// The motion of a floating base, as that of its last body.
+void MotionBounds::add_base(const InputLimits& limits) {
+  const auto length = [&limits](InputKind kind, int first) {
+    const double x = limits({kind, first}), y = limits({kind, first + 1}), z = limits({kind, first + 2});
+    return std::hypot(x, y, z) * kRoundingMargin;
+  };
+  constexpr int kAngular = 3;
+  rates_.assign(static_cast<std::size_t>(base_ + 1), length(InputKind::v, kAngular));
+  accelerations_.assign(rates_.size(), length(InputKind::a, kAngular));
+  links_.resize(rates_.size());
+  of_base_ =
+      (length(InputKind::a, 0) + rates_.back() * length(InputKind::v, 0) + length(InputKind::g_b, 0)) * kRoundingMargin;
+}
+
+// The joints on the path to the body, which is moved by a joint of `link`.
+MotionBounds::Link MotionBounds::after(int link, const Body& body) const {
+  Link result = links_[static_cast<std::size_t>(link)];
+  for (double& lever : result.lever) lever = (lever + length_of(body.p)) * kRoundingMargin;
+  result.before.push_back(link);
+  // A displacement along a joint's axis has no moment arm; a base turns about any axis.
+  const Number along = link == base_ ? body.p[2] : Number(0);
+  result.lever.push_back(length_of({body.p[0], body.p[1], along}));
+  return result;
 }
 
 double MotionBounds::of_motion(int link, const MatrixXd& rows) const {
@@ -100,7 +122,11 @@ double MotionBounds::of_motion(int link, const MatrixXd& rows) const {
   }
   const double of_A = spectral_norm(A), of_B = spectral_norm(B), of_W = spectral_norm(W);
   const double of_squares = bilinear_norm(squares), of_pairs = bilinear_norm(pairs);
-  double result = rows.col(Basis::kOne).norm() + of_B * gravity_ + qdd * (A.col(2) + rows.col(Basis::kOwn)).norm() +
+  if (link == base_) {
+    return (rows.col(Basis::kOne).norm() + of_B * of_base_ + of_A * qdd + of_W * qd + of_squares * qd * qd) *
+           kRoundingMargin;
+  }
+  double result = rows.col(Basis::kOne).norm() + of_B * of_base_ + qdd * (A.col(2) + rows.col(Basis::kOwn)).norm() +
                   qd * (W.col(2) + rows.col(Basis::kRate)).norm() + qd * qd * own_square.norm();
   const double of_own_pairs = spectral_norm(own_pairs);
   for (std::size_t b = 0; b < of.before.size(); ++b) {
@@ -117,8 +143,17 @@ double MotionBounds::of_motion(int link, const MatrixXd& rows) const {
 
 double MotionBounds::of_axis(int joint, int link, const MatrixXd& rows) const {
   const MatrixXd A = rows.middleCols<3>(Basis::kAxis), B = rows.middleCols<3>(Basis::kLever);
+  if (joint <= base_) return of_axis_of_base(joint, link, A, B) * kRoundingMargin;
   if (joint == link) return A.col(2).norm() * kRoundingMargin;
   return (spectral_norm(A) + spectral_norm(B) * lever_of(joint, link)) * kRoundingMargin;
+}
+
+// A floating base slides along its first three axes, and turns about the others.
+double MotionBounds::of_axis_of_base(int joint, int link, const MatrixXd& A, const MatrixXd& B) const {
+  constexpr int kSlides = 3;
+  if (joint < kSlides) return link == base_ ? B.col(joint).norm() : spectral_norm(B);
+  if (link == base_) return A.col(joint - kSlides).norm();
+  return spectral_norm(A) + spectral_norm(B) * lever_of(base_, link);
 }
 
 double MotionBounds::lever_of(int joint, int link) const {

@@ -6,7 +6,8 @@
 //     ω = Σ q̇_j u_j,   ω̇ = Σ q̈_j u_j + Σ q̇_a q̇_b u_a × u_b,
 //     p̈ = -g_0 + Σ q̈_j u_j × r_j + Σ q̇_j² u_j × (u_j × r_j) + 2 Σ q̇_a q̇_b u_a × (u_b × r_b).
 // Each summand is bounded for all positions by spectral norms, as |u_j| = 1 and |u_j × r_j| is no larger than the sum
-// of the distances between axes on the path.
+// of the distances between axes on the path. A floating base counts as the first joint: its ω_b and ω̇_b take the places
+// of q̇_j u_j and q̈_j u_j, and v̇ + ω × v - g_b that of -g_0; each is at most as long as its largest components together.
 #pragma once
 
 #include <Eigen/Core>
@@ -49,20 +50,25 @@ class MotionBounds {
 
   // The largest length of rows · entries_of(the link's motion); rows has kSize columns.
   double of_motion(int link, const Eigen::MatrixXd& rows) const;
-  // The largest length of rows · (u_joint, u_joint × r_joint) in the link's frame; rows has kSizeOfAxis columns.
+  // The largest length of rows · (u_joint, u_joint × r_joint) in the link's frame, of rows · (0, u_joint) if a floating
+  // base slides along the axis; rows has kSizeOfAxis columns.
   double of_axis(int joint, int link, const Eigen::MatrixXd& rows) const;
 
  private:
   struct Link {
-    std::vector<int> before;    // joints on the path to the link, without its own
+    std::vector<int> before;    // joints on the path to the link, without its own; 5 for a floating base
     std::vector<double> lever;  // by joint of `before`: bound of |u_j × r_j|
   };
 
+  void add_base(const InputLimits& limits);
+  Link after(int link, const Body& body) const;
   double lever_of(int joint, int link) const;
+  double of_axis_of_base(int joint, int link, const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) const;
 
   std::vector<Link> links_;
-  std::vector<double> rates_, accelerations_;  // largest, by joint
-  double gravity_ = 0;
+  std::vector<double> rates_, accelerations_;  // largest, by joint; |ω_b| and |ω̇_b| at 5 of a floating base
+  double of_base_ = 0;                         // |p̈| of the base: |g_0|, or |v̇ + ω × v - g_b|
+  int base_ = -1;                              // the link that is a floating base
 };
 
 }  // namespace flatdyn

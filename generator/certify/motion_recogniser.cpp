@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "certify/motion_recogniser.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -20,7 +21,8 @@ constexpr int kMore = 10;  // samples beyond those that a combination needs: one
 constexpr int kSamples = MotionBasis::kSize + kMore;
 
 bool has_only_revolute_joints(const Mechanism& mechanism) {
-  return !mechanism.has_lengths() && !mechanism.is_coupled() && !mechanism.has_loops() && mechanism.symbols.empty();
+  return !mechanism.has_prismatic_joint() && !mechanism.is_coupled() && !mechanism.has_loops() &&
+         mechanism.symbols.empty();
 }
 
 }  // namespace
@@ -95,6 +97,23 @@ class MotionRecogniser::Implementation {
     while (link > other) link = mechanism_.bodies[static_cast<std::size_t>(link)].parent;
     return link == other;
   }
+  // The link with this motion as an argument.
+  int link_of(const Input& input) const {
+    const int base = mechanism_.base_bodies() - 1;
+    switch (input.kind) {
+      case InputKind::q:
+        return mechanism_.base_bodies() + input.index;
+      case InputKind::qd:
+      case InputKind::qdd:
+      case InputKind::v:
+      case InputKind::a:
+        return std::max(base, input.index);
+      case InputKind::g_b:
+        return base;
+      default:
+        return kMixed;
+    }
+  }
   // The outermost link whose joint the operation depends on; -1: it depends on none.
   int later(int a, int b) const {
     if (a == kMixed || b == kMixed) return kMixed;
@@ -104,12 +123,8 @@ class MotionRecogniser::Implementation {
   int link_of(const Operation& operation) const {
     const auto of = [this](int k) { return k < 0 ? -1 : links_[static_cast<std::size_t>(k)]; };
     if (operation.step == Step::constant) return -1;
-    if (operation.is_sine_or_cosine() && operation.a < 0) return operation.input.index;
-    if (operation.step == Step::input) {
-      const InputKind kind = operation.input.kind;
-      const bool is_of_motion = kind == InputKind::q || kind == InputKind::qd || kind == InputKind::qdd;
-      return is_of_motion ? operation.input.index : kMixed;
-    }
+    if (operation.is_sine_or_cosine() && operation.a < 0) return link_of({InputKind::q, operation.input.index});
+    if (operation.step == Step::input) return link_of(operation.input);
     return later(of(operation.a), of(operation.b));
   }
 

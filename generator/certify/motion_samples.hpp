@@ -116,12 +116,16 @@ class MotionSample {
     const auto drawn = [&](InputKind kind, int i) {
       return read.count({kind, i}) != 0 ? point.input({kind, i}) : F(0);
     };
-    for (int i = 0; i < mechanism.body_count(); ++i) {
-      q_.push_back(point.joint(i));
-      qd_.push_back(drawn(InputKind::qd, i));
-      qdd_.push_back(drawn(InputKind::qdd, i));
+    base_bodies_ = mechanism.base_bodies();
+    if (mechanism.floating_base) {
+      for (int k = 0; k < 3; ++k) mechanism_.gravity[static_cast<std::size_t>(k)] = drawn(InputKind::g_b, k);
     }
-    motions_ = field_motions(mechanism_, q_, qd_, qdd_);
+    for (int i = 0; i < mechanism.body_count(); ++i) {
+      q_.push_back(mechanism.is_of_base(i) ? JointPoint<F>{F(1), F(0)} : point.joint(i - base_bodies_));
+      qd_.push_back(drawn(with_base(InputKind::qd, mechanism.floating_base), i));
+      qdd_.push_back(drawn(with_base(InputKind::qdd, mechanism.floating_base), i));
+    }
+    motions_ = field_motions(mechanism_, q_, qd_, qdd_, base_bodies_);
   }
 
   // Evaluates the operations that are new.
@@ -130,14 +134,15 @@ class MotionSample {
   F value(int operation) const { return values_[static_cast<std::size_t>(operation)]; }
   std::vector<F> entries_of_motion(int link) const { return entries_of(motions_[static_cast<std::size_t>(link)]); }
 
-  // u and u × r of the joint's axis, in the link's frame.
+  // u and u × r of the joint's axis, in the link's frame; 0 and u of a direction in which a floating base slides.
   std::vector<F> entries_of_axis(int joint, int link) const {
     MechanismOver<F> weightless = mechanism_;
     weightless.gravity = {F(0), F(0), F(0)};
     const std::vector<F> at_rest(q_.size(), F(0));
     std::vector<F> alone = at_rest;
     alone[static_cast<std::size_t>(joint)] = F(1);
-    const FieldMotion<F> motion = field_motions(weightless, q_, at_rest, alone)[static_cast<std::size_t>(link)];
+    const FieldMotion<F> motion =
+        field_motions(weightless, q_, at_rest, alone, base_bodies_)[static_cast<std::size_t>(link)];
     std::vector<F> result(motion.domega.begin(), motion.domega.end());
     result.insert(result.end(), motion.ddp.begin(), motion.ddp.end());
     return result;
@@ -146,6 +151,7 @@ class MotionSample {
  private:
   PointArithmetic<Point> arithmetic_;
   MechanismOver<F> mechanism_;
+  int base_bodies_ = 0;
   std::vector<JointPoint<F>> q_;
   std::vector<F> qd_, qdd_, values_;
   std::vector<FieldMotion<F>> motions_;

@@ -51,7 +51,6 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
   check_method(arguments);
   const Interruption interruption;  // Ctrl-C ends the simulation and not the program: the motion so far is written
   const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
-  refuse_floating_base(model, "simulate");
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   const Simulation simulation = read(arguments, model);
@@ -66,7 +65,7 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
     return Interruption::happened();
   });
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const TimeTable table = simulation_table(motion);
+  const TimeTable table = simulation_table(model.mechanism, motion);
   std::vector<TextFile> files = {{arguments.output, csv_text(table)}};
   if (!arguments.events.empty()) files.push_back({arguments.events, events_csv(model.mechanism, motion)});
   if (!arguments.plot.empty()) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "definition/dynamics_definitions.hpp"
 
+#include <algorithm>
+
 #include "definition/elimination_over_field.hpp"
 #include "definition/rules.hpp"
 
@@ -24,6 +26,29 @@ auto christoffel_symbols(Point& point) {
     }
   }
   return result;
+}
+
+// The acceleration of a floating base on which no force acts, and the torques of the joints, from those of the first
+// six of Lagrange's equations; forces on the base are zero.
+template <class Point, class F = typename Point::F>
+auto dynamics_of_free_base(Point& at, const Output& output) {
+  constexpr int kOfBase = 6;
+  const Matrix<F>& B = at.lagrangian.inertia();
+  std::vector<F> a = at.qdd(), tau = at.bias(), needed;
+  Matrix<F> of_base(kOfBase, kOfBase);
+  std::fill_n(a.begin(), kOfBase, F(0));
+  const std::vector<F> of_joints = times(B, a);
+  for (int i = 0; i < kOfBase; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    needed.push_back(-(tau[row] + of_joints[row]));
+    for (int k = 0; k < kOfBase; ++k) of_base(i, k) = B(i, k);
+  }
+  const std::vector<F> a_b = solution(of_base, needed);
+  if (output.name == "a_base") return a_b;
+  std::copy(a_b.begin(), a_b.end(), a.begin());
+  tau = added(tau, times(B, a));
+  std::fill_n(tau.begin(), kOfBase, F(0));
+  return tau;
 }
 
 }  // namespace
@@ -60,6 +85,11 @@ constinit const Definition forward_dynamics = {
     .degree_factor = [](const Mechanism& mechanism,
                         const Function& function) { return is_whole(function) ? 1.0 : 2.0 * mechanism.size(); },
 };
+
+// Numerator and denominator have six factors of B each, and one more in the torques.
+constinit const Definition inverse_dynamics_floating = {
+    rules([](auto& at, const Output& output) { return dynamics_of_free_base(at, output); }), kOwnValues,
+    [](const Mechanism&, const Function&) { return 14.0; }};
 
 constinit const Definition kinetic_energy = defined_as([](auto& at, const Output&) {
   return typename std::decay_t<decltype(at)>::Values{at.lagrangian.kinetic_energy(at.qd())};

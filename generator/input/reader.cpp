@@ -160,6 +160,10 @@ void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   hold_joints(context, robot);
   if (!validate_tree(robot, context.diagnostics)) return;
   robot.floating_base = context.options.floating_base.value_or(robot.floating_base);
+  if (robot.scene.base_limits && !robot.floating_base) {
+    context.diagnostics.error(robot.scene.base_limits->place, "base_limits: the base of this robot is fixed",
+                              "leave them out, or let it move: --base floating");
+  }
   attach(attachments, context, robot);
   if (robot.scene.gravity) robot.gravity = *robot.scene.gravity;
   robot.snaps = context.snaps;

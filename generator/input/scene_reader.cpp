@@ -46,6 +46,30 @@ std::vector<SceneLimits> read_all_limits(TomlTable table) {
   return all;
 }
 
+// Limits of a floating base, each of which must be positive.
+std::optional<BaseLimits> read_base_limits(TomlTable& table, Diagnostics& diagnostics) {
+  std::optional<TomlTable> given = table.table("base_limits");
+  if (!given) return std::nullopt;
+  const auto read = [&](const char* key, Quantity quantity) {
+    std::optional<Value> limit = given->limit(key, quantity, Bound::magnitude);
+    if (limit && !(nearest_double(limit->number) > 0)) {
+      diagnostics.error(limit->place, std::string("base_limits: ") + key + " is not positive",
+                        "it is the largest size of each component; leave it out if it is not known");
+    }
+    return limit;
+  };
+  BaseLimits limits;
+  limits.place = given->place();
+  limits.linear.velocity = read("linear_velocity", Quantity::length);
+  limits.linear.acceleration = read("linear_acceleration", Quantity::length);
+  limits.linear.effort = read("force", Quantity::other);
+  limits.angular.velocity = read("angular_velocity", Quantity::angle);
+  limits.angular.acceleration = read("angular_acceleration", Quantity::angle);
+  limits.angular.effort = read("moment", Quantity::other);
+  given->reject_unknown_keys();
+  return limits;
+}
+
 Orientation read_orientation(TomlTable& table, Diagnostics& diagnostics) {
   const std::optional<std::string> text = table.text("orientation");
   if (!text) return Orientation::angular_velocity;
@@ -146,6 +170,7 @@ Scene read_scene(const std::string& file, ReadContext& context) {
   if (const std::optional<TomlTable> locked = table.table("locked")) scene.locked = read_locked(*locked);
   scene.payload = read_payload(table, diagnostics);
   if (const std::optional<TomlTable> limits = table.table("limits")) scene.limits = read_all_limits(*limits);
+  scene.base_limits = read_base_limits(table, diagnostics);
   scene.at_rest = table.boolean("static").value_or(false);
   scene.friction = table.boolean("friction").value_or(true);
   scene.springs = table.boolean("springs").value_or(true);

@@ -23,11 +23,6 @@ std::optional<Abbreviation> abbreviation_of(const Robot& robot, const Mechanism&
                                             const LoadOptions& options) {
   const Scene& scene = robot.scene;
   if (!scene.error_budget) return std::nullopt;
-  if (mechanism.floating_base) {
-    throw Failure(ExitCode::unsupported,
-                  robot.file + ": an error budget is not supported yet for robots with a floating base",
-                  "leave it out, or hold the base still with --base fixed");
-  }
   try {
     return abbreviated(mechanism, *scene.error_budget, torque_scope_of(options, scene));
   } catch (const Failure& failure) {

@@ -472,7 +472,8 @@ Mechanism make_mechanism(const Robot& robot) {
   for (Body& body : mechanism.bodies) body.inertia = snap_residues_to_zero(body.inertia, tree.reach_);
   add_coupling(tree, mechanism);
   add_loops(robot, mechanism);
-  return robot.floating_base ? with_floating_base(std::move(mechanism)) : mechanism;
+  if (!robot.floating_base) return mechanism;
+  return with_floating_base(std::move(mechanism), robot.scene.base_limits);
 }
 
 }  // namespace flatdyn

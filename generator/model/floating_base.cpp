@@ -38,7 +38,7 @@ bool Mechanism::has_base_gravity() const {
   return floating_base && !std::all_of(gravity.begin(), gravity.end(), vanishes);
 }
 
-Mechanism with_floating_base(Mechanism mechanism) {
+Mechanism with_floating_base(Mechanism mechanism, const std::optional<BaseLimits>& limits) {
   constexpr int kBodies = 2 * kDirections;
   const auto shift = [](int& body) { body += kBodies; };  // the base, -1, becomes body 5
   for (Body& body : mechanism.bodies) {
@@ -52,7 +52,10 @@ Mechanism with_floating_base(Mechanism mechanism) {
   }
   shift(mechanism.tip.body);
   std::vector<Body> bodies;
-  for (int k = 0; k < kBodies; ++k) bodies.push_back(motion_of_base(k, base));
+  for (int k = 0; k < kBodies; ++k) {
+    bodies.push_back(motion_of_base(k, base));
+    if (limits) bodies.back().limits = k < kDirections ? limits->linear : limits->angular;
+  }
   bodies.back().inertia = mechanism.base;
   mechanism.base = {};
   mechanism.bodies.insert(mechanism.bodies.begin(), bodies.begin(), bodies.end());

@@ -19,8 +19,8 @@
 
 namespace flatdyn {
 
-// Lets the base of a mechanism whose base is fixed move freely.
-Mechanism with_floating_base(Mechanism mechanism);
+// Lets the base of a mechanism whose base is fixed move freely, within the limits if there are any.
+Mechanism with_floating_base(Mechanism mechanism, const std::optional<BaseLimits>& limits = std::nullopt);
 
 // The Coriolis-like part of ẍ = ν̇ - Ȧ ν: -Ȧ ν for a twist of six entries, (v, ω), over any scalar.
 //     -Ȧ ν = (ω × v, (-ω_y ω_z, ω_x ω_z, -ω_x ω_y))

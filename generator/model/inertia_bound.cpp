@@ -63,7 +63,7 @@ class EnergyBounds {
     for (int k = 0; k < mechanism.body_count(); ++k) diagonal_.push_back(largest_diagonal(k));
   }
 
-  // A bound of b_kk for an entry of q, which may move several joints: (Σ_k |n_k| sqrt(b_kk))².
+  // A bound of b_kk for an entry of q̇, which may move several joints: (Σ_k |n_k| sqrt(b_kk))².
   double diagonal_of(int position) const {
     if (!mechanism_.is_coupled()) return diagonal_[at(position)];
     double root = 0;
@@ -86,10 +86,11 @@ class EnergyBounds {
   // Whether q̇ᵀ B q̇ >= share Σ b_ii q̇_i²: whether c_k ω_k² and m_k v_k² cover what the rates of the joints ask for.
   bool cover(double share) const {
     Supply rest = supply();
+    if (mechanism_.floating_base) take_for_base(share, rest);
     for (int position = 0; position < mechanism_.position_count(); ++position) {
       const int k = mechanism_.body_at(position);
       if (!turns_as_its_coordinate(k, position)) return false;
-      const double diagonal = diagonal_of(position);
+      const double diagonal = diagonal_of(mechanism_.is_coupled() ? position : k);
       if (diagonal == 0) return false;  // the joint moves nothing
       const double needed = share * diagonal - links_[at(k)].sure_drive;
       if (!(needed > 0)) continue;
@@ -178,6 +179,17 @@ class EnergyBounds {
     return result;
   }
 
+  // With v_C = v + ω × r_C of the base link, |v|² is at most 2 v_C² + 2 r_C² ω². Three diagonal entries are the whole
+  // mass; the other three are at most the largest of them each, and the sum of the ω_i² is ω².
+  void take_for_base(double share, Supply& rest) const {
+    constexpr int kLinear = 0, kAngular = 3;
+    const int base = mechanism_.base_bodies() - 1;
+    const double centre = links_[at(base)].centre, of_mass = 2 * share * diagonal_[kLinear];
+    const auto turns = diagonal_.begin() + kAngular;
+    rest.moving[at(base)] -= of_mass;
+    rest.turning[at(base)] -= of_mass * centre * centre + share * *std::max_element(turns, turns + 3);
+  }
+
   // q̇_k² is ω_k² if nothing turns the parent, else at most 2 ω_k² + 2 ω_parent².
   void take_for_turning(int k, double needed, Supply& rest) const {
     const int before = turned_by(parent(k));
@@ -212,7 +224,7 @@ class EnergyBounds {
 
 double scaled_inertia_bound(const Mechanism& mechanism) {
   constexpr double kSmallest = 0x1p-60;
-  if (!mechanism.symbols.empty() || mechanism.has_loops() || mechanism.floating_base) return 0;
+  if (!mechanism.symbols.empty() || mechanism.has_loops()) return 0;
   const EnergyBounds bounds(mechanism, HUGE_VAL);
   if (!bounds.cover(kSmallest)) return 0;
   double proven = kSmallest, failed = 1;

@@ -19,7 +19,8 @@ namespace flatdyn {
 // The proof compares energies. Link k has at least c_k ω_k² of them twice, c_k its smallest moment of inertia about its
 // centre of mass, and m_k v_k²; the rate of a joint is at most the sum of what it connects: |q̇_k| <= ω_k + ω_parent for
 // a revolute joint. On the other side b_kk is at most the moment of inertia, about the joint's axis, of all links that
-// it moves, each as far from the axis as lengths allow.
+// it moves, each as far from the axis as lengths allow. A floating base has m_0 v_C² and c_0 ω² of its own link, of
+// which |v|² and ω² are asked for.
 double scaled_inertia_bound(const Mechanism& mechanism);
 
 // Where that holds, in words: "at every position", or less of a robot with prismatic joints.

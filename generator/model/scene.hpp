@@ -35,6 +35,13 @@ struct SceneLimits {
   Limits limits;
 };
 
+// Limits of a floating base: the largest size of each component, in base axes, of its velocity (m/s, rad/s), of the
+// derivatives of these (m/s^2, rad/s^2), and of the force and moment on it (N, N m).
+struct BaseLimits {
+  Limits linear, angular;  // of these velocity, acceleration and effort
+  Place place;
+};
+
 // The entries of a function that are needed: "tau[0..2]", "B[shoulder][elbow]".
 struct SceneOutputs {
   Reference function;
@@ -68,6 +75,7 @@ struct Scene {
   std::vector<Reference> functions;  // empty: those of `outputs`; if there are none: the usual ones
   std::vector<SceneOutputs> outputs;
   bool springs = true;  // false: no joint has a spring
+  std::optional<BaseLimits> base_limits;
 };
 
 }  // namespace flatdyn

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "model/states.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "diagnostics/diagnostics.hpp"
 
 namespace flatdyn {
 namespace {
@@ -52,6 +56,15 @@ double magnitude_of_gravity(const Vec3& v) {
   return std::hypot(nearest_double(v[0]), nearest_double(v[1]), nearest_double(v[2]));
 }
 
+// Says which limit of a floating base is missing, as the scene calls it.
+[[noreturn]] void refuse_motion_of_base(const Body& body, const std::string& what) {
+  const bool slides = body.prismatic;
+  const std::string key =
+      what == "effort" ? (slides ? "force" : "moment") : fmt::format("{}_{}", slides ? "linear" : "angular", what);
+  throw Failure(ExitCode::unsupported, fmt::format("the floating base has no limit `{}`", key),
+                "give it in [base_limits] of the scene: the largest size of each component");
+}
+
 // A vector of this length in a random direction: a random point of a ball of radius 1, scaled.
 std::vector<double> in_any_direction(double length, Uniform& uniform) {
   for (;;) {
@@ -71,6 +84,27 @@ MotionRange motion_range(const Body& body) {
   const Range position = position_range(body);
   return {position.low, position.high, bound(body.limits.velocity, body.prismatic ? 1 : 5),
           bound(body.limits.acceleration, body.prismatic ? 10 : 20), bound(body.limits.effort, 100)};
+}
+
+double required_limit(const Mechanism& mechanism, int k, std::optional<Value> Limits::*limit) {
+  const Body& body = mechanism.joint(k);
+  const std::optional<Value>& given = body.limits.*limit;
+  if (given && !has_symbols(given->number) && !vanishes(given->number)) return std::abs(nearest_double(given->number));
+  const std::string what = limit == &Limits::velocity       ? "velocity"
+                           : limit == &Limits::acceleration ? "acceleration"
+                                                            : "effort";
+  if (mechanism.is_of_base(k)) refuse_motion_of_base(body, what);
+  throw Failure(ExitCode::unsupported, fmt::format("joint \"{}\" has no limit of {}", body.joint, what),
+                "give it in the robot file, or in [limits] of the scene");
+}
+
+double required_reach(const Body& body) {
+  const std::optional<Value>&lower = body.limits.lower, &upper = body.limits.upper;
+  if (!lower || !upper || has_symbols(lower->number) || has_symbols(upper->number)) {
+    throw Failure(ExitCode::unsupported, fmt::format("joint \"{}\" has no limit of position", body.joint),
+                  "give it in the robot file, or in [limits] of the scene");
+  }
+  return std::max(std::abs(nearest_double(lower->number)), std::abs(nearest_double(upper->number)));
 }
 
 State in_float(State state) {

@@ -62,6 +62,12 @@ struct MotionRange {
 };
 MotionRange motion_range(const Body& body);
 
+// The absolute value of the limit of entry k of q̇, q̈ or τ: of a joint, or of the components of a floating base's
+// motion, in SI units. Throws Failure(unsupported) if nobody gave it; a limit of 0 means that.
+double required_limit(const Mechanism& mechanism, int k, std::optional<Value> Limits::*limit);
+// The largest distance from 0 of a joint's position, rad or m. Throws as above.
+double required_reach(const Body& body);
+
 // Random states, uniform within the ranges of joints. They are the same on every machine for the same seed. They have
 // no base parameters.
 std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned seed);

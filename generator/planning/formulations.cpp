@@ -121,7 +121,7 @@ Function derived_plainly(const Mechanism& mechanism, const Request& request, con
 }
 
 // Says of an output that has entries of a floating base which they are.
-void describe_floating(Output& output) {
+void describe_floating(const OutputRow& row, Output& output) {
   output.name = in_terms_of_base(output.name);
   output.meaning = in_terms_of_base(output.meaning);
   switch (output.quantity) {
@@ -129,7 +129,8 @@ void describe_floating(Output& output) {
       output.meaning = "force and moment on the base (base axes, N, N m), then joint torques";
       break;
     case OutputQuantity::joint_acceleration:
-      output.meaning = "derivatives of the entries of v";
+      output.meaning =
+          row.rows == Extent::six ? "derivatives of the first six entries of v" : "derivatives of the entries of v";
       break;
     case OutputQuantity::joint_inertia:
       output.meaning = "inertia matrix, symmetric, rows and columns in the order of v, SI units";
@@ -160,7 +161,7 @@ void describe(const FunctionRow& row, const Mechanism& mechanism, Function& func
   }
   for (std::size_t k = 0; k < row.outputs.size(); ++k) {
     function.outputs[k].quantity = row.outputs[k].quantity;
-    if (mechanism.floating_base) describe_floating(function.outputs[k]);
+    if (mechanism.floating_base) describe_floating(row.outputs[k], function.outputs[k]);
   }
 }
 

@@ -38,6 +38,48 @@ std::vector<double> tip_force_magnitude(const At& at) {
   return row_by_row(ref::torque_magnitude(at.robot, at.q, at.qd, at.qdd, tip));
 }
 
+constexpr int kTwist = 6;
+
+// The accelerations of the joints, with zeros or the given ones of the base.
+template <class S>
+ref::VectorX<S> accelerations_with(const ReferencePoint<S>& at, const ref::VectorX<S>& of_base) {
+  ref::VectorX<S> a = at.qdd;
+  a.template head<kTwist>() = of_base;
+  return a;
+}
+
+// The acceleration of a floating base on which no force acts, then all torques, whose first six are zero.
+template <class S>
+std::vector<S> dynamics_of_free_base(const ReferencePoint<S>& at) {
+  const ref::VectorX<S> zero = ref::VectorX<S>::Zero(kTwist);
+  const ref::VectorX<S> needed = ref::inverse_dynamics(at.robot, at.q, at.qd, accelerations_with(at, zero));
+  const ref::MatrixX<S> B = ref::inertia_matrix(at.robot, at.q).topLeftCorner(kTwist, kTwist);
+  const ref::VectorX<S> a_b = B.ldlt().solve(ref::VectorX<S>(-needed.template head<kTwist>()));
+  ref::VectorX<S> tau = ref::inverse_dynamics(at.robot, at.q, at.qd, accelerations_with(at, a_b));
+  tau.template head<kTwist>() = zero;
+  std::vector<S> entries = row_by_row(a_b);
+  const std::vector<S> torques = row_by_row(tau);
+  entries.insert(entries.end(), torques.begin(), torques.end());
+  return entries;
+}
+
+// The wrench that the base needs goes through the inverse of its part of B, and from there to the joints.
+std::vector<double> magnitude_of_free_base(const At& at) {
+  const std::vector<double> own = dynamics_of_free_base(at);
+  const ref::VectorX<double> zero = ref::VectorX<double>::Zero(kTwist),
+                             a_b = Eigen::Map<const Eigen::VectorXd>(own.data(), kTwist);
+  const ref::MatrixX<double> inertia = ref::inertia_magnitude(at.robot, at.q);
+  const ref::MatrixX<double> inverse =
+      ref::inertia_matrix(at.robot, at.q).topLeftCorner(kTwist, kTwist).inverse().cwiseAbs();
+  const ref::VectorX<double> needed = ref::torque_magnitude(at.robot, at.q, at.qd, accelerations_with(at, zero));
+  const ref::VectorX<double> of_base =
+      inverse * (needed.head(kTwist) + inertia.topLeftCorner(kTwist, kTwist) * a_b.cwiseAbs());
+  std::vector<double> entries = row_by_row(of_base);
+  const std::vector<double> torques = row_by_row(ref::VectorX<double>(needed + inertia.leftCols(kTwist) * of_base));
+  entries.insert(entries.end(), torques.begin(), torques.end());
+  return entries;
+}
+
 constexpr bool kManyRecursions = true;
 
 }  // namespace
@@ -75,6 +117,9 @@ constinit const NumericReference bias =
 constinit const NumericReference forward_dynamics =
     computed_by([](const auto& at) { return row_by_row(ref::forward_dynamics(at.robot, at.q, at.qd, at.tau)); },
                 [](const At& at) { return row_by_row(acceleration_magnitude(at)); });
+
+constinit const NumericReference inverse_dynamics_floating = computed_by(
+    [](const auto& at) { return dynamics_of_free_base(at); }, [](const At& at) { return magnitude_of_free_base(at); });
 
 constinit const NumericReference kinetic_energy =
     computed_by([](const auto& at) { return std::vector{ref::kinetic_energy(at.robot, at.q, at.qd)}; },

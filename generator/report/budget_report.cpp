@@ -20,6 +20,13 @@ std::vector<std::string> dropped_names(const Abbreviation& abbreviation) {
 
 std::string short_number(double value) { return fmt::format("{:.3g}", value); }
 
+// The joint whose torque entry k of τ is, or the component of the force or moment on a floating base.
+std::string entry_name(const Mechanism& mechanism, int k) {
+  constexpr int kComponents = 3;
+  if (!mechanism.is_of_base(k)) return mechanism.joint(k).joint;
+  return fmt::format("base_{}{}", k < kComponents ? 'f' : 'n', "xyz"[k % kComponents]);
+}
+
 std::string bound_text(double value) { return short_number(rounded_up(value, 3)); }
 
 }  // namespace
@@ -28,19 +35,23 @@ std::string abbreviation_fact(const Abbreviation& abbreviation) {
   if (abbreviation.dropped.empty()) return "The error budget allows to leave out nothing.";
   std::vector<std::string> bounds;
   for (const double bound : abbreviation.bound) bounds.push_back(bound_text(bound));
+  const bool floats = abbreviation.mechanism.floating_base;
   return fmt::format(
       "Left out for an error budget, of the base parameters: {}. Within the limits of velocity and "
-      "acceleration this changes the joints' torques by at most {} N m (N for prismatic joints).",
-      fmt::join(dropped_names(abbreviation), ", "), fmt::join(bounds, ", "));
+      "acceleration this changes {} by at most {} N m ({}).",
+      fmt::join(dropped_names(abbreviation), ", "),
+      floats ? "force and moment on the base, and the joints' torques," : "the joints' torques",
+      fmt::join(bounds, ", "), floats ? "N for forces" : "N for prismatic joints");
 }
 
 std::string describe_abbreviation(const LoadedRobot& model, const TorqueDeviation& seen) {
   const Abbreviation& abbreviation = *model.abbreviation;
   std::vector<std::vector<std::string>> rows = {{"joint", "budget", "proven bound", "largest seen", "unit"}};
   for (std::size_t i = 0; i < abbreviation.bound.size(); ++i) {
-    const Body& body = model.mechanism.joints()[i];
-    rows.push_back({body.joint, short_number(abbreviation.budget[i]), bound_text(abbreviation.bound[i]),
-                    short_number(seen.largest[i]), torque_unit(body)});
+    const int k = static_cast<int>(i);
+    const Body& body = model.mechanism.joint(k);
+    rows.push_back({entry_name(model.mechanism, k), short_number(abbreviation.budget[i]),
+                    bound_text(abbreviation.bound[i]), short_number(seen.largest[i]), torque_unit(body)});
   }
   return fmt::format("error budget {}: left out {}{}\n{}(largest seen: of {} random states)\n",
                      model.robot.scene.error_budget->written, abbreviation.dropped.empty() ? "nothing" : "",

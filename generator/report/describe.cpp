@@ -46,8 +46,9 @@ std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_eff
   const NumberText number(mechanism);
   std::string text = fmt::format("robot {}: {}, gravity {} m/s^2, tip {}\n\n", mechanism.name, joints_text(mechanism),
                                  number(mechanism.gravity), mechanism.tip.link);
-  const bool has_accelerations = std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(),
-                                             [](const Body& body) { return body.limits.acceleration.has_value(); });
+  const JointRange joints = mechanism.joints();
+  const bool has_accelerations =
+      std::any_of(joints.begin(), joints.end(), [](const Body& body) { return body.limits.acceleration.has_value(); });
   std::vector<std::vector<std::string>> rows = {{"q", "joint", "type", "moves", "after", "range", "speed", "effort"}};
   if (has_accelerations) rows.front().emplace_back("acceleration");
   for (int i = 0; i < mechanism.position_count(); ++i) {

@@ -30,6 +30,7 @@ class SceneText {
     add_task(scene.task);
     if (scene.error_budget) add("error_budget", scene.error_budget->written);
     for (const SceneLimits& limits : scene.limits) add_limits(limits);
+    if (scene.base_limits) add_base_limits(*scene.base_limits);
     if (!scene.functions.empty()) {
       add("functions", fmt::format("[{}]", fmt::join(names_of(scene.functions), ", ")));
     }
@@ -62,6 +63,18 @@ class SceneText {
     add("payload.inertia", fmt::format("{{xx = {}, yy = {}, zz = {}, xy = {}, xz = {}, yz = {}}} about {}",
                                        number_(I[0][0]), number_(I[1][1]), number_(I[2][2]), number_(I[0][1]),
                                        number_(I[0][2]), number_(I[1][2]), about_com ? "com" : "origin"));
+  }
+
+  void add_base_limits(const BaseLimits& limits) {
+    const auto add_one = [&](const char* key, const std::optional<Value>& value) {
+      if (value) add(std::string("base_limits.") + key, number_(value->number));
+    };
+    add_one("linear_velocity", limits.linear.velocity);
+    add_one("angular_velocity", limits.angular.velocity);
+    add_one("linear_acceleration", limits.linear.acceleration);
+    add_one("angular_acceleration", limits.angular.acceleration);
+    add_one("force", limits.linear.effort);
+    add_one("moment", limits.angular.effort);
   }
 
   void add_limits(const SceneLimits& limits) {

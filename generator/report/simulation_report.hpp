@@ -10,7 +10,7 @@
 namespace flatdyn {
 
 // Columns t,q1,…,qd1,…,qdd1,…,tau1,…,friction1,…,kinetic,potential,work,dissipated, in SI units.
-TimeTable simulation_table(const SimulatedMotion& motion);
+TimeTable simulation_table(const Mechanism& mechanism, const SimulatedMotion& motion);
 // CSV with columns t,joint,event.
 std::string events_csv(const Mechanism& mechanism, const SimulatedMotion& motion);
 // Positions, speeds, torques, energies over time.

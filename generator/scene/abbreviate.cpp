@@ -25,26 +25,33 @@ struct LargestMotion {
   double swing() const { return domega + omega * omega; }  // the largest acceleration of a point at distance 1
 };
 
-// The absolute value of a limit. Throws Failure(unsupported) if there is none. A limit of 0 means that nobody gave one,
-// except for positions.
-double limit_of(const Body& body, const std::optional<Value>& limit, const std::string& what) {
-  if (!limit || (vanishes(limit->number) && what != "position")) {
-    throw Failure(ExitCode::unsupported, fmt::format("error budget: joint \"{}\" has no limit of {}", body.joint, what),
-                  "give it in the robot file, or in [limits] of the scene");
+// The absolute value of a limit.
+double limit_of(const Mechanism& mechanism, int k, std::optional<Value> Limits::*limit) {
+  try {
+    return required_limit(mechanism, k, limit);
+  } catch (const Failure& failure) {
+    throw Failure(failure.code(), std::string("error budget: ") + failure.what(), failure.hint());
   }
-  return std::abs(nearest_double(limit->number));
+}
+
+double reach_of(const Body& body) {
+  try {
+    return required_reach(body);
+  } catch (const Failure& failure) {
+    throw Failure(failure.code(), std::string("error budget: ") + failure.what(), failure.hint());
+  }
 }
 
 double norm(const Vec3& v) { return std::hypot(nearest_double(v[0]), nearest_double(v[1]), nearest_double(v[2])); }
 
-LargestMotion moved(const LargestMotion& parent, const Body& body, bool at_rest) {
-  const double qd = at_rest ? 0 : limit_of(body, body.limits.velocity, "velocity");
-  const double qdd = limit_of(body, body.limits.acceleration, "acceleration");
+LargestMotion moved(const LargestMotion& parent, const Mechanism& mechanism, int k, bool at_rest) {
+  const Body& body = mechanism.joint(k);
+  const double qd = at_rest ? 0 : limit_of(mechanism, k, &Limits::velocity);
+  const double qdd = limit_of(mechanism, k, &Limits::acceleration);
   LargestMotion motion = parent;
   motion.step = norm(body.p);
   if (body.prismatic) {
-    motion.step +=
-        std::max(limit_of(body, body.limits.lower, "position"), limit_of(body, body.limits.upper, "position"));
+    motion.step += reach_of(body);
     motion.ddp += motion.step * parent.swing() + 2 * qd * parent.omega + qdd;
     return motion;
   }
@@ -54,16 +61,38 @@ LargestMotion moved(const LargestMotion& parent, const Body& body, bool at_rest)
   return motion;
 }
 
+// The motion of a floating base, which all of its bodies are given. The length of a vector is at most √3 times its
+// components' limit.
+LargestMotion motion_of_floating_base(const Mechanism& mechanism, bool at_rest) {
+  constexpr int kLinear = 0, kAngular = 3;
+  const double root_3 = std::sqrt(3.0) * kRoundingMargin;
+  const auto largest = [&](int k, std::optional<Value> Limits::*limit) {
+    return root_3 * limit_of(mechanism, k, limit);
+  };
+  LargestMotion motion;
+  if (!at_rest) {
+    motion.omega = largest(kAngular, &Limits::velocity);
+    motion.ddp = motion.omega * largest(kLinear, &Limits::velocity);  // |ω × v|
+  }
+  motion.domega = largest(kAngular, &Limits::acceleration);
+  motion.ddp += largest(kLinear, &Limits::acceleration) + norm(mechanism.gravity);
+  return motion;
+}
+
 std::vector<LargestMotion> largest_motions(const Mechanism& mechanism, bool at_rest) {
   std::vector<LargestMotion> motions;
-  for (const Body& body : mechanism.bodies) {
-    LargestMotion parent;
-    if (body.parent < 0) {
-      parent.ddp = norm(mechanism.gravity);
+  if (mechanism.floating_base) {
+    motions.assign(static_cast<std::size_t>(mechanism.base_bodies()), motion_of_floating_base(mechanism, at_rest));
+  }
+  for (int k = mechanism.base_bodies(); k < mechanism.body_count(); ++k) {
+    const int parent = mechanism.joint(k).parent;
+    LargestMotion before;
+    if (parent < 0) {
+      before.ddp = norm(mechanism.gravity);
     } else {
-      parent = motions[static_cast<std::size_t>(body.parent)];
+      before = motions[static_cast<std::size_t>(parent)];
     }
-    motions.push_back(moved(parent, body, at_rest));
+    motions.push_back(moved(before, mechanism, k, at_rest));
   }
   return motions;
 }
@@ -125,7 +154,7 @@ class InertiaCheck {
   explicit InertiaCheck(const Mechanism& mechanism) {
     constexpr int kPositions = 200;
     for (const State& state : random_states(turning_freely(mechanism), kPositions, 1)) {
-      positions_.emplace_back();
+      positions_.emplace_back(static_cast<std::size_t>(mechanism.base_bodies()));
       for (const double q : state.q) positions_.back().push_back({std::cos(q), std::sin(q), q});
     }
   }
@@ -155,9 +184,8 @@ class Abbreviator {
         motions_(largest_motions(mechanism, scope.at_rest)),
         check_(mechanism) {
     result_.mechanism = mechanism;
-    for (const Body& body : mechanism.bodies) {
-      result_.budget.push_back(budget.relative ? budget.value * limit_of(body, body.limits.effort, "effort")
-                                               : budget.value);
+    for (int k = 0; k < mechanism.size(); ++k) {
+      result_.budget.push_back(budget.relative ? budget.value * limit_of(mechanism, k, &Limits::effort) : budget.value);
     }
     result_.bound.assign(mechanism.bodies.size(), 0);
   }

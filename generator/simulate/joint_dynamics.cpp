@@ -29,17 +29,26 @@ JointDynamics::JointDynamics(const LoadedRobot& model, Progress& progress)
   entries_.resize(terms_->results());
   result_ = {Eigen::MatrixXd(joints(), joints()), Eigen::VectorXd(joints())};
   g_.resize(joints());
+  const Vec3& g_0 = model_.mechanism.gravity;
+  gravity_in_world_ = {nearest_double(g_0[0]), nearest_double(g_0[1]), nearest_double(g_0[2])};
+  g_b_ = gravity_in_world_;
+}
+
+void JointDynamics::turn_base(const Eigen::Quaterniond& orientation) {
+  g_b_ = orientation.conjugate() * gravity_in_world_;
 }
 
 std::span<const double> JointDynamics::positions(const double* q) {
-  return closed_.of({q, static_cast<std::size_t>(joints())});
+  const int of_base = mechanism().base_bodies();
+  return closed_.of({q + of_base, static_cast<std::size_t>(joints() - of_base)});
 }
 
 TapeInputs JointDynamics::inputs(const double* q, const double* qd) {
   const auto n = static_cast<std::size_t>(joints());
   TapeInputs given;
   given[InputKind::q] = positions(q);
-  if (qd != nullptr) given[InputKind::qd] = {qd, n};
+  if (qd != nullptr) given[with_base(InputKind::qd, mechanism().floating_base)] = {qd, n};
+  if (mechanism().floating_base) given[InputKind::g_b] = {g_b_.data(), static_cast<std::size_t>(g_b_.size())};
   return given;
 }
 

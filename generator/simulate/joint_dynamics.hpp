@@ -26,16 +26,20 @@ class JointDynamics {
   JointDynamics(const LoadedRobot& model, Progress& progress);
 
   const Mechanism& mechanism() const { return model_.mechanism; }
-  Eigen::Index joints() const { return viscous_.size(); }
+  Eigen::Index joints() const { return viscous_.size(); }      // entries of q̇
   const Eigen::VectorXd& viscous() const { return viscous_; }  // F_v, N m s (N s/m)
   const Eigen::VectorXd& coulomb() const { return coulomb_; }  // F_s, N m (N)
 
+  // Turns a floating base: gravity has the direction that it has in axes of this orientation, until the next call.
+  void turn_base(const Eigen::Quaterniond& orientation);
+
   // B and n at q in rad or m, qd in rad/s or m/s; n numbers each, those of the independent joints if loops are closed.
+  // With a floating base six numbers come first; those of q are not read, and those of qd are the base's twist.
   // Throws Failure(input) if the loops cannot be closed.
   const MotionTerms& at(const double* q, const double* qd);
   const MotionTerms& last() const { return result_; }  // the last result of at()
   const Eigen::VectorXd& gravity(const double* q);     // N m (N)
-  double potential_energy(const double* q);            // J
+  double potential_energy(const double* q);            // J; with a floating base in its frame's origin
   // The positions of all joints that are not coupled, dependent ones included. Valid until the next call of any of
   // these functions.
   std::span<const double> positions(const double* q);
@@ -50,6 +54,7 @@ class JointDynamics {
   std::vector<double> entries_;
   MotionTerms result_;
   Eigen::VectorXd g_;
+  Eigen::Vector3d gravity_in_world_, g_b_;  // m/s^2; with a floating base
 };
 
 }  // namespace flatdyn

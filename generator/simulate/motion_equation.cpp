@@ -15,6 +15,8 @@ constexpr double kSpeedSlack = 1e-11, kPositionSlack = 1e-11, kForceSlack = 1e-9
 // A joint that an impact leaves slower than this, in rad/s or m/s, stays at its stop.
 constexpr double kSettlingSpeed = 1e-3;
 
+constexpr int kDirections = 3;
+
 }  // namespace
 
 const char* to_string(EventKind kind) {
@@ -26,11 +28,15 @@ const char* to_string(EventKind kind) {
 MotionEquation::MotionEquation(const Simulation& simulation, JointDynamics& dynamics)
     : simulation_(simulation), dynamics_(dynamics), law_(simulation, dynamics), n_(dynamics.joints()) {
   contacts_.resize(static_cast<std::size_t>(n_));
-  for (const Body& body : dynamics.mechanism().joints()) {
+  const Mechanism& mechanism = dynamics.mechanism();
+  ranges_.assign(static_cast<std::size_t>(mechanism.base_bodies()), {-kUnbounded, kUnbounded});
+  for (const Body& body : mechanism.joints()) {
     const Limits& limits = body.limits;
     ranges_.push_back({limits.lower ? nearest_double(limits.lower->number) : -kUnbounded,
                        limits.upper ? nearest_double(limits.upper->number) : kUnbounded});
   }
+  const Vec3& g_0 = mechanism.gravity;
+  gravity_ = {nearest_double(g_0[0]), nearest_double(g_0[1]), nearest_double(g_0[2])};
 }
 
 Eigen::VectorXd MotionEquation::positions(const MotionState& x) {
@@ -38,17 +44,86 @@ Eigen::VectorXd MotionEquation::positions(const MotionState& x) {
   return Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
 }
 
+void MotionEquation::start_law(const MotionState& x, double t) {
+  if (has_base()) dynamics_.turn_base(orientation(x));
+  law_.start(t, x.data(), x.data() + n_);
+}
+
 MotionState MotionEquation::initial_state() const {
   MotionState x = simulation_.q;
   x.insert(x.end(), simulation_.qd.begin(), simulation_.qd.end());
   x.insert(x.end(), {0, 0});
+  if (!has_base()) return x;
+  const auto& [position, orientation] = simulation_.base;
+  std::copy(position.begin(), position.end(), x.begin());
+  std::copy(orientation.begin() + 1, orientation.end(), x.begin() + kDirections);
+  x.push_back(orientation[0]);
+  x.insert(x.end(), 2 * kDirections, 0);
   return x;
 }
 
+Eigen::Quaterniond MotionEquation::orientation(const MotionState& x) const {
+  return Eigen::Quaterniond(w_of(x), x[3], x[4], x[5]).normalized();
+}
+
+BasePose MotionEquation::pose(const MotionState& x) const {
+  const Eigen::Quaterniond turned = orientation(x);
+  return {{x[0], x[1], x[2]}, {turned.w(), turned.x(), turned.y(), turned.z()}};
+}
+
+bool MotionEquation::rescale_orientation(MotionState& x) const {
+  if (!has_base()) return false;
+  const Eigen::Quaterniond turned = orientation(x);
+  const bool is_changed = turned.w() != w_of(x) || turned.x() != x[3] || turned.y() != x[4] || turned.z() != x[5];
+  w_of(x) = turned.w(), x[3] = turned.x(), x[4] = turned.y(), x[5] = turned.z();
+  return is_changed;
+}
+
+// From the base's block of B, which has m, and S(m r_C) beside it.
+Eigen::Vector3d MotionEquation::centre_of_mass() const {
+  const Eigen::MatrixXd& B = dynamics_.last().B;
+  return Eigen::Vector3d(B(1, 5), B(2, 3), B(0, 4)) / mass();
+}
+
+Momentum MotionEquation::momentum(const MotionState& x) const {
+  const Eigen::Map<const Eigen::VectorXd> v(x.data() + n_, n_);
+  const Eigen::Matrix<double, 2 * kDirections, 1> about_origin = dynamics_.last().B.topRows<2 * kDirections>() * v;
+  const Eigen::Vector3d linear = about_origin.head<kDirections>(), angular = about_origin.tail<kDirections>();
+  const Eigen::Quaterniond turned = orientation(x);
+  return {turned * linear, turned * Eigen::Vector3d(angular - centre_of_mass().cross(linear))};
+}
+
+Momentum MotionEquation::impulse(const MotionState& x) const {
+  const double* const first = x.data() + 2 * n_ + 3;
+  return {Eigen::Map<const Eigen::Vector3d>(first), Eigen::Map<const Eigen::Vector3d>(first + kDirections)};
+}
+
+double MotionEquation::potential_energy(const MotionState& x) {
+  if (!has_base()) return dynamics_.potential_energy(x.data());
+  dynamics_.turn_base(orientation(x));
+  return dynamics_.potential_energy(x.data()) - mass() * gravity_.dot(Eigen::Vector3d(x[0], x[1], x[2]));
+}
+
+// B and n where the base is.
+const MotionTerms& MotionEquation::terms_at(const MotionState& x) { return dynamics_.at(x.data(), x.data() + n_); }
+
+// ṗ = R v, and half the product of the quaternion and (0, ω); forces of the base and gravity add to the momentum.
+void MotionEquation::move_base(const MotionState& x, MotionState& dx) const {
+  const Eigen::Map<const Eigen::Vector3d> v(x.data() + n_), omega(x.data() + n_ + kDirections);
+  const Eigen::Quaterniond turned = orientation(x);
+  Eigen::Map<Eigen::Vector3d>(dx.data()) = turned * v;
+  const Eigen::Quaterniond rate = turned * Eigen::Quaterniond(0, omega.x() / 2, omega.y() / 2, omega.z() / 2);
+  dx[3] = rate.x(), dx[4] = rate.y(), dx[5] = rate.z(), w_of(dx) = rate.w();
+  const Eigen::Vector3d force = tau_.head<kDirections>(), moment = tau_.segment<kDirections>(kDirections);
+  double* const first = dx.data() + 2 * n_ + 3;
+  Eigen::Map<Eigen::Vector3d>{first} = turned * force + mass() * gravity_;
+  Eigen::Map<Eigen::Vector3d>{first + kDirections} = turned * Eigen::Vector3d(moment - centre_of_mass().cross(force));
+}
+
 ContactMotion MotionEquation::motion(const MotionState& x, double t) {
-  const double *q = x.data(), *qd = q + n_;
-  tau_ = law_.at(t, q, qd);
-  const MotionTerms& terms = dynamics_.at(q, qd);
+  if (has_base()) dynamics_.turn_base(orientation(x));
+  tau_ = law_.at(t, x.data(), x.data() + n_);
+  const MotionTerms& terms = terms_at(x);
   return motion_of(terms.B, tau_ - terms.n, dynamics_.coulomb(), contacts_);
 }
 
@@ -61,6 +136,7 @@ void MotionEquation::operator()(const MotionState& x, MotionState& dx, double t)
   derivative.segment(n_, n_) = now.qdd;
   derivative(2 * n_) = qd.dot(tau_);
   derivative(2 * n_ + 1) = qd.dot(dynamics_.viscous().cwiseProduct(qd) - now.lambda);
+  if (has_base()) move_base(x, dx);
 }
 
 double MotionEquation::kinetic_energy(const MotionState& x) const {
@@ -132,7 +208,8 @@ bool MotionEquation::meet_event(MotionState& x, double t, std::vector<MotionEven
   if (meets && simulation_.at_limits == AtLimits::end) return true;
   if (meets) {
     Eigen::Map<Eigen::VectorXd> qd(x.data() + n_, n_);
-    dynamics_.at(x.data(), qd.data());
+    if (has_base()) dynamics_.turn_base(orientation(x));
+    terms_at(x);
     const double before = kinetic_energy(x);
     qd = speeds_after_impact(dynamics_.last().B, qd, stops(x));
     settle(x);
@@ -152,9 +229,10 @@ void MotionEquation::settle(MotionState& x) const {
 }
 
 void MotionEquation::decide(const MotionState& x, double t, std::vector<MotionEvent>& events) {
-  const double *q = x.data(), *qd = q + n_;
-  const Eigen::VectorXd tau = law_.at(t, q, qd);
-  const MotionTerms& terms = dynamics_.at(q, qd);
+  const double* const qd = x.data() + n_;
+  if (has_base()) dynamics_.turn_base(orientation(x));
+  const Eigen::VectorXd tau = law_.at(t, x.data(), qd);
+  const MotionTerms& terms = terms_at(x);
   const Contacts before = contacts_;
   contacts_ = decided_contacts(terms.B, tau - terms.n, dynamics_.coulomb(), Eigen::Map<const Eigen::VectorXd>(qd, n_),
                                stops(x));

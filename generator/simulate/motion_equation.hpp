@@ -12,7 +12,14 @@
 namespace flatdyn {
 
 // q, q̇, the work of the torques so far, and the energy that friction and stops have dissipated: 2 n + 2 numbers, SI.
+// With a floating base the first six of q are its position and x, y, z of its unit quaternion, and there are seven more
+// numbers: w of the quaternion, and what force and moment about the centre of mass add up to over time, in world axes.
 using MotionState = std::vector<double>;
+
+// The robot's momentum, kg m/s, and its moment about the centre of mass, kg m²/s.
+struct Momentum {
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero();
+};
 
 enum class EventKind { rests, slides, meets_lower_limit, meets_upper_limit, leaves_limit };
 const char* to_string(EventKind kind);
@@ -27,7 +34,8 @@ class MotionEquation {
  public:
   MotionEquation(const Simulation& simulation, JointDynamics& dynamics);
 
-  TorqueLaw& law() { return law_; }
+  double next_knot(double t) const { return law_.next_knot(t); }
+  void start_law(const MotionState& x, double t);  // TorqueLaw::start()
   const Contacts& contacts() const { return contacts_; }
   const Eigen::VectorXd& viscous() const { return dynamics_.viscous(); }
   long evaluations() const { return evaluations_; }
@@ -40,7 +48,16 @@ class MotionEquation {
   // The kinetic energy, J, with B of the last motion() or decide().
   double kinetic_energy(const MotionState& x) const;
   Eigen::VectorXd positions(const MotionState& x);  // positions of all joints that are not coupled
-  double potential_energy(const MotionState& x) { return dynamics_.potential_energy(x.data()); }
+  double potential_energy(const MotionState& x);
+
+  // With a floating base, in world axes; momentum with B of the last motion() or decide().
+  bool has_base() const { return dynamics_.mechanism().floating_base; }
+  BasePose pose(const MotionState& x) const;
+  Eigen::Vector3d base_gravity(const MotionState& x) const { return orientation(x).conjugate() * gravity_; }
+  Momentum momentum(const MotionState& x) const;
+  Momentum impulse(const MotionState& x) const;  // what forces have added to the momentum since the start
+  // Rescales the quaternion to unit length, and returns whether its length was another one.
+  bool rescale_orientation(MotionState& x) const;
 
   // Whether there is any dry friction or stop.
   bool has_events() const;
@@ -58,6 +75,14 @@ class MotionEquation {
     double lower, upper;
   };
 
+  Eigen::Quaterniond orientation(const MotionState& x) const;
+  const MotionTerms& terms_at(const MotionState& x);
+  void move_base(const MotionState& x, MotionState& dx) const;
+  double mass() const { return dynamics_.last().B(0, 0); }
+  Eigen::Vector3d centre_of_mass() const;
+  double& w_of(MotionState& x) const { return x[static_cast<std::size_t>(2 * n_ + 2)]; }
+  double w_of(const MotionState& x) const { return x[static_cast<std::size_t>(2 * n_ + 2)]; }
+
   bool is_limit_met(const MotionState& x, std::size_t i, int side) const;
   double limit_margin(const MotionState& x, std::size_t i) const;
   double rest_margin(const MotionState& x, const Eigen::VectorXd& lambda, std::size_t i) const;
@@ -72,6 +97,7 @@ class MotionEquation {
   std::vector<Range> ranges_;
   Contacts contacts_;
   Eigen::VectorXd tau_;
+  Eigen::Vector3d gravity_;  // g_0, m/s^2
   long evaluations_ = 0;
 };
 

@@ -2,6 +2,7 @@
 // The description of a simulation as written: docs/simulation-format.md.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,6 +43,14 @@ struct FeedbackLaw {
   std::optional<Trajectory> trajectory;  // used instead of `position`
 };
 
+// The pose of a floating base in the world.
+struct BasePose {
+  std::array<double, 3> position = {0, 0, 0};        // of the base frame's origin, m
+  std::array<double, 4> orientation = {1, 0, 0, 0};  // unit quaternion w, x, y, z: from base axes to world axes
+};
+
+// Lists by joint begin with six entries of a floating base, as those of `qd` and `constant` do; the six of positions
+// and gains have no meaning.
 struct Simulation {
   double duration = 10;                  // s
   double rate = 1000;                    // rows of the result per second
@@ -56,6 +65,7 @@ struct Simulation {
   double tolerance = 1e-9;         // adaptive: error of q and q̇ per step, relative and absolute
   std::vector<std::string> files;  // the files that it was read from
   double step = 1e-3;              // rk4, s; shortened so that rows coincide with steps
+  BasePose base;                   // start of a floating base
 };
 
 // A simulation without torques that starts at rest at q = 0, or where the loops are assembled.

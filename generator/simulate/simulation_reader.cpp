@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 
@@ -24,6 +25,7 @@ std::vector<double> doubles(const std::vector<Value>& values) {
 }
 
 constexpr double kShortestPeriod = 1e-7;  // s
+constexpr std::size_t kTwist = 6;
 
 class SimulationReader {
  public:
@@ -65,8 +67,14 @@ class SimulationReader {
     diagnostics_.error(given->front().place, fmt::format("{}: {} {}", key, result, wrong), "e.g. 0.001");
   }
 
+  // Sets the entries of the joints, behind those of a floating base.
+  void set_joints(const std::vector<Value>& given, std::vector<double>& result) const {
+    const std::vector<double> numbers = doubles(given);
+    std::copy(numbers.begin(), numbers.end(), result.begin() + mechanism_.base_bodies());
+  }
+
   void by_joint(TomlTable& table, const char* key, std::vector<double>& result) {
-    if (const auto given = table.numbers(key, joints())) result = doubles(*given);
+    if (const auto given = table.numbers(key, joints())) set_joints(*given, result);
   }
 
   // Converts positions or rates to rad or m and s.
@@ -80,7 +88,7 @@ class SimulationReader {
       const Spot spot{value.place, fmt::format("{}, joint \"{}\"", key, body.joint)};
       value.number = in_si(value.number, body, units_, spot, diagnostics_);
     }
-    result = doubles(*given);
+    set_joints(*given, result);
   }
 
   template <class Choice>
@@ -99,11 +107,49 @@ class SimulationReader {
   void read_start(TomlTable table) {
     motion(table, "q", position_in_si, simulation_.q);
     motion(table, "qd", rate_in_si, simulation_.qd);
+    if (mechanism_.floating_base) read_start_of_base(table);
     table.reject_unknown_keys();
+  }
+
+  void read_start_of_base(TomlTable& table) {
+    BasePose& base = simulation_.base;
+    if (const auto p = list_of(table, "base_position", base.position.size())) {
+      std::copy(p->begin(), p->end(), base.position.begin());
+    }
+    if (const auto v = list_of(table, "base_velocity", kTwist)) std::copy(v->begin(), v->end(), simulation_.qd.begin());
+    const auto given = list_of(table, "base_orientation", base.orientation.size());
+    if (!given) return;
+    constexpr double kNearlyOne = 1e-3;  // what rounding to a few digits leaves
+    double square = 0;
+    for (const double x : *given) square += x * x;
+    const double length = std::sqrt(square);
+    if (!(std::abs(length - 1) <= kNearlyOne)) {
+      diagnostics_.error(table.place_of("base_orientation"),
+                         fmt::format("base_orientation: its length is {:.6g}, not 1", length),
+                         "write the unit quaternion w, x, y, z from base axes to world axes");
+    }
+    std::transform(given->begin(), given->end(), base.orientation.begin(), [length](double x) { return x / length; });
+  }
+
+  // A list of this many numbers.
+  std::optional<std::vector<double>> list_of(TomlTable& table, const char* key, std::size_t count) {
+    const bool is_list = table.is_list(key);
+    const auto given = table.numbers(key, count);
+    if (!given) return std::nullopt;
+    if (!is_list) {
+      diagnostics_.error(table.place_of(key), fmt::format("{}: it is no list", key),
+                         fmt::format("write {} numbers", count));
+      return std::nullopt;
+    }
+    return doubles(*given);
   }
 
   void read_torque(TomlTable table) {
     by_joint(table, "constant", simulation_.constant);
+    if (mechanism_.floating_base) {
+      const auto on_base = list_of(table, "on_base", kTwist);
+      if (on_base) std::copy(on_base->begin(), on_base->end(), simulation_.constant.begin());
+    }
     simulation_.saturate = table.boolean("saturate").value_or(false);
     const bool has_efforts = std::any_of(mechanism_.joints().begin(), mechanism_.joints().end(),
                                          [](const Body& body) { return body.limits.effort.has_value(); });
@@ -119,6 +165,10 @@ class SimulationReader {
         diagnostics_.error(law->place(), "torque: two of samples, pd and computed_torque", "keep one of them");
       }
       simulation_.feedback = read_feedback(*law, kind);
+      if (mechanism_.floating_base && kind == FeedbackLaw::Kind::computed_torque) {
+        diagnostics_.error(law->place(), "computed_torque: motors do not drive a floating base",
+                           "take pd, or hold the base still with --base fixed");
+      }
     }
     table.reject_unknown_keys();
   }
@@ -138,7 +188,7 @@ class SimulationReader {
 
   FeedbackLaw read_feedback(TomlTable table, FeedbackLaw::Kind kind) {
     FeedbackLaw law{kind, {}, {}, simulation_.q, false, std::nullopt};
-    law.kp.assign(joints(), 0);
+    law.kp.assign(simulation_.q.size(), 0);
     law.kd = law.kp;
     by_joint(table, "kp", law.kp);
     by_joint(table, "kd", law.kd);
@@ -146,6 +196,11 @@ class SimulationReader {
     if (const std::optional<std::string> name = table.text("trajectory")) {
       if (table.has("position")) {
         diagnostics_.error(table.place_of("trajectory"), "trajectory and position: one of them", "leave one out");
+      }
+      if (mechanism_.floating_base) {
+        diagnostics_.error(table.place_of("trajectory"), "trajectory: not supported yet with a floating base",
+                           "give position, or hold the base still with --base fixed");
+        return law;
       }
       law.trajectory = read_trajectory(beside(*name), robot_, mechanism_, diagnostics_);
     }
@@ -159,7 +214,7 @@ class SimulationReader {
     bool is_any = false;
     for (std::size_t i = 0; i < joints(); ++i) {
       const Body& body = mechanism_.joints()[i];
-      const double q = simulation_.q[i];
+      const double q = simulation_.q[i + static_cast<std::size_t>(mechanism_.base_bodies())];
       is_any = is_any || body.limits.lower || body.limits.upper;
       const double lower = body.limits.lower ? nearest_double(body.limits.lower->number) : q;
       const double upper = body.limits.upper ? nearest_double(body.limits.upper->number) : q;

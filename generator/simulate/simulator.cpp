@@ -29,7 +29,7 @@ class Simulator {
         x_(equation_.initial_state()) {}
 
   SimulatedMotion run() {
-    equation_.law().start(0, x_.data(), speeds());
+    equation_.start_law(x_, 0);
     equation_.decide(x_, 0, motion_.events);
     motion_.events.clear();  // joints at rest at the start have not come to rest
     add_rows_until(0, [this](double) -> const MotionState& { return x_; });
@@ -45,16 +45,15 @@ class Simulator {
   }
 
  private:
-  const double* speeds() const { return x_.data() + equation_.contacts().size(); }
   bool is_over() const { return t_ >= simulation_.duration || motion_.at_limit || motion_.interrupted; }
 
   void in_free_steps() {
     double step = 1e-3;
     while (!is_over()) {
-      const double end = std::min(simulation_.duration, equation_.law().next_knot(t_));
+      const double end = std::min(simulation_.duration, equation_.next_knot(t_));
       step = until_event_or(end, step);
       if (t_ < end || is_over()) continue;
-      equation_.law().start(t_, x_.data(), speeds());
+      equation_.start_law(x_, t_);
       if (equation_.margin(x_, t_) < 0) meet_event();
     }
   }
@@ -87,7 +86,8 @@ class Simulator {
       // The step ends at a knot, where a torque may bend; a remainder within rounding is no step.
       if (end - t_ <= 1e-13 * end) t_ = end;
       const double next = stepper.current_time_step();
-      if (t_ < end && t_ + next > end) stepper.initialize(x_, t_, end - t_);
+      const bool is_rescaled = equation_.rescale_orientation(x_), is_last = t_ + next > end;
+      if (t_ < end && (is_rescaled || is_last)) stepper.initialize(x_, t_, is_last ? end - t_ : next);
       if (t_ >= end) return next;
     }
     return step;
@@ -136,16 +136,17 @@ class Simulator {
     const auto per_row = static_cast<long>(std::ceil(row / simulation_.step * (1 - 1e-12)));
     const double step = row / static_cast<double>(per_row);
     odeint::runge_kutta4<MotionState> stepper;
-    double knot = equation_.law().next_knot(0);
+    double knot = equation_.next_knot(0);
     for (long k = 1; !is_over(); ++k) {
       stepper.do_step(std::ref(equation_), x_, t_, step);
+      equation_.rescale_orientation(x_);
       t_ = static_cast<double>(k) * step;
       ++motion_.steps;
       require_finite();
       // A knot is met to within half a step.
       if (t_ + step / 2 >= knot) {
-        equation_.law().start(t_, x_.data(), speeds());
-        knot = equation_.law().next_knot(t_ + step / 2);
+        equation_.start_law(x_, t_);
+        knot = equation_.next_knot(t_ + step / 2);
       }
       if (equation_.margin(x_, t_) < 0) meet_event();
       add_rows_until(t_ + step / 2, [this](double) -> const MotionState& { return x_; });
@@ -182,16 +183,20 @@ class Simulator {
     const Eigen::Index n = now.qdd.size();
     const Eigen::Map<const Eigen::VectorXd> qd(x.data() + n, n);
     const auto energies = static_cast<std::size_t>(2 * n);
-    return {t,
-            equation_.positions(x),
-            qd,
-            now.qdd,
-            equation_.tau(),
-            now.lambda - equation_.viscous().cwiseProduct(qd),
-            equation_.kinetic_energy(x),
-            equation_.potential_energy(x),
-            x[energies],
-            x[energies + 1]};
+    SimulationRow result{t,
+                         equation_.positions(x),
+                         qd,
+                         now.qdd,
+                         equation_.tau(),
+                         now.lambda - equation_.viscous().cwiseProduct(qd),
+                         equation_.kinetic_energy(x),
+                         equation_.potential_energy(x),
+                         x[energies],
+                         x[energies + 1]};
+    if (equation_.has_base()) {
+      result.base = {equation_.pose(x), equation_.momentum(x), equation_.impulse(x), equation_.base_gravity(x)};
+    }
+    return result;
   }
 
   const Simulation& simulation_;
@@ -205,6 +210,20 @@ class Simulator {
 };
 
 }  // namespace
+
+Momentum momentum_error(const SimulatedMotion& motion) {
+  const auto left = [](const SimulationRow& row) {
+    const BaseRow& base = *row.base;
+    return Momentum{base.momentum.linear - base.impulse.linear, base.momentum.angular - base.impulse.angular};
+  };
+  Momentum largest;
+  for (const SimulationRow& row : motion.rows) {
+    const Momentum here = left(row), first = left(motion.rows.front());
+    largest.linear = largest.linear.cwiseMax((here.linear - first.linear).cwiseAbs());
+    largest.angular = largest.angular.cwiseMax((here.angular - first.angular).cwiseAbs());
+  }
+  return largest;
+}
 
 double energy_error(const SimulatedMotion& motion) {
   const auto sum = [](const SimulationRow& row) { return row.kinetic + row.potential - row.work + row.dissipated; };

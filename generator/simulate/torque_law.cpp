@@ -12,11 +12,23 @@
 
 namespace flatdyn {
 
+namespace {
+
+// The largest force of each entry of τ.
+Eigen::VectorXd effort_limits(const Mechanism& mechanism) {
+  std::vector<double> limits(static_cast<std::size_t>(mechanism.base_bodies()), kUnbounded);
+  const std::vector<double> of_joints = given_limits(mechanism).torque;
+  limits.insert(limits.end(), of_joints.begin(), of_joints.end());
+  return vector_of(limits);
+}
+
+}  // namespace
+
 TorqueLaw::TorqueLaw(const Simulation& simulation, JointDynamics& dynamics)
     : simulation_(simulation),
       dynamics_(dynamics),
       constant_(vector_of(simulation.constant)),
-      limits_(vector_of(given_limits(dynamics.mechanism()).torque)),
+      limits_(effort_limits(dynamics.mechanism())),
       torque_(constant_) {
   if (const auto& law = simulation.feedback) {
     kp_ = vector_of(law->kp);
@@ -75,6 +87,8 @@ void TorqueLaw::feedback(double t, const double* q, const double* qd) {
     torque_ += wanted;
     if (simulation_.feedback->gravity) torque_ += dynamics_.gravity(q);
   }
+  const int of_base = dynamics_.mechanism().base_bodies();  // motors act on joints alone
+  torque_.head(of_base) = constant_.head(of_base);
 }
 
 // The torques interpolated at t; before the first sample and after the last one, those of that sample.

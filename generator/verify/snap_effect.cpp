@@ -47,6 +47,7 @@ class SnapComparison {
     const Mechanism& mechanism = model.mechanism;
     if (!mechanism.is_coupled() && !mechanism.has_loops() && mechanism.symbols.empty()) {
       limits_ = largest_motion(mechanism);
+      base_ = largest_motion_of_base(mechanism);
     }
   }
 
@@ -109,7 +110,7 @@ class SnapComparison {
   }
 
   std::optional<double> bound(const Sample& a, const Sample& b) const {
-    return limits_ ? std::optional(torque_difference_bound(a.robot, b.robot, *limits_)) : std::nullopt;
+    return limits_ ? std::optional(torque_difference_bound(a.robot, b.robot, *limits_, base_)) : std::nullopt;
   }
 
   // The change by all snaps made after reading, and that by all snaps of angles, together.
@@ -130,6 +131,7 @@ class SnapComparison {
   const ReadOptions& options_;
   std::vector<State> states_;
   std::optional<std::vector<MotionLimits>> limits_;
+  MotionOfBase base_;
 };
 
 }  // namespace

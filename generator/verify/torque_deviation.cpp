@@ -19,9 +19,10 @@ std::vector<State> states_within(const Mechanism& mechanism, bool at_rest, int c
   std::vector<State> states = random_states(mechanism, count, 1);
   for (std::size_t k = 0; k < states.size(); ++k) {
     State& state = states[k];
-    for (std::size_t i = 0; i < state.q.size() && k % 2 == 1; ++i) {
-      push_to_limit(state.qd[i], mechanism.joints()[i].limits.velocity);
-      push_to_limit(state.qdd[i], mechanism.joints()[i].limits.acceleration);
+    for (std::size_t i = 0; i < state.qd.size() && k % 2 == 1; ++i) {
+      const Limits& limits = mechanism.joint(static_cast<int>(i)).limits;
+      push_to_limit(state.qd[i], limits.velocity);
+      push_to_limit(state.qdd[i], limits.acceleration);
     }
     if (at_rest) std::fill(state.qd.begin(), state.qd.end(), 0.0);
   }
@@ -43,7 +44,7 @@ TorqueDeviation torque_deviation(const Mechanism& whole, const Mechanism& part, 
   const Function of_whole = derive_function(whole, "inverse_dynamics"),
                  of_part = derive_function(part, "inverse_dynamics");
   GraphEvaluator<double> tau_whole(of_whole), tau_part(of_part);
-  TorqueDeviation result{states, std::vector<double>(whole.joints().size(), 0)};
+  TorqueDeviation result{states, std::vector<double>(static_cast<std::size_t>(whole.size()), 0)};
   for (const State& state : states_within(whole, at_rest, states)) {
     const std::vector<double> x = *tau_whole(state), y = *tau_part(state);
     for (std::size_t i = 0; i < x.size(); ++i) result.largest[i] = std::max(result.largest[i], std::abs(x[i] - y[i]));

@@ -79,16 +79,21 @@ struct Wrench {
 
 class TorqueDifference {
  public:
-  TorqueDifference(const Robot50& a, const Robot50& b, const std::vector<MotionLimits>& limits)
-      : a_(a), b_(b), limits_(limits), motions_(a.links.size()), wrenches_(a.links.size()) {}
+  TorqueDifference(const Robot50& a, const Robot50& b, const std::vector<MotionLimits>& limits,
+                   const MotionOfBase& base)
+      : a_(a), b_(b), limits_(limits), base_(base), motions_(a.links.size()), wrenches_(a.links.size()) {}
 
   double largest() {
-    motions_[index(a_.root)].ddp = bound_of(a_.gravity, b_.gravity);
+    Motion& root = motions_[index(a_.root)];
+    root = {{base_.omega, 0}, {base_.domega, 0}, bound_of(a_.gravity, b_.gravity)};
+    root.ddp.size += base_.ddp;
     for (std::size_t j = 0; j < a_.joints.size(); ++j) move(j);
     for (std::size_t l = 0; l < a_.links.size(); ++l) load(l);
     for (std::size_t j = 0; j < a_.joints.size(); ++j) drive(j);
     double worst = 0;
     for (std::size_t j = a_.joints.size(); j-- > 0;) worst = std::max(worst, hand_on(j));
+    const Wrench& on_base = wrenches_[index(a_.root)];
+    if (a_.floating_base) worst = std::max({worst, on_base.force.difference, on_base.moment.difference});
     return worst * kRoundingMargin;
   }
 
@@ -97,8 +102,9 @@ class TorqueDifference {
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+  // Entries of `limits_` are those of q, without a floating base.
   MotionLimits limits_of(const Joint50& joint) const {
-    return joint.index < 0 ? MotionLimits{} : limits_[index(joint.index)];
+    return joint.index < 0 ? MotionLimits{} : limits_[index(joint.index - a_.base_size())];
   }
 
   Bound axis(std::size_t j) const { return {1, bound_of(a_.joints[j].axis, b_.joints[j].axis).difference}; }
@@ -195,6 +201,7 @@ class TorqueDifference {
 
   const Robot50 &a_, &b_;
   const std::vector<MotionLimits>& limits_;
+  MotionOfBase base_;
   std::vector<Motion> motions_;   // by link
   std::vector<Wrench> wrenches_;  // by link: force, and moment about its frame's origin
 };
@@ -211,8 +218,19 @@ std::vector<MotionLimits> largest_motion(const Mechanism& mechanism) {
   return all;
 }
 
-double torque_difference_bound(const Robot50& a, const Robot50& b, const std::vector<MotionLimits>& limits) {
-  return TorqueDifference(a, b, limits).largest();
+MotionOfBase largest_motion_of_base(const Mechanism& mechanism) {
+  if (!mechanism.floating_base) return {};
+  constexpr int kLinear = 0, kAngular = 3;
+  const double root_3 = std::sqrt(3.0) * kRoundingMargin;  // the length of a vector is at most that of its components
+  const MotionRange linear = motion_range(mechanism.joint(kLinear)), angular = motion_range(mechanism.joint(kAngular));
+  const double omega = root_3 * angular.speed;
+  return {omega, root_3 * angular.acceleration,
+          (root_3 * linear.acceleration + omega * root_3 * linear.speed) * kRoundingMargin};
+}
+
+double torque_difference_bound(const Robot50& a, const Robot50& b, const std::vector<MotionLimits>& limits,
+                               const MotionOfBase& base) {
+  return TorqueDifference(a, b, limits, base).largest();
 }
 
 }  // namespace flatdyn

@@ -13,7 +13,8 @@ HEADER_FUNCTION = re.compile(
 FUSED = "constexpr MultiplyAdd<Scalar> fma{}"
 NO_OPERATIONS = (FUSED, "Scalar sine[", "Scalar angle[", "angles(", "sin_cos(", "static_assert(")
 LIMITS = {"q": ["position_lower", "position_upper"], "qd": ["velocity_limit"], "qdd": ["acceleration_limit"],
-          "tau": ["effort_limit"]}
+          "tau": ["effort_limit"], "v": ["velocity_limit"], "a": ["acceleration_limit"]}
+OF_BASE = 6  # entries of v, a and tau before the joints', with a floating base
 
 def definitions(statement):
     """The definitions in a statement, "a = x, b = fma(x, y, z)"."""
@@ -102,5 +103,10 @@ class Header:
     def limit(self, argument):
         """The largest size of an argument such as qd_2, or nothing if the header has none."""
         kind, _, index = argument.partition("_")
-        sizes = [self.limits[name][int(index) - 1] for name in LIMITS.get(kind, []) if name in self.limits]
+        if not index.isdigit():
+            return None
+        joint = int(index) - 1 - (OF_BASE if kind in ("v", "a") else 0)
+        if joint < 0:
+            return None
+        sizes = [self.limits[name][joint] for name in LIMITS.get(kind, []) if name in self.limits]
         return max(sizes) if sizes and max(sizes) < math.inf else None

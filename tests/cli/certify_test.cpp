@@ -173,6 +173,50 @@ TEST(Certify, WithoutGappaGivesItsOwnBounds) {
   EXPECT_THAT(scratch.read("out"), HasSubstr("flatdyn\n"));
 }
 
+constexpr const char* kFreeBody = R"(name = "body"
+[base]
+motion = "floating"
+mass = 2
+com = [0.01, 0.02, 0.3]
+inertia = { xx = 1, yy = 2, zz = 3 }
+inertia_about = "com"
+)";
+
+TEST(Certify, AsksForTheLimitsOfAFloatingBase) {
+  const Scratch scratch;
+  scratch.write("body.toml", kFreeBody);
+  const std::string certify = "certify " + scratch.path("body.toml") + " -q --functions inverse_dynamics ";
+  const Outcome none = run_flatdyn(certify);
+  EXPECT_EQ(none.code, 4);
+  EXPECT_THAT(none.err, HasSubstr("the floating base has no limit `angular_velocity`"));
+  EXPECT_THAT(none.err, HasSubstr("[base_limits] of the scene"));
+  scratch.write("scene.toml",
+                "[base_limits]\nlinear_velocity = 2\nangular_velocity = 3\nlinear_acceleration = 10\n"
+                "angular_acceleration = 20\nforce = 100\nmoment = 200\n");
+  const std::string scene = "--scene " + scratch.path("scene.toml");
+  const Outcome proven = run_flatdyn(certify + scene + " --states 5000 -o " + scratch.path("out"));
+  ASSERT_EQ(proven.code, 0) << proven.err;
+  const json certificate = json::parse(scratch.read("out/body.certificate.json"));
+  const json& outputs = certificate.at("functions").at(0).at("outputs");
+  ASSERT_EQ(outputs.size(), 6u);
+  for (const json& output : outputs) {
+    EXPECT_EQ(output.at("gappa"), "proven");
+    EXPECT_LE(output.at("bound"), 10 * output.at("seen").get<double>()) << output;
+  }
+  EXPECT_EQ(outputs.at(0).at("unit"), "N");
+  EXPECT_EQ(outputs.at(0).at("effort_limit"), 100);
+  EXPECT_EQ(outputs.at(5).at("effort_limit"), 200);
+  EXPECT_THAT(scratch.read("out/body.hpp"), HasSubstr("base_limits.angular_velocity = 3"));
+  const Outcome part = run_flatdyn("generate " + scratch.path("body.toml") + " -q --functions inverse_dynamics -o " +
+                                   scratch.path("part") + " --error-budget 1% " + scene);
+  EXPECT_EQ(part.code, 0) << part.err;
+  EXPECT_THAT(scratch.read("part/body.hpp"), HasSubstr("force and moment on the base"));
+  scratch.write("scene.toml", "[base_limits]\nforce = 0\n");
+  const Outcome zero = run_flatdyn(certify + scene);
+  EXPECT_EQ(zero.code, 3);
+  EXPECT_THAT(zero.err, HasSubstr("scene.toml:2: error: base_limits: force is not positive"));
+}
+
 TEST(Certify, EndsWithFourWhereNoBoundIsWithinReach) {
   const Scratch scratch;
   const Outcome divides = run_flatdyn("certify robots/panda.urdf --functions forward_dynamics -o " + scratch.path());

@@ -41,6 +41,75 @@ TEST(Simulate, WritesMotionEventsAndPlot) {
   EXPECT_THAT(scratch.read("m.svg"), HasSubstr("energies"));
 }
 
+constexpr const char* kThrown = R"(duration = 0.5
+rate = 20
+[start]
+base_position = [0, 0, 2]
+base_orientation = [0.6, 0, 0.8, 0]
+base_velocity = [1, 0, 0, 0.1, 4, 0.2]
+)";
+
+constexpr const char* kThrownBody = R"(name = "body"
+[base]
+motion = "floating"
+mass = 2
+com = [0.1, 0, 0]
+inertia = { xx = 0.1, yy = 0.2, zz = 0.3 }
+inertia_about = "com"
+[[link]]
+joint = "wheel"
+xyz = [0.2, 0, 0]
+mass = 0.5
+com = [0, 0.1, 0]
+inertia = { xx = 0.01, yy = 0.01, zz = 0.02 }
+inertia_about = "com"
+)";
+
+// `eval` can read the motion of a floating base, and finds that no force acts on it.
+TEST(Simulate, ThrowsARobotWithAFloatingBase) {
+  const Scratch scratch;
+  scratch.write("body.toml", kThrownBody);
+  scratch.write("thrown.toml", kThrown);
+  const Outcome outcome =
+      run_flatdyn(fmt::format("simulate {} --simulation {} -o {} --plot {}", scratch.path("body.toml"),
+                              scratch.path("thrown.toml"), scratch.path("m.csv"), scratch.path("m.svg")));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("momentum adds up within "));
+  const std::string csv = scratch.read("m.csv");
+  EXPECT_THAT(csv, StartsWith("t,base_x,base_y,base_z,base_qw,base_qx,base_qy,base_qz,q1,base_vx,base_vy,base_vz,"
+                              "base_wx,base_wy,base_wz,qd7,base_dvx,"));
+  EXPECT_THAT(csv, HasSubstr(",base_nz,tau7,friction7,kinetic,potential,work,dissipated,base_gx,base_gy,base_gz,"
+                             "momentum_x,momentum_y,momentum_z,angular_momentum_x,"));
+  const Outcome again = run_flatdyn("eval " + scratch.path("body.toml") +
+                                    " -q --json --function inverse_dynamics --states " + scratch.path("m.csv"));
+  ASSERT_EQ(again.code, 0) << again.err;
+  const json rows = json::parse(again.out).at("rows");
+  ASSERT_EQ(rows.size(), 11u);
+  for (const json& row : rows) {
+    for (std::size_t k = row.size() - 7; k < row.size(); ++k) {
+      EXPECT_NEAR(std::stod(row[k].get<std::string>()), 0, 1e-9) << row;
+    }
+  }
+}
+
+TEST(Simulate, SaysWhatIsWrongAboutAFloatingBase) {
+  const Scratch scratch;
+  scratch.write("body.toml", kThrownBody);
+  const auto told = [&scratch](const std::string& simulation) {
+    scratch.write("run.toml", simulation);
+    const Outcome outcome = run_flatdyn("simulate " + scratch.path("body.toml") + " --simulation " +
+                                        scratch.path("run.toml") + " -o " + scratch.path("m.csv"));
+    EXPECT_EQ(outcome.code, 3) << simulation;
+    return outcome.err;
+  };
+  EXPECT_THAT(told("[start]\nbase_orientation = [1, 1, 0, 0]\n"),
+              HasSubstr("run.toml:2: error: base_orientation: its length is 1.41421, not 1"));
+  EXPECT_THAT(told("[start]\nbase_velocity = 1\n"), HasSubstr("run.toml:2: error: base_velocity: it is no list"));
+  EXPECT_THAT(told("[start]\nbase_position = [1, 2]\n"), HasSubstr("run.toml:2: error: "));
+  EXPECT_THAT(told("[torque.computed_torque]\nkp = 1\n"),
+              HasSubstr("run.toml:1: error: computed_torque: motors do not drive a floating base"));
+}
+
 // `eval` can read the simulation, and finds the torques that it was given: none.
 TEST(Simulate, FallsWithoutTorques) {
   const Scratch scratch;

@@ -21,6 +21,15 @@ inline Mechanism within_limits(Mechanism mechanism) {
   return mechanism;
 }
 
-inline Mechanism limited_robot(const std::string& file) { return within_limits(model_of(file).mechanism); }
+// With "floating " before the file its base moves freely, too.
+inline Mechanism limited_robot(const std::string& file) {
+  const std::string floating = "floating ";
+  if (!file.starts_with(floating)) return within_limits(model_of(file).mechanism);
+  LoadOptions options;
+  options.read.floating_base = true;
+  return within_limits(
+      load_robot(std::filesystem::path(FLATDYN_SOURCE_DIR) / "robots" / file.substr(floating.size()), options)
+          .mechanism);
+}
 
 }  // namespace flatdyn::testing

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/dynamics/acceleration_functions.hpp"
 
+#include <algorithm>
+
 #include "symbolic/dynamics/accelerations.hpp"
 #include "symbolic/dynamics/articulated.hpp"
 #include "symbolic/dynamics/composite.hpp"
@@ -16,7 +18,122 @@ Function finished_accelerations(DerivationContext& context, const std::vector<Nu
                   std::move(conditions));
 }
 
+constexpr std::size_t kSlides = 3, kOfBase = 6;
+
+Vec3 vector_at(const std::vector<Number>& values, std::size_t first) {
+  return {values[first], values[first + 1], values[first + 2]};
+}
+
+// The acceleration of a floating base: of its frame's origin, less gravity, and the angular one.
+struct BaseAcceleration {
+  Vec3 linear = zero_vector(), angular = zero_vector();
+};
+
+// The robot as one body of mass m with its centre at c: f + m (a + α × c) = 0 and n + m c × a + I α = 0, with f and n
+// the force and moment that the base needs while it is not accelerated. Without a that is (I + m S(c)²) α = c × f - n.
+class FreeBase {
+ public:
+  explicit FreeBase(DerivationContext& context)
+      : context_(context),
+        robot_(composites(context.frames)[static_cast<std::size_t>(context.mechanism.base_bodies() - 1)]),
+        per_mass_(context.derivation.quotient(1, positive_mass(), "per_mass")),
+        centre_(context.derivation.named(per_mass_ * robot_.first_moment, "r_G")),
+        inertia_(about_centre()) {}
+
+  BaseAcceleration solve(const Vec3& force, const Vec3& moment) const {
+    Derivation& d = context_.derivation;
+    const Vec3 needed = d.named(cross(centre_, force) - moment, "n_G");
+    const Vec3 angular = vector_at(inertia_.solve({needed[0], needed[1], needed[2]}, "dw"), 0);
+    return {d.named(cross(centre_, angular) - per_mass_ * force, "ddp_b"), angular};
+  }
+  Conditions conditions() const {
+    const Mat3& I = robot_.inertia;
+    return conditions_about_centre(context_, inertia_, {I[0][0], I[1][1], I[2][2]});
+  }
+
+ private:
+  Number positive_mass() const {
+    if (vanishes(robot_.mass)) throw SingularInertia(context_.frames.body(0));
+    return robot_.mass;
+  }
+
+  Factorisation about_centre() const {
+    Derivation& d = context_.derivation;
+    const Mat3 I = d.named_symmetric(robot_.inertia + skew(centre_) * skew(robot_.first_moment), "I_G");
+    const Rows rows = {{I[0][0], I[0][1], I[0][2]}, {I[1][0], I[1][1], I[1][2]}, {I[2][0], I[2][1], I[2][2]}};
+    return {d, {-1, 0, 1}, rows, "the inertia about the centre of mass", "G"};
+  }
+
+  DerivationContext& context_;
+  InertialParameters robot_;
+  Number per_mass_;
+  Vec3 centre_;
+  Factorisation inertia_;
+};
+
+// The motion of all links relative to a base that turns at its rate, and is not accelerated otherwise. All parts of the
+// robot fall alike, so neither gravity nor the base's velocity has an effect on torques.
+Motion motion_about_base(DerivationContext& context) {
+  Motion motion{context.joint_motion(InputKind::qd), context.joint_motion(InputKind::qdd), zero_vector(), true};
+  std::fill_n(motion.qd.begin(), kSlides, Number(0));
+  std::fill_n(motion.qdd.begin(), kOfBase, Number(0));
+  return motion;
+}
+
+// The derivatives of the base's velocities, (v̇, ω̇): v̇ = a - ω × v + g_b.
+std::vector<Number> rates_of_twist(DerivationContext& context, const BaseAcceleration& base) {
+  const std::vector<Number> v = context.joint_motion(InputKind::qd);
+  const Vec3 fallen = base.linear + context.gravity() - cross(vector_at(v, kSlides), vector_at(v, 0));
+  return {fallen[0], fallen[1], fallen[2], base.angular[0], base.angular[1], base.angular[2]};
+}
+
+// The accelerations that the base's causes at body i, from those at its parent.
+BaseAcceleration carried_outwards(Frames& frames, int i, const BaseAcceleration& before) {
+  Derivation& d = frames.derivation();
+  const std::string n = frames.label(i);
+  const Vec3 of_origin = d.named(before.linear + cross(before.angular, frames.p(i)), "ao_" + n);
+  BaseAcceleration here{frames.to_child(i, of_origin, "ab_" + n), frames.to_child(i, before.angular, "alphab_" + n)};
+  if (frames.body(i).prismatic) {
+    here.linear = d.named(here.linear + cross(here.angular, {0, 0, frames.slide(i)}), "as_" + n);
+  }
+  return here;
+}
+
+// τ_j of the joints, from those while the base is not accelerated: what composite body j needs for the accelerations
+// that the base's causes there, and the rotor of joint j. Zeros for the base.
+std::vector<Number> torques_with(DerivationContext& context, const BaseAcceleration& base, std::vector<Number> tau) {
+  Frames& frames = context.frames;
+  const std::vector<InertialParameters> bodies = composites(frames);
+  std::vector<BaseAcceleration> all(kOfBase, base);
+  for (std::size_t j = kOfBase; j < tau.size(); ++j) {
+    const int i = static_cast<int>(j);
+    all.push_back(carried_outwards(frames, i, all[static_cast<std::size_t>(frames.body(i).parent)]));
+  }
+  std::fill_n(tau.begin(), kOfBase, Number(0));
+  for (std::size_t j = kOfBase; j < tau.size(); ++j) {
+    const int i = static_cast<int>(j);
+    const Wrench unit = unit_wrench(frames, i, bodies[j]);
+    tau[j] += dot(unit.f, all[j].linear) + dot(unit.mu, all[j].angular);
+    const auto& rotor = frames.body(i).rotor;
+    if (!rotor) continue;
+    tau[j] += dot(rotor_momentum(frames, i), all[static_cast<std::size_t>(rotor->carrier)].angular);
+  }
+  return tau;
+}
+
 }  // namespace
+
+Function derive_inverse_dynamics_floating(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, choices, [](DerivationContext& context) {
+    const std::vector<Number> needed = torques(context.frames, motion_about_base(context));
+    const FreeBase robot(context);
+    const BaseAcceleration base = robot.solve(vector_at(needed, 0), vector_at(needed, kSlides));
+    return finished(context,
+                    {vector_output("a_base", context.nodes(rates_of_twist(context, base)), "derivatives of v[0..5]"),
+                     torque_output("tau", context.nodes(torques_with(context, base, needed)))},
+                    robot.conditions());
+  });
+}
 
 Function derive_forward_dynamics(const Mechanism& mechanism, const Choices& choices) {
   return derived(mechanism, choices, [](DerivationContext& context) {

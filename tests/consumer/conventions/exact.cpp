@@ -92,6 +92,17 @@ struct Comparison {
     checks.expect(dot(v, tau) == dot(s.v, s.tau), meaning, "power");
   }
 
+  // A robot that nothing touches moves its base as forward dynamics do for the same torques.
+  void compare_free_motion() const {
+    std::array<Rational, 6> of_base;
+    Vector<Rational> driven, found;
+    C::of.inverse_dynamics_floating(q.data(), v.data(), a.data(), of_base.data(), driven.data(), s.sines());
+    C::of.forward_dynamics(q.data(), v.data(), driven.data(), found.data(), s.sines());
+    bool same = true;
+    for (std::size_t k = 0; k < kSize; ++k) same = same && found[k] == (k < 6 ? of_base[k] : a[k]);
+    checks.expect(same, meaning, "inverse_dynamics_floating");
+  }
+
   void compare_tip_force() const {
     const std::array<Rational, 6> h =
         in_world(meaning, s, {s.h_b[0], s.h_b[1], s.h_b[2], s.h_b[3], s.h_b[4], s.h_b[5]});
@@ -172,6 +183,7 @@ template <class C>
 void compare(const ExactState& s, Checks& checks) {
   const Comparison<C> comparison{s, checks};
   comparison.compare_torques();
+  comparison.compare_free_motion();
   comparison.compare_tip_force();
   comparison.compare_matrices();
   comparison.compare_tip();

@@ -53,6 +53,7 @@ struct Meaning {
       satellite::NAME::functions::jacobian_dot_qd jacobian_dot_qd;                       \
       satellite::NAME::functions::centroidal_momentum_matrix centroidal_momentum_matrix; \
       satellite::NAME::functions::centroidal_bias centroidal_bias;                       \
+      satellite::NAME::functions::inverse_dynamics_floating inverse_dynamics_floating;   \
       satellite::NAME::functions::centre_of_mass centre_of_mass;                         \
     };                                                                                   \
     static constexpr Functions of = {};                                                  \

@@ -123,6 +123,27 @@ INSTANTIATE_TEST_SUITE_P(Robots, TextOfArm, ::testing::Values("/robots/rx90.toml
                            return std::string(test.param).find("rx90") != std::string::npos ? "rx90" : "general_7r";
                          });
 
+// With a base that floats: the same, of links that move with the base and of the torques of base and joints.
+TEST(MotionRecogniser, KnowsTheMotionOfAFloatingBase) {
+  const Mechanism mechanism = testing::limited_robot("floating planar_2r_example_7_2.toml");
+  const ReadMotions read(mechanism);
+  const std::unique_ptr<MotionRecogniser> motions = read.motions();
+  motions->recognise(read.text(), std::nullopt);
+  EXPECT_GT(recognised(*motions, read.text()), read.text().size() / 5);
+  ErrorAnalysis analysis = read.analysis();
+  for (const int torque : {1, 4, 7})
+    analysis.error_of(read.text().outputs[0][static_cast<std::size_t>(torque)], torque);
+  for (const State& state : testing::fast_states(mechanism, 200)) {
+    const std::vector<double> values = values_of(analysis.text(), state);
+    for (int k = 0; k < read.text().size(); ++k) {
+      EXPECT_LE(std::abs(values[static_cast<std::size_t>(k)]), motions->largest(k) * (1 + kOfDoubles)) << k;
+    }
+    for (int k = 0; k < analysis.text().size(); ++k) {
+      EXPECT_LE(std::abs(values[static_cast<std::size_t>(k)]), analysis.norms().largest(k) + 1e-12) << k;
+    }
+  }
+}
+
 TEST(MotionRecogniser, AreNoneOfPrismaticJoints) {
   const Mechanism mechanism = testing::limited_robot("scara.toml");
   ASSERT_TRUE(mechanism.has_prismatic_joint());

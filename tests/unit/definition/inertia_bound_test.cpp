@@ -11,6 +11,7 @@
 #include "model/joint_points.hpp"
 #include "model/random_robot.hpp"
 #include "model/states.hpp"
+#include "support/floating_robots.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
 
@@ -49,6 +50,22 @@ TEST_P(BoundOfRobot, IsBelowEveryEigenvalue) {
 INSTANTIATE_TEST_SUITE_P(Robots, BoundOfRobot,
                          ::testing::Values("humanoid32.urdf", "panda.urdf", "puma560.toml", "quadruped12.urdf",
                                            "rx90.toml", "ur5.urdf", "planar_2r_example_7_2.toml"));
+
+// The base's velocities are of other units than the joints'; its rows and columns are scaled, too.
+TEST(ScaledInertiaBound, HoldsForFloatingBases) {
+  LoadOptions floating;
+  floating.read.floating_base = true;
+  for (const char* file : {"quadruped12.urdf", "humanoid32.urdf", "rx90.toml", "puma560.toml"}) {
+    const Mechanism mechanism = load_robot(std::string(FLATDYN_SOURCE_DIR "/robots/") + file, floating).mechanism;
+    EXPECT_LE(scaled_inertia_bound(mechanism), smallest_eigenvalue(mechanism) + 1e-12) << file;
+  }
+  const Mechanism quadruped = load_robot(FLATDYN_SOURCE_DIR "/robots/quadruped12.urdf", floating).mechanism;
+  EXPECT_GT(scaled_inertia_bound(quadruped), 0x1p-15);
+  Mechanism massless = testing::model_of_toml(testing::kDrone).mechanism;
+  EXPECT_GT(scaled_inertia_bound(massless), 0.05);
+  massless.bodies[5].inertia.inertia = zero_matrix();
+  EXPECT_EQ(scaled_inertia_bound(massless), 0);
+}
 
 // Links with rotors that others carry, prismatic joints, branches and links without mass are among them.
 TEST(ScaledInertiaBound, HoldsForRandomRobots) {

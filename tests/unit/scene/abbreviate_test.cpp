@@ -10,9 +10,11 @@
 #include "passes/passes.hpp"
 #include "planning/formulations.hpp"
 #include "reference/graph_evaluator.hpp"
+#include "support/floating_robots.hpp"
 #include "support/limited_robots.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
+#include "support/written_model.hpp"
 #include "verify/torque_deviation.hpp"
 
 namespace flatdyn {
@@ -50,6 +52,20 @@ TEST(ErrorBudget, NeedsLimitsAndNumbers) {
   EXPECT_THROW(abbreviated(bare, *error_budget("1%")), Failure);
   const Mechanism symbolic = testing::model_of("planar_2r.toml").mechanism;
   EXPECT_THROW(abbreviated(symbolic, *error_budget("1%")), Failure);
+}
+
+// The base's force and moment have budgets, too.
+TEST(ErrorBudget, OfAFloatingBase) {
+  const Mechanism satellite = testing::within_limits(testing::model_of_toml(testing::kSatellite).mechanism);
+  for (const char* budget : {"1%", "10%", "3"}) expect_within_bounds(satellite, budget);
+  const Abbreviation part = abbreviated(satellite, *error_budget("10%"));
+  EXPECT_EQ(part.bound.size(), 9u);
+  EXPECT_GT(part.dropped.size(), 1u);
+  EXPECT_LT(operations(part.mechanism), operations(satellite));
+  EXPECT_TRUE(prove_exactly(part.mechanism, derive_function(part.mechanism, "inverse_dynamics")).equal);
+  Mechanism without = satellite;
+  without.bodies[3].limits.velocity.reset();
+  EXPECT_THROW(abbreviated(without, *error_budget("10%")), Failure);
 }
 
 TEST(ErrorBudget, OfNothingGivesNothingUp) {

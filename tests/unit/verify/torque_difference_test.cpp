@@ -77,5 +77,30 @@ INSTANTIATE_TEST_SUITE_P(Robots, DifferenceOfTorques,
                          ::testing::Values("ur5.urdf", "panda.urdf", "puma560.toml", "planar_2r_example_7_2.toml",
                                            "quadruped12.urdf", "humanoid32.urdf"));
 
+// Force and moment on the base count, and joints differ more as the base moves.
+TEST(DifferenceOfTorquesOfAFloatingBase, IsBelowItsBound) {
+  LoadOptions options;
+  options.read.floating_base = true;
+  const LoadedRobot model = load_robot(FLATDYN_SOURCE_DIR "/robots/quadruped12.urdf", options);
+  const Robot50 robot = reference_robot<Real50>(model.robot, {}), other = shaken(robot);
+  std::vector<State> states = random_states(model.mechanism, 40, 1);
+  for (State& state : states) {
+    for (int k = 0; k < model.mechanism.size(); ++k) {
+      const MotionRange range = motion_range(model.mechanism.joint(k));
+      const auto at = static_cast<std::size_t>(k);
+      state.qd[at] = std::copysign(range.speed, state.qd[at]);
+      state.qdd[at] = std::copysign(range.acceleration, state.qdd[at]);
+    }
+  }
+  const double seen = largest_difference(robot, other, states);
+  const auto bound = [&](const Robot50& b) {
+    return torque_difference_bound(robot, b, largest_motion(model.mechanism), largest_motion_of_base(model.mechanism));
+  };
+  EXPECT_GT(seen, 0);
+  EXPECT_LE(seen, bound(other));
+  EXPECT_LE(bound(other), 200 * seen) << "of no use";
+  EXPECT_EQ(bound(robot), 0);
+}
+
 }  // namespace
 }  // namespace flatdyn
