@@ -40,6 +40,33 @@ void check_narrowed_constants(const GenerationOptions& options, GenerationResult
   }
 }
 
+bool has_limbs_in_lanes(const EmittedText& text, const std::string& function) {
+  return std::any_of(text.functions().begin(), text.functions().end(), [&](const ScannedFunction& each) {
+    const auto begin = text.tokens().begin() + static_cast<std::ptrdiff_t>(each.begin),
+               end = text.tokens().begin() + static_cast<std::ptrdiff_t>(each.end);
+    return each.name == function && each.member_of.empty() &&
+           std::any_of(begin, end, [](const Token& token) { return token.text == "Limbs"; });
+  });
+}
+
+// Says which functions are the same as without limbs in the lanes of vectors.
+void note_limbs_apart(GenerationResult& result) {
+  if (!result.form.limbs_in_lanes) return;
+  const Place place{result.robot.robot.file, 0};
+  if (limbs_of(result.robot.mechanism).empty()) {
+    result.findings.note(place, "--limbs lanes has no effect: the robot has no limbs of the same structure", "");
+    return;
+  }
+  std::string names;
+  for (const OptimisedFunction& each : result.functions) {
+    if (has_limbs_in_lanes(*result.read_back, each.function.name)) continue;
+    names += (names.empty() ? "" : ", ") + each.function.name;
+  }
+  if (names.empty()) return;
+  result.findings.note(
+      place, "--limbs lanes has no effect on " + names + ": it saves nothing there, or the code is too long", "");
+}
+
 EmitOptions stamped(const GenerationOptions& options, const GenerationResult& result) {
   EmitOptions form = options.form;
   if (options.options_stamp) form.options_stamp = options.options_stamp(result.functions);
@@ -74,14 +101,11 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   }
   const std::vector<OptimisedFunction> apart = result.functions;
   if (fused) result.functions.push_back({fused->fusion.function, fused->derived, fused->passes, {}});
-  if (options.form.limbs_in_lanes && limbs_of(robot.mechanism).empty()) {
-    result.findings.note({robot.robot.file, 0},
-                         "--limbs lanes has no effect: the robot has no limbs of the same structure", "");
-  }
   // Emit.
   progress.step("emitting and reading back");
   result.form = stamped(options, result);
   const std::string text = emit_and_read_back(result);
+  note_limbs_apart(result);
   check_narrowed_constants(options, result);
   // Prove in exact arithmetic, against the Lagrangian, which is that of the robot as read; and the text, read back,
   // must mean what was proven.
