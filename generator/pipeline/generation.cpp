@@ -40,13 +40,12 @@ void check_narrowed_constants(const GenerationOptions& options, GenerationResult
   }
 }
 
-bool has_limbs_in_lanes(const EmittedText& text, const std::string& function) {
-  return std::any_of(text.functions().begin(), text.functions().end(), [&](const ScannedFunction& each) {
-    const auto begin = text.tokens().begin() + static_cast<std::ptrdiff_t>(each.begin),
-               end = text.tokens().begin() + static_cast<std::ptrdiff_t>(each.end);
-    return each.name == function && each.member_of.empty() &&
-           std::any_of(begin, end, [](const Token& token) { return token.text == "Limbs"; });
-  });
+bool has_limbs_in_lanes(const EmittedText& text, std::size_t function) {
+  const auto begin = text.tokens().begin();
+  const ScannedFunction& scanned = text.functions()[function];
+  return std::any_of(begin + static_cast<std::ptrdiff_t>(scanned.begin),
+                     begin + static_cast<std::ptrdiff_t>(scanned.end),
+                     [](const Token& token) { return token.text == "Limbs"; });
 }
 
 // Says which functions are the same as without limbs in the lanes of vectors.
@@ -58,9 +57,9 @@ void note_limbs_apart(GenerationResult& result) {
     return;
   }
   std::string names;
-  for (const OptimisedFunction& each : result.functions) {
-    if (has_limbs_in_lanes(*result.read_back, each.function.name)) continue;
-    names += (names.empty() ? "" : ", ") + each.function.name;
+  for (std::size_t k = 0; k < result.functions.size(); ++k) {  // members of stages come behind them
+    if (has_limbs_in_lanes(*result.read_back, k)) continue;
+    names += (names.empty() ? "" : ", ") + result.functions[k].function.name;
   }
   if (names.empty()) return;
   result.findings.note(
@@ -105,7 +104,6 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   progress.step("emitting and reading back");
   result.form = stamped(options, result);
   const std::string text = emit_and_read_back(result);
-  note_limbs_apart(result);
   check_narrowed_constants(options, result);
   // Prove in exact arithmetic, against the Lagrangian, which is that of the robot as read; and the text, read back,
   // must mean what was proven.
@@ -114,6 +112,7 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   result.as_read = prove_robot(robot.robot, robot.mechanism);
   result.proofs = prove(effective_mechanism(robot), apart, fused, result.stages, seed);
   prove_text(*result.read_back, {result.robot.mechanism, functions_of(result), result.stages, result.form}, seed);
+  note_limbs_apart(result);
   return result;
 }
 
