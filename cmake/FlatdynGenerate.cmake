@@ -5,13 +5,13 @@
 #   [FUNCTIONS name...]     what to compute; default: what the scene names, else all
 #   [STAGES name...] [FUSE name...]
 #   [SCALAR double|float]   default: double; of FORM pair, one or both: SCALAR double float
-#   [LANGUAGE c++|c]        default: c++
+#   [LANGUAGE c++|c|cuda]   default: c++
 #   [FORM header|pair]      of C++: a header (the default), or a library with header and source, compiled once
 #   [NAMESPACE name]        in C what names begin with; default: TARGET
 #   [ROUNDED_AS_WRITTEN]    of a header: targets that link with it are compiled with -ffp-contract=off
 #   [OPTIONS option...])    other options of `flatdyn generate`
 #
-# Makes a library to link with. Its header is TARGET.hpp (for C: TARGET.h). It is generated again when the robot file, a
+# Makes a library to link with. Its header is TARGET.hpp (for C: TARGET.h, for CUDA: TARGET.cuh, with flatdyn::runtime). It is generated again when the robot file, a
 # file that it names, the scene, or flatdyn itself changes, and only then. The library can be installed and
 # exported: install(TARGETS TARGET EXPORT ...) with PUBLIC_HEADER DESTINATION include.
 #
@@ -83,15 +83,16 @@ function(flatdyn_generate target)
   endif()
   if(NOT arg_LANGUAGE)
     set(arg_LANGUAGE c++)
-  elseif(NOT arg_LANGUAGE MATCHES "^(c|c[+][+])$")
-    message(FATAL_ERROR "flatdyn_generate(${target}): LANGUAGE is c or c++, not \"${arg_LANGUAGE}\"")
+  elseif(NOT arg_LANGUAGE MATCHES "^(c|c[+][+]|cuda)$")
+    message(FATAL_ERROR "flatdyn_generate(${target}): LANGUAGE is c, c++ or cuda, not \"${arg_LANGUAGE}\"")
   endif()
   if(NOT arg_FORM)
     set(form "")
   elseif(NOT arg_FORM MATCHES "^(header|pair)$")
     message(FATAL_ERROR "flatdyn_generate(${target}): FORM is header or pair, not \"${arg_FORM}\"")
-  elseif(arg_LANGUAGE STREQUAL c)
-    message(FATAL_ERROR "flatdyn_generate(${target}): FORM is of C++ only; in C there are header and source anyhow")
+  elseif(NOT arg_LANGUAGE STREQUAL c++)
+    message(FATAL_ERROR "flatdyn_generate(${target}): FORM is of C++ only; in C there are header and source anyhow, in "
+                        "CUDA a header")
   else()
     set(form --form ${arg_FORM})
   endif()
@@ -114,7 +115,11 @@ function(flatdyn_generate target)
   flatdyn_list_option(scalar --scalar ${arg_SCALAR})
 
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}.flatdyn)
-  set(outputs ${folder}/${target}.hpp)
+  set(header ${target}.hpp)
+  if(arg_LANGUAGE STREQUAL cuda)
+    set(header ${target}.cuh)
+  endif()
+  set(outputs ${folder}/${header})
   if(arg_LANGUAGE STREQUAL c)
     set(outputs ${folder}/${target}.h ${folder}/${target}.c)
   elseif(arg_FORM STREQUAL pair)
@@ -150,8 +155,11 @@ function(flatdyn_generate target)
   add_library(${target} INTERFACE)
   add_custom_target(${target}_generate DEPENDS ${outputs})
   add_dependencies(${target} ${target}_generate)
-  flatdyn_publish_header(${target} INTERFACE ${folder} ${target}.hpp)
+  flatdyn_publish_header(${target} INTERFACE ${folder} ${header})
   target_compile_features(${target} INTERFACE cxx_std_17)
+  if(arg_LANGUAGE STREQUAL cuda)
+    target_link_libraries(${target} INTERFACE flatdyn::runtime)
+  endif()
   if(arg_ROUNDED_AS_WRITTEN)
     target_compile_options(${target} INTERFACE
       "$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off;-fno-tree-slp-vectorize>")

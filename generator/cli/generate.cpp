@@ -11,6 +11,7 @@
 #include "input/common/content_hash.hpp"
 #include "pipeline/generation.hpp"
 #include "pipeline/pass_dump.hpp"
+#include "python/cuda_module.hpp"
 #include "python/module.hpp"
 #include "report/budget_report.hpp"
 #include "report/describe.hpp"
@@ -55,6 +56,7 @@ struct LanguageChoice {
 const std::map<std::string, LanguageChoice> kLanguages = {
     {"c++", {Language::cpp, "C++", true, true, true, true, true, true}},
     {"c", {Language::c, "C", false, false, true, true, true, false}},
+    {"cuda", {Language::cuda, "CUDA", false, false, true, true, true, true}},
     {"javascript", {Language::javascript, "JavaScript", false, false, false, false, false, true}}};
 
 const CLI::Validator kFileName(
@@ -93,7 +95,7 @@ void choose_c(GenerateArguments& arguments, const char* option) {
 
 // Chooses C, which Python calls.
 void choose_for_python(GenerateArguments& arguments) {
-  if (arguments.python) choose_c(arguments, "--python");
+  if (arguments.python && arguments.language != "cuda") choose_c(arguments, "--python");
 }
 
 // Chooses C for a processor, and the scalar of its floating-point unit unless another is given.
@@ -142,7 +144,7 @@ void check_stdout(const GenerateArguments& arguments) {
 void check_fma(const GenerateArguments& arguments) {
   if (!arguments.fuses) return;
   const LanguageChoice& language = kLanguages.at(arguments.language);
-  if (!language.has_fma || arguments.python) {
+  if (!language.has_fma || (arguments.python && arguments.language == "c")) {
     throw Failure(ExitCode::usage,
                   arguments.python ? "--fma: the module for Python is without fused multiply-adds"
                                    : fmt::format("--fma: {} has no fused multiply-add", language.name),
@@ -190,6 +192,10 @@ void check_usage(const GenerateArguments& arguments) {
     throw Failure(ExitCode::usage, "--fuse: one function is no set", "name two or more, separated by commas");
   }
   const LanguageChoice& language = kLanguages.at(arguments.language);
+  if (language.language == Language::cuda && arguments.most_lines > 0) {
+    throw Failure(ExitCode::usage, "--max-lines: functions of CUDA stay whole, as calls within a kernel are slow",
+                  "leave it out");
+  }
   if (!language.has_stages && !arguments.staged.empty()) {
     throw Failure(ExitCode::usage, fmt::format("--stages: there are none in {}", language.name),
                   "--fuse computes several functions in one call");
@@ -275,7 +281,12 @@ std::vector<GeneratedFile> companions(const GenerationResult& result, const Gene
       files.push_back({file.name, file.text});
     }
   }
-  if (arguments.python) {
+  if (arguments.python && arguments.language == "cuda") {
+    const std::string name = module_name(robot.mechanism, result.form);
+    const CudaPythonModule module = cuda_python_module(robot.mechanism, functions, result.form);
+    files.push_back({name + ".py", module.module});
+    files.push_back({name + "_python.cu", module.launchers});
+  } else if (arguments.python) {
     const std::string name = module_name(robot.mechanism, result.form);
     const PythonModule module = python_module(robot.mechanism, functions, result.form);
     files.push_back({name + ".py", module.module});
@@ -367,8 +378,9 @@ void add_form_options(CLI::App& command, GenerateArguments& arguments) {
   arguments.language_given =
       command
           .add_option("--language", arguments.language,
-                      "a C++17 header, a C99 header and source in one scalar, or a JavaScript module")
-          ->check(CLI::IsMember({"c++", "c", "javascript"}))
+                      "a C++17 header, a C99 header and source in one scalar, a JavaScript module, or a header of CUDA "
+                      "for many states at once on a graphics processor")
+          ->check(CLI::IsMember({"c++", "c", "cuda", "javascript"}))
           ->capture_default_str();
   command
       .add_option("--convention", arguments.conventions,
@@ -388,8 +400,10 @@ void add_form_options(CLI::App& command, GenerateArguments& arguments) {
                   "a folder in C that builds for this processor as it is, with a self test that qemu runs; in "
                   "float for cortex-m4 and riscv32")
       ->check(CLI::IsMember(firmware_target_names()));
-  command.add_flag("--python", arguments.python,
-                   "a module for Python over the C form, for one state or a batch: ctypes and numpy");
+  command.add_flag(
+      "--python", arguments.python,
+      "a module for Python over the C form, for one state or a batch: ctypes and numpy; over the CUDA form, for "
+      "arrays of PyTorch, CuPy or JAX on the device");
 }
 
 }  // namespace

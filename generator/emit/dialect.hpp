@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "emit/schedule.hpp"
 #include "graph/rational.hpp"
 
 namespace flatdyn {
@@ -109,6 +110,9 @@ class Dialect {
   virtual std::string before_part() const { return ""; }                               // "template <class Scalar>\n"
   virtual std::string function_end() const { return ") {"; }                           // ") noexcept {"
   virtual std::string part_call(const std::string& name) const { return name + "("; }  // "detail::f_part_1("
+
+  // Which order of statements suits the target.
+  virtual Lives lives() const { return Lives::short_ones; }
 
   // The number of lines that a function may have before it is written in parts, and the number of its lines beside the
   // body. Compilers optimise best if they see as much as possible.

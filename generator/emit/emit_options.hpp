@@ -2,6 +2,7 @@
 // The options of emitted code.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,7 @@
 
 namespace flatdyn {
 
-enum class Language { cpp, c, javascript };
+enum class Language { cpp, c, javascript, cuda };
 
 // The form of C++: all in one header, or declarations in a header and definitions in a source that is compiled once.
 enum class Form { header, pair };
@@ -34,6 +35,9 @@ struct EmitOptions {
   ParameterFrames frames = ParameterFrames::file;  // those to which the names of base parameters' parts refer
   std::vector<std::string> more_scalars{};         // scalars beside `scalar` that the source of a pair is compiled for
   bool limbs_in_lanes = false;                     // whether limbs alike are computed together, in C++
+  // In CUDA, by function: how many parts of it, in order, are behind the functions. Empty: there are none.
+  std::vector<int> kernel_parts{};
+  bool is_kernel_part(std::size_t function) const { return !kernel_parts.empty() && function >= kernel_parts.size(); }
 };
 
 }  // namespace flatdyn

@@ -61,7 +61,7 @@ class BodyWriter {
             scope.dialect.lines_around_body(static_cast<int>(function.inputs.size() + function.outputs.size()))),
         inputs_(arguments_read(function)),
         is_fused_(fused_products(function, scope)),
-        schedule_(make_schedule(function, is_fused_)),
+        schedule_(make_schedule(function, is_fused_, scope.dialect.lives())),
         limb_plan_(limb_plan(function, scope.limbs, scope.dialect, schedule_)),
         printer_(function.graph, variables_, scope.dialect, scope.fuses ? is_fused_ : std::vector<bool>()),
         validity_(printer_, scope.dialect) {

@@ -7,7 +7,7 @@ namespace flatdyn {
 namespace {
 
 template <class List>
-decltype(auto) entry(List& list, int k) {
+decltype(auto) element(List& list, int k) {
   return list[static_cast<std::size_t>(k)];
 }
 
@@ -59,14 +59,14 @@ class Planner {
     const Op op = graph_[id].op;
     return op == Op::input || op == Op::sin || op == Op::cos;
   }
-  bool is_variable(NodeId id) const { return entry(schedule_.is_variable, id); }
+  bool is_variable(NodeId id) const { return element(schedule_.is_variable, id); }
 
   // A class becomes a vector if one of its members would become a variable, or is needed beside the limb.
   void choose_vectors() {
     for (NodeId id = 0; id < graph_.size(); ++id) {
-      if (!entry(alive_, id) || is_given(id)) continue;
+      if (!element(alive_, id) || is_given(id)) continue;
       if (has_class(id)) {
-        if (is_variable(id)) entry(plan_.is_vector, plan_.classes.of(id)) = true;
+        if (is_variable(id)) element(plan_.is_vector, plan_.classes.of(id)) = true;
       } else {
         for (const NodeId operand : operands_of(graph_[id])) note_needed(operand);
       }
@@ -82,7 +82,7 @@ class Planner {
       if (each.is_given() || !plan_.is_vector[k]) continue;
       for (const NodeId member : each.members) {
         if (is_variable(member)) continue;
-        entry(schedule_.is_variable, member) = true;
+        element(schedule_.is_variable, member) = true;
         schedule_.statements.push_back({member, {}});
       }
     }
@@ -90,13 +90,13 @@ class Planner {
 
   void note_needed(NodeId id) {
     const NodeId node = without_negations(graph_, id).node;
-    if (has_class(node)) entry(plan_.is_vector, plan_.classes.of(node)) = true;
+    if (has_class(node)) element(plan_.is_vector, plan_.classes.of(node)) = true;
   }
 
   void visit_any(NodeId id) {
     if (!has_class(id)) {
       need(id, false);
-    } else if (entry(plan_.is_vector, plan_.classes.of(id))) {
+    } else if (element(plan_.is_vector, plan_.classes.of(id))) {
       visit_class(plan_.classes.of(id));
     }
   }
@@ -106,11 +106,11 @@ class Planner {
     const NodeId node = without_negations(graph_, id).node;
     if (graph_.is_constant(node)) return;
     if (is_given(node)) {
-      entry(plan_.is_read, node) = true;
+      element(plan_.is_read, node) = true;
     } else if (has_class(node)) {
       visit_class(plan_.classes.of(node));
-      if (!by_storing && entry(scalar_state_, node) == State::open) {
-        entry(scalar_state_, node) = State::done;
+      if (!by_storing && element(scalar_state_, node) == State::open) {
+        element(scalar_state_, node) = State::done;
         plan_.steps.push_back({Kind::taken, node});
         --plan_.saved;
       }
@@ -120,23 +120,23 @@ class Planner {
   }
 
   void visit_scalar(NodeId id) {
-    if (!enter(entry(scalar_state_, id))) return;
+    if (!enter(element(scalar_state_, id))) return;
     for (const NodeId operand : operands_of(graph_[id])) need(operand, false);
-    entry(scalar_state_, id) = State::done;
+    element(scalar_state_, id) = State::done;
     if (is_variable(id)) plan_.steps.push_back({Kind::scalar, id});
   }
 
   bool enter(State& state) {
-    if (state == State::begun) entry(cyclic_, open_classes_.back()) = true;
+    if (state == State::begun) element(cyclic_, open_classes_.back()) = true;
     if (state != State::open) return false;
     state = State::begun;
     return true;
   }
 
   void visit_class(int of) {
-    if (!enter(entry(class_state_, of))) return;
+    if (!enter(element(class_state_, of))) return;
     open_classes_.push_back(of);
-    const LimbClass& made = entry(plan_.classes.classes, of);
+    const LimbClass& made = element(plan_.classes.classes, of);
     const auto limbs = static_cast<long>(made.members.size());
     if (made.is_given()) {
       plan_.given.push_back(of);
@@ -147,9 +147,9 @@ class Planner {
           graph_[made.members.front()].op == Op::sum ? static_cast<long>(made.operands.front().size()) - 1 : 1;
       plan_.saved += (limbs - 1) * operations;
     }
-    entry(class_state_, of) = State::done;
+    element(class_state_, of) = State::done;
     open_classes_.pop_back();
-    if (!made.is_given() && entry(plan_.is_vector, of)) plan_.steps.push_back({Kind::limbs, of});
+    if (!made.is_given() && element(plan_.is_vector, of)) plan_.steps.push_back({Kind::limbs, of});
   }
 
   void operand(const LimbClass& made, std::size_t k) {
@@ -160,7 +160,7 @@ class Planner {
     for (std::size_t limb = 0; limb < made.members.size(); ++limb) {
       const Term& mine = made.operands[limb][k];
       const bool has_own = mine.node >= 0 && has_class(mine.node);
-      const int inner = has_own ? entry(plan_.classes.classes, plan_.classes.of(mine.node)).signs[limb] : 1;
+      const int inner = has_own ? element(plan_.classes.classes, plan_.classes.of(mine.node)).signs[limb] : 1;
       const bool is_sum = graph_[user].op == Op::sum;
       const Rational relative =
           is_sum ? Rational(mine.coefficient * (made.signs[limb] * inner) * sign_of(first.coefficient)) : Rational(1);

@@ -300,6 +300,7 @@ class PageWriter {
   data nonzero(std::size_t k) {
     data list(data::type::list);
     const Function& function = functions_[k];
+    if (options_.is_kernel_part(k)) return list;
     for (std::size_t o = 0; o < function.outputs.size(); ++o) {
       const Output& output = function.outputs[o];
       if (!is_array_of_arrays(output)) continue;

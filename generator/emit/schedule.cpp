@@ -180,7 +180,7 @@ class Scheduler {
 };
 
 // Orders the statements after the sines and cosines so that values live shortly. Constants are stored last.
-void reorder(const Function& function, Schedule& schedule) {
+void reorder(const Function& function, Lives lives, Schedule& schedule) {
   std::vector<Statement>& all = schedule.statements;
   const auto is_sine = [&function](const Statement& statement) {
     return statement.targets.empty() && is_trigonometric(function.graph[statement.node]);
@@ -194,17 +194,26 @@ void reorder(const Function& function, Schedule& schedule) {
   read_at_the_end.insert(read_at_the_end.end(), function.pivot_scales.begin(), function.pivot_scales.end());
   const std::vector<Statement> statements(begin, end);
   auto place = begin;
-  for (const int k : order_of_short_lives(uses_of(function, schedule, statements, read_at_the_end))) {
+  const StatementUses uses = uses_of(function, schedule, statements, read_at_the_end);
+  for (const int k : lives == Lives::fewest ? order_of_fewest_values(uses) : order_of_short_lives(uses)) {
     *place++ = statements[static_cast<std::size_t>(k)];
   }
 }
 
 }  // namespace
 
-Schedule make_schedule(const Function& function, const std::vector<bool>& is_fused) {
+Schedule make_schedule(const Function& function, const std::vector<bool>& is_fused, Lives lives) {
   Schedule schedule = Scheduler(function, is_fused).run();
-  reorder(function, schedule);
+  reorder(function, lives, schedule);
   return schedule;
+}
+
+long most_live_values(const Function& function) {
+  const std::vector<bool> none(static_cast<std::size_t>(function.graph.size()), false);
+  const Schedule schedule = make_schedule(function, none, Lives::fewest);
+  std::vector<NodeId> read_at_the_end = function.validity_conditions;
+  read_at_the_end.insert(read_at_the_end.end(), function.pivot_scales.begin(), function.pivot_scales.end());
+  return most_live(uses_of(function, schedule, schedule.statements, read_at_the_end));
 }
 
 }  // namespace flatdyn

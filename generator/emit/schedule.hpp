@@ -31,7 +31,11 @@ struct Schedule {
 // values are live at once (statement_order.hpp). Ids break ties.
 //
 // `is_fused`: by node, which products are written in every sum that uses them (passes/fuse_products.hpp), never as
-// variables.
-Schedule make_schedule(const Function& function, const std::vector<bool>& is_fused);
+// variables. Lives::fewest: for targets where values beyond the registers cost more than waiting for one another.
+enum class Lives { short_ones, fewest };
+Schedule make_schedule(const Function& function, const std::vector<bool>& is_fused, Lives lives = Lives::short_ones);
+
+// The number of values that are live at once in the order of Lives::fewest, where most are: inputs, sines, variables.
+long most_live_values(const Function& function);
 
 }  // namespace flatdyn

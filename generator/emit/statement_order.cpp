@@ -9,15 +9,15 @@
 namespace flatdyn {
 namespace {
 
-// An entry of a list by statement or value.
+// An item of a list by statement or value.
 template <class List>
-decltype(auto) entry(List& list, int k) {
+decltype(auto) item(List& list, int k) {
   return list[static_cast<std::size_t>(k)];
 }
 
 std::vector<int> sizes_of(const std::vector<std::vector<int>>& lists, int count) {
   std::vector<int> sizes;
-  for (int k = 0; k < count; ++k) sizes.push_back(static_cast<int>(entry(lists, k).size()));
+  for (int k = 0; k < count; ++k) sizes.push_back(static_cast<int>(item(lists, k).size()));
   return sizes;
 }
 
@@ -36,14 +36,14 @@ class FromTheEnd {
   std::vector<int> run() {
     for (const int value : uses_.read_at_the_end) begin_life(value);
     for (int k = 0; k < uses_.statements(); ++k) {
-      if (entry(users_left_, k) == 0) make_ready(k);
+      if (item(users_left_, k) == 0) make_ready(k);
     }
     while (!ready_.empty()) {
       const int next = -std::get<2>(*ready_.begin());
       ready_.erase(ready_.begin());
-      entry(is_ready_, next) = false;
+      item(is_ready_, next) = false;
       order_.push_back(next);
-      for (const int value : entry(uses_.needs, next)) use(value);
+      for (const int value : item(uses_.needs, next)) use(value);
     }
     std::reverse(order_.begin(), order_.end());
     return std::move(order_);
@@ -52,28 +52,28 @@ class FromTheEnd {
  private:
   using Rank = std::tuple<int, int, int>;  // the least one is next
 
-  Rank rank(int k) const { return {entry(growth_, k) - (entry(is_live_, k) ? 1 : 0), -entry(asked_, k), -k}; }
+  Rank rank(int k) const { return {item(growth_, k) - (item(is_live_, k) ? 1 : 0), -item(asked_, k), -k}; }
 
   void make_ready(int k) {
-    entry(is_ready_, k) = true;
+    item(is_ready_, k) = true;
     ready_.insert(rank(k));
   }
 
   void begin_life(int value) {
-    if (entry(is_live_, value)) return;
-    entry(is_live_, value) = true;
-    for (const int user : entry(uses_.users, value)) {
-      if (entry(is_ready_, user)) ready_.erase(rank(user));
-      --entry(growth_, user);
-      if (entry(is_ready_, user)) ready_.insert(rank(user));
+    if (item(is_live_, value)) return;
+    item(is_live_, value) = true;
+    for (const int user : item(uses_.users, value)) {
+      if (item(is_ready_, user)) ready_.erase(rank(user));
+      --item(growth_, user);
+      if (item(is_ready_, user)) ready_.insert(rank(user));
     }
   }
 
   void use(int value) {
     begin_life(value);
     if (value >= uses_.statements()) return;
-    entry(asked_, value) = static_cast<int>(order_.size());
-    if (--entry(users_left_, value) == 0) make_ready(value);
+    item(asked_, value) = static_cast<int>(order_.size());
+    if (--item(users_left_, value) == 0) make_ready(value);
   }
 
   const StatementUses& uses_;
@@ -98,26 +98,26 @@ class FromTheBeginning {
         place_(uses.needs.size(), 0),
         is_ready_(uses.needs.size(), false),
         given_(order) {
-    for (std::size_t k = 0; k < order.size(); ++k) entry(place_, order[k]) = static_cast<int>(k);
+    for (std::size_t k = 0; k < order.size(); ++k) item(place_, order[k]) = static_cast<int>(k);
     // No statement ends the life of a value that is read at the end.
-    for (const int value : uses.read_at_the_end) ++entry(users_left_, value);
+    for (const int value : uses.read_at_the_end) ++item(users_left_, value);
     for (int k = 0; k < uses.statements(); ++k) {
-      const std::vector<int>& needs = entry(uses.needs, k);
-      entry(needs_left_, k) = static_cast<int>(
+      const std::vector<int>& needs = item(uses.needs, k);
+      item(needs_left_, k) = static_cast<int>(
           std::count_if(needs.begin(), needs.end(), [&uses](int value) { return value < uses.statements(); }));
     }
   }
 
   std::vector<int> run() {
     for (int k = 0; k < uses_.statements(); ++k) {
-      if (entry(users_left_, k) == 1) credit_last_user(k);
-      if (entry(needs_left_, k) == 0) make_ready(k);
+      if (item(users_left_, k) == 1) credit_last_user(k);
+      if (item(needs_left_, k) == 0) make_ready(k);
     }
     std::vector<int> order;
     while (!ready_.empty()) {
-      const int next = entry(given_, std::get<1>(*ready_.begin()));
+      const int next = item(given_, std::get<1>(*ready_.begin()));
       ready_.erase(ready_.begin());
-      entry(is_ready_, next) = false;
+      item(is_ready_, next) = false;
       order.push_back(next);
       place(next);
     }
@@ -127,31 +127,31 @@ class FromTheBeginning {
  private:
   using Rank = std::tuple<int, int>;
 
-  Rank rank(int k) const { return {(entry(uses_.makes, k) ? 1 : 0) - entry(ended_, k), entry(place_, k)}; }
+  Rank rank(int k) const { return {(item(uses_.makes, k) ? 1 : 0) - item(ended_, k), item(place_, k)}; }
 
   void make_ready(int k) {
-    entry(is_ready_, k) = true;
+    item(is_ready_, k) = true;
     ready_.insert(rank(k));
   }
 
   void place(int k) {
-    entry(needs_left_, k) = kPlaced;
-    for (const int value : entry(uses_.needs, k)) {
-      if (value < uses_.statements() && --entry(users_left_, value) == 1) credit_last_user(value);
+    item(needs_left_, k) = kPlaced;
+    for (const int value : item(uses_.needs, k)) {
+      if (value < uses_.statements() && --item(users_left_, value) == 1) credit_last_user(value);
     }
-    if (!entry(uses_.makes, k)) return;
-    for (const int user : entry(uses_.users, k)) {
-      if (--entry(needs_left_, user) == 0) make_ready(user);
+    if (!item(uses_.makes, k)) return;
+    for (const int user : item(uses_.users, k)) {
+      if (--item(needs_left_, user) == 0) make_ready(user);
     }
   }
 
   // The one user that is left ends the value's life. There is none if the value is read at the end.
   void credit_last_user(int value) {
-    for (const int user : entry(uses_.users, value)) {
-      if (entry(needs_left_, user) == kPlaced) continue;
-      if (entry(is_ready_, user)) ready_.erase(rank(user));
-      ++entry(ended_, user);
-      if (entry(is_ready_, user)) ready_.insert(rank(user));
+    for (const int user : item(uses_.users, value)) {
+      if (item(needs_left_, user) == kPlaced) continue;
+      if (item(is_ready_, user)) ready_.erase(rank(user));
+      ++item(ended_, user);
+      if (item(is_ready_, user)) ready_.insert(rank(user));
     }
   }
 
@@ -175,10 +175,10 @@ struct LiveValues {
 LiveValues live_values(const StatementUses& uses, const std::vector<int>& order) {
   std::vector<std::size_t> born(uses.users.size(), 0), last(uses.users.size(), 0);
   for (std::size_t k = 0; k < order.size(); ++k) {
-    for (const int value : entry(uses.needs, order[k])) entry(last, value) = k;
-    if (entry(uses.makes, order[k])) entry(born, order[k]) = entry(last, order[k]) = k;
+    for (const int value : item(uses.needs, order[k])) item(last, value) = k;
+    if (item(uses.makes, order[k])) item(born, order[k]) = item(last, order[k]) = k;
   }
-  for (const int value : uses.read_at_the_end) entry(last, value) = order.size();
+  for (const int value : uses.read_at_the_end) item(last, value) = order.size();
   std::vector<long> change(order.size() + 1, 0);
   for (std::size_t value = 0; value < born.size(); ++value) {
     ++change[born[value]];
@@ -194,11 +194,34 @@ LiveValues live_values(const StatementUses& uses, const std::vector<int>& order)
   return live;
 }
 
-}  // namespace
-
-std::vector<int> order_of_short_lives(const StatementUses& uses) {
+std::vector<int> order_as_given(const StatementUses& uses) {
   std::vector<int> as_given;
   for (int k = 0; k < uses.statements(); ++k) as_given.push_back(k);
+  return as_given;
+}
+
+}  // namespace
+
+std::vector<int> order_of_fewest_values(const StatementUses& uses) {
+  std::vector<int> best = order_as_given(uses);
+  long fewest = live_values(uses, best).most;
+  const auto consider = [&](const std::vector<int>& order) {
+    const long most = live_values(uses, order).most;
+    if (most >= fewest) return;
+    fewest = most;
+    best = order;
+  };
+  const std::vector<int> from_the_end = FromTheEnd(uses).run();
+  consider(FromTheBeginning(uses, best).run());
+  consider(from_the_end);
+  consider(FromTheBeginning(uses, from_the_end).run());
+  return best;
+}
+
+long most_live(const StatementUses& uses) { return live_values(uses, order_as_given(uses)).most; }
+
+std::vector<int> order_of_short_lives(const StatementUses& uses) {
+  const std::vector<int> as_given = order_as_given(uses);
   // Measured: with fewer values at once, short lives cost more than they save.
   constexpr long kFew = 40;
   const LiveValues given = live_values(uses, as_given);

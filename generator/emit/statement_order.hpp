@@ -13,4 +13,10 @@ namespace flatdyn {
 // short lives leave a processor less to do side by side.
 std::vector<int> order_of_short_lives(const StatementUses& uses);
 
+// The order among some, that given included, in which fewest values are live at once where most are.
+std::vector<int> order_of_fewest_values(const StatementUses& uses);
+
+// The number of values that are live at once, where most are, if the statements stay in their order.
+long most_live(const StatementUses& uses);
+
 }  // namespace flatdyn

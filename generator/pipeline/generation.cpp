@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "conventions/convention_header.hpp"
+#include "emit/kernel_parts.hpp"
 #include "emit/limbs.hpp"
 #include "emit/narrowed.hpp"
 #include "report/scene_report.hpp"
@@ -11,10 +12,24 @@
 namespace flatdyn {
 namespace {
 
+// The functions of the text: those of the result, and in CUDA the parts of their kernels.
+std::vector<Function> functions_of_text(const GenerationResult& result) {
+  std::vector<Function> functions = functions_of(result);
+  functions.insert(functions.end(), result.kernel_parts.begin(), result.kernel_parts.end());
+  return functions;
+}
+
+void divide_for_kernels(GenerationResult& result) {
+  if (result.form.language != Language::cuda) return;
+  KernelParts parts = kernel_parts(functions_of(result), values_in_registers(result.form.scalar == "double"));
+  result.kernel_parts = std::move(parts.functions);
+  result.form.kernel_parts = std::move(parts.counts);
+}
+
 // Emits the code and reads all of its files back as one text, which is returned.
 std::string emit_and_read_back(GenerationResult& result) {
   const Mechanism& mechanism = result.robot.mechanism;
-  result.files = emit_code(mechanism, functions_of(result), result.form, result.stages);
+  result.files = emit_code(mechanism, functions_of_text(result), result.form, result.stages);
   std::string text;
   for (const GeneratedFile& file : result.files) text += file.text;
   result.read_back = EmittedText(text, dialect_of(mechanism, result.form)->scalar());
@@ -23,7 +38,7 @@ std::string emit_and_read_back(GenerationResult& result) {
 
 // All functions that are written, including the members of stages.
 std::vector<Function> functions_written(const GenerationResult& result) {
-  std::vector<Function> functions = functions_of(result);
+  std::vector<Function> functions = functions_of_text(result);
   if (!result.stages) return functions;
   for (const Stage* stage : {&result.stages->configuration, &result.stages->motion}) {
     functions.push_back(stage->make);
@@ -103,6 +118,7 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   // Emit.
   progress.step("emitting and reading back");
   result.form = stamped(options, result);
+  divide_for_kernels(result);
   const std::string text = emit_and_read_back(result);
   check_narrowed_constants(options, result);
   // Prove in exact arithmetic, against the Lagrangian, which is that of the robot as read; and the text, read back,
@@ -111,7 +127,7 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   const std::uint64_t seed = proof_seed({robot.input_hash, text});
   result.as_read = prove_robot(robot.robot, robot.mechanism);
   result.proofs = prove(effective_mechanism(robot), apart, fused, result.stages, seed);
-  prove_text(*result.read_back, {result.robot.mechanism, functions_of(result), result.stages, result.form}, seed);
+  prove_text(*result.read_back, {result.robot.mechanism, functions_of_text(result), result.stages, result.form}, seed);
   note_limbs_apart(result);
   return result;
 }

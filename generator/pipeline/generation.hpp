@@ -39,6 +39,7 @@ struct GenerationResult {
   EmitOptions form;
   std::vector<GeneratedFile> files;  // the header, and the source if there is one
   std::optional<EmittedText> read_back;
+  std::vector<Function> kernel_parts{};  // in CUDA: the parts in which kernels compute functions
 };
 
 // Runs all stages except writing. Throws BadInput for errors in the input, Failure(verification_failed) if the code is

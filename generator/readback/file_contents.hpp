@@ -63,7 +63,8 @@ struct FileContents {
   std::vector<FileFunction> functions;
   std::vector<FileStage> stages;
   std::optional<FileLoops> closing;
-  std::optional<int> velocities;  // the length of v, with a floating base
+  std::optional<int> velocities;    // the length of v, with a floating base
+  std::vector<int> kernel_parts{};  // in CUDA, by function: how many parts it has behind the functions
 };
 
 // Compares all of the text but the statements of functions with what it has to hold, and makes sure that

@@ -10,6 +10,15 @@ class CppFile : public FileReader {
  public:
   CppFile(const EmittedText& text, const FileContents& contents);
 
+ protected:
+  void constants();
+  void table(const FileTable& table);
+  std::string parameter_name(const EmittedParameter& parameter, const ScannedFunction* body);
+  std::string returns_of(const FileFunction& function, const std::string& scalar) const;
+  void shape_of_array(const EmittedParameter& parameter, const std::string& name);
+
+  bool has_sign_ = false, has_sqrt_ = false, has_fma_ = false, has_limbs_ = false, has_sines_ = false;
+
  private:
   // A function that has been read, as others name it.
   struct Known {
@@ -22,9 +31,7 @@ class CppFile : public FileReader {
   void file() override;
   void header();
   void source();
-  void constants();
   void count(const char* name, int value);
-  void table(const FileTable& table);
   void take_real(double wanted) override;
   void parameters();
   void helpers();
@@ -36,8 +43,6 @@ class CppFile : public FileReader {
   void definition(const FileFunction& function);
   void declaration(const FileFunction& function);
   Known parameter_list(const FileFunction& function, const ScannedFunction* body);
-  std::string parameter_name(const EmittedParameter& parameter, const ScannedFunction* body);
-  std::string returns_of(const FileFunction& function, const std::string& scalar) const;
 
   // Stages.
   void stages();
@@ -49,7 +54,6 @@ class CppFile : public FileReader {
   void shapes();
   int place_of_stage(const Known& known) const;
   void shape(const Known& known, bool is_by_itself);
-  void shape_of_array(const EmittedParameter& parameter, const std::string& name);
   void loops();
   void rounding();
   void rounding_helpers();
@@ -59,7 +63,6 @@ class CppFile : public FileReader {
 
   bool is_pair() const { return contents_.form == Form::pair; }
 
-  bool has_sign_ = false, has_sqrt_ = false, has_fma_ = false, has_limbs_ = false, has_sines_ = false;
   std::vector<Known> known_;   // functions by themselves and members of stages, in the order of the text
   std::vector<Known> makers_;  // functions that make stages
 };

@@ -286,6 +286,8 @@ void read_file(const EmittedText& text, const FileContents& contents) {
       return read_cpp_file(text, contents);
     case Language::c:
       return contents.is_over_states ? read_lanes_file(text, contents) : read_c_file(text, contents);
+    case Language::cuda:
+      return read_cuda_file(text, contents);
     case Language::javascript:
       return read_javascript_file(text, contents);
   }

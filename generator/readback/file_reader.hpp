@@ -100,6 +100,7 @@ std::vector<EmittedParameter> parameters_of(const FileFunction& function, const 
 void read_cpp_file(const EmittedText& text, const FileContents& contents);
 void read_c_file(const EmittedText& text, const FileContents& contents);
 void read_lanes_file(const EmittedText& text, const FileContents& contents);
+void read_cuda_file(const EmittedText& text, const FileContents& contents);
 void read_javascript_file(const EmittedText& text, const FileContents& contents);
 
 }  // namespace flatdyn

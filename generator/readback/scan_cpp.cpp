@@ -92,7 +92,7 @@ class CppScanner : TokenCursor {
     ScannedFunction written;
     const bool is_part = !namespaces_.empty() && namespaces_.back() == "detail";
     skip_attribute();
-    while (is("inline") || is("static")) ++at_;
+    while (is("inline") || is("static") || word().starts_with("FLATDYN_")) ++at_;
     written.returns = word();
     while (word() != "(") {
       if (is("::")) written.member_of = word(-4);  // Motion<Scalar>::
@@ -130,6 +130,12 @@ class CppScanner : TokenCursor {
     return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
   }
 
+  // Whether this is a type of arrays in CUDA: "In", "In1", "Out2".
+  static bool is_array_type(const std::string& type) {
+    const std::string begin = type.starts_with("Out") ? "Out" : "In";
+    return type.starts_with(begin) && type.find_first_not_of("0123456789", begin.size()) == std::string::npos;
+  }
+
   // Scans parameters: "const Scalar* q", "Scalar* tau", "const Parameters<Scalar>& parameters", but not sin_cos.
   void parameters(ScannedFunction& written) {
     ++at_;
@@ -141,6 +147,10 @@ class CppScanner : TokenCursor {
         at_ += is("{") ? 2 : 1;  // "= {}"
       }
       const bool is_source = at_ > begin + 1 && tokens_[begin + 1].text == "SinCos";
+      if (is_array_type(tokens_[begin].text)) {
+        written.parameters.push_back(
+            {begin + 1 < at_ ? tokens_[begin + 1].text : "", tokens_[begin].text.starts_with("Out")});
+      }
       if (mark != 0 && !is_source) {
         const bool is_output = tokens_[mark].text == "*" && tokens_[begin].text != "const";
         written.parameters.push_back({mark + 1 < at_ ? tokens_[mark + 1].text : "", is_output});

@@ -124,7 +124,9 @@ std::vector<FileFunction> functions_of_file(const WrittenCode& code) {
     list.push_back({&function, names.taken(function.name)});
     if (code.options.language == Language::c) list.back().given = names.taken(list.back().name + "_given");
   }
-  for (FileFunction& each : list) each.zeros = zeros_of(*each.function, each.name, names);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    if (!code.options.is_kernel_part(k)) list[k].zeros = zeros_of(*list[k].function, list[k].name, names);
+  }
   return list;
 }
 
@@ -183,6 +185,7 @@ FileContents contents_of(const WrittenCode& code) {
     }
   }
   add_closing(mechanism, code.functions, contents);
+  contents.kernel_parts = options.kernel_parts;
   return contents;
 }
 

@@ -63,7 +63,7 @@ class PrintedCode {
   std::optional<Stages> stages_;
 };
 
-// Options by language and form: "c++", "pair", "javascript", "c", and in C "float" and, over states, "lanes" of
+// Options by language and form: "c++", "pair", "javascript", "cuda", "c", and in C "float" and, over states, "lanes" of
 // doubles.
 inline EmitOptions form_of(const std::string& name, int most_lines = 0) {
   EmitOptions options;
@@ -71,6 +71,8 @@ inline EmitOptions form_of(const std::string& name, int most_lines = 0) {
   if (name == "pair") {
     options.form = Form::pair;
     options.more_scalars = {"float"};
+  } else if (name == "cuda") {
+    options.language = Language::cuda;
   } else if (name == "javascript") {
     options.language = Language::javascript;
   } else if (name == "c" || name == "float" || name == "lanes") {

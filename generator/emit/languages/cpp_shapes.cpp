@@ -48,6 +48,10 @@ ShapedFunction shaped(const Function& function, const FunctionText& text, const 
   return result;
 }
 
+bool has_shape(const ShapedFunction& function) {
+  return std::none_of(function.parameters.begin(), function.parameters.end(), is_empty);
+}
+
 void add_stages(std::vector<ShapedFunction>& functions, const std::vector<StageText>& stages,
                 const HeaderScope& scope) {
   for (const StageText& stage : stages) {
@@ -70,7 +74,7 @@ void write_shapes(data& header, const std::vector<ShapedFunction>& functions, co
   data shapes(data::type::list);
   bool any = false;
   for (const ShapedFunction& function : functions) {
-    if (std::any_of(function.parameters.begin(), function.parameters.end(), is_empty)) continue;
+    if (!has_shape(function)) continue;
     any = true;
     data item;
     item["name"] = function.name;

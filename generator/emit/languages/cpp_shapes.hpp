@@ -23,6 +23,9 @@ struct ShapedFunction {
 // `text`: that of the function outside of stages.
 ShapedFunction shaped(const Function& function, const FunctionText& text, const HeaderScope& scope);
 
+// Whether its arrays all have entries: C++ has no empty ones.
+bool has_shape(const ShapedFunction& function);
+
 // Marks the functions that are members of stages, and adds those that are members only.
 void add_stages(std::vector<ShapedFunction>& functions, const std::vector<StageText>& stages, const HeaderScope& scope);
 

@@ -6,6 +6,7 @@
 #include "emit/languages/c_dialect.hpp"
 #include "emit/languages/cpp_dialect.hpp"
 #include "emit/languages/cpp_pair.hpp"
+#include "emit/languages/cuda_dialect.hpp"
 #include "emit/languages/known_answers.hpp"
 #include "emit/languages/lanes_dialect.hpp"
 #include "emit/name_space.hpp"
@@ -40,6 +41,8 @@ std::unique_ptr<const PageDialect> dialect_of(const Mechanism& mechanism, const 
                                                                      : std::vector<std::string>());
     case Language::c:
       return std::make_unique<CDialect>(options.scalar, namespace_of(mechanism.name, options.name_space));
+    case Language::cuda:
+      return std::make_unique<CudaDialect>();
     case Language::javascript:
       return std::make_unique<JavascriptDialect>(JavascriptForm::module, options.sines);
   }

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "emit/languages/cuda_dialect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "emit/languages/cpp_shapes.hpp"
+#include "emit/packed_places.hpp"
+#include "emit/page.hpp"
+#include "emit/sections.hpp"
+#include "emit/writer.hpp"
+#include "templates.hpp"
+
+namespace flatdyn {
+
+using kainjow::mustache::data;
+
+namespace {
+
+constexpr std::size_t kTableIndent = 10;
+
+// The types of a function's arrays, in order: "In1", "In2", "Out1".
+std::vector<std::string> array_types(const std::vector<Argument>& arguments) {
+  std::vector<std::string> types;
+  int inputs = 0, outputs = 0;
+  for (const Argument& argument : arguments) {
+    if (argument.kind == Argument::Kind::input) types.push_back(fmt::format("In{}", ++inputs));
+    if (argument.kind == Argument::Kind::output) types.push_back(fmt::format("Out{}", ++outputs));
+  }
+  return types;
+}
+
+// A parameter. One that is not used has no name, so that compilers do not warn.
+std::string array_parameter(const std::string& type, const Argument& argument) {
+  return type + " " + (argument.is_used ? argument.name : "/* " + argument.name + " */");
+}
+
+std::string template_head(const FunctionText& text) {
+  std::string head = "class Scalar";
+  for (std::size_t k = 0; k < text.inputs.size(); ++k) head += fmt::format(", class In{}", k + 1);
+  for (std::size_t k = 0; k < text.outputs.size(); ++k) head += fmt::format(", class Out{}", k + 1);
+  return head + (text.uses_trigonometry ? ", class SinCos = DefaultSinCos" : "");
+}
+
+// A head may be longer than a line.
+std::string broken(const std::string& head) {
+  std::string text = without_newline(list_line("template <", {head}, ">", 0));
+  return text.substr(std::string("template <").size(), text.size() - std::string("template <>").size());
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+std::string table_of(const std::vector<int>& places) {
+  std::string line, text;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const std::string item = std::to_string(places[k]) + (k + 1 < places.size() ? "," : "};");
+    if (!line.empty() && kTableIndent + line.size() + 1 + item.size() > kLineWidth) {
+      text += std::string(kTableIndent, ' ') + line + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + item;
+  }
+  return text + std::string(kTableIndent, ' ') + line;
+}
+
+data places_of(const Function& function) {
+  data list(data::type::list);
+  for (std::size_t k = 0; k < function.outputs.size(); ++k) {
+    const std::vector<int> places = packed_places(function.outputs[k], function.graph);
+    if (is_identity(places)) continue;
+    data item;
+    item["output"] = std::to_string(k);
+    item["table"] = table_of(places);
+    list << item;
+  }
+  return list;
+}
+
+bool has_places(const Function& function) {
+  for (const Output& output : function.outputs) {
+    if (!is_identity(packed_places(output, function.graph))) return true;
+  }
+  return false;
+}
+
+// The struct of function k, whose parts begin at `first` among the functions.
+data kernel_of(const CodeContent& content, std::size_t k, std::size_t first, int parts) {
+  const Function& function = content.functions[k];
+  const FunctionText& text = content.texts[k];
+  const ShapedFunction shape = shaped(function, text, content.scope);
+  data item;
+  data calls(data::type::list);
+  item["name"] = text.name;
+  item["shape"] = without_newline(
+      list_line(fmt::format("using Shape = {}(", shape.returns), shape.parameters, ");", kStatementIndent));
+  item["parts"] = std::to_string(std::max(1, parts));
+  item["places?"] = has_places(function);
+  item["places"] = places_of(function);
+  for (int part = 0; part < std::max(1, parts); ++part) {
+    data call;
+    call["part"] = std::to_string(part);
+    const std::size_t callee = parts == 0 ? k : first + static_cast<std::size_t>(part);
+    call["callee"] = content.name_space + "::" + content.texts[callee].name;
+    calls << call;
+  }
+  item["calls"] = data(calls);
+  return item;
+}
+
+data kernels_of(const CodeContent& content) {
+  data list(data::type::list);
+  const std::vector<int>& parts = content.options.kernel_parts;
+  const std::size_t whole = parts.empty() ? content.functions.size() : parts.size();
+  std::size_t first = whole;
+  for (std::size_t k = 0; k < whole; ++k) {
+    const int count = parts.empty() ? 0 : parts[k];
+    if (has_shape(shaped(content.functions[k], content.texts[k], content.scope))) {
+      list << kernel_of(content, k, first, count);
+    }
+    first += static_cast<std::size_t>(count);
+  }
+  return list;
+}
+
+std::vector<std::string> example_of(const CodeContent& content) {
+  const FunctionText& text = content.texts.front();
+  const std::string& scalar = content.options.scalar;
+  const std::string result = text.returns == "Scalar" ? scalar : text.returns;
+  const std::string parameters = content.scope.parameters.empty() ? "" : content.name_space + "::Parameters<>";
+  return call_example(text, {fmt::format("{}::{}<{}>", content.name_space, text.name, scalar), result, scalar, "{}",
+                             parameters, "parameters"});
+}
+
+// A launch of the first function.
+std::vector<std::string> batch_example_of(const CodeContent& content) {
+  const FunctionText& text = content.texts.front();
+  std::vector<std::string> arguments = {"stream", "states"};
+  if (!content.scope.parameters.empty()) arguments.emplace_back("parameters");
+  for (const ArrayArgument& input : text.inputs) arguments.push_back(input.name);
+  for (const ArrayArgument& output : text.outputs) arguments.push_back(output.name);
+  if (text.returns == "Scalar") arguments.emplace_back("results");
+  if (text.returns == "bool") arguments.emplace_back("valid");
+  const std::string call = fmt::format("flatdyn::cuda::for_each_state<{}::functions::{}, {}>(", content.name_space,
+                                       text.name, content.options.scalar);
+  return lines_of(list_line("const cudaError_t error = " + call, arguments, ");", 0));
+}
+
+}  // namespace
+
+std::vector<std::string> CudaDialect::reserved() const {
+  std::vector<std::string> words = CppDialect::reserved();
+  for (const char* word : {"In", "Out", "threadIdx", "blockIdx", "blockDim", "gridDim", "warpSize"}) {
+    words.emplace_back(word);
+  }
+  return words;
+}
+
+int CudaDialect::longest_function() const { return std::numeric_limits<int>::max() / 8; }
+
+void CudaDialect::declare(FunctionText& text, const UndeclaredFunction& function) const {
+  const std::vector<std::string> types = array_types(function.arguments);
+  std::size_t next = 0;
+  for (const Argument& argument : function.arguments) {
+    const bool is_array = argument.kind != Argument::Kind::parameters;
+    text.parameters.push_back(array_parameter(is_array ? types[next++] : "const Parameters<Scalar>&", argument));
+  }
+  if (function.body.uses_trigonometry()) text.parameters.emplace_back("const SinCos& sin_cos = {}");
+}
+
+std::vector<FileTemplate> CudaDialect::files() const { return {{".cuh", templates::header_cuh}}; }
+
+void CudaDialect::write_function(data& item, const Function&, const FunctionText& text) const {
+  item["header_parameters"] = broken(template_head(text));
+  item["signature"] = without_newline(
+      list_line(fmt::format("FLATDYN_FUNCTION {} {}(", text.returns, text.name), text.parameters, ") noexcept {", 0));
+}
+
+void CudaDialect::write_page(data& page, const CodeContent& content) const {
+  if (!content.texts.empty()) {
+    page["example"] = list_of(example_of(content));
+    page["batch_example"] = list_of(batch_example_of(content));
+  }
+  page["kernels"] = kernels_of(content);
+  page["header_angles?"] = content.uses_trigonometry && !content.scope.angles.empty();
+  page["cuda_sines"] = without_newline(rendered(templates::cuda_sines_cuh, page));
+}
+
+}  // namespace flatdyn

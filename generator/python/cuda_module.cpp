@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "python/cuda_module.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <kainjow/mustache.hpp>
+#include <nlohmann/json.hpp>
+
+#include "diagnostics/diagnostics.hpp"
+#include "diagnostics/version.hpp"
+#include "emit/arguments.hpp"
+#include "emit/name_space.hpp"
+#include "emit/page.hpp"
+#include "emit/page_writer.hpp"
+#include "emit/text_hash.hpp"
+#include "emit/writer.hpp"
+#include "python/module.hpp"
+#include "symbolic/notation/coupled_text.hpp"
+#include "templates.hpp"
+
+namespace flatdyn {
+namespace {
+
+using kainjow::mustache::data;
+
+// A function as the module and its launcher declare it.
+class Launcher {
+ public:
+  Launcher(const FunctionText& text, const std::string& prefix, const std::string& name_space)
+      : text_(text), prefix_(prefix), name_space_(name_space) {
+    for (const ArrayArgument& input : text.inputs) add(input, true);
+    for (const ArrayArgument& output : text.outputs) add(output, false);
+    if (text.returns == "Scalar") add({"results", 1}, false);
+  }
+
+  std::string definition() const {
+    std::vector<std::string> parameters = {"int layout", "void* stream", "size_t states"};
+    std::vector<std::string> passed = {"layout", "stream", "states"};
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+      parameters.push_back((k < inputs_ ? "const Number* " : "Number* ") + names_[k]);
+      passed.push_back(names_[k]);
+    }
+    if (is_checked()) {
+      parameters.emplace_back("bool* valid");
+      passed.emplace_back("valid");
+    }
+    return list_line(fmt::format("int {}{}(", prefix_, text_.name), parameters, ") {", 0) +
+           list_line(fmt::format("return in_layout<{}::functions::{}>(", name_space_, text_.name), passed, ");", 2) +
+           "}";
+  }
+
+  data python() const {
+    data item;
+    std::vector<std::string> parameters = names_, lines = text_.arguments;
+    parameters.emplace_back("layout=\"rows\"");
+    parameters.emplace_back("stream=None");
+    parameters.emplace_back("states=None");
+    if (is_checked()) parameters.emplace_back("valid=None");
+    if (text_.returns == "Scalar") lines.push_back("results[1]  out  " + text_.result);
+    item["name"] = text_.name;
+    item["parameters"] = fmt::format("{}", fmt::join(parameters, ", "));
+    item["lines"] = list_of(lines);
+    const auto quoted = [](const std::string& name) { return "\"" + name + "\""; };
+    std::vector<std::string> names, lengths;
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+      names.push_back(quoted(names_[k]));
+      lengths.push_back(std::to_string(lengths_[k]));
+    }
+    item["call"] = fmt::format("_call(_c.{}{}, [{}], [{}], [{}], layout, stream, states{})", prefix_, text_.name,
+                               fmt::join(names, ", "), fmt::join(lengths, ", "), fmt::join(names_, ", "),
+                               is_checked() ? ", valid" : "");
+    return item;
+  }
+
+ private:
+  void add(const ArrayArgument& array, bool is_input) {
+    names_.push_back(array.name);
+    lengths_.push_back(array.length);
+    inputs_ += is_input ? 1U : 0U;
+  }
+
+  bool is_checked() const { return text_.returns == "bool"; }
+
+  const FunctionText& text_;
+  const std::string &prefix_, &name_space_;
+  std::vector<std::string> names_;
+  std::vector<std::size_t> lengths_;
+  std::size_t inputs_ = 0;
+};
+
+std::string names_of_joints(const Mechanism& mechanism) {
+  nlohmann::json names = nlohmann::json::array();
+  for (const Body& body : mechanism.joints()) names.push_back(body.joint);
+  return names.dump();
+}
+
+}  // namespace
+
+CudaPythonModule cuda_python_module(const Mechanism& mechanism, const std::vector<Function>& functions,
+                                    const EmitOptions& options) {
+  if (!mechanism.symbols.empty()) {
+    throw Failure(ExitCode::usage, "--python: in CUDA not for robots with free symbols", "give them values");
+  }
+  const std::unique_ptr<const PageDialect> dialect = dialect_of(mechanism, options);
+  const std::vector<FunctionText> texts = function_texts(*dialect, mechanism, functions, options);
+  const std::string name = module_name(mechanism, options),
+                    name_space = namespace_of(mechanism.name, options.name_space);
+  std::string prefix = name_space + "_";
+  for (std::size_t at = prefix.find("::"); at != std::string::npos; at = prefix.find("::")) prefix.replace(at, 2, "_");
+  const bool is_float = options.scalar == "float";
+  data page, launchers(data::type::list), python(data::type::list);
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    const Launcher launcher(texts[k], prefix, name_space);
+    launchers << data(launcher.definition());
+    data item = launcher.python();
+    item["summary"] = functions[k].summary;
+    python << item;
+  }
+  page["robot"] = comment_text(mechanism.name);
+  page["joints"] = joints_text(mechanism);
+  page["version"] = std::string(kProgramVersion);
+  page["name"] = name;
+  page["header"] = file_name(mechanism, options) + ".cuh";
+  page["compile"] = fmt::format(
+      "nvcc -O3 -std=c++17 -shared -Xcompiler -fPIC -I FLATDYN/runtime/include {0}_python.cu -o lib{0}.so", name);
+  page["scalar"] = options.scalar;
+  page["dtype"] = std::string(is_float ? "float32" : "float64");
+  page["typestr"] = std::string(is_float ? "<f4" : "<f8");
+  page["prefix"] = prefix;
+  page["joint_names"] = names_of_joints(mechanism);
+  page["launchers"] = data(launchers);
+  page["functions"] = data(python);
+  page["hash"] = std::string(kHashPlaceholder);
+  CudaPythonModule result{rendered(templates::python_cuda_py, page), rendered(templates::python_cuda_cu, page)};
+  fill_in_hash({&result.module, &result.launchers});
+  return result;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The helpers of emitted CUDA, as they have to be. They are written down here once more, not taken from the templates.
+#pragma once
+
+namespace flatdyn {
+
+inline constexpr const char* kCudaHead = R"(
+#include <stdint.h>
+#include <string.h>
+#include <cmath>
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "compile this without -ffast-math: it leaves out the checks that results are finite"
+#endif
+#ifdef __USE_FAST_MATH__
+#error "compile this without --use_fast_math: its divisions and square roots are not right to the last bit"
+#endif
+#ifndef FLATDYN_FUNCTION
+#ifdef __CUDACC__
+#define FLATDYN_FUNCTION static __host__ __device__ __forceinline__
+#define FLATDYN_MEMBER __host__ __device__ __forceinline__
+#define FLATDYN_SELDOM static __host__ __device__ __noinline__
+#else
+#define FLATDYN_FUNCTION static inline
+#define FLATDYN_MEMBER inline
+#define FLATDYN_SELDOM static
+#endif
+#endif
+)";
+
+inline constexpr const char* kCudaSign = R"(
+namespace detail {
+template <class Scalar>
+FLATDYN_FUNCTION Scalar sign(const Scalar& x) noexcept { return Scalar((x > Scalar(0.0)) - (x < Scalar(0.0))); }
+})";
+
+inline constexpr const char* kCudaSqrt = R"(
+namespace detail {
+template <class Scalar>
+FLATDYN_FUNCTION Scalar sqrt(const Scalar& x) noexcept { using std::sqrt; return sqrt(x); }
+})";
+
+inline constexpr const char* kCudaMultiplyAdd = R"(
+namespace detail {
+template <class Scalar>
+struct MultiplyAdd {
+  FLATDYN_MEMBER Scalar operator()(Scalar a, Scalar b, Scalar c) const noexcept {
+#if defined(__CUDA_ARCH__) || defined(__FMA__) || defined(__aarch64__)
+    return std::fma(a, b, c);
+#else
+    return a * b + c;
+#endif
+  }
+};
+})";
+
+inline constexpr const char* kCudaLibrarySines = R"(
+template <int... joint>
+struct Joints {};
+struct LibrarySinCos {
+  template <class Scalar, class In, int... joint>
+  FLATDYN_MEMBER void operator()(const In& q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    using std::cos;
+    using std::sin;
+    ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
+  }
+};)";
+
+inline constexpr const char* kCudaPolynomials = R"(
+namespace detail {
+template <class = void>
+FLATDYN_FUNCTION void sine_and_cosine(double x, double& sine, double& cosine) noexcept {
+  const double turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52, n = turns - 0x1.8p+52;
+  const double above = x - n * 0x1.921fb544p+0, below = n * 0x1.0b4611a6p-34, r = above - below;
+  const double rest = ((above - r) - below) - n * 0x1.3198a2e037073p-69;
+  const double z = r * r, zz = z * z, half = 0.5 * z, leading = 1.0 - half;
+  const double p = (-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03) +
+      zz * ((-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06) +
+      zz * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10));
+  const double k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
+      zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
+      zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
+  const double s = r + (z * r * p + leading * rest);
+  const double c = leading + ((((1.0 - leading) - half) - r * rest) + zz * k);
+  uint64_t quadrant = 0, bits_of_s = 0, bits_of_c = 0;
+  memcpy(&quadrant, &turns, sizeof(turns));
+  memcpy(&bits_of_s, &s, sizeof(s));
+  memcpy(&bits_of_c, &c, sizeof(c));
+  const uint64_t exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
+  bits_of_s ^= exchange ^ ((quadrant & 2u) << 62);
+  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 62);
+  memcpy(&sine, &bits_of_s, sizeof(s));
+  memcpy(&cosine, &bits_of_c, sizeof(c));
+}
+template <class = void>
+FLATDYN_FUNCTION void sine_and_cosine(float x, float& sine, float& cosine) noexcept {
+  const float turns = x * 0x1.45f306p-1f + 0x1.8p+23f, n = turns - 0x1.8p+23f;
+  const float above = (x - n * 0x1.922p+0f) - n * -0x1.2cp-18f, below = n * 0x1.11p-26f;
+  const float r = above - below, rest = ((above - r) - below) - n * 0x1.68c234p-39f;
+  const float z = r * r, half = 0.5f * z, leading = 1.0f - half;
+  const float p = -1.6666654611e-1f + z * (8.3321608736e-3f + z * -1.9515295891e-4f);
+  const float k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
+  const float s = r + (z * r * p + leading * rest);
+  const float c = leading + ((((1.0f - leading) - half) - r * rest) + z * z * k);
+  uint32_t quadrant = 0, bits_of_s = 0, bits_of_c = 0;
+  memcpy(&quadrant, &turns, sizeof(turns));
+  memcpy(&bits_of_s, &s, sizeof(s));
+  memcpy(&bits_of_c, &c, sizeof(c));
+  const uint32_t exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
+  bits_of_s ^= exchange ^ ((quadrant & 2u) << 30);
+  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 30);
+  memcpy(&sine, &bits_of_s, sizeof(s));
+  memcpy(&cosine, &bits_of_c, sizeof(c));
+}
+template <bool of_sine, class Scalar>
+FLATDYN_SELDOM Scalar ask_library(Scalar most, Scalar x, Scalar known) noexcept {
+  if (x <= most && x >= -most) return known;
+  return of_sine ? std::sin(x) : std::cos(x);
+}
+template <class Scalar, class In, int... joint>
+FLATDYN_FUNCTION void sines_and_cosines(const In& q, Joints<joint...>, Scalar* s, Scalar* c) noexcept {
+  constexpr Scalar most = sizeof(Scalar) == sizeof(float) ? Scalar(6400.0) : Scalar(1e5);
+  const Scalar x[] = {q[joint]...};
+  Scalar squares = Scalar(0.0);
+  int k = 0;
+  ((sine_and_cosine(x[k], s[joint], c[joint]), squares += x[k] * x[k], ++k), ...);
+  if (squares <= most * most) return;
+  k = 0;
+  ((s[joint] = ask_library<true>(most, x[k], s[joint]), c[joint] = ask_library<false>(most, x[k], c[joint]), ++k),
+   ...);
+}
+}
+struct PolynomialSinCos {
+  template <class Scalar, class In, int... joint>
+  FLATDYN_MEMBER void operator()(const In& q, Joints<joint...> all, Scalar* s, Scalar* c) const noexcept {
+    detail::sines_and_cosines(q, all, s, c);
+  }
+};)";
+
+inline constexpr const char* kCudaGivenSines = R"(
+template <class Sine, class Cosine = Sine>
+struct GivenSinCos {
+  Sine sine;
+  Cosine cosine;
+  template <class Scalar, class In, int... joint>
+  FLATDYN_MEMBER void operator()(const In&, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
+    ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
+  }
+};
+using DefaultSinCos = $default_sines$;)";
+
+inline constexpr const char* kCudaCloseLoops = R"(
+template <class Scalar, class InOut>
+FLATDYN_FUNCTION bool close_loops($parameters_argument$ InOut q, Scalar tolerance, int most_steps = 20) noexcept {
+  Scalar here[position_count], next[position_count], dq[position_count], phi[$rows$];
+  const auto gap_at = [&](const Scalar* position) {
+    $closure$<Scalar>($parameters$ position, phi);
+    Scalar sum = Scalar(0.0);
+    for (const Scalar& entry : phi) sum = sum + entry * entry;
+    return sum;
+  };
+  for (int k = 0; k < position_count; ++k) here[k] = q[k];
+  Scalar gap = gap_at(here);
+  for (int step = 0; step < most_steps && gap > tolerance * tolerance; ++step) {
+    if (!$step$<Scalar>($parameters$ here, dq)) return false;
+    Scalar next_gap = gap, size = Scalar(1.0);
+    for (int halving = 0; halving < 20 && !(next_gap < gap); ++halving, size = size * Scalar(0.5)) {
+      for (int k = 0; k < position_count; ++k) next[k] = here[k] + size * dq[k];
+      next_gap = gap_at(next);
+    }
+    if (!(next_gap < gap)) return false;
+    for (int k = 0; k < position_count; ++k) here[k] = next[k];
+    gap = next_gap;
+  }
+  if (!(tolerance >= Scalar(0.0) && gap <= tolerance * tolerance)) return false;
+  for (int k = 0; k < position_count; ++k) q[k] = here[k];
+  return true;
+})";
+
+}  // namespace flatdyn
