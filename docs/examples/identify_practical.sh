@@ -10,18 +10,19 @@ folder=$1
 robot=${2:-ur5}
 flatdyn=${FLATDYN:-build/release/generator/flatdyn}
 rate=${RATE:-1000}  # samples a second
+seed=${SEED:-1}     # of the search for the motion, and of noise
 mkdir -p "$folder"
 
-# By joint: friction, rotors as they are felt at the joint, and the standard deviation of torque noise, N m; the joints
-# that are held in each log.
+# By joint: friction, rotors as they are felt at the joint, and the standard deviation of torque noise, N m. The joints
+# that are held in each log; the amplitude, rad, with which joints swing in the second one within the arm's speed limits.
 case $robot in
   ur5)
     viscous="8 8 6 2 2 1.5" coulomb="9 9 7 2.5 2.2 1.8" armature="3 3 1.6 0.35 0.35 0.2" noise="0.5 0.5 0.4 0.1 0.1 0.1"
-    held=3 held_in_validation=5
+    held=3 held_in_validation=5 swing=0.5
     ;;
   panda)
     viscous="4 4 3 3 1 1 0.7" coulomb="5 5 4 4 1.5 1.5 1" armature="0.6 0.6 0.5 0.5 0.2 0.2 0.15"
-    noise="0.15 0.15 0.15 0.15 0.05 0.05 0.05" held=4 held_in_validation=2
+    noise="0.15 0.15 0.15 0.15 0.05 0.05 0.05" held=4 held_in_validation=2 swing=0.4
     ;;
   *) echo "identify_practical.sh: robots are ur5 and panda, not \"$robot\"" >&2 && exit 2 ;;
 esac
@@ -83,7 +84,7 @@ with_rests() {
 
 # swings FILE: each joint swings to one side and back at a pace of its own, from where the motion in FILE begins.
 swings() {
-  awk -F, -v rate="$rate" -v cycles="2 1 3 4 3 5 2" '
+  awk -F, -v rate="$rate" -v a="$swing" -v cycles="2 1 3 4 3 5 2" '
     NR == 1 { while ($(n + 2) ~ /^q[0-9]/) ++n; head = $1; for (c = 2; c <= 3 * n + 1; ++c) head = head "," $c }
     NR == 2 {
       print head
@@ -91,7 +92,7 @@ swings() {
       for (sample = 0; sample <= 5 * rate; ++sample) {
         q = qd = qdd = ""
         for (i = 1; i <= n; ++i) {
-          w = k[i] * 2 * atan2(0, -1) / 5; a = 0.5; phase = w * sample / rate
+          w = k[i] * 2 * atan2(0, -1) / 5; phase = w * sample / rate
           q = q sprintf(",%.12g", $(i + 1) + a * (1 - cos(phase)))
           qd = qd sprintf(",%.12g", a * w * sin(phase))
           qdd = qdd sprintf(",%.12g", a * w * w * cos(phase))
@@ -135,15 +136,16 @@ measured() {
     }' "$1"
 }
 
-"$flatdyn" excite "$plain" -o "$folder" --quiet --rate "$rate" --duration 10 --evaluations "${EVALUATIONS:-1000}"
+"$flatdyn" excite "$plain" -o "$folder" --quiet --rate "$rate" --duration 10 --evaluations "${EVALUATIONS:-1000}" \
+  --seed "$seed"
 excitation=$folder/${robot}_excitation.csv
 with_rests "$excitation" "$held" >"$folder/motion.csv"
 swings "$excitation" >"$folder/swings.csv"
 with_rests "$folder/swings.csv" "$held_in_validation" >"$folder/validation_motion.csv"
 torques "$folder/truth.toml" "$folder/motion.csv" >"$folder/exact.csv"
 torques "$folder/truth.toml" "$folder/validation_motion.csv" >"$folder/validation_exact.csv"
-measured "$folder/exact.csv" 1 >"$folder/log.csv"
-measured "$folder/validation_exact.csv" 2 >"$folder/validation.csv"
+measured "$folder/exact.csv" $((2 * seed - 1)) >"$folder/log.csv"
+measured "$folder/validation_exact.csv" $((2 * seed)) >"$folder/validation.csv"
 
 "$flatdyn" identify "$plain" --data "$folder/log.csv" --validate "$folder/validation.csv" -o "$folder/identified.toml" \
   --plot "$folder/residuals.svg" --validation-plot "$folder/validation.svg"

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "conventions/coverage.hpp"
 #include "conventions/meanings.hpp"
-#include "diagnostics/table.hpp"
 #include "emit/arguments.hpp"
 #include "emit/languages/cpp_dialect.hpp"
 #include "emit/sections.hpp"
@@ -193,7 +193,7 @@ class AdaptorWriter {
 
   std::vector<std::string> comment() const {
     std::vector<std::string> lines = brief_comment(function_);
-    std::vector<std::vector<std::string>> rows;
+    std::vector<std::array<std::string, 3>> rows;
     for (const InputKind kind : function_.inputs) {
       if (kind == InputKind::g_b) continue;
       const InputArgument argument = input_argument(kind, JointCounts(code_.mechanism));
@@ -208,7 +208,7 @@ class AdaptorWriter {
       const std::string layout = layout_text(output);
       if (!layout.empty()) rows.push_back({"", "", layout});
     }
-    for (const std::string& line : aligned_lines(rows)) lines.push_back("  " + comment_text(line));
+    for (const std::string& line : argument_lines(rows)) lines.push_back(line);
     const std::string result = text_.result.empty() ? "" : "Returns " + comment_text(text_.result) + ".";
     for (const std::string& line : wrapped_words(result, kCommentWidth)) lines.push_back(line);
     if (function_.at_rest) lines.emplace_back("Holds where v = 0, and does not read it.");

@@ -13,6 +13,7 @@
 #include "emit/name_space.hpp"
 #include "emit/page.hpp"
 #include "emit/page_writer.hpp"
+#include "emit/sections.hpp"
 #include "emit/writer.hpp"
 #include "model/field_mechanism.hpp"
 #include "templates.hpp"
@@ -85,7 +86,7 @@ std::string gravity_statement(const Vec3& gravity, const Dialect& dialect) {
     }
     sum += fmt::format("{}R_[{}][k] * {}", sum.empty() ? "" : " + ", k, dialect.literal(to_rational(gravity[k])));
   }
-  return fmt::format("    for (int k = 0; k < 3; ++k) g_b[k] = {};", sum);
+  return without_newline(code_line(fmt::format("for (int k = 0; k < 3; ++k) g_b[k] = {};", sum), 4));
 }
 
 class ConventionWriter {
@@ -175,6 +176,7 @@ class ConventionWriter {
       shapes.push_back(found.shape);
     }
     page["functions"] = data(list);
+    page["base?"] = !shapes.empty() || !convention_.linear_in_world;  // steps along screws turn vectors, too
     write_shapes(page, shapes, core_ + "::" + convention_.name);
   }
 

@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
+
+#include "diagnostics/table.hpp"
+#include "emit/writer.hpp"
 
 namespace flatdyn {
 
@@ -92,6 +96,26 @@ std::string layout_text(const Output& output) {
 bool returns_value(const Function& function) {
   return function.validity_conditions.empty() && function.outputs.size() == 1 &&
          function.outputs[0].layout == Layout::scalar;
+}
+
+std::vector<std::string> argument_lines(const std::vector<std::array<std::string, 3>>& rows) {
+  constexpr std::size_t kIndent = 2, kBetween = 2;  // of each line; of columns
+  std::size_t before = kIndent + 2 * kBetween;
+  for (const std::size_t column : {0u, 1u}) {
+    std::size_t width = 0;
+    for (const auto& row : rows) width = std::max(width, row[column].size());
+    before += width;
+  }
+  std::vector<std::vector<std::string>> wrapped;
+  for (const auto& [name, direction, meaning] : rows) {
+    std::vector<std::string> lines = wrapped_words(meaning, kCommentWidth - before);
+    if (lines.empty()) lines.emplace_back();
+    add_row(wrapped, {name, direction}, lines);
+  }
+  std::vector<std::string> lines;
+  for (const std::string& line : aligned_lines(wrapped))
+    lines.push_back(std::string(kIndent, ' ') + comment_text(line));
+  return lines;
 }
 
 }  // namespace flatdyn

@@ -2,6 +2,7 @@
 // The arguments of emitted functions: names, lengths, meanings.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -46,5 +47,9 @@ bool returns_value(const Function& function);
 
 // The memory layout of an output in words: "7 x 7, row by row".
 std::string layout_text(const Output& output);
+
+// The lines of a comment about arguments, a row for each: its name, "in" or "out", its meaning. Columns are aligned,
+// and a long meaning goes on in further lines.
+std::vector<std::string> argument_lines(const std::vector<std::array<std::string, 3>>& rows);
 
 }  // namespace flatdyn

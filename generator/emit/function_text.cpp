@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
-#include "diagnostics/table.hpp"
 #include "emit/arguments.hpp"
 #include "emit/function_body.hpp"
 
@@ -28,7 +28,7 @@ class FunctionWriter {
     text.returns = return_type();
     text.inputs = input_arrays();
     text.outputs = output_arrays();
-    text.arguments = argument_lines();
+    text.arguments = argument_lines(argument_rows());
     text.reads = reads_text();
     text.result = result_text();
     text.body = body_.text;
@@ -102,8 +102,8 @@ class FunctionWriter {
     return arrays;
   }
 
-  std::vector<std::string> argument_lines() const {
-    std::vector<std::vector<std::string>> rows;
+  std::vector<std::array<std::string, 3>> argument_rows() const {
+    std::vector<std::array<std::string, 3>> rows;
     for (InputKind kind : function_.inputs) {
       const InputArgument argument = input_argument(kind, counts(), function_.base_parameters);
       rows.push_back({fmt::format("{}[{}]", argument.name, argument.length), "in", argument.meaning});
@@ -116,7 +116,7 @@ class FunctionWriter {
       const std::string layout = layout_text(renamed);
       if (!layout.empty()) rows.push_back({"", "", layout});
     }
-    return aligned_lines(rows);
+    return rows;
   }
 
   // The conditions of the task, after "a pivot of B".

@@ -74,7 +74,7 @@ std::string velocity_of(const Function& function) {
 
 std::vector<std::string> function_comment(const Function& function, const FunctionText& text) {
   std::vector<std::string> lines = brief_comment(function);
-  for (const std::string& argument : text.arguments) lines.push_back("  " + comment_text(argument));
+  for (const std::string& argument : text.arguments) lines.push_back(argument);
   const std::string result = text.result.empty() ? "" : "Returns " + comment_text(text.result) + ".";
   for (const std::string& line : wrapped_words(result, kCommentWidth)) lines.push_back(line);
   std::string facts =

@@ -39,15 +39,16 @@ Estimate estimate_of(const TorqueEquations& equations, const Measurement& measur
 }
 
 // Where an offset and a mass cannot be told apart, links may have another mass: the offset then is another one, too.
+// Corrections stay: they hold for small steps alone, and nothing that is written has them.
 Eigen::VectorXd Identification::physical_values() const {
   Eigen::VectorXd values = estimate.values;
-  const Eigen::Index parameters = physical.pi_b.size(), further = values.size() - parameters;
+  const Eigen::Index parameters = physical.pi_b.size(), further = values.size() - parameters - corrections;
   const Eigen::VectorXd change = physical.pi_b - values.head(parameters);
   values.head(parameters) = physical.pi_b;
   const Eigen::MatrixXd& root = estimate.root_information;
   if (further == 0 || root.rows() == 0 || root.cols() != values.size()) return values;
-  values.tail(further) -=
-      root.rightCols(further).completeOrthogonalDecomposition().solve(root.leftCols(parameters) * change);
+  values.segment(parameters, further) -=
+      root.middleCols(parameters, further).completeOrthogonalDecomposition().solve(root.leftCols(parameters) * change);
   return values;
 }
 
@@ -56,6 +57,7 @@ Identification identification(const LoadedRobot& robot, const TorqueEquations& e
   const TorqueModel& model = equations.model();
   Identification found;
   found.measurement = std::move(measurement);
+  found.corrections = equations.corrections();
   progress.step("estimating");
   found.estimate =
       options.other_estimate ? *options.other_estimate : estimate_of(equations, found.measurement, options.estimate);

@@ -30,6 +30,7 @@ struct Identification {
   std::vector<JointFit> validation_fits{};   // by joint
   NonlinearUnknowns unknowns{};              // those that were searched
   std::vector<std::string> warning_texts{};  // sentences on results that are hardly right
+  int corrections = 0;                       // the last values of the estimate: they have become small, and stay
 
   // The physical parameters' π_b, and behind it the further parameters that fit the log best with these links.
   Eigen::VectorXd physical_values() const;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "diagnostics/exit_codes.hpp"
+#include "load/bad_input.hpp"
 
 namespace flatdyn {
 
@@ -39,9 +40,12 @@ void refuse_loops(const LoadedRobot& model, const std::string& what) {
 
 void refuse_floating_base(const LoadedRobot& model, const std::string& what) {
   if (!model.mechanism.floating_base) return;
-  throw Failure(
-      ExitCode::unsupported, what + ": robots with a floating base are not supported yet",
+  Diagnostics found;
+  found.unsupported(
+      model.robot.links[static_cast<std::size_t>(model.robot.root)].place,
+      what + ": robots with a floating base are not supported yet",
       "inspect, convert, generate, verify, eval, bench and stress know them; --base fixed holds the base still");
+  throw BadInput(ExitCode::unsupported, std::move(found));
 }
 
 void refuse_springs(const LoadedRobot& model, const std::string& what, const std::string& remedy) {

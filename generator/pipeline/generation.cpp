@@ -55,6 +55,32 @@ void check_narrowed_constants(const GenerationOptions& options, GenerationResult
   }
 }
 
+bool has_limbs_in_lanes(const EmittedText& text, std::size_t function) {
+  const auto begin = text.tokens().begin();
+  const ScannedFunction& scanned = text.functions()[function];
+  return std::any_of(begin + static_cast<std::ptrdiff_t>(scanned.begin),
+                     begin + static_cast<std::ptrdiff_t>(scanned.end),
+                     [](const Token& token) { return token.text == "Limbs"; });
+}
+
+// Says which functions are the same as without limbs in the lanes of vectors.
+void note_limbs_apart(GenerationResult& result) {
+  if (!result.form.limbs_in_lanes) return;
+  const Place place{result.robot.robot.file, 0};
+  if (limbs_of(result.robot.mechanism).empty()) {
+    result.findings.note(place, "--limbs lanes has no effect: the robot has no limbs of the same structure", "");
+    return;
+  }
+  std::string names;
+  for (std::size_t k = 0; k < result.functions.size(); ++k) {  // members of stages come behind them
+    if (has_limbs_in_lanes(*result.read_back, k)) continue;
+    names += (names.empty() ? "" : ", ") + result.functions[k].function.name;
+  }
+  if (names.empty()) return;
+  result.findings.note(
+      place, "--limbs lanes has no effect on " + names + ": it saves nothing there, or the code is too long", "");
+}
+
 EmitOptions stamped(const GenerationOptions& options, const GenerationResult& result) {
   EmitOptions form = options.form;
   if (options.options_stamp) form.options_stamp = options.options_stamp(result.functions);
@@ -89,10 +115,6 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   }
   const std::vector<OptimisedFunction> apart = result.functions;
   if (fused) result.functions.push_back({fused->fusion.function, fused->derived, fused->passes, {}});
-  if (options.form.limbs_in_lanes && limbs_of(robot.mechanism).empty()) {
-    result.findings.note({robot.robot.file, 0},
-                         "--limbs lanes has no effect: the robot has no limbs of the same structure", "");
-  }
   // Emit.
   progress.step("emitting and reading back");
   result.form = stamped(options, result);
@@ -106,6 +128,7 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   result.as_read = prove_robot(robot.robot, robot.mechanism);
   result.proofs = prove(effective_mechanism(robot), apart, fused, result.stages, seed);
   prove_text(*result.read_back, {result.robot.mechanism, functions_of_text(result), result.stages, result.form}, seed);
+  note_limbs_apart(result);
   return result;
 }
 

@@ -23,10 +23,23 @@
 namespace flatdyn {
 namespace {
 
+// Checks a name. An error about a base that floats has the place of the base link.
+void check_name(const LoadedRobot& model, const std::string& name) {
+  try {
+    check_function_name(model.mechanism, name);
+  } catch (const Failure& failure) {
+    if (!model.mechanism.floating_base || failure.code() != ExitCode::unsupported) throw;
+    Diagnostics found;
+    found.unsupported(model.robot.links[static_cast<std::size_t>(model.robot.root)].place, failure.what(),
+                      failure.hint());
+    throw BadInput(ExitCode::unsupported, std::move(found));
+  }
+}
+
 // Checks all names before the first function is derived.
-void check_names(const Mechanism& mechanism, const std::vector<std::string>& names) {
+void check_names(const LoadedRobot& model, const std::vector<std::string>& names) {
   for (auto name = names.begin(); name != names.end(); ++name) {
-    check_function_name(mechanism, *name);
+    check_name(model, *name);
     if (std::find(names.begin(), name, *name) != name) {
       throw Failure(ExitCode::usage, "function \"" + *name + "\" is asked for twice", "name it once");
     }
@@ -184,7 +197,7 @@ std::vector<OptimisedFunction> make_functions(const LoadedRobot& model, const Pi
   const std::vector<std::string> wanted = functions_asked_for(options.functions, model.robot.scene);
   const bool asked = !wanted.empty();
   const std::vector<std::string> names = asked ? wanted : default_function_names(model.mechanism);
-  check_names(model.mechanism, names);
+  check_names(model, names);
   std::vector<Plan> plans;
   std::map<std::string, OptimisedFunction> apart = made_apart(model, names, options, progress);
   for (const std::string& name : names) {
@@ -213,7 +226,7 @@ std::vector<OptimisedFunction> make_functions(const LoadedRobot& model, const Pi
 }
 
 OptimisedFusion make_fusion(const LoadedRobot& model, const std::vector<std::string>& functions, Progress& progress) {
-  check_names(model.mechanism, functions);
+  check_names(model, functions);
   return planned_fusion(model, functions, progress);
 }
 

@@ -246,21 +246,25 @@ void warn_of_open_loops(const Robot& robot, const Mechanism& mechanism, const Cs
 // Reports all missing columns in one message: a file made for another robot lacks many.
 void say_what_is_missing(const Columns& columns, const std::vector<Input>& inputs, const Function& function,
                          const Place& heading, Diagnostics& diagnostics) {
-  std::vector<std::string> missing, by_joint;
+  std::vector<std::string> missing, by_joint, hints;
+  bool lacks_gravity = false;
   for (const Input& input : inputs) {
     if (columns.find(input)) continue;
+    lacks_gravity = lacks_gravity || input.kind == InputKind::g_b;
     const std::vector<std::string> names = columns.names_of(input);
     missing.push_back(names.front());
     by_joint.push_back(names.back());
   }
   if (missing.empty()) return;
   const bool is_one = missing.size() == 1;
+  if (missing != by_joint) {
+    hints.push_back(fmt::format("by joint, {} called {}", is_one ? "it is" : "they are", fmt::join(by_joint, ", ")));
+  }
+  if (lacks_gravity) hints.emplace_back("gravity is that in base axes: 0, 0, -9.81 where z of the base points up");
   diagnostics.error(heading,
                     fmt::format("{} {} {} missing; {} reads {}", is_one ? "column" : "columns",
                                 fmt::join(missing, ", "), is_one ? "is" : "are", function.name, is_one ? "it" : "them"),
-                    missing == by_joint ? ""
-                                        : fmt::format("by joint, {} called {}", is_one ? "it is" : "they are",
-                                                      fmt::join(by_joint, ", ")));
+                    fmt::format("{}", fmt::join(hints, "; ")));
 }
 
 std::string line_of(const std::vector<std::string>& entries) {

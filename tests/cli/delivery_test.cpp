@@ -100,6 +100,19 @@ TEST(Pair, IsOfCppOnly) {
   EXPECT_THAT(refused("--form pair --scalar double,half"), HasSubstr("half"));
 }
 
+TEST(LimbsInLanes, SaySoWhereTheyHaveNoEffect) {
+  const Scratch scratch;
+  const auto notes = [&](const std::string& robot) {
+    return run_flatdyn("generate " + robot + " --limbs lanes --functions gravity,forward_kinematics -o " +
+                       scratch.path())
+        .err;
+  };
+  const std::string of_legs = notes("robots/quadruped12.urdf");
+  EXPECT_THAT(of_legs, HasSubstr("--limbs lanes has no effect on forward_kinematics: it saves nothing there"));
+  EXPECT_THAT(scratch.read("quadruped12.hpp"), HasSubstr("using Limbs4 = detail::Limbs<Scalar, 4>;"));
+  EXPECT_THAT(notes("robots/ur5.urdf"), HasSubstr("no effect: the robot has no limbs of the same structure"));
+}
+
 // A light link far out. The program chooses units for masses by it, so some constants are outside float's range. Its
 // length of 1e-20 m is dust, which --snap 0 keeps.
 constexpr const char* kLightLink = R"(<robot name="light">

@@ -3,12 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "cli/program.hpp"
 
 namespace flatdyn::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 constexpr const char* kBody = R"(name = "body"
@@ -41,11 +44,11 @@ TEST(FloatingBase, IsRefusedWhereItIsNotSupported) {
   scratch.write("body.toml", kBody);
   const Outcome derive = run_flatdyn("derive " + scratch.path("body.toml"));
   EXPECT_EQ(derive.code, 4);
-  EXPECT_THAT(derive.err, HasSubstr("derive: robots with a floating base are not supported yet"));
+  EXPECT_THAT(derive.err, HasSubstr("body.toml:2: error: derive: robots with a floating base are not supported yet"));
   const Outcome christoffel =
       run_flatdyn("generate " + scratch.path("body.toml") + " --functions christoffel -o " + scratch.path("out"));
   EXPECT_EQ(christoffel.code, 4);
-  EXPECT_THAT(christoffel.err, HasSubstr("\"christoffel\" is not supported for robots with a floating base"));
+  EXPECT_THAT(christoffel.err, HasSubstr("body.toml:2: error: function \"christoffel\" is not supported for robots"));
   const Outcome fixed = run_flatdyn("generate robots/ur5.urdf --functions centre_of_mass -o " + scratch.path("out"));
   EXPECT_EQ(fixed.code, 2);
   EXPECT_THAT(fixed.err, HasSubstr("--base floating"));
@@ -68,6 +71,41 @@ TEST(FloatingBase, HasOtherConventionsInCppOnly) {
   EXPECT_EQ(alone.code, 0);
   EXPECT_THAT(alone.err,
               HasSubstr("coriolis_matrix is left out of mujoco: in axes of the world it needs inertia_matrix"));
+  // Steps take no pose apart where linear velocities are in world axes.
+  EXPECT_THAT(scratch.read("out/body_mujoco.hpp"), Not(HasSubstr("class Base")));
+  EXPECT_THAT(scratch.read("out/body_mujoco.hpp"),
+              HasSubstr("another robot: generate both again\");\n\nnamespace detail"));
+  EXPECT_EQ(run_flatdyn(generate + "pinocchio --functions potential_energy" + out).code, 0);
+  EXPECT_THAT(scratch.read("out/body_pinocchio.hpp"), HasSubstr("class Base"));
+}
+
+// Meanings of outputs go on in a second line, and so does a sum of three terms.
+TEST(FloatingBase, HasNoLongLinesAboutArguments) {
+  const Scratch scratch;
+  scratch.write("body.toml", kBody);
+  const Outcome outcome = run_flatdyn("generate " + scratch.path("body.toml") +
+                                      " --convention mujoco --gravity=0.123456789,-0.23456789,-9.7123456 --functions "
+                                      "inverse_dynamics,regressor,centroidal_bias,inertia_matrix,coriolis_matrix -o " +
+                                      scratch.path("out"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string core = scratch.read("out/body.hpp"), adapted = scratch.read("out/body_mujoco.hpp");
+  EXPECT_THAT(core, HasSubstr("\n//   Y[60]  "));
+  EXPECT_THAT(adapted, HasSubstr("g_b[k] = R_[0][k] * Scalar(0.123456789) +\n"));
+  std::istringstream lines(core + adapted);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("//   ") && line.find("g_b[k]") == std::string::npos) continue;
+    EXPECT_LE(line.size(), 100u) << line;
+  }
+}
+
+TEST(FloatingBase, NeedsGravityInItsAxes) {
+  const Scratch scratch;
+  scratch.write("body.toml", kBody);
+  scratch.write("states.csv", "base_vx\n1\n");
+  const Outcome outcome =
+      run_flatdyn("eval " + scratch.path("body.toml") + " --function gravity --states " + scratch.path("states.csv"));
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("gravity is that in base axes: 0, 0, -9.81 where z of the base points up"));
 }
 
 TEST(FloatingBase, IsConvertedToUrdfAndBack) {

@@ -50,7 +50,7 @@ std::vector<std::string> comment_of_maker(const StageText& stage) {
                                ? "Computes the terms that depend on positions only and are needed more than once."
                                : "Computes the terms that depend on velocities, too, and are needed more than once.";
   std::vector<std::string> lines = {what};
-  for (const std::string& argument : stage.make.arguments) lines.push_back("  " + comment_text(argument));
+  for (const std::string& argument : stage.make.arguments) lines.push_back(argument);
   const std::string facts = "Reads " + stage.make.reads + ". Operations: " + stage.operations + ".";
   for (const std::string& line : wrapped_words(facts, kCommentWidth)) lines.push_back(line);
   return lines;

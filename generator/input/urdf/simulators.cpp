@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <vector>
 
+#include "diagnostics/nearest.hpp"
 #include "input/urdf/children.hpp"
 #include "input/urdf/spelling.hpp"
 #include "input/urdf/springs.hpp"
@@ -41,8 +43,10 @@ class SimulatorChecker {
     const std::string reference = attribute_of(gazebo, "reference");
     const bool is_of_joint = std::any_of(robot_.joints.begin(), robot_.joints.end(),
                                          [&reference](const Joint& joint) { return joint.name == reference; });
-    check_parts(gazebo, "gazebo" + (reference.empty() ? "" : " \"" + reference + "\""),
-                is_at_rest(robot_, gazebo.Attribute("reference")), is_of_joint);
+    const std::string what = "gazebo" + (reference.empty() ? "" : " \"" + reference + "\"");
+    const bool is_unknown = !reference.empty() && !is_of_joint;
+    if (is_unknown) refuse_springs_of(reference, gazebo, what);
+    check_parts(gazebo, what, is_at_rest(robot_, gazebo.Attribute("reference")), is_of_joint || is_unknown);
   }
 
   void check_mujoco(const XMLElement& mujoco) {
@@ -65,6 +69,18 @@ class SimulatorChecker {
     if (is_zero_text(value)) return;
     diagnostics_.unsupported(values_.place(element), what + ": springs are not read here",
                              "write <springStiffness> and <springReference> in <gazebo reference=\"JOINT\">");
+  }
+
+  // Refuses springs among the children of an element whose reference names no joint.
+  void refuse_springs_of(const std::string& reference, const XMLElement& gazebo, const std::string& what) {
+    std::vector<std::string> joints;
+    for (const Joint& joint : robot_.joints) joints.push_back(joint.name);
+    for (const XMLElement* part : elements_in(gazebo)) {
+      if (spring_word_of(part->Name()) != SpringWord::stiffness || is_zero_text(value_of(*part))) continue;
+      diagnostics_.error(values_.place(*part),
+                         what + ", " + part->Name() + ": there is no joint \"" + reference + "\" for this spring",
+                         hint_for_unknown(reference, joints, "joints"));
+    }
   }
 
   void note(const XMLElement& element, const std::string& what, const std::string& value) {
