@@ -128,9 +128,9 @@ void check_stdout(const GenerateArguments& arguments) {
   if (arguments.delivery.check || arguments.delivery.dry_run || !arguments.delivery.depfile.empty()) {
     throw Failure(ExitCode::usage, "-o -: --check, --dry-run and --depfile are about files", "name a folder");
   }
-  if (!kLanguages.at(arguments.language).is_one_file || arguments.is_pair()) {
+  if (!kLanguages.at(arguments.language).is_one_file || arguments.is_pair() || arguments.python) {
     throw Failure(ExitCode::usage, "-o -: several files result, and stdout has room for one",
-                  "name a folder; a header in C++ and a module in JavaScript are one file");
+                  "name a folder; a header in C++ or CUDA and a module in JavaScript are one file");
   }
   if (!arguments.conventions.empty()) {
     throw Failure(ExitCode::usage, "-o -: --convention writes headers of its own", "name a folder");

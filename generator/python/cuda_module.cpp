@@ -10,9 +10,11 @@
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/version.hpp"
 #include "emit/arguments.hpp"
+#include "emit/languages/cuda_dialect.hpp"
 #include "emit/name_space.hpp"
 #include "emit/page.hpp"
 #include "emit/page_writer.hpp"
+#include "emit/sections.hpp"
 #include "emit/text_hash.hpp"
 #include "emit/writer.hpp"
 #include "python/module.hpp"
@@ -23,6 +25,18 @@ namespace flatdyn {
 namespace {
 
 using kainjow::mustache::data;
+
+// A list in brackets, on one line if it fits, else one item a line.
+std::string python_list(const std::string& begin, const std::vector<std::string>& items, const std::string& end,
+                        std::size_t indent) {
+  constexpr std::size_t kPythonLine = 100;
+  const std::string margin(indent, ' ');
+  const std::string line = fmt::format("{}{}{}{}\n", margin, begin, fmt::join(items, ", "), end);
+  if (line.size() <= kPythonLine) return line;
+  std::string text = margin + begin + "\n";
+  for (const std::string& item : items) text += margin + "    " + item + ",\n";
+  return text + margin + end + "\n";
+}
 
 // A function as the module and its launcher declare it.
 class Launcher {
@@ -37,6 +51,7 @@ class Launcher {
   std::string definition() const {
     std::vector<std::string> parameters = {"int layout", "void* stream", "size_t states"};
     std::vector<std::string> passed = {"layout", "stream", "states"};
+    passed.insert(passed.end(), empty_, "nullptr");
     for (std::size_t k = 0; k < names_.size(); ++k) {
       parameters.push_back((k < inputs_ ? "const Number* " : "Number* ") + names_[k]);
       passed.push_back(names_[k]);
@@ -52,14 +67,14 @@ class Launcher {
 
   data python() const {
     data item;
-    std::vector<std::string> parameters = names_, lines = text_.arguments;
+    std::vector<std::string> parameters = names_, lines;
+    for (const std::string& line : text_.arguments)
+      lines.push_back(line.substr(line.find_first_not_of(' ') == 0 ? 0 : 2));
     parameters.emplace_back("layout=\"rows\"");
     parameters.emplace_back("stream=None");
     parameters.emplace_back("states=None");
     if (is_checked()) parameters.emplace_back("valid=None");
     if (text_.returns == "Scalar") lines.push_back("results[1]  out  " + text_.result);
-    item["name"] = text_.name;
-    item["parameters"] = fmt::format("{}", fmt::join(parameters, ", "));
     item["lines"] = list_of(lines);
     const auto quoted = [](const std::string& name) { return "\"" + name + "\""; };
     std::vector<std::string> names, lengths;
@@ -67,14 +82,22 @@ class Launcher {
       names.push_back(quoted(names_[k]));
       lengths.push_back(std::to_string(lengths_[k]));
     }
-    item["call"] = fmt::format("_call(_c.{}{}, [{}], [{}], [{}], layout, stream, states{})", prefix_, text_.name,
-                               fmt::join(names, ", "), fmt::join(lengths, ", "), fmt::join(names_, ", "),
-                               is_checked() ? ", valid" : "");
+    item["head"] = without_newline(python_list("def " + text_.name + "(", parameters, "):", 0));
+    item["call"] = without_newline(
+        python_list("_call(",
+                    {fmt::format("_c.{}{}", prefix_, text_.name), fmt::format("[{}]", fmt::join(names, ", ")),
+                     fmt::format("[{}]", fmt::join(lengths, ", ")), fmt::format("[{}]", fmt::join(names_, ", ")),
+                     is_checked() ? "layout, stream, states, valid" : "layout, stream, states"},
+                    ")", 4));
     return item;
   }
 
  private:
   void add(const ArrayArgument& array, bool is_input) {
+    if (array.length == 0) {  // q of a body without joints, which comes first
+      ++empty_;
+      return;
+    }
     names_.push_back(array.name);
     lengths_.push_back(array.length);
     inputs_ += is_input ? 1U : 0U;
@@ -86,7 +109,7 @@ class Launcher {
   const std::string &prefix_, &name_space_;
   std::vector<std::string> names_;
   std::vector<std::size_t> lengths_;
-  std::size_t inputs_ = 0;
+  std::size_t inputs_ = 0, empty_ = 0;
 };
 
 std::string names_of_joints(const Mechanism& mechanism) {
@@ -100,7 +123,8 @@ std::string names_of_joints(const Mechanism& mechanism) {
 CudaPythonModule cuda_python_module(const Mechanism& mechanism, const std::vector<Function>& functions,
                                     const EmitOptions& options) {
   if (!mechanism.symbols.empty()) {
-    throw Failure(ExitCode::usage, "--python: in CUDA not for robots with free symbols", "give them values");
+    throw Failure(ExitCode::usage, "--python: in CUDA not for robots with free symbols",
+                  "give them values in the robot file");
   }
   const std::unique_ptr<const PageDialect> dialect = dialect_of(mechanism, options);
   const std::vector<FunctionText> texts = function_texts(*dialect, mechanism, functions, options);
@@ -111,6 +135,7 @@ CudaPythonModule cuda_python_module(const Mechanism& mechanism, const std::vecto
   const bool is_float = options.scalar == "float";
   data page, launchers(data::type::list), python(data::type::list);
   for (std::size_t k = 0; k < texts.size(); ++k) {
+    if (!can_be_launched(texts[k])) continue;
     const Launcher launcher(texts[k], prefix, name_space);
     launchers << data(launcher.definition());
     data item = launcher.python();

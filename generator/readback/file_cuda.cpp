@@ -127,7 +127,7 @@ void CudaFile::kernels() {
     const int parts = contents_.kernel_parts.empty() ? 0 : contents_.kernel_parts[k];
     const std::vector<EmittedParameter> list = parameters_of(*kernels_[k].function, contents_);
     const bool is_empty = std::any_of(list.begin(), list.end(), [](const EmittedParameter& each) {
-      return each.kind != EmittedParameter::Kind::parameters && each.length == 0;
+      return each.kind == EmittedParameter::Kind::output && each.length == 0;
     });
     if (!is_empty) kernel(k, first_part, parts);
     first_part += static_cast<std::size_t>(parts);
@@ -151,6 +151,10 @@ void CudaFile::kernel(std::size_t k, std::size_t first_part, int parts) {
       continue;
     }
     const bool is_output = parameter.kind == EmittedParameter::Kind::output;
+    if (!is_output && parameter.length == 0) {
+      expect("decltype(nullptr)");
+      continue;
+    }
     shape_of_array(parameter, is_output ? kernel.outputs[output++] : parameter.name);
   }
   expect(");");
@@ -173,7 +177,7 @@ void CudaFile::places(const Function& function) {
   for (std::size_t k = 0; k < function.outputs.size(); ++k) {
     const std::vector<int> wanted = places_wanted(function, function.outputs[k]);
     if (all_stay(wanted)) continue;
-    expect(fmt::format("if constexpr (output == {}) {{ constexpr short places[] = {{", k));
+    expect(fmt::format("if constexpr (output == {}) {{ constexpr int places[] = {{", k));
     expect(fmt::format("{} }}; return places[entry]; }}", fmt::join(wanted, ", ")));
   }
   expect("return entry; }");

@@ -12,7 +12,7 @@ inline constexpr const char* kCudaHead = R"(
 #error "compile this without -ffast-math: it leaves out the checks that results are finite"
 #endif
 #ifdef __USE_FAST_MATH__
-#error "compile this without --use_fast_math: its divisions and square roots are not right to the last bit"
+#error "compile this without --use_fast_math: it rounds divisions and square roots otherwise"
 #endif
 #ifndef FLATDYN_FUNCTION
 #ifdef __CUDACC__

@@ -13,6 +13,7 @@ namespace flatdyn::testing {
 namespace {
 
 using ::testing::EndsWith;
+using ::testing::HasSubstr;
 
 constexpr const char* kModuleScript = R"(
 import ctypes
@@ -53,6 +54,8 @@ assert all(each > 0 for each in energy.data)
 for wrong in (lambda: panda.inverse_dynamics(q, q, q, energy), lambda: panda.inverse_dynamics(q, q, q, [0.0] * 21),
               lambda: panda.inverse_dynamics(q, q, q, tau, layout="diagonals"),
               lambda: panda.inverse_dynamics(q, q, q, tau, states=4),
+              lambda: panda.inverse_dynamics([0.0] * 21, q, q, tau), lambda: panda.inverse_dynamics(q, q, q, tau, layout=[]),
+              lambda: panda.forward_dynamics(q, q, q, qdd, valid=()),
               lambda: panda.forward_dynamics(q, q, q, qdd, valid=tau)):
     try:
         wrong()
@@ -77,6 +80,28 @@ TEST(PythonCuda, ModuleComputesInEveryLayout) {
                               "/runtime/include panda_python.cu -o libpanda.so && python3 check.py > out 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << scratch.read("out");
   EXPECT_THAT(scratch.read("out"), EndsWith("all hold\n"));
+}
+
+// A body without joints has a q without entries, which is left out.
+TEST(PythonCuda, IsForBodiesWithoutJoints) {
+  const Scratch scratch;
+  std::ofstream(scratch.path("drone.urdf"))
+      << R"(<robot name="drone"><link name="body"><inertial><origin xyz="0 0 0.1"/><mass value="2"/>
+            <inertia ixx="1" ixy="0" ixz="0" iyy="2" iyz="0" izz="2"/></inertial></link></robot>)";
+  ASSERT_EQ(
+      run_flatdyn("generate -q " + scratch.path("drone.urdf") +
+                  " --base floating --language cuda --python --functions inverse_dynamics -o " + scratch.path("."))
+          .code,
+      0);
+  EXPECT_THAT(scratch.read("drone.py"), HasSubstr("def inverse_dynamics(g_b, v, a, tau, layout="));
+  const std::string command = "cd " + scratch.path(".") +
+                              " && c++ -x c++ -std=c++17 -Wall -Wextra -Wpedantic -Werror -fsyntax-only "
+                              "-I " FLATDYN_SOURCE_DIR "/runtime/include drone_python.cu";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+TEST(PythonCuda, IsSeveralFiles) {
+  EXPECT_EQ(run_flatdyn("generate -q robots/scara.toml --language cuda --python -o -").code, 2);
 }
 
 TEST(PythonCuda, IsNotForFreeSymbols) {

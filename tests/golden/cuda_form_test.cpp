@@ -184,7 +184,7 @@ class CudaForm : public ::testing::Test {
 };
 
 constexpr const char* kCompile =
-    "c++ -std=c++17 -O1 -ffp-contract=off -fno-tree-slp-vectorize -Wall -Wextra -Wpedantic -Wshadow -Wconversion "
+    "c++ -std=c++17 -O0 -ffp-contract=off -fno-tree-slp-vectorize -Wall -Wextra -Wpedantic -Wshadow -Wconversion "
     "-Werror "
     "-I. -I " FLATDYN_SOURCE_DIR "/runtime/include program.cpp -o program && ./program";
 

@@ -93,6 +93,15 @@ bool has_places(const Function& function) {
   return false;
 }
 
+// The shapes of arguments. An input without entries, the q of a body without joints, is nullptr.
+std::vector<std::string> shape_of_arguments(const ShapedFunction& shape) {
+  std::vector<std::string> list = shape.parameters;
+  for (std::string& each : list) {
+    if (each.starts_with("const Scalar") && each.ends_with("[0]")) each = "decltype(nullptr)";
+  }
+  return list;
+}
+
 // The struct of function k, whose parts begin at `first` among the functions.
 data kernel_of(const CodeContent& content, std::size_t k, std::size_t first, int parts) {
   const Function& function = content.functions[k];
@@ -102,7 +111,7 @@ data kernel_of(const CodeContent& content, std::size_t k, std::size_t first, int
   data calls(data::type::list);
   item["name"] = text.name;
   item["shape"] = without_newline(
-      list_line(fmt::format("using Shape = {}(", shape.returns), shape.parameters, ");", kStatementIndent));
+      list_line(fmt::format("using Shape = {}(", shape.returns), shape_of_arguments(shape), ");", kStatementIndent));
   item["parts"] = std::to_string(std::max(1, parts));
   item["places?"] = has_places(function);
   item["places"] = places_of(function);
@@ -124,9 +133,7 @@ data kernels_of(const CodeContent& content) {
   std::size_t first = whole;
   for (std::size_t k = 0; k < whole; ++k) {
     const int count = parts.empty() ? 0 : parts[k];
-    if (has_shape(shaped(content.functions[k], content.texts[k], content.scope))) {
-      list << kernel_of(content, k, first, count);
-    }
+    if (can_be_launched(content.texts[k])) list << kernel_of(content, k, first, count);
     first += static_cast<std::size_t>(count);
   }
   return list;
@@ -141,24 +148,39 @@ std::vector<std::string> example_of(const CodeContent& content) {
                              parameters, "parameters"});
 }
 
-// A launch of the first function.
+// A launch of the first function that has one.
 std::vector<std::string> batch_example_of(const CodeContent& content) {
-  const FunctionText& text = content.texts.front();
+  const auto found = std::find_if(content.texts.begin(), content.texts.end(), can_be_launched);
+  if (found == content.texts.end()) return {};
+  const FunctionText& text = *found;
   std::vector<std::string> arguments = {"stream", "states"};
   if (!content.scope.parameters.empty()) arguments.emplace_back("parameters");
-  for (const ArrayArgument& input : text.inputs) arguments.push_back(input.name);
+  for (const ArrayArgument& input : text.inputs) arguments.push_back(input.length > 0 ? input.name : "nullptr");
   for (const ArrayArgument& output : text.outputs) arguments.push_back(output.name);
   if (text.returns == "Scalar") arguments.emplace_back("results");
   if (text.returns == "bool") arguments.emplace_back("valid");
   const std::string call = fmt::format("flatdyn::cuda::for_each_state<Function, {}>(", content.options.scalar);
-  return lines_of(fmt::format("using Function = {}::functions::{};\n", content.name_space, text.name) +
-                  list_line("cudaError_t error = " + call, arguments, ");", 0));
+  constexpr std::size_t kCommentIndent = 5;  // "//   "
+  std::vector<std::string> lines = lines_of(list_line("cudaError_t error = " + call, arguments, ");", kCommentIndent));
+  for (std::string& line : lines) line.erase(0, kCommentIndent);
+  lines.insert(lines.begin(), fmt::format("using Function = {}::functions::{};", content.name_space, text.name));
+  return lines;
 }
 
 }  // namespace
 
+bool can_be_launched(const FunctionText& text) {
+  return std::all_of(text.outputs.begin(), text.outputs.end(),
+                     [](const ArrayArgument& each) { return each.length > 0; });
+}
+
 std::vector<std::string> CudaDialect::reserved() const {
   std::vector<std::string> words = CppDialect::reserved();
+  constexpr int kMostArrays = 16;
+  for (int k = 1; k <= kMostArrays; ++k) {
+    words.push_back(fmt::format("In{}", k));
+    words.push_back(fmt::format("Out{}", k));
+  }
   for (const char* word : {"In", "Out", "threadIdx", "blockIdx", "blockDim", "gridDim", "warpSize"}) {
     words.emplace_back(word);
   }

@@ -10,7 +10,8 @@
 // Arguments are in the order of the function's: its free parameters (by value) if it has any, inputs, outputs. After
 // them comes, for a function that returns a number, an array with one for each state; for a function that returns
 // bool, `bool* valid` with one for each state, or nullptr: the outputs of a state that is not valid mean nothing.
-// Launches are asynchronous, and streams that capture a graph take them.
+// Outputs must overlap neither inputs nor each other. Launches are asynchronous, and streams that capture a graph take
+// them. The q of a body without joints is nullptr.
 //
 // Layouts of arrays:
 //   Tiles    entry i of state k is at [k / 32][i][k % 32]: fastest, as the threads of a warp read and write side by side
@@ -172,6 +173,7 @@ struct Batch<Function, T, Layout, R(A...)> {
   static constexpr bool is_checked = std::is_same_v<R, bool>, returns_number = std::is_same_v<R, T>;
   using Result = std::conditional_t<is_checked, bool*, std::conditional_t<returns_number, T*, None>>;
   using All = std::index_sequence_for<A...>;
+  static constexpr size_t arguments = sizeof...(A);
 
   // The number of the output that argument k is.
   FLATDYN_ANYWHERE static constexpr int output_number(size_t k) {
@@ -323,10 +325,11 @@ constexpr auto kernel_of() {
 template <class Of, class T, int part, class... Passed>
 cudaError_t launch(cudaStream_t stream, size_t states, typename Of::Result result, Passed... passed) {
   constexpr unsigned in_block = Of::is_staged() ? tile : threads;
-  const auto blocks = static_cast<unsigned>((states + in_block - 1) / in_block);
+  const size_t blocks = (states + in_block - 1) / in_block;
+  if (blocks > 0x7fffffff) return cudaErrorInvalidValue;
   void* arguments[] = {&states, &result, &passed...};
   const auto* kernel = reinterpret_cast<const void*>(kernel_of<Of, T, part, Passed...>());
-  return cudaLaunchKernel(kernel, dim3(blocks), dim3(in_block), arguments, 0, stream);
+  return cudaLaunchKernel(kernel, dim3(static_cast<unsigned>(blocks)), dim3(in_block), arguments, 0, stream);
 }
 
 #endif
@@ -363,6 +366,7 @@ struct Caller<Of, T, R(A...)> {
 template <class Function, int argument, class Layout = Tiles, class T = float>
 constexpr size_t length_of(size_t states) {
   using Of = detail::Batch<Function, T, Layout>;
+  static_assert(argument >= 0 && argument < static_cast<int>(Of::arguments), "the function has no such argument");
   return Layout::length(states, Of::entries_of(argument, typename Of::All()));
 }
 

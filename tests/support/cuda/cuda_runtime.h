@@ -23,7 +23,7 @@ struct dim3 {
 };
 extern const __device__ uint3 threadIdx, blockIdx;
 
-enum cudaError_t { cudaSuccess = 0 };
+enum cudaError_t { cudaSuccess = 0, cudaErrorInvalidValue = 1 };
 using cudaStream_t = struct CUstream_st*;
 extern "C" cudaError_t cudaLaunchKernel(const void*, dim3, dim3, void**, size_t, cudaStream_t);
 extern "C" unsigned __cudaPushCallConfiguration(dim3, dim3, size_t = 0, void* = nullptr);
@@ -35,12 +35,15 @@ template <class T>
 __device__ T __ldg(const T*);
 __device__ float sin(float);
 __device__ float cos(float);
+__device__ float fma(float, float, float);
+__device__ double fma(double, double, double);
 __device__ float sqrt(float);
 __device__ double sin(double);
 __device__ double cos(double);
 __device__ double sqrt(double);
 namespace std {
 using ::cos;
+using ::fma;
 using ::sin;
 using ::sqrt;
 }  // namespace std

@@ -53,7 +53,7 @@ TEST(CudaText, OfKernelPartsIsWhatWasPrinted) {
   for (const auto& [from, to] :
        {std::pair("part == 1", "part == 2"), std::pair("derivatives_part_2<", "derivatives_part_1<"),
         std::pair("constexpr int parts = ", "constexpr int parts = 1"),
-        std::pair("short places[] = {\n          0,", "short places[] = {\n          1,"),
+        std::pair("int places[] = {\n          0,", "int places[] = {\n          1,"),
         std::pair("place(int entry)", "place(int entries)")}) {
     const std::size_t place = text.find(from, text.find("namespace functions"));
     ASSERT_NE(place, std::string::npos) << from;
