@@ -32,26 +32,34 @@ void CppFile::file() {
   require_helper("LibrarySinCos", has_sines_, uses({"sin_cos"}));
 }
 
-void CppFile::header() {
+void CppFile::guard() {
   constexpr const char* kIf = "#ifndef ";
   const std::string guard = take();
   if (!guard.starts_with(std::string(kIf) + "FLATDYN_")) fail("a guard expected");
   fill("guard", guard.substr(std::string(kIf).size()));
   expect("#define $guard$\n");
-  if (!is_pair()) expect(kCppRoundingIncludes);
-  expect("#include <cmath>\n");
-  if (!is_pair()) expect(kNoFastMath);
+}
+
+void CppFile::name_space() {
   fill("namespace", contents_.name_spaces.front());
   for (const std::string& name_space : contents_.name_spaces) {
     if (follows("namespace " + name_space + " {")) fill("namespace", name_space);
   }
   expect("namespace $namespace$ {");
+}
+
+void CppFile::header() {
+  guard();
+  if (!is_pair()) expect(kCppRoundingIncludes);
+  expect("#include <cmath>\n");
+  if (!is_pair()) expect(kNoFastMath);
+  name_space();
   constants();
   helpers();
   for (const FileFunction& function : contents_.functions) header_function(function);
   if (!contents_.stages.empty()) stages();
   shapes();
-  loops();
+  loops(kCppCloseLoops);
   rounding();
   if (is_pair()) instances("extern template");
   expect("}\n#endif");
@@ -145,12 +153,12 @@ void CppFile::helpers() {
   if (!is_pair() && contents_.angles > contents_.positions) parts({nullptr, "angles"});
 }
 
-void CppFile::loops() {
+void CppFile::loops(const char* close_loops) {
   if (!contents_.closing) return;
   fill("closure", contents_.closing->closure);
   fill("step", contents_.closing->step);
   fill("rows", std::to_string(contents_.closing->rows));
-  expect(kCppCloseLoops);
+  expect(close_loops);
 }
 
 void CppFile::rounding() {

@@ -11,6 +11,11 @@ class CppFile : public FileReader {
   CppFile(const EmittedText& text, const FileContents& contents);
 
  protected:
+  // Take the guard of a header, the beginning of its namespace, and close_loops(), if it is there, as this pattern
+  // says.
+  void guard();
+  void name_space();
+  void loops(const char* close_loops);
   void constants();
   void table(const FileTable& table);
   std::string parameter_name(const EmittedParameter& parameter, const ScannedFunction* body);
@@ -54,7 +59,6 @@ class CppFile : public FileReader {
   void shapes();
   int place_of_stage(const Known& known) const;
   void shape(const Known& known, bool is_by_itself);
-  void loops();
   void rounding();
   void rounding_helpers();
   void known_answer();

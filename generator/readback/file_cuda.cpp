@@ -34,27 +34,14 @@ bool all_stay(const std::vector<int>& places) {
 CudaFile::CudaFile(const EmittedText& text, const FileContents& contents) : CppFile(text, contents) {}
 
 void CudaFile::file() {
-  constexpr const char* kIf = "#ifndef ";
-  const std::string guard = take();
-  if (!guard.starts_with(std::string(kIf) + "FLATDYN_")) fail("a guard expected");
-  fill("guard", guard.substr(std::string(kIf).size()));
-  expect("#define $guard$\n");
+  guard();
   expect(kCudaHead);
-  fill("namespace", contents_.name_spaces.front());
-  for (const std::string& name_space : contents_.name_spaces) {
-    if (follows("namespace " + name_space + " {")) fill("namespace", name_space);
-  }
-  expect("namespace $namespace$ {");
+  name_space();
   constants();
   cuda_helpers();
   for (const FileFunction& function : contents_.functions) cuda_function(function);
   kernels();
-  if (contents_.closing) {
-    fill("closure", contents_.closing->closure);
-    fill("step", contents_.closing->step);
-    fill("rows", std::to_string(contents_.closing->rows));
-    expect(kCudaCloseLoops);
-  }
+  loops(kCudaCloseLoops);
   expect("}\n#endif");
   require_helper("sign()", has_sign_, uses({"detail", "::", "sign"}));
   require_helper("sqrt()", has_sqrt_, uses({"detail", "::", "sqrt"}));
