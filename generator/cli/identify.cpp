@@ -423,6 +423,36 @@ ExitCode identify(IdentifyArguments arguments) {
   return ExitCode::ok;
 }
 
+// The options that say what is estimated, and how.
+void add_estimation_options(CLI::App& command, IdentifyArguments& arguments) {
+  command
+      .add_option("--damping", arguments.identification.estimate.damping,
+                  "directions whose relative singular value is below this stay near the file's values")
+      ->check(number_between(0, 1))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--friction", arguments.friction,
+          "the law: F_v qd + F_s sgn qd (coulomb); with other Coulomb friction backwards (asymmetric); with more "
+          "friction near rest (stribeck); or F_v qd + F_s tanh(qd/v) (smooth)")
+      ->check(CLI::IsMember({"coulomb", "asymmetric", "stribeck", "smooth"}))
+      ->capture_default_str();
+  command.add_flag("--offsets", arguments.further.offsets, "also a constant offset of each joint's torques");
+  command.add_flag("--springs", arguments.further.springs,
+                   "also the stiffness k of each joint's spring, and k q_0, which says where it is relaxed");
+  command.add_flag("--delay", arguments.delay, "also the time by which all torques are late; reads the logs again");
+  command
+      .add_option("--estimator", arguments.estimator,
+                  "least squares (ls), or instrumental variables (iv) against noise in q: the instrument is the same "
+                  "motion, smoothed far more; iv reads the logs again")
+      ->check(CLI::IsMember({"ls", "iv"}))
+      ->capture_default_str();
+  command.add_flag("--robust", arguments.robust, "Huber's weights: outliers count less; reads the logs again");
+  command.add_flag("--gravity-direction", arguments.gravity_direction,
+                   "also the direction of gravity, which is then written into the robot file; reads the logs again");
+  command.add_flag("--sequential", arguments.identification.sequential, "also the textbook's joint-by-joint procedure");
+}
+
 }  // namespace
 
 Run add_identify(CLI::App& app) {
@@ -458,33 +488,7 @@ Run add_identify(CLI::App& app) {
   add_identified_option(*command, arguments->parameters);
   add_frames_option(*command, arguments->frames);
   add_stream_options(*command, arguments->stream);
-  command
-      ->add_option("--damping", arguments->identification.estimate.damping,
-                   "directions whose relative singular value is below this stay near the file's values")
-      ->check(number_between(0, 1))
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--friction", arguments->friction,
-          "the law: F_v qd + F_s sgn qd (coulomb); with other Coulomb friction backwards (asymmetric); with more "
-          "friction near rest (stribeck); or F_v qd + F_s tanh(qd/v) (smooth)")
-      ->check(CLI::IsMember({"coulomb", "asymmetric", "stribeck", "smooth"}))
-      ->capture_default_str();
-  command->add_flag("--offsets", arguments->further.offsets, "also a constant offset of each joint's torques");
-  command->add_flag("--springs", arguments->further.springs,
-                    "also the stiffness k of each joint's spring, and k q_0, which says where it is relaxed");
-  command->add_flag("--delay", arguments->delay, "also the time by which all torques are late; reads the logs again");
-  command
-      ->add_option("--estimator", arguments->estimator,
-                   "least squares (ls), or instrumental variables (iv) against noise in q: the instrument is the same "
-                   "motion, smoothed far more; iv reads the logs again")
-      ->check(CLI::IsMember({"ls", "iv"}))
-      ->capture_default_str();
-  command->add_flag("--robust", arguments->robust, "Huber's weights: outliers count less; reads the logs again");
-  command->add_flag("--gravity-direction", arguments->gravity_direction,
-                    "also the direction of gravity, which is then written into the robot file; reads the logs again");
-  command->add_flag("--sequential", arguments->identification.sequential,
-                    "also the textbook's joint-by-joint procedure");
+  add_estimation_options(*command, *arguments);
   return [arguments] { return identify(*arguments); };
 }
 
