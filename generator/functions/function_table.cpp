@@ -88,7 +88,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_christoffel, .closed_form = closed_christoffel},
      .definition = definitions::christoffel,
      .reference = references::christoffel,
-     .traits = {.needs_fixed_base = true}},
+     .traits = {.needs_fixed_base = true, .needs_rates = true}},
     {.name = "coriolis_matrix",
      .summary = "C(q, qd) from the Christoffel symbols",
      .equation = "(7.44)",
@@ -215,7 +215,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_inverse_dynamics_derivatives},
      .definition = definitions::inverse_dynamics_derivatives,
      .reference = references::inverse_dynamics_derivatives,
-     .traits = {.on_request = true}},
+     .traits = {.on_request = true, .needs_rates = true}},
     {.name = "forward_dynamics_derivatives",
      .summary = "Derivatives of qdd(q, qd, tau) by q, qd and tau; Coulomb friction counts as constant",
      .equation = "",
@@ -227,7 +227,7 @@ const std::vector<FunctionRow> kRows = {
      .definition = definitions::forward_dynamics_derivatives,
      .reference = references::forward_dynamics_derivatives,
      // The derivatives depend on the inverse of B that comes with them.
-     .traits = {.on_request = true, .divides_by_pivots = true, .is_all_or_nothing = true}},
+     .traits = {.on_request = true, .divides_by_pivots = true, .is_all_or_nothing = true, .needs_rates = true}},
     {.name = "operational_inertia",
      .summary = "B_A and the consistent inverse of J: the inertia that the tip moves with",
      .equation = "(7.130), (7.138)",
@@ -238,7 +238,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_operational_inertia},
      .definition = definitions::operational_inertia,
      .reference = references::operational_inertia,
-     .traits = {.on_request = true, .divides_by_pivots = true, .uses_task = true}},
+     .traits = {.on_request = true, .divides_by_pivots = true, .uses_task = true, .needs_rates = true}},
     {.name = "operational_bias",
      .summary = "C_A times the tip's velocity, and g_A",
      .equation = "(7.131), (7.132)",
@@ -248,7 +248,11 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_operational_bias},
      .definition = definitions::operational_bias,
      .reference = references::operational_bias,
-     .traits = {.on_request = true, .divides_by_pivots = true, .uses_task = true, .leaves_out_springs = true}},
+     .traits = {.on_request = true,
+                .divides_by_pivots = true,
+                .uses_task = true,
+                .needs_rates = true,
+                .leaves_out_springs = true}},
     {.name = "null_space_torque",
      .summary = "The part of tau that moves the arm and leaves the tip where it is",
      .equation = "(7.141)",
@@ -257,7 +261,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_null_space_torque},
      .definition = definitions::null_space_torque,
      .reference = references::null_space_torque,
-     .traits = {.on_request = true, .divides_by_pivots = true, .uses_task = true}},
+     .traits = {.on_request = true, .divides_by_pivots = true, .uses_task = true, .needs_rates = true}},
     {.name = "inverse_dynamics_floating",
      .summary = "The base's acceleration if nothing touches it, and joint torques, from joint accelerations: the first "
                 "six entries of qdd are not read, those of tau are zero",
@@ -268,7 +272,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_inverse_dynamics_floating},
      .definition = definitions::inverse_dynamics_floating,
      .reference = references::inverse_dynamics_floating,
-     .traits = {.on_request = true, .divides_by_pivots = true, .needs_floating_base = true}},
+     .traits = {.on_request = true, .divides_by_pivots = true, .needs_floating_base = true, .needs_rates = true}},
     {.name = "centroidal_momentum_matrix",
      .summary = "A_G: A_G v is the momentum, and its moment about the centre of mass",
      .equation = "",
@@ -277,7 +281,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_centroidal_momentum_matrix},
      .definition = definitions::centroidal_momentum_matrix,
      .reference = references::centroidal_momentum_matrix,
-     .traits = {.on_request = true, .needs_floating_base = true}},
+     .traits = {.on_request = true, .needs_floating_base = true, .needs_rates = true}},
     {.name = "centroidal_bias",
      .summary = "b_G: A_G a + b_G is the sum of all forces, and of their moments about the centre of mass",
      .equation = "",
@@ -286,7 +290,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_centroidal_bias},
      .definition = definitions::centroidal_bias,
      .reference = references::centroidal_bias,
-     .traits = {.on_request = true, .needs_floating_base = true}},
+     .traits = {.on_request = true, .needs_floating_base = true, .needs_rates = true}},
     {.name = "centre_of_mass",
      .summary = "Centre of mass of a robot with a floating base, and the Jacobian of its velocity",
      .equation = "",
@@ -296,7 +300,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_centre_of_mass},
      .definition = definitions::centre_of_mass,
      .reference = references::centre_of_mass,
-     .traits = {.on_request = true, .needs_floating_base = true}},
+     .traits = {.on_request = true, .needs_floating_base = true, .needs_rates = true}},
     {.name = "regressor",
      .summary = "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint, of its link with the rotors that it "
                 "carries, in and about the frame that flatdyn inspect shows",
@@ -306,7 +310,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_mechanism = derive_regressor},
      .definition = definitions::regressor,
      .reference = references::regressor,
-     .traits = {.on_request = true, .leaves_out_springs = true}},
+     .traits = {.on_request = true, .needs_rates = true, .leaves_out_springs = true}},
     {.name = "base_regressor",
      .summary = "Y_b(q, qd, qdd) with tau = Y_b pi_b, pi_b the base parameters",
      .equation = "(7.81)",
@@ -315,8 +319,11 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_mechanism = derive_base_regressor},
      .definition = definitions::base_regressor,
      .reference = references::base_regressor,
-     .traits =
-         {.on_request = true, .uses_base_parameters = true, .is_all_or_nothing = true, .leaves_out_springs = true}},
+     .traits = {.on_request = true,
+                .uses_base_parameters = true,
+                .is_all_or_nothing = true,
+                .needs_rates = true,
+                .leaves_out_springs = true}},
     {.name = "base_parameters",
      .summary = "pi_b of this robot: Y_b pi_b = tau",
      .equation = "",
@@ -325,8 +332,11 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_mechanism = derive_base_parameters},
      .definition = definitions::base_parameters,
      .reference = references::base_parameters,
-     .traits =
-         {.on_request = true, .uses_base_parameters = true, .is_all_or_nothing = true, .leaves_out_springs = true}},
+     .traits = {.on_request = true,
+                .uses_base_parameters = true,
+                .is_all_or_nothing = true,
+                .needs_rates = true,
+                .leaves_out_springs = true}},
     {.name = "inverse_dynamics_base",
      .summary = "tau = B qdd + C qd + g + friction with the base parameters pi_b as an argument",
      .equation = "(7.42)",
@@ -335,7 +345,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_mechanism = derive_inverse_dynamics_base},
      .definition = definitions::inverse_dynamics_base,
      .reference = references::inverse_dynamics_base,
-     .traits = {.on_request = true, .uses_base_parameters = true, .leaves_out_springs = true}},
+     .traits = {.on_request = true, .uses_base_parameters = true, .needs_rates = true, .leaves_out_springs = true}},
     {.name = "spring_regressor",
      .summary =
          "Y_s(q) with Y_s pi_s the torques of the joints' springs, pi_s the stiffness k and k q_0 of every joint",
@@ -345,7 +355,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_mechanism = derive_spring_regressor},
      .definition = definitions::spring_regressor,
      .reference = references::spring_regressor,
-     .traits = {.on_request = true}},
+     .traits = {.on_request = true, .needs_rates = true}},
     {.name = "adaptive_regressor",
      .summary = "Y_b(q, qd, qd_r, qdd_r) with B qdd_r + C qd_r + g + friction at qd_r = Y_b pi_b",
      .equation = "(7.81)",
@@ -358,6 +368,7 @@ const std::vector<FunctionRow> kRows = {
                 .uses_base_parameters = true,
                 .is_all_or_nothing = true,
                 .needs_fixed_base = true,
+                .needs_rates = true,
                 .leaves_out_springs = true}},
 };
 
@@ -367,7 +378,7 @@ std::vector<InputKind> FunctionRow::inputs_for(const Mechanism& mechanism) const
   std::vector<InputKind> result;
   for (const InputKind kind : inputs) {
     if (kind == InputKind::g_b && !mechanism.has_base_gravity()) continue;
-    result.push_back(with_base(kind, mechanism.floating_base));
+    result.push_back(with_base(kind, mechanism.has_quasi_velocities()));
   }
   return result;
 }
