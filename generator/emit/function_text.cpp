@@ -119,7 +119,13 @@ class FunctionWriter {
     return rows;
   }
 
-  // The conditions of the task, after "a pivot of B".
+  // The matrices whose pivots are asked for, after "a pivot of".
+  std::string inverted_text() const {
+    if (!function_.inverted.empty()) return function_.inverted;
+    return function_.task.empty() ? "B" : "B" + task_conditions_text();
+  }
+
+  // The conditions of the task, after "B".
   std::string task_conditions_text() const {
     const Task& task = function_.task;
     const char* const of_angles = task.orientation == Orientation::zyz ? ", or sin(theta)," : ", or cos(theta),";
@@ -133,13 +139,13 @@ class FunctionWriter {
       return output.name + (output.meaning.empty() ? "" : ": " + output.meaning);
     }
     if (function_.validity_conditions.empty()) return "";
-    const std::string also = function_.task.empty() ? "" : task_conditions_text();
     const bool asks_loops = function_.loop_conditions > 0;
     const bool asks_pivots = function_.validity_conditions.size() > static_cast<std::size_t>(function_.loop_conditions);
     const char* const lost = compares_pivots(function_) ? "not positive or lost in rounding" : "not positive";
     return fmt::format("false if the result means nothing: if {}{}an entry of the result is not a finite number{}",
                        asks_loops ? "a closed loop is within 1e-6 of being singular (6e-5 in float), or " : "",
-                       asks_pivots ? fmt::format("a pivot of B{} is {}, or ", also, lost) : "", proven_text());
+                       asks_pivots ? fmt::format("a pivot of {} is {}, or ", inverted_text(), lost) : "",
+                       proven_text());
   }
 
   std::string proven_text() const {

@@ -45,7 +45,8 @@ Fusion fused(const std::vector<Function>& functions) {
     whole.summary += (whole.summary.empty() ? "" : "; ") + function.summary;
     fusion.parts.push_back({function.name, function.summary, function.equation, function.inputs, function.at_rest,
                             function.task, function.outputs.size(), function.validity_conditions.size(),
-                            function.pivot_scales.size(), function.proven_pivot_share, function.loop_conditions});
+                            function.pivot_scales.size(), function.proven_pivot_share, function.loop_conditions,
+                            function.inverted});
   }
   whole.inputs.assign(inputs.begin(), inputs.end());
   return fusion;
@@ -75,7 +76,8 @@ Function function_of(const Fusion& fusion, std::size_t k) {
           .validity_conditions = slice(fusion.function.validity_conditions, condition, part.conditions),
           .pivot_scales = slice(fusion.function.pivot_scales, scale, part.pivot_scales),
           .proven_pivot_share = part.proven_pivot_share,
-          .loop_conditions = part.loop_conditions};
+          .loop_conditions = part.loop_conditions,
+          .inverted = part.inverted};
 }
 
 }  // namespace flatdyn

@@ -84,6 +84,16 @@ struct WrittenLink : LinkFrame {
   InertialParameters inertia;
 };
 
+// A point of a body, or a frame, that touches something which does not move. `frame` has the axes of the link.
+struct Contact {
+  std::string name;
+  LinkFrame frame;
+  bool is_surface = false;  // whether the body cannot turn, either
+
+  // The directions that it holds: velocities along x, y, z of the base frame, and for a surface rotations about them.
+  int rows() const { return is_surface ? 6 : 3; }
+};
+
 // A multiple of an entry of q by which joints turn.
 struct CoordinateMultiple {
   int position = 0;
@@ -147,6 +157,12 @@ struct Mechanism {
   // (model/floating_base.hpp). q has no entries of theirs; the first six of q̇, q̈ and τ are the base's.
   bool floating_base = false;
 
+  // The scene's contacts, and λ of the matrix J B^-1 J^T + λ² 1 that their forces are found with.
+  std::vector<Contact> contacts;
+  Rational contact_damping = 0;
+
+  // The rows of all contacts' Jacobian.
+  int contact_rows() const;
   // The bodies, and the entries of q̇, that are the motion of a floating base.
   int base_bodies() const { return floating_base ? 6 : 0; }
   bool is_of_base(int body) const { return body < base_bodies(); }

@@ -55,6 +55,11 @@ Request parsed(const Mechanism& mechanism, const std::string& name) {
                   fmt::format("function \"{}\" is one of robots with a floating base", request.row->name),
                   "let the base move: --base floating");
   }
+  if (request.row->traits.needs_contacts && mechanism.contacts.empty()) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("function \"{}\" is about contacts, and there are none", request.row->name),
+                  "name them in a scene: [[contact]] link = \"foot\" (docs/scene-format.md)");
+  }
   if (colon == std::string::npos) return request;
   if (request.row->derivation.of_link == nullptr) {
     throw Failure(ExitCode::usage, fmt::format("function \"{}\" is not one of a link", request.row->name),
