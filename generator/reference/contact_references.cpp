@@ -11,8 +11,8 @@ namespace {
 
 namespace ref = reference;
 using At = ReferencePoint<double>;
-using Vector = ref::VectorX<double>;
-using Matrix = ref::MatrixX<double>;
+using RealVector = ref::VectorX<double>;
+using RealMatrix = ref::MatrixX<double>;
 
 template <class S>
 std::vector<S> joined(std::initializer_list<ref::VectorX<S>> parts) {
@@ -54,16 +54,16 @@ std::vector<S> impact_entries(const ReferencePoint<S>& at) {
 }
 
 // The sums of the absolute terms of the contacts' Jacobian, and of their accelerations.
-Matrix contact_jacobian_terms(const At& at) {
-  Matrix terms(ref::contact_rows(at.robot), at.robot.size());
+RealMatrix contact_jacobian_terms(const At& at) {
+  RealMatrix terms(ref::contact_rows(at.robot), at.robot.size());
   ref::for_each_contact(at.robot, [&](const ref::Robot<double>& there, Eigen::Index first, Eigen::Index rows) {
     terms.middleRows(first, rows) = ref::jacobian_magnitude(there, at.q).topRows(rows);
   });
   return terms;
 }
 
-Vector contact_drift_terms(const At& at) {
-  Vector terms(ref::contact_rows(at.robot));
+RealVector contact_drift_terms(const At& at) {
+  RealVector terms(ref::contact_rows(at.robot));
   ref::for_each_contact(at.robot, [&](const ref::Robot<double>& there, Eigen::Index first, Eigen::Index rows) {
     const Eigen::Vector2d m = ref::tip_acceleration_magnitude(there, at.q, at.qd);
     terms.segment(first, 3).setConstant(m[0]);
@@ -83,11 +83,11 @@ std::vector<double> jacobian_entry_terms(const At& at) {
 }
 
 // 1, and the growth of errors of the pivots that the condition is made of.
-double condition_terms(const Matrix& M, const Matrix& M_terms) {
+double condition_terms(const RealMatrix& M, const RealMatrix& M_terms) {
   double sum = 0, growth = 0;
   for (Eigen::Index k = 0; k < M.rows(); ++k) {
     const Eigen::Index rest = M.rows() - k;
-    const Matrix inverse = M.bottomRightCorner(rest, rest).inverse().cwiseAbs();
+    const RealMatrix inverse = M.bottomRightCorner(rest, rest).inverse().cwiseAbs();
     sum += M(k, k) * inverse(0, 0);
     growth += M_terms(k, k) * inverse(0, 0);
     growth += M(k, k) * inverse.row(0).dot(M_terms.bottomRightCorner(rest, rest) * inverse.col(0));
@@ -108,45 +108,46 @@ class ContactMagnitude {
   }
 
   std::vector<double> accelerations() const {
-    const Vector free = ref::forward_dynamics(at_.robot, at_.q, at_.qd, at_.tau);
-    const Vector free_terms = acceleration_magnitude(at_);
-    const Vector held = space_.J * free + ref::contact_drift(at_.robot, at_.q, at_.qd);
-    const Vector held_terms = J_terms_ * (free.cwiseAbs() + free_terms) + contact_drift_terms(at_);
+    const RealVector free = ref::forward_dynamics(at_.robot, at_.q, at_.qd, at_.tau);
+    const RealVector free_terms = acceleration_magnitude(at_);
+    const RealVector held = space_.J * free + ref::contact_drift(at_.robot, at_.q, at_.qd);
+    const RealVector held_terms = J_terms_ * (free.cwiseAbs() + free_terms) + contact_drift_terms(at_);
     return entries(free_terms, held, held_terms);
   }
 
   std::vector<double> impact() const {
-    const Vector speed = at_.qd.cwiseAbs();
+    const RealVector speed = at_.qd.cwiseAbs();
     return entries(speed, space_.J * at_.qd, J_terms_ * speed);
   }
 
  private:
   // Of the motion, of the forces M^-1 `held`, and of the condition.
-  std::vector<double> entries(const Vector& free_terms, const Vector& held, const Vector& held_terms) const {
-    const Vector forces = (space_.M.inverse() * held).cwiseAbs();
-    const Vector force_terms = W_ * held_terms + W_terms_ * held.cwiseAbs();
-    const Vector motion_terms =
+  std::vector<double> entries(const RealVector& free_terms, const RealVector& held,
+                              const RealVector& held_terms) const {
+    const RealVector forces = (space_.M.inverse() * held).cwiseAbs();
+    const RealVector force_terms = W_ * held_terms + W_terms_ * held.cwiseAbs();
+    const RealVector motion_terms =
         free_terms + (inverse_terms_ + inverse_) * (J_terms_.transpose() * (forces + force_terms));
     return joined<double>({motion_terms, force_terms, as_vector(condition_terms(space_.M, M_terms_))});
   }
 
   const At& at_;
   ref::ContactSpace<double> space_;
-  Matrix J_terms_, inverse_, inverse_terms_, M_terms_, W_, W_terms_;
+  RealMatrix J_terms_, inverse_, inverse_terms_, M_terms_, W_, W_terms_;
 };
 
 std::vector<double> inverse_dynamics_terms(const At& at) {
-  const Matrix J_terms = contact_jacobian_terms(at), A_terms = J_terms.leftCols(6).transpose();
-  const Matrix A = ref::support_of_base(at.robot, at.q), square = A * A.transpose();
-  const Matrix inverse = square.inverse().cwiseAbs(), square_terms = A_terms * A_terms.transpose();
-  const Vector torque_terms = ref::torque_magnitude(at.robot, at.q, at.qd, at.qdd);
-  const Vector needed = ref::inverse_dynamics(at.robot, at.q, at.qd, at.qdd).head(6);
-  const Vector turned = (square.inverse() * needed).cwiseAbs();
-  const Vector turned_terms = inverse * (torque_terms.head(6) + square_terms * turned);
-  const Vector force_terms = A_terms.transpose() * (turned + turned_terms);
-  const Vector forces = (A.transpose() * (square.inverse() * needed)).cwiseAbs();
-  Vector tau_terms = torque_terms + J_terms.transpose() * (forces + force_terms);
-  const Matrix moments = ref::moments_of_support(at.robot, at.q);
+  const RealMatrix J_terms = contact_jacobian_terms(at), A_terms = J_terms.leftCols(6).transpose();
+  const RealMatrix A = ref::support_of_base(at.robot, at.q), square = A * A.transpose();
+  const RealMatrix inverse = square.inverse().cwiseAbs(), square_terms = A_terms * A_terms.transpose();
+  const RealVector torque_terms = ref::torque_magnitude(at.robot, at.q, at.qd, at.qdd);
+  const RealVector needed = ref::inverse_dynamics(at.robot, at.q, at.qd, at.qdd).head(6);
+  const RealVector turned = (square.inverse() * needed).cwiseAbs();
+  const RealVector turned_terms = inverse * (torque_terms.head(6) + square_terms * turned);
+  const RealVector force_terms = A_terms.transpose() * (turned + turned_terms);
+  const RealVector forces = (A.transpose() * (square.inverse() * needed)).cwiseAbs();
+  RealVector tau_terms = torque_terms + J_terms.transpose() * (forces + force_terms);
+  const RealMatrix moments = ref::moments_of_support(at.robot, at.q);
   return joined<double>(
       {tau_terms, force_terms, as_vector(condition_terms(moments, square_terms.bottomRightCorner<3, 3>()))});
 }

@@ -40,22 +40,22 @@ link = "HR_FOOT"
 // A surface and a point, neither of which is at a frame's origin.
 constexpr const char* kHandAndPanel = R"(
 [[contact]]
-link = "rail"
+link = "link2"
 type = "surface"
 position = [0.1, 0.2, -0.3]
 [[contact]]
-link = "panel"
+link = "link3"
 position = [0, 0.5, 0.1]
 )";
 // More than the arm can follow.
 constexpr const char* kTwoHandles = R"(
 contact_damping = 0.1
 [[contact]]
-link = "flange"
+link = "link6"
 position = [0, 0.1, 0.2]
 [[contact]]
 name = "other"
-link = "flange"
+link = "link6"
 type = "surface"
 )";
 
@@ -200,24 +200,24 @@ TEST(Contacts, AreRefusedWithAReason) {
   using ::testing::HasSubstr;
   constexpr const char* kPuma = "puma560.toml";
   EXPECT_THAT(refusal({"", kPuma, "", false}, "contact_bias"), HasSubstr("is about contacts, and there are none"));
-  EXPECT_THAT(refusal({"", kPuma, "[[contact]]\nlink = \"flange\"\n", false}, "contact_inverse_dynamics"),
+  EXPECT_THAT(refusal({"", kPuma, "[[contact]]\nlink = \"link6\"\n", false}, "contact_inverse_dynamics"),
               HasSubstr("is one of robots with a floating base"));
-  EXPECT_THAT(refusal({"", kPuma, "[[contact]]\nlink = \"link_9\"\n", false}, "contact_bias"),
-              HasSubstr("there is no link \"link_9\""));
+  EXPECT_THAT(refusal({"", kPuma, "[[contact]]\nlink = \"link9\"\n", false}, "contact_bias"),
+              HasSubstr("there is no link \"link9\""));
   EXPECT_THAT(refusal({"", kPuma, "[[contact]]\nlink = \"base\"\n", false}, "contact_bias"),
               HasSubstr("link \"base\" does not move"));
   EXPECT_THAT(
-      refusal({"", kPuma, "[[contact]]\nlink = \"flange\"\n[[contact]]\nlink = \"flange\"\n", false}, "contact_bias"),
-      HasSubstr("\"flange\" is there twice"));
+      refusal({"", kPuma, "[[contact]]\nlink = \"link6\"\n[[contact]]\nlink = \"link6\"\n", false}, "contact_bias"),
+      HasSubstr("\"link6\" is there twice"));
   constexpr const char* kThreePoints = R"([[contact]]
-link = "flange"
+link = "link6"
 [[contact]]
 name = "second"
-link = "flange"
+link = "link6"
 position = [0.1, 0, 0]
 [[contact]]
 name = "third"
-link = "flange"
+link = "link6"
 position = [0, 0.1, 0]
 )";
   EXPECT_THAT(refusal({"", kPuma, kThreePoints, false}, "constrained_forward_dynamics"),
