@@ -180,7 +180,7 @@ TEST_F(Standing, LosesEnergyInAnImpact) {
   const Vector lost = v_ - stopped.motion;
   EXPECT_GT(after, 0);
   EXPECT_LT(after, before);
-  // What is lost is the energy of the velocity that is lost (Carnot's theorem).
+  // The energy that is lost is that of the velocity that is lost (Carnot's theorem).
   EXPECT_LT(Real50(abs(before - after - reference::kinetic_energy(robot_, q_, lost))).convert_to<double>(), 1e-40);
 }
 
