@@ -102,13 +102,17 @@ class AdaptorWriter {
   std::string conversion_of(const Output& output, const std::string& name) const {
     switch (output.quantity) {
       case OutputQuantity::joint_torque:
+      case OutputQuantity::joint_rate:
       case OutputQuantity::joint_acceleration:
         return convention_.is_plain() ? "" : fmt::format("base.from_core({});", name);
       case OutputQuantity::joint_inertia:
       case OutputQuantity::torque_per_rate:
         return convention_.is_plain() ? "" : turning(name) + fmt::format("base.both_from_core({});", name);
       case OutputQuantity::number:
-        return fmt::format("base.turn_frame({});", name);
+        return output.layout == Layout::matrix ? fmt::format("base.turn_frame({});", name) : "";
+      case OutputQuantity::contact_force:
+      case OutputQuantity::contact_impulse:
+        return fmt::format("base.turn_all({}, {});", name, output.rows);
       case OutputQuantity::position:
         return fmt::format("base.move_point({});", name);
       case OutputQuantity::tip_jacobian:

@@ -144,6 +144,7 @@ class ConventionWriter {
     page["x"] = std::to_string(first);
     page["y"] = std::to_string(first + 1);
     page["z"] = std::to_string(first + 2);
+    page["contacts?"] = !mechanism_.contacts.empty();
     page["plain?"] = convention_.is_plain();
     page["linear_in_world?"] = convention_.linear_in_world;
     page["angular_in_world?"] = convention_.angular_in_world;

@@ -26,6 +26,7 @@ bool is_known(OutputQuantity quantity) {
   switch (quantity) {
     case OutputQuantity::number:
     case OutputQuantity::position:
+    case OutputQuantity::joint_rate:
     case OutputQuantity::joint_acceleration:
     case OutputQuantity::joint_torque:
     case OutputQuantity::joint_inertia:
@@ -35,6 +36,8 @@ bool is_known(OutputQuantity quantity) {
     case OutputQuantity::tip_acceleration:
     case OutputQuantity::momentum_per_rate:
     case OutputQuantity::force_and_moment:
+    case OutputQuantity::contact_force:
+    case OutputQuantity::contact_impulse:
       return true;
     default:
       return false;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "emit/writer.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -57,7 +59,11 @@ std::string meaning_of_output(const Output& output, const Convention& convention
   switch (output.quantity) {
     case OutputQuantity::joint_torque:
       return meaning_of_force(convention);
+    case OutputQuantity::contact_force:
+    case OutputQuantity::contact_impulse:
+      return with_replaced(output.meaning, "base axes", "world axes");
     case OutputQuantity::number:
+      if (output.layout != Layout::matrix) return output.meaning;
       return "rotation matrix of the frame, from its axes to world axes";
     case OutputQuantity::position:
       return output.name == "r_G" ? "centre of mass in the world, m" : "position of the frame's origin in the world, m";

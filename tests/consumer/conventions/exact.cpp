@@ -173,6 +173,39 @@ struct Comparison {
     checks.expect(times_v<3>(J, v) == turned(s.e, times_v<3>(J_b, s.v)), meaning, "velocity of the centre of mass");
   }
 
+  // Forces and impulses on the surface and at the point, in world axes.
+  static constexpr std::size_t kRows = 9;
+  std::array<Rational, kRows> turned_rows(const std::array<Rational, kRows>& x) const {
+    std::array<Rational, kRows> result;
+    for (std::size_t k = 0; k < kRows; k += 3) {
+      const Three<Rational> in_world = turned(s.e, {x[k], x[k + 1], x[k + 2]});
+      for (std::size_t i = 0; i < 3; ++i) result[k + i] = in_world[i];
+    }
+    return result;
+  }
+
+  void compare_contacts() const {
+    std::array<Rational, kRows> f, f_b;
+    std::array<Rational, 1> condition, condition_b;
+    Vector<Rational> found;
+    ExactState other = s;
+    satellite::contact_inverse_dynamics(s.q.data(), s.g_b, s.v.data(), s.a.data(), other.tau.data(), f_b.data(),
+                                        condition_b.data(), s.sines());
+    C::of.contact_inverse_dynamics(q.data(), v.data(), a.data(), found.data(), f.data(), condition.data(), s.sines());
+    checks.expect(found == force_in(meaning, s, other.tau) && f == turned_rows(f_b) && condition == condition_b,
+                  meaning, "contact_inverse_dynamics");
+    satellite::constrained_forward_dynamics(s.q.data(), s.g_b, s.v.data(), s.tau.data(), other.a.data(), f_b.data(),
+                                            condition_b.data(), s.sines());
+    C::of.constrained_forward_dynamics(q.data(), v.data(), tau.data(), found.data(), f.data(), condition.data(),
+                                       s.sines());
+    checks.expect(found == acceleration_in(meaning, other) && f == turned_rows(f_b) && condition == condition_b,
+                  meaning, "constrained_forward_dynamics");
+    satellite::contact_impact(s.q.data(), s.v.data(), other.v.data(), f_b.data(), condition_b.data(), s.sines());
+    C::of.contact_impact(q.data(), v.data(), found.data(), f.data(), condition.data(), s.sines());
+    checks.expect(found == velocity_in(meaning, other) && f == turned_rows(f_b) && condition == condition_b, meaning,
+                  "contact_impact");
+  }
+
   static std::array<Rational, 6> plus(std::array<Rational, 6> x, const std::array<Rational, 6>& y) {
     for (std::size_t k = 0; k < 6; ++k) x[k] = x[k] + y[k];
     return x;
@@ -188,6 +221,7 @@ void compare(const ExactState& s, Checks& checks) {
   comparison.compare_matrices();
   comparison.compare_tip();
   comparison.compare_momentum();
+  comparison.compare_contacts();
 }
 
 }  // namespace
