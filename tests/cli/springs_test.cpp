@@ -103,7 +103,7 @@ TEST_F(SpringsOfARobot, CountInTheTorquesOfExcitingMotions) {
   const Outcome outcome = run(
       "torques", "--json --trajectory " + scratch.path("arm_excitation.csv") + " -o " + scratch.path("torques.csv"));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const json& rail = json::parse(outcome.out)["joints"][1];
+  const json rail = json::parse(outcome.out)["joints"][1];
   EXPECT_LE(std::abs(rail["torque"].get<double>()), 60) << rail;
   EXPECT_GE(std::abs(rail["torque"].get<double>()), 30) << rail;
 }
