@@ -61,6 +61,9 @@ void split_planar_joint(const std::string& name, ReadContext& context, Robot& ro
         "TOML file over the URDF, of " +
             name + ".x, " + name + ".y, " + name + ".turn");
   }
+  for (Joint& joint : robot.joints) {
+    if (joint.coupled && names(name, *joint.coupled)) joint.coupled.reset();  // which was reported
+  }
   tell_of_axes(whole, what, context.diagnostics);
   const std::vector<Joint> parts = planar_parts(whole, what + ", axis", context);
   const auto place = robot.joints.erase(found);

@@ -89,6 +89,14 @@ TEST_F(JointParts, AreTheSamePlanarJointInThreeFormats) {
   expect_same(urdf, read("r.toml", toml_joint("planar", "")));
 }
 
+TEST_F(JointParts, AreLedByNoWholeJoint) {
+  std::string urdf = urdf_joint("planar", "0 0 1");
+  urdf.insert(urdf.rfind("</robot>"), R"(<link name="hand"/><joint name="k" type="revolute"><parent link="arm"/>
+      <child link="hand"/><mimic joint="j"/></joint>)");
+  EXPECT_THAT(first_error("r.urdf", urdf), HasSubstr("couplings of a planar joint are not supported"));
+  EXPECT_TRUE(diagnostics_.only_unsupported());
+}
+
 // x and y of the frame, turned by the smallest angle that takes z to the axis.
 TEST_F(JointParts, LieInThePlaneOfTheAxis) {
   const Robot turned = read("r.urdf", urdf_joint("planar", "2 0 0"));
