@@ -46,7 +46,6 @@ ExitCode excite(const ExciteArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   refuse_loops(model, "excite");
   refuse_floating_base(model, "excite");
-  refuse_springs(model, "excite");
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   const std::string name = cpp_identifier(model.mechanism.name);  // as for a generated header

@@ -7,6 +7,7 @@
 #include "emit/kernel_parts.hpp"
 #include "emit/limbs.hpp"
 #include "emit/narrowed.hpp"
+#include "load/bad_input.hpp"
 #include "report/scene_report.hpp"
 
 namespace flatdyn {
@@ -90,6 +91,17 @@ EmitOptions stamped(const GenerationOptions& options, const GenerationResult& re
   return form;
 }
 
+// With the file's name, where conventions do not apply.
+void check_conventions(const LoadedRobot& robot) {
+  try {
+    check_conventions_apply(robot.mechanism);
+  } catch (const Failure& failure) {
+    Diagnostics found;
+    found.unsupported({robot.robot.file, 0}, failure.what(), failure.hint());
+    throw BadInput(failure.code(), std::move(found));
+  }
+}
+
 }  // namespace
 
 bool GenerationOptions::is_for_float() const {
@@ -104,7 +116,7 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   progress.step("reading");
   result.robot = load_robot(robot_file, options);
   const LoadedRobot& robot = result.robot;
-  if (options.needs_floating_base) check_conventions_apply(robot.mechanism);
+  if (options.needs_floating_base) check_conventions(robot);
   // Derive, specialise to the scene, optimise: every function in each of its formulations.
   result.functions = make_functions(robot, options, progress, result.findings);
   std::optional<OptimisedFusion> fused;
