@@ -8,10 +8,23 @@
 #include "emit/limbs.hpp"
 #include "emit/narrowed.hpp"
 #include "load/bad_input.hpp"
+#include "planning/kernel_columns.hpp"
 #include "report/scene_report.hpp"
+#include "verify/kernel_proof.hpp"
 
 namespace flatdyn {
 namespace {
+
+// Proves of functions in parts that the parts, in their order, compute the function.
+void prove_kernels(const GenerationResult& result, std::uint64_t seed) {
+  const std::vector<Function> functions = functions_of(result);
+  auto next = result.kernel_parts.begin();
+  for (std::size_t k = 0; k < result.form.kernel_parts.size(); ++k) {
+    const auto end = next + result.form.kernel_parts[k];
+    if (next != end) prove_parts(functions[k], {next, end}, seed);
+    next = end;
+  }
+}
 
 // The functions of the text: those of the result, and in CUDA the parts of their kernels.
 std::vector<Function> functions_of_text(const GenerationResult& result) {
@@ -20,9 +33,13 @@ std::vector<Function> functions_of_text(const GenerationResult& result) {
   return functions;
 }
 
-void divide_for_kernels(GenerationResult& result) {
+void divide_for_kernels(GenerationResult& result, Progress& progress) {
   if (result.form.language != Language::cuda) return;
-  KernelParts parts = kernel_parts(functions_of(result), values_in_registers(result.form.scalar == "double"));
+  progress.step("dividing among kernels");
+  const std::vector<Function> functions = functions_of(result);
+  ReadingParts reading;
+  for (const Function& each : functions) reading.push_back(reading_own_outputs(result.robot, each));
+  KernelParts parts = kernel_parts(functions, values_in_registers(result.form.scalar == "double"), reading);
   result.kernel_parts = std::move(parts.functions);
   result.form.kernel_parts = std::move(parts.counts);
 }
@@ -130,7 +147,7 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   // Emit.
   progress.step("emitting and reading back");
   result.form = stamped(options, result);
-  divide_for_kernels(result);
+  divide_for_kernels(result, progress);
   const std::string text = emit_and_read_back(result);
   check_narrowed_constants(options, result);
   // Prove in exact arithmetic, against the Lagrangian, which is that of the robot as read; and the text, read back,
@@ -140,6 +157,7 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   result.as_read = prove_robot(robot.robot, robot.mechanism);
   result.proofs = prove(effective_mechanism(robot), apart, fused, result.stages, seed);
   prove_text(*result.read_back, {result.robot.mechanism, functions_of_text(result), result.stages, result.form}, seed);
+  prove_kernels(result, seed);
   note_limbs_apart(result);
   return result;
 }
