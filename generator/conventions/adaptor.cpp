@@ -112,9 +112,13 @@ class AdaptorWriter {
         return output.layout == Layout::matrix ? fmt::format("base.turn_frame({});", name) : "";
       case OutputQuantity::contact_force:
       case OutputQuantity::contact_impulse:
-        return fmt::format("base.turn_all({}, {});", name, output.rows);
+      case OutputQuantity::contact_acceleration:
+        return for_each_three(output, fmt::format("base.turn({} + k)", name));
+      case OutputQuantity::contact_jacobian:
+        return for_each_three(output, fmt::format("base.rows_to_world({} + {} * k, 3)", name, size_));
       case OutputQuantity::position:
-        return fmt::format("base.move_point({});", name);
+        if (output.rows == 3) return fmt::format("base.move_point({});", name);
+        return for_each_three(output, fmt::format("base.move_point({} + k)", name));
       case OutputQuantity::tip_jacobian:
       case OutputQuantity::momentum_per_rate:
         return fmt::format("base.rows_to_world({}, {});", name, output.rows);
@@ -124,6 +128,11 @@ class AdaptorWriter {
       default:
         return "";
     }
+  }
+
+  // Points, or the rows of contacts, of which three are a vector.
+  static std::string for_each_three(const Output& output, const std::string& statement) {
+    return fmt::format("for (int k = 0; k < {}; k += 3) {};", output.rows, statement);
   }
 
   std::string turning(const std::string& name) const {

@@ -36,6 +36,8 @@ bool is_known(OutputQuantity quantity) {
     case OutputQuantity::tip_acceleration:
     case OutputQuantity::momentum_per_rate:
     case OutputQuantity::force_and_moment:
+    case OutputQuantity::contact_jacobian:
+    case OutputQuantity::contact_acceleration:
     case OutputQuantity::contact_force:
     case OutputQuantity::contact_impulse:
       return true;
@@ -60,6 +62,7 @@ bool depends_on_acceleration(const Output& output) {
     case OutputQuantity::joint_torque:
     case OutputQuantity::tip_acceleration:
     case OutputQuantity::force_and_moment:
+    case OutputQuantity::contact_acceleration:
       return true;
     default:
       return false;

@@ -43,6 +43,7 @@ int last_moving_link(const Robot& robot) {
 void attach_contacts(ReadContext& context, Robot& robot) {
   const std::vector<bool> moves = moving_links(robot);
   for (SceneContact& contact : robot.scene.contacts) {
+    if (contact.link.name.empty()) continue;  // said where it was read
     contact.index = find_link(robot, contact.link, "contact, link", context.diagnostics).value_or(robot.tip);
     if (robot.floating_base || moves[static_cast<std::size_t>(contact.index)]) continue;
     context.diagnostics.error(contact.place, "contact: link \"" + contact.link.name + "\" does not move",

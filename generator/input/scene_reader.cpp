@@ -78,6 +78,11 @@ SceneContact read_contact(TomlTable& table, Diagnostics& diagnostics) {
   contact.link = link.value_or(Reference{"", contact.place});
   if (!link) diagnostics.error(contact.place, "contact: it has no link", "name the link that touches: link = \"foot\"");
   contact.name = table.text("name").value_or(contact.link.name);
+  const auto is_control = [](unsigned char c) { return c < ' '; };
+  if (link && (contact.name.empty() || std::any_of(contact.name.begin(), contact.name.end(), is_control))) {
+    diagnostics.error(table.place_of("name"), "contact: its name is empty or has control characters",
+                      "write name = \"left_heel\", or leave it out for the link's name");
+  }
   contact.position = table.vector("position", Quantity::length, zero_vector());
   contact.is_surface = read_choice(table, "type", {"point", "surface"}, diagnostics) == "surface";
   table.reject_unknown_keys();

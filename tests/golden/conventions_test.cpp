@@ -22,9 +22,9 @@ constexpr const char* kAllConventions =
     " --convention pose,pinocchio,mujoco,mixed,featherstone --functions inverse_dynamics,inverse_dynamics_tip_force,"
     "inertia_matrix,coriolis_matrix,gravity,bias,forward_dynamics,kinetic_energy,forward_kinematics,jacobian,"
     "jacobian_dot_qd,inverse_dynamics_floating,centroidal_momentum_matrix,centroidal_bias,centre_of_mass,"
-    "constrained_forward_dynamics,contact_inverse_dynamics,contact_impact";
+    "constrained_forward_dynamics,contact_inverse_dynamics,contact_impact,contact_jacobian,contact_bias";
 
-// The text that the program prints with the satellite's headers: "230 hold, 0 do not".
+// The text that the program prints with the satellite's headers: "250 hold, 0 do not".
 std::string printed(const char* program, const char* compiler) {
   const TemporaryFolder folder;
   const std::string scene = fmt::format(" --scene '{}'", (kConventionPrograms / "contacts.toml").string());

@@ -40,8 +40,14 @@ std::string at_contacts(const std::string& what, DerivationContext& context) {
   return fmt::format("{} at {}, base axes", what, contact_text(context.mechanism.contacts));
 }
 
+bool have_surfaces(DerivationContext& context) {
+  const std::vector<Contact>& all = context.mechanism.contacts;
+  return std::any_of(all.begin(), all.end(), [](const Contact& contact) { return contact.is_surface; });
+}
+
 Output force_output(DerivationContext& context, const std::vector<Number>& forces) {
-  return vector_output("f_c", context.nodes(forces), at_contacts("forces (N) and moments (N m) on the robot", context));
+  const char* what = have_surfaces(context) ? "forces (N) and moments (N m) on the robot" : "forces (N) on the robot";
+  return vector_output("f_c", context.nodes(forces), at_contacts(what, context));
 }
 
 Output condition_output(DerivationContext& context, const Number& condition) {
@@ -49,8 +55,8 @@ Output condition_output(DerivationContext& context, const Number& condition) {
                        "0..1: 1 where contacts are independent of each other, 0 where one follows from others");
 }
 
-Function with_contacts(Function function) {
-  function.inverted = "B or J B^-1 J^T";
+Function with_contacts(const Mechanism& mechanism, Function function) {
+  function.inverted = mechanism.contact_damping == 0 ? "B or J B^-1 J^T" : "B or J B^-1 J^T + lambda^2 1";
   return function;
 }
 
@@ -138,11 +144,13 @@ Function contact_inverse_dynamics_at(DerivationContext& context) {
   const PointsOfSupport support(context);
   const std::vector<Number> forces =
       support.forces({needed[0], needed[1], needed[2]}, {needed[3], needed[4], needed[5]});
-  Function function = finished(context,
-                               {torque_output("tau", context.nodes(without_forces(context, needed, forces))),
-                                force_output(context, forces), condition_output(context, support.condition())},
-                               support.conditions());
-  function.inverted = "the contacts' moments about their mean";
+  Function function = finished(
+      context,
+      {torque_output("tau", context.nodes(without_forces(context, needed, forces))), force_output(context, forces),
+       vector_output("condition", {context.node(support.condition())},
+                     "0..1: 0 where the contacts' points are on one line")},
+      support.conditions());
+  function.inverted = "the inertia of the contacts' points";
   return function;
 }
 
@@ -154,9 +162,7 @@ Function derive_contact_jacobian(const Mechanism& mechanism, const Choices& choi
     for (const Vec3& p : contact_positions(context)) positions.insert(positions.end(), p.begin(), p.end());
     const Rows J = contact_jacobian(context);
     return finished(context, {vector_output("p_c", context.nodes(positions),
-                                            fmt::format("positions of {} contacts from the base frame's origin, base "
-                                                        "axes, m",
-                                                        context.mechanism.contacts.size())),
+                                            "position of each contact from the base frame's origin, base axes, m"),
                               matrix_output("J_c", static_cast<int>(J.size()), context.size(), context.nodes(J),
                                             at_contacts("velocities by qd", context))});
   });
@@ -179,6 +185,7 @@ Function derive_constrained_forward_dynamics(const Mechanism& mechanism, const C
     }
     const ContactSpace::Solution solution = contacts.accelerations(b, contact_drift(context));
     return with_contacts(
+        context.mechanism,
         finished(context,
                  {vector_output("qdd", context.nodes(solution.motion),
                                 "joint accelerations, rad/s^2 (m/s^2 for prismatic joints)"),
@@ -188,6 +195,7 @@ Function derive_constrained_forward_dynamics(const Mechanism& mechanism, const C
 }
 
 Function derive_contact_inverse_dynamics(const Mechanism& mechanism, const Choices& choices) {
+  require_support(mechanism);
   return derived_at_contacts(mechanism, choices, contact_inverse_dynamics_at);
 }
 
@@ -196,12 +204,16 @@ Function derive_contact_impact(const Mechanism& mechanism, const Choices& choice
     const ContactSpace contacts(context);
     const ContactSpace::Solution solution = contacts.after_impact(context.all(InputKind::qd));
     return with_contacts(
-        finished(context,
-                 {vector_output("qd_after", context.nodes(solution.motion), "qd after the impact"),
-                  vector_output("impulse", context.nodes(solution.forces),
-                                at_contacts("impulses (N s) and their moments (N m s) on the robot", context)),
-                  condition_output(context, contacts.condition())},
-                 contacts.conditions()));
+        context.mechanism,
+        finished(
+            context,
+            {vector_output("qd_after", context.nodes(solution.motion), "qd after the impact"),
+             vector_output("impulse", context.nodes(solution.forces),
+                           at_contacts(have_surfaces(context) ? "impulses (N s) and their moments (N m s) on the robot"
+                                                              : "impulses (N s) on the robot",
+                                       context)),
+             condition_output(context, contacts.condition())},
+            contacts.conditions()));
   });
 }
 

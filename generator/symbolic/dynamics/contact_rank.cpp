@@ -32,6 +32,10 @@ std::vector<std::vector<FieldEntry>> contact_columns(const Mechanism& mechanism)
   return columns;
 }
 
+std::vector<std::size_t> independent_columns(std::vector<std::vector<FieldEntry>> rows) {
+  return reduced_echelon(std::move(rows), [](const FieldEntry& x) { return x.value() == 0; }).pivots;
+}
+
 const Contact& contact_of_row(const Mechanism& mechanism, int row) {
   const auto found = std::find_if(mechanism.contacts.begin(), mechanism.contacts.end(), [&row](const Contact& contact) {
     row -= contact.rows();
@@ -43,20 +47,29 @@ const Contact& contact_of_row(const Mechanism& mechanism, int row) {
 }  // namespace
 
 void require_independent(const Mechanism& mechanism) {
-  const std::vector<std::size_t> pivots =
-      reduced_echelon(contact_columns(mechanism), [](const FieldEntry& x) { return x.value() == 0; }).pivots;
-  const int rows = mechanism.contact_rows();
-  if (static_cast<int>(pivots.size()) == rows) return;
-  int first = 0;
-  while (first < static_cast<int>(pivots.size()) &&
-         static_cast<int>(pivots[static_cast<std::size_t>(first)]) == first) {
-    ++first;
-  }
+  const std::vector<std::size_t> pivots = independent_columns(contact_columns(mechanism));
+  const auto rows = static_cast<std::size_t>(mechanism.contact_rows());
+  if (pivots.size() == rows) return;
+  std::size_t first = 0;
+  while (first < pivots.size() && pivots[first] == first) ++first;
+  const Contact& contact = contact_of_row(mechanism, static_cast<int>(first));
+  const bool is_first = &contact == mechanism.contacts.data();
+  throw Failure(
+      ExitCode::unsupported,
+      fmt::format("contacts: their forces are not determined, because {}",
+                  is_first ? fmt::format("\"{}\" holds more than the robot can move there", contact.name)
+                           : fmt::format("what \"{}\" holds follows from the contacts before it", contact.name)),
+      "take fewer contacts, or let `contact_damping` of the scene choose: 1e-3");
+}
+
+void require_support(const Mechanism& mechanism) {
+  constexpr std::size_t kOfTwist = 6;
+  std::vector<std::vector<FieldEntry>> columns = contact_columns(mechanism);
+  columns.resize(kOfTwist);
+  if (independent_columns(std::move(columns)).size() == kOfTwist) return;
   throw Failure(ExitCode::unsupported,
-                fmt::format("contacts: their forces are not determined, because what \"{}\" holds follows from the "
-                            "contacts before it",
-                            contact_of_row(mechanism, first).name),
-                "take fewer contacts, or let `contact_damping` of the scene choose: 1e-3");
+                "contact_inverse_dynamics: the contacts cannot carry the base, because their points are on one line",
+                "take a third point beside the line, or a surface");
 }
 
 }  // namespace flatdyn

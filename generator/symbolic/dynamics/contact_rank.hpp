@@ -10,4 +10,8 @@ namespace flatdyn {
 // so that J B^-1 Jᵀ has no inverse; the first one is named.
 void require_independent(const Mechanism& mechanism);
 
+// Throws Failure(unsupported) if the contacts' forces cannot have every moment on a floating base, because their points
+// are on one line at almost every position.
+void require_support(const Mechanism& mechanism);
+
 }  // namespace flatdyn

@@ -206,6 +206,28 @@ struct Comparison {
                   "contact_impact");
   }
 
+  void compare_contact_motion() const {
+    std::array<Rational, 6> p, p_b;
+    std::array<Rational, kRows * kSize> J, J_b;
+    std::array<Rational, kRows> b, b_b;
+    C::of.contact_jacobian(q.data(), p.data(), J.data(), s.sines());
+    satellite::contact_jacobian(s.q.data(), p_b.data(), J_b.data(), s.sines());
+    const Three<Rational> first = sum(s.p, turned(s.e, {p_b[0], p_b[1], p_b[2]})),
+                          second = sum(s.p, turned(s.e, {p_b[3], p_b[4], p_b[5]}));
+    const bool are_there = p == std::array<Rational, 6>{first[0], first[1], first[2], second[0], second[1], second[2]};
+    checks.expect(are_there && times_v<kRows>(J, v) == turned_rows(times_v<kRows>(J_b, s.v)), meaning,
+                  "velocity of the contacts");
+    C::of.contact_bias(q.data(), v.data(), b.data(), s.sines());
+    satellite::contact_bias(s.q.data(), s.v.data(), b_b.data(), s.sines());
+    checks.expect(added(times_v<kRows>(J, a), b) == turned_rows(added(times_v<kRows>(J_b, s.a), b_b)), meaning,
+                  "acceleration of the contacts");
+  }
+
+  static std::array<Rational, kRows> added(std::array<Rational, kRows> x, const std::array<Rational, kRows>& y) {
+    for (std::size_t k = 0; k < kRows; ++k) x[k] = x[k] + y[k];
+    return x;
+  }
+
   static std::array<Rational, 6> plus(std::array<Rational, 6> x, const std::array<Rational, 6>& y) {
     for (std::size_t k = 0; k < 6; ++k) x[k] = x[k] + y[k];
     return x;
@@ -222,6 +244,7 @@ void compare(const ExactState& s, Checks& checks) {
   comparison.compare_tip();
   comparison.compare_momentum();
   comparison.compare_contacts();
+  comparison.compare_contact_motion();
 }
 
 }  // namespace

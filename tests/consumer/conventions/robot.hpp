@@ -58,6 +58,8 @@ struct Meaning {
       satellite::NAME::functions::constrained_forward_dynamics constrained_forward_dynamics; \
       satellite::NAME::functions::contact_inverse_dynamics contact_inverse_dynamics;         \
       satellite::NAME::functions::contact_impact contact_impact;                             \
+      satellite::NAME::functions::contact_jacobian contact_jacobian;                         \
+      satellite::NAME::functions::contact_bias contact_bias;                                 \
     };                                                                                       \
     static constexpr Functions of = {};                                                      \
     template <class S>                                                                       \
