@@ -121,7 +121,7 @@ class ContactMagnitude {
   }
 
  private:
-  // Of the motion, of the forces M^-1 `held`, and of the condition.
+  // The magnitudes of the motion, of the forces M^-1 `held`, and of the condition.
   std::vector<double> entries(const RealVector& free_terms, const RealVector& held,
                               const RealVector& held_terms) const {
     const RealVector forces = (space_.M.inverse() * held).cwiseAbs();

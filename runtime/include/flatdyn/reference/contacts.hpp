@@ -77,7 +77,7 @@ ContactSpace<S> contact_space(const Robot<S>& robot, const VectorX<S>& q) {
   return space;
 }
 
-// What moves, and the forces or impulses of the contacts.
+// The motion, and the forces or impulses of the contacts.
 template <class S>
 struct Held {
   VectorX<S> motion, forces;
