@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What runs every millisecond: the body follows a motion while the feet stand, without heap or exceptions.
+// The control loop of every millisecond: the body follows a motion while the feet stand, without heap or exceptions.
 #pragma once
 
 #include "quadruped.hpp"
@@ -9,9 +9,9 @@ constexpr int kFeet = 4, kForces = 3 * kFeet;
 
 // The base's pose and twist, and the joints, as measured or estimated.
 struct State {
-  double p[3];           // position of the base frame's origin, world, m
-  double quaternion[4];  // w, x, y, z: from base axes to world axes, unit
-  double q[kJoints];     // rad
+  double p[3];            // position of the base frame's origin, world, m
+  double quaternion[4];   // w, x, y, z: from base axes to world axes, unit
+  double q[kJoints];      // rad
   double v[kVelocities];  // velocity of the origin (m/s), angular velocity (rad/s), both in base axes; joints (rad/s)
 };
 

@@ -35,7 +35,8 @@ Wanted wanted_at(double time, const State& start) {
   Wanted wanted;
   for (int k = 0; k < 3; ++k) {
     const double phase = omega * time + (k == 0 ? 0 : 1.5707963267948966);
-    const double x = std::sin(phase) - (k == 0 ? 0 : 1), dx = omega * std::cos(phase), ddx = -omega * omega * std::sin(phase);
+    const double x = std::sin(phase) - (k == 0 ? 0 : 1), dx = omega * std::cos(phase),
+                 ddx = -omega * omega * std::sin(phase);
     wanted.p[k] = start.p[k] + size[k] * from_rest * x;
     wanted.dp[k] = size[k] * (rate * x + from_rest * dx);
     wanted.ddp[k] = size[k] * (change * x + 2 * rate * dx + from_rest * ddx);
@@ -50,7 +51,7 @@ bool step(const Command& command, double time, State& state) {
   gravity_in_base(state.quaternion, g_b);
   if (!simulated::constrained_forward_dynamics(state.q, g_b, state.v, tau, a, f, condition)) return false;
   for (int k = 0; k < kVelocities; ++k) state.v[k] += time * a[k];
-  // What rounding and the step's length leave of the feet's velocity.
+  // Stops what velocity of the feet rounding and the step's length have left.
   double stopped[kVelocities], impulse[kForces];
   if (!simulated::contact_impact(state.q, state.v, stopped, impulse, condition)) return false;
   std::copy_n(stopped, kVelocities, state.v);
@@ -99,7 +100,8 @@ int main() {
     }
     for (double tau : command.tau) strongest = std::fmax(strongest, std::fabs(tau));
     for (int i = 0; i < kStepsPerPeriod; ++i) {
-      if (!step(command, kPeriod / kStepsPerPeriod, state)) return std::puts("the feet do not determine their forces"), 1;
+      if (!step(command, kPeriod / kStepsPerPeriod, state))
+        return std::puts("the feet do not determine their forces"), 1;
     }
     slipped = std::fmax(slipped, Feet(state).distance_from(stood));
     for (int i = 0; i < 3; ++i) off = std::fmax(off, std::fabs(state.p[i] - wanted.p[i]));
