@@ -49,7 +49,7 @@ Function cheapest_columns(const Mechanism& mechanism, const std::vector<int>& in
 }
 
 // The function with the values of `columns`.
-Function with_columns(const Function& function, Function columns, int first_of_inverse) {
+Function with_columns(const Function& function, const Function& columns, int first_of_inverse) {
   Graph graph;
   std::vector<NodeId> image;
   for (NodeId id = 0; id < columns.graph.size(); ++id) {
