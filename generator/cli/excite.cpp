@@ -47,7 +47,6 @@ ExitCode excite(const ExciteArguments& arguments) {
   refuse_loops(model, "excite");
   refuse_floating_base(model, "excite");
   refuse_spherical_joints(model, "excite");
-  refuse_springs(model, "excite");
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   const std::string name = cpp_identifier(model.mechanism.name);  // as for a generated header

@@ -31,6 +31,7 @@ ExitCode inspect(const InspectArguments& arguments) {
   if (arguments.json) {
     nlohmann::ordered_json json = model_json(model, effects);
     json.update(links_json(model));
+    if (arguments.verbose) json["places"] = places_json(model.robot);
     if (arguments.base_parameters) json.update(base_json(model.mechanism, set, frames));
     print_result(json_text(json));
   } else if (arguments.base_parameters) {

@@ -96,7 +96,6 @@ ExitCode payload(const PayloadArguments& arguments) {
   refuse_loops(robot, "payload");
   refuse_floating_base(robot, "payload");
   refuse_spherical_joints(robot, "payload");
-  refuse_springs(robot, "payload");
   check_payload_usage(arguments, robot);
   print_diagnostics(robot.diagnostics, arguments);
   arguments.note_function_keys(robot);

@@ -102,15 +102,23 @@ class AdaptorWriter {
   std::string conversion_of(const Output& output, const std::string& name) const {
     switch (output.quantity) {
       case OutputQuantity::joint_torque:
+      case OutputQuantity::joint_rate:
       case OutputQuantity::joint_acceleration:
         return convention_.is_plain() ? "" : fmt::format("base.from_core({});", name);
       case OutputQuantity::joint_inertia:
       case OutputQuantity::torque_per_rate:
         return convention_.is_plain() ? "" : turning(name) + fmt::format("base.both_from_core({});", name);
       case OutputQuantity::number:
-        return fmt::format("base.turn_frame({});", name);
+        return output.layout == Layout::matrix ? fmt::format("base.turn_frame({});", name) : "";
+      case OutputQuantity::contact_force:
+      case OutputQuantity::contact_impulse:
+      case OutputQuantity::contact_acceleration:
+        return for_each_three(output, fmt::format("base.turn({} + k)", name));
+      case OutputQuantity::contact_jacobian:
+        return for_each_three(output, fmt::format("base.rows_to_world({} + {} * k, 3)", name, size_));
       case OutputQuantity::position:
-        return fmt::format("base.move_point({});", name);
+        if (output.rows == 3) return fmt::format("base.move_point({});", name);
+        return for_each_three(output, fmt::format("base.move_point({} + k)", name));
       case OutputQuantity::tip_jacobian:
       case OutputQuantity::momentum_per_rate:
         return fmt::format("base.rows_to_world({}, {});", name, output.rows);
@@ -120,6 +128,11 @@ class AdaptorWriter {
       default:
         return "";
     }
+  }
+
+  // Points, or the rows of contacts, of which three are a vector.
+  static std::string for_each_three(const Output& output, const std::string& statement) {
+    return fmt::format("for (int k = 0; k < {}; k += 3) {};", output.rows, statement);
   }
 
   std::string turning(const std::string& name) const {

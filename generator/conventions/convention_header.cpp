@@ -31,8 +31,8 @@ std::vector<std::string> prose(const Mechanism& mechanism, const Convention& con
   const std::vector<std::string> paragraphs = {
       fmt::format("Base axes are those of link \"{}\", and its linear velocity is that of its origin, about which the "
                   "moment is. The quaternion turns base axes into world axes: R(quaternion) x is in world axes what x "
-                  "is in base axes. v^T tau is the power. Tip, centre of mass and momentum are in world axes.",
-                  base),
+                  "is in base axes. v^T tau is the power. Tip, centre of mass and momentum are in world axes{}.",
+                  base, mechanism.contacts.empty() ? "" : ", and so are contacts"),
       "A quaternion is used as it is, by the polynomials of second degree that are R for unit length: for another "
       "length R is a rotation times the square of the length, and a term of a result is off by the sixth power at "
       "most. "

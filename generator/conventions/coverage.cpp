@@ -26,6 +26,7 @@ bool is_known(OutputQuantity quantity) {
   switch (quantity) {
     case OutputQuantity::number:
     case OutputQuantity::position:
+    case OutputQuantity::joint_rate:
     case OutputQuantity::joint_acceleration:
     case OutputQuantity::joint_torque:
     case OutputQuantity::joint_inertia:
@@ -35,6 +36,10 @@ bool is_known(OutputQuantity quantity) {
     case OutputQuantity::tip_acceleration:
     case OutputQuantity::momentum_per_rate:
     case OutputQuantity::force_and_moment:
+    case OutputQuantity::contact_jacobian:
+    case OutputQuantity::contact_acceleration:
+    case OutputQuantity::contact_force:
+    case OutputQuantity::contact_impulse:
       return true;
     default:
       return false;
@@ -57,6 +62,7 @@ bool depends_on_acceleration(const Output& output) {
     case OutputQuantity::joint_torque:
     case OutputQuantity::tip_acceleration:
     case OutputQuantity::force_and_moment:
+    case OutputQuantity::contact_acceleration:
       return true;
     default:
       return false;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "emit/writer.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -57,9 +59,16 @@ std::string meaning_of_output(const Output& output, const Convention& convention
   switch (output.quantity) {
     case OutputQuantity::joint_torque:
       return meaning_of_force(convention);
+    case OutputQuantity::contact_force:
+    case OutputQuantity::contact_impulse:
+    case OutputQuantity::contact_jacobian:
+    case OutputQuantity::contact_acceleration:
+      return with_replaced(output.meaning, "base axes", "world axes");
     case OutputQuantity::number:
+      if (output.layout != Layout::matrix) return output.meaning;
       return "rotation matrix of the frame, from its axes to world axes";
     case OutputQuantity::position:
+      if (output.name == "p_c") return "position of each contact in the world, m";
       return output.name == "r_G" ? "centre of mass in the world, m" : "position of the frame's origin in the world, m";
     case OutputQuantity::tip_jacobian:
       return output.rows == 3 ? "velocity of the centre of mass by v, world axes"

@@ -19,6 +19,7 @@ constexpr int kDigitsOfAngle = 60;
 Number angle_of(const Number& y, const Number& x) {
   if (vanishes(x) && vanishes(y)) return 0;
   const Number angle = GiNaC::atan2(y, x);
+  if (has_symbols(angle)) return angle;  // no robot file can say it
   const Number quarters = Number(2 * angle / GiNaC::Pi).expand();
   if (quarters.info(GiNaC::info_flags::integer)) return angle;
   const Number decimal = exact_decimal(to_decimal(angle, kDigitsOfAngle));

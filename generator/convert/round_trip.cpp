@@ -20,7 +20,7 @@ struct NamedNumber {
 
 class NumberCollector {
  public:
-  explicit NumberCollector(const Mechanism& mechanism) {
+  NumberCollector(const Mechanism& mechanism, const Robot& robot) {
     add("gravity", mechanism.gravity);
     for (const Body& body : mechanism.bodies) add(body);
     add("tip", mechanism.tip.p);
@@ -30,6 +30,8 @@ class NumberCollector {
     }
     for (const Number& offset : mechanism.offsets) add("offset of a coupling", offset);
     add("base", mechanism.base);
+    for (const Loop& loop : robot.loops) add(loop);
+    for (const JointPosition& each : robot.assembly) add("assembly, joint \"" + each.joint + "\"", each.position);
   }
 
   std::vector<NamedNumber> all;
@@ -46,6 +48,14 @@ class NumberCollector {
     add(name + ", mass", inertia.mass);
     add(name + ", first moment", inertia.first_moment);
     for (const Vec3& row : inertia.inertia) add(name + ", inertia", row);
+  }
+
+  void add(const Loop& loop) {
+    std::string name = "loop between \"" + loop.links[0].name + "\" and \"" + loop.links[1].name + "\"";
+    for (const Reference& joint : loop.dependent) name += ", " + joint.name;
+    for (const Vec3& point : loop.points) add(name + ", points", point);
+    if (!loop.axes) return;
+    for (const Vec3& axis : *loop.axes) add(name + ", axes", axis);
   }
 
   void add(const Body& body) {
@@ -89,11 +99,24 @@ Robot read_back(const std::string& text, const std::string& path) {
   throw Failure(ExitCode::bug, "what would be written cannot be read");
 }
 
+// The symbols of one reading as those of the other.
+GiNaC::exmap same_symbols(const Robot& from, const Robot& to) {
+  GiNaC::exmap same;
+  for (const FreeSymbol& symbol : from.symbols) {
+    for (const FreeSymbol& other : to.symbols) {
+      if (symbol.name == other.name) same[symbol.symbol] = other.symbol;
+    }
+  }
+  return same;
+}
+
 using Torques = reference::VectorX<Real50>;
 
 // Canonical frames may be chosen otherwise when a last digit changes; torques are those of the robot.
-double difference_of_torques(const Robot& before, const Robot& after) {
+double difference_of_torques(Robot before, Robot after) {
   constexpr int kStates = 4;
+  before.loops.clear();  // of the tree, whose joints all move
+  after.loops.clear();
   const auto a = reference_robot<Real50>(before, {}), b = reference_robot<Real50>(after, {});
   const Eigen::Index n = a.size();
   Real50 largest = 0, torque = 0;
@@ -119,7 +142,9 @@ double difference_of_torques(const Robot& before, const Robot& after) {
 RoundTrip round_trip(const std::string& text, const std::string& path, const LoadedRobot& model) {
   const Robot robot = read_back(text, path);
   const Mechanism again = make_mechanism(robot);
-  const std::vector<NamedNumber> before = NumberCollector(model.mechanism).all, after = NumberCollector(again).all;
+  const std::vector<NamedNumber> before = NumberCollector(model.mechanism, model.robot).all,
+                                 after = NumberCollector(again, robot).all;
+  const GiNaC::exmap same = same_symbols(robot, model.robot);
   RoundTrip result;
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (i >= after.size() || before[i].name != after[i].name) {
@@ -127,9 +152,13 @@ RoundTrip round_trip(const std::string& text, const std::string& path, const Loa
                     "the file would be read as another mechanism, from " + before[i].name + " on",
                     "joints may come in another order, or names mean something else in that format");
     }
-    if (!result.is_exact || vanishes(before[i].number - after[i].number)) continue;
+    if (!result.is_exact || vanishes(Number(before[i].number - after[i].number.subs(same)).normal())) continue;
     result.is_exact = false;
     result.where = before[i].name;
+  }
+  if (!result.is_exact && !model.robot.symbols.empty()) {
+    throw Failure(ExitCode::unsupported, "the file would be read as another robot: " + result.where + " differs",
+                  "give the symbols values in the file");
   }
   if (!result.is_exact) result.largest = difference_of_torques(model.robot, robot);
   return result;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 
 #include "convert/conversion.hpp"
@@ -19,23 +20,30 @@ bool is_zero(const Vec3& v) {
   return std::all_of(v.begin(), v.end(), [](const Number& x) { return vanishes(x); });
 }
 
+// Whether an expression has only sums, products and whole powers, and roots of numbers.
+bool is_readable(const Number& expression) {
+  if (GiNaC::is_a<GiNaC::function>(expression)) return false;
+  if (GiNaC::is_a<GiNaC::power>(expression)) {
+    const Number exponent = expression.op(1);
+    const bool is_root = exponent.is_equal(Number(1) / 2) && !has_symbols(expression.op(0));
+    if (!exponent.info(GiNaC::info_flags::integer) && !is_root) return false;
+  }
+  for (std::size_t i = 0; i < expression.nops(); ++i) {
+    if (!is_readable(expression.op(i))) return false;
+  }
+  return true;
+}
+
 class TomlWriter {
  public:
   TomlWriter(const Robot& robot, Diagnostics& diagnostics)
       : robot_(robot), diagnostics_(diagnostics), plain_(plain_robot(robot, kTomlForm)) {}
 
   Conversion write() {
-    for (const Loop& loop : robot_.loops) {
-      diagnostics_.unsupported(loop.place, name_of(loop) + " is not written yet", "convert the robot without it");
-    }
-    if (!robot_.symbols.empty()) {
-      const FreeSymbol& first = robot_.symbols.front();
-      diagnostics_.unsupported(first.place, "symbols such as " + first.name + " are not written yet",
-                               "give them values in the file");
-    }
-    if (diagnostics_.has_errors()) return {};
     write_top();
     for (const PlainJoint& joint : plain_.joints) write_row(joint);
+    for (const Loop& loop : robot_.loops) write_loop(loop);
+    write_assembly();
     write_tip();
     return {std::move(text_), std::move(rounded_)};
   }
@@ -43,17 +51,32 @@ class TomlWriter {
  private:
   // ---- numbers
 
-  static std::string quoted_expression(const Number& value) {
+  static std::string expression(const Number& value) {
     std::ostringstream text;
     text << value;
     std::string expression = text.str();
-    for (std::size_t k = expression.find("Pi"); k != std::string::npos; k = expression.find("Pi", k)) {
-      expression.replace(k, 2, "pi");
+    const auto is_of_name = [&expression](std::size_t k) {
+      return k < expression.size() &&
+             (std::isalnum(static_cast<unsigned char>(expression[k])) != 0 || expression[k] == '_');
+    };
+    for (std::size_t k = expression.find("Pi"); k != std::string::npos; k = expression.find("Pi", k + 1)) {
+      if (!is_of_name(k - 1) && !is_of_name(k + 2)) expression.replace(k, 2, "pi");
     }
-    return toml_string(expression);
+    return expression;
+  }
+
+  static std::string quoted_expression(const Number& value) { return toml_string(expression(value)); }
+
+  // An expression in symbols, as the reader takes it.
+  std::string symbolic(const Number& value, const std::string& what) {
+    if (is_readable(value)) return quoted_expression(value);
+    diagnostics_.unsupported({robot_.file, 0}, what + ": sines and roots of symbols cannot be written",
+                             "give the angle a value in the file");
+    return "0";
   }
 
   std::string number(const Number& value, const std::string& what) {
+    if (has_symbols(value)) return symbolic(value, what);
     if (is_short_decimal(value)) return decimal_text(value);
     if (is_rational(value / GiNaC::Pi)) return quoted_expression(value);
     constexpr long kShort = 1000000;
@@ -67,6 +90,7 @@ class TomlWriter {
   // An expression is never snapped: angles are read as they are.
   std::string angle(const Number& value, const std::string& what) {
     if (vanishes(value)) return "0";
+    if (has_symbols(value)) return symbolic(value, what);
     if (is_rational(value / GiNaC::Pi)) return quoted_expression(value);
     const std::string text = number(value, what);
     return text.front() == '"' ? text : toml_string(text);
@@ -193,18 +217,14 @@ class TomlWriter {
 
   // "2*'elbow' + 1/3": rational numbers are written exactly, multiples of pi as such.
   static std::string position_of(const Coupled& coupled) {
-    std::ostringstream text;
+    std::string text;
     for (const Coupled::Term& term : coupled.terms) {
-      text << (text.tellp() > 0 ? " + " : "") << "(" << term.factor << ")*'" << term.joint.name << "'";
+      text += (text.empty() ? "(" : " + (") + expression(term.factor) + ")*'" + term.joint.name + "'";
     }
     if (!vanishes(coupled.offset) || coupled.terms.empty()) {
-      text << (coupled.terms.empty() ? "" : " + ") << "(" << coupled.offset << ")";
+      text += (text.empty() ? "(" : " + (") + expression(coupled.offset) + ")";
     }
-    std::string expression = text.str();
-    for (std::size_t k = expression.find("*Pi"); k != std::string::npos; k = expression.find("*Pi", k)) {
-      expression.replace(k, 3, "*pi");
-    }
-    return toml_string(expression);
+    return toml_string(text);
   }
 
   void write_motor(const Motor& motor, const std::string& what) {
@@ -216,6 +236,34 @@ class TomlWriter {
     add("axis", vector(motor.axis, what));
     add("position", vector(motor.position, what));
     if (motor.carrier >= 0) add("carrier", link(motor.carrier));
+  }
+
+  static std::string list(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + toml_string(name);
+    return "[" + text + "]";
+  }
+
+  void write_loop(const Loop& loop) {
+    const std::string what = name_of(loop);
+    std::vector<std::string> dependent;
+    for (const Reference& joint : loop.dependent) dependent.push_back(joint.name);
+    text_ += "\n[[loop]]\n";
+    add("links", list({loop.links[0].name, loop.links[1].name}));
+    add("from", vector(loop.points[0], what + ", from"));
+    add("to", vector(loop.points[1], what + ", to"));
+    if (loop.axes) {
+      add("from_axis", vector((*loop.axes)[0], what + ", from_axis"));
+      add("to_axis", vector((*loop.axes)[1], what + ", to_axis"));
+    }
+    add("dependent", list(dependent));
+  }
+
+  void write_assembly() {
+    if (robot_.assembly.empty()) return;
+    text_ += "\n[assembly]\n";
+    for (const JointPosition& each : robot_.assembly)
+      add(toml_string(each.joint), angle(each.position, "assembly, joint \"" + each.joint + "\""));
   }
 
   void write_tip() {

@@ -60,9 +60,8 @@ class UrdfWriter {
     }
     if (!robot_.symbols.empty()) refuse(robot_.symbols.front().place, "symbols such as " + robot_.symbols.front().name);
     if (!robot_.tip_offset.displacements.empty()) refuse(file, "where the tip is in its link");
-    for (const Loop& loop : robot_.loops) {
-      diagnostics_.unsupported(loop.place, name_of(loop) + " is not written yet", "convert the robot without it");
-    }
+    if (!robot_.loops.empty())
+      refuse(robot_.loops.front().place, "how chains are closed, such as " + name_of(robot_.loops.front()));
     for (const Joint& joint : robot_.joints) refuse_joint(joint);
   }
 

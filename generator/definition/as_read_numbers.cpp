@@ -132,6 +132,9 @@ class NumberComparison {
   // The sum of all lengths as written, beside which rounding is small.
   void find_reach() {
     add_lengths(robot_.tip_offset);
+    for (const SceneContact& contact : robot_.scene.contacts) {
+      reach_ += length_sum(vector_over(numbers_, contact.position));
+    }
     for (const Joint& joint : robot_.joints) {
       add_lengths(joint.origin);
       add_lengths(joint.link_offset);
@@ -171,6 +174,18 @@ class NumberComparison {
     require(found_.tip.body == link.body, "the tip: its body");
     compare_pose("the tip: its place", pose_of(found_.tip),
                  composed(pose_of(link), pose_over(numbers_, robot_.tip_offset)), reach_);
+    compare_contacts();
+  }
+
+  void compare_contacts() {
+    const std::vector<SceneContact>& written = robot_.scene.contacts;
+    require(found_.contacts.size() == written.size(), "contacts: their number");
+    for (std::size_t k = 0; k < written.size(); ++k) {
+      const FieldFrame<Real>& link = place(written[k].index);
+      require(found_.contacts[k].body == link.body, "contact " + written[k].name + ": its body");
+      const RealPose point{identity_pose<Real>().R, vector_over(numbers_, written[k].position)};
+      compare_pose("contact " + written[k].name, pose_of(found_.contacts[k]), composed(pose_of(link), point), reach_);
+    }
   }
 
   // The chain of a floating base: its bodies' axes are those of the base, in order, through its origin, and all that

@@ -10,6 +10,7 @@
 #include "emit/angles.hpp"
 #include "emit/arguments.hpp"
 #include "emit/expression.hpp"
+#include "emit/kernel_parts.hpp"
 #include "emit/limb_text.hpp"
 #include "emit/names.hpp"
 #include "emit/parts.hpp"
@@ -68,6 +69,7 @@ class BodyWriter {
     NameTable names = names_in_scope(function, scope);
     for (const Output& output : function_.outputs) output_names_.push_back(names.unique(output.name));
     variables_ = name_variables(function_, schedule_, scope_.parameters, scope_.stored, names);
+    name_entries_read();
     for (const Statement& statement : schedule_.statements) {
       if (is_angle_function(statement)) angles_.insert(angle_index(function_.graph, statement.node, scope_));
     }
@@ -228,6 +230,18 @@ class BodyWriter {
       }
     }
     return list;
+  }
+
+  // Stored values that are no variables are entries of the outputs, over all of which their indices count.
+  void name_entries_read() {
+    if (dialect_.lives() != Lives::fewest) return;
+    for (NodeId id = 0; id < function_.graph.size(); ++id) {
+      const Node& node = function_.graph[id];
+      if (node.op != Op::input || node.input.kind != InputKind::stored) continue;
+      const Target read = entry_read(function_, node.input.index);
+      const std::string& output = output_names_.at(static_cast<std::size_t>(read.output));
+      variables_[static_cast<std::size_t>(id)] = fmt::format("detail::stored({}, {})", output, read.entry);
+    }
   }
 
   bool makes_stage() const { return !scope_.made.empty(); }

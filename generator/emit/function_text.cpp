@@ -5,13 +5,24 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "emit/arguments.hpp"
 #include "emit/function_body.hpp"
+#include "emit/kernel_parts.hpp"
 
 namespace flatdyn {
 
 namespace {
+
+// The outputs of which the function, a part for a kernel, reads entries.
+std::set<int> outputs_read(const Function& function) {
+  std::set<int> outputs;
+  for (const Input& input : inputs_read(function)) {
+    if (input.kind == InputKind::stored) outputs.insert(entry_read(function, input.index).output);
+  }
+  return outputs;
+}
 
 class FunctionWriter {
  public:
@@ -45,8 +56,17 @@ class FunctionWriter {
  private:
   std::string reads_text() const {
     const std::string inputs = list_of_inputs(body_.inputs, scope_.parameters, dialect_);
-    if (scope_.stored.empty()) return inputs;
+    if (scope_.stored.empty()) return inputs + entries_read_text();
     return (body_.inputs.empty() ? "" : inputs + " and ") + "what is stored";
+  }
+
+  // The outputs of which an earlier part's entries are read: " and dqdd_dtau, which an earlier part has written".
+  std::string entries_read_text() const {
+    std::string names;
+    for (const int output : outputs_read(function_)) {
+      names += (names.empty() ? "" : ", ") + body_.output_names[static_cast<std::size_t>(output)];
+    }
+    return names.empty() ? "" : fmt::format(", and of {} what an earlier part has written", names);
   }
 
   std::vector<Argument> arguments() const {
@@ -57,8 +77,10 @@ class FunctionWriter {
     for (InputKind kind : function_.inputs) {
       list.push_back({Argument::Kind::input, input_argument(kind, 0).name, reads(kind)});
     }
+    const std::set<int> read = scope_.stored.empty() ? outputs_read(function_) : std::set<int>();
     for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_) && !makes_stage(); ++k) {
-      list.push_back({Argument::Kind::output, body_.output_names[k], function_.outputs[k].is_written()});
+      const bool is_used = function_.outputs[k].is_written() || read.count(static_cast<int>(k)) != 0;
+      list.push_back({Argument::Kind::output, body_.output_names[k], is_used});
     }
     return list;
   }
@@ -120,7 +142,13 @@ class FunctionWriter {
     return rows;
   }
 
-  // The conditions of the task, after "a pivot of B".
+  // The matrices whose pivots are asked for, after "a pivot of".
+  std::string inverted_text() const {
+    if (!function_.inverted.empty()) return function_.inverted;
+    return function_.task.empty() ? "B" : "B" + task_conditions_text();
+  }
+
+  // The conditions of the task, after "B".
   std::string task_conditions_text() const {
     const Task& task = function_.task;
     const char* const of_angles = task.orientation == Orientation::zyz ? ", or sin(theta)," : ", or cos(theta),";
@@ -134,13 +162,13 @@ class FunctionWriter {
       return output.name + (output.meaning.empty() ? "" : ": " + output.meaning);
     }
     if (function_.validity_conditions.empty()) return "";
-    const std::string also = function_.task.empty() ? "" : task_conditions_text();
     const bool asks_loops = function_.loop_conditions > 0;
     const bool asks_pivots = function_.validity_conditions.size() > static_cast<std::size_t>(function_.loop_conditions);
     const char* const lost = compares_pivots(function_) ? "not positive or lost in rounding" : "not positive";
     return fmt::format("false if the result means nothing: if {}{}an entry of the result is not a finite number{}",
                        asks_loops ? "a closed loop is within 1e-6 of being singular (6e-5 in float), or " : "",
-                       asks_pivots ? fmt::format("a pivot of B{} is {}, or ", also, lost) : "", proven_text());
+                       asks_pivots ? fmt::format("a pivot of {} is {}, or ", inverted_text(), lost) : "",
+                       proven_text());
   }
 
   std::string proven_text() const {

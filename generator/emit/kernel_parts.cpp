@@ -8,11 +8,16 @@
 #include <queue>
 #include <tuple>
 
+#include "diagnostics/diagnostics.hpp"
 #include "emit/schedule.hpp"
 #include "passes/draft.hpp"
 
 namespace flatdyn {
 namespace {
+
+// The price of reading a number that another kernel has written, in operations: the memory delivers one in the time in
+// which some twenty operations are done.
+constexpr long kPriceOfReading = 20;
 
 // Numbers that fit into registers, beside addresses.
 constexpr int kDoublesInRegisters = 115, kFloatsInRegisters = 235;
@@ -42,6 +47,8 @@ std::vector<bool> nodes_for(const Function& function, const Entries& entries) {
   return needed;
 }
 
+bool is_entry_read(const Node& node) { return node.op == Op::input && node.input.kind == InputKind::stored; }
+
 // The function with these entries and none of the others. `checks`: with the conditions of validity; without, the
 // entries must still be finite numbers.
 Function restricted(const Function& whole, const Entries& entries, bool checks) {
@@ -65,36 +72,45 @@ Function restricted(const Function& whole, const Entries& entries, bool checks) 
   return without_dead_code(part);
 }
 
+// The entries of each part, and what they cost together.
+struct PricedParts {
+  std::vector<Entries> entries;
+  long price = 0;
+};
+
 class Division {
  public:
-  Division(const Function& function, int registers) : function_(function), registers_(registers) {
+  Division(const Function& function, int registers) : function_(function), registers_(registers), probe_(function) {
+    probe_.validity_conditions.clear();
+    probe_.pivot_scales.clear();
+    zero_ = probe_.graph.constant(0);
     price_.reserve(static_cast<std::size_t>(function.graph.size()));
     for (NodeId id = 0; id < function.graph.size(); ++id) {
       const auto operands = static_cast<long>(operands_of(function.graph[id]).size());
       price_.push_back(std::max(0L, operands - 1) + (operands > 0 ? 1 : 0));
+      if (is_entry_read(function.graph[id])) price_.back() = kPriceOfReading;
     }
   }
 
-  // The parts; empty if the whole is best.
-  std::vector<Entries> run() {
+  // One part if the whole is best.
+  PricedParts run() {
     units_ = units();
     std::vector<int> all;
     for (std::size_t k = 0; k < units_.size(); ++k) all.push_back(static_cast<int>(k));
-    const Group whole = group(all);
-    if (whole.live <= registers_) return {};
-    std::vector<Group> best = {whole};
-    for (const long caution : {1L, 8L}) {
-      caution_ = caution;
-      std::vector<Group> groups = merged();
-      caution_ = 1;
-      move_units(groups);
-      if (total(groups) < total(best)) best = std::move(groups);
+    std::vector<Group> best = {group(all)};
+    if (best.front().live > registers_) {
+      for (const long caution : {1L, 8L}) {
+        caution_ = caution;
+        std::vector<Group> groups = merged();
+        caution_ = 1;
+        move_units(groups);
+        if (total(groups) < total(best)) best = std::move(groups);
+      }
     }
-    if (best.size() < 2) return {};
     std::stable_sort(best.begin(), best.end(), [](const Group& a, const Group& b) { return a.live < b.live; });
-    std::vector<Entries> parts;
-    for (const Group& each : best) parts.push_back(entries_of(each.units));
-    for (const Target& each : entries_that(true)) parts.front().push_back(each);
+    PricedParts parts{{}, total(best)};
+    for (const Group& each : best) parts.entries.push_back(entries_of(each.units));
+    for (const Target& each : entries_that(true)) parts.entries.front().push_back(each);
     return parts;
   }
 
@@ -169,9 +185,23 @@ class Division {
     const Entries entries = entries_of(units);
     result.units = std::move(units);
     result.nodes = nodes_for(function_, entries);
-    result.live = most_live_values(restricted(function_, entries, false));
+    result.live = live_values_of(entries);
     for (std::size_t k = 0; k < price_.size(); ++k) result.operations += result.nodes[k] ? price_[k] : 0;
     return result;
+  }
+
+  // The values that are live at once in a part with these entries. The graph is not copied for it, as it may be large.
+  long live_values_of(const Entries& entries) {
+    for (Output& output : probe_.outputs) {
+      output.left_out.assign(output.entries.size(), true);
+      std::fill(output.entries.begin(), output.entries.end(), zero_);
+    }
+    for (const Target& each : entries) {
+      Output& output = probe_.outputs[static_cast<std::size_t>(each.output)];
+      output.entries[static_cast<std::size_t>(each.entry)] = node_of(each);
+      output.left_out[static_cast<std::size_t>(each.entry)] = false;
+    }
+    return most_live_values(probe_);
   }
 
   long spilled(const Group& group) const { return caution_ * price_of_spilling(group.live - registers_); }
@@ -273,6 +303,8 @@ class Division {
 
   const Function& function_;
   long registers_;
+  Function probe_;              // the function with some of its entries
+  NodeId zero_ = 0;             // in its graph
   long caution_ = 1;            // a factor of the price of spilling
   std::vector<long> price_;     // by node: its operations
   std::vector<Entries> units_;  // what is not divided
@@ -282,24 +314,134 @@ class Division {
   std::priority_queue<Pair> pairs_;
 };
 
+// The entries of the function's outputs that `rest` leaves out.
+Entries entries_without(const Function& rest) {
+  Entries entries;
+  for (int k = 0; k < static_cast<int>(rest.outputs.size()); ++k) {
+    const Output& output = rest.outputs[static_cast<std::size_t>(k)];
+    for (int e = 0; e < static_cast<int>(output.entries.size()); ++e) {
+      if (output.leaves_out(static_cast<std::size_t>(e))) entries.push_back({k, e});
+    }
+  }
+  return entries;
+}
+
+// The parts of a function; none if it stays whole. The first one checks.
+std::vector<Function> parts_of(const Function& function, int registers, const std::optional<Function>& reading) {
+  const PricedParts direct = Division(function, registers).run();
+  std::vector<Function> parts;
+  if (direct.entries.size() == 1) return parts;
+  const auto add = [&parts](const Function& of, const PricedParts& more) {
+    for (const Entries& each : more.entries) parts.push_back(restricted(of, each, parts.empty()));
+  };
+  if (reading) {
+    const Function before = restricted(function, entries_without(*reading), true);
+    const PricedParts first = Division(before, registers).run(), rest = Division(*reading, registers).run();
+    if (first.price + rest.price < direct.price) {
+      add(before, first);
+      add(*reading, rest);
+      return parts;
+    }
+  }
+  add(function, direct);
+  return parts;
+}
+
+// The entries that parts have written so far.
+class Memory {
+ public:
+  explicit Memory(const Function& whole) : whole_(whole), composed_(whole) {
+    composed_.graph = Graph();
+    entries_.resize(entry_count(whole), kNone);
+  }
+
+  // Carries out a part. The conditions are those of the first one.
+  void carry_out(const Function& part) {
+    std::vector<NodeId> image;
+    for (NodeId id = 0; id < part.graph.size(); ++id) {
+      const Node& node = part.graph[id];
+      image.push_back(is_entry_read(node) ? read(node.input.index, part.name) : composed_.graph.copy(node, image));
+    }
+    std::size_t place = 0;
+    for (const Output& output : part.outputs) {
+      for (std::size_t e = 0; e < output.entries.size(); ++e, ++place) {
+        if (!output.leaves_out(e)) entries_[place] = image[static_cast<std::size_t>(output.entries[e])];
+      }
+    }
+    if (is_checked_) return;
+    is_checked_ = true;
+    const auto of_image = [&image](NodeId& id) { id = image[static_cast<std::size_t>(id)]; };
+    composed_.validity_conditions = part.validity_conditions;
+    composed_.pivot_scales = part.pivot_scales;
+    std::for_each(composed_.validity_conditions.begin(), composed_.validity_conditions.end(), of_image);
+    std::for_each(composed_.pivot_scales.begin(), composed_.pivot_scales.end(), of_image);
+  }
+
+  Function result() && {
+    std::size_t place = 0;
+    for (Output& output : composed_.outputs) {
+      for (std::size_t e = 0; e < output.entries.size(); ++e, ++place) {
+        if (!output.leaves_out(e)) {
+          output.entries[e] = read(static_cast<int>(place), whole_.name);
+        } else {
+          output.entries[e] = composed_.graph.constant(0);
+        }
+      }
+    }
+    return std::move(composed_);
+  }
+
+ private:
+  static constexpr NodeId kNone = -1;
+
+  NodeId read(int place, const std::string& reader) const {
+    const NodeId value = entries_.at(static_cast<std::size_t>(place));
+    if (value != kNone) return value;
+    throw Failure(ExitCode::bug, fmt::format("{}: entry {} of its outputs is not written before", reader, place));
+  }
+
+  const Function& whole_;
+  Function composed_;
+  std::vector<NodeId> entries_;  // over all outputs, in order
+  bool is_checked_ = false;
+};
+
 }  // namespace
 
 int values_in_registers(bool is_double) { return is_double ? kDoublesInRegisters : kFloatsInRegisters; }
 
-KernelParts kernel_parts(const std::vector<Function>& functions, int registers) {
-  KernelParts parts;
-  for (const Function& function : functions) {
-    const std::vector<Entries> division = Division(function, registers).run();
-    parts.counts.push_back(static_cast<int>(division.size()));
-    for (std::size_t k = 0; k < division.size(); ++k) {
-      Function part = restricted(function, division[k], k == 0);
+KernelParts kernel_parts(const std::vector<Function>& functions, int registers, const ReadingParts& reading) {
+  KernelParts result;
+  for (std::size_t f = 0; f < functions.size(); ++f) {
+    const Function& function = functions[f];
+    std::vector<Function> parts = parts_of(function, registers, f < reading.size() ? reading[f] : std::nullopt);
+    result.counts.push_back(static_cast<int>(parts.size()));
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      Function& part = parts[k];
       part.name = fmt::format("{}_part_{}", function.name, k + 1);
-      part.summary = fmt::format("Part {} of {} of {}, for its kernels", k + 1, division.size(), function.name);
+      part.summary = fmt::format("Part {} of {} of {}, for its kernels", k + 1, parts.size(), function.name);
       part.equation.clear();
-      parts.functions.push_back(std::move(part));
+      result.functions.push_back(std::move(part));
     }
   }
-  return parts;
+  return result;
+}
+
+Target entry_read(const Function& part, int index) {
+  Target target{0, index};
+  for (const Output& output : part.outputs) {
+    const auto length = static_cast<int>(output.entries.size());
+    if (target.entry < length) break;
+    target.entry -= length;
+    ++target.output;
+  }
+  return target;
+}
+
+Function composed(const Function& whole, const std::vector<Function>& parts) {
+  Memory memory(whole);
+  for (const Function& part : parts) memory.carry_out(part);
+  return std::move(memory).result();
 }
 
 }  // namespace flatdyn

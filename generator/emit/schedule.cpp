@@ -36,10 +36,11 @@ std::map<NodeId, std::vector<Target>> stores_of(const Function& function) {
 
 class Scheduler {
  public:
-  Scheduler(const Function& function, const std::vector<bool>& is_fused)
+  Scheduler(const Function& function, const std::vector<bool>& is_fused, Lives lives)
       : function_(function),
         graph_(function.graph),
         is_fused_(is_fused),
+        reads_stored_in_place_(lives == Lives::fewest),
         alive_(reachable_from(graph_, roots(function))),
         stores_(stores_of(function)),
         uses_(alive_.size(), 0),
@@ -70,6 +71,11 @@ class Scheduler {
     return is_negation(graph_[id]) || is_fused_[static_cast<std::size_t>(id)];
   }
 
+  // Whether a stored value is no variable, but read wherever it is used: it would be live for long.
+  bool is_read_in_place(const Node& input) const {
+    return reads_stored_in_place_ && input.input.kind == InputKind::stored;
+  }
+
   void count_uses() {
     for (const auto& [id, targets] : stores_) ++at(uses_, id);
     for (NodeId id : function_.validity_conditions) ++at(uses_, id);
@@ -90,7 +96,7 @@ class Scheduler {
     for (NodeId id = 0; id < graph_.size(); ++id) {
       if (!at(alive_, id)) continue;
       const Node& node = graph_[id];
-      if (node.op == Op::input) at(schedule_.is_variable, id) = true;
+      if (node.op == Op::input) at(schedule_.is_variable, id) = !is_read_in_place(node);
       if (is_leaf(node)) continue;
       for (NodeId operand : operands_of(node)) at(height_, id) = std::max(at(height_, id), at(height_, operand) + 1);
       shorten(id);
@@ -170,6 +176,7 @@ class Scheduler {
   const Function& function_;
   const Graph& graph_;
   const std::vector<bool>& is_fused_;
+  bool reads_stored_in_place_;
   std::vector<bool> alive_;
   std::map<NodeId, std::vector<Target>> stores_;
   std::vector<int> uses_;
@@ -203,7 +210,7 @@ void reorder(const Function& function, Lives lives, Schedule& schedule) {
 }  // namespace
 
 Schedule make_schedule(const Function& function, const std::vector<bool>& is_fused, Lives lives) {
-  Schedule schedule = Scheduler(function, is_fused).run();
+  Schedule schedule = Scheduler(function, is_fused, lives).run();
   reorder(function, lives, schedule);
   return schedule;
 }

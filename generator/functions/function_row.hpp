@@ -26,6 +26,8 @@ enum class Extent {
   parameters,       // 13 per joint, and ten of a floating base
   base_parameters,  // the entries of π_b
   springs,          // 2 per joint
+  contact_rows,     // the directions that the scene's contacts hold
+  contact_points,   // 3 per contact
 };
 
 struct OutputRow {
@@ -60,6 +62,7 @@ struct FunctionTraits {
   bool needs_fixed_base = false;         // whether it is not there for robots with a floating base
   bool needs_rates = false;              // whether it is not there for robots with spherical joints
   bool leaves_out_springs = false;       // whether it is about torques without those of springs
+  bool needs_contacts = false;           // whether it is about the scene's contacts
 };
 
 struct FunctionRow {
@@ -77,7 +80,8 @@ struct FunctionRow {
   bool applies_to(const Mechanism& mechanism) const {
     const bool has_base = mechanism.floating_base ? !traits.needs_fixed_base : !traits.needs_floating_base;
     if (traits.needs_rates && mechanism.has_spherical_joints()) return false;
-    return has_base && (!traits.needs_loops || mechanism.has_loops());
+    const bool has_contacts = !traits.needs_contacts || !mechanism.contacts.empty();
+    return has_base && has_contacts && (!traits.needs_loops || mechanism.has_loops());
   }
   // The arguments for this robot: with a floating base or spherical joints v and a for q̇ and q̈, and g_b if the base
   // floats and there is gravity.

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "definition/centroidal_definitions.hpp"
+#include "definition/contact_definitions.hpp"
 #include "definition/derivative_definitions.hpp"
 #include "definition/dynamics_definitions.hpp"
 #include "definition/kinematics_definitions.hpp"
@@ -14,6 +15,7 @@
 #include "definition/regressor_definitions.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "reference/centroidal_references.hpp"
+#include "reference/contact_references.hpp"
 #include "reference/derivative_references.hpp"
 #include "reference/dynamics_references.hpp"
 #include "reference/kinematics_references.hpp"
@@ -22,6 +24,7 @@
 #include "reference/regressor_references.hpp"
 #include "symbolic/dynamics/acceleration_functions.hpp"
 #include "symbolic/dynamics/centroidal_functions.hpp"
+#include "symbolic/dynamics/contact_functions.hpp"
 #include "symbolic/dynamics/derivative_functions.hpp"
 #include "symbolic/dynamics/energy_functions.hpp"
 #include "symbolic/dynamics/inertia_functions.hpp"
@@ -301,6 +304,61 @@ const std::vector<FunctionRow> kRows = {
      .definition = definitions::centre_of_mass,
      .reference = references::centre_of_mass,
      .traits = {.on_request = true, .needs_floating_base = true, .needs_rates = true}},
+    {.name = "contact_jacobian",
+     .summary = "Positions of the scene's contacts, and the Jacobian J_c of their velocities",
+     .equation = "(7.14), (7.15)",
+     .inputs = {q},
+     .outputs = {vector("p_c", Extent::contact_points, OutputQuantity::position),
+                 matrix("J_c", Extent::contact_rows, Extent::joints, OutputQuantity::contact_jacobian)},
+     .derivation = {.from_choices = derive_contact_jacobian},
+     .definition = definitions::contact_jacobian,
+     .reference = references::contact_jacobian,
+     .traits = {.on_request = true, .needs_contacts = true}},
+    {.name = "contact_bias",
+     .summary = "b_c: J_c qdd + b_c is the acceleration of the scene's contacts",
+     .equation = "",
+     .inputs = {q, qd},
+     .outputs = {vector("b_c", Extent::contact_rows, OutputQuantity::contact_acceleration)},
+     .derivation = {.from_choices = derive_contact_bias},
+     .definition = definitions::contact_bias,
+     .reference = references::contact_bias,
+     .traits = {.on_request = true, .needs_contacts = true}},
+    {.name = "constrained_forward_dynamics",
+     .summary = "qdd and the forces f_c that keep the scene's contacts from accelerating: B qdd + bias = tau + J_c^T "
+                "f_c, J_c qdd + b_c = 0",
+     .equation = "",
+     .inputs = {q, g_b, qd, tau},
+     .outputs = {per_joint("qdd", OutputQuantity::joint_acceleration),
+                 vector("f_c", Extent::contact_rows, OutputQuantity::contact_force),
+                 vector("condition", Extent::one, OutputQuantity::number)},
+     .derivation = {.from_choices = derive_constrained_forward_dynamics},
+     .definition = definitions::constrained_forward_dynamics,
+     .reference = references::constrained_forward_dynamics,
+     .traits = {.on_request = true, .divides_by_pivots = true, .needs_contacts = true}},
+    {.name = "contact_inverse_dynamics",
+     .summary = "tau for given qdd, and the smallest forces f_c at the scene's contacts that carry the base: B qdd + "
+                "bias = tau + J_c^T f_c",
+     .equation = "",
+     .inputs = {q, g_b, qd, qdd},
+     .outputs = {per_joint("tau", OutputQuantity::joint_torque),
+                 vector("f_c", Extent::contact_rows, OutputQuantity::contact_force),
+                 vector("condition", Extent::one, OutputQuantity::number)},
+     .derivation = {.from_choices = derive_contact_inverse_dynamics},
+     .definition = definitions::contact_inverse_dynamics,
+     .reference = references::contact_inverse_dynamics,
+     .traits = {.on_request = true, .needs_floating_base = true, .needs_contacts = true}},
+    {.name = "contact_impact",
+     .summary = "The rates after an impact that stops the scene's contacts: B (qd_after - qd) = J_c^T impulse, J_c "
+                "qd_after = 0",
+     .equation = "",
+     .inputs = {q, qd},
+     .outputs = {per_joint("qd_after", OutputQuantity::joint_rate),
+                 vector("impulse", Extent::contact_rows, OutputQuantity::contact_impulse),
+                 vector("condition", Extent::one, OutputQuantity::number)},
+     .derivation = {.from_choices = derive_contact_impact},
+     .definition = definitions::contact_impact,
+     .reference = references::contact_impact,
+     .traits = {.on_request = true, .divides_by_pivots = true, .needs_contacts = true}},
     {.name = "regressor",
      .summary = "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint, of its link with the rotors that it "
                 "carries, in and about the frame that flatdyn inspect shows",
@@ -434,6 +492,10 @@ int extent_of(Extent extent, const Mechanism& mechanism, const Function& functio
       return static_cast<int>(parameter_indices(mechanism).size());
     case Extent::base_parameters:
       return base_parameters(mechanism).size();
+    case Extent::contact_rows:
+      return mechanism.contact_rows();
+    case Extent::contact_points:
+      return 3 * static_cast<int>(mechanism.contacts.size());
     case Extent::springs:
       return 2 * (mechanism.body_count() - mechanism.base_bodies());
   }

@@ -83,6 +83,8 @@ class OutputUnits {
         return text_of_motion(joint_of_row(row) * kPerSquareSecond);
       case OutputQuantity::tip_acceleration:
         return text_of_motion(direction(static_cast<int>(row)) * kPerSquareSecond);
+      case OutputQuantity::contact_acceleration:
+        return text_of_motion(contact_direction(row) * kPerSquareSecond);
       default:
         return text_of(unit(row, col));
     }
@@ -121,6 +123,12 @@ class OutputUnits {
         return kEnergy / task_direction(row);
       case OutputQuantity::joint_rate_per_task:
         return joint(row) / task_direction(col);
+      case OutputQuantity::contact_jacobian:
+        return contact_direction(row) / joint(col);
+      case OutputQuantity::contact_force:
+        return kEnergy / contact_direction(row);
+      case OutputQuantity::contact_impulse:
+        return kEnergy * kSecond / contact_direction(row);
       case OutputQuantity::loop_gap:
         return loop_equation(row);
       case OutputQuantity::loop_gap_per_position:
@@ -140,6 +148,15 @@ class OutputUnits {
   // The coordinates of most functions, and all entries of q of those of loops.
   Unit joint_of_row(std::size_t i) const { return output_.rows == mechanism_.size() ? joint(i) : position_entry(i); }
   static Unit direction(int row) { return row < 3 ? kMetre : kOne; }
+  // The unit of a row of the contacts' Jacobian times rad: of a velocity times s, or of a rotation.
+  Unit contact_direction(std::size_t i) const {
+    int row = static_cast<int>(i);
+    for (const Contact& contact : mechanism_.contacts) {
+      if (row < contact.rows()) return direction(row);
+      row -= contact.rows();
+    }
+    return kOne;
+  }
   Unit task_direction(std::size_t i) const { return direction(function_.task.rows[i]); }
 
   // Entry k (k + 1) / 2 + j of row i is c_ijk.

@@ -33,7 +33,8 @@ Function with_graph(const Function& function, Graph graph, const std::vector<Nod
                   .validity_conditions = function.validity_conditions,
                   .pivot_scales = function.pivot_scales,
                   .proven_pivot_share = function.proven_pivot_share,
-                  .loop_conditions = function.loop_conditions};
+                  .loop_conditions = function.loop_conditions,
+                  .inverted = function.inverted};
   const auto replace = [&image](NodeId& id) { id = image[static_cast<std::size_t>(id)]; };
   for (Output& output : result.outputs) std::for_each(output.entries.begin(), output.entries.end(), replace);
   std::for_each(result.validity_conditions.begin(), result.validity_conditions.end(), replace);

@@ -56,6 +56,8 @@ struct Function {
   // limits of prismatic joints. 0: unknown, or there are no pivots of B.
   double proven_pivot_share = 0;
   int loop_conditions = 0;  // the number of conditions, at the end, that require a closed loop not to be singular
+  // The matrices whose pivots are conditions, in words, if they are others than B and the task's: "B or J B^-1 J^T".
+  std::string inverted{};
 };
 
 // A pivot below 1/(2 kPivotSignificance) units in the last place of its scale is mostly rounding error.

@@ -23,6 +23,12 @@ std::vector<NodeId> images(const std::vector<NodeId>& ids, const std::vector<Nod
   return result;
 }
 
+// Adds the matrices whose pivots are the function's conditions to those of the whole, in words.
+void add_inverted(const Function& function, Function& whole) {
+  if (function.inverted.empty() || whole.inverted.find(function.inverted) != std::string::npos) return;
+  whole.inverted += (whole.inverted.empty() ? "" : " or ") + function.inverted;
+}
+
 }  // namespace
 
 Fusion fused(const std::vector<Function>& functions) {
@@ -41,11 +47,13 @@ Fusion fused(const std::vector<Function>& functions) {
     whole.pivot_scales.insert(whole.pivot_scales.end(), scales.begin(), scales.end());
     inputs.insert(function.inputs.begin(), function.inputs.end());
     whole.base_parameters = std::max(whole.base_parameters, function.base_parameters);
+    add_inverted(function, whole);
     whole.name += (whole.name.empty() ? "" : "_") + function.name;
     whole.summary += (whole.summary.empty() ? "" : "; ") + function.summary;
     fusion.parts.push_back({function.name, function.summary, function.equation, function.inputs, function.at_rest,
                             function.task, function.outputs.size(), function.validity_conditions.size(),
-                            function.pivot_scales.size(), function.proven_pivot_share, function.loop_conditions});
+                            function.pivot_scales.size(), function.proven_pivot_share, function.loop_conditions,
+                            function.inverted});
   }
   whole.inputs.assign(inputs.begin(), inputs.end());
   return fusion;
@@ -75,7 +83,8 @@ Function function_of(const Fusion& fusion, std::size_t k) {
           .validity_conditions = slice(fusion.function.validity_conditions, condition, part.conditions),
           .pivot_scales = slice(fusion.function.pivot_scales, scale, part.pivot_scales),
           .proven_pivot_share = part.proven_pivot_share,
-          .loop_conditions = part.loop_conditions};
+          .loop_conditions = part.loop_conditions,
+          .inverted = part.inverted};
 }
 
 }  // namespace flatdyn

@@ -19,6 +19,7 @@ struct FusedFunction {
   std::size_t outputs = 0, conditions = 0, pivot_scales = 0;
   double proven_pivot_share = 0;
   int loop_conditions = 0;
+  std::string inverted;
 };
 
 struct Fusion {

@@ -31,6 +31,10 @@ enum class OutputQuantity {
   torque_per_parameter,       // a column per parameter
   momentum_per_rate,          // a momentum, then a moment of momentum, by joint rates
   force_and_moment,           // three entries of each
+  contact_jacobian,           // rows of the contacts' velocities and rotations, by joint rates
+  contact_acceleration,       // of the contacts: linear, and angular where they are surfaces
+  contact_force,              // on the robot: forces, and moments where contacts are surfaces
+  contact_impulse,            // these, times seconds
 };
 
 }  // namespace flatdyn

@@ -101,7 +101,9 @@ VectorXd ExcitationObjective::torques_at_rest() const {
   const std::vector<double> zero(rest_.size());
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(model_.joints(), model_.parameters());
   model_.regressor(rest_.data(), zero.data(), zero.data(), y.data());
-  return y * Eigen::Map<const VectorXd>(model_.file_values().data(), model_.parameters());
+  VectorXd torques = y * Eigen::Map<const VectorXd>(model_.file_values().data(), model_.parameters());
+  model_.add_springs(rest_.data(), torques.data());
+  return torques;
 }
 
 void ExcitationObjective::lower_torques(const std::vector<double>& factors) {
@@ -175,9 +177,12 @@ MatrixXd ExcitationObjective::with_known(const MatrixXd& regressor) const {
   return (MatrixXd(regressor.rows() + known_.rows(), regressor.cols()) << regressor, known_).finished();
 }
 
-double ExcitationObjective::torque_penalty(const MatrixXd& regressor, MatrixXd* slope) const {
+double ExcitationObjective::torque_penalty(const Motion& motion, const MatrixXd& regressor, MatrixXd* slope,
+                                           VectorXd* by_torque) const {
   const Eigen::Map<const VectorXd> values(model_.file_values().data(), model_.parameters());
-  const VectorXd tau = regressor * values;
+  VectorXd tau = regressor * values;
+  for (int k = 0; k < samples(); ++k) model_.add_springs(state(motion, 0, k).data(), tau.data() + k * model_.joints());
+  if (by_torque != nullptr) *by_torque = VectorXd::Zero(tau.size());
   const double weight = torque_weight_ * kTorqueWeight / samples();
   double penalty = 0;
   for (Eigen::Index row = 0; row < tau.size(); ++row) {
@@ -185,9 +190,17 @@ double ExcitationObjective::torque_penalty(const MatrixXd& regressor, MatrixXd* 
     const double excess = std::abs(tau(row)) / limit - 1;
     if (excess <= 0) continue;
     penalty += weight * excess * excess;
-    if (slope != nullptr) slope->row(row) += std::copysign(2 * weight * excess / limit, tau(row)) * values.transpose();
+    if (by_torque == nullptr) continue;
+    (*by_torque)(row) = std::copysign(2 * weight * excess / limit, tau(row));
+    slope->row(row) += (*by_torque)(row)*values.transpose();
   }
   return penalty;
+}
+
+void ExcitationObjective::add_springs(const VectorXd& by_torque, MatrixXd& by_position) const {
+  const int n = model_.joints();
+  for (int k = 0; k < samples(); ++k)
+    by_position.row(k) += (model_.stiffness() * by_torque.segment(k * n, n)).transpose();
 }
 
 // Turns the slope by entries of the regressor into that by q, q̇ and q̈ of each joint in each sample.
@@ -234,10 +247,13 @@ double ExcitationObjective::operator()(const double* x, double* gradient) const 
   MatrixXd slope;
   double value = excitation_cost(with_known(y) * inverse.asDiagonal(), gradient != nullptr ? &slope : nullptr);
   if (gradient != nullptr) slope = (slope.topRows(y.rows()) * inverse.asDiagonal()).eval();
-  value += torque_penalty(y, gradient != nullptr ? &slope : nullptr);
+  VectorXd by_torque;
+  value +=
+      gradient != nullptr ? torque_penalty(found, y, &slope, &by_torque) : torque_penalty(found, y, nullptr, nullptr);
   if (gradient != nullptr) {
     MatrixXd by[3];
     by_motion(found, y, slope, by);
+    add_springs(by_torque, by[0]);
     by_coefficients(found, by, gradient);
   }
   return value;

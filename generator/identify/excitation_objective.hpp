@@ -56,7 +56,11 @@ class ExcitationObjective {
   Eigen::VectorXd state(const Motion& motion, int derivative, int sample) const;
   Eigen::MatrixXd regressor(const Motion& motion) const;
   Eigen::MatrixXd with_known(const Eigen::MatrixXd& regressor) const;
-  double torque_penalty(const Eigen::MatrixXd& regressor, Eigen::MatrixXd* slope) const;
+  // slope, by_torque: null, or what the penalty adds to its slope by the regressor, and that by each torque.
+  double torque_penalty(const Motion& motion, const Eigen::MatrixXd& regressor, Eigen::MatrixXd* slope,
+                        Eigen::VectorXd* by_torque) const;
+  // Adds what the penalty changes by q through the springs.
+  void add_springs(const Eigen::VectorXd& by_torque, Eigen::MatrixXd& by_position) const;
   void by_motion(const Motion& motion, const Eigen::MatrixXd& regressor, const Eigen::MatrixXd& slope,
                  Eigen::MatrixXd* by) const;
   void by_coefficients(const Motion& motion, const Eigen::MatrixXd* by, double* gradient) const;

@@ -44,6 +44,7 @@ std::vector<std::vector<double>> torques_of(const TorqueModel& model, const std:
     model.regressor(sample.q.data(), sample.qd.data(), sample.qdd.data(), y.data());
     torques.emplace_back(static_cast<std::size_t>(model.joints()));
     Eigen::Map<VectorXd>(torques.back().data(), model.joints()) = y * values;
+    model.add_springs(sample.q.data(), torques.back().data());
   }
   return torques;
 }
@@ -75,9 +76,11 @@ std::size_t most_loaded(const std::vector<LimitUse>& use) {
   const Body& joint = mechanism.joints()[i];
   throw Failure(
       ExitCode::unsupported,
-      fmt::format("joint \"{}\": gravity or friction alone takes {:.4g} {} in the middle of the position limits, "
-                  "where motions begin; {:.4g} may be used",
-                  joint.joint, use[i].torque * limits[i].torque, torque_unit(joint), margin * limits[i].torque),
+      fmt::format(
+          "joint \"{}\": {} alone takes {:.4g} {} in the middle of the position limits, where motions begin; {:.4g} "
+          "may be used",
+          joint.joint, mechanism.has_springs() ? "gravity, friction or a spring" : "gravity or friction",
+          use[i].torque * limits[i].torque, torque_unit(joint), margin * limits[i].torque),
       "a larger --margin, or a --scene with position limits about a posture that takes less");
 }
 

@@ -164,6 +164,7 @@ void TorqueEquations::evaluate(const MeasuredMotion& motion, double* entries, do
   } else {
     std::fill(known, known + model_.joints(), 0.0);
   }
+  if (!further_.springs) model_.add_springs(motion.q, known);
 }
 
 }  // namespace flatdyn

@@ -33,6 +33,17 @@ std::vector<std::vector<int>> nonzero_columns(const Function& regressor) {
   return columns;
 }
 
+// The factors of the coordinates in the position of a body's joint.
+Eigen::VectorXd coordinate_factors(const Mechanism& mechanism, int body, int coordinates) {
+  Eigen::VectorXd factors = Eigen::VectorXd::Zero(coordinates);
+  for (int k = 0; k < coordinates; ++k) {
+    factors(k) = !mechanism.is_coupled()
+                     ? static_cast<double>(k == body)
+                     : nearest_double(mechanism.coupling[static_cast<std::size_t>(body)][static_cast<std::size_t>(k)]);
+  }
+  return factors;
+}
+
 }  // namespace
 
 TorqueModel::TorqueModel(const LoadedRobot& model, ParameterSet set, Progress& progress)
@@ -47,6 +58,16 @@ TorqueModel::TorqueModel(const LoadedRobot& model, ParameterSet set, Progress& p
   Diagnostics none;
   const std::vector<Function> functions = functions_of(make_functions(model_, options, progress, none));
   columns_ = nonzero_columns(functions[kRegressor]);
+  const int n = joints();
+  stiffness_ = Eigen::MatrixXd::Zero(n, n);
+  relaxed_ = Eigen::VectorXd::Zero(n);
+  for (int i = 0; i < model.mechanism.body_count(); ++i) {
+    const Body& body = model.mechanism.bodies[static_cast<std::size_t>(i)];
+    if (vanishes(body.stiffness)) continue;
+    const Eigen::VectorXd factors = coordinate_factors(model.mechanism, i, n);
+    stiffness_ += nearest_double(body.stiffness) * factors * factors.transpose();
+    relaxed_ += nearest_double(body.stiffness * body.spring_reference) * factors;
+  }
   progress.step("compiling the regressor");
   compiled_ = std::make_unique<CompiledFunctions>(model_.mechanism, functions);
   fingerprint_ = content_hash({emit_cpp(model_.mechanism, functions, {})});
@@ -57,6 +78,12 @@ TorqueModel::~TorqueModel() = default;
 void TorqueModel::regressor(const double* q, const double* qd, const double* qdd, double* y) const {
   const double* const in[] = {q, qd, qdd};
   compiled_->evaluate(kRegressor, in, y);
+}
+
+void TorqueModel::add_springs(const double* q, double* tau) const {
+  if (stiffness_.isZero(0)) return;
+  const int n = joints();
+  Eigen::Map<Eigen::VectorXd>(tau, n) += stiffness_ * Eigen::Map<const Eigen::VectorXd>(q, n) - relaxed_;
 }
 
 std::vector<Eigen::MatrixXd> TorqueModel::acceleration_rows(const double* q) const {

@@ -42,6 +42,11 @@ class TorqueModel {
   // that the tip exerts on its environment.
   void tip_torque(const double* q, const double* h_e, double* tau) const;
 
+  // Adds the torques of the robot file's springs, N m or N, which no base parameter says, to tau.
+  void add_springs(const double* q, double* tau) const;
+  // Their derivatives by q, n × n.
+  const Eigen::MatrixXd& stiffness() const { return stiffness_; }
+
   // The hash of the emitted text, so of geometry, gravity and parameters. Observations of different models are not
   // joined.
   const std::string& fingerprint() const { return fingerprint_; }
@@ -52,6 +57,8 @@ class TorqueModel {
   std::vector<double> file_values_;
   std::vector<std::vector<int>> columns_;
   std::string fingerprint_;
+  Eigen::MatrixXd stiffness_;
+  Eigen::VectorXd relaxed_;  // the torques of the springs at q = 0, with the other sign
   std::unique_ptr<CompiledFunctions> compiled_;
 };
 

@@ -39,6 +39,18 @@ int last_moving_link(const Robot& robot) {
   return last;
 }
 
+// The links that contacts are on, which must move: those of a fixed base have no accelerations to hold.
+void attach_contacts(ReadContext& context, Robot& robot) {
+  const std::vector<bool> moves = moving_links(robot);
+  for (SceneContact& contact : robot.scene.contacts) {
+    if (contact.link.name.empty()) continue;  // said where it was read
+    contact.index = find_link(robot, contact.link, "contact, link", context.diagnostics).value_or(robot.tip);
+    if (robot.floating_base || moves[static_cast<std::size_t>(contact.index)]) continue;
+    context.diagnostics.error(contact.place, "contact: link \"" + contact.link.name + "\" does not move",
+                              "leave it out, or let the base move: --base floating");
+  }
+}
+
 void attach(const Attachments& attachments, ReadContext& context, Robot& robot) {
   const auto index_of = [&](const std::optional<Reference>& link, const char* what) {
     return link ? find_link(robot, *link, what, context.diagnostics).value_or(robot.tip) : robot.tip;
@@ -60,6 +72,7 @@ void attach(const Attachments& attachments, ReadContext& context, Robot& robot) 
     const int link = index_of(payload->link, "payload, link");
     robot.links[static_cast<std::size_t>(link)].inertials.push_back(payload->inertial);
   }
+  attach_contacts(context, robot);
 }
 
 std::vector<Place> payload_places(const Attachments& attachments, const Scene& scene) {

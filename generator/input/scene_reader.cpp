@@ -70,6 +70,39 @@ std::optional<BaseLimits> read_base_limits(TomlTable& table, Diagnostics& diagno
   return limits;
 }
 
+// A point, in the link's frame, or a surface.
+SceneContact read_contact(TomlTable& table, Diagnostics& diagnostics) {
+  SceneContact contact;
+  contact.place = table.place();
+  const std::optional<Reference> link = table.reference("link");
+  contact.link = link.value_or(Reference{"", contact.place});
+  if (!link) diagnostics.error(contact.place, "contact: it has no link", "name the link that touches: link = \"foot\"");
+  contact.name = table.text("name").value_or(contact.link.name);
+  const auto is_control = [](unsigned char c) { return c < ' '; };
+  if (link && (contact.name.empty() || std::any_of(contact.name.begin(), contact.name.end(), is_control))) {
+    diagnostics.error(table.place_of("name"), "contact: its name is empty or has control characters",
+                      "write name = \"left_heel\", or leave it out for the link's name");
+  }
+  contact.position = table.vector("position", Quantity::length, zero_vector());
+  contact.is_surface = read_choice(table, "type", {"point", "surface"}, diagnostics) == "surface";
+  table.reject_unknown_keys();
+  return contact;
+}
+
+std::vector<SceneContact> read_contacts(TomlTable& table, Diagnostics& diagnostics) {
+  std::vector<SceneContact> all;
+  for (TomlTable& each : table.tables("contact")) {
+    const SceneContact contact = read_contact(each, diagnostics);
+    const auto has_its_name = [&](const SceneContact& other) { return other.name == contact.name; };
+    if (std::any_of(all.begin(), all.end(), has_its_name)) {
+      diagnostics.error(contact.place, "contact: " + quoted(contact.name) + " is there twice",
+                        "give each a name of its own: name = \"left_heel\"");
+    }
+    all.push_back(contact);
+  }
+  return all;
+}
+
 Orientation read_orientation(TomlTable& table, Diagnostics& diagnostics) {
   const std::optional<std::string> text = table.text("orientation");
   if (!text) return Orientation::angular_velocity;
@@ -80,11 +113,11 @@ Orientation read_orientation(TomlTable& table, Diagnostics& diagnostics) {
   return Orientation::angular_velocity;
 }
 
-Rational read_damping(TomlTable& table, Diagnostics& diagnostics) {
-  const std::optional<Value> damping = table.number("damping", Quantity::other);
+Rational read_damping(TomlTable& table, const char* key, Diagnostics& diagnostics) {
+  const std::optional<Value> damping = table.number(key, Quantity::other);
   if (!damping) return 0;
   if (is_rational(damping->number) && to_rational(damping->number) >= 0) return to_rational(damping->number);
-  diagnostics.error(table.place_of("damping"), "damping: it is not a rational number from 0",
+  diagnostics.error(table.place_of(key), std::string(key) + ": it is not a rational number from 0",
                     "lambda of (J B^-1 J^T + lambda^2 1)^-1, 0.01 for instance");
   return 0;
 }
@@ -176,9 +209,11 @@ Scene read_scene(const std::string& file, ReadContext& context) {
   scene.springs = table.boolean("springs").value_or(true);
   scene.error_budget = read_error_budget(table, diagnostics);
   scene.task.orientation = read_orientation(table, diagnostics);
-  scene.task.damping = read_damping(table, diagnostics);
+  scene.task.damping = read_damping(table, "damping", diagnostics);
   scene.task.rows = read_rows(table, scene.task.orientation, diagnostics);
   if (table.is_list("task")) require_some(table.references("task"), table.place_of("task"), "task", diagnostics);
+  scene.contacts = read_contacts(table, diagnostics);
+  scene.contact_damping = read_damping(table, "contact_damping", diagnostics);
   scene.functions = table.references("functions");
   if (table.is_list("functions")) {
     require_some(scene.functions, table.place_of("functions"), "functions", diagnostics);

@@ -473,6 +473,18 @@ void add_links(const RawTree& tree, const Placer& placer, Mechanism& mechanism) 
   mechanism.tip = {robot.links[tip_link].name, tree.body_of_[tip_link], tip.R, tip.p};
 }
 
+void add_contacts(const RawTree& tree, const Placer& placer, Mechanism& mechanism) {
+  const Scene& scene = tree.robot_.scene;
+  for (const SceneContact& contact : scene.contacts) {
+    const Transform point{identity_matrix(), rationalised(contact.position)};
+    const Transform pose = compose(final_pose(tree, placer, contact.index), point);
+    const auto link = static_cast<std::size_t>(contact.index);
+    mechanism.contacts.push_back(
+        {contact.name, {tree.robot_.links[link].name, tree.body_of_[link], pose.R, pose.p}, contact.is_surface});
+  }
+  mechanism.contact_damping = scene.contact_damping;
+}
+
 void add_coupling(const RawTree& tree, Mechanism& mechanism) {
   const Robot& robot = tree.robot_;
   if (!has_coupled_joints(robot)) return;
@@ -508,6 +520,7 @@ Mechanism make_mechanism(const Robot& robot) {
   mechanism.merged = tree.merged_;
   for (std::size_t i = 0; i < tree.raw_.size(); ++i) add_bodies(tree, placer, i, mechanism);
   add_links(tree, placer, mechanism);
+  add_contacts(tree, placer, mechanism);
   for (int i = 0; i < mechanism.body_count(); ++i) add_motor(tree, placer, i, mechanism);
   for (Body& body : mechanism.bodies) body.inertia = snap_residues_to_zero(body.inertia, tree.reach_);
   add_coupling(tree, mechanism);

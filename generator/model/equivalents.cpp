@@ -28,6 +28,9 @@ Mechanism with_frame_shifted(const Mechanism& mechanism, int i, const Number& ax
     if (link.body == i) lower(link.p);
   }
   if (result.tip.body == i) lower(result.tip.p);
+  for (Contact& contact : result.contacts) {
+    if (contact.frame.body == i) lower(contact.frame.p);
+  }
   for (LoopClosure& loop : result.loops) {
     for (LoopClosure::End& end : loop.ends) {
       if (end.body == i) lower(end.p);

@@ -70,6 +70,7 @@ struct MechanismOver {
   std::vector<FieldLoop<F>> loops;
   std::vector<int> independent;
   std::vector<std::vector<F>> tree_coupling;
+  std::vector<FieldFrame<F>> contacts;
 
   bool is_coupled() const { return !coupling.empty(); }
   bool has_loops() const { return !loops.empty(); }
@@ -210,6 +211,7 @@ class MechanismMap {
     for (const int first : mechanism_.spherical) turn(first, result.bodies[static_cast<std::size_t>(first)].R);
     for (const LinkFrame& link : mechanism_.links) result.links.push_back(mapped(link));
     result.tip = mapped(mechanism_.tip);
+    for (const Contact& contact : mechanism_.contacts) result.contacts.push_back(mapped(contact.frame));
     result.gravity = mapped(mechanism_.gravity);
     result.base = mapped(mechanism_.base);
     for (const std::vector<Number>& row : mechanism_.coupling) {

@@ -52,6 +52,7 @@ Mechanism with_floating_base(Mechanism mechanism, const std::optional<BaseLimits
   }
   shift(mechanism.tip.body);
   for (int& first : mechanism.spherical) shift(first);
+  for (Contact& contact : mechanism.contacts) shift(contact.frame.body);
   std::vector<Body> bodies;
   for (int k = 0; k < kBodies; ++k) {
     bodies.push_back(motion_of_base(k, base));

@@ -15,6 +15,12 @@ Mat3 joint_axes(const Body& joint) {
   return expanded(joint.prismatic ? axes * rotation_z(joint.theta) : axes);
 }
 
+int Mechanism::contact_rows() const {
+  int rows = 0;
+  for (const Contact& contact : contacts) rows += contact.rows();
+  return rows;
+}
+
 std::vector<int> path_to(const Mechanism& mechanism, int body, int from) {
   std::vector<int> path;
   for (; body != from; body = mechanism.bodies[static_cast<std::size_t>(body)].parent) path.push_back(body);

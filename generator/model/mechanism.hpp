@@ -87,6 +87,16 @@ struct WrittenLink : LinkFrame {
   InertialParameters inertia;
 };
 
+// A point of a body, or a frame, that touches something which does not move. `frame` has the axes of the link.
+struct Contact {
+  std::string name;
+  LinkFrame frame;
+  bool is_surface = false;  // whether the body cannot turn, either
+
+  // The directions that it holds: velocities along x, y, z of the base frame, and for a surface rotations about them.
+  int rows() const { return is_surface ? 6 : 3; }
+};
+
 // A multiple of an entry of q by which joints turn.
 struct CoordinateMultiple {
   int position = 0;
@@ -154,6 +164,12 @@ struct Mechanism {
   // such a joint, q̇, q̈ and τ have three.
   std::vector<int> spherical;
 
+  // The scene's contacts, and λ of the matrix J B^-1 J^T + λ² 1 that their forces are found with.
+  std::vector<Contact> contacts;
+  Rational contact_damping = 0;
+
+  // The rows of all contacts' Jacobian.
+  int contact_rows() const;
   // The bodies, and the entries of q̇, that are the motion of a floating base.
   int base_bodies() const { return floating_base ? 6 : 0; }
   bool is_of_base(int body) const { return body < base_bodies(); }

@@ -42,6 +42,16 @@ struct BaseLimits {
   Place place;
 };
 
+// A point of a link, or its frame's axes with it, that touches something which does not move.
+struct SceneContact {
+  std::string name;  // the link's, if it is not given
+  Reference link;
+  Vec3 position = zero_vector();  // in the link's frame, m
+  bool is_surface = false;        // whether the link cannot turn, either
+  Place place;
+  int index = -1;  // of the link, once the robot is read
+};
+
 // The entries of a function that are needed: "tau[0..2]", "B[shoulder][elbow]".
 struct SceneOutputs {
   Reference function;
@@ -76,6 +86,8 @@ struct Scene {
   std::vector<SceneOutputs> outputs;
   bool springs = true;  // false: no joint has a spring
   std::optional<BaseLimits> base_limits;
+  std::vector<SceneContact> contacts;
+  Rational contact_damping = 0;  // λ, as Mechanism::contact_damping
 };
 
 }  // namespace flatdyn

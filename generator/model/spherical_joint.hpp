@@ -60,7 +60,8 @@ std::array<S, 3> spherical_drift(const S& wx, const S& wy, const S& wz) {
   return {-(wy * wz), wx * wz, -(wx * wy)};
 }
 
-// Ȧ at zero for ẋ = ω, on which ω_x has no effect: C = C_x - B Ȧ is the matrix in these velocities of which Ḃ - 2 C is skew-symmetric.
+// Ȧ at zero for ẋ = ω, on which ω_x has no effect: C = C_x - B Ȧ is the matrix in these velocities of which Ḃ - 2 C is
+// skew-symmetric.
 template <class S>
 std::array<std::array<S, 3>, 3> spherical_rate_matrix(const S& wy, const S& wz) {
   const S zero = S(0);

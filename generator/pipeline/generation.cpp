@@ -7,10 +7,24 @@
 #include "emit/kernel_parts.hpp"
 #include "emit/limbs.hpp"
 #include "emit/narrowed.hpp"
+#include "load/bad_input.hpp"
+#include "planning/kernel_columns.hpp"
 #include "report/scene_report.hpp"
+#include "verify/kernel_proof.hpp"
 
 namespace flatdyn {
 namespace {
+
+// Proves of functions in parts that the parts, in their order, compute the function.
+void prove_kernels(const GenerationResult& result, std::uint64_t seed) {
+  const std::vector<Function> functions = functions_of(result);
+  auto next = result.kernel_parts.begin();
+  for (std::size_t k = 0; k < result.form.kernel_parts.size(); ++k) {
+    const auto end = next + result.form.kernel_parts[k];
+    if (next != end) prove_parts(functions[k], {next, end}, seed);
+    next = end;
+  }
+}
 
 // The functions of the text: those of the result, and in CUDA the parts of their kernels.
 std::vector<Function> functions_of_text(const GenerationResult& result) {
@@ -19,9 +33,13 @@ std::vector<Function> functions_of_text(const GenerationResult& result) {
   return functions;
 }
 
-void divide_for_kernels(GenerationResult& result) {
+void divide_for_kernels(GenerationResult& result, Progress& progress) {
   if (result.form.language != Language::cuda) return;
-  KernelParts parts = kernel_parts(functions_of(result), values_in_registers(result.form.scalar == "double"));
+  progress.step("dividing among kernels");
+  const std::vector<Function> functions = functions_of(result);
+  ReadingParts reading;
+  for (const Function& each : functions) reading.push_back(reading_own_outputs(result.robot, each));
+  KernelParts parts = kernel_parts(functions, values_in_registers(result.form.scalar == "double"), reading);
   result.kernel_parts = std::move(parts.functions);
   result.form.kernel_parts = std::move(parts.counts);
 }
@@ -90,6 +108,17 @@ EmitOptions stamped(const GenerationOptions& options, const GenerationResult& re
   return form;
 }
 
+// With the file's name, where conventions do not apply.
+void check_conventions(const LoadedRobot& robot) {
+  try {
+    check_conventions_apply(robot.mechanism);
+  } catch (const Failure& failure) {
+    Diagnostics found;
+    found.unsupported({robot.robot.file, 0}, failure.what(), failure.hint());
+    throw BadInput(failure.code(), std::move(found));
+  }
+}
+
 }  // namespace
 
 bool GenerationOptions::is_for_float() const {
@@ -104,7 +133,7 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   progress.step("reading");
   result.robot = load_robot(robot_file, options);
   const LoadedRobot& robot = result.robot;
-  if (options.needs_floating_base) check_conventions_apply(robot.mechanism);
+  if (options.needs_floating_base) check_conventions(robot);
   // Derive, specialise to the scene, optimise: every function in each of its formulations.
   result.functions = make_functions(robot, options, progress, result.findings);
   std::optional<OptimisedFusion> fused;
@@ -118,7 +147,7 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   // Emit.
   progress.step("emitting and reading back");
   result.form = stamped(options, result);
-  divide_for_kernels(result);
+  divide_for_kernels(result, progress);
   const std::string text = emit_and_read_back(result);
   check_narrowed_constants(options, result);
   // Prove in exact arithmetic, against the Lagrangian, which is that of the robot as read; and the text, read back,
@@ -128,6 +157,7 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   result.as_read = prove_robot(robot.robot, robot.mechanism);
   result.proofs = prove(effective_mechanism(robot), apart, fused, result.stages, seed);
   prove_text(*result.read_back, {result.robot.mechanism, functions_of_text(result), result.stages, result.form}, seed);
+  prove_kernels(result, seed);
   note_limbs_apart(result);
   return result;
 }

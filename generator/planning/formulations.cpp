@@ -10,6 +10,7 @@
 #include "diagnostics/nearest.hpp"
 #include "functions/function_table.hpp"
 #include "graph/count.hpp"
+#include "model/field_mechanism.hpp"
 #include "model/inertia_bound.hpp"
 #include "model/rounded_up.hpp"
 
@@ -60,6 +61,11 @@ Request parsed(const Mechanism& mechanism, const std::string& name) {
                   fmt::format("function \"{}\" is one of robots with a floating base", request.row->name),
                   "let the base move: --base floating");
   }
+  if (request.row->traits.needs_contacts && mechanism.contacts.empty()) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("function \"{}\" is about contacts, and there are none", request.row->name),
+                  "name them in a scene: [[contact]] link = \"foot\" (docs/scene-format.md)");
+  }
   if (colon == std::string::npos) return request;
   if (request.row->derivation.of_link == nullptr) {
     throw Failure(ExitCode::usage, fmt::format("function \"{}\" is not one of a link", request.row->name),
@@ -100,11 +106,22 @@ std::string with_springs(const std::string& summary, const FunctionRow& row) {
                   "Potential energy of links, rotors and springs");
 }
 
+// The summary where contacts are damped: they accelerate by forces.
+std::string with_damping(const std::string& summary, const Rational& damping) {
+  const std::string lambda = fmt::format(", lambda = {}", nearest_double(to_number(damping)));
+  const std::string held = replaced(summary, "the forces f_c that keep", "the damped forces f_c that nearly keep");
+  return replaced(replaced(held, "J_c qdd + b_c = 0", "J_c qdd + b_c = -lambda^2 f_c" + lambda), "J_c qd_after = 0",
+                  "J_c qd_after = -lambda^2 impulse" + lambda);
+}
+
 // The summary "Pose of the tip", or "Pose of link hand".
 std::string summary_of(const Request& request, const Mechanism& mechanism) {
   const bool floating_base = mechanism.floating_base;
   std::string summary = request.row->summary;
   if (mechanism.has_springs()) summary = with_springs(summary, *request.row);
+  if (request.row->traits.needs_contacts && mechanism.contact_damping != 0) {
+    summary = with_damping(summary, mechanism.contact_damping);
+  }
   if (mechanism.has_quasi_velocities()) summary = in_terms_of_base(summary);
   if (floating_base && summary.starts_with("(dJ/dt) v of ")) {
     summary = "Acceleration, while a is zero, of " + summary.substr(std::string("(dJ/dt) v of ").size());

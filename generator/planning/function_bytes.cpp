@@ -97,7 +97,8 @@ json function_json(const Function& function) {
           {"validity_conditions", function.validity_conditions},
           {"pivot_scales", function.pivot_scales},
           {"proven_pivot_share", function.proven_pivot_share},
-          {"loop_conditions", function.loop_conditions}};
+          {"loop_conditions", function.loop_conditions},
+          {"inverted", function.inverted}};
 }
 
 Function function_of(const json& value) {
@@ -115,6 +116,7 @@ Function function_of(const json& value) {
   value.at("pivot_scales").get_to(function.pivot_scales);
   value.at("proven_pivot_share").get_to(function.proven_pivot_share);
   value.at("loop_conditions").get_to(function.loop_conditions);
+  value.at("inverted").get_to(function.inverted);
   return function;
 }
 

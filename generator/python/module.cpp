@@ -143,7 +143,8 @@ class ModuleWriter {
   static std::string condition_of(const Function& function) {
     const auto loops = static_cast<std::size_t>(function.loop_conditions);
     if (loops == function.validity_conditions.size()) return "a closed loop is within 1e-6 of being singular";
-    return std::string("B is not positive definite") + (function.task.empty() ? "" : ", or the task is singular") +
+    const std::string inverted = function.inverted.empty() ? "B" : function.inverted;
+    return inverted + " is not positive definite" + (function.task.empty() ? "" : ", or the task is singular") +
            (loops > 0 ? ", or a closed loop" : "");
   }
 

@@ -23,7 +23,7 @@ const ScannedFunction* CFile::given_of(const FileFunction& function) const {
 void CFile::require_used(const ScannedFunction& body, const std::string& name) const {
   std::size_t used = 0, cast = 0;
   for (std::size_t k = body.begin; k < body.end; ++k) {
-    if (tokens_[k].text != name) continue;
+    if (tokens_[k].text != name || is_member(k)) continue;
     const bool is_cast = k >= body.begin + 3 && tokens_[k - 1].text == ")" && tokens_[k - 2].text == "void";
     ++(is_cast ? cast : used);
   }

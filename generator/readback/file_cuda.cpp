@@ -46,6 +46,7 @@ void CudaFile::file() {
   require_helper("sign()", has_sign_, uses({"detail", "::", "sign"}));
   require_helper("sqrt()", has_sqrt_, uses({"detail", "::", "sqrt"}));
   require_helper("MultiplyAdd", has_fma_, uses({"MultiplyAdd", "<", "Scalar", ">", "fma"}));
+  require_helper("stored()", has_stored_, uses({"detail", "::", "stored"}));
   require_helper("LibrarySinCos", has_sines_, uses({"sin_cos"}));
 }
 
@@ -53,6 +54,7 @@ void CudaFile::cuda_helpers() {
   has_sign_ = accept(kCudaSign);
   has_sqrt_ = accept(kCudaSqrt);
   has_fma_ = accept(kCudaMultiplyAdd);
+  has_stored_ = accept(kCudaStored);
   has_sines_ = accept(kCudaLibrarySines);
   if (has_sines_ && has_polynomials()) expect(kCudaPolynomials);
   if (has_sines_) expect(kCudaGivenSines);

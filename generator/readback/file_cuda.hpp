@@ -28,6 +28,7 @@ class CudaFile : public CppFile {
   void callee(const FileFunction& function, int part);
 
   std::vector<Kernel> kernels_;
+  bool has_stored_ = false;
 };
 
 }  // namespace flatdyn

@@ -197,8 +197,12 @@ bool FileReader::uses(const std::vector<std::string>& words) const {
   const auto is_in = [&](const ScannedFunction& function) {
     const auto begin = tokens_.begin() + static_cast<std::ptrdiff_t>(function.begin);
     const auto end = tokens_.begin() + static_cast<std::ptrdiff_t>(function.end);
-    return std::search(begin, end, words.begin(), words.end(),
-                       [](const Token& token, const std::string& text) { return token.text == text; }) != end;
+    const auto is_word = [](const Token& token, const std::string& text) { return token.text == text; };
+    for (auto at = begin;; ++at) {
+      at = std::search(at, end, words.begin(), words.end(), is_word);
+      if (at == end) return false;
+      if (!is_member(static_cast<std::size_t>(at - tokens_.begin()))) return true;
+    }
   };
   const auto is_in_part = [&](const std::string& name) { return is_in(text_.parts().at(name)); };
   return std::any_of(text_.functions().begin(), text_.functions().end(), is_in) ||
@@ -235,9 +239,14 @@ std::vector<std::string> FileReader::names_of_outputs_read() const {
 }
 
 bool FileReader::names(const ScannedFunction& function, const std::string& name) const {
-  return std::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(function.begin),
-                     tokens_.begin() + static_cast<std::ptrdiff_t>(function.end),
-                     [&name](const Token& token) { return token.text == name; });
+  for (std::size_t at = function.begin; at < function.end; ++at) {
+    if (tokens_[at].text == name && !is_member(at)) return true;
+  }
+  return false;
+}
+
+bool FileReader::is_member(std::size_t at) const {
+  return at > 0 && (tokens_[at - 1].text == "." || tokens_[at - 1].text == "->");
 }
 
 void FileReader::take_body(const ScannedFunction& function) {

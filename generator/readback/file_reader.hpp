@@ -59,6 +59,8 @@ class FileReader : protected TokenCursor {
   void take_body(const ScannedFunction& function);
   void take_part_body(const std::string& name);
   bool names(const ScannedFunction& function, const std::string& name) const;
+  // Whether the token is a member of a struct, such as a free symbol among the parameters, whose name may be any.
+  bool is_member(std::size_t at) const;
 
   // Takes the parameters of a part, which are some of these, in their order, and the bracket at their end.
   void take_parameters_of_part(const std::vector<std::string>& patterns);

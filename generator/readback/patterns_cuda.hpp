@@ -53,6 +53,16 @@ struct MultiplyAdd {
 };
 })";
 
+inline constexpr const char* kCudaStored = R"(
+namespace detail {
+template <class Scalar>
+FLATDYN_FUNCTION Scalar stored(const Scalar* output, int entry) noexcept { return output[entry]; }
+template <class Out>
+FLATDYN_FUNCTION auto stored(const Out& output, int entry) noexcept -> decltype(output.stored(entry)) {
+  return output.stored(entry);
+}
+})";
+
 inline constexpr const char* kCudaLibrarySines = R"(
 template <int... joint>
 struct Joints {};

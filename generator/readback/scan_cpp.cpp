@@ -123,10 +123,10 @@ class CppScanner : TokenCursor {
     at_ += 2;
   }
 
-  // Whether a function is one of those that evaluate sines and cosines.
+  // Whether a function is one of those that evaluate sines and cosines, or that read entries of earlier parts.
   static bool is_of_sines(const std::string& name) {
-    constexpr auto kNames =
-        std::to_array<const char*>({"sine_and_cosine", "evaluate", "ask_library", "sines_and_cosines", "operator"});
+    constexpr auto kNames = std::to_array<const char*>(
+        {"sine_and_cosine", "evaluate", "ask_library", "sines_and_cosines", "stored", "operator"});
     return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
   }
 

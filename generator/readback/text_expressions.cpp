@@ -80,7 +80,7 @@ int TextReader::factor() {
     expect("::");
     const std::string function = take();
     expect("(");
-    return function_call(function);
+    return function == "stored" ? stored_entry() : function_call(function);
   }
   if (notation_.is_cpp && lane_ == kNoLane && locals_.count("fma") != 0 && accept("fma")) {
     expect("(");
@@ -229,6 +229,26 @@ int TextReader::entry_of(const std::string& name, int entry) {
   const int length = length_of(kind);
   if (length >= 0 && entry >= length) fail("an entry too many");
   return input({kind, entry});
+}
+
+// Reads the rest of detail::stored(dqdd_dtau, 5), after the opening bracket: an entry of an output that an earlier part
+// of the function has written, and this one does not. Its index is that among all entries of the outputs.
+int TextReader::stored_entry() {
+  const std::string name = take();
+  expect(",");
+  const int entry = index();
+  expect(")");
+  int before = 0;
+  for (const std::string& output : outputs_) {
+    const Array& array = arrays_.at(output);
+    if (output == name) {
+      if (!is_visible(name) || entry >= array.length) fail("no such entry");
+      if (array.entries.count(entry) != 0) fail("an entry that is written already");
+      return lines_.input({InputKind::stored, before + entry});
+    }
+    before += array.length;
+  }
+  fail("no output " + name);
 }
 
 int TextReader::written_entry(const std::string& name, int entry) const {

@@ -119,6 +119,7 @@ class TextReader {
   int member_of(const std::string& name);
   int entry_of(const std::string& name, int entry);
   int input(Input input);
+  int stored_entry();
   int written_entry(const std::string& name, int entry) const;
 
   static constexpr const char* kReturned = "returned";  // the entry of this array is the value returned

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "model/coupling.hpp"
+#include "model/field_mechanism.hpp"
 #include "model/mechanism.hpp"
 
 namespace flatdyn {
@@ -54,6 +55,10 @@ class Converter {
     if (!robot_.loops.empty()) close_loops();
     result_.tip = robot_.tip;
     std::tie(result_.R_tip, result_.p_tip) = pose(robot_.tip_offset);
+    for (const SceneContact& contact : robot_.scene.contacts) {
+      result_.contacts.push_back({contact.index, vector(contact.position), contact.is_surface});
+    }
+    result_.contact_damping = number(to_number(robot_.scene.contact_damping));
     return result_;
   }
 

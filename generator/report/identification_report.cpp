@@ -116,6 +116,11 @@ std::string gravity_text(const NonlinearUnknowns& unknowns) {
               : fmt::format(", std dev [{:.2g}, {:.2g}, {:.2g}]\n", deviation.x(), deviation.y(), deviation.z()));
 }
 
+// The place of k and k q_0 of the first spring, where they are parameters.
+int first_spring(const TorqueEquations& equations) {
+  return equations.parameters() - equations.corrections() - equations.static_parameters();
+}
+
 // A row of the table of parameters, before the combination.
 std::vector<std::string> parameter_cells(const TorqueEquations& equations, const Identification& found, int k) {
   const int base = equations.model().parameters();
@@ -125,7 +130,8 @@ std::vector<std::string> parameter_cells(const TorqueEquations& equations, const
                                     deviation_text(deviation),
                                     has_share ? fmt::format("{:.2g} %", 100 * deviation / std::abs(value)) : ""};
   if (found.joint_by_joint) cells.push_back(fmt::format("{:.6g}", (*found.joint_by_joint)(k)));
-  cells.push_back(k < base ? fmt::format("{:.6g}", equations.model().file_values()[static_cast<std::size_t>(k)]) : "");
+  const bool is_in_file = k < base || (equations.further().springs && k >= first_spring(equations));
+  cells.push_back(is_in_file ? fmt::format("{:.6g}", equations.file_values()(k)) : "");
   return cells;
 }
 

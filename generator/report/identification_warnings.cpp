@@ -160,9 +160,12 @@ void warn_of_coarse_steps(const TorqueModel& model, const Identification& found,
 // Reports friction, rotors and masses that are clearly negative, which no joint has. A base parameter that is named for
 // a mass may be a difference of masses: it counts where the robot file's is positive.
 void warn_of_signs(const TorqueModel& model, const Estimate& estimate, std::vector<std::string>& warning_texts) {
-  constexpr double kClearly = 5;  // standard deviations
+  constexpr double kClearly = 5;        // standard deviations
+  constexpr double kOfRounding = 1e-9;  // of the largest parameter: logs without noise leave no deviation
+  const double least = kOfRounding * estimate.values.head(model.parameters()).cwiseAbs().maxCoeff();
   std::vector<std::string> names;
   for (int k = 0; k < model.parameters(); ++k) {
+    if (std::abs(estimate.values(k)) < least) continue;
     const int index = model.base().columns[static_cast<std::size_t>(k)];
     const bool is_inertial = static_cast<int>(parameter_of(index)) < kInertialPerBody;
     const bool is_mass = parameter_of(index) == Parameter::m && model.file_values()[static_cast<std::size_t>(k)] > 0;

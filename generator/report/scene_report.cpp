@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "model/field_mechanism.hpp"
 #include "report/budget_report.hpp"
 #include "symbolic/dynamics/task_rows.hpp"
 #include "symbolic/notation/number_text.hpp"
@@ -31,6 +32,8 @@ class SceneText {
     if (scene.error_budget) add("error_budget", scene.error_budget->written);
     for (const SceneLimits& limits : scene.limits) add_limits(limits);
     if (scene.base_limits) add_base_limits(*scene.base_limits);
+    for (const SceneContact& contact : scene.contacts) add_contact(contact);
+    if (scene.contact_damping != 0) add("contact_damping", number_(to_number(scene.contact_damping)));
     if (!scene.functions.empty()) {
       add("functions", fmt::format("[{}]", fmt::join(names_of(scene.functions), ", ")));
     }
@@ -63,6 +66,11 @@ class SceneText {
     add("payload.inertia", fmt::format("{{xx = {}, yy = {}, zz = {}, xy = {}, xz = {}, yz = {}}} about {}",
                                        number_(I[0][0]), number_(I[1][1]), number_(I[2][2]), number_(I[0][1]),
                                        number_(I[0][2]), number_(I[1][2]), about_com ? "com" : "origin"));
+  }
+
+  void add_contact(const SceneContact& contact) {
+    add("contact." + contact.name, fmt::format("{} of link {} at {}", contact.is_surface ? "surface" : "point",
+                                               contact.link.name, list(contact.position)));
   }
 
   void add_base_limits(const BaseLimits& limits) {

@@ -153,15 +153,20 @@ void add_entries(const Output& output, const std::vector<Range>& ranges, std::ve
   }
 }
 
-// Appends "0..2, 5" for the entries of one row that are not left out, each written as `form`.
-void add_runs(const Output& output, std::size_t begin, std::size_t count, const std::string& stem, std::string& text) {
+// The runs "[0..2]", "[5]" of the entries from `begin` on that are not left out.
+std::vector<std::string> runs_of(const Output& output, std::size_t begin, std::size_t count) {
+  std::vector<std::string> runs;
   for (std::size_t first = 0, last = 0; first < count; first = last + 1) {
     last = first;
     if (output.leaves_out(begin + first)) continue;
     while (last + 1 < count && !output.leaves_out(begin + last + 1)) ++last;
-    text += text.empty() ? "" : ", ";
-    text += last == first ? fmt::format("{}[{}]", stem, first) : fmt::format("{}[{}..{}]", stem, first, last);
+    runs.push_back(last == first ? fmt::format("[{}]", first) : fmt::format("[{}..{}]", first, last));
   }
+  return runs;
+}
+
+void add_all(const std::string& stem, const std::vector<std::string>& runs, std::string& text) {
+  for (const std::string& run : runs) text += (text.empty() ? "" : ", ") + stem + run;
 }
 
 }  // namespace
@@ -189,12 +194,16 @@ EntrySelection selected_entries(const Function& function, const Mechanism& mecha
 std::string written_entries(const Output& output) {
   std::string text;
   if (output.layout != Layout::matrix) {
-    add_runs(output, 0, output.entries.size(), output.name, text);
+    add_all(output.name, runs_of(output, 0, output.entries.size()), text);
     return text;
   }
-  const auto columns = static_cast<std::size_t>(output.cols);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(output.rows); ++i) {
-    add_runs(output, i * columns, columns, fmt::format("{}[{}]", output.name, i), text);
+  const auto columns = static_cast<std::size_t>(output.cols), rows = static_cast<std::size_t>(output.rows);
+  for (std::size_t first = 0, last = 0; first < rows; first = last + 1) {  // rows that have the same runs
+    last = first;
+    const std::vector<std::string> runs = runs_of(output, first * columns, columns);
+    while (last + 1 < rows && runs_of(output, (last + 1) * columns, columns) == runs) ++last;
+    const std::string row = first == last ? std::to_string(first) : fmt::format("{}..{}", first, last);
+    add_all(fmt::format("{}[{}]", output.name, row), runs, text);
   }
   return text;
 }

@@ -20,7 +20,7 @@ struct EntrySelection {
 // are counted, or a range FIRST..LAST of these; omitted indices mean all. Throws Failure(input) with a hint.
 EntrySelection selected_entries(const Function& function, const Mechanism& mechanism, const std::string& text);
 
-// The entries of an output that are computed, in the same form: "tau[0..2], tau[5]"; "B[0][0..3], B[1][1]".
+// The entries of an output that are computed, in the same form: "tau[0..2], tau[5]"; "B[0..2][0..3], B[3][1]".
 std::string written_entries(const Output& output);
 
 }  // namespace flatdyn

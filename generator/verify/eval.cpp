@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -174,7 +175,10 @@ class Evaluator {
       return std::nullopt;
     }
     if (!function_.task.empty() && !has_inverse(*reference_, q, function_.task)) return std::nullopt;
-    return expected_(state);
+    std::vector<S> values = expected_(state);
+    // The last entry is the condition of what is inverted.
+    if (!function_.inverted.empty() && !(values.back() > std::numeric_limits<S>::epsilon())) return std::nullopt;
+    return values;
   }
 
   const Robot& robot_;
@@ -196,6 +200,9 @@ Singularity singularity_of(const Mechanism& mechanism, const Function& function)
   if (mechanism.has_loops()) {
     return {"a closed loop is singular here, or the inertia matrix not positive definite",
             "leave such positions out, or let other joints be the dependent ones"};
+  }
+  if (!function.inverted.empty()) {
+    return {"the contacts' forces are not determined here", "leave such positions out, or take other contacts"};
   }
   if (!function.task.empty()) return {"the tip's task is singular here", "leave such positions out"};
   return {"the inertia matrix is not positive definite here, to these digits",

@@ -75,6 +75,23 @@ TEST_F(Convert, RoundsWhatIsNoDecimalAndSaysSo) {
   EXPECT_THAT(outcome.out, HasSubstr("read back: torques at random states differ by at most"));
 }
 
+TEST_F(Convert, WritesLoopsAndTheirAssembly) {
+  EXPECT_THAT(exact("robots/four_bar.toml", "a.toml"), HasSubstr("dependent = ["));
+  exact(scratch.path("a.toml"), "b.toml");
+  EXPECT_EQ(scratch.read("a.toml"), scratch.read("b.toml"));
+}
+
+TEST_F(Convert, WritesSymbols) {
+  EXPECT_THAT(exact("robots/planar_2r.toml", "a.toml"), HasSubstr("a_1"));
+  exact(scratch.path("a.toml"), "b.toml");
+  scratch.write("r.toml",
+                "name = \"r\"\n[[link]]\nxyz = [\"Pi_x\", 0, \"2*a/b\"]\nmass = \"m\"\n"
+                "com = [1, 0, \"c^2/b\"]\n");
+  EXPECT_THAT(exact(scratch.path("r.toml"), "c.toml"), HasSubstr("\"Pi_x\""));
+}
+
+TEST_F(Convert, WritesMultiplesOfPiInCouplings) { exact("robots/parallelogram.toml", "a.toml"); }
+
 TEST_F(Convert, RefusesWhatTheFormatCannotSay) {
   const auto refused = [this](const std::string& arguments) {
     const Outcome outcome = run_flatdyn("convert " + arguments + " -o " + scratch.path("r.urdf"));
@@ -85,7 +102,8 @@ TEST_F(Convert, RefusesWhatTheFormatCannotSay) {
   EXPECT_THAT(refused("robots/panda.urdf --gravity 0,0,-1.62"), HasSubstr("a URDF cannot say which gravity there is"));
   EXPECT_THAT(refused("robots/pendulum_motor.toml"), HasSubstr("a URDF cannot say what the motor of joint"));
   EXPECT_THAT(refused("robots/panda.urdf --fix panda_joint1=0.5"), HasSubstr("the position of a joint that is held"));
-  EXPECT_THAT(refused("robots/four_bar.toml"), HasSubstr("not written yet"));
+  EXPECT_THAT(refused("robots/four_bar.toml"), HasSubstr("a URDF cannot say how chains are closed"));
+  EXPECT_THAT(refused("robots/planar_2r.toml"), HasSubstr("a URDF cannot say symbols such as"));
 }
 
 TEST_F(Convert, NeedsANameThatSaysTheFormat) {

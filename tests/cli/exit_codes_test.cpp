@@ -98,7 +98,7 @@ TEST(ExitCodes, AJointThatCannotBeDoneYetIsUnsupported) {
   const Scratch scratch;
   scratch.write("base.urdf",
                 "<robot name='a'><link name='b'/><link name='c'/>\n"
-                "<joint name='j' type='planar'><parent link='b'/><child link='c'/></joint></robot>\n");
+                "<joint name='j' type='universal'><parent link='b'/><child link='c'/></joint></robot>\n");
   const Outcome outcome = run_flatdyn("generate " + scratch.path("base.urdf") + " -o " + scratch.path("out"));
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("base.urdf:2:"));

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -92,10 +93,33 @@ TEST_F(SpringsOfARobot, AreLeftOutByAScene) {
   EXPECT_EQ(body("a"), body("b"));
 }
 
-TEST_F(SpringsOfARobot, AreRefusedByIdentification) {
-  const Outcome outcome = run("excite", "--duration 5 -o " + scratch.path("e.csv"));
-  EXPECT_EQ(outcome.code, 4);
-  EXPECT_THAT(outcome.err, HasSubstr("excite: springs are not supported yet, and joint \"shoulder\" has one"));
+// The effort limits are those of the torques with the springs', which are most of them here.
+TEST_F(SpringsOfARobot, CountInTheTorquesOfExcitingMotions) {
+  std::string text = arm(true);
+  text.replace(text.find("upper = 1, velocity = 1, acceleration = 1, effort = 90"), 54,
+               "upper = 1, velocity = 1, acceleration = 1, effort = 60");
+  scratch.write("arm.toml", text);
+  ASSERT_EQ(run("excite", "-q --duration 5 --evaluations 100 -o " + scratch.path("")).code, 0);
+  const Outcome outcome = run(
+      "torques", "--json --trajectory " + scratch.path("arm_excitation.csv") + " -o " + scratch.path("torques.csv"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json rail = json::parse(outcome.out)["joints"][1];
+  EXPECT_LE(std::abs(rail["torque"].get<double>()), 60) << rail;
+  EXPECT_GE(std::abs(rail["torque"].get<double>()), 30) << rail;
+}
+
+// A log with a payload: the torques of the springs are those of the robot file.
+TEST_F(SpringsOfARobot, AreNoPartOfPayloads) {
+  scratch.write("loaded.toml", arm(true) + "[payload]\nmass = 1.5\ncom = [0.1, 0, 0]\n");
+  const std::string robot = scratch.path("arm.toml"), log = scratch.path("log.csv");
+  ASSERT_EQ(run("excite", "-q --duration 8 --evaluations 50 -o " + scratch.path("")).code, 0);
+  ASSERT_EQ(run_flatdyn(fmt::format("torques {} -q --trajectory {} -o {}", scratch.path("loaded.toml"),
+                                    scratch.path("arm_excitation.csv"), log))
+                .code,
+            0);
+  const Outcome outcome = run_flatdyn(fmt::format("payload {} -q --json --data {}", robot, log));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NEAR(json::parse(outcome.out)["parameters"][0]["value"].get<double>(), 1.5, 1e-6) << outcome.out;
 }
 
 // A log of the robot with springs, and the same robot without them: what is estimated is written, and moves alike.

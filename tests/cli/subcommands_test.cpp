@@ -189,6 +189,15 @@ TEST(Generate, KeepsTheOldHeaderWhenTheInputIsWrong) {
   EXPECT_EQ(scratch.read("arm.hpp"), "as it was");
 }
 
+// A planar joint, whose three coordinates come first.
+TEST(Verify, PassesAnArmOnAPlatform) {
+  const Outcome outcome = run_flatdyn(
+      "verify docs/examples/mobile_manipulator.toml -q --json --states 4 --functions "
+      "inverse_dynamics,inertia_matrix,forward_dynamics,jacobian");
+  ASSERT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+  for (const json& function : json::parse(outcome.out)["functions"]) EXPECT_TRUE(function["proven"]) << function;
+}
+
 TEST(Json, IsValidOnEverySubcommand) {
   const Scratch scratch;
   scratch.write("states.csv", "q1\n0.5\n");

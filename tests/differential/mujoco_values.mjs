@@ -52,6 +52,7 @@ function valuesAt({q, qd, qdd}) {
 
 const bodies = Array.from(model.body_mass, (mass, i) => ({
   mass, com: Array.from(model.body_ipos.slice(3 * i, 3 * i + 3)),
+  axes: Array.from(model.body_iquat.slice(4 * i, 4 * i + 4)),
   moments: Array.from(model.body_inertia.slice(3 * i, 3 * i + 3)).sort((a, b) => a - b)}));
 const coulomb = Array.from(model.dof_frictionloss);
 writeFileSync(process.argv[3], JSON.stringify({n, coulomb, bodies, states: states.map(valuesAt)}));

@@ -95,7 +95,8 @@ struct Comparison<Function, Layout, T, Cpp, R(A...)> {
     int count = 0;
     T largest = T(0);
     for (const T x : single) largest = std::max(largest, std::abs(x));
-    const T tolerance = Function::parts > 1 ? 64 * std::numeric_limits<T>::epsilon() * largest : T(0);
+    // B's condition multiplies roundings of accelerations.
+    const T tolerance = Function::parts > 1 ? 256 * std::numeric_limits<T>::epsilon() * largest : T(0);
     for (int e = 0; outputs[k] && e < full[k]; ++e) {
       const int place = detail::Places<Function, Of::output_number(k), Layout>::at(e);
       const T found = place < 0 ? T(0) : at<k, Of1>(array, state, place);
@@ -113,11 +114,13 @@ int in_all_layouts() {
     using Each = Comparison<Function, decltype(layout), T, Cpp, Shape>;
     count += Each::differences(typename detail::Batch<Function, T, decltype(layout)>::All());
   };
+#ifndef FEW_LAYOUTS
   add(Tiles());
   add(Columns());
+  add(Packed<Rows>());
+#endif
   add(Rows());
   add(Packed<Tiles>());
-  add(Packed<Rows>());
   return count;
 }
 
@@ -197,6 +200,14 @@ TEST_F(CudaForm, HasTheBitsOfCppAndIsDeviceCode) {
   make("robots/panda.urdf", "panda",
        {"inverse_dynamics", "inertia_matrix", "forward_dynamics", "inverse_dynamics_derivatives"});
   EXPECT_EQ(run(kCompile), "0");
+  EXPECT_THAT(run(kClang), IsEmpty());
+}
+
+// Two parts read what the first one has written, B^-1, where equal entries may be there once.
+TEST_F(CudaForm, OfPartsThatReadEarlierOnesIsTheSame) {
+  make("robots/panda.urdf", "panda", {"forward_dynamics_derivatives"});
+  EXPECT_NE(content_of(folder_.path() / "cuda/panda.cuh").find("detail::stored(dqdd_dtau, "), std::string::npos);
+  EXPECT_EQ(run(replaced(kCompile, "-I. ", "-DFEW_LAYOUTS -I. ")), "0");
   EXPECT_THAT(run(kClang), IsEmpty());
 }
 

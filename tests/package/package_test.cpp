@@ -177,16 +177,21 @@ TEST(InstalledPackage, SaysWhichFileOfWhichProjectIsWrong) {
   EXPECT_EQ(project.generated("my_arm.hpp"), "");
 }
 
-// docs/examples/controller, in float, with an arm that is simulated in double.
-TEST(InstalledPackage, ControlsASimulatedArm) {
+// Builds and runs a project of docs/examples with the installed program; `says` is part of what it prints.
+void run_example(const std::string& name, const char* says) {
   const Scratch build;
   const std::string command = fmt::format(
-      "(cmake -S '{}/docs/examples/controller' -B '{}' -D CMAKE_PREFIX_PATH='{}' && cmake --build '{}' && "
-      "'{}/controller') > '{}' 2>&1",
-      FLATDYN_SOURCE_DIR, build.path("b"), prefix(), build.path("b"), build.path("b"), build.path("log"));
+      "(cmake -S '{}/docs/examples/{}' -B '{}' -D CMAKE_PREFIX_PATH='{}' && cmake --build '{}' && '{}/{}') > '{}' 2>&1",
+      FLATDYN_SOURCE_DIR, name, build.path("b"), prefix(), build.path("b"), build.path("b"), name, build.path("log"));
   EXPECT_EQ(std::system(command.c_str()), 0) << build.read("log");
-  EXPECT_THAT(build.read("log"), HasSubstr("computed torque: follows to"));
+  EXPECT_THAT(build.read("log"), HasSubstr(says));
 }
+
+// In float, with an arm that is simulated in double.
+TEST(InstalledPackage, ControlsASimulatedArm) { run_example("controller", "computed torque: follows to"); }
+
+// Whole-body inverse dynamics with four contacts, a thousand times per second, and the robot simulated.
+TEST(InstalledPackage, LetsASimulatedQuadrupedStand) { run_example("standing", "it stands"); }
 
 // Every library that the program needs is listed, and Debian's checker finds no error.
 TEST(InstalledPackage, IsADebianPackage) {

@@ -10,6 +10,7 @@
 #include "emit/languages/emit.hpp"
 #include "graph/count.hpp"
 #include "planning/make_functions.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {
@@ -42,9 +43,6 @@ std::string with_dust(const std::string& text, const std::string& attribute, con
 
 class DustyRobots : public ::testing::Test {
  protected:
-  DustyRobots() : file_(std::filesystem::path(::testing::TempDir()) / "dusty_robot.urdf") {}
-  ~DustyRobots() override { std::filesystem::remove(file_); }
-
   struct Derived {
     Mechanism mechanism;
     std::vector<Function> functions;
@@ -78,7 +76,8 @@ class DustyRobots : public ::testing::Test {
     EXPECT_EQ(code_of(clean), code_of(dusty));
   }
 
-  std::filesystem::path file_;
+  TemporaryFolder folder_;
+  std::filesystem::path file_ = folder_.path() / "robot.urdf";
 };
 
 TEST_F(DustyRobots, EachKindOfDustInUr5) {

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
+#include "diagnostics/diagnostics.hpp"
 #include "emit/languages/cpp_shapes.hpp"
+#include "emit/name_space.hpp"
 #include "emit/packed_places.hpp"
 #include "emit/page.hpp"
 #include "emit/sections.hpp"
@@ -20,6 +23,37 @@ using kainjow::mustache::data;
 namespace {
 
 constexpr std::size_t kTableIndent = 10;
+
+// Variables of CUDA that are there without a header.
+constexpr const char* kVariables[] = {"threadIdx", "blockIdx", "blockDim", "gridDim", "warpSize"};
+
+// Whether CUDA's runtime declares the name, in the global namespace: "cudaSuccess", "threadIdx", "dim3", "float4".
+bool is_in_runtime(const std::string& name) {
+  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  constexpr std::size_t kPrefix = 4;
+  if (name.starts_with("cuda") && name.size() > kPrefix && is_capital(name[kPrefix])) return true;
+  if (std::find(std::begin(kVariables), std::end(kVariables), name) != std::end(kVariables) || name == "dim3")
+    return true;
+  if (name.empty() || name.back() < '1' || name.back() > '4') return false;
+  std::string type = name.substr(0, name.size() - 1);
+  for (const char* each : {"char", "short", "int", "long", "longlong", "float", "double"}) {
+    if (type == each || type == "u" + std::string(each)) return true;
+  }
+  return false;
+}
+
+// Throws Failure(usage) for a namespace whose name means something else in CUDA or in the header's own macros.
+void check_name_space(const std::string& name_space) {
+  const std::vector<std::string> parts = parts_of_namespace(name_space);
+  const bool is_macro =
+      std::any_of(parts.begin(), parts.end(), [](const std::string& part) { return part.starts_with("FLATDYN_"); });
+  if (!is_macro && !is_in_runtime(parts.front())) return;
+  throw Failure(
+      ExitCode::usage,
+      fmt::format("\"{}\" is no namespace for CUDA: {}", name_space,
+                  is_macro ? "macros of the header begin with FLATDYN_" : "its runtime has something of that name"),
+      fmt::format("another --namespace, such as \"{}_\"", is_macro ? "arm" : name_space));
+}
 
 // The types of a function's arrays, in order: "In1", "In2", "Out1".
 std::vector<std::string> array_types(const std::vector<Argument>& arguments) {
@@ -91,6 +125,12 @@ bool has_places(const Function& function) {
     if (!is_identity(packed_places(output, function.graph))) return true;
   }
   return false;
+}
+
+// Whether a part reads what an earlier one has written.
+bool reads_parts(const Function& function) {
+  const std::vector<Input> inputs = inputs_read(function);
+  return std::any_of(inputs.begin(), inputs.end(), [](const Input& input) { return input.kind == InputKind::stored; });
 }
 
 // The shapes of arguments. An input without entries, the q of a body without joints, is nullptr.
@@ -181,9 +221,8 @@ std::vector<std::string> CudaDialect::reserved() const {
     words.push_back(fmt::format("In{}", k));
     words.push_back(fmt::format("Out{}", k));
   }
-  for (const char* word : {"In", "Out", "threadIdx", "blockIdx", "blockDim", "gridDim", "warpSize"}) {
-    words.emplace_back(word);
-  }
+  for (const char* word : {"In", "Out"}) words.emplace_back(word);
+  words.insert(words.end(), std::begin(kVariables), std::end(kVariables));
   return words;
 }
 
@@ -208,10 +247,12 @@ void CudaDialect::write_function(data& item, const Function&, const FunctionText
 }
 
 void CudaDialect::write_page(data& page, const CodeContent& content) const {
+  check_name_space(content.name_space);
   if (!content.texts.empty()) {
     page["example"] = list_of(example_of(content));
     page["batch_example"] = list_of(batch_example_of(content));
   }
+  page["reads_parts?"] = std::any_of(content.functions.begin(), content.functions.end(), reads_parts);
   page["kernels"] = kernels_of(content);
   page["header_angles?"] = content.uses_trigonometry && !content.scope.angles.empty();
   page["cuda_sines"] = without_newline(rendered(templates::cuda_sines_cuh, page));

@@ -6,6 +6,7 @@
 
 #include "input/mjcf/defaults.hpp"
 #include "input/mjcf/renaming.hpp"
+#include "input/urdf/entries.hpp"
 
 namespace flatdyn {
 
@@ -39,6 +40,28 @@ NamedElement find_named(const MjcfElement& in, const std::string& kind, const st
   return {};
 }
 
+// The joints of a body and of those in it, in the order of MuJoCo's q.
+void add_joints_of_body(const MjcfElement& body, std::vector<const MjcfElement*>& joints);
+
+void add_joints_in(const MjcfElement& element, std::vector<const MjcfElement*>& joints,
+                   std::vector<const MjcfElement*>& bodies) {
+  for (const MjcfElement& child : element.children) {
+    if (child.name == "joint" || child.name == "freejoint") {
+      joints.push_back(&child);
+    } else if (child.name == "body") {
+      bodies.push_back(&child);
+    } else {
+      add_joints_in(child, joints, bodies);
+    }
+  }
+}
+
+void add_joints_of_body(const MjcfElement& body, std::vector<const MjcfElement*>& joints) {
+  std::vector<const MjcfElement*> bodies;
+  add_joints_in(body, joints, bodies);
+  for (const MjcfElement* child : bodies) add_joints_of_body(*child, joints);
+}
+
 class Attachment {
  public:
   Attachment(MjcfElement& attach, const MjcfElement& other, const std::string& folder, MjcfElement& root,
@@ -59,6 +82,7 @@ class Attachment {
       add_defaults();
       add_meshes();
       for (const char* section : {"tendon", "equality", "actuator"}) add_section(section);
+      add_keys();
       rename_classes(frame);
       rename_mjcf(frame, prefixed(), false);
     }
@@ -156,6 +180,39 @@ class Attachment {
         add_renamed(child, name);
       }
     }
+  }
+
+  // The model's keyframes, by joint: <key name><joint name qpos/></key>.
+  void add_keys() {
+    std::vector<const MjcfElement*> joints;
+    for (const MjcfElement* world : other_.elements("worldbody")) add_joints_of_body(*world, joints);
+    for (const MjcfElement* holder : other_.elements("keyframe")) {
+      for (const MjcfElement* key : holder->elements("key")) {
+        if (!key->text("name").empty()) section("keyframe").children.push_back(by_joint(*key, joints));
+      }
+    }
+  }
+
+  MjcfElement by_joint(const MjcfElement& key, const std::vector<const MjcfElement*>& joints) const {
+    MjcfElement found{"key", {{"name", prefix_ + key.text("name"), key.place}}, {}, key.place};
+    for (const MjcfElement& joint : key.children) add_position(joint.text("name"), joint.text("qpos"), found);
+    const std::vector<std::string> positions = words_of(key.text("qpos"));
+    std::size_t next = 0;
+    for (const MjcfElement* joint : joints) {
+      const std::string type = joint->name == "freejoint" ? "free" : joint->text("type");
+      const std::size_t count = type == "free" ? 7 : type == "ball" ? 4 : 1;
+      if (count == 1 && next < positions.size()) add_position(joint->text("name"), positions[next], found);
+      next += count;
+    }
+    if (next != positions.size() && key.children.empty()) found.children.clear();
+    return found;
+  }
+
+  void add_position(const std::string& joint, const std::string& position, MjcfElement& key) const {
+    const auto known = names_.find("joint");
+    if (known == names_.end() || known->second.count(joint) == 0) return;
+    key.children.push_back(
+        {"joint", {{"name", prefix_ + joint, key.place}, {"qpos", position, key.place}}, {}, key.place});
   }
 
   MjcfElement& attach_;

@@ -55,6 +55,23 @@ void take_positions(const MjcfValues::Numbers& positions, const MjcfModel& model
   }
 }
 
+// The positions of an attached model; other joints are where `ref` puts them.
+void take_positions_by_joint(const MjcfElement& key, const MjcfModel& model) {
+  for (const Joint& joint : model.robot.joints) {
+    if (joint.type == JointType::fixed || joint.coupled || is_held(joint.name, model.values.context())) continue;
+    const auto reference = model.reference.find(joint.name);
+    JointPosition position;
+    position.joint = joint.name;
+    position.place = key.place;
+    position.position = reference == model.reference.end() ? Number(0) : reference->second;
+    for (const MjcfElement& written : key.children) {
+      if (written.text("name") == joint.name)
+        position.position = model.values.number_or(MjcfValues::plain(written), "qpos", 0).number;
+    }
+    model.robot.assembly.push_back(position);
+  }
+}
+
 }  // namespace
 
 void read_mjcf_keyframe(const MjcfModel& model) {
@@ -67,6 +84,7 @@ void read_mjcf_keyframe(const MjcfModel& model) {
                              "its positions are those near which loops are closed");
     return;
   }
+  if (!key->children.empty()) return take_positions_by_joint(*key, model);
   if (key->attribute("qpos") == nullptr) {
     model.diagnostics().error(key->place, name_in_messages(*key) + " has no qpos", "write the positions of all joints");
     return;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "input/mjcf/convex_hull.hpp"
+
 namespace flatdyn {
 
 namespace {
@@ -23,11 +25,11 @@ IntegerPoint vector_product(const IntegerPoint& a, const IntegerPoint& b) {
 
 Integer scalar_product(const IntegerPoint& a, const IntegerPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// Sums over the pyramids from a point to the triangles, relative to that point.
+// Sums over the pyramids from a point to the triangles, or over the triangles, relative to that point.
 struct PyramidSums {
-  Integer volume = 0;                               // times 6
-  IntegerPoint first = {};                          // times 24
-  std::array<IntegerPoint, 3> second = {};          // ∫ r r^T, times 120; the lower half
+  Integer volume = 0;                               // times 6; of triangles their area, times 2
+  IntegerPoint first = {};                          // times 24; of triangles times 6
+  std::array<IntegerPoint, 3> second = {};          // ∫ r r^T, times 120; of triangles times 24; the lower half
   bool has_positive = false, has_negative = false;  // volumes
 };
 
@@ -48,14 +50,23 @@ class Sums {
     return sums;
   }
 
+  // Areas to the nearest numbers of the grid.
+  PyramidSums over_surface(const IntegerPoint& origin) const {
+    PyramidSums sums;
+    for (const auto& [a, b, c] : mesh_.triangles) {
+      const IntegerPoint d = minus(points_[a], origin), e = minus(points_[b], origin), f = minus(points_[c], origin);
+      add(d, e, f, twice_area(d, e, f), sums);
+    }
+    return sums;
+  }
+
   // The centroid of the surface, to the nearest points of the grid.
   IntegerPoint centroid() const {
     Integer area = 0;
     IntegerPoint sum = {};
     for (const auto& [a, b, c] : mesh_.triangles) {
       const IntegerPoint &d = points_[a], &e = points_[b], &f = points_[c];
-      const IntegerPoint normal = vector_product(minus(e, d), minus(f, d));
-      const Integer size = sqrt(scalar_product(normal, normal));
+      const Integer size = twice_area(d, e, f);
       area += size;
       for (std::size_t k = 0; k < 3; ++k) sum[k] += size * (d[k] + e[k] + f[k]);
     }
@@ -65,6 +76,11 @@ class Sums {
   }
 
  private:
+  static Integer twice_area(const IntegerPoint& d, const IntegerPoint& e, const IntegerPoint& f) {
+    const IntegerPoint normal = vector_product(minus(e, d), minus(f, d));
+    return sqrt(scalar_product(normal, normal));
+  }
+
   static void add(const IntegerPoint& d, const IntegerPoint& e, const IntegerPoint& f, const Integer& volume,
                   PyramidSums& sums) {
     sums.volume += volume;
@@ -92,20 +108,27 @@ bool is_closed(const TriangleMesh& mesh) {
   return std::all_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second == 0; });
 }
 
+// By what the sums are multiplied, and the power of the unit of a volume or an area.
+struct SumFactors {
+  int volume, first, second, power;
+};
+constexpr SumFactors kOfPyramids = {6, 24, 120, 3}, kOfTriangles = {2, 6, 24, 2};
+
 // Moments from sums over pyramids from a point. `centre`: whether that is the centre of mass itself.
-MeshMoments moments_of(const PyramidSums& sums, const IntegerPoint& origin, const Number& unit, bool is_centre) {
+MeshMoments moments_of(const PyramidSums& sums, const IntegerPoint& origin, const Number& unit, bool is_centre,
+                       const SumFactors& factors = kOfPyramids) {
   MeshMoments found;
-  const Number square = unit * unit;
-  const Number volume = number_of(sums.volume) / 6;
-  found.volume = volume * square * unit;
+  const Number cube = GiNaC::pow(unit, factors.power);
+  const Number volume = number_of(sums.volume) / factors.volume;
+  found.volume = volume * cube;
   Vec3 shift = zero_vector();
   Mat3 second = zero_matrix();
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!is_centre) shift[k] = number_of(sums.first[k]) / (24 * volume);
+    if (!is_centre) shift[k] = number_of(sums.first[k]) / (factors.first * volume);
     found.centre[k] = unit * (number_of(origin[k]) + shift[k]);
     for (std::size_t l = 0; l <= k; ++l) {
       second[k][l] = second[l][k] =
-          square * square * unit * (number_of(sums.second[k][l]) / 120 - volume * shift[k] * shift[l]);
+          cube * unit * unit * (number_of(sums.second[k][l]) / factors.second - volume * shift[k] * shift[l]);
     }
   }
   const Number trace = second[0][0] + second[1][1] + second[2][2];
@@ -140,6 +163,7 @@ bool has_one_orientation(const TriangleMesh& mesh) {
 }
 
 MeshMoments mesh_moments(const TriangleMesh& mesh, MeshVolume volume) {
+  if (volume == MeshVolume::convex) return mesh_moments(convex_hull(mesh), MeshVolume::exact);
   const bool in_magnitude = volume == MeshVolume::legacy;
   std::vector<IntegerPoint> points = mesh.points;
   for (IntegerPoint& point : points) {
@@ -147,6 +171,11 @@ MeshMoments mesh_moments(const TriangleMesh& mesh, MeshVolume volume) {
   }
   const Sums sums(mesh, points);
   const IntegerPoint centroid = sums.centroid();
+  const Number fine_unit = mesh.unit / GiNaC::pow(Number(2), kFineBits);
+  if (volume == MeshVolume::shell) {
+    const PyramidSums surface = sums.over_surface(centroid);
+    return surface.volume == 0 ? MeshMoments{} : rounded(moments_of(surface, centroid, fine_unit, false, kOfTriangles));
+  }
   const PyramidSums coarse = sums.over(centroid, in_magnitude);
   if (coarse.volume == 0) return {};
   IntegerPoint centre;
@@ -162,7 +191,7 @@ MeshMoments mesh_moments(const TriangleMesh& mesh, MeshVolume volume) {
     }
     return found;
   }
-  return rounded(moments_of(fine, centre, mesh.unit / GiNaC::pow(Number(2), kFineBits), true));
+  return rounded(moments_of(fine, centre, fine_unit, true));
 }
 
 }  // namespace flatdyn

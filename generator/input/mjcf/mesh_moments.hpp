@@ -8,15 +8,16 @@ namespace flatdyn {
 
 // How MuJoCo computes them. exact: the pyramids over the triangles count with their signs. legacy: they all count as
 // positive, over the surface's centroid and then over the centre of mass, which counts what is hidden from these twice.
-enum class MeshVolume { exact, legacy };
+// convex: what the convex hull encloses. shell: the mass is that of the surface alone.
+enum class MeshVolume { exact, legacy, convex, shell };
 
 struct MeshMoments {
-  Number volume;  // m^3
+  Number volume;  // m^3; of a shell its area, m^2
   Vec3 centre;    // m
-  Mat3 tensor;    // of the density 1, about the centre, m^5
+  Mat3 tensor;    // of the density 1, about the centre, m^5; of a shell m^4
 };
 
-// In exact numbers where the surface is closed and its pyramids have the same sign, else to 50 digits.
+// In exact numbers where the surface is closed and its pyramids have the same sign, else, and of shells, to 50 digits.
 MeshMoments mesh_moments(const TriangleMesh& mesh, MeshVolume volume);
 
 // Whether neighbours turn the same way: no two triangles have an edge in the same direction.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "input/mjcf/convex_hull.hpp"
 #include "input/mjcf/mesh_file.hpp"
 #include "input/mjcf/names.hpp"
 #include "input/urdf/entries.hpp"
@@ -70,9 +71,11 @@ class SolidReader {
                                              model_.settings.has_exact_mesh_inertia ? "exact" : "legacy");
     if (word == "exact") return MeshVolume::exact;
     if (word == "legacy") return MeshVolume::legacy;
-    diagnostics_.unsupported(values_.find(item_, "inertia")->place,
-                             item_.what + ": inertia=\"" + word + "\" is not supported",
-                             std::string("write inertia=\"exact\", or ") + kGiveInertial);
+    if (word == "shell") return MeshVolume::shell;
+    const MjcfAttribute* fewer = values_.find(item_, "maxhullvert");
+    if (fewer == nullptr || fewer->text == "-1") return MeshVolume::convex;
+    diagnostics_.unsupported(fewer->place, item_.what + ": inertia=\"convex\" with maxhullvert is not supported",
+                             std::string("leave maxhullvert out, or ") + kGiveInertial);
     return std::nullopt;
   }
 
@@ -114,18 +117,17 @@ class SolidReader {
     return read_mesh_file(path, {file.place, item_.what}, diagnostics_);
   }
 
-  // Corners and triangles that are in the file itself.
+  // Corners and triangles that are in the file itself. Corners without triangles stand for their convex hull.
   std::optional<TriangleMesh> of_numbers() {
     const MjcfAttribute* points = item_.element->attribute("vertex");
     const MjcfAttribute* faces = item_.element->attribute("face");
-    if (points == nullptr || faces == nullptr) {
-      diagnostics_.unsupported(item_.element->place,
-                               item_.what + (points == nullptr ? " has neither a file nor points"
-                                                               : ": the convex hull of points is not supported"),
+    if (points == nullptr) {
+      diagnostics_.unsupported(item_.element->place, item_.what + " has neither a file nor points",
                                std::string("name a file, or ") + kGiveInertial);
       return std::nullopt;
     }
-    const std::vector<std::string> numbers = words_of(points->text), corners = words_of(faces->text);
+    const std::vector<std::string> numbers = words_of(points->text),
+                                   corners = faces == nullptr ? std::vector<std::string>{} : words_of(faces->text);
     MeshBuilder builder(10);
     for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
       std::array<Scientific, 3> point;
@@ -146,7 +148,7 @@ class SolidReader {
       }
       builder.add_triangle(triangle[0], triangle[1], triangle[2]);
     }
-    return builder.mesh();
+    return faces == nullptr ? convex_hull(builder.mesh()) : builder.mesh();
   }
 
   std::optional<TriangleMesh> wrong_number(const MjcfAttribute& attribute, const std::string& word) {

@@ -2,6 +2,7 @@
 // Places and orientations of MJCF elements: pos, and one of quat, axisangle, euler, xyaxes, zaxis.
 #pragma once
 
+#include "input/common/turns.hpp"
 #include "input/mjcf/settings.hpp"
 
 namespace flatdyn {
@@ -22,15 +23,5 @@ MjcfPlace exact_place(const Pose& pose);
 
 // One pose after the other.
 Pose joined(const Pose& first, const Pose& second);
-
-Displacement translation(const Vec3& by);
-
-// The turn by an angle, rad, about an axis that is not zero. spot, written: where the file gives it.
-std::vector<Displacement> turn_about(const Vec3& axis, const Number& angle, const Spot& spot,
-                                     const std::string& written, ReadContext& context);
-
-// The turn by the smallest angle that takes z to a direction that is not zero.
-std::vector<Displacement> turn_from_z(const Vec3& direction, const Spot& spot, const std::string& written,
-                                      ReadContext& context);
 
 }  // namespace flatdyn

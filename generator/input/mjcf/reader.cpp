@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input/mjcf/reader.hpp"
 
+#include <algorithm>
+
 #include "input/common/xml_document.hpp"
 #include "input/mjcf/actuators.hpp"
 #include "input/mjcf/bodies.hpp"
@@ -13,6 +15,15 @@
 
 namespace flatdyn {
 
+namespace {
+
+std::ptrdiff_t error_count(const Diagnostics& diagnostics) {
+  return std::count_if(diagnostics.all().begin(), diagnostics.all().end(),
+                       [](const Diagnostic& each) { return each.severity == Severity::error; });
+}
+
+}  // namespace
+
 void read_mjcf(const std::string& text, const std::string& file, ReadContext& context, Robot& robot) {
   tinyxml2::XMLDocument document;
   const tinyxml2::XMLElement* root = parse_xml(text, file, kMjcfForm, context.diagnostics, document);
@@ -20,7 +31,9 @@ void read_mjcf(const std::string& text, const std::string& file, ReadContext& co
   context.mjcf_was_read = true;
   MjcfElement tree = mjcf_tree(*root, file, context, robot);
   check_mjcf_names(tree, context.diagnostics);
+  const std::ptrdiff_t errors = error_count(context.diagnostics);
   expand_mjcf(tree, file, context, robot);
+  if (error_count(context.diagnostics) > errors) return;  // what is not copied or attached would be missed below
   const MjcfDefaults defaults(tree, context.diagnostics);
   const MjcfValues values(defaults, context);
   const MjcfSettings settings = mjcf_settings(tree, values, robot);

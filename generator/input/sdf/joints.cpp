@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "diagnostics/nearest.hpp"
+#include "input/common/joint_parts.hpp"
+#include "input/sdf/gearboxes.hpp"
 #include "input/sdf/joint_axis.hpp"
 #include "input/sdf/placing.hpp"
 
@@ -13,10 +15,11 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-const SdfNames kOfJoint = {{"parent", "child", "pose", "axis", "axis2", "thread_pitch", "screw_thread_pitch",
-                            "drake:rotor_inertia", "drake:gear_ratio", "drake:mimic"},
-                           {"sensor", "physics", "gearbox_ratio", "gearbox_reference_body", "frame", "plugin"},
-                           {"name", "type"}};
+const SdfNames kOfJoint = {
+    {"parent", "child", "pose", "axis", "axis2", "thread_pitch", "screw_thread_pitch", "drake:rotor_inertia",
+     "drake:gear_ratio", "drake:mimic", "gearbox_ratio", "gearbox_reference_body"},
+    {"sensor", "physics", "frame", "plugin"},
+    {"name", "type"}};
 
 class JointReader {
  public:
@@ -35,6 +38,7 @@ class JointReader {
       if (frame.kind == SdfFrame::Kind::joint && !is_static) read_joint(static_cast<int>(i));
       if (frame.kind == SdfFrame::Kind::link && is_static) fix_to_world(static_cast<int>(i));
     }
+    for (const int gearbox : gearboxes_) read_sdf_gearbox(tree_, gearbox, links_, unknown_, context_, robot_);
   }
 
  private:
@@ -42,6 +46,10 @@ class JointReader {
     const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(index)];
     unknown_.check(*frame.element, name_of(frame), kOfJoint, *frame.values);
     const std::string type = frame.values->required_attribute(*frame.element, "type", name_of(frame));
+    if (type == "gearbox" && !is_held(frame.name, context_)) {
+      gearboxes_.push_back(index);
+      return;
+    }
     Joint joint;
     joint.place = frame.values->place(*frame.element);
     joint.viscous.place = joint.coulomb.place = joint.armature.place = joint.place;
@@ -131,28 +139,25 @@ class JointReader {
     robot_.joints.push_back(joint);
   }
 
-  // A hinge, and behind a link without mass a slide along the same axis, which follows the hinge.
   void add_screw(int index, int parent, int child, const Joint& screw) {
     const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(index)];
     const XMLElement* axis = axis_of(frame, "axis");
     const std::optional<Number> travel = travel_of(frame);
     if (axis == nullptr || !travel) return;
-    const int between = static_cast<int>(robot_.links.size());
-    robot_.links.push_back({frame.name + ".between", {}, screw.place});
-    Joint hinge = screw, slide = screw;
+    std::vector<Joint> parts = screw_parts(screw, *travel);
     const Displacements turn = turn_of(index, *axis);
-    hinge.type = JointType::revolute;
-    hinge.child = slide.parent = between;
-    hinge.origin = {product(relative_pose(tree_, parent, index), turn), screw.place};
-    read_sdf_axis(tree_, frame, *axis, unknown_, context_, hinge);
-    read_drake_words(tree_, frame, diagnostics_, hinge);
-    slide.name = frame.name + ".slide";
-    slide.type = JointType::prismatic;
-    slide.axis = hinge.axis;
-    slide.link_offset = {product(inverse(turn), relative_pose(tree_, index, child)), screw.place};
-    slide.coupled = Coupled{{{{hinge.name, screw.place}, *travel}}, 0, screw.place};
-    robot_.joints.push_back(std::move(hinge));
-    robot_.joints.push_back(std::move(slide));
+    parts[0].origin.displacements = turn;
+    parts[1].link_offset.displacements = inverse(turn);
+    read_sdf_axis(tree_, frame, *axis, unknown_, context_, parts[0]);
+    read_drake_words(tree_, frame, diagnostics_, parts[0]);
+    parts[1].axis = parts[0].axis;
+    add_parts(index, parent, child, screw, parts);
+  }
+
+  void add_parts(int index, int parent, int child, Joint whole, const std::vector<Joint>& parts) {
+    whole.origin.displacements = relative_pose(tree_, parent, index);
+    whole.link_offset.displacements = relative_pose(tree_, index, child);
+    for (Joint& part : joined_in_tree(whole, parts, robot_)) robot_.joints.push_back(std::move(part));
   }
 
   // m per rad: of <screw_thread_pitch>, m per turn, or the older <thread_pitch>, -rad per m.
@@ -168,32 +173,25 @@ class JointReader {
     return std::nullopt;
   }
 
-  // A link without mass carries the second axis.
   void add_two(int index, int parent, int child, const Joint& both) {
     const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(index)];
-    const XMLElement *axis = axis_of(frame, "axis"), *axis2 = axis_of(frame, "axis2");
-    if (axis == nullptr || axis2 == nullptr) return;
+    const std::array<const XMLElement*, 2> axes = {axis_of(frame, "axis"), axis_of(frame, "axis2")};
+    if (axes[0] == nullptr || axes[1] == nullptr) return;
     if (frame.element->FirstChildElement("drake:rotor_inertia") != nullptr) {
       diagnostics_.unsupported(both.place, name_of(frame) + " has two axes: whose rotor is meant is not clear",
                                "delete <drake:rotor_inertia>");
     }
-    const int between = static_cast<int>(robot_.links.size());
-    robot_.links.push_back({frame.name + ".between", {}, both.place});
-    Joint first = both, second = both;
-    first.name = name_of_axis(frame, "axis");
-    second.name = name_of_axis(frame, "axis2");
-    first.child = second.parent = between;
-    set_type(JointType::revolute, first);
-    set_type(JointType::revolute, second);
-    const Displacements turn = turn_of(index, *axis), turn2 = turn_of(index, *axis2);
-    first.origin = {product(relative_pose(tree_, parent, index), turn), both.place};
-    first.link_offset = {inverse(turn), both.place};
-    second.origin = {turn2, both.place};
-    second.link_offset = {product(inverse(turn2), relative_pose(tree_, index, child)), both.place};
-    read_sdf_axis(tree_, frame, *axis, unknown_, context_, first);
-    read_sdf_axis(tree_, frame, *axis2, unknown_, context_, second);
-    robot_.joints.push_back(std::move(first));
-    robot_.joints.push_back(std::move(second));
+    std::vector<Joint> parts = {part_of_joint(both, ".axis", JointType::revolute),
+                                part_of_joint(both, ".axis2", JointType::revolute)};
+    hold_parts(both.name, parts, context_);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      set_type(JointType::revolute, parts[k]);
+      const Displacements turn = turn_of(index, *axes[k]);
+      parts[k].origin.displacements = turn;
+      parts[k].link_offset.displacements = inverse(turn);
+      read_sdf_axis(tree_, frame, *axes[k], unknown_, context_, parts[k]);
+    }
+    add_parts(index, parent, child, both, parts);
   }
 
   // The rotation from the joint's frame to the one that its axis is written in, so that the axis keeps its decimals.
@@ -212,7 +210,7 @@ class JointReader {
 
   // The one place where types are refused that the model does not have yet.
   void refuse_type(const SdfFrame& frame, const std::string& type) {
-    static const std::vector<std::string> kNotYet = {"gearbox", "piston", "planar", "floating"};
+    static const std::vector<std::string> kNotYet = {"piston", "planar", "floating"};
     const Place place = frame.values->place(*frame.element);
     if (std::find(kNotYet.begin(), kNotYet.end(), type) != kNotYet.end()) {
       diagnostics_.unsupported(place, name_of(frame) + ": type \"" + type + "\" is not supported yet",
@@ -220,7 +218,8 @@ class JointReader {
       return;
     }
     const std::string hint = hint_for_unknown(
-        type, {"revolute", "continuous", "prismatic", "fixed", "universal", "revolute2", "screw", "ball"}, "types");
+        type, {"revolute", "continuous", "prismatic", "fixed", "universal", "revolute2", "screw", "gearbox", "ball"},
+        "types");
     diagnostics_.error(place, name_of(frame) + ": unknown type \"" + type + "\"", hint);
   }
 
@@ -231,6 +230,7 @@ class JointReader {
   Diagnostics& diagnostics_;
   Robot& robot_;
   int world_ = -1;
+  std::vector<int> gearboxes_;  // frames
 };
 
 }  // namespace

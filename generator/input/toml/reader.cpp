@@ -9,6 +9,7 @@
 #include "diagnostics/nearest.hpp"
 #include "input/common/units.hpp"
 #include "input/toml/held_joints.hpp"
+#include "input/toml/joint_in_parts.hpp"
 #include "input/toml/overlay.hpp"
 #include "input/toml/parts.hpp"
 #include "input/urdf/values.hpp"
@@ -146,10 +147,16 @@ class TomlReader {
     if (const std::optional<Reference> parent = row.reference("parent")) {
       joint.parent = find_link(robot_, *parent, row.what() + ", parent", diagnostics_).value_or(-1);
     }
-    joint.type = read_type(row);
+    const std::string type = row.is_text("type") ? *row.text("type") : "";
+    if (!is_joint_in_parts(type)) joint.type = read_type(row);
     place_joint(row, joint);
     if (auto inertial = read_inertial(row, diagnostics_)) robot_.links[number].inertials.push_back(*inertial);
     joint.viscous.place = joint.coulomb.place = joint.armature.place = joint.place;
+    if (is_joint_in_parts(type)) {
+      read_joint_in_parts(row, type, joint, context_, carriers_, robot_);
+      row.reject_unknown_keys();
+      return;
+    }
     read_joint_properties(row, context_, joint, carriers_);
     row.reject_unknown_keys();
     robot_.joints.push_back(std::move(joint));
@@ -164,7 +171,7 @@ class TomlReader {
     const std::string type = row.text("type").value_or("revolute");
     if (const auto found = kTypes.find(type); found != kTypes.end()) return found->second;
     const Place place = row.place_of("type");
-    if (type == "floating" || type == "planar") {
+    if (type == "floating") {
       diagnostics_.unsupported(place, row.what() + ": type " + quoted(type) + " is not supported yet",
                                "supported types: revolute, continuous, prismatic, spherical, fixed");
     } else if (type == "ball") {

@@ -83,7 +83,15 @@ std::string TomlSource::text_of(const toml::source_region& region) const {
 
 const toml::node* TomlTable::find(std::string_view key) {
   if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
-  return table_.get(key);
+  const toml::node* node = table_.get(key);
+  const toml::array* list = element_ && node != nullptr ? node->as_array() : nullptr;
+  return list != nullptr && *element_ < list->size() ? list->get(*element_) : node;
+}
+
+TomlTable TomlTable::with_element(std::size_t k, const std::string& what) const {
+  TomlTable element(table_, what, source_);
+  element.element_ = k;
+  return element;
 }
 
 Place TomlTable::place_of(std::string_view key) const {
@@ -335,7 +343,11 @@ Vec3 TomlTable::angles(std::string_view key) {
 std::optional<TomlTable> TomlTable::table(std::string_view key, const std::string& hint) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (const toml::table* dot = node->as_table()) return TomlTable(*dot, with_key(what_, key), source_);
+  if (const toml::table* dot = node->as_table()) {
+    TomlTable inner(*dot, with_key(what_, key), source_);
+    inner.element_ = element_;
+    return inner;
+  }
   report_kind(*node, key, "a table", hint);
   return std::nullopt;
 }

@@ -62,6 +62,12 @@ class TomlTable {
   bool is_table(std::string_view key) const { return has(key) && table_.get(key)->is_table(); }
   bool is_list(std::string_view key) const { return has(key) && table_.get(key)->is_array(); }
 
+  // The entries of a list; 0 where the key is not there or has no list.
+  std::size_t list_size(std::string_view key) const { return is_list(key) ? table_.get(key)->as_array()->size() : 0; }
+  void accept(std::string_view key) { find(key); }  // as a known one, which others read
+  // The same table, where lists stand for one value per coordinate of a joint, of which value k is read.
+  TomlTable with_element(std::size_t k, const std::string& what) const;
+
   // For tables whose keys are names.
   std::vector<std::string> keys() const;
   // JOINT = POSITION
@@ -110,6 +116,7 @@ class TomlTable {
   std::string what_;
   const TomlSource& source_;
   std::vector<std::string> known_;
+  std::optional<std::size_t> element_;
 };
 
 }  // namespace flatdyn

@@ -13,6 +13,7 @@
 #include "input/urdf/loops.hpp"
 #include "input/urdf/mimics.hpp"
 #include "input/urdf/names.hpp"
+#include "input/urdf/planar.hpp"
 #include "input/urdf/simulators.hpp"
 #include "input/urdf/springs.hpp"
 #include "input/urdf/unsupported.hpp"
@@ -52,6 +53,7 @@ class UrdfReader {
     read_urdf_actuators(root, values_, robot_);
     // Held still by --base fixed, they are fixed joints.
     if (context_.options.floating_base.value_or(true)) take_floating_joints(floating_, diagnostics_, robot_);
+    for (const std::string& joint : planar_) split_planar_joint(joint, context_, robot_);
   }
 
  private:
@@ -158,6 +160,11 @@ class UrdfReader {
       floating_.push_back(static_cast<int>(robot_.joints.size()));
       return JointType::fixed;
     }
+    if (type == "planar") {
+      planar_.push_back(joint.name);
+      tell_of_limits(element, what);
+      return JointType::continuous;  // until all that speaks of it is read
+    }
     if (found == kTypes.end()) {
       report_type(element, what, joint.name, type);
       return JointType::fixed;
@@ -165,15 +172,22 @@ class UrdfReader {
     return found->second;
   }
 
+  void tell_of_limits(const XMLElement& element, const std::string& what) {
+    const XMLElement* limit = element.FirstChildElement("limit");
+    if (limit == nullptr) return;
+    diagnostics_.note(values_.place(*limit), what + ": limits of a planar joint are not read",
+                      "give them in a TOML file over the URDF, [[joint]] by [[joint]]", "limits of planar joints");
+  }
+
   void report_type(const XMLElement& element, const std::string& what, const std::string& name,
                    const std::string& type) {
-    static const std::vector<std::string> kNotYet = {"planar", "ball", "spherical", "universal", "screw"};
+    static const std::vector<std::string> kNotYet = {"ball", "spherical", "universal", "screw"};
     if (std::find(kNotYet.begin(), kNotYet.end(), type) != kNotYet.end()) {
       diagnostics_.unsupported(values_.place(element), what + ": type \"" + type + "\" is not supported yet",
                                kFixHint + name);
     } else {
       diagnostics_.error(values_.place(element), what + ": unknown type \"" + type + "\"",
-                         hint_for_unknown(type, {"fixed", "revolute", "continuous", "prismatic"}, "types"));
+                         hint_for_unknown(type, {"fixed", "revolute", "continuous", "prismatic", "planar"}, "types"));
     }
   }
 
@@ -236,7 +250,8 @@ class UrdfReader {
   Diagnostics& diagnostics_;
   Robot& robot_;
   std::map<std::string, int> link_of_name_;
-  std::vector<int> floating_;      // joints of that type
+  std::vector<int> floating_;  // joints of that type
+  std::vector<std::string> planar_;
   std::vector<int> point_masses_;  // links whose <inertial> has a mass and no inertia
 };
 

@@ -86,6 +86,52 @@ Function acceleration_derivatives_function(DerivationContext& context) {
                   std::move(conditions));
 }
 
+// B⁻¹ as it is stored.
+Rows stored_inverse(DerivationContext& context, const std::vector<int>& entries) {
+  const auto n = static_cast<std::size_t>(context.size());
+  Rows inverse(n, std::vector<Number>(n, 0));
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    if (entries[k] >= 0) inverse[k / n][k % n] = context.derivation.input(InputKind::stored, entries[k]);
+  }
+  return inverse;
+}
+
+// -B⁻¹ times a matrix, whose entries are named.
+Rows less_product(DerivationContext& context, const Rows& inverse, const Rows& matrix, const std::string& name) {
+  Derivation& d = context.derivation;
+  Rows result(matrix.size(), std::vector<Number>(matrix.size(), 0));
+  for (std::size_t k = 0; k < matrix.size(); ++k) {
+    std::vector<Number> column;
+    for (std::size_t j = 0; j < matrix.size(); ++j) {
+      column.push_back(d.named(matrix[j][k], name + "_" + std::to_string(j + 1) + "_" + std::to_string(k + 1)));
+    }
+    for (std::size_t i = 0; i < matrix.size(); ++i) result[i][k] = -sum_of(inverse[i], column);
+  }
+  return result;
+}
+
+// As acceleration_derivatives_function(), with q̈ = B⁻¹ (τ - n) and the columns by products.
+Function derivatives_from_inverse(DerivationContext& context, const std::vector<int>& entries) {
+  const Rows inverse = stored_inverse(context, entries);
+  const std::vector<Number> tau = context.all(InputKind::tau), bias = bias_torques(context);
+  std::vector<Number> moving, qdd;
+  for (std::size_t i = 0; i < tau.size(); ++i) {
+    moving.push_back(context.derivation.named(tau[i] - bias[i], "y_" + context.frames.label(static_cast<int>(i))));
+  }
+  for (std::size_t i = 0; i < tau.size(); ++i) {
+    const std::string name = "qdd_" + context.frames.label(static_cast<int>(i));
+    qdd.push_back(context.derivation.named(sum_of(inverse[i], moving), name));
+  }
+  const Motion motion{context.joint_motion(InputKind::qd),
+                      joint_motion(context.mechanism, context.derivation, qdd, "qdd_j"), context.gravity(), true};
+  const TorqueDerivatives torques = derivatives_at_coordinates(context, motion, BaseColumns::at_origin_acceleration);
+  Rows dq = less_product(context, inverse, torques.dq, "dtau"),
+       dqd = less_product(context, inverse, torques.dqd, "dtaud");
+  add_rates_of_base_axes(context, motion, dq, dqd);
+  return finished(context,
+                  {derivative_output(context, "dqdd_dq", dq, ""), derivative_output(context, "dqdd_dqd", dqd, "")});
+}
+
 void refuse_loops(const Mechanism& mechanism, const std::string& name) {
   if (!mechanism.has_loops()) return;
   throw Failure(ExitCode::unsupported, name + ": derivatives of robots with closed loops are not supported yet",
@@ -102,6 +148,12 @@ Function derive_inverse_dynamics_derivatives(const Mechanism& mechanism, const C
 Function derive_forward_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices) {
   refuse_loops(mechanism, "forward_dynamics_derivatives");
   return derived(mechanism, choices, acceleration_derivatives_function);
+}
+
+Function derive_acceleration_derivatives_from_inverse(const Mechanism& mechanism, const Choices& choices,
+                                                      const std::vector<int>& inverse) {
+  return derived(mechanism, choices,
+                 [&inverse](DerivationContext& context) { return derivatives_from_inverse(context, inverse); });
 }
 
 }  // namespace flatdyn

@@ -14,4 +14,9 @@ Function derive_inverse_dynamics_derivatives(const Mechanism& mechanism, const C
 // The derivatives ∂q̈/∂q, ∂q̈/∂q̇, ∂q̈/∂τ = B⁻¹.
 Function derive_forward_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices);
 
+// ∂q̈/∂q, ∂q̈/∂q̇ where B⁻¹ is known, by entry of it (n × n, row by row): the entry k that has its value, read as the
+// input of kind `stored` of index k; -1 if it is zero.
+Function derive_acceleration_derivatives_from_inverse(const Mechanism& mechanism, const Choices& choices,
+                                                      const std::vector<int>& inverse);
+
 }  // namespace flatdyn

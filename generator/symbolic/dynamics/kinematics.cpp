@@ -34,13 +34,15 @@ SymbolicPose pose(Frames& frames, const LinkFrame& link) {
     static const char* const kNames[] = {"n", "s", "a"};  // normal, sliding, approach
     columns[j] = to_base(frames, link.body, column(link.R, j), kNames[j]);
   }
-  return {transpose(columns), point_in_base(frames, link.body, link.p, "p")};
+  return {transpose(columns), position(frames, link)};
 }
+
+Vec3 position(Frames& frames, const LinkFrame& link) { return point_in_base(frames, link.body, link.p, "p"); }
 
 std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link) {
   Derivation& d = frames.derivation();
   std::vector<JacobianColumn> columns(static_cast<std::size_t>(frames.mechanism().body_count()));
-  const Vec3 p_e = point_in_base(frames, link.body, link.p, "p");
+  const Vec3 p_e = position(frames, link);
   // Goes from the base outwards: two columns of each frame's rotation are needed to place the next axis and origin.
   SymbolicPose here;
   for (const int i : path_to(frames.mechanism(), link.body)) {

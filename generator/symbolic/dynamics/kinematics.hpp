@@ -15,6 +15,9 @@ struct SymbolicPose {
 // The pose of a link's frame in the base frame.
 SymbolicPose pose(Frames& frames, const LinkFrame& link);
 
+// The position of a link's frame in the base frame, m.
+Vec3 position(Frames& frames, const LinkFrame& link);
+
 // The geometric Jacobian of a link's frame, columns J_Pi, J_Oi as in (7.18), (7.19), in the base frame; zero for joints
 // that do not move it.
 std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -145,6 +146,12 @@ int degree_of(int index) {
   return kind == Parameter::m ? 0 : kind < Parameter::Ixx ? 1 : 2;
 }
 
+// The rest that is left where turns between frames, which have 80 digits, cancel.
+bool is_dust(const Number& coefficient) {
+  constexpr double kDust = 1e-30;
+  return is_rational(coefficient) && std::abs(nearest_double(coefficient)) < kDust;
+}
+
 // The terms of a combination in the file's parameters, in their order, but that the first is of the body and the degree
 // of the kept one in π.
 std::vector<CombinationTerm> file_terms(const ParameterForm& form, const std::vector<FileParameter>& parameters,
@@ -152,6 +159,7 @@ std::vector<CombinationTerm> file_terms(const ParameterForm& form, const std::ve
   std::vector<CombinationTerm> terms;
   std::optional<std::size_t> first;
   for (const auto& [f, coefficient] : in_file_parameters(form, parameters)) {
+    if (is_dust(coefficient)) continue;
     const FileParameter& parameter = parameters[static_cast<std::size_t>(f)];
     const bool is_alike = joint_of(parameter.index) == joint_of(kept) && degree_of(parameter.index) == degree_of(kept);
     if (is_alike && !first) first = terms.size();

@@ -139,8 +139,9 @@ struct Input {
   }
 };
 
-// The entries of an output at one state. What is read from it is zero if everything written was a finite number, else
-// not a number: functions check their results so, and need not fetch them from memory.
+// The entries of an output at one state. What is read by [] is zero if everything written was a finite number, else not
+// a number: functions check their results so, and need not fetch them from memory. stored() reads what an earlier part
+// has written.
 template <class T, class Stride, class Places, bool is_watched>
 struct Output {
   T* first;
@@ -159,6 +160,7 @@ struct Output {
     FLATDYN_ANYWHERE operator T() const { return *output.watch; }
   };
   FLATDYN_ANYWHERE Entry operator[](int entry) const { return {*this, entry}; }
+  FLATDYN_ANYWHERE T stored(int entry) const { return first[stride * Places::at(entry)]; }
 };
 
 // The result of a function that returns void.
@@ -371,7 +373,7 @@ constexpr size_t length_of(size_t states) {
 }
 
 #ifdef __CUDACC__
-// Launches the kernels of a function for states 0 to states - 1; T is float or double.
+// Launches the kernels of a function for states 0 to states - 1, in their order; T is float or double.
 template <class Function, class T, class Layout = Tiles, class... Arguments>
 cudaError_t for_each_state(cudaStream_t stream, size_t states, Arguments... arguments) {
   using Of = detail::Batch<Function, T, Layout>;

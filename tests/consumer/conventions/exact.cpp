@@ -173,6 +173,61 @@ struct Comparison {
     checks.expect(times_v<3>(J, v) == turned(s.e, times_v<3>(J_b, s.v)), meaning, "velocity of the centre of mass");
   }
 
+  // Forces and impulses on the surface and at the point, in world axes.
+  static constexpr std::size_t kRows = 9;
+  std::array<Rational, kRows> turned_rows(const std::array<Rational, kRows>& x) const {
+    std::array<Rational, kRows> result;
+    for (std::size_t k = 0; k < kRows; k += 3) {
+      const Three<Rational> in_world = turned(s.e, {x[k], x[k + 1], x[k + 2]});
+      for (std::size_t i = 0; i < 3; ++i) result[k + i] = in_world[i];
+    }
+    return result;
+  }
+
+  void compare_contacts() const {
+    std::array<Rational, kRows> f, f_b;
+    std::array<Rational, 1> condition, condition_b;
+    Vector<Rational> found;
+    ExactState other = s;
+    satellite::contact_inverse_dynamics(s.q.data(), s.g_b, s.v.data(), s.a.data(), other.tau.data(), f_b.data(),
+                                        condition_b.data(), s.sines());
+    C::of.contact_inverse_dynamics(q.data(), v.data(), a.data(), found.data(), f.data(), condition.data(), s.sines());
+    checks.expect(found == force_in(meaning, s, other.tau) && f == turned_rows(f_b) && condition == condition_b,
+                  meaning, "contact_inverse_dynamics");
+    satellite::constrained_forward_dynamics(s.q.data(), s.g_b, s.v.data(), s.tau.data(), other.a.data(), f_b.data(),
+                                            condition_b.data(), s.sines());
+    C::of.constrained_forward_dynamics(q.data(), v.data(), tau.data(), found.data(), f.data(), condition.data(),
+                                       s.sines());
+    checks.expect(found == acceleration_in(meaning, other) && f == turned_rows(f_b) && condition == condition_b,
+                  meaning, "constrained_forward_dynamics");
+    satellite::contact_impact(s.q.data(), s.v.data(), other.v.data(), f_b.data(), condition_b.data(), s.sines());
+    C::of.contact_impact(q.data(), v.data(), found.data(), f.data(), condition.data(), s.sines());
+    checks.expect(found == velocity_in(meaning, other) && f == turned_rows(f_b) && condition == condition_b, meaning,
+                  "contact_impact");
+  }
+
+  void compare_contact_motion() const {
+    std::array<Rational, 6> p, p_b;
+    std::array<Rational, kRows * kSize> J, J_b;
+    std::array<Rational, kRows> b, b_b;
+    C::of.contact_jacobian(q.data(), p.data(), J.data(), s.sines());
+    satellite::contact_jacobian(s.q.data(), p_b.data(), J_b.data(), s.sines());
+    const Three<Rational> first = sum(s.p, turned(s.e, {p_b[0], p_b[1], p_b[2]})),
+                          second = sum(s.p, turned(s.e, {p_b[3], p_b[4], p_b[5]}));
+    const bool are_there = p == std::array<Rational, 6>{first[0], first[1], first[2], second[0], second[1], second[2]};
+    checks.expect(are_there && times_v<kRows>(J, v) == turned_rows(times_v<kRows>(J_b, s.v)), meaning,
+                  "velocity of the contacts");
+    C::of.contact_bias(q.data(), v.data(), b.data(), s.sines());
+    satellite::contact_bias(s.q.data(), s.v.data(), b_b.data(), s.sines());
+    checks.expect(added(times_v<kRows>(J, a), b) == turned_rows(added(times_v<kRows>(J_b, s.a), b_b)), meaning,
+                  "acceleration of the contacts");
+  }
+
+  static std::array<Rational, kRows> added(std::array<Rational, kRows> x, const std::array<Rational, kRows>& y) {
+    for (std::size_t k = 0; k < kRows; ++k) x[k] = x[k] + y[k];
+    return x;
+  }
+
   static std::array<Rational, 6> plus(std::array<Rational, 6> x, const std::array<Rational, 6>& y) {
     for (std::size_t k = 0; k < 6; ++k) x[k] = x[k] + y[k];
     return x;
@@ -188,6 +243,8 @@ void compare(const ExactState& s, Checks& checks) {
   comparison.compare_matrices();
   comparison.compare_tip();
   comparison.compare_momentum();
+  comparison.compare_contacts();
+  comparison.compare_contact_motion();
 }
 
 }  // namespace

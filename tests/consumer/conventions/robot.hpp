@@ -36,43 +36,48 @@ struct Meaning {
 };
 
 // The functions of a convention.
-#define FLATDYN_CONVENTION(NAME, ...)                                                    \
-  struct NAME {                                                                          \
-    static constexpr Meaning meaning = {#NAME, __VA_ARGS__};                             \
-    struct Functions {                                                                   \
-      satellite::NAME::functions::inverse_dynamics inverse_dynamics;                     \
-      satellite::NAME::functions::inverse_dynamics_tip_force inverse_dynamics_tip_force; \
-      satellite::NAME::functions::inertia_matrix inertia_matrix;                         \
-      satellite::NAME::functions::coriolis_matrix coriolis_matrix;                       \
-      satellite::NAME::functions::gravity gravity;                                       \
-      satellite::NAME::functions::bias bias;                                             \
-      satellite::NAME::functions::forward_dynamics forward_dynamics;                     \
-      satellite::NAME::functions::kinetic_energy kinetic_energy;                         \
-      satellite::NAME::functions::forward_kinematics forward_kinematics;                 \
-      satellite::NAME::functions::jacobian jacobian;                                     \
-      satellite::NAME::functions::jacobian_dot_qd jacobian_dot_qd;                       \
-      satellite::NAME::functions::centroidal_momentum_matrix centroidal_momentum_matrix; \
-      satellite::NAME::functions::centroidal_bias centroidal_bias;                       \
-      satellite::NAME::functions::inverse_dynamics_floating inverse_dynamics_floating;   \
-      satellite::NAME::functions::centre_of_mass centre_of_mass;                         \
-    };                                                                                   \
-    static constexpr Functions of = {};                                                  \
-    template <class S>                                                                   \
-    static void integrated_in_place(Pose<S>& q, const Vector<S>& v, S dt) {              \
-      satellite::NAME::integrate(q.data(), v.data(), dt, q.data());                      \
-    }                                                                                    \
-    template <class S>                                                                   \
-    static Pose<S> integrated(const Pose<S>& q, const Vector<S>& v, S dt) {              \
-      Pose<S> next;                                                                      \
-      satellite::NAME::integrate(q.data(), v.data(), dt, next.data());                   \
-      return next;                                                                       \
-    }                                                                                    \
-    template <class S>                                                                   \
-    static Vector<S> difference(const Pose<S>& from, const Pose<S>& to) {                \
-      Vector<S> v;                                                                       \
-      satellite::NAME::difference(from.data(), to.data(), v.data());                     \
-      return v;                                                                          \
-    }                                                                                    \
+#define FLATDYN_CONVENTION(NAME, ...)                                                        \
+  struct NAME {                                                                              \
+    static constexpr Meaning meaning = {#NAME, __VA_ARGS__};                                 \
+    struct Functions {                                                                       \
+      satellite::NAME::functions::inverse_dynamics inverse_dynamics;                         \
+      satellite::NAME::functions::inverse_dynamics_tip_force inverse_dynamics_tip_force;     \
+      satellite::NAME::functions::inertia_matrix inertia_matrix;                             \
+      satellite::NAME::functions::coriolis_matrix coriolis_matrix;                           \
+      satellite::NAME::functions::gravity gravity;                                           \
+      satellite::NAME::functions::bias bias;                                                 \
+      satellite::NAME::functions::forward_dynamics forward_dynamics;                         \
+      satellite::NAME::functions::kinetic_energy kinetic_energy;                             \
+      satellite::NAME::functions::forward_kinematics forward_kinematics;                     \
+      satellite::NAME::functions::jacobian jacobian;                                         \
+      satellite::NAME::functions::jacobian_dot_qd jacobian_dot_qd;                           \
+      satellite::NAME::functions::centroidal_momentum_matrix centroidal_momentum_matrix;     \
+      satellite::NAME::functions::centroidal_bias centroidal_bias;                           \
+      satellite::NAME::functions::inverse_dynamics_floating inverse_dynamics_floating;       \
+      satellite::NAME::functions::centre_of_mass centre_of_mass;                             \
+      satellite::NAME::functions::constrained_forward_dynamics constrained_forward_dynamics; \
+      satellite::NAME::functions::contact_inverse_dynamics contact_inverse_dynamics;         \
+      satellite::NAME::functions::contact_impact contact_impact;                             \
+      satellite::NAME::functions::contact_jacobian contact_jacobian;                         \
+      satellite::NAME::functions::contact_bias contact_bias;                                 \
+    };                                                                                       \
+    static constexpr Functions of = {};                                                      \
+    template <class S>                                                                       \
+    static void integrated_in_place(Pose<S>& q, const Vector<S>& v, S dt) {                  \
+      satellite::NAME::integrate(q.data(), v.data(), dt, q.data());                          \
+    }                                                                                        \
+    template <class S>                                                                       \
+    static Pose<S> integrated(const Pose<S>& q, const Vector<S>& v, S dt) {                  \
+      Pose<S> next;                                                                          \
+      satellite::NAME::integrate(q.data(), v.data(), dt, next.data());                       \
+      return next;                                                                           \
+    }                                                                                        \
+    template <class S>                                                                       \
+    static Vector<S> difference(const Pose<S>& from, const Pose<S>& to) {                    \
+      Vector<S> v;                                                                           \
+      satellite::NAME::difference(from.data(), to.data(), v.data());                         \
+      return v;                                                                              \
+    }                                                                                        \
   }
 FLATDYN_CONVENTION(pose, true, Axes::base, Axes::base, false);
 FLATDYN_CONVENTION(pinocchio, false, Axes::base, Axes::base, false);

@@ -3,10 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "diagnostics/diagnostics.hpp"
 #include "emit/packed_places.hpp"
 #include "emit/schedule.hpp"
+#include "planning/kernel_columns.hpp"
 #include "support/printed_code.hpp"
 #include "support/robot_models.hpp"
+#include "verify/kernel_proof.hpp"
 
 namespace flatdyn {
 namespace {
@@ -47,6 +52,41 @@ TEST(KernelParts, FirstOneChecksPivots) {
     ASSERT_EQ(parts.functions[k].validity_conditions.size(), 1u);
     EXPECT_TRUE(always_holds(parts.functions[k], 0));
   }
+}
+
+bool reads_entries(const Function& part) {
+  const std::vector<Input> inputs = inputs_read(part);
+  return std::any_of(inputs.begin(), inputs.end(), [](const Input& each) { return each.kind == InputKind::stored; });
+}
+
+// The derivatives of the Panda's forward dynamics, whose later parts read B^-1 from the first one's output.
+TEST(KernelParts, ReadWhatEarlierOnesHaveWritten) {
+  const testing::PrintedCode code(testing::model_of("panda.urdf"), {"forward_dynamics_derivatives"});
+  const Function& whole = code.functions()[0];
+  const KernelParts direct = kernel_parts({whole}, values_in_registers(true));
+  const KernelParts parts =
+      kernel_parts({whole}, values_in_registers(true), {reading_own_outputs(code.model(), whole)});
+  const auto most_live = [](const KernelParts& of) {
+    long most = 0;
+    for (const Function& part : of.functions) most = std::max(most, most_live_values(part));
+    return most;
+  };
+  EXPECT_FALSE(reads_entries(parts.functions.front()));
+  EXPECT_TRUE(reads_entries(parts.functions.back()));
+  EXPECT_EQ(parts.functions.front().validity_conditions.size(), whole.validity_conditions.size());
+  EXPECT_LT(most_live(parts), most_live(direct));
+  EXPECT_NO_THROW(prove_parts(whole, parts.functions));
+
+  // In another order a part reads what none has written; without one an entry is missing; another entry is wrong.
+  std::vector<Function> wrong = parts.functions;
+  std::rotate(wrong.begin(), wrong.begin() + 1, wrong.end());
+  EXPECT_THROW(composed(whole, wrong), Failure);
+  wrong = parts.functions;
+  wrong.pop_back();
+  EXPECT_THROW(composed(whole, wrong), Failure);
+  wrong = parts.functions;
+  std::swap(wrong.back().outputs[0].entries[1], wrong.back().outputs[0].entries[2]);
+  EXPECT_THROW(prove_parts(whole, wrong), Failure);
 }
 
 TEST(PackedPlaces, LeaveOutZerosAndHaveEqualEntriesOnce) {

@@ -4,9 +4,11 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "emit/kernel_parts.hpp"
+#include "planning/kernel_columns.hpp"
 #include "readback/tokens.hpp"
 #include "support/printed_code.hpp"
 #include "support/robot_models.hpp"
+#include "support/written_model.hpp"
 
 namespace flatdyn::testing {
 namespace {
@@ -21,7 +23,9 @@ constexpr int kFewValues = 30;
 
 DividedCode divided(const char* robot, const std::vector<std::string>& names) {
   const PrintedCode whole(model_of(robot), names);
-  KernelParts parts = kernel_parts(whole.functions(), kFewValues);
+  ReadingParts reading;
+  for (const Function& each : whole.functions()) reading.push_back(reading_own_outputs(whole.model(), each));
+  KernelParts parts = kernel_parts(whole.functions(), kFewValues, reading);
   std::vector<Function> functions = whole.functions();
   functions.insert(functions.end(), parts.functions.begin(), parts.functions.end());
   DividedCode result{{model_of(robot), std::move(functions)}};
@@ -60,6 +64,50 @@ TEST(CudaText, OfKernelPartsIsWhatWasPrinted) {
     std::string wrong = text;
     wrong.replace(place, std::string(from).size(), to);
     EXPECT_THROW(arm.code.prove(wrong, arm.options), Failure) << to;
+  }
+}
+
+TEST(CudaText, OfPartsThatReadIsWhatWasPrinted) {
+  const DividedCode arm = divided("puma560.toml", {"forward_dynamics_derivatives"});
+  const std::string text = arm.code.text(arm.options), read = "detail::stored(dqdd_dtau, 0)";
+  const std::size_t place = text.find(read);
+  ASSERT_NE(place, std::string::npos);
+  EXPECT_NO_THROW(arm.code.prove(text, arm.options));
+  for (const char* other : {"detail::stored(dqdd_dtau, 1)", "detail::stored(dqdd_dq, 0)", "detail::stored(qd, 0)",
+                            "detail::stored(dqdd_dtau, 36)", "dqdd_dtau[0]", "detail::sign(dqdd_dtau[0])"}) {
+    std::string wrong = text;
+    wrong.replace(place, read.size(), other);
+    EXPECT_THROW(arm.code.prove(wrong, arm.options), Failure) << other;
+  }
+}
+
+// A free symbol may be called like something that the text has, in every language.
+TEST(CudaText, FreeSymbolsMayHaveAnyName) {
+  for (const char* name : {"sin_cos", "sine", "cosine", "valid", "fma"}) {
+    std::string robot = text_of_robot("planar_2r.toml");
+    for (std::size_t at = robot.find("I_m1"); at != std::string::npos; at = robot.find("I_m1", at)) {
+      robot.replace(at, 4, name);
+    }
+    const std::vector<std::string> functions = {"base_parameters", "kinetic_energy"};
+    const PrintedCode code(model_of_toml(robot), functions);
+    for (const char* form : {"c++", "cuda", "c", "javascript"}) {
+      EXPECT_NO_THROW(code.prove(code.text(form_of(form)), form_of(form))) << name << " in " << form;
+    }
+  }
+}
+
+// Names that CUDA's runtime or the header's macros have are no namespaces.
+TEST(CudaText, NamespacesAreNotThoseOfTheRuntime) {
+  const PrintedCode code(model_of("pendulum_motor.toml"), {"gravity"});
+  EmitOptions options = form_of("cuda");
+  for (const char* name :
+       {"threadIdx", "cudaSuccess", "dim3", "ulonglong2", "FLATDYN_MEMBER", "acme::FLATDYN_MEMBER"}) {
+    options.name_space = name;
+    EXPECT_THROW(code.text(options), Failure) << name;
+  }
+  for (const char* name : {"acme::threadIdx", "cuda_arm", "float5"}) {
+    options.name_space = name;
+    EXPECT_NO_THROW(code.text(options)) << name;
   }
 }
 

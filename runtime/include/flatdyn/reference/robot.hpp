@@ -76,6 +76,16 @@ struct Loop {
   std::vector<int> dependent;  // indices into q, one per row
 };
 
+// A point of a link, or the link with it, that touches something which does not move.
+template <class S>
+struct Contact {
+  int link = 0;
+  Vector3<S> point = Vector3<S>::Zero();  // in the link's frame, m
+  bool is_surface = false;                // whether the link cannot turn, either
+
+  int rows() const { return is_surface ? 6 : 3; }
+};
+
 template <class S>
 struct Robot {
   std::vector<Link<S>> links;
@@ -96,6 +106,8 @@ struct Robot {
   // angular velocity), the derivatives of these components, and the force and moment about its origin, all in its axes;
   // joints have indices from 6 on. "The base frame" is the root's, and gravity is given in its axes.
   bool floating_base = false;
+  std::vector<Contact<S>> contacts;
+  S contact_damping = S(0);  // λ of J B^-1 Jᵀ + λ² 1
 
   int base_size() const { return floating_base ? 6 : 0; }
   int joint_count() const {

@@ -135,6 +135,24 @@ TEST_F(MjcfCopies, TakesTheAssemblyFromAKeyframe) {
   EXPECT_THAT(found, ElementsAre("j 0.25", "k 0.5", "l 0.75"));
 }
 
+// As in MuJoCo, what is not of the attached model stays where `ref` puts it.
+TEST_F(MjcfCopies, TakesTheAssemblyFromAKeyframeOfAnAttachedModel) {
+  write("chain.xml", R"(<mujoco model="chain"><compiler angle="radian"/><worldbody>
+  <body name="b"><joint name="j"/><geom size="1"/><body name="c" pos="1 0 0"><joint name="k"/><geom size="1"/>
+    <body name="d" pos="1 0 0"><joint name="l"/><geom size="1"/></body></body></body></worldbody>
+  <equality><connect body1="d" anchor="1 0 0"/></equality>
+  <keyframe><key name="home" qpos=".25 .5 .75"/></keyframe></mujoco>)");
+  ReadOptions options;
+  options.keyframe = "x_home";
+  const Robot robot = read("r.xml", R"(<mujoco><compiler angle="radian"/><asset><model file="chain.xml"/></asset>
+      <worldbody><body><joint name="h" ref=".125"/><geom size="1"/></body>
+        <attach model="chain" prefix="x_"/></worldbody></mujoco>)",
+                           options);
+  std::vector<std::string> found;
+  for (const JointPosition& each : robot.assembly) found.push_back(each.joint + " " + to_decimal(each.position, 5));
+  EXPECT_THAT(found, ElementsAre("h 0.125", "x_j 0.25", "x_k 0.5", "x_l 0.75"));
+}
+
 TEST_F(MjcfCopies, NeedsAKeyframeWithAllPositions) {
   EXPECT_THAT(error_of(kClosedChain, at_keyframe("hoem")), HasSubstr("there is no keyframe \"hoem\""));
   EXPECT_THAT(error_of(kClosedChain, at_keyframe("short")), HasSubstr("10 numbers are expected"));

@@ -84,6 +84,42 @@ TEST_F(MjcfMeshInertia, AreTheSameInAllForms) {
   }
 }
 
+// The pyramid with a dent in its large face, and with points inside, on faces and on edges that have no triangles.
+TEST_F(MjcfMeshInertia, AreThoseOfTheConvexHull) {
+  write("p.obj", kPyramid);
+  const std::string wanted = exact_summary(inertial(R"(file="p.obj" inertia="exact")"));
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\n";
+  write("dented.obj", points + "v .1 .2 .3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 5\nf 3 4 5\nf 4 2 5\n");
+  EXPECT_EQ(exact_summary(inertial(R"(file="dented.obj" inertia="convex")")), wanted);
+  EXPECT_EQ(
+      exact_summary(inertial(R"(vertex=".1 .1 .1 .5 0 0 0 0 1.5 .2 .2 0 0 0 0 1 0 0 .25 .5 1.5 0 2 0 .5 1 0 0 0 3")")),
+      wanted);
+  EXPECT_THAT(error_of(R"(vertex="0 0 0 1 0 0 0 1 0 1 1 0 3 7 0")"), HasSubstr("it encloses no volume"));
+}
+
+// Most of the points lie on faces and edges of a cube.
+TEST_F(MjcfMeshInertia, AreThoseOfTheHullOfAGrid) {
+  std::string grid;
+  for (int x = 0; x < 4; ++x) {
+    for (int y = 0; y < 4; ++y) {
+      for (int z = 0; z < 4; ++z) {
+        grid += std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + " ";
+      }
+    }
+  }
+  EXPECT_EQ(exact_summary(inertial("vertex=\"" + grid + "\" inertia=\"convex\"", R"(density="2")")),
+            "54 at 3/2 3/2 3/2: 81 81 81 0 0 0");
+}
+
+TEST_F(MjcfMeshInertia, OfShellsAreThoseOfTheSurface) {
+  // A hollow cube with the edge a: 5/18 m a².
+  write("cube.obj",
+        "v 0 0 0\nv 3 0 0\nv 0 3 0\nv 3 3 0\nv 0 0 3\nv 3 0 3\nv 0 3 3\nv 3 3 3\n"
+        "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+  EXPECT_EQ(exact_summary(inertial(R"(file="cube.obj" inertia="shell")", R"(density="1")")),
+            "54 at 3/2 3/2 3/2: 135 135 135 0 0 0");
+}
+
 TEST_F(MjcfMeshInertia, NameTheBodyThatNeedsAnInertial) {
   const std::string message = error_of(R"(file="missing.stl")");
   EXPECT_THAT(message, HasSubstr("body \"a\", geom, mesh \"m\": there is no file"));
@@ -92,10 +128,8 @@ TEST_F(MjcfMeshInertia, NameTheBodyThatNeedsAnInertial) {
 
 TEST_F(MjcfMeshInertia, AreRefusedWhereTheirInertiaIsAnother) {
   write("p.obj", kPyramid);
-  EXPECT_THAT(error_of(R"(file="p.obj" inertia="convex")"), HasSubstr("inertia=\"convex\" is not supported"));
-  EXPECT_THAT(error_of(R"(file="p.obj" inertia="shell")"), HasSubstr("inertia=\"shell\" is not supported"));
+  EXPECT_THAT(error_of(R"(file="p.obj" inertia="convex" maxhullvert="9")"), HasSubstr("with maxhullvert"));
   EXPECT_THAT(error_of(R"(builtin="sphere")"), HasSubstr("a mesh by builtin is not supported"));
-  EXPECT_THAT(error_of(R"(vertex="0 0 0 1 0 0 0 1 0 0 0 1")"), HasSubstr("the convex hull of points"));
   EXPECT_THAT(error_of(R"(file="p.obj" refquat="1 1 0 0" scale="1 2 1")"), HasSubstr("differs by axis"));
   EXPECT_THAT(error_of(R"(file="p.dae")"), HasSubstr("there is no file"));
   write("p.dae", "");

@@ -180,6 +180,65 @@ TEST_F(SdfReader, ReadsPluginsThatLetAJointFollowAnotherOne) {
   EXPECT_TRUE(coupled.offset.is_equal(Number(1) / 2));
 }
 
+std::string geared(const std::string& gearbox) {
+  const auto hinge = [](const std::string& name, const std::string& axis) {
+    return "<joint name=\"" + name + "\" type=\"revolute\"><parent>base</parent><child>" + name +
+           "_body</child><axis><xyz>" + axis + "</xyz></axis></joint>";
+  };
+  return R"(<link name="base"/><link name="a_body"><pose>0 0 0 0 0 1.5707963267948966</pose></link>
+      <link name="b_body"><pose>1 0 0 0 0 0</pose></link>)" +
+         hinge("a", "0 0 1") + hinge("b", "0 0 -2") + R"(<joint name="g" type="gearbox"><parent>a_body</parent>
+      <child>b_body</child>)" +
+         gearbox + "</joint>";
+}
+
+// theta_2 = -ratio theta_1, both about z; b turns about -z.
+TEST_F(SdfReader, CouplesTwoJointsByAGearbox) {
+  const Robot robot = model(geared(R"(<gearbox_ratio>3</gearbox_ratio>
+      <gearbox_reference_body>base</gearbox_reference_body><axis><xyz>0 0 1</xyz></axis>
+      <axis2><xyz>0 0 1</xyz></axis2>)"));
+  ASSERT_EQ(robot.joints.size(), 2U);
+  ASSERT_TRUE(robot.joints[1].coupled.has_value());
+  EXPECT_EQ(robot.joints[1].coupled->terms.at(0).joint.name, "a");
+  EXPECT_TRUE(robot.joints[1].coupled->terms[0].factor.is_equal(3));
+  EXPECT_EQ(make_mechanism(robot).size(), 1);
+}
+
+TEST_F(SdfReader, RefusesGearboxesThatDoNotCoupleTwoJoints) {
+  const auto message = [this](const std::string& gearbox) {
+    diagnostics_ = {};
+    read_robot(write("r.sdf", sdf_model(geared(gearbox))), {}, diagnostics_);
+    for (const Diagnostic& found : diagnostics_.all()) {
+      if (found.severity == Severity::error) return found.message;
+    }
+    return std::string();
+  };
+  const std::string axes = "<axis><xyz>0 0 1</xyz></axis><axis2><xyz>0 0 1</xyz></axis2>";
+  const auto of = [](const std::string& body) {
+    return "<gearbox_reference_body>" + body + "</gearbox_reference_body>";
+  };
+  EXPECT_EQ(message(axes), "joint \"g\" has no <gearbox_reference_body>");
+  EXPECT_EQ(
+      message(of("a_body") + axes),
+      "joint \"g\": its parent does not turn on its reference body by a joint of one axis, which is not supported");
+  EXPECT_EQ(message(of("base") + "<axis><xyz>0 0 1</xyz></axis><axis2><xyz>0 1 0</xyz></axis2>"),
+            "joint \"g\": its <axis2> is not parallel to the axis of joint \"b\", which is not supported");
+  EXPECT_EQ(message(of("base") + "<axis><xyz>0 0 1</xyz><dynamics><damping>2</damping></dynamics></axis>"
+                                 "<axis2><xyz>0 0 1</xyz></axis2>"),
+            "joint \"g\": it has friction, a spring or a mimic, which is not supported");
+}
+
+TEST_F(SdfReader, HoldsBothPartsOfAUniversalJoint) {
+  ReadOptions options;
+  options.scene.locked = {{"u"}};
+  const Robot robot = model(kBaseAndArm + sdf_joint("revolute", kAxisZ) + R"(<link name="hand"/>
+    <joint name="u" type="universal"><parent>arm</parent><child>hand</child><axis><xyz>1 0 0</xyz></axis>
+      <axis2><xyz>0 1 0</xyz></axis2></joint>)",
+                            "1.9", options);
+  EXPECT_EQ(robot.joints.at(1).type, JointType::fixed);
+  EXPECT_EQ(robot.joints.at(2).type, JointType::fixed);
+}
+
 TEST_F(SdfReader, ReadsDegreesAndQuaternions) {
   const auto angle_of = [&](const std::string& pose) {
     const std::string links = R"(<link name="base"/><link name="arm">)" + pose + "</link>";

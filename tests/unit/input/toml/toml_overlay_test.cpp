@@ -190,7 +190,7 @@ TEST_F(TomlOverlay, ServesAJointThatIsHeldToo) {
 }
 
 TEST_F(TomlOverlay, SaysNothingOfFrictionWhereTheTypeOfTheJointIsNotSupported) {
-  write("arm.urdf", one_joint_urdf("planar", ""));
+  write("arm.urdf", one_joint_urdf("universal", ""));
   const auto path = write("over.toml", "urdf = \"arm.urdf\"\n[[joint]]\nname = \"j\"\nviscous = 1\n");
   EXPECT_FALSE(read_robot(path, {}, diagnostics_).has_value());
   EXPECT_TRUE(diagnostics_.only_unsupported());
