@@ -21,14 +21,34 @@
 namespace flatdyn {
 namespace {
 
-LoadedRobot of_file(const std::string& file, std::optional<bool> floating_base = std::nullopt) {
-  LoadOptions options;
-  options.read.floating_base = floating_base;
-  return load_robot(std::filesystem::path(FLATDYN_SOURCE_DIR) / "robots" / file, options);
+LoadedRobot of_file(const std::string& file) {
+  return load_robot(std::filesystem::path(FLATDYN_SOURCE_DIR) / "robots" / file, {});
 }
 
+constexpr const char* kTrunk = R"([base]
+name = "trunk"
+motion = "floating"
+mass = 5
+com = [0.02, 0.01, 0]
+inertia = { xx = 0.1, yy = 0.3, zz = 0.35, xz = 0.02 }
+inertia_about = "com"
+)";
+
+// A body that hangs from another one, which floats.
+constexpr const char* kHanging = R"(
+[[link]]
+joint = "ball"
+type = "spherical"
+xyz = [0.1, 0.2, 0]
+mass = 1.5
+com = [0, 0, -0.4]
+inertia = { xx = 0.02, yy = 0.03, zz = 0.01 }
+inertia_about = "com"
+viscous = 0.01
+)";
+
 // Two spherical joints, one on the other, at the end of an arm that turns.
-constexpr const char* kTwoBalls = R"(name = "two_balls"
+constexpr const char* kTwoBalls = R"(
 [[link]]
 joint = "turn"
 xyz = [0.1, 0, 0.2]
@@ -107,13 +127,12 @@ TEST_P(SphericalJoints, FunctionsAgreeWithTheReference) {
 
 INSTANTIATE_TEST_SUITE_P(
     Robots, SphericalJoints,
-    ::testing::Values(SphericalSubject{"pendulum", [] { return of_file("spherical_pendulum.toml"); }},
-                      SphericalSubject{"wrist", [] { return of_file("ball_wrist.toml"); }},
-                      SphericalSubject{"two", [] { return testing::model_of_toml(kTwoBalls); }},
-                      SphericalSubject{"floating_pendulum", [] { return of_file("spherical_pendulum.toml", true); }},
-                      SphericalSubject{
-                          "floating",
-                          [] { return testing::model_of_toml(std::string("base = \"floating\"\n") + kTwoBalls); }}),
+    ::testing::Values(
+        SphericalSubject{"pendulum", [] { return of_file("spherical_pendulum.toml"); }},
+        SphericalSubject{"wrist", [] { return of_file("ball_wrist.toml"); }},
+        SphericalSubject{"two", [] { return testing::model_of_toml(kTwoBalls); }},
+        SphericalSubject{"floating_pendulum", [] { return testing::model_of_toml(std::string(kTrunk) + kHanging); }},
+        SphericalSubject{"floating", [] { return testing::model_of_toml(std::string(kTrunk) + kTwoBalls); }}),
     [](const auto& each) { return std::string(each.param.name); });
 
 TEST(SphericalPendulum, CostsWhatEulersEquationsDo) {
