@@ -53,6 +53,15 @@ int parent_of(RandomSource& random, const Kind& kind, int links) {
   return kind.is_chain ? links : random.from(std::max(0, links - 2), links);
 }
 
+void add_body(RandomSource& random, PlainLink& link) {
+  link.mass = random.from(10, 500);
+  link.com = random.vector(50);
+  for (std::size_t k = 0; k < 3; ++k) {
+    link.particles[k] = random.from(10, 99);
+    link.arms[k] = random.vector(30);
+  }
+}
+
 PlainLink link_of(RandomSource& random, const Kind& kind, const std::vector<PlainLink>& before) {
   PlainLink link;
   link.parent = parent_of(random, kind, static_cast<int>(before.size()));
@@ -62,12 +71,7 @@ PlainLink link_of(RandomSource& random, const Kind& kind, const std::vector<Plai
   if (random.one_in(3)) link.xyz[0] = link.xyz[1] = 0;
   link.rpy = random.vector(link.has_quarter_turns ? 2 : 99);
   if (!link.has_quarter_turns) link.axis = {random.from(-99, 99), random.from(-99, 99), random.one_in(2) ? 100 : -50};
-  link.mass = random.from(10, 500);
-  link.com = random.vector(50);
-  for (std::size_t k = 0; k < 3; ++k) {
-    link.particles[k] = random.from(10, 99);
-    link.arms[k] = random.vector(30);
-  }
+  add_body(random, link);
   if (kind.has_friction) link.viscous = random.from(0, 99);
   if (kind.has_friction && random.one_in(2)) link.coulomb = random.from(1, 99);
   link.has_motor = kind.has_motors && !random.one_in(3);
@@ -92,6 +96,26 @@ void couple(RandomSource& random, PlainRobot& robot) {
     if (link.follows.empty()) continue;
     link.has_coordinate = random.one_in(4);
     if (random.one_in(2)) link.offset = random.from(-99, 99);
+  }
+}
+
+// A spherical joint has no axis, motor or Coulomb friction.
+void make_spherical(PlainLink& link) {
+  link.is_spherical = true;
+  link.is_prismatic = link.has_motor = false;
+  link.motor = {};
+  link.coulomb = 0;
+  link.axis = {0, 0, 100};
+}
+
+// Lets some robots float, and some joints turn in all directions.
+void set_free(RandomSource& random, PlainRobot& robot) {
+  const auto follows = [](const PlainLink& link) { return !link.follows.empty(); };
+  if (std::any_of(robot.links.begin(), robot.links.end(), follows)) return;
+  if (random.one_in(3)) add_body(random, robot.base.emplace());
+  if (!random.one_in(3)) return;
+  for (PlainLink& link : robot.links) {
+    if (random.one_in(2)) make_spherical(link);
   }
 }
 
@@ -180,19 +204,24 @@ void add_motor(const PlainMotor& motor, Lines& lines) {
   if (motor.carrier >= 0) lines.add(fmt::format("carrier = \"{}\"", link_name(motor.carrier)));
 }
 
-void add_link(const PlainLink& link, int before, Lines& lines) {
-  lines.add("\n[[link]]");
-  if (link.parent != before) lines.add(fmt::format("parent = \"{}\"", link_name(link.parent)));
-  if (link.is_prismatic) lines.add("type = \"prismatic\"");
-  if (!link.follows.empty()) lines.add(fmt::format("position = \"{}\"", position_of(link, before + 1)));
-  lines.add("xyz", link.xyz, kNoVector);
-  if (link.rpy != kNoVector) lines.add("rpy = " + angles(link));
-  lines.add("axis", link.axis, {0, 0, 100});
+void add_inertia(const PlainLink& link, Lines& lines) {
   lines.add("mass", link.mass);
   lines.add("com", link.com, kNoVector);
   if (const std::string inertia = inertia_of(link); !inertia.empty()) {
     lines.add(fmt::format("inertia = {{ {} }}\ninertia_about = \"com\"", inertia));
   }
+}
+
+void add_link(const PlainLink& link, int before, Lines& lines) {
+  lines.add("\n[[link]]");
+  if (link.parent != before) lines.add(fmt::format("parent = \"{}\"", link_name(link.parent)));
+  if (link.is_prismatic) lines.add("type = \"prismatic\"");
+  if (link.is_spherical) lines.add("type = \"spherical\"");
+  if (!link.follows.empty()) lines.add(fmt::format("position = \"{}\"", position_of(link, before + 1)));
+  lines.add("xyz", link.xyz, kNoVector);
+  if (link.rpy != kNoVector) lines.add("rpy = " + angles(link));
+  lines.add("axis", link.axis, {0, 0, 100});
+  add_inertia(link, lines);
   lines.add("viscous", link.viscous);
   lines.add("coulomb", link.coulomb);
   if (link.has_motor) add_motor(link.motor, lines);
@@ -208,6 +237,9 @@ PlainRobot plain_robot(unsigned seed) {
   PlainRobot robot{fmt::format("random_{}", seed), {}};
   for (int k = 0; k < joints; ++k) robot.links.push_back(link_of(random, kind, robot.links));
   if (random.one_in(3)) couple(random, robot);
+  constexpr unsigned kFreedom = 0x66726565;  // what is drawn before stays what it was without these
+  RandomSource freedom(seed ^ kFreedom);
+  set_free(freedom, robot);
   return robot;
 }
 
@@ -215,6 +247,10 @@ std::string robot_file(const PlainRobot& robot, const std::vector<std::string>& 
   Lines lines;
   for (const std::string& line : comment) lines.add("# " + line);
   lines.add(fmt::format("name = \"{}\"", robot.name));
+  if (robot.base) {
+    lines.add("\n[base]\nmotion = \"floating\"");
+    add_inertia(*robot.base, lines);
+  }
   int before = 0;
   for (const PlainLink& link : robot.links) add_link(link, before++, lines);
   return lines.text();

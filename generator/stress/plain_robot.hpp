@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,17 +47,19 @@ struct PlainLink {
   int offset = 0;                            // hundredths
   bool has_motor = false;
   PlainMotor motor;
+  bool is_spherical = false;
   bool operator==(const PlainLink&) const = default;
 };
 
 struct PlainRobot {
   std::string name;
   std::vector<PlainLink> links;
+  std::optional<PlainLink> base = {};  // of a floating base: its mass, centre and particles
 };
 
 // A random robot, mostly of 1 to 4 joints, some of up to 8: a chain or a tree of revolute and some prismatic joints,
-// some along simple directions; half of the robots have motors, half friction, a third coupled joints. The same on
-// every machine.
+// some along simple directions; half of the robots have motors, half friction, a third coupled joints. Of those without
+// coupled joints, a third float, and a third have spherical joints. The same on every machine.
 PlainRobot plain_robot(unsigned seed);
 
 // The TOML robot file (docs/robot-format.md); `comment`: lines for its top.

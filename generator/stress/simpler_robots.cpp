@@ -14,7 +14,7 @@ void stand_alone(PlainLink& link) {
 
 // The robot without link k, counted from 1; the links on it move to its parent.
 PlainRobot without_link(const PlainRobot& robot, int k) {
-  PlainRobot rest{robot.name, {}};
+  PlainRobot rest{robot.name, {}, robot.base};
   const int parent = robot.links[static_cast<std::size_t>(k - 1)].parent;
   const auto moved = [&](int link) {
     if (link == k) link = parent;
@@ -76,6 +76,7 @@ std::vector<Change> all_changes() {
         link.axis = {0, 0, 100};
       },
       [](PlainLink& link) { link.is_prismatic = false; },
+      [](PlainLink& link) { link.is_spherical = false; },
       without(&PlainLink::mass),
       [](PlainLink& link) { link.motor.carrier = -1; },
       [](PlainLink& link) {
@@ -105,6 +106,7 @@ std::vector<PlainRobot> simpler_robots(const PlainRobot& robot) {
   std::vector<PlainRobot> all;
   const int links = static_cast<int>(robot.links.size());
   for (int k = links; k >= 1 && links > 1; --k) all.push_back(without_link(robot, k));
+  if (robot.base) all.push_back({robot.name, robot.links});
   for (const Change& change : changes) {
     for (std::size_t i = 0; i < robot.links.size(); ++i) {
       PlainRobot simpler = robot;

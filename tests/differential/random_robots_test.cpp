@@ -24,10 +24,12 @@ bool is_chain(const Robot& robot) {
   return true;
 }
 
-// Peers define rotors and friction differently.
+// Peers define rotors and friction differently, and are given robots with a fixed base and joints of one axis.
 bool is_for_peers(const Robot& robot) {
+  if (robot.floating_base) return false;
   return std::none_of(robot.joints.begin(), robot.joints.end(), [](const Joint& joint) {
-    return joint.motor || !vanishes(joint.viscous.number) || !vanishes(joint.coulomb.number);
+    return joint.type == JointType::spherical || joint.motor || !vanishes(joint.viscous.number) ||
+           !vanishes(joint.coulomb.number);
   });
 }
 

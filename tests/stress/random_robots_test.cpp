@@ -57,18 +57,20 @@ TEST(RandomRobots, AreCompiled) {
 }
 
 TEST(PlainRobots, AreTheSameEveryTimeAndOfEverySort) {
-  int prismatic = 0, motors = 0, large = 0, trees = 0;
+  int prismatic = 0, motors = 0, large = 0, trees = 0, floating = 0, spherical = 0;
   for (unsigned seed = 1; seed <= 300; ++seed) {
     const PlainRobot robot = plain_robot(seed);
     EXPECT_EQ(robot_file(robot), robot_file(plain_robot(seed)));
     large += robot.links.size() > 4 ? 1 : 0;
+    floating += robot.base ? 1 : 0;
     for (std::size_t k = 0; k < robot.links.size(); ++k) {
       prismatic += robot.links[k].is_prismatic ? 1 : 0;
       motors += robot.links[k].has_motor ? 1 : 0;
+      spherical += robot.links[k].is_spherical ? 1 : 0;
       trees += robot.links[k].parent == static_cast<int>(k) ? 0 : 1;
     }
   }
-  for (const int count : {prismatic, motors, large, trees}) EXPECT_GT(count, 0);
+  for (const int count : {prismatic, motors, large, trees, floating, spherical}) EXPECT_GT(count, 0);
 }
 
 TEST(PlainRobots, SimplerOnesComeToAnEnd) {

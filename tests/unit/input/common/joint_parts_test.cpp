@@ -154,6 +154,16 @@ TEST_F(JointParts, AreTheSameUniversalJointAsInSdf) {
   EXPECT_TRUE(toml.joints[1].limits.effort.value().number.is_equal(6));
 }
 
+TEST_F(JointParts, AreTheSameSphericalJointInThreeFormats) {
+  const Robot toml = read("r.toml", toml_joint("spherical", "viscous = 0.5\n"));
+  EXPECT_EQ(toml.joints[0].type, JointType::spherical);
+  const Robot mjcf = read("r.xml", R"(<mujoco><worldbody><body name="arm" pos="0.5 0 0.25">
+      <inertial pos="0.1 0.2 0.3" mass="2" diaginertia="1 1.5 2"/><joint name="j" type="ball" damping="0.5"/>
+      </body></worldbody></mujoco>)");
+  expect_same(toml, mjcf);
+  expect_same(read("r.toml", toml_joint("spherical", "")), read("r.sdf", sdf_of("ball", "")));
+}
+
 TEST_F(JointParts, AreTheSameScrewAsInSdf) {
   const Robot toml = read("r.toml", toml_joint("screw", "axis = [0, 0, 1]\npitch = 0.125\nviscous = 3\n"));
   EXPECT_THAT(joint_names_of(toml), ElementsAre("j", "j.slide"));
