@@ -37,6 +37,7 @@ nlohmann::ordered_json derived_json(const DerivedModel& model) {
 ExitCode run_derive(const DeriveArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, arguments.options());
   refuse_floating_base(model, "derive");
+  refuse_spherical_joints(model, "derive");
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   if (arguments.json) {

@@ -46,6 +46,7 @@ ExitCode excite(const ExciteArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   refuse_loops(model, "excite");
   refuse_floating_base(model, "excite");
+  refuse_spherical_joints(model, "excite");
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   const std::string name = cpp_identifier(model.mechanism.name);  // as for a generated header

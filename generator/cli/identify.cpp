@@ -382,6 +382,7 @@ ExitCode identify(IdentifyArguments arguments) {
   if (!arguments.part.empty()) read_part(arguments.part, stream);
   LoadedRobot robot = load_robot(arguments.robot, arguments.options());
   refuse_floating_base(robot, "identify");
+  refuse_spherical_joints(robot, "identify");
   if (!arguments.further.springs) refuse_springs(robot, "identify", "--springs estimates them; ");
   check_files(arguments, robot.robot);
   print_diagnostics(robot.diagnostics, arguments);

@@ -111,6 +111,7 @@ ExitCode run_manipulability(const ManipulabilityArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   refuse_loops(model, "manipulability");
   refuse_floating_base(model, "manipulability");
+  refuse_spherical_joints(model, "manipulability");
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   std::vector<std::string> inputs = model.robot.files;

@@ -95,6 +95,7 @@ ExitCode payload(const PayloadArguments& arguments) {
   const LoadedRobot robot = load_robot(arguments.robot, arguments.options());
   refuse_loops(robot, "payload");
   refuse_floating_base(robot, "payload");
+  refuse_spherical_joints(robot, "payload");
   check_payload_usage(arguments, robot);
   print_diagnostics(robot.diagnostics, arguments);
   arguments.note_function_keys(robot);

@@ -99,6 +99,7 @@ ExitCode report(const ReportArguments& arguments) {
     LoadedRobot read = load_robot(arguments.robot, options);
     refuse_loops(read, "report");
     refuse_floating_base(read, "report");
+    refuse_spherical_joints(read, "report");
     arguments.note_function_keys(read);
     return read;
   }());

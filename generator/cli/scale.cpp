@@ -230,6 +230,7 @@ ExitCode scale(const ScaleArguments& arguments) {
   check_scale_usage(arguments);
   const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   refuse_floating_base(model, "scale");
+  refuse_spherical_joints(model, "scale");
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   std::vector<std::string> inputs = model.robot.files;

@@ -28,6 +28,7 @@ std::vector<TextFile> torque_files(const TorquesArguments& arguments, const Load
 ExitCode torques(const TorquesArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   refuse_floating_base(model, "torques");
+  refuse_spherical_joints(model, "torques");
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   std::vector<std::string> inputs = model.robot.files;

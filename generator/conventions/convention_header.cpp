@@ -195,6 +195,9 @@ void check_conventions_apply(const Mechanism& mechanism) {
     throw Failure(ExitCode::unsupported, "--convention: the robot has no floating base",
                   "leave it out, or use --base floating");
   }
+  if (mechanism.has_spherical_joints()) {
+    throw Failure(ExitCode::unsupported, "--convention: spherical joints are not supported yet", "leave it out");
+  }
   if (mechanism.has_loops()) {
     throw Failure(ExitCode::unsupported, "--convention: closed loops are not supported", "leave it out");
   }

@@ -145,7 +145,7 @@ class Maker {
     plain.axis = joint.axis;
     const JointType motion = joint.held ? joint.held->type : joint.type;
     const bool slides = motion == JointType::prismatic || motion == JointType::fixed;
-    const bool is_turn = rotations_in(offset).size() == product(offset, {}).size();
+    const bool is_turn = motion != JointType::spherical && rotations_in(offset).size() == product(offset, {}).size();
     if (slides || is_turn) {
       // The joint's motion commutes with what follows it, if its axis is turned.
       plain.origin = plain_pose(product(origin, offset));

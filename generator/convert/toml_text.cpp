@@ -146,6 +146,8 @@ class TomlWriter {
         return "prismatic";
       case JointType::continuous:
         return "continuous";
+      case JointType::spherical:
+        return "spherical";
       case JointType::revolute:
         break;
     }
@@ -163,7 +165,7 @@ class TomlWriter {
     add("type", toml_string(type));
     if (!is_zero(plain.origin.xyz)) add("xyz", vector(plain.origin.xyz, what + ", xyz"));
     if (!is_zero(plain.origin.rpy)) add("rpy", angles(plain.origin.rpy, what + ", rpy"));
-    if (type != "fixed") add("axis", vector(plain.axis, what + ", axis"));
+    if (type != "fixed" && type != "spherical") add("axis", vector(plain.axis, what + ", axis"));
     if (child.body) write_body(*child.body, "link \"" + child.name + "\"");
     if (plain.joint != nullptr && type != "fixed") write_motion(*plain.joint, what);
   }

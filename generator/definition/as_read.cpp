@@ -32,7 +32,7 @@ template <class Arithmetic, class F = typename Arithmetic::Scalar>
 EnergyPair<F> energies_at(const Robot& robot, const Mechanism& mechanism, Arithmetic& arithmetic) {
   std::vector<F> qd;
   for (int k = 0; k < mechanism.size(); ++k) {
-    qd.push_back(arithmetic.input({with_base(InputKind::qd, mechanism.floating_base), k}));
+    qd.push_back(arithmetic.input({with_base(InputKind::qd, mechanism.has_quasi_velocities()), k}));
   }
   const std::vector<JointPoint<F>> q = joint_points(mechanism, arithmetic);
   Lagrangian<F> lagrangian(mechanism_over(mechanism, arithmetic), q);
@@ -43,7 +43,7 @@ EnergyPair<F> energies_at(const Robot& robot, const Mechanism& mechanism, Arithm
 
 template <std::uint64_t P>
 bool has_equal_energies(const Robot& robot, const Mechanism& mechanism, std::uint64_t seed) {
-  ModPArithmetic<P> arithmetic(seed);
+  ModPArithmetic<P> arithmetic = ModPArithmetic<P>(seed).with_quaternions(mechanism.quaternions());
   const auto [written, lagrangian] = energies_at(robot, mechanism, arithmetic);
   return written.kinetic == lagrangian.kinetic && written.potential == lagrangian.potential;
 }

@@ -49,7 +49,14 @@ class NumberComparison {
         numbers_(robot, arithmetic_),
         map_(mechanism.symbols, arithmetic_),
         found_(mechanism_over(mechanism, arithmetic_)),
-        moving_(moving_joints(robot)) {}
+        moving_(moving_joints(robot)) {
+    std::size_t count = base_bodies();
+    for (const int j : moving_) {
+      count += flatdyn::bodies_of(robot.joints[static_cast<std::size_t>(j)]);
+      last_bodies_.push_back(count - 1);
+    }
+    body_count_ = count;
+  }
 
   Differences run() {
     if (!has_same_parts()) return std::move(differences_);
@@ -68,7 +75,9 @@ class NumberComparison {
 
   // The joint of this index among the moving ones, and the body that it moves.
   const Joint& written(std::size_t moving) const { return robot_.joints[static_cast<std::size_t>(moving_[moving])]; }
-  std::size_t body_of(std::size_t moving) const { return moving + base_bodies(); }
+  std::size_t body_of(std::size_t moving) const { return last_bodies_[moving]; }
+  // The first of the three bodies of a spherical joint; for other joints, their only one.
+  std::size_t first_body_of(std::size_t moving) const { return body_of(moving) + 1 - bodies_of(written(moving)); }
   std::size_t base_bodies() const { return robot_.floating_base ? 6 : 0; }
   // The body that the base link is part of.
   int base_body() const { return static_cast<int>(base_bodies()) - 1; }
@@ -77,7 +86,7 @@ class NumberComparison {
   // Whether links, joints and symbols are the same, by name and order; without that, nothing else can be compared.
   bool has_same_parts() {
     require(mechanism_.floating_base == robot_.floating_base, "whether the base floats");
-    require(mechanism_.bodies.size() == body_of(moving_.size()), "the number of moving joints");
+    require(mechanism_.bodies.size() == body_count_, "the number of moving joints");
     require(mechanism_.links.size() == robot_.links.size(), "the number of links");
     require(mechanism_.symbols.size() == robot_.symbols.size(), "the number of free symbols");
     if (!differences_.first().empty()) return false;
@@ -85,14 +94,24 @@ class NumberComparison {
       const Body& body = mechanism_.bodies[body_of(i)];
       const int index = static_cast<int>(body_of(i));
       const std::string name = joint_name(written(i));
-      require(body.joint == written(i).name, name + ": its name");
+      const bool is_spherical = written(i).type == JointType::spherical;
+      require(body.joint == written(i).name + (is_spherical ? ".wz" : ""), name + ": its name");
+      require((body.spherical == kSphericalBodies) == is_spherical, name + ": its kind");
       require(body.prismatic == (written(i).type == JointType::prismatic), name + ": its kind");
       require(body.continuous == (written(i).type == JointType::continuous), name + ": its kind");
       require(body.parent < index, name + ": its parent");
       require(!body.rotor || body.rotor->carrier < index, name + ": the carrier of its rotor");
       require(mechanism_.links[static_cast<std::size_t>(written(i).child)].body == index,
               name + ": the link that it moves");
-      require(mechanism_.links[static_cast<std::size_t>(written(i).parent)].body == body.parent, name + ": its parent");
+      require(mechanism_.links[static_cast<std::size_t>(written(i).parent)].body ==
+                  mechanism_.bodies[first_body_of(i)].parent,
+              name + ": its parent");
+      for (std::size_t k = first_body_of(i); k < body_of(i); ++k) {
+        const Body& before = mechanism_.bodies[k];
+        require(before.spherical == static_cast<int>(k - first_body_of(i)) + 1 && before.inertia.is_zero() &&
+                    mechanism_.bodies[k + 1].parent == static_cast<int>(k),
+                name + ": its bodies");
+      }
     }
     for (std::size_t l = 0; l < robot_.links.size(); ++l) {
       require(mechanism_.links[l].link == robot_.links[l].name, "link \"" + robot_.links[l].name + "\": its name");
@@ -298,6 +317,7 @@ class NumberComparison {
   void compare_motion(const std::string& subject, const Joint& joint, const RealPose& before, const RealPose& after) {
     const FieldFrame<Real>& child = place(joint.child);
     const auto body = static_cast<std::size_t>(child.body);
+    if (joint.type == JointType::spherical) return compare_rotation(subject, child, before, after);
     const bool slides = joint.type == JointType::prismatic;
     const Vector3<Real> axis = numbers_.unit(joint.axis);
     const JointPoint<Real> offset =
@@ -310,6 +330,21 @@ class NumberComparison {
       const RealPose expected = composed(composed(before, motion_along(axis, slides, turned)), after);
       compare_pose(subject, found, expected, reach_ + q.d);
     }
+  }
+
+  // Both sides are linear in the rotation by the quaternion, whose numbers are drawn.
+  void compare_rotation(const std::string& subject, const FieldFrame<Real>& child, const RealPose& before,
+                        const RealPose& after) {
+    const auto last = static_cast<std::size_t>(child.body);
+    RealPose found = identity_pose<Real>();
+    for (std::size_t k = last + 1 - kSphericalBodies; k <= last; ++k) {
+      found = composed(found, RealPose{found_.bodies[k].R, found_.bodies[k].p});
+    }
+    const int q = mechanism_.quaternion_of(static_cast<int>(last));
+    const auto entry = [&](int k) { return arithmetic_.input({InputKind::q, q + k}); };
+    RealPose turned = identity_pose<Real>();
+    turned.R = rotation_of_quaternion<Real>({entry(0), entry(1), entry(2), entry(3)});
+    compare_pose(subject, composed(found, pose_of(child)), composed(composed(before, turned), after), reach_);
   }
 
   void compare_own(const std::string& subject, const Real& found, const Value& expected) {
@@ -329,6 +364,10 @@ class NumberComparison {
       const Real reference = numbers_.number(joint.spring_reference.number);
       differences_.compare(name + ": its spring's reference", body.spring_reference + offset_of(i), reference,
                            1 + abs(reference));
+    }
+    for (std::size_t k = first_body_of(i); k < body_of(i); ++k) {
+      compare_own(name + ": its viscous friction", found_.bodies[k].viscous, joint.viscous);
+      compare_limits(name + ": its limits", mechanism_.bodies[k].limits, joint.limits);
     }
     if (!mechanism_.is_coupled())
       compare_limits(name + ": its limits", mechanism_.bodies[body_of(i)].limits, joint.limits);
@@ -447,6 +486,8 @@ class NumberComparison {
   NumberMap<RealArithmetic<Real>> map_;
   MechanismOver<Real> found_;
   std::vector<int> moving_;
+  std::vector<std::size_t> last_bodies_;  // by moving joint
+  std::size_t body_count_ = 0;
   Real reach_ = 0;
   Differences differences_;
 };

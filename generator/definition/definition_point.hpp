@@ -11,8 +11,8 @@
 #include "definition/lagrangian.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "graph/function.hpp"
-#include "model/floating_base.hpp"
 #include "model/joint_points.hpp"
+#include "model/quasi_velocities.hpp"
 
 namespace flatdyn {
 
@@ -45,7 +45,7 @@ class DefinitionPoint {
   Values drawn(InputKind kind, int count) const {
     Values result;
     for (int i = 0; i < count; ++i) {
-      result.push_back(arithmetic.input({with_base(kind, mechanism.floating_base), i}));
+      result.push_back(arithmetic.input({with_base(kind, mechanism.has_quasi_velocities()), i}));
     }
     return result;
   }
@@ -67,29 +67,31 @@ class DefinitionPoint {
   Values inverse_dynamics() { return torques_at(qdd()); }
 
   // The accelerations of the coordinates in which Lagrange's equations hold, from those of the function's: ẍ = ν̇ - Ȧ ν
-  // with a floating base (model/floating_base.hpp).
+  // with a floating base or spherical joints (model/quasi_velocities.hpp).
   Values accelerations_of_coordinates(Values accelerations) const {
-    if (!mechanism.floating_base) return accelerations;
-    const Values drift = base_drift(qd());
+    if (!mechanism.has_quasi_velocities()) return accelerations;
+    const Values drift = velocity_drift(mechanism, qd());
     for (std::size_t k = 0; k < drift.size(); ++k) accelerations[k] += drift[k];
     return accelerations;
   }
 
   // The torques without acceleration.
   Values bias() {
-    return mechanism.floating_base ? torques_at(Values(qd().size(), F(0))) : lagrangian.bias(qd(), signs());
+    return mechanism.has_quasi_velocities() ? torques_at(Values(qd().size(), F(0))) : lagrangian.bias(qd(), signs());
   }
 
-  // C with C q̇ the Coriolis and centrifugal torques: that of the Christoffel symbols, (7.44), for joints; for the
-  // velocities of a floating base it is transformed as said in model/floating_base.hpp.
+  // C with C q̇ the Coriolis and centrifugal torques: that of the Christoffel symbols, (7.44), for joints; for other
+  // velocities it is transformed as said in model/quasi_velocities.hpp.
   Matrix<F> coriolis_matrix() {
     Matrix<F> C = lagrangian.coriolis_matrix(qd());
-    if (!mechanism.floating_base) return C;
-    const auto A = base_rate_matrix(qd());
     const Matrix<F>& B = lagrangian.inertia();
-    for (int i = 0; i < C.rows(); ++i) {
-      for (std::size_t j = 0; j < A.size(); ++j) {
-        for (std::size_t k = 0; k < A.size(); ++k) C(i, static_cast<int>(j)) += -(B(i, static_cast<int>(k)) * A[k][j]);
+    for (const RateBlock<F>& A : rate_blocks(mechanism, qd())) {
+      for (int i = 0; i < C.rows(); ++i) {
+        for (std::size_t j = 0; j < A.entries.size(); ++j) {
+          for (std::size_t k = 0; k < A.entries.size(); ++k) {
+            C(i, A.first + static_cast<int>(j)) += -(B(i, A.first + static_cast<int>(k)) * A.entries[k][j]);
+          }
+        }
       }
     }
     return C;
@@ -98,9 +100,9 @@ class DefinitionPoint {
   // The acceleration of a frame while q̈ = 0: the linear part, then the angular one.
   Values jacobian_dot_qd(const FieldFrame<F>& of_frame) {
     Values result = lagrangian.jacobian_dot_qd(of_frame, qd());
-    if (!mechanism.floating_base) return result;
+    if (!mechanism.has_quasi_velocities()) return result;
     const Matrix<F> J = lagrangian.jacobian(of_frame);
-    const Values drift = base_drift(qd());
+    const Values drift = velocity_drift(mechanism, qd());
     for (int i = 0; i < J.rows(); ++i) {
       for (std::size_t k = 0; k < drift.size(); ++k) {
         result[static_cast<std::size_t>(i)] += J(i, static_cast<int>(k)) * drift[k];

@@ -139,7 +139,7 @@ class RationalDegreeArithmetic {
 std::vector<JointPoint<Degree>> joint_degrees(const Mechanism& mechanism) {
   std::vector<JointPoint<Degree>> degrees;
   for (int i = 0; i < mechanism.body_count(); ++i) {
-    if (mechanism.is_of_base(i)) {
+    if (mechanism.is_around_pose(i)) {
       degrees.emplace_back();
       continue;
     }
@@ -164,8 +164,8 @@ MechanismDegrees lagrangian_degrees(const Mechanism& mechanism) {
   if (mechanism.has_base_gravity()) field.gravity = {drawn, drawn, drawn};
   Lagrangian<Degree> lagrangian(std::move(field), joint_degrees(mechanism));
   const std::vector<Degree> rates(n, drawn), signs(bodies, drawn);
-  // Accelerations of a floating base's coordinates have products of its velocities.
-  const std::vector<Degree> accelerations(n, mechanism.floating_base ? drawn * drawn : drawn);
+  // Accelerations of coordinates around the present pose have products of velocities.
+  const std::vector<Degree> accelerations(n, mechanism.has_quasi_velocities() ? drawn * drawn : drawn);
   Degree largest = lagrangian.potential_energy() + lagrangian.kinetic_energy(rates);
   for (const Degree& torque : lagrangian.inverse_dynamics(rates, accelerations, signs)) largest += torque;
   for (const Degree& torque : lagrangian.tip_torques(std::vector<Degree>(6, drawn))) largest += torque;

@@ -37,14 +37,17 @@ std::vector<ExactMismatch> describe(const Function& function, const std::set<Mis
   return result;
 }
 
-// Runs `compare(arithmetic, mismatches)` at one point of one field. If it divides by zero, which has probability below
-// D/p, or takes the square root of a non-square, which has probability 1/2, another point is drawn.
+// Runs `compare(arithmetic, mismatches)` at one point of one field, with unit quaternions at these entries of q. If it
+// divides by zero, which has probability below D/p, or takes the square root of a non-square, which has probability
+// 1/2, another point is drawn.
 template <std::uint64_t P, class Compare>
-void at_point(std::uint64_t seed, const Compare& compare, std::set<MismatchKey>& mismatches) {
+void at_point(std::uint64_t seed, const std::vector<int>& quaternions, const Compare& compare,
+              std::set<MismatchKey>& mismatches) {
   constexpr int kAttempts = 64;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     try {
-      ModPArithmetic<P> arithmetic(splitmix64(seed, static_cast<std::uint64_t>(attempt)));
+      const ModPArithmetic<P> drawn(splitmix64(seed, static_cast<std::uint64_t>(attempt)));
+      ModPArithmetic<P> arithmetic = drawn.with_quaternions(quaternions);
       compare(arithmetic, mismatches);
       return;
     } catch (const std::domain_error&) {
@@ -56,13 +59,14 @@ void at_point(std::uint64_t seed, const Compare& compare, std::set<MismatchKey>&
 }
 
 template <class Compare>
-std::set<MismatchKey> at_all_points(const ExactOptions& options, const Compare& compare) {
+std::set<MismatchKey> at_all_points(const ExactOptions& options, const std::vector<int>& quaternions,
+                                    const Compare& compare) {
   std::set<MismatchKey> mismatches;
   for (int point = 0; point < options.points; ++point) {
     const std::uint64_t seed = splitmix64(options.seed, static_cast<std::uint64_t>(point));
-    at_point<kMersenne61>(seed, compare, mismatches);
-    at_point<kPrime61b>(seed, compare, mismatches);
-    at_point<kPrime61c>(seed, compare, mismatches);
+    at_point<kMersenne61>(seed, quaternions, compare, mismatches);
+    at_point<kPrime61b>(seed, quaternions, compare, mismatches);
+    at_point<kPrime61c>(seed, quaternions, compare, mismatches);
   }
   return mismatches;
 }
@@ -124,7 +128,7 @@ ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, 
     DefinitionPoint<ModPArithmetic<P>> point(mechanism, function, lagrangian_arithmetic, values);
     entries = compare_at<P>(point, definition, mismatches);
   };
-  const std::set<MismatchKey> mismatches = at_all_points(options, compare);
+  const std::set<MismatchKey> mismatches = at_all_points(options, mechanism.quaternions(), compare);
   const MechanismDegrees lagrangian =
       definition.is_over_parameters ? regressor_degrees(mechanism) : lagrangian_degrees(mechanism);
   const FunctionDegrees own = function_degrees(function);
@@ -159,7 +163,7 @@ ExactResult prove_equal(const Function& a, const Function& b, const ExactOptions
       if (differ(a.pivot_scales[e], b.pivot_scales[e])) mismatches.emplace(a.outputs.size(), static_cast<int>(e));
     }
   };
-  const std::set<MismatchKey> mismatches = at_all_points(options, compare);
+  const std::set<MismatchKey> mismatches = at_all_points(options, {}, compare);
   const FunctionDegrees in_a = function_degrees(a), in_b = function_degrees(b);
   const double angles = drawn_angles(a, {}) + drawn_angles(b, {});
   const double degree =

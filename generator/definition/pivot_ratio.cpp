@@ -36,6 +36,7 @@ double smallest_pivot_ratio(const Mechanism& mechanism) {
   for (const double q : {0.0, kQuarterTurn, -kQuarterTurn}) {
     states.emplace_back();
     states.back().q.assign(static_cast<std::size_t>(mechanism.position_count()), q);
+    turn_spherical_joints(mechanism, q, states.back());
   }
   const State* at = nullptr;
   RealArithmetic<double> numbers(

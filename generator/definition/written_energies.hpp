@@ -44,12 +44,16 @@ class WrittenEnergies {
       for (const Inertial& inertial : robot_.links[l].inertials) add_inertial(inertial, links_[l]);
     }
     const std::vector<int> joints = moving_joints(robot_);
-    const std::size_t first = rates_.size() - joints.size();  // before them: the motion of a floating base
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-      const Joint& joint = robot_.joints[static_cast<std::size_t>(joints[i])];
-      const F& rate = rates_[first + i];
+    std::size_t body = rates_.size();  // before those of the joints: the motion of a floating base
+    for (const int j : joints) body -= bodies_of(robot_.joints[static_cast<std::size_t>(j)]);
+    for (const int j : joints) {
+      const Joint& joint = robot_.joints[static_cast<std::size_t>(j)];
+      const std::size_t i = body;
+      body += bodies_of(joint);
+      if (joint.type == JointType::spherical) continue;  // it has neither motor nor spring
+      const F& rate = rates_[i];
       sum_.kinetic += half_ * numbers_.number(joint.armature.number) * rate * rate;
-      if (!vanishes(joint.stiffness.number)) add_spring(joint, first + i);
+      if (!vanishes(joint.stiffness.number)) add_spring(joint, i);
       if (joint.motor) add_rotor(*joint.motor, rate, links_[static_cast<std::size_t>(carrier_of(joint))]);
     }
     return sum_;

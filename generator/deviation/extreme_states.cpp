@@ -30,6 +30,7 @@ State uniform_state(const Mechanism& mechanism, double q, double rate) {
   const auto n = static_cast<std::size_t>(mechanism.size());
   State state;
   state.q.assign(static_cast<std::size_t>(mechanism.position_count()), q);
+  turn_spherical_joints(mechanism, q, state);
   for (std::vector<double>* rates : {&state.qd, &state.qdd, &state.tau, &state.qd_r, &state.qdd_r}) {
     rates->assign(n, rate);
   }
@@ -49,6 +50,7 @@ std::vector<State> extreme_states(const Mechanism& mechanism, int count, unsigne
     for (std::size_t i = 0; i < state.q.size(); ++i) {
       state.q[i] = choice(mechanism.joint_at(static_cast<int>(i)).prismatic ? kSlides : kAngles);
     }
+    if (mechanism.has_spherical_joints()) turn_spherical_joints(mechanism, choice(kAngles), state);
     for (std::vector<double>* rates : {&state.qd, &state.qdd, &state.tau, &state.h_e, &state.qd_r, &state.qdd_r}) {
       for (double& rate : *rates) rate = choice(kRates);
     }

@@ -56,6 +56,7 @@ std::string angle_text(int index, const HeaderScope& scope) {
 
 std::string angle_count_name(const HeaderScope& scope) {
   if (!scope.angles.empty()) return scope.dialect.count_name("angle_count");
+  if (scope.spherical) return scope.dialect.count_name("position_count");
   return scope.dialect.count_name(scope.floating_base || scope.positions == scope.joints ? "joint_count"
                                                                                          : "position_count");
 }

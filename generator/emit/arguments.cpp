@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 #include "diagnostics/table.hpp"
 #include "emit/writer.hpp"
@@ -16,21 +17,28 @@ InputArgument input_argument(InputKind kind, JointCounts counts, int base_parame
   constexpr int kWrench = 6;
   switch (kind) {
     case InputKind::q:
-      return {"q", counts.positions, "joint positions, rad or m"};
+      return {"q", counts.positions,
+              std::string("joint positions, rad or m") +
+                  (counts.spherical ? "; of a spherical joint a unit quaternion w, x, y, z" : "")};
     case InputKind::qd:
       return {"qd", joints, "joint velocities, rad/s or m/s"};
     case InputKind::qdd:
       return {"qdd", joints, "joint accelerations, rad/s^2 or m/s^2"};
     case InputKind::tau:
       return {"tau", joints,
-              counts.floating_base ? "force and moment on the base (base axes, N, N m), then joint torques"
-                                   : "joint torques or forces, N m or N"};
+              std::string(counts.floating_base ? "force and moment on the base (base axes, N, N m), then joint torques"
+                                               : "joint torques or forces, N m or N") +
+                  (counts.spherical ? "; of a spherical joint the moment in the child's axes" : "")};
     case InputKind::h_e:
       return {"h_e", kWrench, "force (N), then moment (N m), that the tip exerts on its environment, base frame"};
     case InputKind::g_b:
       return {"g_b", 3, "gravity in base axes, m/s^2: R^T g_0 with R from base axes to world axes"};
     case InputKind::v:
-      return {"v", joints, "velocity of the base (linear, then angular; base axes), then of the joints"};
+      return {"v", joints,
+              std::string(counts.floating_base
+                              ? "velocity of the base (linear, then angular; base axes), then of the joints"
+                              : "joint velocities, rad/s or m/s") +
+                  (counts.spherical ? "; of a spherical joint the angular velocity in the child's axes" : "")};
     case InputKind::a:
       return {"a", joints, "derivatives of the entries of v"};
     case InputKind::qd_r:

@@ -18,14 +18,18 @@ struct InputArgument {
   std::string meaning;  // "joint velocities, rad/s or m/s"
 };
 
-// The length of q̇, q̈ and τ, and the length of q, which is longer if loops are closed.
+// The length of q̇, q̈ and τ, and the length of q, which is longer if loops are closed or joints are spherical.
 struct JointCounts {
   int joints, positions;
   bool floating_base = false;
+  bool spherical = false;  // whether there are spherical joints
 
   JointCounts(int n) : joints(n), positions(n) {}  // NOLINT(google-explicit-constructor): most robots have one number
   explicit JointCounts(const Mechanism& mechanism)
-      : joints(mechanism.size()), positions(mechanism.position_count()), floating_base(mechanism.floating_base) {}
+      : joints(mechanism.size()),
+        positions(mechanism.position_count()),
+        floating_base(mechanism.floating_base),
+        spherical(mechanism.has_spherical_joints()) {}
 };
 
 // The argument for a kind of input. `counts`: lengths of q and q̇; `base_parameters`: length of pi_b. Throws

@@ -103,6 +103,7 @@ class FunctionWriter {
     JointCounts result(scope_.joints);
     result.positions = scope_.positions;
     result.floating_base = scope_.floating_base;
+    result.spherical = scope_.spherical;
     return result;
   }
 

@@ -18,6 +18,10 @@ void take_constants(const Mechanism& mechanism, const Dialect& dialect, NameTabl
     }
     names.unique(dialect.count_name("position_count"));
   }
+  if (mechanism.has_spherical_joints()) {
+    names.unique(dialect.global("position_names"));
+    names.unique(dialect.count_name("position_count"));
+  }
   if (mechanism.floating_base) names.unique(dialect.count_name("velocity_count"));
   if (!mechanism.angles.empty()) names.unique(dialect.count_name("angle_count"));
 }

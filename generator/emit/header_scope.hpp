@@ -26,6 +26,7 @@ struct HeaderScope {
   int positions = 0;                       // length of q
   std::vector<MultipleOfPosition> angles;  // angles beyond those of q whose sines and cosines are needed
   bool floating_base = false;              // whether the length of v is velocity_count
+  bool spherical = false;                  // whether there are spherical joints
   bool fuses = false;                      // whether products and sums are fused multiply-adds
   int most_lines = 0;                      // limit of lines per function; 0: only that of compilers
   std::string proven_positions;            // where pivots are proven not to be lost: "at every position"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "emit/joints.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "diagnostics/table.hpp"
@@ -32,6 +34,7 @@ std::optional<Rational> limit_of(const Body& body, const LimitColumn& kind) {
 }
 
 std::string type_of(const Body& body) {
+  if (body.spherical > 0) return "spherical";
   return body.prismatic ? "prismatic" : body.continuous ? "continuous" : "revolute";
 }
 
@@ -39,6 +42,13 @@ std::string type_of(const Body& body) {
 std::string rate_text(const Mechanism& mechanism, int p) {
   const auto found = std::find(mechanism.independent.begin(), mechanism.independent.end(), p);
   return found == mechanism.independent.end() ? "-" : std::to_string(found - mechanism.independent.begin());
+}
+
+// The entries of v of the joint of entry p of q: "2", or "2..4" with w of a spherical joint.
+std::string velocities_text(const Mechanism& mechanism, int p) {
+  const int body = mechanism.body_at(p);
+  if (!mechanism.is_of_quaternion(p)) return std::to_string(body);
+  return mechanism.quaternion_of(body) == p ? fmt::format("{}..{}", body, body + 2) : "";
 }
 
 }  // namespace
@@ -72,16 +82,18 @@ std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitCo
 std::vector<std::string> joint_table(const Mechanism& mechanism) {
   const std::vector<LimitColumn> limits = limits_given(mechanism);
   std::vector<std::vector<std::string>> rows = {{"index", "joint", "moves link", "type", "unit"}};
+  if (mechanism.has_spherical_joints()) rows[0] = {"q", "v", "joint", "moves link", "type", "unit"};
   if (mechanism.has_loops()) rows[0] = {"q", "qd", "joint", "moves link", "type", "unit"};
   for (const LimitColumn& kind : limits) rows[0].push_back(kind.column);
   for (int p = 0; p < mechanism.position_count(); ++p) {
     const Body& body = mechanism.joint_at(p);
     std::vector<std::string> row = {std::to_string(p)};
     if (mechanism.has_loops()) row.push_back(rate_text(mechanism, p));
-    for (const std::string& text : {comment_text(body.joint), comment_text(body.link), type_of(body)}) {
+    if (mechanism.has_spherical_joints()) row.push_back(velocities_text(mechanism, p));
+    for (const std::string& text : {comment_text(mechanism.position_name(p)), comment_text(body.link), type_of(body)}) {
       row.push_back(text);
     }
-    row.emplace_back(body.prismatic ? "m" : "rad");
+    row.emplace_back(body.prismatic ? "m" : body.spherical > 0 ? "1" : "rad");
     for (const LimitColumn& kind : limits) {
       const std::optional<Rational> limit = limit_of(body, kind);
       row.push_back(limit ? plain(decimal_literal(*limit)) : "none");

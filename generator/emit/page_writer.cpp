@@ -94,6 +94,7 @@ class PageWriter {
     scope_.joints = mechanism_.size();
     scope_.positions = mechanism_.position_count();
     scope_.floating_base = mechanism_.floating_base;
+    scope_.spherical = mechanism_.has_spherical_joints();
     scope_.angles = multiples_of_positions(mechanism_);
     scope_.fuses = options_.fuses;
     scope_.most_lines = options_.most_lines;
@@ -136,7 +137,8 @@ class PageWriter {
     content_.exports.emplace_back("joint_count");
     header["joint_count"] = std::to_string(mechanism_.joints().size());
     data constants(data::type::list);
-    header["loops?"] = mechanism_.has_loops();
+    const bool has_positions = mechanism_.has_loops() || mechanism_.has_spherical_joints();
+    header["positions?"] = has_positions;
     header["floating?"] = mechanism_.floating_base;
     header["springs?"] = mechanism_.has_springs();
     if (mechanism_.floating_base) {
@@ -151,7 +153,7 @@ class PageWriter {
       constants << constant("The names of the joints in the robot file",
                             per_joint("const char*", "joint_names", joints));
     }
-    if (mechanism_.has_loops()) write_position_constants(header, constants);
+    if (has_positions) write_position_constants(header, constants);
     for (const LimitColumn& kind : limits_given(mechanism_)) {
       const std::vector<std::string> entries = limit_entries(mechanism_, kind, dialect_);
       content_.exports.emplace_back(kind.constant);
@@ -178,20 +180,22 @@ class PageWriter {
     return members;
   }
 
-  // For robots whose q is longer than qd: constants that list the independent entries.
+  // For robots whose q is longer than qd: constants that name its entries, and with closed loops list the independent
+  // ones.
   void write_position_constants(data& header, data& constants) {
     header["position_count"] = std::to_string(mechanism_.position_count());
     header["positions"] = dialect_.count_name("position_count");
     std::vector<std::string> joints, entries;
     for (int p = 0; p < mechanism_.position_count(); ++p) {
-      joints.push_back(dialect_.text(mechanism_.joint_at(p).joint));
+      joints.push_back(dialect_.text(mechanism_.position_name(p)));
     }
     for (const int p : mechanism_.independent) entries.push_back(std::to_string(p));
     content_.exports.emplace_back("position_count");
     content_.exports.emplace_back("position_names");
-    content_.exports.emplace_back("independent_positions");
     constants << constant("The joints of q", {"const char*", dialect_.global("position_names"),
                                               dialect_.count_name("position_count"), joints});
+    if (!mechanism_.has_loops()) return;
+    content_.exports.emplace_back("independent_positions");
     constants << constant("The entries of q that qd, qdd and tau belong to",
                           per_joint("int", "independent_positions", entries));
   }

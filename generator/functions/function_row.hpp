@@ -60,6 +60,7 @@ struct FunctionTraits {
   bool depends_on_gravity_only = false;  // whether inertia and friction do not change it
   bool needs_floating_base = false;      // whether it is there for robots with a floating base only
   bool needs_fixed_base = false;         // whether it is not there for robots with a floating base
+  bool needs_rates = false;              // whether it is not there for robots with spherical joints
   bool leaves_out_springs = false;       // whether it is about torques without those of springs
   bool needs_contacts = false;           // whether it is about the scene's contacts
 };
@@ -78,10 +79,12 @@ struct FunctionRow {
   // Whether the function applies to the robot.
   bool applies_to(const Mechanism& mechanism) const {
     const bool has_base = mechanism.floating_base ? !traits.needs_fixed_base : !traits.needs_floating_base;
+    if (traits.needs_rates && mechanism.has_spherical_joints()) return false;
     const bool has_contacts = !traits.needs_contacts || !mechanism.contacts.empty();
     return has_base && has_contacts && (!traits.needs_loops || mechanism.has_loops());
   }
-  // The arguments for this robot: with a floating base v and a for q̇ and q̈, and g_b if there is gravity.
+  // The arguments for this robot: with a floating base or spherical joints v and a for q̇ and q̈, and g_b if the base
+  // floats and there is gravity.
   std::vector<InputKind> inputs_for(const Mechanism& mechanism) const;
   // Whether its cost depends on choices of frames and units.
   bool has_choices() const { return derivation.from_choices != nullptr; }

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "graph/evaluate.hpp"
 
@@ -53,12 +54,23 @@ class FieldArithmetic {
     return result;
   }
 
+  // The same point with unit quaternions in the four entries of q from each of `quaternions` on.
+  FieldArithmetic with_quaternions(std::vector<int> quaternions) const {
+    FieldArithmetic result = *this;
+    result.quaternions_ = std::move(quaternions);
+    return result;
+  }
+
   F constant(const Rational& value) const { return Traits::from(value); }
 
   F input(const Input& input) const {
     if (at_rest_ && is_velocity(input.kind)) return F(0);
-    const auto kind = static_cast<std::uint64_t>(input.kind);
-    return Traits::draw(splitmix64(seed_, (kind << 32) + static_cast<std::uint64_t>(input.index)));
+    if (input.kind == InputKind::q) {
+      for (const int first : quaternions_) {
+        if (first <= input.index && input.index < first + 4) return quaternion_entry(first, input.index - first);
+      }
+    }
+    return drawn_input(input);
   }
 
   F divide(const F& a, const F& b) const { return a / b; }
@@ -85,6 +97,22 @@ class FieldArithmetic {
   }
 
  private:
+  F drawn_input(const Input& input) const {
+    const auto kind = static_cast<std::uint64_t>(input.kind);
+    return Traits::draw(splitmix64(seed_, (kind << 32) + static_cast<std::uint64_t>(input.index)));
+  }
+
+  // A rational point of the unit sphere: (1 - t², 2 t_x, 2 t_y, 2 t_z) / (1 + t²).
+  F quaternion_entry(int first, int entry) const {
+    F square(0), own(0);
+    for (int k = 1; k < 4; ++k) {
+      const F t = drawn_input({InputKind::q, first + k});
+      square += t * t;
+      if (k == entry) own = t;
+    }
+    return (entry == 0 ? F(1) - square : own + own) / (F(1) + square);
+  }
+
   F drawn(const F& value, std::uint64_t purpose) const {
     return Traits::draw(splitmix64(splitmix64(seed_, Traits::key(value)), purpose));
   }
@@ -143,6 +171,7 @@ class FieldArithmetic {
 
   std::uint64_t seed_;
   bool at_rest_ = false;
+  std::vector<int> quaternions_;  // entries of q
 };
 
 template <>

@@ -26,14 +26,14 @@ using NodeId = std::int32_t;
 
 // The kind of a function's input. parameter: a free symbol of the robot; qd_r, qdd_r: reference rates and
 // accelerations; pi_b: base parameters; g_b: gravity in the axes of a floating base; v, a: q̇ and q̈ of robots
-// with a floating base, whose first six entries are the base's; stored: a value that an earlier
-// stage has computed.
+// with a floating base, whose first six entries are the base's, or with spherical joints; stored: a value that an
+// earlier stage has computed.
 enum class InputKind : std::uint8_t { q, qd, qdd, tau, h_e, parameter, qd_r, qdd_r, pi_b, g_b, v, a, stored };
 
-// The kind of rates and accelerations of a robot: qd and qdd, or v and a if its base floats.
-constexpr InputKind with_base(InputKind kind, bool floating_base) {
-  if (floating_base && kind == InputKind::qd) return InputKind::v;
-  if (floating_base && kind == InputKind::qdd) return InputKind::a;
+// The kind of rates and accelerations of a robot: qd and qdd, or v and a if they are not all derivatives of q.
+constexpr InputKind with_base(InputKind kind, bool quasi_velocities) {
+  if (quasi_velocities && kind == InputKind::qd) return InputKind::v;
+  if (quasi_velocities && kind == InputKind::qdd) return InputKind::a;
   return kind;
 }
 

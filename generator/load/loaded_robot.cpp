@@ -38,6 +38,18 @@ void refuse_loops(const LoadedRobot& model, const std::string& what) {
                 "loops are parallelograms");
 }
 
+void refuse_spherical_joints(const LoadedRobot& model, const std::string& what) {
+  for (const Joint& joint : model.robot.joints) {
+    if (joint.type != JointType::spherical) continue;
+    Diagnostics found;
+    found.unsupported(
+        joint.place,
+        fmt::format("{}: spherical joints are not supported yet, and joint \"{}\" is one", what, joint.name),
+        "inspect, convert, generate, verify and eval know them");
+    throw BadInput(ExitCode::unsupported, std::move(found));
+  }
+}
+
 void refuse_floating_base(const LoadedRobot& model, const std::string& what) {
   if (!model.mechanism.floating_base) return;
   Diagnostics found;

@@ -32,6 +32,8 @@ void require_numbers(const Robot& robot, const std::string& what);
 
 // Throws Failure(unsupported) for robots with closed loops that are not linear couplings. `what`: "simulate".
 void refuse_loops(const LoadedRobot& model, const std::string& what);
+// The same for robots with spherical joints.
+void refuse_spherical_joints(const LoadedRobot& model, const std::string& what);
 // The same for robots with a floating base.
 void refuse_floating_base(const LoadedRobot& model, const std::string& what);
 

@@ -12,6 +12,7 @@
 #include "model/loop_closure.hpp"
 #include "model/mechanism.hpp"
 #include "model/rational_rotation.hpp"
+#include "model/spherical_joint.hpp"
 
 namespace flatdyn {
 namespace {
@@ -193,6 +194,8 @@ class RawTree {
       body_of_[child] = body_of_[parent];
       link_pose_[child] = compose(compose(frame, held_motion(joint)), offset);
       merged_.push_back(robot_.links[child].name);
+    } else if (joint.type == JointType::spherical) {
+      attach_spherical(joint_index, frame, offset);
     } else {
       const Transform onto_axis{rotation_onto(joint.axis), zero_vector()};
       const Transform raw = compose(compose(frame, onto_axis),
@@ -205,6 +208,21 @@ class RawTree {
       link_pose_[child] = compose({transpose(onto_axis.R), zero_vector()}, offset);
     }
     walk(joint.child);
+  }
+
+  // Three frames at one point: that of the joint, and two with their axes in another order, of which the last has the
+  // joint's axes again.
+  void attach_spherical(int joint_index, const Transform& frame, const Transform& offset) {
+    const Joint& joint = robot_.joints[static_cast<std::size_t>(joint_index)];
+    const auto parent = static_cast<std::size_t>(joint.parent), child = static_cast<std::size_t>(joint.child);
+    const Transform cycled{with_columns_cycled(identity_matrix()), zero_vector()};
+    for (int k = 0; k < kSphericalBodies; ++k) {
+      raw_.push_back(k == 0 ? Transform{from_zxz(frame.R), snap_residue_to_zero(frame.p, reach_)} : cycled);
+      parent_.push_back(k == 0 ? body_of_[parent] : static_cast<int>(raw_.size()) - 2);
+      joint_of_.push_back(joint_index);
+    }
+    body_of_[child] = static_cast<int>(raw_.size()) - 1;
+    link_pose_[child] = offset;
   }
 
   bool is_slide(int body) const {
@@ -283,15 +301,20 @@ class Placer {
     return best;
   }
 
-  bool is_prismatic(std::size_t i) const {
-    return tree_.robot_.joints[static_cast<std::size_t>(tree_.joint_of_[i])].type == JointType::prismatic;
+  JointType type_of_joint(std::size_t i) const {
+    return tree_.robot_.joints[static_cast<std::size_t>(tree_.joint_of_[i])].type;
   }
+  bool is_prismatic(std::size_t i) const { return type_of_joint(i) == JointType::prismatic; }
+  bool is_spherical(std::size_t i) const { return type_of_joint(i) == JointType::spherical; }
 
   void place(std::size_t i) {
+    if (is_spherical(i)) return;  // its point and its axes are given
     const std::optional<std::size_t> child = main_child(i);
     Placement& placement = placements_[i];
     if (child) {
-      placement.phase = zxz_angles(tree_.raw_[*child].R).beta;
+      const ZxzAngles angles = zxz_angles(tree_.raw_[*child].R);
+      const bool is_plain_turn = is_spherical(*child) && vanishes(angles.alpha.s) && angles.alpha.c.is_equal(1);
+      placement.phase = is_plain_turn ? angles.theta : angles.beta;
     } else if (const PlanarRotation theta = zxz_angles(tree_.raw_[i].R).theta; !is_quarter_turn(theta)) {
       placement.phase = inverse(theta);
     }
@@ -310,8 +333,9 @@ class Placer {
     const Mat3& R = tree_.raw_[child].R;
     const Vec3 u = {R[0][2], R[1][2], R[2][2]};
     const Number across = (u[0] * u[0] + u[1] * u[1]).expand();
-    if (vanishes(across) || is_prismatic(child)) return nearest_to_parent(i);
     const Vec3& p = tree_.raw_[child].p;
+    if (is_spherical(child)) return p[2];
+    if (vanishes(across) || is_prismatic(child)) return nearest_to_parent(i);
     const Number foot = (p[2] - u[2] * (p[0] * u[0] + p[1] * u[1]) / across).expand();
     return is_far(foot, p) ? nearest_to_parent(i) : foot;
   }
@@ -371,6 +395,22 @@ Body make_body(const RawTree& tree, const Placer& placer, std::size_t i) {
     body.spring_reference = (rationalised(joint.spring_reference.number) - rationalised(position.offset)).expand();
   }
   return body;
+}
+
+// Adds body i of the raw tree, and with the first body of a spherical joint all three.
+void add_bodies(const RawTree& tree, const Placer& placer, std::size_t i, Mechanism& mechanism) {
+  if (i < mechanism.bodies.size()) return;
+  const Body body = make_body(tree, placer, i);
+  if (tree.robot_.joints[static_cast<std::size_t>(tree.joint_of_[i])].type != JointType::spherical) {
+    mechanism.bodies.push_back(body);
+    return;
+  }
+  const auto parts = bodies_of_spherical_joint(body);
+  mechanism.spherical.push_back(static_cast<int>(i));
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    mechanism.bodies.push_back(parts[k]);
+    mechanism.bodies.back().parent = tree.parent_[i + k];
+  }
 }
 
 // The pose of a written link in the final frame of its body.
@@ -478,7 +518,7 @@ Mechanism make_mechanism(const Robot& robot) {
   mechanism.task = robot.scene.task;
   mechanism.symbols = robot.symbols;
   mechanism.merged = tree.merged_;
-  for (std::size_t i = 0; i < tree.raw_.size(); ++i) mechanism.bodies.push_back(make_body(tree, placer, i));
+  for (std::size_t i = 0; i < tree.raw_.size(); ++i) add_bodies(tree, placer, i, mechanism);
   add_links(tree, placer, mechanism);
   add_contacts(tree, placer, mechanism);
   for (int i = 0; i < mechanism.body_count(); ++i) add_motor(tree, placer, i, mechanism);

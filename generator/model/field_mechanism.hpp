@@ -8,6 +8,7 @@
 #include "graph/graph.hpp"
 #include "model/field_vector.hpp"
 #include "model/mechanism.hpp"
+#include "model/spherical_joint.hpp"
 
 namespace flatdyn {
 
@@ -36,7 +37,7 @@ template <class F>
 struct FieldBody {
   int parent;
   bool prismatic;
-  Matrix3<F> R;  // constant rotation in the parent's frame: Rz(beta) Rx(alpha) Rz(theta)
+  Matrix3<F> R;  // rotation in the parent's frame while the joint is at zero, with that of a spherical joint
   Vector3<F> p;
   FieldInertia<F> inertia;
   std::optional<FieldRotor<F>> rotor;
@@ -201,11 +202,13 @@ class MechanismMap {
   using F = typename Arithmetic::Scalar;
 
   MechanismMap(const Mechanism& mechanism, Arithmetic& arithmetic)
-      : mechanism_(mechanism), number_(mechanism.symbols, arithmetic) {}
+      : mechanism_(mechanism), arithmetic_(arithmetic), number_(mechanism.symbols, arithmetic) {}
 
+  // Spherical joints are part of the bodies' rotations, at the positions that the arithmetic draws.
   MechanismOver<F> operator()() const {
     MechanismOver<F> result;
     for (const Body& body : mechanism_.bodies) result.bodies.push_back(mapped(body));
+    for (const int first : mechanism_.spherical) turn(first, result.bodies[static_cast<std::size_t>(first)].R);
     for (const LinkFrame& link : mechanism_.links) result.links.push_back(mapped(link));
     result.tip = mapped(mechanism_.tip);
     for (const Contact& contact : mechanism_.contacts) result.contacts.push_back(mapped(contact.frame));
@@ -250,6 +253,13 @@ class MechanismMap {
     return times(times(about_z(body.beta), about_x), about_z(body.theta));
   }
 
+  // Adds the rotation of a spherical joint at the position that the arithmetic draws, and the constant one after it.
+  void turn(int first, Matrix3<F>& R) const {
+    const int q = mechanism_.quaternion_of(first);
+    const auto entry = [&](int k) { return arithmetic_.input({InputKind::q, q + k}); };
+    R = with_columns_cycled(times(R, rotation_of_quaternion<F>({entry(0), entry(1), entry(2), entry(3)})));
+  }
+
   FieldBody<F> mapped(const Body& body) const {
     FieldBody<F> result{body.parent,
                         body.prismatic,
@@ -270,6 +280,7 @@ class MechanismMap {
   }
 
   const Mechanism& mechanism_;
+  Arithmetic& arithmetic_;
   NumberMap<Arithmetic> number_;
 };
 

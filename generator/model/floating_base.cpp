@@ -51,6 +51,7 @@ Mechanism with_floating_base(Mechanism mechanism, const std::optional<BaseLimits
     shift(link.body);
   }
   shift(mechanism.tip.body);
+  for (int& first : mechanism.spherical) shift(first);
   for (Contact& contact : mechanism.contacts) shift(contact.frame.body);
   std::vector<Body> bodies;
   for (int k = 0; k < kBodies; ++k) {

@@ -8,6 +8,7 @@
 
 #include "model/physical_inertia.hpp"
 #include "model/rounded_up.hpp"
+#include "model/spherical_joint.hpp"
 
 namespace flatdyn {
 namespace {
@@ -88,6 +89,7 @@ class EnergyBounds {
     Supply rest = supply();
     if (mechanism_.floating_base) take_for_base(share, rest);
     for (int position = 0; position < mechanism_.position_count(); ++position) {
+      if (mechanism_.is_of_quaternion(position)) continue;
       const int k = mechanism_.body_at(position);
       if (!turns_as_its_coordinate(k, position)) return false;
       const double diagonal = diagonal_of(mechanism_.is_coupled() ? position : k);
@@ -99,6 +101,9 @@ class EnergyBounds {
       } else {
         take_for_turning(k, needed, rest);
       }
+    }
+    for (const int first : mechanism_.spherical) {
+      if (!take_for_spherical_joint(first, share, rest)) return false;
     }
     const auto is_enough = [](double left) { return left >= 0; };
     return std::all_of(rest.turning.begin(), rest.turning.end(), is_enough) &&
@@ -198,6 +203,19 @@ class EnergyBounds {
       return;
     }
     for (const int end : {k, before}) rest.turning[at(end)] -= 2 * needed;
+  }
+
+  // |w|² of a spherical joint is at most 2 ω² + 2 ω_parent², and the sum of its diagonal entries times squared rates at
+  // most the largest of them times |w|². Returns whether the joint moves anything.
+  bool take_for_spherical_joint(int first, double share, Supply& rest) const {
+    const auto own = diagonal_.begin() + first;
+    const auto [least, most] = std::minmax_element(own, own + kSphericalBodies);
+    if (*least == 0) return false;
+    const int last = first + kSphericalBodies - 1, before = turned_by(parent(first));
+    const double needed = share * *most;
+    rest.turning[at(last)] -= before == kNone ? needed : 2 * needed;
+    if (before != kNone) rest.turning[at(before)] -= 2 * needed;
+    return true;
   }
 
   // |q̇_k| is at most v_k + v_parent + ω_parent d, with v of the centres of mass and d the distance between them.

@@ -12,7 +12,7 @@ namespace flatdyn {
 
 // The position, rate or acceleration of body i's joint as a sum: the inputs of this kind with their factors.
 inline NodeId joint_sum(const Mechanism& mechanism, InputKind kind, int i, Graph& graph) {
-  if (!mechanism.is_coupled()) return graph.input({kind, kind == InputKind::q ? i - mechanism.base_bodies() : i});
+  if (!mechanism.is_coupled()) return graph.input({kind, kind == InputKind::q ? mechanism.position_of(i) : i});
   std::vector<Term> terms;
   const int count = kind == InputKind::q ? mechanism.position_count() : mechanism.size();
   for (int k = 0; k < count; ++k) {
@@ -35,11 +35,11 @@ std::vector<typename Arithmetic::Scalar> values_of(Graph graph, const std::vecto
   return values;
 }
 
-// The position of body i's joint; zero for the motion of a floating base.
+// The position of body i's joint; zero for coordinates around the present pose.
 template <class Arithmetic, class F = typename Arithmetic::Scalar>
 JointPoint<F> joint_point(const Mechanism& mechanism, Arithmetic& arithmetic, int i) {
   JointPoint<F> point;
-  if (mechanism.is_of_base(i)) return point;
+  if (mechanism.is_around_pose(i)) return point;
   Graph graph;
   const NodeId position = joint_sum(mechanism, InputKind::q, i, graph);
   if (mechanism.bodies[static_cast<std::size_t>(i)].prismatic) {

@@ -6,6 +6,7 @@
 
 #include "model/field_mechanism.hpp"
 #include "model/rational_rotation.hpp"
+#include "model/spherical_joint.hpp"
 
 namespace flatdyn {
 
@@ -147,7 +148,34 @@ bool Mechanism::has_prismatic_joint() const {
 }
 
 Mat3 constant_rotation(const Body& body) {
-  return expanded(rotation_z(body.beta) * rotation_x(body.alpha) * rotation_z(body.theta));
+  const Mat3 R = expanded(rotation_z(body.beta) * rotation_x(body.alpha) * rotation_z(body.theta));
+  return body.spherical == 1 ? with_columns_cycled(R) : R;
+}
+
+std::vector<int> Mechanism::quaternions() const {
+  std::vector<int> positions;
+  for (const int first : spherical) positions.push_back(quaternion_of(first));
+  return positions;
+}
+
+int Mechanism::spherical_up_to(int k) const {
+  return static_cast<int>(std::upper_bound(spherical.begin(), spherical.end(), k) - spherical.begin());
+}
+
+int Mechanism::body_of_position(int position) const {
+  int body = position + base_bodies();
+  for (const int first : spherical) {
+    if (body <= first) break;
+    --body;  // w has no body of its own
+  }
+  return body;
+}
+
+std::string Mechanism::position_name(int position) const {
+  const std::string& joint = joint_at(position).joint;
+  if (!is_of_quaternion(position)) return joint;
+  const int first = quaternion_of(body_at(position));
+  return spherical_joint_name(joint) + ".q" + "wxyz"[position - first];
 }
 
 }  // namespace flatdyn

@@ -42,7 +42,8 @@ struct Rotor {
 };
 
 // Body i, moved by joint i. Its frame in frame parent: displacement p, then Rz(beta) Rx(alpha) Rz(theta + q) for a
-// revolute joint; p, then Rz(beta) Rx(alpha) Rz(theta), then q along z for a prismatic one.
+// revolute joint; p, then Rz(beta) Rx(alpha) Rz(theta), then q along z for a prismatic one. A spherical joint is three
+// bodies (model/spherical_joint.hpp).
 struct Body {
   std::string joint;  // the joint's name, as written
   std::string link;   // the name of the link that it moves, as written
@@ -61,6 +62,8 @@ struct Body {
   // q_0: the spring exerts k (q_0 - q), where q is the joint's position without the constant part that a coupled one
   // has, rad or m.
   Number spring_reference = 0;
+  // 1, 2, 3: the body is the first, second or last one of a spherical joint, and turns about its x, y or z. 0: not so.
+  int spherical = 0;
 };
 
 // The unit of the joint's torque or force.
@@ -157,6 +160,10 @@ struct Mechanism {
   // (model/floating_base.hpp). q has no entries of theirs; the first six of q̇, q̈ and τ are the base's.
   bool floating_base = false;
 
+  // The first of the three bodies of each spherical joint (model/spherical_joint.hpp), in order. q has four entries of
+  // such a joint, q̇, q̈ and τ have three.
+  std::vector<int> spherical;
+
   // The scene's contacts, and λ of the matrix J B^-1 J^T + λ² 1 that their forces are found with.
   std::vector<Contact> contacts;
   Rational contact_damping = 0;
@@ -166,25 +173,50 @@ struct Mechanism {
   // The bodies, and the entries of q̇, that are the motion of a floating base.
   int base_bodies() const { return floating_base ? 6 : 0; }
   bool is_of_base(int body) const { return body < base_bodies(); }
+  bool is_of_spherical(int body) const { return bodies[static_cast<std::size_t>(body)].spherical > 0; }
+  // Whether the coordinate of a body's joint is one around the present pose, where it is zero: q has no such entry.
+  bool is_around_pose(int body) const { return is_of_base(body) || is_of_spherical(body); }
+  // The first entries of q of all spherical joints' quaternions.
+  std::vector<int> quaternions() const;
+  bool has_spherical_joints() const { return !spherical.empty(); }
+  // Whether q̇ are velocities that are not all the derivatives of q: v and a are arguments instead of q̇ and q̈.
+  bool has_quasi_velocities() const { return floating_base || has_spherical_joints(); }
   // Whether torques depend on gravity in the axes of a floating base.
   bool has_base_gravity() const;
   // Entries of q.
   int position_count() const {
-    return is_coupled() ? static_cast<int>(coordinates.size()) : body_count() - base_bodies();
+    if (is_coupled()) return static_cast<int>(coordinates.size());
+    return body_count() - base_bodies() + static_cast<int>(spherical.size());
   }
   int angle_count() const { return position_count() + static_cast<int>(angles.size()); }
-  // The number of entries of q̇, q̈ and τ, and of q if no loop is closed.
-  int size() const { return base_bodies() + (has_loops() ? static_cast<int>(independent.size()) : position_count()); }
+  // The number of entries of q̇, q̈ and τ.
+  int size() const {
+    if (is_coupled()) return has_loops() ? static_cast<int>(independent.size()) : position_count();
+    return body_count();
+  }
   int body_count() const { return static_cast<int>(bodies.size()); }
   bool is_coupled() const { return !coupling.empty(); }
   bool has_loops() const { return !loops.empty(); }
   // The joints that the entries of q̇ belong to, in order, without the motion of a floating base.
   JointRange joints() const;
-  // The entry of q that is integrated from entry k of q̇, which must not be the base's.
-  int position_of(int k) const { return has_loops() ? independent[static_cast<std::size_t>(k)] : k - base_bodies(); }
-  int body_at(int position) const {
-    return is_coupled() ? coordinates[static_cast<std::size_t>(position)] : position + base_bodies();
+  // The entry of q that is integrated from entry k of q̇, which must not be the base's. For those of a spherical joint,
+  // x, y and z of its quaternion, one for each.
+  int position_of(int k) const {
+    return has_loops() ? independent[static_cast<std::size_t>(k)] : k - base_bodies() + spherical_up_to(k);
   }
+  // The body of an entry of q; for w of a quaternion, the first one of the spherical joint.
+  int body_at(int position) const {
+    return is_coupled() ? coordinates[static_cast<std::size_t>(position)] : body_of_position(position);
+  }
+  // The name of an entry of q: of the joint, or "JOINT.qw" to "JOINT.qz" for a spherical one.
+  std::string position_name(int position) const;
+  // The first entry of q of the spherical joint of which body i is one.
+  int quaternion_of(int i) const {
+    const int first = i + 1 - bodies[static_cast<std::size_t>(i)].spherical;
+    return position_of(first) - 1;
+  }
+  // Whether an entry of q is one of a quaternion, the first of the four that are from `first` on.
+  bool is_of_quaternion(int position) const { return !is_coupled() && is_of_spherical(body_at(position)); }
   int body_of(int k) const { return k < base_bodies() ? k : body_at(position_of(k)); }
   const Body& joint_at(int position) const { return bodies[static_cast<std::size_t>(body_at(position))]; }
   const Body& joint(int k) const { return bodies[static_cast<std::size_t>(body_of(k))]; }
@@ -192,6 +224,11 @@ struct Mechanism {
   bool has_prismatic_joint() const;  // beside the motion of a floating base
   // Whether entries of q or q̇ are lengths, so that the unit of length is not free.
   bool has_lengths() const { return floating_base || has_prismatic_joint(); }
+
+ private:
+  // How many spherical joints have their first body at k or before it.
+  int spherical_up_to(int k) const;
+  int body_of_position(int position) const;
 };
 
 class JointRange {
@@ -235,7 +272,8 @@ inline JointRange Mechanism::joints() const { return JointRange(*this); }
 // `from` must be on the path from the base.
 std::vector<int> path_to(const Mechanism& mechanism, int body, int from = -1);
 
-// R_i^parent at q = 0, without the joint's own motion: Rz(beta) Rx(alpha) Rz(theta).
+// R_i^parent at q = 0, without the joint's own motion: Rz(beta) Rx(alpha) Rz(theta). For the first body of a spherical
+// joint, that of the quaternion (1, 0, 0, 0).
 Mat3 constant_rotation(const Body& body);
 
 // Robot → Mechanism. Throws Failure(unsupported) for a robot that cannot be made canonical.

@@ -32,7 +32,8 @@ struct Motor {
   Place place;
 };
 
-enum class JointType { fixed, revolute, continuous, prismatic };
+// spherical: turns in all directions (model/spherical_joint.hpp).
+enum class JointType { fixed, revolute, continuous, prismatic, spherical };
 
 // The type of motion of a joint that is held still, and the position where it is held.
 struct Held {
@@ -146,5 +147,8 @@ std::vector<bool> moving_links(const Robot& robot);
 
 // The indices of the moving joints in depth-first file order: the order of q. The tree must be valid.
 std::vector<int> moving_joints(const Robot& robot);
+
+// The number of bodies of a mechanism that a moving joint is, and of its entries of q̇.
+inline std::size_t bodies_of(const Joint& joint) { return joint.type == JointType::spherical ? 3 : 1; }
 
 }  // namespace flatdyn

@@ -65,6 +65,22 @@ double magnitude_of_gravity(const Vec3& v) {
                 "give it in [base_limits] of the scene: the largest size of each component");
 }
 
+constexpr unsigned kQuaternionSeed = 0x62616c6c;
+
+// Draws a random point of the unit sphere in four dimensions: one of a ball, scaled.
+void draw_quaternion(std::vector<double>& q, std::size_t first, Uniform& uniform) {
+  constexpr double kLeast = 1e-2;
+  for (double square = 0; square > 1 || square < kLeast;) {
+    square = 0;
+    for (std::size_t k = first; k < first + 4; ++k) {
+      q[k] = uniform(-1, 1);
+      square += q[k] * q[k];
+    }
+    if (square > 1 || square < kLeast) continue;
+    for (std::size_t k = first; k < first + 4; ++k) q[k] /= std::sqrt(square);
+  }
+}
+
 // A vector of this length in a random direction: a random point of a ball of radius 1, scaled.
 std::vector<double> in_any_direction(double length, Uniform& uniform) {
   for (;;) {
@@ -120,9 +136,10 @@ StateSource::StateSource(const Mechanism& mechanism) {
     positions_.emplace_back(range.lower, range.upper);
   }
   for (int k = 0; k < mechanism.size(); ++k) {
-    const int position = mechanism.is_of_base(k) ? kNoPosition : mechanism.position_of(k);
+    const int position = mechanism.is_around_pose(k) ? kNoPosition : mechanism.position_of(k);
     joints_.push_back({position, motion_range(mechanism.joint(k))});
   }
+  quaternions_ = mechanism.quaternions();
   if (mechanism.floating_base) gravity_ = magnitude_of_gravity(mechanism.gravity);
   for (const LoopClosure& loop : mechanism.loops) {
     dependent_.insert(dependent_.end(), loop.dependent.begin(), loop.dependent.end());
@@ -130,7 +147,8 @@ StateSource::StateSource(const Mechanism& mechanism) {
 }
 
 std::vector<State> StateSource::draw(int count, unsigned seed) const {
-  Uniform uniform(seed), reference(seed + kReferenceSeed), orientation(seed + kGravitySeed);
+  Uniform uniform(seed), reference(seed + kReferenceSeed), orientation(seed + kGravitySeed),
+      of_joints(seed + kQuaternionSeed);
   std::vector<State> states;
   for (int k = 0; k < count; ++k) {
     State state;
@@ -147,6 +165,7 @@ std::vector<State> StateSource::draw(int count, unsigned seed) const {
     }
     for (double& h : state.h_e) h = uniform(-50, 50);
     for (const int p : dependent_) draw_position(static_cast<std::size_t>(p));
+    for (const int first : quaternions_) draw_quaternion(state.q, static_cast<std::size_t>(first), of_joints);
     if (gravity_ > 0) state.g_b = in_any_direction(gravity_, orientation);
     states.push_back(std::move(state));
   }
@@ -155,6 +174,15 @@ std::vector<State> StateSource::draw(int count, unsigned seed) const {
 
 std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned seed) {
   return StateSource(mechanism).draw(count, seed);
+}
+
+void turn_spherical_joints(const Mechanism& mechanism, double angle, State& state) {
+  constexpr double kDirection[] = {2.0 / 3, -1.0 / 3, 2.0 / 3};
+  for (const int position : mechanism.quaternions()) {
+    const auto first = static_cast<std::size_t>(position);
+    state.q[first] = std::cos(angle / 2);
+    for (std::size_t k = 0; k < 3; ++k) state.q[first + 1 + k] = std::sin(angle / 2) * kDirection[k];
+  }
 }
 
 State child(const State& parent, const State& other, std::mt19937_64& random, const StateMutation& mutation) {
@@ -195,6 +223,7 @@ std::vector<State> edge_states(const Mechanism& mechanism) {
     for (const double qd : {0.0, 1.0, -1000.0}) {
       State state;
       state.q.assign(positions, q);
+      turn_spherical_joints(mechanism, q, state);
       state.qd.assign(n, qd);
       state.qdd.assign(n, qd == 1.0 ? -2.0 : 0.0);
       state.tau.assign(n, 1.0);

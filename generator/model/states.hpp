@@ -2,6 +2,7 @@
 // States of motion at which functions are compared.
 #pragma once
 
+#include <cmath>
 #include <random>
 #include <span>
 #include <utility>
@@ -51,6 +52,20 @@ StateOf<S> widened(const State& state) {
           wide(state.parameters), wide(state.qd_r), wide(state.qdd_r), wide(state.pi_b), wide(state.g_b)};
 }
 
+// The same state with quaternions of spherical joints that are unit ones to the last place of the type.
+template <class S>
+StateOf<S> with_unit_quaternions(const Mechanism& mechanism, StateOf<S> state) {
+  using std::sqrt;
+  for (const int position : mechanism.quaternions()) {
+    const auto first = state.q.begin() + position;
+    S square(0);
+    for (auto entry = first; entry != first + 4; ++entry) square += *entry * *entry;
+    const S length = sqrt(square);
+    for (auto entry = first; entry != first + 4; ++entry) *entry /= length;
+  }
+  return state;
+}
+
 // The state that a function in float is given: every number is rounded.
 State in_float(State state);
 
@@ -72,6 +87,9 @@ double required_reach(const Body& body);
 // no base parameters.
 std::vector<State> random_states(const Mechanism& mechanism, int count, unsigned seed);
 
+// Sets the orientations of all spherical joints to a turn by an angle, rad, about a direction between the axes.
+void turn_spherical_joints(const Mechanism& mechanism, double angle, State& state);
+
 // A source of many random states: the mechanism's exact numbers are read once, and several threads may draw at once.
 class StateSource {
  public:
@@ -86,6 +104,7 @@ class StateSource {
   std::vector<std::pair<double, double>> positions_;  // lower and upper bound, by entry of q
   std::vector<Joint> joints_;                         // by entry of q̇
   std::vector<int> dependent_;                        // entries of q
+  std::vector<int> quaternions_;                      // the first entries of q of spherical joints
   double gravity_ = 0;                                // |g_0|, with a floating base
 };
 

@@ -143,9 +143,51 @@ void check_limits(Joint& joint, Diagnostics& diagnostics) {
   }
 }
 
+// What a spherical joint may have is viscous friction, and limits of velocity, acceleration and effort.
+void check_spherical(const Joint& joint, Diagnostics& diagnostics) {
+  const auto refuse = [&](const Place& place, const std::string& what) {
+    diagnostics.unsupported(place, fmt::format("{}: {} of a spherical joint is not supported", named(joint), what),
+                            "leave it out; viscous friction and limits of velocity, acceleration and effort are known");
+  };
+  if (!is_exact_zero(joint.coulomb.number)) refuse(joint.coulomb.place, "Coulomb friction");
+  if (!is_exact_zero(joint.armature.number)) refuse(joint.armature.place, "the armature");
+  if (!is_exact_zero(joint.stiffness.number)) refuse(joint.stiffness.place, "the stiffness");
+  if (joint.motor) refuse(joint.motor->place, "the motor");
+  if (joint.coupled) refuse(joint.coupled->place, "the coupling");
+  for (const std::optional<Value>* limit : {&joint.limits.lower, &joint.limits.upper}) {
+    if (*limit) refuse((*limit)->place, "a limit of position");
+  }
+}
+
+// Coupled joints and closed loops have one coordinate for each joint.
+void check_spherical_joints(const Robot& robot, Diagnostics& diagnostics) {
+  const auto of_type = [](const Joint& joint) { return joint.type == JointType::spherical; };
+  const auto spherical = std::find_if(robot.joints.begin(), robot.joints.end(), of_type);
+  if (spherical == robot.joints.end()) return;
+  for (const Joint& joint : robot.joints) {
+    if (!joint.coupled || joint.type == JointType::fixed || of_type(joint)) continue;
+    diagnostics.unsupported(joint.coupled->place,
+                            fmt::format("{} is coupled, and {} is spherical: both in one robot are not supported yet",
+                                        named(joint), named(*spherical)),
+                            "hold one of them still: --fix");
+    return;
+  }
+  for (const Loop& loop : robot.loops) {
+    diagnostics.unsupported(loop.place,
+                            fmt::format("{}, and {} is spherical: both in one robot are not supported yet",
+                                        name_of(loop), named(*spherical)),
+                            "leave the loop open, or hold the joint still: --fix");
+    return;
+  }
+}
+
 void check_joint(Joint& joint, Diagnostics& diagnostics) {
   if (joint.type == JointType::fixed) return;
-  check_axis(joint, diagnostics);
+  if (joint.type == JointType::spherical) {
+    check_spherical(joint, diagnostics);
+  } else {
+    check_axis(joint, diagnostics);
+  }
   check_not_negative(joint.viscous, named(joint) + ": viscous friction (damping)",
                      "friction acts against the motion: write it positive", diagnostics);
   check_not_negative(joint.coulomb, named(joint) + ": Coulomb friction",
@@ -228,10 +270,11 @@ void validate_values(Robot& robot, const std::vector<Place>& payloads, Diagnosti
     }
   }
   for (Joint& joint : robot.joints) check_joint(joint, diagnostics);
+  check_spherical_joints(robot, diagnostics);
   if (!complete) return;
   if (moving_joints(robot).empty() && !robot.floating_base) {
     diagnostics.error({robot.file, 0}, "no joint of this robot moves",
-                      robot.scene.locked.empty() ? "make a joint revolute, continuous or prismatic"
+                      robot.scene.locked.empty() ? "make a joint revolute, continuous, prismatic or spherical"
                                                  : "leave a joint free that [locked] or --fix holds");
   }
   check_moved_inertia(robot, diagnostics);

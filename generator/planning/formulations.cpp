@@ -47,6 +47,11 @@ Request parsed(const Mechanism& mechanism, const std::string& name) {
                   fmt::format("function \"{}\" is not supported for robots with a floating base", request.row->name),
                   "leave it out of --functions, or fix the base");
   }
+  if (request.row->traits.needs_rates && mechanism.has_spherical_joints()) {
+    throw Failure(ExitCode::unsupported,
+                  fmt::format("function \"{}\" is not supported for robots with spherical joints", request.row->name),
+                  "leave it out of --functions");
+  }
   if (request.row->traits.uses_task && mechanism.floating_base && mechanism.task.rates_are_of_angles()) {
     throw Failure(ExitCode::unsupported, "a task in Euler angles is not supported for robots with a floating base",
                   "the base turns, too: take angular_velocity, in base axes");
@@ -77,7 +82,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
-// With a floating base, q̈ is a and q̇ is v.
+// With a floating base or spherical joints, q̈ is a and q̇ is v.
 std::string in_terms_of_base(const std::string& text) { return replaced(replaced(text, "qdd", "a"), "qd", "v"); }
 
 // Said of derivatives by positions with a floating base, which are in its tangent space.
@@ -117,7 +122,7 @@ std::string summary_of(const Request& request, const Mechanism& mechanism) {
   if (request.row->traits.needs_contacts && mechanism.contact_damping != 0) {
     summary = with_damping(summary, mechanism.contact_damping);
   }
-  if (floating_base) summary = in_terms_of_base(summary);
+  if (mechanism.has_quasi_velocities()) summary = in_terms_of_base(summary);
   if (floating_base && summary.starts_with("(dJ/dt) v of ")) {
     summary = "Acceleration, while a is zero, of " + summary.substr(std::string("(dJ/dt) v of ").size());
   }
@@ -137,10 +142,25 @@ Function derived_plainly(const Mechanism& mechanism, const Request& request, con
   return row.of_link(mechanism, request.link != nullptr ? *request.link : mechanism.tip);
 }
 
+// Says of an output with entries for v or a of a robot with spherical joints which they are.
+void describe_spherical(Output& output) {
+  switch (output.quantity) {
+    case OutputQuantity::joint_torque:
+      output.meaning += "; of spherical joints the moment in the child's axes";
+      break;
+    case OutputQuantity::joint_acceleration:
+      output.meaning = "derivatives of the entries of v";
+      break;
+    case OutputQuantity::joint_inertia:
+      output.meaning = "inertia matrix, symmetric, rows and columns in the order of v, SI units";
+      break;
+    default:
+      break;
+  }
+}
+
 // Says of an output that has entries of a floating base which they are.
 void describe_floating(const OutputRow& row, Output& output) {
-  output.name = in_terms_of_base(output.name);
-  output.meaning = in_terms_of_base(output.meaning);
   switch (output.quantity) {
     case OutputQuantity::joint_torque:
       output.meaning = "force and moment on the base (base axes, N, N m), then joint torques";
@@ -178,7 +198,12 @@ void describe(const FunctionRow& row, const Mechanism& mechanism, Function& func
   }
   for (std::size_t k = 0; k < row.outputs.size(); ++k) {
     function.outputs[k].quantity = row.outputs[k].quantity;
+    if (mechanism.has_quasi_velocities()) {
+      function.outputs[k].name = in_terms_of_base(function.outputs[k].name);
+      function.outputs[k].meaning = in_terms_of_base(function.outputs[k].meaning);
+    }
     if (mechanism.floating_base) describe_floating(row.outputs[k], function.outputs[k]);
+    if (mechanism.has_spherical_joints()) describe_spherical(function.outputs[k]);
   }
 }
 

@@ -174,7 +174,7 @@ const ScannedFunction& CFile::scanned(const FileFunction& function) const {
 
 void CFile::counts() {
   count("joint_count", contents_.joints);
-  if (contents_.has_loops) count("position_count", contents_.positions);
+  if (contents_.has_positions) count("position_count", contents_.positions);
   if (contents_.velocities) count("velocity_count", *contents_.velocities);
   const bool has_angles = contents_.angles > contents_.positions;
   if (has_angles && follows("enum { " + count_name("angle_count"))) count("angle_count", contents_.angles);

@@ -55,7 +55,7 @@ struct FileContents {
   std::vector<std::string> scalars;      // those that the source of a pair is compiled for
   int joints = 0, positions = 0;         // lengths of qd (but for the base's six) and q
   int angles = 0;                        // angles whose sines and cosines there may be
-  bool has_loops = false;
+  bool has_positions = false;
   std::vector<FileTable> tables;
   std::optional<int> base_count;  // base parameters, if functions take them
   std::vector<FileTable> base_tables;

@@ -97,7 +97,7 @@ void CppFile::source() {
 void CppFile::constants() {
   expect("using Real = $real$;");
   count("joint_count", contents_.joints);
-  if (contents_.has_loops) count("position_count", contents_.positions);
+  if (contents_.has_positions) count("position_count", contents_.positions);
   if (contents_.velocities) count("velocity_count", *contents_.velocities);
   if (contents_.angles > contents_.positions && follows("inline constexpr int angle_count")) {
     count("angle_count", contents_.angles);

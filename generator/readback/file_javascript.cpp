@@ -49,7 +49,7 @@ class JavascriptFile : public FileReader {
 
   void constants() {
     count("joint_count", contents_.joints);
-    if (contents_.has_loops) expect(fmt::format("const position_count = {};", contents_.positions));
+    if (contents_.has_positions) expect(fmt::format("const position_count = {};", contents_.positions));
     if (contents_.velocities) {
       exports_.emplace_back("velocity_count");
       expect(fmt::format("const velocity_count = {};", *contents_.velocities));

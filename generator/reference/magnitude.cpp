@@ -17,13 +17,12 @@ double spring_magnitude(const Joint<double>& joint, double q) {
 VectorX<double> torque_magnitude_of_tree(const Robot<double>& robot, const VectorX<double>& q,
                                          const VectorX<double>& qd, const VectorX<double>& qdd,
                                          const MagnitudeOptions& options) {
-  const auto entry = [](const VectorX<double>& v, int index) { return index < 0 ? 0.0 : std::abs(v[index]); };
   std::vector<MotionMagnitude> motions(robot.links.size());
   motions[static_cast<std::size_t>(robot.root)] = magnitude_of_root(robot, qd, qdd, options.gravity);
   for (const Joint<double>& joint : robot.joints) {
     motions[static_cast<std::size_t>(joint.child)] =
-        moved(motions[static_cast<std::size_t>(joint.parent)], joint, entry(q, joint.index), entry(qd, joint.index),
-              entry(qdd, joint.index));
+        moved(motions[static_cast<std::size_t>(joint.parent)], joint, entry_of(joint, q), entry_of(joint, qd),
+              entry_of(joint, qdd));
   }
   std::vector<double> f(robot.links.size(), 0), mu(robot.links.size(), 0);
   for (std::size_t l = 0; l < robot.links.size(); ++l) {
@@ -39,10 +38,14 @@ VectorX<double> torque_magnitude_of_tree(const Robot<double>& robot, const Vecto
   VectorX<double> tau = VectorX<double>::Zero(q.size());
   for (const Joint<double>& joint : robot.joints) {
     if (joint.index < 0) continue;
-    const double v = entry(qd, joint.index), a = entry(qdd, joint.index);
+    const double v = entry_of(joint, qd), a = entry_of(joint, qdd);
+    if (joint.type == JointType::spherical) {
+      if (options.friction) tau.segment<3>(joint.index).array() += std::abs(joint.viscous) * v;
+      continue;
+    }
     tau[joint.index] += std::abs(joint.armature) * a;
     if (options.friction) tau[joint.index] += std::abs(joint.viscous) * v + (v > 0 ? std::abs(joint.coulomb) : 0);
-    if (options.springs) tau[joint.index] += spring_magnitude(joint, entry(q, joint.index));
+    if (options.springs) tau[joint.index] += spring_magnitude(joint, entry_of(joint, q));
     const Rotor<double>& rotor = joint.rotor;
     const MotionMagnitude& carrier = motions[static_cast<std::size_t>(rotor.carrier)];
     const double k = std::abs(rotor.gear_ratio), spin = k * std::abs(rotor.inertia);
@@ -55,7 +58,8 @@ VectorX<double> torque_magnitude_of_tree(const Robot<double>& robot, const Vecto
     const double at_joint = mu[child] + joint.p_1.norm() * f[child];
     if (joint.type == JointType::revolute) tau[joint.index] += at_joint;
     if (joint.type == JointType::prismatic) tau[joint.index] += f[child];
-    const double slide = joint.type == JointType::prismatic ? entry(q, joint.index) : 0;
+    if (joint.type == JointType::spherical) tau.segment<3>(joint.index).array() += at_joint;
+    const double slide = joint.type == JointType::prismatic ? entry_of(joint, q) : 0;
     f[parent] += f[child];
     mu[parent] += at_joint + (joint.p_0.norm() + slide) * f[child];
   }
@@ -113,8 +117,14 @@ MatrixX<double> coriolis_magnitude(const Robot<double>& robot, const VectorX<dou
       C.col(j) += c.col(high * (high + 1) / 2 + low) * std::abs(qd[k]);
     }
   }
-  if (!robot.floating_base) return C;
+  if (!robot.floating_base && !has_spherical_joints(robot)) return C;
   const MatrixX<double> B = inertia_magnitude(robot, q);
+  for (const Joint<double>& joint : robot.joints) {
+    if (joint.type != JointType::spherical) continue;
+    const VectorX<double> more = B.middleCols<3>(joint.index).rowwise().sum() * detail::entry_of(joint, qd) / 2;
+    for (int k = 0; k < 3; ++k) C.col(joint.index + k) += more;
+  }
+  if (!robot.floating_base) return C;
   const double v = qd.head<3>().norm(), omega = qd.segment<3>(3).norm();
   for (Eigen::Index j = 0; j < 6; ++j) {
     C.col(j) += B.leftCols<3>().rowwise().sum() * (j < 3 ? omega : v) / 2;
@@ -192,6 +202,7 @@ MatrixX<double> jacobian_magnitude(const Robot<double>& robot, const VectorX<dou
     link = joint.parent;
     if (joint.type == JointType::prismatic) J.col(joint.index).head<3>().setOnes();
     if (joint.type == JointType::revolute) J.col(joint.index) << way, way, way, 1, 1, 1;
+    for (int k = 0; joint.type == JointType::spherical && k < 3; ++k) J.col(joint.index + k) << way, way, way, 1, 1, 1;
   }
   if (robot.coupling.size() > 0) J = MatrixX<double>(J * detail::motion_magnitude(robot, q));
   return J;
@@ -206,7 +217,7 @@ Eigen::Vector2d tip_acceleration_magnitude(const Robot<double>& robot, const Vec
   std::vector<detail::MotionMagnitude> motions(robot.links.size());
   motions[static_cast<std::size_t>(robot.root)] = detail::magnitude_of_root(robot, qd, qdd, false);
   for (const Joint<double>& joint : robot.joints) {
-    const auto entry = [&joint](const VectorX<double>& v) { return joint.index < 0 ? 0 : std::abs(v[joint.index]); };
+    const auto entry = [&joint](const VectorX<double>& v) { return detail::entry_of(joint, v); };
     motions[static_cast<std::size_t>(joint.child)] =
         detail::moved(motions[static_cast<std::size_t>(joint.parent)], joint, entry(q), entry(qd), entry(qdd));
   }

@@ -11,7 +11,7 @@ MotionMagnitude moved(const MotionMagnitude& parent, const Joint<double>& joint,
   MotionMagnitude child = parent;
   const double slide = joint.type == JointType::prismatic ? std::abs(q) : 0;
   child.ddp += parent.swing(joint.p_0.norm() + slide);
-  if (joint.type == JointType::revolute) {
+  if (joint.type == JointType::revolute || joint.type == JointType::spherical) {
     child.omega += qd;
     child.domega += qdd + qd * parent.omega;
   } else if (joint.type == JointType::prismatic) {
@@ -19,6 +19,10 @@ MotionMagnitude moved(const MotionMagnitude& parent, const Joint<double>& joint,
   }
   child.ddp += child.swing(joint.p_1.norm());
   return child;
+}
+
+double entry_of(const Joint<double>& joint, const VectorX<double>& values) {
+  return joint.index < 0 ? 0 : values.segment(joint.index, joint.size()).norm();
 }
 
 MotionMagnitude magnitude_of_root(const Robot<double>& robot, const VectorX<double>& qd, const VectorX<double>& qdd,

@@ -34,6 +34,9 @@ struct MotionMagnitude {
 // The motion of a joint's child.
 MotionMagnitude moved(const MotionMagnitude& parent, const Joint<double>& joint, double q, double qd, double qdd);
 
+// The absolute value of a joint's entry, or of its three; 0 for a fixed joint.
+double entry_of(const Joint<double>& joint, const VectorX<double>& values);
+
 // The motion of the root link, for magnitudes of all rates and accelerations.
 MotionMagnitude magnitude_of_root(const Robot<double>& robot, const VectorX<double>& qd, const VectorX<double>& qdd,
                                   bool gravity);

@@ -121,7 +121,9 @@ class Converter {
       if (joint.type != JointType::fixed) {
         result.type =
             joint.type == JointType::prismatic ? reference::JointType::prismatic : reference::JointType::revolute;
-        result.index = next_index_++;
+        if (joint.type == JointType::spherical) result.type = reference::JointType::spherical;
+        result.index = next_index_;
+        next_index_ += result.size();
         result.axis = unit(joint.axis);
         add_offset(j, result);
         result.viscous = number(joint.viscous.number);

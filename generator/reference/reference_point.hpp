@@ -39,10 +39,24 @@ reference::Robot<S> with_base_gravity(reference::Robot<S> robot, const StateOf<S
   return robot;
 }
 
+// The state whose q lacks the orientations of spherical joints, which become the robot's.
+template <class S>
+StateOf<S> without_quaternions(reference::Robot<S>& robot, StateOf<S> state) {
+  reference::VectorX<S> q = vector_of(state.q);
+  reference::take_orientations(robot, q);
+  state.q.assign(q.data(), q.data() + q.size());
+  return state;
+}
+
 // `Generic`: the type of a function object without state that takes a ReferencePoint<S> and returns the entries.
 template <class Generic, class S>
 ReferenceFunction<S> prepared(const ReferenceModel<S>& model, const Function& function) {
   return [robot = model.robot, &function](const StateOf<S>& state) -> std::vector<S> {
+    if (reference::has_spherical_joints(robot)) {
+      reference::Robot<S> turned = has_base_gravity(robot) ? with_base_gravity(robot, state) : robot;
+      const StateOf<S> rest = without_quaternions(turned, state);
+      return Generic{}(ReferencePoint<S>(turned, function, rest));
+    }
     if (!has_base_gravity(robot)) return Generic{}(ReferencePoint<S>(robot, function, state));
     return Generic{}(ReferencePoint<S>(with_base_gravity(robot, state), function, state));
   };

@@ -9,6 +9,7 @@
 #include "diagnostics/table.hpp"
 #include "emit/arguments.hpp"
 #include "emit/languages/cpp_dialect.hpp"
+#include "model/spherical_joint.hpp"
 #include "passes/fuse_products.hpp"
 #include "report/number_json.hpp"
 #include "report/scene_report.hpp"
@@ -20,6 +21,7 @@ namespace flatdyn {
 namespace {
 
 std::string type_of(const Body& body) {
+  if (body.spherical > 0) return "spherical";
   if (body.prismatic) return "prismatic";
   return body.continuous ? "continuous" : "revolute";
 }
@@ -55,8 +57,9 @@ std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_eff
     const Body& body = mechanism.joint_at(i);
     const bool is_on_base = body.parent < mechanism.base_bodies();
     const std::string parent = is_on_base ? "base" : mechanism.bodies[static_cast<std::size_t>(body.parent)].joint;
-    rows.push_back({std::to_string(i), body.joint, type_of(body), body.link, parent, range_text(body.limits, number),
-                    limit_text(body.limits.velocity, number), limit_text(body.limits.effort, number)});
+    rows.push_back({std::to_string(i), mechanism.position_name(i), type_of(body), body.link, parent,
+                    range_text(body.limits, number), limit_text(body.limits.velocity, number),
+                    limit_text(body.limits.effort, number)});
     if (has_accelerations) rows.back().push_back(limit_text(body.limits.acceleration, number));
   }
   text += aligned_table(rows);
@@ -65,6 +68,16 @@ std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_eff
         "\nfloating base, link {}: v, a and tau begin with six entries of the base, in its axes: linear, then "
         "angular\n",
         mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)].link);
+  }
+  if (mechanism.has_spherical_joints()) {
+    text +=
+        "\nspherical joints: q has a unit quaternion (w, x, y, z) of each, from the child's axes to the parent's; v, a "
+        "and "
+        "tau\nhave three entries, in the child's axes:\n";
+    for (const int first : mechanism.spherical) {
+      const Body& body = mechanism.bodies[static_cast<std::size_t>(first)];
+      text += fmt::format("  v[{}] to v[{}]: {}\n", first, first + 2, spherical_joint_name(body.joint));
+    }
   }
   if (mechanism.is_coupled()) {
     const auto by_index = [](int k) { return fmt::format("q[{}]", k); };

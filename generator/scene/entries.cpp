@@ -54,7 +54,7 @@ std::vector<std::string> names_counted(const Mechanism& mechanism, Extent extent
     for (const Body& body : mechanism.joints()) names.push_back(body.joint);
   }
   for (int k = 0; extent == Extent::positions && k < mechanism.position_count(); ++k) {
-    names.push_back(mechanism.joint_at(k).joint);
+    names.push_back(mechanism.position_name(k));
   }
   return names;
 }

@@ -167,10 +167,28 @@ Vector50 rates_of(const Functions& f, const ExactState& state) {
   return f.has({"loop_motion"}) ? f("loop_motion", state) : Vector50();
 }
 
+// With spherical joints, q has quaternions, which become exactly unit ones; their rates are ½ q (0, ω).
+Vector50 rates_of(const Mechanism& mechanism, ExactState& state) {
+  for (const int first : mechanism.quaternions()) state.q.segment<4>(first).normalize();
+  Vector50 rates(state.q.size());
+  for (int k = mechanism.base_bodies(); k < mechanism.size(); ++k) {
+    if (!mechanism.is_of_spherical(k)) rates[mechanism.position_of(k)] = state.qd[k];
+  }
+  for (const int first : mechanism.spherical) {
+    const int p = mechanism.quaternion_of(first);
+    const Real50 w = state.q[p];
+    const Eigen::Matrix<Real50, 3, 1> r = state.q.segment<3>(p + 1), omega = state.qd.segment<3>(first);
+    rates[p] = -r.dot(omega) / 2;
+    rates.segment<3>(p + 1) = (w * omega + r.cross(omega)) / 2;
+  }
+  return rates;
+}
+
 }  // namespace
 
 std::vector<Property> check_properties(const std::vector<Function>& functions, const std::vector<State>& states,
-                                       double largest_angle_factor, const ProvenPivots& proven) {
+                                       double largest_angle_factor, const ProvenPivots& proven,
+                                       const Mechanism* mechanism) {
   const double tolerance = kTolerance * largest_angle_factor * largest_angle_factor;
   constexpr std::size_t kStates = 5;
   const Functions f(functions);
@@ -179,7 +197,8 @@ std::vector<Property> check_properties(const std::vector<Function>& functions, c
     const State& s = states[k];
     exact.push_back({exact_vector(s.q), exact_vector(s.qd), exact_vector(s.qdd), exact_vector(s.tau), s.parameters,
                      exact_vector(s.g_b)});
-    exact.back().rates = rates_of(f, exact.back());
+    const bool has_quaternions = mechanism != nullptr && mechanism->has_spherical_joints();
+    exact.back().rates = has_quaternions ? rates_of(*mechanism, exact.back()) : rates_of(f, exact.back());
   }
   std::vector<Property> properties;
   const auto vanishing = [&](const std::string& name, double (*measure)(const Functions&, const ExactState&)) {

@@ -32,7 +32,8 @@ class Comparison {
  public:
   Comparison(const Robot& robot, const Mechanism& mechanism, const std::vector<Function>& functions,
              const VerifyOptions& options)
-      : expected_(robot, mechanism, options.seed),
+      : mechanism_(mechanism),
+        expected_(robot, mechanism, options.seed),
         compiled_(mechanism, functions),
         random_(expected_.with_closed_loops(
             with_parameters(random_states(mechanism, options.states, options.seed), expected_.symbols()))),
@@ -67,7 +68,7 @@ class Comparison {
       }
       const std::vector<Real50> truth = kept(expected.exact(state));
       const std::vector<double> scale = kept(expected.scale(state));
-      const auto from_graph = graph(widened<Real50>(given));
+      const auto from_graph = graph(with_unit_quaternions(mechanism_, widened<Real50>(given)));
       report.graph_error =
           std::max(report.graph_error, from_graph ? relative_difference(kept(*from_graph), truth, scale) : kInfinity);
       const double error = writes_too_much(function, written) ? kInfinity : scaled_error(kept(written), truth, scale);
@@ -121,6 +122,7 @@ class Comparison {
     return sum;
   }
 
+  const Mechanism& mechanism_;
   ExpectedValues expected_;
   CompiledFunctions compiled_;
   std::vector<State> random_, edge_;
@@ -155,8 +157,9 @@ VerifyReport verify(const Robot& robot, const Mechanism& mechanism, const std::v
                  row.at_edges.largest <= bound;
     report.functions.push_back(row);
   }
-  report.properties = check_properties(functions, comparison.random(), largest_angle_factor(mechanism),
-                                       {scaled_inertia_bound(mechanism), positions_of_inertia_bound(mechanism)});
+  report.properties =
+      check_properties(functions, comparison.random(), largest_angle_factor(mechanism),
+                       {scaled_inertia_bound(mechanism), positions_of_inertia_bound(mechanism)}, &mechanism);
   return report;
 }
 

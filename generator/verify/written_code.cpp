@@ -55,9 +55,11 @@ std::vector<FileTable> tables_of(const Mechanism& mechanism) {
     tables.push_back({"const char*", "joint_names", "joint_count"});
     for (const Body& body : mechanism.joints()) tables.back().texts.push_back(body.joint);
   }
-  if (mechanism.has_loops()) {
+  if (mechanism.has_loops() || mechanism.has_spherical_joints()) {
     tables.push_back({"const char*", "position_names", "position_count"});
-    for (int p = 0; p < mechanism.position_count(); ++p) tables.back().texts.push_back(mechanism.joint_at(p).joint);
+    for (int p = 0; p < mechanism.position_count(); ++p) tables.back().texts.push_back(mechanism.position_name(p));
+  }
+  if (mechanism.has_loops()) {
     tables.push_back({"int", "independent_positions", "joint_count"});
     for (const int p : mechanism.independent) tables.back().numbers.push_back(p);
   }
@@ -173,7 +175,7 @@ FileContents contents_of(const WrittenCode& code) {
   if (mechanism.floating_base) contents.velocities = mechanism.size();
   contents.positions = mechanism.position_count();
   contents.angles = mechanism.angle_count();
-  contents.has_loops = mechanism.has_loops();
+  contents.has_positions = mechanism.has_loops() || mechanism.has_spherical_joints();
   contents.tables = tables_of(mechanism);
   if (std::any_of(code.functions.begin(), code.functions.end(), takes_base_parameters)) add_base(mechanism, contents);
   for (const FreeSymbol& symbol : mechanism.symbols) contents.parameters.push_back(cpp_identifier(symbol.name));

@@ -67,7 +67,7 @@ TEST_F(MujocoConvention, IsThatOfMujoco) {
   if (!fs::exists(path)) GTEST_SKIP() << "no such file: " << path;
   constexpr Eigen::Index n = 18;
   nlohmann::json states = nlohmann::json::array();
-  for (const FreeState& s : random_free_states(n)) states.push_back(s.in_mujoco());
+  for (const FreeState& s : random_free_states(n)) states.push_back(s.in_mujoco(s.q));
   const nlohmann::json peer = mujoco(for_mujoco(content_of_file(path), {"go1.xml"}), states);
   if (peer.empty()) GTEST_SKIP() << "MuJoCo is not installed: npm install @mujoco/mujoco";
   const std::vector<double> numbers = printed(path, states);

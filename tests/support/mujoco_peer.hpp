@@ -89,6 +89,30 @@ inline Coordinates coordinates_of(const Robot& robot, const ref::Robot<double>& 
   return found;
 }
 
+// Positions as MuJoCo has them: a spherical joint's three numbers, which are a turn here, become a unit quaternion.
+inline Vector with_quaternions(const ref::Robot<double>& numbers, const Vector& q) {
+  Vector result(0);
+  const auto append = [&result](const Vector& entries) {
+    result.conservativeResize(result.size() + entries.size());
+    result.tail(entries.size()) = entries;
+  };
+  for (const ref::Joint<double>& joint : numbers.joints) {
+    if (joint.index < 0) continue;
+    const Vector own = q.segment(joint.index - numbers.base_size(), joint.size());
+    if (joint.type == ref::JointType::spherical) append(Eigen::Vector4d(1, own[0], own[1], own[2]).normalized());
+    if (joint.type != ref::JointType::spherical) append(own);
+  }
+  return result;
+}
+
+// The robot with its spherical joints turned as `with_quaternions` says, and q with zeros for them.
+inline Vector turned_by(ref::Robot<double>& numbers, const Vector& q) {
+  if (!ref::has_spherical_joints(numbers)) return q;
+  Vector positions = with_quaternions(numbers, q);
+  ref::take_orientations(numbers, positions);
+  return positions;
+}
+
 struct JointState {
   Vector q, qd, qdd;
 };
@@ -118,9 +142,10 @@ struct FreeState {
   }
 
   // Position, quaternion (w, x, y, z), joints; velocity and acceleration of the origin in world axes.
-  nlohmann::json in_mujoco() const {
-    Vector pose(7 + q.size()), rates = v, accelerations = a;
-    pose << position, orientation.w(), orientation.x(), orientation.y(), orientation.z(), q;
+  nlohmann::json in_mujoco(const ref::Robot<double>& numbers) const { return in_mujoco(with_quaternions(numbers, q)); }
+  nlohmann::json in_mujoco(const Vector& positions) const {
+    Vector pose(7 + positions.size()), rates = v, accelerations = a;
+    pose << position, orientation.w(), orientation.x(), orientation.y(), orientation.z(), positions;
     rates.head<3>() = R * v.head<3>();
     accelerations.head<3>() = R * (a.head<3>() + coriolis());
     const auto list = [](const Vector& x) { return std::vector<double>(x.begin(), x.end()); };
@@ -154,10 +179,12 @@ inline void expect_close(const Matrix& found, const Matrix& wanted, const char* 
 
 class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
  protected:
-  nlohmann::json mujoco(const std::string& xml, const std::vector<JointState>& states, const Coordinates& c) {
+  nlohmann::json mujoco(const std::string& xml, const std::vector<JointState>& states, const Coordinates& c,
+                        const ref::Robot<double>& numbers) {
     nlohmann::json all = nlohmann::json::array();
     for (const JointState& s : states) {
-      all.push_back({{"q", numbers_of(c.factors * s.q + c.offsets)},
+      const Vector q = c.factors * s.q + c.offsets;
+      all.push_back({{"q", numbers_of(ref::has_spherical_joints(numbers) ? with_quaternions(numbers, q) : q)},
                      {"qd", numbers_of(c.factors * s.qd)},
                      {"qdd", numbers_of(c.factors * s.qdd)}});
     }
@@ -206,13 +233,13 @@ class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
     ref::Robot<double> numbers = reference_robot<double>(*robot, {});
     const Coordinates c = coordinates_of(*robot, numbers);
     const std::vector<JointState> states = random_states(numbers.size());
-    const nlohmann::json peer = mujoco(xml, states, c);
+    const nlohmann::json peer = mujoco(xml, states, c, numbers);
     if (peer.empty()) GTEST_SKIP() << "MuJoCo is not installed: npm install @mujoco/mujoco";
     if (along_its_axes_) take_axes(peer["bodies"], numbers);
     expect_same(numbers, c, states, peer, has_loops);
   }
 
-  void expect_same(const ref::Robot<double>& numbers, const Coordinates& c, const std::vector<JointState>& states,
+  void expect_same(ref::Robot<double> numbers, const Coordinates& c, const std::vector<JointState>& states,
                    const nlohmann::json& peer, bool has_loops) const {
     const Eigen::Index n = c.factors.rows();
     ASSERT_EQ(peer["n"].get<Eigen::Index>(), n);
@@ -226,9 +253,10 @@ class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
       const auto wanted = [&](const char* name) {
         return Vector(c.factors.transpose() * (vector_of(at[name].get<std::vector<double>>()) + friction));
       };
-      expect_close(ref::inertia_matrix(numbers, s.q), c.factors.transpose() * B * c.factors, "B");
-      expect_close(ref::bias(numbers, s.q, s.qd), wanted("bias"), "bias");
-      expect_close(ref::inverse_dynamics(numbers, s.q, s.qd, s.qdd), wanted("tau"), "tau");
+      const Vector q = turned_by(numbers, s.q);
+      expect_close(ref::inertia_matrix(numbers, q), c.factors.transpose() * B * c.factors, "B");
+      expect_close(ref::bias(numbers, q, s.qd), wanted("bias"), "bias");
+      expect_close(ref::inverse_dynamics(numbers, q, s.qd, s.qdd), wanted("tau"), "tau");
       if (has_loops) continue;  // they are open at these states
       EXPECT_LE(at["gap"].get<double>(), kClose);
     }
@@ -240,7 +268,7 @@ class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
     const Eigen::Index n = numbers.size();
     const std::vector<FreeState> states = random_free_states(n);
     nlohmann::json all = nlohmann::json::array();
-    for (const FreeState& s : states) all.push_back(s.in_mujoco());
+    for (const FreeState& s : states) all.push_back(s.in_mujoco(numbers));
     const nlohmann::json peer = mujoco(xml, all);
     if (peer.empty()) GTEST_SKIP() << "MuJoCo is not installed: npm install @mujoco/mujoco";
     ASSERT_EQ(peer["n"].get<Eigen::Index>(), n);
@@ -252,9 +280,10 @@ class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
     }
   }
 
-  static void expect_same_free(const ref::Robot<double>& numbers, const FreeState& s, const nlohmann::json& at,
+  static void expect_same_free(ref::Robot<double> numbers, const FreeState& s, const nlohmann::json& at,
                                const Vector& coulomb) {
     const Eigen::Index n = numbers.size();
+    const Vector q = turned_by(numbers, q);
     Matrix T = Matrix::Identity(n, n);
     T.topLeftCorner<3, 3>() = s.R;
     const auto entries = at["B"].get<std::vector<double>>();
@@ -264,10 +293,10 @@ class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
     };
     Vector still = Vector::Zero(n);  // MuJoCo's accelerations are zero
     still.head<3>() = -s.coriolis();
-    expect_close(T * ref::inertia_matrix(numbers, s.q) * T.transpose(), Eigen::Map<const Matrix>(entries.data(), n, n),
+    expect_close(T * ref::inertia_matrix(numbers, q) * T.transpose(), Eigen::Map<const Matrix>(entries.data(), n, n),
                  "B");
-    expect_close(T * ref::inverse_dynamics(numbers, s.q, s.v, still), wanted("bias"), "bias");
-    expect_close(T * ref::inverse_dynamics(numbers, s.q, s.v, s.a), wanted("tau"), "tau");
+    expect_close(T * ref::inverse_dynamics(numbers, q, s.v, still), wanted("bias"), "bias");
+    expect_close(T * ref::inverse_dynamics(numbers, q, s.v, s.a), wanted("tau"), "tau");
   }
 
   // A file beside main.xml, for both.

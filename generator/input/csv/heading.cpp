@@ -17,6 +17,7 @@ CsvDimension dimension_of(CsvQuantity quantity, int entry, const Mechanism& mech
     case CsvQuantity::time:
       return CsvDimension::time;
     case CsvQuantity::q:
+      if (mechanism.is_of_quaternion(entry)) return CsvDimension::none;
       return slides ? CsvDimension::length : CsvDimension::angle;
     case CsvQuantity::qd:
     case CsvQuantity::qd_r:

@@ -299,7 +299,8 @@ std::string column_name(const Input& input, const Mechanism& mechanism) {
 
 std::optional<int> entry_of_joint(CsvQuantity quantity, const std::string& joint, const Mechanism& mechanism) {
   for (int k = 0; k < length_of(quantity, mechanism); ++k) {
-    if (joint_of(quantity, k, mechanism).joint == joint) return k;
+    const bool is_position = quantity == CsvQuantity::q;
+    if ((is_position ? mechanism.position_name(k) : mechanism.joint(k).joint) == joint) return k;
   }
   return std::nullopt;
 }

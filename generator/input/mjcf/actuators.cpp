@@ -42,6 +42,12 @@ class ActuatorReader {
       return;
     }
     if (driven->type == JointType::fixed) return;
+    if (driven->type == JointType::spherical) {
+      model_.diagnostics().note(item.element->place, item.what + ": it acts on a ball joint: it is not read",
+                                "forces of actuators are read where they act on a joint with one axis",
+                                "actuators that act on ball joints");
+      return;
+    }
     const auto gears = values_.numbers(item, "gear", 1, 6);
     const Number gear = gears ? gears->numbers[0] : Number(1);
     add_reflected(item, gear, *driven);

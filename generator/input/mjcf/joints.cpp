@@ -45,8 +45,12 @@ class JointReader {
       is_free_ = type == "free" && !is_held(joint_.name, context_);
       if (is_free_ && context_.options.floating_base.value_or(true)) refuse_forces_of_base();
       if (is_free_ || is_held(joint_.name, context_)) return joint_;
-      refuse_joint_type(item_.element->place, item_.what, type, joint_.name, values_);
-      return std::nullopt;
+      if (type == "free") {
+        refuse_joint_type(item_.element->place, item_.what, type, joint_.name, values_);
+        return std::nullopt;
+      }
+      read_ball();
+      return joint_;
     }
     joint_.type = type == "slide" ? JointType::prismatic : JointType::continuous;
     read_axis();
@@ -73,6 +77,25 @@ class JointReader {
       if (found == nullptr || is_zero_text(found->text)) continue;
       refuse_mjcf(found->place, values_.spot(item_, *found).what + ": not supported for a free joint", name, values_);
     }
+  }
+
+  // A ball joint turns about its point, with the body's axes; velocities are along these.
+  void read_ball() {
+    joint_.type = JointType::spherical;
+    const MjcfPlace frame = exact_place(read_.frame);
+    const Vec3 position = frame.R * values_.length_vector(item_, "pos") + frame.p;
+    joint_.origin.place = joint_.link_offset.place = joint_.place;
+    if (!vanishes(dot(position, position))) {
+      joint_.origin.displacements.push_back(translation(position));
+      joint_.link_offset.displacements.push_back(translation(Number(-1) * position));
+    }
+    if (mjcf_is_limited(item_, "range", "limited", values_, settings_)) {
+      context_.diagnostics.note(joint_.place, item_.what + ": its range, of the angle by which it turns, is not kept",
+                                "limits of position are those of joints with one axis",
+                                "ranges of ball joints, which are not kept");
+    }
+    joint_.limits.effort = mjcf_effort(item_, "actuatorfrcrange", "actuatorfrclimited", values_, settings_);
+    read_forces();
   }
 
   // The joint's frame is the body's, with the origin on the axis; `ref` is the position at which it does not move the

@@ -109,6 +109,7 @@ class JointReader {
         {"revolute", JointType::revolute}, {"continuous", JointType::continuous}, {"prismatic", JointType::prismatic}};
     const auto motion = kMotions.find(type);
     if (type == "screw" && !is_held(joint.name, context_)) return add_screw(index, parent, child, joint);
+    if (type == "ball" && !is_held(joint.name, context_)) return add_ball(index, parent, child, joint);
     if (motion == kMotions.end()) {
       if (type != "fixed" && !is_held(joint.name, context_)) refuse_type(frame, type);
       joint.origin = {relative_pose(tree_, parent, child), joint.place};
@@ -123,6 +124,18 @@ class JointReader {
     joint.link_offset = {product(inverse(turn), relative_pose(tree_, index, child)), joint.place};
     read_sdf_axis(tree_, frame, *axis, unknown_, context_, joint);
     if (joint.type != JointType::fixed) read_drake_words(tree_, frame, diagnostics_, joint);
+    robot_.joints.push_back(joint);
+  }
+
+  void add_ball(int index, int parent, int child, Joint& joint) {
+    const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(index)];
+    joint.type = JointType::spherical;
+    joint.origin = {relative_pose(tree_, parent, index), joint.place};
+    joint.link_offset = {relative_pose(tree_, index, child), joint.place};
+    if (frame.element->FirstChildElement("axis") != nullptr) {
+      diagnostics_.warning(joint.place, name_of(frame) + " is a ball joint: its <axis> has no effect",
+                           "delete it; friction and limits in it are not read", "ball joints with an <axis>");
+    }
     robot_.joints.push_back(joint);
   }
 
@@ -197,7 +210,7 @@ class JointReader {
 
   // The one place where types are refused that the model does not have yet.
   void refuse_type(const SdfFrame& frame, const std::string& type) {
-    static const std::vector<std::string> kNotYet = {"ball", "piston", "planar", "floating"};
+    static const std::vector<std::string> kNotYet = {"piston", "planar", "floating"};
     const Place place = frame.values->place(*frame.element);
     if (std::find(kNotYet.begin(), kNotYet.end(), type) != kNotYet.end()) {
       diagnostics_.unsupported(place, name_of(frame) + ": type \"" + type + "\" is not supported yet",
@@ -205,7 +218,8 @@ class JointReader {
       return;
     }
     const std::string hint = hint_for_unknown(
-        type, {"revolute", "continuous", "prismatic", "fixed", "universal", "revolute2", "screw", "gearbox"}, "types");
+        type, {"revolute", "continuous", "prismatic", "fixed", "universal", "revolute2", "screw", "gearbox", "ball"},
+        "types");
     diagnostics_.error(place, name_of(frame) + ": unknown type \"" + type + "\"", hint);
   }
 

@@ -97,7 +97,7 @@ void warn_outside_limits(const JointPosition& lock, const Joint& joint, Diagnost
 
 // False, and an error, where there is no motion by which the joint could get to its position.
 bool can_move(const JointPosition& lock, const Joint& joint, JointType type, Diagnostics& diagnostics) {
-  if (type == JointType::fixed) {
+  if (type == JointType::fixed || type == JointType::spherical) {
     diagnostics.error(lock.place, held_at(lock) + ": it is a fixed joint, or of a type that can be held at 0 only",
                       "leave the position out");
     return false;
@@ -147,7 +147,7 @@ void hold(const HeldJoint& lock, Joint& joint, ReadContext& context, Robot& robo
   joint.coupled.reset();
   joint.held.reset();
   hold_rotor(joint, robot);
-  if (type == JointType::fixed && vanishes(lock.position)) return;
+  if ((type == JointType::fixed || type == JointType::spherical) && vanishes(lock.position)) return;
   if (!vanishes(lock.position) && !can_move(lock, joint, type, context.diagnostics)) return;
   joint.held = Held{type, position_of(lock, type, context)};
   if (coupled) end_coupling(lock, joint, *coupled, context, robot);

@@ -166,16 +166,20 @@ class TomlReader {
     static const std::map<std::string, JointType> kTypes = {{"revolute", JointType::revolute},
                                                             {"continuous", JointType::continuous},
                                                             {"prismatic", JointType::prismatic},
+                                                            {"spherical", JointType::spherical},
                                                             {"fixed", JointType::fixed}};
     const std::string type = row.text("type").value_or("revolute");
     if (const auto found = kTypes.find(type); found != kTypes.end()) return found->second;
     const Place place = row.place_of("type");
-    if (type == "floating" || type == "ball" || type == "spherical") {
+    if (type == "floating") {
       diagnostics_.unsupported(place, row.what() + ": type " + quoted(type) + " is not supported yet",
-                               "supported types: revolute, continuous, prismatic, fixed");
+                               "supported types: revolute, continuous, prismatic, spherical, fixed");
+    } else if (type == "ball") {
+      diagnostics_.error(place, row.what() + ": type " + quoted(type), "write \"spherical\"");
     } else {
-      diagnostics_.error(place, row.what() + ": unknown type " + quoted(type),
-                         hint_for_unknown(type, {"revolute", "continuous", "prismatic", "fixed"}, "types"));
+      diagnostics_.error(
+          place, row.what() + ": unknown type " + quoted(type),
+          hint_for_unknown(type, {"revolute", "continuous", "prismatic", "spherical", "fixed"}, "types"));
     }
     return JointType::revolute;  // to read on: what a moving joint has is not wrong then
   }
@@ -196,6 +200,10 @@ class TomlReader {
     const Vec3 xyz = row.vector("xyz", Quantity::length, zero_vector());
     const Vec3 rpy = row.angles("rpy");
     joint.axis = row.vector("axis", Quantity::other, {0, 0, 1});
+    if (joint.type == JointType::spherical && row.has("axis")) {
+      diagnostics_.error(row.place_of("axis"), row.what() + ": a spherical joint has no axis",
+                         "leave it out; rpy turns the axes of the joint");
+    }
     joint.origin = pose_from_xyz_rpy(xyz, rpy, row.place());
     joint.link_offset.place = row.place();
     const Number a = row.number_or_zero("a", Quantity::length).number;

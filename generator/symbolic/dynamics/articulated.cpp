@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/dynamics/articulated.hpp"
 
+#include "model/spherical_joint.hpp"
 #include "symbolic/dynamics/factorisation.hpp"
 
 namespace flatdyn {
@@ -102,8 +103,23 @@ class ArticulatedRecursion {
     joint(i).omega = omega;
   }
 
+  // The first two bodies have no inertia, and all of the joint's drift, Rᵀ ω_parent × w, is the last one's.
+  void move_spherical_joint(int first) {
+    const int last = first + kSphericalBodies - 1;
+    const std::string n = frames_.label(last);
+    const Vec3 before = parent(first) < 0 ? zero_vector() : joint(parent(first)).omega;
+    joint(first).c = squared_swing(before, frames_.p(first), n);
+    Vec3 carried = before;
+    for (int i = first; i <= last; ++i) carried = frames_.to_child(i, carried, "omega_r_" + n);
+    const Vec3 w = {qd(first), qd(first + 1), qd(last)};
+    joint(last).drift = d_.named(cross(carried, w), "drift_" + n);
+    joint(last).omega = d_.named(carried + w, "omega_" + n);
+  }
+
   void move(int i) {
     if (frames_.mechanism().is_of_base(i)) return move_with_base(i);
+    if (frames_.body(i).spherical == 1) move_spherical_joint(i);
+    if (frames_.body(i).spherical > 0) return;
     Joint& j = joint(i);
     const std::string n = frames_.label(i);
     const Vec3 before = parent(i) < 0 ? zero_vector() : joint(parent(i)).omega;

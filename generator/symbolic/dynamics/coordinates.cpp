@@ -37,7 +37,7 @@ std::vector<std::pair<int, Number>> moved_by(const Rows& factors, int k) {
 }
 
 std::vector<Number> inputs_of(const Mechanism& mechanism, Derivation& derivation, InputKind kind) {
-  return inputs(derivation, with_base(kind, mechanism.floating_base), mechanism.size());
+  return inputs(derivation, with_base(kind, mechanism.has_quasi_velocities()), mechanism.size());
 }
 
 std::vector<Number> rates_of(const Mechanism& mechanism, Derivation& derivation, InputKind kind) {

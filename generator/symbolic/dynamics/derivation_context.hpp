@@ -23,7 +23,7 @@ struct DerivationContext {
   int size() const { return mechanism.size(); }
   // The inputs of a kind for every coordinate, and the motion of every body's joint, which follows from them.
   std::vector<Number> all(InputKind kind) {
-    return inputs(derivation, with_base(kind, mechanism.floating_base), size());
+    return inputs(derivation, with_base(kind, mechanism.has_quasi_velocities()), size());
   }
   std::vector<Number> joint_motion(InputKind kind) { return flatdyn::joint_motion(mechanism, derivation, kind); }
   // The accelerations of the joints while q̈ is zero.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/dynamics/kinematics.hpp"
 
+#include "model/spherical_joint.hpp"
 #include "symbolic/dynamics/coordinates.hpp"
 
 namespace flatdyn {
@@ -46,17 +47,22 @@ std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link) {
   SymbolicPose here;
   for (const int i : path_to(frames.mechanism(), link.body)) {
     const std::string n = frames.label(i);
-    const Vec3 z = d.named(here.R * frames.axis_in_parent(i), "z_" + n);
+    const bool is_spherical = frames.body(i).spherical > 0;
+    const Vec3 z = is_spherical ? zero_vector() : d.named(here.R * frames.axis_in_parent(i), "z_" + n);
     const Vec3 origin = d.named(here.p + here.R * frames.p(i) + frames.slide(i) * z, "p_" + n);
     JacobianColumn& J = columns[static_cast<std::size_t>(i)];
+    const auto turning_about = [&](const Vec3& axis) {
+      const Vec3 lever = d.named(p_e - origin, "r_" + n);
+      return JacobianColumn{d.named(cross(axis, lever), "J_P" + n), axis};
+    };
     if (frames.body(i).prismatic) {
       J.linear = z;
-    } else {
-      const Vec3 lever = d.named(p_e - origin, "r_" + n);
-      J = {d.named(cross(z, lever), "J_P" + n), z};
+    } else if (!is_spherical) {
+      J = turning_about(z);
     }
     Mat3 rows;  // rows of R_i: each is a row of R_(i-1) expressed in frame i
     for (std::size_t k = 0; k < 3; ++k) rows[k] = frames.to_child(i, here.R[k], "R_" + n + std::to_string(k));
+    if (is_spherical) J = turning_about(column(rows, 2));
     here = {rows, origin};
   }
   return columns;
@@ -73,6 +79,12 @@ Vec3 angular_acceleration(Frames& frames, int body, const std::vector<LinkMotion
     const auto k = static_cast<std::size_t>(i);
     domega = frames.to_child(i, domega, "domega_f_" + frames.label(i));
     if (frames.body(i).prismatic || frames.mechanism().is_of_base(i)) continue;
+    if (const int part = frames.body(i).spherical; part > 0) {
+      if (part < kSphericalBodies) continue;
+      const Vec3 w = {motion.qd[k - 2], motion.qd[k - 1], motion.qd[k]};
+      domega = d.named(domega + cross(links[k].omega, w), "domega_q_" + frames.label(i));
+      continue;
+    }
     const Number& qd = motion.qd[k];
     const Vec3 carried = {qd * links[k].omega[1], -qd * links[k].omega[0], motion.qdd[k]};
     domega = d.named(domega + carried, "domega_q_" + frames.label(i));

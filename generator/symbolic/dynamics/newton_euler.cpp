@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/dynamics/newton_euler.hpp"
 
+#include "model/spherical_joint.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -128,6 +130,19 @@ Vec3 gravity_of(const Mechanism& mechanism, Derivation& derivation) {
 
 namespace {
 
+// U = S(ω̇) + S(ω)².
+Mat3 acceleration_field(Derivation& d, const Vec3& w, const Vec3& a, const std::string& n) {
+  const auto square = [&](std::size_t i, std::size_t k, const char* name) {
+    return d.named(w[i] * w[k], "omega_" + n + name);
+  };
+  const Number xx = square(0, 0, "_xx"), yy = square(1, 1, "_yy"), zz = square(2, 2, "_zz"), xy = square(0, 1, "_xy"),
+               xz = square(0, 2, "_xz"), yz = square(1, 2, "_yz");
+  const auto entry = [&](const Number& value, const char* name) { return d.named(value, "U_" + n + "_" + name); };
+  return {Vec3{entry(-yy - zz, "xx"), entry(xy - a[2], "xy"), entry(xz + a[1], "xz")},
+          Vec3{entry(xy + a[2], "yx"), entry(-xx - zz, "yy"), entry(yz - a[0], "yz")},
+          Vec3{entry(xz - a[1], "zx"), entry(yz + a[0], "zy"), entry(-xx - yy, "zz")}};
+}
+
 // The motion of the link of a floating base. Its acceleration is v̇ + ω × v, as v̇ are derivatives of components in
 // axes that turn.
 LinkMotion floating_motion(Derivation& d, const Motion& motion) {
@@ -138,16 +153,7 @@ LinkMotion floating_motion(Derivation& d, const Motion& motion) {
   base.omega = part(motion.qd, 3);
   base.domega = part(motion.qdd, 3);
   base.ddp = d.named(part(motion.qdd, 0) + cross(base.omega, part(motion.qd, 0)) - motion.gravity, "ddp_b");
-  const auto square = [&](std::size_t a, std::size_t b, const char* name) {
-    return d.named(base.omega[a] * base.omega[b], std::string("omega_b") + name);
-  };
-  const Number xx = square(0, 0, "_xx"), yy = square(1, 1, "_yy"), zz = square(2, 2, "_zz"), xy = square(0, 1, "_xy"),
-               xz = square(0, 2, "_xz"), yz = square(1, 2, "_yz");
-  const auto entry = [&](const Number& value, const char* name) { return d.named(value, std::string("U_b_") + name); };
-  const Vec3& a = base.domega;
-  base.U = {Vec3{entry(-yy - zz, "xx"), entry(xy - a[2], "xy"), entry(xz + a[1], "xz")},
-            Vec3{entry(xy + a[2], "yx"), entry(-xx - zz, "yy"), entry(yz - a[0], "yz")},
-            Vec3{entry(xz - a[1], "zx"), entry(yz + a[0], "zy"), entry(-xx - yy, "zz")}};
+  base.U = acceleration_field(d, base.omega, base.domega, "b");
   return base;
 }
 
@@ -163,15 +169,44 @@ std::vector<LinkMotion> motions_of_base(Frames& frames, const Motion& motion) {
   return links;
 }
 
+// The motion of the link that a spherical joint moves, the last of the joint's bodies: ω = Rᵀ ω_parent + w and
+// ω̇ = Rᵀ ω̇_parent + ẇ + Rᵀ ω_parent × w. Its origin moves with the parent.
+LinkMotion motion_past_spherical_joint(Frames& frames, int first, const LinkMotion& parent, const Motion& motion) {
+  Derivation& d = frames.derivation();
+  const auto k = static_cast<std::size_t>(first);
+  const std::string n = frames.label(first + kSphericalBodies - 1);
+  const auto in_link = [&](Vec3 v, const std::string& name) {
+    for (int i = first; i < first + kSphericalBodies; ++i) v = frames.to_child(i, v, name);
+    return v;
+  };
+  const Vec3 w = {motion.qd[k], motion.qd[k + 1], motion.qd[k + 2]},
+             dw = {motion.qdd[k], motion.qdd[k + 1], motion.qdd[k + 2]};
+  const Vec3 carried = in_link(parent.omega, "omega_r_" + n);
+  LinkMotion link;
+  link.omega = d.named(carried + w, "omega_" + n);
+  link.domega = d.named(in_link(parent.domega, "domega_r_" + n) + dw + cross(carried, w), "domega_" + n);
+  link.ddp = in_link(d.named(parent.ddp + parent.U * frames.p(first), "ddp_o_" + n), "ddp_" + n);
+  link.U = acceleration_field(d, link.omega, link.domega, n);
+  return link;
+}
+
 }  // namespace
 
 std::vector<LinkMotion> link_motions(Frames& frames, const Motion& motion) {
   const LinkMotion base = base_motion(frames, motion);
   std::vector<LinkMotion> links = motions_of_base(frames, motion);
+  LinkMotion at_joint;  // of the parent of the last spherical joint
   for (int i = frames.mechanism().base_bodies(); i < frames.mechanism().body_count(); ++i) {
     const int parent = frames.body(i).parent;
     const LinkMotion before = parent < 0 ? base : links[static_cast<std::size_t>(parent)];
-    links.push_back(link_motion(frames, i, before, motion));
+    const int part = frames.body(i).spherical;
+    if (part == 0) {
+      links.push_back(link_motion(frames, i, before, motion));
+    } else {
+      const bool is_last = part == kSphericalBodies;
+      links.push_back(is_last ? motion_past_spherical_joint(frames, i + 1 - part, at_joint, motion) : LinkMotion{});
+      if (part == 1) at_joint = before;
+    }
   }
   return links;
 }

@@ -27,7 +27,8 @@ struct LinkMotion {
   Mat3 U = zero_matrix();       // 1/s^2
 };
 // The motions of all bodies, from the base outwards. Bodies that are the motion of a floating base all move with the
-// base's full twist; of those before the base link only ω is given.
+// base's full twist; of those before the base link only ω is given. Of the bodies of a spherical joint, none of which
+// but the last has inertia, only the last one's motion is given.
 std::vector<LinkMotion> link_motions(Frames& frames, const Motion& motion);
 
 // The motion of a fixed base: it is accelerated so that gravity acts on all bodies.

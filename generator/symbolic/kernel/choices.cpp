@@ -25,6 +25,7 @@ Vec3 axis_of(const Body& body) {
 // The point on the body's own axis, as z in its frame, where the common normal to a child's axis meets it.
 Number foot_of_common_normal(const Body& child) {
   const Vec3 axis = axis_of(child), &p = child.p;
+  if (child.spherical > 0) return p[2];
   const Number across = (axis[0] * axis[0] + axis[1] * axis[1]).expand();
   return vanishes(across) ? p[2] : p[2] - axis[2] * (p[0] * axis[0] + p[1] * axis[1]) / across;
 }
@@ -87,7 +88,7 @@ std::vector<Axes> axes_of(const Choices& choices) {
 std::vector<Number> possible_axial_shifts(const Mechanism& mechanism, int i) {
   std::vector<Number> axial_shifts;
   const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
-  if (body.prismatic || mechanism.is_of_base(i)) return axial_shifts;
+  if (body.prismatic || mechanism.is_around_pose(i)) return axial_shifts;
   const Vec3 axis = axis_of(body);
   add_axial_shift(axial_shifts, -dot(body.p, axis));
   for (std::size_t k = 0; k < 3; ++k) {

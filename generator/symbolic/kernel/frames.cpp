@@ -5,6 +5,7 @@
 
 #include "model/angles.hpp"
 #include "model/rational_rotation.hpp"
+#include "model/spherical_joint.hpp"
 #include "symbolic/kernel/axis_rotations.hpp"
 
 namespace flatdyn {
@@ -42,9 +43,10 @@ Mat3 turn_tensor_x(Derivation& d, const PlanarRotation& a, const Mat3& T, const 
 }  // namespace
 
 bool can_be_still(const Mechanism& mechanism, int i) {
-  if (mechanism.bodies[static_cast<std::size_t>(i)].prismatic || mechanism.is_of_base(i)) return false;
-  return std::all_of(mechanism.bodies.begin(), mechanism.bodies.end(),
-                     [i](const Body& body) { return body.parent != i || vanishes(body.alpha.s); });
+  if (mechanism.bodies[static_cast<std::size_t>(i)].prismatic || mechanism.is_around_pose(i)) return false;
+  return std::all_of(mechanism.bodies.begin(), mechanism.bodies.end(), [i](const Body& body) {
+    return body.parent != i || (vanishes(body.alpha.s) && body.spherical == 0);
+  });
 }
 
 Frames::Frames(const Mechanism& mechanism, Derivation& derivation, const std::vector<Axes>& axes)
@@ -70,7 +72,8 @@ Frames::Turn Frames::turn_by_joint(int i) {
   };
   Turn turn{constant(body.beta, "beta"), constant(body.alpha, "alpha"), constant(body.theta, "theta"), ""};
   turn.constant = turn.gamma;
-  if (body.prismatic || mechanism_.is_of_base(i)) return turn;
+  if (body.spherical == 1) turn_freely(i, turn);
+  if (body.prismatic || mechanism_.is_around_pose(i)) return turn;
   turn.angles = label(i);
   if (mechanism_.is_coupled()) {
     turn.multiples = angle_factors(mechanism_, i);
@@ -82,6 +85,30 @@ Frames::Turn Frames::turn_by_joint(int i) {
   const PlanarRotation joint = {derivation_.cos(q, "c_" + label(i)), derivation_.sin(q, "s_" + label(i))};
   turn.gamma = named(derivation_, joint * turn.gamma, label(i) + "t");
   return turn;
+}
+
+// Sets the rotation of a spherical joint, which is that of the quaternion (model/spherical_joint.hpp).
+void Frames::turn_freely(int i, Turn& turn) {
+  Derivation& d = derivation_;
+  const std::string n = label(i);
+  const int first = mechanism_.quaternion_of(i);
+  const auto entry = [&](int k) { return d.input(InputKind::q, first + k); };
+  const Number w = entry(0);
+  const Vec3 r = {entry(1), entry(2), entry(3)};
+  const Vec3 twice = d.named(Number(2) * r, "r_2_" + n);
+  const auto product = [&](std::size_t a, std::size_t b) {
+    return d.named(twice[a] * r[b], "r_" + n + "_" + "xyz"[a] + "xyz"[b]);
+  };
+  const Number xx = product(0, 0), yy = product(1, 1), zz = product(2, 2), xy = product(0, 1), xz = product(0, 2),
+               yz = product(1, 2);
+  const Vec3 s = d.named(w * twice, "r_" + n + "_w");
+  const Mat3 R = {Vec3{1 - (yy + zz), xy - s[2], xz + s[1]}, Vec3{xy + s[2], 1 - (xx + zz), yz - s[0]},
+                  Vec3{xz - s[1], yz + s[0], 1 - (xx + yy)}};
+  Mat3 entries;
+  for (std::size_t k = 0; k < 3; ++k) entries[k] = d.named(R[k], "R_" + n + "_" + "xyz"[k]);
+  turn.free = with_columns_cycled(entries);
+  const Vec3 axis = {entries[0][0], entries[1][0], entries[2][0]};
+  turn.axis = d.named(rotate_z(turn.beta, rotate_x(turn.alpha, rotate_z(turn.gamma, axis))), "z_p" + n);
 }
 
 // Makes the axes of link i still, and expresses its parameters in them. The inertia is not named entry by entry, so
@@ -141,6 +168,7 @@ void Frames::pass_multiples_to_child(const Turn& held, int child) {
 }
 
 Vec3 Frames::to_child(int i, const Vec3& v, const std::string& name) {
+  if (turn_of(i).free) return down_to_axis(i, v, name);
   return derivation_.named(rotate_z(inverse(turn_of(i).gamma), down_to_axis(i, v, name)), name);
 }
 
@@ -150,14 +178,23 @@ Vec3 Frames::to_parent(int i, const Vec3& v, const std::string& name) {
 
 Vec3 Frames::down_to_axis(int i, const Vec3& v, const std::string& name) {
   const Vec3 a = derivation_.named(rotate_z(inverse(turn_of(i).beta), v), name + "_b");
-  return derivation_.named(rotate_x(inverse(turn_of(i).alpha), a), name + "_a");
+  const Vec3 b = derivation_.named(rotate_x(inverse(turn_of(i).alpha), a), name + "_a");
+  if (!turn_of(i).free) return b;
+  const Vec3 before = derivation_.named(rotate_z(inverse(turn_of(i).gamma), b), name + "_j");
+  return derivation_.named(transpose(*turn_of(i).free) * before, name);
 }
 
 Vec3 Frames::up_to_axis(int i, const Vec3& v, const std::string& name) {
+  if (turn_of(i).free) return v;
   return derivation_.named(rotate_z(turn_of(i).gamma, v), name + "_t");
 }
 
-Vec3 Frames::up_from_axis(int i, const Vec3& v, const std::string& name) {
+Vec3 Frames::up_from_axis(int i, const Vec3& vector, const std::string& name) {
+  Vec3 v = vector;
+  if (turn_of(i).free) {
+    v = derivation_.named(*turn_of(i).free * v, name + "_j");
+    v = derivation_.named(rotate_z(turn_of(i).gamma, v), name + "_t");
+  }
   const Vec3 b = derivation_.named(rotate_x(turn_of(i).alpha, v), name + "_a");
   return derivation_.named(rotate_z(turn_of(i).beta, b), name);
 }
@@ -173,20 +210,39 @@ Mat3 Frames::down_to_axis(int i, const Mat3& tensor, const std::string& name) {
   return result;
 }
 
+// R T Rᵀ of a symmetric tensor: what T has beyond T_zz 1 is rotated, and the trace stays.
+Mat3 Frames::turned_freely(const Mat3& R, const Mat3& T, const std::string& name) {
+  static const char* const kAxes[] = {"_x", "_y", "_z"};
+  Mat3 rest = T, half, result;
+  for (std::size_t k = 0; k < 3; ++k) rest[k][k] = derivation_.named(T[k][k] - T[2][2], name + kAxes[k] + "d");
+  for (std::size_t k = 0; k < 3; ++k) half[k] = derivation_.named(rest * R[k], name + kAxes[k] + "h");
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = a; b < 3; ++b) result[a][b] = result[b][a] = dot(R[a], half[b]);
+  }
+  const Number xx = derivation_.named(result[0][0], name + "_xxr"), yy = derivation_.named(result[1][1], name + "_yyr");
+  result[0][0] = xx + T[2][2];
+  result[1][1] = yy + T[2][2];
+  result[2][2] = rest[0][0] + rest[1][1] + T[2][2] - xx - yy;
+  return derivation_.named_symmetric(result, name);
+}
+
 Mat3 Frames::up_to_axis(int i, const Mat3& tensor, const std::string& name) {
+  if (turn_of(i).free) return tensor;
   return turn_tensor_z(derivation_, turn_of(i).gamma, tensor, name + "_t");
 }
 
 Mat3 Frames::to_parent(int i, const Mat3& tensor, const std::string& name) {
   const Turn& turn = turn_of(i);
-  const Mat3 a = up_to_axis(i, tensor, name);
+  Mat3 a = up_to_axis(i, tensor, name);
+  if (turn.free)
+    a = turn_tensor_z(derivation_, turn.gamma, turned_freely(*turn.free, tensor, name + "_j"), name + "_t");
   const Mat3 b = turn_tensor_x(derivation_, turn.alpha, a, name + "_a");
   return turn_tensor_z(derivation_, turn.beta, b, name);
 }
 
 Vec3 Frames::axis_in_parent(int i) const {
   const Turn& turn = turn_of(i);
-  return rotate_z(turn.beta, rotate_x(turn.alpha, {0, 0, 1}));
+  return turn.free ? turn.axis : rotate_z(turn.beta, rotate_x(turn.alpha, {0, 0, 1}));
 }
 
 }  // namespace flatdyn

@@ -29,7 +29,8 @@ class Frames {
   // Transforms a vector from frame i to the parent's frame.
   Vec3 to_parent(int i, const Vec3& v, const std::string& name);
   // to_child() and to_parent() in two steps. Between them, the axes are those of frame i but for the rotation by the
-  // joint's own angle: z is z of frame i, and the other axes do not depend on q_i.
+  // joint's own angle: z is z of frame i, and the other axes do not depend on q_i. For the first body of a spherical
+  // joint they are those of frame i.
   Vec3 down_to_axis(int i, const Vec3& v, const std::string& name);
   Vec3 up_to_axis(int i, const Vec3& v, const std::string& name);
   Vec3 up_from_axis(int i, const Vec3& v, const std::string& name);
@@ -46,7 +47,7 @@ class Frames {
   // The same in axes of frame i, where it depends on the joint's own angle only; nothing unless the parent's axes are
   // still and those of frame i turn.
   const std::optional<Vec3>& p_in_own_axes(int i) const { return p_in_own_axes_[static_cast<std::size_t>(i)]; }
-  // The unit vector z of frame i in the parent's frame, which is constant.
+  // The unit vector z of frame i in the parent's frame; constant but for the first body of a spherical joint.
   Vec3 axis_in_parent(int i) const;
 
   const Mechanism& mechanism() const { return mechanism_; }
@@ -68,9 +69,14 @@ class Frames {
     // With coupled joints: gamma is a sum of these multiples of coordinates and a constant.
     std::vector<Number> multiples{};
     PlanarRotation constant{};
+    // For the first body of a spherical joint: the rotation after gamma, and z of frame i in the parent's frame.
+    std::optional<Mat3> free{};
+    Vec3 axis = zero_vector();
   };
 
   Turn turn_by_joint(int i);
+  void turn_freely(int i, Turn& turn);
+  Mat3 turned_freely(const Mat3& R, const Mat3& T, const std::string& name);
   void hold(int i);
   void pass_to_child(const Turn& held, int child);
   void pass_multiples_to_child(const Turn& held, int child);

@@ -75,8 +75,8 @@ PlanarRotation rotation_by(const Mechanism& mechanism, Derivation& d, const std:
 }
 
 Number joint_position(const Mechanism& mechanism, Derivation& derivation, int i) {
-  if (mechanism.is_of_base(i)) return 0;
-  if (!mechanism.is_coupled()) return derivation.input(InputKind::q, i - mechanism.base_bodies());
+  if (mechanism.is_around_pose(i)) return 0;
+  if (!mechanism.is_coupled()) return derivation.input(InputKind::q, mechanism.position_of(i));
   const std::vector<Number> q = inputs(derivation, InputKind::q, mechanism.position_count());
   return derivation.named(sum_of(mechanism.coupling[static_cast<std::size_t>(i)], q), "q_" + label(i));
 }

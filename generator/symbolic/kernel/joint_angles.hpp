@@ -27,7 +27,7 @@ PlanarRotation named(Derivation& derivation, const PlanarRotation& rotation, con
 // So only the cosines and sines of these angles, most of them coordinates, have to be evaluated or given.
 PlanarRotation rotation_by(const Mechanism& mechanism, Derivation& derivation, const std::vector<Number>& multiples);
 
-// The position of body i's joint, rad or m; 0 for the motion of a floating base.
+// The position of body i's joint, rad or m; 0 for coordinates around the present pose.
 Number joint_position(const Mechanism& mechanism, Derivation& derivation, int i);
 
 }  // namespace flatdyn

@@ -23,7 +23,7 @@ Number movable_inertia(const Mat3& I, Grouping grouping) {
 
 // The part of link i that may as well be fixed to its parent. Revolute: the part that is symmetric about z and that the
 // joint's own rate does not move, i.e. a mass, a first moment along z, a transverse inertia. Prismatic: the inertia
-// tensor, because the link does not turn relative to its parent.
+// tensor, because the link does not turn relative to its parent. Spherical: the mass, at the joint's point.
 InertialParameters movable(const Body& body, Grouping grouping) {
   InertialParameters part;
   if (body.prismatic) {
@@ -31,6 +31,7 @@ InertialParameters movable(const Body& body, Grouping grouping) {
     return part;
   }
   part.mass = body.inertia.mass;
+  if (body.spherical > 0) return part;
   part.first_moment[2] = body.inertia.first_moment[2];
   part.inertia[0][0] = part.inertia[1][1] = movable_inertia(body.inertia.inertia, grouping);
   return part;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/notation/coupled_text.hpp"
 
+#include <fmt/format.h>
+
+#include "model/spherical_joint.hpp"
 #include "symbolic/notation/number_text.hpp"
 
 namespace flatdyn {
@@ -44,9 +47,10 @@ std::vector<std::string> coupled_joint_texts(const Mechanism& mechanism, const C
 }
 
 std::string joints_text(const Mechanism& mechanism) {
-  const int count = mechanism.position_count();
+  const int count = mechanism.position_count() - (kSphericalBodies * static_cast<int>(mechanism.spherical.size()));
   std::string text = std::to_string(count) + (count == 1 ? " joint" : " joints");
   if (mechanism.has_loops()) text += ", " + std::to_string(mechanism.size()) + " of them independent";
+  if (mechanism.has_spherical_joints()) text += fmt::format(", {} of them spherical", mechanism.spherical.size());
   if (mechanism.floating_base) text += ", floating base";
   return text;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "diagnostics/diagnostics.hpp"
 #include "graph/mod_p.hpp"
 #include "model/field_mechanism.hpp"
 #include "symbolic/kernel/elimination.hpp"
@@ -121,6 +122,10 @@ BaseParameters reduced(std::vector<ParameterForm> rows, const std::vector<int>& 
 }  // namespace
 
 BaseParameters base_parameters(const Mechanism& mechanism, ParameterSet set) {
+  if (mechanism.has_spherical_joints()) {
+    throw Failure(ExitCode::unsupported, "base parameters of robots with spherical joints are not supported yet",
+                  "leave out what needs them");
+  }
   std::vector<ParameterForm> rows = Regrouping(mechanism).forms();
   std::erase_if(rows, [](const ParameterForm& form) { return form.empty(); });
   ModPArithmetic<> arithmetic(1);

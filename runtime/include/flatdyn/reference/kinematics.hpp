@@ -37,7 +37,14 @@ MatrixX<S> jacobian(const Robot<S>& robot, const VectorX<S>& q) {
     const Pose<S>& parent = poses[static_cast<std::size_t>(joint.parent)];
     const Vector3<S> z = parent.R * joint.R_0 * joint.axis;
     const Vector3<S> origin = parent.p + parent.R * joint.p_0;
-    if (joint.type == JointType::prismatic) {
+    if (joint.type == JointType::spherical) {
+      const Matrix3<S> axes = parent.R * joint.R_0 * joint.orientation;
+      for (int k = 0; k < 3; ++k) {
+        const Vector3<S> axis = axes.col(k);
+        J.col(joint.index + k).template head<3>() = axis.cross(p_e - origin);
+        J.col(joint.index + k).template tail<3>() = axis;
+      }
+    } else if (joint.type == JointType::prismatic) {
       J.col(joint.index).template head<3>() = z;
     } else {
       J.col(joint.index).template head<3>() = z.cross(p_e - origin);
@@ -100,6 +107,7 @@ S kinetic_energy(const Robot<S>& robot, const VectorX<S>& coordinates, const Vec
     if (joint.type == JointType::prismatic) v += qd[joint.index] * place.z_parent;
     Velocity& child = velocities[static_cast<std::size_t>(joint.child)];
     child.omega = place.R.transpose() * omega;
+    if (joint.type == JointType::spherical) child.omega += detail::in_child(joint, qd);
     child.v = place.R.transpose() * v + child.omega.cross(place.after);
   }
   S twice(0);

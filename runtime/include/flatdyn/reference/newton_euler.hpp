@@ -91,8 +91,8 @@ VectorX<S> bracket(const VectorX<S>& twist, const VectorX<S>& delta) {
   return result;
 }
 
-// C of (7.44): c_ij = Σ_k c_ijk q̇_k. With a floating base, the part of C that is not symmetric in both velocities,
-// ½ B [ν, ·], is added, so that Ḃ - 2 C is skew-symmetric there, too.
+// C of (7.44): c_ij = Σ_k c_ijk q̇_k. With a floating base or spherical joints, the part of C that is not symmetric in
+// both velocities, ½ B [ν, ·], is added, so that Ḃ - 2 C is skew-symmetric there, too.
 template <class S>
 MatrixX<S> coriolis_matrix(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd) {
   const Eigen::Index n = robot.size();
@@ -104,8 +104,17 @@ MatrixX<S> coriolis_matrix(const Robot<S>& robot, const VectorX<S>& q, const Vec
       C.col(j) += c.col(high * (high + 1) / 2 + low) * qd[k];
     }
   }
-  if (!robot.floating_base) return C;
+  const bool all_are_rates = !robot.floating_base && !has_spherical_joints(robot);
+  if (all_are_rates) return C;
   const MatrixX<S> B = inertia_matrix(robot, q);
+  for (const Joint<S>& joint : robot.joints) {
+    if (joint.type != JointType::spherical) continue;
+    const Vector3<S> omega = qd.template segment<3>(joint.index);
+    for (int j = 0; j < 3; ++j) {
+      C.col(joint.index + j) +=
+          B.template middleCols<3>(joint.index) * omega.cross(Vector3<S>(Vector3<S>::Unit(j))) / S(2);
+    }
+  }
   for (Eigen::Index j = 0; j < robot.base_size(); ++j) {
     const VectorX<S> unit = VectorX<S>::Unit(robot.base_size(), j);
     C.col(j) += B.leftCols(robot.base_size()) * bracket(VectorX<S>(qd.head(robot.base_size())), unit) / S(2);

@@ -67,6 +67,27 @@ LinkMotion<S> moved(const LinkMotion<S>& parent, const Joint<S>& joint, const Jo
   return child;
 }
 
+// The same over a spherical joint, with the angular velocity of the child relative to the parent, and the derivatives
+// of its components, in the child's axes.
+template <class S>
+LinkMotion<S> turned_freely(const LinkMotion<S>& parent, const JointPlacement<S>& place, const Vector3<S>& relative,
+                            const Vector3<S>& rates) {
+  LinkMotion<S> child;
+  child.R = parent.R * place.R;
+  const Vector3<S> carried = place.R.transpose() * parent.omega;
+  child.omega = carried + relative;
+  child.domega = place.R.transpose() * parent.domega + rates + carried.cross(relative);
+  child.ddp = place.R.transpose() * (parent.ddp + swing(parent.omega, parent.domega, place.before)) +
+              swing(child.omega, child.domega, place.after);
+  return child;
+}
+
+// The entries of a spherical joint in the axes of the child link.
+template <class S>
+Vector3<S> in_child(const Joint<S>& joint, const VectorX<S>& v) {
+  return joint.R_1.transpose() * v.template segment<3>(joint.index);
+}
+
 // Adds the inertial force and moment about the link's origin, (7.110), (7.112), (7.113).
 template <class S>
 void add_inertial_wrench(const Link<S>& link, const LinkMotion<S>& motion, Vector3<S>& f, Vector3<S>& mu) {
@@ -114,6 +135,11 @@ std::vector<LinkMotion<S>> motions_of_tree(const Robot<S>& robot, const VectorX<
     const bool moves = joint.index >= 0;
     const S zero(0);
     const JointPlacement<S> place = placement(joint, moves ? q[joint.index] : zero);
+    if (joint.type == JointType::spherical) {
+      motions[static_cast<std::size_t>(joint.child)] = turned_freely<S>(
+          motions[static_cast<std::size_t>(joint.parent)], place, in_child(joint, qd), in_child(joint, qdd));
+      continue;
+    }
     motions[static_cast<std::size_t>(joint.child)] =
         moved(motions[static_cast<std::size_t>(joint.parent)], joint, place, moves ? qd[joint.index] : zero,
               moves ? qdd[joint.index] : zero);
@@ -138,6 +164,12 @@ VectorX<S> torques_of_tree(const Robot<S>& robot, const VectorX<S>& q, const Vec
   // The spin of rotors acts on their carrier, (7.105), and on their joint, (7.111), (7.114).
   for (const Joint<S>& joint : robot.joints) {
     if (joint.index < 0) continue;
+    if (joint.type == JointType::spherical) {
+      if (environment.friction) {
+        tau.template segment<3>(joint.index) += joint.viscous * qd.template segment<3>(joint.index);
+      }
+      continue;
+    }
     const S &v = qd[joint.index], &a = qdd[joint.index];
     tau[joint.index] += joint.armature * a;
     if (environment.friction) tau[joint.index] += joint.viscous * v + joint.coulomb * sign(v);
@@ -158,6 +190,7 @@ VectorX<S> torques_of_tree(const Robot<S>& robot, const VectorX<S>& q, const Vec
     const Vector3<S> at_joint = mu[child] + place.after.cross(f[child]);
     if (joint.type == JointType::revolute) tau[joint.index] += at_joint.dot(place.z_child);
     if (joint.type == JointType::prismatic) tau[joint.index] += f[child].dot(place.z_child);
+    if (joint.type == JointType::spherical) tau.template segment<3>(joint.index) += joint.R_1 * at_joint;
     const Vector3<S> force = place.R * f[child];
     f[parent] += force;
     mu[parent] += place.R * at_joint + place.before.cross(force);

@@ -38,9 +38,11 @@ struct Rotor {
   Vector3<S> axis = Vector3<S>::UnitZ();  // z_m, carrier's frame, unit
 };
 
-enum class JointType { fixed, revolute, prismatic };
+enum class JointType { fixed, revolute, prismatic, spherical };
 
-// A joint. The child frame in the parent frame is (R_0, p_0) · motion(axis, q) · (R_1, p_1).
+// A joint. The child frame in the parent frame is (R_0, p_0) · motion(axis, q) · (R_1, p_1). A spherical joint turns by
+// its orientation; it has three entries of q̇, the angular velocity of the child relative to the parent, along the axes
+// that the frame has after turning, and three of q̈ and τ. Three zeros stand for its position among those of the joints.
 template <class S>
 struct Joint {
   JointType type = JointType::fixed;
@@ -53,6 +55,10 @@ struct Joint {
   Rotor<S> rotor;       // inertia 0: none
   S stiffness = S(0);   // k of a spring, N m/rad or N/m
   S spring_q_0 = S(0);  // the joint's position where the spring exerts nothing, less a coupled one's constant part
+  Matrix3<S> orientation = Matrix3<S>::Identity();  // of a spherical joint
+
+  // The number of its entries of q̇.
+  int size() const { return index < 0 ? 0 : type == JointType::spherical ? 3 : 1; }
 };
 
 // A closed loop, cut where a point of one link meets a point of another. The displacement between them is measured
@@ -106,7 +112,7 @@ struct Robot {
   int base_size() const { return floating_base ? 6 : 0; }
   int joint_count() const {
     int n = 0;
-    for (const Joint<S>& joint : joints) n += joint.index >= 0 ? 1 : 0;
+    for (const Joint<S>& joint : joints) n += joint.size();
     return n;
   }
   // The length of q.
@@ -114,6 +120,14 @@ struct Robot {
   // The length of q̇.
   int size() const { return base_size() + (loops.empty() ? position_count() : static_cast<int>(independent.size())); }
 };
+
+template <class S>
+bool has_spherical_joints(const Robot<S>& robot) {
+  for (const Joint<S>& joint : robot.joints) {
+    if (joint.type == JointType::spherical) return true;
+  }
+  return false;
+}
 
 // Rates, or any other linear function of q, of the moving joints; stored in `room` if joints are coupled.
 template <class S>
@@ -143,6 +157,33 @@ Matrix3<S> rotation_about(const Vector3<S>& u, const S& angle) {
   return Matrix3<S>::Identity() + s * K + (S(1) - c) * (K * K);
 }
 
+// The rotation of a unit quaternion (w, x, y, z): 1 + 2 w S(r) + 2 S(r)², r = (x, y, z).
+template <class S>
+Matrix3<S> rotation_of_quaternion(const S& w, const Vector3<S>& r) {
+  Matrix3<S> K;
+  K << S(0), -r.z(), r.y(), r.z(), S(0), -r.x(), -r.y(), r.x(), S(0);
+  return Matrix3<S>::Identity() + S(2) * w * K + S(2) * (K * K);
+}
+
+// A state in which the orientations of spherical joints are those of the robot and not of q, and such a robot. q, with
+// a quaternion (w, x, y, z) of any length for each spherical joint, becomes positions of all moving joints, in order.
+template <class S>
+void take_orientations(Robot<S>& robot, VectorX<S>& q) {
+  VectorX<S> positions = VectorX<S>::Zero(robot.joint_count());
+  Eigen::Index entry = 0;
+  for (Joint<S>& joint : robot.joints) {
+    if (joint.index < 0) continue;
+    if (joint.type == JointType::spherical) {
+      const Eigen::Matrix<S, 4, 1> unit = q.template segment<4>(entry).normalized();
+      joint.orientation = rotation_of_quaternion<S>(unit[0], unit.template tail<3>());
+      entry += 4;
+    } else {
+      positions[joint.index - robot.base_size()] = q[entry++];
+    }
+  }
+  q = positions;
+}
+
 // The placement of a joint at position q: the rotation of the child frame in the parent frame, the joint's axis in
 // parent and child axes, and two displacements: the first, including that of a prismatic joint, in parent axes, the
 // second in child axes.
@@ -155,7 +196,8 @@ struct JointPlacement {
 template <class S>
 JointPlacement<S> placement(const Joint<S>& joint, const S& q) {
   const bool turns = joint.type == JointType::revolute;
-  const Matrix3<S> turned = turns ? Matrix3<S>(joint.R_0 * rotation_about(joint.axis, q)) : joint.R_0;
+  Matrix3<S> turned = turns ? Matrix3<S>(joint.R_0 * rotation_about(joint.axis, q)) : joint.R_0;
+  if (joint.type == JointType::spherical) turned = Matrix3<S>(turned * joint.orientation);
   JointPlacement<S> place;
   place.R = turned * joint.R_1;
   place.z_parent = joint.R_0 * joint.axis;
