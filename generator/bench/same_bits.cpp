@@ -11,9 +11,7 @@
 namespace flatdyn {
 namespace {
 
-bool are_same(double a, double b) {
-  return std::memcmp(&a, &b, sizeof(a)) == 0 || (std::isnan(a) && std::isnan(b));
-}
+bool are_same(double a, double b) { return std::memcmp(&a, &b, sizeof(a)) == 0 || (std::isnan(a) && std::isnan(b)); }
 
 }  // namespace
 

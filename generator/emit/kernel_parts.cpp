@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <queue>
 #include <tuple>
@@ -94,22 +95,25 @@ class Division {
       price_.push_back(std::max(0L, operands - 1) + (operands > 0 ? 1 : 0));
       if (is_entry_read(function.graph[id])) price_.back() = kPriceOfReading;
     }
+    units_ = units();
+    for (const Entries& each : units_) nodes_.push_back(nodes_for(function, each));
   }
 
-  // One part if the whole is best.
-  PricedParts run() {
-    units_ = units();
-    for (const Entries& each : units_) nodes_.push_back(nodes_for(function_, each));
-    std::vector<int> all;
-    for (std::size_t k = 0; k < units_.size(); ++k) all.push_back(static_cast<int>(k));
-    std::vector<Group> best = {group(all)};
-    if (best.front().live > registers_) {
+  // Whether the values of the whole fit into registers.
+  bool whole_fits() { return whole().live <= registers_; }
+
+  // One part if the whole is best. The search ends where it finds no division near the price `most`.
+  PricedParts run(long most = std::numeric_limits<long>::max()) {
+    std::vector<Group> best = {whole()};
+    if (!whole_fits()) {
       for (const long caution : {1L, 8L}) {
         caution_ = caution;
         std::vector<Group> groups = merged();
         caution_ = 1;
-        move_units(groups);
+        const bool is_near = total(groups) / kMostSavedByMoves <= most;
+        if (is_near) move_units(groups);
         if (total(groups) < total(best)) best = std::move(groups);
+        if (!is_near) break;
       }
     }
     std::stable_sort(best.begin(), best.end(), [](const Group& a, const Group& b) { return a.live < b.live; });
@@ -120,6 +124,9 @@ class Division {
   }
 
  private:
+  // Moves and another caution make divisions cheaper by an eighth at most, seen so far; this is far more.
+  static constexpr long kMostSavedByMoves = 2;
+
   struct Group {
     std::vector<int> units;
     NodeSet nodes;
@@ -138,6 +145,12 @@ class Division {
 
   NodeId node_of(const Target& target) const {
     return function_.outputs[static_cast<std::size_t>(target.output)].entries[static_cast<std::size_t>(target.entry)];
+  }
+
+  const Group& whole() {
+    std::vector<int> all;
+    for (std::size_t k = 0; k < units_.size(); ++k) all.push_back(static_cast<int>(k));
+    return group(std::move(all));
   }
 
   // The entries that are written and are constants, or are not.
@@ -285,8 +298,10 @@ class Division {
     std::erase(without, unit);
     const NodeSet& nodes = nodes_[static_cast<std::size_t>(unit)];
     const long operations = nodes.weight(price_);
-    // A group that becomes larger costs as much more as it has more operations, at least.
-    const auto least_added = [&](const Group& to) { return operations - nodes.weight_with(to.nodes, price_); };
+    // What the group costs more with the unit, at least: operations, if nothing is put aside any more.
+    const auto least_added = [&](const Group& to) {
+      return operations - nodes.weight_with(to.nodes, price_) - spilled(to);
+    };
     const long most_freed = cost(from) - (without.empty() ? 0 : kPriceOfKernel + nodes_of(without).weight(price_));
     std::optional<Group> rest;
     Group* best = nullptr;
@@ -342,22 +357,26 @@ Entries entries_without(const Function& rest) {
 
 // The parts of a function; none if it stays whole. The first one checks.
 std::vector<Function> parts_of(const Function& function, int registers, const std::optional<Function>& reading) {
-  const PricedParts direct = Division(function, registers).run();
+  Division direct(function, registers);
   std::vector<Function> parts;
-  if (direct.entries.size() == 1) return parts;
+  if (direct.whole_fits()) return parts;
   const auto add = [&parts](const Function& of, const PricedParts& more) {
     for (const Entries& each : more.entries) parts.push_back(restricted(of, each, parts.empty()));
   };
-  if (reading) {
-    const Function before = restricted(function, entries_without(*reading), true);
-    const PricedParts first = Division(before, registers).run(), rest = Division(*reading, registers).run();
-    if (first.price + rest.price < direct.price) {
-      add(before, first);
-      add(*reading, rest);
-      return parts;
-    }
+  if (!reading) {
+    const PricedParts alone = direct.run();
+    if (alone.entries.size() > 1) add(function, alone);
+    return parts;
   }
-  add(function, direct);
+  const Function before = restricted(function, entries_without(*reading), true);
+  const PricedParts first = Division(before, registers).run(), rest = Division(*reading, registers).run();
+  const PricedParts alone = direct.run(first.price + rest.price);
+  if (first.price + rest.price < alone.price) {
+    add(before, first);
+    add(*reading, rest);
+  } else if (alone.entries.size() > 1) {
+    add(function, alone);
+  }
   return parts;
 }
 

@@ -21,8 +21,8 @@ std::vector<int> sizes_of(const std::vector<std::vector<int>>& lists, int count)
   return sizes;
 }
 
-// Statements with ranks, of which the one with the least rank is next. A statement whose rank becomes less is added once
-// more; it is passed over when its other entries come up.
+// Statements with ranks, of which the one with the least rank is next. A statement whose rank becomes less is added
+// once more; it is passed over when its other entries come up.
 template <class Rank>
 class Queue {
  public:

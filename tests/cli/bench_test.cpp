@@ -192,11 +192,12 @@ TEST(Bench, MakesNoBudgetsOfItsOwnForAnAbbreviatedModel) {
 TEST(Bench, MeasuresLanesOfARobotWithSymbols) {
   const Outcome outcome = run_flatdyn(
       "bench robots/planar_2r.toml -q --time 0.02 --states 10 --functions kinetic_energy "
-      "--variants double,double-together,double-1%,float-staged,batch-double,batch-float-given,cuda-float,reference,KDL");
+      "--variants "
+      "double,double-together,double-1%,float-staged,batch-double,batch-float-given,cuda-float,reference,KDL");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* text :
-       {"planar_2r: ", "kinetic_energy: 20 mul, 11 add", "batch-double ", "double-together ", "batch-float-given ", "cuda-float ",
-        "reference ", "J: p99", "float-staged ", "stages of kinetic_energy", "one by one",
+       {"planar_2r: ", "kinetic_energy: 20 mul, 11 add", "batch-double ", "double-together ", "batch-float-given ",
+        "cuda-float ", "reference ", "J: p99", "float-staged ", "stages of kinetic_energy", "one by one",
         "left out: KDL: it knows no rotors", "left out: error budget: the robot has free symbols"}) {
     EXPECT_THAT(outcome.out, HasSubstr(text));
   }
