@@ -298,7 +298,7 @@ class Division {
     std::erase(without, unit);
     const NodeSet& nodes = nodes_[static_cast<std::size_t>(unit)];
     const long operations = nodes.weight(price_);
-    // What the group costs more with the unit, at least: operations, if nothing is put aside any more.
+    // A group with the unit costs so much more at least: its operations, if nothing is put aside any more.
     const auto least_added = [&](const Group& to) {
       return operations - nodes.weight_with(to.nodes, price_) - spilled(to);
     };
