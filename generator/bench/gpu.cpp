@@ -106,7 +106,7 @@ void check_for_gpu(const Mechanism& mechanism) {
     throw Failure(ExitCode::unsupported, mechanism.name + ": bench --gpu has no values for its free symbols",
                   "give them values in the robot file");
   }
-  if (mechanism.size() > 0) return;
+  if (input_argument(InputKind::q, JointCounts(mechanism), 0).length > 0) return;
   throw Failure(ExitCode::unsupported, mechanism.name + ": bench --gpu is for robots with joints",
                 "call its functions from a program of yours: docs/cuda.md");
 }

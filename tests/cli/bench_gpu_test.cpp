@@ -149,6 +149,11 @@ TEST(BenchGpu, RefusesWhatItCannotDo) {
   EXPECT_EQ(bench_with("true", "robots/planar_2r.toml" + prepare).code, 4) << "free symbols";
   EXPECT_EQ(bench_with("true", "robots/four_bar.toml" + prepare).code, 4) << "closed loops";
   EXPECT_EQ(bench_with("true", "robots/ur5.urdf robots/ur5.urdf --functions gravity" + prepare).code, 2);
+  scratch.write("ball.urdf", R"(<robot name="ball"><link name="body"><inertial><mass value="2"/>
+      <inertia ixx="1" ixy="0" ixz="0" iyy="2" iyz="0" izz="2"/></inertial></link></robot>)");
+  const Outcome body = bench_with("true", scratch.path("ball.urdf") + " --base floating" + prepare);
+  EXPECT_EQ(body.code, 4);
+  EXPECT_THAT(body.err, HasSubstr("bench --gpu is for robots with joints"));
   EXPECT_FALSE(fs::exists(scratch.path("out")));
 }
 
