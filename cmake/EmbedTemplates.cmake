@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# flatdyn_embed_templates(target folder include_dir): makes every folder/*.mustache a string in namespace
+# flatdyn_embed_templates(target folder include_dir [file...]): makes every folder/*.mustache a string in namespace
 # flatdyn::templates of `target` ("header.hpp.mustache" → `header_hpp`), declared in "templates.hpp", so that the program
-# needs no files. Every *.hpp below include_dir becomes a row of the table `headers` there, with the path that it is
-# included by.
+# needs no files. Every *.hpp and *.cuh below include_dir becomes a row of the table `headers` there, with the path
+# that it is included by. Further files are strings, too ("gpu_states.hpp" → `gpu_states`).
 #
 # The same file is the script that the build runs when a template changes:
 #   cmake -D TEMPLATES=a;b -D HEADERS=c;d -D INCLUDE_DIR=dir -D OUTPUT_DIR=dir -P EmbedTemplates.cmake
@@ -37,7 +37,8 @@ set(FLATDYN_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
 
 function(flatdyn_embed_templates target folder include_dir)
   file(GLOB templates CONFIGURE_DEPENDS ${folder}/*.mustache)
-  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include_dir}/*.hpp)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include_dir}/*.hpp ${include_dir}/*.cuh)
+  list(APPEND templates ${ARGN})
   set(output_dir ${CMAKE_CURRENT_BINARY_DIR}/templates)
   add_custom_command(
     OUTPUT ${output_dir}/templates.cpp ${output_dir}/templates.hpp

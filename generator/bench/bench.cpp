@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "bench/abbreviations.hpp"
 #include "bench/errors.hpp"
 #include "bench/program.hpp"
+#include "bench/same_bits.hpp"
 #include "bench/stage_steps.hpp"
 #include "diagnostics/nearest.hpp"
 #include "functions/units.hpp"
@@ -68,6 +70,18 @@ void check_peer(const BenchCase& peer, const std::string& name, const BenchError
   throw Failure(ExitCode::bug, fmt::format("{}: its numbers differ from the reference in 50 digits by {:.2g} units of "
                                            "the last place: its model is another one",
                                            name, errors.scaled.largest));
+}
+
+// Compares the values of variants that have to compute the same bits.
+void check_bits(const std::vector<Function>& functions, const std::vector<BenchCase>& cases,
+                const std::vector<std::vector<double>>& values) {
+  std::map<std::pair<std::size_t, std::string>, std::size_t> first;  // by function and scalar
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    if (cases[k].is_peer || !has_plain_bits(cases[k].of)) continue;
+    const std::size_t like = first.emplace(std::pair(cases[k].function, cases[k].scalar), k).first->second;
+    check_same_bits(functions[cases[k].function].name, {cases[like].variant, values[like]},
+                    {cases[k].variant, values[k]});
+  }
 }
 
 BenchRow bench_row(const BenchCase& of, const BenchErrors& errors, const std::vector<double>& samples, long bytes) {
@@ -150,7 +164,9 @@ class BenchRun {
   std::vector<BenchErrors> errors_of(const BenchSubject& subject, const BenchProgram& program) const {
     progress_.step("comparing " + model_.mechanism.name + " with 50 digits");
     const auto wanted = static_cast<std::size_t>(std::min(options_.states, kCalledStates));
-    std::vector<BenchErrors> errors = bench_errors(subject, expected_, program.cases(), program.values(wanted), wanted);
+    const std::vector<std::vector<double>> values = program.values(wanted);
+    check_bits(functions_, program.cases(), values);
+    std::vector<BenchErrors> errors = bench_errors(subject, expected_, program.cases(), values, wanted);
     for (std::size_t k = 0; k < errors.size(); ++k) {
       const BenchCase& each = program.cases()[k];
       check_peer(each, each.name(functions_), errors[k]);

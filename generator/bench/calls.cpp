@@ -83,8 +83,10 @@ Words free_symbols_of(const CalledFunction& called, const Mechanism& mechanism, 
   return is_member(called) ? Words() : free_symbols(mechanism, variant, k);
 }
 
-std::string call_text(const CalledFunction& called, const Words& arguments) {
-  return fmt::format("{}{}({})", called.receiver, cpp_identifier(called.function.name), joined(arguments));
+// In CUDA the caller names the scalar.
+std::string call_text(const CalledFunction& called, const BenchVariant& variant, const Words& arguments) {
+  const std::string scalar = variant.call_mode == CallMode::kernel ? fmt::format("<{}>", variant.scalar) : "";
+  return fmt::format("{}{}{}({})", called.receiver, cpp_identifier(called.function.name), scalar, joined(arguments));
 }
 
 std::string in_column(int length, const std::string& name) {
@@ -141,7 +143,7 @@ std::string single_call(const Mechanism& mechanism, const CalledFunction& called
   const Words sin_cos = sin_cos_argument(variant, "x.s.of(k), x.c.of(k)");
   if (returns_value(function)) {
     append(arguments, sin_cos);
-    return fmt::format("out[{}] = {}", first, call_text(called, arguments));
+    return fmt::format("out[{}] = {}", first, call_text(called, variant, arguments));
   }
   std::size_t offset = first;
   for (const Output& output : function.outputs) {
@@ -149,7 +151,7 @@ std::string single_call(const Mechanism& mechanism, const CalledFunction& called
     offset += output.entries.size();
   }
   append(arguments, sin_cos);
-  const std::string call = call_text(called, arguments);
+  const std::string call = call_text(called, variant, arguments);
   return function.validity_conditions.empty() ? call : "keep(" + call + ")";
 }
 
@@ -187,7 +189,7 @@ BatchCall batch_call(const Mechanism& mechanism, const CalledFunction& called, c
   }
   tiles.emplace_back("results...");
   append(arguments, sin_cos_argument(variant, "s, c"));
-  const std::string call = call_text(called, arguments);
+  const std::string call = call_text(called, variant, arguments);
   const std::string body = returns_value(function)                ? "*result = " + call
                            : function.validity_conditions.empty() ? call
                                                                   : "return " + call;
@@ -198,6 +200,24 @@ BatchCall batch_call(const Mechanism& mechanism, const CalledFunction& called, c
           fmt::format("{}", fmt::join(columns, kNextLine)),
           fmt::format("{}", fmt::join(tiles, kNextLine)),
           joined(entries)};
+}
+
+std::string kernel_call(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant) {
+  const Function& function = called.function;
+  Words arguments = {"states"};
+  append(arguments, free_symbols(mechanism, variant, "first"));
+  for (const InputKind kind : function.inputs) {
+    const InputArgument argument = argument_of(mechanism, function, kind);
+    arguments.push_back(argument.length == 0 ? "nullptr" : fmt::format("x.{}.of(first)", argument.name));
+  }
+  std::size_t offset = 0;
+  for (const Output& output : function.outputs) {
+    arguments.push_back(offset == 0 ? "out" : fmt::format("out + {} * states", offset));
+    offset += output.entries.size();
+  }
+  if (!function.validity_conditions.empty()) arguments.emplace_back("valid");
+  return fmt::format("flatdyn::cuda::for_each_state_on_host<{}::functions::{}, {}, flatdyn::cuda::Rows>({})",
+                     called.scope, cpp_identifier(function.name), variant.scalar, joined(arguments));
 }
 
 bool can_be_packed(const Function& function) {
@@ -212,6 +232,7 @@ std::string plain_symbol(const Function& function, const std::string& variant) {
 std::string template_symbol(const CalledFunction& called, const BenchVariant& variant) {
   const std::string function = cpp_identifier(called.function.name);
   if (is_member(called)) return fmt::format("{}<{}>::{}", called.scope, scalar_type(variant), function);
+  if (variant.call_mode == CallMode::kernel) return fmt::format("{}::{}<{}, ", called.scope, function, variant.scalar);
   std::string types = scalar_type(variant);
   if (has_angles(called.function)) {
     types += ", " + source_type(called.scope, variant);
@@ -255,7 +276,7 @@ PlainFunction plain_function(const Mechanism& mechanism, const CalledFunction& c
           (returns_value(function) ? "*result = "
            : conditional           ? "return "
                                    : "") +
-              call_text(called, arguments)};
+              call_text(called, variant, arguments)};
 }
 
 }  // namespace flatdyn

@@ -31,6 +31,10 @@ struct BatchCall {
 // The call of the function over SIMD lanes.
 BatchCall batch_call(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant);
 
+// The call of the function in the CUDA form at `states` states of the inputs x from state `first` on. Its results go to
+// `out`, the rows of all states of each output, one output after the other; what it returns of each state to `valid`.
+std::string kernel_call(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant);
+
 // Whether the function has matrices with entries that packed outputs leave out.
 bool can_be_packed(const Function& function);
 
@@ -41,7 +45,8 @@ struct PlainFunction {
 
 std::string plain_symbol(const Function& function, const std::string& variant);
 // The symbol of the called function as nm -C prints it: "robot::gravity<double, robot::PolynomialSinCos>",
-// "robot::Motion<double>::bias".
+// "robot::Motion<double>::bias". In CUDA the types of arrays follow, and it is the beginning of the name:
+// "robot::kernels::gravity<double, ".
 std::string template_symbol(const CalledFunction& called, const BenchVariant& variant);
 PlainFunction plain_function(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant);
 

@@ -50,6 +50,15 @@ std::map<std::string, long> bytes_by_symbol(const std::string& text) {
   return bytes;
 }
 
+// The entry of a template's instance: "robot::gravity<double>", or one that begins so if the list of its arguments is
+// open: "robot::kernels::gravity<double, ".
+std::map<std::string, long>::const_iterator find_template(const std::map<std::string, long>& bytes,
+                                                          const std::string& name) {
+  if (name.back() == '>') return bytes.find(name);
+  const auto next = bytes.lower_bound(name);
+  return next != bytes.end() && next->first.starts_with(name) ? next : bytes.end();
+}
+
 }  // namespace
 
 BenchProgram::BenchProgram(const BenchSubject& subject, fs::path folder)
@@ -122,7 +131,7 @@ std::vector<long> BenchProgram::sizes() const {
       sizes.push_back(0);
       continue;
     }
-    const auto own = bytes.find(template_symbol(*each.call, each.of));
+    const auto own = find_template(bytes, template_symbol(*each.call, each.of));
     sizes.push_back(own == bytes.end() ? bytes.at(plain_symbol(each.call->function, each.variant)) : own->second);
   }
   return sizes;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bench/sources.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "bench/calls.hpp"
@@ -98,6 +101,15 @@ data batch_row(const BenchSubject& subject, const CalledFunction& called, const 
   return row;
 }
 
+data kernel_row(const BenchSubject& subject, const CalledFunction& called, const BenchVariant& variant) {
+  data row = source_row(called, variant);
+  std::vector<std::size_t> lengths;
+  for (const Output& output : called.function.outputs) lengths.push_back(output.entries.size());
+  row["lengths"] = fmt::format("{}", fmt::join(lengths, ", "));
+  row["call"] = kernel_call(subject.mechanism, called, variant);
+  return row;
+}
+
 data size_row(const BenchSubject& subject, const CalledFunction& called, const BenchVariant& variant) {
   const PlainFunction plain = plain_function(subject.mechanism, called, variant);
   data row;
@@ -131,16 +143,26 @@ bool has_any(const BenchSubject& subject, bool BenchVariant::*property) {
                      [property](const BenchVariant& variant) { return variant.*property; });
 }
 
+bool has_kernels(const BenchSubject& subject) {
+  return std::any_of(subject.variants.begin(), subject.variants.end(),
+                     [](const BenchVariant& variant) { return variant.call_mode == CallMode::kernel; });
+}
+
 data headers_of_robot(const BenchSubject& subject) {
   std::vector<std::string> names = {"robot.hpp"};
   if (has_any(subject, &BenchVariant::fuses)) names.emplace_back(kFusedHeader);
   if (has_any(subject, &BenchVariant::has_lanes)) names.emplace_back(kLimbsHeader);
   for (const AbbreviatedFunctions& each : subject.abbreviated) names.push_back(header_of(each));
+  if (has_kernels(subject)) {
+    names.emplace_back("flatdyn/cuda_batch.cuh");
+    names.emplace_back(kKernelsHeader);
+  }
   return list_of(names);
 }
 
 data robot_page(const BenchSubject& subject) {
-  data singles(data::type::list), staged(data::type::list), lanes(data::type::list), functions(data::type::list);
+  data singles(data::type::list), staged(data::type::list), lanes(data::type::list), kernels(data::type::list),
+      functions(data::type::list);
   for (std::size_t k = 0; k < subject.functions.size(); ++k) {
     for (const BenchVariant& variant : subject.variants) {
       const std::optional<CalledFunction> called = called_function(subject, k, variant);
@@ -148,6 +170,7 @@ data robot_page(const BenchSubject& subject) {
       if (variant.call_mode == CallMode::single) singles << single_row(subject, *called, variant);
       if (variant.call_mode == CallMode::staged) staged << staged_row(subject, *called, variant);
       if (variant.call_mode == CallMode::batch) lanes << batch_row(subject, *called, variant);
+      if (variant.call_mode == CallMode::kernel) kernels << kernel_row(subject, *called, variant);
       functions << size_row(subject, *called, variant);
     }
   }
@@ -162,6 +185,7 @@ data robot_page(const BenchSubject& subject) {
   page["staged"] = data(staged);
   page["steps"] = step_rows(subject);
   page["lanes"] = data(lanes);
+  page["kernels"] = data(kernels);
   page["functions"] = data(functions);
   return page;
 }
@@ -179,6 +203,13 @@ SourceFile peer_source(const BenchSubject& subject, const BenchPeer& peer) {
 }
 
 }  // namespace
+
+std::string kernels_header(const Mechanism& mechanism, const std::vector<Function>& functions) {
+  EmitOptions emit;
+  emit.language = Language::cuda;
+  emit.name_space = kKernelsNamespace;
+  return emit_code(mechanism, functions, emit).front().text;
+}
 
 std::vector<SourceFile> bench_sources(const BenchSubject& subject) {
   EmitOptions emit;
@@ -207,6 +238,7 @@ std::vector<SourceFile> bench_sources(const BenchSubject& subject) {
     emit.fuses = true;
     files.push_back({kFusedHeader, emit_cpp(subject.mechanism, subject.functions, emit)});
   }
+  if (has_kernels(subject)) files.push_back({kKernelsHeader, kernels_header(subject.mechanism, subject.functions)});
   for (const templates::Header& header : templates::headers) files.push_back({header.path, header.text});
   for (const BenchPeer& peer : subject.peers) files.push_back(peer_source(subject, peer));
   return files;

@@ -56,6 +56,8 @@ std::optional<CalledFunction> called_function(const BenchSubject& subject, std::
 inline constexpr const char *kFusedNamespace = "robot::fused", *kFusedHeader = "robot_fused.hpp";
 // The same of functions with limbs in the lanes of vectors.
 inline constexpr const char *kLimbsNamespace = "robot::limbs", *kLimbsHeader = "robot_limbs.hpp";
+// The same of the CUDA form.
+inline constexpr const char *kKernelsNamespace = "robot::kernels", *kKernelsHeader = "robot_kernels.cuh";
 // The namespace of a budget's functions: "robot::budget_0_1_".
 std::string name_space_of_budget(const std::string& budget);
 

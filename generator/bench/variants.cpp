@@ -35,12 +35,20 @@ const std::vector<BenchVariant>& bench_variants() {
       {"batch-float-0.01%", "float", CallMode::batch, SinCosSource::own, "0.01%"},
       {"batch-float-0.1%", "float", CallMode::batch, SinCosSource::own, "0.1%"},
       {"batch-float-1%", "float", CallMode::batch, SinCosSource::own, "1%"},
+      {"cuda-double", "double", CallMode::kernel, SinCosSource::own},
+      {"cuda-float", "float", CallMode::kernel, SinCosSource::own},
   };
   return table;
 }
 
 bool needs_xsimd(const BenchVariant& variant) {
   return variant.call_mode == CallMode::batch || variant.trigonometry == SinCosSource::together;
+}
+
+bool has_plain_bits(const BenchVariant& variant) {
+  const bool is_plain = variant.call_mode == CallMode::single || variant.call_mode == CallMode::kernel;
+  const bool is_changed = *variant.budget != '\0' || variant.fuses || variant.has_lanes;
+  return is_plain && !is_changed && variant.trigonometry == SinCosSource::own;
 }
 
 bool is_whole_call(const BenchVariant& variant) {

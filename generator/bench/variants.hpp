@@ -9,8 +9,9 @@
 namespace flatdyn {
 
 // How a generated function is called: one state per call; as a member of a stage (emit/stages.hpp) that is already
-// made; or over SIMD lanes, with all states in one call.
-enum class CallMode { single, staged, batch };
+// made; over SIMD lanes, with all states in one call; or in the CUDA form, compiled for the processor, with the states
+// of a block one after the other (flatdyn/cuda_batch.cuh).
+enum class CallMode { single, staged, batch, kernel };
 
 // The source of sines and cosines, the last argument of generated functions: their own, which is the default; the
 // library; the runtime's, which evaluates all joints' over SIMD lanes; or the caller, so that only the rest is timed.
@@ -32,6 +33,9 @@ const std::vector<BenchVariant>& bench_variants();
 
 // Whether the call uses SIMD lanes.
 bool needs_xsimd(const BenchVariant& variant);
+// Whether the variant computes the bits of the plain C++ form with its own sines and cosines, for one state at a time;
+// all variants of one scalar that do compute the same.
+bool has_plain_bits(const BenchVariant& variant);
 // Whether the call does the whole work.
 bool is_whole_call(const BenchVariant& variant);
 // Whether the variant applies to the function, and the machine has what it needs.

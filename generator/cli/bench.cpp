@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bench/bench.hpp"
 
-#include "bench/growth.hpp"
-
 #include <fmt/format.h>
+
+#include <set>
+
+#include "bench/gpu.hpp"
+#include "bench/growth.hpp"
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
@@ -11,8 +14,11 @@
 #include "report/bench_plot.hpp"
 #include "report/bench_report.hpp"
 #include "report/generator_report.hpp"
+#include "report/gpu_report.hpp"
 #include "report/growth_report.hpp"
 #include "report/json_text.hpp"
+#include "system/process.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {
@@ -25,6 +31,7 @@ struct BenchArguments : RobotArguments {
   bool growth = false;
   GrowthOptions growth_plan;
   bool generator = false;
+  bool gpu = false, prepare = false;
 };
 
 // Writes the results where they are wanted. They are printed first, so that measurements are not lost with a file that
@@ -98,6 +105,81 @@ ExitCode run_generator(const BenchArguments& arguments) {
   return ExitCode::ok;
 }
 
+// The robot's files in the folder of the benchmark on a graphics processor; its lines of cases are added to `cases`.
+std::vector<SourceFile> gpu_robot(const BenchArguments& arguments, const std::string& robot, std::string& cases) {
+  GenerationOptions options;
+  static_cast<PipelineOptions&>(options) = arguments.options();
+  options.functions = arguments.functions;
+  options.form.language = Language::cuda;
+  {
+    const LoadedRobot read = load_robot(robot, options);
+    refuse_loops(read, "bench");
+    refuse_spherical_joints(read, "bench");
+    check_for_gpu(read.mechanism);
+    options.form.name_space = gpu_name(read.mechanism);
+  }
+  Progress progress(arguments.quiet);
+  const std::vector<GenerationResult> results = generate_code_for(robot, options, {"float", "double"}, progress);
+  const GenerationResult& first = results.front();
+  print_diagnostics(first.robot.diagnostics, arguments);
+  print_diagnostics(first.findings, arguments);
+  progress.step("computing in 50 digits");
+  const std::vector<Function> functions = functions_of(first);
+  const GpuSubject subject{options.form.name_space, first.robot.mechanism, functions, first.files.front().text,
+                           results.back().files.front().text};
+  cases += gpu_cases(subject);
+  return gpu_files(subject);
+}
+
+// Writes the folder of the benchmark, all files or none.
+void write_gpu_folder(const std::filesystem::path& folder, const std::vector<SourceFile>& sources) {
+  std::vector<TextFile> files;
+  for (const SourceFile& source : sources) files.push_back({folder / source.path, source.text});
+  write_files(files);
+  using std::filesystem::perms;
+  constexpr perms kRuns = perms::owner_exec | perms::group_exec | perms::others_exec;
+  std::filesystem::permissions(folder / "run", kRuns, std::filesystem::perm_options::add);
+}
+
+// Refuses two robots of one name, whose files have the same names.
+void check_gpu_names(const std::vector<SourceFile>& sources) {
+  std::set<std::filesystem::path> names;
+  for (const SourceFile& source : sources) {
+    if (names.insert(source.path).second) continue;
+    throw Failure(ExitCode::usage, fmt::format("bench --gpu: two robots would write {}", source.path.string()),
+                  "measure them one by one");
+  }
+}
+
+ExitCode run_gpu(const BenchArguments& arguments) {
+  if (!arguments.prepare) require_gpu();
+  std::vector<SourceFile> sources;
+  std::string cases;
+  for (const std::string& robot : arguments.robots) {
+    for (SourceFile& file : gpu_robot(arguments, robot, cases)) sources.push_back(std::move(file));
+  }
+  check_gpu_names(sources);
+  for (SourceFile& file : gpu_program(cases)) sources.push_back(std::move(file));
+  if (arguments.prepare) {
+    write_gpu_folder(arguments.folder, sources);
+    if (!arguments.quiet) fmt::print("wrote {0}: run {0}/run where there are nvcc and a device\n", arguments.folder);
+    return ExitCode::ok;
+  }
+  const TemporaryFolder folder;
+  write_gpu_folder(folder.path(), sources);
+  const int status = run_command("TMPDIR=. ./run > printed 2> log", folder.path());
+  GpuReport report = read_gpu_report(content_of_file(folder.path() / "printed"));
+  if (status != 0) report.failures.push_back("run has failed: " + content_of_file(folder.path() / "log"));
+  deliver(arguments, "gpu", gpu_json(report), gpu_text(report), {});
+  return report.failures.empty() ? ExitCode::ok : ExitCode::bug;
+}
+
+void check_gpu(const BenchArguments& arguments) {
+  if (arguments.prepare && arguments.folder.empty()) {
+    throw Failure(ExitCode::usage, "--prepare writes a folder, and none is named", "name one with -o");
+  }
+}
+
 void check_generator(const BenchArguments& arguments) {
   if (arguments.robots.size() == 1) return;
   throw Failure(ExitCode::usage, "--generator measures one robot, as peak memory is that of the whole program",
@@ -118,6 +200,10 @@ ExitCode run_bench(const BenchArguments& arguments) {
     check_generator(arguments);
     return run_generator(arguments);
   }
+  if (arguments.gpu) {
+    check_gpu(arguments);
+    return run_gpu(arguments);
+  }
   return arguments.growth ? run_growth(arguments) : run_robots(arguments);
 }
 
@@ -130,7 +216,8 @@ Run add_bench(CLI::App& app) {
       "  flatdyn bench robots/panda.urdf --functions inverse_dynamics,inertia_matrix\n"
       "  flatdyn bench robots/panda.urdf robots/ur5.urdf -o out/ --time 60\n"
       "  flatdyn bench --growth --joints 16 -o out/\n"
-      "  flatdyn bench --generator robots/panda.urdf");
+      "  flatdyn bench --generator robots/panda.urdf\n"
+      "  flatdyn bench --gpu robots/panda.urdf --functions inverse_dynamics,inertia_matrix");
   const auto arguments = std::make_shared<BenchArguments>();
   command->add_option("robot", arguments->robots, kRobotMeaning)->type_name("FILE");
   arguments->add_settings_to(*command);
@@ -149,6 +236,13 @@ Run add_bench(CLI::App& app) {
       ->check(CLI::Range(1, 1024));
   command->add_option("--seed", arguments->bench.seed, "of the states and of the order of the runs")
       ->capture_default_str();
+  auto* gpu = command->add_flag("--gpu", arguments->gpu,
+                                "instead: the CUDA form on a graphics processor, in float and double; needs nvcc "
+                                "(or $NVCC) and a device");
+  command
+      ->add_flag("--prepare", arguments->prepare,
+                 "write the folder -o for another machine, where its `run` compiles and measures; needs neither")
+      ->needs(gpu);
   auto* growth =
       command->add_flag("--growth", arguments->growth,
                         "instead: cost over the number of joints, of chains and trees of 2, 4, 8 ... joints");
@@ -156,15 +250,19 @@ Run add_bench(CLI::App& app) {
       ->add_flag("--generator", arguments->generator,
                  "instead: the cost of generation itself, by stage and function: processor time and peak memory; of "
                  "one robot, with all functions that generate writes by default")
-      ->excludes(growth);
+      ->excludes(growth)
+      ->excludes(gpu);
+  growth->excludes(gpu);
+  for (const char* option : {"--time", "--variants", "--states", "--seed"}) gpu->excludes(option);
   command->add_option("--joints", arguments->growth_plan.joints, "of the largest of these, at most")
       ->capture_default_str()
       ->check(CLI::Range(2, 64))
       ->needs("--growth");
   command
-      ->add_option("-o,--output", arguments->folder,
-                   "folder for bench.json and bench.svg (growth.json and growth.svg; generator.json); made if it is "
-                   "not there")
+      ->add_option(
+          "-o,--output", arguments->folder,
+          "folder for bench.json and bench.svg (growth.json and growth.svg; generator.json; gpu.json); made if "
+          "it is not there")
       ->check(folder_name())
       ->type_name("FOLDER");
   return [arguments] { return run_bench(*arguments); };

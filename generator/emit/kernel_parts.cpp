@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <queue>
 #include <tuple>
 
 #include "diagnostics/diagnostics.hpp"
+#include "emit/each_operand.hpp"
+#include "emit/node_set.hpp"
 #include "emit/schedule.hpp"
 #include "passes/draft.hpp"
 
@@ -18,6 +21,9 @@ namespace {
 // The price of reading a number that another kernel has written, in operations: the memory delivers one in the time in
 // which some twenty operations are done.
 constexpr long kPriceOfReading = 20;
+
+// The price of a kernel more, which reads inputs once more and is launched.
+constexpr long kPriceOfKernel = 100;
 
 // Numbers that fit into registers, beside addresses.
 constexpr int kDoublesInRegisters = 115, kFloatsInRegisters = 235;
@@ -34,15 +40,14 @@ long price_of_spilling(long values) {
 using Entries = std::vector<Target>;
 
 // The nodes that some entries need.
-std::vector<bool> nodes_for(const Function& function, const Entries& entries) {
-  std::vector<bool> needed(static_cast<std::size_t>(function.graph.size()), false);
+NodeSet nodes_for(const Function& function, const Entries& entries) {
+  NodeSet needed(function.graph.size());
   for (const Target& each : entries) {
     const Output& output = function.outputs[static_cast<std::size_t>(each.output)];
-    needed[static_cast<std::size_t>(output.entries[static_cast<std::size_t>(each.entry)])] = true;
+    needed.add(output.entries[static_cast<std::size_t>(each.entry)]);
   }
   for (NodeId id = function.graph.size(); id-- > 0;) {
-    if (!needed[static_cast<std::size_t>(id)]) continue;
-    for (const NodeId operand : operands_of(function.graph[id])) needed[static_cast<std::size_t>(operand)] = true;
+    if (needed.has(id)) for_each_operand(function.graph[id], [&needed](NodeId operand) { needed.add(operand); });
   }
   return needed;
 }
@@ -90,21 +95,25 @@ class Division {
       price_.push_back(std::max(0L, operands - 1) + (operands > 0 ? 1 : 0));
       if (is_entry_read(function.graph[id])) price_.back() = kPriceOfReading;
     }
+    units_ = units();
+    for (const Entries& each : units_) nodes_.push_back(nodes_for(function, each));
   }
 
-  // One part if the whole is best.
-  PricedParts run() {
-    units_ = units();
-    std::vector<int> all;
-    for (std::size_t k = 0; k < units_.size(); ++k) all.push_back(static_cast<int>(k));
-    std::vector<Group> best = {group(all)};
-    if (best.front().live > registers_) {
+  // Whether the values of the whole fit into registers.
+  bool whole_fits() { return whole().live <= registers_; }
+
+  // One part if the whole is best. The search ends where it finds no division near the price `most`.
+  PricedParts run(long most = std::numeric_limits<long>::max()) {
+    std::vector<Group> best = {whole()};
+    if (!whole_fits()) {
       for (const long caution : {1L, 8L}) {
         caution_ = caution;
         std::vector<Group> groups = merged();
         caution_ = 1;
-        move_units(groups);
+        const bool is_near = total(groups) / kMostSavedByMoves <= most;
+        if (is_near) move_units(groups);
         if (total(groups) < total(best)) best = std::move(groups);
+        if (!is_near) break;
       }
     }
     std::stable_sort(best.begin(), best.end(), [](const Group& a, const Group& b) { return a.live < b.live; });
@@ -115,9 +124,12 @@ class Division {
   }
 
  private:
+  // Moves and another caution make divisions cheaper by an eighth at most, seen so far; this is far more.
+  static constexpr long kMostSavedByMoves = 2;
+
   struct Group {
     std::vector<int> units;
-    std::vector<bool> nodes;
+    NodeSet nodes;
     long live = 0, operations = 0;
   };
 
@@ -133,6 +145,12 @@ class Division {
 
   NodeId node_of(const Target& target) const {
     return function_.outputs[static_cast<std::size_t>(target.output)].entries[static_cast<std::size_t>(target.entry)];
+  }
+
+  const Group& whole() {
+    std::vector<int> all;
+    for (std::size_t k = 0; k < units_.size(); ++k) all.push_back(static_cast<int>(k));
+    return group(std::move(all));
   }
 
   // The entries that are written and are constants, or are not.
@@ -176,6 +194,12 @@ class Division {
     return entries;
   }
 
+  NodeSet nodes_of(const std::vector<int>& units) const {
+    NodeSet nodes(function_.graph.size());
+    for (const int unit : units) nodes.add(nodes_[static_cast<std::size_t>(unit)]);
+    return nodes;
+  }
+
   // Measured once for each set of units.
   const Group& group(std::vector<int> units) {
     std::sort(units.begin(), units.end());
@@ -183,10 +207,10 @@ class Division {
     Group& result = place->second;
     if (!is_new) return result;
     const Entries entries = entries_of(units);
+    result.nodes = nodes_of(units);
     result.units = std::move(units);
-    result.nodes = nodes_for(function_, entries);
     result.live = live_values_of(entries);
-    for (std::size_t k = 0; k < price_.size(); ++k) result.operations += result.nodes[k] ? price_[k] : 0;
+    result.operations = result.nodes.weight(price_);
     return result;
   }
 
@@ -205,9 +229,7 @@ class Division {
   }
 
   long spilled(const Group& group) const { return caution_ * price_of_spilling(group.live - registers_); }
-  // A kernel more reads inputs once more and is launched.
   long cost(const Group& group) const {
-    constexpr long kPriceOfKernel = 100;
     return group.units.empty() ? 0 : kPriceOfKernel + group.operations + spilled(group);
   }
   long total(const std::vector<Group>& groups) const {
@@ -216,11 +238,7 @@ class Division {
     return sum;
   }
 
-  long shared(const Group& a, const Group& b) const {
-    long sum = 0;
-    for (std::size_t k = 0; k < price_.size(); ++k) sum += a.nodes[k] && b.nodes[k] ? price_[k] : 0;
-    return sum;
-  }
+  long shared(const Group& a, const Group& b) const { return a.nodes.weight_with(b.nodes, price_); }
 
   // Joins the two groups that save most by it, as long as any two do. A bound of what they save says which to measure.
   std::vector<Group> merged() {
@@ -278,19 +296,29 @@ class Division {
     Group& from = *std::find_if(groups.begin(), groups.end(), has_it);
     std::vector<int> without = from.units;
     std::erase(without, unit);
-    const Group rest = without.empty() ? Group() : group(without);
+    const NodeSet& nodes = nodes_[static_cast<std::size_t>(unit)];
+    const long operations = nodes.weight(price_);
+    // A group with the unit costs so much more at least: its operations, if nothing is put aside any more.
+    const auto least_added = [&](const Group& to) {
+      return operations - nodes.weight_with(to.nodes, price_) - spilled(to);
+    };
+    const long most_freed = cost(from) - (without.empty() ? 0 : kPriceOfKernel + nodes_of(without).weight(price_));
+    std::optional<Group> rest;
     Group* best = nullptr;
     long most_saved = 0;
     for (Group& to : groups) {
-      if (&to == &from || to.units.empty()) continue;
-      const long saved = cost(from) + cost(to) - cost(rest) - cost(group(joined(to.units, {unit})));
+      if (&to == &from || to.units.empty() || most_freed - least_added(to) <= most_saved) continue;
+      if (!rest) rest = without.empty() ? Group() : group(without);
+      const long freed = cost(from) - cost(*rest);
+      if (freed - least_added(to) <= most_saved) continue;
+      const long saved = freed + cost(to) - cost(group(joined(to.units, {unit})));
       if (saved <= most_saved) continue;
       most_saved = saved;
       best = &to;
     }
     if (best == nullptr) return false;
     *best = group(joined(best->units, {unit}));
-    from = rest;
+    from = *rest;
     return true;
   }
 
@@ -308,6 +336,7 @@ class Division {
   long caution_ = 1;            // a factor of the price of spilling
   std::vector<long> price_;     // by node: its operations
   std::vector<Entries> units_;  // what is not divided
+  std::vector<NodeSet> nodes_;  // by unit: those that it needs
   std::map<std::vector<int>, Group> known_;
   std::vector<Group> groups_;
   std::vector<bool> alive_;  // by group: it has not become part of another one
@@ -328,22 +357,26 @@ Entries entries_without(const Function& rest) {
 
 // The parts of a function; none if it stays whole. The first one checks.
 std::vector<Function> parts_of(const Function& function, int registers, const std::optional<Function>& reading) {
-  const PricedParts direct = Division(function, registers).run();
+  Division direct(function, registers);
   std::vector<Function> parts;
-  if (direct.entries.size() == 1) return parts;
+  if (direct.whole_fits()) return parts;
   const auto add = [&parts](const Function& of, const PricedParts& more) {
     for (const Entries& each : more.entries) parts.push_back(restricted(of, each, parts.empty()));
   };
-  if (reading) {
-    const Function before = restricted(function, entries_without(*reading), true);
-    const PricedParts first = Division(before, registers).run(), rest = Division(*reading, registers).run();
-    if (first.price + rest.price < direct.price) {
-      add(before, first);
-      add(*reading, rest);
-      return parts;
-    }
+  if (!reading) {
+    const PricedParts alone = direct.run();
+    if (alone.entries.size() > 1) add(function, alone);
+    return parts;
   }
-  add(function, direct);
+  const Function before = restricted(function, entries_without(*reading), true);
+  const PricedParts first = Division(before, registers).run(), rest = Division(*reading, registers).run();
+  const PricedParts alone = direct.run(first.price + rest.price);
+  if (first.price + rest.price < alone.price) {
+    add(before, first);
+    add(*reading, rest);
+  } else if (alone.entries.size() > 1) {
+    add(function, alone);
+  }
   return parts;
 }
 

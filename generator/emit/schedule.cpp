@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "emit/each_operand.hpp"
 #include "emit/statement_order.hpp"
 #include "emit/statement_uses.hpp"
 
@@ -88,7 +89,7 @@ class Scheduler {
       if (!at(alive_, id)) continue;
       if (is_trigonometric(graph_[id])) continue;  // its angle is written where the sine is computed
       const int uses = is_written_in_place(id) ? at(uses_, id) : 1;
-      for (NodeId operand : operands_of(graph_[id])) at(uses_, operand) += uses;
+      for_each_operand(graph_[id], [this, uses](NodeId operand) { at(uses_, operand) += uses; });
     }
   }
 
@@ -98,7 +99,8 @@ class Scheduler {
       const Node& node = graph_[id];
       if (node.op == Op::input) at(schedule_.is_variable, id) = !is_read_in_place(node);
       if (is_leaf(node)) continue;
-      for (NodeId operand : operands_of(node)) at(height_, id) = std::max(at(height_, id), at(height_, operand) + 1);
+      int& height = at(height_, id);
+      for_each_operand(node, [this, &height](NodeId operand) { height = std::max(height, at(height_, operand) + 1); });
       shorten(id);
       const bool named = graph_.name(id) != nullptr && is_worth_its_name(node) && stores_.count(id) == 0;
       const bool variable = is_trigonometric(node) || named || at(uses_, id) > 1;
@@ -109,27 +111,32 @@ class Scheduler {
   // The number of operands in the node's expression with the variables chosen so far.
   int inline_operands(NodeId id) {
     const Node& node = graph_[id];
-    int count = node.op == Op::sum && node.value != 0 ? 1 : 0;
-    for (const Term& term : node.terms) count += abs(term.coefficient) == 1 ? 0 : 1;
-    for (NodeId operand : operands_to_write(id))
+    int count = node.op == Op::sum && !node.value.is_zero() ? 1 : 0;
+    for (const Term& term : node.terms) count += term.coefficient == 1 || term.coefficient == -1 ? 0 : 1;
+    for_each_operand_to_write(id, [this, &count](NodeId operand) {
       count += at(schedule_.is_variable, operand) ? 1 : at(operand_count_, operand);
+    });
     return count;
   }
 
   // The operands of a node's expression, those of fused products in place of the products.
-  std::vector<NodeId> operands_to_write(NodeId id) const {
-    std::vector<NodeId> result;
-    for (const NodeId operand : operands_of(graph_[id])) {
-      const bool is_fused = is_fused_[static_cast<std::size_t>(operand)];
-      const std::vector<NodeId> parts = is_fused ? operands_of(graph_[operand]) : std::vector<NodeId>{operand};
-      result.insert(result.end(), parts.begin(), parts.end());
-    }
-    return result;
+  template <class Use>
+  void for_each_operand_to_write(NodeId id, const Use& use) const {
+    for_each_operand(graph_[id], [this, &use](NodeId operand) {
+      if (is_fused_[static_cast<std::size_t>(operand)]) {
+        for_each_operand(graph_[operand], use);
+      } else {
+        use(operand);
+      }
+    });
   }
 
   // Makes variables of the node's largest operands until its expression is short enough.
   void shorten(NodeId id) {
-    std::vector<NodeId> parts = operands_to_write(id);
+    at(operand_count_, id) = inline_operands(id);
+    if (at(operand_count_, id) <= kLongestInline) return;
+    std::vector<NodeId> parts;
+    for_each_operand_to_write(id, [&parts](NodeId operand) { parts.push_back(operand); });
     std::stable_sort(parts.begin(), parts.end(),
                      [this](NodeId a, NodeId b) { return at(operand_count_, a) > at(operand_count_, b); });
     for (NodeId part : parts) {

@@ -2,7 +2,7 @@
 #include "emit/statement_order.hpp"
 
 #include <algorithm>
-#include <set>
+#include <functional>
 #include <tuple>
 #include <utility>
 
@@ -20,6 +20,27 @@ std::vector<int> sizes_of(const std::vector<std::vector<int>>& lists, int count)
   for (int k = 0; k < count; ++k) sizes.push_back(static_cast<int>(item(lists, k).size()));
   return sizes;
 }
+
+// Statements with ranks, of which the one with the least rank is next. A statement whose rank becomes less is added
+// once more; it is passed over when its other entries come up.
+template <class Rank>
+class Queue {
+ public:
+  void add(const Rank& rank) {
+    ranks_.push_back(rank);
+    std::push_heap(ranks_.begin(), ranks_.end(), std::greater<Rank>());
+  }
+  bool empty() const { return ranks_.empty(); }
+  Rank take() {
+    std::pop_heap(ranks_.begin(), ranks_.end(), std::greater<Rank>());
+    const Rank least = ranks_.back();
+    ranks_.pop_back();
+    return least;
+  }
+
+ private:
+  std::vector<Rank> ranks_;
+};
 
 // Goes from the last statement to the first. Of the statements whose users all have a place, the one comes next that
 // makes fewest values live beyond those that it ends; then the one whose value got its first user last.
@@ -39,8 +60,8 @@ class FromTheEnd {
       if (item(users_left_, k) == 0) make_ready(k);
     }
     while (!ready_.empty()) {
-      const int next = -std::get<2>(*ready_.begin());
-      ready_.erase(ready_.begin());
+      const int next = -std::get<2>(ready_.take());
+      if (!item(is_ready_, next)) continue;
       item(is_ready_, next) = false;
       order_.push_back(next);
       for (const int value : item(uses_.needs, next)) use(value);
@@ -56,16 +77,15 @@ class FromTheEnd {
 
   void make_ready(int k) {
     item(is_ready_, k) = true;
-    ready_.insert(rank(k));
+    ready_.add(rank(k));
   }
 
   void begin_life(int value) {
     if (item(is_live_, value)) return;
     item(is_live_, value) = true;
     for (const int user : item(uses_.users, value)) {
-      if (item(is_ready_, user)) ready_.erase(rank(user));
       --item(growth_, user);
-      if (item(is_ready_, user)) ready_.insert(rank(user));
+      if (item(is_ready_, user)) ready_.add(rank(user));
     }
   }
 
@@ -82,7 +102,7 @@ class FromTheEnd {
   std::vector<int> asked_;       // by statement: when its value was used last
   std::vector<bool> is_live_;    // by value
   std::vector<bool> is_ready_;   // by statement
-  std::set<Rank> ready_;
+  Queue<Rank> ready_;
   std::vector<int> order_;
 };
 
@@ -115,8 +135,8 @@ class FromTheBeginning {
     }
     std::vector<int> order;
     while (!ready_.empty()) {
-      const int next = item(given_, std::get<1>(*ready_.begin()));
-      ready_.erase(ready_.begin());
+      const int next = item(given_, std::get<1>(ready_.take()));
+      if (!item(is_ready_, next)) continue;
       item(is_ready_, next) = false;
       order.push_back(next);
       place(next);
@@ -131,7 +151,7 @@ class FromTheBeginning {
 
   void make_ready(int k) {
     item(is_ready_, k) = true;
-    ready_.insert(rank(k));
+    ready_.add(rank(k));
   }
 
   void place(int k) {
@@ -149,9 +169,8 @@ class FromTheBeginning {
   void credit_last_user(int value) {
     for (const int user : item(uses_.users, value)) {
       if (item(needs_left_, user) == kPlaced) continue;
-      if (item(is_ready_, user)) ready_.erase(rank(user));
       ++item(ended_, user);
-      if (item(is_ready_, user)) ready_.insert(rank(user));
+      if (item(is_ready_, user)) ready_.add(rank(user));
     }
   }
 
@@ -164,7 +183,7 @@ class FromTheBeginning {
   std::vector<int> place_;       // by statement, in the given order
   std::vector<bool> is_ready_;   // by statement
   const std::vector<int>& given_;
-  std::set<Rank> ready_;
+  Queue<Rank> ready_;
 };
 
 struct LiveValues {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "emit/statement_uses.hpp"
 
-#include <set>
+#include <algorithm>
 
+#include "emit/each_operand.hpp"
 #include "emit/schedule.hpp"
 
 namespace flatdyn {
@@ -23,7 +24,8 @@ class Reader {
     }
     for (const Statement& statement : statements_) add(statement);
     for (const NodeId id : at_the_end) read(id);
-    uses_.read_at_the_end.assign(found_.begin(), found_.end());
+    sort_found();
+    uses_.read_at_the_end = found_;
     return std::move(uses_);
   }
 
@@ -33,20 +35,26 @@ class Reader {
   void add(const Statement& statement) {
     const bool makes = statement.targets.empty();
     if (makes) {
-      for (const NodeId operand : operands_of(graph_[statement.node])) read(operand);
+      for_each_operand(graph_[statement.node], [this](NodeId operand) { read(operand); });
     } else {
       read(statement.node);
     }
+    sort_found();
     for (const int value : found_) uses_.users[static_cast<std::size_t>(value)].push_back(uses_.statements());
     uses_.needs.emplace_back(found_.begin(), found_.end());
     uses_.makes.push_back(makes);
     found_.clear();
   }
 
+  void sort_found() {
+    std::sort(found_.begin(), found_.end());
+    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+  }
+
   // Collects the variables in the node's expression.
   void read(NodeId id) {
     if (!schedule_.is_variable[static_cast<std::size_t>(id)]) {
-      for (const NodeId operand : operands_of(graph_[id])) read(operand);
+      for_each_operand(graph_[id], [this](NodeId operand) { read(operand); });
       return;
     }
     int& value = value_[static_cast<std::size_t>(id)];
@@ -54,14 +62,14 @@ class Reader {
       value = static_cast<int>(uses_.users.size());
       uses_.users.emplace_back();
     }
-    found_.insert(value);
+    found_.push_back(value);
   }
 
   const Graph& graph_;
   const Schedule& schedule_;
   const std::vector<Statement>& statements_;
   std::vector<int> value_;  // by id
-  std::set<int> found_;
+  std::vector<int> found_;
   StatementUses uses_;
 };
 

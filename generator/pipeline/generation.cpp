@@ -2,6 +2,7 @@
 #include "pipeline/generation.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "conventions/convention_header.hpp"
 #include "emit/kernel_parts.hpp"
@@ -126,8 +127,9 @@ bool GenerationOptions::is_for_float() const {
   return form.scalar == "float" || std::find(more.begin(), more.end(), "float") != more.end();
 }
 
-GenerationResult generate_code(const std::filesystem::path& robot_file, const GenerationOptions& options,
-                               Progress& progress) {
+std::vector<GenerationResult> generate_code_for(const std::filesystem::path& robot_file,
+                                                const GenerationOptions& options,
+                                                const std::vector<std::string>& scalars, Progress& progress) {
   GenerationResult result;
   // Read, canonicalise.
   progress.step("reading");
@@ -145,21 +147,36 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
   const std::vector<OptimisedFunction> apart = result.functions;
   if (fused) result.functions.push_back({fused->fusion.function, fused->derived, fused->passes, {}});
   // Emit.
-  progress.step("emitting and reading back");
-  result.form = stamped(options, result);
-  divide_for_kernels(result, progress);
-  const std::string text = emit_and_read_back(result);
-  check_narrowed_constants(options, result);
+  std::vector<GenerationResult> results;
+  std::vector<std::string> texts = {robot.input_hash};
+  for (const std::string& scalar : scalars) {
+    GenerationResult& each = results.emplace_back(result);
+    progress.step("emitting and reading back");
+    each.form = stamped(options, result);
+    each.form.scalar = scalar;
+    divide_for_kernels(each, progress);
+    texts.push_back(emit_and_read_back(each));
+    check_narrowed_constants(options, each);
+  }
   // Prove in exact arithmetic, against the Lagrangian, which is that of the robot as read; and the text, read back,
   // must mean what was proven.
   progress.step("proving");
-  const std::uint64_t seed = proof_seed({robot.input_hash, text});
+  const std::uint64_t seed = proof_seed(texts);
   result.as_read = prove_robot(robot.robot, robot.mechanism);
   result.proofs = prove(effective_mechanism(robot), apart, fused, result.stages, seed);
-  prove_text(*result.read_back, {result.robot.mechanism, functions_of_text(result), result.stages, result.form}, seed);
-  prove_kernels(result, seed);
-  note_limbs_apart(result);
-  return result;
+  for (GenerationResult& each : results) {
+    each.as_read = result.as_read;
+    each.proofs = result.proofs;
+    prove_text(*each.read_back, {each.robot.mechanism, functions_of_text(each), each.stages, each.form}, seed);
+    prove_kernels(each, seed);
+    note_limbs_apart(each);
+  }
+  return results;
+}
+
+GenerationResult generate_code(const std::filesystem::path& robot_file, const GenerationOptions& options,
+                               Progress& progress) {
+  return std::move(generate_code_for(robot_file, options, {options.form.scalar}, progress).front());
 }
 
 std::vector<Function> functions_of(const GenerationResult& result) { return functions_of(result.functions); }

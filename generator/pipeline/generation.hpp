@@ -47,6 +47,12 @@ struct GenerationResult {
 GenerationResult generate_code(const std::filesystem::path& robot_file, const GenerationOptions& options,
                                Progress& progress);
 
+// The same for several scalars, one result for each: functions are derived and proven once, and written and read back
+// for every scalar.
+std::vector<GenerationResult> generate_code_for(const std::filesystem::path& robot_file,
+                                                const GenerationOptions& options,
+                                                const std::vector<std::string>& scalars, Progress& progress);
+
 // The functions of the result, in their order.
 std::vector<Function> functions_of(const GenerationResult& result);
 

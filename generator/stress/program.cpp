@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bench/calls.hpp"
+#include "bench/sources.hpp"
 #include "bench/toolchain.hpp"
 #include "emit/arguments.hpp"
 #include "emit/languages/emit.hpp"
@@ -45,6 +46,9 @@ data variant_row(const Mechanism& mechanism, const Function& function, std::size
     row["parameters"] = call.parameters;
     row["call"] = call.call;
     row["columns"] = call.columns;
+  } else if (variant.call_mode == CallMode::kernel) {
+    row["kernel"] = true;
+    row["call"] = kernel_call(mechanism, called, variant);
   } else {
     row["single"] = true;
     row["call"] = single_call(mechanism, called, variant);
@@ -82,9 +86,11 @@ StressProgram::StressProgram(const Mechanism& mechanism, const std::vector<Funct
                              const std::vector<std::string>& wanted)
     : has_xsimd_(find_toolchain().has_xsimd), calls_(functions.size()) {
   data rows(data::type::list);
+  bool has_kernels = false;
   for (std::size_t k = 0; k < functions.size(); ++k) {
     for (const BenchVariant& variant : stress_variants()) {
       if (!is_wanted(variant, wanted) || !is_made(variant, functions[k], has_xsimd_)) continue;
+      has_kernels = has_kernels || variant.call_mode == CallMode::kernel;
       rows << variant_row(mechanism, functions[k], k, variant);
       calls_[k].push_back({variant});
     }
@@ -93,6 +99,7 @@ StressProgram::StressProgram(const Mechanism& mechanism, const std::vector<Funct
   page["positions"] = std::to_string(mechanism.position_count());
   page["arguments"] = argument_rows(like, mechanism.has_quasi_velocities());
   page["calls"] = data(rows);
+  page["kernels?"] = has_kernels;
   page["headers"] = list_of(has_xsimd_ ? std::vector<std::string>{"flatdyn/batch.hpp", "flatdyn/trigonometry.hpp"}
                                        : std::vector<std::string>{});
   EmitOptions emit;
@@ -101,6 +108,7 @@ StressProgram::StressProgram(const Mechanism& mechanism, const std::vector<Funct
   emit.name_space = kFusedNamespace;
   emit.fuses = true;
   write_file(folder_.path() / kFusedHeader, emit_cpp(mechanism, functions, emit));
+  if (has_kernels) write_file(folder_.path() / kKernelsHeader, kernels_header(mechanism, functions));
   for (const templates::Header& header : templates::headers) {
     const std::filesystem::path path = folder_.path() / header.path;
     std::filesystem::create_directories(path.parent_path());

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "bench/calls.hpp"
+#include "bench/same_bits.hpp"
 #include "deviation/extreme_states.hpp"
 #include "diagnostics/nearest.hpp"
 #include "input/csv/names.hpp"
@@ -126,11 +127,18 @@ class StressRun {
   template <class Wide>
   Judged judged(const State& given, const EntryTruth<Wide>& truth) {
     Judged result;
-    std::vector<double> out(entries_);
+    VariantResult called{{}, std::vector<double>(entries_)};
+    std::optional<VariantResult> plain;
     for (std::size_t v = 0; v < calls_.size(); ++v) {
       result.by_variant.push_back(0);
-      if (!evaluate(calls_[v], given, out)) continue;
-      const RoundingError error = meter_.error(out, truth);
+      called.variant = calls_[v].variant.name;
+      called.holds = evaluate(calls_[v], given, called.values);
+      if (has_plain_bits(calls_[v].variant)) {
+        if (!plain) plain = called;
+        check_same_bits(row_.function, *plain, called);
+      }
+      if (!called.holds) continue;
+      const RoundingError error = meter_.error(called.values, truth);
       result.by_variant.back() = error.scaled;
       if (result.error && error.scaled <= result.error->scaled) continue;
       result.error = error;

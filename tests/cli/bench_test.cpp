@@ -76,10 +76,16 @@ void expect_ordered_times(const json& function) {
 void expect_small_errors(const std::map<std::string, json>& rows) {
   for (const auto& [name, row] : rows) {
     const double error = row["scaled_error"]["max"];
-    const double bound = name == "float" ? 16 * 536870912.0 : name == "MuJoCo" ? 1e9 : 16;
+    const double bound = name == "float" || name == "cuda-float" ? 16 * 536870912.0 : name == "MuJoCo" ? 1e9 : 16;
     EXPECT_LE(error, bound) << name;
     EXPECT_LE(row["scaled_error"]["p99"], error) << name;
   }
+}
+
+// The CUDA form, compiled for the processor, has the bits of the C++ form.
+void expect_same_errors(const json& cpp, const json& cuda) {
+  for (const char* key : {"operations", "scaled_error", "error"}) EXPECT_EQ(cuda[key], cpp[key]) << key;
+  EXPECT_GT(cuda["bytes"], 0);
 }
 
 void expect_stages_of(const json& stages, std::size_t functions) {
@@ -99,7 +105,7 @@ TEST(Bench, MeasuresVariantsAndPeersThatAgree) {
   const Outcome outcome = run_flatdyn(fmt::format(
       "bench {} -q --json --time 0.02 --states 20 --variants "
       "double,double-given,double-staged,float,"
-      "batch-double-given,KDL,MuJoCo,DART "
+      "batch-double-given,cuda-double,cuda-float,KDL,MuJoCo,DART "
       "--functions inverse_dynamics,inertia_matrix,gravity,bias,forward_dynamics,forward_kinematics,jacobian "
       "-o {}",
       scratch.path("arm.urdf"), scratch.path("out")));
@@ -114,12 +120,14 @@ TEST(Bench, MeasuresVariantsAndPeersThatAgree) {
     const std::map<std::string, json> rows = by_variant(function);
     const bool has_angles = function["operations"]["sincos"] > 0;
     const bool has_dart = is_installed("dart");
-    EXPECT_EQ(rows.size(), 3u + 2 * has_angles + is_installed("orocos-kdl") + mujoco_has(function["name"]) + has_dart)
+    EXPECT_EQ(rows.size(), 5u + 2 * has_angles + is_installed("orocos-kdl") + mujoco_has(function["name"]) + has_dart)
         << function["name"];
     expect_ordered_times(function);
     expect_small_errors(rows);
     EXPECT_EQ(rows.at("double")["ratio"], 1.0);
     EXPECT_GT(rows.at("double")["bytes"], 0);
+    expect_same_errors(rows.at("double"), rows.at("cuda-double"));
+    expect_same_errors(rows.at("float"), rows.at("cuda-float"));
     EXPECT_FALSE(rows.at("double-staged")["front"]) << "it leaves out part of the work";
     EXPECT_LE(rows.at("double-staged")["operations"]["mul"], rows.at("double")["operations"]["mul"]);
     if (has_angles) {
@@ -141,13 +149,13 @@ TEST(Bench, ComparesRobotsWithAFloatingBase) {
   scratch.write("arm.urdf", heavy);
   const Outcome outcome = run_flatdyn(fmt::format(
       "bench {} --base floating -q --json --time 0.01 --states 20 --functions inverse_dynamics,bias,forward_dynamics "
-      "--variants double,double-staged,batch-double,reference,MuJoCo",
+      "--variants double,double-staged,batch-double,cuda-double,reference,MuJoCo",
       scratch.path("arm.urdf")));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const json robot = json::parse(outcome.out)["robots"][0];
   for (const json& function : robot["functions"]) {
     const std::map<std::string, json> rows = by_variant(function);
-    EXPECT_EQ(rows.size(), 4u + mujoco_has(function["name"])) << function["name"];
+    EXPECT_EQ(rows.size(), 5u + mujoco_has(function["name"])) << function["name"];
     expect_small_errors(rows);
   }
   EXPECT_EQ(robot["stages"]["steps"][1]["name"], "with(v)");
@@ -184,11 +192,12 @@ TEST(Bench, MakesNoBudgetsOfItsOwnForAnAbbreviatedModel) {
 TEST(Bench, MeasuresLanesOfARobotWithSymbols) {
   const Outcome outcome = run_flatdyn(
       "bench robots/planar_2r.toml -q --time 0.02 --states 10 --functions kinetic_energy "
-      "--variants double,double-together,double-1%,float-staged,batch-double,batch-float-given,reference,KDL");
+      "--variants "
+      "double,double-together,double-1%,float-staged,batch-double,batch-float-given,cuda-float,reference,KDL");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* text :
        {"planar_2r: ", "kinetic_energy: 20 mul, 11 add", "batch-double ", "double-together ", "batch-float-given ",
-        "reference ", "J: p99", "float-staged ", "stages of kinetic_energy", "one by one",
+        "cuda-float ", "reference ", "J: p99", "float-staged ", "stages of kinetic_energy", "one by one",
         "left out: KDL: it knows no rotors", "left out: error budget: the robot has free symbols"}) {
     EXPECT_THAT(outcome.out, HasSubstr(text));
   }

@@ -26,7 +26,8 @@ TEST(Stress, FindsWorstStatesThatEvalRepeats) {
   EXPECT_THAT(scratch.read("stress.svg"), HasSubstr("error against condition, double"));
   const auto row = nlohmann::json::parse(scratch.read("stress.json"))["rows"][0];
   EXPECT_EQ(row["states"], 50);
-  EXPECT_EQ(row["variants"].size(), 9u);
+  EXPECT_EQ(row["variants"].size(), 10u);
+  EXPECT_EQ(row["variants"]["cuda-double"], row["variants"]["double"]);
   EXPECT_EQ(row["worst"]["state"], scratch.read("worst_inverse_dynamics_double.csv"));
   // The graph of the emitted code has the reference's values there, up to the last places.
   const std::string eval = "eval robots/prismatic_revolute.toml -q --function inverse_dynamics --states " +
@@ -40,7 +41,7 @@ TEST(Stress, DrawsTheMotionOfAFloatingBase) {
   const Scratch scratch;
   const Outcome outcome = run_flatdyn(
       "stress robots/prismatic_revolute.toml --base floating --functions inverse_dynamics --variants "
-      "double,batch-double -o " +
+      "double,batch-double,cuda-double -o " +
       scratch.path() + kShort);
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
   const auto row = nlohmann::json::parse(scratch.read("stress.json"))["rows"][0];
