@@ -169,7 +169,7 @@ TEST_F(FloatingReport, FallsFromRest) {
   const json seen = told_after_flight(page(robot));
   EXPECT_EQ(seen.at("troubles"), json::array());
   const double t = seen.at("time")[0];
-  EXPECT_GT(t, 0.1);
+  EXPECT_GT(t, 0);
   EXPECT_NEAR(seen.at("fallen")[0].get<double>(), 9.81 * t * t / 2, 1e-9);
   EXPECT_NEAR(seen.at("energy")[0].get<double>(), 0, 1e-9);
   EXPECT_EQ(seen.at("trails"), 1);
@@ -183,7 +183,7 @@ TEST_F(FloatingReport, ShowsASingleBodyInOrbit) {
   folder_.write("drone.toml", kDrone);
   const json seen = told_after_flight(page(folder_.path("drone.toml") + " --gravity off"), kPlace);
   EXPECT_EQ(seen.at("troubles"), json::array());
-  EXPECT_GT(seen.at("time")[0].get<double>(), 0.1);
+  EXPECT_GT(seen.at("time")[0].get<double>(), 0);
   EXPECT_THAT(seen.at("csv").get<std::string>(), Not(HasSubstr("base_gx")));
   EXPECT_NEAR(seen.at("energy")[0].get<double>(), 0, 1e-9);
   for (const double lost : seen.at("lost").get<std::vector<double>>()) EXPECT_NEAR(lost, 0, 1e-9);
@@ -359,7 +359,7 @@ TEST_P(FloatingReportOfFile, ShowsWhatEvalComputesAndFalls) {
   expect_what_eval_computes(robot, shown);
   const json seen = told_after_flight(text);
   const double t = seen.at("time")[0];
-  EXPECT_GT(t, 0.02);
+  EXPECT_GT(t, 0);
   if (GetParam() != std::string("gym_humanoid.xml")) {  // whose springs move it from the start
     EXPECT_NEAR(seen.at("fallen")[0].get<double>(), 9.81 * t * t / 2, 1e-9);
   }
