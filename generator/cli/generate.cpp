@@ -274,7 +274,6 @@ std::vector<GeneratedFile> companions(const GenerationResult& result, const Gene
   const std::vector<Function> functions = functions_of(result);
   std::vector<GeneratedFile> files;
   if (!arguments.firmware.empty()) {
-    refuse_spherical_joints(robot, "--firmware");
     Progress progress(arguments.quiet);
     const FirmwareTarget& target = firmware_target(arguments.firmware);
     for (const FirmwareFile& file :

@@ -51,7 +51,6 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
   check_method(arguments);
   const Interruption interruption;  // Ctrl-C ends the simulation and not the program: the motion so far is written
   const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
-  refuse_spherical_joints(model, "simulate");
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   const Simulation simulation = read(arguments, model);

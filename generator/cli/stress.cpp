@@ -82,7 +82,6 @@ ExitCode run_robot(const StressArguments& arguments) {
   PipelineOptions options = arguments.options();
   options.functions = arguments.functions;
   const LoadedRobot model = load_robot(arguments.robot, options);
-  refuse_spherical_joints(model, "stress");
   print_diagnostics(model.diagnostics, arguments);
   if (model.robot.scene.at_rest || !model.robot.scene.outputs.empty() || model.abbreviation) {
     throw Failure(ExitCode::unsupported, "stress compares whole functions in motion",

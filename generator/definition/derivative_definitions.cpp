@@ -11,7 +11,9 @@ namespace {
 template <class Point>
 auto torque_derivatives_by_rate(Point& at) {
   auto result = torques_by_rate(at.lagrangian, at.qd());
-  if (at.mechanism.floating_base) add_drift_by_rate(at.lagrangian.inertia(), at.qd(), result);
+  if (at.mechanism.has_quasi_velocities()) {
+    add_drift_by_rate(at.mechanism, at.lagrangian.inertia(), at.qd(), result);
+  }
   return result.entries();
 }
 

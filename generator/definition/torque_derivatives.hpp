@@ -2,22 +2,30 @@
 // The derivatives of inverse and forward dynamics from the Lagrangian, over dual numbers of the field.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "definition/lagrangian.hpp"
-#include "model/floating_base.hpp"
+#include "model/quasi_velocities.hpp"
 
 namespace flatdyn {
 
-// Arithmetic over dual numbers for the robot's own numbers, which are constant.
+// Arithmetic over dual numbers for the robot's own numbers, which are constant, but for a spherical joint that turns.
 template <class Arithmetic>
 struct ConstantArithmetic {
-  using Scalar = Dual<typename Arithmetic::Scalar>;
+  using F = typename Arithmetic::Scalar;
+  using Scalar = Dual<F>;
   Arithmetic& field;
+  std::array<F, 4> rates{F(0), F(0), F(0), F(0)};  // of the joint's quaternion
+  int quaternion = -1;                             // its first entry in q; -1: none turns
 
   Scalar constant(const Rational& value) const { return Scalar(field.constant(value)); }
-  Scalar input(const Input& input) const { return Scalar(field.input(input)); }
+  Scalar input(const Input& input) const {
+    const int entry = input.index - quaternion;
+    const bool turns = quaternion >= 0 && input.kind == InputKind::q && 0 <= entry && entry < 4;
+    return Scalar(field.input(input), turns ? rates[static_cast<std::size_t>(entry)] : F(0));
+  }
   Scalar divide(const Scalar& a, const Scalar& b) const { return Scalar(field.divide(a.value, b.value)); }
   Scalar sin(const Graph& graph, NodeId angle, const Scalar& value) const {
     return Scalar(field.sin(graph, angle, value.value));
@@ -42,19 +50,39 @@ Vector3<F> gravity_along(const Mechanism& mechanism, const Vector3<F>& gravity, 
   return cross(gravity, turn);
 }
 
+// Arithmetic in which the spherical joint of body k turns about that body's axis, R ← R exp(S(δ)):
+// q̇ = ½ q (0, e).
+template <class Arithmetic>
+ConstantArithmetic<Arithmetic> turning(const Mechanism& mechanism, Arithmetic& arithmetic, int k) {
+  using F = typename Arithmetic::Scalar;
+  ConstantArithmetic<Arithmetic> result{arithmetic};
+  if (!mechanism.is_of_spherical(k)) return result;
+  result.quaternion = mechanism.quaternion_of(k);
+  const auto entry = [&](int i) { return arithmetic.input({InputKind::q, result.quaternion + i}); };
+  const auto axis = static_cast<std::size_t>(mechanism.bodies[static_cast<std::size_t>(k)].spherical - 1);
+  const Vector3<F> r = {entry(1), entry(2), entry(3)};
+  Vector3<F> half = {F(0), F(0), F(0)};
+  half[axis] = F(1) / F(2);
+  const Vector3<F> across = cross(r, half);
+  result.rates[0] = -(r[axis] * half[axis]);
+  for (std::size_t i = 0; i < 3; ++i) result.rates[i + 1] = entry(0) * half[i] + across[i];
+  return result;
+}
+
 // ∂τ/∂q, column by column: τ over dual numbers, with dc = -s dq, ds = c dq. A floating base's displacement changes
-// nothing, and its turn changes gravity in its axes, while the components of velocities and accelerations are held.
+// nothing, and its turn changes gravity in its axes, while the components of velocities and accelerations are held; so
+// are they where the link of a spherical joint turns.
 template <class Arithmetic, class F = typename Arithmetic::Scalar>
 Matrix<F> torques_by_position(const Mechanism& mechanism, Arithmetic& arithmetic, const FieldState<F>& state) {
   using D = Dual<F>;
   const auto constant = [](const std::vector<F>& values) { return std::vector<D>(values.begin(), values.end()); };
-  ConstantArithmetic<Arithmetic> over_duals{arithmetic};
-  MechanismOver<D> field = mechanism_over(mechanism, over_duals);
   const MechanismOver<F> constants = mechanism_over(mechanism, arithmetic);
   Matrix<F> result(mechanism.size(), mechanism.size());
   for (int k = 0; k < mechanism.size(); ++k) {
+    ConstantArithmetic<Arithmetic> over_duals = turning(mechanism, arithmetic, k);
+    MechanismOver<D> field = mechanism_over(mechanism, over_duals);
     std::vector<F> direction(static_cast<std::size_t>(mechanism.size()), F(0));
-    if (!mechanism.is_of_base(k)) direction[static_cast<std::size_t>(k)] = F(1);
+    if (!mechanism.is_around_pose(k)) direction[static_cast<std::size_t>(k)] = F(1);
     const Vector3<F> turned = gravity_along(mechanism, state.gravity, k);
     for (std::size_t i = 0; i < 3; ++i) field.gravity[i] = D(state.gravity[i], turned[i]);
     const std::vector<F> rates = joint_values(constants, direction);
@@ -89,17 +117,18 @@ Matrix<F> torques_by_rate(Lagrangian<F>& lagrangian, const std::vector<F>& qd) {
   return result;
 }
 
-// The part of ∂τ/∂ν by which the accelerations of Lagrange's coordinates depend on a floating base's velocity:
-// B ∂(-Ȧ ν)/∂ν.
+// The part of ∂τ/∂ν by which the accelerations of Lagrange's coordinates depend on the velocities ν of a floating base
+// and of spherical joints: B ∂(-Ȧ ν)/∂ν.
 template <class F>
-void add_drift_by_rate(const Matrix<F>& B, const std::vector<F>& velocity, Matrix<F>& result) {
-  constexpr int kTwist = 6;
-  for (int j = 0; j < kTwist; ++j) {
-    std::vector<Dual<F>> twist(velocity.begin(), velocity.begin() + kTwist);
-    twist[static_cast<std::size_t>(j)].derivative = F(1);
-    const std::vector<Dual<F>> drift = base_drift(twist);
+void add_drift_by_rate(const Mechanism& mechanism, const Matrix<F>& B, const std::vector<F>& velocity,
+                       Matrix<F>& result) {
+  for (int j = 0; j < B.cols(); ++j) {
+    if (!mechanism.is_around_pose(j)) continue;
+    std::vector<Dual<F>> rates(velocity.begin(), velocity.end());
+    rates[static_cast<std::size_t>(j)].derivative = F(1);
+    const std::vector<Dual<F>> drift = velocity_drift(mechanism, rates);
     for (int i = 0; i < B.rows(); ++i) {
-      for (int k = 0; k < kTwist; ++k) result(i, j) += B(i, k) * drift[static_cast<std::size_t>(k)].derivative;
+      for (int k = 0; k < B.cols(); ++k) result(i, j) += B(i, k) * drift[static_cast<std::size_t>(k)].derivative;
     }
   }
 }

@@ -7,6 +7,7 @@
 
 #include "functions/function_table.hpp"
 #include "reference/operational_values.hpp"
+#include "reference/reference_point.hpp"
 
 namespace flatdyn {
 namespace {
@@ -41,8 +42,15 @@ Expected ExpectedValues::of(const Function& function) const {
           [in_float](const State& s) { return doubles(in_float(widened<float>(s))); },
           [this, &function, rounded_robot](const State& s) {
             if (!is_clear_of_singular_loops(s)) return false;
-            return function.task.empty() || is_regular(rounded_robot, vector_of<double>(s.q), function.task);
-          }};
+            if (function.task.empty()) return true;
+            if (!mechanism_.has_spherical_joints()) {
+              return is_regular(rounded_robot, vector_of<double>(s.q), function.task);
+            }
+            reference::Robot<double> turned = rounded_robot;
+            const State rest = without_quaternions(turned, s);
+            return is_regular(turned, vector_of<double>(rest.q), function.task);
+          },
+          mechanism_.quaternions()};
 }
 
 bool ExpectedValues::is_clear_of_singular_loops(const State& state) const {

@@ -20,6 +20,7 @@ struct Expected {
   // Whether the function has a value at the state. Near a singularity of its task, or of a closed loop, it has none
   // that doubles could hold.
   std::function<bool(const State&)> is_regular;
+  std::vector<int> quaternions = {};  // the first entries in q of those of spherical joints
 };
 
 // The recursive reference of one robot, with values of its free symbols.

@@ -28,7 +28,7 @@ RoundingErrorMeter::RoundingErrorMeter(const Function& function, Expected expect
 
 std::optional<EntryTruth<long double>> RoundingErrorMeter::truth(const State& given) {
   if (!expected_.is_regular(given)) return std::nullopt;
-  const StateOf<long double> wide = widened<long double>(given);
+  const StateOf<long double> wide = with_unit_quaternions(expected_.quaternions, widened<long double>(given));
   TapeInputsOf<long double> inputs;
   for (const InputKind kind : kArgumentKinds) inputs[kind] = wide.of(kind);
   std::vector<long double> values(graph_.results());

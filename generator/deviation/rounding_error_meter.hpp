@@ -35,8 +35,11 @@ class RoundingErrorMeter {
   // The function, and the objects behind `expected`, must outlive this object. `scalar`: "float" or "double".
   RoundingErrorMeter(const Function& function, Expected expected, const std::string& scalar);
 
-  // The state rounded to this scalar.
-  State given(const State& state) const { return is_float_ ? in_float(state) : state; }
+  // The state rounded to this scalar, with unit quaternions.
+  State given(const State& state) const {
+    const State turned = with_unit_quaternions(expected_.quaternions, state);
+    return is_float_ ? in_float(turned) : turned;
+  }
   // The truth from the function's own graph in long double, which is fast and accurate enough to see errors of the
   // scalars. Nothing if the function has no value at the state.
   std::optional<EntryTruth<long double>> truth(const State& given);

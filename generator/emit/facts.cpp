@@ -48,23 +48,6 @@ std::string gravity_text(const Mechanism& mechanism) {
   return fmt::format("Gravity is {} m/s^2 in the base frame.", NumberText(mechanism, 17)(mechanism.gravity));
 }
 
-// Which entries are those of the spherical joints.
-std::string spherical_text(const Mechanism& mechanism) {
-  std::string text;
-  for (const int first : mechanism.spherical) {
-    const Body& body = mechanism.bodies[static_cast<std::size_t>(first)];
-    const int q = mechanism.quaternion_of(first);
-    text += fmt::format("{} {}: q[{}] to q[{}] and v[{}] to v[{}]", text.empty() ? " Spherical joints," : ";",
-                        spherical_joint_name(body.joint), q, q + 3, first, first + 2);
-  }
-  return text +
-         ". Of such a joint, q has a unit quaternion (w, x, y, z), which turns the child's axes into the parent's, "
-         "both "
-         "those of the joint. v has the angular velocity of the child relative to the parent in the child's axes, "
-         "rad/s, a the derivatives of these numbers, and tau the moment on the child in its axes, N m. Quaternions are "
-         "used as they are: if |q|^2 is 1 + e, rotations are wrong by up to 2 |e|, as the norm of a matrix.";
-}
-
 }  // namespace
 
 std::string floating_base_text(const Mechanism& mechanism) {
@@ -78,6 +61,21 @@ std::string floating_base_text(const Mechanism& mechanism) {
   return text + " g_b is gravity in the link's axes, m/s^2: R^T g_0 with R from these axes to the world's.";
 }
 
+std::string spherical_joints_text(const Mechanism& mechanism) {
+  std::string text;
+  for (const int first : mechanism.spherical) {
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(first)];
+    const int q = mechanism.quaternion_of(first);
+    text += fmt::format("{} {} has q[{}] to q[{}] and v[{}] to v[{}]", text.empty() ? "Spherical joints:" : ";",
+                        spherical_joint_name(body.joint), q, q + 3, first, first + 2);
+  }
+  return text +
+         ". For each of them, q has a unit quaternion (w, x, y, z), which turns the child's axes into the parent's, "
+         "both those of the joint. v has the angular velocity of the child relative to the parent in the child's axes, "
+         "rad/s, a the derivatives of these numbers, and tau the moment on the child in its axes, N m. Quaternions are "
+         "used as they are: if |q|^2 is 1 + e, rotations are wrong by up to 2 |e|, as the norm of a matrix.";
+}
+
 std::string facts_of(const Mechanism& mechanism, const std::string& scene) {
   std::string text = mechanism.floating_base ? floating_base_text(mechanism) : gravity_text(mechanism);
   if (!mechanism.tip.link.empty()) text += fmt::format(" The tip belongs to link \"{}\".", mechanism.tip.link);
@@ -85,7 +83,7 @@ std::string facts_of(const Mechanism& mechanism, const std::string& scene) {
   const auto by_index = [](int k) { return fmt::format("q[{}]", k); };
   const std::vector<std::string> coupled = coupled_joint_texts(mechanism, by_index);
   if (!coupled.empty()) text += coupled_text(coupled);
-  if (mechanism.has_spherical_joints()) text += spherical_text(mechanism);
+  if (mechanism.has_spherical_joints()) text += " " + spherical_joints_text(mechanism);
   if (mechanism.has_loops()) text += loop_text(mechanism);
   if (!scene.empty()) text += " " + scene;
   return comment_text(text);

@@ -10,6 +10,8 @@ namespace flatdyn {
 
 // The meaning of the base's entries in v, a, tau and g_b. For robots with a floating base.
 std::string floating_base_text(const Mechanism& mechanism);
+// Which entries are those of spherical joints, and what they are.
+std::string spherical_joints_text(const Mechanism& mechanism);
 
 // Text for a comment: gravity, the tip, links that were merged, joints that follow others; then `scene`, what a scene
 // has changed.

@@ -38,8 +38,26 @@ Matrix with_columns_cycled(const Matrix& R) {
 // name and all properties, with the place of the joint's frame in the parent's.
 std::array<Body, kSphericalBodies> bodies_of_spherical_joint(const Body& last);
 
+// The first body of the joint that moves body i: two before it for the last one of a spherical joint.
+inline int first_body_of_joint(const Mechanism& mechanism, int i) {
+  const int part = mechanism.bodies[static_cast<std::size_t>(i)].spherical;
+  return part == 0 ? i : i + 1 - part;
+}
+
+// The body that the joint of body i is on, -1 for a fixed base.
+inline int parent_of_joint(const Mechanism& mechanism, int i) {
+  return mechanism.bodies[static_cast<std::size_t>(first_body_of_joint(mechanism, i))].parent;
+}
+
+// Whether it is the first or second body of a spherical joint, which have no inertia and are no links.
+inline bool is_inside_joint(const Body& body) { return body.spherical > 0 && body.spherical < kSphericalBodies; }
+
 // The joint's name from that of one of its bodies: "JOINT".
 std::string spherical_joint_name(const std::string& body);
+// The name of the joint that moves a body, as written.
+inline std::string joint_name(const Body& body) {
+  return body.spherical > 0 ? spherical_joint_name(body.joint) : body.joint;
+}
 
 // The rotation of a unit quaternion (w, x, y, z), over any scalar:
 //     1 + 2 w S(r) + 2 S(r)², r = (x, y, z).

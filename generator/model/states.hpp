@@ -52,11 +52,11 @@ StateOf<S> widened(const State& state) {
           wide(state.parameters), wide(state.qd_r), wide(state.qdd_r), wide(state.pi_b), wide(state.g_b)};
 }
 
-// The same state with quaternions of spherical joints that are unit ones to the last place of the type.
+// The same state with quaternions, from these entries of q on, that are unit ones to the last place of the type.
 template <class S>
-StateOf<S> with_unit_quaternions(const Mechanism& mechanism, StateOf<S> state) {
+StateOf<S> with_unit_quaternions(const std::vector<int>& quaternions, StateOf<S> state) {
   using std::sqrt;
-  for (const int position : mechanism.quaternions()) {
+  for (const int position : quaternions) {
     const auto first = state.q.begin() + position;
     S square(0);
     for (auto entry = first; entry != first + 4; ++entry) square += *entry * *entry;
@@ -64,6 +64,12 @@ StateOf<S> with_unit_quaternions(const Mechanism& mechanism, StateOf<S> state) {
     for (auto entry = first; entry != first + 4; ++entry) *entry /= length;
   }
   return state;
+}
+
+// Those of spherical joints.
+template <class S>
+StateOf<S> with_unit_quaternions(const Mechanism& mechanism, StateOf<S> state) {
+  return with_unit_quaternions(mechanism.quaternions(), std::move(state));
 }
 
 // The state that a function in float is given: every number is rounded.

@@ -143,7 +143,7 @@ void check_limits(Joint& joint, Diagnostics& diagnostics) {
   }
 }
 
-// What a spherical joint may have is viscous friction, and limits of velocity, acceleration and effort.
+// A spherical joint may have viscous friction, and limits of velocity, acceleration and effort.
 void check_spherical(const Joint& joint, Diagnostics& diagnostics) {
   const auto refuse = [&](const Place& place, const std::string& what) {
     diagnostics.unsupported(place, fmt::format("{}: {} of a spherical joint is not supported", named(joint), what),

@@ -46,6 +46,13 @@ std::string shape_of(const Output& output) {
   }
 }
 
+// Facts about v and a, where they are not the derivatives of q; else none.
+std::string velocities_text(const Mechanism& mechanism) {
+  std::string text = mechanism.floating_base ? floating_base_text(mechanism) : "";
+  if (!mechanism.has_spherical_joints()) return text;
+  return text + (text.empty() ? "" : " ") + spherical_joints_text(mechanism);
+}
+
 class ModuleWriter {
  public:
   ModuleWriter(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options)
@@ -71,10 +78,10 @@ class ModuleWriter {
     page["prefix"] = dialect_->global("");
     page["scalar"] = options_.scalar;
     page["is_float"] = options_.scalar == "float";
-    page["joints"] = mechanism_.floating_base ? joints_text(mechanism_) : fmt::format("{} joints", mechanism_.size());
-    page["floating?"] = mechanism_.floating_base;
-    if (mechanism_.floating_base)
-      page["floating"] = list_of(wrapped_words(floating_base_text(mechanism_), kPythonWidth));
+    const bool has_rates = !mechanism_.has_quasi_velocities();
+    page["joints"] = has_rates ? fmt::format("{} joints", mechanism_.size()) : joints_text(mechanism_);
+    page["velocities?"] = !has_rates;
+    page["velocities"] = list_of(wrapped_words(velocities_text(mechanism_), kPythonWidth));
     std::vector<std::string> names;
     for (const Body& body : mechanism_.joints()) names.push_back(nlohmann::json(body.joint).dump(-1, ' ', true));
     page["joint_names"] = without_newline(list_line("joint_names = (", names, names.size() == 1 ? ",)" : ")", 0));

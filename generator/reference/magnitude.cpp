@@ -163,7 +163,7 @@ MatrixX<double> rate_derivative_magnitude(const Robot<double>& robot, const Vect
                                           const VectorX<double>& qd) {
   VectorX<double> viscous = VectorX<double>::Zero(robot.base_size() + robot.joint_count());
   for (const Joint<double>& joint : robot.joints) {
-    if (joint.index >= 0) viscous[joint.index] = std::abs(joint.viscous);
+    viscous.segment(std::max(joint.index, 0), joint.size()).setConstant(std::abs(joint.viscous));
   }
   MatrixX<double> friction = viscous.asDiagonal();
   if (robot.coupling.size() > 0) {

@@ -68,8 +68,9 @@ class UnitInertials {
 
 template <class S>
 reference::Joint<S>& joint_of_body(reference::Robot<S>& robot, int i) {
-  return *std::find_if(robot.joints.begin(), robot.joints.end(),
-                       [i](const reference::Joint<S>& each) { return each.index == i; });
+  return *std::find_if(robot.joints.begin(), robot.joints.end(), [i](const reference::Joint<S>& each) {
+    return each.index <= i && i < each.index + each.size();
+  });
 }
 
 // A matrix with two columns for each unit.
@@ -139,14 +140,23 @@ GiNaC::exmap values_of(const std::vector<FreeSymbol>& symbols, const SymbolValue
   return map;
 }
 
-// A matrix with a column for each robot, with gravity as at the state.
+// column(robot, state) with gravity and spherical joints as at the state.
+template <class S, class Column>
+reference::VectorX<S> column_at(const reference::Robot<S>& robot, const StateOf<S>& state, const Column& column) {
+  if (!has_base_gravity(robot) && !reference::has_spherical_joints(robot)) return column(robot, state);
+  reference::Robot<S> turned = has_base_gravity(robot) ? with_base_gravity(robot, state) : robot;
+  if (!reference::has_spherical_joints(robot)) return column(turned, state);
+  const StateOf<S> rest = without_quaternions(turned, state);
+  return column(turned, rest);
+}
+
+// A matrix with a column for each robot, with gravity and spherical joints as at the state.
 template <class S, class Column>
 reference::MatrixX<S> by_columns(const std::vector<reference::Robot<S>>& robots, const StateOf<S>& state,
                                  const Column& column) {
   reference::MatrixX<S> result;
   for (std::size_t k = 0; k < robots.size(); ++k) {
-    const reference::VectorX<S> entries =
-        has_base_gravity(robots[k]) ? column(with_base_gravity(robots[k], state)) : column(robots[k]);
+    const reference::VectorX<S> entries = column_at(robots[k], state, column);
     if (k == 0) result.resize(entries.size(), static_cast<Eigen::Index>(robots.size()));
     result.col(static_cast<Eigen::Index>(k)) = entries;
   }
@@ -191,18 +201,36 @@ RegressorReference<S>::RegressorReference(const Mechanism& mechanism, const refe
   const std::vector<int> indices =
       columns == RegressorColumns::base ? base_parameters(mechanism).columns : parameter_indices(mechanism);
   const reference::Robot<S> empty = without_parameters(robot);
-  for (const int index : indices) units_.push_back(unit_robot(mechanism, empty, values, index));
+  for (const int index : indices) {
+    units_.push_back(unit_robot(mechanism, empty, values, index));
+    const bool has_one_row = parameter_of(index) == Parameter::Fv && mechanism.is_of_spherical(joint_of(index));
+    only_rows_.push_back(has_one_row ? joint_of(index) : -1);
+  }
+}
+
+template <class S>
+reference::MatrixX<S> RegressorReference<S>::with_own_friction(reference::MatrixX<S> Y) const {
+  for (Eigen::Index k = 0; k < Y.cols(); ++k) {
+    const int row = only_rows_[static_cast<std::size_t>(k)];
+    if (row < 0) continue;
+    const S entry = Y(row, k);
+    Y.col(k).setZero();
+    Y(row, k) = entry;
+  }
+  return Y;
 }
 
 template <class S>
 reference::MatrixX<S> RegressorReference<S>::matrix(const StateOf<S>& state) const {
-  const reference::VectorX<S> q = vector_of(state.q), qd = vector_of(state.qd), qdd = vector_of(state.qdd);
-  return by_columns(units_, state, [&](const auto& unit) { return reference::inverse_dynamics(unit, q, qd, qdd); });
+  const reference::VectorX<S> qd = vector_of(state.qd), qdd = vector_of(state.qdd);
+  return with_own_friction(by_columns(units_, state, [&](const auto& unit, const auto& at) -> reference::VectorX<S> {
+    return reference::inverse_dynamics(unit, vector_of(at.q), qd, qdd);
+  }));
 }
 
 template <class S>
 reference::MatrixX<S> RegressorReference<S>::adaptive_matrix(const StateOf<S>& state) const {
-  return by_columns(units_, state, [&](const auto& unit) { return adaptive_column(unit, state); });
+  return by_columns(units_, state, [](const auto& unit, const auto& at) { return adaptive_column(unit, at); });
 }
 
 template <class S>
@@ -238,12 +266,14 @@ reference::MatrixX<double> magnitudes(const SpringRegressorReference<double>& of
 }
 
 reference::MatrixX<double> magnitudes(const RegressorReference<double>& of, const State& state) {
-  const auto q = vector_of(state.q), qd = vector_of(state.qd), qdd = vector_of(state.qdd);
-  return by_columns(of.units(), state, [&](const auto& unit) { return reference::torque_magnitude(unit, q, qd, qdd); });
+  const auto qd = vector_of(state.qd), qdd = vector_of(state.qdd);
+  return of.with_own_friction(by_columns(of.units(), state, [&](const auto& unit, const auto& at) {
+    return reference::torque_magnitude(unit, vector_of(at.q), qd, qdd);
+  }));
 }
 
 reference::MatrixX<double> adaptive_magnitudes(const RegressorReference<double>& of, const State& state) {
-  return by_columns(of.units(), state, [&](const auto& unit) { return adaptive_magnitude(unit, state); });
+  return by_columns(of.units(), state, [](const auto& unit, const auto& at) { return adaptive_magnitude(unit, at); });
 }
 
 template class RegressorReference<float>;

@@ -29,9 +29,12 @@ class RegressorReference {
 
   // By column: the written robot with one parameter 1 and the others 0.
   const std::vector<reference::Robot<S>>& units() const { return units_; }
+  // The units' columns, where a spherical joint's friction about one axis acts about that one only.
+  reference::MatrixX<S> with_own_friction(reference::MatrixX<S> Y) const;
 
  private:
   std::vector<reference::Robot<S>> units_;
+  std::vector<int> only_rows_;  // by column: the only row that is not zero, -1: all may be other than zero
 };
 
 // By entry of the matrices: the sum of the absolute values of its terms (reference/magnitude.hpp). First

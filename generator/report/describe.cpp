@@ -55,8 +55,10 @@ std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_eff
   if (has_accelerations) rows.front().emplace_back("acceleration");
   for (int i = 0; i < mechanism.position_count(); ++i) {
     const Body& body = mechanism.joint_at(i);
-    const bool is_on_base = body.parent < mechanism.base_bodies();
-    const std::string parent = is_on_base ? "base" : mechanism.bodies[static_cast<std::size_t>(body.parent)].joint;
+    const int parent_body = parent_of_joint(mechanism, mechanism.body_at(i));
+    const bool is_on_base = parent_body < mechanism.base_bodies();
+    const std::string parent =
+        is_on_base ? "base" : joint_name(mechanism.bodies[static_cast<std::size_t>(parent_body)]);
     rows.push_back({std::to_string(i), mechanism.position_name(i), type_of(body), body.link, parent,
                     range_text(body.limits, number), limit_text(body.limits.velocity, number),
                     limit_text(body.limits.effort, number)});

@@ -8,6 +8,7 @@
 
 #include "flatdyn/reference/kinematics.hpp"
 #include "model/physical_inertia.hpp"
+#include "model/spherical_joint.hpp"
 #include "reference/reference_model.hpp"
 #include "report/number_json.hpp"
 #include "symbolic/notation/number_text.hpp"
@@ -146,6 +147,7 @@ std::vector<LinkInFile> links_in_file(const LoadedRobot& model) {
   if (has_values(model)) numeric = reference_robot<double>(model.robot, {});
   for (int i = first_link(mechanism); i < mechanism.body_count(); ++i) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
+    if (is_inside_joint(body)) continue;
     const LinkFrame& frame = frame_of(mechanism, i);
     const Mat3 back = transpose(frame.R);
     LinkInFile link;
@@ -168,10 +170,12 @@ std::optional<Reach> reach_of(const LoadedRobot& model) {
   const std::vector<LinkInFile> links = links_in_file(model);
   const std::vector<int> way = path_to(mechanism, mechanism.tip.body);
   Reach reach;
-  reach.first_joint = mechanism.bodies[static_cast<std::size_t>(way.front())].joint;
+  reach.first_joint = joint_name(mechanism.bodies[static_cast<std::size_t>(way.front())]);
+  for (const LinkInFile& link : links) {
+    if (std::find(way.begin(), way.end(), link.body) != way.end()) reach.links += link.length.value_or(0);
+  }
   for (const int i : way) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
-    reach.links += links[static_cast<std::size_t>(i)].length.value_or(0);
     if (!body.prismatic) continue;
     if (body.limits.lower && body.limits.upper) {
       reach.links += std::max(std::abs(nearest_double(body.limits.lower->number)),
@@ -197,10 +201,10 @@ std::string describe_links(const LoadedRobot& model) {
       "joint to the farthest joint on it, or to the tip\n";
   for (const LinkInFile& link : links_in_file(model)) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(link.body)];
-    text +=
-        mechanism.is_of_base(link.body)
-            ? fmt::format("base ({}), which floats", body.link)
-            : fmt::format("link {} ({}), moved by {}", link.body + 1 - mechanism.base_bodies(), body.link, body.joint);
+    text += mechanism.is_of_base(link.body)
+                ? fmt::format("base ({}), which floats", body.link)
+                : fmt::format("link {} ({}), moved by {}", link.body + 1 - mechanism.base_bodies(), body.link,
+                              joint_name(body));
     if (link.length) text += fmt::format(", {:.6g} m long", *link.length);
     if (!link.with.empty()) text += fmt::format(", with {}", fmt::join(link.with, ", "));
     text += "\n" + inertia_text(link.inertia, number);
@@ -221,7 +225,7 @@ nlohmann::ordered_json links_json(const LoadedRobot& model) {
   json["links"] = nlohmann::ordered_json::array();
   for (const LinkInFile& link : links_in_file(model)) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(link.body)];
-    nlohmann::ordered_json item = {{"name", body.link}, {"joint", body.joint}, {"with", link.with}};
+    nlohmann::ordered_json item = {{"name", body.link}, {"joint", joint_name(body)}, {"with", link.with}};
     if (link.length) item["length"] = *link.length;
     item["mass"] = number_json(link.inertia.mass, text);
     item["first_moment"] = list_json(link.inertia.first_moment, text);

@@ -113,7 +113,7 @@ std::string simulation_plot(const Mechanism& mechanism, const TimeTable& table, 
   };
   std::vector<std::string> joints, positions;
   for (const Body& body : mechanism.joints()) joints.push_back(body.joint);
-  for (int p = 0; p < mechanism.position_count(); ++p) positions.push_back(mechanism.joint_at(p).joint);
+  for (int p = 0; p < mechanism.position_count(); ++p) positions.push_back(mechanism.position_name(p));
   const auto columns = [](std::size_t first, std::size_t count) {
     std::vector<std::size_t> all(count);
     std::iota(all.begin(), all.end(), first);

@@ -32,13 +32,35 @@ JointDynamics::JointDynamics(const LoadedRobot& model, Progress& progress)
   const Vec3& g_0 = model_.mechanism.gravity;
   gravity_in_world_ = {nearest_double(g_0[0]), nearest_double(g_0[1]), nearest_double(g_0[2])};
   g_b_ = gravity_in_world_;
+  w_.assign(model_.mechanism.spherical.size(), 1);
 }
 
 void JointDynamics::turn_base(const Eigen::Quaterniond& orientation) {
   g_b_ = orientation.conjugate() * gravity_in_world_;
 }
 
+void JointDynamics::turn_spherical_joints(const double* w) {
+  w_.assign(w, w + static_cast<std::ptrdiff_t>(mechanism().spherical.size()));
+}
+
+void JointDynamics::place_spherical_joints(const double* q) {
+  positions_.resize(static_cast<std::size_t>(mechanism().position_count()));
+  for (int k = mechanism().base_bodies(); k < mechanism().size(); ++k) {
+    positions_[static_cast<std::size_t>(mechanism().position_of(k))] = q[k];
+  }
+  for (std::size_t j = 0; j < w_.size(); ++j) {
+    const int first = mechanism().spherical[j];
+    const Eigen::Quaterniond turn = Eigen::Quaterniond(w_[j], q[first], q[first + 1], q[first + 2]).normalized();
+    double* const entries = positions_.data() + mechanism().quaternion_of(first);
+    entries[0] = turn.w(), entries[1] = turn.x(), entries[2] = turn.y(), entries[3] = turn.z();
+  }
+}
+
 std::span<const double> JointDynamics::positions(const double* q) {
+  if (mechanism().has_spherical_joints()) {
+    place_spherical_joints(q);
+    return positions_;
+  }
   const int of_base = mechanism().base_bodies();
   return closed_.of({q + of_base, static_cast<std::size_t>(joints() - of_base)});
 }
@@ -47,7 +69,7 @@ TapeInputs JointDynamics::inputs(const double* q, const double* qd) {
   const auto n = static_cast<std::size_t>(joints());
   TapeInputs given;
   given[InputKind::q] = positions(q);
-  if (qd != nullptr) given[with_base(InputKind::qd, mechanism().floating_base)] = {qd, n};
+  if (qd != nullptr) given[with_base(InputKind::qd, mechanism().has_quasi_velocities())] = {qd, n};
   if (mechanism().floating_base) given[InputKind::g_b] = {g_b_.data(), static_cast<std::size_t>(g_b_.size())};
   return given;
 }

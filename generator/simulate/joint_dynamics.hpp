@@ -32,20 +32,24 @@ class JointDynamics {
 
   // Turns a floating base: gravity has the direction that it has in axes of this orientation, until the next call.
   void turn_base(const Eigen::Quaterniond& orientation);
+  // Turns the spherical joints, until the next call: w of their quaternions, in order, whose x, y and z are in q.
+  void turn_spherical_joints(const double* w);
 
   // B and n at q in rad or m, qd in rad/s or m/s; n numbers each, those of the independent joints if loops are closed.
-  // With a floating base six numbers come first; those of q are not read, and those of qd are the base's twist.
+  // With a floating base six numbers come first; those of q are not read, and those of qd are the base's twist. The
+  // three of a spherical joint are x, y, z of its quaternion, and the angular velocity in the child's axes.
   // Throws Failure(input) if the loops cannot be closed.
   const MotionTerms& at(const double* q, const double* qd);
   const MotionTerms& last() const { return result_; }  // the last result of at()
   const Eigen::VectorXd& gravity(const double* q);     // N m (N)
   double potential_energy(const double* q);            // J; with a floating base in its frame's origin
-  // The positions of all joints that are not coupled, dependent ones included. Valid until the next call of any of
-  // these functions.
+  // The positions of all joints that are not coupled, dependent ones included, with unit quaternions (w, x, y, z) of
+  // spherical joints. Valid until the next call of any of these functions.
   std::span<const double> positions(const double* q);
 
  private:
   TapeInputs inputs(const double* q, const double* qd);
+  void place_spherical_joints(const double* q);
 
   LoadedRobot model_;  // without dry friction
   ClosedPositions closed_;
@@ -54,6 +58,7 @@ class JointDynamics {
   std::vector<double> entries_;
   MotionTerms result_;
   Eigen::VectorXd g_;
+  std::vector<double> w_, positions_;       // with spherical joints: w of their quaternions, and q with these
   Eigen::Vector3d gravity_in_world_, g_b_;  // m/s^2; with a floating base
 };
 

@@ -28,6 +28,7 @@ const char* to_string(EventKind kind) {
 MotionEquation::MotionEquation(const Simulation& simulation, JointDynamics& dynamics)
     : simulation_(simulation), dynamics_(dynamics), law_(simulation, dynamics), n_(dynamics.joints()) {
   contacts_.resize(static_cast<std::size_t>(n_));
+  turns_ = turns();
   const Mechanism& mechanism = dynamics.mechanism();
   ranges_.assign(static_cast<std::size_t>(mechanism.base_bodies()), {-kUnbounded, kUnbounded});
   for (const Body& body : mechanism.joints()) {
@@ -45,7 +46,7 @@ Eigen::VectorXd MotionEquation::positions(const MotionState& x) {
 }
 
 void MotionEquation::start_law(const MotionState& x, double t) {
-  if (has_base()) dynamics_.turn_base(orientation(x));
+  turn_bodies(x);
   law_.start(t, x.data(), x.data() + n_);
 }
 
@@ -53,13 +54,32 @@ MotionState MotionEquation::initial_state() const {
   MotionState x = simulation_.q;
   x.insert(x.end(), simulation_.qd.begin(), simulation_.qd.end());
   x.insert(x.end(), {0, 0});
-  if (!has_base()) return x;
-  const auto& [position, orientation] = simulation_.base;
-  std::copy(position.begin(), position.end(), x.begin());
-  std::copy(orientation.begin() + 1, orientation.end(), x.begin() + kDirections);
-  x.push_back(orientation[0]);
-  x.insert(x.end(), 2 * kDirections, 0);
+  if (has_base()) {
+    const auto& [position, orientation] = simulation_.base;
+    std::copy(position.begin(), position.end(), x.begin());
+    std::copy(orientation.begin() + 1, orientation.end(), x.begin() + kDirections);
+    x.push_back(orientation[0]);
+    x.insert(x.end(), 2 * kDirections, 0);
+  }
+  x.insert(x.end(), simulation_.w.begin(), simulation_.w.end());
   return x;
+}
+
+// The base's turn comes first.
+std::vector<MotionEquation::Turn> MotionEquation::turns() const {
+  std::vector<Turn> result;
+  Eigen::Index w = 2 * n_ + 2;
+  if (has_base()) {
+    result.push_back({kDirections, w});
+    w += 1 + 2 * kDirections;
+  }
+  for (const int first : dynamics_.mechanism().spherical) result.push_back({first, w++});
+  return result;
+}
+
+void MotionEquation::turn_bodies(const MotionState& x) {
+  if (has_base()) dynamics_.turn_base(orientation(x));
+  dynamics_.turn_spherical_joints(x.data() + x.size() - dynamics_.mechanism().spherical.size());
 }
 
 Eigen::Quaterniond MotionEquation::orientation(const MotionState& x) const {
@@ -71,11 +91,14 @@ BasePose MotionEquation::pose(const MotionState& x) const {
   return {{x[0], x[1], x[2]}, {turned.w(), turned.x(), turned.y(), turned.z()}};
 }
 
-bool MotionEquation::rescale_orientation(MotionState& x) const {
-  if (!has_base()) return false;
-  const Eigen::Quaterniond turned = orientation(x);
-  const bool is_changed = turned.w() != w_of(x) || turned.x() != x[3] || turned.y() != x[4] || turned.z() != x[5];
-  w_of(x) = turned.w(), x[3] = turned.x(), x[4] = turned.y(), x[5] = turned.z();
+bool MotionEquation::rescale_orientations(MotionState& x) const {
+  bool is_changed = false;
+  for (const Turn& turn : turns_) {
+    double &w = *(x.data() + turn.w), *const r = x.data() + turn.r;
+    const Eigen::Quaterniond unit = Eigen::Quaterniond(w, r[0], r[1], r[2]).normalized();
+    is_changed = is_changed || unit.w() != w || unit.x() != r[0] || unit.y() != r[1] || unit.z() != r[2];
+    w = unit.w(), r[0] = unit.x(), r[1] = unit.y(), r[2] = unit.z();
+  }
   return is_changed;
 }
 
@@ -99,21 +122,30 @@ Momentum MotionEquation::impulse(const MotionState& x) const {
 }
 
 double MotionEquation::potential_energy(const MotionState& x) {
+  turn_bodies(x);
   if (!has_base()) return dynamics_.potential_energy(x.data());
-  dynamics_.turn_base(orientation(x));
   return dynamics_.potential_energy(x.data()) - mass() * gravity_.dot(Eigen::Vector3d(x[0], x[1], x[2]));
 }
 
 // B and n where the base is.
 const MotionTerms& MotionEquation::terms_at(const MotionState& x) { return dynamics_.at(x.data(), x.data() + n_); }
 
-// ṗ = R v, and half the product of the quaternion and (0, ω); forces of the base and gravity add to the momentum.
+// Half the products of the quaternions and (0, ω).
+void MotionEquation::turn_by_rates(const MotionState& x, MotionState& dx) const {
+  for (const Turn& turn : turns_) {
+    const double *const r = x.data() + turn.r, *const omega = x.data() + n_ + turn.r;
+    const Eigen::Quaterniond turned = Eigen::Quaterniond(*(x.data() + turn.w), r[0], r[1], r[2]).normalized();
+    const Eigen::Quaterniond rate = turned * Eigen::Quaterniond(0, omega[0] / 2, omega[1] / 2, omega[2] / 2);
+    double* const rates = dx.data() + turn.r;
+    rates[0] = rate.x(), rates[1] = rate.y(), rates[2] = rate.z(), *(dx.data() + turn.w) = rate.w();
+  }
+}
+
+// ṗ = R v; forces of the base and gravity add to the momentum.
 void MotionEquation::move_base(const MotionState& x, MotionState& dx) const {
-  const Eigen::Map<const Eigen::Vector3d> v(x.data() + n_), omega(x.data() + n_ + kDirections);
+  const Eigen::Map<const Eigen::Vector3d> v(x.data() + n_);
   const Eigen::Quaterniond turned = orientation(x);
   Eigen::Map<Eigen::Vector3d>(dx.data()) = turned * v;
-  const Eigen::Quaterniond rate = turned * Eigen::Quaterniond(0, omega.x() / 2, omega.y() / 2, omega.z() / 2);
-  dx[3] = rate.x(), dx[4] = rate.y(), dx[5] = rate.z(), w_of(dx) = rate.w();
   const Eigen::Vector3d force = tau_.head<kDirections>(), moment = tau_.segment<kDirections>(kDirections);
   double* const first = dx.data() + 2 * n_ + 3;
   Eigen::Map<Eigen::Vector3d>{first} = turned * force + mass() * gravity_;
@@ -121,7 +153,7 @@ void MotionEquation::move_base(const MotionState& x, MotionState& dx) const {
 }
 
 ContactMotion MotionEquation::motion(const MotionState& x, double t) {
-  if (has_base()) dynamics_.turn_base(orientation(x));
+  turn_bodies(x);
   tau_ = law_.at(t, x.data(), x.data() + n_);
   const MotionTerms& terms = terms_at(x);
   return motion_of(terms.B, tau_ - terms.n, dynamics_.coulomb(), contacts_);
@@ -136,6 +168,7 @@ void MotionEquation::operator()(const MotionState& x, MotionState& dx, double t)
   derivative.segment(n_, n_) = now.qdd;
   derivative(2 * n_) = qd.dot(tau_);
   derivative(2 * n_ + 1) = qd.dot(dynamics_.viscous().cwiseProduct(qd) - now.lambda);
+  turn_by_rates(x, dx);
   if (has_base()) move_base(x, dx);
 }
 
@@ -208,7 +241,7 @@ bool MotionEquation::meet_event(MotionState& x, double t, std::vector<MotionEven
   if (meets && simulation_.at_limits == AtLimits::end) return true;
   if (meets) {
     Eigen::Map<Eigen::VectorXd> qd(x.data() + n_, n_);
-    if (has_base()) dynamics_.turn_base(orientation(x));
+    turn_bodies(x);
     terms_at(x);
     const double before = kinetic_energy(x);
     qd = speeds_after_impact(dynamics_.last().B, qd, stops(x));
@@ -230,7 +263,7 @@ void MotionEquation::settle(MotionState& x) const {
 
 void MotionEquation::decide(const MotionState& x, double t, std::vector<MotionEvent>& events) {
   const double* const qd = x.data() + n_;
-  if (has_base()) dynamics_.turn_base(orientation(x));
+  turn_bodies(x);
   const Eigen::VectorXd tau = law_.at(t, x.data(), qd);
   const MotionTerms& terms = terms_at(x);
   const Contacts before = contacts_;

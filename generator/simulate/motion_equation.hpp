@@ -14,6 +14,7 @@ namespace flatdyn {
 // q, q̇, the work of the torques so far, and the energy that friction and stops have dissipated: 2 n + 2 numbers, SI.
 // With a floating base the first six of q are its position and x, y, z of its unit quaternion, and there are seven more
 // numbers: w of the quaternion, and what force and moment about the centre of mass add up to over time, in world axes.
+// The three of q of a spherical joint are x, y, z of its unit quaternion; w of each comes last.
 using MotionState = std::vector<double>;
 
 // The robot's momentum, kg m/s, and its moment about the centre of mass, kg m²/s.
@@ -56,8 +57,8 @@ class MotionEquation {
   Eigen::Vector3d base_gravity(const MotionState& x) const { return orientation(x).conjugate() * gravity_; }
   Momentum momentum(const MotionState& x) const;
   Momentum impulse(const MotionState& x) const;  // what forces have added to the momentum since the start
-  // Rescales the quaternion to unit length, and returns whether its length was another one.
-  bool rescale_orientation(MotionState& x) const;
+  // Rescales all quaternions to unit length, and returns whether the length of any was another one.
+  bool rescale_orientations(MotionState& x) const;
 
   // Whether there is any dry friction or stop.
   bool has_events() const;
@@ -75,12 +76,18 @@ class MotionEquation {
     double lower, upper;
   };
 
+  // A quaternion whose x, y, z begin at one place of the state, and whose w is at another.
+  struct Turn {
+    Eigen::Index r, w;
+  };
+  std::vector<Turn> turns() const;
   Eigen::Quaterniond orientation(const MotionState& x) const;
+  void turn_bodies(const MotionState& x);  // before anything is evaluated at x
   const MotionTerms& terms_at(const MotionState& x);
   void move_base(const MotionState& x, MotionState& dx) const;
+  void turn_by_rates(const MotionState& x, MotionState& dx) const;
   double mass() const { return dynamics_.last().B(0, 0); }
   Eigen::Vector3d centre_of_mass() const;
-  double& w_of(MotionState& x) const { return x[static_cast<std::size_t>(2 * n_ + 2)]; }
   double w_of(const MotionState& x) const { return x[static_cast<std::size_t>(2 * n_ + 2)]; }
 
   bool is_limit_met(const MotionState& x, std::size_t i, int side) const;
@@ -94,6 +101,7 @@ class MotionEquation {
   JointDynamics& dynamics_;
   TorqueLaw law_;
   Eigen::Index n_;
+  std::vector<Turn> turns_;
   std::vector<Range> ranges_;
   Contacts contacts_;
   Eigen::VectorXd tau_;

@@ -66,6 +66,7 @@ struct Simulation {
   std::vector<std::string> files;  // the files that it was read from
   double step = 1e-3;              // rk4, s; shortened so that rows coincide with steps
   BasePose base;                   // start of a floating base
+  std::vector<double> w;           // start of spherical joints: w of their unit quaternions, whose x, y, z are in q
 };
 
 // A simulation without torques that starts at rest at q = 0, or where the loops are assembled.

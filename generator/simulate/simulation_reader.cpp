@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -26,6 +27,7 @@ std::vector<double> doubles(const std::vector<Value>& values) {
 
 constexpr double kShortestPeriod = 1e-7;  // s
 constexpr std::size_t kTwist = 6;
+constexpr double kPerDegree = 3.141592653589793 / 180;
 
 class SimulationReader {
  public:
@@ -104,8 +106,43 @@ class SimulationReader {
     return std::nullopt;
   }
 
+  // q with a quaternion (w, x, y, z) for each spherical joint.
+  void read_positions(TomlTable& table) {
+    if (!mechanism_.has_spherical_joints()) return motion(table, "q", position_in_si, simulation_.q);
+    const auto given = list_of(table, "q", static_cast<std::size_t>(mechanism_.position_count()));
+    if (!given) return;
+    for (int k = mechanism_.base_bodies(); k < mechanism_.size(); ++k) {
+      const double entry = (*given)[static_cast<std::size_t>(mechanism_.position_of(k))];
+      const bool is_in_degrees = units_.degrees && !mechanism_.joint(k).prismatic && !mechanism_.is_of_spherical(k);
+      simulation_.q[static_cast<std::size_t>(k)] = is_in_degrees ? entry * kPerDegree : entry;
+    }
+    for (std::size_t j = 0; j < simulation_.w.size(); ++j) {
+      const int first = mechanism_.spherical[j];
+      const auto entries = given->begin() + mechanism_.quaternion_of(first);
+      const std::array<double, 4> unit = unit_quaternion(table, "q", {entries[0], entries[1], entries[2], entries[3]},
+                                                         "from child axes to parent axes");
+      simulation_.w[j] = unit[0];
+      std::copy(unit.begin() + 1, unit.end(), simulation_.q.begin() + first);
+    }
+  }
+
+  // A quaternion (w, x, y, z) that is a unit one but for rounding to a few digits, at unit length.
+  std::array<double, 4> unit_quaternion(const TomlTable& table, const char* key, std::array<double, 4> entries,
+                                        const char* what) {
+    constexpr double kNearlyOne = 1e-3;
+    double square = 0;
+    for (const double x : entries) square += x * x;
+    const double length = std::sqrt(square);
+    if (!(std::abs(length - 1) <= kNearlyOne)) {
+      diagnostics_.error(table.place_of(key), fmt::format("{}: a quaternion's length is {:.6g}, not 1", key, length),
+                         fmt::format("write the unit quaternion w, x, y, z {}", what));
+    }
+    for (double& x : entries) x /= length;
+    return entries;
+  }
+
   void read_start(TomlTable table) {
-    motion(table, "q", position_in_si, simulation_.q);
+    read_positions(table);
     motion(table, "qd", rate_in_si, simulation_.qd);
     if (mechanism_.floating_base) read_start_of_base(table);
     table.reject_unknown_keys();
@@ -119,16 +156,8 @@ class SimulationReader {
     if (const auto v = list_of(table, "base_velocity", kTwist)) std::copy(v->begin(), v->end(), simulation_.qd.begin());
     const auto given = list_of(table, "base_orientation", base.orientation.size());
     if (!given) return;
-    constexpr double kNearlyOne = 1e-3;  // what rounding to a few digits leaves
-    double square = 0;
-    for (const double x : *given) square += x * x;
-    const double length = std::sqrt(square);
-    if (!(std::abs(length - 1) <= kNearlyOne)) {
-      diagnostics_.error(table.place_of("base_orientation"),
-                         fmt::format("base_orientation: its length is {:.6g}, not 1", length),
-                         "write the unit quaternion w, x, y, z from base axes to world axes");
-    }
-    std::transform(given->begin(), given->end(), base.orientation.begin(), [length](double x) { return x / length; });
+    base.orientation = unit_quaternion(table, "base_orientation", {(*given)[0], (*given)[1], (*given)[2], (*given)[3]},
+                                       "from base axes to world axes");
   }
 
   // A list of this many numbers.
@@ -205,9 +234,26 @@ class SimulationReader {
       law.trajectory = read_trajectory(beside(*name), robot_, mechanism_, diagnostics_);
     }
     if (kind == FeedbackLaw::Kind::pd) law.gravity = table.boolean("gravity").value_or(false);
+    refuse_spherical(table, law);
     if (table.has("period")) positive(table, "period", kShortestPeriod, simulation_.period);
     table.reject_unknown_keys();
     return law;
+  }
+
+  // Gains on positions, computed torque and trajectories are for joints with one axis.
+  void refuse_spherical(const TomlTable& table, const FeedbackLaw& law) {
+    const auto has_gain = [&law](int first) {
+      return std::any_of(law.kp.begin() + first, law.kp.begin() + first + 3, [](double gain) { return gain != 0; });
+    };
+    const std::vector<int>& spherical = mechanism_.spherical;
+    if (std::any_of(spherical.begin(), spherical.end(), has_gain)) {
+      diagnostics_.error(table.place_of("kp"), "kp: a spherical joint has no position to which a gain leads",
+                         "write 0 for its three entries; kd brakes it");
+    }
+    if (!spherical.empty() && (law.trajectory || law.kind == FeedbackLaw::Kind::computed_torque)) {
+      diagnostics_.error(table.place(), "computed torque and trajectories are not supported yet with spherical joints",
+                         "take pd with kd, or samples");
+    }
   }
 
   void check_ranges(const TomlTable& table) {
@@ -296,6 +342,7 @@ Simulation resting(const Robot& robot, const Mechanism& mechanism) {
   const std::vector<double> positions = assembled_positions(robot, mechanism);
   for (int i = 0; i < mechanism.size(); ++i)
     simulation.q.push_back(mechanism.has_loops() ? positions[static_cast<std::size_t>(mechanism.position_of(i))] : 0);
+  simulation.w.assign(mechanism.spherical.size(), 1);
   simulation.qd.assign(simulation.q.size(), 0);
   simulation.constant = simulation.qd;
   return simulation;

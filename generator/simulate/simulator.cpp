@@ -86,7 +86,7 @@ class Simulator {
       // The step ends at a knot, where a torque may bend; a remainder within rounding is no step.
       if (end - t_ <= 1e-13 * end) t_ = end;
       const double next = stepper.current_time_step();
-      const bool is_rescaled = equation_.rescale_orientation(x_), is_last = t_ + next > end;
+      const bool is_rescaled = equation_.rescale_orientations(x_), is_last = t_ + next > end;
       if (t_ < end && (is_rescaled || is_last)) stepper.initialize(x_, t_, is_last ? end - t_ : next);
       if (t_ >= end) return next;
     }
@@ -139,7 +139,7 @@ class Simulator {
     double knot = equation_.next_knot(0);
     for (long k = 1; !is_over(); ++k) {
       stepper.do_step(std::ref(equation_), x_, t_, step);
-      equation_.rescale_orientation(x_);
+      equation_.rescale_orientations(x_);
       t_ = static_cast<double>(k) * step;
       ++motion_.steps;
       require_finite();

@@ -53,12 +53,13 @@ data variant_row(const Mechanism& mechanism, const Function& function, std::size
 }
 
 // The arguments of a call, in the order of kStateKinds.
-data argument_rows(const State& like, bool floating_base) {
+data argument_rows(const State& like, bool quasi_velocities) {
   data rows(data::type::list);
   std::size_t place = 0;
   for (const InputKind kind : kStateKinds) {
     data row;
-    row["name"] = kind == InputKind::parameter ? "parameters" : input_argument(with_base(kind, floating_base), 0).name;
+    row["name"] =
+        kind == InputKind::parameter ? "parameters" : input_argument(with_base(kind, quasi_velocities), 0).name;
     row["length"] = std::to_string(like.of(kind).size());
     row["place"] = std::to_string(place++);
     rows << row;
@@ -90,7 +91,7 @@ StressProgram::StressProgram(const Mechanism& mechanism, const std::vector<Funct
   }
   data page;
   page["positions"] = std::to_string(mechanism.position_count());
-  page["arguments"] = argument_rows(like, mechanism.floating_base);
+  page["arguments"] = argument_rows(like, mechanism.has_quasi_velocities());
   page["calls"] = data(rows);
   page["headers"] = list_of(has_xsimd_ ? std::vector<std::string>{"flatdyn/batch.hpp", "flatdyn/trigonometry.hpp"}
                                        : std::vector<std::string>{});

@@ -103,7 +103,7 @@ TEST(Simulate, SaysWhatIsWrongAboutAFloatingBase) {
     return outcome.err;
   };
   EXPECT_THAT(told("[start]\nbase_orientation = [1, 1, 0, 0]\n"),
-              HasSubstr("run.toml:2: error: base_orientation: its length is 1.41421, not 1"));
+              HasSubstr("run.toml:2: error: base_orientation: a quaternion's length is 1.41421, not 1"));
   EXPECT_THAT(told("[start]\nbase_velocity = 1\n"), HasSubstr("run.toml:2: error: base_velocity: it is no list"));
   EXPECT_THAT(told("[start]\nbase_position = [1, 2]\n"), HasSubstr("run.toml:2: error: "));
   EXPECT_THAT(told("[torque.computed_torque]\nkp = 1\n"),

@@ -283,7 +283,7 @@ class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
   static void expect_same_free(ref::Robot<double> numbers, const FreeState& s, const nlohmann::json& at,
                                const Vector& coulomb) {
     const Eigen::Index n = numbers.size();
-    const Vector q = turned_by(numbers, q);
+    const Vector q = turned_by(numbers, s.q);
     Matrix T = Matrix::Identity(n, n);
     T.topLeftCorner<3, 3>() = s.R;
     const auto entries = at["B"].get<std::vector<double>>();

@@ -2,17 +2,26 @@
 #include "input/urdf/floating.hpp"
 
 #include <algorithm>
+#include <string>
+
+#include "input/common/joint_parts.hpp"
 
 namespace flatdyn {
 namespace {
 
+// Whether the joint is on a root without a body.
+bool is_on_empty_root(const Robot& robot, const Joint& joint) {
+  const bool is_moved = std::any_of(robot.joints.begin(), robot.joints.end(),
+                                    [&](const Joint& other) { return other.child == joint.parent; });
+  return !is_moved && robot.links[static_cast<std::size_t>(joint.parent)].inertials.empty();
+}
+
 // Whether the joint is all that hangs on its parent link, a root without a body.
 bool is_free_root(const Robot& robot, const Joint& joint) {
-  const auto parent = static_cast<std::size_t>(joint.parent);
-  const bool has_joints = std::any_of(robot.joints.begin(), robot.joints.end(), [&](const Joint& other) {
-    return other.name != joint.name && (other.parent == joint.parent || other.child == joint.parent);
+  const bool has_others = std::any_of(robot.joints.begin(), robot.joints.end(), [&](const Joint& other) {
+    return other.name != joint.name && other.parent == joint.parent;
   });
-  return !has_joints && robot.links[parent].inertials.empty();
+  return !has_others && is_on_empty_root(robot, joint);
 }
 
 // Leaves out a joint and the link that it hangs on.
@@ -50,10 +59,30 @@ void take_floating_joints(const std::vector<int>& joints, Diagnostics& diagnosti
     const Joint& joint = robot.joints[static_cast<std::size_t>(index)];
     diagnostics.unsupported(joint.place,
                             "joint \"" + joint.name +
-                                "\" moves freely: that is supported for one joint only, between a root without mass "
-                                "and the robot",
+                                "\" moves freely: on a root without mass that is supported for one joint only, which "
+                                "carries the whole robot",
                             "hold it still: give the option --fix " + joint.name);
   }
+}
+
+bool floats_in_tree(const Robot& robot, const Joint& joint) {
+  return joint.parent >= 0 && joint.child >= 0 && !is_on_empty_root(robot, joint);
+}
+
+void split_floating_joint(const std::string& name, Robot& robot) {
+  const auto place = std::find_if(robot.joints.begin(), robot.joints.end(),
+                                  [&name](const Joint& joint) { return joint.name == name; });
+  const Joint whole = *place;
+  std::vector<Joint> parts;
+  for (std::size_t k = 0; k < 3; ++k) {
+    parts.push_back(part_of_joint(whole, std::string(".") + "xyz"[k], JointType::prismatic));
+    parts.back().axis = zero_vector();
+    parts.back().axis[k] = 1;
+  }
+  parts.push_back(part_of_joint(whole, ".turn", JointType::spherical));
+  const auto next = robot.joints.erase(place);
+  const std::vector<Joint> joined = joined_in_tree(whole, parts, robot);
+  robot.joints.insert(next, joined.begin(), joined.end());
 }
 
 }  // namespace flatdyn

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "diagnostics/diagnostics.hpp"
@@ -12,5 +13,12 @@ namespace flatdyn {
 // own and all others: the joint and that link are left out, and the joint's child becomes the base. Other joints of
 // that type are reported as unsupported. `joints`: indices, with places in the file.
 void take_floating_joints(const std::vector<int>& joints, Diagnostics& diagnostics, Robot& robot);
+
+// Whether a joint of that type lets its child move relative to a link with a body, or to one that moves.
+bool floats_in_tree(const Robot& robot, const Joint& joint);
+
+// Instead of such a joint: slides along x, y and z of its frame and a spherical joint, NAME.x, NAME.y, NAME.z,
+// NAME.turn, with links without mass between them.
+void split_floating_joint(const std::string& name, Robot& robot);
 
 }  // namespace flatdyn

@@ -51,12 +51,24 @@ class UrdfReader {
     refuse_unread_dynamics(root, values_, robot_);
     check_urdf_simulators(root, values_, robot_);
     read_urdf_actuators(root, values_, robot_);
-    // Held still by --base fixed, they are fixed joints.
-    if (context_.options.floating_base.value_or(true)) take_floating_joints(floating_, diagnostics_, robot_);
+    read_floating_joints();
     for (const std::string& joint : planar_) split_planar_joint(joint, context_, robot_);
   }
 
  private:
+  void read_floating_joints() {
+    std::vector<int> of_base;
+    std::vector<std::string> in_tree;
+    for (const int index : floating_) {
+      const Joint& joint = robot_.joints[static_cast<std::size_t>(index)];
+      if (floats_in_tree(robot_, joint)) in_tree.push_back(joint.name);
+      if (!floats_in_tree(robot_, joint)) of_base.push_back(index);
+    }
+    // Held still by --base fixed, the base's joint is a fixed one.
+    if (context_.options.floating_base.value_or(true)) take_floating_joints(of_base, diagnostics_, robot_);
+    for (const std::string& joint : in_tree) split_floating_joint(joint, robot_);
+  }
+
   void read_link(const XMLElement& element) {
     Link link;
     link.place = values_.place(element);

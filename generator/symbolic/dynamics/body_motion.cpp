@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/dynamics/body_motion.hpp"
 
+#include "model/spherical_joint.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -66,6 +68,29 @@ BodyMotion moved(Frames& frames, int i, const BodyMotion& parent, const JointMot
   return body;
 }
 
+// The motion of the link that a spherical joint moves, past the joint's three bodies: ω = Rᵀ ω_parent + w and
+// ω̇ = Rᵀ ω̇_parent + ẇ + Rᵀ ω_parent × w. `motion` has one rate only.
+BodyMotion moved_by_spherical(Frames& frames, int last, const BodyMotion& parent, const JointMotion& motion) {
+  Derivation& d = frames.derivation();
+  const int first = last + 1 - kSphericalBodies;
+  const auto k = static_cast<std::size_t>(first);
+  const std::string n = frames.label(last);
+  const auto in_link = [&](Vec3 v, const std::string& name) {
+    for (int i = first; i <= last; ++i) v = frames.to_child(i, v, name);
+    return v;
+  };
+  const Vec3 w = {motion.qd[k], motion.qd[k + 1], motion.qd[k + 2]},
+             dw = {motion.qdd_r[k], motion.qdd_r[k + 1], motion.qdd_r[k + 2]};
+  const Vec3 carried = in_link(parent.omega, "omega_f_" + n);
+  BodyMotion body;
+  body.omega = body.omega_r = d.named(carried + w, "omega_" + n);
+  body.domega = d.named(in_link(parent.domega, "domega_f_" + n) + dw + cross(carried, w), "domega_" + n);
+  body.products = products_of(d, body, n);
+  body.U = acceleration_matrix(d, body.products, body.domega, n);
+  body.ddp = in_link(d.named(parent.ddp + parent.U * frames.p(first), "ddp_o_" + n), "ddp_" + n);
+  return body;
+}
+
 // The motion of the link of a floating base. Its origin's acceleration is v̇ + ω × v, as v̇ has the derivatives of
 // components in axes that turn. `motion` has one rate only.
 BodyMotion motion_of_floating_base(Frames& frames, const JointMotion& motion) {
@@ -98,8 +123,12 @@ std::vector<BodyMotion> body_motions(Frames& frames, const JointMotion& motion) 
   std::vector<BodyMotion> bodies(static_cast<std::size_t>(frames.mechanism().base_bodies()));
   if (frames.mechanism().floating_base) bodies.back() = motion_of_floating_base(frames, motion);
   for (int i = frames.mechanism().base_bodies(); i < frames.mechanism().body_count(); ++i) {
-    const int parent = frames.mechanism().bodies[static_cast<std::size_t>(i)].parent;
-    bodies.push_back(moved(frames, i, parent < 0 ? base : bodies[static_cast<std::size_t>(parent)], motion));
+    const int parent = parent_of_joint(frames.mechanism(), i), part = frames.body(i).spherical;
+    const BodyMotion& before = parent < 0 ? base : bodies[static_cast<std::size_t>(parent)];
+    const bool is_inside = part > 0 && part < kSphericalBodies;
+    bodies.push_back(is_inside  ? BodyMotion{}
+                     : part > 0 ? moved_by_spherical(frames, i, before, motion)
+                                : moved(frames, i, before, motion));
   }
   return bodies;
 }

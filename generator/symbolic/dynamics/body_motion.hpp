@@ -25,7 +25,7 @@ struct BodyMotion {
 };
 
 // The motions of all bodies. With a floating base, whose motion is one of its link, bodies before it have none, and
-// q̇_r has to be q̇.
+// q̇_r has to be q̇; so has it with spherical joints, the first two bodies of which have none.
 std::vector<BodyMotion> body_motions(Frames& frames, const JointMotion& motion);
 
 // q̇_i ω of a body, as a bilinear form: ½ (q̇_i ω_r + q̇_ri ω).

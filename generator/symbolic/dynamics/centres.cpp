@@ -21,6 +21,7 @@ bool is_on_axis(const Vec3& point) { return vanishes(point[0]) && vanishes(point
 // The point where the axis of `body` crosses that of its parent, as z in the parent's frame; nothing if they do not
 // cross.
 std::optional<Number> crossing(const Body& body) {
+  if (body.spherical == 1) return is_on_axis(body.p) ? std::optional<Number>(body.p[2]) : std::nullopt;
   const Vec3 origin = seen_from(body, zero_vector()), along = seen_from(body, {0, 0, 1}) - origin;
   for (const std::size_t k : {0U, 1U}) {
     if (vanishes(along[k])) continue;
@@ -51,7 +52,8 @@ void Centres::place(int i) {
   if (body.parent >= 0 && centre_[static_cast<std::size_t>(body.parent)] >= 0) {
     const auto parent = static_cast<std::size_t>(body.parent);
     const Vec3 point = seen_from(body, {0, 0, height_[parent]});
-    if (is_on_axis(point)) {
+    const bool is_fixed = body.spherical != 1 || vanishes(point[2]);  // a spherical joint turns about its point
+    if (is_on_axis(point) && is_fixed) {
       centre_[k] = centre_[parent];
       height_[k] = point[2];
       return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/dynamics/derivatives.hpp"
 
+#include "model/spherical_joint.hpp"
 #include "symbolic/dynamics/composite.hpp"
 #include "symbolic/dynamics/momenta.hpp"
 
@@ -70,8 +71,32 @@ class TorqueDerivation {
     return {accelerates ? Vec3{-v[1], v[0], 0} : zero_vector(), w_of(k), {0, 0, 1}};
   }
 
+  // The motion of the link that a spherical joint moves, in the axes of the joint's body k.
+  LinkMotion in_axes_of_spherical(int k) {
+    int i = k + kSphericalBodies - frames_.body(k).spherical;
+    LinkMotion link = at(links_, i);
+    for (; i > k; --i) {
+      for (Vec3* v : {&link.omega, &link.omega_r, &link.domega_r, &link.ddp}) *v = frames_.to_parent(i, *v, "turned");
+    }
+    return link;
+  }
+
+  Field field_of_spherical_position(int k) {
+    const LinkMotion link = in_axes_of_spherical(k);
+    const Vec3 w = d_.named(Vec3{link.omega_r[1], -link.omega_r[0], 0}, "w_r_" + frames_.label(k));
+    return {{link.ddp[1], -link.ddp[0], 0}, Vec3{link.domega_r[1], -link.domega_r[0], 0} + cross(link.omega_r, w), w};
+  }
+
+  Field field_of_spherical_rate(int k) {
+    const LinkMotion link = in_axes_of_spherical(k);
+    const Vec3 other = base_columns_ == BaseColumns::coriolis ? link.omega : link.omega_r;
+    const Vec3 sum = d_.named(link.omega + other, "omega_s_" + frames_.label(k));
+    return {zero_vector(), {sum[1], -sum[0], 0}, {0, 0, 1}};
+  }
+
   Field field_of_position(int k) {
     if (frames_.mechanism().is_of_base(k)) return field_of_base_position(k);
+    if (frames_.body(k).spherical > 0) return field_of_spherical_position(k);
     const LinkMotion& link = at(links_, k);
     if (frames_.body(k).prismatic) return {z_column(link.U), zero_vector(), zero_vector()};
     return {{link.ddp[1], -link.ddp[0], 0}, z_column(link.U), w_of(k)};
@@ -79,6 +104,7 @@ class TorqueDerivation {
 
   Field field_of_rate(int k) {
     if (frames_.mechanism().is_of_base(k) && base_columns_ != BaseColumns::coriolis) return field_of_base_rate(k);
+    if (frames_.body(k).spherical > 0) return field_of_spherical_rate(k);
     const Vec3 twice = d_.named(Number(2) * w_of(k), "w_2_" + frames_.label(k));
     if (frames_.body(k).prismatic) return {twice, zero_vector(), zero_vector()};
     return {zero_vector(), twice, {0, 0, 1}};
@@ -148,11 +174,19 @@ class TorqueDerivation {
 
   // Computes ∂τ_i/∂q_k for the joints i before k.
   void column_of_position(int k) {
-    const Wrench relative = applied(k, field_of_position(k));
-    // The base's forces are in axes that turn with it.
-    const Wrench turned =
-        frames_.mechanism().is_of_base(k) ? Wrench{} : derivative_by_joint(frames_.body(k), at(wrenches_, k));
-    add_along_path(k, {relative.f + turned.f, relative.mu + turned.mu}, zero_vector(), result_.dq, "q");
+    add_along_path(k, applied(k, field_of_position(k)), turned_wrench(k), zero_vector(), result_.dq, "q");
+  }
+
+  // How the wrench on joint k's link turns with it, in the axes of the joint's first body. The forces of a base and of
+  // a spherical joint are in axes that turn with the link, but not those on the joint's parent.
+  Wrench turned_wrench(int k) {
+    if (frames_.mechanism().is_of_base(k)) return {};
+    const int first = first_body_of_joint(frames_.mechanism(), k);
+    const Wrench& wrench = at(wrenches_, first);
+    if (k == first) return derivative_by_joint(frames_.body(k), wrench);
+    Vec3 axis = {0, 0, 1};
+    for (int i = k; i > first; --i) axis = frames_.to_parent(i, axis, "axis");
+    return {cross(axis, wrench.f), cross(axis, wrench.mu)};
   }
 
   void column_of_rate(int k) {
@@ -160,12 +194,16 @@ class TorqueDerivation {
     const bool carried = rotor && rotor->carrier >= 0;
     const Vec3 at_carrier =
         carried ? cross(at(links_, rotor->carrier).omega, rotor_momentum(frames_, k)) : zero_vector();
-    add_along_path(k, applied(k, field_of_rate(k)), at_carrier, result_.dqd, "qd");
+    add_along_path(k, applied(k, field_of_rate(k)), {}, at_carrier, result_.dqd, "qd");
   }
 
-  // The torques at the joints before k of a wrench on composite body k, and of a moment on the carrier of its rotor.
-  void add_along_path(int k, Wrench wrench, const Vec3& at_carrier, Rows& result, const std::string& what) {
+  // The torques at the joints before k of a wrench on composite body k, of another one beyond joint k's first body,
+  // in the axes of that body, and of a moment on the carrier of its rotor.
+  void add_along_path(int k, Wrench wrench, const Wrench& beyond, const Vec3& at_carrier, Rows& result,
+                      const std::string& what) {
+    const int first = first_body_of_joint(frames_.mechanism(), k);
     for (int i = k; frames_.body(i).parent >= 0;) {
+      if (i == first) wrench = {wrench.f + beyond.f, wrench.mu + beyond.mu};
       const std::string n = what + frames_.label(k) + "_" + frames_.label(i);
       wrench = {d_.named(wrench.f, "df_" + n), d_.named(wrench.mu, "dmu_" + n)};
       wrench = to_parent(frames_, i, wrench, n);

@@ -16,6 +16,11 @@
 // p̈ = v̇ + ω × v - g_b, all in base axes. A unit change of v_j gives e = ω × e_j; one of ω_j gives e = e_j × v, y = ω ×
 // e_j and e_j in the place of w. A turn of the base about e_j, with v and a held fixed, turns g_b the other way:
 // e = e_j × g_b alone. A displacement changes nothing.
+//
+// The link of a spherical joint turns about an axis e of its own, R ← R exp(S(δ)), while w and ẇ are held fixed. In its
+// axes the parent's motion, ω_r = Rᵀ ω_λ and ω̇_r = Rᵀ ω̇_λ, turns the other way: e = p̈ × e, w = ω_r × e and
+// y = ω̇_r × e + ω_r × (ω_r × e). A unit change of w along e gives y = (ω + ω_r) × e, and e in the place of w; for 2 C
+// it is y = 2 ω × e.
 #pragma once
 
 #include <vector>

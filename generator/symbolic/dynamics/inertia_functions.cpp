@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/dynamics/inertia_functions.hpp"
 
-#include "model/quasi_velocities.hpp"
 #include "symbolic/dynamics/composite.hpp"
 #include "symbolic/dynamics/derivatives.hpp"
 
@@ -44,23 +43,9 @@ Function finished_coriolis(DerivationContext& context, const std::vector<NodeId>
   return finished(context, {matrix_output("C", context.size(), context.size(), entries, meaning)});
 }
 
-// C = C_x - B Ȧ (model/quasi_velocities.hpp). `context`: that of half the inertia.
-void subtract_rates(DerivationContext& context, const std::vector<Number>& rates, Rows& C) {
-  const Rows half_B = inertia_matrix(context.frames);
-  for (const RateBlock<Number>& block : rate_blocks(context.mechanism, rates)) {
-    const auto first = static_cast<std::size_t>(block.first);
-    for (std::size_t i = 0; i < C.size(); ++i) {
-      for (std::size_t j = 0; j < block.entries.size(); ++j) {
-        for (std::size_t k = 0; k < block.entries.size(); ++k) {
-          C[i][first + j] -= 2 * half_B[i][first + k] * block.entries[k][j];
-        }
-      }
-    }
-  }
-}
-
 // C q̇ is a quadratic form in q̇ with the coefficients c_ijk = c_ikj, so C is half its derivative. With a floating base
-// the same fields of accelerations give the C of the connection whose torsion is that of the base's velocities.
+// or spherical joints, the same fields of accelerations give the C of the connection whose torsion is that of their
+// velocities.
 Function coriolis_from_momenta(const Mechanism& mechanism, const Choices& choices) {
   return derived(with_half_inertia(mechanism), choices, [](DerivationContext& context) {
     const Motion motion{context.joint_motion(InputKind::qd), context.joint_drift(), zero_vector(), false};
@@ -97,7 +82,7 @@ Function derive_christoffel(const Mechanism& mechanism, const Choices& choices) 
 }
 
 Function derive_coriolis_from_christoffel(const Mechanism& mechanism, const Choices& choices) {
-  if (mechanism.floating_base && !mechanism.has_spherical_joints()) return coriolis_from_momenta(mechanism, choices);
+  if (mechanism.has_quasi_velocities()) return coriolis_from_momenta(mechanism, choices);
   return derived(with_half_inertia(mechanism), choices, [](DerivationContext& context) {
     const auto n = static_cast<std::size_t>(context.size());
     const std::vector<Number> qd = context.all(InputKind::qd);
@@ -108,7 +93,6 @@ Function derive_coriolis_from_christoffel(const Mechanism& mechanism, const Choi
       C[i][j] += c * qd[k];
       if (j != k) C[i][k] += c * qd[j];
     }
-    if (context.mechanism.has_quasi_velocities()) subtract_rates(context, qd, C);
     return finished_coriolis(context, context.nodes(C));
   });
 }

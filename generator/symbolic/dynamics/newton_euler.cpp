@@ -181,10 +181,11 @@ LinkMotion motion_past_spherical_joint(Frames& frames, int first, const LinkMoti
   };
   const Vec3 w = {motion.qd[k], motion.qd[k + 1], motion.qd[k + 2]},
              dw = {motion.qdd[k], motion.qdd[k + 1], motion.qdd[k + 2]};
-  const Vec3 carried = in_link(parent.omega, "omega_r_" + n);
   LinkMotion link;
-  link.omega = d.named(carried + w, "omega_" + n);
-  link.domega = d.named(in_link(parent.domega, "domega_r_" + n) + dw + cross(carried, w), "domega_" + n);
+  link.omega_r = in_link(parent.omega, "omega_r_" + n);
+  link.domega_r = in_link(parent.domega, "domega_r_" + n);
+  link.omega = d.named(link.omega_r + w, "omega_" + n);
+  link.domega = d.named(link.domega_r + dw + cross(link.omega_r, w), "domega_" + n);
   link.ddp = in_link(d.named(parent.ddp + parent.U * frames.p(first), "ddp_o_" + n), "ddp_" + n);
   link.U = acceleration_field(d, link.omega, link.domega, n);
   return link;

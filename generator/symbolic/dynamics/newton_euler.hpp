@@ -25,6 +25,8 @@ struct LinkMotion {
   Vec3 domega = zero_vector();  // rad/s^2
   Vec3 ddp = zero_vector();     // acceleration of the frame's origin less g_0, m/s^2
   Mat3 U = zero_matrix();       // 1/s^2
+  // For a body that a spherical joint moves: Rᵀ ω and Rᵀ ω̇ of its parent, in its own frame.
+  Vec3 omega_r = zero_vector(), domega_r = zero_vector();
 };
 // The motions of all bodies, from the base outwards. Bodies that are the motion of a floating base all move with the
 // base's full twist; of those before the base link only ω is given. Of the bodies of a spherical joint, none of which

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "model/spherical_joint.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -153,7 +155,7 @@ namespace {
 // Lets every joint's mass balance an entry of the parent's first moment, where that is possible.
 Choices balanced(const Mechanism& mechanism, Choices choices, Balance first, Balance second) {
   for (std::size_t k = 0; k < choices.joints.size(); ++k) {
-    const Vec3& p = mechanism.bodies[k].p;
+    const Vec3& p = mechanism.bodies[static_cast<std::size_t>(first_body_of_joint(mechanism, static_cast<int>(k)))].p;
     choices.joints[k].grouping.balance = can_balance(p, first) ? first : can_balance(p, second) ? second : Balance::no;
   }
   return choices;

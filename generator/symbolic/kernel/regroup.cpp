@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "model/spherical_joint.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -98,20 +100,21 @@ Mechanism regrouped(const Mechanism& mechanism, const std::vector<JointGrouping>
   const std::vector<Number> carried = carried_masses(mechanism);
   for (int i = result.size() - 1; i >= result.base_bodies(); --i) {
     const JointGrouping& chosen = groupings[static_cast<std::size_t>(i)];
-    if (chosen.grouping == Grouping::none) continue;
     Body& body = result.bodies[static_cast<std::size_t>(i)];
+    if (chosen.grouping == Grouping::none || is_inside_joint(body)) continue;
+    const Body& joint = result.bodies[static_cast<std::size_t>(first_body_of_joint(result, i))];
     InertialParameters part = movable(body, chosen.grouping);
-    if (body.parent >= 0) {
-      const Body& parent = result.bodies[static_cast<std::size_t>(body.parent)];
+    if (joint.parent >= 0) {
+      const Body& parent = result.bodies[static_cast<std::size_t>(joint.parent)];
       const Number& with_all = carried[static_cast<std::size_t>(i)];
-      part.mass = balancing_mass(body, parent, part, chosen.balance, with_all).value_or(part.mass);
+      part.mass = balancing_mass(joint, parent, part, chosen.balance, with_all).value_or(part.mass);
     }
     body.inertia = body.inertia + negative(part);
     InertialParameters& parent =
-        body.parent < 0 ? result.base : result.bodies[static_cast<std::size_t>(body.parent)].inertia;
+        joint.parent < 0 ? result.base : result.bodies[static_cast<std::size_t>(joint.parent)].inertia;
     // The part does not change when the joint turns, so it is moved with the frame at q = 0. A prismatic joint's tensor
     // has no mass, so its place does not matter.
-    parent = parent + transformed(part, constant_rotation(body), body.p);
+    parent = parent + transformed(part, constant_rotation(joint), joint.p);
   }
   return result;
 }

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "diagnostics/diagnostics.hpp"
 #include "graph/mod_p.hpp"
 #include "model/field_mechanism.hpp"
+#include "model/spherical_joint.hpp"
 #include "symbolic/kernel/elimination.hpp"
 #include "symbolic/parameters/coupled_base.hpp"
 #include "symbolic/parameters/loop_shifts.hpp"
@@ -52,7 +52,7 @@ class Regrouping {
     return forms_[static_cast<std::size_t>(kParametersPerJoint * j) + parameter];
   }
 
-  // Subtracts the part from joint j, so that its lead vanishes, and adds its body to the parent.
+  // Subtracts the part from joint j, so that its lead vanishes, and adds its body to the joint's parent.
   void move(int j, const RedundantPart& part) {
     const auto lead = static_cast<std::size_t>(part.lead);
     const ParameterForm amount = form(j, lead);
@@ -60,11 +60,17 @@ class Regrouping {
     for (std::size_t k = 0; k < part.entries.size(); ++k) {
       if (!vanishes(part.entries[k])) add_multiple(form(j, k), -part.entries[k], amount);
     }
-    const Body& body = mechanism_.bodies[static_cast<std::size_t>(j)];
-    if (body.parent < 0) return;
-    const std::vector<Number> moved = entries_of(transformed(inertia_of(part), constant_rotation(body), body.p));
+    const int first = first_body_of_joint(mechanism_, j);
+    const int parent = mechanism_.bodies[static_cast<std::size_t>(first)].parent;
+    if (parent < 0) return;
+    InertialParameters at_parent = inertia_of(part);
+    for (int i = j; i >= first; --i) {
+      const Body& body = mechanism_.bodies[static_cast<std::size_t>(i)];
+      at_parent = transformed(at_parent, constant_rotation(body), body.p);
+    }
+    const std::vector<Number> moved = entries_of(at_parent);
     for (std::size_t k = 0; k < moved.size(); ++k) {
-      if (!vanishes(moved[k])) add_multiple(form(body.parent, k), moved[k], amount);
+      if (!vanishes(moved[k])) add_multiple(form(parent, k), moved[k], amount);
     }
   }
 
@@ -122,10 +128,6 @@ BaseParameters reduced(std::vector<ParameterForm> rows, const std::vector<int>& 
 }  // namespace
 
 BaseParameters base_parameters(const Mechanism& mechanism, ParameterSet set) {
-  if (mechanism.has_spherical_joints()) {
-    throw Failure(ExitCode::unsupported, "base parameters of robots with spherical joints are not supported yet",
-                  "leave out what needs them");
-  }
   std::vector<ParameterForm> rows = Regrouping(mechanism).forms();
   std::erase_if(rows, [](const ParameterForm& form) { return form.empty(); });
   ModPArithmetic<> arithmetic(1);

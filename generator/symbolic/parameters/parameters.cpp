@@ -2,6 +2,7 @@
 #include "symbolic/parameters/parameters.hpp"
 
 #include "diagnostics/diagnostics.hpp"
+#include "model/spherical_joint.hpp"
 
 namespace flatdyn {
 namespace {
@@ -37,8 +38,15 @@ std::vector<int> parameter_indices(const Mechanism& mechanism) {
   for (int k = 0; joints > 0 && k < kInertialPerBody; ++k) {
     indices.push_back(index_of(joints - 1, static_cast<Parameter>(k)));
   }
-  for (int k = kParametersPerJoint * joints; k < kParametersPerJoint * mechanism.body_count(); ++k) {
-    indices.push_back(k);
+  for (int i = joints; i < mechanism.body_count(); ++i) {
+    const bool is_spherical = mechanism.is_of_spherical(i);
+    if (is_spherical && is_inside_joint(mechanism.bodies[static_cast<std::size_t>(i)])) continue;
+    for (int k = 0; k < (is_spherical ? kInertialPerBody : kParametersPerJoint); ++k) {
+      indices.push_back(index_of(i, static_cast<Parameter>(k)));
+    }
+    for (int j = first_body_of_joint(mechanism, i); is_spherical && j <= i; ++j) {
+      indices.push_back(index_of(j, Parameter::Fv));
+    }
   }
   return indices;
 }

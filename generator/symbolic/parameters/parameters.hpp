@@ -29,7 +29,8 @@ constexpr Parameter parameter_of(int index) { return static_cast<Parameter>(inde
 // a floating base is 0.
 std::string parameter_name(int index, int base_bodies = 0);
 
-// The indices in π of the parameters that the mechanism has, in order: ten of a floating base's link, 13 per joint.
+// The indices in π of the parameters that the mechanism has, in order: ten of a floating base's link, 13 per joint. The
+// last three of a spherical joint are F_v of its three bodies: viscous friction about its x, y and z.
 std::vector<int> parameter_indices(const Mechanism& mechanism);
 
 // A body with one parameter equal to `value` and the others 0; `parameter` is one of the first ten.

@@ -6,6 +6,7 @@
 
 #include "graph/mod_p.hpp"
 #include "model/field_mechanism.hpp"
+#include "model/spherical_joint.hpp"
 #include "symbolic/kernel/elimination.hpp"
 #include "symbolic/parameters/base_parameters.hpp"
 
@@ -69,8 +70,12 @@ class Energies {
     BodyState<F> base;
     base.g = mapped(mechanism_.gravity);
     for (int j = 0; j < mechanism_.body_count(); ++j) {
-      const int parent = mechanism_.bodies[static_cast<std::size_t>(j)].parent;
+      const int parent = parent_of_joint(mechanism_, j);
       const BodyState<F> before = parent < 0 ? base : states[static_cast<std::size_t>(parent)];
+      if (mechanism_.is_of_spherical(j)) {
+        add_spherical(j, before, states, rows);
+        continue;
+      }
       const JointState<F> joint = drawn();
       states.push_back(moved(j, before, joint));
       Row row = energies(states.back());
@@ -91,13 +96,43 @@ class Energies {
     return {(F(1) - t * t) / n, (t + t) / n, source_.draw(), source_.draw()};
   }
 
+  // A body of a spherical joint: the first two have no parameters, and the last one's state follows from the parent's.
+  void add_spherical(int j, const BodyState<F>& parent, std::vector<BodyState<F>>& states, std::vector<Row>& rows) {
+    const auto last = static_cast<std::size_t>(j);
+    const auto first = static_cast<std::size_t>(first_body_of_joint(mechanism_, j));
+    Matrix3<F> before = rotation_[first];
+    for (std::size_t i = first + 1; i <= last; ++i) before = times(rotation_[i], before);
+    const Vector3<F> rates = {source_.draw(), source_.draw(), source_.draw()};
+    const BodyState<F> held = turned(parent, p_[first], before);
+    BodyState<F> body = turned(parent, p_[first], times(transposed(drawn_rotation()), before));
+    body.omega = plus(body.omega, rates);
+    Row row = energies(body);
+    const Row at_rest = energies(held);
+    for (std::size_t k = 0; k < row.size(); ++k) row[k] = row[k] - at_rest[k];
+    row.push_back(F(0));
+    states.push_back(body);
+    rows.push_back(is_inside_joint(mechanism_.bodies[last]) ? Row(row.size(), F(0)) : row);
+  }
+
+  Matrix3<F> drawn_rotation() {
+    const Vector3<F> t = {source_.draw(), source_.draw(), source_.draw()};
+    const F square = dot(t, t), per = F(1) / (F(1) + square), two = F(1) + F(1);
+    return rotation_of_quaternion<F>({(F(1) - square) * per, two * t[0] * per, two * t[1] * per, two * t[2] * per});
+  }
+
+  // The state of a body that does not move relative to its parent. `to_body`: the parent's axes → its own.
+  static BodyState<F> turned(const BodyState<F>& parent, const Vector3<F>& p, const Matrix3<F>& to_body) {
+    BodyState<F> body;
+    body.omega = times(to_body, parent.omega);
+    body.v = times(to_body, plus(parent.v, cross(parent.omega, p)));
+    body.g = times(to_body, parent.g);
+    body.height = parent.height + dot(parent.g, p);
+    return body;
+  }
+
   BodyState<F> moved(int j, const BodyState<F>& parent, const JointState<F>& joint) const {
     const auto k = static_cast<std::size_t>(j);
-    BodyState<F> body;
-    body.omega = times(rotation_[k], parent.omega);
-    body.v = times(rotation_[k], plus(parent.v, cross(parent.omega, p_[k])));
-    body.g = times(rotation_[k], parent.g);
-    body.height = parent.height + dot(parent.g, p_[k]);
+    BodyState<F> body = turned(parent, p_[k], rotation_[k]);
     if (mechanism_.bodies[k].prismatic) {
       body.height = body.height + joint.d * body.g[2];
       const Vector3<F> slide = {joint.d * body.omega[1], -(joint.d * body.omega[0]), joint.rate};
@@ -168,6 +203,7 @@ std::vector<std::vector<F>> rows_of(const std::vector<std::vector<std::vector<F>
 std::vector<Parameter> leads_in_general(const Body& body) {
   using enum Parameter;
   if (body.prismatic) return {Izz, Ixx, Ixy, Ixz, Iyz, Iyy};
+  if (body.spherical > 0) return {m};
   return {m, mlz, Iyy};
 }
 
@@ -237,8 +273,9 @@ std::vector<std::vector<RedundantPart>> redundant_parts(const Mechanism& mechani
     std::vector<Parameter> found = free_columns(echelon), general = leads_in_general(body);
     std::sort(found.begin(), found.end());
     std::sort(general.begin(), general.end());
-    if (found != general && !mechanism.is_of_base(j)) special.push_back(j);
-    parts.push_back(mechanism.is_of_base(j) ? std::vector<RedundantPart>{} : parts_in_general(body));
+    const bool has_none = mechanism.is_of_base(j) || is_inside_joint(body);
+    if (found != general && !has_none) special.push_back(j);
+    parts.push_back(has_none ? std::vector<RedundantPart>{} : parts_in_general(body));
   }
   if (special.empty()) return parts;
   Rationals rationals(mechanism);

@@ -9,7 +9,8 @@ namespace flatdyn::reference {
 
 // Derivatives by q (per rad or m) and by q̇ (per rad/s or m/s): row i for entry i, column k for joint k. With a floating
 // base, the first six columns by q are those of its displacement along its axes and of its turn about them, R ← R
-// exp(S(δ)), with the components of velocities, accelerations and forces in its axes held fixed.
+// exp(S(δ)), with the components of velocities, accelerations and forces in its axes held fixed; so are the three
+// columns of a spherical joint, which turn its child.
 template <class S>
 struct Derivatives {
   MatrixX<S> dq, dqd;
@@ -21,6 +22,27 @@ void turn_gravity(Robot<Tangent<S>>& robot, Eigen::Index j) {
   const Vector3<S> g(robot.gravity[0].value, robot.gravity[1].value, robot.gravity[2].value);
   const Vector3<S> along = g.cross(Vector3<S>::Unit(j));
   for (Eigen::Index i = 0; i < 3; ++i) robot.gravity[i].slope = along[i];
+}
+
+// Lets a spherical joint turn its child about axis a of the joint.
+template <class S>
+void turn_child(Joint<Tangent<S>>& joint, Eigen::Index a) {
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const auto entry = [&](Eigen::Index j) { return joint.orientation(i, j).value; };
+    const Vector3<S> along = Vector3<S>(entry(0), entry(1), entry(2)).cross(Vector3<S>::Unit(a));
+    for (Eigen::Index j = 0; j < 3; ++j) joint.orientation(i, j).slope = along[j];
+  }
+}
+
+// The robot as entry k of q̇ moves its positions, apart from those that are in q.
+template <class S>
+Robot<Tangent<S>> turned_along(Robot<Tangent<S>> robot, Eigen::Index k) {
+  if (robot.floating_base && 3 <= k && k < 6) turn_gravity(robot, k - 3);
+  for (Joint<Tangent<S>>& joint : robot.joints) {
+    const bool is_own = joint.type == JointType::spherical && joint.index <= k && k < joint.index + joint.size();
+    if (is_own) turn_child(joint, k - joint.index);
+  }
+  return robot;
 }
 
 // The derivatives of inverse_dynamics; sgn counts as constant.
@@ -43,15 +65,10 @@ Derivatives<S> inverse_dynamics_derivatives(const Robot<S>& robot, const VectorX
   VectorX<T> q_t = constant(q), qd_t = constant(qd);
   const VectorX<T> qdd_t = constant(qdd);
   Derivatives<S> result{MatrixX<S>::Zero(n, n), MatrixX<S>(n, n)};
-  for (Eigen::Index k = base / 2; k < base; ++k) {
-    Robot<T> turned = lifted;
-    turn_gravity(turned, k - base / 2);
-    result.dq.col(k) = slope(inverse_dynamics(turned, q_t, qd_t, qdd_t));
-  }
-  for (Eigen::Index k = 0; k < q.size(); ++k) {
-    q_t[k].slope = S(1);
-    result.dq.col(base + k) = slope(inverse_dynamics(lifted, q_t, qd_t, qdd_t));
-    q_t[k].slope = S(0);
+  for (Eigen::Index k = base / 2; k < n; ++k) {
+    if (k >= base) q_t[k - base].slope = S(1);
+    result.dq.col(k) = slope(inverse_dynamics(turned_along<S>(lifted, k), q_t, qd_t, qdd_t));
+    if (k >= base) q_t[k - base].slope = S(0);
   }
   for (Eigen::Index k = 0; k < n; ++k) {
     qd_t[k].slope = S(1);

@@ -81,7 +81,8 @@ Robot<Tangent<S>> with_tangents(const Robot<S>& robot) {
                              T(a.armature),
                              {a.rotor.carrier, T(a.rotor.gear_ratio), T(a.rotor.inertia), vector(a.rotor.axis)},
                              T(a.stiffness),
-                             T(a.spring_q_0)});
+                             T(a.spring_q_0),
+                             matrix(a.orientation)});
   }
   result.root = robot.root;
   result.gravity = vector(robot.gravity);

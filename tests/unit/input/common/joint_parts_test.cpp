@@ -75,6 +75,22 @@ std::string urdf_joint(const std::string& type, const std::string& axis) {
          R"("/></joint></robot>)";
 }
 
+// A body that moves freely relative to another one.
+TEST_F(JointParts, AreSlidesAndABallWhereAJointFloatsInTheTree) {
+  std::string urdf = urdf_joint("floating", "0 0 1");
+  const std::string base = "<link name=\"base\"/>";
+  urdf.replace(urdf.find(base), base.size(),
+               "<link name=\"base\"><inertial><mass value=\"1\"/>"
+               "<inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>");
+  const Robot robot = read("r.urdf", urdf);
+  EXPECT_THAT(joint_names_of(robot), ElementsAre("j.x", "j.y", "j.z", "j.turn"));
+  EXPECT_FALSE(robot.floating_base);
+  const std::string slide = "[[link]]\ntype = \"prismatic\"\n";
+  const Robot toml = read("r.toml", slide + "axis = [1, 0, 0]\nxyz = [0.5, 0, 0.25]\n" + slide + "axis = [0, 1, 0]\n" +
+                                        slide + "[[link]]\ntype = \"spherical\"\n" + kArm);
+  expect_same(robot, toml);
+}
+
 TEST_F(JointParts, AreTheSamePlanarJointInThreeFormats) {
   const Robot toml = read("r.toml", toml_joint("planar", "viscous = [1, 2, 3]\narmature = [0, 0, 0.5]\n"));
   EXPECT_THAT(joint_names_of(toml), ElementsAre("j.x", "j.y", "j.turn"));
