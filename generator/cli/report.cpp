@@ -17,7 +17,7 @@ namespace {
 
 // The largest number of joints for which Christoffel symbols and the regressor are computed; beyond it they take too
 // long and are too large to look at.
-constexpr int kMostJointsOfLargeMaps = 12;
+constexpr std::size_t kMostJointsOfLargeMaps = 12;
 
 struct ReportArguments : RobotArguments {
   std::string file;
@@ -36,7 +36,7 @@ bool has_large_map(const FunctionRow& row) {
 
 // The functions that are made by default, and the regressor: large ones for robots with few joints only.
 std::vector<std::string> wanted_functions(const Mechanism& mechanism) {
-  const bool is_small = mechanism.size() <= kMostJointsOfLargeMaps;
+  const bool is_small = mechanism.joints().size() <= kMostJointsOfLargeMaps;
   std::vector<std::string> names;
   for (const FunctionRow& row : function_table()) {
     const bool is_wanted = has_large_map(row) ? is_small : !row.traits.on_request;
@@ -45,9 +45,9 @@ std::vector<std::string> wanted_functions(const Mechanism& mechanism) {
   return names;
 }
 
-// The functions that the robot allows; each one left out is a warning in `findings`.
-std::vector<OptimisedFunction> functions_for(const LoadedRobot& model, PipelineOptions options, Progress& progress,
-                                             Diagnostics& findings) {
+// The functions that the robot allows, one by one; each one left out is a warning in `findings`.
+std::vector<OptimisedFunction> allowed_functions(const LoadedRobot& model, PipelineOptions options, Progress& progress,
+                                                 Diagnostics& findings) {
   std::vector<OptimisedFunction> functions;
   for (const std::string& name : wanted_functions(model.mechanism)) {
     options.functions = {name};
@@ -61,6 +61,21 @@ std::vector<OptimisedFunction> functions_for(const LoadedRobot& model, PipelineO
     }
   }
   return functions;
+}
+
+// All functions, made at once in several processes, or those that the robot allows.
+std::vector<OptimisedFunction> functions_for(const LoadedRobot& model, PipelineOptions options, Progress& progress,
+                                             Diagnostics& findings) {
+  options.functions = wanted_functions(model.mechanism);
+  Diagnostics found;
+  try {
+    std::vector<OptimisedFunction> functions = make_functions(model, options, progress, found);
+    for (const Diagnostic& each : found.all()) findings.add(each);
+    return functions;
+  } catch (const Failure& failure) {
+    if (failure.code() != ExitCode::unsupported) throw;
+    return allowed_functions(model, options, progress, findings);
+  }
 }
 
 std::string proof_text(const std::vector<Proof>& proofs) {
@@ -98,7 +113,6 @@ ExitCode report(const ReportArguments& arguments) {
   const LoadedRobot model = without_scene_restrictions([&] {
     LoadedRobot read = load_robot(arguments.robot, options);
     refuse_loops(read, "report");
-    refuse_floating_base(read, "report");
     refuse_spherical_joints(read, "report");
     arguments.note_function_keys(read);
     return read;
@@ -150,7 +164,8 @@ Run add_report(CLI::App& app) {
       "Write a page of HTML on which the robot moves, with its torques, its structure and what its functions cost. It "
       "needs no network.\n\n"
       "  flatdyn report robots/panda.urdf -o panda.html\n"
-      "  flatdyn report robots/scara.toml -o scara.html --gravity off");
+      "  flatdyn report robots/scara.toml -o scara.html --gravity off\n"
+      "  flatdyn report robots/quadruped12.urdf --base floating -o quadruped12.html");
   const auto arguments = std::make_shared<ReportArguments>();
   arguments->add_to(*command);
   command->add_option("-o,--output", arguments->file, "the page; its folder is made if it is not there")

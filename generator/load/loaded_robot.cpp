@@ -56,7 +56,8 @@ void refuse_floating_base(const LoadedRobot& model, const std::string& what) {
   found.unsupported(
       model.robot.links[static_cast<std::size_t>(model.robot.root)].place,
       what + ": robots with a floating base are not supported yet",
-      "inspect, convert, generate, verify, eval, bench and stress know them; --base fixed holds the base still");
+      "inspect, convert, generate, verify, certify, eval, simulate, report, bench and stress know them; --base fixed "
+      "holds the base still");
   throw BadInput(ExitCode::unsupported, std::move(found));
 }
 

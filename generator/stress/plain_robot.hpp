@@ -62,7 +62,7 @@ struct PlainRobot {
 // coupled joints, a third float, and a third have spherical joints. The same on every machine.
 PlainRobot plain_robot(unsigned seed);
 
-// The TOML robot file (docs/robot-format.md); `comment`: lines for its top.
+// The TOML robot file (docs/robot-format/toml.md); `comment`: lines for its top.
 std::string robot_file(const PlainRobot& robot, const std::vector<std::string>& comment = {});
 
 // Robots with one feature less: a link, a motor, friction, a direction, a digit. The largest simplifications come

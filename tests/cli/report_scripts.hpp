@@ -94,7 +94,7 @@ const tell = () => {
   document.body.append(told);
   parent.postMessage(told.textContent, '*');
 };
-if (window.later) setTimeout(() => { document.getElementById('play').click(); tell(); }, later); else tell();
+if (window.later) setTimeout(() => { document.getElementById(window.stopper ?? 'play').click(); tell(); }, later); else tell();
 </script>)js";
 
 }  // namespace flatdyn::testing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// TOML robot files (docs/robot-format.md): DH tables or placed links, or what is written over another robot file.
+// TOML robot files (docs/robot-format/toml.md): DH tables or placed links, or what is written over another robot file.
 #pragma once
 
 #include <string>

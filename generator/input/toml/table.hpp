@@ -19,7 +19,7 @@ class TomlSource {
  public:
   // documentation: of the file's keys, for hints.
   TomlSource(std::string text, std::string file, ReadContext& context,
-             std::string documentation = "docs/robot-format.md");
+             std::string documentation = "docs/robot-format/toml.md");
 
   // nullopt and a diagnostic if the text is no TOML.
   std::optional<toml::table> parse() const;

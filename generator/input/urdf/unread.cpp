@@ -180,7 +180,7 @@ void UnreadElements::check_one(const Element& element, const std::string& what, 
                              what + ": " + tag_of(element) +
                                  " is not known, and by its name it "
                                  "changes how the robot moves",
-                             "write it in the words of docs/robot-format.md, or delete it");
+                             "write it in the words of docs/robot-format/urdf.md, or delete it");
     return;
   }
   if (!refuse_contents(element, what)) note(element, what);

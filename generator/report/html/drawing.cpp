@@ -91,13 +91,15 @@ class DrawingMaker {
       frame.body = body;
       for (const Vec3& row : pose(context.frames, frame).R) add(axes, row[2]);
     };
-    for (int k = 0; k < mechanism_.size(); ++k) add_axis(mechanism_.body_of(k));
+    for (int k = mechanism_.base_bodies(); k < mechanism_.size(); ++k) add_axis(mechanism_.body_of(k));
     for (const int i : followers()) add_axis(i);
     for (const Number& entry : mechanism_.gravity) add(gravity, entry);
-    Function drawing =
-        finished(context, {vector_output("points", points, "where links are, base frame, m"),
-                           vector_output("axes", axes, "unit vectors along the joints' axes, base frame"),
-                           vector_output("g_0", gravity, "gravity, base frame, m/s^2")});
+    Function drawing = finished(
+        context,
+        {vector_output("points", points, "where links are, base frame, m"),
+         vector_output("axes", axes, "unit vectors along the joints' axes, base frame"),
+         vector_output("g_0", gravity,
+                       mechanism_.floating_base ? "gravity, world axes, m/s^2" : "gravity, base frame, m/s^2")});
     drawing.name = "drawing";
     drawing.summary = "The points and axes from which the robot is drawn";
     drawing.inputs = {InputKind::q};

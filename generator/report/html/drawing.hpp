@@ -18,7 +18,7 @@ struct Drawing {
   };
 
   // The function "drawing" of q, after the passes. Outputs, all in the base frame: `points` (3 per point, m), `axes` (3
-  // per joint, then 3 per follower; unit vectors, z of the body) and `gravity` (m/s^2).
+  // per joint, then 3 per follower; unit vectors, z of the body) and `g_0` (m/s^2; with a floating base in world axes).
   Function function;
   int points = 0;
   std::vector<std::pair<int, int>> lines;  // pairs of points

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <kainjow/mustache.hpp>
+#include <sstream>
 
 #include "diagnostics/version.hpp"
 #include "emit/languages/emit.hpp"
@@ -32,19 +33,33 @@ std::string plural(int count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-// "7 joints, of which 2 are prismatic".
+// "7 joints, 2 of them prismatic", "floating base, 12 joints, revolute".
 std::string joints_text(const Mechanism& mechanism) {
+  const auto count = static_cast<int>(mechanism.joints().size());
   const auto prismatic = static_cast<int>(std::count_if(mechanism.joints().begin(), mechanism.joints().end(),
                                                         [](const Body& body) { return body.prismatic; }));
-  const std::string joints = plural(mechanism.size(), "joint");
+  const std::string joints = (mechanism.floating_base ? "floating base, " : "") + plural(count, "joint");
+  if (count == 0) return joints;
   if (prismatic == 0) return joints + ", revolute";
-  if (prismatic == mechanism.size()) return joints + ", prismatic";
+  if (prismatic == count) return joints + ", prismatic";
   return fmt::format("{}, {} of them prismatic", joints, prismatic);
+}
+
+// The last of the bodies that are the motion of a floating base.
+const Body& base_link(const Mechanism& mechanism) {
+  return mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)];
 }
 
 std::string facts_text(const LoadedRobot& model) {
   const Mechanism& mechanism = model.mechanism;
-  std::string text = fmt::format("Gravity is {} m/s² in the base frame.", NumberText(mechanism)(mechanism.gravity));
+  const NumberText number(mechanism);
+  std::string text = fmt::format("Gravity is {} m/s² in {}.", number(mechanism.gravity),
+                                 mechanism.floating_base ? "world axes" : "the base frame");
+  if (mechanism.floating_base) {
+    const Body& base = base_link(mechanism);
+    text +=
+        fmt::format(" The base is link {}, {} kg with everything fixed to it.", base.link, number(base.inertia.mass));
+  }
   if (!mechanism.tip.link.empty()) text += fmt::format(" The tip belongs to link {}.", mechanism.tip.link);
   if (!mechanism.merged.empty()) {
     text += fmt::format(" Links without a joint of their own, part of those that carry them: {}.",
@@ -88,6 +103,8 @@ std::string script_data(const PageContent& content) {
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     if (bodies[k].parent + 1 != static_cast<int>(k)) json["tree"] = true;
   }
+  const Mechanism& mechanism = content.model.mechanism;
+  if (mechanism.floating_base) json["base"] = {{"gravity", mechanism.has_base_gravity()}};
   json["points"] = content.drawing.points;
   json["edges"] = content.drawing.lines;
   return with_replaced(json.dump(-1, ' ', true, ordered_json::error_handler_t::replace), "<", "\\u003c");
@@ -121,7 +138,7 @@ data maps(const std::vector<OptimisedFunction>& functions) {
   return list;
 }
 
-void write_regressor(data& page, const std::vector<OptimisedFunction>& functions) {
+void write_regressor(data& page, const std::vector<OptimisedFunction>& functions, int base_bodies) {
   const auto made = std::find_if(functions.begin(), functions.end(), [](const OptimisedFunction& each) {
     return is_regressor(each.function.outputs.front());
   });
@@ -129,7 +146,7 @@ void write_regressor(data& page, const std::vector<OptimisedFunction>& functions
   if (made == functions.end()) return;
   const Output& Y = made->function.outputs.front();
   const std::string text = fmt::format("{} of {} entries", nonzero_entries(made->function, Y), Y.entries.size());
-  page["regressor"] = regressor_map(made->function, Y, fmt::format("regressor: {} not always zero", text));
+  page["regressor"] = regressor_map(made->function, Y, base_bodies, fmt::format("regressor: {} not always zero", text));
   page["regressor_rows"] = std::to_string(Y.rows);
   page["regressor_cols"] = std::to_string(Y.cols);
   page["regressor_text"] = text;
@@ -137,15 +154,20 @@ void write_regressor(data& page, const std::vector<OptimisedFunction>& functions
 
 }  // namespace
 
-const std::vector<std::string>& functions_of_page() {
-  static const std::vector<std::string> names = {"inverse_dynamics", "inertia_matrix",     "gravity", "kinetic_energy",
-                                                 "potential_energy", "forward_kinematics", "jacobian"};
-  return names;
+const std::vector<std::string>& functions_of_page(const Mechanism& mechanism) {
+  static const std::vector<std::string> floating = {"inverse_dynamics", "inertia_matrix",   "gravity",
+                                                    "kinetic_energy",   "potential_energy", "forward_kinematics"};
+  static const std::vector<std::string> fixed = [] {
+    std::vector<std::string> names = floating;
+    names.emplace_back("jacobian");
+    return names;
+  }();
+  return mechanism.floating_base ? floating : fixed;
 }
 
 PageCode page_code(const PageContent& content) {
   PageCode code;
-  for (const std::string& name : functions_of_page()) {
+  for (const std::string& name : functions_of_page(content.model.mechanism)) {
     const auto made = std::find_if(content.functions.begin(), content.functions.end(),
                                    [&name](const OptimisedFunction& each) { return each.function.name == name; });
     if (made == content.functions.end()) {
@@ -160,15 +182,49 @@ PageCode page_code(const PageContent& content) {
   return code;
 }
 
+namespace {
+
+// The text with those of its lines that are for robots with this kind of base: sections "floating" whose tags have
+// lines of their own. (The library would leave an empty line in the place of a hidden one.)
+std::string for_base(const std::string& text, bool floating) {
+  std::istringstream lines(text);
+  std::string kept, line;
+  bool shown = true;
+  while (std::getline(lines, line)) {
+    if (line == "{{#floating}}") {
+      shown = floating;
+    } else if (line == "{{^floating}}") {
+      shown = !floating;
+    } else if (line == "{{/floating}}") {
+      shown = true;
+    } else if (shown) {
+      kept += line + "\n";
+    }
+  }
+  return kept;
+}
+
+// The style and the scripts of the page.
+void write_scripts(data& page, bool floating) {
+  page["style"] = std::string(templates::report_style_css) + (floating ? templates::report_base_style_css : "");
+  page["script"] = for_base(templates::report_state_js, floating) + (floating ? templates::report_base_js : "") +
+                   for_base(templates::report_view_js, floating) + (floating ? templates::report_base_panel_js : "") +
+                   for_base(templates::report_panel_js, floating);
+}
+
+}  // namespace
+
 std::string report_page(const PageContent& content, const PageCode& code) {
   const LoadedRobot& model = content.model;
   data page;
   page["version"] = std::string(kProgramVersion);
   page["robot"] = model.mechanism.name;
   page["summary"] = joints_text(model.mechanism);
+  page["floating"] = model.mechanism.floating_base;
+  if (model.mechanism.floating_base) page["base_link"] = base_link(model.mechanism).link;
   page["facts"] = facts_text(model);
   page["maps"] = maps(content.functions);
-  write_regressor(page, content.functions);
+  write_regressor(page, content.functions, model.mechanism.base_bodies());
   write_operations(page, content.functions);
   write_base(page, model.mechanism, content.parameters, content.frames);
   write_model(page, model, content.snap_effects);
@@ -179,11 +235,10 @@ std::string report_page(const PageContent& content, const PageCode& code) {
   page["options?"] = !content.options.empty();
   page["options"] = content.options;
   page["proof"] = content.proof;
-  page["style"] = std::string(templates::report_style_css);
   page["data"] = script_data(content);
   page["code"] = for_script_element(code.text);
-  page["script"] = std::string(templates::report_state_js) + templates::report_view_js + templates::report_panel_js;
-  return rendered_html(templates::report_html, page);
+  write_scripts(page, model.mechanism.floating_base);
+  return rendered_html(for_base(templates::report_html, model.mechanism.floating_base).c_str(), page);
 }
 
 }  // namespace flatdyn

@@ -17,8 +17,9 @@
 
 namespace flatdyn {
 
-// The functions that the page runs; for all others it shows operation counts only.
-const std::vector<std::string>& functions_of_page();
+// The functions that the page runs for the robot; for all others it shows operation counts only. With a floating base
+// there is no ellipsoid of manipulability, so no Jacobian; the robot moves by inverse dynamics and B.
+const std::vector<std::string>& functions_of_page(const Mechanism& mechanism);
 
 struct PageContent {
   const LoadedRobot& model;

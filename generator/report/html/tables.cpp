@@ -150,22 +150,25 @@ void write_worst_states(data& page, const std::optional<WorstStates>& states) {
 
 namespace {
 
-data joint_rows(const ordered_json& joints) {
+// The joints of the model; the first bodies, of a floating base's motion, are none.
+data joint_rows(const ordered_json& joints, int base_bodies) {
   data rows(data::type::list);
-  int number = 0;
+  int number = -base_bodies;
   for (const ordered_json& joint : joints) {
+    if (++number <= 0) continue;
     const int parent = joint.at("parent");
     data row;
-    row["number"] = std::to_string(++number);
+    row["number"] = std::to_string(number);
     row["name"] = joint.at("name").get<std::string>();
     row["link"] = joint.at("link").get<std::string>();
-    row["after"] = parent < 0 ? "base" : joints.at(static_cast<std::size_t>(parent)).at("name").get<std::string>();
+    row["after"] =
+        parent < base_bodies ? "base" : joints.at(static_cast<std::size_t>(parent)).at("name").get<std::string>();
     row["type"] = joint.at("type").get<std::string>();
     row["lower"] = cell(joint, "lower");
     row["upper"] = cell(joint, "upper");
     row["speed"] = cell(joint, "velocity");
     row["effort"] = cell(joint, "effort");
-    row["mass"] = cell(joint, "mass");
+    row["mass"] = cell(joint.at("canonical"), "mass");
     rows << row;
   }
   return rows;
@@ -183,7 +186,7 @@ std::vector<std::string> snap_lines(const std::vector<Snap>& snaps, const SnapEf
 
 void write_model(data& page, const LoadedRobot& model, const SnapEffects& snap_effects) {
   const ordered_json json = model_json(model, snap_effects);
-  page["joints"] = joint_rows(json.at("joints"));
+  page["joints"] = joint_rows(json.at("joints"), model.mechanism.base_bodies());
   page["scene?"] = json.contains("scene");
   if (json.contains("scene")) page["scene"] = list_of(json.at("scene").get<std::vector<std::string>>());
   page["snaps?"] = !model.robot.snaps.empty();

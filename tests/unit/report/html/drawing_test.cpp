@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "model/floating_base.hpp"
 #include "reference/graph_evaluator.hpp"
 #include "reference/reference_model.hpp"
 #include "support/robot_models.hpp"
@@ -40,6 +41,21 @@ TEST(Drawing, HasEveryLinkWhereItIs) {
   for (const char* file : {"panda.urdf", "scara.toml", "planar_2r.toml", "quadruped12.urdf", "finger.toml"}) {
     expect_as_the_reference(file);
   }
+}
+
+// A base that floats carries the same picture: everything is in the base's frame.
+TEST(Drawing, IsTheSameInTheFrameOfAFloatingBase) {
+  const LoadedRobot model = testing::model_of("quadruped12.urdf");
+  const Drawing fixed = drawing_of(model.robot, model.mechanism);
+  const Drawing floating = drawing_of(model.robot, with_floating_base(model.mechanism));
+  EXPECT_EQ(floating.joints, fixed.joints);
+  EXPECT_EQ(floating.lines, fixed.lines);
+  const State state = random_states(model.mechanism, 1, 3).front();
+  const auto expected = GraphEvaluator<double>(fixed.function)(state);
+  const auto values = GraphEvaluator<double>(floating.function)(state);
+  ASSERT_TRUE(values && expected);
+  ASSERT_EQ(values->size(), expected->size());
+  for (std::size_t k = 0; k < values->size(); ++k) EXPECT_NEAR((*values)[k], (*expected)[k], 1e-12) << k;
 }
 
 // The point on the axis of a revolute joint does not move when the joint turns.
