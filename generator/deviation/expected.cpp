@@ -37,7 +37,8 @@ Expected ExpectedValues::of(const Function& function) const {
   const auto magnitude = reference.magnitude({mechanism_, rounded_robot, symbols_}, function);
   const auto in_float =
       reference.in_float({mechanism_, robot_for_function(function, robot_, in_float_), symbols_}, function);
-  return {[exact](const State& s) { return exact(widened<Real50>(s)); }, rounded,
+  return {[exact](const State& s) { return exact(widened<Real50>(s)); },
+          rounded,
           [magnitude](const State& s) { return absolute(magnitude(s)); },
           [in_float](const State& s) { return doubles(in_float(widened<float>(s))); },
           [this, &function, rounded_robot](const State& s) {
