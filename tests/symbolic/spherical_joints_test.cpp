@@ -24,7 +24,7 @@ namespace flatdyn {
 namespace {
 
 LoadedRobot of_file(const std::string& file) {
-  return load_robot(std::filesystem::path(FLATDYN_SOURCE_DIR) / "robots" / file, {});
+  return load_robot(std::filesystem::path(FLATDYN_SOURCE_DIR) / "docs" / "examples" / file, {});
 }
 
 constexpr const char* kTrunk = R"([base]
