@@ -43,6 +43,7 @@ class ActuatorReader {
     }
     if (driven->type == JointType::fixed) return;
     if (driven->type == JointType::spherical) {
+      if (refuse_reflected(item)) return;
       model_.diagnostics().note(item.element->place, item.what + ": it acts on a ball joint: it is not read",
                                 "forces of actuators are read where they act on a joint with one axis",
                                 "actuators that act on ball joints");
@@ -82,6 +83,18 @@ class ActuatorReader {
     }
     if (!values_.context().options.ignored.empty()) return;
     model_.diagnostics().error(item.element->place, item.what + " drives nothing", "write joint=\"...\"");
+  }
+
+  // What an actuator adds to a ball joint's inertia and friction acts about the axis of its gear only.
+  bool refuse_reflected(const MjcfItem& item) {
+    for (const char* key : {"armature", "damping"}) {
+      const auto given = values_.numbers(item, key, 1, 3);
+      if (!given || std::all_of(given->numbers.begin(), given->numbers.end(), vanishes)) continue;
+      refuse_mjcf(given->spot.place, given->spot.what + " of an actuator on a ball joint is not supported", key,
+                  values_);
+      return true;
+    }
+    return false;
   }
 
   // Motors turn `gear` times as fast as their joint.

@@ -59,14 +59,31 @@ class UrdfReader {
   void read_floating_joints() {
     std::vector<int> of_base;
     std::vector<std::string> in_tree;
-    for (const int index : floating_) {
-      const Joint& joint = robot_.joints[static_cast<std::size_t>(index)];
-      if (floats_in_tree(robot_, joint)) in_tree.push_back(joint.name);
-      if (!floats_in_tree(robot_, joint)) of_base.push_back(index);
+    for (std::size_t k = 0; k < floating_.size(); ++k) {
+      const Joint& joint = robot_.joints[static_cast<std::size_t>(floating_[k])];
+      if (!floats_in_tree(robot_, joint)) {
+        of_base.push_back(floating_[k]);
+        continue;
+      }
+      in_tree.push_back(joint.name);
+      refuse_of_parts(*floating_elements_[k], joint);
     }
     // Held still by --base fixed, the base's joint is a fixed one.
     if (context_.options.floating_base.value_or(true)) take_floating_joints(of_base, diagnostics_, robot_);
     for (const std::string& joint : in_tree) split_floating_joint(joint, robot_);
+  }
+
+  // The file does not say which coordinate of a joint that floats in the tree its friction and limits are meant for.
+  void refuse_of_parts(const XMLElement& element, const Joint& joint) {
+    for (const char* tag : {"dynamics", "limit"}) {
+      const XMLElement* found = element.FirstChildElement(tag);
+      if (found == nullptr) continue;
+      diagnostics_.unsupported(
+          values_.place(*found),
+          "joint \"" + joint.name + "\": <" + tag + "> of a joint that floats in the tree is not read",
+          "delete it, and give what it says in a TOML file over the URDF, of " + joint.name + ".x, " + joint.name +
+              ".y, " + joint.name + ".z and " + joint.name + ".turn");
+    }
   }
 
   void read_link(const XMLElement& element) {
@@ -170,6 +187,7 @@ class UrdfReader {
     }
     if (type == "floating") {
       floating_.push_back(static_cast<int>(robot_.joints.size()));
+      floating_elements_.push_back(&element);
       return JointType::fixed;
     }
     if (type == "planar") {
@@ -262,7 +280,8 @@ class UrdfReader {
   Diagnostics& diagnostics_;
   Robot& robot_;
   std::map<std::string, int> link_of_name_;
-  std::vector<int> floating_;  // joints of that type
+  std::vector<int> floating_;  // joints of that type, and their elements
+  std::vector<const XMLElement*> floating_elements_;
   std::vector<std::string> planar_;
   std::vector<int> point_masses_;  // links whose <inertial> has a mass and no inertia
 };
