@@ -85,7 +85,7 @@ class ActuatorReader {
     model_.diagnostics().error(item.element->place, item.what + " drives nothing", "write joint=\"...\"");
   }
 
-  // What an actuator adds to a ball joint's inertia and friction acts about the axis of its gear only.
+  // An armature or damping of an actuator on a ball joint would act about the axis of its gear only.
   bool refuse_reflected(const MjcfItem& item) {
     for (const char* key : {"armature", "damping"}) {
       const auto given = values_.numbers(item, key, 1, 3);
