@@ -125,10 +125,9 @@ std::vector<BodyMotion> body_motions(Frames& frames, const JointMotion& motion) 
   for (int i = frames.mechanism().base_bodies(); i < frames.mechanism().body_count(); ++i) {
     const int parent = parent_of_joint(frames.mechanism(), i), part = frames.body(i).spherical;
     const BodyMotion& before = parent < 0 ? base : bodies[static_cast<std::size_t>(parent)];
-    const bool is_inside = part > 0 && part < kSphericalBodies;
-    bodies.push_back(is_inside  ? BodyMotion{}
-                     : part > 0 ? moved_by_spherical(frames, i, before, motion)
-                                : moved(frames, i, before, motion));
+    bodies.push_back(is_inside_joint(frames.body(i)) ? BodyMotion{}
+                     : part > 0                      ? moved_by_spherical(frames, i, before, motion)
+                                                     : moved(frames, i, before, motion));
   }
   return bodies;
 }
