@@ -154,8 +154,20 @@ void check_spherical(const Joint& joint, Diagnostics& diagnostics) {
   if (!is_exact_zero(joint.stiffness.number)) refuse(joint.stiffness.place, "the stiffness");
   if (joint.motor) refuse(joint.motor->place, "the motor");
   if (joint.coupled) refuse(joint.coupled->place, "the coupling");
-  for (const std::optional<Value>* limit : {&joint.limits.lower, &joint.limits.upper}) {
-    if (*limit) refuse((*limit)->place, "a limit of position");
+  const std::optional<Value>& limit = joint.limits.lower ? joint.limits.lower : joint.limits.upper;
+  if (limit) refuse(limit->place, "a limit of position");
+}
+
+// The entries of q and v of a spherical joint have names of their own, which no other joint may have.
+void check_names_of_entries(const Robot& robot, const Joint& spherical, Diagnostics& diagnostics) {
+  for (const char* ending : {".qw", ".qx", ".qy", ".qz", ".wx", ".wy", ".wz"}) {
+    for (const Joint& other : robot.joints) {
+      if (other.name != spherical.name + ending) continue;
+      diagnostics.error(
+          other.place,
+          fmt::format("{}: its name is that of an entry of the spherical {}", named(other), named(spherical)),
+          "give one of them another name");
+    }
   }
 }
 
@@ -164,6 +176,9 @@ void check_spherical_joints(const Robot& robot, Diagnostics& diagnostics) {
   const auto of_type = [](const Joint& joint) { return joint.type == JointType::spherical; };
   const auto spherical = std::find_if(robot.joints.begin(), robot.joints.end(), of_type);
   if (spherical == robot.joints.end()) return;
+  for (const Joint& joint : robot.joints) {
+    if (of_type(joint)) check_names_of_entries(robot, joint, diagnostics);
+  }
   for (const Joint& joint : robot.joints) {
     if (!joint.coupled || joint.type == JointType::fixed || of_type(joint)) continue;
     diagnostics.unsupported(joint.coupled->place,
@@ -246,7 +261,7 @@ void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
       has_inertia[static_cast<std::size_t>(joint.parent)] = true;
     } else if (joint.type != JointType::fixed && is_exact_zero(joint.armature.number) && !joint.motor) {
       diagnostics.warning(joint.place, named(joint) + " moves no mass: the inertia matrix is singular",
-                          "give the links after it their <inertial>, or make it a fixed joint",
+                          "give the links after it their mass and inertia, or make it a fixed joint",
                           "joints that move no mass: the inertia matrix is singular");
     }
   }

@@ -37,7 +37,7 @@ class Columns {
     const std::string stem = stem_of(quantity);
     static constexpr const char* kForceNames[] = {"fx", "fy", "fz", "mx", "my", "mz"};
     names.push_back(input.kind == InputKind::h_e ? kForceNames[k]
-                                                 : stem + "_" + joint_of(quantity, input.index, mechanism_).joint);
+                                                 : stem + "_" + entry_name_of(quantity, input.index, mechanism_));
     return names;
   }
 

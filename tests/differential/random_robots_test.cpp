@@ -24,14 +24,19 @@ bool is_chain(const Robot& robot) {
   return true;
 }
 
-// Peers define rotors and friction differently, and are given robots with a fixed base and joints of one axis.
+// Peers define rotors and friction differently.
 bool is_for_peers(const Robot& robot) {
-  if (robot.floating_base) return false;
   return std::none_of(robot.joints.begin(), robot.joints.end(), [](const Joint& joint) {
-    return joint.type == JointType::spherical || joint.motor || !vanishes(joint.viscous.number) ||
-           !vanishes(joint.coulomb.number);
+    return joint.motor || !vanishes(joint.viscous.number) || !vanishes(joint.coulomb.number);
   });
 }
+
+bool has_quasi_velocities(const Robot& robot) {
+  return robot.floating_base || std::any_of(robot.joints.begin(), robot.joints.end(),
+                                            [](const Joint& joint) { return joint.type == JointType::spherical; });
+}
+
+bool is_for_kdl(const Robot& robot) { return is_chain(robot) && !has_quasi_velocities(robot); }
 
 // A peer's values of a function of the table at the state. Peers do not know coupled joints: they are given the motion
 // of all joints, and A transforms the result to the coordinates.
@@ -67,7 +72,9 @@ struct Witness {
   double difference(const RandomRobotValues& all) {
     if (!is_for_peers(all.model.robot) || !knows(all.model.robot)) return 0;
     const reference::Robot<double> robot = reference_robot<double>(all.model.robot, {});
-    const std::unique_ptr<JointDynamicsPeer> other = peer(robot);
+    reference::Robot<double> at_state = robot;
+    if (robot.floating_base) at_state.gravity = vector_of(all.state.g_b);
+    const std::unique_ptr<JointDynamicsPeer> other = peer(at_state);
     double largest = 0;
     for (std::size_t k = 0; k < all.functions.size(); ++k) {
       const std::string& name = all.functions[k].name;
@@ -92,18 +99,24 @@ std::unique_ptr<JointDynamicsPeer> make_peer(const reference::Robot<double>& rob
 
 TEST(RandomRobots, AThousandAgreeWithTheReferenceWithKdlAndWithMujoco) {
   RandomRobotsOptions options;
-  Witness kdl{make_peer<testing::KdlChainPeer>, is_chain, false};
-  Witness mujoco{make_peer<testing::MujocoTree>, [](const Robot& robot) { return !is_chain(robot); }, true};
-  options.witness = [&](const RandomRobotValues& all) { return std::max(kdl.difference(all), mujoco.difference(all)); };
+  const auto moves_by_joints = [](const Robot& robot) { return !is_chain(robot) && !has_quasi_velocities(robot); };
+  Witness kdl{make_peer<testing::KdlChainPeer>, is_for_kdl, false};
+  Witness mujoco{make_peer<testing::MujocoTree>, moves_by_joints, true};
+  Witness floating{make_peer<testing::MujocoTree>, has_quasi_velocities, true};  // or with spherical joints
+  options.witness = [&](const RandomRobotValues& all) {
+    return std::max({kdl.difference(all), mujoco.difference(all), floating.difference(all)});
+  };
   Progress quiet(true);
   const RandomRobotsReport report = stress_random_robots(options, quiet);
   EXPECT_TRUE(report.passed()) << random_robots_text(report);
   EXPECT_EQ(report.robots, 1000);
   EXPECT_EQ(report.compiled, 100);
   EXPECT_GT(kdl.compared, 1000);
-  EXPECT_GT(mujoco.compared, 300);
+  EXPECT_GT(mujoco.compared, 150);
+  EXPECT_GT(floating.compared, 300);
   EXPECT_GT(kdl.worst, 0);
   EXPECT_GT(mujoco.worst, 0);
+  EXPECT_GT(floating.worst, 0);
   for (const double worst : report.worst) {
     EXPECT_GT(worst, 0);
     EXPECT_LE(worst, 16);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The reference's robot as one of MuJoCo. Its file has only the tree; the numbers are put into the model afterwards,
 // since MuJoCo's principal axes of inertia are accurate to only nine digits, and since it refuses links that are not
-// physically consistent.
+// physically consistent. A floating base is at the origin, with the world's axes: there MuJoCo's velocity of a free
+// body (of its origin in the world's axes, then angular in its own) is flatdyn's twist, and its linear acceleration has
+// omega x v beside the derivative of the twist's components.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -22,7 +24,9 @@ class MujocoTree : public JointDynamicsPeer {
  public:
   explicit MujocoTree(const reference::Robot<double>& robot) : robot_(robot), model_(loaded(), mj_deleteModel) {
     for (int axis = 0; axis < 3; ++axis) model_->opt.gravity[axis] = robot.gravity[axis];
+    if (robot_.floating_base) place_body(1, robot_.root, {});
     for (const Joint& joint : robot_.joints) place(joint);
+    count_entries();
     // These flags would make MuJoCo skip terms that are zero for the file's numbers.
     std::fill_n(model_->body_simple, model_->nbody, mjtByte(0));
     std::fill_n(model_->body_sameframe, model_->nbody, mjtByte(0));
@@ -35,16 +39,16 @@ class MujocoTree : public JointDynamicsPeer {
   }
 
   Vector inverse_dynamics(const Vector& q, const Vector& qd, const Vector& qdd) override {
-    set(data_->qpos, q);
+    set_positions(q);
     set(data_->qvel, qd);
-    set(data_->qacc, qdd);
+    set(data_->qacc, with_turning_base(qd, qdd, 1));
     mj_inverse(model_.get(), data_.get());
     return by_joint(data_->qfrc_inverse);
   }
 
   Matrix inertia_matrix(const Vector& q) override {
-    const int n = robot_.joint_count();
-    set(data_->qpos, q);
+    const int n = model_->nv;
+    set_positions(q);
     mj_kinematics(model_.get(), data_.get());
     mj_comPos(model_.get(), data_.get());
     mj_crb(model_.get(), data_.get());
@@ -52,23 +56,23 @@ class MujocoTree : public JointDynamicsPeer {
     mj_fullM(model_.get(), full.data(), data_->qM);
     Matrix B(n, n);
     for (int i = 0; i < n; ++i) {
-      for (int j = 0; j < n; ++j) B(i, j) = full[static_cast<std::size_t>(place_of(i) * n + place_of(j))];
+      for (int j = 0; j < n; ++j) B(i, j) = full[static_cast<std::size_t>(address(i) * n + address(j))];
     }
     return B;
   }
 
   Vector gravity(const Vector& q) override {
-    const Vector still = Vector::Zero(q.size());
+    const Vector still = Vector::Zero(model_->nv);
     return inverse_dynamics(q, still, still);
   }
 
   Vector forward_dynamics(const Vector& q, const Vector& qd, const Vector& tau) override {
-    set(data_->qpos, q);
+    set_positions(q);
     set(data_->qvel, qd);
     set(data_->qfrc_applied, tau);
     mj_forward(model_.get(), data_.get());
-    set(data_->qfrc_applied, Vector::Zero(q.size()));
-    return by_joint(data_->qacc);
+    set(data_->qfrc_applied, Vector::Zero(model_->nv));
+    return with_turning_base(qd, by_joint(data_->qacc), -1);
   }
 
  private:
@@ -81,27 +85,61 @@ class MujocoTree : public JointDynamicsPeer {
 
   static std::string name_of(int link) { return "link" + std::to_string(link); }
 
-  // The index of a joint in MuJoCo, which counts depth first.
-  int place_of(int joint) const { return model_->jnt_dofadr[mj_name2id(model_.get(), mjOBJ_JOINT, moving(joint))]; }
-  const char* moving(int joint) const { return names_.at(static_cast<std::size_t>(joint)).c_str(); }
+  // The addresses in MuJoCo's q and velocities, which count depth first, of the entries of q and q̇.
+  void count_entries() {
+    for (int k = 0; k < robot_.base_size(); ++k) velocity_of_.push_back(k);
+    for (const Joint& joint : robot_.joints) {
+      if (joint.index < 0) continue;
+      const int found = mj_name2id(model_.get(), mjOBJ_JOINT, name_of_joint(joint).c_str());
+      const bool is_ball = joint.type == reference::JointType::spherical;
+      for (int k = 0; k < joint.size(); ++k) velocity_of_.push_back(model_->jnt_dofadr[found] + k);
+      for (int k = 0; k < (is_ball ? 4 : 1); ++k) position_of_.push_back(model_->jnt_qposadr[found] + k);
+    }
+  }
+
+  static std::string name_of_joint(const Joint& joint) { return "joint" + std::to_string(joint.index); }
+
+  int address(int velocity) const { return velocity_of_.at(static_cast<std::size_t>(velocity)); }
+
+  // The base stays where the file puts it.
+  void set_positions(const Vector& q) const {
+    for (std::size_t k = 0; k < position_of_.size(); ++k) data_->qpos[position_of_[k]] = q[static_cast<int>(k)];
+  }
   void set(double* to, const Vector& v) const {
-    for (int i = 0; i < v.size(); ++i) to[place_of(i)] = v[i];
+    for (std::size_t k = 0; k < velocity_of_.size(); ++k) to[velocity_of_[k]] = v[static_cast<int>(k)];
   }
   Vector by_joint(const double* from) const {
-    Vector v(robot_.joint_count());
-    for (int i = 0; i < v.size(); ++i) v[i] = from[place_of(i)];
+    Vector v(model_->nv);
+    for (std::size_t k = 0; k < velocity_of_.size(); ++k) v[static_cast<int>(k)] = from[velocity_of_[k]];
     return v;
+  }
+
+  // Accelerations, with sign · omega x v added to the linear ones of a floating base.
+  Vector with_turning_base(const Vector& v, Vector a, double sign) const {
+    if (!robot_.floating_base) return a;
+    const reference::Vector3<double> linear = v.head<3>(), angular = v.segment<3>(3);
+    a.head<3>() += sign * angular.cross(linear);
+    return a;
   }
 
   std::string body(const Joint& joint) {
     std::string text = "<body name='" + name_of(joint.child) + "'><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>";
     if (joint.index >= 0) {
-      names_.resize(std::max(names_.size(), static_cast<std::size_t>(joint.index) + 1));
-      names_[static_cast<std::size_t>(joint.index)] = "joint" + std::to_string(joint.index);
-      const char* type = joint.type == reference::JointType::prismatic ? "slide" : "hinge";
-      text += "<joint name='" + std::string(moving(joint.index)) + "' type='" + type + "'/>";
+      text += "<joint name='" + name_of_joint(joint) + "' type='" + type_of(joint) + "'/>";
     }
     return text + carried_by(joint.child) + "</body>";
+  }
+
+  static const char* type_of(const Joint& joint) {
+    if (joint.type == reference::JointType::spherical) return "ball";
+    return joint.type == reference::JointType::prismatic ? "slide" : "hinge";
+  }
+
+  // The root with a free joint if the base floats, else what is on it.
+  std::string tree() {
+    if (!robot_.floating_base) return carried_by(robot_.root);
+    return "<body><freejoint/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>" + carried_by(robot_.root) +
+           "</body>";
   }
 
   std::string carried_by(int link) {
@@ -116,7 +154,7 @@ class MujocoTree : public JointDynamicsPeer {
     const TemporaryFolder folder;
     const std::string path = (folder.path() / "tree.xml").string();
     std::ofstream(path) << "<mujoco><option><flag constraint='disable' contact='disable'/></option><worldbody>"
-                        << carried_by(robot_.root) << "</worldbody></mujoco>";
+                        << tree() << "</worldbody></mujoco>";
     char error[1000] = "";
     mjModel* model = mj_loadXML(path.c_str(), nullptr, error, sizeof error);
     if (model == nullptr) throw std::runtime_error(error);
@@ -143,9 +181,13 @@ class MujocoTree : public JointDynamicsPeer {
     const Frame parent = frame_of(joint.parent);
     put(model_->body_pos + 3 * body, reference::Vector3<double>(parent.p + parent.R * joint.p_0));
     put(model_->body_quat + 4 * body, reference::Matrix3<double>(parent.R * joint.R_0));
-    if (joint.index >= 0) put(model_->jnt_axis + 3 * model_->body_jntadr[body], joint.axis);
-    const Frame link = {joint.R_1, joint.p_1};
-    const Inertial whole = together(robot_.links[static_cast<std::size_t>(joint.child)].inertials);
+    if (joint.size() == 1) put(model_->jnt_axis + 3 * model_->body_jntadr[body], joint.axis);
+    place_body(body, joint.child, {joint.R_1, joint.p_1});
+  }
+
+  // `link`: its frame in MuJoCo's body.
+  void place_body(int body, int number, const Frame& link) {
+    const Inertial whole = together(robot_.links[static_cast<std::size_t>(number)].inertials);
     const reference::Matrix3<double> central = link.R * whole.inertia * link.R.transpose();
     const Eigen::SelfAdjointEigenSolver<reference::Matrix3<double>> principal(central);
     reference::Matrix3<double> axes = principal.eigenvectors();
@@ -173,8 +215,8 @@ class MujocoTree : public JointDynamicsPeer {
   }
 
   const reference::Robot<double>& robot_;
-  std::vector<std::string> names_;  // names of joints in MuJoCo's model
   std::unique_ptr<mjModel, void (*)(mjModel*)> model_;
+  std::vector<int> position_of_, velocity_of_;  // addresses, by entries of q and q̇
   struct Delete {
     void operator()(mjData* data) const { mj_deleteData(data); }
   };

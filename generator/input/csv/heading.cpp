@@ -175,7 +175,7 @@ bool CsvHeading::is_counted_well(CsvQuantity quantity, const std::vector<std::si
       has_zero ? fmt::format("the robot has {}", length) : fmt::format("and {} is counted from 0", zero->name);
   const std::string stem = stem_of(quantity);
   const std::string first =
-      is_of_joints(quantity) && length > 0 ? joint_of(quantity, 0, mechanism_).joint : std::string("JOINT");
+      is_of_joints(quantity) && length > 0 ? entry_name_of(quantity, 0, mechanism_) : std::string("JOINT");
   diagnostics_.error(
       place_,
       fmt::format("columns {} are neither {} nor {}, {}", names_of(columns), set_of_columns(stem, 0, length),

@@ -188,7 +188,7 @@ bool read_message(CsvName& column, const Mechanism& mechanism) {
   const std::string joint_path = path.substr(0, path.size() - 1);
   std::size_t longest = 0;
   for (int k = 0; k < length_of(*quantity, mechanism); ++k) {
-    const std::string& joint = joint_of(*quantity, k, mechanism).joint;
+    const std::string joint = entry_name_of(*quantity, k, mechanism);
     if (joint.size() <= longest || !ends_with_part(joint_path, joint)) continue;
     longest = joint.size();
     column.entry = k;
@@ -232,6 +232,10 @@ int length_of(CsvQuantity quantity, const Mechanism& mechanism) {
 
 const Body& joint_of(CsvQuantity quantity, int entry, const Mechanism& mechanism) {
   return quantity == CsvQuantity::q ? mechanism.joint_at(entry) : mechanism.joint(entry);
+}
+
+std::string entry_name_of(CsvQuantity quantity, int entry, const Mechanism& mechanism) {
+  return quantity == CsvQuantity::q ? mechanism.position_name(entry) : mechanism.joint(entry).joint;
 }
 
 bool is_of_joints(CsvQuantity quantity) {
@@ -299,8 +303,7 @@ std::string column_name(const Input& input, const Mechanism& mechanism) {
 
 std::optional<int> entry_of_joint(CsvQuantity quantity, const std::string& joint, const Mechanism& mechanism) {
   for (int k = 0; k < length_of(quantity, mechanism); ++k) {
-    const bool is_position = quantity == CsvQuantity::q;
-    if ((is_position ? mechanism.position_name(k) : mechanism.joint(k).joint) == joint) return k;
+    if (entry_name_of(quantity, k, mechanism) == joint) return k;
   }
   return std::nullopt;
 }

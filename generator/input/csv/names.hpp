@@ -52,6 +52,8 @@ struct CsvName {
 int length_of(CsvQuantity quantity, const Mechanism& mechanism);
 // The joint that entry k of a joint's quantity belongs to.
 const Body& joint_of(CsvQuantity quantity, int entry, const Mechanism& mechanism);
+// The name of that entry behind "q_", "qd_", …: the joint's, or "JOINT.qw" or "JOINT.wx" of a spherical joint.
+std::string entry_name_of(CsvQuantity quantity, int entry, const Mechanism& mechanism);
 bool is_of_joints(CsvQuantity quantity);
 // "q" of the columns q1, …
 std::string stem_of(CsvQuantity quantity);

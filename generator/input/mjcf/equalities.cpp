@@ -53,6 +53,11 @@ class EqualityReader {
       return nullptr;
     }
     Joint* joint = joint_in(model_.robot, name->text);
+    if (joint != nullptr && joint->type == JointType::spherical) {
+      diagnostics_.error(name->place, item.what + ": \"" + name->text + "\" is a ball joint",
+                         "an equality holds or couples hinges and slides; --fix " + name->text + " holds a ball joint");
+      return nullptr;
+    }
     if (joint != nullptr && joint->type != JointType::fixed) return joint;
     report_missing_name(*name, item.what, "joint", joint_names(model_.robot), diagnostics_);
     return nullptr;

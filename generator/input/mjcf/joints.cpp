@@ -89,13 +89,30 @@ class JointReader {
       joint_.origin.displacements.push_back(translation(position));
       joint_.link_offset.displacements.push_back(translation(Number(-1) * position));
     }
-    if (mjcf_is_limited(item_, "range", "limited", values_, settings_)) {
-      context_.diagnostics.note(joint_.place, item_.what + ": its range, of the angle by which it turns, is not kept",
-                                "limits of position are those of joints with one axis",
-                                "ranges of ball joints, which are not kept");
-    }
-    joint_.limits.effort = mjcf_effort(item_, "actuatorfrcrange", "actuatorfrclimited", values_, settings_);
+    tell_of_range();
+    tell_of_effort();
     read_forces();
+  }
+
+  void tell_of_range() {
+    if (!mjcf_is_limited(item_, "range", "limited", values_, settings_)) return;
+    const auto range = values_.range(item_, "range");
+    if (range && (*range)[0] && !vanishes((*range)[0]->number)) {
+      context_.diagnostics.error((*range)[0]->place, item_.what + ", range: the first number of a ball joint is not 0",
+                                 "write range=\"0 ANGLE\": the joint turns by up to ANGLE, about any axis");
+    }
+    context_.diagnostics.note(joint_.place, item_.what + ": its range, of the angle by which it turns, is not kept",
+                              "limits of position are those of joints with one axis",
+                              "ranges of ball joints, which are not kept");
+  }
+
+  // MuJoCo clamps the forces of actuators on hinges and slides only.
+  void tell_of_effort() {
+    if (!mjcf_is_limited(item_, "actuatorfrcrange", "actuatorfrclimited", values_, settings_)) return;
+    context_.diagnostics.note(values_.find(item_, "actuatorfrcrange")->place,
+                              item_.what + ": its actuatorfrcrange is not read",
+                              "MuJoCo limits efforts of hinge and slide joints only",
+                              "limits of the efforts of ball joints, which are not read");
   }
 
   // The joint's frame is the body's, with the origin on the axis; `ref` is the position at which it does not move the
@@ -209,6 +226,13 @@ int add_link(const std::string& name, const Place& place, Robot& robot) {
   return static_cast<int>(robot.links.size()) - 1;
 }
 
+// MuJoCo refuses a body whose ball joint is followed by a joint that turns.
+bool turns_after_ball(const std::vector<Joint>& before, const Joint& joint) {
+  return joint.type != JointType::prismatic && joint.type != JointType::fixed &&
+         std::any_of(before.begin(), before.end(),
+                     [](const Joint& other) { return other.type == JointType::spherical; });
+}
+
 std::string joint_name(const MjcfJoint& joint, const std::string& body, const std::vector<Joint>& others,
                        const MjcfModel& model) {
   const std::string name = joint.element->text("name");
@@ -255,6 +279,10 @@ void add_mjcf_joints(const std::vector<MjcfJoint>& joints, const std::string& bo
     JointReader reader(each, joint_name(each, body, moving, model), model);
     const std::optional<Joint> joint = reader.read();
     if (!joint) continue;
+    if (turns_after_ball(moving, *joint)) {
+      model.diagnostics().error(joint->place, "joint \"" + joint->name + "\" turns a body that a ball joint turns",
+                                "write slides and hinges before the ball joint, or give the joint a body of its own");
+    }
     references[joint->name] = reader.reference();
     moving.push_back(*joint);
     is_free.push_back(reader.is_free());

@@ -136,6 +136,12 @@ class JointReader {
       diagnostics_.warning(joint.place, name_of(frame) + " is a ball joint: its <axis> has no effect",
                            "delete it; friction and limits in it are not read", "ball joints with an <axis>");
     }
+    for (const char* tag : {"drake:rotor_inertia", "drake:mimic"}) {
+      if (frame.element->FirstChildElement(tag) == nullptr) continue;
+      diagnostics_.unsupported(joint.place,
+                               name_of(frame) + " is a ball joint, which has no axis for its <" + tag + ">",
+                               std::string("delete <") + tag + ">");
+    }
     robot_.joints.push_back(joint);
   }
 

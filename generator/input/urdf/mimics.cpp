@@ -71,8 +71,8 @@ bool may_be_number_of_mimic(std::string_view name) {
 
 class MimicReader {
  public:
-  MimicReader(const UrdfValues& values, Robot& robot)
-      : values_(values), diagnostics_(values.context().diagnostics), robot_(robot) {}
+  MimicReader(const std::set<std::string>& floating, const UrdfValues& values, Robot& robot)
+      : floating_(floating), values_(values), diagnostics_(values.context().diagnostics), robot_(robot) {}
 
   void read(const XMLElement& root) {
     std::size_t j = 0;
@@ -106,9 +106,16 @@ class MimicReader {
     }
   }
 
+  bool is_refused_as_floating(const std::string& joint, const MimicWords& words) {
+    if (floating_.count(joint) == 0) return false;
+    diagnostics_.unsupported(words.place, words.what + ": joint \"" + joint + "\" floats: it has no single position",
+                             "name joints of one axis, or delete the mimic");
+    return true;
+  }
+
   // A joint that an option holds is one that is meant to stand still.
   void note_still(const Joint& joint, const MimicWords& words) {
-    if (joint.held) return;
+    if (joint.held || is_refused_as_floating(joint.name, words)) return;
     diagnostics_.note(words.place, words.what + ": joint \"" + joint.name + "\" is fixed: it stays still",
                       "give it the type by which it moves, or delete the mimic", "mimics of joints that are fixed");
   }
@@ -146,6 +153,7 @@ class MimicReader {
     if (joint.type != JointType::prismatic && words.offset.text) {
       offset = values_.angle_of(*offset, single_word(*words.offset.text), words.offset.spot);
     }
+    if (is_refused_as_floating(words.leader, words)) return;
     if (words.leader == joint.name) {
       diagnostics_.error(words.place, words.what + ": \"" + joint.name + "\" mimics itself",
                          "name the joint that it follows");
@@ -313,6 +321,7 @@ class MimicReader {
     follow_by_name(follower, {what, place, leader, {coefficients[1].c_str(), spot}, {coefficients[0].c_str(), spot}});
   }
 
+  const std::set<std::string>& floating_;
   const UrdfValues& values_;
   Diagnostics& diagnostics_;
   Robot& robot_;
@@ -331,8 +340,9 @@ void couple_joint(Joint& joint, const Coupled& coupled, const std::string& what,
   }
 }
 
-void read_urdf_mimics(const XMLElement& root, const UrdfValues& values, Robot& robot) {
-  MimicReader(values, robot).read(root);
+void read_urdf_mimics(const XMLElement& root, const std::set<std::string>& floating, const UrdfValues& values,
+                      Robot& robot) {
+  MimicReader(floating, values, robot).read(root);
 }
 
 }  // namespace flatdyn

@@ -42,7 +42,7 @@ class UrdfReader {
       read_joint(*e);
     }
     for (const int link : point_masses_) tell_of_point_mass(robot_.links[static_cast<std::size_t>(link)], moves(link));
-    read_urdf_mimics(root, values_, robot_);
+    read_urdf_mimics(root, floating_names(), values_, robot_);
     read_urdf_marks(root, values_, robot_);
     read_urdf_couplings(root, values_, robot_);
     read_urdf_loops(root, values_, robot_);
@@ -56,6 +56,12 @@ class UrdfReader {
   }
 
  private:
+  std::set<std::string> floating_names() const {
+    std::set<std::string> names;
+    for (const int joint : floating_) names.insert(robot_.joints[static_cast<std::size_t>(joint)].name);
+    return names;
+  }
+
   void read_floating_joints() {
     std::vector<int> of_base;
     std::vector<std::string> in_tree;

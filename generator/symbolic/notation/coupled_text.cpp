@@ -50,7 +50,9 @@ std::string joints_text(const Mechanism& mechanism) {
   const int count = mechanism.position_count() - (kSphericalBodies * static_cast<int>(mechanism.spherical.size()));
   std::string text = std::to_string(count) + (count == 1 ? " joint" : " joints");
   if (mechanism.has_loops()) text += ", " + std::to_string(mechanism.size()) + " of them independent";
-  if (mechanism.has_spherical_joints()) text += fmt::format(", {} of them spherical", mechanism.spherical.size());
+  const std::size_t spherical = mechanism.spherical.size();
+  const bool are_all = count == static_cast<int>(spherical);
+  if (spherical > 0) text += are_all ? ", spherical" : fmt::format(", {} of them spherical", spherical);
   if (mechanism.floating_base) text += ", floating base";
   return text;
 }

@@ -16,11 +16,15 @@ class CsvPositions : public RobotFiles {
  protected:
   // The questions about these states of a joint with limits, one without, and one that slides.
   std::vector<std::string> asked(const std::string& states) {
-    const Mechanism mechanism = testing::model_of_toml(
-                                    "[[link]]\nmass = 1\nlimits = { lower = -8, upper = 8 }\n"
-                                    "[[link]]\nmass = 1\nxyz = [0, 0, 1]\n"
-                                    "[[link]]\nmass = 1\ntype = \"prismatic\"\n")
-                                    .mechanism;
+    return asked_of(
+        "[[link]]\nmass = 1\nlimits = { lower = -8, upper = 8 }\n"
+        "[[link]]\nmass = 1\nxyz = [0, 0, 1]\n"
+        "[[link]]\nmass = 1\ntype = \"prismatic\"\n",
+        states);
+  }
+
+  std::vector<std::string> asked_of(const std::string& robot, const std::string& states) {
+    const Mechanism mechanism = testing::model_of_toml(robot).mechanism;
     Diagnostics found;
     const CsvTable table = read_csv(write("states.csv", states), found);
     CsvHeading heading = table.heading("states.csv", mechanism, found);
@@ -42,6 +46,17 @@ TEST_F(CsvPositions, AreAskedAboutOnceForEachJoint) {
 TEST_F(CsvPositions, AreNotAskedAboutWithinWhatIsExpectedOrWithAUnit) {
   EXPECT_THAT(asked("q1,q2,q3\n8,49.9,800\n-8,-44,0\n"), IsEmpty());
   EXPECT_THAT(asked("q1 [deg],q2 [rad],q3\n90,90,0\n"), IsEmpty());
+}
+
+TEST_F(CsvPositions, OfQuaternionsAreWarnedAboutByTheirNorm) {
+  const std::string robot =
+      "[[link]]\nmass = 1\n"
+      "[[link]]\nname = \"ball\"\njoint = \"ball\"\ntype = \"spherical\"\nmass = 1\ncom = [0.1, 0, 0]\n";
+  EXPECT_THAT(asked_of(robot, "q1,q2,q3,q4,q5\n0,1,0,0,0\n0,0.6,0,0.8,0\n0,0.6000001,0,0.8,0\n"), IsEmpty());
+  EXPECT_THAT(
+      asked_of(robot, "q1,q_ball.qw,q_ball.qx,q_ball.qy,q_ball.qz\n0,1,0,0,0\n0,0,0,90,0\n0,2,0,0,0\n"),
+      ElementsAre("states.csv:3: warning: the quaternion of the spherical joint \"ball\" has norm 90: functions "
+                  "hold for norm 1\n    hint: divide the four numbers by their norm"));
 }
 
 }  // namespace
