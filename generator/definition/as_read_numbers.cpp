@@ -238,11 +238,17 @@ class NumberComparison {
     const auto body = static_cast<std::size_t>(std::find(moving_.begin(), moving_.end(), index) - moving_.begin());
     if (has_coordinate(*found)) {
       for (std::size_t k = 0; k < mechanism_.coordinates.size(); ++k) {
-        if (mechanism_.coordinates[k] == static_cast<int>(body)) position.factors[k] = 1;
+        if (mechanism_.coordinates[k] == static_cast<int>(base_bodies() + body)) position.factors[k] = 1;
       }
       return position;
     }
-    return {found_.coupling[body], offset_of(body)};
+    for (std::size_t k = 0; k < position.factors.size(); ++k) position.factors[k] = coupling_of(body, k);
+    return {position.factors, offset_of(body)};
+  }
+
+  // Of a moving joint by a coordinate.
+  const Real& coupling_of(std::size_t moving, std::size_t coordinate) const {
+    return found_.coupling[base_bodies() + moving][base_bodies() + coordinate];
   }
 
   // The positions of coupled joints satisfy the equations as written, which determine them.
@@ -256,11 +262,11 @@ class NumberComparison {
     }
     std::vector<int> owners;
     for (std::size_t i = 0; i < moving_.size(); ++i) {
-      if (has_coordinate(written(i))) owners.push_back(static_cast<int>(i));
+      if (has_coordinate(written(i))) owners.push_back(static_cast<int>(base_bodies() + i));
     }
     require(owners == mechanism_.coordinates, "the joints that have coordinates");
-    require(found_.coupling.size() == moving_.size() && mechanism_.offsets.size() == moving_.size(),
-            "the number of couplings");
+    const std::size_t count = base_bodies() + moving_.size();
+    require(found_.coupling.size() == count && mechanism_.offsets.size() == count, "the number of couplings");
     for (std::size_t i = 0; i < moving_.size() && differences_.first().empty(); ++i) compare_coupling(i);
   }
 
@@ -278,13 +284,13 @@ class NumberComparison {
       }
     }
     for (std::size_t k = 0; k < expected.factors.size(); ++k) {
-      differences_.compare(subject, found_.coupling[body][k], expected.factors[k], 1 + abs(expected.factors[k]));
+      differences_.compare(subject, coupling_of(body, k), expected.factors[k], 1 + abs(expected.factors[k]));
     }
     differences_.compare(subject, offset_of(body), expected.offset, 1 + abs(expected.offset));
   }
 
   Real offset_of(std::size_t body) const {
-    return mechanism_.is_coupled() ? numbers_.number(mechanism_.offsets[body]) : Real(0);
+    return mechanism_.is_coupled() ? numbers_.number(mechanism_.offsets[base_bodies() + body]) : Real(0);
   }
 
   // The place of a joint's child link beside its parent link.

@@ -187,9 +187,9 @@ void read_into(const std::string& file, ReadContext& context, Robot& robot) {
 }
 
 void refuse_floating_loops(const Robot& robot, Diagnostics& diagnostics) {
-  if (!robot.floating_base || (robot.loops.empty() && !has_coupled_joints(robot))) return;
-  diagnostics.unsupported({robot.file, 0}, "a floating base with coupled joints or closed loops is not supported",
-                          "hold the coupled joints still with --fix, or leave out --base floating");
+  if (!robot.floating_base || robot.loops.empty()) return;
+  diagnostics.unsupported(robot.loops.front().place, "a floating base with closed loops is not supported",
+                          "leave the loops open, hold their joints still with --fix, or give --base fixed");
 }
 
 // "arm" of arm.toml and of arm.urdf.xacro; stdin and pipes have no name.

@@ -64,7 +64,7 @@ struct MechanismOver {
   FieldFrame<F> tip;
   Vector3<F> gravity;
   FieldInertia<F> base;
-  std::vector<std::vector<F>> coupling;  // by body and coordinate; empty: q_i is the position of body i's joint
+  std::vector<std::vector<F>> coupling;  // by body and entry of q̇; empty: q_i is the position of body i's joint
   // With closed loops, `coupling` holds at one position and has a column for each entry of q̇; `tree_coupling` has one
   // for each entry of q.
   std::vector<FieldLoop<F>> loops;
@@ -214,7 +214,7 @@ class MechanismMap {
     for (const Contact& contact : mechanism_.contacts) result.contacts.push_back(mapped(contact.frame));
     result.gravity = mapped(mechanism_.gravity);
     result.base = mapped(mechanism_.base);
-    for (const std::vector<Number>& row : mechanism_.coupling) {
+    for (const std::vector<Number>& row : mechanism_.rate_coupling()) {
       result.coupling.emplace_back();
       for (const Number& factor : row) result.coupling.back().push_back(number_(factor));
     }

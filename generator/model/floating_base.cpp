@@ -52,6 +52,12 @@ Mechanism with_floating_base(Mechanism mechanism, const std::optional<BaseLimits
   }
   shift(mechanism.tip.body);
   for (int& first : mechanism.spherical) shift(first);
+  for (int& body : mechanism.coordinates) shift(body);
+  if (mechanism.is_coupled()) {
+    const std::vector<Number> nothing(mechanism.coordinates.size(), 0);
+    mechanism.coupling.insert(mechanism.coupling.begin(), kBodies, nothing);
+    mechanism.offsets.insert(mechanism.offsets.begin(), kBodies, 0);
+  }
   for (Contact& contact : mechanism.contacts) shift(contact.frame.body);
   std::vector<Body> bodies;
   for (int k = 0; k < kBodies; ++k) {

@@ -58,26 +58,27 @@ void add_inertia(const InertialParameters& body, LinkBounds& link) {
 class EnergyBounds {
  public:
   // `unlimited`: how far a prismatic joint without limits slides.
-  EnergyBounds(const Mechanism& mechanism, double unlimited) : mechanism_(mechanism), unlimited_(unlimited) {
+  EnergyBounds(const Mechanism& mechanism, double unlimited)
+      : mechanism_(mechanism), rate_coupling_(mechanism.rate_coupling()), unlimited_(unlimited) {
     for (int k = 0; k < mechanism.body_count(); ++k) add_link(k);
     for (int k = 0; k < mechanism.body_count(); ++k) add_rotor(k);
     for (int k = 0; k < mechanism.body_count(); ++k) diagonal_.push_back(largest_diagonal(k));
   }
 
   // A bound of b_kk for an entry of q̇, which may move several joints: (Σ_k |n_k| sqrt(b_kk))².
-  double diagonal_of(int position) const {
-    if (!mechanism_.is_coupled()) return diagonal_[at(position)];
+  double diagonal_of(int rate) const {
+    if (!mechanism_.is_coupled()) return diagonal_[at(rate)];
     double root = 0;
-    for (std::size_t k = 0; k < links_.size(); ++k) root += factor(k, position) * std::sqrt(diagonal_[k]);
+    for (std::size_t k = 0; k < links_.size(); ++k) root += factor(k, rate) * std::sqrt(diagonal_[k]);
     return root * root * kRoundingMargin;
   }
 
-  // Whether a prismatic joint lies beyond a joint that an entry of q turns.
-  bool slides_beyond(int position) const {
+  // Whether a prismatic joint lies beyond a joint that an entry of q̇ turns.
+  bool slides_beyond(int rate) const {
     for (int j = 0; j < mechanism_.body_count(); ++j) {
       if (!mechanism_.bodies[at(j)].prismatic) continue;
       for (int k = parent(j); k != kNone; k = parent(k)) {
-        const bool is_moved = mechanism_.is_coupled() ? factor(at(k), position) > 0 : k == position;
+        const bool is_moved = mechanism_.is_coupled() ? factor(at(k), rate) > 0 : k == rate;
         if (is_moved && !mechanism_.bodies[at(k)].prismatic) return true;
       }
     }
@@ -92,7 +93,7 @@ class EnergyBounds {
       if (mechanism_.is_of_quaternion(position)) continue;
       const int k = mechanism_.body_at(position);
       if (!turns_as_its_coordinate(k, position)) return false;
-      const double diagonal = diagonal_of(mechanism_.is_coupled() ? position : k);
+      const double diagonal = diagonal_of(mechanism_.is_coupled() ? mechanism_.base_bodies() + position : k);
       if (diagonal == 0) return false;  // the joint moves nothing
       const double needed = share * diagonal - links_[at(k)].sure_drive;
       if (!(needed > 0)) continue;
@@ -171,9 +172,7 @@ class EnergyBounds {
     return (sum + links_[at(k)].drive) * kRoundingMargin;
   }
 
-  double factor(std::size_t k, int position) const {
-    return std::abs(nearest_double(mechanism_.coupling[k][at(position)]));
-  }
+  double factor(std::size_t k, int rate) const { return std::abs(nearest_double(rate_coupling_[k][at(rate)])); }
 
   Supply supply() const {
     Supply result{std::vector<double>(links_.size()), {}};
@@ -233,6 +232,7 @@ class EnergyBounds {
   }
 
   const Mechanism& mechanism_;
+  Rows rate_coupling_;
   double unlimited_;
   std::vector<LinkBounds> links_;
   std::vector<double> diagonal_;
@@ -261,11 +261,9 @@ std::vector<DiagonalBound> diagonal_bounds(const Mechanism& mechanism) {
   if (!mechanism.symbols.empty()) return {};
   const EnergyBounds bounds(mechanism, 0);
   std::vector<DiagonalBound> result;
-  // Without coupling, entries of q̇ are bodies.
-  const int count = mechanism.is_coupled() ? mechanism.position_count() : mechanism.body_count();
-  for (int position = 0; position < count; ++position) {
-    result.push_back({bounds.diagonal_of(position), !bounds.slides_beyond(position)});
-  }
+  // With loops, of all entries of q.
+  const int count = mechanism.has_loops() ? mechanism.position_count() : mechanism.size();
+  for (int k = 0; k < count; ++k) result.push_back({bounds.diagonal_of(k), !bounds.slides_beyond(k)});
   return result;
 }
 

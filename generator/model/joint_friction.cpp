@@ -34,7 +34,7 @@ Leader rate_of(const Mechanism& mechanism, Leader leader, std::size_t body) {
 
 Leader leader_of(const Mechanism& mechanism, std::size_t body) {
   if (!mechanism.is_coupled()) return {body, 1};
-  const std::vector<Number>& row = mechanism.coupling[body];
+  const std::vector<Number> row = mechanism.rate_coupling()[body];
   std::vector<Leader> leaders;
   for (std::size_t k = 0; k < row.size(); ++k) {
     if (!vanishes(row[k])) leaders.push_back({k, nearest_double(row[k])});

@@ -14,10 +14,11 @@ namespace flatdyn {
 inline NodeId joint_sum(const Mechanism& mechanism, InputKind kind, int i, Graph& graph) {
   if (!mechanism.is_coupled()) return graph.input({kind, kind == InputKind::q ? mechanism.position_of(i) : i});
   std::vector<Term> terms;
-  const int count = kind == InputKind::q ? mechanism.position_count() : mechanism.size();
-  for (int k = 0; k < count; ++k) {
-    const Number& factor = mechanism.coupling[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+  const auto row = static_cast<std::size_t>(i);
+  int k = 0;
+  for (const Number& factor : kind == InputKind::q ? mechanism.coupling[row] : mechanism.rate_coupling()[row]) {
     if (!vanishes(factor)) terms.push_back({to_rational(factor), graph.input({kind, k})});
+    ++k;
   }
   return graph.sum(terms);
 }

@@ -147,6 +147,17 @@ bool Mechanism::has_prismatic_joint() const {
   return std::any_of(bodies.begin() + base_bodies(), bodies.end(), [](const Body& body) { return body.prismatic; });
 }
 
+Rows Mechanism::rate_coupling() const {
+  const auto count = static_cast<std::size_t>(base_bodies());
+  Rows result;
+  for (std::size_t i = 0; i < coupling.size(); ++i) {
+    result.emplace_back(count, 0);
+    if (i < count) result.back()[i] = 1;
+    result.back().insert(result.back().end(), coupling[i].begin(), coupling[i].end());
+  }
+  return result;
+}
+
 Mat3 constant_rotation(const Body& body) {
   const Mat3 R = expanded(rotation_z(body.beta) * rotation_x(body.alpha) * rotation_z(body.theta));
   return body.spherical == 1 ? with_columns_cycled(R) : R;

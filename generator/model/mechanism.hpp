@@ -142,7 +142,8 @@ struct Mechanism {
   std::vector<std::string> merged;  // names of links that fixed joints have merged into another
 
   // With coupled joints: the position of body i's joint is Σ_k coupling[i][k] q_k plus a constant that is part of the
-  // frames. q_k belongs to the joint of body coordinates[k]. All are empty where q_i is the position of joint i.
+  // frames. q_k belongs to the joint of body coordinates[k]. All are empty where q_i is the position of joint i. Rows
+  // of a floating base are zero.
   std::vector<int> coordinates;
   Rows coupling;
   std::vector<Number> offsets;  // the constant part of each body's joint position, rad or m
@@ -191,11 +192,14 @@ struct Mechanism {
   int angle_count() const { return position_count() + static_cast<int>(angles.size()); }
   // The number of entries of q̇, q̈ and τ.
   int size() const {
-    if (is_coupled()) return has_loops() ? static_cast<int>(independent.size()) : position_count();
-    return body_count();
+    if (has_loops()) return static_cast<int>(independent.size());
+    return is_coupled() ? base_bodies() + position_count() : body_count();
   }
   int body_count() const { return static_cast<int>(bodies.size()); }
   bool is_coupled() const { return !coupling.empty(); }
+  // The rate of each body's joint by the entries of q̇, where loops do not decide it: `coupling`, after the columns of a
+  // floating base. Only of coupled joints.
+  Rows rate_coupling() const;
   bool has_loops() const { return !loops.empty(); }
   // The joints that the entries of q̇ belong to, in order, without the motion of a floating base.
   JointRange joints() const;

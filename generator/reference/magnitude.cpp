@@ -155,7 +155,7 @@ MatrixX<double> position_derivative_magnitude(const Robot<double>& robot, const 
     if (joint.index >= 0) result(joint.index, joint.index) += std::abs(joint.stiffness);
   }
   if (robot.coupling.size() == 0) return result;
-  const MatrixX<double> A = robot.coupling.cwiseAbs();
+  const MatrixX<double> A = rate_coupling(robot).cwiseAbs();
   return A.transpose() * result * A;
 }
 
@@ -167,7 +167,7 @@ MatrixX<double> rate_derivative_magnitude(const Robot<double>& robot, const Vect
   }
   MatrixX<double> friction = viscous.asDiagonal();
   if (robot.coupling.size() > 0) {
-    const MatrixX<double> A = robot.coupling.cwiseAbs();
+    const MatrixX<double> A = rate_coupling(robot).cwiseAbs();
     friction = MatrixX<double>(A.transpose() * friction * A);
   }
   return 2 * coriolis_magnitude(robot, q, qd) + friction;

@@ -37,13 +37,12 @@ MotionMagnitude magnitude_of_root(const Robot<double>& robot, const VectorX<doub
 }
 
 VectorX<double> of_joints(const Robot<double>& robot, const VectorX<double>& q) {
-  if (robot.floating_base) {
-    VectorX<double> positions = VectorX<double>::Zero(robot.base_size() + q.size());
-    positions.tail(q.size()) = q.cwiseAbs();
-    return positions;
-  }
-  if (robot.coupling.size() == 0) return q.cwiseAbs();
-  return robot.coupling.cwiseAbs() * q.cwiseAbs();
+  VectorX<double> joints = q.cwiseAbs();
+  if (robot.coupling.size() > 0) joints = robot.coupling.cwiseAbs() * joints;
+  if (!robot.floating_base) return joints;
+  VectorX<double> positions = VectorX<double>::Zero(robot.base_size() + joints.size());
+  positions.tail(joints.size()) = joints;
+  return positions;
 }
 
 namespace {
@@ -157,7 +156,7 @@ MatrixX<double> loop_motion_magnitude(const Robot<double>& robot, const VectorX<
 namespace detail {
 
 MatrixX<double> motion_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
-  if (robot.loops.empty()) return robot.coupling.cwiseAbs();
+  if (robot.loops.empty()) return rate_coupling(robot).cwiseAbs();
   return robot.coupling.cwiseAbs() * loop_motion_magnitude(robot, q);
 }
 

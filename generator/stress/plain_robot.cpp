@@ -111,9 +111,8 @@ void make_spherical(PlainLink& link) {
 // Lets some robots float, and some joints turn in all directions.
 void set_free(RandomSource& random, PlainRobot& robot) {
   const auto follows = [](const PlainLink& link) { return !link.follows.empty(); };
-  if (std::any_of(robot.links.begin(), robot.links.end(), follows)) return;
   if (random.one_in(3)) add_body(random, robot.base.emplace());
-  if (!random.one_in(3)) return;
+  if (std::any_of(robot.links.begin(), robot.links.end(), follows) || !random.one_in(3)) return;
   for (PlainLink& link : robot.links) {
     if (random.one_in(2)) make_spherical(link);
   }

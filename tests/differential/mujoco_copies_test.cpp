@@ -141,5 +141,16 @@ TEST_F(MujocoFiles, ClassesInClassesAreThoseOfMujoco) {
       <velocity joint="j" kv="2"/></actuator></mujoco>)");
 }
 
+TEST_F(MujocoFiles, JointsOfAFreeBodyFollowOthers) {
+  compare_text(R"(<mujoco><worldbody><body name="trunk"><freejoint/><geom type="box" size=".3 .2 .1" pos=".01 .02 0"/>
+      <body name="arm" pos=".3 0 .1" euler="10 20 30"><joint name="j" axis="0 1 0" damping=".3"/>
+        <geom type="capsule" size=".05 .2" pos=".1 0 0"/>
+        <body name="left" pos=".3 .05 0"><joint name="k" type="slide" axis="0 1 0" armature=".01"/><geom size=".04"/></body>
+        <body name="right" pos=".3 -.05 0"><joint name="l" type="slide" axis="0 -1 0"/><geom size=".04"/></body></body>
+      <body name="tail" pos="-.3 0 0"><joint name="t"/><geom type="capsule" size=".03 .1" pos="-.1 0 .02"/></body>
+    </body></worldbody><equality><joint joint1="l" joint2="k"/><joint joint1="t" joint2="j" polycoef=".1 -.5 0 0 0"/>
+    </equality></mujoco>)");
+}
+
 }  // namespace
 }  // namespace flatdyn::mujoco_peer

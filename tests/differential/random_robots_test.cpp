@@ -42,22 +42,25 @@ bool is_for_kdl(const Robot& robot) { return is_chain(robot) && !has_quasi_veloc
 // of all joints, and A transforms the result to the coordinates.
 std::vector<double> values_of(JointDynamicsPeer& peer, const reference::Robot<double>& robot,
                               const std::string& function, const State& state) {
+  const Vector q = vector_of(state.q);
   Vector room;
+  const Vector positions = reference::of_joints<double>(robot, q, room);
   const auto given = [&](const std::vector<double>& v) {
-    return Vector(reference::of_joints<double>(robot, vector_of(v), room));
+    return Vector(reference::rates_of_joints<double>(robot, q, vector_of(v), room));
   };
   if (function == "inertia_matrix") {
-    const JointDynamicsPeer::Matrix B = peer.inertia_matrix(given(state.q));
+    const JointDynamicsPeer::Matrix B = peer.inertia_matrix(positions);
     if (robot.coupling.size() == 0) return row_by_row(B);
-    return row_by_row(JointDynamicsPeer::Matrix(robot.coupling.transpose() * B * robot.coupling));
+    const JointDynamicsPeer::Matrix A = reference::rate_coupling(robot);
+    return row_by_row(JointDynamicsPeer::Matrix(A.transpose() * B * A));
   }
   if (function == "forward_dynamics") {
-    const Vector qdd = peer.forward_dynamics(given(state.q), given(state.qd), given(state.tau));
+    const Vector qdd = peer.forward_dynamics(positions, given(state.qd), given(state.tau));
     return {qdd.begin(), qdd.end()};
   }
-  const Vector tau = function == "gravity" ? peer.gravity(given(state.q))
-                                           : peer.inverse_dynamics(given(state.q), given(state.qd), given(state.qdd));
-  return row_by_row(reference::at_coordinates<double>(robot, vector_of<double>(state.q), tau));
+  const Vector tau = function == "gravity" ? peer.gravity(positions)
+                                           : peer.inverse_dynamics(positions, given(state.qd), given(state.qdd));
+  return row_by_row(reference::at_coordinates<double>(robot, q, tau));
 }
 
 // Another library as a witness. MuJoCo rounds relative to everything that moves the whole tree, about its centre of
@@ -119,7 +122,7 @@ TEST(RandomRobots, AThousandAgreeWithTheReferenceWithKdlAndWithMujoco) {
   EXPECT_GT(floating.worst, 0);
   for (const double worst : report.worst) {
     EXPECT_GT(worst, 0);
-    EXPECT_LE(worst, 16);
+    EXPECT_LE(worst, 32);
   }
 }
 

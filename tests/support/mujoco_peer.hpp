@@ -89,6 +89,12 @@ inline Coordinates coordinates_of(const Robot& robot, const ref::Robot<double>& 
   return found;
 }
 
+// The rates of a floating base and of the joints of its tree, by those of the base and the coordinates.
+inline Matrix rates_of(const ref::Robot<double>& numbers) {
+  return numbers.coupling.size() > 0 ? ref::rate_coupling(numbers)
+                                     : Matrix(Matrix::Identity(numbers.size(), numbers.size()));
+}
+
 // Positions as MuJoCo has them: a spherical joint's three numbers, which are a turn here, become a unit quaternion.
 inline Vector with_quaternions(const ref::Robot<double>& numbers, const Vector& q) {
   Vector result(0);
@@ -142,9 +148,13 @@ struct FreeState {
   }
 
   // Position, quaternion (w, x, y, z), joints; velocity and acceleration of the origin in world axes.
-  nlohmann::json in_mujoco(const ref::Robot<double>& numbers) const { return in_mujoco(with_quaternions(numbers, q)); }
-  nlohmann::json in_mujoco(const Vector& positions) const {
-    Vector pose(7 + positions.size()), rates = v, accelerations = a;
+  nlohmann::json in_mujoco(const Coordinates& c, const ref::Robot<double>& numbers) const {
+    const Matrix A = rates_of(numbers);
+    return in_mujoco(with_quaternions(numbers, c.factors * q + c.offsets), A * v, A * a);
+  }
+  nlohmann::json in_mujoco(const Vector& positions) const { return in_mujoco(positions, v, a); }
+  nlohmann::json in_mujoco(const Vector& positions, Vector rates, Vector accelerations) const {
+    Vector pose(7 + positions.size());
     pose << position, orientation.w(), orientation.x(), orientation.y(), orientation.z(), positions;
     rates.head<3>() = R * v.head<3>();
     accelerations.head<3>() = R * (a.head<3>() + coriolis());
@@ -265,13 +275,13 @@ class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
   // MuJoCo's velocity of a free joint is that of the origin in world axes and the angular velocity in the body's axes.
   void compare_floating(const Robot& robot, const std::string& xml) {
     ref::Robot<double> numbers = reference_robot<double>(robot, {});
-    const Eigen::Index n = numbers.size();
-    const std::vector<FreeState> states = random_free_states(n);
+    const Coordinates c = coordinates_of(robot, numbers);
+    const std::vector<FreeState> states = random_free_states(numbers.size());
     nlohmann::json all = nlohmann::json::array();
-    for (const FreeState& s : states) all.push_back(s.in_mujoco(numbers));
+    for (const FreeState& s : states) all.push_back(s.in_mujoco(c, numbers));
     const nlohmann::json peer = mujoco(xml, all);
     if (peer.empty()) GTEST_SKIP() << "MuJoCo is not installed: npm install @mujoco/mujoco";
-    ASSERT_EQ(peer["n"].get<Eigen::Index>(), n);
+    ASSERT_EQ(peer["n"].get<int>(), numbers.base_size() + numbers.joint_count());
     const ref::Vector3<double> gravity = numbers.gravity;
     const Vector coulomb = vector_of(peer["coulomb"].get<std::vector<double>>());
     for (std::size_t k = 0; k < states.size(); ++k) {
@@ -286,15 +296,16 @@ class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
     const Vector q = turned_by(numbers, s.q);
     Matrix T = Matrix::Identity(n, n);
     T.topLeftCorner<3, 3>() = s.R;
+    const Matrix A = rates_of(numbers);
     const auto entries = at["B"].get<std::vector<double>>();
-    const Vector friction = coulomb.cwiseProduct(s.v.cwiseSign());
+    const Matrix B = Eigen::Map<const Matrix>(entries.data(), A.rows(), A.rows());
+    const Vector friction = coulomb.cwiseProduct((A * s.v).cwiseSign());
     const auto wanted = [&](const char* name) {
-      return Vector(vector_of(at[name].get<std::vector<double>>()) + friction);
+      return Vector(A.transpose() * (vector_of(at[name].get<std::vector<double>>()) + friction));
     };
     Vector still = Vector::Zero(n);  // MuJoCo's accelerations are zero
     still.head<3>() = -s.coriolis();
-    expect_close(T * ref::inertia_matrix(numbers, q) * T.transpose(), Eigen::Map<const Matrix>(entries.data(), n, n),
-                 "B");
+    expect_close(T * ref::inertia_matrix(numbers, q) * T.transpose(), A.transpose() * B * A, "B");
     expect_close(T * ref::inverse_dynamics(numbers, q, s.v, still), wanted("bias"), "bias");
     expect_close(T * ref::inverse_dynamics(numbers, q, s.v, s.a), wanted("tau"), "tau");
   }

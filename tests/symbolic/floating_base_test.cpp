@@ -98,6 +98,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, FloatingBase,
                          ::testing::Values(Subject{"drone", [] { return testing::model_of_toml(testing::kDrone); }},
                                            Subject{"satellite",
                                                    [] { return testing::model_of_toml(testing::kSatellite); }},
+                                           Subject{"lander", [] { return testing::model_of_toml(testing::kLander); }},
                                            Subject{"puma", [] { return floating("puma560.toml"); }},
                                            Subject{"quadruped", [] { return floating("quadruped12.urdf"); }}),
                          [](const auto& each) { return std::string(each.param.name); });

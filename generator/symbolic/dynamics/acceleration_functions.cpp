@@ -130,7 +130,7 @@ Function derive_inverse_dynamics_floating(const Mechanism& mechanism, const Choi
     const BaseAcceleration base = robot.solve(vector_at(needed, 0), vector_at(needed, kSlides));
     return finished(context,
                     {vector_output("a_base", context.nodes(rates_of_twist(context, base)), "derivatives of v[0..5]"),
-                     torque_output("tau", context.nodes(torques_with(context, base, needed)))},
+                     torque_output("tau", context.nodes(context.at_coordinates(torques_with(context, base, needed))))},
                     robot.conditions());
   });
 }

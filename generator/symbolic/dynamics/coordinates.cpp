@@ -10,7 +10,7 @@ std::string names_of(int i, int k) { return "_" + label(i) + "_" + label(k); }
 
 // The matrix A, or A G with closed loops: row i is the rate of body i's joint per rate of each coordinate.
 Rows factors_of(const Mechanism& mechanism, Derivation& derivation) {
-  if (!mechanism.has_loops()) return mechanism.coupling;
+  if (!mechanism.has_loops()) return mechanism.rate_coupling();
   const Rows G = ClosedLoops(mechanism, derivation).motion();
   Rows result;
   for (int i = 0; i < mechanism.body_count(); ++i) {

@@ -32,6 +32,7 @@ std::vector<Number> squares_of_motion(const Mechanism& mechanism, bool is_transl
       motion = body.prismatic ? 0 : 1;
     }
   }
+  const Rows rates = mechanism.rate_coupling();
   std::vector<Number> result;
   for (int k = 0; k < mechanism.size(); ++k) {
     if (!mechanism.is_coupled()) {
@@ -40,7 +41,7 @@ std::vector<Number> squares_of_motion(const Mechanism& mechanism, bool is_transl
     }
     Number sum = 0;
     for (std::size_t i = 0; i < of_body.size(); ++i) {
-      const Number& factor = mechanism.coupling[i][static_cast<std::size_t>(mechanism.position_of(k))];
+      const Number& factor = rates[i][static_cast<std::size_t>(mechanism.position_of(k) + mechanism.base_bodies())];
       sum += factor * factor * of_body[i];
     }
     result.push_back(sum);

@@ -363,13 +363,13 @@ S loop_regularity(const Robot<S>& robot, const VectorX<S>& q) {
 // The rates of the moving joints by those of the coordinates: A, or A G if loops are closed.
 template <class S>
 MatrixX<S> motion_of_joints(const Robot<S>& robot, const VectorX<S>& q) {
-  return robot.loops.empty() ? robot.coupling : MatrixX<S>(robot.coupling.lazyProduct(loop_motion(robot, q)));
+  return robot.loops.empty() ? rate_coupling(robot) : MatrixX<S>(robot.coupling.lazyProduct(loop_motion(robot, q)));
 }
 
 // The rates of the moving joints; stored in `room` if they differ from the coordinates' rates.
 template <class S>
 const VectorX<S>& rates_of_joints(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd, VectorX<S>& room) {
-  if (robot.loops.empty()) return of_joints(robot, qd, room);
+  if (robot.coupling.size() == 0) return qd;
   room = motion_of_joints(robot, q).lazyProduct(qd);
   return room;
 }
@@ -377,7 +377,7 @@ const VectorX<S>& rates_of_joints(const Robot<S>& robot, const VectorX<S>& q, co
 template <class S>
 const VectorX<S>& accelerations_of_joints(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd,
                                           const VectorX<S>& qdd, VectorX<S>& room) {
-  if (robot.loops.empty()) return of_joints(robot, qdd, room);
+  if (robot.loops.empty()) return rates_of_joints(robot, q, qdd, room);
   room = motion_of_joints(robot, q).lazyProduct(qdd) + robot.coupling.lazyProduct(loop_drift(robot, q, qd));
   return room;
 }
@@ -386,7 +386,6 @@ const VectorX<S>& accelerations_of_joints(const Robot<S>& robot, const VectorX<S
 template <class S>
 VectorX<S> at_coordinates(const Robot<S>& robot, const VectorX<S>& q, VectorX<S> tau) {
   if (robot.coupling.size() == 0) return tau;
-  if (robot.loops.empty()) return robot.coupling.transpose().lazyProduct(tau);
   return motion_of_joints(robot, q).transpose().lazyProduct(tau);
 }
 

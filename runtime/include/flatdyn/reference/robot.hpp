@@ -129,7 +129,8 @@ bool has_spherical_joints(const Robot<S>& robot) {
   return false;
 }
 
-// Rates, or any other linear function of q, of the moving joints; stored in `room` if joints are coupled.
+// Values of the moving joints by those of the coordinates, without a floating base's; stored in `room` if joints are
+// coupled.
 template <class S>
 const VectorX<S>& of_joints(const Robot<S>& robot, const VectorX<S>& q, VectorX<S>& room) {
   if (robot.coupling.size() == 0) return q;
@@ -137,12 +138,26 @@ const VectorX<S>& of_joints(const Robot<S>& robot, const VectorX<S>& q, VectorX<
   return room;
 }
 
+// The rates of the moving joints, after a floating base's, by the entries of q̇, without loops: `coupling`, beside the
+// identity of a base. Only of coupled joints.
+template <class S>
+MatrixX<S> rate_coupling(const Robot<S>& robot) {
+  if (!robot.floating_base) return robot.coupling;
+  const Eigen::Index base = robot.base_size();
+  MatrixX<S> A = MatrixX<S>::Zero(base + robot.coupling.rows(), base + robot.coupling.cols());
+  A.topLeftCorner(base, base).setIdentity();
+  A.bottomRightCorner(robot.coupling.rows(), robot.coupling.cols()) = robot.coupling;
+  return A;
+}
+
 // The positions of the moving joints by their indices; stored in `room` if joints are coupled or the base floats.
 template <class S>
 const VectorX<S>& positions_of_joints(const Robot<S>& robot, const VectorX<S>& q, VectorX<S>& room) {
   if (!robot.floating_base) return of_joints(robot, q, room);
-  room = VectorX<S>::Zero(robot.base_size() + q.size());
-  room.tail(q.size()) = q;
+  VectorX<S> coupled;
+  const VectorX<S>& joints = of_joints(robot, q, coupled);
+  room = VectorX<S>::Zero(robot.base_size() + joints.size());
+  room.tail(joints.size()) = joints;
   return room;
 }
 
