@@ -55,9 +55,9 @@ class FieldArithmetic {
   }
 
   // The same point with unit quaternions in the four entries of q from each of `quaternions` on.
-  FieldArithmetic with_quaternions(std::vector<int> quaternions) const {
+  FieldArithmetic with_quaternions(const std::vector<int>& quaternions) const {
     FieldArithmetic result = *this;
-    result.quaternions_ = std::move(quaternions);
+    result.quaternions_ = quaternions;
     return result;
   }
 
