@@ -246,7 +246,7 @@ class NumberComparison {
     return {position.factors, offset_of(body)};
   }
 
-  // Of a moving joint by a coordinate.
+  // The factor of a coordinate in the position of a moving joint.
   const Real& coupling_of(std::size_t moving, std::size_t coordinate) const {
     return found_.coupling[base_bodies() + moving][base_bodies() + coordinate];
   }

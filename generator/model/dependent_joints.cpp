@@ -113,9 +113,10 @@ class DependentJoints {
     for (const Reference& joint : loop.written->dependent) names.push_back("\"" + joint.name + "\"");
     diagnostics_.note(
         loop.written->place,
-        fmt::format("{}: none of its joints is marked independent=\"false\": {} {} from the others",
-                    name_of(*loop.written), fmt::join(names, " and "), names.size() == 1 ? "follows" : "follow"),
-        "mark the joints that are not driven, if these are others", "loops whose dependent joints have been chosen");
+        fmt::format("{}: no mark says which of its joints follow: {} {} from the others", name_of(*loop.written),
+                    fmt::join(names, " and "), names.size() == 1 ? "follows" : "follow"),
+        "in a URDF, mark the joints that are not driven independent=\"false\", if these are others",
+        "loops whose dependent joints have been chosen");
   }
 
   Robot& robot_;

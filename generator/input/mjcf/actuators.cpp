@@ -51,6 +51,11 @@ class ActuatorReader {
     }
     const auto gears = values_.numbers(item, "gear", 1, 6);
     const Number gear = gears ? gears->numbers[0] : Number(1);
+    if (vanishes(gear)) {
+      model_.diagnostics().note(item.element->place, item.what + ": its gear is 0: it does nothing", "write its gear",
+                                "actuators with a gear of 0");
+      return;
+    }
     add_reflected(item, gear, *driven);
     efforts_[joint->text].push_back(effort_of(item, gear));
   }

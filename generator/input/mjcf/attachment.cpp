@@ -75,7 +75,7 @@ class Attachment {
 
   void apply() {
     MjcfElement frame{"frame", {}, {}, attach_.place};
-    if (prefix_.empty()) {
+    if (attach_.attribute("prefix") == nullptr) {
       diagnostics_.error(attach_.place, "<attach> has no prefix", "write prefix=\"...\" before the model's names");
     } else if (fill(frame)) {
       names_ = mjcf_names_in(frame);

@@ -79,7 +79,7 @@ class TreeReader {
     }
   }
 
-  // The path is relative to the main file, also in a file that is included itself.
+  // The path is relative to the main file; where there is none, to the file that includes it.
   void include(const XMLElement& element, const std::string& file, MjcfElement& parent) {
     const Place place{file, element.GetLineNum()};
     const char* name = element.Attribute("file");
@@ -87,7 +87,11 @@ class TreeReader {
       context_.diagnostics.error(place, "<include> names no file", "write <include file=\"...\"/>");
       return;
     }
-    const std::string path = (folder_ / name).string();
+    std::error_code error;
+    const std::filesystem::path beside = std::filesystem::path(file).parent_path() / name;
+    const bool is_beside =
+        !std::filesystem::is_regular_file(folder_ / name, error) && std::filesystem::is_regular_file(beside, error);
+    const std::string path = (is_beside ? beside : folder_ / name).string();
     if (!can_be_included(path, place)) return;
     const std::optional<std::string> text = file_text(path, context_.diagnostics);
     if (!text) return;
@@ -101,8 +105,9 @@ class TreeReader {
   bool can_be_included(const std::string& path, const Place& place) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) {
-      context_.diagnostics.error(place, "<include>: there is no file \"" + path + "\"",
-                                 "the path is relative to the folder of the main file");
+      context_.diagnostics.error(
+          place, "<include>: there is no file \"" + path + "\"",
+          "the path is relative to the folder of the main file, or to that of the file that includes it");
       return false;
     }
     const bool was_read = std::any_of(files_.begin(), files_.end(), [&](const std::string& read) {

@@ -196,6 +196,12 @@ class EqualityReader {
       refuse(item, "of a body on a moving one is not supported");
       return;
     }
+    if (!body.free_joints.empty()) {
+      if (!values_.context().options.floating_base.value_or(true)) return;
+      diagnostics_.unsupported(item.element->place, item.what + " of a free body to the world is not supported",
+                               "hold the body by --base fixed, or by --fix with the name of its joint");
+      return;
+    }
     for (const int j : body.joints) {
       const Joint& joint = model_.robot.joints[static_cast<std::size_t>(j)];
       hold(joint, model_.reference.at(joint.name), item.element->place);

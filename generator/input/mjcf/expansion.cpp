@@ -137,7 +137,7 @@ class Expander {
     if (difference.empty()) return true;
     context_.diagnostics.unsupported(
         place, what + ": its <compiler> has another " + difference + " than this file's, which is not supported",
-        "write the same <compiler> in both files");
+        "write both files for the same <compiler>: their numbers change with it");
     return false;
   }
 

@@ -10,9 +10,17 @@ void take_mjcf_free_joints(MjcfModel& model) {
   for (const MjcfBody& body : model.bodies) {
     joints.insert(joints.end(), body.free_joints.begin(), body.free_joints.end());
   }
+  if (model.values.context().options.floating_base.value_or(true)) {
+    take_floating_joints(joints, model.values.context(), model.robot);
+    return;
+  }
   // Held still by --base fixed, they are fixed joints.
-  if (model.values.context().options.floating_base.value_or(true))
-    take_floating_joints(joints, model.diagnostics(), model.robot);
+  for (std::size_t k = 0; joints.size() > 1 && k < joints.size(); ++k) {
+    const Joint& joint = model.robot.joints[static_cast<std::size_t>(joints[k])];
+    model.diagnostics().note(joint.place,
+                             "joint \"" + joint.name + "\" moves freely, and is held still by --base fixed",
+                             "all free joints are", "free joints that --base fixed holds");
+  }
 }
 
 }  // namespace flatdyn

@@ -91,6 +91,9 @@ class GeomReader {
   Value mass_of(const Number& volume) const {
     if (const std::optional<Value> mass = values_.number(item_, "mass")) return *mass;
     Value mass = values_.number_or(item_, "density", kWater);
+    if (mass.number.info(GiNaC::info_flags::negative)) {
+      values_.diagnostics().error(mass.place, item_.what + ": its density is negative", "density is in kg/m^3");
+    }
     mass.number *= volume;
     return mass;
   }

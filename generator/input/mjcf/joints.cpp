@@ -2,6 +2,7 @@
 #include "input/mjcf/joints.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "input/common/exact_root.hpp"
 #include "input/common/units.hpp"
@@ -25,8 +26,10 @@ Number smaller_magnitude(const Number& a, const Number& b) {
 
 class JointReader {
  public:
-  JointReader(const MjcfJoint& joint, const std::string& name, const MjcfModel& model)
-      : values_(model.values),
+  // `is_childless`: whether the joint's body has no bodies on it.
+  JointReader(const MjcfJoint& joint, const std::string& name, bool is_childless, const MjcfModel& model)
+      : is_childless_(is_childless),
+        values_(model.values),
         settings_(model.settings),
         context_(model.values.context()),
         read_(joint),
@@ -43,7 +46,10 @@ class JointReader {
     if (type == "free" || type == "ball") {
       position_count_ = type == "free" ? 7 : 4;
       is_free_ = type == "free" && !is_held(joint_.name, context_);
-      if (is_free_ && context_.options.floating_base.value_or(true)) refuse_forces_of_base();
+      if (is_free_ && context_.options.floating_base.value_or(true)) {
+        refuse_forces_of_base();
+        refuse_alignment(is_childless_);
+      }
       if (is_free_ || is_held(joint_.name, context_)) return joint_;
       if (type == "free") {
         refuse_joint_type(item_.element->place, item_.what, type, joint_.name, values_);
@@ -75,8 +81,19 @@ class JointReader {
     for (const char* name : {"stiffness", "damping", "frictionloss", "armature"}) {
       const MjcfAttribute* found = values_.find(item_, name);
       if (found == nullptr || is_zero_text(found->text)) continue;
-      refuse_mjcf(found->place, values_.spot(item_, *found).what + ": not supported for a free joint", name, values_);
+      values_.diagnostics().unsupported(found->place,
+                                        values_.spot(item_, *found).what + ": not supported for a free joint",
+                                        "write <freejoint/>, which has no such forces and takes no defaults");
     }
+  }
+
+  // MuJoCo moves the frame of such a body to its centre of mass, along its principal axes, if it carries no other.
+  void refuse_alignment(bool is_childless) const {
+    const std::string word = values_.keyword(item_, "align", {"true", "false", "auto"}, "auto");
+    if (!is_childless || word == "false" || (word == "auto" && !settings_.aligns_free_bodies)) return;
+    values_.diagnostics().unsupported(joint_.place,
+                                      item_.what + ": a frame that is aligned with the inertia is not supported",
+                                      "write align=\"false\": the frame of the body is that of the file then");
   }
 
   // A ball joint turns about its point, with the body's axes; velocities are along these.
@@ -202,6 +219,7 @@ class JointReader {
     return {in_radians(found->numbers[0], settings_.angles, found->spot, context_.diagnostics), found->spot.place};
   }
 
+  bool is_childless_;
   const MjcfValues& values_;
   const MjcfSettings& settings_;
   ReadContext& context_;
@@ -226,6 +244,11 @@ int add_link(const std::string& name, const Place& place, Robot& robot) {
   return static_cast<int>(robot.links.size()) - 1;
 }
 
+bool has_body(const MjcfElement& element) {
+  return std::any_of(element.children.begin(), element.children.end(),
+                     [](const MjcfElement& child) { return child.name == "body" || has_body(child); });
+}
+
 // MuJoCo refuses a body whose ball joint is followed by a joint that turns.
 bool turns_after_ball(const std::vector<Joint>& before, const Joint& joint) {
   return joint.type != JointType::prismatic && joint.type != JointType::fixed &&
@@ -245,16 +268,34 @@ bool mjcf_is_limited(const MjcfItem& item, const char* range, const char* limite
                      const MjcfSettings& settings) {
   const std::string word = values.keyword(item, limited, {"true", "false", "auto"}, "auto");
   const MjcfAttribute* found = values.find(item, range);
-  if (word == "false" || found == nullptr) return false;
-  const std::vector<std::string> words = words_of(found->text);
-  const bool says_nothing = words.size() == 2 && words[0] == words[1];
-  if (word == "true") return true;
-  if (!settings.automatic_limits && !says_nothing) {
-    values.diagnostics().error(found->place,
-                               item.what + ": " + range + " is given, but not " + limited + ", and autolimits is false",
-                               std::string("write ") + limited + "=\"true\" or \"false\"");
+  if (word == "false" || (found == nullptr && word == "auto")) return false;
+  Diagnostics& diagnostics = values.diagnostics();
+  if (found == nullptr) {
+    diagnostics.error(item.element->place, item.what + ": " + limited + " is true, but " + range + " is not given",
+                      std::string("write ") + range + "=\"LOWER UPPER\"");
+    return false;
   }
-  return !says_nothing;
+  const std::vector<std::string> words = words_of(found->text);
+  if (words.size() != 2) return true;  // an error where they are read
+  const double lower = std::strtod(words[0].c_str(), nullptr), upper = std::strtod(words[1].c_str(), nullptr);
+  if (word == "true" && lower >= upper) {
+    diagnostics.error(found->place, item.what + ", " + range + ": the first number is not below the second",
+                      "write the lower limit first");
+    return false;
+  }
+  if (word == "true") return true;
+  if (!settings.automatic_limits && lower != upper) {
+    diagnostics.error(found->place,
+                      item.what + ": " + range + " is given, but not " + limited + ", and autolimits is false",
+                      std::string("write ") + limited + "=\"true\" or \"false\"");
+  }
+  if (lower > upper) {
+    diagnostics.warning(
+        found->place,
+        item.what + ", " + range + ": the first number is above the second: as in MuJoCo, there is no limit",
+        "write the lower limit first", "ranges without effect, as their numbers are exchanged");
+  }
+  return lower < upper;
 }
 
 std::optional<Value> mjcf_effort(const MjcfItem& item, const char* range, const char* limited, const MjcfValues& values,
@@ -263,8 +304,16 @@ std::optional<Value> mjcf_effort(const MjcfItem& item, const char* range, const 
   const auto limits = values.range(item, range);
   if (!limits || !(*limits)[0] || !(*limits)[1]) return std::nullopt;
   const Number lower = (*limits)[0]->number, upper = (*limits)[1]->number;
-  const Value effort{smaller_magnitude(lower, upper), (*limits)[0]->place};
+  const bool acts_one_way = vanishes(lower) != vanishes(upper);
+  const Value effort{acts_one_way ? Number(magnitude(lower + upper)) : smaller_magnitude(lower, upper),
+                     (*limits)[0]->place};
   if (vanishes(lower + upper)) return effort;
+  if (acts_one_way) {
+    values.diagnostics().note(effort.place,
+                              item.what + ", " + range + ": it acts one way only; its limit counts both ways",
+                              "effort limits are the same both ways here", "effort limits of one direction only");
+    return effort;
+  }
   values.diagnostics().note(effort.place, item.what + ", " + range + ": the smaller of its two limits counts both ways",
                             "effort limits are the same both ways here", "effort limits that differ by direction");
   return effort;
@@ -276,7 +325,7 @@ void add_mjcf_joints(const std::vector<MjcfJoint>& joints, const std::string& bo
   std::vector<Joint> moving;
   std::vector<bool> is_free;
   for (const MjcfJoint& each : joints) {
-    JointReader reader(each, joint_name(each, body, moving, model), model);
+    JointReader reader(each, joint_name(each, body, moving, model), !has_body(*added.element), model);
     const std::optional<Joint> joint = reader.read();
     if (!joint) continue;
     if (turns_after_ball(moving, *joint)) {

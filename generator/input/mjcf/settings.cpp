@@ -2,6 +2,7 @@
 #include "input/mjcf/settings.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "input/mjcf/names.hpp"
 #include "input/urdf/entries.hpp"
@@ -67,6 +68,7 @@ void read_compiler(const MjcfElement& root, const MjcfValues& values, MjcfSettin
   settings.least_mass = positive(values.number(compiler, "boundmass"));
   settings.least_inertia = positive(values.number(compiler, "boundinertia"));
   settings.total_mass = positive(values.number(compiler, "settotalmass"));
+  settings.aligns_free_bodies = values.flag(compiler, "alignfree", false);
   settings.strips_path = values.flag(compiler, "strippath", false);
   settings.mesh_folder = values.text(compiler, "meshdir", values.text(compiler, "assetdir"));
   read_eulerseq(compiler, values, settings);
@@ -84,13 +86,20 @@ void refuse_medium(const MjcfItem& option, const MjcfValues& values) {
 
 // Flags that turn off forces or constraints that would be read.
 void refuse_flags(const MjcfElement& flag, const MjcfValues& values) {
-  for (const char* name : {"constraint", "equality", "frictionloss", "spring", "damper", "passive"}) {
+  static const std::map<std::string, std::string> kTurnedOff = {
+      {"constraint", " --ignore equality --ignore frictionloss"},
+      {"equality", ""},
+      {"frictionloss", ""},
+      {"spring", " --ignore stiffness"},
+      {"damper", " --ignore damping"},
+      {"passive", " --ignore stiffness --ignore damping"}};
+  for (const auto& [name, others] : kTurnedOff) {
     const MjcfAttribute* found = flag.attribute(name);
     if (found == nullptr || found->text == "enable") continue;
-    refuse_mjcf(found->place,
-                std::string("option, flag: ") + name + "=\"" + found->text +
-                    "\", which turns off what would be read, " + "is not supported",
-                name, values);
+    values.diagnostics().unsupported(
+        found->place,
+        "option, flag: " + name + "=\"" + found->text + "\", which turns off what would be read, is not supported",
+        "--ignore " + name + others + " leaves out the flag and what it turns off");
   }
 }
 

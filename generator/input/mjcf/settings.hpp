@@ -12,6 +12,7 @@ struct MjcfSettings {
   Units angles{.degrees = true};
   std::string euler_sequence = "xyz";  // small letters: about axes that turn along; capital ones: about the parent's
   bool automatic_limits = true;        // a range says that it limits
+  bool aligns_free_bodies = false;     // the frames of free bodies that carry no others are those of their inertia
   InertiaFromGeom inertia_from_geom = InertiaFromGeom::where_missing;
   std::array<double, 2> inertia_groups = {0, 5};  // groups of geoms that count for inertia
   std::optional<Value> least_mass, least_inertia;

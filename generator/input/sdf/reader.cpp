@@ -87,8 +87,10 @@ class SdfReader {
   void fix_base(int frame_of_link) {
     const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(frame_of_link)];
     const Place place = frame.values->place(*frame.element);
-    diagnostics_.note(place, name_of(frame) + " is joined to nothing: it is taken for a base that does not move",
-                      "write a joint of type=\"fixed\" with <parent>world</parent> to say so");
+    if (!context_.options.floating_base.value_or(false)) {
+      diagnostics_.note(place, name_of(frame) + " is joined to nothing: it is taken for a base that does not move",
+                        "write a joint of type=\"fixed\" with <parent>world</parent> to say so");
+    }
     const Displacements pose = relative_pose(tree_, 0, frame_of_link);
     if (rotations_in(pose).empty()) return;
     Joint joint;

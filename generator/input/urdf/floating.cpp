@@ -2,6 +2,8 @@
 #include "input/urdf/floating.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <string>
 
 #include "input/common/joint_parts.hpp"
@@ -16,52 +18,109 @@ bool is_on_empty_root(const Robot& robot, const Joint& joint) {
   return !is_moved && robot.links[static_cast<std::size_t>(joint.parent)].inertials.empty();
 }
 
-// Whether the joint is all that hangs on its parent link, a root without a body.
-bool is_free_root(const Robot& robot, const Joint& joint) {
-  const bool has_others = std::any_of(robot.joints.begin(), robot.joints.end(), [&](const Joint& other) {
-    return other.name != joint.name && other.parent == joint.parent;
-  });
-  return !has_others && is_on_empty_root(robot, joint);
+// Parts of a robot, by their indices.
+struct Parts {
+  std::set<int> joints, links;
+};
+
+// The joint's root link, and what stands still on it.
+class Surroundings {
+ public:
+  Surroundings(const Robot& robot, int free_joint) : robot_(robot), free_joint_(free_joint) {
+    add(robot.joints[static_cast<std::size_t>(free_joint)].parent);
+    parts_.joints.insert(free_joint);
+  }
+
+  const Parts& parts() const { return parts_; }
+  const Joint* moving() const { return moving_; }  // the first other joint that moves; nullptr if there is none
+
+ private:
+  void add(int link) {
+    parts_.links.insert(link);
+    for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
+      const Joint& joint = robot_.joints[j];
+      if (joint.parent != link || static_cast<int>(j) == free_joint_) continue;
+      if (joint.type != JointType::fixed && moving_ == nullptr) moving_ = &joint;
+      parts_.joints.insert(static_cast<int>(j));
+      add(joint.child);
+    }
+  }
+
+  const Robot& robot_;
+  int free_joint_;
+  Parts parts_;
+  const Joint* moving_ = nullptr;
+};
+
+template <class T>
+std::vector<T> others_of(const std::vector<T>& all, const std::set<int>& left_out) {
+  std::vector<T> rest;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (left_out.count(static_cast<int>(k)) == 0) rest.push_back(all[k]);
+  }
+  return rest;
 }
 
-// Leaves out a joint and the link that it hangs on.
-void leave_out(int index, Robot& robot) {
-  const int link = robot.joints[static_cast<std::size_t>(index)].parent;
-  robot.joints.erase(robot.joints.begin() + index);
-  robot.links.erase(robot.links.begin() + link);
-  const auto close_gap = [link](int& other) { other -= other > link ? 1 : 0; };
+void leave_out(const Parts& parts, Robot& robot) {
+  robot.joints = others_of(robot.joints, parts.joints);
+  robot.links = others_of(robot.links, parts.links);
+  const auto close_gaps = [&parts](int& link) {
+    link -= static_cast<int>(std::distance(parts.links.begin(), parts.links.lower_bound(link)));
+  };
   for (Joint& joint : robot.joints) {
-    close_gap(joint.parent);
-    close_gap(joint.child);
-    if (joint.motor) close_gap(joint.motor->carrier);
+    close_gaps(joint.parent);
+    close_gaps(joint.child);
+    if (joint.motor) close_gaps(joint.motor->carrier);
   }
 }
 
-void note_pose(const Joint& joint, Diagnostics& diagnostics) {
-  if (joint.origin.displacements.empty()) return;
-  diagnostics.note(joint.place, "joint \"" + joint.name + "\": its origin has no effect, as the base floats",
-                   "the pose of the base is part of the state");
+void note_standing(const Robot& robot, const Parts& parts, int root, Diagnostics& diagnostics) {
+  for (const int link : parts.links) {
+    if (link == root) continue;
+    const Link& left_out = robot.links[static_cast<std::size_t>(link)];
+    diagnostics.note(left_out.place, "link \"" + left_out.name + "\" stands still beside the floating robot: left out",
+                     "what does not move has no part in its dynamics", "links beside a floating robot, left out");
+  }
+}
+
+// Whether joint `index` carries all that moves, from a root without a body: then it is left out with that root.
+bool float_on(int index, ReadContext& context, Robot& robot) {
+  Diagnostics& diagnostics = context.diagnostics;
+  const Joint joint = robot.joints[static_cast<std::size_t>(index)];
+  if (joint.parent < 0 || joint.child < 0 || !is_on_empty_root(robot, joint)) return false;
+  const Surroundings around(robot, index);
+  if (around.moving() != nullptr) {
+    diagnostics.unsupported(joint.place,
+                            "joint \"" + joint.name + "\" moves freely, but does not carry all that moves: joint \"" +
+                                around.moving()->name + "\" is beside it",
+                            "hold one of them still by the option --fix");
+    return true;
+  }
+  note_standing(robot, around.parts(), joint.parent, diagnostics);
+  if (!joint.origin.displacements.empty()) {
+    diagnostics.note(joint.place, "joint \"" + joint.name + "\": its origin has no effect, as the base floats",
+                     "the pose of the base is part of the state");
+  }
+  robot.floating_base = true;
+  for (const int other : around.parts().joints) {  // one that was to be held does stand still
+    std::erase_if(context.held_joints, [&](const HeldJoint& held) {
+      return held.joint == robot.joints[static_cast<std::size_t>(other)].name;
+    });
+  }
+  leave_out(around.parts(), robot);
+  return true;
 }
 
 }  // namespace
 
-void take_floating_joints(const std::vector<int>& joints, Diagnostics& diagnostics, Robot& robot) {
-  if (joints.size() == 1) {
-    const Joint joint = robot.joints[static_cast<std::size_t>(joints.front())];
-    if (joint.parent >= 0 && joint.child >= 0 && is_free_root(robot, joint)) {
-      note_pose(joint, diagnostics);
-      robot.floating_base = true;
-      leave_out(joints.front(), robot);
-      return;
-    }
-  }
+void take_floating_joints(const std::vector<int>& joints, ReadContext& context, Robot& robot) {
+  if (joints.size() == 1 && float_on(joints.front(), context, robot)) return;
   for (const int index : joints) {
     const Joint& joint = robot.joints[static_cast<std::size_t>(index)];
-    diagnostics.unsupported(joint.place,
-                            "joint \"" + joint.name +
-                                "\" moves freely: on a root without mass that is supported for one joint only, which "
-                                "carries the whole robot",
-                            "hold it still: give the option --fix " + joint.name);
+    context.diagnostics.unsupported(
+        joint.place,
+        "joint \"" + joint.name + "\" moves freely: that is supported for one joint only, which carries all that moves",
+        "hold it still: give the option --fix " + joint.name);
   }
 }
 

@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/diagnostics.hpp"
+#include "input/common/context.hpp"
 #include "model/robot.hpp"
 
 namespace flatdyn {
 
 // Makes the robot's base float if one of these joints, of type "floating", is between a root link without a body of its
-// own and all others: the joint and that link are left out, and the joint's child becomes the base. Other joints of
-// that type are reported as unsupported. `joints`: indices, with places in the file.
-void take_floating_joints(const std::vector<int>& joints, Diagnostics& diagnostics, Robot& robot);
+// own and all that moves: the joint, that link and what stands still on it are left out, and the joint's child becomes
+// the base. Other joints of that type are reported as unsupported. `joints`: indices, with places in the file.
+void take_floating_joints(const std::vector<int>& joints, ReadContext& context, Robot& robot);
 
 // Whether a joint of that type lets its child move relative to a link with a body, or to one that moves.
 bool floats_in_tree(const Robot& robot, const Joint& joint);

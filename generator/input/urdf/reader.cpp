@@ -75,7 +75,7 @@ class UrdfReader {
       refuse_of_parts(*floating_elements_[k], joint);
     }
     // Held still by --base fixed, the base's joint is a fixed one.
-    if (context_.options.floating_base.value_or(true)) take_floating_joints(of_base, diagnostics_, robot_);
+    if (context_.options.floating_base.value_or(true)) take_floating_joints(of_base, context_, robot_);
     for (const std::string& joint : in_tree) split_floating_joint(joint, robot_);
   }
 
