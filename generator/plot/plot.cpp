@@ -230,8 +230,14 @@ std::string panel_text(const Panel& panel, std::size_t index) {
   return text + plot_command(panel, curves) + "unset label\n";
 }
 
+// With room for the whole key in one column: a second column would lie over the curves.
+int key_height(const Panel& panel) {
+  constexpr int kLine = 19, kMargins = 100;
+  return panel.is_half ? 0 : kLine * static_cast<int>(panel.series.size()) + kMargins;
+}
+
 int panel_height(const Panel& panel) {
-  if (panel.style != PanelStyle::plane) return kPanelHeight;
+  if (panel.style != PanelStyle::plane) return std::max(kPanelHeight, key_height(panel));
   return panel.is_half ? kWidth / 2 : kPlaneHeight;
 }
 

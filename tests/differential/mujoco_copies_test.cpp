@@ -142,7 +142,8 @@ TEST_F(MujocoFiles, ClassesInClassesAreThoseOfMujoco) {
 }
 
 TEST_F(MujocoFiles, JointsOfAFreeBodyFollowOthers) {
-  compare_text(R"(<mujoco><worldbody><body name="trunk"><freejoint/><geom type="box" size=".3 .2 .1" pos=".01 .02 0"/>
+  compare_text(R"(<mujoco><worldbody><body name="table" pos="0 0 -1"><geom type="box" size="1 1 .1"/></body>
+      <body name="trunk"><freejoint/><geom type="box" size=".3 .2 .1" pos=".01 .02 0"/>
       <body name="arm" pos=".3 0 .1" euler="10 20 30"><joint name="j" axis="0 1 0" damping=".3"/>
         <geom type="capsule" size=".05 .2" pos=".1 0 0"/>
         <body name="left" pos=".3 .05 0"><joint name="k" type="slide" axis="0 1 0" armature=".01"/><geom size=".04"/></body>

@@ -229,6 +229,16 @@ TEST_F(MjcfReader, IncludesFilesOnce) {
   EXPECT_EQ(std::filesystem::path(robot.joints[0].place.file).filename(), "arm.xml");
 }
 
+// As MuJoCo does: in the main file's folder first, then beside the file that includes it.
+TEST_F(MjcfReader, IncludesFilesBesideTheOneThatNamesThem) {
+  std::filesystem::create_directories(folder_ / "parts");
+  write("parts/arm.xml", R"(<mujocoinclude><include file="hand.xml"/><include file="foot.xml"/></mujocoinclude>)");
+  write("parts/hand.xml", "<mujocoinclude>" + mjcf_body("a", R"(<joint name="beside"/>)") + "</mujocoinclude>");
+  write("parts/foot.xml", "<mujocoinclude>" + mjcf_body("b", R"(<joint name="not this"/>)") + "</mujocoinclude>");
+  write("foot.xml", "<mujocoinclude>" + mjcf_body("b", R"(<joint name="in the main folder"/>)") + "</mujocoinclude>");
+  EXPECT_THAT(joints_of(mjcf(R"(<include file="parts/arm.xml"/>)")), ElementsAre("beside", "in the main folder"));
+}
+
 TEST_F(MjcfReader, NamesWhatHasNoName) {
   const Robot robot =
       mjcf("<body>" + std::string(kBodyOfTwoKilograms) + "<joint/><body>" + kBodyOfTwoKilograms + "</body></body>");
