@@ -15,8 +15,9 @@ inline NodeId joint_sum(const Mechanism& mechanism, InputKind kind, int i, Graph
   if (!mechanism.is_coupled()) return graph.input({kind, kind == InputKind::q ? mechanism.position_of(i) : i});
   std::vector<Term> terms;
   const auto row = static_cast<std::size_t>(i);
+  const std::vector<Number> factors = kind == InputKind::q ? mechanism.coupling[row] : mechanism.rate_coupling()[row];
   int k = 0;
-  for (const Number& factor : kind == InputKind::q ? mechanism.coupling[row] : mechanism.rate_coupling()[row]) {
+  for (const Number& factor : factors) {
     if (!vanishes(factor)) terms.push_back({to_rational(factor), graph.input({kind, k})});
     ++k;
   }

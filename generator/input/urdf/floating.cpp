@@ -32,11 +32,14 @@ class Surroundings {
   }
 
   const Parts& parts() const { return parts_; }
+  // Whether the free joint's own link hangs on what stands still, too, which the validation reports.
+  bool has_child() const { return parts_.links.count(robot_.joints[static_cast<std::size_t>(free_joint_)].child) > 0; }
   const Joint* moving() const { return moving_; }  // the first other joint that moves; nullptr if there is none
 
  private:
+  // Files that are wrong have links that hang on themselves, or on nothing.
   void add(int link) {
-    parts_.links.insert(link);
+    if (link < 0 || !parts_.links.insert(link).second) return;
     for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
       const Joint& joint = robot_.joints[j];
       if (joint.parent != link || static_cast<int>(j) == free_joint_) continue;
@@ -89,6 +92,7 @@ bool float_on(int index, ReadContext& context, Robot& robot) {
   const Joint joint = robot.joints[static_cast<std::size_t>(index)];
   if (joint.parent < 0 || joint.child < 0 || !is_on_empty_root(robot, joint)) return false;
   const Surroundings around(robot, index);
+  if (around.has_child()) return false;
   if (around.moving() != nullptr) {
     diagnostics.unsupported(joint.place,
                             "joint \"" + joint.name + "\" moves freely, but does not carry all that moves: joint \"" +
