@@ -229,6 +229,21 @@ TEST_F(MjcfReader, IncludesFilesOnce) {
   EXPECT_EQ(std::filesystem::path(robot.joints[0].place.file).filename(), "arm.xml");
 }
 
+// Indices of links are those of the robot that is left.
+TEST_F(MjcfReader, LeavesOutWhatStandsStillBesideAFloatingRobot) {
+  ReadOptions options;
+  options.scene.locked.push_back({"of box"});
+  const Robot robot = mjcf(mjcf_body("table", mjcf_body("lamp", "")) +
+                               mjcf_body("trunk", "<freejoint/>" + mjcf_body("leg", R"(<joint name="hip"/>)")) +
+                               mjcf_body("box", R"(<freejoint name="of box"/>)"),
+                           "", "", options);
+  EXPECT_TRUE(robot.floating_base);
+  EXPECT_THAT(joints_of(robot), ElementsAre("hip"));
+  ASSERT_EQ(robot.links.size(), 2U);
+  EXPECT_EQ(robot.links[static_cast<std::size_t>(robot.root)].name, "trunk");
+  EXPECT_EQ(robot.links[static_cast<std::size_t>(robot.joints[0].child)].name, "leg");
+}
+
 // As MuJoCo does: in the main file's folder first, then beside the file that includes it.
 TEST_F(MjcfReader, IncludesFilesBesideTheOneThatNamesThem) {
   std::filesystem::create_directories(folder_ / "parts");
