@@ -48,7 +48,7 @@ class JointReader {
       is_free_ = type == "free" && !is_held(joint_.name, context_);
       if (is_free_ && context_.options.floating_base.value_or(true)) {
         refuse_forces_of_base();
-        refuse_alignment(is_childless_);
+        refuse_alignment();
       }
       if (is_free_ || is_held(joint_.name, context_)) return joint_;
       if (type == "free") {
@@ -88,9 +88,9 @@ class JointReader {
   }
 
   // MuJoCo moves the frame of such a body to its centre of mass, along its principal axes, if it carries no other.
-  void refuse_alignment(bool is_childless) const {
+  void refuse_alignment() const {
     const std::string word = values_.keyword(item_, "align", {"true", "false", "auto"}, "auto");
-    if (!is_childless || word == "false" || (word == "auto" && !settings_.aligns_free_bodies)) return;
+    if (!is_childless_ || word == "false" || (word == "auto" && !settings_.aligns_free_bodies)) return;
     values_.diagnostics().unsupported(joint_.place,
                                       item_.what + ": a frame that is aligned with the inertia is not supported",
                                       "write align=\"false\": the frame of the body is that of the file then");
