@@ -46,7 +46,8 @@ inertia_about = "com"
 armature = 0.01
 )";
 
-// A knee that follows joints of two branches, with friction, a rotor and a constant part, and a slide that follows a turn.
+// A knee that follows joints of two branches, with friction, a rotor and a constant part, and a slide that follows a
+// turn.
 inline constexpr const char* kLander = R"(name = "lander"
 [base]
 name = "hull"
