@@ -214,7 +214,7 @@ GenerationOptions generation_options(const GenerateArguments& arguments) {
   GenerationOptions options{arguments.options(), arguments.staged, arguments.fused, {}, {}};
   options.functions = arguments.functions;
   options.in_processes = !arguments.trace;  // which shows what each function takes
-  options.needs_floating_base = !arguments.conventions.empty();
+  options.needs_quasi_velocities = !arguments.conventions.empty();
   options.form.name_space = arguments.name_space;
   options.form.scalar = arguments.scalars.front();
   options.form.most_lines = arguments.most_lines;
@@ -383,9 +383,11 @@ void add_form_options(CLI::App& command, GenerateArguments& arguments) {
           ->check(CLI::IsMember({"c++", "c", "cuda", "javascript"}))
           ->capture_default_str();
   command
-      .add_option("--convention", arguments.conventions,
-                  "of C++, with a floating base: also a header with the functions as these programs write pose, "
-                  "velocity, acceleration and force; pose: flatdyn's own, with the pose of the base for gravity")
+      .add_option(
+          "--convention", arguments.conventions,
+          "of C++, with a floating base or spherical joints: also a header with the functions as these programs "
+          "write pose, velocity, acceleration and force, and steps of q; pose: flatdyn's own, with the pose "
+          "of the base for gravity")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(convention_names()));

@@ -8,6 +8,7 @@
 
 #include "conventions/coverage.hpp"
 #include "conventions/meanings.hpp"
+#include "conventions/steps.hpp"
 #include "emit/arguments.hpp"
 #include "emit/languages/cpp_dialect.hpp"
 #include "emit/sections.hpp"
@@ -16,8 +17,6 @@
 namespace flatdyn {
 namespace {
 
-constexpr int kPose = 7;  // entries of q that are the base's: position, quaternion
-
 class AdaptorWriter {
  public:
   AdaptorWriter(const AdaptedCode& code, std::size_t function)
@@ -25,7 +24,10 @@ class AdaptorWriter {
         convention_(code.convention),
         function_(code.functions[function]),
         text_(code.texts[function]),
-        size_(code.mechanism.size()) {}
+        floats_(code.mechanism.floating_base),
+        is_plain_(code.convention.is_plain() || !floats_),
+        size_(code.mechanism.size()),
+        pose_(pose_entries(code.mechanism)) {}
 
   Adaptor written() {
     write_inputs();
@@ -38,7 +40,7 @@ class AdaptorWriter {
 
  private:
   // C of velocities in axes that turn needs B.
-  bool adds_inertia() const { return is_coriolis(function_) && convention_.linear_in_world; }
+  bool adds_inertia() const { return floats_ && is_coriolis(function_) && convention_.linear_in_world; }
   const FunctionText& inertia() const {
     const auto found = std::find_if(code_.functions.begin(), code_.functions.end(), is_of_inertia);
     return code_.texts[static_cast<std::size_t>(found - code_.functions.begin())];
@@ -59,11 +61,12 @@ class AdaptorWriter {
       }
       parameters_.push_back("const Scalar* " + argument.name);
       if (kind == InputKind::q) {
-        arguments_.push_back(fmt::format("q + {}", kPose));
+        if (has_other_quaternions(convention_, code_.mechanism)) reorder_joints();
+        arguments_.push_back(positions());
+      } else if (is_plain_ && (kind != InputKind::h_e || !floats_)) {
+        arguments_.push_back(argument.name);
       } else if (kind == InputKind::h_e) {
         convert(argument, "base.to_base_axes(h_e, h_e_b);", "h_e_b");
-      } else if (convention_.is_plain()) {
-        arguments_.push_back(argument.name);
       } else {
         const std::string core = argument.name + "_b";
         convert(argument, fmt::format("base.to_core({}, {});", argument.name, core), core);
@@ -72,6 +75,16 @@ class AdaptorWriter {
         }
       }
     }
+  }
+
+  // The joints' entries of q as the function takes them.
+  std::string positions() const {
+    return has_other_quaternions(convention_, code_.mechanism) ? "q_joints" : entries_of_joints();
+  }
+  std::string entries_of_joints() const { return pose_ == 0 ? "q" : fmt::format("q + {}", pose_); }
+  void reorder_joints() {
+    locals_.push_back(fmt::format("q_joints[{}]", code_.mechanism.position_count()));
+    conversions_.push_back(fmt::format("detail::joints_to_core({}, q_joints);", entries_of_joints()));
   }
 
   void convert(const InputArgument& argument, const std::string& statement, const std::string& core) {
@@ -83,7 +96,7 @@ class AdaptorWriter {
 
   // Whether the function is called as from a frame that moves with the base's origin at the moment.
   bool sees_from_origin() const {
-    return convention_.linear_in_world &&
+    return floats_ && convention_.linear_in_world &&
            std::any_of(function_.outputs.begin(), function_.outputs.end(), depends_on_acceleration);
   }
 
@@ -100,14 +113,15 @@ class AdaptorWriter {
   }
 
   std::string conversion_of(const Output& output, const std::string& name) const {
+    if (!floats_) return "";
     switch (output.quantity) {
       case OutputQuantity::joint_torque:
       case OutputQuantity::joint_rate:
       case OutputQuantity::joint_acceleration:
-        return convention_.is_plain() ? "" : fmt::format("base.from_core({});", name);
+        return is_plain_ ? "" : fmt::format("base.from_core({});", name);
       case OutputQuantity::joint_inertia:
       case OutputQuantity::torque_per_rate:
-        return convention_.is_plain() ? "" : turning(name) + fmt::format("base.both_from_core({});", name);
+        return is_plain_ ? "" : turning(name) + fmt::format("base.both_from_core({});", name);
       case OutputQuantity::number:
         return output.layout == Layout::matrix ? fmt::format("base.turn_frame({});", name) : "";
       case OutputQuantity::contact_force:
@@ -170,7 +184,7 @@ class AdaptorWriter {
     if (adds_inertia()) arrays.push_back(fmt::format("B[{}]", size_ * size_));
     if (!arrays.empty()) lines += list_line("Scalar ", arrays, ";", kStatementIndent);
     for (const std::string& statement : conversions_) lines += "  " + statement + "\n";
-    if (adds_inertia()) lines += call_of(inertia(), {fmt::format("q + {}", kPose), "B"}) + "\n";
+    if (adds_inertia()) lines += call_of(inertia(), {positions(), "B"}) + "\n";
     lines += call + "\n";
     for (const std::string& statement : results_) lines += "  " + with_replaced(statement, "\n", "\n  ") + "\n";
     if (has_results && text_.returns == "bool") lines += "  return is_valid;\n";
@@ -196,7 +210,7 @@ class AdaptorWriter {
       const InputKind kind = function_.inputs[k];
       if (kind == InputKind::g_b) continue;
       inputs.push_back(text.inputs[k]);
-      if (kind == InputKind::q) inputs.back().length += kPose;
+      if (kind == InputKind::q) inputs.back().length += pose_;
     }
     text.inputs = inputs;
     HeaderScope scope(dialect_);
@@ -210,14 +224,15 @@ class AdaptorWriter {
     for (const InputKind kind : function_.inputs) {
       if (kind == InputKind::g_b) continue;
       const InputArgument argument = input_argument(kind, JointCounts(code_.mechanism));
-      const int length = argument.length + (kind == InputKind::q ? kPose : 0);
-      rows.push_back({fmt::format("{}[{}]", argument.name, length), "in", meaning_of_input(kind, convention_)});
+      const int length = argument.length + (kind == InputKind::q ? pose_ : 0);
+      rows.push_back({fmt::format("{}[{}]", argument.name, length), "in",
+                      meaning_of_input(kind, convention_, JointCounts(code_.mechanism))});
     }
     for (std::size_t k = 0; k < text_.outputs.size(); ++k) {
       Output output = function_.outputs[k];
       output.name = text_.outputs[k].name;
       rows.push_back({fmt::format("{}[{}]", text_.outputs[k].name, text_.outputs[k].length), "out",
-                      meaning_of_output(output, convention_)});
+                      floats_ ? meaning_of_output(output, convention_, JointCounts(code_.mechanism)) : output.meaning});
       const std::string layout = layout_text(output);
       if (!layout.empty()) rows.push_back({"", "", layout});
     }
@@ -232,7 +247,10 @@ class AdaptorWriter {
   const Convention& convention_;
   const Function& function_;
   const FunctionText& text_;
+  const bool floats_;    // whether the base does
+  const bool is_plain_;  // whether v, a and tau are as in flatdyn's functions
   const int size_;
+  const int pose_;  // entries of q that are the base's
   CppDialect dialect_;
   bool needs_base_ = false;
   std::vector<std::string> parameters_, arguments_, locals_, conversions_, results_;

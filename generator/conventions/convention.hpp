@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How other programs write the state of a robot with a floating base.
+// How other programs write the state of a robot with a floating base or spherical joints.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 namespace flatdyn {
 
 // In every convention q is position and quaternion of the base, then joints; a is the derivative of the entries of v,
-// and v^T tau is power. So the axes and the order of the base's entries in v say all.
+// and v^T tau is power. So the axes and the order of the base's entries in v say all. Spherical joints have a
+// quaternion in q, and angular velocity and moment in the child's axes.
 struct Convention {
   const char* name;       // as in --convention, and the namespace: "mujoco"
   const char* whose;      // "MuJoCo"

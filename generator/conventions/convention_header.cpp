@@ -6,6 +6,7 @@
 #include "conventions/adaptor.hpp"
 #include "conventions/coverage.hpp"
 #include "conventions/meanings.hpp"
+#include "conventions/steps.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/table.hpp"
 #include "diagnostics/version.hpp"
@@ -23,21 +24,29 @@ namespace {
 
 using kainjow::mustache::data;
 
-constexpr int kPoseEntries = 7;
+const char* const kStretchedJoint =
+    "The quaternion of a spherical joint is used as it is: with |q|^2 = 1 + e it is a matrix that is off by 2 |e| "
+    "at most.";
 
 // The paragraphs at the head of the file.
-std::vector<std::string> prose(const Mechanism& mechanism, const Convention& convention) {
+std::vector<std::string> paragraphs_of(const Mechanism& mechanism, const Convention& convention) {
+  if (!mechanism.floating_base) {
+    return {
+        fmt::format("Results are those of flatdyn's own functions{}. {} integrate() returns quaternions of unit "
+                    "length, and has the digits of double.",
+                    convention.scalar_first ? "" : ", which take quaternions as (w, x, y, z)", kStretchedJoint)};
+  }
   const std::string base = comment_text(mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)].link);
-  const std::vector<std::string> paragraphs = {
+  return {
       fmt::format("Base axes are those of link \"{}\", and its linear velocity is that of its origin, about which the "
                   "moment is. The quaternion turns base axes into world axes: R(quaternion) x is in world axes what x "
                   "is in base axes. v^T tau is the power. Tip, centre of mass and momentum are in world axes{}.",
                   base, mechanism.contacts.empty() ? "" : ", and so are contacts"),
-      "A quaternion is used as it is, by the polynomials of second degree that are R for unit length: for another "
-      "length R is a rotation times the square of the length, and a term of a result is off by the sixth power at "
-      "most. "
-      "A length that is wrong by 1e-7 makes at most 6.1e-7 of the sum of the terms' magnitudes. integrate() returns "
-      "quaternions of unit length, and has the digits of double.",
+      fmt::format("A quaternion is used as it is, by the polynomials of second degree that are R for unit length: for "
+                  "another length R is a rotation times the square of the length, and a term of a result is off by the "
+                  "sixth power at most. A length that is wrong by 1e-7 makes at most 6.1e-7 of the sum of the terms' "
+                  "magnitudes. {}integrate() returns quaternions of unit length, and has the digits of double.",
+                  mechanism.has_spherical_joints() ? std::string(kStretchedJoint) + " " : ""),
       convention.linear_in_world
           ? "Torques depend on the velocity of the base's origin through its acceleration only. So where the "
             "acceleration is an argument, or zero, the functions called are given the base as it is for an observer "
@@ -45,35 +54,48 @@ std::vector<std::string> prose(const Mechanism& mechanism, const Convention& con
             "away again."
           : "Velocities of the base are in axes that turn. The acceleration of its origin is its linear part of a plus "
             "omega x v, in base axes; for spatial vectors a is the spatial acceleration of the base."};
+}
+
+std::vector<std::string> prose(const Mechanism& mechanism, const Convention& convention) {
   std::vector<std::string> lines;
-  for (const std::string& paragraph : paragraphs) {
+  for (const std::string& paragraph : paragraphs_of(mechanism, convention)) {
     if (!lines.empty()) lines.emplace_back();
     for (const std::string& line : wrapped_words(paragraph, kCommentWidth)) lines.push_back(" " + line);
   }
   return lines;
 }
 
+// How the robot moves while the entries of v are constant.
+std::string constant_motion(const Mechanism& mechanism, const Convention& convention) {
+  if (!mechanism.floating_base) {
+    return "The entries of v are constant, so the child of a spherical joint turns about an axis of its own.";
+  }
+  if (!convention.linear_in_world) {
+    return "The entries of v are constant, so the base moves along a screw: the exponential of SE(3).";
+  }
+  return std::string(
+             "The entries of v are constant: the origin moves along a line, and the base turns about an axis "
+             "through it") +
+         (convention.angular_in_world ? "." : ", as by mj_integratePos().");
+}
+
 // The comments of integrate() and difference().
-std::vector<std::string> integrate_comment(const Convention& convention) {
-  const char* const constant =
-      !convention.linear_in_world
-          ? "The entries of v are constant, so the base moves along a screw: the exponential of SE(3)."
-      : convention.angular_in_world
-          ? "The entries of v are constant: the origin moves along a line, and the base turns about an axis "
-            "through it."
-          : "The entries of v are constant: the origin moves along a line, and the base turns about an axis "
-            "through it, as by mj_integratePos().";
+std::vector<std::string> integrate_comment(const Mechanism& mechanism, const Convention& convention) {
   return wrapped_words(fmt::format("The positions q_next to which v moves the robot from q in the time dt (s). {} "
                                    "q_next may be q.",
-                                   constant),
+                                   constant_motion(mechanism, convention)),
                        kCommentWidth);
 }
 
-std::vector<std::string> difference_comment() {
-  return wrapped_words(
-      "The inverse: v with integrate(q_0, v, 1) = q_1, for quaternions of unit length, such that the base turns by pi "
-      "at most; joints are not wrapped. The entries of v are m and rad. v may be q_0 or q_1.",
-      kCommentWidth);
+std::vector<std::string> difference_comment(const Mechanism& mechanism) {
+  const char* const what = !mechanism.has_spherical_joints() ? "the base turns"
+                           : mechanism.floating_base         ? "the base and spherical joints turn"
+                                                             : "spherical joints turn";
+  return wrapped_words(fmt::format("The inverse: v with integrate(q_0, v, 1) = q_1, for quaternions of unit length, "
+                                   "such that {} by pi at most; {} are not wrapped. The entries of v are m and rad. v "
+                                   "may be q_0 or q_1.",
+                                   what, mechanism.has_spherical_joints() ? "joints of one axis" : "joints"),
+                       kCommentWidth);
 }
 
 // The statements that compute R^T g_0.
@@ -105,6 +127,7 @@ class ConventionWriter {
     data page;
     write_names(page);
     write_base(page);
+    write_steps(page);
     write_adaptors(page, result.left_out);
     result.file = {fmt::format("{}_{}.hpp", file_name(mechanism_, options_), convention_.name),
                    rendered(templates::convention_hpp, page)};
@@ -124,6 +147,7 @@ class ConventionWriter {
     page["namespace"] = name_space;
     page["guard"] = guard_of(name_space, "hpp",
                              {kProgramVersion, options_.options_stamp, options_.input_hash, options_.scene_stamp});
+    page["velocities"] = count_of_velocities(mechanism_);
     page["n"] = std::to_string(mechanism_.size());
     page["table"] = list_of(argument_table());
     page["prose"] = list_of(prose(mechanism_, convention_));
@@ -132,36 +156,60 @@ class ConventionWriter {
   std::vector<std::string> argument_table() const {
     const auto sized = [](const char* name, int length) { return fmt::format("{}[{}]", name, length); };
     const int n = mechanism_.size();
-    return aligned_lines({{sized("q", kPoseEntries + mechanism_.position_count()), meaning_of_pose(convention_)},
-                          {sized("v", n), meaning_of_velocity(convention_)},
-                          {sized("a", n), "derivatives of the entries of v"},
-                          {sized("tau", n), meaning_of_force(convention_)}});
+    const JointCounts counts(mechanism_);
+    const int positions = pose_entries(mechanism_) + mechanism_.position_count();
+    const std::vector<std::array<std::string, 2>> rows = {{sized("q", positions), meaning_of_pose(convention_, counts)},
+                                                          {sized("v", n), meaning_of_velocity(convention_, counts)},
+                                                          {sized("a", n), "derivatives of the entries of v"},
+                                                          {sized("tau", n), meaning_of_force(convention_, counts)}};
+    std::vector<std::vector<std::string>> lines;
+    constexpr std::size_t kBefore = 12;  // columns before a meaning
+    for (const auto& [name, meaning] : rows) add_row(lines, {name}, wrapped_words(meaning, kCommentWidth - kBefore));
+    return aligned_lines(lines);
   }
 
   void write_base(data& page) const {
-    const int first = convention_.scalar_first ? 4 : 3;  // of the vector part
-    page["w"] = std::to_string(convention_.scalar_first ? 3 : 6);
+    const int first = convention_.scalar_first ? 1 : 0;  // of a quaternion's vector part
+    page["w"] = std::to_string(convention_.scalar_first ? 0 : 3);
     page["x"] = std::to_string(first);
     page["y"] = std::to_string(first + 1);
     page["z"] = std::to_string(first + 2);
+    page["floating?"] = mechanism_.floating_base;
     page["plain?"] = convention_.is_plain();
     page["linear_in_world?"] = convention_.linear_in_world;
     page["angular_in_world?"] = convention_.angular_in_world;
     page["angular_first?"] = convention_.angular_first;
-    page["screw?"] = !convention_.linear_in_world;
+    page["screw?"] = has_screw();
     page["linear"] = std::string(convention_.angular_first ? "3 + " : "");
     page["angular"] = std::string(convention_.angular_first ? "" : "3 + ");
-    page["integrate_comment"] = list_of(integrate_comment(convention_));
-    page["difference_comment"] = list_of(difference_comment());
     page["gravity?"] = mechanism_.has_base_gravity();
     if (mechanism_.has_base_gravity()) page["gravity"] = gravity_statement(mechanism_.gravity, CppDialect());
+  }
+
+  bool has_screw() const { return mechanism_.floating_base && !convention_.linear_in_world; }
+
+  void write_steps(data& page) const {
+    page["spherical?"] = mechanism_.has_spherical_joints();
+    page["integrate_comment"] = list_of(integrate_comment(mechanism_, convention_));
+    page["difference_comment"] = list_of(difference_comment(mechanism_));
+    page["integrate_joints"] = list_of(integrate_joints(mechanism_));
+    page["difference_joints"] = list_of(difference_joints(mechanism_));
+    page["reorders?"] = has_other_quaternions(convention_, mechanism_);
+    page["joint_entries"] = std::to_string(mechanism_.position_count());
+    data quaternions(data::type::list);
+    for (const int first : mechanism_.quaternions()) {
+      data item;
+      item["first"] = std::to_string(first);
+      quaternions << item;
+    }
+    page["quaternions"] = data(quaternions);
   }
 
   void write_adaptors(data& page, std::vector<std::string>& left_out) const {
     data list(data::type::list);
     std::vector<ShapedFunction> shapes;
     for (std::size_t k = 0; k < code_.functions.size(); ++k) {
-      const std::string reason = why_not(code_.functions[k], code_.functions, convention_);
+      const std::string reason = why_not(code_.functions[k], code_.functions, convention_, mechanism_);
       if (!reason.empty()) {
         left_out.push_back(fmt::format("{} is left out of {}: {}", code_.functions[k].name, convention_.name, reason));
         continue;
@@ -176,7 +224,7 @@ class ConventionWriter {
       shapes.push_back(found.shape);
     }
     page["functions"] = data(list);
-    page["base?"] = !shapes.empty() || !convention_.linear_in_world;  // steps along screws turn vectors, too
+    page["base?"] = mechanism_.floating_base && (!shapes.empty() || has_screw());  // screws turn vectors, too
     write_shapes(page, shapes, core_ + "::" + convention_.name);
   }
 
@@ -191,12 +239,9 @@ class ConventionWriter {
 }  // namespace
 
 void check_conventions_apply(const Mechanism& mechanism) {
-  if (!mechanism.floating_base) {
-    throw Failure(ExitCode::unsupported, "--convention: the robot has no floating base",
+  if (!mechanism.has_quasi_velocities()) {
+    throw Failure(ExitCode::unsupported, "--convention: the robot has neither a floating base nor spherical joints",
                   "leave it out, or use --base floating");
-  }
-  if (mechanism.has_spherical_joints()) {
-    throw Failure(ExitCode::unsupported, "--convention: spherical joints are not supported yet", "leave it out");
   }
   if (mechanism.has_loops()) {
     throw Failure(ExitCode::unsupported, "--convention: closed loops are not supported", "leave it out");

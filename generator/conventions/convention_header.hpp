@@ -14,11 +14,11 @@ struct ConventionHeader {
   std::vector<std::string> left_out;  // a sentence per function that has no adaptor
 };
 
-// Throws Failure(unsupported) for a robot without a floating base, or with closed loops.
+// Throws Failure(unsupported) for a robot with neither a floating base nor spherical joints, or with closed loops.
 void check_conventions_apply(const Mechanism& mechanism);
 
-// For a robot with a floating base. `functions`: those of the C++ code that was emitted with these options. Throws
-// what check_conventions_apply() throws, and Failure(unsupported) if gravity is not a number.
+// For a robot with a floating base or spherical joints. `functions`: those of the C++ code that was emitted with these
+// options. Throws what check_conventions_apply() throws, and Failure(unsupported) if gravity is not a number.
 ConventionHeader convention_header(const Mechanism& mechanism, const std::vector<Function>& functions,
                                    const EmitOptions& options, const Convention& convention);
 

@@ -46,6 +46,26 @@ bool is_known(OutputQuantity quantity) {
   }
 }
 
+// Whether an argument or a result has linear and angular parts, as those of the tip and of its task.
+bool has_two_parts(InputKind kind) { return kind == InputKind::h_e; }
+bool has_two_parts(const Output& output) {
+  switch (output.quantity) {
+    case OutputQuantity::tip_jacobian:
+    case OutputQuantity::tip_acceleration:
+    case OutputQuantity::task_inertia:
+    case OutputQuantity::task_force:
+    case OutputQuantity::joint_rate_per_task:
+      return true;
+    default:
+      return false;
+  }
+}
+bool has_two_parts(const Function& function) {
+  const auto has_parts = [](const auto& each) { return has_two_parts(each); };
+  return std::any_of(function.inputs.begin(), function.inputs.end(), has_parts) ||
+         std::any_of(function.outputs.begin(), function.outputs.end(), has_parts);
+}
+
 }  // namespace
 
 bool is_of_inertia(const Function& function) {
@@ -69,9 +89,18 @@ bool depends_on_acceleration(const Output& output) {
   }
 }
 
-std::string why_not(const Function& adapted, const std::vector<Function>& all, const Convention& convention) {
+bool has_other_quaternions(const Convention& convention, const Mechanism& mechanism) {
+  return !convention.scalar_first && mechanism.has_spherical_joints();
+}
+
+std::string why_not(const Function& adapted, const std::vector<Function>& all, const Convention& convention,
+                    const Mechanism& mechanism) {
   if (find_row(adapted.name) == nullptr) return "it is a fused function";
   if (!is_whole(adapted)) return "the scene leaves out some of its entries";
+  if (!mechanism.floating_base) {
+    if (!convention.angular_first || !has_two_parts(adapted)) return "";
+    return "with a fixed base, velocities and forces of the tip keep flatdyn's order";
+  }
   const bool knows_all =
       std::all_of(adapted.inputs.begin(), adapted.inputs.end(), [](InputKind kind) { return is_known(kind); }) &&
       std::all_of(adapted.outputs.begin(), adapted.outputs.end(),

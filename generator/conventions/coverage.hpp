@@ -7,6 +7,7 @@
 
 #include "conventions/convention.hpp"
 #include "graph/function.hpp"
+#include "model/mechanism.hpp"
 
 namespace flatdyn {
 
@@ -17,7 +18,11 @@ bool is_coriolis(const Function& function);
 // Whether the output depends on the acceleration of the base's origin, and on its velocity only through that.
 bool depends_on_acceleration(const Output& output);
 
+// Whether the convention has the quaternions of the robot's spherical joints in another order than (w, x, y, z).
+bool has_other_quaternions(const Convention& convention, const Mechanism& mechanism);
+
 // Why the function, one of `all` that are emitted, is not there in a convention; empty if it is.
-std::string why_not(const Function& adapted, const std::vector<Function>& all, const Convention& convention);
+std::string why_not(const Function& adapted, const std::vector<Function>& all, const Convention& convention,
+                    const Mechanism& mechanism);
 
 }  // namespace flatdyn

@@ -12,11 +12,15 @@ const char* axes(bool in_world) { return in_world ? "world axes" : "base axes"; 
 
 // "base: force (world axes, N), moment (base axes, N m); joints: N m or N".
 std::string meaning_of_base(const Convention& convention, const char* linear, const char* linear_unit,
-                            const char* angular, const char* angular_unit, const char* joints) {
+                            const char* angular, const char* angular_unit, const std::string& joints) {
   const std::string first = fmt::format("{} ({}, {})", linear, axes(convention.linear_in_world), linear_unit);
   const std::string second = fmt::format("{} ({}, {})", angular, axes(convention.angular_in_world), angular_unit);
   return fmt::format("base: {}, {}; joints: {}", convention.angular_first ? second : first,
                      convention.angular_first ? first : second, joints);
+}
+
+const char* quaternion_order(const Convention& convention) {
+  return convention.scalar_first ? "w, x, y, z" : "x, y, z, w";
 }
 
 const char* momenta(const Convention& convention) {
@@ -25,40 +29,49 @@ const char* momenta(const Convention& convention) {
 
 }  // namespace
 
-std::string meaning_of_pose(const Convention& convention) {
-  return fmt::format("base: position (world axes, m), quaternion ({}); joints: rad or m",
-                     convention.scalar_first ? "w, x, y, z" : "x, y, z, w");
+std::string meaning_of_pose(const Convention& convention, JointCounts counts) {
+  const std::string order = quaternion_order(convention);
+  std::string joints = "rad or m";
+  if (counts.spherical) joints += fmt::format(", spherical ones a unit quaternion ({})", order);
+  if (!counts.floating_base) return "joint positions: " + joints;
+  return fmt::format("base: position (world axes, m), quaternion ({}); joints: {}", order, joints);
 }
 
-std::string meaning_of_velocity(const Convention& convention) {
-  return meaning_of_base(convention, "linear", "m/s", "angular", "rad/s", "rad/s or m/s");
+std::string meaning_of_velocity(const Convention& convention, JointCounts counts) {
+  if (!counts.floating_base) return input_argument(InputKind::v, counts).meaning;
+  return meaning_of_base(
+      convention, "linear", "m/s", "angular", "rad/s",
+      std::string("rad/s or m/s") + (counts.spherical ? ", spherical ones angular velocity in the child's axes" : ""));
 }
 
-std::string meaning_of_force(const Convention& convention) {
-  return meaning_of_base(convention, "force", "N", "moment", "N m", "N m or N");
+std::string meaning_of_force(const Convention& convention, JointCounts counts) {
+  if (!counts.floating_base) return input_argument(InputKind::tau, counts).meaning;
+  return meaning_of_base(
+      convention, "force", "N", "moment", "N m",
+      std::string("N m or N") + (counts.spherical ? ", spherical ones moment in the child's axes" : ""));
 }
 
-std::string meaning_of_input(InputKind kind, const Convention& convention) {
+std::string meaning_of_input(InputKind kind, const Convention& convention, JointCounts counts) {
+  if (kind == InputKind::q) return meaning_of_pose(convention, counts);
+  if (!counts.floating_base) return input_argument(kind, counts).meaning;
   switch (kind) {
-    case InputKind::q:
-      return meaning_of_pose(convention);
     case InputKind::v:
-      return meaning_of_velocity(convention);
+      return meaning_of_velocity(convention, counts);
     case InputKind::a:
       return "derivatives of the entries of v";
     case InputKind::tau:
-      return meaning_of_force(convention);
+      return meaning_of_force(convention, counts);
     default:
       return fmt::format("{} that the tip exerts on its environment, world axes",
                          convention.angular_first ? "moment (N m), then force (N)" : "force (N), then moment (N m)");
   }
 }
 
-std::string meaning_of_output(const Output& output, const Convention& convention) {
+std::string meaning_of_output(const Output& output, const Convention& convention, JointCounts counts) {
   const std::string order = convention.angular_first ? "angular, then linear" : "linear, then angular";
   switch (output.quantity) {
     case OutputQuantity::joint_torque:
-      return meaning_of_force(convention);
+      return meaning_of_force(convention, counts);
     case OutputQuantity::contact_force:
     case OutputQuantity::contact_impulse:
     case OutputQuantity::contact_jacobian:

@@ -5,17 +5,19 @@
 #include <string>
 
 #include "conventions/convention.hpp"
+#include "emit/arguments.hpp"
 #include "graph/function.hpp"
 
 namespace flatdyn {
 
 // "base: position (world axes, m), quaternion (w, x, y, z); joints: rad or m", and the same for v and tau.
-std::string meaning_of_pose(const Convention& convention);
-std::string meaning_of_velocity(const Convention& convention);
-std::string meaning_of_force(const Convention& convention);
+std::string meaning_of_pose(const Convention& convention, JointCounts counts);
+std::string meaning_of_velocity(const Convention& convention, JointCounts counts);
+std::string meaning_of_force(const Convention& convention, JointCounts counts);
 
 // The meaning of an argument other than g_b, which conventions do not have.
-std::string meaning_of_input(InputKind kind, const Convention& convention);
-std::string meaning_of_output(const Output& output, const Convention& convention);
+std::string meaning_of_input(InputKind kind, const Convention& convention, JointCounts counts);
+// The meaning of a result of a robot with a floating base.
+std::string meaning_of_output(const Output& output, const Convention& convention, JointCounts counts);
 
 }  // namespace flatdyn

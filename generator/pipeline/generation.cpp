@@ -135,7 +135,7 @@ std::vector<GenerationResult> generate_code_for(const std::filesystem::path& rob
   progress.step("reading");
   result.robot = load_robot(robot_file, options);
   const LoadedRobot& robot = result.robot;
-  if (options.needs_floating_base) check_conventions(robot);
+  if (options.needs_quasi_velocities) check_conventions(robot);
   // Derive, specialise to the scene, optimise: every function in each of its formulations.
   result.functions = make_functions(robot, options, progress, result.findings);
   std::optional<OptimisedFusion> fused;

@@ -22,7 +22,7 @@ struct GenerationOptions : PipelineOptions {
   EmitOptions form;                 // language, scalars and names; stamps and facts are filled in
   // The options as text, for the stamp.
   std::function<std::string(const std::vector<OptimisedFunction>&)> options_stamp;
-  bool needs_floating_base = false;  // whether other robots are refused, since they have no other conventions
+  bool needs_quasi_velocities = false;  // whether other robots are refused, since they have no other conventions
 
   bool is_for_float() const;  // whether the code is compiled for float
 };

@@ -88,9 +88,13 @@ std::string in_terms_of_base(const std::string& text) { return replaced(replaced
 // Said of derivatives by positions with a floating base, which are in its tangent space.
 const char* const kTangentSpace =
     ". The first columns by q are those of a displacement of the base along its axes (m; it changes nothing), then of "
-    "a "
-    "turn R exp(S(delta)) about its axes (rad), which turns g_b alone: the numbers in v, and in a or tau, are held "
+    "a turn R exp(S(delta)) about its axes (rad), which turns g_b alone: the numbers in v, and in a or tau, are held "
     "fixed";
+
+// The same of spherical joints.
+const char* const kTurnsOfChildren =
+    ". Three columns by q of a spherical joint are those of a turn R exp(S(delta)) of the child about its axes (rad): "
+    "the numbers in v, and in a or tau, are held fixed";
 
 bool differentiates_by_position(const FunctionRow& row) {
   return std::any_of(row.outputs.begin(), row.outputs.end(), [](const OutputRow& output) {
@@ -126,7 +130,10 @@ std::string summary_of(const Request& request, const Mechanism& mechanism) {
   if (floating_base && summary.starts_with("(dJ/dt) v of ")) {
     summary = "Acceleration, while a is zero, of " + summary.substr(std::string("(dJ/dt) v of ").size());
   }
-  if (floating_base && differentiates_by_position(*request.row)) summary += kTangentSpace;
+  if (differentiates_by_position(*request.row)) {
+    if (floating_base) summary += kTangentSpace;
+    if (mechanism.has_spherical_joints()) summary += kTurnsOfChildren;
+  }
   const std::string tip = "the tip";
   const std::size_t place = summary.find(tip);
   if (request.link != nullptr && place != std::string::npos) {
@@ -153,6 +160,11 @@ void describe_spherical(Output& output) {
       break;
     case OutputQuantity::joint_inertia:
       output.meaning = "inertia matrix, symmetric, rows and columns in the order of v, SI units";
+      break;
+    case OutputQuantity::torque_per_position:
+    case OutputQuantity::acceleration_per_position:
+      output.meaning = replaced(replaced(output.meaning, "by q[k]", "by q, or a turn, along entry k of v"), "then q",
+                                "then joints in the order of v");
       break;
     default:
       break;

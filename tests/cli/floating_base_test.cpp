@@ -61,7 +61,7 @@ TEST(FloatingBase, HasOtherConventionsInCppOnly) {
   const std::string out = " -o " + scratch.path("out");
   const Outcome fixed = run_flatdyn("generate robots/planar_2r.toml --convention mujoco" + out);
   EXPECT_EQ(fixed.code, 4);
-  EXPECT_THAT(fixed.err, HasSubstr("--convention: the robot has no floating base"));
+  EXPECT_THAT(fixed.err, HasSubstr("--convention: the robot has neither a floating base nor spherical joints"));
   const Outcome c = run_flatdyn(generate + "mujoco --language c" + out);
   EXPECT_EQ(c.code, 2);
   EXPECT_THAT(c.err, HasSubstr("--convention: not in C"));

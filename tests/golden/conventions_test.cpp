@@ -24,24 +24,45 @@ constexpr const char* kAllConventions =
     "jacobian_dot_qd,inverse_dynamics_floating,centroidal_momentum_matrix,centroidal_bias,centre_of_mass,"
     "constrained_forward_dynamics,contact_inverse_dynamics,contact_impact,contact_jacobian,contact_bias";
 
-// The text that the program prints with the satellite's headers: "250 hold, 0 do not".
-std::string printed(const char* program, const char* compiler) {
+// The text that the program prints with the robot's headers: "250 hold, 0 do not".
+std::string printed(const GoldenCase& generation, const char* program, const char* compiler) {
   const TemporaryFolder folder;
-  const std::string scene = fmt::format(" --scene '{}'", (kConventionPrograms / "contacts.toml").string());
-  const std::string refusal =
-      generate(FLATDYN_PROGRAM, FLATDYN_SOURCE_DIR,
-               {(kConventionPrograms / "satellite.toml").string(), kAllConventions + scene}, folder.path());
+  const std::string refusal = generate(FLATDYN_PROGRAM, FLATDYN_SOURCE_DIR, generation, folder.path());
   if (!refusal.empty()) return refusal;
   return output_of(folder.path(), fmt::format("{} -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror "
                                               "-ffp-contract=off -I. '{}' -o checks && ./checks",
                                               compiler, (kConventionPrograms / program).string()));
 }
 
-TEST(Conventions, AreExact) { EXPECT_EQ(printed("exact.cpp", "g++"), "250 hold, 0 do not\n"); }
+GoldenCase satellite() {
+  return {(kConventionPrograms / "satellite.toml").string(),
+          kAllConventions + fmt::format(" --scene '{}'", (kConventionPrograms / "contacts.toml").string())};
+}
 
-TEST(Conventions, Move) { EXPECT_EQ(printed("motion.cpp", "g++"), "390 hold, 0 do not\n"); }
+TEST(Conventions, AreExact) { EXPECT_EQ(printed(satellite(), "exact.cpp", "g++"), "250 hold, 0 do not\n"); }
 
-TEST(Conventions, CompileWithClang) { EXPECT_EQ(printed("motion.cpp", "clang++"), "390 hold, 0 do not\n"); }
+TEST(Conventions, Move) { EXPECT_EQ(printed(satellite(), "motion.cpp", "g++"), "390 hold, 0 do not\n"); }
+
+TEST(Conventions, CompileWithClang) {
+  EXPECT_EQ(printed(satellite(), "motion.cpp", "clang++"), "390 hold, 0 do not\n");
+}
+
+TEST(Conventions, AreThoseOfBallsOnAFixedBase) {
+  const GoldenCase wrist = {"docs/examples/ball_wrist.toml",
+                            " --convention pose,pinocchio --functions inverse_dynamics,bias,jacobian"};
+  EXPECT_EQ(printed(wrist, "fixed.cpp", "g++"), "0 do not hold\n");
+}
+
+// Spatial vectors have the angular part first: functions with such vectors of the tip are left out.
+TEST(Conventions, LeaveOutTheTipOfAFixedBase) {
+  const TemporaryFolder folder;
+  const GoldenCase wrist = {"docs/examples/ball_wrist.toml",
+                            " --convention featherstone --functions inverse_dynamics,jacobian"};
+  ASSERT_EQ(generate(FLATDYN_PROGRAM, FLATDYN_SOURCE_DIR, wrist, folder.path()), "");
+  const std::string header = content_of(folder.path() / "ball_wrist_featherstone.hpp");
+  EXPECT_NE(header.find("inline void inverse_dynamics("), std::string::npos);
+  EXPECT_EQ(header.find("jacobian"), std::string::npos);
+}
 
 // A row of the page's table: "| `mujoco` | 1 2 3, 0.8 0.6 0 0 | … |" has the name and the numbers of q, v, a and tau.
 struct PageRow {

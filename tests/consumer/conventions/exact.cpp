@@ -15,7 +15,7 @@ Rational of(int n, int d) { return Rational(n) / Rational(d); }
 
 // With v, a and the torques of flatdyn's own functions.
 struct ExactState : State<Rational> {
-  Rational sine[2], cosine[2], g_b[3], h_b[6];
+  Rational sine[kJointPositions], cosine[kJointPositions], g_b[3], h_b[6];
   Vector<Rational> tau;
 
   Sines sines() const { return {sine, cosine}; }
@@ -25,12 +25,12 @@ ExactState state(const Quaternion<Rational>& e, int k) {
   ExactState s;
   s.p = {of(k, 3), of(-2, 7), of(5, 4 + k)};
   s.e = e;
-  s.q = {of(1, 2), of(k, 9)};  // the first by its sine and cosine only
+  const Quaternion<Rational> ball = k == 1 ? Quaternion<Rational>{of(2, 9), of(-5, 9), of(4, 9), of(6, 9)}
+                                           : Quaternion<Rational>{of(4, 9), of(-4, 9), of(7, 9), 0};
+  s.q = {of(1, 2), ball[0], ball[1], ball[2], ball[3], of(k, 9)};  // the first by its sine and cosine only
   const Rational t = of(k, 5);
   s.sine[0] = 2 * t / (1 + t * t);
   s.cosine[0] = (1 - t * t) / (1 + t * t);
-  s.sine[1] = 0;
-  s.cosine[1] = 1;
   for (int i = 0; i < kSize; ++i) {
     const auto at = static_cast<std::size_t>(i);
     s.v[at] = of(3 * i - 7 + k, 5 + i);

@@ -24,13 +24,18 @@ bool are_close(const std::array<double, n>& a, const std::array<double, n>& b, d
   return largest(difference) <= tolerance * std::fmax(1, largest(b));
 }
 
+Quaternion<double> of_unit_length(Quaternion<double> e) {
+  const double length = std::sqrt(product(e, {e[0], -e[1], -e[2], -e[3]})[0]);
+  for (double& each : e) each /= length;
+  return e;
+}
+
 State<double> state(int k) {
   State<double> s;
   s.p = {0.3 * k, -0.7, 1.1};
-  s.e = {0.1 + 0.3 * k, -0.5, 0.7, 0.4};
-  const double length = std::sqrt(product(s.e, {s.e[0], -s.e[1], -s.e[2], -s.e[3]})[0]);
-  for (double& each : s.e) each /= length;
-  s.q = {0.4 - k, 0.2 * k};
+  s.e = of_unit_length({0.1 + 0.3 * k, -0.5, 0.7, 0.4});
+  const Quaternion<double> ball = of_unit_length({0.6, 0.2 * k, -0.9, 0.5 - 0.1 * k});
+  s.q = {0.4 - k, ball[0], ball[1], ball[2], ball[3], 0.2 * k};
   for (std::size_t i = 0; i < kSize; ++i) {
     s.v[i] = std::sin(1.7 * double(i) + k);
     s.a[i] = 2 * std::cos(2.3 * double(i) - k);
@@ -42,25 +47,27 @@ State<double> state(int k) {
 template <class C>
 void velocities(const Pose<double>& q, const Vector<double>& v, Three<double>& linear, Three<double>& angular) {
   constexpr Meaning m = C::meaning;
-  Quaternion<double> e;
-  for (std::size_t k = 0; k < 4; ++k) e[k] = q[3 + (m.scalar_first ? k : (k + 3) % 4)];
+  const Quaternion<double> e = quaternion_in(m, q, 3);
   linear = part(v, m.angular_first ? 3 : 0);
   angular = part(v, m.angular_first ? 0 : 3);
   if (m.linear == Axes::base) linear = turned(e, linear);
   if (m.angular == Axes::base) angular = turned(e, angular);
 }
 
-// The derivatives of position and quaternion: the origin's velocity, and omega times the quaternion by 2.
+// The derivatives of positions and quaternions: the origin's velocity; omega times the base's quaternion by 2, with
+// omega in world axes; the ball's times omega by 2, with omega in axes of its child.
 template <class C>
 Pose<double> rate(const Pose<double>& q, const Vector<double>& v) {
+  constexpr Meaning m = C::meaning;
   Three<double> linear, omega;
   velocities<C>(q, v, linear, omega);
-  Quaternion<double> e;
-  for (std::size_t k = 0; k < 4; ++k) e[k] = q[3 + (C::meaning.scalar_first ? k : (k + 3) % 4)];
-  const Quaternion<double> turn = product({0, omega[0] / 2, omega[1] / 2, omega[2] / 2}, e);
   Pose<double> result = {linear[0], linear[1], linear[2]};
-  for (std::size_t k = 0; k < 4; ++k) result[3 + (C::meaning.scalar_first ? k : (k + 3) % 4)] = turn[k];
-  for (std::size_t k = 7; k < result.size(); ++k) result[k] = v[k - 1];
+  write_quaternion(m, product({0, omega[0] / 2, omega[1] / 2, omega[2] / 2}, quaternion_in(m, q, 3)), result, 3);
+  result[7] = v[6];
+  const Three<double> turn = part(v, kBallVelocity);
+  write_quaternion(m, product(quaternion_in(m, q, 7 + kBall), {0, turn[0] / 2, turn[1] / 2, turn[2] / 2}), result,
+                   7 + kBall);
+  result[kPositions - 1] = v[kSize - 1];
   return result;
 }
 
@@ -201,8 +208,11 @@ struct Motion {
     expect(are_close(C::difference(q, found), v, 1e-14), "difference is its inverse");
     Pose<double> other = pose_in(meaning, state(7));
     const Pose<double> again = C::integrated(q, C::difference(q, other), 1.0);
-    const double sense = again[3] * other[3] + again[4] * other[4] + again[5] * other[5] + again[6] * other[6];
-    for (std::size_t k = 3; k < 7 && sense < 0; ++k) other[k] = -other[k];
+    for (const std::size_t first : {std::size_t{3}, 7 + kBall}) {
+      double sense = 0;
+      for (std::size_t k = first; k < first + 4; ++k) sense += again[k] * other[k];
+      for (std::size_t k = first; k < first + 4 && sense < 0; ++k) other[k] = -other[k];
+    }
     expect(are_close(again, other, 1e-14), "integrate is the inverse of difference");
   }
 

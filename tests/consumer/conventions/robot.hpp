@@ -13,7 +13,9 @@
 #include "satellite_pinocchio.hpp"
 #include "satellite_pose.hpp"
 
-constexpr int kSize = satellite::velocity_count, kPositions = kSize + 1;
+constexpr int kSize = satellite::velocity_count, kJointPositions = satellite::position_count,
+              kPositions = 7 + kJointPositions;
+constexpr std::size_t kBall = 1, kBallVelocity = 7;  // first entries of the ball's quaternion, and of its velocity
 
 template <class S>
 using Vector = std::array<S, kSize>;
@@ -136,15 +138,31 @@ template <class S>
 struct State {
   Three<S> p;
   Quaternion<S> e;
-  std::array<S, kSize - 6> q;
+  std::array<S, kJointPositions> q;
   Vector<S> v, a;
 };
+
+// Entry k of a quaternion, where the convention writes it.
+inline std::size_t place_of(const Meaning& meaning, std::size_t k) { return meaning.scalar_first ? k : (k + 3) % 4; }
+
+// The quaternion whose entries are from `first` on.
+template <class S, std::size_t n>
+Quaternion<S> quaternion_in(const Meaning& meaning, const std::array<S, n>& q, std::size_t first) {
+  Quaternion<S> e;
+  for (std::size_t k = 0; k < 4; ++k) e[k] = q[first + place_of(meaning, k)];
+  return e;
+}
+template <class S, std::size_t n>
+void write_quaternion(const Meaning& meaning, const Quaternion<S>& e, std::array<S, n>& q, std::size_t first) {
+  for (std::size_t k = 0; k < 4; ++k) q[first + place_of(meaning, k)] = e[k];
+}
 
 template <class S>
 Pose<S> pose_in(const Meaning& meaning, const State<S>& s) {
   Pose<S> q = {s.p[0], s.p[1], s.p[2]};
-  for (std::size_t k = 0; k < 4; ++k) q[3 + (meaning.scalar_first ? k : (k + 3) % 4)] = s.e[k];
   for (std::size_t k = 0; k < s.q.size(); ++k) q[7 + k] = s.q[k];
+  write_quaternion(meaning, s.e, q, 3);
+  write_quaternion(meaning, quaternion_in({"", true, Axes::base, Axes::base, false}, s.q, kBall), q, 7 + kBall);
   return q;
 }
 
