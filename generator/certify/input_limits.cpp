@@ -22,6 +22,7 @@ double size_of_gravity(const Vec3& g) {
 double limit_of(const Mechanism& mechanism, const Input& input) {
   switch (input.kind) {
     case InputKind::q:
+      if (mechanism.is_of_quaternion(input.index)) return 1;
       return required_reach(mechanism.joint_at(input.index));
     case InputKind::qd:
     case InputKind::v:

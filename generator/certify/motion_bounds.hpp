@@ -45,7 +45,7 @@ std::vector<F> entries_of(const FieldMotion<F>& motion) {
 
 class MotionBounds {
  public:
-  // The mechanism must not have closed loops, coupled or prismatic joints.
+  // The mechanism must not have closed loops, or coupled, prismatic or spherical joints.
   MotionBounds(const Mechanism& mechanism, const InputLimits& limits);
 
   // The largest length of rows · entries_of(the link's motion); rows has kSize columns.

@@ -25,7 +25,7 @@ using ExactConstants = std::function<std::optional<Rational>(double)>;
 
 class MotionRecogniser {
  public:
-  // For a mechanism with prismatic or coupled joints, or loops, none are recognised. The base may float.
+  // For a mechanism with prismatic, spherical or coupled joints, or loops, none are recognised. The base may float.
   MotionRecogniser(const Mechanism& mechanism, const InputLimits& limits, ExactConstants constants);
   ~MotionRecogniser();
   MotionRecogniser(const MotionRecogniser&) = delete;

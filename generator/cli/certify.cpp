@@ -116,7 +116,6 @@ ExitCode run_certify(const CertifyArguments& arguments) {
   const PipelineOptions options = pipeline_options(arguments);
   const LoadedRobot model = load_robot(arguments.robot, options);
   refuse_loops(model, "certify");
-  refuse_spherical_joints(model, "certify");
   print_diagnostics(model.diagnostics, arguments);
   const Certified result = certified(arguments, model, options);
   const CertifiedHeader about{result.header, content_hash({result.text}), model.robot.snaps,

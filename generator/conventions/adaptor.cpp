@@ -226,7 +226,7 @@ class AdaptorWriter {
       const InputArgument argument = input_argument(kind, JointCounts(code_.mechanism));
       const int length = argument.length + (kind == InputKind::q ? pose_ : 0);
       rows.push_back({fmt::format("{}[{}]", argument.name, length), "in",
-                      meaning_of_input(kind, convention_, JointCounts(code_.mechanism))});
+                      meaning_of_input(kind, convention_, JointCounts(code_.mechanism), function_)});
     }
     for (std::size_t k = 0; k < text_.outputs.size(); ++k) {
       Output output = function_.outputs[k];

@@ -51,9 +51,11 @@ std::string meaning_of_force(const Convention& convention, JointCounts counts) {
       std::string("N m or N") + (counts.spherical ? ", spherical ones moment in the child's axes" : ""));
 }
 
-std::string meaning_of_input(InputKind kind, const Convention& convention, JointCounts counts) {
+std::string meaning_of_input(InputKind kind, const Convention& convention, JointCounts counts,
+                             const Function& function) {
   if (kind == InputKind::q) return meaning_of_pose(convention, counts);
-  if (!counts.floating_base) return input_argument(kind, counts).meaning;
+  const std::string own = input_argument(kind, counts, function).meaning;
+  if (!counts.floating_base) return own;
   switch (kind) {
     case InputKind::v:
       return meaning_of_velocity(convention, counts);
@@ -62,8 +64,10 @@ std::string meaning_of_input(InputKind kind, const Convention& convention, Joint
     case InputKind::tau:
       return meaning_of_force(convention, counts);
     default:
-      return fmt::format("{} that the tip exerts on its environment, world axes",
-                         convention.angular_first ? "moment (N m), then force (N)" : "force (N), then moment (N m)");
+      return with_replaced(convention.angular_first
+                               ? with_replaced(own, "force (N), then moment (N m)", "moment (N m), then force (N)")
+                               : own,
+                           "base frame", "world axes");
   }
 }
 

@@ -16,7 +16,8 @@ std::string meaning_of_velocity(const Convention& convention, JointCounts counts
 std::string meaning_of_force(const Convention& convention, JointCounts counts);
 
 // The meaning of an argument other than g_b, which conventions do not have.
-std::string meaning_of_input(InputKind kind, const Convention& convention, JointCounts counts);
+std::string meaning_of_input(InputKind kind, const Convention& convention, JointCounts counts,
+                             const Function& function);
 // The meaning of a result of a robot with a floating base.
 std::string meaning_of_output(const Output& output, const Convention& convention, JointCounts counts);
 

@@ -75,6 +75,19 @@ class DefinitionPoint {
     return accelerations;
   }
 
+  // Those of the reference motion: ẍ_r = ν̇_r - Ȧ ν_r, so that B ẍ_r + C_x ν_r = B ν̇_r + C ν_r.
+  Values reference_accelerations() const {
+    Values result = drawn(InputKind::qdd_r);
+    const Values rates = drawn(InputKind::qd_r);
+    for (const RateBlock<F>& A : rate_blocks(mechanism, qd())) {
+      for (std::size_t j = 0; j < A.entries.size(); ++j) {
+        const auto first = static_cast<std::size_t>(A.first);
+        for (std::size_t k = 0; k < A.entries.size(); ++k) result[first + j] += -(A.entries[j][k] * rates[first + k]);
+      }
+    }
+    return result;
+  }
+
   // The torques without acceleration.
   Values bias() {
     return mechanism.has_quasi_velocities() ? torques_at(Values(qd().size(), F(0))) : lagrangian.bias(qd(), signs());

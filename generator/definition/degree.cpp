@@ -153,6 +153,21 @@ std::vector<JointPoint<Degree>> joint_degrees(const Mechanism& mechanism) {
   return degrees;
 }
 
+// The mechanism with gravity as an argument if the base floats and there is any.
+MechanismOver<Degree> mechanism_with_drawn_gravity(const Mechanism& mechanism, DegreeArithmetic& arithmetic) {
+  MechanismOver<Degree> field = mechanism_over(mechanism, arithmetic);
+  const Degree drawn = Degree::of(1);
+  if (mechanism.has_base_gravity()) field.gravity = {drawn, drawn, drawn};
+  return field;
+}
+
+// Accelerations of coordinates around the present pose have products of velocities.
+std::vector<Degree> accelerations_of_coordinates(const Mechanism& mechanism) {
+  const Degree drawn = Degree::of(1);
+  return std::vector<Degree>(static_cast<std::size_t>(mechanism.size()),
+                             mechanism.has_quasi_velocities() ? drawn * drawn : drawn);
+}
+
 }  // namespace
 
 MechanismDegrees lagrangian_degrees(const Mechanism& mechanism) {
@@ -160,12 +175,9 @@ MechanismDegrees lagrangian_degrees(const Mechanism& mechanism) {
   const Degree drawn = Degree::of(1);
   const auto n = static_cast<std::size_t>(mechanism.size());
   const auto bodies = static_cast<std::size_t>(mechanism.body_count());
-  MechanismOver<Degree> field = mechanism_over(mechanism, arithmetic);
-  if (mechanism.has_base_gravity()) field.gravity = {drawn, drawn, drawn};
-  Lagrangian<Degree> lagrangian(std::move(field), joint_degrees(mechanism));
-  const std::vector<Degree> rates(n, drawn), signs(bodies, drawn);
-  // Accelerations of coordinates around the present pose have products of velocities.
-  const std::vector<Degree> accelerations(n, mechanism.has_quasi_velocities() ? drawn * drawn : drawn);
+  Lagrangian<Degree> lagrangian(mechanism_with_drawn_gravity(mechanism, arithmetic), joint_degrees(mechanism));
+  const std::vector<Degree> rates(n, drawn), signs(bodies, drawn),
+      accelerations = accelerations_of_coordinates(mechanism);
   Degree largest = lagrangian.potential_energy() + lagrangian.kinetic_energy(rates);
   for (const Degree& torque : lagrangian.inverse_dynamics(rates, accelerations, signs)) largest += torque;
   for (const Degree& torque : lagrangian.tip_torques(std::vector<Degree>(6, drawn))) largest += torque;
@@ -195,14 +207,14 @@ double energy_degree(const Robot& robot, const Mechanism& mechanism) {
 
 MechanismDegrees regressor_degrees(const Mechanism& mechanism) {
   DegreeArithmetic arithmetic;
-  const MechanismOver<Degree> field = mechanism_over(mechanism, arithmetic);
   const Degree drawn = Degree::of(1);
   const auto n = static_cast<std::size_t>(mechanism.size());
   const auto bodies = static_cast<std::size_t>(mechanism.body_count());
-  const LagrangianRegressor<Degree> lagrangian(field, joint_degrees(mechanism));
+  const LagrangianRegressor<Degree> lagrangian(mechanism_with_drawn_gravity(mechanism, arithmetic),
+                                               joint_degrees(mechanism));
   const std::vector<Degree> rates(n, drawn), signs(bodies, drawn);
   Degree largest, factor = drawn;
-  const Matrix<Degree> Y = lagrangian.adaptive(rates, rates, rates, signs);
+  const Matrix<Degree> Y = lagrangian.adaptive(rates, rates, accelerations_of_coordinates(mechanism), signs);
   for (const Degree& entry : Y.entries()) largest += entry;
   const NumberMap<DegreeArithmetic> number(mechanism.symbols, arithmetic);
   const BaseParameters base = base_parameters(mechanism);

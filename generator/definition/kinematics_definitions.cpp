@@ -31,4 +31,7 @@ constinit const Definition jacobian =
 constinit const Definition jacobian_dot_qd =
     defined_as([](auto& at, const Output&) { return at.jacobian_dot_qd(at.frame()); });
 
+constinit const Definition external_torque = defined_as(
+    [](auto& at, const Output&) { return at.lagrangian.torques_at(at.frame(), at.drawn(InputKind::h_e, 6)); });
+
 }  // namespace flatdyn::definitions

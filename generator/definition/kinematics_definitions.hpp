@@ -6,6 +6,6 @@
 
 namespace flatdyn::definitions {
 
-extern const Definition forward_kinematics, jacobian, jacobian_dot_qd;
+extern const Definition forward_kinematics, jacobian, jacobian_dot_qd, external_torque;
 
 }  // namespace flatdyn::definitions

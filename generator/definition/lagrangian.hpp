@@ -111,8 +111,11 @@ class Lagrangian {
   }
 
   // Jᵀ h_e, where h_e is the force, then the moment about the tip, in the base frame, exerted on the environment.
-  Values tip_torques(const Values& h_e) const {
-    const Matrix<F> J = jacobian(mechanism_.tip);
+  Values tip_torques(const Values& h_e) const { return torques_at(mechanism_.tip, h_e); }
+
+  // The same for another frame.
+  Values torques_at(const FieldFrame<F>& frame, const Values& h_e) const {
+    const Matrix<F> J = jacobian(frame);
     Values result(static_cast<std::size_t>(size()), F(0));
     for (int j = 0; j < size(); ++j) {
       for (int row = 0; row < 6; ++row) {

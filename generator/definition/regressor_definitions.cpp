@@ -29,7 +29,7 @@ class RegressorDefinition {
 
   // Y of the torques B q̈_r + C(q, q̇) q̇_r + g + friction at q̇_r.
   Matrix<F> adaptive() const {
-    return lagrangian_.adaptive(point_.qd(), point_.drawn(InputKind::qd_r), point_.drawn(InputKind::qdd_r),
+    return lagrangian_.adaptive(point_.qd(), point_.drawn(InputKind::qd_r), point_.reference_accelerations(),
                                 joint_signs(point_.mechanism, point_.arithmetic, InputKind::qd_r));
   }
 
@@ -46,12 +46,13 @@ class RegressorDefinition {
   // Y_s of the joints' springs. Angles are among the positions of joints that have a spring.
   Values spring_columns() const {
     Mechanism sprung = point_.mechanism;
-    for (Body& body : sprung.bodies) body.stiffness = 1;
+    const std::vector<int> bodies = sprung.bodies_on_one_axis();
+    for (const int i : bodies) sprung.bodies[static_cast<std::size_t>(i)].stiffness = 1;
     const LagrangianRegressor<F> lagrangian(point_.lagrangian.mechanism(), joint_points(sprung, point_.arithmetic));
     const Matrix<F> Y = lagrangian.springs();
     Values entries;
     for (int i = 0; i < Y.rows(); ++i) {
-      for (int k = 2 * point_.mechanism.base_bodies(); k < Y.cols(); ++k) entries.push_back(Y(i, k));
+      for (const int j : bodies) entries.insert(entries.end(), {Y(i, 2 * j), Y(i, 2 * j + 1)});
     }
     return entries;
   }

@@ -41,6 +41,10 @@ InputArgument input_argument(InputKind kind, JointCounts counts, int base_parame
                   (counts.spherical ? "; of a spherical joint the angular velocity in the child's axes" : "")};
     case InputKind::a:
       return {"a", joints, "derivatives of the entries of v"};
+    case InputKind::v_r:
+      return {"v_r", joints, "reference velocities, with entries as those of v"};
+    case InputKind::a_r:
+      return {"a_r", joints, "derivatives of the entries of v_r"};
     case InputKind::qd_r:
       return {"qd_r", joints, "reference velocities, rad/s or m/s"};
     case InputKind::qdd_r:
@@ -52,6 +56,15 @@ InputArgument input_argument(InputKind kind, JointCounts counts, int base_parame
       break;
   }
   throw std::logic_error("parameters and stored values are no array arguments");
+}
+
+InputArgument input_argument(InputKind kind, JointCounts counts, const Function& function) {
+  InputArgument argument = input_argument(kind, counts, function.base_parameters);
+  const std::size_t colon = function.name.find(':');
+  if (colon == std::string::npos) return argument;
+  const std::string link = fmt::format("link \"{}\"", function.name.substr(colon + 1));
+  argument.meaning = with_replaced(argument.meaning, "the tip", link);
+  return argument;
 }
 
 std::string variable_of_input(const Input& input, const std::vector<std::string>& parameters) {

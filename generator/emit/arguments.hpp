@@ -36,6 +36,9 @@ struct JointCounts {
 // std::logic_error for parameters, which are passed in one struct, and for stored values.
 InputArgument input_argument(InputKind kind, JointCounts counts, int base_parameters = 0);
 
+// An argument of a function, with the name of its link where it is one of a link.
+InputArgument input_argument(InputKind kind, JointCounts counts, const Function& function);
+
 // The local variable that an input is read into: "qd_2" for qd[1]; for a parameter, the name of its member.
 std::string variable_of_input(const Input& input, const std::vector<std::string>& parameters);
 

@@ -110,7 +110,7 @@ class FunctionWriter {
   std::vector<ArrayArgument> input_arrays() const {
     std::vector<ArrayArgument> arrays;
     for (InputKind kind : function_.inputs) {
-      const InputArgument argument = input_argument(kind, counts(), function_.base_parameters);
+      const InputArgument argument = input_argument(kind, counts(), function_);
       arrays.push_back({argument.name, static_cast<std::size_t>(argument.length)});
     }
     return arrays;
@@ -128,7 +128,7 @@ class FunctionWriter {
   std::vector<std::array<std::string, 3>> argument_rows() const {
     std::vector<std::array<std::string, 3>> rows;
     for (InputKind kind : function_.inputs) {
-      const InputArgument argument = input_argument(kind, counts(), function_.base_parameters);
+      const InputArgument argument = input_argument(kind, counts(), function_);
       rows.push_back({fmt::format("{}[{}]", argument.name, argument.length), "in", argument.meaning});
     }
     for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_) && !makes_stage(); ++k) {

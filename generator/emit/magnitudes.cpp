@@ -11,6 +11,7 @@ double magnitude_of(InputKind kind) {
     case InputKind::qd:
     case InputKind::qd_r:
     case InputKind::v:
+    case InputKind::v_r:
       return 3;
     case InputKind::qdd:
     case InputKind::qdd_r:
@@ -18,6 +19,7 @@ double magnitude_of(InputKind kind) {
     case InputKind::h_e:
     case InputKind::g_b:
     case InputKind::a:
+    case InputKind::a_r:
       return 10;
     default:
       return 1;

@@ -59,8 +59,7 @@ struct FunctionTraits {
   bool is_all_or_nothing = false;        // whether its entries cannot be compared one by one with the definition
   bool depends_on_gravity_only = false;  // whether inertia and friction do not change it
   bool needs_floating_base = false;      // whether it is there for robots with a floating base only
-  bool needs_fixed_base = false;         // whether it is not there for robots with a floating base
-  bool needs_rates = false;              // whether it is not there for robots with spherical joints
+  bool needs_rates = false;              // whether velocities have to be the derivatives of coordinates
   bool leaves_out_springs = false;       // whether it is about torques without those of springs
   bool needs_contacts = false;           // whether it is about the scene's contacts
 };
@@ -78,10 +77,11 @@ struct FunctionRow {
 
   // Whether the function applies to the robot.
   bool applies_to(const Mechanism& mechanism) const {
-    const bool has_base = mechanism.floating_base ? !traits.needs_fixed_base : !traits.needs_floating_base;
-    if (traits.needs_rates && mechanism.has_spherical_joints()) return false;
-    const bool has_contacts = !traits.needs_contacts || !mechanism.contacts.empty();
-    return has_base && has_contacts && (!traits.needs_loops || mechanism.has_loops());
+    const bool has_base = mechanism.floating_base || !traits.needs_floating_base,
+               has_rates = !mechanism.has_quasi_velocities() || !traits.needs_rates,
+               has_contacts = !mechanism.contacts.empty() || !traits.needs_contacts,
+               has_loops = mechanism.has_loops() || !traits.needs_loops;
+    return has_base && has_rates && has_contacts && has_loops;
   }
   // The arguments for this robot: with a floating base or spherical joints v and a for q̇ and q̈, and g_b if the base
   // floats and there is gravity.

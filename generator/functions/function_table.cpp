@@ -91,7 +91,7 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_christoffel, .closed_form = closed_christoffel},
      .definition = definitions::christoffel,
      .reference = references::christoffel,
-     .traits = {.needs_fixed_base = true, .needs_rates = true}},
+     .traits = {.needs_rates = true}},
     {.name = "coriolis_matrix",
      .summary = "C(q, qd) from the Christoffel symbols",
      .equation = "(7.44)",
@@ -172,6 +172,15 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.of_link = derive_jacobian_dot_qd},
      .definition = definitions::jacobian_dot_qd,
      .reference = references::jacobian_dot_qd},
+    {.name = "external_torque",
+     .summary = "J(q)^T h_e: the torques for a force h_e that the tip exerts on the environment",
+     .equation = "(7.42)",
+     .inputs = {q, h_e},
+     .outputs = {per_joint("tau", OutputQuantity::joint_torque)},
+     .derivation = {.of_link = derive_external_torque},
+     .definition = definitions::external_torque,
+     .reference = references::external_torque,
+     .traits = {.on_request = true}},
     {.name = "loop_closure",
      .summary = "Phi(q): what lies between the points where the loops are closed",
      .equation = "",
@@ -403,21 +412,17 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_mechanism = derive_spring_regressor},
      .definition = definitions::spring_regressor,
      .reference = references::spring_regressor,
-     .traits = {.on_request = true, .needs_rates = true}},
+     .traits = {.on_request = true}},
     {.name = "adaptive_regressor",
      .summary = "Y_b(q, qd, qd_r, qdd_r) with B qdd_r + C qd_r + g + friction at qd_r = Y_b pi_b",
      .equation = "(7.81)",
-     .inputs = {q, qd, qd_r, qdd_r},
+     .inputs = {q, g_b, qd, qd_r, qdd_r},
      .outputs = {matrix("Y_b", Extent::joints, Extent::base_parameters, OutputQuantity::torque_per_parameter)},
      .derivation = {.from_mechanism = derive_adaptive_regressor},
      .definition = definitions::adaptive_regressor,
      .reference = references::adaptive_regressor,
-     .traits = {.on_request = true,
-                .uses_base_parameters = true,
-                .is_all_or_nothing = true,
-                .needs_fixed_base = true,
-                .needs_rates = true,
-                .leaves_out_springs = true}},
+     .traits =
+         {.on_request = true, .uses_base_parameters = true, .is_all_or_nothing = true, .leaves_out_springs = true}},
 };
 
 }  // namespace
@@ -487,7 +492,7 @@ int extent_of(Extent extent, const Mechanism& mechanism, const Function& functio
     case Extent::contact_points:
       return 3 * static_cast<int>(mechanism.contacts.size());
     case Extent::springs:
-      return 2 * (mechanism.body_count() - mechanism.base_bodies());
+      return 2 * static_cast<int>(mechanism.bodies_on_one_axis().size());
   }
   return 0;
 }

@@ -155,6 +155,10 @@ std::string name_of(InputKind kind) {
       return "v";
     case InputKind::a:
       return "a";
+    case InputKind::v_r:
+      return "v_r";
+    case InputKind::a_r:
+      return "a_r";
     case InputKind::stored:
       return "stored";
   }

@@ -139,6 +139,14 @@ InertialParameters transformed(const InertialParameters& a, const Mat3& R, const
   return {a.mass, expanded(h + a.mass * p), expanded(I + inertia_between(p, h) + steiner(a.mass, p))};
 }
 
+std::vector<int> Mechanism::bodies_on_one_axis() const {
+  std::vector<int> result;
+  for (int i = base_bodies(); i < body_count(); ++i) {
+    if (!is_of_spherical(i)) result.push_back(i);
+  }
+  return result;
+}
+
 bool Mechanism::has_springs() const {
   return std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return !vanishes(body.stiffness); });
 }

@@ -224,6 +224,8 @@ struct Mechanism {
   int body_of(int k) const { return k < base_bodies() ? k : body_at(position_of(k)); }
   const Body& joint_at(int position) const { return bodies[static_cast<std::size_t>(body_at(position))]; }
   const Body& joint(int k) const { return bodies[static_cast<std::size_t>(body_of(k))]; }
+  // The bodies that joints of one axis move, which may have springs.
+  std::vector<int> bodies_on_one_axis() const;
   bool has_springs() const;
   bool has_prismatic_joint() const;  // beside the motion of a floating base
   // Whether entries of q or q̇ are lengths, so that the unit of length is not free.

@@ -24,8 +24,8 @@ struct StateOf {
   std::vector<S> g_b;                            // gravity in the axes of a floating base, m/s^2
 
   const std::vector<S>& of(InputKind kind) const {
-    const std::vector<S>* const members[] = {&q,    &qd,    &qdd,  &tau, &h_e, &parameters,
-                                             &qd_r, &qdd_r, &pi_b, &g_b, &qd,  &qdd};  // in the order of InputKind
+    const std::vector<S>* const members[] = {&q,    &qd,  &qdd, &tau, &h_e,  &parameters, &qd_r, &qdd_r,
+                                             &pi_b, &g_b, &qd,  &qdd, &qd_r, &qdd_r};  // in the order of InputKind
     return *members[static_cast<std::size_t>(kind)];
   }
   std::vector<S>& of(InputKind kind) { return const_cast<std::vector<S>&>(std::as_const(*this).of(kind)); }
@@ -35,10 +35,12 @@ struct StateOf {
 inline constexpr InputKind kStateKinds[] = {InputKind::q,   InputKind::qd,       InputKind::qdd,   InputKind::tau,
                                             InputKind::h_e, InputKind::qd_r,     InputKind::qdd_r, InputKind::pi_b,
                                             InputKind::g_b, InputKind::parameter};
-// All kinds of arguments. v and a are q̇ and q̈ of a robot with a floating base.
-inline constexpr InputKind kArgumentKinds[] = {InputKind::q,   InputKind::qd,   InputKind::qdd,   InputKind::tau,
-                                               InputKind::h_e, InputKind::qd_r, InputKind::qdd_r, InputKind::pi_b,
-                                               InputKind::g_b, InputKind::v,    InputKind::a,     InputKind::parameter};
+// All kinds of arguments. v and a are q̇ and q̈ of a robot with a floating base or spherical joints, v_r and a_r those
+// of reference.
+inline constexpr InputKind kArgumentKinds[] = {InputKind::q,   InputKind::qd,       InputKind::qdd,   InputKind::tau,
+                                               InputKind::h_e, InputKind::qd_r,     InputKind::qdd_r, InputKind::pi_b,
+                                               InputKind::g_b, InputKind::v,        InputKind::a,     InputKind::v_r,
+                                               InputKind::a_r, InputKind::parameter};
 inline constexpr std::span kMotionKinds = std::span(kStateKinds).first<std::size(kStateKinds) - 1>();
 
 // A state in doubles: the compiled code gets exactly the same numbers as the reference.

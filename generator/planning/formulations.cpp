@@ -42,15 +42,11 @@ struct Request {
 Request parsed(const Mechanism& mechanism, const std::string& name) {
   const std::size_t colon = name.find(':');
   Request request{&known_row(name.substr(0, colon)), nullptr};
-  if (request.row->traits.needs_fixed_base && mechanism.floating_base) {
+  if (request.row->traits.needs_rates && mechanism.has_quasi_velocities()) {
     throw Failure(ExitCode::unsupported,
-                  fmt::format("function \"{}\" is not supported for robots with a floating base", request.row->name),
-                  "leave it out of --functions, or fix the base");
-  }
-  if (request.row->traits.needs_rates && mechanism.has_spherical_joints()) {
-    throw Failure(ExitCode::unsupported,
-                  fmt::format("function \"{}\" is not supported for robots with spherical joints", request.row->name),
-                  "leave it out of --functions");
+                  fmt::format("function \"{}\": v of a robot with {} is not the derivative of coordinates",
+                              request.row->name, mechanism.floating_base ? "a floating base" : "spherical joints"),
+                  "the symbols are those of coordinates; coriolis_matrix has C(q, v)");
   }
   if (request.row->traits.uses_task && mechanism.floating_base && mechanism.task.rates_are_of_angles()) {
     throw Failure(ExitCode::unsupported, "a task in Euler angles is not supported for robots with a floating base",

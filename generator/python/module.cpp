@@ -110,7 +110,7 @@ class ModuleWriter {
   bool has_parameters() const { return !mechanism_.symbols.empty(); }
 
   InputArgument argument(const Function& function, InputKind kind) const {
-    return input_argument(kind, JointCounts(mechanism_), function.base_parameters);
+    return input_argument(kind, JointCounts(mechanism_), function);
   }
 
   data row_of(const Function& function) const {

@@ -28,7 +28,9 @@ constexpr auto kInputArrays = std::to_array<InputArray>({{InputKind::q, "q"},
                                                          {InputKind::pi_b, "pi_b"},
                                                          {InputKind::g_b, "g_b"},
                                                          {InputKind::v, "v"},
-                                                         {InputKind::a, "a"}});
+                                                         {InputKind::a, "a"},
+                                                         {InputKind::v_r, "v_r"},
+                                                         {InputKind::a_r, "a_r"}});
 
 int length_of_input(InputKind kind, const Function& function, const FileContents& contents) {
   constexpr int kWrench = 6, kVector = 3;

@@ -13,7 +13,8 @@ const std::map<std::string, InputKind>& input_kinds() {
   static const std::map<std::string, InputKind> kinds = {
       {"q", InputKind::q},       {"qd", InputKind::qd},       {"qdd", InputKind::qdd},   {"tau", InputKind::tau},
       {"g_b", InputKind::g_b},   {"v", InputKind::v},         {"a", InputKind::a},       {"h_e", InputKind::h_e},
-      {"qd_r", InputKind::qd_r}, {"qdd_r", InputKind::qdd_r}, {"pi_b", InputKind::pi_b},
+      {"qd_r", InputKind::qd_r}, {"qdd_r", InputKind::qdd_r}, {"pi_b", InputKind::pi_b}, {"v_r", InputKind::v_r},
+      {"a_r", InputKind::a_r},
   };
   return kinds;
 }

@@ -30,6 +30,23 @@ std::vector<double> tip_acceleration(const At& at) {
   return {m[0], m[0], m[0], m[1], m[1], m[1]};
 }
 
+template <class S>
+ref::VectorX<S> wrench(const ReferencePoint<S>& at) {
+  ref::VectorX<S> h(6);
+  h << at.h_e.f_e, at.h_e.mu_e;
+  return h;
+}
+
+template <class S>
+std::vector<S> torques_of_wrench(const ReferencePoint<S>& at) {
+  return row_by_row(ref::VectorX<S>(ref::jacobian(at.robot, at.q).transpose() * wrench(at)));
+}
+
+std::vector<double> wrench_magnitude(const At& at) {
+  const ref::VectorX<double> h = wrench(at).cwiseAbs();
+  return row_by_row(ref::VectorX<double>(ref::jacobian_magnitude(at.robot, at.q).transpose() * h));
+}
+
 }  // namespace
 
 constinit const NumericReference forward_kinematics =
@@ -42,5 +59,8 @@ constinit const NumericReference jacobian =
 constinit const NumericReference jacobian_dot_qd =
     computed_by([](const auto& at) { return row_by_row(ref::jacobian_dot_qd(at.robot, at.q, at.qd)); },
                 [](const At& at) { return tip_acceleration(at); });
+
+constinit const NumericReference external_torque = computed_by([](const auto& at) { return torques_of_wrench(at); },
+                                                               [](const At& at) { return wrench_magnitude(at); });
 
 }  // namespace flatdyn::references

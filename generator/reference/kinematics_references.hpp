@@ -6,6 +6,6 @@
 
 namespace flatdyn::references {
 
-extern const NumericReference forward_kinematics, jacobian, jacobian_dot_qd;
+extern const NumericReference forward_kinematics, jacobian, jacobian_dot_qd, external_torque;
 
 }  // namespace flatdyn::references

@@ -112,16 +112,41 @@ reference::Robot<S> unit_robot(const Mechanism& mechanism, reference::Robot<S> r
   return robot;
 }
 
+// The bracket of two motions of rigid bodies: (ω × v_r - ω_r × v, ω × ω_r) of a floating base, ω × ω_r of a spherical
+// joint, 0 else. C(v) v_r - C(v_r) v is B times it. `sign` 1: the sum of the terms' magnitudes for magnitudes.
+template <class S>
+reference::VectorX<S> bracket(const reference::Robot<S>& robot, const reference::VectorX<S>& v,
+                              const reference::VectorX<S>& v_r, int sign) {
+  reference::VectorX<S> result = reference::VectorX<S>::Zero(v.size());
+  const auto product = [sign](const auto& a, const auto& b) {
+    const reference::Vector3<S> less(a[2] * b[1], a[0] * b[2], a[1] * b[0]);
+    return reference::Vector3<S>(reference::Vector3<S>(a[1] * b[2], a[2] * b[0], a[0] * b[1]) + S(sign) * less);
+  };
+  const auto add_turn = [&](Eigen::Index first) {
+    result.template segment<3>(first) = product(v.template segment<3>(first), v_r.template segment<3>(first));
+  };
+  if (robot.floating_base) {
+    result.template head<3>() = product(v.template segment<3>(3), v_r.template head<3>()) +
+                                S(sign) * product(v_r.template segment<3>(3), v.template head<3>());
+    add_turn(3);
+  }
+  for (const reference::Joint<S>& joint : robot.joints) {
+    if (joint.size() == 3) add_turn(joint.index);
+  }
+  return result;
+}
+
 // B q̈_r + C(q, q̇) q̇_r + g + F_v q̇_r + F_s sgn(q̇_r) from inverse dynamics, by polarisation of the part that is
-// quadratic in the rates. `torque(qd, qdd, gravity, friction)`.
+// quadratic in the rates, which makes C symmetric in them, and half of their bracket. `torque(qd, qdd, gravity,
+// friction)`.
 template <class S, class Torque>
 reference::VectorX<S> adaptive(const Torque& torque, const reference::VectorX<S>& qd, const reference::VectorX<S>& qd_r,
-                               const reference::VectorX<S>& qdd_r) {
+                               const reference::VectorX<S>& qdd_r, const reference::VectorX<S>& bracket) {
   const reference::VectorX<S> zero = reference::VectorX<S>::Zero(qd.size());
   const auto velocity_torque = [&](const reference::VectorX<S>& rates) { return torque(rates, zero, false, false); };
   const reference::VectorX<S> mixed = velocity_torque(qd + qd_r) - velocity_torque(qd) - velocity_torque(qd_r);
   const reference::VectorX<S> friction = torque(qd_r, zero, false, true) - velocity_torque(qd_r);
-  return torque(zero, qdd_r, true, false) + mixed / S(2) + friction;
+  return torque(zero, qdd_r + bracket / S(2), true, false) + mixed / S(2) + friction;
 }
 
 template <class S>
@@ -131,7 +156,8 @@ reference::VectorX<S> adaptive_column(const reference::Robot<S>& robot, const St
   const auto torque = [&](const Vector& qd, const Vector& qdd, bool gravity, bool friction) -> Vector {
     return reference::inverse_dynamics(robot, q, qd, qdd, {.gravity = gravity, .friction = friction});
   };
-  return adaptive<S>(torque, vector_of(state.qd), vector_of(state.qd_r), vector_of(state.qdd_r));
+  const Vector qd = vector_of(state.qd), qd_r = vector_of(state.qd_r);
+  return adaptive<S>(torque, qd, qd_r, vector_of(state.qdd_r), bracket<S>(robot, qd, qd_r, -1));
 }
 
 GiNaC::exmap values_of(const std::vector<FreeSymbol>& symbols, const SymbolValues& values) {
@@ -170,7 +196,8 @@ reference::VectorX<double> adaptive_magnitude(const reference::Robot<double>& ro
     return reference::torque_magnitude(robot, q, qd, qdd, {.gravity = gravity, .friction = friction});
   };
   const auto size = [](const std::vector<double>& v) { return Vector(vector_of(v).cwiseAbs()); };
-  return adaptive<double>(torque, size(state.qd), size(state.qd_r), size(state.qdd_r)).cwiseAbs();
+  const Vector qd = size(state.qd), qd_r = size(state.qd_r);
+  return adaptive<double>(torque, qd, qd_r, size(state.qdd_r), bracket<double>(robot, qd, qd_r, 1)).cwiseAbs();
 }
 
 }  // namespace
@@ -230,12 +257,13 @@ reference::MatrixX<S> RegressorReference<S>::matrix(const StateOf<S>& state) con
 
 template <class S>
 reference::MatrixX<S> RegressorReference<S>::adaptive_matrix(const StateOf<S>& state) const {
-  return by_columns(units_, state, [](const auto& unit, const auto& at) { return adaptive_column(unit, at); });
+  return with_own_friction(
+      by_columns(units_, state, [](const auto& unit, const auto& at) { return adaptive_column(unit, at); }));
 }
 
 template <class S>
 SpringRegressorReference<S>::SpringRegressorReference(const Mechanism& mechanism, const reference::Robot<S>& robot) {
-  for (int i = mechanism.base_bodies(); i < mechanism.body_count(); ++i) {
+  for (const int i : mechanism.bodies_on_one_axis()) {
     std::array<reference::Robot<S>, 2> unit = {without_parameters(robot), without_parameters(robot)};
     for (std::size_t k = 0; k < 2; ++k) {
       reference::Joint<S>& joint = joint_of_body(unit[k], i);
@@ -248,20 +276,23 @@ SpringRegressorReference<S>::SpringRegressorReference(const Mechanism& mechanism
 
 template <class S>
 reference::MatrixX<S> SpringRegressorReference<S>::matrix(const StateOf<S>& state) const {
-  const reference::VectorX<S> q = vector_of(state.q);
+  const auto still = [](const auto& unit, const auto& at) -> reference::VectorX<S> {
+    const reference::VectorX<S> zero = reference::VectorX<S>::Zero(unit.size());
+    return reference::inverse_dynamics(unit, vector_of(at.q), zero, zero);
+  };
   return two_by_two<S>(units_, [&](const auto& relaxed_at) -> std::array<reference::VectorX<S>, 2> {
-    const reference::VectorX<S> zero = reference::VectorX<S>::Zero(relaxed_at[0].size());
-    const reference::VectorX<S> at_0 = reference::inverse_dynamics(relaxed_at[0], q, zero, zero);
-    return {at_0, reference::inverse_dynamics(relaxed_at[1], q, zero, zero) - at_0};
+    const reference::VectorX<S> at_0 = column_at(relaxed_at[0], state, still);
+    return {at_0, column_at(relaxed_at[1], state, still) - at_0};
   });
 }
 
 reference::MatrixX<double> magnitudes(const SpringRegressorReference<double>& of, const State& state) {
-  const auto q = vector_of(state.q);
+  const auto still = [](const auto& unit, const auto& at) -> reference::VectorX<double> {
+    const reference::VectorX<double> zero = reference::VectorX<double>::Zero(unit.size());
+    return reference::torque_magnitude(unit, vector_of(at.q), zero, zero);
+  };
   return two_by_two<double>(of.units(), [&](const auto& relaxed_at) -> std::array<reference::VectorX<double>, 2> {
-    const reference::VectorX<double> zero = reference::VectorX<double>::Zero(relaxed_at[0].size());
-    return {reference::torque_magnitude(relaxed_at[0], q, zero, zero),
-            reference::torque_magnitude(relaxed_at[1], q, zero, zero)};
+    return {column_at(relaxed_at[0], state, still), column_at(relaxed_at[1], state, still)};
   });
 }
 
@@ -273,7 +304,8 @@ reference::MatrixX<double> magnitudes(const RegressorReference<double>& of, cons
 }
 
 reference::MatrixX<double> adaptive_magnitudes(const RegressorReference<double>& of, const State& state) {
-  return by_columns(of.units(), state, [](const auto& unit, const auto& at) { return adaptive_magnitude(unit, at); });
+  return of.with_own_friction(
+      by_columns(of.units(), state, [](const auto& unit, const auto& at) { return adaptive_magnitude(unit, at); }));
 }
 
 template class RegressorReference<float>;

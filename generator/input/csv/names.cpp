@@ -280,8 +280,10 @@ CsvQuantity quantity_of(InputKind kind) {
     case InputKind::h_e:
       return CsvQuantity::h_e;
     case InputKind::qd_r:
+    case InputKind::v_r:
       return CsvQuantity::qd_r;
     case InputKind::qdd_r:
+    case InputKind::a_r:
       return CsvQuantity::qdd_r;
     case InputKind::pi_b:
       return CsvQuantity::pi_b;

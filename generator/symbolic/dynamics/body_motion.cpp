@@ -13,6 +13,26 @@ Number polarised(const Number& a, const Number& b, const Number& a_r, const Numb
   return (a * b_r + a_r * b) / 2;
 }
 
+// The half of a × b_r + a_r × b, which is a × b if there is one rate.
+Vec3 polarised_cross(const Vec3& a, const Vec3& b, const Vec3& a_r, const Vec3& b_r) {
+  Vec3 result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    result[k] = polarised(a[i], b[j], a_r[i], b_r[j]) - polarised(a[j], b[i], a_r[j], b_r[i]);
+  }
+  return result;
+}
+
+// ½ ω × ω_r: in the coordinates of a turn that have the angular velocity ω at zero, ω̇ is ω̇_r and this.
+Vec3 half_bracket(const Vec3& omega, const Vec3& omega_r) {
+  if (is_same(omega, omega_r)) return zero_vector();
+  return Number(1) / 2 * cross(omega, omega_r);
+}
+
+Vec3 three(const std::vector<Number>& entries, std::size_t first) {
+  return {entries[first], entries[first + 1], entries[first + 2]};
+}
+
 Mat3 products_of(Derivation& d, const BodyMotion& body, const std::string& n) {
   Mat3 products;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -69,7 +89,7 @@ BodyMotion moved(Frames& frames, int i, const BodyMotion& parent, const JointMot
 }
 
 // The motion of the link that a spherical joint moves, past the joint's three bodies: ω = Rᵀ ω_parent + w and
-// ω̇ = Rᵀ ω̇_parent + ẇ + Rᵀ ω_parent × w. `motion` has one rate only.
+// ω̇ = Rᵀ ω̇_parent + ẇ + Rᵀ ω_parent × w, for two rates as bilinear forms.
 BodyMotion moved_by_spherical(Frames& frames, int last, const BodyMotion& parent, const JointMotion& motion) {
   Derivation& d = frames.derivation();
   const int first = last + 1 - kSphericalBodies;
@@ -79,12 +99,15 @@ BodyMotion moved_by_spherical(Frames& frames, int last, const BodyMotion& parent
     for (int i = first; i <= last; ++i) v = frames.to_child(i, v, name);
     return v;
   };
-  const Vec3 w = {motion.qd[k], motion.qd[k + 1], motion.qd[k + 2]},
-             dw = {motion.qdd_r[k], motion.qdd_r[k + 1], motion.qdd_r[k + 2]};
+  const Vec3 w = three(motion.qd, k), w_r = three(motion.qd_r, k), dw = three(motion.qdd_r, k);
   const Vec3 carried = in_link(parent.omega, "omega_f_" + n);
+  const bool one_rate = is_same(parent.omega, parent.omega_r);
+  const Vec3 carried_r = one_rate ? carried : in_link(parent.omega_r, "omega_fr_" + n);
   BodyMotion body;
-  body.omega = body.omega_r = d.named(carried + w, "omega_" + n);
-  body.domega = d.named(in_link(parent.domega, "domega_f_" + n) + dw + cross(carried, w), "domega_" + n);
+  body.omega = d.named(carried + w, "omega_" + n);
+  body.omega_r = d.named(carried_r + w_r, "omega_r_" + n);
+  const Vec3 turned = polarised_cross(carried, w, carried_r, w_r) + half_bracket(w, w_r);
+  body.domega = d.named(in_link(parent.domega, "domega_f_" + n) + dw + turned, "domega_" + n);
   body.products = products_of(d, body, n);
   body.U = acceleration_matrix(d, body.products, body.domega, n);
   body.ddp = in_link(d.named(parent.ddp + parent.U * frames.p(first), "ddp_o_" + n), "ddp_" + n);
@@ -92,17 +115,15 @@ BodyMotion moved_by_spherical(Frames& frames, int last, const BodyMotion& parent
 }
 
 // The motion of the link of a floating base. Its origin's acceleration is v̇ + ω × v, as v̇ has the derivatives of
-// components in axes that turn. `motion` has one rate only.
+// components in axes that turn; for two rates, v̇_r + ω × v_r.
 BodyMotion motion_of_floating_base(Frames& frames, const JointMotion& motion) {
   Derivation& d = frames.derivation();
-  const auto part = [](const std::vector<Number>& twist, std::size_t first) {
-    return Vec3{twist[first], twist[first + 1], twist[first + 2]};
-  };
   const std::string n = frames.label(frames.mechanism().base_bodies() - 1);
   BodyMotion base;
-  base.omega = base.omega_r = part(motion.qd, 3);
-  base.domega = part(motion.qdd_r, 3);
-  base.ddp = d.named(part(motion.qdd_r, 0) + cross(base.omega, part(motion.qd, 0)) - motion.gravity, "ddp_" + n);
+  base.omega = three(motion.qd, 3);
+  base.omega_r = three(motion.qd_r, 3);
+  base.domega = d.named(three(motion.qdd_r, 3) + half_bracket(base.omega, base.omega_r), "domega_" + n);
+  base.ddp = d.named(three(motion.qdd_r, 0) + cross(base.omega, three(motion.qd_r, 0)) - motion.gravity, "ddp_" + n);
   base.products = products_of(d, base, n);
   base.U = acceleration_matrix(d, base.products, base.domega, n);
   return base;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The motion of a mechanism's bodies in the form that a regressor needs. Terms quadratic in the joint rates are kept as
 // a symmetric bilinear form of two rates, q̇ and a reference q̇_r. So B q̈_r + C(q, q̇) q̇_r has the C of the
-// Christoffel symbols, (7.44), because they are symmetric: c_ijk = c_ikj. With q̇_r = q̇ it is the motion itself.
+// Christoffel symbols, (7.44), because they are symmetric: c_ijk = c_ikj. With q̇_r = q̇ it is the motion itself. For
+// velocities of floating bases and spherical joints, C is as said in model/quasi_velocities.hpp.
 #pragma once
 
 #include <vector>
@@ -24,8 +25,8 @@ struct BodyMotion {
   Mat3 U = zero_matrix();                               // S(ω̇) + ω ωᵀ - (ω·ω) 1, 1/s^2
 };
 
-// The motions of all bodies. With a floating base, whose motion is one of its link, bodies before it have none, and
-// q̇_r has to be q̇; so has it with spherical joints, the first two bodies of which have none.
+// The motions of all bodies. With a floating base, whose motion is one of its link, bodies before it have none, nor
+// have the first two bodies of a spherical joint.
 std::vector<BodyMotion> body_motions(Frames& frames, const JointMotion& motion);
 
 // q̇_i ω of a body, as a bilinear form: ½ (q̇_i ω_r + q̇_ri ω).

@@ -63,7 +63,7 @@ Function derive_inverse_dynamics_base(const Mechanism& mechanism) {
 Function derive_adaptive_regressor(const Mechanism& mechanism) {
   DerivationContext context(mechanism);
   const JointMotion motion{context.joint_motion(InputKind::qd), context.joint_motion(InputKind::qd_r),
-                           context.joint_motion(InputKind::qdd_r), mechanism.gravity};
+                           context.joint_motion(InputKind::qdd_r), gravity_of(mechanism, context.derivation)};
   const std::vector<int> columns = base_parameters(mechanism).columns;
   const std::vector<NodeId> entries = context.nodes(regressor_at_coordinates(context, motion, columns));
   return finished(context,
@@ -73,7 +73,7 @@ Function derive_adaptive_regressor(const Mechanism& mechanism) {
 Function derive_spring_regressor(const Mechanism& mechanism) {
   DerivationContext context(mechanism);
   Rows Y(static_cast<std::size_t>(mechanism.body_count()));
-  for (int j = mechanism.base_bodies(); j < mechanism.body_count(); ++j) {
+  for (const int j : mechanism.bodies_on_one_axis()) {
     const Number stiffness_column = joint_position(mechanism, context.derivation, j);
     for (int i = 0; i < mechanism.body_count(); ++i) {
       std::vector<Number>& row = Y[static_cast<std::size_t>(i)];

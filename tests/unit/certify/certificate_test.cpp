@@ -95,6 +95,19 @@ TEST(Certificate, OfAFloatingBaseWithASlide) {
   }
 }
 
+// Quaternions are inputs within 1; nothing is recognised as a motion of turns alone.
+TEST(Certificate, OfASphericalJoint) {
+  const LoadedRobot model = load_robot(FLATDYN_SOURCE_DIR "/docs/examples/ball_wrist.toml", {});
+  const Certificate certificate =
+      certificate_of(testing::within_limits(model.mechanism), "double", {"inverse_dynamics", "gravity"});
+  for (const CertifiedFunction& function : certificate.functions) {
+    for (const CertifiedOutput& output : function.outputs) {
+      EXPECT_LE(output.observed, output.bound + output.reference_error) << function.name << " " << output.name;
+      EXPECT_LE(output.bound, 2000 * output.observed + 1e-30) << function.name << " " << output.name;
+    }
+  }
+}
+
 // A ceiling, as for operation counts; without recognising motions the bound is 2.9e-11.
 TEST(Certificate, OfRandomTwistsStaysAsGoodAsItIs) {
   const LoadedRobot model = load_robot(FLATDYN_SOURCE_DIR "/docs/examples/general_7r.toml", {});

@@ -41,6 +41,7 @@ TEST(ProveExactly, AcceptsEveryDerivedFunctionOfRandomTrees) {
     names.emplace_back("forward_kinematics:link2");
     names.emplace_back("jacobian:base");
     names.emplace_back("jacobian_dot_qd:link3");
+    names.emplace_back("external_torque:link2");
     for (const std::string& name : names) {
       for (FormulationIndex way = 0; way < kFormulationCount; ++way) {
         const bool is_spare = name == "null_space_torque";

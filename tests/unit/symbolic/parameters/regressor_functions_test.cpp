@@ -4,13 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
+
 #include "graph/count.hpp"
 #include "graph/mod_p.hpp"
 #include "model/field_mechanism.hpp"
 #include "passes/passes.hpp"
 #include "planning/formulations.hpp"
+#include "support/floating_robots.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
+#include "support/written_model.hpp"
 #include "symbolic/dynamics/centres.hpp"
 #include "symbolic/dynamics/derivation_context.hpp"
 #include "symbolic/parameters/base_parameters.hpp"
@@ -22,20 +27,27 @@ using Field = ModP<kMersenne61>;
 
 // Arithmetic with random inputs except given base parameters and, if asked for, reference rates equal to the rates.
 struct GivenParameters : ModPArithmetic<> {
-  GivenParameters(const std::vector<Field>& values, bool same) : ModPArithmetic<>(11), pi_b(values), same_rates(same) {}
+  GivenParameters(const Mechanism& mechanism, const std::vector<Field>& values, bool same)
+      : ModPArithmetic<>(ModPArithmetic<>(11).with_quaternions(mechanism.quaternions())),
+        pi_b(values),
+        same_rates(same) {}
   Field input(const Input& input) const {
     if (input.kind == InputKind::pi_b) return pi_b[static_cast<std::size_t>(input.index)];
-    if (same_rates && input.kind == InputKind::qd_r) return ModPArithmetic<>::input({InputKind::qd, input.index});
-    if (same_rates && input.kind == InputKind::qdd_r) return ModPArithmetic<>::input({InputKind::qdd, input.index});
+    static const std::map<InputKind, InputKind> actual = {{InputKind::qd_r, InputKind::qd},
+                                                          {InputKind::qdd_r, InputKind::qdd},
+                                                          {InputKind::v_r, InputKind::v},
+                                                          {InputKind::a_r, InputKind::a}};
+    const auto found = actual.find(input.kind);
+    if (same_rates && found != actual.end()) return ModPArithmetic<>::input({found->second, input.index});
     return ModPArithmetic<>::input(input);
   }
   std::vector<Field> pi_b;
   bool same_rates;
 };
 
-class BaseFunctions : public ::testing::TestWithParam<unsigned> {
+class FunctionsOfMechanism {
  protected:
-  BaseFunctions() {
+  explicit FunctionsOfMechanism(Mechanism of) : mechanism(std::move(of)), n(mechanism.bodies.size()) {
     for (const Number& value : base_values(mechanism, base_parameters(mechanism))) {
       pi_b.push_back(Field::from(to_rational(value)));
     }
@@ -43,7 +55,7 @@ class BaseFunctions : public ::testing::TestWithParam<unsigned> {
 
   std::vector<Field> values(const std::string& name, bool same_rates = false) const {
     const Function function = derive_function(mechanism, name);
-    GivenParameters arithmetic(pi_b, same_rates);
+    GivenParameters arithmetic(mechanism, pi_b, same_rates);
     const std::vector<Field> all = evaluate(function, arithmetic);
     std::vector<Field> result;
     for (const NodeId id : function.outputs[0].entries) result.push_back(all[static_cast<std::size_t>(id)]);
@@ -51,7 +63,8 @@ class BaseFunctions : public ::testing::TestWithParam<unsigned> {
   }
 
   Field input(InputKind kind, std::size_t i) const {
-    return GivenParameters(pi_b, false).input({kind, static_cast<int>(i)});
+    return GivenParameters(mechanism, pi_b, false)
+        .input({with_base(kind, mechanism.has_quasi_velocities()), static_cast<int>(i)});
   }
 
   static Field row_times(const std::vector<Field>& matrix, std::size_t i, const std::vector<Field>& x) {
@@ -60,9 +73,31 @@ class BaseFunctions : public ::testing::TestWithParam<unsigned> {
     return sum;
   }
 
-  Mechanism mechanism = make_mechanism(testing::random_tree(GetParam(), 6));
-  std::size_t n = mechanism.bodies.size();
+  // B q̈_r + C(q, q̇) q̇_r + g with the emitted C; friction acts on q̇_r.
+  void expect_consistency_with_C() const {
+    const std::vector<Field> B = values("inertia_matrix"), C = values("coriolis_matrix"), g = values("gravity"),
+                             Y = values("adaptive_regressor");
+    const GivenParameters arithmetic(mechanism, pi_b, false);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Body& body = mechanism.bodies[i];
+      const Field rate = input(InputKind::qd_r, i);
+      Field torque = g[i] + Field::from(to_rational(body.viscous)) * rate +
+                     Field::from(to_rational(body.coulomb)) * arithmetic.sign(rate);
+      for (std::size_t k = 0; k < n; ++k) {
+        torque += B[i * n + k] * input(InputKind::qdd_r, k) + C[i * n + k] * input(InputKind::qd_r, k);
+      }
+      EXPECT_TRUE(row_times(Y, i, pi_b) == torque) << "row " << i;
+    }
+  }
+
+  Mechanism mechanism;
+  std::size_t n;
   std::vector<Field> pi_b;
+};
+
+class BaseFunctions : public FunctionsOfMechanism, public ::testing::TestWithParam<unsigned> {
+ protected:
+  BaseFunctions() : FunctionsOfMechanism(make_mechanism(testing::random_tree(GetParam(), 6))) {}
 };
 
 TEST_P(BaseFunctions, GiveTheTorque) {
@@ -76,21 +111,24 @@ TEST_P(BaseFunctions, AdaptiveRegressorIsTheRegressorAtEqualRates) {
   EXPECT_TRUE(values("adaptive_regressor", true) == values("base_regressor"));
 }
 
-// B q̈_r + C(q, q̇) q̇_r + g with the emitted C; friction acts on q̇_r.
-TEST_P(BaseFunctions, AdaptiveRegressorIsConsistentWithC) {
-  const std::vector<Field> B = values("inertia_matrix"), C = values("coriolis_matrix"), g = values("gravity"),
-                           Y = values("adaptive_regressor");
-  const GivenParameters arithmetic(pi_b, false);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Body& body = mechanism.bodies[i];
-    const Field rate = input(InputKind::qd_r, i);
-    Field torque = g[i] + Field::from(to_rational(body.viscous)) * rate +
-                   Field::from(to_rational(body.coulomb)) * arithmetic.sign(rate);
-    for (std::size_t k = 0; k < n; ++k) {
-      torque += B[i * n + k] * input(InputKind::qdd_r, k) + C[i * n + k] * input(InputKind::qd_r, k);
-    }
-    EXPECT_TRUE(row_times(Y, i, pi_b) == torque) << "joint " << i;
+TEST_P(BaseFunctions, AdaptiveRegressorIsConsistentWithC) { expect_consistency_with_C(); }
+
+// The same in velocities that are not the derivatives of coordinates.
+struct FreeFunctions : FunctionsOfMechanism {
+  explicit FreeFunctions(const LoadedRobot& model) : FunctionsOfMechanism(model.mechanism) {}
+  void expect_adaptive_regressor() const {
+    EXPECT_TRUE(values("adaptive_regressor", true) == values("base_regressor"));
+    expect_consistency_with_C();
   }
+};
+
+TEST(AdaptiveRegressor, IsConsistentWithCOfAFloatingBase) {
+  FreeFunctions(testing::model_of_toml(testing::kSatellite)).expect_adaptive_regressor();
+}
+
+TEST(AdaptiveRegressor, IsConsistentWithCOfSphericalJoints) {
+  const auto file = std::filesystem::path(FLATDYN_SOURCE_DIR) / "docs/examples/ball_wrist.toml";
+  FreeFunctions(load_robot(file, {})).expect_adaptive_regressor();
 }
 
 // With the springs that the mechanism has: their torques are Y_s π_s.
