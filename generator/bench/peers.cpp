@@ -95,7 +95,6 @@ std::string unknown_to_mujoco(const Mechanism& mechanism) {
 }
 
 std::string unknown_to_dart(const Mechanism& mechanism) {
-  if (mechanism.floating_base) return "it is compared for fixed bases only";
   if (any_body(mechanism, [](const Body& body) { return !body.armature.is_zero(); })) return "it knows no armature";
   return unknown_to_others(mechanism);
 }

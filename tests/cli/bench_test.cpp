@@ -139,14 +139,19 @@ TEST(Bench, MeasuresVariantsAndPeersThatAgree) {
   expect_stages_of(result["robots"][0]["stages"], functions.size());
 }
 
-// MuJoCo has the base in the world's axes and other accelerations of it; the base's own gravity turns.
-TEST(Bench, ComparesRobotsWithAFloatingBase) {
-  const Scratch scratch;
+// The arm on a base that has an inertia.
+std::string text_of_heavy_arm() {
   std::string heavy = kArmText;
   heavy.replace(heavy.find("<link name=\"base\"/>"), std::string("<link name=\"base\"/>").size(),
                 R"(<link name="base"><inertial><mass value="5"/>
     <inertia ixx="0.4" iyy="0.5" izz="0.6" ixy="0" ixz="0" iyz="0"/></inertial></link>)");
-  scratch.write("arm.urdf", heavy);
+  return heavy;
+}
+
+// MuJoCo has the base in the world's axes and other accelerations of it; the base's own gravity turns.
+TEST(Bench, ComparesRobotsWithAFloatingBase) {
+  const Scratch scratch;
+  scratch.write("arm.urdf", text_of_heavy_arm());
   const Outcome outcome = run_flatdyn(fmt::format(
       "bench {} --base floating -q --json --time 0.01 --states 20 --functions inverse_dynamics,bias,forward_dynamics "
       "--variants double,double-staged,batch-double,cuda-double,reference,MuJoCo",
@@ -159,6 +164,23 @@ TEST(Bench, ComparesRobotsWithAFloatingBase) {
     expect_small_errors(rows);
   }
   EXPECT_EQ(robot["stages"]["steps"][1]["name"], "with(v)");
+}
+
+// DART has the base's angular entries before the linear ones, in everything.
+TEST(Bench, ComparesRobotsWithAFloatingBaseWithDart) {
+  if (!is_installed("dart")) GTEST_SKIP() << "DART is not installed: scripts/setup all";
+  const Scratch scratch;
+  scratch.write("arm.urdf", text_of_heavy_arm());
+  const Outcome outcome = run_flatdyn(fmt::format(
+      "bench {} --base floating -q --json --time 0.01 --states 20 --variants double,DART --functions inverse_dynamics,"
+      "inertia_matrix,gravity,bias,forward_dynamics,kinetic_energy,forward_kinematics,jacobian",
+      scratch.path("arm.urdf")));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const json& function : json::parse(outcome.out)["robots"][0]["functions"]) {
+    const std::map<std::string, json> rows = by_variant(function);
+    EXPECT_EQ(rows.count("DART"), 1u) << function["name"];
+    expect_small_errors(rows);
+  }
 }
 
 // Errors of an abbreviated function are measured against the whole model's values.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Random robots, from file to emitted text and compiled code, against the recursive reference and, without rotors and
-// friction, against Orocos KDL (chains) and MuJoCo (trees). More of them, against the reference: flatdyn stress
-// --family random --robots 100000 --seed 1001.
+// friction, against Orocos KDL (chains), MuJoCo (trees) and, where it is installed, DART (all). More of them, against
+// the reference: flatdyn stress --family random --robots 100000 --seed 1001.
 #include <gtest/gtest.h>
 
 #include "deviation/expected.hpp"
@@ -10,6 +10,9 @@
 #include "stress/random_robots.hpp"
 #include "support/kdl_chain.hpp"
 #include "support/mujoco_tree.hpp"
+#ifdef FLATDYN_DART
+#include "support/dart_tree.hpp"
+#endif
 
 namespace flatdyn {
 namespace {
@@ -66,9 +69,12 @@ std::vector<double> values_of(JointDynamicsPeer& peer, const reference::Robot<do
 // Another library as a witness. MuJoCo rounds relative to everything that moves the whole tree, about its centre of
 // mass: an entry whose own terms are all zero may contain rounding errors of other terms there.
 struct Witness {
+  const char* library;
   std::unique_ptr<JointDynamicsPeer> (*peer)(const reference::Robot<double>&);
   bool (*knows)(const Robot&);
   bool rounds_by_the_largest_entry;
+  int least;         // number of comparisons that there are at least
+  double bound;      // of scaled differences
   int compared = 0;  // number of functions times states
   double worst = 0;  // largest scaled difference
 
@@ -100,26 +106,51 @@ std::unique_ptr<JointDynamicsPeer> make_peer(const reference::Robot<double>& rob
   return std::make_unique<Peer>(robot);
 }
 
-TEST(RandomRobots, AThousandAgreeWithTheReferenceWithKdlAndWithMujoco) {
-  RandomRobotsOptions options;
+std::vector<Witness> witnesses() {
   const auto moves_by_joints = [](const Robot& robot) { return !is_chain(robot) && !has_quasi_velocities(robot); };
-  Witness kdl{make_peer<testing::KdlChainPeer>, is_for_kdl, false};
-  Witness mujoco{make_peer<testing::MujocoTree>, moves_by_joints, true};
-  Witness floating{make_peer<testing::MujocoTree>, has_quasi_velocities, true};  // or with spherical joints
-  options.witness = [&](const RandomRobotValues& all) {
-    return std::max({kdl.difference(all), mujoco.difference(all), floating.difference(all)});
+  std::vector<Witness> all = {
+      {"KDL", make_peer<testing::KdlChainPeer>, is_for_kdl, false, 1000, 16},
+      {"MuJoCo", make_peer<testing::MujocoTree>, moves_by_joints, true, 150, 16},
+      {"MuJoCo, quasi-velocities", make_peer<testing::MujocoTree>, has_quasi_velocities, true, 1000, 16}};
+#ifdef FLATDYN_DART
+  const auto has_rates = [](const Robot& robot) { return !has_quasi_velocities(robot); };
+  all.push_back({"DART", make_peer<testing::DartTree>, has_rates, false, 1000, 8});
+  all.push_back({"DART, quasi-velocities", make_peer<testing::DartTree>, has_quasi_velocities, false, 1000, 8});
+#endif
+  return all;
+}
+
+// The report of random robots that the witnesses see, too.
+RandomRobotsReport witnessed(RandomRobotsOptions options, std::vector<Witness>& all) {
+  options.witness = [&all](const RandomRobotValues& values) {
+    double largest = 0;
+    for (Witness& witness : all) largest = std::max(largest, witness.difference(values));
+    return largest;
   };
   Progress quiet(true);
   const RandomRobotsReport report = stress_random_robots(options, quiet);
   EXPECT_TRUE(report.passed()) << random_robots_text(report);
-  EXPECT_EQ(report.robots, 1000);
+  EXPECT_EQ(report.robots, options.robots);
+  for (const Witness& witness : all) EXPECT_LE(witness.worst, witness.bound) << witness.library;
+  return report;
+}
+
+TEST(RandomRobots, AFewAgreeWithTheReferenceAndWithOtherLibraries) {
+  RandomRobotsOptions options;
+  options.robots = 16;
+  options.compiled_one_in = 1000;
+  std::vector<Witness> all = witnesses();
+  witnessed(options, all);
+}
+
+TEST(RandomRobots, AThousandAgreeWithTheReferenceAndWithOtherLibraries) {
+  std::vector<Witness> all = witnesses();
+  const RandomRobotsReport report = witnessed({}, all);
   EXPECT_EQ(report.compiled, 100);
-  EXPECT_GT(kdl.compared, 1000);
-  EXPECT_GT(mujoco.compared, 150);
-  EXPECT_GT(floating.compared, 300);
-  EXPECT_GT(kdl.worst, 0);
-  EXPECT_GT(mujoco.worst, 0);
-  EXPECT_GT(floating.worst, 0);
+  for (const Witness& witness : all) {
+    EXPECT_GT(witness.compared, witness.least) << witness.library;
+    EXPECT_GT(witness.worst, 0) << witness.library;
+  }
   for (const double worst : report.worst) {
     EXPECT_GT(worst, 0);
     EXPECT_LE(worst, 32);

@@ -10,6 +10,7 @@ namespace flatdyn::testing {
 namespace {
 
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
@@ -25,6 +26,14 @@ TEST(Peers, AllThatThereMayBeKnowAPlainChain) {
   const BenchPeers peers = find_peers(with_everything(), make_mechanism(random_robot(true, 3, 1)));
   EXPECT_THAT(peers.found, SizeIs(std::size(kBenchPeers)));
   EXPECT_THAT(peers.left_out, IsEmpty());
+}
+
+TEST(Peers, AllButKdlKnowAFloatingBase) {
+  RandomHundredths draw(1);
+  Robot robot = random_robot(false, 3, 1);
+  robot.links[0] = random_link(draw, "base");
+  robot.floating_base = true;
+  EXPECT_THAT(find_peers(with_everything(), make_mechanism(robot)).left_out, ElementsAre("KDL: its base is fixed"));
 }
 
 TEST(Peers, WhatIsNotInstalledIsLeftOutWithItsPackage) {
