@@ -8,12 +8,13 @@
 #   [LANGUAGE c++|c|cuda]   default: c++
 #   [FORM header|pair]      of C++: a header (the default), or a library with header and source, compiled once
 #   [NAMESPACE name]        in C what names begin with; default: TARGET
-#   [ROUNDED_AS_WRITTEN]    of a header: targets that link with it are compiled with -ffp-contract=off
+#   [ROUNDED_AS_WRITTEN]    of a header: targets that link with it are compiled with -ffp-contract=off, or by nvcc with
+#                           -fmad=false
 #   [OPTIONS option...])    other options of `flatdyn generate`
 #
-# Makes a library to link with. Its header is TARGET.hpp (for C: TARGET.h, for CUDA: TARGET.cuh, with flatdyn::runtime). It is generated again when the robot file, a
-# file that it names, the scene, or flatdyn itself changes, and only then. The library can be installed and
-# exported: install(TARGETS TARGET EXPORT ...) with PUBLIC_HEADER DESTINATION include.
+# Makes a library to link with. Its header is TARGET.hpp (for C: TARGET.h, for CUDA: TARGET.cuh, with flatdyn::runtime).
+# It is generated again when the robot file, a file that it names, the scene, or flatdyn itself changes, and only then.
+# The library can be installed and exported: install(TARGETS TARGET EXPORT ...) with PUBLIC_HEADER DESTINATION include.
 #
 # Certificates assume that every operation is rounded as it is written, with -ffp-contract=off. g++ 12 fuses some
 # operations of vectors nevertheless, unless it is given -fno-tree-slp-vectorize, which clang knows, too. A generated
@@ -163,5 +164,11 @@ function(flatdyn_generate target)
   if(arg_ROUNDED_AS_WRITTEN)
     target_compile_options(${target} INTERFACE
       "$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off;-fno-tree-slp-vectorize>")
+    if(arg_LANGUAGE STREQUAL cuda)
+      # nvcc has its own option for kernels, and passes options to the compiler of the host.
+      target_compile_options(${target} INTERFACE
+        "$<$<COMPILE_LANG_AND_ID:CUDA,NVIDIA>:-fmad=false;-Xcompiler=-ffp-contract=off>"
+        "$<$<COMPILE_LANG_AND_ID:CUDA,Clang>:-ffp-contract=off>")
+    endif()
   endif()
 endfunction()

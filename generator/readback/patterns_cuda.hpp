@@ -11,9 +11,6 @@ inline constexpr const char* kCudaHead = R"(
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "compile this without -ffast-math: it leaves out the checks that results are finite"
 #endif
-#ifdef __USE_FAST_MATH__
-#error "compile this without --use_fast_math: it rounds divisions and square roots otherwise"
-#endif
 #ifndef FLATDYN_FUNCTION
 #ifdef __CUDACC__
 #define FLATDYN_FUNCTION static __host__ __device__ __forceinline__

@@ -55,6 +55,12 @@ for wrong in (lambda: panda.inverse_dynamics(q, q, q, energy), lambda: panda.inv
               lambda: panda.inverse_dynamics(q, q, q, tau, layout="diagonals"),
               lambda: panda.inverse_dynamics(q, q, q, tau, states=4),
               lambda: panda.inverse_dynamics([0.0] * 21, q, q, tau), lambda: panda.inverse_dynamics(q, q, q, tau, layout=[]),
+              lambda: panda.inverse_dynamics(q, q, q, tau_columns),
+              lambda: panda.inverse_dynamics(q, q_columns, q, tau),
+              lambda: panda.inverse_dynamics(q, q, q, Array((21,))),
+              lambda: panda.inverse_dynamics(q_columns, q, q_columns, tau_columns, layout="columns"),
+              lambda: panda.inverse_dynamics(q_tiles, q_tiles, q_tiles, Array((1, 32, 7)), layout="tiles"),
+              lambda: panda.inverse_dynamics(q, q, q, tau, stream=object()),
               lambda: panda.forward_dynamics(q, q, q, qdd, valid=()),
               lambda: panda.forward_dynamics(q, q, q, qdd, valid=tau)):
     try:

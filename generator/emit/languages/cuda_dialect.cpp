@@ -27,12 +27,37 @@ constexpr std::size_t kTableIndent = 10;
 // Variables of CUDA that are there without a header.
 constexpr const char* kVariables[] = {"threadIdx", "blockIdx", "blockDim", "gridDim", "warpSize"};
 
-// Whether CUDA's runtime declares the name, in the global namespace: "cudaSuccess", "threadIdx", "dim3", "float4".
+// Other names that nvcc's header cuda_runtime.h declares in the global namespace, some by <time.h> and <ctype.h>.
+constexpr const char* kOthers[] = {
+    "all",        "any",        "asctime",   "ballot",  "clock",     "clock64",  "cospi",      "ctime",   "dadd",
+    "daylight",   "difftime",   "dim3",      "dmul",    "dsub",      "dysize",   "erfcinv",    "erfcx",   "erfinv",
+    "fdivide",    "fpclassify", "getdate",   "gmtime",  "isfinite",  "isnormal", "itimerspec", "llmax",   "llmin",
+    "localtime",  "max",        "min",       "mktime",  "nanosleep", "norm",     "norm3d",     "norm4d",  "normcdf",
+    "normcdfinv", "nullptr_t",  "ptrdiff_t", "rcbrt",   "rhypot",    "rnorm",    "rnorm3d",    "rnorm4d", "rsqrt",
+    "sigevent",   "signbit",    "sincospi",  "sinpi",   "strftime",  "strptime", "time",       "timegm",  "timelocal",
+    "timex",      "timezone",   "tm",        "toascii", "tolower",   "toupper",  "tzname",     "tzset",   "ullmax",
+    "ullmin",     "umax",       "umin"};
+
+bool is_among(const char* const* begin, const char* const* end, const std::string& name) {
+  return std::find(begin, end, name) != end;
+}
+
+// Whether CUDA's runtime declares the name, in the global namespace: "cudaSuccess", "threadIdx", "max", "float4".
 bool is_in_runtime(const std::string& name) {
-  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
-  constexpr std::size_t kPrefix = 4;
-  if (name.starts_with("cuda") && name.size() > kPrefix && is_capital(name[kPrefix])) return true;
-  if (std::find(std::begin(kVariables), std::end(kVariables), name) != std::end(kVariables) || name == "dim3")
+  const auto begins = [&name](const std::string& prefix, char first, char last) {
+    return name.starts_with(prefix) && name.size() > prefix.size() && name[prefix.size()] >= first &&
+           name[prefix.size()] <= last;
+  };
+  for (const char* prefix : {"cuda", "atomic"}) {
+    if (begins(prefix, 'A', 'Z')) return true;
+  }
+  for (const char* prefix : {"tex", "surf"}) {
+    if (begins(prefix, '1', '3')) return true;
+  }
+  if (name.starts_with("make_")) return true;
+  if (is_among(std::begin(kVariables), std::end(kVariables), name)) return true;
+  if (is_among(std::begin(kOthers), std::end(kOthers), name)) return true;
+  if (name.ends_with('f') && is_among(std::begin(kOthers), std::end(kOthers), name.substr(0, name.size() - 1)))
     return true;
   if (name.empty() || name.back() < '1' || name.back() > '4') return false;
   std::string type = name.substr(0, name.size() - 1);

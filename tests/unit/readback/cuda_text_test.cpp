@@ -100,12 +100,12 @@ TEST(CudaText, FreeSymbolsMayHaveAnyName) {
 TEST(CudaText, NamespacesAreNotThoseOfTheRuntime) {
   const PrintedCode code(model_of("pendulum_motor.toml"), {"gravity"});
   EmitOptions options = form_of("cuda");
-  for (const char* name :
-       {"threadIdx", "cudaSuccess", "dim3", "ulonglong2", "FLATDYN_MEMBER", "acme::FLATDYN_MEMBER"}) {
+  for (const char* name : {"threadIdx", "cudaSuccess", "dim3", "ulonglong2", "max", "atomicAdd", "make_float4", "tex2D",
+                           "rsqrtf", "FLATDYN_MEMBER", "acme::FLATDYN_MEMBER"}) {
     options.name_space = name;
     EXPECT_THROW(code.text(options), Failure) << name;
   }
-  for (const char* name : {"acme::threadIdx", "cuda_arm", "float5"}) {
+  for (const char* name : {"acme::threadIdx", "cuda_arm", "float5", "maximum", "texas", "atomic", "time_arm"}) {
     options.name_space = name;
     EXPECT_NO_THROW(code.text(options)) << name;
   }
