@@ -155,9 +155,20 @@ void require_gpu() {
                   fmt::format("install CUDA 12 or later and name its compiler in $NVCC, {}", kElsewhere));
   }
   write_file(folder.path() / "copy.cu", templates::gpu_copy_cu);
-  if (run_command(shell_word(compiler) + " -O3 -arch=native copy.cu -o copy > log 2>&1", folder.path()) != 0 ||
-      run_command("./copy > log 2>&1", folder.path()) != 0) {
-    throw Failure(ExitCode::io, "bench --gpu needs a device that CUDA can use, with 4 GB of memory that is free",
+  const auto first_line_of_log = [&folder] {
+    std::istringstream log(content_of_file(folder.path() / "log"));
+    std::string line;
+    std::getline(log, line);
+    return line;
+  };
+  if (run_command(shell_word(compiler) + " -O3 -arch=native copy.cu -o copy > log 2>&1", folder.path()) != 0) {
+    throw Failure(ExitCode::io, fmt::format("bench --gpu: \"{}\" cannot compile: {}", compiler, first_line_of_log()),
+                  "a compiler of the host that is too new for it is a common reason; name another nvcc in $NVCC");
+  }
+  if (run_command("./copy > log 2>&1", folder.path()) != 0) {
+    throw Failure(ExitCode::io,
+                  fmt::format("bench --gpu needs a device that CUDA can use, with 4 GB of memory that is free: {}",
+                              first_line_of_log()),
                   fmt::format("run it where nvidia-smi shows one, {}", kElsewhere));
   }
 }

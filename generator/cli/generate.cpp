@@ -86,16 +86,16 @@ std::string stamp_of(const GenerateArguments& arguments, const std::vector<Optim
   return joined_stamps({of_functions, arguments.fuses ? "--fma" : "", arguments.stamp_of_settings(functions)});
 }
 
-void choose_c(GenerateArguments& arguments, const char* option) {
+void choose_c(GenerateArguments& arguments, const char* option, const char* languages = "C") {
   if (arguments.language_given->count() > 0 && arguments.language != "c") {
-    throw Failure(ExitCode::usage, fmt::format("{}: its code is in C", option), "leave --language out");
+    throw Failure(ExitCode::usage, fmt::format("{}: its code is in {}", option, languages), "leave --language out");
   }
   arguments.language = "c";
 }
 
 // Chooses C, which Python calls.
 void choose_for_python(GenerateArguments& arguments) {
-  if (arguments.python && arguments.language != "cuda") choose_c(arguments, "--python");
+  if (arguments.python && arguments.language != "cuda") choose_c(arguments, "--python", "C or CUDA");
 }
 
 // Chooses C for a processor, and the scalar of its floating-point unit unless another is given.

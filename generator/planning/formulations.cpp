@@ -43,10 +43,11 @@ Request parsed(const Mechanism& mechanism, const std::string& name) {
   const std::size_t colon = name.find(':');
   Request request{&known_row(name.substr(0, colon)), nullptr};
   if (request.row->traits.needs_rates && mechanism.has_quasi_velocities()) {
-    throw Failure(ExitCode::unsupported,
-                  fmt::format("function \"{}\": v of a robot with {} is not the derivative of coordinates",
-                              request.row->name, mechanism.floating_base ? "a floating base" : "spherical joints"),
-                  "the symbols are those of coordinates; coriolis_matrix has C(q, v)");
+    throw Failure(
+        ExitCode::unsupported,
+        fmt::format("function \"{}\" needs velocities that are derivatives of coordinates; those of {} are not",
+                    request.row->name, mechanism.floating_base ? "a floating base" : "spherical joints"),
+        "leave it out of --functions; coriolis_matrix has C(q, v)");
   }
   if (request.row->traits.uses_task && mechanism.floating_base && mechanism.task.rates_are_of_angles()) {
     throw Failure(ExitCode::unsupported, "a task in Euler angles is not supported for robots with a floating base",

@@ -74,7 +74,7 @@ class Launcher {
     parameters.emplace_back("stream=None");
     parameters.emplace_back("states=None");
     if (is_checked()) parameters.emplace_back("valid=None");
-    if (text_.returns == "Scalar") lines.push_back("results[1]  out  " + text_.result);
+    if (text_.returns == "Scalar") lines.push_back(line_of_result(lines));
     item["lines"] = list_of(lines);
     const auto quoted = [](const std::string& name) { return "\"" + name + "\""; };
     std::vector<std::string> names, lengths;
@@ -83,16 +83,26 @@ class Launcher {
       lengths.push_back(std::to_string(lengths_[k]));
     }
     item["head"] = without_newline(python_list("def " + text_.name + "(", parameters, "):", 0));
-    item["call"] = without_newline(
-        python_list("_call(",
-                    {fmt::format("_c.{}{}", prefix_, text_.name), fmt::format("[{}]", fmt::join(names, ", ")),
-                     fmt::format("[{}]", fmt::join(lengths, ", ")), fmt::format("[{}]", fmt::join(names_, ", ")),
-                     is_checked() ? "layout, stream, states, valid" : "layout, stream, states"},
-                    ")", 4));
+    item["call"] = without_newline(python_list(
+        "_call(",
+        {fmt::format("_c.{}{}", prefix_, text_.name), fmt::format("[{}]", fmt::join(names, ", ")),
+         fmt::format("[{}]", fmt::join(lengths, ", ")), fmt::format("[{}]", fmt::join(names_, ", ")),
+         std::to_string(inputs_), is_checked() ? "layout, stream, states, valid" : "layout, stream, states"},
+        ")", 4));
     return item;
   }
 
  private:
+  // The result in columns like those of the arguments before it.
+  std::string line_of_result(const std::vector<std::string>& arguments) const {
+    std::string name = "results[1]";
+    if (!arguments.empty()) {
+      const std::size_t gap = arguments.front().find(' ');
+      name.resize(std::max(name.size() + 2, arguments.front().find_first_not_of(' ', gap)), ' ');
+    }
+    return name + "out  " + text_.result;
+  }
+
   void add(const ArrayArgument& array, bool is_input) {
     if (array.length == 0) {  // q of a body without joints, which comes first
       ++empty_;
@@ -148,7 +158,8 @@ CudaPythonModule cuda_python_module(const Mechanism& mechanism, const std::vecto
   page["name"] = name;
   page["header"] = file_name(mechanism, options) + ".cuh";
   page["compile"] = fmt::format(
-      "nvcc -O3 -std=c++17 -shared -Xcompiler -fPIC -I FLATDYN/runtime/include {0}_python.cu -o lib{0}.so", name);
+      "nvcc -O3 -std=c++17 -arch=native -shared -Xcompiler -fPIC -I FLATDYN/runtime/include {0}_python.cu -o lib{0}.so",
+      name);
   page["scalar"] = options.scalar;
   page["dtype"] = std::string(is_float ? "float32" : "float64");
   page["typestr"] = std::string(is_float ? "<f4" : "<f8");

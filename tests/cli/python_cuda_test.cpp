@@ -61,6 +61,8 @@ for wrong in (lambda: panda.inverse_dynamics(q, q, q, energy), lambda: panda.inv
               lambda: panda.inverse_dynamics(q_columns, q, q_columns, tau_columns, layout="columns"),
               lambda: panda.inverse_dynamics(q_tiles, q_tiles, q_tiles, Array((1, 32, 7)), layout="tiles"),
               lambda: panda.inverse_dynamics(q, q, q, tau, stream=object()),
+              lambda: panda.inverse_dynamics(q, q, tau, tau), lambda: panda.inverse_dynamics(q, q, q, q),
+              lambda: panda.inverse_dynamics(q, q, q, tau, states="3"),
               lambda: panda.forward_dynamics(q, q, q, qdd, valid=()),
               lambda: panda.forward_dynamics(q, q, q, qdd, valid=tau)):
     try:
