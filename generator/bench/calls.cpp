@@ -244,7 +244,7 @@ std::string template_symbol(const CalledFunction& called, const BenchVariant& va
 }
 
 std::string velocity_argument(const Mechanism& mechanism) {
-  return input_argument(with_base(InputKind::qd, mechanism.floating_base), 0).name;
+  return input_argument(with_base(InputKind::qd, mechanism.has_quasi_velocities()), 0).name;
 }
 
 PlainFunction plain_function(const Mechanism& mechanism, const CalledFunction& called, const BenchVariant& variant) {

@@ -6,6 +6,7 @@
 #include "emit/page.hpp"
 #include "emit/writer.hpp"
 #include "model/physical_inertia.hpp"
+#include "model/spherical_joint.hpp"
 #include "templates.hpp"
 
 namespace flatdyn {
@@ -40,12 +41,20 @@ std::string rotor_text(const NumberList& number, const Body& body) {
                      number(rotor.axis));
 }
 
+// The constant rotation between the frames of a link and of its parent; for the first body of a spherical joint that
+// between the axes of the joint and of the parent.
+Mat3 joint_rotation(const Body& body) {
+  const Mat3 R = constant_rotation(body);
+  return body.spherical == 1 ? with_columns_cycled(with_columns_cycled(R)) : R;  // thrice is no change
+}
+
 std::string link_text(const NumberList& number, const Body& body) {
   const InertialParameters& of = body.inertia;
-  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", body.parent, body.prismatic,
-                     number(constant_rotation(body)), number(body.p), number(of.mass), number(centre_of_mass(of)),
-                     number(central_tensor(of)), number(body.viscous), number(body.coulomb), number(body.armature),
-                     rotor_text(number, body), number(body.stiffness), number(body.spring_reference));
+  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", body.parent, body.prismatic,
+                     body.spherical, number(joint_rotation(body)), number(body.p), number(of.mass),
+                     number(centre_of_mass(of)), number(central_tensor(of)), number(body.viscous), number(body.coulomb),
+                     number(body.armature), rotor_text(number, body), number(body.stiffness),
+                     number(body.spring_reference));
 }
 
 }  // namespace
@@ -57,6 +66,7 @@ std::string mechanism_numbers(const Mechanism& mechanism, const SymbolValues& sy
   kainjow::mustache::data page;
   page["robot"] = comment_text(mechanism.name);
   page["joints"] = std::to_string(mechanism.size());
+  page["positions"] = std::to_string(mechanism.position_count());
   page["base_bodies"] = std::to_string(mechanism.base_bodies());
   page["links"] = list_of(links);
   page["gravity"] = number(mechanism.gravity);

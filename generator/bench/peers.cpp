@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "model/physical_inertia.hpp"
+#include "model/spherical_joint.hpp"
 #include "templates.hpp"
 
 namespace flatdyn {
@@ -61,10 +62,11 @@ bool is_chain(const Mechanism& mechanism) {
   return true;
 }
 
-// The bodies of a floating base before its last one have no mass and are passed over.
+// The bodies of a floating base and of a spherical joint before their last ones have no mass and are passed over.
 template <class Has>
 bool any_body(const Mechanism& mechanism, Has has) {
-  return std::any_of(mechanism.bodies.begin() + std::max(0, mechanism.base_bodies() - 1), mechanism.bodies.end(), has);
+  return std::any_of(mechanism.bodies.begin() + std::max(0, mechanism.base_bodies() - 1), mechanism.bodies.end(),
+                     [&has](const Body& body) { return !is_inside_joint(body) && has(body); });
 }
 
 // A part of the mechanism that the other libraries cannot express or, like friction, define differently; empty if there
@@ -79,6 +81,7 @@ std::string unknown_to_others(const Mechanism& mechanism) {
 
 std::string unknown_to_kdl(const Mechanism& mechanism) {
   if (mechanism.floating_base) return "its base is fixed";
+  if (mechanism.has_spherical_joints()) return "its joints have one axis";
   return is_chain(mechanism) ? unknown_to_others(mechanism) : "its dynamics are those of a chain, and this is none";
 }
 

@@ -56,7 +56,8 @@ data main_page(const BenchSubject& subject) {
     arguments += (arguments.empty() ? "" : ", ") + name;
   };
   for (const InputKind kind : kKinds) {
-    add(input_argument(with_base(kind, subject.mechanism.floating_base), 0).name, subject.states[0].of(kind).size());
+    add(input_argument(with_base(kind, subject.mechanism.has_quasi_velocities()), 0).name,
+        subject.states[0].of(kind).size());
   }
   add("parameters", subject.states[0].parameters.size());
   data page;
@@ -191,11 +192,12 @@ data robot_page(const BenchSubject& subject) {
 }
 
 SourceFile peer_source(const BenchSubject& subject, const BenchPeer& peer) {
-  const bool floats = subject.mechanism.floating_base;
+  const bool quasi_velocities = subject.mechanism.has_quasi_velocities();
   data page;
-  page["floating?"] = floats;
-  page["velocities"] = std::string(floats ? "v" : "qd");
-  page["accelerations"] = std::string(floats ? "a" : "qdd");
+  page["floating?"] = subject.mechanism.floating_base;
+  page["spherical?"] = subject.mechanism.has_spherical_joints();
+  page["velocities"] = input_argument(with_base(InputKind::qd, quasi_velocities), 0).name;
+  page["accelerations"] = input_argument(with_base(InputKind::qdd, quasi_velocities), 0).name;
   for (const Function& function : subject.functions) {
     if (peer.functions.count(function.name) > 0) page[function.name] = true;
   }

@@ -54,7 +54,6 @@ BenchReport bench_robot(const BenchArguments& arguments, const std::string& robo
   options.functions = arguments.functions;
   const LoadedRobot model = load_robot(robot, options);
   refuse_loops(model, "bench");
-  refuse_spherical_joints(model, "bench");
   print_diagnostics(model.diagnostics, arguments);
   if (model.robot.scene.at_rest || !model.robot.scene.outputs.empty()) {
     throw Failure(ExitCode::unsupported, "bench compares whole functions in motion with peers",
