@@ -105,8 +105,8 @@ class DependentJoints {
     Positions candidates;
     std::copy_if(loop.own.rbegin(), loop.own.rend(), std::back_inserter(candidates),
                  [this](int k) { return !is_marked(k, true) && taken_.count(k) == 0; });
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [this](int a, int b) { return loops_with(a) < loops_with(b); });
+    const auto rank = [this](int k) { return std::pair(joint_at(robot_, tree_, k).driven, loops_with(k)); };
+    std::stable_sort(candidates.begin(), candidates.end(), [&rank](int a, int b) { return rank(a) < rank(b); });
     give(loop, independent_columns(loop.rows, candidates));
     if (loop.written->dependent.empty()) return;  // the check of the loop reports the reason
     std::vector<std::string> names;
@@ -115,7 +115,8 @@ class DependentJoints {
         loop.written->place,
         fmt::format("{}: no mark says which of its joints follow: {} {} from the others", name_of(*loop.written),
                     fmt::join(names, " and "), names.size() == 1 ? "follows" : "follow"),
-        "in a URDF, mark the joints that are not driven independent=\"false\", if these are others",
+        "in a URDF, mark the joints that are not driven independent=\"false\", if these are others; in MJCF, "
+        "let actuators drive the others",
         "loops whose dependent joints have been chosen");
   }
 

@@ -70,6 +70,7 @@ struct Joint {
   std::optional<Motor> motor;
   std::optional<Coupled> coupled;   // for moving joints only
   std::optional<bool> independent;  // whether URDF+ marks the joint as having a coordinate of its own
+  bool driven = false;              // whether an actuator of MJCF moves it: in loops it keeps its coordinate if it can
   Limits limits;
   Place place;
   Value stiffness;         // k of a spring at the joint, N m/rad or N/m
@@ -85,7 +86,7 @@ struct Loop {
   bool meets_at_zero = false;               // the second point is at the first one when all joints are at 0
   std::optional<std::array<Vec3, 2>> axes;  // in the links' frames, of any length
   std::vector<Reference> dependent;         // joints whose positions follow from those of the others
-  bool is_marked = false;                   // the dependent joints are found from the joints' marks, Joint::independent
+  bool is_marked = false;                   // the dependent joints are found from marks, Joint::independent and driven
   Place place;
 };
 

@@ -120,13 +120,13 @@ TEST(Pipes, ARobotComesFromStdinAndAHeaderGoesToStdout) {
 TEST(Interrupted, ExcitationWritesTheBestMotionSoFar) {
   const Scratch scratch;
   const std::string command = fmt::format(
-      "timeout --signal=INT --preserve-status 3 '{}' excite '{}/robots/panda.urdf' -q "
+      "timeout --signal=INT --preserve-status 3 '{}' excite '{}/robots/ur5.urdf' -q "
       "--evaluations 10000000 -o '{}' 2> '{}'; echo $? > '{}'",
       FLATDYN_PROGRAM, FLATDYN_SOURCE_DIR, scratch.path(), scratch.path("err"), scratch.path("code"));
   ASSERT_EQ(std::system(command.c_str()), 0);
   EXPECT_EQ(scratch.read("code"), "130\n");
   EXPECT_THAT(scratch.read("err"), HasSubstr("flatdyn: error: interrupted"));
-  EXPECT_FALSE(scratch.read("panda_excitation.csv").empty());
+  EXPECT_FALSE(scratch.read("ur5_excitation.csv").empty());
 }
 
 TEST(Interrupted, ErrorsAreJsonWhereResultsAre) {

@@ -36,13 +36,13 @@ class ActuatorReader {
       tell_of_transmission(item);
       return;
     }
-    Joint* driven = joint_in(model_.robot, joint->text);
-    if (driven == nullptr) {
+    Joint* moved = joint_in(model_.robot, joint->text);
+    if (moved == nullptr) {
       report_unknown(*joint, item);
       return;
     }
-    if (driven->type == JointType::fixed) return;
-    if (driven->type == JointType::spherical) {
+    if (moved->type == JointType::fixed) return;
+    if (moved->type == JointType::spherical) {
       if (refuse_reflected(item)) return;
       model_.diagnostics().note(item.element->place, item.what + ": it acts on a ball joint: it is not read",
                                 "forces of actuators are read where they act on a joint with one axis",
@@ -56,7 +56,8 @@ class ActuatorReader {
                                 "actuators with a gear of 0");
       return;
     }
-    add_reflected(item, gear, *driven);
+    moved->driven = true;
+    add_reflected(item, gear, *moved);
     efforts_[joint->text].push_back(effort_of(item, gear));
   }
 

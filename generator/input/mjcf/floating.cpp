@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input/mjcf/floating.hpp"
 
-#include "input/urdf/floating.hpp"
+#include "input/common/floating_joints.hpp"
 
 namespace flatdyn {
 

@@ -5,11 +5,11 @@
 #include <map>
 
 #include "diagnostics/nearest.hpp"
+#include "input/common/floating_joints.hpp"
 #include "input/common/xacro.hpp"
 #include "input/common/xml_document.hpp"
 #include "input/urdf/actuators.hpp"
 #include "input/urdf/couplings.hpp"
-#include "input/urdf/floating.hpp"
 #include "input/urdf/loops.hpp"
 #include "input/urdf/mimics.hpp"
 #include "input/urdf/names.hpp"

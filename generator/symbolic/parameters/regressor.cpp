@@ -50,6 +50,8 @@ Wrench unit_wrench(Derivation& d, Parameter parameter, const BodyMotion& body, c
   }
 }
 
+bool is_zero(const Vec3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
+
 class Columns {
  public:
   Columns(Frames& frames, const JointMotion& motion)
@@ -78,7 +80,7 @@ class Columns {
     }
     const Wrench wrench = unit_wrench(frames_.derivation(), parameter_of(index), bodies_[jj], frames_.label(j));
     for (const auto& [i, twist] : twists_[jj]) {
-      const int centre = centres_.centre_of(i);
+      const int centre = is_zero(twist.v) ? -1 : centres_.centre_of(i);
       entries[static_cast<std::size_t>(i)] =
           centre < 0 ? power(twist, wrench) : dot(twist.omega, moment_about(centre, wrench, index));
     }

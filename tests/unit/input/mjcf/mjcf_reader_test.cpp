@@ -31,6 +31,12 @@ std::string mjcf_body(const std::string& name, const std::string& more, const st
   return "<body name=\"" + name + "\" " + attributes + ">" + kBodyOfTwoKilograms + more + "</body>";
 }
 
+std::vector<std::string> joints_named_by(const std::vector<Reference>& references) {
+  std::vector<std::string> names;
+  for (const Reference& each : references) names.push_back(each.name);
+  return names;
+}
+
 std::vector<std::string> joints_of(const Robot& robot) {
   std::vector<std::string> names;
   for (const Joint& joint : robot.joints) names.push_back(joint.name);
@@ -186,7 +192,20 @@ TEST_F(MjcfReader, ClosesAChainByConnect) {
            "", R"(<equality><connect body1="b" body2="c" anchor="0 2 0"/></equality>)");
   ASSERT_EQ(robot.loops.size(), 1U);
   EXPECT_EQ(robot.loops[0].links[1].name, "c");
-  EXPECT_EQ(robot.loops[0].dependent.size(), 2U);
+  EXPECT_EQ(joints_named_by(robot.loops[0].dependent), (std::vector<std::string>{"j", "k"}));
+}
+
+// A joint that an actuator drives keeps its coordinate.
+TEST_F(MjcfReader, JointsWithoutActuatorsFollow) {
+  const std::string chain = mjcf_body("a", R"(<joint name="i"/>)" +
+                                               mjcf_body("b", R"(<joint name="j"/>)", R"(pos="1 0 0")")) +
+                            mjcf_body("c", R"(<joint name="k"/>)", R"(pos="0 3 0")"),
+                    connect = R"(<equality><connect body1="b" body2="c" anchor="0 2 0"/></equality>)";
+  const Robot driven = mjcf(chain, "", connect + R"(<actuator><motor joint="k"/></actuator>)");
+  EXPECT_EQ(joints_named_by(driven.loops.at(0).dependent), (std::vector<std::string>{"i", "j"}));
+  const Robot held_by_all =
+      mjcf(chain, "", connect + R"(<actuator><motor joint="k"/><motor joint="j"/><motor joint="i"/></actuator>)");
+  EXPECT_EQ(joints_named_by(held_by_all.loops.at(0).dependent), (std::vector<std::string>{"j", "k"}));
 }
 
 TEST_F(MjcfReader, WeldsABodyToTheWorld) {

@@ -122,6 +122,51 @@ struct FreeFunctions : FunctionsOfMechanism {
   }
 };
 
+// A waist whose three axes meet on the base's z axis: forces on its links have no moment about that axis.
+constexpr const char* kWaist = R"(name = "waist"
+[base]
+motion = "floating"
+mass = 8
+com = [0.1, -0.2, 0.05]
+inertia = { xx = 2, yy = 3, zz = 2.5 }
+inertia_about = "com"
+[[link]]
+joint = "yaw"
+xyz = [0, 0, 0.2]
+axis = [0, 0, 1]
+mass = 1
+inertia = { xx = 1, yy = 1, zz = 1 }
+inertia_about = "com"
+[[link]]
+joint = "pitch"
+axis = [0, 1, 0]
+mass = 1
+inertia = { xx = 1, yy = 1, zz = 1 }
+inertia_about = "com"
+[[link]]
+joint = "roll"
+axis = [1, 0, 0]
+mass = 2
+com = [0.1, 0.2, 0.3]
+inertia = { xx = 1, yy = 1, zz = 1 }
+inertia_about = "com"
+)";
+
+// In doubles, terms that cancel would leave a rounding error where the entry is zero.
+TEST(Regressor, HasNoOperationsWhereItIsAlwaysZero) {
+  const Mechanism mechanism = testing::model_of_toml(kWaist).mechanism;
+  const Function function = derive_function(mechanism, "regressor");
+  ModPArithmetic<> arithmetic(7);
+  const std::vector<Field> values = evaluate(function, arithmetic);
+  int zeros = 0;
+  for (const NodeId entry : function.outputs[0].entries) {
+    if (values[static_cast<std::size_t>(entry)] != Field()) continue;
+    EXPECT_TRUE(function.graph.is_zero(entry));
+    ++zeros;
+  }
+  EXPECT_GT(zeros, 0);
+}
+
 TEST(AdaptiveRegressor, IsConsistentWithCOfAFloatingBase) {
   FreeFunctions(testing::model_of_toml(testing::kSatellite)).expect_adaptive_regressor();
 }

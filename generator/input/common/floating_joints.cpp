@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "input/urdf/floating.hpp"
+#include "input/common/floating_joints.hpp"
 
 #include <algorithm>
 #include <iterator>

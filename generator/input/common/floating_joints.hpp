@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Joints by which a link moves freely: URDF's joints of type "floating", and MJCF's free joints.
 #pragma once
 
 #include <string>
