@@ -13,19 +13,22 @@ namespace {
 // of v belongs to entry k + `shift` of q; for a spherical joint that of `first` is its quaternion's first.
 struct JointSegment {
   int first = 0, last = 0, shift = 0;
-  std::string spherical;  // the joint's name; empty for joints of one axis
+  bool is_spherical = false;
 };
 
 std::vector<JointSegment> segments(const Mechanism& mechanism) {
   std::vector<JointSegment> found;
-  int shift = pose_entries(mechanism) - mechanism.base_bodies(), next = mechanism.base_bodies();
+  const int pose = pose_entries(mechanism);
+  int next = mechanism.base_bodies();
+  const auto add_axes_before = [&](int end) {
+    if (next < end) found.push_back({next, end, pose + mechanism.position_of(next) - next});
+  };
   for (const int first : mechanism.spherical) {
-    if (first > next) found.push_back({next, first, shift, ""});
-    found.push_back({first, first + kSphericalBodies, shift, joint_name(mechanism.joint(first))});
+    add_axes_before(first);
     next = first + kSphericalBodies;
-    ++shift;
+    found.push_back({first, next, pose + mechanism.quaternion_of(first) - first, true});
   }
-  if (next < mechanism.size()) found.push_back({next, mechanism.size(), shift, ""});
+  add_axes_before(mechanism.size());
   return found;
 }
 
@@ -40,14 +43,12 @@ std::string statement_of(const JointSegment& segment, const Mechanism& mechanism
   const auto statement = [](const char* text, const std::string& v, const std::string& q) {
     return with_replaced(with_replaced(text, "{v}", v), "{q}", q);
   };
-  if (!segment.spherical.empty()) {
-    return statement(ball, fmt::format("{}", segment.first), fmt::format("{}", segment.first + segment.shift));
-  }
-  if (segment.last == segment.first + 1) {
-    return statement(axis, fmt::format("{}", segment.first), fmt::format("{}", segment.first + segment.shift));
+  if (segment.is_spherical || segment.last == segment.first + 1) {
+    return statement(segment.is_spherical ? ball : axis, std::to_string(segment.first),
+                     std::to_string(segment.first + segment.shift));
   }
   const std::string last =
-      segment.last == mechanism.size() ? count_of_velocities(mechanism) : fmt::format("{}", segment.last);
+      segment.last == mechanism.size() ? count_of_velocities(mechanism) : std::to_string(segment.last);
   return fmt::format("for (int k = {}; k < {}; ++k) {}", segment.first, last,
                      statement(axis, "k", entry("k", segment.shift)));
 }
@@ -55,7 +56,9 @@ std::string statement_of(const JointSegment& segment, const Mechanism& mechanism
 std::vector<std::string> lines_of(const Mechanism& mechanism, const char* axis, const char* ball) {
   std::vector<std::string> lines;
   for (const JointSegment& segment : segments(mechanism)) {
-    if (!segment.spherical.empty()) lines.push_back(fmt::format("// Joint \"{}\".", comment_text(segment.spherical)));
+    if (segment.is_spherical) {
+      lines.push_back(fmt::format("// Joint \"{}\".", comment_text(joint_name(mechanism.joint(segment.first)))));
+    }
     lines.push_back(statement_of(segment, mechanism, axis, ball));
   }
   return lines;

@@ -139,59 +139,12 @@ TEST(Bench, MeasuresVariantsAndPeersThatAgree) {
   expect_stages_of(result["robots"][0]["stages"], functions.size());
 }
 
-// A body that floats, with a hinge, a ball and a slide one behind the other, and a branch.
-constexpr const char* kFreeArm = R"(name = "free_arm"
-[base]
-motion = "floating"
-mass = 8
-com = [0.1, -0.2, 0.05]
-inertia = { xx = 2, yy = 3, zz = 2.5, xy = 0.1 }
-inertia_about = "com"
-[[link]]
-joint = "hinge"
-xyz = [0.4, 0.1, 0.2]
-rpy = [0.3, "pi/2", 0]
-mass = 3
-com = [0.2, 0.1, 0]
-inertia = { xx = 0.03, yy = 0.04, zz = 0.05, xy = 0.002 }
-inertia_about = "com"
-[[link]]
-name = "hand"
-joint = "ball"
-type = "spherical"
-xyz = [0.4, 0, 0.1]
-rpy = [0.2, -0.3, "pi/2"]
-mass = 2
-com = [0.05, -0.02, 0.1]
-inertia = { xx = 0.03, yy = 0.02, zz = 0.025, yz = 0.001 }
-inertia_about = "com"
-[[link]]
-joint = "slide"
-type = "prismatic"
-axis = [1, 0, 0]
-xyz = [0.1, 0.05, 0]
-mass = 1
-com = [0.1, 0, 0.02]
-inertia = { xx = 0.01, yy = 0.02, zz = 0.02 }
-inertia_about = "com"
-[[link]]
-joint = "thumb"
-parent = "hand"
-xyz = [0, 0.1, 0.05]
-mass = 0.5
-com = [0.05, 0, 0]
-inertia = { xx = 0.001, yy = 0.002, zz = 0.002 }
-inertia_about = "com"
-)";
-
 // MuJoCo has the base in the world's axes and other accelerations of it; the base's own gravity turns.
 TEST(Bench, ComparesRobotsWithAFloatingBase) {
-  const Scratch scratch;
-  scratch.write("arm.toml", kFreeArm);
   const Outcome outcome = run_flatdyn(
-      fmt::format("bench {} -q --json --time 0.01 --states 20 --functions inverse_dynamics,bias,forward_dynamics "
-                  "--variants double,double-staged,batch-double,cuda-double,reference,MuJoCo",
-                  scratch.path("arm.toml")));
+      "bench docs/examples/free_arm.toml -q --json --time 0.01 --states 20 --functions "
+      "inverse_dynamics,bias,forward_dynamics "
+      "--variants double,double-staged,batch-double,cuda-double,reference,MuJoCo");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const json robot = json::parse(outcome.out)["robots"][0];
   for (const json& function : robot["functions"]) {
@@ -205,12 +158,10 @@ TEST(Bench, ComparesRobotsWithAFloatingBase) {
 // DART has the base's angular entries before the linear ones, in everything.
 TEST(Bench, ComparesRobotsWithAFloatingBaseWithDart) {
   if (!is_installed("dart")) GTEST_SKIP() << "DART is not installed: scripts/setup all";
-  const Scratch scratch;
-  scratch.write("arm.toml", kFreeArm);
   const Outcome outcome = run_flatdyn(
-      fmt::format("bench {} -q --json --time 0.01 --states 20 --variants double,DART --functions inverse_dynamics,"
-                  "inertia_matrix,gravity,bias,forward_dynamics,kinetic_energy,forward_kinematics,jacobian",
-                  scratch.path("arm.toml")));
+      "bench docs/examples/free_arm.toml -q --json --time 0.01 --states 20 --variants double,DART --functions "
+      "inverse_dynamics,"
+      "inertia_matrix,gravity,bias,forward_dynamics,kinetic_energy,forward_kinematics,jacobian");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const json& function : json::parse(outcome.out)["robots"][0]["functions"]) {
     const std::map<std::string, json> rows = by_variant(function);

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
+#include <string_view>
 
 #include "diagnostics/diagnostics.hpp"
 #include "emit/languages/cpp_shapes.hpp"
@@ -25,46 +27,48 @@ namespace {
 constexpr std::size_t kTableIndent = 10;
 
 // Variables of CUDA that are there without a header.
-constexpr const char* kVariables[] = {"threadIdx", "blockIdx", "blockDim", "gridDim", "warpSize"};
+constexpr auto kVariables =
+    std::to_array<std::string_view>({"threadIdx", "blockIdx", "blockDim", "gridDim", "warpSize"});
 
-// Other names that nvcc's header cuda_runtime.h declares in the global namespace, some by <time.h> and <ctype.h>.
-constexpr const char* kOthers[] = {
-    "all",        "any",        "asctime",   "ballot",  "clock",     "clock64",  "cospi",      "ctime",   "dadd",
-    "daylight",   "difftime",   "dim3",      "dmul",    "dsub",      "dysize",   "erfcinv",    "erfcx",   "erfinv",
-    "fdivide",    "fpclassify", "getdate",   "gmtime",  "isfinite",  "isnormal", "itimerspec", "llmax",   "llmin",
-    "localtime",  "max",        "min",       "mktime",  "nanosleep", "norm",     "norm3d",     "norm4d",  "normcdf",
-    "normcdfinv", "nullptr_t",  "ptrdiff_t", "rcbrt",   "rhypot",    "rnorm",    "rnorm3d",    "rnorm4d", "rsqrt",
-    "sigevent",   "signbit",    "sincospi",  "sinpi",   "strftime",  "strptime", "time",       "timegm",  "timelocal",
-    "timex",      "timezone",   "tm",        "toascii", "tolower",   "toupper",  "tzname",     "tzset",   "ullmax",
-    "ullmin",     "umax",       "umin"};
+// Names that nvcc's header cuda_runtime.h declares in the global namespace, some by <time.h> and <ctype.h>; functions
+// for float, with an f at the end, are added.
+constexpr auto kOfRuntime = std::to_array<std::string_view>(
+    {"all",        "any",        "asctime",   "ballot",  "clock",     "clock64",  "cospi",      "ctime",   "dadd",
+     "daylight",   "difftime",   "dim3",      "dmul",    "dsub",      "dysize",   "erfcinv",    "erfcx",   "erfinv",
+     "fdivide",    "fpclassify", "getdate",   "gmtime",  "isfinite",  "isnormal", "itimerspec", "llmax",   "llmin",
+     "localtime",  "max",        "min",       "mktime",  "nanosleep", "norm",     "norm3d",     "norm4d",  "normcdf",
+     "normcdfinv", "nullptr_t",  "ptrdiff_t", "rcbrt",   "rhypot",    "rnorm",    "rnorm3d",    "rnorm4d", "rsqrt",
+     "sigevent",   "signbit",    "sincospi",  "sinpi",   "strftime",  "strptime", "time",       "timegm",  "timelocal",
+     "timex",      "timezone",   "tm",        "toascii", "tolower",   "toupper",  "tzname",     "tzset",   "ullmax",
+     "ullmin",     "umax",       "umin"});
 
-bool is_among(const char* const* begin, const char* const* end, const std::string& name) {
-  return std::find(begin, end, name) != end;
+bool is_listed(std::string_view name) {
+  const auto is_in = [name](const auto& names) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  return is_in(kVariables) || is_in(kOfRuntime);
+}
+
+// "float4", "uchar2".
+bool is_vector_type(std::string_view name) {
+  if (name.empty() || name.back() < '1' || name.back() > '4') return false;
+  std::string_view scalar = name.substr(0, name.size() - 1);
+  if (scalar.starts_with('u')) scalar.remove_prefix(1);
+  for (const char* each : {"char", "short", "int", "long", "longlong", "float", "double"}) {
+    if (scalar == each) return true;
+  }
+  return false;
 }
 
 // Whether CUDA's runtime declares the name, in the global namespace: "cudaSuccess", "threadIdx", "max", "float4".
-bool is_in_runtime(const std::string& name) {
-  const auto begins = [&name](const std::string& prefix, char first, char last) {
-    return name.starts_with(prefix) && name.size() > prefix.size() && name[prefix.size()] >= first &&
+bool is_in_runtime(std::string_view name) {
+  const auto begins = [name](std::string_view prefix, char first, char last) {
+    return name.size() > prefix.size() && name.starts_with(prefix) && name[prefix.size()] >= first &&
            name[prefix.size()] <= last;
   };
-  for (const char* prefix : {"cuda", "atomic"}) {
-    if (begins(prefix, 'A', 'Z')) return true;
-  }
-  for (const char* prefix : {"tex", "surf"}) {
-    if (begins(prefix, '1', '3')) return true;
-  }
-  if (name.starts_with("make_")) return true;
-  if (is_among(std::begin(kVariables), std::end(kVariables), name)) return true;
-  if (is_among(std::begin(kOthers), std::end(kOthers), name)) return true;
-  if (name.ends_with('f') && is_among(std::begin(kOthers), std::end(kOthers), name.substr(0, name.size() - 1)))
-    return true;
-  if (name.empty() || name.back() < '1' || name.back() > '4') return false;
-  std::string type = name.substr(0, name.size() - 1);
-  for (const char* each : {"char", "short", "int", "long", "longlong", "float", "double"}) {
-    if (type == each || type == "u" + std::string(each)) return true;
-  }
-  return false;
+  constexpr std::string_view kMake = "make_";
+  return begins("cuda", 'A', 'Z') || begins("atomic", 'A', 'Z') || begins("tex", '1', '3') ||
+         begins("surf", '1', '3') || is_vector_type(name) ||
+         (name.starts_with(kMake) && is_vector_type(name.substr(kMake.size()))) || is_listed(name) ||
+         (name.ends_with('f') && is_listed(name.substr(0, name.size() - 1)));
 }
 
 // Throws Failure(usage) for a namespace whose name means something else in CUDA or in the header's own macros.
@@ -247,7 +251,7 @@ std::vector<std::string> CudaDialect::reserved() const {
     words.push_back(fmt::format("Out{}", k));
   }
   for (const char* word : {"In", "Out"}) words.emplace_back(word);
-  words.insert(words.end(), std::begin(kVariables), std::end(kVariables));
+  words.insert(words.end(), kVariables.begin(), kVariables.end());
   return words;
 }
 
