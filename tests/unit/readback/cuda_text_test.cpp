@@ -105,7 +105,8 @@ TEST(CudaText, NamespacesAreNotThoseOfTheRuntime) {
     options.name_space = name;
     EXPECT_THROW(code.text(options), Failure) << name;
   }
-  for (const char* name : {"acme::threadIdx", "cuda_arm", "float5", "maximum", "texas", "atomic", "time_arm"}) {
+  for (const char* name :
+       {"acme::threadIdx", "cuda_arm", "float5", "maximum", "texas", "atomic", "make_robot", "time_arm"}) {
     options.name_space = name;
     EXPECT_NO_THROW(code.text(options)) << name;
   }
