@@ -210,7 +210,7 @@ class AdaptorWriter {
       const InputKind kind = function_.inputs[k];
       if (kind == InputKind::g_b) continue;
       inputs.push_back(text.inputs[k]);
-      if (kind == InputKind::q) inputs.back().length += pose_;
+      if (kind == InputKind::q) inputs.back().length += static_cast<std::size_t>(pose_);
     }
     text.inputs = inputs;
     HeaderScope scope(dialect_);
