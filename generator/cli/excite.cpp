@@ -18,6 +18,7 @@ struct ExciteArguments : RobotArguments {
   ExcitationOptions plan;
   std::optional<int> evaluations;
   std::optional<double> time;
+  bool no_base_force = false;
 };
 
 // The plan of the options. If the number of evaluations is given, the same motion is wanted on every machine, so the
@@ -45,8 +46,10 @@ std::optional<LoggedInformation> logged_already(const ExciteArguments& arguments
 ExitCode excite(const ExciteArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   refuse_loops(model, "excite");
-  refuse_floating_base(model, "excite");
   refuse_spherical_joints(model, "excite");
+  if (arguments.no_base_force && !model.mechanism.floating_base) {
+    throw Failure(ExitCode::usage, "--no-base-force is for robots with a floating base", "give --base floating");
+  }
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   const std::string name = cpp_identifier(model.mechanism.name);  // as for a generated header
@@ -59,14 +62,15 @@ ExitCode excite(const ExciteArguments& arguments) {
   Progress progress(arguments.quiet);
   const TorqueModel torques(model, parameter_set(arguments.parameters), progress);
   const std::optional<LoggedInformation> logged = logged_already(arguments, torques, progress);
+  const MotionEquations equations(torques, !arguments.no_base_force);
   ExcitationOptions plan = plan_of(arguments);
   if (logged) plan.logged = logged->root;
-  const Excitation excitation = make_excitation(torques, plan, progress, Interruption::happened);
+  const Excitation excitation = make_excitation(equations, plan, progress, Interruption::happened);
   const ParameterFrames frames = parameter_frames(arguments.frames);
   write_and_print(
-      {{csv, excitation_csv(excitation.motion)}, {svg, excitation_plot(torques.mechanism(), excitation.motion)}},
-      {describe_excitation(torques, excitation, logged, frames) + "\n",
-       excitation_json(torques, excitation, logged, frames)},
+      {{csv, excitation_csv(equations, excitation.motion)}, {svg, excitation_plot(equations, excitation.motion)}},
+      {describe_excitation(equations, excitation, logged, frames) + "\n",
+       excitation_json(equations, excitation, logged, frames)},
       arguments);
   if (!Interruption::happened()) return ExitCode::ok;
   throw Failure(ExitCode::interrupted, "interrupted before the search was at its end",
@@ -125,6 +129,8 @@ Run add_excite(CLI::App& app) {
                    "logs of motion that was identified from already, as for identify: the new motion completes what "
                    "they tell, so that parameters that they leave open count most")
       ->type_name("LOG.csv");
+  command->add_flag("--no-base-force", arguments->no_base_force,
+                    "the force on a floating base will not be measured: parameters that it alone tells do not count");
   add_plan_options(*command, *arguments);
   add_parameters_option(*command, arguments->parameters, "what is to be identified: ");
   add_frames_option(*command, arguments->frames);

@@ -64,10 +64,10 @@ void check_identify_usage(const IdentifyArguments& arguments) {
   if (!arguments.part.empty() && (arguments.output.empty() || arguments.logs.empty())) {
     throw Failure(ExitCode::usage, "--part needs --data LOG.csv and -o FILE: the part is written to that file");
   }
-  const bool reads_otherwise =
-      arguments.stream.band || arguments.stream.decimate || !arguments.stream.rest_speed.empty();
+  const bool reads_otherwise = arguments.stream.band || arguments.stream.decimate ||
+                               !arguments.stream.rest_speed.empty() || !arguments.stream.imu.empty();
   if (!arguments.parts.empty() && reads_otherwise) {
-    throw Failure(ExitCode::usage, "--band, --decimate and --rest-speed have no effect with --merge",
+    throw Failure(ExitCode::usage, "--band, --decimate, --rest-speed and --imu have no effect with --merge",
                   "give them with --part, where the logs are read");
   }
   const bool reads_again = arguments.delay || arguments.gravity_direction || arguments.robust ||
@@ -122,6 +122,15 @@ void check_options_for(const Mechanism& mechanism, const IdentifyArguments& argu
   if (mechanism.is_coupled() && arguments.further.springs) {
     throw Failure(ExitCode::unsupported, "--springs is for robots without coupled joints and closed loops");
   }
+  if (mechanism.floating_base && arguments.gravity_direction) {
+    throw Failure(ExitCode::unsupported,
+                  "--gravity-direction is for robots with a fixed base: on a floating one gravity is part of what an "
+                  "accelerometer shows, or its direction is that of the pose");
+  }
+  if (!mechanism.floating_base && !arguments.stream.imu.empty()) {
+    throw Failure(ExitCode::usage, "--imu is for robots with a floating base", "give --base floating");
+  }
+  base_sensors(mechanism, arguments.stream.imu);
   if (mechanism.has_loops() && (arguments.gravity_direction || arguments.estimator == "iv")) {
     throw Failure(ExitCode::unsupported, "--gravity-direction and --estimator iv are for robots without closed loops");
   }
@@ -301,7 +310,7 @@ class Logs {
 std::vector<IdentifiedSpring> springs_of(const TorqueEquations& equations, const Eigen::VectorXd& values) {
   std::vector<IdentifiedSpring> springs;
   Eigen::Index next = equations.parameters() - equations.corrections() - equations.static_parameters();
-  for (int i = 0; i < equations.equations() && equations.further().springs; ++i, next += 2) {
+  for (int i = 0; i < equations.model().joints() && equations.further().springs; ++i, next += 2) {
     springs.push_back({values(next), values(next + 1)});
   }
   return springs;
@@ -381,7 +390,6 @@ ExitCode identify(IdentifyArguments arguments) {
   StreamOptions stream = arguments.stream;
   if (!arguments.part.empty()) read_part(arguments.part, stream);
   LoadedRobot robot = load_robot(arguments.robot, arguments.options());
-  refuse_floating_base(robot, "identify");
   refuse_spherical_joints(robot, "identify");
   if (!arguments.further.springs) refuse_springs(robot, "identify", "--springs estimates them; ");
   check_files(arguments, robot.robot);
@@ -489,6 +497,12 @@ Run add_identify(CLI::App& app) {
   add_identified_option(*command, arguments->parameters);
   add_frames_option(*command, arguments->frames);
   add_stream_options(*command, arguments->stream);
+  command
+      ->add_option(
+          "--imu", arguments->stream.imu,
+          "the link, fixed to a floating base, whose frame is that of the log's imu_ax to imu_wz; default: the "
+          "base link")
+      ->type_name("LINK");
   add_estimation_options(*command, *arguments);
   return [arguments] { return identify(*arguments); };
 }

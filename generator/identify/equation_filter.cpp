@@ -53,7 +53,7 @@ EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& mode
       model_(model),
       sink_(std::move(sink)),
       layout_(plan.layout()),
-      n_(layout_.joints),
+      n_(layout_.rates()),
       stride_(plan.filter.stride()),
       lookahead_(plan.filter.rest_strides()),
       motion_half_(plan.filter.motion_half_window()),
@@ -138,10 +138,10 @@ void EquationFilter::mark_standing() {
   if (plan_.filter.band == 0) return;
   const int long_time = plan_.filter.standing_strides();
   GridMotion& newest = pending_.back();
-  for (int j = 0; j < n_; ++j) {
+  for (int j = layout_.base; j < n_; ++j) {
     const auto at = static_cast<std::size_t>(j);
     const int position = layout_.position_of[at];
-    const auto [step, deviation] = plan_.q_noise[static_cast<std::size_t>(position)];
+    const auto [step, deviation] = plan_.q_noise(position);
     const bool is_first = motions_ == 0 && pending_.size() == 1;
     if (is_first) near_[at] = long_time;
     if (is_first) anchors_[j] = newest.q[position];
@@ -184,9 +184,8 @@ void EquationFilter::push_row(GridMotion motion) {
 bool EquationFilter::sticks(int joint, int back, double speed) const {
   constexpr int kLeast = 4, kMost = 64;  // samples
   constexpr double kTimes = 3, kRounding = 1e-12;
-  const int position =
-      layout_.positions == layout_.joints ? joint : layout_.position_of[static_cast<std::size_t>(joint)];
-  const double step = plan_.q_noise.empty() ? 0 : plan_.q_noise[static_cast<std::size_t>(position)].step;
+  const int position = layout_.position_of[static_cast<std::size_t>(joint)];
+  const double step = plan_.q_noise(position).step;
   const double expected = kTimes * step / (std::abs(speed) * plan_.filter.dt);
   if (!(expected < kMost)) return false;
   const int channel = LogLayout::q() + position;
@@ -215,7 +214,8 @@ void EquationFilter::push_sample(const GridMotion& from, const GridMotion& to, i
     const auto at = static_cast<std::size_t>(j);
     const bool rests = from.rests[at] != 0 || to.rests[at] != 0;
     double speed = rests ? 0 : between(from.qd[j], from.qdd[j], to.qd[j], to.qdd[j], step, share);
-    if (!rests && plan_.filter.band > 0 && sticks(j, static_cast<int>(newest - index), speed)) speed = 0;
+    if (j >= layout_.base && !rests && plan_.filter.band > 0 && sticks(j, static_cast<int>(newest - index), speed))
+      speed = 0;
     speeds_[j] = speed;
     sample[unsure_at() + j] = std::abs(speed) < kUnsure * plan_.rest_speed[at] ? 1 : 0;
   }
@@ -240,7 +240,8 @@ void EquationFilter::pass_on(long index) {
   const VectorXd unsure =
       samples_window_.block(samples_back, samples, unsure_at(), n_).transpose() * sample_weights_.cwiseAbs();
   for (int i = 0; i < model_.equations(); ++i) {
-    used_[static_cast<std::size_t>(i)] = model_.has_friction(i) && unsure[i] > kMostUnsure ? 0 : 1;
+    const bool is_sure = !model_.has_friction(i) || unsure[i] <= kMostUnsure;
+    used_[static_cast<std::size_t>(i)] = is_sure && model_.is_measured(layout_, i) ? 1 : 0;
   }
   motion_.noalias() = rows_.block(rows_back, rows, motion_at(), motions()).transpose() * row_weights_;
   rates_.noalias() =
@@ -253,7 +254,7 @@ void EquationFilter::pass_on(long index) {
   equations.motion = {middle[time_at()], motion_.data(), motion_.data() + layout_.positions,
                       motion_.data() + layout_.positions + n_, nullptr};
   equations.positions = static_cast<std::size_t>(layout_.positions);
-  equations.joints = static_cast<std::size_t>(n_);
+  equations.rates = static_cast<std::size_t>(n_);
   equations.line = std::lround(middle[line_at()]);
   equations.index = index / plan_.filter.decimate;
   equations.entries = entries_.data();

@@ -18,8 +18,8 @@ namespace flatdyn {
 // this instant, whose friction may be anything up to F_s, or that turns around so slowly that its noise hides when.
 struct FilteredEquations {
   MeasuredMotion motion;
-  std::size_t positions = 0, joints = 0;  // lengths of q, and of q̇ and q̈
-  long line = 0;                          // of the log, counted from 0
+  std::size_t positions = 0, rates = 0;  // lengths of q, and of q̇ and q̈
+  long line = 0;                         // of the log, counted from 0
   long index = 0;                   // counts the instants: 1 more than that of the one before it, unless time has a gap
   const double* entries = nullptr;  // of Y, filtered
   const double* right = nullptr;    // what is measured less what is known, filtered

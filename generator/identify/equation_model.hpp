@@ -9,8 +9,8 @@
 
 namespace flatdyn {
 
-// A motion in SI units, valid during a call: q of all joints, q̇ and q̈ of the independent ones; h_e has 6 numbers, null
-// if the log has none.
+// A motion in SI units, valid during a call: q of all joints, q̇ and q̈ of the independent ones, after (0, ω) and (f, ω̇)
+// of a floating base (base_motion.hpp); h_e has 6 numbers, null if the log has none.
 struct MeasuredMotion {
   double time = 0;
   const double *q = nullptr, *qd = nullptr, *qdd = nullptr, *h_e = nullptr;
@@ -67,6 +67,8 @@ class EquationModel {
   virtual void require(const LogLayout& /*layout*/, const Place& /*place*/, Diagnostics& /*diagnostics*/) const {}
   // The channel of a log where what is measured begins; there is one channel per equation.
   virtual int measured(const LogLayout& layout) const = 0;
+  // Whether the log has what is measured of an equation: its channel is empty otherwise.
+  virtual bool is_measured(const LogLayout& /*layout*/, int /*equation*/) const { return true; }
 
  protected:
   std::vector<std::vector<int>> columns_;

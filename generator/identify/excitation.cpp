@@ -92,29 +92,30 @@ class ShapeSearch {
 };
 
 // The number of intervals between the samples of a motion.
-int intervals_of(const ExcitationOptions& options, const TorqueModel& model) {
-  const int least = std::max(kSamplesPerPeriod * options.harmonics, 2 * model.parameters());
+int intervals_of(const ExcitationOptions& options, const MotionEquations& equations) {
+  const int least = std::max(kSamplesPerPeriod * options.harmonics, 2 * equations.parameters());
   const double intervals = std::round(options.duration * options.rate);
   if (intervals > kMostIntervals) {
     throw Failure(ExitCode::usage, fmt::format("--duration {} and --rate {} make {} samples; at most {} are planned",
                                                options.duration, options.rate, intervals, kMostIntervals));
   }
   if (intervals >= least) return static_cast<int>(intervals);
-  throw Failure(ExitCode::usage,
-                fmt::format("--duration {} and --rate {} make {} samples; {} harmonics and {} parameters need {}",
-                            options.duration, options.rate, intervals, options.harmonics, model.parameters(), least));
+  throw Failure(
+      ExitCode::usage,
+      fmt::format("--duration {} and --rate {} make {} samples; {} harmonics and {} parameters need {}",
+                  options.duration, options.rate, intervals, options.harmonics, equations.parameters(), least));
 }
 
-void refuse_what_cannot_move(const TorqueModel& model, const std::vector<JointLimits>& limits) {
-  if (model.parameters() == 0) {
+void refuse_what_cannot_move(const MotionEquations& equations, const std::vector<JointLimits>& limits) {
+  if (equations.parameters() == 0) {
     throw Failure(ExitCode::unsupported, "no torque of the robot depends on any of its parameters");
   }
-  for (int i = 0; i < model.joints(); ++i) {
+  const TorqueModel& model = equations.model();
+  for (int i = 0; i < model.equations(); ++i) {
     const JointLimits& joint = limits[static_cast<std::size_t>(i)];
     if (joint.lower < joint.upper) continue;
-    const std::string& name = model.mechanism().joints()[static_cast<std::size_t>(i)].joint;
-    throw Failure(ExitCode::unsupported, fmt::format("joint \"{}\": its position limits leave no room", name),
-                  fmt::format("hold it: --fix {}", name));
+    throw Failure(ExitCode::unsupported, model.subject_of(i) + ": its position limits leave no room",
+                  fmt::format("hold it: --fix {}", model.name_of(i)));
   }
 }
 
@@ -144,10 +145,10 @@ std::vector<double> factors_of(const std::vector<double>& torque, double margin)
 // Searches on from `shape` in rounds and returns the best motion that keeps the limits. Each round begins with the best
 // so far, since beyond the limits nothing tells which joints have to move less. Torques that are too large between the
 // criterion's few samples are lowered at these samples in the next round.
-FourierTrajectory within_limits(const TorqueModel& model, const std::vector<JointLimits>& limits,
+FourierTrajectory within_limits(const MotionEquations& equations, const std::vector<JointLimits>& limits,
                                 const ExcitationOptions& options, std::vector<double> shape,
                                 ExcitationObjective& objective, ShapeSearch& search) {
-  const auto fit = [&] { return fitted(model, limits, options.margin, objective.trajectory(shape.data())); };
+  const auto fit = [&] { return fitted(equations, limits, options.margin, objective.trajectory(shape.data())); };
   FourierTrajectory best = fit().trajectory;
   double best_cost = objective.cost(best);
   objective.weigh_torques(kFirmly);
@@ -166,14 +167,14 @@ FourierTrajectory within_limits(const TorqueModel& model, const std::vector<Join
 
 }  // namespace
 
-Excitation make_excitation(const TorqueModel& model, const ExcitationOptions& options, Progress& progress,
+Excitation make_excitation(const MotionEquations& equations, const ExcitationOptions& options, Progress& progress,
                            const std::function<bool()>& stop) {
-  const std::vector<JointLimits> limits = motion_limits(model.mechanism());
-  refuse_what_cannot_move(model, limits);
-  const int intervals = intervals_of(options, model);
-  ExcitationObjective objective(model, within_margin(limits, options.margin), options.duration, options.harmonics);
+  const std::vector<JointLimits> limits = motion_limits(equations.model().mechanism());
+  refuse_what_cannot_move(equations, limits);
+  const int intervals = intervals_of(options, equations);
+  ExcitationObjective objective(equations, within_margin(limits, options.margin), options.duration, options.harmonics);
   // The logs as they count beside samples at the motion's rate, and beside those of the criterion.
-  const Eigen::MatrixXd logged = std::sqrt(options.rate) * options.logged;
+  const Eigen::MatrixXd logged = std::sqrt(options.rate) * equations.information_on_columns(options.logged);
   objective.add_known(std::sqrt(static_cast<double>(objective.samples()) / intervals) * logged);
   std::mt19937_64 engine(options.seed);
   std::vector<std::vector<double>> starts;
@@ -183,9 +184,9 @@ Excitation make_excitation(const TorqueModel& model, const ExcitationOptions& op
   std::vector<double> best = best_of(starts, search, options.evaluations / (2 * kStarts), progress);
   progress.step("improving the best start");
   search.improve(best, (options.evaluations - search.evaluations()) / 3);
-  const FourierTrajectory found = within_limits(model, limits, options, std::move(best), objective, search);
+  const FourierTrajectory found = within_limits(equations, limits, options, std::move(best), objective, search);
   const auto plan = [&](const FourierTrajectory& trajectory) {
-    return planned(model, limits, options.margin, trajectory, intervals, objective.lengths(), logged);
+    return planned(equations, limits, options.margin, trajectory, intervals, objective.lengths(), logged);
   };
   progress.step("planning the motion");
   PlannedMotion start = plan(objective.trajectory(starts.front().data()));

@@ -10,7 +10,6 @@
 
 #include "diagnostics/progress.hpp"
 #include "identify/planned_motion.hpp"
-#include "identify/torque_model.hpp"
 
 namespace flatdyn {
 
@@ -41,7 +40,7 @@ struct Excitation {
 // if the samples are too few to show the motion, or more than 500,000.
 // stop: asked before every evaluation; once it returns true, the best motion so far is planned and returned.
 Excitation make_excitation(
-    const TorqueModel& model, const ExcitationOptions& options, Progress& progress,
+    const MotionEquations& equations, const ExcitationOptions& options, Progress& progress,
     const std::function<bool()>& stop = [] { return false; });
 
 }  // namespace flatdyn

@@ -27,21 +27,19 @@ constexpr double kTorqueWeight = 1000;
 // The step of a forward difference; q̈ enters linearly, so any step is exact for it.
 constexpr double kStep = 1e-7, kAccelerationStep = 1;
 
-int samples_for(const TorqueModel& model, int harmonics) {
-  const int equations = kEquationsPerParameter * model.parameters();
-  return std::max(kObjectiveSamplesPerPeriod * harmonics, (equations + model.joints() - 1) / model.joints());
+int samples_for(const MotionEquations& equations, int harmonics) {
+  const int wanted = kEquationsPerParameter * equations.parameters();
+  return std::max(kObjectiveSamplesPerPeriod * harmonics, (wanted + equations.equations() - 1) / equations.equations());
 }
 
 // Y_b stacked over all samples; state(k) returns q, q̇ and q̈ of sample k.
 template <typename State>
-MatrixXd stacked(const TorqueModel& model, int samples, const State& state) {
-  const int n = model.joints();
-  MatrixXd all(samples * n, model.parameters());
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(n, model.parameters());
+MatrixXd stacked(const MotionEquations& equations, int samples, const State& state) {
+  const int n = equations.equations();
+  MatrixXd all(samples * n, equations.parameters());
   for (int k = 0; k < samples; ++k) {
     const auto [q, qd, qdd] = state(k);
-    model.regressor(q.data(), qd.data(), qdd.data(), y.data());
-    all.middleRows(k * n, n) = y;
+    all.middleRows(k * n, n) = equations.regressor(q.data(), qd.data(), qdd.data());
   }
   return all;
 }
@@ -50,25 +48,25 @@ MatrixXd stacked(const TorqueModel& model, int samples, const State& state) {
 
 // A motion of the search. `shape` is the series before it is scaled to the limits: column i by scale(i).
 struct ExcitationObjective::Motion {
-  MatrixXd coefficients;         // terms × joints
-  MatrixXd shape[3];             // samples × joints
-  VectorXd scale;                // joints
-  std::vector<VectorXd> shrink;  // d scale / d coefficient, one per joint
+  MatrixXd coefficients;         // terms × coordinates
+  MatrixXd shape[3];             // samples × coordinates
+  VectorXd scale;                // by coordinate
+  std::vector<VectorXd> shrink;  // d scale / d coefficient, one per coordinate
 };
 
-ExcitationObjective::ExcitationObjective(const TorqueModel& model, std::vector<JointLimits> limits, double duration,
-                                         int harmonics)
-    : model_(model),
+ExcitationObjective::ExcitationObjective(const MotionEquations& equations, std::vector<JointLimits> limits,
+                                         double duration, int harmonics)
+    : equations_(equations),
       limits_(std::move(limits)),
       duration_(duration),
-      units_(2 * harmonics, model.joints()),
-      lengths_(VectorXd::Ones(model.parameters())) {
+      units_(2 * harmonics, equations.coordinates()),
+      lengths_(VectorXd::Ones(equations.parameters())) {
   for (const JointLimits& joint : limits_) rest_.push_back(joint.middle());
   const VectorXd at_rest = torques_at_rest();
-  for (int i = 0; i < model.joints(); ++i) {
+  for (int i = 0; i < equations.coordinates(); ++i) {
     least_torques_.push_back((std::abs(at_rest(i)) + limits_[static_cast<std::size_t>(i)].torque) / 2);
   }
-  const int count = samples_for(model, harmonics);
+  const int count = samples_for(equations, harmonics);
   for (MatrixXd& basis : basis_) basis.resize(count, 2 * harmonics);
   for (int l = 1; l <= harmonics; ++l) {
     for (int k = 0; k < count; ++k) {
@@ -81,7 +79,7 @@ ExcitationObjective::ExcitationObjective(const TorqueModel& model, std::vector<J
       }
     }
     const double frequency = 2 * std::numbers::pi * l / duration;
-    for (int i = 0; i < model.joints(); ++i) {
+    for (int i = 0; i < equations.coordinates(); ++i) {
       const JointLimits& joint = limits_[static_cast<std::size_t>(i)];
       units_.col(i)
           .segment(2 * (l - 1), 2)
@@ -91,7 +89,7 @@ ExcitationObjective::ExcitationObjective(const TorqueModel& model, std::vector<J
 }
 
 void ExcitationObjective::scale_by(const std::vector<std::vector<double>>& motions) {
-  VectorXd squares = VectorXd::Zero(model_.parameters());
+  VectorXd squares = VectorXd::Zero(equations_.parameters());
   for (const std::vector<double>& x : motions)
     squares += regressor(motion(x.data())).colwise().squaredNorm().transpose();
   lengths_ = (squares / static_cast<double>(motions.size())).cwiseSqrt().cwiseMax(std::numeric_limits<double>::min());
@@ -99,11 +97,7 @@ void ExcitationObjective::scale_by(const std::vector<std::vector<double>>& motio
 
 VectorXd ExcitationObjective::torques_at_rest() const {
   const std::vector<double> zero(rest_.size());
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(model_.joints(), model_.parameters());
-  model_.regressor(rest_.data(), zero.data(), zero.data(), y.data());
-  VectorXd torques = y * Eigen::Map<const VectorXd>(model_.file_values().data(), model_.parameters());
-  model_.add_springs(rest_.data(), torques.data());
-  return torques;
+  return equations_.torques(rest_.data(), zero.data(), zero.data());
 }
 
 void ExcitationObjective::lower_torques(const std::vector<double>& factors) {
@@ -114,12 +108,12 @@ void ExcitationObjective::lower_torques(const std::vector<double>& factors) {
 
 ExcitationObjective::Motion ExcitationObjective::motion(const double* x) const {
   Motion motion;
-  motion.coefficients = units_.cwiseProduct(Eigen::Map<const MatrixXd>(x, terms(), model_.joints()));
+  motion.coefficients = units_.cwiseProduct(Eigen::Map<const MatrixXd>(x, terms(), equations_.coordinates()));
   for (int d = 0; d < 3; ++d) motion.shape[d] = basis_[d] * motion.coefficients;
-  motion.scale.resize(model_.joints());
+  motion.scale.resize(equations_.coordinates());
   // This weight makes the norm of a sine wave equal its amplitude.
   const double weight = std::sqrt(2 * std::numbers::pi * kPower) / 2 / samples();
-  for (int i = 0; i < model_.joints(); ++i) {
+  for (int i = 0; i < equations_.coordinates(); ++i) {
     const JointLimits& limits = limits_[static_cast<std::size_t>(i)];
     const double largest[] = {limits.reach(), limits.speed, limits.acceleration};
     double sum = 1;
@@ -140,7 +134,7 @@ ExcitationObjective::Motion ExcitationObjective::motion(const double* x) const {
 FourierTrajectory ExcitationObjective::trajectory(const double* x) const {
   const Motion found = motion(x);
   std::vector<FourierSeries> series(rest_.size());
-  for (int i = 0; i < model_.joints(); ++i) {
+  for (int i = 0; i < equations_.coordinates(); ++i) {
     for (int k = 0; k < terms(); ++k) {
       FourierSeries& joint = series[static_cast<std::size_t>(i)];
       (k % 2 == 0 ? joint.a : joint.b).push_back(found.scale(i) * found.coefficients(k, i));
@@ -151,7 +145,7 @@ FourierTrajectory ExcitationObjective::trajectory(const double* x) const {
 
 std::vector<double> ExcitationObjective::coefficients(const FourierTrajectory& trajectory) const {
   std::vector<double> x;
-  for (int i = 0; i < model_.joints(); ++i) {
+  for (int i = 0; i < equations_.coordinates(); ++i) {
     const FourierSeries& joint = trajectory.series()[static_cast<std::size_t>(i)];
     for (int k = 0; k < terms(); ++k) {
       x.push_back((k % 2 == 0 ? joint.a : joint.b)[static_cast<std::size_t>(k / 2)] / units_(k, i));
@@ -162,12 +156,12 @@ std::vector<double> ExcitationObjective::coefficients(const FourierTrajectory& t
 
 VectorXd ExcitationObjective::state(const Motion& motion, int derivative, int sample) const {
   VectorXd values = motion.scale.cwiseProduct(motion.shape[derivative].row(sample).transpose());
-  if (derivative == 0) values += Eigen::Map<const VectorXd>(rest_.data(), model_.joints());
+  if (derivative == 0) values += Eigen::Map<const VectorXd>(rest_.data(), equations_.coordinates());
   return values;
 }
 
 MatrixXd ExcitationObjective::regressor(const Motion& motion) const {
-  return stacked(model_, samples(), [&](int k) {
+  return stacked(equations_, samples(), [&](int k) {
     return std::array{state(motion, 0, k), state(motion, 1, k), state(motion, 2, k)};
   });
 }
@@ -179,14 +173,15 @@ MatrixXd ExcitationObjective::with_known(const MatrixXd& regressor) const {
 
 double ExcitationObjective::torque_penalty(const Motion& motion, const MatrixXd& regressor, MatrixXd* slope,
                                            VectorXd* by_torque) const {
-  const Eigen::Map<const VectorXd> values(model_.file_values().data(), model_.parameters());
+  const VectorXd& values = equations_.file_values();
   VectorXd tau = regressor * values;
-  for (int k = 0; k < samples(); ++k) model_.add_springs(state(motion, 0, k).data(), tau.data() + k * model_.joints());
+  for (int k = 0; k < samples(); ++k) add_springs_to(tau, motion, k);
   if (by_torque != nullptr) *by_torque = VectorXd::Zero(tau.size());
   const double weight = torque_weight_ * kTorqueWeight / samples();
   double penalty = 0;
   for (Eigen::Index row = 0; row < tau.size(); ++row) {
-    const double limit = limits_[static_cast<std::size_t>(row) % limits_.size()].torque;
+    const Eigen::Index coordinate = equations_.first_equation() + row % equations_.equations();
+    const double limit = limits_[static_cast<std::size_t>(coordinate)].torque;
     const double excess = std::abs(tau(row)) / limit - 1;
     if (excess <= 0) continue;
     penalty += weight * excess * excess;
@@ -197,26 +192,35 @@ double ExcitationObjective::torque_penalty(const Motion& motion, const MatrixXd&
   return penalty;
 }
 
+// The torques of springs in sample k, behind those of a floating base.
+void ExcitationObjective::add_springs_to(VectorXd& tau, const Motion& motion, int k) const {
+  const TorqueModel& model = equations_.model();
+  const int base = model.first_joint();
+  model.add_springs(state(motion, 0, k).data() + base,
+                    tau.data() + k * equations_.equations() - equations_.first_equation());
+}
+
 void ExcitationObjective::add_springs(const VectorXd& by_torque, MatrixXd& by_position) const {
-  const int n = model_.joints();
-  for (int k = 0; k < samples(); ++k)
-    by_position.row(k) += (model_.stiffness() * by_torque.segment(k * n, n)).transpose();
+  const int n = equations_.equations(), joints = equations_.model().joints();
+  for (int k = 0; k < samples(); ++k) {
+    by_position.row(k).tail(joints) +=
+        (equations_.model().stiffness() * by_torque.segment(k * n + n - joints, joints)).transpose();
+  }
 }
 
 // Turns the slope by entries of the regressor into that by q, q̇ and q̈ of each joint in each sample.
 void ExcitationObjective::by_motion(const Motion& motion, const MatrixXd& regressor, const MatrixXd& slope,
                                     MatrixXd* by) const {
-  const int n = model_.joints();
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(n, model_.parameters());
-  for (int d = 0; d < 3; ++d) by[d].resize(samples(), n);
+  const int n = equations_.equations(), coordinates = equations_.coordinates();
+  for (int d = 0; d < 3; ++d) by[d].resize(samples(), coordinates);
   for (int k = 0; k < samples(); ++k) {
     VectorXd now[] = {state(motion, 0, k), state(motion, 1, k), state(motion, 2, k)};
     for (int d = 0; d < 3; ++d) {
       const double step = d == 2 ? kAccelerationStep : kStep;
-      for (int i = 0; i < n; ++i) {
+      for (int i = 0; i < coordinates; ++i) {
         const double here = now[d](i);
         now[d](i) += step;
-        model_.regressor(now[0].data(), now[1].data(), now[2].data(), y.data());
+        const MotionEquations::RowByRow y = equations_.regressor(now[0].data(), now[1].data(), now[2].data());
         const auto rows = Eigen::seqN(k * n, n);
         by[d](k, i) =
             (y - regressor(rows, Eigen::all)).cwiseProduct(slope(rows, Eigen::all)).sum() / (now[d](i) - here);
@@ -227,8 +231,8 @@ void ExcitationObjective::by_motion(const Motion& motion, const MatrixXd& regres
 }
 
 void ExcitationObjective::by_coefficients(const Motion& motion, const MatrixXd* by, double* gradient) const {
-  Eigen::Map<MatrixXd> result(gradient, terms(), model_.joints());
-  for (int i = 0; i < model_.joints(); ++i) {
+  Eigen::Map<MatrixXd> result(gradient, terms(), equations_.coordinates());
+  for (int i = 0; i < equations_.coordinates(); ++i) {
     double by_scale = 0;
     VectorXd column = VectorXd::Zero(terms());
     for (int d = 0; d < 3; ++d) {
@@ -260,7 +264,7 @@ double ExcitationObjective::operator()(const double* x, double* gradient) const 
 }
 
 double ExcitationObjective::cost(const FourierTrajectory& trajectory) const {
-  const MatrixXd y = stacked(model_, samples(), [&](int k) { return trajectory.at(time(k)); });
+  const MatrixXd y = stacked(equations_, samples(), [&](int k) { return trajectory.at(time(k)); });
   return excitation_cost(with_known(y) * lengths_.cwiseInverse().asDiagonal(), nullptr);
 }
 

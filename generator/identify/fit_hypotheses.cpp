@@ -35,7 +35,7 @@ class HypothesisSearch {
  public:
   HypothesisSearch(const TorqueModel& model, const Measurement& measurement, const std::vector<JointFit>& fits)
       : model_(model), rows_(model, measurement, fits) {
-    for (const Body& body : model.mechanism().joints()) names_.push_back("joint \"" + body.joint + "\"");
+    for (int i = 0; i < model.equations(); ++i) names_.push_back(model.subject_of(i));
     noise_ = rows_.count();
     before_ = rows_.cost();
   }
@@ -47,16 +47,17 @@ class HypothesisSearch {
     if (is_open) missing_terms();
     if (is_open) positions();
     if (is_open) joints();
-    if (is_open) gravity(robot);
+    if (has_own_gravity()) gravity(robot);
     if (is_open) offsets();
-    if (is_open) gravity_left_out(robot);
-    if (is_open && !best_) no_trace_of_gravity();
+    if (model_.first_joint() > 0) sensors_of_base();
+    if (has_own_gravity()) gravity_left_out(robot);
+    if (has_own_gravity() && !best_) no_trace_of_gravity();
     return best_;
   }
 
   // Whether the torques look as if gravity were not in them.
   std::optional<FitHypothesis> without_gravity(const LoadedRobot& robot) {
-    if (model_.mechanism().has_loops()) return best_;
+    if (!has_own_gravity()) return best_;
     gravity_left_out(robot);
     if (!best_) no_trace_of_gravity();
     return best_;
@@ -142,7 +143,9 @@ class HypothesisSearch {
   void torques() {
     const auto n = static_cast<int>(names_.size());
     for (int i = 0; i < n; ++i) {
-      consider_gain(i, -1, [&] { return names_[at(i)] + ": its torques look as if their sign were reversed"; });
+      consider_gain(i, -1, [&] {
+        return fmt::format("{}: its {} look as if their sign were reversed", names_[at(i)], readings_of(i));
+      });
     }
     for (int i = 0; i < n; ++i) {
       for (int k = i + 1; k < n; ++k) {
@@ -154,8 +157,8 @@ class HypothesisSearch {
       double offset = 0;
       const double cost = rows_.cost_with_torque_offset(i, offset);
       consider(cost, [&] {
-        return fmt::format("{}: its torques look as if {:.3g} {} were added to all of them (--offsets estimates it)",
-                           names_[at(i)], offset, torque_unit(model_.mechanism().joints()[at(i)]));
+        return fmt::format("{}: its {} look as if {:.3g} {} were added to all of them{}", names_[at(i)], readings_of(i),
+                           offset, model_.unit_of(i), is_of_base(i) ? "" : " (--offsets estimates it)");
       });
       gain(i);
     }
@@ -172,8 +175,8 @@ class HypothesisSearch {
     }
     const double found = lowest(best / 1.25, best * 1.25, [&](double gain) { return rows_.cost_with_gain(i, gain); });
     consider_gain(i, found, [&] {
-      return found > 1 ? fmt::format("{}: its torques look {:.3g} times too large", names_[at(i)], found)
-                       : fmt::format("{}: its torques look {:.3g} times too small", names_[at(i)], 1 / found);
+      return fmt::format("{}: its {} look {:.3g} times too {}", names_[at(i)], readings_of(i),
+                         found > 1 ? found : 1 / found, found > 1 ? "large" : "small");
     });
   }
 
@@ -187,34 +190,38 @@ class HypothesisSearch {
     for (int i = 0; i < static_cast<int>(names_.size()) && names_.size() > 1; ++i) {
       const double cost_of_one = rows_.cost_with_delay_of(i, delay);
       consider(cost_of_one, [&] {
-        return fmt::format("{}: its torques look {:.2g} ms {}, or its positions {}", names_[at(i)],
-                           1000 * std::abs(delay), delay > 0 ? "late" : "early", delay > 0 ? "early" : "late");
+        return fmt::format("{}: its {} look {:.2g} ms {}, or {} {}", names_[at(i)], readings_of(i),
+                           1000 * std::abs(delay), delay > 0 ? "late" : "early",
+                           is_of_base(i) ? "the base's motion" : "its positions", delay > 0 ? "early" : "late");
       });
     }
   }
 
+  // The name of a joint that is counted from 0, without a floating base.
+  const std::string& joint_name(int joint) const { return names_[at(model_.first_joint() + joint)]; }
+
   void positions() {
-    const auto n = static_cast<int>(names_.size());
+    const int n = model_.joints();
     for (int i = 0; i < n; ++i) {
-      consider(rows_.cost_with_positions([&](VectorXd& q) { q[i] = -q[i]; }),
-               [&] { return names_[at(i)] + ": its positions look as if their sign were reversed"; });
+      consider(rows_.cost_with_positions([&](Eigen::Ref<VectorXd> q) { q[i] = -q[i]; }),
+               [&] { return joint_name(i) + ": its positions look as if their sign were reversed"; });
     }
     for (int i = 0; i < n; ++i) {
       for (int k = i + 1; k < n; ++k) {
-        consider(rows_.cost_with_positions([&](VectorXd& q) { std::swap(q[i], q[k]); }), [&] {
-          return fmt::format("{} and {}: their positions look exchanged", names_[at(i)], names_[at(k)]);
+        consider(rows_.cost_with_positions([&](Eigen::Ref<VectorXd> q) { std::swap(q[i], q[k]); }), [&] {
+          return fmt::format("{} and {}: their positions look exchanged", joint_name(i), joint_name(k));
         });
       }
     }
   }
 
   void joints() {
-    const auto n = static_cast<int>(names_.size());
+    const int n = model_.joints();
     for (int i = 0; i < n; ++i) {
       for (int k = i + 1; k < n; ++k) {
         consider(rows_.cost_with_exchanged_joints(i, k), [&] {
-          return fmt::format("{} and {} look exchanged: the positions and the torques of both", names_[at(i)],
-                             names_[at(k)]);
+          return fmt::format("{} and {} look exchanged: the positions and the torques of both", joint_name(i),
+                             joint_name(k));
         });
       }
     }
@@ -239,7 +246,7 @@ class HypothesisSearch {
     if (model_.mechanism().is_coupled()) return;
     const auto lacks = [&](int i) { return !has(i, Parameter::Fs) || !has(i, Parameter::Fv); };
     std::vector<int> without, with;
-    for (int i = 0; i < n; ++i) (lacks(i) ? without : with).push_back(i);
+    for (int i = model_.first_joint(); i < n; ++i) (lacks(i) ? without : with).push_back(i);
     if (!without.empty()) {
       const double cost = rows_.cost_with_more([&](const RowSample::Instant& instant) {
         MatrixXd columns = MatrixXd::Zero(n, 3 * static_cast<Index>(without.size()));
@@ -276,7 +283,7 @@ class HypothesisSearch {
   }
 
   void offsets() {
-    for (int i = 0; i < static_cast<int>(names_.size()); ++i) {
+    for (int i = 0; i < model_.joints(); ++i) {
       if (!model_.mechanism().joints()[at(i)].prismatic) offset(i);
     }
   }
@@ -292,8 +299,23 @@ class HypothesisSearch {
     const double found = lowest(best - 15 * kDegree, best + 15 * kDegree, cost_of);
     consider(cost_of(found), [&] {
       return fmt::format("{}: its zero looks {:.3g} degrees off: as if {:.4g} rad were missing in its positions",
-                         names_[at(i)], std::abs(found) / kDegree, found);
+                         joint_name(i), std::abs(found) / kDegree, found);
     });
+  }
+
+  // Signs of what tells a floating base's motion: gravity for the force that an accelerometer shows, a gyroscope that
+  // turns the other way, and axes that are exchanged.
+  void sensors_of_base() {
+    constexpr int kTurns = 3;
+    consider(rows_.cost_with_base([](VectorXd&, VectorXd& qdd) { qdd.head(kTurns) *= -1; }), [] {
+      return "the base's specific force looks as if its sign were reversed: at rest an accelerometer shows 9.81 m/s^2 "
+             "upwards, and gravity in base axes points down";
+    });
+    consider(rows_.cost_with_base([](VectorXd& qd, VectorXd& qdd) {
+      qd.segment(kTurns, kTurns) *= -1;
+      qdd.segment(kTurns, kTurns) *= -1;
+    }),
+             [] { return "the base's angular velocity looks as if its sign were reversed"; });
   }
 
   void gravity(const LoadedRobot& robot) {
@@ -363,6 +385,12 @@ class HypothesisSearch {
         "robot file's masses (--gravity off says so)",
         0};
   }
+
+  // Whether gravity is told apart from the motion: of a floating base, it is part of the acceleration.
+  bool has_own_gravity() const { return !model_.mechanism().has_loops() && !model_.mechanism().floating_base; }
+
+  bool is_of_base(int equation) const { return equation < model_.first_joint(); }
+  const char* readings_of(int equation) const { return is_of_base(equation) ? "readings" : "torques"; }
 
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
 

@@ -23,7 +23,7 @@ ExpectedSquares expected_squares(const Observations& observations, const std::ve
   ExpectedSquares sums{counts, counts};
   for (std::size_t t = 0; t < instants.size(); ++t) {
     const MeasuredLog& log = logs[static_cast<std::size_t>(instants[t].log)];
-    if (log.derivatives == LogDerivatives::held) continue;
+    if (is_held(log)) continue;
     const NoiseShape& shape = observations.shapes[static_cast<std::size_t>(instants[t].log)];
     const std::vector<MatrixXd> of_joints = rows(instants[t]);
     for (Index i = 0; i < left.cols(); ++i) {
@@ -31,9 +31,10 @@ ExpectedSquares expected_squares(const Observations& observations, const std::ve
       const Index place = i - instants[t].first;
       const auto at = static_cast<std::size_t>(place);
       sums.of_torques[i] += shape.measured[0] * std::pow(log.tau_noise[at].deviation, 2);
-      for (std::size_t j = 0; j < of_joints.size() && log.derivatives == LogDerivatives::none; ++j) {
+      for (std::size_t j = 0; j < of_joints.size(); ++j) {
+        if (log.q_noise[j].deviation == 0) continue;
         const double column = of_joints[j].row(place).dot(with_known_part(values, of_joints[j].cols()));
-        sums.of_positions[i] += shape.acceleration[0] * std::pow(column * log.q_noise[j].deviation, 2);
+        sums.of_positions[i] += shape.acceleration[j][0] * std::pow(column * log.q_noise[j].deviation, 2);
       }
       counts[i] += 1;
     }
@@ -95,9 +96,7 @@ std::vector<JointFit> fit_quality(const Observations& observations, const std::v
   constexpr double kFiltersError = 1e-4;
   const MatrixXd left = residuals(observations, values);
   const ExpectedSquares squares = expected_squares(observations, logs, left, values, rows);
-  const bool are_poses = std::all_of(logs.begin(), logs.end(),
-                                     [](const MeasuredLog& log) { return log.derivatives == LogDerivatives::held; }) &&
-                         !logs.empty();
+  const bool are_poses = std::all_of(logs.begin(), logs.end(), is_held) && !logs.empty();
   std::vector<JointFit> fits;
   for (Index i = 0; i < left.cols(); ++i) {
     const JointObservations& joint = observations.joints[static_cast<std::size_t>(i)];

@@ -24,7 +24,7 @@ VectorXd whole_parameters(const TorqueModel& model, const LoadedRobot& robot, co
 // Only masses and first moments have a weight.
 GravityColumns::GravityColumns(const TorqueModel& model, const LoadedRobot& robot, const VectorXd& pi,
                                std::vector<Vector3d> slopes)
-    : slopes_(std::move(slopes)), joints_(model.joints()), units_(slopes_.size()) {
+    : slopes_(std::move(slopes)), joints_(model.equations()), units_(slopes_.size()) {
   const RegressorReference<double> reference(model.mechanism(), reference_robot<double>(robot.robot, {}), {},
                                              RegressorColumns::all);
   for (std::size_t k = 0; k < reference.units().size(); ++k) {

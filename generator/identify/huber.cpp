@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identify/residual_noise.hpp"
+
 namespace flatdyn {
 namespace {
 

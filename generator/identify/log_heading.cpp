@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <utility>
+
 #include "identify/log_layout.hpp"
 #include "input/csv/heading.hpp"
 #include "input/csv/text.hpp"
@@ -8,37 +10,40 @@ namespace {
 
 class LayoutReader {
  public:
-  LayoutReader(CsvHeading& columns, const Mechanism& mechanism, LogHeading& heading)
-      : columns_(columns), mechanism_(mechanism), heading_(heading) {}
+  LayoutReader(CsvHeading& columns, const Mechanism& mechanism, Place place, LogHeading& heading, Diagnostics& found)
+      : columns_(columns), mechanism_(mechanism), place_(std::move(place)), heading_(heading), diagnostics_(found) {}
 
-  void read(bool torques, const Diagnostics& found) {
+  void read(bool torques) {
+    set_sizes(torques);
     LogLayout& layout = heading_.layout;
-    layout.joints = mechanism_.size();
-    layout.positions = mechanism_.position_count();
-    for (int i = 0; i < mechanism_.size(); ++i) layout.position_of.push_back(mechanism_.position_of(i));
-    layout.has_torques = torques;
+    const CsvEntries joints{layout.base};
     const std::optional<CsvTime> time = columns_.require_time();
     const std::vector<CsvSource> q = columns_.require(CsvQuantity::q, "positions");
     std::vector<CsvSource> tau;
     if (torques) {
-      tau = columns_.require(CsvQuantity::tau, "torques");
+      tau = columns_.require(CsvQuantity::tau, "torques", joints);
     } else {
       columns_.allow_unused(CsvQuantity::tau);
     }
-    const std::vector<CsvSource> qd = columns_.all_or_none(CsvQuantity::qd),
-                                 qdd = columns_.all_or_none(CsvQuantity::qdd),
+    const std::vector<CsvSource> qd = columns_.all_or_none(CsvQuantity::qd, joints),
+                                 qdd = columns_.all_or_none(CsvQuantity::qdd, joints),
                                  h_e = columns_.all_or_none(CsvQuantity::h_e);
     layout.has_rates = !qd.empty();
     layout.has_accelerations = !qdd.empty();
     layout.has_tip_force = !h_e.empty();
+    const BaseColumns base = layout.base > 0 ? base_columns(torques) : BaseColumns{};
     columns_.finish();
-    if (found.has_errors()) return;
+    if (diagnostics_.has_errors()) return;
     place_time(*time);
     place(q, LogLayout::q());
-    place(tau, layout.tau());
+    place(base.force, layout.tau());
+    place(tau, layout.tau() + layout.base);
     place(qd, layout.qd());
     place(qdd, layout.qdd());
     place(h_e, layout.h_e());
+    place(base.readings, layout.base_reading());
+    place(base.twist, layout.twist());
+    place(base.twist_rates, layout.twist_rates());
     for (const auto& [column, text] : columns_.fixed_texts()) {
       heading_.columns[column].role = LogColumn::Role::fixed_text;
       heading_.columns[column].text = text;
@@ -46,6 +51,56 @@ class LayoutReader {
   }
 
  private:
+  // The columns about a floating base.
+  struct BaseColumns {
+    std::vector<CsvSource> force, readings, twist, twist_rates;
+  };
+
+  void set_sizes(bool torques) {
+    LogLayout& layout = heading_.layout;
+    layout.base = mechanism_.base_bodies();
+    layout.joints = mechanism_.size() - layout.base;
+    layout.positions = mechanism_.position_count();
+    for (int i = 0; i < mechanism_.size(); ++i) {
+      layout.position_of.push_back(i < layout.base ? -1 : mechanism_.position_of(i));
+    }
+    layout.has_torques = torques;
+  }
+
+  // An inertial measurement unit comes first, as nothing of it has to be differentiated twice.
+  BaseColumns base_columns(bool torques) {
+    LogLayout& layout = heading_.layout;
+    const CsvEntries entries{0, layout.base};
+    BaseColumns found;
+    if (torques) found.force = columns_.all_or_none(CsvQuantity::tau, entries);
+    layout.has_base_force = !found.force.empty();
+    found.readings = columns_.all_or_none(CsvQuantity::imu);
+    if (!found.readings.empty()) {
+      layout.base_motion = BaseMotion::imu;
+      return found;
+    }
+    found.twist = columns_.all_or_none(CsvQuantity::qd, entries);
+    found.twist_rates = columns_.all_or_none(CsvQuantity::qdd, entries);
+    found.readings = columns_.all_or_none(CsvQuantity::pose);
+    layout.base_motion = BaseMotion::pose;
+    if (found.readings.empty()) {
+      found.readings = columns_.all_or_none(CsvQuantity::g_b);
+      layout.base_motion = BaseMotion::gravity;
+    }
+    layout.has_twist = !found.twist.empty();
+    layout.has_twist_rates = !found.twist_rates.empty();
+    const bool is_told = layout.base_motion == BaseMotion::pose || layout.has_twist;
+    if (found.readings.empty() || !is_told || (layout.has_twist_rates && !layout.has_twist)) refuse_base();
+    return found;
+  }
+
+  void refuse_base() {
+    diagnostics_.error(place_, "no columns that tell the motion of the floating base",
+                       "give imu_ax to imu_wz of an inertial measurement unit; or base_x to base_qz, its pose, perhaps "
+                       "with its twist base_vx to base_wz and base_dvx to base_dwz; or the twist with gravity in base "
+                       "axes, base_gx to base_gz");
+  }
+
   void place(const std::vector<CsvSource>& sources, int first) {
     for (const CsvSource& source : sources) {
       LogColumn& column = heading_.columns[source.column];
@@ -65,7 +120,9 @@ class LayoutReader {
 
   CsvHeading& columns_;
   const Mechanism& mechanism_;
+  Place place_;
   LogHeading& heading_;
+  Diagnostics& diagnostics_;
 };
 
 }  // namespace
@@ -88,7 +145,7 @@ LogHeading read_heading(const std::string& line, const std::string& first_row, c
   Diagnostics found;
   CsvHeading columns(names, std::move(entries), place, mechanism, found);
   for (std::size_t c = 0; c < names.size(); ++c) heading.columns.push_back({.name = columns.name(c)});
-  LayoutReader(columns, mechanism, heading).read(torques, found);
+  LayoutReader(columns, mechanism, place, heading, found).read(torques);
   for (const Diagnostic& each : found.all()) diagnostics.add(each);
   return heading;
 }

@@ -2,6 +2,7 @@
 // The contents of a log and the places of its columns: the channels of one sample, in SI units.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,22 +12,64 @@
 
 namespace flatdyn {
 
-// The channels of a sample: time, q, and, where the log has them, τ, q̇, q̈ and the tip force. With closed loops, q has
-// more entries than the others: q̇_i is the rate of q[position_of[i]].
+// How a log tells the motion of a floating base.
+enum class BaseMotion : std::uint8_t {
+  none,     // the base is fixed
+  imu,      // specific force and angular velocity, by an inertial measurement unit that is fixed to the base link
+  pose,     // position and unit quaternion, by motion capture; twists as well, where the log has them
+  gravity,  // twist, and gravity in base axes
+};
+
+// The channels of a sample: time, q, and, where the log has them, τ, q̇, q̈, the tip force and the motion of the base.
+// With closed loops, q has more entries than the others: q̇_i is the rate of q[position_of[i]]. q̇ and q̈ have no
+// channels of a floating base, whose first six entries of τ are zeros where the log lacks them.
 struct LogLayout {
-  int joints = 0, positions = 0;
-  std::vector<int> position_of{};
+  int joints = 0, positions = 0;   // entries of q̇ without those of a floating base; entries of q
+  int base = 0;                    // entries of q̇ that are the motion of a floating base: 0 or 6
+  std::vector<int> position_of{};  // by entry of q̇; -1: that of a floating base, which has no position in q
   bool has_torques = true;
   bool has_rates = false, has_accelerations = false, has_tip_force = false;
+  BaseMotion base_motion = BaseMotion::none;
+  bool has_base_force = false, has_twist = false, has_twist_rates = false;
 
-  static constexpr int kWrench = 6;
+  static constexpr int kWrench = 6, kTwist = 6, kPose = 7, kQuaternionInPose = 3, kGravity = 3;
+  // Entries of q̇, q̈ and τ.
+  int rates() const { return base + joints; }
+  // Whether nothing has to be differentiated.
+  bool has_all_derivatives() const {
+    return has_rates && has_accelerations && (base_motion == BaseMotion::none || has_twist_rates);
+  }
   static constexpr int time() { return 0; }
   static constexpr int q() { return 1; }
   int tau() const { return 1 + positions; }
-  int qd() const { return tau() + (has_torques ? joints : 0); }
+  int qd() const { return tau() + (has_torques ? rates() : 0); }
   int qdd() const { return qd() + (has_rates ? joints : 0); }
   int h_e() const { return qdd() + (has_accelerations ? joints : 0); }
-  int channels() const { return h_e() + (has_tip_force ? kWrench : 0); }
+  // The pose, the inertial measurement unit's readings or gravity: what the base's motion is told by.
+  int base_reading() const { return h_e() + (has_tip_force ? kWrench : 0); }
+  int base_readings() const {
+    switch (base_motion) {
+      case BaseMotion::imu:
+        return kTwist;
+      case BaseMotion::pose:
+        return kPose;
+      case BaseMotion::gravity:
+        return kGravity;
+      case BaseMotion::none:
+        break;
+    }
+    return 0;
+  }
+  int twist() const { return base_reading() + base_readings(); }
+  int twist_rates() const { return twist() + (has_twist ? kTwist : 0); }
+  int channels() const { return twist_rates() + (has_twist_rates ? kTwist : 0); }
+  // The channels that are differentiated twice where the log lacks rates: q, and the pose of a floating base.
+  std::vector<int> positions_of_all() const {
+    std::vector<int> result;
+    for (int i = 0; i < positions; ++i) result.push_back(q() + i);
+    for (int i = 0; base_motion == BaseMotion::pose && i < kPose; ++i) result.push_back(base_reading() + i);
+    return result;
+  }
 
   bool operator==(const LogLayout&) const = default;
 };

@@ -88,7 +88,7 @@ void LogReader::jump(double share) {
 bool LogReader::next(double* channels) {
   std::string_view line;
   while (errors_ < kMostErrors && lines_.next_row(line)) {
-    if (!parse(line, channels) || !set_time(channels)) continue;
+    if (!parse(line, channels) || !set_time(channels) || !set_quaternion(channels)) continue;
     const double time = channels[LogLayout::time()];
     if (time > last_time_) {
       last_time_ = time;
@@ -182,6 +182,22 @@ bool LogReader::set_time(double* channels) {
       fmt::format("column \"{}\": \"{}\" is no time", column->name, is_utf8(text) ? text : "(text that is not UTF-8)"),
       "whole numbers of seconds and nanoseconds, or a decimal number");
   return false;
+}
+
+// Makes the quaternion of a floating base's pose one of unit length, with the sign that is nearer to the last one's.
+bool LogReader::set_quaternion(double* channels) {
+  constexpr double kRoundedMost = 0.02;
+  if (layout().base_motion != BaseMotion::pose) return true;
+  Eigen::Map<Eigen::Vector4d> quaternion(channels + layout().base_reading() + LogLayout::kQuaternionInPose);
+  const double length = quaternion.norm();
+  if (std::abs(length - 1) > kRoundedMost) {
+    report_error(fmt::format("the base's quaternion has the length {:.4g}", length),
+                 "base_qw to base_qz are a unit quaternion w, x, y, z");
+    return false;
+  }
+  quaternion /= quaternion.dot(last_quaternion_) < 0 ? -length : length;
+  last_quaternion_ = quaternion;
+  return true;
 }
 
 bool LogReader::parse(std::string_view line, double* channels) {

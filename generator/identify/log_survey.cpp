@@ -20,8 +20,9 @@ class Surveyor {
         sample_(static_cast<std::size_t>(layout.channels())),
         all_(sample_.size()),
         runs_(sample_.size()),
-        bends_(static_cast<std::size_t>(layout.positions)) {
-    result_.moves = !layout.has_rates;
+        positions_(layout.positions_of_all()),
+        bends_(positions_.size()) {
+    result_.moves = !layout.has_rates || (layout.base > 0 && !layout.has_twist);
   }
 
   // Reads a run; returns false if the log ended before it did.
@@ -42,15 +43,13 @@ class Surveyor {
         all_[c].add(sample_[c]);
         run[c].push_back(sample_[c]);
       }
-      const auto rates = sample_.begin() + layout_.qd();
-      if (layout_.has_rates) {
-        result_.moves |= std::any_of(rates, rates + layout_.joints, [](double rate) { return rate != 0; });
-      }
+      result_.moves |= (layout_.has_rates && changes(layout_.qd(), layout_.joints)) ||
+                       (layout_.has_twist && changes(layout_.twist(), LogLayout::kTwist));
     }
     const bool is_whole = count == kSamplesPerRun;
     result_.duration = std::max(result_.duration, last - first_time_);
     for (std::size_t i = 0; i < bends_.size() && !has_gap; ++i) {
-      bends_[i].add(run[static_cast<std::size_t>(LogLayout::q()) + i], lag());
+      bends_[i].add(run[static_cast<std::size_t>(positions_[i])], lag());
     }
     if (!is_whole && !runs_.front().empty()) return is_whole;
     for (std::size_t c = 0; c < run.size(); ++c) runs_[c].push_back(typical_noise(std::move(run[c])));
@@ -67,9 +66,9 @@ class Surveyor {
       result_.all.push_back(all_[c].noise());
     }
     for (std::size_t i = 0; i < bends_.size(); ++i) {
-      const double noise = result_.all[static_cast<std::size_t>(LogLayout::q()) + i].deviation;
-      result_.ranges.push_back(std::max(0.0, bends_[i].largest - bends_[i].least));
-      result_.acceleration_squares.push_back(bends_[i].acceleration_square(noise, lag() * dt_));
+      const double noise = result_.all[static_cast<std::size_t>(positions_[i])].deviation;
+      result_.ranges.push_back({positions_[i], std::max(0.0, bends_[i].largest - bends_[i].least),
+                                bends_[i].acceleration_square(noise, lag() * dt_)});
     }
     return result_;
   }
@@ -98,6 +97,11 @@ class Surveyor {
     }
   };
 
+  bool changes(int first, int count) const {
+    const auto rates = sample_.begin() + first;
+    return std::any_of(rates, rates + count, [](double rate) { return rate != 0; });
+  }
+
   int lag() const {
     constexpr double kTime = 0.1;  // s
     return std::clamp(static_cast<int>(std::lround(kTime / dt_)), 1, (kSamplesPerRun - 1) / 2);
@@ -108,7 +112,8 @@ class Surveyor {
   std::vector<double> sample_;
   std::vector<ChannelNoiseMeter> all_;
   std::vector<std::vector<ChannelNoise>> runs_;
-  std::vector<Bends> bends_;  // by position
+  std::vector<int> positions_;  // channels
+  std::vector<Bends> bends_;    // of these
   bool is_first_ = true;
   double first_time_ = 0;
   LogSurvey result_;

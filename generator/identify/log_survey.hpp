@@ -11,13 +11,19 @@
 
 namespace flatdyn {
 
+// How a channel changes that is differentiated twice, LogLayout::positions_of_all(): the distance from the least to the
+// largest, and the mean square of the acceleration over 0.1 s (as much as a run has) without what noise makes of it, 0
+// at least; rad or m, and seconds.
+struct PositionRange {
+  int channel = 0;
+  double size = 0, acceleration_square = 0;
+};
+
 struct LogSurvey {
   // By channel. `typical`: half of the runs have no more, by typical_noise(). `all` is that of all runs together.
   std::vector<ChannelNoise> all, typical;
   bool moves = false;  // whether any rate is not zero; true for logs without rates
-  // How positions change, by position: the distance from the least to the largest, and the mean square of the
-  // acceleration over 0.1 s (as much as a run has) without what noise makes of it, 0 at least; rad or m, and seconds.
-  std::vector<double> ranges, acceleration_squares;
+  std::vector<PositionRange> ranges;
   double duration = 0;  // from the first to the last sample looked at, s
 };
 

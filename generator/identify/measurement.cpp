@@ -50,12 +50,13 @@ std::vector<PlannedLog> planned_logs(const EquationModel& equations, const Mecha
   return planned;
 }
 
-// By joint: the noise of its own position.
-std::vector<ChannelNoise> noise_by_joint(const StreamPlan& plan) {
+// By entry of q̈: the noise of the base's readings, and of the joint's position where that is differentiated twice.
+std::vector<ChannelNoise> noise_of_motion(const StreamPlan& plan, const std::vector<int>& orders) {
   const LogLayout& layout = plan.layout();
-  if (layout.positions == layout.joints) return plan.q_noise;
-  std::vector<ChannelNoise> result;
-  for (const int position : layout.position_of) result.push_back(plan.q_noise[static_cast<std::size_t>(position)]);
+  std::vector<ChannelNoise> result = base_noise(layout, plan.sensors, plan.noise);
+  for (std::size_t i = result.size(); i < orders.size(); ++i) {
+    result.push_back(orders[i] == 2 ? plan.q_noise(layout.position_of[i]) : ChannelNoise{});
+  }
   return result;
 }
 
@@ -107,13 +108,11 @@ std::vector<double> Measurement::rest_speeds() const {
 void set_shapes(Measurement& measurement) {
   double correlation = 1;
   for (const MeasuredLog& log : measurement.logs) {
-    NoiseShape shape = noise_shape(log.filter, log.derivatives);
+    NoiseShape shape = noise_shape(log.filter, log.differentiations);
     for (const ChannelNoise& each : log.tau_noise) {
       if (log.filter.band > 0) shape.measured_deviations.push_back(each.deviation);
     }
-    if (log.derivatives == LogDerivatives::none) {
-      for (const ChannelNoise& each : log.q_noise) shape.acceleration_deviations.push_back(each.deviation);
-    }
+    for (const ChannelNoise& each : log.q_noise) shape.acceleration_deviations.push_back(each.deviation);
     measurement.observations.shapes.push_back(std::move(shape));
     correlation = std::max(correlation, measurement.observations.shapes.back().correlation());
   }
@@ -132,8 +131,8 @@ Measurement measure(const EquationModel& equations, const Mechanism& mechanism,
   for (PlannedLog& log : planned) {
     progress.step("reading " + log.path.string());
     const StreamPlan& plan = log.plan;
-    const LogDerivatives derivatives = derivatives_of(plan);
-    const NoiseShape shape = noise_shape(plan.filter, derivatives);
+    const std::vector<int> orders = differentiations(plan);
+    const NoiseShape shape = noise_shape(plan.filter, orders);
     const auto sink = [&, at = static_cast<int>(result.logs.size())](const FilteredEquations& filtered) {
       if (!shares.owns(filtered.line)) return;
       if (also) also(filtered, at);
@@ -148,7 +147,7 @@ Measurement measure(const EquationModel& equations, const Mechanism& mechanism,
     if (diagnostics.has_errors()) return result;
     result.count.add(count);
     result.logs.push_back(
-        {std::move(log.identity), plan.filter, derivatives, plan.rest_speed, noise_by_joint(plan), plan.tau_noise});
+        {std::move(log.identity), plan.filter, orders, plan.rest_speed, noise_of_motion(plan, orders), plan.tau_noise});
   }
   result.observations = folder.observations();
   instants.move_to(result.observations);

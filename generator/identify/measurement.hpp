@@ -26,12 +26,19 @@ struct LogIdentity {
 struct MeasuredLog {
   LogIdentity identity;
   SampleFilter filter;
-  LogDerivatives derivatives = LogDerivatives::none;
-  std::vector<double> rest_speed;                // by joint, StreamPlan::rest_speed
-  std::vector<ChannelNoise> q_noise, tau_noise;  // by joint
+  std::vector<int> differentiations{};  // by entry of q̈, differentiations()
+  std::vector<double> rest_speed{};     // by entry of q̇, StreamPlan::rest_speed
+  // By entry of q̈: the noise of the readings that it is made of; zero if not known.
+  std::vector<ChannelNoise> q_noise{};
+  std::vector<ChannelNoise> tau_noise{};  // by entry of τ
 
   auto operator<=>(const MeasuredLog&) const = default;
 };
+
+// Whether the log is one of poses, whose rates are all zero.
+inline bool is_held(const MeasuredLog& log) {
+  return !log.differentiations.empty() && log.differentiations.front() == kHeld;
+}
 
 struct Measurement {
   Observations observations;
@@ -40,7 +47,7 @@ struct Measurement {
 
   // The distinct filters, in the order of the logs.
   std::vector<SampleFilter> filters() const;
-  // By joint: the largest of all logs.
+  // By entry of q̇: the largest of all logs.
   std::vector<double> rest_speeds() const;
 };
 

@@ -14,16 +14,18 @@ void weigh(const SampleWindow& window, int first, const VectorXd& weights, Vecto
 }
 
 // Rates of those positions that have one.
-void weigh_positions(const SampleWindow& window, const LogLayout& layout, const VectorXd& weights, VectorXd& out) {
-  if (layout.positions == layout.joints) return weigh(window, LogLayout::q(), weights, out);
-  VectorXd all(layout.positions);
+VectorXd weighed_positions(const SampleWindow& window, const LogLayout& layout, const VectorXd& weights) {
+  VectorXd all(layout.positions), result(layout.joints);
   weigh(window, LogLayout::q(), weights, all);
-  for (Eigen::Index i = 0; i < out.size(); ++i) out[i] = all[layout.position_of[static_cast<std::size_t>(i)]];
+  for (Eigen::Index i = 0; i < result.size(); ++i) {
+    result[i] = all[layout.position_of[static_cast<std::size_t>(i + layout.base)]];
+  }
+  return result;
 }
 
 }  // namespace
 
-MotionFilter::MotionFilter(const StreamPlan& plan) : layout_(plan.layout()) {
+MotionFilter::MotionFilter(const StreamPlan& plan) : layout_(plan.layout()), sensors_(plan.sensors) {
   if (plan.filter.band == 0) {
     weights_[0] = VectorXd::Ones(1);
     return;
@@ -35,25 +37,21 @@ MotionFilter::MotionFilter(const StreamPlan& plan) : layout_(plan.layout()) {
 }
 
 void MotionFilter::filter(const SampleWindow& window, VectorXd& q, VectorXd& qd, VectorXd& qdd, VectorXd& h_e) const {
-  q.resize(layout_.positions);
-  qd.resize(layout_.joints);
-  qdd.resize(layout_.joints);
-  weigh(window, LogLayout::q(), weights_[0], q);
-  if (layout_.has_rates) {
-    weigh(window, layout_.qd(), weights_[0], qd);
-  } else {
-    weigh_positions(window, layout_, weights_[1], qd);
-  }
-  if (layout_.has_accelerations) {
-    weigh(window, layout_.qdd(), weights_[0], qdd);
-  } else if (layout_.has_rates) {
-    weigh(window, layout_.qd(), weights_[1], qdd);
-  } else {
-    weigh_positions(window, layout_, weights_[2], qdd);
-  }
-  if (!layout_.has_tip_force) return;
-  h_e.resize(LogLayout::kWrench);
-  weigh(window, layout_.h_e(), weights_[0], h_e);
+  const auto channels = [&](int first, int count, int order) {
+    VectorXd result(count);
+    weigh(window, first, weights_[order], result);
+    return result;
+  };
+  const int n = layout_.joints;
+  q = channels(LogLayout::q(), layout_.positions, 0);
+  qd.resize(layout_.rates());
+  qdd.resize(layout_.rates());
+  if (layout_.base > 0) set_base_motion(layout_, sensors_, channels, qd, qdd);
+  qd.tail(n) = layout_.has_rates ? channels(layout_.qd(), n, 0) : weighed_positions(window, layout_, weights_[1]);
+  qdd.tail(n) = layout_.has_accelerations ? channels(layout_.qdd(), n, 0)
+                : layout_.has_rates       ? channels(layout_.qd(), n, 1)
+                                          : weighed_positions(window, layout_, weights_[2]);
+  if (layout_.has_tip_force) h_e = channels(layout_.h_e(), LogLayout::kWrench, 0);
 }
 
 }  // namespace flatdyn

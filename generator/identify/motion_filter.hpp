@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // q, q̇, q̈ and the tip force at the middle of a window of samples: smoothed, and differentiated where the log lacks
-// them.
+// them. The first six entries of q̇ and q̈ of a floating base are (0, ω) and (f, ω̇), base_motion.hpp.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,6 +21,7 @@ class MotionFilter {
 
  private:
   LogLayout layout_;
+  BaseSensors sensors_;
   Eigen::VectorXd weights_[3];
 };
 

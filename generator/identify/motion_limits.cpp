@@ -13,13 +13,13 @@ struct Defaults {
 };
 constexpr Defaults kTurning{1.5707963267948966, 2, 10};
 constexpr Defaults kSliding{0.25, 0.5, 2};
+constexpr Defaults kTurningBase{0.4, 1, 5}, kSlidingBase{0.1, 0.25, 1};
 
 double number_or(const std::optional<Value>& limit, double otherwise) {
   return limit ? nearest_double(limit->number) : otherwise;
 }
 
-JointLimits limits_of(const Body& body) {
-  const Defaults& defaults = body.prismatic ? kSliding : kTurning;
+JointLimits limits_of(const Body& body, const Defaults& defaults) {
   const Limits& given = body.limits;
   JointLimits limits{-defaults.position, defaults.position, number_or(given.velocity, defaults.speed),
                      number_or(given.acceleration, defaults.acceleration),
@@ -35,7 +35,12 @@ JointLimits limits_of(const Body& body) {
 
 std::vector<JointLimits> motion_limits(const Mechanism& mechanism) {
   std::vector<JointLimits> limits;
-  for (const Body& body : mechanism.joints()) limits.push_back(limits_of(body));
+  for (int i = 0; i < mechanism.size(); ++i) {
+    const Body& body = mechanism.joint(i);
+    const bool is_of_base = i < mechanism.base_bodies();
+    limits.push_back(limits_of(
+        body, body.prismatic ? (is_of_base ? kSlidingBase : kSliding) : (is_of_base ? kTurningBase : kTurning)));
+  }
   return limits;
 }
 

@@ -8,7 +8,7 @@
 
 namespace flatdyn {
 
-// The limits of one joint, in rad or m and seconds.
+// The limits of one coordinate of a motion, in rad or m and seconds.
 struct JointLimits {
   double lower, upper;         // rad or m
   double speed, acceleration;  // absolute values
@@ -19,7 +19,8 @@ struct JointLimits {
 };
 
 // The limits of the file. Defaults for a revolute joint are ±π/2, 2 rad/s and 10 rad/s², for a prismatic joint ±0.25 m,
-// 0.5 m/s and 2 m/s². A joint with only one end given has the other twice that far from it.
+// 0.5 m/s and 2 m/s². A joint with only one end given has the other twice that far from it. A floating base comes
+// first: ±0.1 m, 0.25 m/s and 1 m/s², ±0.4 rad, 1 rad/s and 5 rad/s², unless the scene's [base_limits] say other rates.
 std::vector<JointLimits> motion_limits(const Mechanism& mechanism);
 
 // The limits reduced to the share `margin` of each range, about its middle.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "identify/base_check.hpp"
 #include "identify/log_reader.hpp"
 #include "identify/position_check.hpp"
 #include "identify/rate_check.hpp"
@@ -49,6 +50,7 @@ class Stream {
         positions_(mechanism, plan.heading),
         rates_(mechanism, plan.heading, plan.filter.dt, plan.moves),
         signals_(plan),
+        base_(plan.heading, plan.sensors.gravity.norm()),
         plan_(plan),
         half_window_(std::min(plan.filter.half_window() + SpikeRepair::kReach + plan.filter.standing_samples(),
                               static_cast<int>(kBlock / 2))),
@@ -72,6 +74,7 @@ class Stream {
         return count_;
       }
       if (shares_.owns(line)) ++count_.lines;
+      base_.add(sample_.data());
       pass_on(line);
     }
   }
@@ -88,6 +91,7 @@ class Stream {
     rates_.finish(first_, diagnostics_);
     spikes_.finish(first_.file, diagnostics_);
     signals_.finish(first_.file, diagnostics_);
+    base_.finish(first_, diagnostics_);
     count_.lost = signals_.lost_blocks();
   }
 
@@ -175,6 +179,7 @@ class Stream {
   PositionCheck positions_;
   RateCheck rates_;
   SignalCheck signals_;
+  BaseCheck base_;
   const StreamPlan& plan_;
   int half_window_;
   BlockPartition& shares_;

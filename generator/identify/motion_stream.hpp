@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "identify/base_motion.hpp"
 #include "identify/block_partition.hpp"
 #include "identify/channel_noise.hpp"
 #include "identify/log_layout.hpp"
@@ -27,6 +29,8 @@ struct StreamOptions {
   double delay = 0;
   // Whether the log must have torques. If false, they are not read.
   bool torques = true;
+  // The link of a floating base whose frame is that of the inertial measurement unit; empty: the base's.
+  std::string imu{};
   // The part k of N, k = 1 … N, whose lines are used.
   int part = 1, parts = 1;
 };
@@ -39,11 +43,15 @@ struct StreamPlan {
   SampleFilter filter;
   double delay = 0;   // StreamOptions::delay
   bool moves = true;  // false for logs of poses: all rates are zero
-  // By joint: slower than this a joint may stand still, rad/s or m/s; 0 for logs of poses, in which no joint moves.
+  // By entry of q̇: slower than this a joint may stand still, rad/s or m/s; 0 for a floating base, and for logs of
+  // poses, in which no joint moves.
   std::vector<double> rest_speed;
-  std::vector<ChannelNoise> q_noise, tau_noise;  // by position, by joint; tau_noise is empty without torques
+  std::vector<ChannelNoise> noise;      // by channel
+  std::vector<ChannelNoise> tau_noise;  // by entry of τ, where friction may jump; empty without torques
+  BaseSensors sensors{};                // of a floating base
 
   const LogLayout& layout() const { return heading.layout; }
+  const ChannelNoise& q_noise(int position) const { return noise[static_cast<std::size_t>(LogLayout::q() + position)]; }
 };
 
 // Counts of what was read, without the samples of other parts.

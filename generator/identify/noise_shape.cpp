@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "identify/zero_phase.hpp"
@@ -59,27 +60,37 @@ double NoiseShape::correlation() const {
   return std::max(1.0, all / measured[0]);
 }
 
-LogDerivatives derivatives_of(const StreamPlan& plan) {
+std::vector<int> differentiations(const StreamPlan& plan) {
   const LogLayout& layout = plan.layout();
-  if (!layout.has_rates) return LogDerivatives::none;
-  if (!layout.has_accelerations) return LogDerivatives::rates;
-  return plan.moves ? LogDerivatives::both : LogDerivatives::held;
+  std::vector<int> orders = layout.base > 0 ? base_orders(layout) : std::vector<int>();
+  orders.resize(static_cast<std::size_t>(layout.rates()), layout.has_accelerations ? 0 : layout.has_rates ? 1 : 2);
+  if (layout.has_all_derivatives() && !plan.moves) std::fill(orders.begin(), orders.end(), kHeld);
+  return orders;
 }
 
-NoiseShape noise_shape(const SampleFilter& filter, LogDerivatives derivatives) {
-  const double moves = derivatives == LogDerivatives::held ? 0 : 1;
+NoiseShape noise_shape(const SampleFilter& filter, const std::vector<int>& differentiations) {
   if (filter.band == 0) {
-    return {1, VectorXd::Unit(kLags, 0), moves * VectorXd::Unit(kLags, 0),
-            std::vector<VectorXd>(NoiseShape::kColours.size(), VectorXd::Zero(kLags))};
+    NoiseShape result{
+        1, VectorXd::Unit(kLags, 0), {}, std::vector<VectorXd>(NoiseShape::kColours.size(), VectorXd::Zero(kLags))};
+    for (const int order : differentiations) {
+      result.acceleration.emplace_back(VectorXd::Zero(kLags));
+      if (order != kHeld) result.acceleration.back()[0] = 1;
+    }
+    return result;
   }
   const int stride = filter.stride();
   const VectorXd narrow = vector_of_numbers(zero_phase_kernel(filter.band, filter.dt).weights[0]);
   const VectorXd coarse = vector_of_numbers(zero_phase_kernel(filter.band, filter.dt * stride).weights[0]);
   const ZeroPhaseKernel wide = zero_phase_kernel(filter.motion_band(), filter.dt);
-  const int order = std::max(0, 2 - static_cast<int>(derivatives));
-  NoiseShape result{kRun, autocorrelation(narrow, kLags, filter.decimate),
-                    moves * autocorrelation(cascaded(vector_of_numbers(wide.weights[order]), coarse, stride), kLags,
-                                            filter.decimate)};
+  NoiseShape result{kRun, autocorrelation(narrow, kLags, filter.decimate), {}};
+  std::map<int, VectorXd> by_order = {{kHeld, VectorXd::Zero(kLags)}};
+  for (const int order : differentiations) {
+    if (by_order.count(order) == 0) {
+      by_order[order] =
+          autocorrelation(cascaded(vector_of_numbers(wide.weights[order]), coarse, stride), kLags, filter.decimate);
+    }
+    result.acceleration.push_back(by_order[order]);
+  }
   for (const double share : NoiseShape::kColours) {
     const double strides = 1 / (2 * std::numbers::pi * share * filter.band * filter.dt * stride);
     result.coloured.push_back(coloured_autocorrelation(coarse, strides, filter.decimate / stride));

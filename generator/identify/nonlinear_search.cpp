@@ -165,9 +165,10 @@ class NonlinearSearch {
     if (!has_speed(options_.law)) return;
     std::vector<double> factors;
     for (std::size_t i = 0; i < fit_.further.speeds.size(); ++i) {
-      const Index term = place_of(equations,
-                                  fmt::format("{}{}", options_.law == FrictionLaw::smooth ? "Fs" : "Fb", i + 1)),
-                  speed = place_of(equations, fmt::format("v{}", i + 1));
+      const auto equation = static_cast<int>(i);
+      const char* const of_law = options_.law == FrictionLaw::smooth ? "Fs" : "Fb";
+      const Index term = place_of(equations, equations.name_of(of_law, equation)),
+                  speed = place_of(equations, equations.name_of("v", equation));
       if (speed >= 0 && found.standard_deviations[speed] > kMostUnsure * fit_.further.speeds[i]) {
         fit_.unknowns.friction_told[i] = false;
       }
@@ -179,9 +180,9 @@ class NonlinearSearch {
   }
 
   // Whether the log does not tell the speed that a parameter corrects.
-  bool is_open_speed(const std::string& name) const {
+  bool is_open_speed(const TorqueEquations& equations, const std::string& name) const {
     for (std::size_t i = 0; i < fit_.unknowns.friction_told.size(); ++i) {
-      if (!fit_.unknowns.friction_told[i] && name == fmt::format("v{}", i + 1)) return true;
+      if (!fit_.unknowns.friction_told[i] && name == equations.name_of("v", static_cast<int>(i))) return true;
     }
     return false;
   }
@@ -190,7 +191,7 @@ class NonlinearSearch {
   bool are_small(const TorqueEquations& equations, const Estimate& found) const {
     constexpr double kShare = 0.1, kLeast = 1e-6;  // of a standard deviation; s, rad, rad/s or m/s
     for (Index k = equations.parameters() - equations.corrections(); k < equations.parameters(); ++k) {
-      if (is_open_speed(equations.names()[static_cast<std::size_t>(k)])) continue;
+      if (is_open_speed(equations, equations.names()[static_cast<std::size_t>(k)])) continue;
       if (std::abs(found.values[k]) > std::max(kShare * found.standard_deviations[k], kLeast)) return false;
     }
     return true;
@@ -210,7 +211,7 @@ class NonlinearSearch {
   void apply(const TorqueEquations& equations, const Estimate& found) {
     constexpr double kMostDelay = 0.02, kMostTurn = 0.3, kMostOfSpeed = 0.4;  // s, rad, share
     for (std::size_t i = 0; i < fit_.further.speed_factors.size(); ++i) {
-      const Index place = place_of(equations, fmt::format("v{}", i + 1));
+      const Index place = place_of(equations, equations.name_of("v", static_cast<int>(i)));
       if (place < 0 || !fit_.unknowns.friction_told[i]) continue;
       const double most = kMostOfSpeed * fit_.further.speeds[i];
       fit_.further.speeds[i] += std::clamp(found.values[place], -most, most);
@@ -245,7 +246,7 @@ void set_deviations(NonlinearUnknowns& unknowns, const TorqueEquations& equation
   if (delay >= 0) unknowns.delay_deviation = std::sqrt(estimate.covariance(delay, delay));
   unknowns.speed_deviations.clear();
   for (std::size_t i = 0; i < equations.further().speeds.size(); ++i) {
-    const Index speed = place_of(equations, fmt::format("v{}", i + 1));
+    const Index speed = place_of(equations, equations.name_of("v", static_cast<int>(i)));
     const bool is_told = i < unknowns.friction_told.size() && unknowns.friction_told[i];
     unknowns.speed_deviations.push_back(speed >= 0 && is_told ? std::sqrt(estimate.covariance(speed, speed))
                                                               : std::numeric_limits<double>::quiet_NaN());
@@ -267,7 +268,7 @@ void leave_friction_open(Estimate& estimate, const NonlinearUnknowns& unknowns, 
   for (std::size_t i = 0; i < unknowns.friction_told.size(); ++i) {
     if (unknowns.friction_told[i]) continue;
     for (const char* stem : {"Fv", "Fs", "Fb"}) {
-      const Index place = place_of(equations, fmt::format("{}{}", stem, i + 1));
+      const Index place = place_of(equations, equations.name_of(stem, static_cast<int>(i)));
       if (place >= 0) estimate.standard_deviations[place] = std::numeric_limits<double>::infinity();
     }
   }

@@ -41,8 +41,8 @@ void InstantSample::offer(const FilteredEquations& equations, const EquationMode
   const auto n = static_cast<std::size_t>(model.equations());
   EquationInstant instant{log, equations.index, equations.motion.time};
   instant.q = numbers(equations.motion.q, equations.positions);
-  instant.qd = numbers(equations.motion.qd, equations.joints);
-  instant.qdd = numbers(equations.motion.qdd, equations.joints);
+  instant.qd = numbers(equations.motion.qd, equations.rates);
+  instant.qdd = numbers(equations.motion.qdd, equations.rates);
   instant.entries = numbers(equations.entries, static_cast<std::size_t>(model.entries()));
   instant.right = numbers(equations.right, n);
   instant.measured_rates = numbers(equations.measured_rates, n);
@@ -99,6 +99,12 @@ void leave_out_short_motions(Observations& observations, long used) {
     joint.R.setZero();
     for (EquationInstant& instant : observations.instants) instant.used[i] = 0;
   }
+}
+
+int first_equation(const TorqueModel& model, const Observations& observations) {
+  const auto first = observations.joints.begin(), end = first + model.first_joint();
+  const bool has_base_force = std::any_of(first, end, [](const JointObservations& each) { return each.rows > 0; });
+  return has_base_force ? 0 : model.first_joint();
 }
 
 Observations joined(const Observations& a, const Observations& b) {

@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* kKind = "part of an identification";
 // The version of the file's format: it rises whenever the contents or their meaning change.
-constexpr int kVersion = 4;
+constexpr int kVersion = 5;
 
 ordered_json numbers(const Eigen::MatrixXd& upper) {
   ordered_json list = ordered_json::array();
@@ -46,6 +46,7 @@ ordered_json settings(const StreamOptions& options, const FurtherParameters& fur
   json["band"] = options.band ? ordered_json(*options.band) : ordered_json();
   json["rest_speed"] = options.rest_speed;
   json["decimate"] = options.decimate ? ordered_json(*options.decimate) : ordered_json();
+  json["imu"] = options.imu;
   return json;
 }
 
@@ -70,7 +71,7 @@ ordered_json logs_of(const Measurement& measurement) {
                     {"dt", log.filter.dt},
                     {"filter_band", log.filter.band},
                     {"decimation", log.filter.decimate},
-                    {"derivatives", static_cast<int>(log.derivatives)},
+                    {"differentiations", log.differentiations},
                     {"rest_speed", log.rest_speed},
                     {"q_noise", json_of(log.q_noise)},
                     {"tau_noise", json_of(log.tau_noise)}});
@@ -83,7 +84,7 @@ std::vector<MeasuredLog> logs_from(const ordered_json& json) {
   for (const ordered_json& log : json) {
     logs.push_back({{log.at("name"), log.at("bytes"), log.at("beginning")},
                     {log.at("dt"), log.at("filter_band"), log.at("decimation")},
-                    static_cast<LogDerivatives>(log.at("derivatives").get<int>()),
+                    log.at("differentiations").get<std::vector<int>>(),
                     log.at("rest_speed"),
                     channels_from(log.at("q_noise")),
                     channels_from(log.at("tau_noise"))});

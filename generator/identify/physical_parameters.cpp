@@ -69,14 +69,15 @@ struct CarriedRotor {
   }
 };
 
-std::vector<CarriedRotor> rotors_of(const Mechanism& mechanism) {
+// Joints and carriers count from body `first`.
+std::vector<CarriedRotor> rotors_of(const Mechanism& mechanism, std::size_t first) {
   std::vector<CarriedRotor> rotors;
-  for (std::size_t j = 0; j < mechanism.bodies.size(); ++j) {
+  for (std::size_t j = first; j < mechanism.bodies.size(); ++j) {
     const std::optional<Rotor>& rotor = mechanism.bodies[j].rotor;
     if (!rotor || rotor->carrier < 0) continue;
     const Eigen::Vector3d axis(nearest_double(rotor->axis[0]), nearest_double(rotor->axis[1]),
                                nearest_double(rotor->axis[2]));
-    rotors.push_back({j, static_cast<std::size_t>(rotor->carrier), axis});
+    rotors.push_back({j - first, static_cast<std::size_t>(rotor->carrier) - first, axis});
   }
   return rotors;
 }
@@ -184,16 +185,23 @@ PhysicalParameters nearest(std::vector<LinkShape> links, const std::vector<Carri
 
 }  // namespace
 
+// The bodies before a floating base's link are its motion, and have no parameters.
 PhysicalParameters physical_parameters(const Mechanism& mechanism, const BaseParameters& base,
                                        const Estimate& estimate) {
+  const auto first = static_cast<std::size_t>(std::max(0, mechanism.base_bodies() - 1));
+  const auto without = static_cast<std::ptrdiff_t>(first * kParametersPerJoint);
   std::vector<double> file;
   for (const Number& value : dynamic_parameters(mechanism)) file.push_back(nearest_double(value));
-  const std::vector<CarriedRotor> rotors = rotors_of(mechanism);
-  const MatrixXd K = combination_matrix(base, static_cast<Index>(file.size()));
+  const MatrixXd K =
+      combination_matrix(base, static_cast<Index>(file.size())).rightCols(static_cast<Index>(file.size()) - without);
+  file.erase(file.begin(), file.begin() + without);
+  const std::vector<CarriedRotor> rotors = rotors_of(mechanism, first);
   std::vector<double> bodies = file;
   for (const CarriedRotor& rotor : rotors) rotor.add_to(bodies.data(), -1);
   const VectorXd starts = starts_of_missing(K, Eigen::Map<const VectorXd>(file.data(), K.cols()), estimate);
-  return nearest(shapes_of(bodies, starts), rotors, K, estimate.values, estimate.root_information);
+  PhysicalParameters found = nearest(shapes_of(bodies, starts), rotors, K, estimate.values, estimate.root_information);
+  found.pi.insert(found.pi.begin(), static_cast<std::size_t>(without), 0);
+  return found;
 }
 
 NearestBody nearest_body(const VectorXd& estimate, const MatrixXd& root_information) {

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "diagnostics/diagnostics.hpp"
+#include "identify/base_coordinates.hpp"
 #include "identify/triangular_factor.hpp"
 
 namespace flatdyn {
@@ -24,44 +25,58 @@ constexpr int kMostShrinks = 400;
 constexpr double kInside = 1 - 1e-12;
 
 // The triangular factor of Y_b stacked over all samples, and of further rows.
-MatrixXd folded_regressor(const TorqueModel& model, const std::vector<FourierMotion>& samples, const MatrixXd& known) {
-  const int n = model.joints();
-  TriangularFactor factor(model.parameters() - 1);  // the last column is passed as b
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(n, model.parameters());
+MatrixXd folded_regressor(const MotionEquations& equations, const std::vector<FourierMotion>& samples,
+                          const MatrixXd& known) {
+  TriangularFactor factor(equations.parameters() - 1);  // the last column is passed as b
   for (const FourierMotion& sample : samples) {
-    model.regressor(sample.q.data(), sample.qd.data(), sample.qdd.data(), y.data());
-    for (int i = 0; i < n; ++i) factor.next_row() = y.row(i);
+    const MatrixXd y = equations.regressor(sample.q.data(), sample.qd.data(), sample.qdd.data());
+    for (const auto& row : y.rowwise()) factor.next_row() = row;
   }
   for (const auto& row : known.rowwise()) factor.next_row() = row;
   return factor.factor();
 }
 
-std::vector<std::vector<double>> torques_of(const TorqueModel& model, const std::vector<FourierMotion>& samples) {
-  const Eigen::Map<const VectorXd> values(model.file_values().data(), model.parameters());
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> y(model.joints(), model.parameters());
+std::vector<std::vector<double>> torques_of(const MotionEquations& equations,
+                                            const std::vector<FourierMotion>& samples) {
   std::vector<std::vector<double>> torques;
   for (const FourierMotion& sample : samples) {
-    model.regressor(sample.q.data(), sample.qd.data(), sample.qdd.data(), y.data());
-    torques.emplace_back(static_cast<std::size_t>(model.joints()));
-    Eigen::Map<VectorXd>(torques.back().data(), model.joints()) = y * values;
-    model.add_springs(sample.q.data(), torques.back().data());
+    const VectorXd each = equations.torques(sample.q.data(), sample.qd.data(), sample.qdd.data());
+    torques.emplace_back(each.begin(), each.end());
   }
   return torques;
 }
 
+// The motion with the twist of a floating base, and its derivative, in the place of the coordinates' rates: they are
+// what is limited.
+FourierMotion as_limited(const MotionEquations& equations, FourierMotion motion) {
+  if (equations.model().first_joint() == 0) return motion;
+  const BaseState state = base_state(motion.q.data(), motion.qd.data(), motion.qdd.data());
+  std::copy(state.twist.begin(), state.twist.end(), motion.qd.begin());
+  std::copy(state.twist_rates.begin(), state.twist_rates.end(), motion.qdd.begin());
+  return motion;
+}
+
 // The use of limits at as many points between samples as the highest harmonic needs.
-std::vector<LimitUse> use_of(const TorqueModel& model, const std::vector<JointLimits>& limits,
+std::vector<LimitUse> use_of(const MotionEquations& equations, const std::vector<JointLimits>& limits,
                              const FourierTrajectory& trajectory, int intervals) {
   const int wanted = kCheckedPerPeriod * static_cast<int>(trajectory.series().front().a.size());
   const std::vector<FourierMotion> samples = sampled(trajectory, intervals * (1 + (wanted - 1) / intervals));
-  const std::vector<std::vector<double>> torques = torques_of(model, samples);
+  const std::vector<std::vector<double>> torques = torques_of(equations, samples);
   std::vector<LimitUse> use(limits.size());
   for (std::size_t k = 0; k < samples.size(); ++k) {
+    const FourierMotion limited = as_limited(equations, samples[k]);
     for (std::size_t i = 0; i < limits.size(); ++i) {
-      update_use(use[i], limits[i], samples[k].q[i], samples[k].qd[i], samples[k].qdd[i], torques[k][i]);
+      update_use(use[i], limits[i], limited.q[i], limited.qd[i], limited.qdd[i], torques[k][i]);
     }
   }
   return use;
+}
+
+// The largest share that is used of all limits but those of positions.
+double largest_share(const std::vector<LimitUse>& use) {
+  double largest = 0;
+  for (const LimitUse& each : use) largest = std::max({largest, each.speed, each.acceleration, each.torque});
+  return largest;
 }
 
 // The joint that uses the largest share of its torque.
@@ -70,47 +85,47 @@ std::size_t most_loaded(const std::vector<LimitUse>& use) {
   return static_cast<std::size_t>(std::max_element(use.begin(), use.end(), by_torque) - use.begin());
 }
 
-[[noreturn]] void refuse_load(const Mechanism& mechanism, const std::vector<JointLimits>& limits,
+[[noreturn]] void refuse_load(const TorqueModel& model, const std::vector<JointLimits>& limits,
                               const std::vector<LimitUse>& use, double margin) {
   const std::size_t i = most_loaded(use);
-  const Body& joint = mechanism.joints()[i];
+  const auto equation = static_cast<int>(i);
   throw Failure(
       ExitCode::unsupported,
       fmt::format(
-          "joint \"{}\": {} alone takes {:.4g} {} in the middle of the position limits, where motions begin; {:.4g} "
-          "may be used",
-          joint.joint, mechanism.has_springs() ? "gravity, friction or a spring" : "gravity or friction",
-          use[i].torque * limits[i].torque, torque_unit(joint), margin * limits[i].torque),
+          "{}: {} alone takes {:.4g} {} in the middle of the position limits, where motions begin; {:.4g} may be used",
+          model.subject_of(equation),
+          model.mechanism().has_springs() ? "gravity, friction or a spring" : "gravity or friction",
+          use[i].torque * limits[i].torque, model.unit_of(equation), margin * limits[i].torque),
       "a larger --margin, or a --scene with position limits about a posture that takes less");
 }
 
 }  // namespace
 
-FittedTrajectory fitted(const TorqueModel& model, const std::vector<JointLimits>& limits, double margin,
+FittedTrajectory fitted(const MotionEquations& equations, const std::vector<JointLimits>& limits, double margin,
                         const FourierTrajectory& trajectory, int intervals) {
   std::vector<double> factors;
-  for (const LimitUse& use : use_of(model, limits, trajectory, intervals)) {
+  for (const LimitUse& use : use_of(equations, limits, trajectory, intervals)) {
     factors.push_back(kInside * margin / std::max({margin, use.position, use.speed, use.acceleration}));
   }
   FittedTrajectory fitted{trajectory.scaled(factors), {}};
   const std::vector<double> all_together(limits.size(), kShrink);
   for (int step = 0;; ++step) {
-    const std::vector<LimitUse> use = use_of(model, limits, fitted.trajectory, intervals);
+    const std::vector<LimitUse> use = use_of(equations, limits, fitted.trajectory, intervals);
     if (step == 0) std::ranges::transform(use, std::back_inserter(fitted.torque), &LimitUse::torque);
-    if (use[most_loaded(use)].torque <= margin) return fitted;
-    if (step == kMostShrinks) refuse_load(model.mechanism(), limits, use, margin);
+    if (largest_share(use) <= margin) return fitted;
+    if (step == kMostShrinks) refuse_load(equations.model(), limits, use, margin);
     fitted.trajectory = fitted.trajectory.scaled(all_together);
   }
 }
 
-PlannedMotion planned(const TorqueModel& model, const std::vector<JointLimits>& limits, double margin,
+PlannedMotion planned(const MotionEquations& equations, const std::vector<JointLimits>& limits, double margin,
                       const FourierTrajectory& trajectory, int intervals, const VectorXd& lengths,
                       const MatrixXd& known) {
-  FourierTrajectory fit = fitted(model, limits, margin, trajectory, intervals).trajectory;
+  FourierTrajectory fit = fitted(equations, limits, margin, trajectory, intervals).trajectory;
   std::vector<FourierMotion> samples = sampled(fit, intervals);
-  std::vector<std::vector<double>> torques = torques_of(model, samples);
-  std::vector<LimitUse> use = use_of(model, limits, fit, intervals);
-  const MatrixXd factor = folded_regressor(model, samples, known);
+  std::vector<std::vector<double>> torques = torques_of(equations, samples);
+  std::vector<LimitUse> use = use_of(equations, limits, fit, intervals);
+  const MatrixXd factor = folded_regressor(equations, samples, known);
   const double cost = excitation_cost(factor * lengths.cwiseInverse().asDiagonal(), nullptr);
   return {
       std::move(fit), std::move(samples), std::move(torques), std::move(use), conditioning(factor, lengths), cost,

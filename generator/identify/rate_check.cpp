@@ -20,13 +20,15 @@ RateCheck::RateCheck(const Mechanism& mechanism, const LogHeading& heading, doub
   for (int i = 0; i < mechanism.position_count(); ++i) {
     if (moves && !mechanism.joint_at(i).prismatic) angles_.push_back(LogLayout::q() + i);
   }
-  if (!layout.has_rates) return;
   const auto add_pair = [this](int channel, int rate) {
     pairs_.push_back(
         {channel, rate, names_[static_cast<std::size_t>(channel)], names_[static_cast<std::size_t>(rate)]});
   };
-  for (int i = 0; i < mechanism.size(); ++i) {
-    add_pair(LogLayout::q() + mechanism.position_of(i), layout.qd() + i);
+  for (int i = 0; i < LogLayout::kTwist && layout.has_twist_rates; ++i) {
+    add_pair(layout.twist() + i, layout.twist_rates() + i);
+  }
+  for (int i = 0; i < layout.joints && layout.has_rates; ++i) {
+    add_pair(LogLayout::q() + mechanism.position_of(layout.base + i), layout.qd() + i);
     if (layout.has_accelerations) add_pair(layout.qd() + i, layout.qdd() + i);
   }
 }

@@ -129,8 +129,10 @@ LaggedProduct lagged_product(const Observations& observations, const MatrixXd& l
     }
     if (!B.empty()) {
       const Index first = instants[t].first;
-      result.of_accelerations +=
-          shape.acceleration[lag] * B[t].row(i - first).cwiseProduct(B[later].row(k - first)).transpose();
+      for (Index j = 0; j < joints; ++j) {
+        result.of_accelerations[j] +=
+            shape.acceleration[static_cast<std::size_t>(j)][lag] * (B[t](i - first, j) * B[later](k - first, j));
+      }
     }
     ++result.count;
   }
@@ -323,8 +325,9 @@ MatrixXd score_covariance(const Observations& observations, const VectorXd& valu
     }
   }
   for (Index j = 0; j < joints; ++j) {
-    result += noise.acceleration[j] * correlated_sum(observations, of_joints[static_cast<std::size_t>(j)],
-                                                     [](const NoiseShape& shape) { return shape.acceleration; });
+    result += noise.acceleration[j] *
+              correlated_sum(observations, of_joints[static_cast<std::size_t>(j)],
+                             [j](const NoiseShape& shape) { return shape.acceleration[static_cast<std::size_t>(j)]; });
   }
   return result;
 }
@@ -335,7 +338,7 @@ std::vector<MatrixXd> false_information(const Observations& observations, const 
   if (!rows) return result;
   const VectorXd ratios = row_ratios(observations, residuals(observations, VectorXd::Zero(observations.parameters)));
   for (const EquationInstant& instant : observations.instants) {
-    const double power = observations.shapes[static_cast<std::size_t>(instant.log)].acceleration[0];
+    const NoiseShape& shape = observations.shapes[static_cast<std::size_t>(instant.log)];
     const std::vector<MatrixXd> of_joints = rows(instant);
     const Index all = of_joints.empty() ? 0 : of_joints.front().cols();
     result.resize(of_joints.size(), MatrixXd::Zero(all, all));
@@ -344,10 +347,10 @@ std::vector<MatrixXd> false_information(const Observations& observations, const 
       if (instant.used[i] == 0) continue;
       std::vector<int> columns = observations.joints[static_cast<std::size_t>(equation)].columns;
       if (all > observations.parameters) columns.push_back(observations.parameters);
-      const double weight = power * weights[equation] * ratios[equation];
+      const double weight = weights[equation] * ratios[equation];
       for (std::size_t j = 0; j < of_joints.size(); ++j) {
         const VectorXd gains = of_joints[j](row, columns);
-        result[j](columns, columns) += weight * gains * gains.transpose();
+        result[j](columns, columns) += shape.acceleration[j][0] * weight * gains * gains.transpose();
       }
     }
   }

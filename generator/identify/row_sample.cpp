@@ -43,9 +43,9 @@ RowSample::RowSample(const TorqueModel& model, const Measurement& measurement, c
                     as_vector(from.qdd),
                     as_vector(from.right),
                     as_vector(from.measured_rates),
-                    MatrixXd::Zero(model.joints(), observations.parameters)};
+                    MatrixXd::Zero(model.equations(), observations.parameters)};
     const double* entries = from.entries.data();
-    for (int i = 0; i < model.joints(); ++i) {
+    for (int i = 0; i < model.equations(); ++i) {
       for (const int column : observations.joints[static_cast<std::size_t>(i)].columns) {
         instant.Y(i, column) = *entries++;
       }
@@ -53,13 +53,13 @@ RowSample::RowSample(const TorqueModel& model, const Measurement& measurement, c
     }
     instants_.push_back(std::move(instant));
   }
-  for (int i = 0; i < model.joints(); ++i) {
+  for (int i = 0; i < model.equations(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const double torque = observations.joints[at].rms_torque();
     const double sigma = std::max({fits[at].expected, kLeastNoise * torque, 1e-9});
     weights_.push_back(1 / (sigma * sigma));
   }
-  for (int i = 0; i < model.joints(); ++i) normals_.push_back(joint_normal(i, i));
+  for (int i = 0; i < model.equations(); ++i) normals_.push_back(joint_normal(i, i));
 }
 
 void RowSample::Normal::add(const Eigen::RowVectorXd& row, double tau, double weight) {
@@ -93,7 +93,7 @@ RowSample::Normal RowSample::joint_normal(int joint, int torques_of) const {
 RowSample::Normal RowSample::sum_without(int joint, int other) const {
   const Index b = parameters_;
   Normal sum{MatrixXd::Zero(b, b), VectorXd::Zero(b)};
-  for (int i = 0; i < model_.joints(); ++i) {
+  for (int i = 0; i < model_.equations(); ++i) {
     if (i == joint || i == other) continue;
     const Normal& each = normals_[static_cast<std::size_t>(i)];
     sum.H += each.H;
@@ -187,7 +187,7 @@ double RowSample::cost_with_delay(double& delay, int first, int end) const {
     double rows = 0;
     for (std::size_t t = 0; t < instants_.size(); ++t) {
       const std::optional<Reading> reading = reading_at(t * step_, readings_[t * step_].time + delay);
-      for (int i = 0; i < model_.joints() && reading; ++i) {
+      for (int i = 0; i < model_.equations() && reading; ++i) {
         const auto at = static_cast<std::size_t>(i);
         if (!instants_[t].used[at]) continue;
         Eigen::RowVectorXd row(b + 1);
@@ -208,7 +208,7 @@ double RowSample::cost_with_delay(double& delay, int first, int end) const {
 }
 
 double RowSample::cost_of(const std::vector<MatrixXd>& Y, VectorXd* parameters) const {
-  std::vector<int> same(static_cast<std::size_t>(model_.joints()));
+  std::vector<int> same(static_cast<std::size_t>(model_.equations()));
   std::iota(same.begin(), same.end(), 0);
   return cost_of(Y, same, parameters);
 }
@@ -217,7 +217,7 @@ double RowSample::cost_of(const std::vector<MatrixXd>& Y, const std::vector<int>
   const Index columns = Y.front().cols();
   Normal sum{MatrixXd::Zero(columns, columns), VectorXd::Zero(columns)};
   for (std::size_t t = 0; t < instants_.size(); ++t) {
-    for (int i = 0; i < model_.joints(); ++i) {
+    for (int i = 0; i < model_.equations(); ++i) {
       const int from = of[static_cast<std::size_t>(i)];
       const auto at = static_cast<std::size_t>(from);
       if (instants_[t].used[at]) sum.add(Y[t].row(i), instants_[t].tau[from], weights_[at]);
@@ -237,21 +237,20 @@ double RowSample::cost_with_more(const std::function<MatrixXd(const Instant&)>& 
 }
 
 // Y at changed motions. `map` is the same change of a vector of the joints: friction is filtered, and moves with it.
-std::vector<MatrixXd> RowSample::changed_rows(const std::function<void(Instant&)>& change,
-                                              const std::function<void(VectorXd&)>& map) const {
+std::vector<MatrixXd> RowSample::changed_rows(const std::function<void(Instant&)>& change, const JointMap& map) const {
   std::vector<MatrixXd> rows;
-  RowByRow y(model_.joints(), model_.parameters());
+  RowByRow y(model_.equations(), model_.parameters());
   for (const Instant& instant : instants_) {
     Instant changed = instant;
     change(changed);
     model_.regressor(changed.q.data(), changed.qd.data(), changed.qdd.data(), y.data());
     for (const Parameter kind : {Parameter::Fv, Parameter::Fs}) {
-      VectorXd friction = VectorXd::Zero(model_.joints());
+      VectorXd friction = VectorXd::Zero(model_.equations());
       for (int k = 0; k < model_.parameters(); ++k) {
         const int index = model_.base().columns[static_cast<std::size_t>(k)];
         if (parameter_of(index) == kind) friction[joint_of(index)] = instant.Y(joint_of(index), k);
       }
-      map(friction);
+      map(friction.tail(model_.joints()));
       for (int k = 0; k < model_.parameters(); ++k) {
         const int index = model_.base().columns[static_cast<std::size_t>(k)];
         if (is_friction(model_, k) && parameter_of(index) == kind) y(joint_of(index), k) = friction[joint_of(index)];
@@ -264,29 +263,36 @@ std::vector<MatrixXd> RowSample::changed_rows(const std::function<void(Instant&)
   return rows;
 }
 
-double RowSample::cost_with_positions(const std::function<void(VectorXd&)>& map) const {
+double RowSample::cost_with_positions(const JointMap& map) const {
   return cost_of(changed_rows(
       [&](Instant& instant) {
-        for (VectorXd* each : {&instant.q, &instant.qd, &instant.qdd}) map(*each);
+        for (VectorXd* each : {&instant.q, &instant.qd, &instant.qdd}) map(each->tail(model_.joints()));
       },
       map));
 }
 
 double RowSample::cost_with_exchanged_joints(int joint, int other) const {
-  const auto exchange = [&](auto& of_joints) { std::swap(of_joints[joint], of_joints[other]); };
-  std::vector<int> of(static_cast<std::size_t>(model_.joints()));
+  const auto exchange = [&](Eigen::Ref<VectorXd> of_joints) { std::swap(of_joints[joint], of_joints[other]); };
+  std::vector<int> of(static_cast<std::size_t>(model_.equations()));
   std::iota(of.begin(), of.end(), 0);
-  std::swap(of[static_cast<std::size_t>(joint)], of[static_cast<std::size_t>(other)]);
+  std::swap(of[static_cast<std::size_t>(model_.first_joint() + joint)],
+            of[static_cast<std::size_t>(model_.first_joint() + other)]);
   return cost_of(changed_rows(
                      [&](Instant& instant) {
-                       for (VectorXd* each : {&instant.q, &instant.qd, &instant.qdd}) exchange(*each);
+                       for (VectorXd* each : {&instant.q, &instant.qd, &instant.qdd}) {
+                         exchange(each->tail(model_.joints()));
+                       }
                      },
                      exchange),
                  of);
 }
 
 double RowSample::cost_with_offset(int joint, double offset) const {
-  return cost_of(changed_rows([&](Instant& instant) { instant.q[joint] += offset; }, [](VectorXd&) {}));
+  return cost_of(changed_rows([&](Instant& instant) { instant.q[joint] += offset; }, [](const auto&) {}));
+}
+
+double RowSample::cost_with_base(const std::function<void(VectorXd& qd, VectorXd& qdd)>& change) const {
+  return cost_of(changed_rows([&](Instant& instant) { change(instant.qd, instant.qdd); }, [](const auto&) {}));
 }
 
 }  // namespace flatdyn

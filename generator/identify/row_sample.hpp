@@ -21,7 +21,7 @@ class RowSample {
   // Torques of joint i that are `gain` times the right ones; noise is not part of the gain.
   double cost_with_gain(int joint, double gain, Eigen::VectorXd* parameters = nullptr) const;
   double cost_with_exchanged_torques(int joint, int other) const;
-  // All columns of two joints exchanged: positions and torques.
+  // All columns of two joints exchanged: positions and torques. Joints are counted from 0, without a floating base.
   double cost_with_exchanged_joints(int joint, int other) const;
   // Torques of joint i with a constant added, which is found, N m or N.
   double cost_with_torque_offset(int joint, double& offset) const;
@@ -30,9 +30,12 @@ class RowSample {
   double cost_with_delay(double& delay) const { return cost_with_delay(delay, 0, model_.joints()); }
   // The same of joint i alone.
   double cost_with_delay_of(int joint, double& delay) const { return cost_with_delay(delay, joint, joint + 1); }
-  // q, q̇ and q̈ changed alike by a linear map.
-  double cost_with_positions(const std::function<void(Eigen::VectorXd&)>& change) const;
+  // q, q̇ and q̈ of the joints changed alike by a linear map.
+  using JointMap = std::function<void(Eigen::Ref<Eigen::VectorXd> of_joints)>;
+  double cost_with_positions(const JointMap& change) const;
   double cost_with_offset(int joint, double offset) const;
+  // The base's entries of q̇ and q̈ changed, (0, ω) and (f, ω̇).
+  double cost_with_base(const std::function<void(Eigen::VectorXd& qd, Eigen::VectorXd& qdd)>& change) const;
 
   struct Instant {
     Eigen::VectorXd q, qd, qdd, tau;
@@ -68,8 +71,7 @@ class RowSample {
   static double least(const Normal& normal, Eigen::VectorXd* solution = nullptr);
   Normal joint_normal(int joint, int torques_of) const;
   Normal sum_without(int joint, int other = -1) const;
-  std::vector<Eigen::MatrixXd> changed_rows(const std::function<void(Instant&)>& change,
-                                            const std::function<void(Eigen::VectorXd&)>& map) const;
+  std::vector<Eigen::MatrixXd> changed_rows(const std::function<void(Instant&)>& change, const JointMap& map) const;
   // The cost of rows whose torques are those of the joints `of`.
   double cost_of(const std::vector<Eigen::MatrixXd>& Y, const std::vector<int>& of,
                  Eigen::VectorXd* parameters = nullptr) const;

@@ -10,10 +10,10 @@ namespace flatdyn {
 namespace {
 
 constexpr long kLeastSamples = 20;
-constexpr double kLeastTime = 0.05;  // s
-constexpr double kOfNoise = 8;       // standard deviations of a jump that is none
-constexpr double kSpike = 12;        // standard deviations
-constexpr double kMoves = 20;        // steps or standard deviations of a position that changes
+constexpr double kLeastTime = 0.05;    // s
+constexpr double kOfNoise = 8;         // standard deviations of a jump that is none
+constexpr double kSpike = 12;          // standard deviations
+constexpr double kStepsOfMotion = 20;  // steps or standard deviations of a position that changes
 
 }  // namespace
 
@@ -22,9 +22,9 @@ SignalCheck::SignalCheck(const StreamPlan& plan) {
   const std::vector<std::string> names = plan.heading.channel_names();
   const auto add = [&](int channel, bool is_torque, const ChannelNoise& noise, int position) {
     Signal signal;
-    const ChannelNoise& of_position = plan.q_noise[static_cast<std::size_t>(position)];
-    signal.position = LogLayout::q() + position;
-    signal.position_step = kMoves * std::max(of_position.step, of_position.deviation);
+    const ChannelNoise& of_position = plan.noise[static_cast<std::size_t>(position)];
+    signal.position = position;
+    signal.position_step = kStepsOfMotion * std::max(of_position.step, of_position.deviation);
     signal.channel = channel;
     signal.is_torque = is_torque;
     signal.noise = noise.deviation;
@@ -32,12 +32,17 @@ SignalCheck::SignalCheck(const StreamPlan& plan) {
     signal.name = names[static_cast<std::size_t>(channel)];
     signals_.push_back(std::move(signal));
   };
-  for (int i = 0; i < layout.positions; ++i)
-    add(LogLayout::q() + i, false, plan.q_noise[static_cast<std::size_t>(i)], i);
-  for (int i = 0; i < layout.joints && layout.has_torques; ++i) {
+  const auto add_position = [&](int channel) {
+    add(channel, false, plan.noise[static_cast<std::size_t>(channel)], channel);
+  };
+  for (int i = 0; i < layout.positions; ++i) add_position(LogLayout::q() + i);
+  for (int i = layout.base; i < layout.rates() && layout.has_torques; ++i) {
     add(layout.tau() + i, true, plan.tau_noise[static_cast<std::size_t>(i)],
-        layout.position_of[static_cast<std::size_t>(i)]);
+        LogLayout::q() + layout.position_of[static_cast<std::size_t>(i)]);
   }
+  // The base's own force and motion are looked at as positions are: no joint tells when they must change.
+  for (int i = 0; i < layout.base && layout.has_base_force; ++i) add_position(layout.tau() + i);
+  for (int i = 0; i < layout.base_readings(); ++i) add_position(layout.base_reading() + i);
 }
 
 void SignalCheck::add(const double* channels, int file_line) {

@@ -32,8 +32,9 @@ double cubic(const double (&values)[4], double gap, double at) {
 SpikeRepair::SpikeRepair(const StreamPlan& plan, SampleReceiver& receiver)
     : receiver_(receiver), channels_(static_cast<std::size_t>(plan.layout().channels())) {
   const std::vector<std::string> names = plan.heading.channel_names();
-  for (std::size_t i = 0; i < plan.q_noise.size(); ++i) {
-    found_.push_back({names[static_cast<std::size_t>(LogLayout::q()) + i], plan.q_noise[i].deviation});
+  for (const int channel : plan.layout().positions_of_all()) {
+    const auto at = static_cast<std::size_t>(channel);
+    found_.push_back({at, names[at], plan.noise[at].deviation});
   }
 }
 
@@ -70,7 +71,7 @@ void SpikeRepair::pass_on() {
 }
 
 double& SpikeRepair::reading(int at, std::size_t position) {
-  return held_[static_cast<std::size_t>(at)].channels[static_cast<std::size_t>(LogLayout::q()) + position];
+  return held_[static_cast<std::size_t>(at)].channels[found_[position].channel];
 }
 
 // Spikes are far from the curve through the two neighbours on either side, which agree with each other: behind a jump

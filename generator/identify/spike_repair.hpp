@@ -35,6 +35,7 @@ class SpikeRepair : public SampleReceiver {
     RawSample sample;
   };
   struct Spikes {
+    std::size_t channel = 0;
     std::string name;
     double noise = 0;  // standard deviation
     long count = 0;
@@ -49,7 +50,7 @@ class SpikeRepair : public SampleReceiver {
 
   SampleReceiver& receiver_;
   std::size_t channels_;
-  std::vector<Spikes> found_;  // by position
+  std::vector<Spikes> found_;  // by position, those of a floating base's pose among them
   std::deque<Held> held_;
   Held spare_;  // memory for the next one
 };

@@ -102,11 +102,11 @@ double default_band(const StreamPlan& plan, const LogSurvey& log) {
   constexpr double kEdges = 40;                                  // periods of the band that a log has, at least
   const double dt = plan.filter.dt, band = std::min(kDefault, kHighest / dt);
   if (plan.layout().has_rates || log.duration <= 0) return band;
-  const double power = noise_shape({dt, band, default_decimation(band, 1 / dt)}, LogDerivatives::none).acceleration[0];
+  const double power = noise_shape({dt, band, default_decimation(band, 1 / dt)}, {2}).acceleration[0][0];
   double share = 0;
-  for (std::size_t i = 0; i < log.ranges.size(); ++i) {
-    const double noise = log.all[static_cast<std::size_t>(LogLayout::q()) + i].deviation;
-    if (log.ranges[i] > kMoves * noise) share = std::max(share, power * noise * noise / log.acceleration_squares[i]);
+  for (const PositionRange& each : log.ranges) {
+    const double noise = log.all[static_cast<std::size_t>(each.channel)].deviation;
+    if (each.size > kMoves * noise) share = std::max(share, power * noise * noise / each.acceleration_square);
   }
   if (!(share > kConsiderable)) return band;
   const double lowest = std::max(kLeast, kEdges / log.duration), wanted = band * std::pow(kSmall / share, 0.2);
@@ -118,7 +118,7 @@ void choose_filter(StreamPlan& plan, const StreamOptions& options, const LogSurv
   constexpr double kUnevenTime = 0.02;
   auto& [dt, band, decimate] = plan.filter;
   const double rate = 1 / dt;
-  const bool derivatives_missing = !plan.layout().has_rates || !plan.layout().has_accelerations;
+  const bool derivatives_missing = !plan.layout().has_all_derivatives();
   if (options.band) {
     band = *options.band;
   } else if (derivatives_missing) {
@@ -172,15 +172,17 @@ double rest_speed_of(const StreamPlan& plan, const LogSurvey& log, int position,
 
 void set_rest_speeds(StreamPlan& plan, const LogSurvey& log, const Mechanism& mechanism,
                      const std::vector<double>& given, const Place& place, Diagnostics& diagnostics) {
-  const auto n = static_cast<std::size_t>(mechanism.size());
+  const std::size_t n = mechanism.joints().size();
   if (given.size() > 1 && given.size() != n) {
     diagnostics.error(place, fmt::format("--rest-speed has {} numbers, and the robot has {} joints", given.size(), n),
                       "one number for all joints, or one for each");
     return;
   }
+  const int base = mechanism.base_bodies();
+  plan.rest_speed.assign(static_cast<std::size_t>(base), 0);
   for (std::size_t i = 0; i < n; ++i) {
     const auto joint = static_cast<int>(i);
-    double speed = log.moves ? rest_speed_of(plan, log, mechanism.position_of(joint), joint) : 0;
+    double speed = log.moves ? rest_speed_of(plan, log, mechanism.position_of(base + joint), joint) : 0;
     if (!given.empty()) speed = given.size() == 1 ? given.front() : given[i];
     plan.rest_speed.push_back(speed);
   }
@@ -194,6 +196,7 @@ StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechan
   StreamPlan plan;
   if (diagnostics.has_errors()) return plan;
   plan.heading = reader.heading();
+  plan.sensors = base_sensors(mechanism, options.imu);
   const std::vector<SurveyedSample> samples = first_samples(reader);
   if (diagnostics.has_errors()) return plan;
   if (samples.size() < 2) {
@@ -215,11 +218,11 @@ StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechan
   plan.moves = found.moves;
   set_rest_speeds(plan, found, mechanism, options.rest_speed, heading, diagnostics);
   const LogLayout& layout = plan.layout();
-  const auto channels = [](const std::vector<ChannelNoise>& of, int first, int count) {
-    return std::vector<ChannelNoise>(of.begin() + first, of.begin() + first + count);
-  };
-  plan.q_noise = channels(found.all, LogLayout::q(), layout.positions);
-  if (layout.has_torques) plan.tau_noise = channels(found.typical, layout.tau(), layout.joints);
+  plan.noise = found.all;
+  if (layout.has_torques) {
+    const auto first = found.typical.begin() + layout.tau();
+    plan.tau_noise.assign(first, first + layout.rates());
+  }
   return plan;
 }
 

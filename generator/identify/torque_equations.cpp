@@ -10,19 +10,23 @@ namespace flatdyn {
 TorqueEquations::TorqueEquations(const TorqueModel& model, FurtherParameters further)
     : model_(model),
       further_(std::move(further)),
-      terms_(static_cast<std::size_t>(model.joints())),
-      y_(static_cast<std::size_t>(model.joints() * model.parameters())) {
-  for (const int index : model.base().columns) names_.push_back(parameter_name(index));
-  for (int i = 0; i < model.joints(); ++i) add_joint(i);
-  for (int i = 0; i < model.joints() && further_.offsets; ++i) {
-    terms_[static_cast<std::size_t>(i)].push_back({add_name(fmt::format("offset{}", i + 1)), Term::Kind::constant});
+      terms_(static_cast<std::size_t>(model.equations())),
+      y_(static_cast<std::size_t>(model.equations() * model.parameters())) {
+  for (const int index : model.base().columns) names_.push_back(parameter_name(index, model.first_joint()));
+  for (int i = 0; i < model.equations(); ++i) add_joint(i);
+  for (int i = model.first_joint(); i < model.equations() && further_.offsets; ++i) {
+    terms_[static_cast<std::size_t>(i)].push_back({add_name(name_of("offset", i)), Term::Kind::constant});
   }
-  for (int i = 0; i < model.joints() && further_.springs; ++i) add_spring(i);
+  for (int i = model.first_joint(); i < model.equations() && further_.springs; ++i) add_spring(i);
   const auto before = static_cast<int>(names_.size());
   add_corrections();
   parameters_ = static_cast<int>(names_.size());
   corrections_ = parameters_ - before;
   place_terms();
+}
+
+std::string TorqueEquations::name_of(const char* stem, int equation) const {
+  return fmt::format("{}{}", stem, equation - model_.first_joint() + 1);
 }
 
 int TorqueEquations::add_name(std::string name) {
@@ -59,29 +63,28 @@ void TorqueEquations::add_joint(int joint) {
 }
 
 void TorqueEquations::add_law(int joint) {
-  const std::string number = std::to_string(joint + 1);
   if (!further_.dictionary.empty()) {
     const auto law = further_.law == FrictionLaw::smooth ? FrictionEntry::Law::smooth : FrictionEntry::Law::stribeck;
     for (const double each : further_.dictionary[static_cast<std::size_t>(joint)]) {
-      add_friction(joint, add_name(fmt::format("F{}({})", number, each)), law);
+      add_friction(joint, add_name(fmt::format("{}({})", name_of("F", joint), each)), law);
       terms_[static_cast<std::size_t>(joint)].back().friction.speed = each;
     }
   } else if (further_.law == FrictionLaw::asymmetric) {
-    add_friction(joint, add_name("Fa" + number), FrictionEntry::Law::asymmetry);
+    add_friction(joint, add_name(name_of("Fa", joint)), FrictionEntry::Law::asymmetry);
   } else if (further_.law == FrictionLaw::stribeck) {
-    add_friction(joint, add_name("Fb" + number), FrictionEntry::Law::stribeck);
+    add_friction(joint, add_name(name_of("Fb", joint)), FrictionEntry::Law::stribeck);
   }
 }
 
 // k q - k q_0, linear in k and k q_0.
 void TorqueEquations::add_spring(int joint) {
   std::vector<Term>& terms = terms_[static_cast<std::size_t>(joint)];
-  terms.push_back({add_name(fmt::format("k{}", joint + 1)), Term::Kind::position});
-  terms.push_back({add_name(fmt::format("kq{}", joint + 1)), Term::Kind::relaxed});
+  terms.push_back({add_name(name_of("k", joint)), Term::Kind::position});
+  terms.push_back({add_name(name_of("kq", joint)), Term::Kind::relaxed});
 }
 
 int TorqueEquations::static_parameters() const {
-  return further_.springs ? 2 * equations() : further_.offsets ? equations() : 0;
+  return further_.springs ? 2 * model_.joints() : further_.offsets ? model_.joints() : 0;
 }
 
 void TorqueEquations::add_corrections() {
@@ -89,7 +92,7 @@ void TorqueEquations::add_corrections() {
       further_.law == FrictionLaw::smooth ? FrictionEntry::Law::smooth_slope : FrictionEntry::Law::stribeck_slope;
   for (std::size_t i = 0; i < further_.speed_factors.size(); ++i) {
     const double factor = further_.speed_factors[i];
-    if (factor != 0) add_friction(static_cast<int>(i), add_name(fmt::format("v{}", i + 1)), law, factor);
+    if (factor != 0) add_friction(static_cast<int>(i), add_name(name_of("v", static_cast<int>(i))), law, factor);
   }
   for (int k = 0; further_.gravity && k < further_.gravity->size(); ++k) {
     const int column = add_name(fmt::format("gravity{}", k + 1));
@@ -153,7 +156,7 @@ void TorqueEquations::evaluate(const MeasuredMotion& motion, double* entries, do
       const bool is_of_model = term.column < model_.parameters();
       *entries++ = is_of_model                         ? row[term.column]
                    : term.kind == Term::Kind::gravity  ? of_gravity(static_cast<Eigen::Index>(i), term.slope)
-                   : term.kind == Term::Kind::position ? motion.q[i]
+                   : term.kind == Term::Kind::position ? motion.q[static_cast<int>(i) - model_.first_joint()]
                    : term.kind == Term::Kind::relaxed  ? -1
                                                        : 1;
     }
@@ -162,7 +165,7 @@ void TorqueEquations::evaluate(const MeasuredMotion& motion, double* entries, do
   if (motion.h_e != nullptr) {
     model_.tip_torque(motion.q, motion.h_e, known);
   } else {
-    std::fill(known, known + model_.joints(), 0.0);
+    std::fill(known, known + model_.equations(), 0.0);
   }
   if (!further_.springs) model_.add_springs(motion.q, known);
 }

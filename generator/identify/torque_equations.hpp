@@ -30,7 +30,8 @@ struct FurtherParameters {
   bool springs = false;  // the stiffness k of each joint's spring and k q_0; not with offsets, which say the same
 };
 
-// Y_b(q, q̇, q̈) π_b + J_eᵀ h_e = τ, (7.81), with one equation per joint. Behind π_b come the law's further parameter of
+// Y_b(q, q̇, q̈) π_b + J_eᵀ h_e = τ, (7.81), with one equation per joint, after six of a floating base's force, which are
+// used where the log has it. Behind π_b come the law's further parameter of
 // each joint that has friction (F_a or F_b), or the dictionary's, then the offsets, or k and k q_0 of each joint's
 // spring, and then corrections: of v by joint (rad/s or m/s), of gravity's direction (GravityColumns), and of the delay
 // (s).
@@ -49,12 +50,17 @@ class TorqueEquations : public EquationModel {
   // The file's π_b, its springs, and zeros elsewhere behind it.
   Eigen::VectorXd file_values() const;
   AccelerationRows acceleration_rows() const;
+  // The name of a further parameter of an equation: joints are counted from 1, as in parameter_name().
+  std::string name_of(const char* stem, int equation) const;
 
   // Asks for the entries of Y along the slow motion.
   void set_instruments() { has_instruments_ = true; }
 
   void evaluate(const MeasuredMotion& motion, double* entries, double* known) const override;
   int measured(const LogLayout& layout) const override { return layout.tau(); }
+  bool is_measured(const LogLayout& layout, int equation) const override {
+    return layout.has_base_force || equation >= layout.base;
+  }
 
  private:
   // An entry of an equation.

@@ -5,6 +5,7 @@
 
 #include "emit/languages/emit.hpp"
 #include "input/common/content_hash.hpp"
+#include "input/csv/names.hpp"
 #include "planning/make_functions.hpp"
 #include "symbolic/notation/number_text.hpp"
 #include "verify/compiled.hpp"
@@ -19,6 +20,13 @@ LoadedRobot with_mechanism(const LoadedRobot& model, Mechanism mechanism) {
   LoadedRobot changed = model;
   changed.mechanism = std::move(mechanism);
   return changed;
+}
+
+// Without gravity where it is part of the base's acceleration.
+LoadedRobot as_derived(const LoadedRobot& model) {
+  LoadedRobot derived = model;
+  if (model.mechanism.floating_base) derived.mechanism.gravity = zero_vector();
+  return derived;
 }
 
 std::vector<std::vector<int>> nonzero_columns(const Function& regressor) {
@@ -38,7 +46,7 @@ Eigen::VectorXd coordinate_factors(const Mechanism& mechanism, int body, int coo
   Eigen::VectorXd factors = Eigen::VectorXd::Zero(coordinates);
   for (int k = 0; k < coordinates; ++k) {
     factors(k) = !mechanism.is_coupled()
-                     ? static_cast<double>(k == body)
+                     ? static_cast<double>(k == body - mechanism.base_bodies())
                      : nearest_double(mechanism.coupling[static_cast<std::size_t>(body)][static_cast<std::size_t>(k)]);
   }
   return factors;
@@ -49,16 +57,17 @@ Eigen::VectorXd coordinate_factors(const Mechanism& mechanism, int body, int coo
 TorqueModel::TorqueModel(const LoadedRobot& model, ParameterSet set, Progress& progress)
     : model_(with_mechanism(model, with_parameter_set(model.mechanism, set))) {
   require_numbers(model.robot, "measured motion");
-  base_ = base_parameters(model_.mechanism);
+  const LoadedRobot derived = as_derived(model_);
+  base_ = base_parameters(derived.mechanism);
   for (const Number& value : base_values(model.mechanism, base_)) {
     file_values_.push_back(nearest_double(value));
   }
   PipelineOptions options;
   options.functions = {"base_regressor", "jacobian"};
   Diagnostics none;
-  const std::vector<Function> functions = functions_of(make_functions(model_, options, progress, none));
+  const std::vector<Function> functions = functions_of(make_functions(derived, options, progress, none));
   columns_ = nonzero_columns(functions[kRegressor]);
-  const int n = joints();
+  const int n = static_cast<int>(mechanism().joints().size());
   stiffness_ = Eigen::MatrixXd::Zero(n, n);
   relaxed_ = Eigen::VectorXd::Zero(n);
   for (int i = 0; i < model.mechanism.body_count(); ++i) {
@@ -69,11 +78,31 @@ TorqueModel::TorqueModel(const LoadedRobot& model, ParameterSet set, Progress& p
     relaxed_ += nearest_double(body.stiffness * body.spring_reference) * factors;
   }
   progress.step("compiling the regressor");
-  compiled_ = std::make_unique<CompiledFunctions>(model_.mechanism, functions);
-  fingerprint_ = content_hash({emit_cpp(model_.mechanism, functions, {})});
+  compiled_ = std::make_unique<CompiledFunctions>(derived.mechanism, functions);
+  fingerprint_ = content_hash({emit_cpp(derived.mechanism, functions, {})});
 }
 
 TorqueModel::~TorqueModel() = default;
+
+std::string TorqueModel::name_of(int equation) const {
+  const std::string of_base = base_name_of(CsvQuantity::tau, equation, mechanism());
+  return of_base.empty() ? mechanism().joint(equation).joint : of_base;
+}
+
+std::string TorqueModel::parameter_name_of(int k) const {
+  return parameter_name(base_.columns[static_cast<std::size_t>(k)], first_joint());
+}
+
+const Body& TorqueModel::body_of_parameter(int k) const {
+  return mechanism().bodies[static_cast<std::size_t>(joint_of(base_.columns[static_cast<std::size_t>(k)]))];
+}
+
+std::string TorqueModel::subject_of(int equation) const {
+  constexpr int kDirections = 3;
+  if (equation >= first_joint()) return fmt::format("joint \"{}\"", mechanism().joint(equation).joint);
+  return fmt::format("the base's {} {}", equation < kDirections ? "force along" : "moment about",
+                     "xyz"[equation % kDirections]);
+}
 
 void TorqueModel::regressor(const double* q, const double* qd, const double* qdd, double* y) const {
   const double* const in[] = {q, qd, qdd};
@@ -82,13 +111,14 @@ void TorqueModel::regressor(const double* q, const double* qd, const double* qdd
 
 void TorqueModel::add_springs(const double* q, double* tau) const {
   if (stiffness_.isZero(0)) return;
-  const int n = joints();
-  Eigen::Map<Eigen::VectorXd>(tau, n) += stiffness_ * Eigen::Map<const Eigen::VectorXd>(q, n) - relaxed_;
+  const Eigen::Index n = relaxed_.size();
+  Eigen::Map<Eigen::VectorXd>(tau + first_joint(), n) +=
+      stiffness_ * Eigen::Map<const Eigen::VectorXd>(q, n) - relaxed_;
 }
 
 std::vector<Eigen::MatrixXd> TorqueModel::acceleration_rows(const double* q) const {
   using RowByRow = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const int n = joints();
+  const int n = equations();
   RowByRow y(n, parameters()), at_rest(n, parameters());
   const std::vector<double> still(static_cast<std::size_t>(n), 0);
   regressor(q, still.data(), still.data(), at_rest.data());
@@ -104,7 +134,7 @@ std::vector<Eigen::MatrixXd> TorqueModel::acceleration_rows(const double* q) con
 
 void TorqueModel::tip_torque(const double* q, const double* h_e, double* tau) const {
   constexpr int kWrench = 6;
-  const int n = joints();
+  const int n = equations();
   std::vector<double> jacobian(static_cast<std::size_t>(kWrench * n));
   const double* const in[] = {q};
   compiled_->evaluate(kJacobian, in, jacobian.data());

@@ -58,8 +58,14 @@ std::optional<BaseLimits> read_base_limits(TomlTable& table, Diagnostics& diagno
     }
     return limit;
   };
+  const auto read_range = [&](const char* key, Quantity quantity, Limits& limits) {
+    limits.upper = limits.lower = read(key, quantity);
+    if (limits.lower) limits.lower->number = -limits.lower->number;
+  };
   BaseLimits limits;
   limits.place = given->place();
+  read_range("displacement", Quantity::length, limits.linear);
+  read_range("turn", Quantity::angle, limits.angular);
   limits.linear.velocity = read("linear_velocity", Quantity::length);
   limits.linear.acceleration = read("linear_acceleration", Quantity::length);
   limits.linear.effort = read("force", Quantity::other);

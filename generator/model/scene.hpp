@@ -36,9 +36,10 @@ struct SceneLimits {
 };
 
 // Limits of a floating base: the largest size of each component, in base axes, of its velocity (m/s, rad/s), of the
-// derivatives of these (m/s^2, rad/s^2), and of the force and moment on it (N, N m).
+// derivatives of these (m/s^2, rad/s^2), and of the force and moment on it (N, N m); and how far a planned motion may
+// bring it from where it begins, along each axis and by roll, pitch and yaw (m, rad).
 struct BaseLimits {
-  Limits linear, angular;  // of these velocity, acceleration and effort
+  Limits linear, angular;
   Place place;
 };
 

@@ -8,6 +8,8 @@
 #include <numeric>
 
 #include "diagnostics/table.hpp"
+#include "identify/base_coordinates.hpp"
+#include "input/csv/names.hpp"
 #include "plot/time_table.hpp"
 #include "report/combination_table.hpp"
 
@@ -28,12 +30,19 @@ std::string most_used(const LimitUse& use) {
       ->second;
 }
 
+// The joint's name, or that of a coordinate of a floating base.
+std::string coordinate_name(const Mechanism& mechanism, int coordinate) {
+  static const char* const kOfBase[] = {"base_x", "base_y", "base_z", "base_roll", "base_pitch", "base_yaw"};
+  return coordinate < mechanism.base_bodies() ? kOfBase[coordinate] : mechanism.joint(coordinate).joint;
+}
+
 std::string use_table(const Mechanism& mechanism, const std::vector<LimitUse>& use) {
   std::vector<std::vector<std::string>> rows = {{"joint", "position", "speed", "acceleration", "torque", "most used"}};
   for (std::size_t i = 0; i < use.size(); ++i) {
-    const Body& body = mechanism.joints()[i];
-    rows.push_back({body.joint, percent(use[i].position), percent(use[i].speed), percent(use[i].acceleration),
-                    body.limits.effort ? percent(use[i].torque) : "-", most_used(use[i])});
+    const auto coordinate = static_cast<int>(i);
+    rows.push_back({coordinate_name(mechanism, coordinate), percent(use[i].position), percent(use[i].speed),
+                    percent(use[i].acceleration),
+                    mechanism.joint(coordinate).limits.effort ? percent(use[i].torque) : "-", most_used(use[i])});
   }
   return aligned_table(rows);
 }
@@ -55,10 +64,12 @@ double sign_of(const Eigen::VectorXd& direction) {
   return std::copysign(1, direction(largest));
 }
 
-std::string weakest_table(const TorqueModel& model, const Eigen::VectorXd& weakest, ParameterFrames frames) {
+std::string weakest_table(const MotionEquations& equations, const Eigen::VectorXd& weakest, ParameterFrames frames) {
+  const TorqueModel& model = equations.model();
   std::vector<CombinationRow> rows;
   for (const int k : weakest_first(weakest)) {
-    rows.push_back({k, {std::to_string(k), fmt::format("{:+.2f}", sign_of(weakest) * weakest(k))}});
+    const int column = equations.columns()[static_cast<std::size_t>(k)];
+    rows.push_back({column, {std::to_string(column), fmt::format("{:+.2f}", sign_of(weakest) * weakest(k))}});
   }
   const Combinations combinations(model.mechanism(), model.base(), frames);
   return combination_table({"pi_b", "part"}, rows, combinations) + note_on_frames(model.mechanism(), frames);
@@ -94,14 +105,46 @@ Panel motion_panel(const Mechanism& mechanism, const std::string& title, const s
   return panel;
 }
 
+// A sample as CSV has it: of a floating base, its pose before q, and its twist and the derivative of that.
+struct WrittenMotion {
+  std::vector<double> q, qd, qdd;
+
+  WrittenMotion(const FourierMotion& sample, int base) : q(sample.q), qd(sample.qd), qdd(sample.qdd) {
+    if (base == 0) return;
+    const BaseState state = base_state(sample.q.data(), sample.qd.data(), sample.qdd.data());
+    std::copy(state.twist.begin(), state.twist.end(), qd.begin());
+    std::copy(state.twist_rates.begin(), state.twist_rates.end(), qdd.begin());
+    const Eigen::Quaterniond& turn = state.turn;
+    q.erase(q.begin(), q.begin() + base);
+    q.insert(q.begin(), {state.place.x(), state.place.y(), state.place.z(), turn.w(), turn.x(), turn.y(), turn.z()});
+  }
+};
+
+void add_base_panels(const std::vector<double>& times, std::vector<Panel>& panels) {
+  const auto add = [&](const char* title, const char* label, std::initializer_list<const char*> names) {
+    Panel panel{title, "t in s", label, {}};
+    for (const char* name : names) panel.series.push_back({name, times, {}});
+    panels.push_back(std::move(panel));
+  };
+  add("base: position", "p in m", {"x", "y", "z"});
+  add("base: orientation", "angle in rad", {"roll", "pitch", "yaw"});
+  add("base: expected force", "f in N", {"f_x", "f_y", "f_z"});
+  add("base: expected moment", "n in N m", {"n_x", "n_y", "n_z"});
+}
+
 }  // namespace
 
-std::string describe_excitation(const TorqueModel& model, const Excitation& excitation,
+std::string describe_excitation(const MotionEquations& equations, const Excitation& excitation,
                                 const std::optional<LoggedInformation>& logged, ParameterFrames frames) {
+  const TorqueModel& model = equations.model();
   const PlannedMotion& motion = excitation.motion;
   std::string text =
-      fmt::format("{} base parameters, {} samples, {} evaluations{}\n\n", model.parameters(), motion.samples.size(),
-                  excitation.evaluations, excitation.out_of_time ? " (ended by --time)" : "");
+      fmt::format("{} base parameters{}, {} samples, {} evaluations{}\n\n", equations.parameters(),
+                  equations.parameters() < model.parameters()
+                      ? fmt::format(" of {} ({} need the force on the base)", model.parameters(),
+                                    model.parameters() - equations.parameters())
+                      : "",
+                  motion.samples.size(), excitation.evaluations, excitation.out_of_time ? " (ended by --time)" : "");
   const Conditioning &before = excitation.start.conditioning, &after = motion.conditioning;
   text += aligned_table(
       {{"condition number", "random start", "found"},
@@ -116,11 +159,12 @@ std::string describe_excitation(const TorqueModel& model, const Excitation& exci
   }
   text += "\nlargest part of each limit that is used:\n" + use_table(model.mechanism(), motion.use);
   return text + "\nthe motion shows least, of all combinations of the parameters:\n" +
-         weakest_table(model, after.weakest, frames);
+         weakest_table(equations, after.weakest, frames);
 }
 
-nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitation& excitation,
+nlohmann::ordered_json excitation_json(const MotionEquations& equations, const Excitation& excitation,
                                        const std::optional<LoggedInformation>& logged, ParameterFrames frames) {
+  const TorqueModel& model = equations.model();
   const auto numbers = [](const PlannedMotion& motion) {
     return nlohmann::ordered_json{{"relative", motion.conditioning.relative},
                                   {"scaled", motion.conditioning.scaled},
@@ -129,7 +173,7 @@ nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitatio
   const PlannedMotion& motion = excitation.motion;
   const Eigen::VectorXd to_start = ratios_of_deviations(excitation, excitation.start.conditioning);
   nlohmann::ordered_json json = {{"robot", model.mechanism().name},
-                                 {"base_parameters", model.parameters()},
+                                 {"base_parameters", equations.parameters()},
                                  {"samples", motion.samples.size()},
                                  {"evaluations", excitation.evaluations},
                                  {"out_of_time", excitation.out_of_time},
@@ -142,7 +186,7 @@ nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitatio
   }
   for (std::size_t i = 0; i < motion.use.size(); ++i) {
     const LimitUse& use = motion.use[i];
-    json["limits_used"].push_back({{"joint", model.mechanism().joints()[i].joint},
+    json["limits_used"].push_back({{"joint", coordinate_name(model.mechanism(), static_cast<int>(i))},
                                    {"position", use.position},
                                    {"speed", use.speed},
                                    {"acceleration", use.acceleration},
@@ -153,9 +197,10 @@ nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitatio
   const Combinations in_file(model.mechanism(), model.base(), frames);
   json["frames"] = name_of(frames);
   for (const int k : weakest_first(weakest)) {
+    const int column = equations.columns()[static_cast<std::size_t>(k)];
     json["weakest"].push_back(
-        {{"pi_b", k}, {"combination", canonical.text(k)}, {"part", sign_of(weakest) * weakest(k)}});
-    if (frames == ParameterFrames::file) json["weakest"].back()["file_combination"] = in_file.text(k);
+        {{"pi_b", column}, {"combination", canonical.text(column)}, {"part", sign_of(weakest) * weakest(k)}});
+    if (frames == ParameterFrames::file) json["weakest"].back()["file_combination"] = in_file.text(column);
   }
   for (const FourierSeries& series : motion.trajectory.series()) {
     json["series"].push_back({{"a", series.a}, {"b", series.b}});
@@ -163,24 +208,35 @@ nlohmann::ordered_json excitation_json(const TorqueModel& model, const Excitatio
   return json;
 }
 
-std::string excitation_csv(const PlannedMotion& motion) {
+std::string excitation_csv(const MotionEquations& equations, const PlannedMotion& motion) {
+  const Mechanism& mechanism = equations.model().mechanism();
+  const int base = mechanism.base_bodies();
   std::string text = "t";
-  for (const char* name : {"q", "qd", "qdd", "tau"}) {
-    for (int i = 1; i <= motion.trajectory.joints(); ++i) text += fmt::format(",{}{}", name, i);
+  for (int i = 0; i < length_of(CsvQuantity::pose, mechanism); ++i) {
+    text += "," + base_name_of(CsvQuantity::pose, i, mechanism);
+  }
+  for (int i = 1; i <= equations.coordinates() - base; ++i) text += fmt::format(",q{}", i);
+  for (const CsvQuantity quantity : {CsvQuantity::qd, CsvQuantity::qdd, CsvQuantity::tau}) {
+    for (int i = 0; i < equations.coordinates(); ++i) {
+      const std::string of_base = base_name_of(quantity, i, mechanism);
+      text += "," + (of_base.empty() ? fmt::format("{}{}", stem_of(quantity), i + 1) : of_base);
+    }
   }
   text += "\n";
   for (std::size_t k = 0; k < motion.samples.size(); ++k) {
+    const WrittenMotion written(motion.samples[k], base);
     std::string line = fmt::format("{}", motion.time(k));
-    append(line, motion.samples[k].q);
-    append(line, motion.samples[k].qd);
-    append(line, motion.samples[k].qdd);
+    append(line, written.q);
+    append(line, written.qd);
+    append(line, written.qdd);
     append(line, motion.torques[k]);
     text += line + "\n";
   }
   return text;
 }
 
-std::string excitation_plot(const Mechanism& mechanism, const PlannedMotion& motion) {
+std::string excitation_plot(const MotionEquations& equations, const PlannedMotion& motion) {
+  const Mechanism& mechanism = equations.model().mechanism();
   const std::size_t step = std::max<std::size_t>(1, (motion.samples.size() - 1) / kPointsPerCurve);
   std::vector<double> times;
   for (std::size_t k = 0; k < motion.samples.size(); k += step) times.push_back(motion.time(k));
@@ -188,11 +244,18 @@ std::string excitation_plot(const Mechanism& mechanism, const PlannedMotion& mot
       motion_panel(mechanism, "positions", "q in " + unit_of(mechanism, "rad", "m"), times),
       motion_panel(mechanism, "speeds", "dq/dt in " + unit_of(mechanism, "rad/s", "m/s"), times),
       motion_panel(mechanism, "expected torques", "tau in " + unit_of(mechanism, "N m", "N"), times)};
-  for (std::size_t i = 0; i < mechanism.joints().size(); ++i) {
-    for (std::size_t k = 0; k < motion.samples.size(); k += step) {
-      panels[0].series[i].y.push_back(motion.samples[k].q[i]);
-      panels[1].series[i].y.push_back(motion.samples[k].qd[i]);
-      panels[2].series[i].y.push_back(motion.torques[k][i]);
+  const auto base = static_cast<std::size_t>(mechanism.base_bodies());
+  if (base > 0) add_base_panels(times, panels);
+  for (std::size_t k = 0; k < motion.samples.size(); k += step) {
+    const FourierMotion& sample = motion.samples[k];
+    for (std::size_t i = base; i < sample.q.size(); ++i) {
+      panels[0].series[i - base].y.push_back(sample.q[i]);
+      panels[1].series[i - base].y.push_back(sample.qd[i]);
+      panels[2].series[i - base].y.push_back(motion.torques[k][i]);
+    }
+    for (std::size_t i = 0; i < base; ++i) {
+      panels[3 + i / 3].series[i % 3].y.push_back(sample.q[i]);
+      panels[5 + i / 3].series[i % 3].y.push_back(motion.torques[k][i]);
     }
   }
   return svg_plot(mechanism.name + ": exciting motion", panels);

@@ -7,6 +7,18 @@
 #include <iterator>
 
 namespace flatdyn {
+namespace {
+
+// The first six entries of q̇ and q̈ of a floating base (base_motion.hpp).
+constexpr const char* kBaseRates[] = {"zero_x", "zero_y", "zero_z", "base_wx", "base_wy", "base_wz"};
+constexpr const char* kBaseAccelerations[] = {"imu_ax", "imu_ay", "imu_az", "base_dwx", "base_dwy", "base_dwz"};
+
+std::string base_or_number(const Mechanism& mechanism, const char* const (&of_base)[6], const char* stem, int entry) {
+  return entry < mechanism.base_bodies() ? of_base[entry] : fmt::format("{}{}", stem, entry + 1);
+}
+
+}  // namespace
+
 std::string covariance_csv(const TorqueEquations& equations, const Estimate& estimate) {
   std::string text = "parameter";
   auto out = std::back_inserter(text);
@@ -28,8 +40,11 @@ SignalTable::SignalTable(const TorqueEquations& equations, Eigen::VectorXd value
   const Mechanism& mechanism = equations.model().mechanism();
   auto out = std::back_inserter(text_);
   for (int i = 1; i <= mechanism.position_count(); ++i) fmt::format_to(out, ",q{}", i);
-  for (const char* name : {"qd", "qdd", "tau", "model", "used"}) {
-    for (int i = 1; i <= mechanism.size(); ++i) fmt::format_to(out, ",{}{}", name, i);
+  const int rates = mechanism.size();
+  for (int i = 0; i < rates; ++i) text_ += "," + base_or_number(mechanism, kBaseRates, "qd", i);
+  for (int i = 0; i < rates; ++i) text_ += "," + base_or_number(mechanism, kBaseAccelerations, "qdd", i);
+  for (const char* name : {"tau", "model", "used"}) {
+    for (int i = 1; i <= rates; ++i) fmt::format_to(out, ",{}{}", name, i);
   }
   text_ += '\n';
 }
@@ -41,16 +56,16 @@ void SignalTable::add(const FilteredEquations& filtered, int log) {
   };
   fmt::format_to(out, "{},{:.10g}", log + 1, filtered.motion.time);
   put(filtered.motion.q, filtered.positions);
-  put(filtered.motion.qd, filtered.joints);
-  put(filtered.motion.qdd, filtered.joints);
-  put(filtered.right, filtered.joints);
+  put(filtered.motion.qd, filtered.rates);
+  put(filtered.motion.qdd, filtered.rates);
+  put(filtered.right, filtered.rates);
   const double* entries = filtered.entries;
   for (const std::vector<int>& columns : equations_.columns()) {
     double torque = 0;
     for (const int column : columns) torque += *entries++ * values_[column];
     put(&torque, 1);
   }
-  for (std::size_t i = 0; i < filtered.joints; ++i) fmt::format_to(out, ",{}", filtered.used[i] != 0 ? 1 : 0);
+  for (std::size_t i = 0; i < filtered.rates; ++i) fmt::format_to(out, ",{}", filtered.used[i] != 0 ? 1 : 0);
   text_ += '\n';
 }
 

@@ -58,14 +58,14 @@ std::string torque_table(const TorqueModel& model, const Identification& found) 
   std::vector<std::vector<std::string>> rows = {{"joint", "torque (rms)", "residual (rms)", "explained", "noise ratio",
                                                  "correlation", "residual of the links", "rests below", "used"}};
   const std::vector<double> rest_speeds = found.measurement.rest_speeds();
-  for (int i = 0; i < model.joints(); ++i) {
+  for (int i = first_equation(model, found.measurement.observations); i < model.equations(); ++i) {
     const JointObservations& joint = found.measurement.observations.joints[static_cast<std::size_t>(i)];
     const double torque = joint.rms_torque(), residual = joint.rms_residual(found.estimate.values);
     const double part = torque > 0 ? residual / torque : 0;
     const JointFit& fit = found.fits[static_cast<std::size_t>(i)];
-    rows.push_back({model.mechanism().joints()[static_cast<std::size_t>(i)].joint, fmt::format("{:.4g}", torque),
-                    fmt::format("{:.3g}", residual), fmt::format("{:.4g} %", 100 * (1 - part * part)),
-                    fmt::format("{:.3g}", fit.ratio), fmt::format("{:.2f}", fit.correlation),
+    rows.push_back({model.name_of(i), fmt::format("{:.4g}", torque), fmt::format("{:.3g}", residual),
+                    fmt::format("{:.4g} %", 100 * (1 - part * part)), fmt::format("{:.3g}", fit.ratio),
+                    fmt::format("{:.2f}", fit.correlation),
                     fmt::format("{:.3g}", joint.rms_residual(found.physical_values())),
                     fmt::format("{:.2g}", rest_speeds[static_cast<std::size_t>(i)]),
                     fmt::format("{:.3g} %", 100.0 * static_cast<double>(joint.rows) /
@@ -95,7 +95,7 @@ std::string speeds_text(const TorqueEquations& equations, const NonlinearUnknown
                               : "friction is F_v qd + (F_s + F_b exp(-(qd/v)^2)) sgn qd";
   std::string text = fmt::format("{}, with v in rad/s or m/s, by joint (and its std dev):", law);
   const std::vector<double>& speeds = equations.further().speeds;
-  for (std::size_t i = 0; i < speeds.size(); ++i) {
+  for (auto i = static_cast<std::size_t>(equations.model().first_joint()); i < speeds.size(); ++i) {
     text += fmt::format(" {:.3g}", speeds[i]);
     if (i < unknowns.speed_deviations.size() && std::isfinite(unknowns.speed_deviations[i])) {
       text += fmt::format(" ({:.2g})", unknowns.speed_deviations[i]);
@@ -213,14 +213,15 @@ std::string validation_text(const TorqueModel& model, const Identification& foun
   std::vector<std::vector<std::string>> rows = {{"validation", "torque (rms)", "residual (rms)", "explained",
                                                  "noise ratio", "correlation", "of the links", "used"}};
   double worst = 0;
-  std::size_t of_joint = 0;
-  for (std::size_t i = 0; i < found.validation_fits.size(); ++i) {
+  auto of_joint = static_cast<std::size_t>(model.first_joint());
+  for (auto i = static_cast<std::size_t>(first_equation(model, found.validation->observations));
+       i < found.validation_fits.size(); ++i) {
     const JointObservations& joint = found.validation->observations.joints[i];
     const double torque = joint.rms_torque(), residual = joint.rms_residual(found.estimate.values);
     const double part = torque > 0 ? residual / torque : 0;
     const double before = found.measurement.observations.joints[i].rms_residual(found.estimate.values);
     if (before > 0 && residual / before > worst) std::tie(worst, of_joint) = std::pair(residual / before, i);
-    rows.push_back({model.mechanism().joints()[i].joint, fmt::format("{:.4g}", torque), fmt::format("{:.3g}", residual),
+    rows.push_back({model.name_of(static_cast<int>(i)), fmt::format("{:.4g}", torque), fmt::format("{:.3g}", residual),
                     fmt::format("{:.4g} %", 100 * (1 - part * part)),
                     fmt::format("{:.3g}", found.validation_fits[i].ratio),
                     fmt::format("{:.2f}", found.validation_fits[i].correlation),
@@ -232,7 +233,7 @@ std::string validation_text(const TorqueModel& model, const Identification& foun
          fmt::format(
              "{}: residuals are at most {:.2g} times those of the log that the parameters come from (joint {}).\n",
              worst < kMuch ? "The parameters hold for other motions" : "The parameters do not hold for this motion",
-             worst, model.mechanism().joints()[of_joint].joint);
+             worst, model.name_of(static_cast<int>(of_joint)));
 }
 
 }  // namespace
@@ -254,7 +255,7 @@ nlohmann::ordered_json joints_json(const TorqueModel& model, const Observations&
   nlohmann::ordered_json list;
   for (std::size_t i = 0; i < fits.size(); ++i) {
     const JointObservations& joint = observations.joints[i];
-    list.push_back({{"name", model.mechanism().joints()[i].joint},
+    list.push_back({{"name", model.name_of(static_cast<int>(i))},
                     {"rms_torque", joint.rms_torque()},
                     {"rms_residual", joint.rms_residual(found.estimate.values)},
                     {"rms_residual_of_links", joint.rms_residual(found.physical_values())},
@@ -263,6 +264,12 @@ nlohmann::ordered_json joints_json(const TorqueModel& model, const Observations&
                     {"residual_correlation", fits[i].correlation}});
   }
   return list;
+}
+
+// Without the entries of a floating base.
+std::vector<double> of_joints(const TorqueModel& model, const std::vector<double>& by_equation) {
+  if (by_equation.empty()) return {};
+  return {by_equation.begin() + model.first_joint(), by_equation.end()};
 }
 
 void add_parameters(const TorqueEquations& equations, const Identification& found, ParameterFrames frames,
@@ -291,8 +298,8 @@ void add_parameters(const TorqueEquations& equations, const Identification& foun
                                           {"value_with_links", of_links(k)}});
   }
   const NonlinearUnknowns& unknowns = found.unknowns;
-  json["friction_speeds"] = equations.further().speeds;
-  json["friction_speed_deviations"] = unknowns.speed_deviations;
+  json["friction_speeds"] = of_joints(model, equations.further().speeds);
+  json["friction_speed_deviations"] = of_joints(model, unknowns.speed_deviations);
   json["delay"] = unknowns.delay;
   json["delay_deviation"] = unknowns.delay_deviation;
   if (!unknowns.gravity) return;

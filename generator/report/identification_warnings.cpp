@@ -23,23 +23,23 @@ double largest_rms_torque(const Identification& found) {
 void warn_of_joints(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
   constexpr double kHalf = 0.5, kNoise = 0.05;  // share of the joint's torque, squared; share of the largest torque
   const std::vector<JointObservations>& joints = found.measurement.observations.joints;
-  const auto& bodies = model.mechanism().joints();
   const double largest = largest_rms_torque(found);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const double torque = joints[i].rms_torque(), residual = joints[i].rms_residual(found.estimate.values);
     if (joints[i].rows == 0) continue;
     if (residual * residual < kHalf * torque * torque || residual < kNoise * largest) continue;
-    warning_texts.push_back(fmt::format(
-        "joint \"{}\": the model leaves {:.3g} of {:.3g} {} (rms); units, signs or delays of the log, or the robot's "
-        "geometry, can hardly be right",
-        bodies[i].joint, residual, torque, torque_unit(bodies[i])));
+    warning_texts.push_back(
+        fmt::format("{}: the model leaves {:.3g} of {:.3g} {} (rms); units, signs or delays of the log, or the robot's "
+                    "geometry, can hardly be right",
+                    model.subject_of(static_cast<int>(i)), residual, torque, model.unit_of(static_cast<int>(i))));
   }
 }
 
 // Reports joints whose rows are all left out, although their torques change: they may have moved.
 void warn_of_frozen(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
-  const auto& bodies = model.mechanism().joints();
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  for (int equation = model.first_joint(); equation < model.equations(); ++equation) {
+    const auto i = static_cast<std::size_t>(equation);
+    const Body& body = model.mechanism().joint(equation);
     const JointObservations& joint = found.measurement.observations.joints[i];
     if (joint.rows > 0) continue;
     if (joint.left_out > 0) {
@@ -47,15 +47,15 @@ void warn_of_frozen(const TorqueModel& model, const Identification& found, std::
           fmt::format("joint \"{}\" moves at only {} of {} instants, too few to tell their noise by: it counts as one "
                       "that stands still, and its friction and rotor keep the robot file's values; log a motion in "
                       "which it moves for longer, or faster than {:.2g} {}",
-                      bodies[i].joint, joint.left_out, found.measurement.count.used, found.measurement.rest_speeds()[i],
-                      bodies[i].prismatic ? "m/s" : "rad/s"));
+                      body.joint, joint.left_out, found.measurement.count.used, found.measurement.rest_speeds()[i],
+                      body.prismatic ? "m/s" : "rad/s"));
       continue;
     }
     warning_texts.push_back(
         fmt::format("joint \"{}\" stands still in all of the log: its friction and rotor keep the robot file's values; "
                     "if it moved, "
                     "its encoder is frozen",
-                    bodies[i].joint));
+                    body.joint));
   }
 }
 
@@ -71,7 +71,7 @@ std::vector<std::string> parameters_in_noise(const TorqueModel& model, const Est
       all += square;
       if (each.share >= least) noisy += square;
     }
-    if (noisy > share * all) names.push_back(parameter_name(model.base().columns[static_cast<std::size_t>(k)]));
+    if (noisy > share * all) names.push_back(model.parameter_name_of(k));
   }
   return names;
 }
@@ -113,15 +113,14 @@ bool is_gross(const Identification& found) {
 
 // Reports residuals that are no noise, and the reason that explains them, where there is one.
 void warn_of_fit(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
-  const auto& bodies = model.mechanism().joints();
   std::vector<std::string> bad;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const JointFit& fit = found.fits[i];
+  for (int i = 0; i < model.equations(); ++i) {
+    const JointFit& fit = found.fits[static_cast<std::size_t>(i)];
     if (fit.is_sound()) continue;
-    bad.push_back(fmt::format("{} {:.3g}", bodies[i].joint, fit.ratio));
+    bad.push_back(fmt::format("{} {:.3g}", model.name_of(i), fit.ratio));
     if (!fit.limit) continue;
-    warning_texts.push_back(fmt::format("joint \"{}\": its torques look cut off at {:.3g} {}; leave such times out",
-                                        bodies[i].joint, *fit.limit, torque_unit(bodies[i])));
+    warning_texts.push_back(fmt::format("{}: its torques look cut off at {:.3g} {}; leave such times out",
+                                        model.subject_of(i), *fit.limit, model.unit_of(i)));
   }
   if (found.hypothesis) {
     warning_texts.push_back(found.hypothesis->text);
@@ -148,7 +147,7 @@ void warn_of_coarse_steps(const TorqueModel& model, const Identification& found,
                           std::vector<std::string>& warning_texts) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < found.fits.size(); ++i) {
-    if (found.fits[i].is_of_coarse_steps()) names.push_back(model.mechanism().joints()[i].joint);
+    if (found.fits[i].is_of_coarse_steps()) names.push_back(model.name_of(static_cast<int>(i)));
   }
   if (names.empty()) return;
   warning_texts.push_back(
@@ -171,7 +170,7 @@ void warn_of_signs(const TorqueModel& model, const Estimate& estimate, std::vect
     const bool is_mass = parameter_of(index) == Parameter::m && model.file_values()[static_cast<std::size_t>(k)] > 0;
     if (is_inertial && !is_mass) continue;
     if (estimate.values(k) > -kClearly * estimate.standard_deviations(k)) continue;
-    names.push_back(fmt::format("{} ({})", parameter_name(index), model.mechanism().joint_at(joint_of(index)).joint));
+    names.push_back(fmt::format("{} ({})", model.parameter_name_of(k), model.body_of_parameter(k).joint));
   }
   if (names.empty()) return;
   warning_texts.push_back(
@@ -212,7 +211,7 @@ void warn_of_sizes(const TorqueModel& model, const Estimate& estimate, std::vect
   std::vector<std::string> names;
   for (int k = 0; k < model.parameters(); ++k) {
     const bool is_odd = std::abs(estimate.values(k)) > kMuch * largest;
-    if (is_odd) names.push_back(parameter_name(model.base().columns[static_cast<std::size_t>(k)]));
+    if (is_odd) names.push_back(model.parameter_name_of(k));
   }
   if (names.empty() || largest == 0) return;
   warning_texts.push_back(fmt::format(
@@ -224,7 +223,8 @@ void warn_of_sizes(const TorqueModel& model, const Estimate& estimate, std::vect
 // Whether rotors or friction of some joints are not among the parameters. The model has those that are.
 bool leaves_some_out(const TorqueModel& model) {
   const std::vector<bool> present = parameters_in(model.mechanism(), ParameterSet::given);
-  return std::find(present.begin(), present.end(), false) != present.end();
+  const std::vector<int> all = parameter_indices(model.mechanism());
+  return std::any_of(all.begin(), all.end(), [&](int index) { return !present[static_cast<std::size_t>(index)]; });
 }
 
 // Reports links that are far from π_b, which says something about the log only if the search came to its end.
@@ -250,21 +250,21 @@ void warn_of_search(const PhysicalParameters& physical, std::vector<std::string>
 // Reports links that are far from the estimate, and joints of whose torque they leave more than π_b does.
 void warn_of_links(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
   constexpr double kLarger = 1.5, kRounding = 1e-6;  // factor on the residual; share of the largest torque
-  const auto& bodies = model.mechanism().joints();
   const PhysicalParameters& physical = found.physical;
   // Links have the friction that a joint can have, where the log does not tell it.
   const std::vector<bool>& told = found.unknowns.friction_told;
   if (std::find(told.begin(), told.end(), false) != told.end()) return;
   warn_of_misfit(model, physical, warning_texts);
   const double negligible = kRounding * largest_rms_torque(found);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  for (std::size_t i = 0; i < found.fits.size(); ++i) {
     const JointObservations& joint = found.measurement.observations.joints[i];
     if (joint.rows == 0) continue;
     const double residual = joint.rms_residual(found.estimate.values),
                  of_links = joint.rms_residual(found.physical_values());
     if (of_links < std::max(kLarger * residual, negligible)) continue;
-    warning_texts.push_back(fmt::format("joint \"{}\": the links leave {:.3g} {} (rms), where pi_b leaves {:.3g}",
-                                        bodies[i].joint, of_links, torque_unit(bodies[i]), residual));
+    const auto equation = static_cast<int>(i);
+    warning_texts.push_back(fmt::format("{}: the links leave {:.3g} {} (rms), where pi_b leaves {:.3g}",
+                                        model.subject_of(equation), of_links, model.unit_of(equation), residual));
   }
 }
 
@@ -294,7 +294,7 @@ std::vector<std::string> search_warnings(const NonlinearUnknowns& unknowns, cons
     warning_texts.push_back(
         fmt::format("joint \"{}\": the log does not tell the speed v of its friction, and so none of its friction's "
                     "parameters; a motion with slower and faster parts tells them, or --friction coulomb has no v",
-                    model.mechanism().joints()[i].joint));
+                    model.name_of(static_cast<int>(i))));
   }
   const auto untold = unknowns.gravity ? untold_directions(unknowns.gravity->told) : std::vector<Eigen::Vector3d>();
   for (const Eigen::Vector3d& each : untold) {

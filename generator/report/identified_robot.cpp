@@ -29,9 +29,10 @@ class RobotText {
     line("robot = " + toml_string(std::filesystem::relative(model_.robot.file, folder).generic_string()));
     for (const std::string& setting : about.settings) line(setting);
     if (model_.robot.has_payload) line("payload = { mass = 0 }  # in its link, below");
-    for (int i = 0; i < model_.mechanism.body_count(); ++i) add_link(i);
+    const int base = model_.mechanism.base_bodies();
+    for (int i = std::max(0, base - 1); i < model_.mechanism.body_count(); ++i) add_link(i);
     for (const LinkFrame& link : model_.mechanism.links) add_merged(link);
-    for (int i = 0; i < model_.mechanism.body_count(); ++i) add_joint(i, about);
+    for (int i = base; i < model_.mechanism.body_count(); ++i) add_joint(i, about);
     return text_;
   }
 
@@ -117,7 +118,8 @@ class RobotText {
     } else {
       add(Parameter::Im, "armature", body.armature);
     }
-    if (!about.springs.empty()) values += spring_text(about.springs[static_cast<std::size_t>(i)]);
+    if (!about.springs.empty())
+      values += spring_text(about.springs[static_cast<std::size_t>(i - model_.mechanism.base_bodies())]);
     if (!values.empty()) text_ += "\n[[joint]]\nname = " + toml_string(body.joint) + "\n" + values;
   }
 

@@ -36,8 +36,8 @@ void interrupt(Series& series) {
 }
 
 // One joint's half of a row.
-Panel half_panel(const Body& body, const std::string& what) {
-  Panel panel{body.joint + ": " + what, "", torque_unit(body), {{what, {}, {}}}};
+Panel half_panel(const TorqueModel& model, int equation, const std::string& what) {
+  Panel panel{model.name_of(equation) + ": " + what, "", model.unit_of(equation), {{what, {}, {}}}};
   panel.is_half = true;
   panel.if_empty = "the joint rests";
   return panel;
@@ -47,13 +47,13 @@ Panel half_panel(const Body& body, const std::string& what) {
 
 std::string residual_plot(const TorqueModel& model, const Observations& observations, const Eigen::VectorXd& values,
                           PictureFormat format) {
-  const int n = model.joints();
+  const int n = model.equations(), first = first_equation(model, observations);
   const std::vector<EquationInstant>& samples = observations.instants;
   const bool is_one_log = samples.front().log == samples.back().log;
   std::vector<Panel> panels;
-  for (const Body& body : model.mechanism().joints()) {
-    panels.push_back(half_panel(body, "torque"));
-    panels.push_back(half_panel(body, "residual"));
+  for (int i = first; i < n; ++i) {
+    panels.push_back(half_panel(model, i, "torque"));
+    panels.push_back(half_panel(model, i, "residual"));
   }
   for (std::size_t k = panels.size() - 2; k < panels.size(); ++k) {
     panels[k].x_label = is_one_log ? "t in s" : "t in s, one log behind the other";
@@ -68,13 +68,15 @@ std::string residual_plot(const TorqueModel& model, const Observations& observat
       const JointObservations& joint = observations.joints[at];
       const auto count = static_cast<Eigen::Index>(joint.columns.size());
       const Eigen::Map<const Eigen::VectorXd> row(entries, count);
-      Series &torque = panels[2 * at].series.front(), &residual = panels[2 * at + 1].series.front();
+      entries += count;
+      if (i < first) continue;
+      const auto panel = static_cast<std::size_t>(2 * (i - first));
+      Series &torque = panels[panel].series.front(), &residual = panels[panel + 1].series.front();
       const bool is_used = sample.used[at] != 0;
       if (is_new) interrupt(torque);
       if (is_new || !is_used) interrupt(residual);
       add(torque, places[k], sample.right[at]);
       if (is_used) add(residual, places[k], sample.right[at] - row.dot(joint.restricted(values)));
-      entries += count;
     }
   }
   // The line of zero makes the residual's axis of time that of the torque beside it, whatever rows are used.

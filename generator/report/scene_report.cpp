@@ -77,6 +77,8 @@ class SceneText {
     const auto add_one = [&](const char* key, const std::optional<Value>& value) {
       if (value) add(std::string("base_limits.") + key, number_(value->number));
     };
+    add_one("displacement", limits.linear.upper);
+    add_one("turn", limits.angular.upper);
     add_one("linear_velocity", limits.linear.velocity);
     add_one("angular_velocity", limits.angular.velocity);
     add_one("linear_acceleration", limits.linear.acceleration);

@@ -314,9 +314,11 @@ TorqueSamples read_torques(const std::string& file, const Mechanism& mechanism, 
   CsvTable table = read_csv(file, found);
   CsvHeading heading = table.heading(file, mechanism, found);
   const std::optional<CsvTime> time = heading.require_time();
-  const std::vector<CsvSource> torques = heading.require(CsvQuantity::tau, "torques");
+  const int base = mechanism.base_bodies();
+  const std::vector<CsvSource> torques = heading.require(CsvQuantity::tau, "torques", {base}),
+                               on_base = heading.all_or_none(CsvQuantity::tau, {0, base});
   heading.finish();
-  check_entries(table, torques, heading, file, found);
+  for (const std::vector<CsvSource>* each : {&torques, &on_base}) check_entries(table, *each, heading, file, found);
   if (time) samples.times = times_of(table, *time, file, found);
   for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
   if (found.has_errors()) return samples;
@@ -327,10 +329,12 @@ TorqueSamples read_torques(const std::string& file, const Mechanism& mechanism, 
                         "sort the rows by time");
       return samples;
     }
-    samples.torques.emplace_back();
-    for (const CsvSource& source : torques) {
-      samples.torques.back().push_back(nearest_double(exact_value(table, row, source)));
+    std::vector<double> values;
+    for (const std::vector<CsvSource>* each : {&on_base, &torques}) {
+      for (const CsvSource& source : *each) values.push_back(nearest_double(exact_value(table, row, source)));
     }
+    values.insert(values.begin(), static_cast<std::size_t>(mechanism.size()) - values.size(), 0.0);
+    samples.torques.push_back(std::move(values));
   }
   const bool has_unit = time->clock.per_second > 1;
   if (!has_unit) warn_of_times(samples, heading.name(time->column), {file, table.heading_line}, diagnostics);

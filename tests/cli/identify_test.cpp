@@ -208,7 +208,8 @@ TEST(Identify, RefusesWhatItCannotUse) {
       {"identify robots/planar_2r.toml --data " + log, 4, "the robot has free symbols"},
       {"identify robots/puma560.toml --data " + log, 3, "log.csv:1: error: no column for the positions: q3"},
       {"identify robots/planar_2r_example_7_2.toml --estimator iv --data " + log, 2, "--estimator iv needs the filter"},
-      {"identify robots/planar_2r_example_7_2.toml --merge x --rest-speed 0", 2, "--rest-speed have no effect with"},
+      {"identify robots/planar_2r_example_7_2.toml --merge x --rest-speed 0", 2,
+       "--rest-speed and --imu have no effect with"},
       {"identify robots/planar_2r_example_7_2.toml --data /nowhere.csv", 6, "/nowhere.csv: cannot be read"},
       {"identify robots/planar_2r_example_7_2.toml --merge '/nowhere/part*.json'", 6, "no file has such a name"},
   };

@@ -11,7 +11,7 @@ namespace flatdyn {
 namespace {
 
 CsvDimension dimension_of(CsvQuantity quantity, int entry, const Mechanism& mechanism) {
-  constexpr int kFirstMoment = 3;
+  constexpr int kFirstMoment = 3, kFirstOfQuaternion = 3, kFirstOfGyroscope = 3;
   const bool slides = is_of_joints(quantity) && joint_of(quantity, entry, mechanism).prismatic;
   switch (quantity) {
     case CsvQuantity::time:
@@ -29,6 +29,12 @@ CsvDimension dimension_of(CsvQuantity quantity, int entry, const Mechanism& mech
       return slides ? CsvDimension::force : CsvDimension::moment;
     case CsvQuantity::h_e:
       return entry < kFirstMoment ? CsvDimension::force : CsvDimension::moment;
+    case CsvQuantity::g_b:
+      return CsvDimension::length_acceleration;
+    case CsvQuantity::pose:
+      return entry < kFirstOfQuaternion ? CsvDimension::length : CsvDimension::none;
+    case CsvQuantity::imu:
+      return entry < kFirstOfGyroscope ? CsvDimension::length_acceleration : CsvDimension::angle_rate;
     default:
       return CsvDimension::none;
   }
@@ -266,32 +272,56 @@ Number CsvHeading::factor_of(std::size_t column, CsvQuantity quantity, int entry
   return 1;
 }
 
-bool CsvHeading::is_missing_some(CsvQuantity quantity, const std::vector<std::optional<CsvSource>>& found,
-                                 const std::string& message, const std::string& hint) {
+// "tau2", and "base_fx" of a floating base.
+std::string CsvHeading::number_name(CsvQuantity quantity, int entry) const {
+  const std::string of_base = base_name_of(quantity, entry, mechanism_);
+  return of_base.empty() ? fmt::format("{}{}", stem_of(quantity), entry + 1) : of_base;
+}
+
+CsvHeading::Sources CsvHeading::part_of(CsvQuantity quantity, CsvEntries entries) {
+  if (found_.count(quantity) == 0) found_[quantity] = find(quantity);
+  const Sources& all = found_[quantity];
+  const auto first = all.begin() + entries.first;
+  return {first, entries.count ? first + *entries.count : all.end()};
+}
+
+bool CsvHeading::is_missing_some(CsvQuantity quantity, const Sources& found, int first, const std::string& message,
+                                 const std::string& hint) {
   if (wrong_.count(quantity) > 0) return true;
   std::vector<std::string> missing;
   for (std::size_t k = 0; k < found.size(); ++k) {
-    if (!found[k]) missing.push_back(fmt::format("{}{}", stem_of(quantity), k + 1));
+    if (!found[k]) missing.push_back(number_name(quantity, first + static_cast<int>(k)));
   }
   if (missing.empty()) return false;
   diagnostics_.error(place_, fmt::format("{}{}", message, fmt::join(missing, ", ")), hint);
   return true;
 }
 
-std::vector<CsvSource> CsvHeading::require(CsvQuantity quantity, const std::string& what) {
-  const std::vector<std::optional<CsvSource>> found = find(quantity);
-  const std::string hint = "columns t, q1, ..., tau1, ..., or q_JOINT, tau_JOINT; flatdyn inspect lists the joints";
-  if (is_missing_some(quantity, found, fmt::format("no column for the {}: ", what), hint)) return {};
+std::vector<CsvSource> CsvHeading::require(CsvQuantity quantity, const std::string& what, CsvEntries entries) {
+  const Sources found = part_of(quantity, entries);
+  const std::string hint =
+      mechanism_.floating_base && is_of_joints(quantity) && quantity != CsvQuantity::q
+          ? fmt::format(
+                "columns {0}_JOINT; numbers count the base's six entries first, so that {0}7 is of the first "
+                "joint; flatdyn inspect lists the joints",
+                stem_of(quantity))
+          : "columns t, q1, ..., tau1, ..., or q_JOINT, tau_JOINT; flatdyn inspect lists the joints";
+  if (is_missing_some(quantity, found, entries.first, fmt::format("no column for the {}: ", what), hint)) return {};
   return all_of(found);
 }
 
-std::vector<CsvSource> CsvHeading::all_or_none(CsvQuantity quantity) {
-  const std::vector<std::optional<CsvSource>> found = find(quantity);
+std::vector<CsvSource> CsvHeading::all_or_none(CsvQuantity quantity, CsvEntries entries) {
+  const Sources found = part_of(quantity, entries);
   const bool is_any =
       std::any_of(found.begin(), found.end(), [](const std::optional<CsvSource>& each) { return each.has_value(); });
   if (!is_any) return {};
-  const std::string hint = fmt::format("give all {} columns of {}, or none", found.size(), stem_of(quantity));
-  if (is_missing_some(quantity, found, "no column for ", hint)) return {};
+  const int last = entries.first + static_cast<int>(found.size()) - 1;
+  const std::string of_base = base_name_of(quantity, entries.first, mechanism_);
+  const std::string hint = of_base.empty()
+                               ? fmt::format("give all {} columns of {}, or none", found.size(), stem_of(quantity))
+                               : fmt::format("give all {} columns from {} to {}, or none", found.size(), of_base,
+                                             number_name(quantity, last));
+  if (is_missing_some(quantity, found, entries.first, "no column for ", hint)) return {};
   return all_of(found);
 }
 

@@ -21,6 +21,12 @@ struct CsvSource {
   Number factor = 1;
 };
 
+// Some entries of a quantity, as the base's six of q̇, q̈ and τ, or those of the joints behind them.
+struct CsvEntries {
+  int first = 0;
+  std::optional<int> count{};  // none: all from the first on
+};
+
 struct CsvTime {
   std::size_t column = 0;
   std::optional<std::size_t> nanoseconds{};  // the column of what is left of a second
@@ -41,9 +47,9 @@ class CsvHeading {
   std::vector<std::optional<CsvSource>> find(CsvQuantity quantity);
   std::vector<std::optional<CsvSource>> find(CsvQuantity quantity, int length);
   // Columns that are missing are errors too; `what` is "positions". After an error the result is empty.
-  std::vector<CsvSource> require(CsvQuantity quantity, const std::string& what);
+  std::vector<CsvSource> require(CsvQuantity quantity, const std::string& what, CsvEntries entries = {});
   // Empty if there is none. Columns that are missing beside others are errors.
-  std::vector<CsvSource> all_or_none(CsvQuantity quantity);
+  std::vector<CsvSource> all_or_none(CsvQuantity quantity, CsvEntries entries = {});
   // Seconds; large times count from the first row's.
   std::optional<CsvTime> find_time();
   std::optional<CsvTime> require_time();
@@ -60,6 +66,7 @@ class CsvHeading {
 
  private:
   using Entries = std::map<std::size_t, int>;  // column → entry of its quantity
+  using Sources = std::vector<std::optional<CsvSource>>;
 
   std::vector<std::size_t> columns_of(CsvQuantity quantity) const;
   Entries entries_of(CsvQuantity quantity, int length);
@@ -72,8 +79,10 @@ class CsvHeading {
   bool has_joint_names(const std::vector<std::size_t>& columns) const;
   std::optional<std::size_t> joint_name_of(std::size_t column) const;
   Number factor_of(std::size_t column, CsvQuantity quantity, int entry);
-  bool is_missing_some(CsvQuantity quantity, const std::vector<std::optional<CsvSource>>& found,
-                       const std::string& message, const std::string& hint);
+  std::string number_name(CsvQuantity quantity, int entry) const;
+  Sources part_of(CsvQuantity quantity, CsvEntries entries);
+  bool is_missing_some(CsvQuantity quantity, const Sources& found, int first, const std::string& message,
+                       const std::string& hint);
   std::optional<std::size_t> only_column(CsvQuantity quantity);
   CsvTime time_of(std::size_t column);
   std::optional<CsvTime> time_in_two_columns(std::size_t seconds);
@@ -87,6 +96,7 @@ class CsvHeading {
   const Mechanism& mechanism_;
   Diagnostics& diagnostics_;
   std::set<std::size_t> used_;
+  std::map<CsvQuantity, Sources> found_;
   std::set<CsvQuantity> wrong_;  // errors of their columns are said
   std::map<std::size_t, std::string> fixed_texts_;
   std::vector<std::string> from_zero_;

@@ -20,7 +20,9 @@ const std::map<CsvQuantity, std::vector<std::string>>& base_columns() {
       {CsvQuantity::qd, {"base_vx", "base_vy", "base_vz", "base_wx", "base_wy", "base_wz"}},
       {CsvQuantity::qdd, {"base_dvx", "base_dvy", "base_dvz", "base_dwx", "base_dwy", "base_dwz"}},
       {CsvQuantity::tau, {"base_fx", "base_fy", "base_fz", "base_nx", "base_ny", "base_nz"}},
-      {CsvQuantity::g_b, {"base_gx", "base_gy", "base_gz"}}};
+      {CsvQuantity::g_b, {"base_gx", "base_gy", "base_gz"}},
+      {CsvQuantity::pose, {"base_x", "base_y", "base_z", "base_qw", "base_qx", "base_qy", "base_qz"}},
+      {CsvQuantity::imu, {"imu_ax", "imu_ay", "imu_az", "imu_wx", "imu_wy", "imu_wz"}}};
   return names;
 }
 
@@ -222,7 +224,9 @@ int length_of(CsvQuantity quantity, const Mechanism& mechanism) {
     case CsvQuantity::h_e:
       return kWrench;
     case CsvQuantity::g_b:
-      return mechanism.floating_base ? 3 : 0;
+    case CsvQuantity::pose:
+    case CsvQuantity::imu:
+      return mechanism.floating_base ? static_cast<int>(base_columns().at(quantity).size()) : 0;
     case CsvQuantity::symbol:
       return static_cast<int>(mechanism.symbols.size());
     default:

@@ -23,6 +23,8 @@ enum class CsvQuantity {
   qdd_r,
   pi_b,
   g_b,        // gravity in the axes of a floating base
+  pose,       // of a floating base: position in the world, then its unit quaternion w, x, y, z
+  imu,        // of a floating base: specific force, then angular velocity, in the axes of a link fixed to it
   symbol,     // a free symbol of the robot
   joint_name  // not a number: which joint an array's entry belongs to
 };

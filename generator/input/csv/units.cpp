@@ -38,8 +38,11 @@ std::vector<Unit> units_of(CsvDimension dimension) {
       return lengths("");
     case CsvDimension::length_rate:
       return lengths("/s");
-    case CsvDimension::length_acceleration:
-      return lengths("/s2");
+    case CsvDimension::length_acceleration: {
+      std::vector<Unit> units = lengths("/s2");
+      units.push_back({"g", GiNaC::numeric(980665, 100000)});
+      return units;
+    }
     case CsvDimension::force:
       return {{"N", 1}, {"kN", 1000}, {"mN", tenth_to_the(3)}};
     case CsvDimension::moment:

@@ -31,7 +31,7 @@ const TorqueModel& planar_arm() {
 
 Excitation found(const TorqueModel& model, const ExcitationOptions& options) {
   Progress progress(true);
-  return make_excitation(model, options, progress);
+  return make_excitation(MotionEquations(model), options, progress);
 }
 
 ExcitationOptions short_search() {
@@ -150,7 +150,7 @@ TEST(Excitation, RefusesARobotThatCannotHoldItself) {
   ExcitationOptions options = short_search();
   options.evaluations = 10;
   try {
-    make_excitation(weak, options, progress);
+    make_excitation(MotionEquations(weak), options, progress);
     FAIL();
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.code(), ExitCode::unsupported);
@@ -181,14 +181,15 @@ TEST(Excitation, TorquesAreThoseOfTheFile) {
 TEST(ExcitationObjective, GradientIsTheDerivative) {
   std::vector<JointLimits> limits = within_margin(motion_limits(planar_arm().mechanism()), 0.9);
   limits[0].torque = 900;  // exceeded by the random motion, so that the penalty has a slope, too
-  ExcitationObjective objective(planar_arm(), limits, 10, 3);
+  const MotionEquations equations(planar_arm());
+  ExcitationObjective objective(equations, limits, 10, 3);
   std::mt19937 engine(5);
   std::vector<double> x(static_cast<std::size_t>(objective.size())), gradient(x.size());
   for (double& value : x) value = 0.6 * (static_cast<double>(engine() % 1000) / 500 - 1);
   objective.scale_by({std::vector<double>(x.size(), 0.5), x});
   const double with_torque = objective(x.data(), gradient.data());
   limits[0].torque = 1e9;
-  ExcitationObjective without_torque(planar_arm(), limits, 10, 3);
+  ExcitationObjective without_torque(equations, limits, 10, 3);
   without_torque.scale_by({std::vector<double>(x.size(), 0.5), x});
   EXPECT_GT(with_torque, without_torque(x.data(), nullptr) + 1e-3);
   constexpr double kStep = 1e-5;

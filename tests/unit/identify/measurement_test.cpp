@@ -315,9 +315,9 @@ TEST_F(PartsTest, OfOtherLogsAreRefused) {
 
 TEST_F(PartsTest, OfAnotherVersionAreRefused) {
   const std::string text = part_text(measured({log(simulated(arm(), {.samples = 50}))}), equations(), {});
-  const std::string version = "\"version\":4,";
+  const std::string version = "\"version\":5,";
   ASSERT_NE(text.find(version), std::string::npos);
-  for (const std::string other : {"", "\"version\":3,", "\"version\":\"4\","}) {
+  for (const std::string other : {"", "\"version\":4,", "\"version\":\"5\","}) {
     found = {};
     std::ofstream(folder / "part.json") << std::string(text).replace(text.find(version), version.size(), other);
     merge_parts({folder / "part.json"}, equations(), found);

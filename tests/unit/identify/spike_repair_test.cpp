@@ -33,7 +33,7 @@ class SpikeRepairTest : public ::testing::Test {
     plan.heading.columns = {{"t", LogColumn::Role::number, 0}, {"q1", LogColumn::Role::number, 1}};
     plan.heading.layout.has_torques = false;
     plan.filter = {0.001, 10, 1};
-    plan.q_noise = {{kEncoderStep, kEncoderStep / std::sqrt(12.0)}};
+    plan.noise = {{}, {kEncoderStep, kEncoderStep / std::sqrt(12.0)}};
   }
   static double rounded(double q) { return kEncoderStep * std::round(q / kEncoderStep); }
   // A joint that swings, with up to 2.4 rad/s.
@@ -63,7 +63,7 @@ TEST_F(SpikeRepairTest, LeavesASoundSignalAsItIs) {
 
 // Positions without noise, 125 a second: the curve through neighbours is not exact where the joint turns around.
 TEST_F(SpikeRepairTest, LeavesAnExactSignalAsItIs) {
-  plan.q_noise = {{0, 1e-12}};
+  plan.noise = {{}, {0, 1e-12}};
   std::vector<double> q;
   for (int k = 0; k < 1000; ++k) q.push_back(0.5 * std::sin(0.15 * k));
   EXPECT_EQ(repaired(q), q);

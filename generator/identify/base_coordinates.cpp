@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "identify/base_coordinates.hpp"
+
+#include <cmath>
+
+namespace flatdyn {
+
+using Eigen::AngleAxisd;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Vector3d BaseState::specific_force(const Vector3d& gravity) const {
+  const Vector3d v = twist.head<3>(), turns = twist.tail<3>();
+  return twist_rates.head<3>() + turns.cross(v) - turn.conjugate() * gravity;
+}
+
+// ω = E(roll, pitch) (rates of roll, pitch and yaw).
+BaseState base_state(const double* coordinates, const double* rates, const double* accelerations) {
+  using Three = Eigen::Map<const Vector3d>;
+  const double roll = coordinates[3], pitch = coordinates[4], yaw = coordinates[5];
+  const double roll_rate = rates[3], pitch_rate = rates[4];
+  const double sr = std::sin(roll), cr = std::cos(roll), sp = std::sin(pitch), cp = std::cos(pitch);
+  Matrix3d E, E_rate;
+  E << 1, 0, -sp, 0, cr, sr * cp, 0, -sr, cr * cp;
+  E_rate << 0, 0, -cp * pitch_rate, 0, -sr * roll_rate, cr * cp * roll_rate - sr * sp * pitch_rate, 0, -cr * roll_rate,
+      -sr * cp * roll_rate - cr * sp * pitch_rate;
+  BaseState state;
+  state.place = Three(coordinates);
+  state.turn =
+      AngleAxisd(yaw, Vector3d::UnitZ()) * AngleAxisd(pitch, Vector3d::UnitY()) * AngleAxisd(roll, Vector3d::UnitX());
+  const Eigen::Quaterniond back = state.turn.conjugate();
+  const Vector3d v = back * Three(rates), turns = E * Three(rates + 3);
+  state.twist << v, turns;
+  state.twist_rates << back * Three(accelerations) - turns.cross(v),
+      E * Three(accelerations + 3) + E_rate * Three(rates + 3);
+  return state;
+}
+
+}  // namespace flatdyn
