@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <optional>
@@ -26,7 +27,13 @@ class Columns {
       : mechanism_(mechanism) {
     for (const Input& input : inputs) add(input.kind, heading, base_parameters);
     if (mechanism.has_loops()) add(InputKind::q, heading, base_parameters);
+    if (sources_.count(InputKind::g_b) > 0) find_orientation(heading);
   }
+
+  // The columns of a floating base's quaternion, w, x, y and z, where they tell gravity in base axes instead of g_b's
+  // own columns; else none.
+  const std::vector<CsvSource>& orientation() const { return orientation_; }
+  bool has(const Input& input) const { return find(input) || (input.kind == InputKind::g_b && !orientation_.empty()); }
 
   std::vector<std::string> names_of(const Input& input) const {
     const auto k = static_cast<std::size_t>(input.index);
@@ -60,6 +67,7 @@ class Columns {
         if (source) all.push_back(*source);
       }
     }
+    all.insert(all.end(), orientation_.begin(), orientation_.end());
     return all;
   }
 
@@ -70,8 +78,20 @@ class Columns {
     sources_[kind] = kind == InputKind::pi_b ? heading.find(quantity, base_parameters) : heading.find(quantity);
   }
 
+  void find_orientation(CsvHeading& heading) {
+    const std::vector<std::optional<CsvSource>>& g_b = sources_[InputKind::g_b];
+    const auto is_there = [](const std::optional<CsvSource>& each) { return each.has_value(); };
+    const Vec3& g_0 = mechanism_.gravity;
+    if (std::any_of(g_b.begin(), g_b.end(), is_there) || std::any_of(g_0.begin(), g_0.end(), has_symbols)) return;
+    const std::vector<std::optional<CsvSource>> pose = heading.find(CsvQuantity::pose);
+    const auto quaternion = pose.end() - 4;
+    if (!std::all_of(quaternion, pose.end(), is_there)) return;
+    for (auto each = quaternion; each != pose.end(); ++each) orientation_.push_back(**each);
+  }
+
   const Mechanism& mechanism_;
   std::map<InputKind, std::vector<std::optional<CsvSource>>> sources_;
+  std::vector<CsvSource> orientation_;
 };
 
 std::vector<std::string> all_columns(const Output& output) {
@@ -154,12 +174,31 @@ class Evaluator {
     symbols_.assign(mechanism_.symbols.size(), 0);
     for (const Input& input : inputs) {
       const std::optional<CsvSource>& source = columns.find(input);
+      if (!source) continue;  // gravity, which the orientation tells
       const Number value = exact_decimal(entries[source->column]) * source->factor;
       const auto index = static_cast<std::size_t>(input.index);
       state.of(input.kind)[index] = to_scalar<S>(value, {});
       if (input.kind == InputKind::parameter) symbols_[index] = value;
     }
+    if (!columns.orientation().empty()) set_gravity(columns.orientation(), entries, state);
     return state;
+  }
+
+  // g_b = Rᵀ g_0, with the quaternion as it is: (w² - u·u) g_0 + 2 (u·g_0) u - 2 w u × g_0, where u is (x, y, z).
+  void set_gravity(const std::vector<CsvSource>& orientation, const std::vector<std::string>& entries,
+                   StateOf<S>& state) const {
+    S quaternion[4], g[3];
+    for (std::size_t k = 0; k < 4; ++k) {
+      quaternion[k] = to_scalar<S>(exact_decimal(entries[orientation[k].column]), {});
+    }
+    for (std::size_t k = 0; k < 3; ++k) g[k] = to_scalar<S>(mechanism_.gravity[k], {});
+    const S &w = quaternion[0], *u = quaternion + 1;
+    const S along = S(2) * (u[0] * g[0] + u[1] * g[1] + u[2] * g[2]);
+    const S scale = w * w - u[0] * u[0] - u[1] * u[1] - u[2] * u[2];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
+      state.g_b[k] = scale * g[k] + along * u[k] - S(2) * w * (u[next] * g[last] - u[last] * g[next]);
+    }
   }
 
   // The reference's values; nullopt where the task is singular, or a loop, for any function, as the reference needs
@@ -256,7 +295,7 @@ void say_what_is_missing(const Columns& columns, const std::vector<Input>& input
   std::vector<std::string> missing, by_joint, hints;
   bool lacks_gravity = false;
   for (const Input& input : inputs) {
-    if (columns.find(input)) continue;
+    if (columns.has(input)) continue;
     lacks_gravity = lacks_gravity || input.kind == InputKind::g_b;
     const std::vector<std::string> names = columns.names_of(input);
     missing.push_back(names.front());
@@ -267,7 +306,10 @@ void say_what_is_missing(const Columns& columns, const std::vector<Input>& input
   if (missing != by_joint) {
     hints.push_back(fmt::format("by joint, {} called {}", is_one ? "it is" : "they are", fmt::join(by_joint, ", ")));
   }
-  if (lacks_gravity) hints.emplace_back("gravity is that in base axes: 0, 0, -9.81 where z of the base points up");
+  if (lacks_gravity)
+    hints.emplace_back(
+        "gravity is that in base axes: 0, 0, -9.81 where z of the base points up; or give base_qw to "
+        "base_qz, the base's unit quaternion");
   diagnostics.error(heading,
                     fmt::format("{} {} {} missing; {} reads {}", is_one ? "column" : "columns",
                                 fmt::join(missing, ", "), is_one ? "is" : "are", function.name, is_one ? "it" : "them"),
@@ -298,6 +340,10 @@ CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Fu
   check_entries(result, columns.sources(), heading, file, diagnostics);
   if (diagnostics.has_errors()) return {};
   warn_of_positions(result, columns.positions(), mechanism, file, diagnostics);
+  if (!columns.orientation().empty()) {
+    const std::vector<std::optional<CsvSource>> quaternion(columns.orientation().begin(), columns.orientation().end());
+    warn_of_quaternion(result, quaternion, "floating base", file, diagnostics);
+  }
   warn_of_open_loops(robot, mechanism, result, columns, file, diagnostics);
   for (const Output& output : function.outputs) {
     for (const std::string& name : output_columns(output)) result.columns.push_back(name);

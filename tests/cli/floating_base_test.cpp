@@ -109,6 +109,32 @@ TEST(FloatingBase, NeedsGravityInItsAxes) {
   EXPECT_THAT(outcome.err, HasSubstr("gravity is that in base axes: 0, 0, -9.81 where z of the base points up"));
 }
 
+// The quaternion of the base tells gravity in its axes, in all digits; one that is not of norm 1 is warned of.
+TEST(FloatingBase, TakesGravityFromThePose) {
+  const Scratch scratch;
+  scratch.write("body.toml", kBody);
+  scratch.write("pose.csv",
+                "base_x,base_y,base_z,base_qw,base_qx,base_qy,base_qz\n1,2,3,0.1,0.5,0.7,0.5\n0,0,0,2,0,0,0\n");
+  scratch.write("gravity.csv", "base_gx,base_gy,base_gz\n-3.5316,-7.848,4.7088\n0,0,-39.24\n");
+  const auto values = [&](const std::string& states) {
+    const Outcome outcome = run_flatdyn("eval " + scratch.path("body.toml") + " --function gravity --digits 30 " +
+                                        "--states " + scratch.path(states));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    if (states == "pose.csv") {
+      EXPECT_THAT(outcome.err, HasSubstr("pose.csv:3: warning: the quaternion of the floating base has norm 2"));
+    }
+    std::istringstream lines(outcome.out);
+    std::vector<std::string> rows;
+    for (std::string line; std::getline(lines, line);) rows.push_back(line);
+    const std::size_t inputs = states == "pose.csv" ? 7 : 3;
+    for (std::string& row : rows) {
+      for (std::size_t k = 0; k < inputs; ++k) row = row.substr(row.find(',') + 1);
+    }
+    return rows;
+  };
+  EXPECT_EQ(values("pose.csv"), values("gravity.csv"));
+}
+
 TEST(FloatingBase, IsConvertedToUrdfAndBack) {
   const Scratch scratch;
   scratch.write("body.toml", kBody);

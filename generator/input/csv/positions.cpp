@@ -35,7 +35,9 @@ double norm_in(const CsvTable& table, std::size_t row, const std::vector<std::op
   return std::sqrt(squares);
 }
 
-void warn_of_quaternion(const CsvTable& table, const std::vector<std::optional<CsvSource>>& q, const std::string& joint,
+}  // namespace
+
+void warn_of_quaternion(const CsvTable& table, const std::vector<std::optional<CsvSource>>& q, const std::string& of,
                         const std::string& file, Diagnostics& diagnostics) {
   constexpr double kSmall = 1e-6;
   std::size_t row = 0;
@@ -47,14 +49,10 @@ void warn_of_quaternion(const CsvTable& table, const std::vector<std::optional<C
     norm = found;
   }
   if (std::abs(norm - 1) <= kSmall) return;
-  diagnostics.warning(
-      {file, table.lines[row]},
-      fmt::format("the quaternion of the spherical joint \"{}\" has norm {:.6g}: functions hold for norm 1", joint,
-                  norm),
-      "divide the four numbers by their norm");
+  diagnostics.warning({file, table.lines[row]},
+                      fmt::format("the quaternion of the {} has norm {:.6g}: functions hold for norm 1", of, norm),
+                      "divide the four numbers by their norm");
 }
-
-}  // namespace
 
 void warn_of_positions(const CsvTable& table, const std::vector<std::optional<CsvSource>>& q,
                        const Mechanism& mechanism, const std::string& file, Diagnostics& diagnostics) {
@@ -64,7 +62,7 @@ void warn_of_positions(const CsvTable& table, const std::vector<std::optional<Cs
     const bool is_whole =
         std::all_of(entries.begin(), entries.end(), [](const auto& entry) { return entry.has_value(); });
     const std::string joint = spherical_joint_name(mechanism.joint_at(first).joint);
-    if (is_whole) warn_of_quaternion(table, entries, joint, file, diagnostics);
+    if (is_whole) warn_of_quaternion(table, entries, "spherical joint \"" + joint + "\"", file, diagnostics);
   }
   for (std::size_t p = 0; p < q.size(); ++p) {
     const int position = static_cast<int>(p);

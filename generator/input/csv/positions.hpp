@@ -13,4 +13,8 @@ namespace flatdyn {
 void warn_of_positions(const CsvTable& table, const std::vector<std::optional<CsvSource>>& q,
                        const Mechanism& mechanism, const std::string& file, Diagnostics& diagnostics);
 
+// The same of the quaternion in four columns, w, x, y and z; `of`: "spherical joint "ball"".
+void warn_of_quaternion(const CsvTable& table, const std::vector<std::optional<CsvSource>>& q, const std::string& of,
+                        const std::string& file, Diagnostics& diagnostics);
+
 }  // namespace flatdyn
