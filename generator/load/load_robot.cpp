@@ -23,11 +23,6 @@ std::optional<Abbreviation> abbreviation_of(const Robot& robot, const Mechanism&
                                             const LoadOptions& options) {
   const Scene& scene = robot.scene;
   if (!scene.error_budget) return std::nullopt;
-  if (mechanism.has_spherical_joints()) {
-    throw Failure(ExitCode::unsupported,
-                  robot.file + ": error budgets of robots with spherical joints are not supported yet",
-                  "leave error_budget out");
-  }
   try {
     return abbreviated(mechanism, *scene.error_budget, torque_scope_of(options, scene));
   } catch (const Failure& failure) {

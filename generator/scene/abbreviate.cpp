@@ -11,6 +11,7 @@
 #include "diagnostics/diagnostics.hpp"
 #include "graph/arithmetic.hpp"
 #include "model/rounded_up.hpp"
+#include "model/spherical_joint.hpp"
 #include "model/states.hpp"
 #include "symbolic/parameters/base_parameters.hpp"
 
@@ -44,11 +45,25 @@ double reach_of(const Body& body) {
 
 double norm(const Vec3& v) { return std::hypot(nearest_double(v[0]), nearest_double(v[1]), nearest_double(v[2])); }
 
+// The limit of a joint's motion; of a spherical joint, of which k is the first body, that of the vector whose three
+// components have limits.
+double rate_limit_of(const Mechanism& mechanism, int k, std::optional<Value> Limits::*limit) {
+  if (!mechanism.is_of_spherical(k)) return limit_of(mechanism, k, limit);
+  double squares = 0;
+  for (int i = k; i < k + kSphericalBodies; ++i) squares += std::pow(limit_of(mechanism, i, limit), 2);
+  return std::sqrt(squares) * kRoundingMargin;
+}
+
+// The bodies of a spherical joint have the motion of its link, all but the step to the first of them.
 LargestMotion moved(const LargestMotion& parent, const Mechanism& mechanism, int k, bool at_rest) {
   const Body& body = mechanism.joint(k);
-  const double qd = at_rest ? 0 : limit_of(mechanism, k, &Limits::velocity);
-  const double qdd = limit_of(mechanism, k, &Limits::acceleration);
   LargestMotion motion = parent;
+  if (body.spherical > 1) {
+    motion.step = 0;
+    return motion;
+  }
+  const double qd = at_rest ? 0 : rate_limit_of(mechanism, k, &Limits::velocity);
+  const double qdd = rate_limit_of(mechanism, k, &Limits::acceleration);
   motion.step = norm(body.p);
   if (body.prismatic) {
     motion.step += reach_of(body);
@@ -153,25 +168,46 @@ class InertiaCheck {
  public:
   explicit InertiaCheck(const Mechanism& mechanism) {
     constexpr int kPositions = 200;
-    for (const State& state : random_states(turning_freely(mechanism), kPositions, 1)) {
-      positions_.emplace_back(static_cast<std::size_t>(mechanism.base_bodies()));
-      for (const double q : state.q) positions_.back().push_back({std::cos(q), std::sin(q), q});
+    for (State& state : random_states(turning_freely(mechanism), kPositions, 1)) {
+      points_.push_back(points_of(mechanism, state));
+      states_.push_back(std::move(state));
     }
   }
 
   bool is_positive(const Mechanism& mechanism) const {
-    RealArithmetic<double> numbers([](const Input&) { return 0.0; });
-    const MechanismOver<double> field = mechanism_over(mechanism, numbers);
-    return std::all_of(positions_.begin(), positions_.end(), [&field](const std::vector<JointPoint<double>>& q) {
-      Lagrangian<double> at_position(field, q);
+    std::optional<MechanismOver<double>> field;
+    for (std::size_t k = 0; k < states_.size(); ++k) {
+      // Quaternions are in the mechanism's own numbers.
+      if (!field || mechanism.has_spherical_joints()) field = mechanism_at(mechanism, states_[k]);
+      Lagrangian<double> at_position(*field, points_[k]);
       const Matrix<double>& B = at_position.inertia();
       using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-      return Eigen::Map<const RowMajor>(B.entries().data(), B.rows(), B.cols()).llt().info() == Eigen::Success;
-    });
+      const Eigen::Map<const RowMajor> entries(B.entries().data(), B.rows(), B.cols());
+      if (entries.llt().info() != Eigen::Success) return false;
+    }
+    return true;
   }
 
  private:
-  std::vector<std::vector<JointPoint<double>>> positions_;
+  static MechanismOver<double> mechanism_at(const Mechanism& mechanism, const State& state) {
+    RealArithmetic<double> numbers([&state](const Input& input) {
+      return input.kind == InputKind::q ? state.q[static_cast<std::size_t>(input.index)] : 0.0;
+    });
+    return mechanism_over(mechanism, numbers);
+  }
+
+  // Coordinates around the present pose are zero.
+  static std::vector<JointPoint<double>> points_of(const Mechanism& mechanism, const State& state) {
+    std::vector<JointPoint<double>> points;
+    for (int k = 0; k < mechanism.body_count(); ++k) {
+      const double q = mechanism.is_around_pose(k) ? 0 : state.q[static_cast<std::size_t>(mechanism.position_of(k))];
+      points.push_back({std::cos(q), std::sin(q), q});
+    }
+    return points;
+  }
+
+  std::vector<State> states_;
+  std::vector<std::vector<JointPoint<double>>> points_;
 };
 
 class Abbreviator {
@@ -220,7 +256,10 @@ class Abbreviator {
   }
 
   Candidate candidate(int k, Parameter kind, double value) const {
-    Candidate result{{k, parameter_name(index_of(k, kind)), value, bounds(k, kind, std::abs(value))}, kind, 0};
+    Candidate result{{k, parameter_name(index_of(k, kind), result_.mechanism.base_bodies()), value,
+                      bounds(k, kind, std::abs(value))},
+                     kind,
+                     0};
     for (std::size_t i = 0; i < result_.budget.size(); ++i) {
       const double part = result.parameter.bound[i] == 0 ? 0 : result.parameter.bound[i] / result_.budget[i];
       result.price = std::max(result.price, part / weight(kind));

@@ -10,7 +10,8 @@
 //     a first moment             needs a force up to D + W² and a moment up to A;
 //     a moment of inertia        needs a moment up to D + W²/2, a product of inertia up to D + W².
 // The moment arm of a force at joint i is at most the distance between the two origins. A floating base counts as six
-// joints, with the force and the moment on it.
+// joints, with the force and the moment on it; a spherical joint as three, each with a component of its moment, whose
+// rates are those of one vector.
 #pragma once
 
 #include <string>

@@ -68,6 +68,19 @@ TEST(ErrorBudget, OfAFloatingBase) {
   EXPECT_THROW(abbreviated(without, *error_budget("10%")), Failure);
 }
 
+// The components of a spherical joint's moment have budgets, on a fixed and on a floating base.
+TEST(ErrorBudget, OfSphericalJoints) {
+  for (const char* file : {"ball_wrist.toml", "free_arm.toml"}) {
+    const std::filesystem::path path = std::filesystem::path(FLATDYN_SOURCE_DIR) / "docs/examples" / file;
+    const Mechanism mechanism = testing::within_limits(load_robot(path, {}).mechanism);
+    for (const char* budget : {"1%", "10%", "30%", "100%"}) expect_within_bounds(mechanism, budget);
+    const Abbreviation part = abbreviated(mechanism, *error_budget("30%"));
+    EXPECT_GT(part.dropped.size(), 1u) << file;
+    EXPECT_LT(operations(part.mechanism), operations(mechanism)) << file;
+    EXPECT_TRUE(prove_exactly(part.mechanism, derive_function(part.mechanism, "inverse_dynamics")).equal) << file;
+  }
+}
+
 TEST(ErrorBudget, OfNothingGivesNothingUp) {
   const Mechanism panda = testing::model_of("panda.urdf").mechanism;
   const Abbreviation result = abbreviated(panda, *error_budget("0"));
