@@ -53,6 +53,13 @@ std::string velocities_text(const Mechanism& mechanism) {
   return text + (text.empty() ? "" : " ") + spherical_joints_text(mechanism);
 }
 
+// "joint_names = ("a", "b")", in ASCII.
+std::string names_line(const std::string& variable, const std::vector<std::string>& names) {
+  std::vector<std::string> quoted;
+  for (const std::string& name : names) quoted.push_back(nlohmann::json(name).dump(-1, ' ', true));
+  return without_newline(list_line(variable + " = (", quoted, quoted.size() == 1 ? ",)" : ")", 0));
+}
+
 class ModuleWriter {
  public:
   ModuleWriter(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options)
@@ -82,9 +89,12 @@ class ModuleWriter {
     page["joints"] = has_rates ? fmt::format("{} joints", mechanism_.size()) : joints_text(mechanism_);
     page["velocities?"] = !has_rates;
     page["velocities"] = list_of(wrapped_words(velocities_text(mechanism_), kPythonWidth));
-    std::vector<std::string> names;
-    for (const Body& body : mechanism_.joints()) names.push_back(nlohmann::json(body.joint).dump(-1, ' ', true));
-    page["joint_names"] = without_newline(list_line("joint_names = (", names, names.size() == 1 ? ",)" : ")", 0));
+    std::vector<std::string> joints, positions;
+    for (const Body& body : mechanism_.joints()) joints.push_back(body.joint);
+    for (int p = 0; p < mechanism_.position_count(); ++p) positions.push_back(mechanism_.position_name(p));
+    page["joint_names"] = names_line("joint_names", joints);
+    page["has_position_names?"] = mechanism_.has_loops() || mechanism_.has_spherical_joints();
+    page["position_names"] = names_line("position_names", positions);
     page["parameters?"] = has_parameters();
     data symbols(data::type::list);
     for (const FreeSymbol& symbol : mechanism_.symbols) {

@@ -278,6 +278,24 @@ TEST_F(Python, BatchesAreInSimdRegisters) {
   }
 }
 
+TEST_F(Python, TheEntriesOfQuaternionsHaveNames) {
+  generate("docs/examples/ball_wrist.toml --functions inverse_dynamics,forward_dynamics");
+  build("ball_wrist");
+  EXPECT_EQ(run(R"py(
+import numpy as np
+import ball_wrist as arm
+assert arm.position_names == ("waist", "shoulder", "wrist.qw", "wrist.qx", "wrist.qy", "wrist.qz", "knuckle", "slide")
+assert arm.joint_names[2:5] == ("wrist.wx", "wrist.wy", "wrist.wz")
+rng = np.random.default_rng(1)
+q, v, a = (rng.uniform(-1, 1, (5, n)) for n in (8, 7, 7))
+q[:, 2:6] /= np.linalg.norm(q[:, 2:6], axis=1, keepdims=True)
+tau = arm.inverse_dynamics(q, v, a)
+assert np.abs(arm.forward_dynamics(q, v, tau) - a).max() < 1e-9
+)py"),
+            0)
+      << folder_.read("log");
+}
+
 // 32 joints in one block of lanes; the compiler must stay fast.
 TEST_F(Python, LargeRobotsCompile) {
   generate("robots/humanoid32.urdf --functions inverse_dynamics,inertia_matrix,forward_dynamics --max-lines 500");
