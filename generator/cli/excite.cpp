@@ -19,6 +19,7 @@ struct ExciteArguments : RobotArguments {
   std::optional<int> evaluations;
   std::optional<double> time;
   bool no_base_force = false;
+  std::string imu;
 };
 
 // The plan of the options. If the number of evaluations is given, the same motion is wanted on every machine, so the
@@ -38,7 +39,8 @@ std::optional<LoggedInformation> logged_already(const ExciteArguments& arguments
                                                 Progress& progress) {
   if (arguments.logs.empty()) return std::nullopt;
   Diagnostics found;
-  LoggedInformation logged = logged_information(model, {arguments.logs.begin(), arguments.logs.end()}, progress, found);
+  LoggedInformation logged =
+      logged_information(model, {arguments.logs.begin(), arguments.logs.end()}, arguments.imu, progress, found);
   arguments.report(found);
   return logged;
 }
@@ -47,8 +49,9 @@ ExitCode excite(const ExciteArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   refuse_loops(model, "excite");
   refuse_spherical_joints(model, "excite");
-  if (arguments.no_base_force && !model.mechanism.floating_base) {
-    throw Failure(ExitCode::usage, "--no-base-force is for robots with a floating base", "give --base floating");
+  if ((arguments.no_base_force || !arguments.imu.empty()) && !model.mechanism.floating_base) {
+    throw Failure(ExitCode::usage, "--no-base-force and --imu are for robots with a floating base",
+                  "give --base floating");
   }
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
@@ -129,6 +132,8 @@ Run add_excite(CLI::App& app) {
                    "logs of motion that was identified from already, as for identify: the new motion completes what "
                    "they tell, so that parameters that they leave open count most")
       ->type_name("LOG.csv");
+  command->add_option("--imu", arguments->imu, "the link whose frame is that of the measurement unit in these logs")
+      ->type_name("LINK");
   command->add_flag("--no-base-force", arguments->no_base_force,
                     "the force on a floating base will not be measured: parameters that it alone tells do not count");
   add_plan_options(*command, *arguments);

@@ -168,8 +168,8 @@ Failure no_samples(const Measurement& measurement, int window, int decimate) {
   return Failure(ExitCode::input, none + of_filter, "log longer runs, or give a wider --band");
 }
 
-// Why no joint counts as moving.
-Failure no_motion(const Measurement& measurement) {
+// Why no joint counts as moving. `base`: the entries of q̇ of a floating base.
+Failure no_motion(const Measurement& measurement, int base) {
   const std::vector<JointObservations>& joints = measurement.observations.joints;
   const std::vector<double> rest = measurement.rest_speeds();
   const double fastest = *std::max_element(rest.begin(), rest.end());
@@ -179,7 +179,7 @@ Failure no_motion(const Measurement& measurement) {
       })->left_out;
   const std::vector<EquationInstant>& instants = measurement.observations.instants;
   const bool moves = std::any_of(instants.begin(), instants.end(), [&](const EquationInstant& instant) {
-    return !std::equal(rest.begin(), rest.end(), instant.qd.begin(),
+    return !std::equal(rest.begin() + base, rest.end(), instant.qd.begin() + base,
                        [](double slowest, double qd) { return std::abs(qd) <= slowest; });
   });
   if (most > 0 || moves) {
@@ -200,9 +200,30 @@ Failure no_motion(const Measurement& measurement) {
                  "and qdd1, ... of zeros, which tell the parameters of gravity");
 }
 
+// Whether a floating base turns, or what an accelerometer on it shows changes, by more than noise does.
+bool base_moves(const Measurement& measurement) {
+  constexpr double kTurns = 0.02, kForce = 0.1;  // rad/s; m/s²
+  const std::vector<EquationInstant>& instants = measurement.observations.instants;
+  return std::any_of(instants.begin(), instants.end(), [&](const EquationInstant& each) {
+    const EquationInstant& first = instants.front();
+    double force = 0, turns = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      force = std::max(force, std::abs(each.qdd[k] - first.qdd[k]));
+      turns = std::max(turns, std::abs(each.qd[3 + k]));
+    }
+    return force > kForce || turns > kTurns;
+  });
+}
+
+Failure no_equations() {
+  return Failure(ExitCode::input, "the robot has no joints, and the log no force on its base: there is no equation",
+                 "log the force on the base, base_fx to base_nz");
+}
+
 // Checks that some samples can be used, that some joint moves, and that gaps in time, each of which costs a window of
 // the filter, do not remove most samples.
-void check_samples(const Measurement& measurement, const std::string& log, Diagnostics& found) {
+void check_samples(const Measurement& measurement, const Mechanism& mechanism, const std::string& log,
+                   Diagnostics& found) {
   const StreamCount& count = measurement.count;
   int window = 0, decimate = 1;
   for (const SampleFilter& filter : measurement.filters()) {
@@ -211,9 +232,13 @@ void check_samples(const Measurement& measurement, const std::string& log, Diagn
   }
   if (count.used == 0) throw no_samples(measurement, window, decimate);
   const std::vector<JointObservations>& joints = measurement.observations.joints;
-  if (std::all_of(joints.begin(), joints.end(), [](const JointObservations& joint) { return joint.rows == 0; })) {
-    throw no_motion(measurement);
-  }
+  const auto has_no_rows = [](const JointObservations& joint) { return joint.rows == 0; };
+  const auto first_joint = joints.begin() + mechanism.base_bodies();
+  if (mechanism.joints().size() == 0 && std::all_of(joints.begin(), joints.end(), has_no_rows)) throw no_equations();
+  const bool joints_rest = std::all_of(first_joint, joints.end(), has_no_rows);
+  const bool base_rests =
+      !mechanism.floating_base || !base_moves(measurement) || std::all_of(joints.begin(), first_joint, has_no_rows);
+  if (joints_rest && base_rests) throw no_motion(measurement, mechanism.base_bodies());
   if (count.gaps == 0 || 2 * count.used * decimate > count.lines) return;
   found.warning({log, 0},
                 fmt::format("{} gaps in time take most of {} samples: each costs the filter's window, {} samples",
@@ -251,7 +276,7 @@ class Logs {
     }
     // A single part may have no samples; all parts together must have some.
     const bool is_whole = arguments_.part.empty() && !found.has_errors();
-    if (is_whole) check_samples(measurement, arguments_.source(), found);
+    if (is_whole) check_samples(measurement, equations.model().mechanism(), arguments_.source(), found);
     if (!reported_) arguments_.report(found);
     reported_ = true;
     return measurement;
@@ -294,7 +319,8 @@ class Logs {
     options.part = options.parts = 1;
     const std::vector<std::filesystem::path> logs(arguments_.validation.begin(), arguments_.validation.end());
     Measurement measurement = measure(equations, equations.model().mechanism(), logs, options, progress_, found);
-    if (!found.has_errors()) check_samples(measurement, arguments_.validation.front(), found);
+    if (!found.has_errors())
+      check_samples(measurement, equations.model().mechanism(), arguments_.validation.front(), found);
     arguments_.report(found);
     return measurement;
   }
@@ -390,7 +416,6 @@ ExitCode identify(IdentifyArguments arguments) {
   StreamOptions stream = arguments.stream;
   if (!arguments.part.empty()) read_part(arguments.part, stream);
   LoadedRobot robot = load_robot(arguments.robot, arguments.options());
-  refuse_spherical_joints(robot, "identify");
   if (!arguments.further.springs) refuse_springs(robot, "identify", "--springs estimates them; ");
   check_files(arguments, robot.robot);
   print_diagnostics(robot.diagnostics, arguments);

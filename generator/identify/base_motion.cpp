@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "identify/quaternion_rates.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -18,21 +20,6 @@ constexpr int kDirections = 3;
 Vector3d numbers_of(const Vec3& v) { return {nearest_double(v[0]), nearest_double(v[1]), nearest_double(v[2])}; }
 
 Eigen::Quaterniond quaternion_of(const VectorXd& wxyz) { return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]}; }
-
-// Angular velocity and its derivative in base axes, and the base's axes, from a quaternion that is smoothed entry by
-// entry, so that its length is not quite 1.
-struct Turning {
-  Matrix3d axes;
-  Vector3d velocity, acceleration;
-};
-
-Turning turning(const VectorXd& q, const VectorXd& qd, const VectorXd& qdd) {
-  const double square = q.squaredNorm();
-  const Eigen::Quaterniond back = quaternion_of(q).conjugate();
-  const Vector3d velocity = 2 / square * (back * quaternion_of(qd)).vec();
-  const Vector3d acceleration = 2 / square * ((back * quaternion_of(qdd)).vec() - q.dot(qd) * velocity);
-  return {quaternion_of(q).normalized().toRotationMatrix(), velocity, acceleration};
-}
 
 // (ω, f, ω̇).
 struct Motion {
@@ -50,12 +37,9 @@ Motion of_measurement_unit(const LogLayout& layout, const BaseSensors& sensors, 
 
 Motion of_pose(const LogLayout& layout, const BaseSensors& sensors, const ChannelFilter& channels) {
   const int place = layout.base_reading(), quaternion = place + LogLayout::kQuaternionInPose;
-  VectorXd q[3];
-  for (int order = 0; order < 3; ++order) {
-    q[order] = channels(quaternion, LogLayout::kPose - LogLayout::kQuaternionInPose, order);
-  }
-  const Turning found = turning(q[0], q[1], q[2]);
-  const Vector3d force = found.axes.transpose() * (channels(place, kDirections, 2) - sensors.gravity);
+  const auto turned = [&](int order) -> Eigen::Vector4d { return channels(quaternion, LogLayout::kQuaternion, order); };
+  const QuaternionRates found = quaternion_rates(turned(0), turned(1), turned(2));
+  const Vector3d force = found.turn.conjugate() * (channels(place, kDirections, 2) - sensors.gravity);
   return {found.velocity, force, found.acceleration};
 }
 

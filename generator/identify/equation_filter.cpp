@@ -139,6 +139,7 @@ void EquationFilter::mark_standing() {
   const int long_time = plan_.filter.standing_strides();
   GridMotion& newest = pending_.back();
   for (int j = layout_.base; j < n_; ++j) {
+    if (layout_.spherical_of(j)) continue;  // its rates are of all entries of its quaternion
     const auto at = static_cast<std::size_t>(j);
     const int position = layout_.position_of[at];
     const auto [step, deviation] = plan_.q_noise(position);
@@ -214,8 +215,8 @@ void EquationFilter::push_sample(const GridMotion& from, const GridMotion& to, i
     const auto at = static_cast<std::size_t>(j);
     const bool rests = from.rests[at] != 0 || to.rests[at] != 0;
     double speed = rests ? 0 : between(from.qd[j], from.qdd[j], to.qd[j], to.qdd[j], step, share);
-    if (j >= layout_.base && !rests && plan_.filter.band > 0 && sticks(j, static_cast<int>(newest - index), speed))
-      speed = 0;
+    const bool has_reading = j >= layout_.base && !layout_.spherical_of(j);
+    if (has_reading && !rests && plan_.filter.band > 0 && sticks(j, static_cast<int>(newest - index), speed)) speed = 0;
     speeds_[j] = speed;
     sample[unsure_at() + j] = std::abs(speed) < kUnsure * plan_.rest_speed[at] ? 1 : 0;
   }

@@ -40,12 +40,12 @@ LoggedInformation information_of(const Observations& observations, double second
 }
 
 LoggedInformation logged_information(const TorqueModel& model, const std::vector<std::filesystem::path>& logs,
-                                     Progress& progress, Diagnostics& diagnostics) {
+                                     const std::string& imu, Progress& progress, Diagnostics& diagnostics) {
   const TorqueEquations equations(model);
   LoggedInformation all;
   std::map<LogIdentity, std::string> known;
   for (const std::filesystem::path& log : logs) {
-    const Measurement measurement = measure(equations, model.mechanism(), {log}, {}, progress, diagnostics);
+    const Measurement measurement = measure(equations, model.mechanism(), {log}, {.imu = imu}, progress, diagnostics);
     if (!diagnostics.has_errors()) refuse_empty(measurement, log, diagnostics);
     if (diagnostics.has_errors()) return all;
     const MeasuredLog& read = measurement.logs.front();

@@ -19,9 +19,9 @@ struct LoggedInformation {
   double seconds = 0;  // length of what was used of the logs
 };
 
-// Errors go into `diagnostics`; after an error the result is meaningless.
+// Errors go into `diagnostics`; after an error the result is meaningless. imu: StreamOptions::imu.
 LoggedInformation logged_information(const TorqueModel& model, const std::vector<std::filesystem::path>& logs,
-                                     Progress& progress, Diagnostics& diagnostics);
+                                     const std::string& imu, Progress& progress, Diagnostics& diagnostics);
 
 // The information of observations whose samples are `seconds` apart.
 LoggedInformation information_of(const Observations& observations, double seconds);

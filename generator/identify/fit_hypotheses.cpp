@@ -36,6 +36,10 @@ class HypothesisSearch {
   HypothesisSearch(const TorqueModel& model, const Measurement& measurement, const std::vector<JointFit>& fits)
       : model_(model), rows_(model, measurement, fits) {
     for (int i = 0; i < model.equations(); ++i) names_.push_back(model.subject_of(i));
+    has_rows_.assign(names_.size(), false);
+    for (const RowSample::Instant& instant : rows_.instants()) {
+      for (std::size_t i = 0; i < has_rows_.size(); ++i) has_rows_[i] = has_rows_[i] || instant.used[i];
+    }
     noise_ = rows_.count();
     before_ = rows_.cost();
   }
@@ -45,10 +49,11 @@ class HypothesisSearch {
     torques();
     delay();
     if (is_open) missing_terms();
-    if (is_open) positions();
-    if (is_open) joints();
+    const bool has_positions = is_open && !model_.mechanism().has_spherical_joints();
+    if (has_positions) positions();
+    if (has_positions) joints();
     if (has_own_gravity()) gravity(robot);
-    if (is_open) offsets();
+    if (has_positions) offsets();
     if (model_.first_joint() > 0) sensors_of_base();
     if (has_own_gravity()) gravity_left_out(robot);
     if (has_own_gravity() && !best_) no_trace_of_gravity();
@@ -140,20 +145,31 @@ class HypothesisSearch {
     if (texts.size() > 1) best_->text = fmt::format("{}", fmt::join(texts, ", or "));
   }
 
+  // The equations that have rows: those of a floating base's force have none where the log lacks it.
+  std::vector<int> equations_with_rows() const {
+    std::vector<int> result;
+    for (int i = 0; i < model_.equations(); ++i) {
+      if (has_rows_[at(i)]) result.push_back(i);
+    }
+    return result;
+  }
+
   void torques() {
-    const auto n = static_cast<int>(names_.size());
-    for (int i = 0; i < n; ++i) {
+    const std::vector<int> all = equations_with_rows();
+    for (const int i : all) {
       consider_gain(i, -1, [&] {
         return fmt::format("{}: its {} look as if their sign were reversed", names_[at(i)], readings_of(i));
       });
     }
-    for (int i = 0; i < n; ++i) {
-      for (int k = i + 1; k < n; ++k) {
-        consider(rows_.cost_with_exchanged_torques(i, k),
-                 [&] { return fmt::format("{} and {}: their torques look exchanged", names_[at(i)], names_[at(k)]); });
+    for (const int i : all) {
+      for (const int k : all) {
+        if (k <= i || is_of_base(i) != is_of_base(k)) continue;
+        consider(rows_.cost_with_exchanged_torques(i, k), [&] {
+          return fmt::format("{} and {}: their {} look exchanged", names_[at(i)], names_[at(k)], readings_of(i));
+        });
       }
     }
-    for (int i = 0; i < n; ++i) {
+    for (const int i : all) {
       double offset = 0;
       const double cost = rows_.cost_with_torque_offset(i, offset);
       consider(cost, [&] {
@@ -163,6 +179,12 @@ class HypothesisSearch {
       gain(i);
     }
     name_equal_gains();
+    if (model_.first_joint() > 0 && has_rows_.front()) {
+      consider(rows_.cost_with_reaction(), [] {
+        return "the force on the base, and its moment, look as if their signs were reversed: they are what something "
+               "exerts on the base, the weight of a robot that hangs still upwards";
+      });
+    }
   }
 
   // The gain with least cost, first among powers of 1.25 up to 10^4, then by thirds of the interval about it.
@@ -187,7 +209,8 @@ class HypothesisSearch {
       return fmt::format("all torques look {:.2g} ms {} (--delay estimates it)", 1000 * std::abs(delay),
                          delay > 0 ? "late" : "early");
     });
-    for (int i = 0; i < static_cast<int>(names_.size()) && names_.size() > 1; ++i) {
+    for (const int i : equations_with_rows()) {
+      if (names_.size() == 1) break;
       const double cost_of_one = rows_.cost_with_delay_of(i, delay);
       consider(cost_of_one, [&] {
         return fmt::format("{}: its {} look {:.2g} ms {}, or {} {}", names_[at(i)], readings_of(i),
@@ -400,6 +423,7 @@ class HypothesisSearch {
   const TorqueModel& model_;
   RowSample rows_;
   std::vector<std::string> names_;
+  std::vector<bool> has_rows_;  // by equation
   double before_ = 0, noise_ = 0, least_ = 0;
   double odd_ = 0;        // of the best one
   bool is_gain_ = false;  // whether the best one is a gain

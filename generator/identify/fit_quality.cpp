@@ -108,7 +108,7 @@ std::vector<JointFit> fit_quality(const Observations& observations, const std::v
       fit.ratio = joint.rms_residual(values) / fit.expected;
       fit.of_positions = squares.of_positions[i] / std::pow(fit.expected, 2);
       fit.correlation = correlation_of_neighbours(observations.instants, left.col(i));
-      if (!fit.is_sound()) fit.limit = limit_of(observations.instants, i, fit.expected);
+      if (!fit.is_sound() && joint.rms_torque() > 0) fit.limit = limit_of(observations.instants, i, fit.expected);
     }
     fits.push_back(fit);
   }

@@ -65,7 +65,7 @@ Identification identification(const LoadedRobot& robot, const TorqueEquations& e
     // The tip's own row tells too little of what is common to all joints.
     const int parameters = equations.parameters() - equations.corrections();
     found.joint_by_joint = estimate_joint_by_joint(with_first(found.measurement.observations, parameters),
-                                                   equations.file_values().head(parameters));
+                                                   equations.file_values().head(parameters), model.first_of_joint());
   }
   progress.step("finding links that a body can have");
   // Friction and rotors that the estimate leaves out are left out of the robot that it is applied to, too.

@@ -149,22 +149,48 @@ MatrixXd root_information_of_first(const Estimate& estimate, int count) {
   return triangular_factor_of(others_first).bottomRightCorner(count, count);
 }
 
-VectorXd estimate_joint_by_joint(const Observations& observations, const VectorXd& prior) {
-  VectorXd values = prior;
-  std::vector<bool> known(static_cast<std::size_t>(observations.parameters), false);
-  for (auto joint = observations.joints.rbegin(); joint != observations.joints.rend(); ++joint) {
-    std::vector<int> places, unknown;
-    for (std::size_t k = 0; k < joint->columns.size(); ++k) {
-      const int column = joint->columns[k];
-      if (known[static_cast<std::size_t>(column)]) continue;
-      places.push_back(static_cast<int>(k));
-      unknown.push_back(column);
+namespace {
+
+// Finds the parameters that only these equations have of all that are not known yet.
+void add_block(const std::vector<JointObservations>& equations, std::vector<bool>& known, VectorXd& values) {
+  std::vector<int> unknown;
+  Index rows = 0;
+  for (const JointObservations& each : equations) {
+    rows += each.R.rows();
+    for (const int column : each.columns) {
+      if (!known[static_cast<std::size_t>(column)]) unknown.push_back(column);
       known[static_cast<std::size_t>(column)] = true;
     }
-    if (unknown.empty()) continue;
-    const MatrixXd A = joint->A();
-    const VectorXd rest = joint->b() - A * joint->restricted(values);
-    values(unknown) += shortest_solution(A(Eigen::all, places), rest);
+  }
+  if (unknown.empty()) return;
+  MatrixXd A = MatrixXd::Zero(rows, static_cast<Index>(unknown.size()));
+  VectorXd rest(rows);
+  Index row = 0;
+  for (const JointObservations& each : equations) {
+    const MatrixXd own = each.A();
+    rest.segment(row, own.rows()) = each.b() - own * each.restricted(values);
+    for (std::size_t k = 0; k < each.columns.size(); ++k) {
+      const auto at = std::find(unknown.begin(), unknown.end(), each.columns[k]);
+      if (at != unknown.end()) A.col(at - unknown.begin()).segment(row, own.rows()) = own.col(static_cast<Index>(k));
+    }
+    row += own.rows();
+  }
+  values(unknown) += shortest_solution(A, rest);
+}
+
+}  // namespace
+
+VectorXd estimate_joint_by_joint(const Observations& observations, const VectorXd& prior,
+                                 const std::vector<int>& together) {
+  VectorXd values = prior;
+  std::vector<bool> known(static_cast<std::size_t>(observations.parameters), false);
+  for (std::size_t end = observations.joints.size(); end > 0;) {
+    std::size_t first = end - 1;
+    while (first > 0 && !together.empty() && together[first - 1] == together[first]) --first;
+    const std::vector<JointObservations> rows(observations.joints.begin() + static_cast<std::ptrdiff_t>(first),
+                                              observations.joints.begin() + static_cast<std::ptrdiff_t>(end));
+    add_block(rows, known, values);
+    end = first;
   }
   return values;
 }

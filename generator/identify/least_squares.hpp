@@ -54,7 +54,9 @@ Eigen::MatrixXd root_information_of_first(const Estimate& estimate, int count);
 
 // The textbook's sequential procedure (7.4), for comparison: from the tips to the base, joint by joint, each from its
 // own row, with the known parameters moved to the right-hand side. Parameters that the motion does not tell are taken
-// from `prior`. Errors of the tips' parameters spread to all others.
-Eigen::VectorXd estimate_joint_by_joint(const Observations& observations, const Eigen::VectorXd& prior);
+// from `prior`. Errors of the tips' parameters spread to all others. together: by equation, a number that consecutive
+// equations have in common that are solved as one; empty: each by itself.
+Eigen::VectorXd estimate_joint_by_joint(const Observations& observations, const Eigen::VectorXd& prior,
+                                        const std::vector<int>& together = {});
 
 }  // namespace flatdyn

@@ -28,8 +28,8 @@ class LayoutReader {
     const std::vector<CsvSource> qd = columns_.all_or_none(CsvQuantity::qd, joints),
                                  qdd = columns_.all_or_none(CsvQuantity::qdd, joints),
                                  h_e = columns_.all_or_none(CsvQuantity::h_e);
-    layout.has_rates = !qd.empty();
-    layout.has_accelerations = !qdd.empty();
+    layout.has_rates = !qd.empty() || layout.joints == 0;
+    layout.has_accelerations = !qdd.empty() || layout.joints == 0;
     layout.has_tip_force = !h_e.empty();
     const BaseColumns base = layout.base > 0 ? base_columns(torques) : BaseColumns{};
     columns_.finish();
@@ -41,7 +41,9 @@ class LayoutReader {
     place(qd, layout.qd());
     place(qdd, layout.qdd());
     place(h_e, layout.h_e());
-    place(base.readings, layout.base_reading());
+    place(base.place, layout.base_reading());
+    const bool is_pose = layout.base_motion == BaseMotion::pose;
+    place(base.readings, layout.base_reading() + (is_pose ? LogLayout::kQuaternionInPose : 0));
     place(base.twist, layout.twist());
     place(base.twist_rates, layout.twist_rates());
     for (const auto& [column, text] : columns_.fixed_texts()) {
@@ -53,7 +55,7 @@ class LayoutReader {
  private:
   // The columns about a floating base.
   struct BaseColumns {
-    std::vector<CsvSource> force, readings, twist, twist_rates;
+    std::vector<CsvSource> force, place, readings, twist, twist_rates;
   };
 
   void set_sizes(bool torques) {
@@ -63,6 +65,10 @@ class LayoutReader {
     layout.positions = mechanism_.position_count();
     for (int i = 0; i < mechanism_.size(); ++i) {
       layout.position_of.push_back(i < layout.base ? -1 : mechanism_.position_of(i));
+    }
+    for (const int first : mechanism_.quaternions()) {
+      layout.spherical_positions.push_back(first);
+      layout.spherical.push_back(mechanism_.body_at(first));
     }
     layout.has_torques = torques;
   }
@@ -77,11 +83,13 @@ class LayoutReader {
     found.readings = columns_.all_or_none(CsvQuantity::imu);
     if (!found.readings.empty()) {
       layout.base_motion = BaseMotion::imu;
+      note_unused_twist(entries);
       return found;
     }
     found.twist = columns_.all_or_none(CsvQuantity::qd, entries);
     found.twist_rates = columns_.all_or_none(CsvQuantity::qdd, entries);
-    found.readings = columns_.all_or_none(CsvQuantity::pose);
+    found.place = columns_.all_or_none(CsvQuantity::pose, {0, LogLayout::kQuaternionInPose});
+    found.readings = columns_.all_or_none(CsvQuantity::pose, {LogLayout::kQuaternionInPose});
     layout.base_motion = BaseMotion::pose;
     if (found.readings.empty()) {
       found.readings = columns_.all_or_none(CsvQuantity::g_b);
@@ -89,16 +97,24 @@ class LayoutReader {
     }
     layout.has_twist = !found.twist.empty();
     layout.has_twist_rates = !found.twist_rates.empty();
-    const bool is_told = layout.base_motion == BaseMotion::pose || layout.has_twist;
+    layout.has_place = !found.place.empty();
+    const bool is_told = layout.has_twist || !found.place.empty();
     if (found.readings.empty() || !is_told || (layout.has_twist_rates && !layout.has_twist)) refuse_base();
     return found;
   }
 
+  void note_unused_twist(const CsvEntries& entries) {
+    const bool is_there = !columns_.all_or_none(CsvQuantity::qd, entries).empty();
+    if (!is_there) return;
+    diagnostics_.note(place_, "columns that are not used: the base's twist, as a measurement unit tells its motion", {},
+                      "headings with columns that are not used");
+  }
+
   void refuse_base() {
     diagnostics_.error(place_, "no columns that tell the motion of the floating base",
-                       "give imu_ax to imu_wz of an inertial measurement unit; or base_x to base_qz, its pose, perhaps "
-                       "with its twist base_vx to base_wz and base_dvx to base_dwz; or the twist with gravity in base "
-                       "axes, base_gx to base_gz");
+                       "give imu_ax to imu_wz of an inertial measurement unit; or base_x to base_qz, its pose; or its "
+                       "twist, base_vx to base_wz and perhaps base_dvx to base_dwz, with its quaternion, base_qw to "
+                       "base_qz, or gravity in base axes, base_gx to base_gz");
   }
 
   void place(const std::vector<CsvSource>& sources, int first) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,18 +22,25 @@ enum class BaseMotion : std::uint8_t {
 };
 
 // The channels of a sample: time, q, and, where the log has them, τ, q̇, q̈, the tip force and the motion of the base.
-// With closed loops, q has more entries than the others: q̇_i is the rate of q[position_of[i]]. q̇ and q̈ have no
-// channels of a floating base, whose first six entries of τ are zeros where the log lacks them.
+// With closed loops, q has more entries than the others: q̇_i is the rate of q[position_of[i]]. A spherical joint has
+// four entries in q, a unit quaternion w, x, y, z, and three in the others. q̇ and q̈ have no channels of a floating
+// base, whose first six entries of τ are zeros where the log lacks them.
 struct LogLayout {
-  int joints = 0, positions = 0;   // entries of q̇ without those of a floating base; entries of q
-  int base = 0;                    // entries of q̇ that are the motion of a floating base: 0 or 6
-  std::vector<int> position_of{};  // by entry of q̇; -1: that of a floating base, which has no position in q
+  int joints = 0, positions = 0;  // entries of q̇ without those of a floating base; entries of q
+  int base = 0;                   // entries of q̇ that are the motion of a floating base: 0 or 6
+  // By entry of q̇: its entry of q; x, y and z of a spherical joint's quaternion for its three; -1 for a floating base,
+  // which has no position in q.
+  std::vector<int> position_of{};
+  // The entries of q̇ with which those of spherical joints begin, and the entries of q with which their quaternions do.
+  std::vector<int> spherical{}, spherical_positions{};
   bool has_torques = true;
   bool has_rates = false, has_accelerations = false, has_tip_force = false;
   BaseMotion base_motion = BaseMotion::none;
   bool has_base_force = false, has_twist = false, has_twist_rates = false;
+  bool has_place = false;  // whether the log has the position of a pose; zeros stand for it where it has a twist
 
   static constexpr int kWrench = 6, kTwist = 6, kPose = 7, kQuaternionInPose = 3, kGravity = 3;
+  static constexpr int kTurns = 3, kQuaternion = 4;
   // Entries of q̇, q̈ and τ.
   int rates() const { return base + joints; }
   // Whether nothing has to be differentiated.
@@ -63,6 +71,20 @@ struct LogLayout {
   int twist() const { return base_reading() + base_readings(); }
   int twist_rates() const { return twist() + (has_twist ? kTwist : 0); }
   int channels() const { return twist_rates() + (has_twist_rates ? kTwist : 0); }
+  // The spherical joint that an entry of q̇ is of, by its place in `spherical`; none of other joints.
+  std::optional<std::size_t> spherical_of(int rate) const {
+    for (std::size_t k = 0; k < spherical.size(); ++k) {
+      if (rate >= spherical[k] && rate < spherical[k] + kTurns) return k;
+    }
+    return std::nullopt;
+  }
+  // The channels with which quaternions begin: those of spherical joints, then that of a floating base's pose.
+  std::vector<int> quaternions() const {
+    std::vector<int> result;
+    for (const int position : spherical_positions) result.push_back(q() + position);
+    if (base_motion == BaseMotion::pose) result.push_back(base_reading() + kQuaternionInPose);
+    return result;
+  }
   // The channels that are differentiated twice where the log lacks rates: q, and the pose of a floating base.
   std::vector<int> positions_of_all() const {
     std::vector<int> result;

@@ -56,6 +56,7 @@ LogReader::LogReader(const std::filesystem::path& path, const Mechanism& mechani
   if (!again.next_row(first_row)) first_row = {};
   heading_ = read_heading(heading, std::string(first_row), place(), mechanism, torques, diagnostics);
   marks_ = DecimalMarks(heading_.separator);
+  find_quaternions();
 }
 
 LogReader::LogReader(const std::filesystem::path& path, LogHeading heading, Diagnostics& diagnostics)
@@ -66,6 +67,12 @@ LogReader::LogReader(const std::filesystem::path& path, LogHeading heading, Diag
       marks_(heading_.separator) {
   std::string_view line;
   lines_.next_row(line);
+  find_quaternions();
+}
+
+void LogReader::find_quaternions() {
+  quaternions_ = layout().quaternions();
+  last_quaternions_.assign(quaternions_.size(), Eigen::Vector4d::UnitX());
 }
 
 bool LogReader::report_error(const std::string& message, const std::string& hint) {
@@ -88,7 +95,7 @@ void LogReader::jump(double share) {
 bool LogReader::next(double* channels) {
   std::string_view line;
   while (errors_ < kMostErrors && lines_.next_row(line)) {
-    if (!parse(line, channels) || !set_time(channels) || !set_quaternion(channels)) continue;
+    if (!parse(line, channels) || !set_time(channels) || !set_quaternions(channels)) continue;
     const double time = channels[LogLayout::time()];
     if (time > last_time_) {
       last_time_ = time;
@@ -184,19 +191,21 @@ bool LogReader::set_time(double* channels) {
   return false;
 }
 
-// Makes the quaternion of a floating base's pose one of unit length, with the sign that is nearer to the last one's.
-bool LogReader::set_quaternion(double* channels) {
+// Makes quaternions ones of unit length, with the sign that is nearer to the last ones'.
+bool LogReader::set_quaternions(double* channels) {
   constexpr double kRoundedMost = 0.02;
-  if (layout().base_motion != BaseMotion::pose) return true;
-  Eigen::Map<Eigen::Vector4d> quaternion(channels + layout().base_reading() + LogLayout::kQuaternionInPose);
-  const double length = quaternion.norm();
-  if (std::abs(length - 1) > kRoundedMost) {
-    report_error(fmt::format("the base's quaternion has the length {:.4g}", length),
-                 "base_qw to base_qz are a unit quaternion w, x, y, z");
-    return false;
+  for (std::size_t k = 0; k < quaternions_.size(); ++k) {
+    Eigen::Map<Eigen::Vector4d> quaternion(channels + quaternions_[k]);
+    const double length = quaternion.norm();
+    if (std::abs(length - 1) > kRoundedMost) {
+      const std::string first = heading_.channel_names()[static_cast<std::size_t>(quaternions_[k])];
+      report_error(fmt::format("the quaternion that begins with column \"{}\" has the length {:.4g}", first, length),
+                   "its four columns are a unit quaternion w, x, y, z");
+      return false;
+    }
+    quaternion /= quaternion.dot(last_quaternions_[k]) < 0 ? -length : length;
+    last_quaternions_[k] = quaternion;
   }
-  quaternion /= quaternion.dot(last_quaternion_) < 0 ? -length : length;
-  last_quaternion_ = quaternion;
   return true;
 }
 

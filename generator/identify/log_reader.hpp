@@ -43,7 +43,8 @@ class LogReader {
   const char* parse_number(const LogColumn& column, const char* at, const char* end, double* channels);
   bool read_marked_number(std::string_view entry, double& value);
   bool set_time(double* channels);
-  bool set_quaternion(double* channels);
+  void find_quaternions();
+  bool set_quaternions(double* channels);
   void report_bad_entry(std::string_view entry, const LogColumn& column);
   bool report_error(const std::string& message, const std::string& hint = {});
 
@@ -55,7 +56,8 @@ class LogReader {
   std::string time_, nanoseconds_;  // texts of the current line, where the clock is read as text
   int errors_ = 0;
   double last_time_ = -std::numeric_limits<double>::infinity();
-  Eigen::Vector4d last_quaternion_ = Eigen::Vector4d::UnitX();
+  std::vector<int> quaternions_;  // LogLayout::quaternions()
+  std::vector<Eigen::Vector4d> last_quaternions_;
 };
 
 }  // namespace flatdyn

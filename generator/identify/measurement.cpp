@@ -50,12 +50,22 @@ std::vector<PlannedLog> planned_logs(const EquationModel& equations, const Mecha
   return planned;
 }
 
+// The noise of a quaternion's four entries as that of the turns that they tell: half a turn's sine is in them.
+ChannelNoise turning_noise(const StreamPlan& plan, int position) {
+  double squares = 0;
+  for (int k = 0; k < LogLayout::kQuaternion; ++k) squares += std::pow(plan.q_noise(position + k).deviation, 2);
+  return {0, std::sqrt(squares)};
+}
+
 // By entry of q̈: the noise of the base's readings, and of the joint's position where that is differentiated twice.
 std::vector<ChannelNoise> noise_of_motion(const StreamPlan& plan, const std::vector<int>& orders) {
   const LogLayout& layout = plan.layout();
   std::vector<ChannelNoise> result = base_noise(layout, plan.sensors, plan.noise);
   for (std::size_t i = result.size(); i < orders.size(); ++i) {
-    result.push_back(orders[i] == 2 ? plan.q_noise(layout.position_of[i]) : ChannelNoise{});
+    const std::optional<std::size_t> spherical = layout.spherical_of(static_cast<int>(i));
+    result.push_back(orders[i] != 2 ? ChannelNoise{}
+                     : spherical    ? turning_noise(plan, layout.spherical_positions[*spherical])
+                                    : plan.q_noise(layout.position_of[i]));
   }
   return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "identify/motion_filter.hpp"
 
+#include "identify/quaternion_rates.hpp"
 #include "identify/zero_phase.hpp"
 
 namespace flatdyn {
@@ -51,7 +52,20 @@ void MotionFilter::filter(const SampleWindow& window, VectorXd& q, VectorXd& qd,
   qdd.tail(n) = layout_.has_accelerations ? channels(layout_.qdd(), n, 0)
                 : layout_.has_rates       ? channels(layout_.qd(), n, 1)
                                           : weighed_positions(window, layout_, weights_[2]);
+  for (std::size_t k = 0; k < layout_.spherical.size(); ++k) set_spherical(k, channels, q, qd, qdd);
   if (layout_.has_tip_force) h_e = channels(layout_.h_e(), LogLayout::kWrench, 0);
+}
+
+// The rates of a spherical joint are no derivatives of entries of its quaternion, which is of unit length again here.
+void MotionFilter::set_spherical(std::size_t k, const ChannelFilter& channels, VectorXd& q, VectorXd& qd,
+                                 VectorXd& qdd) const {
+  const int position = layout_.spherical_positions[k], first = LogLayout::q() + position;
+  q.segment(position, LogLayout::kQuaternion).normalize();
+  if (layout_.has_rates) return;
+  const auto turned = [&](int order) -> Eigen::Vector4d { return channels(first, LogLayout::kQuaternion, order); };
+  const QuaternionRates found = quaternion_rates(turned(0), turned(1), turned(2));
+  qd.segment(layout_.spherical[k], LogLayout::kTurns) = found.velocity;
+  if (!layout_.has_accelerations) qdd.segment(layout_.spherical[k], LogLayout::kTurns) = found.acceleration;
 }
 
 }  // namespace flatdyn

@@ -20,6 +20,10 @@ class MotionFilter {
               Eigen::VectorXd& h_e) const;
 
  private:
+  // Of the k-th spherical joint.
+  void set_spherical(std::size_t k, const ChannelFilter& channels, Eigen::VectorXd& q, Eigen::VectorXd& qd,
+                     Eigen::VectorXd& qdd) const;
+
   LogLayout layout_;
   BaseSensors sensors_;
   Eigen::VectorXd weights_[3];

@@ -50,7 +50,7 @@ class Stream {
         positions_(mechanism, plan.heading),
         rates_(mechanism, plan.heading, plan.filter.dt, plan.moves),
         signals_(plan),
-        base_(plan.heading, plan.sensors.gravity.norm()),
+        base_(plan.heading, plan.filter.dt),
         plan_(plan),
         half_window_(std::min(plan.filter.half_window() + SpikeRepair::kReach + plan.filter.standing_samples(),
                               static_cast<int>(kBlock / 2))),
@@ -110,6 +110,7 @@ class Stream {
   void restart() {
     receiver_.restart();
     signals_.restart();
+    base_.restart();
     contiguous_ = 0;
   }
 

@@ -191,7 +191,7 @@ void check_complete(const std::vector<Part>& parts, Diagnostics& diagnostics) {
     const Place place{part.file.string(), 0};
     if (part.settings != first.settings) {
       diagnostics.error(place, fmt::format("made with other options than {}", first.file.string()),
-                        "the same N, --band and --decimate for all parts");
+                        "the same N, --band, --decimate and --imu for all parts");
     } else if (part.measurement.logs != first.measurement.logs) {
       diagnostics.error(place,
                         fmt::format("made from other logs than {}: {} instead of {}", first.file.string(),

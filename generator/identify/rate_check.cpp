@@ -28,7 +28,8 @@ RateCheck::RateCheck(const Mechanism& mechanism, const LogHeading& heading, doub
     add_pair(layout.twist() + i, layout.twist_rates() + i);
   }
   for (int i = 0; i < layout.joints && layout.has_rates; ++i) {
-    add_pair(LogLayout::q() + mechanism.position_of(layout.base + i), layout.qd() + i);
+    const bool is_turn = layout.spherical_of(layout.base + i).has_value();
+    if (!is_turn) add_pair(LogLayout::q() + mechanism.position_of(layout.base + i), layout.qd() + i);
     if (layout.has_accelerations) add_pair(layout.qd() + i, layout.qdd() + i);
   }
 }

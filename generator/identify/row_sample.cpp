@@ -151,6 +151,12 @@ double RowSample::cost_with_torque_offset(int joint, double& offset) const {
   return cost;
 }
 
+double RowSample::cost_with_reaction() const {
+  Normal sum = sum_without(-1);
+  for (int i = 0; i < model_.first_joint(); ++i) sum.h -= 2 * normals_[static_cast<std::size_t>(i)].h;
+  return least(sum);
+}
+
 // Cubic polynomials between neighbours that have rates.
 std::optional<RowSample::Reading> RowSample::reading_at(std::size_t place, double time) const {
   const auto follows = [&](std::size_t k) {

@@ -21,6 +21,8 @@ class RowSample {
   // Torques of joint i that are `gain` times the right ones; noise is not part of the gain.
   double cost_with_gain(int joint, double gain, Eigen::VectorXd* parameters = nullptr) const;
   double cost_with_exchanged_torques(int joint, int other) const;
+  // The force on a floating base, and its moment, with the other sign.
+  double cost_with_reaction() const;
   // All columns of two joints exchanged: positions and torques. Joints are counted from 0, without a floating base.
   double cost_with_exchanged_joints(int joint, int other) const;
   // Torques of joint i with a constant added, which is found, N m or N.

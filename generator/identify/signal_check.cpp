@@ -26,7 +26,7 @@ SignalCheck::SignalCheck(const StreamPlan& plan) {
     signal.position = position;
     signal.position_step = kStepsOfMotion * std::max(of_position.step, of_position.deviation);
     signal.channel = channel;
-    signal.is_torque = is_torque;
+    signal.is_torque = signal.may_spike = is_torque;
     signal.noise = noise.deviation;
     signal.step = noise.step;
     signal.name = names[static_cast<std::size_t>(channel)];
@@ -41,8 +41,16 @@ SignalCheck::SignalCheck(const StreamPlan& plan) {
         LogLayout::q() + layout.position_of[static_cast<std::size_t>(i)]);
   }
   // The base's own force and motion are looked at as positions are: no joint tells when they must change.
-  for (int i = 0; i < layout.base && layout.has_base_force; ++i) add_position(layout.tau() + i);
-  for (int i = 0; i < layout.base_readings(); ++i) add_position(layout.base_reading() + i);
+  const auto add_of_base = [&](int channel) {
+    add_position(channel);
+    signals_.back().may_spike = true;
+  };
+  for (int i = 0; i < layout.base && layout.has_base_force; ++i) add_of_base(layout.tau() + i);
+  const bool is_pose = layout.base_motion == BaseMotion::pose;
+  for (int i = is_pose && !layout.has_place ? LogLayout::kQuaternionInPose : 0; i < layout.base_readings(); ++i) {
+    is_pose ? add_position(layout.base_reading() + i) : add_of_base(layout.base_reading() + i);
+  }
+  for (int i = 0; i < LogLayout::kTwist && layout.has_twist; ++i) add_of_base(layout.twist() + i);
 }
 
 void SignalCheck::add(const double* channels, int file_line) {
@@ -57,13 +65,14 @@ void SignalCheck::restart() {
 }
 
 void SignalCheck::Signal::add(double time, double reading, double joint, int file_line) {
-  if (is_torque && count > 1) follow_spikes(reading);
+  if (may_spike && count > 1) follow_spikes(reading);
   if (count > 0) follow_block(time, reading, joint, file_line);
   if (count == 0) {
     since = time;
     since_line = file_line;
     position_since = joint;
   }
+  second_before = before;
   before = last;
   last = reading;
   last_time = time;
@@ -71,9 +80,11 @@ void SignalCheck::Signal::add(double time, double reading, double joint, int fil
   ++count;
 }
 
-// A spike is a reading far from both of its neighbours, which are near each other.
+// A spike is a reading far from both of its neighbours, which are near each other. It bends the signal to the other
+// side one reading before, as the top of a smooth signal does not.
 void SignalCheck::Signal::follow_spikes(double reading) {
-  const double middle = last - (before + reading) / 2;
+  const double middle = last - (before + reading) / 2, bend_before = before - (second_before + last) / 2;
+  if (count > 2 && bend_before * middle >= 0) return;
   if (noise == 0 || std::abs(middle) < kSpike * noise || std::abs(reading - before) > std::abs(middle) / 2) return;
   if (spikes++ > 0) return;
   first_spike = last_time;
@@ -159,10 +170,10 @@ void SignalCheck::finish(const std::string& file, Diagnostics& diagnostics) cons
   report_held(file, diagnostics);
   for (const Signal& signal : signals_) {
     if (signal.spikes > 0) {
-      diagnostics.warning(
-          {file, signal.spike_line},
-          fmt::format("{}: {} spikes, the first at {:.6g} s", signal.name, signal.spikes, signal.first_spike),
-          "single readings far from their neighbours: repair them, or give --robust");
+      diagnostics.warning({file, signal.spike_line},
+                          fmt::format("{}: {} {}, the first at {:.6g} s", signal.name, signal.spikes,
+                                      signal.spikes == 1 ? "spike" : "spikes", signal.first_spike),
+                          "single readings far from their neighbours: repair them, or give --robust");
     }
     if (signal.blocks > 0) {
       diagnostics.warning(
@@ -171,7 +182,7 @@ void SignalCheck::finish(const std::string& file, Diagnostics& diagnostics) cons
                       signal.first_is_zero ? "is 0" : "does not change", signal.first_from, signal.first_to,
                       signal.blocks > 1 ? fmt::format("; {} such blocks in all", signal.blocks) : ""),
           signal.is_torque ? "readings that were lost: cut these times out of the log"
-                           : "is the encoder frozen there? Cut these times out of the log");
+                           : "is the reading frozen there? Cut these times out of the log");
     }
   }
 }

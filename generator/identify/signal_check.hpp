@@ -30,13 +30,14 @@ class SignalCheck {
   struct Signal {
     int channel = 0;
     bool is_torque = false;
+    bool may_spike = false;    // spikes of positions are repaired elsewhere
     int position = 0;          // the channel of the joint's position
     double position_step = 0;  // how far it must move to count as moving
     double noise = 0, step = 0;
     std::string name;
 
-    // The last two readings, and since when the last one has not changed.
-    double before = 0, last = 0, since = 0, last_time = 0;
+    // The last three readings, and since when the last one has not changed.
+    double second_before = 0, before = 0, last = 0, since = 0, last_time = 0;
     double position_since = 0;  // the joint's position then
     int since_line = 0, last_line = 0;
     long held = 0, count = 0;

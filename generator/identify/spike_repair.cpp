@@ -110,7 +110,8 @@ void SpikeRepair::finish(const std::string& file, Diagnostics& diagnostics) cons
         {file, each.file_line},
         fmt::format("{}: a reading is far from those beside it, by {:.2g} at {:.6g} s{}", each.name, each.size,
                     each.time, each.count > 1 ? fmt::format("; {} such readings in all", each.count) : ""),
-        "interpolated positions are taken instead; is the encoder or its cable loose?");
+        "interpolated positions are taken instead; is the encoder or its cable loose, or does motion capture lose the "
+        "base?");
   }
 }
 

@@ -182,7 +182,8 @@ void set_rest_speeds(StreamPlan& plan, const LogSurvey& log, const Mechanism& me
   plan.rest_speed.assign(static_cast<std::size_t>(base), 0);
   for (std::size_t i = 0; i < n; ++i) {
     const auto joint = static_cast<int>(i);
-    double speed = log.moves ? rest_speed_of(plan, log, mechanism.position_of(base + joint), joint) : 0;
+    const int position = mechanism.position_of(base + joint), turns = plan.layout().spherical_of(base + joint) ? 2 : 1;
+    double speed = log.moves ? turns * rest_speed_of(plan, log, position, joint) : 0;
     if (!given.empty()) speed = given.size() == 1 ? given.front() : given[i];
     plan.rest_speed.push_back(speed);
   }
@@ -197,6 +198,10 @@ StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechan
   if (diagnostics.has_errors()) return plan;
   plan.heading = reader.heading();
   plan.sensors = base_sensors(mechanism, options.imu);
+  if (!options.imu.empty() && plan.layout().base_motion != BaseMotion::imu) {
+    diagnostics.warning({log.string(), 1}, "--imu has no effect: the log has no columns imu_ax to imu_wz",
+                        "leave --imu out, or log the measurement unit");
+  }
   const std::vector<SurveyedSample> samples = first_samples(reader);
   if (diagnostics.has_errors()) return plan;
   if (samples.size() < 2) {

@@ -156,7 +156,7 @@ void TorqueEquations::evaluate(const MeasuredMotion& motion, double* entries, do
       const bool is_of_model = term.column < model_.parameters();
       *entries++ = is_of_model                         ? row[term.column]
                    : term.kind == Term::Kind::gravity  ? of_gravity(static_cast<Eigen::Index>(i), term.slope)
-                   : term.kind == Term::Kind::position ? motion.q[static_cast<int>(i) - model_.first_joint()]
+                   : term.kind == Term::Kind::position ? motion.q[model_.mechanism().position_of(static_cast<int>(i))]
                    : term.kind == Term::Kind::relaxed  ? -1
                                                        : 1;
     }

@@ -97,6 +97,15 @@ const Body& TorqueModel::body_of_parameter(int k) const {
   return mechanism().bodies[static_cast<std::size_t>(joint_of(base_.columns[static_cast<std::size_t>(k)]))];
 }
 
+std::vector<int> TorqueModel::first_of_joint() const {
+  std::vector<int> first;
+  for (int i = 0; i < equations(); ++i) {
+    const int part = mechanism().joint(i).spherical;
+    first.push_back(i < first_joint() ? 0 : i - std::max(0, part - 1));
+  }
+  return first;
+}
+
 std::string TorqueModel::subject_of(int equation) const {
   constexpr int kDirections = 3;
   if (equation >= first_joint()) return fmt::format("joint \"{}\"", mechanism().joint(equation).joint);

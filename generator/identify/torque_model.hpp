@@ -31,6 +31,9 @@ class TorqueModel {
   // The equation of the first joint, and the number of joints.
   int first_joint() const { return model_.mechanism.base_bodies(); }
   int joints() const { return equations() - first_joint(); }
+  // By equation, the first one of the same joint: six of a floating base and three of a spherical joint belong
+  // together.
+  std::vector<int> first_of_joint() const;
   // Whose equation it is, in sentences: 'joint "elbow"', 'the base's force along x'.
   std::string subject_of(int equation) const;
   // A short name for tables: the joint's, or "base_fx".

@@ -45,7 +45,7 @@ void refuse_spherical_joints(const LoadedRobot& model, const std::string& what) 
     found.unsupported(
         joint.place,
         fmt::format("{}: spherical joints are not supported yet, and joint \"{}\" is one", what, joint.name),
-        "inspect, convert, generate, verify, eval, simulate and stress know them");
+        "inspect, convert, generate, verify, certify, eval, simulate, identify, bench and stress know them");
     throw BadInput(ExitCode::unsupported, std::move(found));
   }
 }
@@ -53,11 +53,11 @@ void refuse_spherical_joints(const LoadedRobot& model, const std::string& what) 
 void refuse_floating_base(const LoadedRobot& model, const std::string& what) {
   if (!model.mechanism.floating_base) return;
   Diagnostics found;
-  found.unsupported(
-      model.robot.links[static_cast<std::size_t>(model.robot.root)].place,
-      what + ": robots with a floating base are not supported yet",
-      "inspect, convert, generate, verify, certify, eval, simulate, report, bench and stress know them; --base fixed "
-      "holds the base still");
+  found.unsupported(model.robot.links[static_cast<std::size_t>(model.robot.root)].place,
+                    what + ": robots with a floating base are not supported yet",
+                    "inspect, convert, generate, verify, certify, eval, simulate, identify, excite, report, bench and "
+                    "stress know them; "
+                    "--base fixed holds the base still");
   throw BadInput(ExitCode::unsupported, std::move(found));
 }
 

@@ -151,8 +151,13 @@ std::string parameter_table(const TorqueEquations& equations, const Identificati
          gravity_text(found.unknowns);
 }
 
-std::string untold_text(const TorqueEquations& equations, const Estimate& estimate) {
+std::string untold_text(const TorqueEquations& equations, const Estimate& estimate, bool lacks_base_force) {
   std::string text;
+  if (lacks_base_force) {
+    text +=
+        "\nno log has the force on the base, base_fx to base_nz: the base's own ten parameters keep the robot file's\n"
+        "values\n";
+  }
   if (!estimate.damped.empty()) {
     text +=
         "\ndirections that this motion does not tell; along them nothing leaves the robot file's values (damped least\n"
@@ -206,21 +211,53 @@ std::string further_of_links_text(const TorqueEquations& equations, const Identi
   return "with these links, other further parameters fit the log than with pi_b:" + others + "\n";
 }
 
+// What is left of an equation in other logs, as a multiple of what was left before. Where other things measure the
+// motion, what noise makes of residuals differs, and residuals are compared with that.
+double validation_ratio(const Identification& found, std::size_t i) {
+  const double before = found.measurement.observations.joints[i].rms_residual(found.estimate.values);
+  const double now = found.validation->observations.joints[i].rms_residual(found.estimate.values);
+  if (!(before > 0)) return 0;
+  const bool is_alike =
+      found.measurement.logs.front().differentiations == found.validation->logs.front().differentiations;
+  const double ratio = now / before;
+  return is_alike ? ratio : std::min(ratio, found.validation_fits[i].ratio / found.fits[i].ratio);
+}
+
+std::string verdict_text(const TorqueModel& model, const Identification& found) {
+  constexpr double kMuch = 1.5;
+  double worst = 0;
+  auto of_joint = static_cast<std::size_t>(model.first_joint());
+  std::vector<std::string> new_ones;
+  for (std::size_t i = 0; i < found.validation_fits.size(); ++i) {
+    const bool has_rows = found.validation->observations.joints[i].rows > 0;
+    if (has_rows && found.measurement.observations.joints[i].rows == 0 && i < of_joint) {
+      new_ones.push_back(model.name_of(static_cast<int>(i)));
+    }
+    const double ratio = validation_ratio(found, i);
+    if (ratio > worst) std::tie(worst, of_joint) = std::pair(ratio, i);
+  }
+  const auto equation = static_cast<int>(of_joint);
+  std::string text = fmt::format(
+      "{}: residuals are at most {:.2g} times those of the log that the parameters come from ({}{}).\n",
+      worst < kMuch ? "The parameters hold for other motions" : "The parameters do not hold for this motion", worst,
+      equation < model.first_joint() ? "" : "joint ", model.name_of(equation));
+  if (!new_ones.empty()) {
+    text += fmt::format("The log that the parameters come from has no {}: nothing is said of what is left of them.\n",
+                        fmt::join(new_ones, ", "));
+  }
+  return text;
+}
+
 // How the parameters do on other logs, in a table and a sentence.
 std::string validation_text(const TorqueModel& model, const Identification& found) {
-  constexpr double kMuch = 1.5;
   if (!found.validation) return "";
   std::vector<std::vector<std::string>> rows = {{"validation", "torque (rms)", "residual (rms)", "explained",
                                                  "noise ratio", "correlation", "of the links", "used"}};
-  double worst = 0;
-  auto of_joint = static_cast<std::size_t>(model.first_joint());
   for (auto i = static_cast<std::size_t>(first_equation(model, found.validation->observations));
        i < found.validation_fits.size(); ++i) {
     const JointObservations& joint = found.validation->observations.joints[i];
     const double torque = joint.rms_torque(), residual = joint.rms_residual(found.estimate.values);
     const double part = torque > 0 ? residual / torque : 0;
-    const double before = found.measurement.observations.joints[i].rms_residual(found.estimate.values);
-    if (before > 0 && residual / before > worst) std::tie(worst, of_joint) = std::pair(residual / before, i);
     rows.push_back({model.name_of(static_cast<int>(i)), fmt::format("{:.4g}", torque), fmt::format("{:.3g}", residual),
                     fmt::format("{:.4g} %", 100 * (1 - part * part)),
                     fmt::format("{:.3g}", found.validation_fits[i].ratio),
@@ -229,11 +266,7 @@ std::string validation_text(const TorqueModel& model, const Identification& foun
                     fmt::format("{:.3g} %", 100.0 * static_cast<double>(joint.rows) /
                                                 static_cast<double>(found.validation->count.used))});
   }
-  return "\n" + aligned_table(rows) +
-         fmt::format(
-             "{}: residuals are at most {:.2g} times those of the log that the parameters come from (joint {}).\n",
-             worst < kMuch ? "The parameters hold for other motions" : "The parameters do not hold for this motion",
-             worst, model.name_of(static_cast<int>(of_joint)));
+  return "\n" + aligned_table(rows) + verdict_text(model, found);
 }
 
 }  // namespace
@@ -243,7 +276,8 @@ std::string describe_identification(const TorqueEquations& equations, const Iden
   const TorqueModel& model = equations.model();
   const Estimate& estimate = found.estimate;
   return data_text(found.measurement, found.unknowns) + "\n" + torque_table(model, found) + "\n" +
-         parameter_table(equations, found, frames) + conditioning_text(estimate) + untold_text(equations, estimate) +
+         parameter_table(equations, found, frames) + conditioning_text(estimate) +
+         untold_text(equations, estimate, first_equation(model, found.measurement.observations) > 0) +
          physical_text(found.physical) + further_of_links_text(equations, found) + validation_text(model, found);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "identify/gravity_search.hpp"
+#include "model/spherical_joint.hpp"
 #include "report/identification_report.hpp"
 
 namespace flatdyn {
@@ -26,7 +27,7 @@ void warn_of_joints(const TorqueModel& model, const Identification& found, std::
   const double largest = largest_rms_torque(found);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const double torque = joints[i].rms_torque(), residual = joints[i].rms_residual(found.estimate.values);
-    if (joints[i].rows == 0) continue;
+    if (joints[i].rows == 0 || torque == 0) continue;
     if (residual * residual < kHalf * torque * torque || residual < kNoise * largest) continue;
     warning_texts.push_back(
         fmt::format("{}: the model leaves {:.3g} of {:.3g} {} (rms); units, signs or delays of the log, or the robot's "
@@ -111,6 +112,13 @@ bool is_gross(const Identification& found) {
          });
 }
 
+// Whether an inertial measurement unit tells the motion of a floating base: accelerations are read, turns are
+// differentiated.
+bool is_of_measurement_unit(const Identification& found) {
+  const std::vector<int>& orders = found.measurement.logs.front().differentiations;
+  return orders.size() >= LogLayout::kTwist && orders[0] == 0 && orders[3] == 1;
+}
+
 // Reports residuals that are no noise, and the reason that explains them, where there is one.
 void warn_of_fit(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
   std::vector<std::string> bad;
@@ -131,7 +139,7 @@ void warn_of_fit(const TorqueModel& model, const Identification& found, std::vec
   }
   if (bad.empty()) return;
   warning_texts.push_back(
-      fmt::format("the model does not fit: residuals to the noise of the log: {}{}", fmt::join(bad, ", "),
+      fmt::format("the model does not fit: residuals to the noise of the log: {}{}{}", fmt::join(bad, ", "),
                   found.measurement.count.lost > 0
                       ? "; readings that were lost make such residuals: cut these times out of the log first"
                   : found.hypothesis
@@ -139,7 +147,10 @@ void warn_of_fit(const TorqueModel& model, const Identification& found, std::vec
                       : "; the model may lack friction or rotors (--parameters full), another law of friction "
                         "(--friction), ripple or flexibility; the torques may have noise or vibration that is slower "
                         "than the band, which intervals take account of; or columns, units or times of the log are "
-                        "not what they say"));
+                        "not what they say",
+                  is_of_measurement_unit(found) && !found.hypothesis
+                      ? "; is the measurement unit in the base link's frame (--imu LINK says which)?"
+                      : ""));
 }
 
 // Reports joints whose residuals are steps of the encoder.
@@ -156,6 +167,13 @@ void warn_of_coarse_steps(const TorqueModel& model, const Identification& found,
                   some_of(names)));
 }
 
+// The joint that a parameter belongs to, or the link of a floating base.
+std::string owner_of(const TorqueModel& model, int k) {
+  const Body& body = model.body_of_parameter(k);
+  const bool is_of_base = joint_of(model.base().columns[static_cast<std::size_t>(k)]) < model.first_joint();
+  return is_of_base ? "link " + body.link : joint_name(body);
+}
+
 // Reports friction, rotors and masses that are clearly negative, which no joint has. A base parameter that is named for
 // a mass may be a difference of masses: it counts where the robot file's is positive.
 void warn_of_signs(const TorqueModel& model, const Estimate& estimate, std::vector<std::string>& warning_texts) {
@@ -170,7 +188,7 @@ void warn_of_signs(const TorqueModel& model, const Estimate& estimate, std::vect
     const bool is_mass = parameter_of(index) == Parameter::m && model.file_values()[static_cast<std::size_t>(k)] > 0;
     if (is_inertial && !is_mass) continue;
     if (estimate.values(k) > -kClearly * estimate.standard_deviations(k)) continue;
-    names.push_back(fmt::format("{} ({})", model.parameter_name_of(k), model.body_of_parameter(k).joint));
+    names.push_back(fmt::format("{} ({})", model.parameter_name_of(k), owner_of(model, k)));
   }
   if (names.empty()) return;
   warning_texts.push_back(
@@ -268,10 +286,38 @@ void warn_of_links(const TorqueModel& model, const Identification& found, std::v
   }
 }
 
+// Reports a specific force of a floating base that is not that of a robot that something carries, or a force on the
+// base that is zero although something does.
+void warn_of_base(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
+  constexpr double kLittle = 0.3, kMuch = 3, kCarried = 0.5;  // shares of gravity, of a mean
+  const std::vector<EquationInstant>& instants = found.measurement.observations.instants;
+  const double gravity = base_sensors(model.mechanism(), "").gravity.norm();
+  if (model.first_joint() == 0 || gravity == 0 || instants.empty()) return;
+  double sum = 0;
+  for (const EquationInstant& each : instants) sum += Eigen::Map<const Eigen::Vector3d>(each.qdd.data()).norm();
+  const double mean = sum / static_cast<double>(instants.size());
+  const auto& joints = found.measurement.observations.joints;
+  const bool is_free = std::all_of(joints.begin(), joints.begin() + model.first_joint(),
+                                   [](const auto& each) { return each.rows > 0 && each.rms_torque() == 0; });
+  if (is_free && mean > kCarried * gravity) {
+    warning_texts.push_back(fmt::format(
+        "the force on the base is zero in all of the log, and its specific force is {:.3g} m/s^2 on average: something "
+        "carries the robot; leave base_fx to base_nz out, or log that force",
+        mean));
+  }
+  if (is_free || (mean > kLittle * gravity && mean < kMuch * gravity)) return;
+  warning_texts.push_back(
+      fmt::format("the base's specific force is {:.3g} m/s^2 on average, and that of a robot at rest is {:.3g}: is a "
+                  "unit another one "
+                  "(imu_ax [g], base_x [mm]), was gravity taken off an accelerometer, or does the robot fall?",
+                  mean, gravity));
+}
+
 }  // namespace
 
 std::vector<std::string> plausibility_warnings(const TorqueModel& model, const Identification& found) {
   std::vector<std::string> warning_texts;
+  warn_of_base(model, found, warning_texts);
   warn_of_fit(model, found, warning_texts);
   const std::size_t count_of_fit = warning_texts.size();
   warn_of_frozen(model, found, warning_texts);

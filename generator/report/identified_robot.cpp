@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "model/spherical_joint.hpp"
 #include "report/toml_string.hpp"
 
 namespace flatdyn {
@@ -30,9 +31,15 @@ class RobotText {
     for (const std::string& setting : about.settings) line(setting);
     if (model_.robot.has_payload) line("payload = { mass = 0 }  # in its link, below");
     const int base = model_.mechanism.base_bodies();
-    for (int i = std::max(0, base - 1); i < model_.mechanism.body_count(); ++i) add_link(i);
+    for (int i = std::max(0, base - 1); i < model_.mechanism.body_count(); ++i) {
+      if (!is_inside_joint(model_.mechanism.bodies[static_cast<std::size_t>(i)])) add_link(i);
+    }
     for (const LinkFrame& link : model_.mechanism.links) add_merged(link);
-    for (int i = base; i < model_.mechanism.body_count(); ++i) add_joint(i, about);
+    for (int i = base; i < model_.mechanism.body_count(); ++i) {
+      const int spherical = model_.mechanism.bodies[static_cast<std::size_t>(i)].spherical;
+      if (spherical == 0) add_joint(i, about);
+      if (spherical == 1) add_spherical_joint(i);
+    }
     return text_;
   }
 
@@ -121,6 +128,20 @@ class RobotText {
     if (!about.springs.empty())
       values += spring_text(about.springs[static_cast<std::size_t>(i - model_.mechanism.base_bodies())]);
     if (!values.empty()) text_ += "\n[[joint]]\nname = " + toml_string(body.joint) + "\n" + values;
+  }
+
+  // The file has one coefficient for all axes: the mean of those about x, y and z.
+  void add_spherical_joint(int first) {
+    const Body& body = model_.mechanism.bodies[static_cast<std::size_t>(first)];
+    double viscous[kSphericalBodies] = {};
+    for (int k = 0; k < kSphericalBodies; ++k) {
+      if (has(first + k, Parameter::Fv)) viscous[k] = parameter(first + k, Parameter::Fv);
+    }
+    const double mean = (viscous[0] + viscous[1] + viscous[2]) / kSphericalBodies;
+    if (mean == 0 && vanishes(body.viscous)) return;
+    text_ += fmt::format("\n[[joint]]\nname = {}\nviscous = {}  # about x, y and z: {:.6g}, {:.6g}, {:.6g}\n",
+                         toml_string(spherical_joint_name(body.joint)), number(exact(mean)), viscous[0], viscous[1],
+                         viscous[2]);
   }
 
   const LoadedRobot& model_;

@@ -37,7 +37,8 @@ void interrupt(Series& series) {
 
 // One joint's half of a row.
 Panel half_panel(const TorqueModel& model, int equation, const std::string& what) {
-  Panel panel{model.name_of(equation) + ": " + what, "", model.unit_of(equation), {{what, {}, {}}}};
+  const std::string title = what == "torque" && equation < model.first_joint() ? "reading" : what;
+  Panel panel{model.name_of(equation) + ": " + title, "", model.unit_of(equation), {{what, {}, {}}}};
   panel.is_half = true;
   panel.if_empty = "the joint rests";
   return panel;

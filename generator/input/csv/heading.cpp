@@ -115,7 +115,10 @@ std::vector<std::optional<CsvSource>> CsvHeading::find(CsvQuantity quantity, int
     diagnostics_.error(place_,
                        first == second ? fmt::format("column \"{}\" is there twice", second)
                                        : fmt::format("columns \"{}\" and \"{}\" are the same quantity", first, second),
-                       "leave one of them out: a joint is named once, by its number or by its name");
+                       mechanism_.floating_base && is_of_joints(quantity)
+                           ? "leave one of them out; numbers count the base's six entries first, so that joints "
+                             "begin with 7: name columns by joint"
+                           : "leave one of them out: a joint is named once, by its number or by its name");
     wrong_.insert(quantity);
   }
   if (length > 1 && !found.back()) warn_of_numbering(quantity, length);
@@ -317,10 +320,11 @@ std::vector<CsvSource> CsvHeading::all_or_none(CsvQuantity quantity, CsvEntries 
   if (!is_any) return {};
   const int last = entries.first + static_cast<int>(found.size()) - 1;
   const std::string of_base = base_name_of(quantity, entries.first, mechanism_);
-  const std::string hint = of_base.empty()
-                               ? fmt::format("give all {} columns of {}, or none", found.size(), stem_of(quantity))
-                               : fmt::format("give all {} columns from {} to {}, or none", found.size(), of_base,
-                                             number_name(quantity, last));
+  const std::string hint =
+      of_base.empty()
+          ? fmt::format("give all {} columns of {}, or none", found.size(), stem_of(quantity))
+          : fmt::format("give all {} columns from {} to {}, or none; numbers count the base's six entries first",
+                        found.size(), of_base, number_name(quantity, last));
   if (is_missing_some(quantity, found, entries.first, "no column for ", hint)) return {};
   return all_of(found);
 }
@@ -352,8 +356,13 @@ void CsvHeading::finish() {
     if (used_.count(c) == 0 && fixed_texts_.count(c) == 0) unused.push_back(c);
   }
   if (!unused.empty()) {
-    diagnostics_.note(place_, "columns that are not used: " + names_of(unused), {},
-                      "headings with columns that are not used");
+    const bool is_of_base = std::any_of(unused.begin(), unused.end(), [&](std::size_t c) {
+      return columns_[c].name.starts_with("base_") || columns_[c].name.starts_with("imu_");
+    });
+    diagnostics_.note(
+        place_, "columns that are not used: " + names_of(unused),
+        is_of_base && !mechanism_.floating_base ? "columns of a floating base: --base floating lets the base move" : "",
+        "headings with columns that are not used");
   }
   if (of_other_joints_.empty()) return;
   diagnostics_.warning(place_,
