@@ -113,7 +113,6 @@ ExitCode report(const ReportArguments& arguments) {
   const LoadedRobot model = without_scene_restrictions([&] {
     LoadedRobot read = load_robot(arguments.robot, options);
     refuse_loops(read, "report");
-    refuse_spherical_joints(read, "report");
     arguments.note_function_keys(read);
     return read;
   }());

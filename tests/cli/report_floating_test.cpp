@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "cli/report_fixture.hpp"
+#include "cli/report_node.hpp"
 #include "support/floating_robots.hpp"
 
 namespace flatdyn::testing {
@@ -189,6 +190,21 @@ TEST_F(FloatingReport, ShowsASingleBodyInOrbit) {
   for (const double lost : seen.at("lost").get<std::vector<double>>()) EXPECT_NEAR(lost, 0, 1e-9);
 }
 
+// The arm's ball joint is thrown, too.
+TEST_F(FloatingReport, ShowsASphericalJointAndLetsItGo) {
+  const std::string robot = "docs/examples/free_arm.toml", text = page(robot);
+  const json shown = told_by(text, std::string(kMove) + kPlace + kReadBase + kCheck);
+  for (const char* count : {"unnamed", "pictures", "ids", "heads"}) EXPECT_EQ(shown.at(count), 0) << count;
+  EXPECT_EQ(shown.at("names"), json({"hinge", "ball.wx", "ball.wy", "ball.wz", "slide", "thumb"}));
+  expect_what_eval_computes(robot, shown);
+  const json seen = told_after_flight(text, kMove);
+  for (const json& each : {shown, seen}) EXPECT_EQ(each.at("troubles"), json::array());
+  EXPECT_GT(seen.at("time")[0].get<double>(), 0);
+  EXPECT_NEAR(seen.at("energy")[0].get<double>(), 0, 1e-8);
+  for (const double lost : seen.at("lost").get<std::vector<double>>()) EXPECT_NEAR(lost, 0, 1e-8);
+  for (const double force : seen.at("tau").get<std::vector<double>>()) EXPECT_NEAR(force, 0, 1e-8);
+}
+
 // Nothing is wider than a frame of 360 pixels.
 TEST_F(FloatingReport, FitsOnAPhone) {
   const json seen = told_by(page("robots/quadruped12.urdf --base floating"), kCheck,
@@ -202,33 +218,15 @@ TEST_F(FloatingReport, FitsOnAPhone) {
 }
 
 // The page's script of free flight, run by Node with the page's functions.
-class Flight : public ::testing::Test {
+class Flight : public ReportInNode {
  protected:
-  void SetUp() override {
-    if (std::system("node --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "Node is not installed: scripts/setup";
+  void expect_flies(const std::string& robot, const std::string& script) const {
+    expect_passes(robot, kStart + script);
   }
 
-  void expect_passes(const std::string& robot, const std::string& script) const {
-    folder_.write("robot.toml", robot);
-    const Outcome made =
-        run_flatdyn(fmt::format("report '{}' -q -o '{}'", folder_.path("robot.toml"), folder_.path("page.html")));
-    ASSERT_EQ(made.code, 0) << made.err;
-    folder_.write("script.js", kStart + script);
-    EXPECT_EQ(std::system(fmt::format("cd '{}' && node script.js > log 2>&1", folder_.path()).c_str()), 0)
-        << folder_.read("log");
-  }
-
-  static constexpr const char* kStart = R"js('use strict';
-const assert = require('node:assert'), fs = require('node:fs');
-const page = fs.readFileSync('page.html', 'utf8');
-const part = (begin, end) => { const from = page.indexOf(begin) + begin.length; return page.slice(from, page.indexOf(end, from)); };
-const json = part('id="data">', '</script>');
-const robot = new Function(part('const robot = (() => {', '\n})();\n</script>'))();
-const scripts = part("(() => {\n'use strict';\n", '\n})();\n</script>').split('// SPDX-License-Identifier: BSD-3-Clause');
-const {state, result, compute, Flight, partsOf, frictionOf} = new Function('robot', 'document',
-    scripts[1] + scripts[2] + 'return {state, result, compute, Flight, partsOf, frictionOf};')(robot, {getElementById: () => ({textContent: json})});
+  static constexpr const char* kStart = R"js(
+const {state, result, compute, Flight, partsOf, frictionOf} = use('state, result, compute, Flight, partsOf, frictionOf');
 const energy = () => result.kinetic + result.potential;
-const distance = (a, b) => Math.hypot(...a.map((x, k) => x - b[k]));
 const throwIt = () => {
   state.p.set([0.3, -0.2, 1]);
   state.quaternion.set([0.6, 0, 0.8, 0]);
@@ -249,17 +247,9 @@ const fly = (h, duration) => {
 };
 )js";
 
-  Scratch folder_;
-};
-
-std::string without_friction(std::string text) {
-  for (const std::string line : {"viscous = 0.3\n", "coulomb = 0.2\n"}) text.erase(text.find(line), line.size());
-  return text;
-}
-
-// Energy, momenta and the path of the centre of mass, which is a parabola, to the order of the method: the fourth.
-TEST_F(Flight, KeepsEnergyAndMomenta) {
-  expect_passes(without_friction(kSatellite), R"js(
+  // Energy, momenta and the path of the centre of mass, which is a parabola, to the order of the method: the fourth.
+  void expect_keeps_energy_and_momenta(const std::string& robot) const {
+    expect_flies(robot, R"js(
 const [coarse, fine, finest] = [0.02, 0.01, 0.001].map((h) => fly(h, 0.4));
 for (const what of ['energy', 'turning', 'momentum', 'centre']) {
   const ratio = Math.abs(coarse[what] / fine[what]);
@@ -270,24 +260,37 @@ const {quaternion} = partsOf(finest.flight.y);
 assert(Math.abs(Math.hypot(...quaternion) - 1) < 1e-15);
 assert(Math.abs(coarse.energy) > 1e-9, 'too smooth a motion to see an order');
 )js");
+  }
+};
+
+std::string without_friction(std::string text) {
+  for (const std::string line : {"viscous = 0.3\n", "coulomb = 0.2\n"}) text.erase(text.find(line), line.size());
+  return text;
+}
+
+TEST_F(Flight, KeepsEnergyAndMomenta) { expect_keeps_energy_and_momenta(without_friction(kSatellite)); }
+
+TEST_F(Flight, KeepsEnergyAndMomentaWithASphericalJoint) {
+  expect_keeps_energy_and_momenta(text_of_example("free_arm.toml"));
 }
 
 // The same as `flatdyn simulate`, another integrator over the same functions: to many digits without friction, which
 // here acts at the end of a step.
 TEST_F(Flight, IsWhatSimulateComputes) {
-  std::string rates, speeds;
-  for (int k = 0; k < 9; ++k) (k < 6 ? rates : speeds) += fmt::format("{}, ", 1.5 * std::sin(1 + 4 * k));
-  folder_.write("thrown.toml", fmt::format("duration = 0.4\nrate = 10\n[start]\nbase_position = [0.3, -0.2, 1]\n"
-                                           "base_orientation = [0.6, 0, 0.8, 0]\nbase_velocity = [{}]\n"
-                                           "q = [0.3, 0.1, -0.1]\nqd = [{}]\n",
-                                           rates, speeds));
-  const auto expect_as_simulated = [this](const std::string& robot, const char* tolerance) {
+  const auto expect_as_simulated = [this](const std::string& robot, const std::string& q, int n,
+                                          const char* tolerance) {
+    std::string rates, speeds;
+    for (int k = 0; k < n; ++k) (k < 6 ? rates : speeds) += fmt::format("{}, ", 1.5 * std::sin(1 + 4 * k));
+    folder_.write("thrown.toml", fmt::format("duration = 0.4\nrate = 10\n[start]\nbase_position = [0.3, -0.2, 1]\n"
+                                             "base_orientation = [0.6, 0, 0.8, 0]\nbase_velocity = [{}]\n"
+                                             "q = [{}]\nqd = [{}]\n",
+                                             rates, q, speeds));
     folder_.write("robot.toml", robot);
     const Outcome outcome =
         run_flatdyn(fmt::format("simulate '{}' -q --simulation '{}' -o '{}'", folder_.path("robot.toml"),
                                 folder_.path("thrown.toml"), folder_.path("motion.csv")));
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    expect_passes(robot, fmt::format("const tolerance = {};\n", tolerance) + R"js(
+    expect_flies(robot, fmt::format("const tolerance = {};\n", tolerance) + R"js(
 const lines = fs.readFileSync('motion.csv', 'utf8').trim().split('\n').map((line) => line.split(','));
 const column = (name) => Number(lines.at(-1)[lines[0].indexOf(name)]);
 assert.equal(column('t'), 0.4);
@@ -295,16 +298,22 @@ fly(1e-3, 0.4);
 const near = (x, name) => assert(Math.abs(x - column(name)) < tolerance, `${name}: ${x}, ${column(name)}`);
 ['x', 'y', 'z'].forEach((axis, k) => { near(state.p[k], `base_${axis}`); near(state.v[k], `base_v${axis}`); near(state.v[3 + k], `base_w${axis}`); });
 ['w', 'x', 'y', 'z'].forEach((axis, k) => near(state.quaternion[k], `base_q${axis}`));
-state.q.forEach((x, k) => { near(x, `q${k + 1}`); near(state.qd[k], `qd${k + 7}`); });
+(state.positions ?? state.q).forEach((x, k) => near(x, `q${k + 1}`));
+state.qd.forEach((x, k) => near(x, `qd${k + 7}`));
 )js");
   };
-  expect_as_simulated(without_friction(kSatellite), "1e-7");
-  expect_as_simulated(kSatellite, "1e-4");
+  expect_as_simulated(without_friction(kSatellite), "0.3, 0.1, -0.1", 9, "1e-7");
+  expect_as_simulated(kSatellite, "0.3, 0.1, -0.1", 9, "1e-4");
+  const double angle = std::sqrt(0.11), part = std::sin(angle / 2) / angle;  // of the rotation vector (0.1, -0.1, -0.3)
+  expect_as_simulated(
+      text_of_example("free_arm.toml"),
+      fmt::format("0.3, {}, {}, {}, {}, -0.5, -0.7", std::cos(angle / 2), 0.1 * part, -0.1 * part, -0.3 * part), 12,
+      "1e-7");
 }
 
 // Friction is found as the robot file has it, takes energy and no momentum, and holds what is at rest.
 TEST_F(Flight, HasFrictionThatHolds) {
-  expect_passes(kSatellite, R"js(
+  expect_flies(kSatellite, R"js(
 const rest = (x, y) => assert(Math.abs(x - y) < 1e-12, `${x}, ${y}`);
 throwIt();
 const friction = frictionOf(state.q);
@@ -332,7 +341,7 @@ assert(held.speed === 0 && held.way < 0.01 * free.way && free.way > 1e-3, JSON.s
 TEST_F(Flight, EndsAtStops) {
   std::string text = without_friction(kSatellite);
   text.replace(text.find("joint = \"shoulder\""), 18, "joint = \"shoulder\"\nlimits = { lower = -1, upper = 0.4 }");
-  expect_passes(text, R"js(
+  expect_flies(text, R"js(
 throwIt();
 state.v[6] = 3;
 compute();

@@ -21,7 +21,7 @@ using ByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 class MovedReport : public Report, public ::testing::WithParamInterface<const char*> {};
 
 TEST_P(MovedReport, ShowsWhatEvalComputes) {
-  const std::string robot = std::string("robots/") + GetParam();
+  const std::string robot = GetParam();
   const json shown = told_by(page(robot), std::string(kMove) + kRead + kCheck);
   EXPECT_EQ(shown.at("troubles"), json::array());
   EXPECT_GT(shown.at("drawn").get<int>(), 4);
@@ -59,12 +59,11 @@ TEST_P(MovedReport, ShowsWhatEvalComputes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, MovedReport,
-                         ::testing::Values("panda.urdf", "planar_2r.toml", "cartesian_2.toml", "pendulum_motor.toml",
-                                           "prismatic_revolute.toml", "puma560.toml", "quadruped12.urdf"),
-                         [](const auto& test) {
-                           const std::string name = test.param;
-                           return name.substr(0, name.find('.'));
-                         });
+                         ::testing::Values("robots/panda.urdf", "robots/planar_2r.toml", "robots/cartesian_2.toml",
+                                           "robots/pendulum_motor.toml", "robots/prismatic_revolute.toml",
+                                           "robots/puma560.toml", "robots/quadruped12.urdf",
+                                           "docs/examples/ball_wrist.toml"),
+                         [](const auto& test) { return std::filesystem::path(test.param).stem().string(); });
 
 TEST_F(Report, StandsAloneAndIsNamedThroughout) {
   const std::string text = page("robots/scara.toml");
@@ -212,6 +211,7 @@ TEST(ReportFile, MapsTheRegressorAsTheHeaderHasIt) {
               filled);
   };
   expect_mapped("robots/scara.toml", "scara", 4 * 52);
+  expect_mapped("docs/examples/ball_wrist.toml", "ball_wrist", 7 * 5 * 13);
   expect_mapped(folder.path("satellite.toml"), "satellite", 9 * (10 + 3 * 13));
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/spherical_joint.hpp"
 #include "passes/passes.hpp"
 #include "symbolic/dynamics/derivation_context.hpp"
 #include "symbolic/dynamics/kinematics.hpp"
@@ -57,7 +58,7 @@ class DrawingMaker {
   // of the previous link.
   int point_on_axis(const Body& body) const {
     const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(),
-                                    [&body](const Joint& each) { return each.name == body.joint; });
+                                    [&body](const Joint& each) { return each.name == joint_name(body); });
     return joint->link_offset.displacements.empty() ? joint->child : joint->parent;
   }
 

@@ -19,10 +19,11 @@ struct Drawing {
 
   // The function "drawing" of q, after the passes. Outputs, all in the base frame: `points` (3 per point, m), `axes` (3
   // per joint, then 3 per follower; unit vectors, z of the body) and `g_0` (m/s^2; with a floating base in world axes).
+  // Those of a spherical joint, which counts as three, are x, y and z of its child.
   Function function;
   int points = 0;
   std::vector<std::pair<int, int>> lines;  // pairs of points
-  std::vector<int> joints;                 // for each joint, in the order of q, a point on its axis
+  std::vector<int> joints;                 // for each entry of q̇ but the base's, a point on its axis
   std::vector<Follower> followers;         // joints without an entry of q
 };
 

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <kainjow/mustache.hpp>
+#include <map>
 #include <sstream>
 
 #include "diagnostics/version.hpp"
 #include "emit/languages/emit.hpp"
 #include "emit/page.hpp"
 #include "emit/writer.hpp"
+#include "model/spherical_joint.hpp"
 #include "report/describe.hpp"
 #include "report/html/regressor_map.hpp"
 #include "report/html/tables.hpp"
@@ -33,16 +35,21 @@ std::string plural(int count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-// "7 joints, 2 of them prismatic", "floating base, 12 joints, revolute".
+// "7 joints, 2 of them prismatic", "floating base, 12 joints, revolute", "4 joints, 1 of them spherical, 1 prismatic".
 std::string joints_text(const Mechanism& mechanism) {
-  const auto count = static_cast<int>(mechanism.joints().size());
+  const auto spherical = static_cast<int>(mechanism.spherical.size());
   const auto prismatic = static_cast<int>(std::count_if(mechanism.joints().begin(), mechanism.joints().end(),
                                                         [](const Body& body) { return body.prismatic; }));
+  const int count = static_cast<int>(mechanism.joints().size()) - (kSphericalBodies - 1) * spherical;
   const std::string joints = (mechanism.floating_base ? "floating base, " : "") + plural(count, "joint");
   if (count == 0) return joints;
-  if (prismatic == 0) return joints + ", revolute";
+  if (prismatic + spherical == 0) return joints + ", revolute";
   if (prismatic == count) return joints + ", prismatic";
-  return fmt::format("{}, {} of them prismatic", joints, prismatic);
+  if (spherical == count) return joints + ", spherical";
+  std::vector<std::string> kinds;
+  if (spherical > 0) kinds.push_back(fmt::format("{} of them spherical", spherical));
+  if (prismatic > 0) kinds.push_back(fmt::format("{} {}prismatic", prismatic, kinds.empty() ? "of them " : ""));
+  return fmt::format("{}, {}", joints, fmt::join(kinds, ", "));
 }
 
 // The last of the bodies that are the motion of a floating base.
@@ -88,6 +95,23 @@ ordered_json joint_json(const Body& body, int point) {
           {"point", point}};
 }
 
+// Tells the script of spherical joints: q of the functions has `positions` entries, that of a joint at `position`; each
+// spherical joint is three of `joints`, from `joint` on, and w of its quaternion is the entry `w` of q.
+void add_spherical_joints(ordered_json& json, const Mechanism& mechanism) {
+  json["positions"] = mechanism.position_count();
+  json["balls"] = ordered_json::array();
+  for (int k = mechanism.base_bodies(); k < mechanism.size(); ++k) {
+    ordered_json& joint = json["joints"][static_cast<std::size_t>(k - mechanism.base_bodies())];
+    joint["position"] = mechanism.position_of(k);
+    if (mechanism.is_of_spherical(k)) joint["ball"] = joint_name(mechanism.joint(k));
+  }
+  for (const int first : mechanism.spherical) {
+    json["balls"].push_back({{"name", joint_name(mechanism.joint(first))},
+                             {"joint", first - mechanism.base_bodies()},
+                             {"w", mechanism.quaternion_of(first)}});
+  }
+}
+
 std::string script_data(const PageContent& content) {
   ordered_json json;
   json["joints"] = ordered_json::array();
@@ -105,6 +129,7 @@ std::string script_data(const PageContent& content) {
   }
   const Mechanism& mechanism = content.model.mechanism;
   if (mechanism.floating_base) json["base"] = {{"gravity", mechanism.has_base_gravity()}};
+  if (mechanism.has_spherical_joints()) add_spherical_joints(json, mechanism);
   json["points"] = content.drawing.points;
   json["edges"] = content.drawing.lines;
   return with_replaced(json.dump(-1, ' ', true, ordered_json::error_handler_t::replace), "<", "\\u003c");
@@ -138,7 +163,7 @@ data maps(const std::vector<OptimisedFunction>& functions) {
   return list;
 }
 
-void write_regressor(data& page, const std::vector<OptimisedFunction>& functions, int base_bodies) {
+void write_regressor(data& page, const std::vector<OptimisedFunction>& functions, const Mechanism& mechanism) {
   const auto made = std::find_if(functions.begin(), functions.end(), [](const OptimisedFunction& each) {
     return is_regressor(each.function.outputs.front());
   });
@@ -146,7 +171,7 @@ void write_regressor(data& page, const std::vector<OptimisedFunction>& functions
   if (made == functions.end()) return;
   const Output& Y = made->function.outputs.front();
   const std::string text = fmt::format("{} of {} entries", nonzero_entries(made->function, Y), Y.entries.size());
-  page["regressor"] = regressor_map(made->function, Y, base_bodies, fmt::format("regressor: {} not always zero", text));
+  page["regressor"] = regressor_map(made->function, Y, mechanism, fmt::format("regressor: {} not always zero", text));
   page["regressor_rows"] = std::to_string(Y.rows);
   page["regressor_cols"] = std::to_string(Y.cols);
   page["regressor_text"] = text;
@@ -184,32 +209,46 @@ PageCode page_code(const PageContent& content) {
 
 namespace {
 
-// The text with those of its lines that are for robots with this kind of base: sections "floating" whose tags have
-// lines of their own. (The library would leave an empty line in the place of a hidden one.)
-std::string for_base(const std::string& text, bool floating) {
+// The functions for quaternions, without the line of their licence, which the script around them has.
+std::string quaternion_functions() {
+  const std::string text = templates::report_quaternions_js;
+  return text.substr(text.find('\n') + 1);
+}
+
+// The text with those of its lines that are for the robot: sections "floating" and "spherical" whose tags have lines of
+// their own. (The library would leave an empty line in the place of a hidden one.)
+std::string for_robot(const std::string& text, const Mechanism& mechanism) {
+  const std::map<std::string, bool> sections = {{"{{#floating}}", mechanism.floating_base},
+                                                {"{{^floating}}", !mechanism.floating_base},
+                                                {"{{#spherical}}", mechanism.has_spherical_joints()},
+                                                {"{{^spherical}}", !mechanism.has_spherical_joints()}};
   std::istringstream lines(text);
   std::string kept, line;
-  bool shown = true;
+  std::vector<bool> shown;  // of the sections around the line, from the outermost one
   while (std::getline(lines, line)) {
-    if (line == "{{#floating}}") {
-      shown = floating;
-    } else if (line == "{{^floating}}") {
-      shown = !floating;
-    } else if (line == "{{/floating}}") {
-      shown = true;
-    } else if (shown) {
-      kept += line + "\n";
+    if (const auto section = sections.find(line); section != sections.end()) {
+      shown.push_back(section->second);
+    } else if (line == "{{/floating}}" || line == "{{/spherical}}") {
+      shown.pop_back();
+    } else if (std::find(shown.begin(), shown.end(), false) == shown.end()) {
+      kept += line == "{{>quaternions}}" ? quaternion_functions() : line + "\n";
     }
   }
   return kept;
 }
 
 // The style and the scripts of the page.
-void write_scripts(data& page, bool floating) {
-  page["style"] = std::string(templates::report_style_css) + (floating ? templates::report_base_style_css : "");
-  page["script"] = for_base(templates::report_state_js, floating) + (floating ? templates::report_base_js : "") +
-                   for_base(templates::report_view_js, floating) + (floating ? templates::report_base_panel_js : "") +
-                   for_base(templates::report_panel_js, floating);
+void write_scripts(data& page, const Mechanism& mechanism) {
+  const bool floating = mechanism.floating_base, spherical = mechanism.has_spherical_joints();
+  const auto script = [&mechanism](const char* text, bool wanted = true) {
+    return wanted ? for_robot(text, mechanism) : "";
+  };
+  page["style"] = std::string(templates::report_style_css) + (floating ? templates::report_base_style_css : "") +
+                  (spherical ? templates::report_ball_style_css : "");
+  page["script"] = script(templates::report_state_js) + script(templates::report_base_js, floating) +
+                   script(templates::report_ball_js, spherical) + script(templates::report_view_js) +
+                   script(templates::report_base_panel_js, floating) +
+                   script(templates::report_ball_panel_js, spherical) + script(templates::report_panel_js);
 }
 
 }  // namespace
@@ -221,10 +260,11 @@ std::string report_page(const PageContent& content, const PageCode& code) {
   page["robot"] = model.mechanism.name;
   page["summary"] = joints_text(model.mechanism);
   page["floating"] = model.mechanism.floating_base;
+  page["spherical"] = model.mechanism.has_spherical_joints();
   if (model.mechanism.floating_base) page["base_link"] = base_link(model.mechanism).link;
   page["facts"] = facts_text(model);
   page["maps"] = maps(content.functions);
-  write_regressor(page, content.functions, model.mechanism.base_bodies());
+  write_regressor(page, content.functions, model.mechanism);
   write_operations(page, content.functions);
   write_base(page, model.mechanism, content.parameters, content.frames);
   write_model(page, model, content.snap_effects);
@@ -237,8 +277,8 @@ std::string report_page(const PageContent& content, const PageCode& code) {
   page["proof"] = content.proof;
   page["data"] = script_data(content);
   page["code"] = for_script_element(code.text);
-  write_scripts(page, model.mechanism.floating_base);
-  return rendered_html(for_base(templates::report_html, model.mechanism.floating_base).c_str(), page);
+  write_scripts(page, model.mechanism);
+  return rendered_html(for_robot(templates::report_html, model.mechanism).c_str(), page);
 }
 
 }  // namespace flatdyn

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "emit/page.hpp"
+#include "model/spherical_joint.hpp"
 #include "symbolic/parameters/parameters.hpp"
 
 namespace flatdyn {
@@ -59,10 +60,26 @@ std::string row_name(int row, int base_bodies) {
   return row < base_bodies ? kForces[row] : std::to_string(row - base_bodies + 1);
 }
 
+// The numbers of the rows of each joint from 1: "3–5" of a spherical one.
+std::vector<std::string> joint_names(int joints, const Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (int row = 1; static_cast<int>(names.size()) < joints; ++row) {
+    const bool turns_freely =
+        mechanism.has_spherical_joints() && mechanism.is_of_spherical(mechanism.base_bodies() + row - 1);
+    names.push_back(turns_freely ? fmt::format("{}–{}", row, row + kSphericalBodies - 1) : std::to_string(row));
+    if (turns_freely) row += kSphericalBodies - 1;
+  }
+  return names;
+}
+
 }  // namespace
 
-std::string regressor_map(const Function& function, const Output& Y, int base_bodies, const std::string& label) {
+std::string regressor_map(const Function& function, const Output& Y, const Mechanism& mechanism,
+                          const std::string& label) {
+  const int base_bodies = mechanism.base_bodies();
   const Groups groups = groups_of(Y, base_bodies > 0);
+  std::vector<std::string> names = joint_names(groups.joints, mechanism);
+  if (groups.of_base > 0) names.insert(names.begin(), "0");
   const int height = kHeight * Y.rows, width = groups.left(groups.count()) - kGap;
   std::string text =
       fmt::format("<svg role=\"img\" aria-label=\"{0}\" width=\"{1}\" height=\"{2}\" viewBox=\"0 0 {1} {2}\">",
@@ -72,7 +89,7 @@ std::string regressor_map(const Function& function, const Output& Y, int base_bo
                         groups.width(group) - 1, height - 1);
     text += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
                         groups.left(group) + groups.width(group) / 2, height + kBelow - 5,
-                        group + (groups.of_base > 0 ? 0 : 1));
+                        names[static_cast<std::size_t>(group)]);
   }
   for (int row = 0; row < Y.rows; ++row) {
     text += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kLeft - 5, kHeight * (row + 1) - 3,

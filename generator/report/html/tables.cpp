@@ -8,6 +8,7 @@
 
 #include "emit/page.hpp"
 #include "graph/count.hpp"
+#include "model/spherical_joint.hpp"
 #include "report/base_report.hpp"
 #include "report/describe.hpp"
 #include "symbolic/notation/combination_text.hpp"
@@ -150,19 +151,28 @@ void write_worst_states(data& page, const std::optional<WorstStates>& states) {
 
 namespace {
 
+// "3", or "3–6" for the entries of a spherical joint.
+std::string numbers_text(int first, int count) {
+  return count == 1 ? std::to_string(first) : fmt::format("{}–{}", first, first + count - 1);
+}
+
 // The joints of the model; the first bodies, of a floating base's motion, are none.
-data joint_rows(const ordered_json& joints, int base_bodies) {
+data joint_rows(const ordered_json& joints, const Mechanism& mechanism) {
+  constexpr int kQuaternion = 4;
   data rows(data::type::list);
-  int number = -base_bodies;
-  for (const ordered_json& joint : joints) {
-    if (++number <= 0) continue;
-    const int parent = joint.at("parent");
+  int number = 1;
+  for (int i = mechanism.base_bodies(); i < mechanism.body_count(); ++i) {
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
+    if (is_inside_joint(body)) continue;
+    const ordered_json& joint = joints.at(static_cast<std::size_t>(i));
+    const int parent = parent_of_joint(mechanism, i), entries = body.spherical > 0 ? kQuaternion : 1;
     data row;
-    row["number"] = std::to_string(number);
-    row["name"] = joint.at("name").get<std::string>();
+    row["number"] = numbers_text(number, entries);
+    number += entries;
+    row["name"] = joint_name(body);
     row["link"] = joint.at("link").get<std::string>();
     row["after"] =
-        parent < base_bodies ? "base" : joints.at(static_cast<std::size_t>(parent)).at("name").get<std::string>();
+        parent < mechanism.base_bodies() ? "base" : joint_name(mechanism.bodies[static_cast<std::size_t>(parent)]);
     row["type"] = joint.at("type").get<std::string>();
     row["lower"] = cell(joint, "lower");
     row["upper"] = cell(joint, "upper");
@@ -186,7 +196,7 @@ std::vector<std::string> snap_lines(const std::vector<Snap>& snaps, const SnapEf
 
 void write_model(data& page, const LoadedRobot& model, const SnapEffects& snap_effects) {
   const ordered_json json = model_json(model, snap_effects);
-  page["joints"] = joint_rows(json.at("joints"), model.mechanism.base_bodies());
+  page["joints"] = joint_rows(json.at("joints"), model.mechanism);
   page["scene?"] = json.contains("scene");
   if (json.contains("scene")) page["scene"] = list_of(json.at("scene").get<std::vector<std::string>>());
   page["snaps?"] = !model.robot.snaps.empty();

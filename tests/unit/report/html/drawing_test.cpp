@@ -21,8 +21,10 @@ void expect_as_the_reference(const std::string& file) {
   const State state = with_parameters(random_states(model.mechanism, 1, 3), symbols).front();
   const auto values = GraphEvaluator<double>(drawing.function)(state);
   ASSERT_TRUE(values);
-  const reference::Robot<double> robot = reference_robot<double>(model.robot, symbols);
-  const auto poses = reference::link_poses(robot, vector_of(state.q));
+  reference::Robot<double> robot = reference_robot<double>(model.robot, symbols);
+  reference::VectorX<double> q = vector_of(state.q);
+  reference::take_orientations(robot, q);
+  const auto poses = reference::link_poses(robot, q);
   for (std::size_t link = 0; link < poses.size(); ++link) {
     for (std::size_t k = 0; k < 3; ++k) {
       EXPECT_NEAR((*values)[3 * link + k], poses[link].p[static_cast<Eigen::Index>(k)], 1e-12)
@@ -38,7 +40,8 @@ void expect_as_the_reference(const std::string& file) {
 }
 
 TEST(Drawing, HasEveryLinkWhereItIs) {
-  for (const char* file : {"panda.urdf", "scara.toml", "planar_2r.toml", "quadruped12.urdf", "finger.toml"}) {
+  for (const char* file : {"panda.urdf", "scara.toml", "planar_2r.toml", "quadruped12.urdf", "finger.toml",
+                           "../docs/examples/ball_wrist.toml"}) {
     expect_as_the_reference(file);
   }
 }
