@@ -321,10 +321,10 @@ std::vector<CsvSource> CsvHeading::all_or_none(CsvQuantity quantity, CsvEntries 
   const int last = entries.first + static_cast<int>(found.size()) - 1;
   const std::string of_base = base_name_of(quantity, entries.first, mechanism_);
   const std::string hint =
-      of_base.empty()
-          ? fmt::format("give all {} columns of {}, or none", found.size(), stem_of(quantity))
-          : fmt::format("give all {} columns from {} to {}, or none; numbers count the base's six entries first",
-                        found.size(), of_base, number_name(quantity, last));
+      of_base.empty() ? fmt::format("give all {} columns of {}, or none", found.size(), stem_of(quantity))
+                      : fmt::format("give all {} columns from {} to {}, or none{}", found.size(), of_base,
+                                    number_name(quantity, last),
+                                    is_of_joints(quantity) ? "; numbers count the base's six entries first" : "");
   if (is_missing_some(quantity, found, entries.first, "no column for ", hint)) return {};
   return all_of(found);
 }
