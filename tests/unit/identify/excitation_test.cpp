@@ -10,6 +10,7 @@
 
 #include "identify/excitation_log.hpp"
 #include "identify/excitation_objective.hpp"
+#include "support/gradient.hpp"
 #include "support/identified_arm.hpp"
 #include "support/robot_models.hpp"
 
@@ -184,24 +185,15 @@ TEST(ExcitationObjective, GradientIsTheDerivative) {
   const MotionEquations equations(planar_arm());
   ExcitationObjective objective(equations, limits, 10, 3);
   std::mt19937 engine(5);
-  std::vector<double> x(static_cast<std::size_t>(objective.size())), gradient(x.size());
+  std::vector<double> x(static_cast<std::size_t>(objective.size()));
   for (double& value : x) value = 0.6 * (static_cast<double>(engine() % 1000) / 500 - 1);
   objective.scale_by({std::vector<double>(x.size(), 0.5), x});
-  const double with_torque = objective(x.data(), gradient.data());
+  const double with_torque = objective(x.data(), nullptr);
   limits[0].torque = 1e9;
   ExcitationObjective without_torque(equations, limits, 10, 3);
   without_torque.scale_by({std::vector<double>(x.size(), 0.5), x});
   EXPECT_GT(with_torque, without_torque(x.data(), nullptr) + 1e-3);
-  constexpr double kStep = 1e-5;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const double here = x[k];
-    x[k] = here + kStep;
-    const double above = objective(x.data(), nullptr);
-    x[k] = here - kStep;
-    const double below = objective(x.data(), nullptr);
-    x[k] = here;
-    EXPECT_NEAR(gradient[k], (above - below) / (2 * kStep), 1e-4 * (1 + std::abs(gradient[k]))) << k;
-  }
+  expect_gradient(objective, x);
 }
 
 // The standard deviations of the parameters after the motion and what is logged already, in rows of the motion's rate.

@@ -14,6 +14,7 @@
 #include "report/excitation_report.hpp"
 #include "report/identification_report.hpp"
 #include "support/floating_log.hpp"
+#include "support/gradient.hpp"
 
 namespace flatdyn {
 namespace {
@@ -367,19 +368,9 @@ TEST_F(FloatingIdentification, IsPlannedByExcite) {
 TEST_F(FloatingIdentification, TheGradientOfAPlannedMotionIsTheDerivative) {
   const MotionEquations planned_for(model());
   const ExcitationObjective objective(planned_for, within_margin(motion_limits(robot().mechanism), 0.9), 10, 2);
-  std::vector<double> x(static_cast<std::size_t>(objective.size())), gradient(x.size());
+  std::vector<double> x(static_cast<std::size_t>(objective.size()));
   for (std::size_t k = 0; k < x.size(); ++k) x[k] = 0.5 * std::sin(static_cast<double>(3 * k + 1));
-  objective(x.data(), gradient.data());
-  constexpr double kStep = 1e-5;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const double here = x[k];
-    x[k] = here + kStep;
-    const double above = objective(x.data(), nullptr);
-    x[k] = here - kStep;
-    const double below = objective(x.data(), nullptr);
-    x[k] = here;
-    EXPECT_NEAR(gradient[k], (above - below) / (2 * kStep), 1e-4 * (1 + std::abs(gradient[k]))) << k;
-  }
+  testing::expect_gradient(objective, x);
 }
 
 }  // namespace
