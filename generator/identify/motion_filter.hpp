@@ -20,7 +20,7 @@ class MotionFilter {
               Eigen::VectorXd& h_e) const;
 
  private:
-  // Of the k-th spherical joint.
+  // Sets the entries of the k-th spherical joint.
   void set_spherical(std::size_t k, const ChannelFilter& channels, Eigen::VectorXd& q, Eigen::VectorXd& qd,
                      Eigen::VectorXd& qdd) const;
 

@@ -211,7 +211,7 @@ std::string further_of_links_text(const TorqueEquations& equations, const Identi
   return "with these links, other further parameters fit the log than with pi_b:" + others + "\n";
 }
 
-// What is left of an equation in other logs, as a multiple of what was left before. Where other things measure the
+// The residual of an equation in other logs, as a multiple of the one before. Where other things measure the
 // motion, what noise makes of residuals differs, and residuals are compared with that.
 double validation_ratio(const Identification& found, std::size_t i) {
   const double before = found.measurement.observations.joints[i].rms_residual(found.estimate.values);
