@@ -39,6 +39,46 @@ TEST(Identify, WritesARobotFileWhoseTorquesAreThoseMeasured) {
   }
 }
 
+// A body with a hinge, a ball, a slide and a branch flies freely, driven by its joints. Its parameters come from what
+// `simulate` writes of that, with masses in the file that are wrong: torques give the scale, and nothing touches the
+// base.
+TEST(Identify, FindsAFlyingRobotByItsOwnMotion) {
+  const Scratch scratch;
+  std::string torques = "time,tau_hinge,tau_ball.wx,tau_ball.wy,tau_ball.wz,tau_slide,tau_thumb\n";
+  for (int k = 0; k <= 800; ++k) {
+    const double t = 0.005 * k;
+    torques += fmt::format("{},{},{},{},{},{},{}\n", t, 2 * std::sin(4 * t + 1), 0.5 * std::sin(5 * t),
+                           0.6 * std::cos(3.3 * t), 0.4 * std::sin(6.1 * t + 2), 3 * std::sin(7 * t),
+                           0.05 * std::sin(9 * t + 0.4));
+  }
+  scratch.write("torques.csv", torques);
+  scratch.write("flight.toml",
+                "duration = 4\nrate = 250\n[start]\nbase_velocity = [0, 0, 0, 0.3, 0.2, -0.4]\n"
+                "[torque]\nsamples = \"torques.csv\"\n");
+  const std::string robot = "docs/examples/free_arm.toml";
+  const Outcome flight = run_flatdyn(
+      fmt::format("simulate {} --simulation {} -o {} -q", robot, scratch.path("flight.toml"), scratch.path("log.csv")));
+  ASSERT_EQ(flight.code, 0) << flight.err;
+  scratch.write("wrong.toml", fmt::format("robot = \"{}/{}\"\n[[link]]\nname = \"hand\"\nmass = 2.6\n"
+                                          "[[link]]\nname = \"link1\"\nmass = 4\n",
+                                          FLATDYN_SOURCE_DIR, robot));
+  const Outcome found = run_flatdyn(fmt::format("identify {} --data {} -q --json -o {}", scratch.path("wrong.toml"),
+                                                scratch.path("log.csv"), scratch.path("found.toml")));
+  ASSERT_EQ(found.code, 0) << found.err;
+  const Outcome truth = run_flatdyn(fmt::format("identify {} --data {} -q --json", robot, scratch.path("log.csv")));
+  const json of_wrong = json::parse(found.out)["base_parameters"], of_file = json::parse(truth.out)["base_parameters"];
+  ASSERT_EQ(of_wrong.size(), of_file.size());
+  double difference = 0, in_file = 0;
+  for (std::size_t k = 0; k < of_file.size(); ++k) {
+    const double value = of_wrong[k]["value"], expected = of_file[k]["file"], before = of_wrong[k]["file"];
+    EXPECT_NEAR(value, expected, 1e-6) << of_file[k]["kept"];
+    difference = std::max(difference, std::abs(before - expected));
+    in_file += std::abs(expected);
+  }
+  EXPECT_GT(difference, 1);
+  EXPECT_GT(in_file, 10);
+}
+
 // A log is not judged by itself, and options that cannot have an effect are refused before logs are read.
 TEST(Identify, RefusesOptionsWithoutAnEffect) {
   const Scratch scratch;
