@@ -143,6 +143,35 @@ TEST_F(FloatingIdentification, ComesFromWhateverMeasuresTheBase) {
   }
 }
 
+// A position without an orientation tells nothing more, and is passed over.
+TEST_F(FloatingIdentification, NeedsNoPositionBesideATwist) {
+  const std::filesystem::path log = folder() / "log.csv";
+  for (const char* left_out : {"base_x,base_y,base_z,", "base_qw,base_qx,base_qy,base_qz,"}) {
+    const bool has_quaternion = left_out[5] != 'q';
+    std::string heading =
+        "t,q1,q2,tau7,tau8,base_x,base_y,base_z,base_qw,base_qx,base_qy,base_qz,base_gx,base_gy,base_gz,base_vx,base_"
+        "vy,"
+        "base_vz,base_wx,base_wy,base_wz";
+    heading.replace(heading.find(left_out), std::string(left_out).size(), "");
+    std::ofstream text(log);
+    text << heading << "\n";
+    for (const testing::FloatingSample& each : motion()) {
+      text << fmt::format("{},{},{},{},{}", each.time, each.q[0], each.q[1], each.tau[6], each.tau[7]);
+      const Eigen::Quaterniond& turn = each.turn;
+      if (has_quaternion) text << fmt::format(",{},{},{},{}", turn.w(), turn.x(), turn.y(), turn.z());
+      if (!has_quaternion) text << fmt::format(",{},{},{}", each.place[0], each.place[1], each.place[2]);
+      for (const double value : each.g_b) text << "," << fmt::format("{}", value);
+      for (const double value : each.v.head(6)) text << "," << fmt::format("{}", value);
+      text << "\n";
+    }
+    text.close();
+    found = {};
+    const Measurement measurement = measure(equations(), robot().mechanism, {log}, {}, progress, found);
+    ASSERT_FALSE(found.has_errors()) << found.all().front().message;
+    EXPECT_LT(worst_residual(measurement, truth()), 1e-3) << left_out;
+  }
+}
+
 TEST_F(FloatingIdentification, AMeasurementUnitMayBeOnAnyLinkOfTheBase) {
   const Eigen::Quaterniond axes(Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ()));
   const testing::FloatingLogForm form{.imu_axes = axes, .imu_place = {0.1, -0.05, 0.2}};
