@@ -48,7 +48,6 @@ std::optional<LoggedInformation> logged_already(const ExciteArguments& arguments
 ExitCode excite(const ExciteArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   refuse_loops(model, "excite");
-  refuse_spherical_joints(model, "excite");
   if ((arguments.no_base_force || !arguments.imu.empty()) && !model.mechanism.floating_base) {
     throw Failure(ExitCode::usage, "--no-base-force and --imu are for robots with a floating base",
                   "give --base floating");

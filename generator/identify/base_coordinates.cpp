@@ -15,24 +15,29 @@ Vector3d BaseState::specific_force(const Vector3d& gravity) const {
 }
 
 // ω = E(roll, pitch) (rates of roll, pitch and yaw).
-BaseState base_state(const double* coordinates, const double* rates, const double* accelerations) {
+TurnState turn_state(const double* angles, const double* rates, const double* accelerations) {
   using Three = Eigen::Map<const Vector3d>;
-  const double roll = coordinates[3], pitch = coordinates[4], yaw = coordinates[5];
-  const double roll_rate = rates[3], pitch_rate = rates[4];
+  const double roll = angles[0], pitch = angles[1], yaw = angles[2], roll_rate = rates[0], pitch_rate = rates[1];
   const double sr = std::sin(roll), cr = std::cos(roll), sp = std::sin(pitch), cp = std::cos(pitch);
   Matrix3d E, E_rate;
   E << 1, 0, -sp, 0, cr, sr * cp, 0, -sr, cr * cp;
   E_rate << 0, 0, -cp * pitch_rate, 0, -sr * roll_rate, cr * cp * roll_rate - sr * sp * pitch_rate, 0, -cr * roll_rate,
       -sr * cp * roll_rate - cr * sp * pitch_rate;
+  return {
+      AngleAxisd(yaw, Vector3d::UnitZ()) * AngleAxisd(pitch, Vector3d::UnitY()) * AngleAxisd(roll, Vector3d::UnitX()),
+      E * Three(rates), E * Three(accelerations) + E_rate * Three(rates)};
+}
+
+BaseState base_state(const double* coordinates, const double* rates, const double* accelerations) {
+  using Three = Eigen::Map<const Vector3d>;
+  const TurnState turned = turn_state(coordinates + 3, rates + 3, accelerations + 3);
+  const Eigen::Quaterniond back = turned.turn.conjugate();
+  const Vector3d v = back * Three(rates);
   BaseState state;
   state.place = Three(coordinates);
-  state.turn =
-      AngleAxisd(yaw, Vector3d::UnitZ()) * AngleAxisd(pitch, Vector3d::UnitY()) * AngleAxisd(roll, Vector3d::UnitX());
-  const Eigen::Quaterniond back = state.turn.conjugate();
-  const Vector3d v = back * Three(rates), turns = E * Three(rates + 3);
-  state.twist << v, turns;
-  state.twist_rates << back * Three(accelerations) - turns.cross(v),
-      E * Three(accelerations + 3) + E_rate * Three(rates + 3);
+  state.turn = turned.turn;
+  state.twist << v, turned.velocity;
+  state.twist_rates << back * Three(accelerations) - turned.velocity.cross(v), turned.acceleration;
   return state;
 }
 

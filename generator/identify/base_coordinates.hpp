@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Six coordinates of a floating base whose motion is planned: where its frame's origin is, x, y and z, m, and its roll,
-// pitch and yaw, rad, the turns about x, y and z of R = Rz(yaw) Ry(pitch) Rx(roll); all from where the motion begins,
-// in the axes that the base has there.
+// Coordinates of what turns in all directions where a motion is planned: roll, pitch and yaw, rad, the turns about x, y
+// and z of R = Rz(yaw) Ry(pitch) Rx(roll), from where the motion begins. A floating base has three more before them:
+// where its frame's origin is, x, y and z, m, in the axes that the base has where the motion begins.
 #pragma once
 
 #include <Eigen/Geometry>
 
 namespace flatdyn {
 
-// The motion of the base, from these coordinates and their derivatives.
+// A turn from the moving axes to those of the beginning, and in the moving axes the angular velocity and its
+// derivative, rad/s, rad/s².
+struct TurnState {
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero(), acceleration = Eigen::Vector3d::Zero();
+};
+
+// Roll, pitch and yaw, their rates and accelerations: three numbers each.
+TurnState turn_state(const double* angles, const double* rates, const double* accelerations);
+
+// The motion of a floating base.
 struct BaseState {
   using Six = Eigen::Matrix<double, 6, 1>;
 

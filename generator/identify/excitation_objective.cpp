@@ -194,10 +194,10 @@ double ExcitationObjective::torque_penalty(const Motion& motion, const MatrixXd&
 
 // The torques of springs in sample k, behind those of a floating base.
 void ExcitationObjective::add_springs_to(VectorXd& tau, const Motion& motion, int k) const {
-  const TorqueModel& model = equations_.model();
-  const int base = model.first_joint();
-  model.add_springs(state(motion, 0, k).data() + base,
-                    tau.data() + k * equations_.equations() - equations_.first_equation());
+  if (!equations_.model().mechanism().has_springs()) return;
+  const VectorXd now[] = {state(motion, 0, k), state(motion, 1, k), state(motion, 2, k)};
+  const PlannedState at = equations_.state(now[0].data(), now[1].data(), now[2].data());
+  equations_.model().add_springs(at.q.data(), tau.data() + k * equations_.equations() - equations_.first_equation());
 }
 
 void ExcitationObjective::add_springs(const VectorXd& by_torque, MatrixXd& by_position) const {

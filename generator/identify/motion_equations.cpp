@@ -4,7 +4,6 @@
 #include <Eigen/QR>
 #include <set>
 
-#include "identify/base_coordinates.hpp"
 #include "identify/base_motion.hpp"
 
 namespace flatdyn {
@@ -27,15 +26,37 @@ MotionEquations::MotionEquations(const TorqueModel& model, bool has_base_force)
   file_values_ = values(columns_);
 }
 
-void MotionEquations::evaluate(const double* q, const double* qd, const double* qdd) const {
-  const int base = model_.first_joint();
-  if (base == 0) return model_.regressor(q, qd, qdd, all_.data());
-  const BaseState state = base_state(q, qd, qdd);
-  VectorXd rates = Eigen::Map<const VectorXd>(qd, coordinates());
-  VectorXd accelerations = Eigen::Map<const VectorXd>(qdd, coordinates());
-  rates.head(base) << Eigen::Vector3d::Zero(), state.twist.tail<3>();
-  accelerations.head(base) << state.specific_force(gravity_), state.twist_rates.tail<3>();
-  model_.regressor(q + base, rates.data(), accelerations.data(), all_.data());
+PlannedState MotionEquations::state(const double* q, const double* qd, const double* qdd) const {
+  const Mechanism& mechanism = model_.mechanism();
+  PlannedState state{VectorXd(mechanism.position_count()), Eigen::Map<const VectorXd>(qd, coordinates()),
+                     Eigen::Map<const VectorXd>(qdd, coordinates())};
+  for (int i = model_.first_joint(); i < coordinates(); ++i) state.q[mechanism.position_of(i)] = q[i];
+  for (const int first : mechanism.spherical) {
+    const TurnState turned = turn_state(q + first, qd + first, qdd + first);
+    const Eigen::Quaterniond& turn = turned.turn;
+    state.q.segment<4>(mechanism.quaternion_of(first)) << turn.w(), turn.x(), turn.y(), turn.z();
+    state.v.segment<3>(first) = turned.velocity;
+    state.a.segment<3>(first) = turned.acceleration;
+  }
+  if (model_.first_joint() == 0) return state;
+  state.base = base_state(q, qd, qdd);
+  state.v.head<6>() = state.base.twist;
+  state.a.head<6>() = state.base.twist_rates;
+  return state;
+}
+
+VectorXd MotionEquations::evaluate(const double* q, const double* qd, const double* qdd) const {
+  if (!model_.mechanism().has_quasi_velocities()) {
+    model_.regressor(q, qd, qdd, all_.data());
+    return Eigen::Map<const VectorXd>(q, model_.mechanism().position_count());
+  }
+  PlannedState at = state(q, qd, qdd);
+  if (model_.first_joint() > 0) {
+    at.v.head<3>().setZero();
+    at.a.head<3>() = at.base.specific_force(gravity_);
+  }
+  model_.regressor(at.q.data(), at.v.data(), at.a.data(), all_.data());
+  return at.q;
 }
 
 MotionEquations::RowByRow MotionEquations::regressor(const double* q, const double* qd, const double* qdd) const {
@@ -44,9 +65,9 @@ MotionEquations::RowByRow MotionEquations::regressor(const double* q, const doub
 }
 
 VectorXd MotionEquations::torques(const double* q, const double* qd, const double* qdd) const {
-  evaluate(q, qd, qdd);
+  const VectorXd positions = evaluate(q, qd, qdd);
   VectorXd torques = all_ * Eigen::Map<const VectorXd>(model_.file_values().data(), model_.parameters());
-  model_.add_springs(q + model_.first_joint(), torques.data());
+  model_.add_springs(positions.data(), torques.data());
   return torques;
 }
 

@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The equations that a planned motion gives, and the parameters that they tell. Of a floating base, the motion has six
-// coordinates of the base (base_coordinates.hpp) before those of the joints.
+// The equations that a planned motion gives, and the parameters that they tell. The motion has a coordinate for each
+// entry of q̇: the joints' positions, but roll, pitch and yaw of spherical joints and six coordinates of a floating base
+// (base_coordinates.hpp).
 #pragma once
 
 #include <Eigen/Core>
 #include <vector>
 
+#include "identify/base_coordinates.hpp"
 #include "identify/torque_model.hpp"
 
 namespace flatdyn {
+
+// A planned motion at an instant, as functions take it: entries of q, and of v and a, the twist of a floating base and
+// its derivative first.
+struct PlannedState {
+  Eigen::VectorXd q, v, a;
+  BaseState base{};
+};
 
 class MotionEquations {
  public:
@@ -28,6 +37,8 @@ class MotionEquations {
   const std::vector<int>& columns() const { return columns_; }
   int parameters() const { return static_cast<int>(columns_.size()); }
 
+  // The motion by coordinates, their rates and accelerations: coordinates() numbers each.
+  PlannedState state(const double* q, const double* qd, const double* qdd) const;
   // Y_b in these equations and columns. Arguments: coordinates() numbers each.
   RowByRow regressor(const double* q, const double* qd, const double* qdd) const;
   // The torques of the robot file, one per coordinate, N m or N.
@@ -38,7 +49,8 @@ class MotionEquations {
   Eigen::MatrixXd information_on_columns(const Eigen::MatrixXd& root) const;
 
  private:
-  void evaluate(const double* q, const double* qd, const double* qdd) const;
+  // Writes Y_b at the motion to all_; returns the entries of q.
+  Eigen::VectorXd evaluate(const double* q, const double* qd, const double* qdd) const;
 
   const TorqueModel& model_;
   int first_equation_;

@@ -13,7 +13,7 @@ struct Defaults {
 };
 constexpr Defaults kTurning{1.5707963267948966, 2, 10};
 constexpr Defaults kSliding{0.25, 0.5, 2};
-constexpr Defaults kTurningBase{0.4, 1, 5}, kSlidingBase{0.1, 0.25, 1};
+constexpr Defaults kTurningBase{0.4, 1, 5}, kSlidingBase{0.1, 0.25, 1}, kBall{0.8, 2, 10};
 
 double number_or(const std::optional<Value>& limit, double otherwise) {
   return limit ? nearest_double(limit->number) : otherwise;
@@ -31,15 +31,19 @@ JointLimits limits_of(const Body& body, const Defaults& defaults) {
   return limits;
 }
 
+const Defaults& defaults_of(const Mechanism& mechanism, int entry, const Body& body) {
+  if (entry < mechanism.base_bodies()) return body.prismatic ? kSlidingBase : kTurningBase;
+  if (body.spherical > 0) return kBall;
+  return body.prismatic ? kSliding : kTurning;
+}
+
 }  // namespace
 
 std::vector<JointLimits> motion_limits(const Mechanism& mechanism) {
   std::vector<JointLimits> limits;
   for (int i = 0; i < mechanism.size(); ++i) {
     const Body& body = mechanism.joint(i);
-    const bool is_of_base = i < mechanism.base_bodies();
-    limits.push_back(limits_of(
-        body, body.prismatic ? (is_of_base ? kSlidingBase : kSliding) : (is_of_base ? kTurningBase : kTurning)));
+    limits.push_back(limits_of(body, defaults_of(mechanism, i, body)));
   }
   return limits;
 }

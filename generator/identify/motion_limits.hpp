@@ -19,8 +19,9 @@ struct JointLimits {
 };
 
 // The limits of the file. Defaults for a revolute joint are ±π/2, 2 rad/s and 10 rad/s², for a prismatic joint ±0.25 m,
-// 0.5 m/s and 2 m/s². A joint with only one end given has the other twice that far from it. A floating base comes
-// first: ±0.1 m, 0.25 m/s and 1 m/s², ±0.4 rad, 1 rad/s and 5 rad/s², unless the scene's [base_limits] say other rates.
+// 0.5 m/s and 2 m/s², for roll, pitch and yaw of a spherical joint ±0.8 rad, 2 rad/s and 10 rad/s². A joint with only
+// one end given has the other twice that far from it. A floating base comes first: ±0.1 m, 0.25 m/s and 1 m/s², ±0.4
+// rad, 1 rad/s and 5 rad/s², unless the scene's [base_limits] say other rates.
 std::vector<JointLimits> motion_limits(const Mechanism& mechanism);
 
 // The limits reduced to the share `margin` of each range, about its middle.

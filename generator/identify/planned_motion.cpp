@@ -7,7 +7,6 @@
 #include <iterator>
 
 #include "diagnostics/diagnostics.hpp"
-#include "identify/base_coordinates.hpp"
 #include "identify/triangular_factor.hpp"
 
 namespace flatdyn {
@@ -46,13 +45,13 @@ std::vector<std::vector<double>> torques_of(const MotionEquations& equations,
   return torques;
 }
 
-// The motion with the twist of a floating base, and its derivative, in the place of the coordinates' rates: they are
-// what is limited.
+// The motion with the velocities of spherical joints and of a floating base, and their derivatives, in the place of the
+// coordinates' rates: they are what is limited.
 FourierMotion as_limited(const MotionEquations& equations, FourierMotion motion) {
-  if (equations.model().first_joint() == 0) return motion;
-  const BaseState state = base_state(motion.q.data(), motion.qd.data(), motion.qdd.data());
-  std::copy(state.twist.begin(), state.twist.end(), motion.qd.begin());
-  std::copy(state.twist_rates.begin(), state.twist_rates.end(), motion.qdd.begin());
+  if (!equations.model().mechanism().has_quasi_velocities()) return motion;
+  const PlannedState state = equations.state(motion.q.data(), motion.qd.data(), motion.qdd.data());
+  std::copy(state.v.begin(), state.v.end(), motion.qd.begin());
+  std::copy(state.a.begin(), state.a.end(), motion.qdd.begin());
   return motion;
 }
 

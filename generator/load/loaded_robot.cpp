@@ -45,7 +45,8 @@ void refuse_spherical_joints(const LoadedRobot& model, const std::string& what) 
     found.unsupported(
         joint.place,
         fmt::format("{}: spherical joints are not supported yet, and joint \"{}\" is one", what, joint.name),
-        "inspect, convert, generate, verify, certify, eval, simulate, identify, report, bench and stress know them");
+        "inspect, convert, generate, verify, certify, eval, simulate, identify, excite, report, bench and stress know "
+        "them");
     throw BadInput(ExitCode::unsupported, std::move(found));
   }
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -93,7 +94,8 @@ nlohmann::ordered_json ratios_json(const Eigen::VectorXd& ratios) {
   return {{"median", ratios(ratios.size() / 2)}, {"largest", ratios(ratios.size() - 1)}};
 }
 
-void append(std::string& line, const std::vector<double>& values) {
+template <class Numbers>
+void append(std::string& line, const Numbers& values) {
   // Adding 0.0 avoids negative zeros.
   for (const double value : values) line += fmt::format(",{}", value + 0.0);
 }
@@ -104,21 +106,6 @@ Panel motion_panel(const Mechanism& mechanism, const std::string& title, const s
   for (const Body& body : mechanism.joints()) panel.series.push_back({body.joint, times, {}});
   return panel;
 }
-
-// A sample as CSV has it: of a floating base, its pose before q, and its twist and the derivative of that.
-struct WrittenMotion {
-  std::vector<double> q, qd, qdd;
-
-  WrittenMotion(const FourierMotion& sample, int base) : q(sample.q), qd(sample.qd), qdd(sample.qdd) {
-    if (base == 0) return;
-    const BaseState state = base_state(sample.q.data(), sample.qd.data(), sample.qdd.data());
-    std::copy(state.twist.begin(), state.twist.end(), qd.begin());
-    std::copy(state.twist_rates.begin(), state.twist_rates.end(), qdd.begin());
-    const Eigen::Quaterniond& turn = state.turn;
-    q.erase(q.begin(), q.begin() + base);
-    q.insert(q.begin(), {state.place.x(), state.place.y(), state.place.z(), turn.w(), turn.x(), turn.y(), turn.z()});
-  }
-};
 
 void add_base_panels(const std::vector<double>& times, std::vector<Panel>& panels) {
   const auto add = [&](const char* title, const char* label, std::initializer_list<const char*> names) {
@@ -215,7 +202,7 @@ std::string excitation_csv(const MotionEquations& equations, const PlannedMotion
   for (int i = 0; i < length_of(CsvQuantity::pose, mechanism); ++i) {
     text += "," + base_name_of(CsvQuantity::pose, i, mechanism);
   }
-  for (int i = 1; i <= equations.coordinates() - base; ++i) text += fmt::format(",q{}", i);
+  for (int i = 1; i <= mechanism.position_count(); ++i) text += fmt::format(",q{}", i);
   for (const CsvQuantity quantity : {CsvQuantity::qd, CsvQuantity::qdd, CsvQuantity::tau}) {
     for (int i = 0; i < equations.coordinates(); ++i) {
       const std::string of_base = base_name_of(quantity, i, mechanism);
@@ -224,11 +211,14 @@ std::string excitation_csv(const MotionEquations& equations, const PlannedMotion
   }
   text += "\n";
   for (std::size_t k = 0; k < motion.samples.size(); ++k) {
-    const WrittenMotion written(motion.samples[k], base);
+    const FourierMotion& sample = motion.samples[k];
+    const PlannedState state = equations.state(sample.q.data(), sample.qd.data(), sample.qdd.data());
+    const auto& [place, turn, twist, twist_rates] = state.base;
     std::string line = fmt::format("{}", motion.time(k));
-    append(line, written.q);
-    append(line, written.qd);
-    append(line, written.qdd);
+    if (base > 0) append(line, std::array{place.x(), place.y(), place.z(), turn.w(), turn.x(), turn.y(), turn.z()});
+    append(line, state.q);
+    append(line, state.v);
+    append(line, state.a);
     append(line, motion.torques[k]);
     text += line + "\n";
   }

@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include "flatdyn/reference/newton_euler.hpp"
+#include "identify/excitation.hpp"
 #include "identify/identification.hpp"
 #include "model/spherical_joint.hpp"
+#include "report/excitation_report.hpp"
 #include "report/identified_robot.hpp"
 #include "support/floating_log.hpp"
 
@@ -108,6 +110,27 @@ TEST_F(SphericalIdentification, ComesFromQuaternionsAloneOrWithRates) {
     EXPECT_NEAR(nearest_double(again.bodies[4].inertia.mass), nearest_double(robot().mechanism.bodies[4].inertia.mass),
                 1e-6);
   }
+}
+
+// The planned motion keeps the limits of the wrist's angular velocity, and identifies the robot.
+TEST_F(SphericalIdentification, IsPlannedByExcite) {
+  const MotionEquations planned_for(equations().model());
+  const Excitation planned = make_excitation(planned_for, {.rate = 20, .evaluations = 100, .time = {}}, progress_);
+  EXPECT_LT(planned.motion.cost, planned.start.cost);
+  const std::vector<JointLimits> limits = motion_limits(robot().mechanism);
+  for (const FourierMotion& sample : planned.motion.samples) {
+    const PlannedState state = planned_for.state(sample.q.data(), sample.qd.data(), sample.qdd.data());
+    for (std::size_t i = 2; i < 5; ++i) {
+      EXPECT_LE(std::abs(state.v[static_cast<Eigen::Index>(i)]), limits[i].speed);
+      EXPECT_LE(std::abs(state.a[static_cast<Eigen::Index>(i)]), limits[i].acceleration);
+    }
+  }
+  std::ofstream(folder_ / "planned.csv") << excitation_csv(planned_for, planned.motion);
+  const Measurement measurement =
+      measure(equations(), robot().mechanism, {folder_ / "planned.csv"}, {}, progress_, found_);
+  ASSERT_FALSE(found_.has_errors()) << found_.all().front().message;
+  const Eigen::VectorXd truth = equations().file_values();
+  EXPECT_LT((estimate_of(equations(), measurement, {}).values - truth).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 }  // namespace
