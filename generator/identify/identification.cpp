@@ -81,6 +81,12 @@ Identification identification(const LoadedRobot& robot, const TorqueEquations& e
   return found;
 }
 
+int first_equation(const TorqueModel& model, const Observations& observations) {
+  const auto first = observations.joints.begin(), end = first + model.first_joint();
+  const bool has_base_force = std::any_of(first, end, [](const JointObservations& each) { return each.rows > 0; });
+  return has_base_force ? 0 : model.first_joint();
+}
+
 void validate(Identification& found, const TorqueEquations& equations, Measurement validation) {
   found.validation_fits =
       fit_quality(validation.observations, validation.logs, found.estimate.values, equations.acceleration_rows());

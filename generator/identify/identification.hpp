@@ -42,6 +42,9 @@ Estimate estimate_of(const TorqueEquations& equations, const Measurement& measur
 Identification identification(const LoadedRobot& robot, const TorqueEquations& equations, Measurement measurement,
                               const IdentificationOptions& options, Progress& progress);
 
+// The first equation that is reported: those of a floating base's force have no rows where no log has that force.
+int first_equation(const TorqueModel& model, const Observations& observations);
+
 // Judges the parameters by other logs.
 void validate(Identification& found, const TorqueEquations& equations, Measurement validation);
 

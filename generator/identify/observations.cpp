@@ -101,12 +101,6 @@ void leave_out_short_motions(Observations& observations, long used) {
   }
 }
 
-int first_equation(const TorqueModel& model, const Observations& observations) {
-  const auto first = observations.joints.begin(), end = first + model.first_joint();
-  const bool has_base_force = std::any_of(first, end, [](const JointObservations& each) { return each.rows > 0; });
-  return has_base_force ? 0 : model.first_joint();
-}
-
 Observations joined(const Observations& a, const Observations& b) {
   Observations result{a.parameters, {}, a.instants, std::max(a.stride, b.stride), a.shapes};
   for (std::size_t i = 0; i < a.joints.size(); ++i) {

@@ -8,7 +8,6 @@
 
 #include "identify/equation_filter.hpp"
 #include "identify/noise_shape.hpp"
-#include "identify/torque_model.hpp"
 #include "identify/triangular_factor.hpp"
 
 namespace flatdyn {
@@ -85,9 +84,6 @@ class ObservationFolder {
 // Leaves out the rows of equations that are used at few of `used` filtered instants. Such a joint hardly moves: its
 // rows lie next to rests, where friction is not sure, and are too few to tell their noise by.
 void leave_out_short_motions(Observations& observations, long used);
-
-// The first equation that is reported: those of a floating base's force have no rows where no log has that force.
-int first_equation(const TorqueModel& model, const Observations& observations);
 
 // Joins observations of the same equations and the same logs.
 Observations joined(const Observations& a, const Observations& b);

@@ -19,7 +19,7 @@ nlohmann::ordered_json excitation_json(const MotionEquations& equations, const E
                                        const std::optional<LoggedInformation>& logged, ParameterFrames frames);
 
 // CSV with columns t, q1, …, qd1, …, qdd1, …, tau1, …, SI. Every number is the shortest text that reads back exactly.
-// Of a floating base, its pose comes before q, and its twist, the derivative of that and the force on it before those
+// The pose of a floating base comes before q; its twist, the derivative of that and the force on it come before those
 // of the joints, as in docs/csv.md.
 std::string excitation_csv(const MotionEquations& equations, const PlannedMotion& motion);
 // Positions, speeds and torques against time as SVG, and those of a floating base.
