@@ -8,7 +8,7 @@
 namespace flatdyn {
 namespace {
 
-using Three = Eigen::Map<const Eigen::Vector3d>;
+using ThreeNumbers = Eigen::Map<const Eigen::Vector3d>;
 
 constexpr int kAxes = 3;
 
@@ -33,12 +33,12 @@ void BaseCheck::add(const double* channels) {
   const LogLayout& layout = heading_.layout;
   const bool is_unit = layout.base_motion == BaseMotion::imu;
   if (!is_unit && !layout.has_twist) return;
-  const Three turns(channels + kAxes + (is_unit ? layout.base_reading() : layout.twist()));
+  const ThreeNumbers turns(channels + kAxes + (is_unit ? layout.base_reading() : layout.twist()));
   fastest_ = std::max(fastest_, turns.norm());
   if (layout.base_motion != BaseMotion::pose) return;
   const double* const pose = channels + layout.base_reading();
   const double* const wxyz = pose + LogLayout::kQuaternionInPose;
-  const Sample now{channels[LogLayout::time()], Three(pose), Three(channels + layout.twist()), turns,
+  const Sample now{channels[LogLayout::time()], ThreeNumbers(pose), ThreeNumbers(channels + layout.twist()), turns,
                    Eigen::Quaterniond(wxyz[0], wxyz[1], wxyz[2], wxyz[3])};
   const double step = last_ ? now.time - last_->time : 0;
   if (last_ && step < 2 * dt_) {
