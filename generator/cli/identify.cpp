@@ -128,6 +128,9 @@ void check_options_for(const Mechanism& mechanism, const IdentifyArguments& argu
                   "--gravity-direction is for robots with a fixed base: on a floating one gravity is part of what an "
                   "accelerometer shows, or its direction is that of the pose");
   }
+  if (mechanism.has_spherical_joints() && arguments.gravity_direction) {
+    throw Failure(ExitCode::unsupported, "--gravity-direction is for robots without spherical joints");
+  }
   if (!mechanism.floating_base && !arguments.stream.imu.empty()) {
     throw Failure(ExitCode::usage, "--imu is for robots with a floating base", "give --base floating");
   }
