@@ -326,8 +326,8 @@ class HypothesisSearch {
     });
   }
 
-  // Signs of what tells a floating base's motion: gravity for the force that an accelerometer shows, a gyroscope that
-  // turns the other way, and axes that are exchanged.
+  // The sensors of a floating base may have the other sign: an accelerometer that shows gravity instead of what
+  // holds against it, or a gyroscope that turns the other way.
   void sensors_of_base() {
     constexpr int kTurns = 3;
     consider(rows_.cost_with_base([](VectorXd&, VectorXd& qdd) { qdd.head(kTurns) *= -1; }), [] {
