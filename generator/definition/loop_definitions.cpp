@@ -47,13 +47,19 @@ class LoopDefinition {
     return dq;
   }
 
-  // d/dt (G q̇).
+  // G q̇_a.
+  Values rates(const Values& qd) const {
+    return times(flatdyn::loop_motion(mechanism_, q_), without_base(mechanism_, qd));
+  }
+
+  // d/dt (G q̇_a).
   Values accelerations(const Values& qd, const Values& qdd) const {
     const Matrix<Dual<F>> moved = flatdyn::loop_motion(mechanism_, moving(q_, joint_values(mechanism_, qd)));
-    Values result = times(flatdyn::loop_motion(mechanism_, q_), qdd);
+    const Values independent = without_base(mechanism_, qd);
+    Values result = rates(qdd);
     for (int k = 0; k < moved.rows(); ++k) {
       for (int a = 0; a < moved.cols(); ++a) {
-        result[static_cast<std::size_t>(k)] += moved(k, a).derivative * qd[static_cast<std::size_t>(a)];
+        result[static_cast<std::size_t>(k)] += moved(k, a).derivative * independent[static_cast<std::size_t>(a)];
       }
     }
     return result;
@@ -86,7 +92,7 @@ constinit const Definition loop_jacobian = defined_as([](auto& at, const Output&
 constinit const Definition loop_step = defined_as([](auto& at, const Output&) { return loops_at(at).step(); });
 
 constinit const Definition loop_motion = defined_as([](auto& at, const Output& output) {
-  if (output.name == "rates") return times(flatdyn::loop_motion(at.lagrangian.mechanism(), at.q), at.qd());
+  if (output.name == "rates") return loops_at(at).rates(at.qd());
   return loops_at(at).accelerations(at.qd(), at.qdd());
 });
 

@@ -56,9 +56,8 @@ std::string angle_text(int index, const HeaderScope& scope) {
 
 std::string angle_count_name(const HeaderScope& scope) {
   if (!scope.angles.empty()) return scope.dialect.count_name("angle_count");
-  if (scope.spherical) return scope.dialect.count_name("position_count");
-  return scope.dialect.count_name(scope.floating_base || scope.positions == scope.joints ? "joint_count"
-                                                                                         : "position_count");
+  const int of_base = scope.floating_base ? 6 : 0;
+  return scope.dialect.count_name(of_base + scope.positions == scope.joints ? "joint_count" : "position_count");
 }
 
 std::string angle_array(const HeaderScope& scope) { return scope.angles.empty() ? "q" : "angle"; }

@@ -34,14 +34,15 @@ std::string loop_text(const Mechanism& mechanism) {
   for (const LoopClosure& loop : mechanism.loops) {
     for (const std::string& joint : dependent_joint_names(mechanism, loop)) dependent.push_back(joint);
   }
+  const bool floats = mechanism.floating_base;
   return fmt::format(
-      " Closed loops make {} follow from the other joints: q has the positions of all of them, qd, qdd and tau are "
-      "those of the others. Functions hold where q closes the loops. Names with lk belong to loop k: R_lk, p_lk "
+      " Closed loops make {} follow from the other joints: q has the positions of all of them, {} those of the others. "
+      "Functions hold where q closes the loops. Names with lk belong to loop k: R_lk, p_lk "
       "and r_lk to the way from its carrier to its two ends, Phi_lk to its closure's derivative by q, inv_lk is the "
       "reciprocal of the determinant that its joints are found with, and regular_lk is positive unless the loop is "
-      "singular.{} A_i_j is how joint i moves with the joint of qd[j - 1], drift how it accelerates if that one does "
-      "not.",
-      fmt::join(dependent, ", "), aligns_axes(mechanism) ? kAxes : "");
+      "singular.{} A_i_j is how joint i moves with the joint of {}, drift how it accelerates if that one does not.",
+      fmt::join(dependent, ", "), floats ? "v, a and tau, after the base's entries, are" : "qd, qdd and tau are",
+      aligns_axes(mechanism) ? kAxes : "", floats ? "v[j + 5]" : "qd[j - 1]");
 }
 
 std::string gravity_text(const Mechanism& mechanism) {

@@ -38,10 +38,11 @@ std::string type_of(const Body& body) {
   return body.prismatic ? "prismatic" : body.continuous ? "continuous" : "revolute";
 }
 
-// The entry of qd from which entry p of q is integrated; dependent joints have none.
+// The entry of qd, or of v, from which entry p of q is integrated; dependent joints have none.
 std::string rate_text(const Mechanism& mechanism, int p) {
   const auto found = std::find(mechanism.independent.begin(), mechanism.independent.end(), p);
-  return found == mechanism.independent.end() ? "-" : std::to_string(found - mechanism.independent.begin());
+  if (found == mechanism.independent.end()) return "-";
+  return std::to_string(mechanism.base_bodies() + (found - mechanism.independent.begin()));
 }
 
 // The entries of v of the joint of entry p of q: "2", or "2..4" with w of a spherical joint.
@@ -83,7 +84,9 @@ std::vector<std::string> joint_table(const Mechanism& mechanism) {
   const std::vector<LimitColumn> limits = limits_given(mechanism);
   std::vector<std::vector<std::string>> rows = {{"index", "joint", "moves link", "type", "unit"}};
   if (mechanism.has_spherical_joints()) rows[0] = {"q", "v", "joint", "moves link", "type", "unit"};
-  if (mechanism.has_loops()) rows[0] = {"q", "qd", "joint", "moves link", "type", "unit"};
+  if (mechanism.has_loops()) {
+    rows[0] = {"q", mechanism.floating_base ? "v" : "qd", "joint", "moves link", "type", "unit"};
+  }
   for (const LimitColumn& kind : limits) rows[0].push_back(kind.column);
   for (int p = 0; p < mechanism.position_count(); ++p) {
     const Body& body = mechanism.joint_at(p);

@@ -196,7 +196,9 @@ class PageWriter {
                                               dialect_.count_name("position_count"), joints});
     if (!mechanism_.has_loops()) return;
     content_.exports.emplace_back("independent_positions");
-    constants << constant("The entries of q that qd, qdd and tau belong to",
+    constants << constant(mechanism_.floating_base
+                              ? "The entries of q that those of v, a and tau after the base's belong to"
+                              : "The entries of q that qd, qdd and tau belong to",
                           per_joint("int", "independent_positions", entries));
   }
 

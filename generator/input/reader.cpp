@@ -186,12 +186,6 @@ void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   warn_of_units(robot, context);
 }
 
-void refuse_floating_loops(const Robot& robot, Diagnostics& diagnostics) {
-  if (!robot.floating_base || robot.loops.empty()) return;
-  diagnostics.unsupported(robot.loops.front().place, "a floating base with closed loops is not supported",
-                          "leave the loops open, hold their joints still with --fix, or give --base fixed");
-}
-
 // "arm" of arm.toml and of arm.urdf.xacro; stdin and pipes have no name.
 void take_name_of_file(const std::filesystem::path& path, Diagnostics& diagnostics, Robot& robot) {
   robot.name =
@@ -217,7 +211,6 @@ std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOpt
   robot.symbols = context.symbols.in_order();
   if (robot.name.empty()) take_name_of_file(robot.file, found, robot);
   if (!found.has_errors()) couple_linear_loops(robot, found);
-  if (!found.has_errors()) refuse_floating_loops(robot, found);
   if (!found.has_errors()) check_assembly(robot, found);
   if (!found.has_errors()) check_coordinates(robot, found);
   hand_over(found, diagnostics);

@@ -172,20 +172,28 @@ Matrix<S> loop_motion(const MechanismOver<F>& mechanism, const std::vector<Joint
   return G;
 }
 
-// A G: how the bodies' joints move with the independent coordinates.
+// A G: how the bodies' joints move with the independent coordinates, after the columns of a floating base.
 template <class S, class F>
 std::vector<std::vector<S>> closed_coupling(const MechanismOver<F>& mechanism, const std::vector<JointPoint<S>>& q) {
   const Matrix<S> G = loop_motion(mechanism, q);
+  const auto base = static_cast<std::size_t>(mechanism.base_bodies);
   std::vector<std::vector<S>> result;
   for (const std::vector<F>& row : mechanism.tree_coupling) {
-    result.emplace_back(static_cast<std::size_t>(G.cols()), S{});
+    result.emplace_back(base + static_cast<std::size_t>(G.cols()), S{});
+    if (result.size() <= base) result.back()[result.size() - 1] = S(F(1));
     for (int k = 0; k < G.rows(); ++k) {
       for (int a = 0; a < G.cols(); ++a) {
-        result.back()[static_cast<std::size_t>(a)] += G(k, a) * row[static_cast<std::size_t>(k)];
+        result.back()[base + static_cast<std::size_t>(a)] += G(k, a) * row[static_cast<std::size_t>(k)];
       }
     }
   }
   return result;
+}
+
+// The entries of q̇, or of q̈, of the independent joints, without those of a floating base.
+template <class F>
+std::vector<F> without_base(const MechanismOver<F>& mechanism, const std::vector<F>& values) {
+  return {values.begin() + mechanism.base_bodies, values.end()};
 }
 
 // With the loops closed at these positions of the joints.

@@ -66,7 +66,8 @@ struct MechanismOver {
   FieldInertia<F> base;
   std::vector<std::vector<F>> coupling;  // by body and entry of q̇; empty: q_i is the position of body i's joint
   // With closed loops, `coupling` holds at one position and has a column for each entry of q̇; `tree_coupling` has one
-  // for each entry of q.
+  // for each entry of q. The first entries of q̇, and the first bodies, are the motion of a floating base.
+  int base_bodies = 0;
   std::vector<FieldLoop<F>> loops;
   std::vector<int> independent;
   std::vector<std::vector<F>> tree_coupling;
@@ -214,17 +215,23 @@ class MechanismMap {
     for (const Contact& contact : mechanism_.contacts) result.contacts.push_back(mapped(contact.frame));
     result.gravity = mapped(mechanism_.gravity);
     result.base = mapped(mechanism_.base);
-    for (const std::vector<Number>& row : mechanism_.rate_coupling()) {
-      result.coupling.emplace_back();
-      for (const Number& factor : row) result.coupling.back().push_back(number_(factor));
-    }
+    result.coupling = mapped(mechanism_.rate_coupling());
+    result.base_bodies = mechanism_.base_bodies();
     for (const LoopClosure& loop : mechanism_.loops) result.loops.push_back(mapped(loop));
     result.independent = mechanism_.independent;
-    if (mechanism_.has_loops()) result.tree_coupling = result.coupling;
+    if (mechanism_.has_loops()) result.tree_coupling = mapped(mechanism_.coupling);
     return result;
   }
 
  private:
+  std::vector<std::vector<F>> mapped(const Rows& rows) const {
+    std::vector<std::vector<F>> result;
+    for (const std::vector<Number>& row : rows) {
+      result.emplace_back();
+      for (const Number& each : row) result.back().push_back(number_(each));
+    }
+    return result;
+  }
   Vector3<F> mapped(const Vec3& v) const { return {number_(v[0]), number_(v[1]), number_(v[2])}; }
   Matrix3<F> mapped(const Mat3& m) const { return {mapped(m[0]), mapped(m[1]), mapped(m[2])}; }
   FieldInertia<F> mapped(const InertialParameters& a) const {

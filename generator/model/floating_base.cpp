@@ -58,6 +58,10 @@ Mechanism with_floating_base(Mechanism mechanism, const std::optional<BaseLimits
     mechanism.coupling.insert(mechanism.coupling.begin(), kBodies, nothing);
     mechanism.offsets.insert(mechanism.offsets.begin(), kBodies, 0);
   }
+  for (LoopClosure& loop : mechanism.loops) {
+    shift(loop.carrier);
+    for (LoopClosure::End& end : loop.ends) shift(end.body);
+  }
   for (Contact& contact : mechanism.contacts) shift(contact.frame.body);
   std::vector<Body> bodies;
   for (int k = 0; k < kBodies; ++k) {

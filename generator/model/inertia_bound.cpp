@@ -261,8 +261,8 @@ std::vector<DiagonalBound> diagonal_bounds(const Mechanism& mechanism) {
   if (!mechanism.symbols.empty()) return {};
   const EnergyBounds bounds(mechanism, 0);
   std::vector<DiagonalBound> result;
-  // With loops, of all entries of q.
-  const int count = mechanism.has_loops() ? mechanism.position_count() : mechanism.size();
+  // With loops, of all entries of q, after those of a floating base.
+  const int count = mechanism.has_loops() ? mechanism.base_bodies() + mechanism.position_count() : mechanism.size();
   for (int k = 0; k < count; ++k) result.push_back({bounds.diagonal_of(k), !bounds.slides_beyond(k)});
   return result;
 }

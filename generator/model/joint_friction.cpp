@@ -17,14 +17,15 @@ struct Leader {
   double factor;
 };
 
-// Converts an entry of q to the entry of q̇ from which it is integrated. Throws Failure(unsupported) if a closed loop
-// determines it.
+// Converts an entry of q, counted after the base's, to the entry of q̇ from which it is integrated. Throws
+// Failure(unsupported) if a closed loop determines it.
 Leader rate_of(const Mechanism& mechanism, Leader leader, std::size_t body) {
   if (!mechanism.has_loops()) return leader;
+  const int base = mechanism.base_bodies();
   const auto found =
-      std::find(mechanism.independent.begin(), mechanism.independent.end(), static_cast<int>(leader.coordinate));
+      std::find(mechanism.independent.begin(), mechanism.independent.end(), static_cast<int>(leader.coordinate) - base);
   if (found != mechanism.independent.end()) {
-    return {static_cast<std::size_t>(found - mechanism.independent.begin()), leader.factor};
+    return {static_cast<std::size_t>(base + (found - mechanism.independent.begin())), leader.factor};
   }
   throw Failure(ExitCode::unsupported,
                 fmt::format("friction of joint \"{}\", which a closed loop moves, is not supported here",

@@ -133,6 +133,7 @@ Mechanism with_coupling(Mechanism tree) {
 Mechanism open_mechanism(const Robot& robot) {
   Robot tree = robot;
   tree.loops.clear();
+  tree.floating_base = false;
   return make_mechanism(tree);
 }
 

@@ -16,7 +16,7 @@ namespace flatdyn {
 // Every joint a coordinate: as where joints are coupled, with A = 1. Those of a coupled tree stay as they are.
 Mechanism with_coupling(Mechanism tree);
 
-// The tree that is left when the robot's loops are cut. Its mimicking joints stay coupled.
+// The tree that is left when the robot's loops are cut, its base held still. Its mimicking joints stay coupled.
 Mechanism open_mechanism(const Robot& robot);
 
 // The frame of a link, which must be there.

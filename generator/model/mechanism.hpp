@@ -152,8 +152,8 @@ struct Mechanism {
   std::vector<CoordinateMultiple> angles;
 
   // With closed loops: q has the positions of all joints that are not coupled; q̇, q̈ and τ are those of the
-  // independent ones among them. Loops are in an order in which each finds all positions that it depends on. The
-  // mechanism counts as coupled.
+  // independent ones among them, after those of a floating base. Loops are in an order in which each finds all
+  // positions that it depends on. The mechanism counts as coupled.
   std::vector<LoopClosure> loops;
   std::vector<int> independent;  // entries of q; empty: all
 
@@ -192,7 +192,7 @@ struct Mechanism {
   int angle_count() const { return position_count() + static_cast<int>(angles.size()); }
   // The number of entries of q̇, q̈ and τ.
   int size() const {
-    if (has_loops()) return static_cast<int>(independent.size());
+    if (has_loops()) return base_bodies() + static_cast<int>(independent.size());
     return is_coupled() ? base_bodies() + position_count() : body_count();
   }
   int body_count() const { return static_cast<int>(bodies.size()); }
@@ -206,7 +206,8 @@ struct Mechanism {
   // The entry of q that is integrated from entry k of q̇, which must not be the base's. For those of a spherical joint,
   // x, y and z of its quaternion, one for each.
   int position_of(int k) const {
-    return has_loops() ? independent[static_cast<std::size_t>(k)] : k - base_bodies() + spherical_up_to(k);
+    const int joint = k - base_bodies();
+    return has_loops() ? independent[static_cast<std::size_t>(joint)] : joint + spherical_up_to(k);
   }
   // The body of an entry of q; for w of a quaternion, the first one of the spherical joint.
   int body_at(int position) const {

@@ -10,16 +10,24 @@ namespace {
 namespace ref = reference;
 using At = ReferencePoint<double>;
 
+// The entries of the independent joints, without those of a floating base.
+template <class S>
+ref::VectorX<S> of_independent(const ReferencePoint<S>& at, const ref::VectorX<S>& values) {
+  return values.tail(static_cast<Eigen::Index>(at.robot.independent.size()));
+}
+
 template <class S>
 std::vector<S> motion_entries(const ReferencePoint<S>& at) {
   const ref::MatrixX<S> G = ref::loop_motion(at.robot, at.q);
-  return one_after_the_other<S>({G * at.qd, G * at.qdd + ref::loop_drift(at.robot, at.q, at.qd)});
+  return one_after_the_other<S>(
+      {G * of_independent(at, at.qd), G * of_independent(at, at.qdd) + ref::loop_drift(at.robot, at.q, at.qd)});
 }
 
 std::vector<double> motion_magnitude(const At& at) {
   const ref::MatrixX<double> G = ref::loop_motion_magnitude(at.robot, at.q);
-  return one_after_the_other<double>(
-      {G * at.qd.cwiseAbs(), G * at.qdd.cwiseAbs() + ref::loop_drift_magnitude(at.robot, at.q, at.qd)});
+  const ref::VectorX<double> rates = of_independent(at, at.qd).cwiseAbs(),
+                             accelerations = of_independent(at, at.qdd).cwiseAbs();
+  return one_after_the_other<double>({G * rates, G * accelerations + ref::loop_drift_magnitude(at.robot, at.q, at.qd)});
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ MatrixX<double> loop_jacobian_magnitude(const Robot<double>& robot, const Loop<d
       way += joint->p_1.norm();
       if (moves_end(robot, loop, *joint, end)) {
         const bool slides = joint->type == JointType::prismatic;
-        J.col(joint->index) += slides ? by_row(loop, 1, 0) : by_row(loop, way, 1);
+        J.col(column_of(robot, *joint)) += slides ? by_row(loop, 1, 0) : by_row(loop, way, 1);
         if (slides) way += std::abs(positions[joint->index]);
       }
       way += joint->p_0.norm();
@@ -123,7 +123,7 @@ VectorX<double> completed_magnitude(const Robot<double>& robot, const VectorX<do
                                     const VectorX<double>& values, const Extra& extra) {
   VectorX<double> room;
   const VectorX<double> positions = of_joints(robot, q);
-  const std::vector<Pose<double>> poses = poses_of_tree(robot, reference::of_joints(robot, q, room));
+  const std::vector<Pose<double>> poses = poses_of_tree(robot, positions_of_joints(robot, q, room));
   for (const Loop<double>& loop : robot.loops) {
     const MatrixX<double> own =
         dependent_columns<double>(loop, loop_jacobian_of_joints(robot, loop, poses) * robot.coupling);
@@ -157,7 +157,7 @@ namespace detail {
 
 MatrixX<double> motion_magnitude(const Robot<double>& robot, const VectorX<double>& q) {
   if (robot.loops.empty()) return rate_coupling(robot).cwiseAbs();
-  return robot.coupling.cwiseAbs() * loop_motion_magnitude(robot, q);
+  return beside_base(robot, MatrixX<double>(robot.coupling.cwiseAbs() * loop_motion_magnitude(robot, q)));
 }
 
 VectorX<double> rates_of_joints(const Robot<double>& robot, const VectorX<double>& q, const VectorX<double>& qd) {
@@ -208,8 +208,10 @@ namespace detail {
 
 VectorX<double> accelerations_of_joints(const Robot<double>& robot, const VectorX<double>& q, const VectorX<double>& qd,
                                         const VectorX<double>& qdd) {
-  if (robot.loops.empty()) return rates_of_joints(robot, q, qdd);
-  return rates_of_joints(robot, q, qdd) + robot.coupling.cwiseAbs() * loop_drift_magnitude(robot, q, qd);
+  VectorX<double> accelerations = rates_of_joints(robot, q, qdd);
+  if (robot.loops.empty()) return accelerations;
+  accelerations.tail(robot.joint_count()) += robot.coupling.cwiseAbs() * loop_drift_magnitude(robot, q, qd);
+  return accelerations;
 }
 
 }  // namespace detail

@@ -87,7 +87,9 @@ std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_eff
     if (!coupled.empty()) text += fmt::format("\ncoupled joints:\n  {}\n", fmt::join(coupled, "\n  "));
   }
   if (mechanism.has_loops()) {
-    text += fmt::format("\nclosed loops, qd and tau of {}:\n", fmt::join(independent_names(mechanism), ", "));
+    text += fmt::format("\nclosed loops, {} of {}:\n",
+                        mechanism.floating_base ? "v, a and tau, after the base's entries," : "qd and tau",
+                        fmt::join(independent_names(mechanism), ", "));
     for (const LoopClosure& loop : mechanism.loops) {
       text += fmt::format("  {} follow from the others\n", fmt::join(dependent_joint_names(mechanism, loop), ", "));
     }

@@ -344,8 +344,10 @@ TorqueSamples read_torques(const std::string& file, const Mechanism& mechanism, 
 Simulation resting(const Robot& robot, const Mechanism& mechanism) {
   Simulation simulation;
   const std::vector<double> positions = assembled_positions(robot, mechanism);
-  for (int i = 0; i < mechanism.size(); ++i)
-    simulation.q.push_back(mechanism.has_loops() ? positions[static_cast<std::size_t>(mechanism.position_of(i))] : 0);
+  simulation.q.assign(static_cast<std::size_t>(mechanism.size()), 0);
+  for (int i = mechanism.base_bodies(); i < mechanism.size() && mechanism.has_loops(); ++i) {
+    simulation.q[static_cast<std::size_t>(i)] = positions[static_cast<std::size_t>(mechanism.position_of(i))];
+  }
   simulation.w.assign(mechanism.spherical.size(), 1);
   simulation.qd.assign(simulation.q.size(), 0);
   simulation.constant = simulation.qd;

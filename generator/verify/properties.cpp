@@ -160,11 +160,12 @@ double round_trip(const Functions& f, ExactState state) {
   return relative((qdd - state.qdd).norm(), qdd.norm());
 }
 
-// With closed loops, q is longer than q̇, and only one function gives the rates of all entries of q. With a floating
-// base, q̇ begins with the base's velocities.
-Vector50 rates_of(const Functions& f, const ExactState& state) {
-  if (state.q.size() <= state.qd.size()) return state.qd.tail(state.q.size());
-  return f.has({"loop_motion"}) ? f("loop_motion", state) : Vector50();
+// With closed loops, only one function gives the rates of all entries of q: empty without it. With a floating base, q̇
+// begins with the base's velocities.
+Vector50 rates_of(const Functions& f, const ExactState& state, const Mechanism* mechanism) {
+  const bool has_loops = mechanism != nullptr && mechanism->has_loops();
+  if (!has_loops) return state.qd.tail(state.q.size());
+  return f.has({"loop_motion"}) ? f("loop_motion", state).head(state.q.size()) : Vector50();
 }
 
 // With spherical joints, q has quaternions, which become exactly unit ones; their rates are ½ q (0, ω).
@@ -198,7 +199,7 @@ std::vector<Property> check_properties(const std::vector<Function>& functions, c
     exact.push_back({exact_vector(s.q), exact_vector(s.qd), exact_vector(s.qdd), exact_vector(s.tau), s.parameters,
                      exact_vector(s.g_b)});
     const bool has_quaternions = mechanism != nullptr && mechanism->has_spherical_joints();
-    exact.back().rates = has_quaternions ? rates_of(*mechanism, exact.back()) : rates_of(f, exact.back());
+    exact.back().rates = has_quaternions ? rates_of(*mechanism, exact.back()) : rates_of(f, exact.back(), mechanism);
   }
   std::vector<Property> properties;
   const auto vanishing = [&](const std::string& name, double (*measure)(const Functions&, const ExactState&)) {

@@ -16,7 +16,8 @@ struct ProvenPivots {
 // Checks that B is symmetric and positive definite, wᵀ(Ḃ - 2C)w = 0, (7.48), the energy balance, (7.50), and that
 // forward ∘ inverse dynamics is the identity. A property whose functions are not all given is left out.
 // `largest_angle_factor`: that of the mechanism; it coarsens differences by q by this factor.
-// `mechanism`: needed for robots with spherical joints only, whose orientations are made exactly unit quaternions.
+// `mechanism`: needed for robots with spherical joints, whose orientations are made exactly unit quaternions, and for
+// those with closed loops.
 std::vector<Property> check_properties(const std::vector<Function>& functions, const std::vector<State>& states,
                                        double largest_angle_factor = 1, const ProvenPivots& proven = {},
                                        const Mechanism* mechanism = nullptr);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Closed loops: four-bar linkage, slider-crank, five-bar, Andrews' squeezer, and loops in space, cut at a point or
-// along an axis. Their functions against the Lagrangian, against the tree with the forces that hold the loops, and
-// against numbers from elsewhere.
+// along an axis; and on floating bases. Their functions against the Lagrangian, against the tree with the forces that
+// hold the loops, and against numbers from elsewhere.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -120,8 +120,21 @@ link = "fan"
 xyz = [0.05, 0.02, 0.01]
 )";
 
+constexpr const char* kHopper = "../docs/examples/five_bar_hopper.toml";
+
+// The base of kSpatial as a body that moves freely.
+const std::string kFloatingBase = R"([base]
+motion = "floating"
+mass = 9
+com = [0.1, -0.2, 0.05]
+inertia = { xx = 0.8, yy = 0.9, zz = 0.7, xy = 0.05, yz = -0.03 }
+inertia_about = "com"
+)";
+
 LoadedRobot loop_model(const std::string& name) {
+  if (name == "hopper") return testing::model_of(kHopper);
   const std::map<std::string, std::string> written = {{"spatial", kSpatial},
+                                                      {"floating_spatial", kSpatial + kFloatingBase},
                                                       {"cut_at_hinge", testing::kCutAtHinge},
                                                       {"cylinders", testing::kCylinders},
                                                       {"spherical", testing::kSphericalFourBar}};
@@ -182,22 +195,25 @@ TEST_P(Loops, MoveAsTheTreeWithConstraintForces) {
   const auto closed = reference_robot<double>(model_.robot, symbols_);
   auto tree = closed;
   tree.loops.clear();
-  const int m = tree.size();
+  const int m = tree.size(), base = tree.base_size();
   const auto gap = [&closed](const VectorX<double>& q) { return reference::loop_closure<double>(closed, q); };
   int compared = 0;
   for (const State& state : random_states(model_.mechanism, 40, 5)) {
     VectorX<double> q = vector(state.q);
     if (!reference::close_loops(closed, q, 1e-13)) continue;
-    const VectorX<double> qd = reference::loop_motion(closed, q) * vector(state.qd);
+    const VectorX<double> given = vector(state.qd),
+                          rates = reference::loop_motion(closed, q) * given.tail(given.size() - base);
+    VectorX<double> qd(m);
+    qd << given.head(base), rates;
     constexpr double kStep = 1e-5;
-    Eigen::MatrixXd Phi(gap(q).size(), m);
-    for (int k = 0; k < m; ++k) {
-      const VectorX<double> dq = kStep * VectorX<double>::Unit(m, k);
-      Phi.col(k) = (gap(q + dq) - gap(q - dq)) / (2 * kStep);
+    Eigen::MatrixXd Phi = Eigen::MatrixXd::Zero(gap(q).size(), m);
+    for (Eigen::Index k = 0; k < q.size(); ++k) {
+      const VectorX<double> dq = kStep * VectorX<double>::Unit(q.size(), k);
+      Phi.col(base + k) = (gap(q + dq) - gap(q - dq)) / (2 * kStep);
     }
-    const double slow = kStep / (1 + qd.norm());
+    const double slow = kStep / (1 + rates.norm());
     const VectorX<double> drift =
-        (gap(q + 10 * slow * qd) - 2 * gap(q) + gap(q - 10 * slow * qd)) / (100 * slow * slow);
+        (gap(q + 10 * slow * rates) - 2 * gap(q) + gap(q - 10 * slow * rates)) / (100 * slow * slow);
     if (Phi.jacobiSvd().singularValues().minCoeff() < 1e-2 * Phi.norm()) continue;
     Eigen::MatrixXd K = Eigen::MatrixXd::Zero(m + Phi.rows(), m + Phi.rows());
     K.topLeftCorner(m, m) = reference::inertia_matrix<double>(tree, q);
@@ -205,16 +221,14 @@ TEST_P(Loops, MoveAsTheTreeWithConstraintForces) {
     K.bottomLeftCorner(Phi.rows(), m) = Phi;
     VectorX<double> right(K.rows());
     right.head(m) = -reference::bias<double>(tree, q, qd);
-    for (int a = 0; a < closed.size(); ++a) {
-      right[closed.independent[static_cast<std::size_t>(a)]] += state.tau[static_cast<std::size_t>(a)];
-    }
+    const auto entry_of = [&](int a) {
+      return a < base ? a : base + closed.independent[static_cast<std::size_t>(a - base)];
+    };
+    for (int a = 0; a < closed.size(); ++a) right[entry_of(a)] += state.tau[static_cast<std::size_t>(a)];
     right.tail(Phi.rows()) = -drift;
     const VectorX<double> all = K.fullPivLu().solve(right).head(m);
-    const VectorX<double> found = reference::forward_dynamics<double>(closed, q, vector(state.qd), vector(state.tau));
-    for (int a = 0; a < closed.size(); ++a) {
-      const double wanted = all[closed.independent[static_cast<std::size_t>(a)]];
-      EXPECT_NEAR(found[a], wanted, 2e-4 * (1 + all.norm()));
-    }
+    const VectorX<double> found = reference::forward_dynamics<double>(closed, q, given, vector(state.tau));
+    for (int a = 0; a < closed.size(); ++a) EXPECT_NEAR(found[a], all[entry_of(a)], 2e-4 * (1 + all.norm()));
     ++compared;
   }
   EXPECT_GE(compared, 3);
@@ -222,8 +236,8 @@ TEST_P(Loops, MoveAsTheTreeWithConstraintForces) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, Loops,
                          ::testing::Values("slider_crank.toml", "four_bar.toml", "five_bar.toml",
-                                           "andrews_squeezer.toml", "spatial", "cut_at_hinge", "cylinders",
-                                           "spherical"),
+                                           "andrews_squeezer.toml", "spatial", "cut_at_hinge", "cylinders", "spherical",
+                                           "hopper", "floating_spatial"),
                          [](const auto& robot) {
                            const std::string name = robot.param;
                            return name.substr(0, name.find('.'));
@@ -328,15 +342,18 @@ Eigen::VectorXd singular_values(const LoadedRobot& model, double range) {
   Eigen::MatrixXd stacked(0, columns);
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> drawn(-1, 1);
+  const auto base = static_cast<std::size_t>(model.mechanism.base_bodies());
   for (int k = 0; k < 60; ++k) {
     State state;
     std::vector<double> q_a;
     for (std::size_t i = 0; i < n; ++i) {
-      const int p = model.mechanism.position_of(static_cast<int>(i));
-      q_a.push_back(assembled[static_cast<std::size_t>(p)] + range * drawn(random));
       state.qd.push_back(drawn(random));
       state.qdd.push_back(drawn(random));
+      if (i < base) continue;
+      const int p = model.mechanism.position_of(static_cast<int>(i));
+      q_a.push_back(assembled[static_cast<std::size_t>(p)] + range * drawn(random));
     }
+    if (base > 0) state.g_b = {drawn(random), drawn(random), drawn(random)};
     const std::span<const double> q = closed.of(q_a);
     state.q.assign(q.begin(), q.end());
     const std::vector<double> Y = *graph(state);
@@ -378,6 +395,7 @@ TEST(RobotsWithLoops, HaveTheRankOfTheirBaseParameters) {
   EXPECT_EQ(rows_too_many(testing::model_of("slider_crank.toml"), 3), 0);
   EXPECT_EQ(rows_too_many(testing::model_of("five_bar.toml")), 0);
   EXPECT_EQ(rows_too_many(testing::model_of("andrews_squeezer.toml"), 3), 0);
+  EXPECT_EQ(rows_too_many(testing::model_of(kHopper)), 0);
 }
 
 // Which way the axes point to each other where the loop is assembled, is known: masses and their moments along the

@@ -8,21 +8,30 @@ namespace {
 
 std::string names_of(int i, int k) { return "_" + label(i) + "_" + label(k); }
 
-// The matrix A, or A G with closed loops: row i is the rate of body i's joint per rate of each coordinate.
+// The matrix A, or A G with closed loops, beside the identity of a floating base: row i is the rate of body i's joint
+// per rate of each coordinate.
 Rows factors_of(const Mechanism& mechanism, Derivation& derivation) {
   if (!mechanism.has_loops()) return mechanism.rate_coupling();
   const Rows G = ClosedLoops(mechanism, derivation).motion();
+  const int base = mechanism.base_bodies();
   Rows result;
   for (int i = 0; i < mechanism.body_count(); ++i) {
-    result.emplace_back();
-    for (int k = 0; k < mechanism.size(); ++k) {
+    result.emplace_back(static_cast<std::size_t>(mechanism.size()), 0);
+    if (i < base) result.back()[static_cast<std::size_t>(i)] = 1;
+    for (int k = base; k < mechanism.size(); ++k) {
       Number sum = 0;
       for (std::size_t p = 0; p < G.size(); ++p) {
-        sum += mechanism.coupling[static_cast<std::size_t>(i)][p] * G[p][static_cast<std::size_t>(k)];
+        sum += mechanism.coupling[static_cast<std::size_t>(i)][p] * G[p][static_cast<std::size_t>(k - base)];
       }
-      result.back().push_back(derivation.named(sum, "A" + names_of(i, k)));
+      result.back()[static_cast<std::size_t>(k)] = derivation.named(sum, "A" + names_of(i - base, k - base));
     }
   }
+  return result;
+}
+
+std::vector<Number> column_of(const Rows& rows, int k) {
+  std::vector<Number> result;
+  for (const std::vector<Number>& row : rows) result.push_back(row[static_cast<std::size_t>(k)]);
   return result;
 }
 
@@ -78,12 +87,19 @@ std::vector<Number> joint_drift(const Mechanism& mechanism, Derivation& derivati
 
 std::vector<Number> joint_curvature(const Mechanism& mechanism, Derivation& derivation, int j, int k) {
   const Rows factors = factors_of(mechanism, derivation);
-  const auto column = [&factors](int coordinate) {
-    std::vector<Number> result;
-    for (const std::vector<Number>& row : factors) result.push_back(row[static_cast<std::size_t>(coordinate)]);
-    return result;
-  };
-  return drift_along(mechanism, derivation, column(j), column(k), "H" + names_of(j, k));
+  return drift_along(mechanism, derivation, column_of(factors, j), column_of(factors, k), "H" + names_of(j, k));
+}
+
+Rows joint_motion_rate(const Mechanism& mechanism, Derivation& derivation) {
+  const Rows factors = factors_of(mechanism, derivation);
+  const std::vector<Number> rates = rates_of(mechanism, derivation, InputKind::qd);
+  Rows result(factors.size(), std::vector<Number>(static_cast<std::size_t>(mechanism.size()), 0));
+  for (int k = mechanism.base_bodies(); k < mechanism.size(); ++k) {
+    const std::string name = "dA_" + label(k - mechanism.base_bodies());
+    const std::vector<Number> column = drift_along(mechanism, derivation, rates, column_of(factors, k), name);
+    for (std::size_t i = 0; i < column.size(); ++i) result[i][static_cast<std::size_t>(k)] = column[i];
+  }
+  return result;
 }
 
 std::vector<Number> joint_motion(const Mechanism& mechanism, Derivation& derivation, InputKind kind) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Conversion between the coordinates and the joints of the tree: the joints move by q_joint = A q, and torques τ at the
 // joints are Aᵀ τ at the coordinates. If no joint is coupled, both are the same. With closed loops, A G replaces A for
-// rates and torques, with q̇ = G q̇_a (symbolic/loops/loops.hpp), and accelerations have the drift of A G.
+// rates and torques, with q̇ = G q̇_a (symbolic/loops/loops.hpp), and accelerations have the drift of A G. The motion of
+// a floating base is its own coordinates, beside these.
 #pragma once
 
 #include <array>
@@ -19,6 +20,9 @@ std::vector<Number> joint_motion(const Mechanism& mechanism, Derivation& derivat
 std::vector<Number> joint_drift(const Mechanism& mechanism, Derivation& derivation, InputKind kind_r);
 // The second derivatives of all bodies' joint positions by coordinates j and k. For closed loops only.
 std::vector<Number> joint_curvature(const Mechanism& mechanism, Derivation& derivation, int j, int k);
+// The derivative of A G while the coordinates have their rates: a row for each body's joint, a column for each
+// coordinate; zeros for a floating base. For closed loops only.
+Rows joint_motion_rate(const Mechanism& mechanism, Derivation& derivation);
 // The rates of all bodies' joints from those of the coordinates. `name`: prefix of the sums' names.
 std::vector<Number> joint_motion(const Mechanism& mechanism, Derivation& derivation,
                                  const std::vector<Number>& coordinates, const std::string& name);

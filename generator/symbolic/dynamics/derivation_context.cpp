@@ -76,7 +76,7 @@ Number size_of(const std::vector<DiagonalBound>& bounds, std::size_t k, const Nu
   return bounds[k].holds_everywhere ? largest : diagonal + largest;
 }
 
-// By independent joint, the sizes of the terms whose sums are on the diagonal of B.
+// By entry of q̇, the sizes of the terms whose sums are on the diagonal of B.
 std::vector<Number> sizes_of_diagonal(DerivationContext& context, const std::vector<Number>& diagonal) {
   const std::vector<DiagonalBound>& bounds = context.guard.diagonals;
   std::vector<Number> sizes = diagonal;
@@ -85,10 +85,14 @@ std::vector<Number> sizes_of_diagonal(DerivationContext& context, const std::vec
     return sizes;
   }
   if (bounds.empty()) return sizes;
+  const auto base = static_cast<std::size_t>(context.mechanism.base_bodies());
+  for (std::size_t k = 0; k < base; ++k) sizes[k] = size_of(bounds, k, diagonal[k]);
   std::vector<Number> of_tree;
-  for (const DiagonalBound& bound : bounds) of_tree.push_back(bound.largest > 0 ? rounded_number(bound.largest) : 0);
-  sizes = ClosedLoops(context.mechanism, context.derivation).sizes_of_inertia(of_tree);
-  for (std::size_t k = 0; k < sizes.size(); ++k) sizes[k] += diagonal[k];
+  for (std::size_t k = base; k < bounds.size(); ++k) {
+    of_tree.push_back(bounds[k].largest > 0 ? rounded_number(bounds[k].largest) : 0);
+  }
+  const auto of_loops = ClosedLoops(context.mechanism, context.derivation).sizes_of_inertia(of_tree);
+  for (std::size_t a = 0; a < of_loops.size(); ++a) sizes[base + a] += of_loops[a];
   return sizes;
 }
 

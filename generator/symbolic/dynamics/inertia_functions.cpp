@@ -8,14 +8,19 @@ namespace flatdyn {
 
 namespace {
 
-// Adds the contribution of closed loops: (A G)ᵀ B times the second derivatives of the joints' positions. `context`:
-// that of half the inertia.
-void add_curvature(DerivationContext& context, ChristoffelSymbols& symbols) {
+// (A G)ᵀ B, from the context of half the inertia.
+Rows momenta_at_coordinates(DerivationContext& context) {
   Rows B = inertia_matrix(context.frames);
   for (std::vector<Number>& row : B) {
     for (Number& b : row) b *= 2;
   }
-  const Rows GB = rows_at_coordinates(context.mechanism, context.derivation, B, "b");
+  return rows_at_coordinates(context.mechanism, context.derivation, B, "b");
+}
+
+// Adds the contribution of closed loops: (A G)ᵀ B times the second derivatives of the joints' positions. `context`:
+// that of half the inertia.
+void add_curvature(DerivationContext& context, ChristoffelSymbols& symbols) {
+  const Rows GB = momenta_at_coordinates(context);
   for (int k = 0; k < context.size(); ++k) {
     for (int j = 0; j <= k; ++j) {
       const std::vector<Number> H = joint_curvature(context.mechanism, context.derivation, j, k);
@@ -43,15 +48,27 @@ Function finished_coriolis(DerivationContext& context, const std::vector<NodeId>
   return finished(context, {matrix_output("C", context.size(), context.size(), entries, meaning)});
 }
 
+// Adds the contribution of closed loops: (A G)ᵀ B d(A G)/dt, so that Ḃ - 2 C stays skew-symmetric. `context`: that of
+// half the inertia.
+void add_motion_rate(DerivationContext& context, Rows& C) {
+  const Rows GB = momenta_at_coordinates(context), rate = joint_motion_rate(context.mechanism, context.derivation);
+  for (std::size_t i = 0; i < C.size(); ++i) {
+    for (std::size_t k = 0; k < C.size(); ++k) {
+      for (std::size_t r = 0; r < rate.size(); ++r) C[i][k] += GB[i][r] * rate[r][k];
+    }
+  }
+}
+
 // C q̇ is a quadratic form in q̇ with the coefficients c_ijk = c_ikj, so C is half its derivative. With a floating base
 // or spherical joints, the same fields of accelerations give the C of the connection whose torsion is that of their
 // velocities.
 Function coriolis_from_momenta(const Mechanism& mechanism, const Choices& choices) {
   return derived(with_half_inertia(mechanism), choices, [](DerivationContext& context) {
     const Motion motion{context.joint_motion(InputKind::qd), context.joint_drift(), zero_vector(), false};
-    const Rows C = torque_derivatives(context.frames, motion, BaseColumns::coriolis).dqd;
-    return finished_coriolis(
-        context, context.nodes(at_coordinates(context.mechanism, context.derivation, C, Shape::general, "C")));
+    const Rows of_joints = torque_derivatives(context.frames, motion, BaseColumns::coriolis).dqd;
+    Rows C = at_coordinates(context.mechanism, context.derivation, of_joints, Shape::general, "C");
+    if (context.mechanism.has_loops()) add_motion_rate(context, C);
+    return finished_coriolis(context, context.nodes(C));
   });
 }
 

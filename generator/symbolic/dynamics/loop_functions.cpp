@@ -14,14 +14,13 @@ ClosedLoops loops_of(DerivationContext& context) {
                 "its joints are independent, or follow others linearly: q is all that there is to know");
 }
 
-// G times an entry per coordinate, for every entry of q: G q̇ are the rates, G q̈ the accelerations without drift.
-std::vector<Number> along(const Rows& G, const std::vector<Number>& coordinates) {
+// G times the independent joints' entries, for every entry of q: G q̇_a are the rates, G q̈_a the accelerations without
+// drift.
+std::vector<Number> along(const Rows& G, DerivationContext& context, InputKind kind) {
+  const std::vector<Number> all = context.all(kind);
+  const std::vector<Number> independent(all.begin() + context.mechanism.base_bodies(), all.end());
   std::vector<Number> result;
-  for (const std::vector<Number>& row : G) {
-    Number sum = 0;
-    for (std::size_t a = 0; a < coordinates.size(); ++a) sum += row[a] * coordinates[a];
-    result.push_back(sum);
-  }
+  for (const std::vector<Number>& row : G) result.push_back(sum_of(row, independent));
   return result;
 }
 
@@ -54,10 +53,10 @@ Function derive_loop_step(const Mechanism& mechanism) {
 Function derive_loop_motion(const Mechanism& mechanism) {
   DerivationContext context(mechanism);
   const Rows G = loops_of(context).motion();
-  const std::vector<Number> rates = along(G, context.all(InputKind::qd)),
+  const std::vector<Number> rates = along(G, context, InputKind::qd),
                             drift = loops_of(context).drift(context.joint_motion(InputKind::qd),
                                                             context.joint_motion(InputKind::qd), "drift");
-  std::vector<Number> accelerations = along(G, context.all(InputKind::qdd));
+  std::vector<Number> accelerations = along(G, context, InputKind::qdd);
   for (std::size_t k = 0; k < accelerations.size(); ++k) accelerations[k] += drift[k];
   return finished(context, {vector_output("rates", context.nodes(rates), "dq/dt of every entry of q"),
                             vector_output("accelerations", context.nodes(accelerations), "its derivative")});

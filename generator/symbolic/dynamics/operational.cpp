@@ -39,9 +39,10 @@ std::vector<Number> squares_of_motion(const Mechanism& mechanism, bool is_transl
       result.push_back(of_body[static_cast<std::size_t>(k)]);
       continue;
     }
+    const int base = mechanism.base_bodies(), column = k < base ? k : base + mechanism.position_of(k);
     Number sum = 0;
     for (std::size_t i = 0; i < of_body.size(); ++i) {
-      const Number& factor = rates[i][static_cast<std::size_t>(mechanism.position_of(k) + mechanism.base_bodies())];
+      const Number& factor = rates[i][static_cast<std::size_t>(column)];
       sum += factor * factor * of_body[i];
     }
     result.push_back(sum);

@@ -54,7 +54,7 @@ ClosedLoops::Path ClosedLoops::path_to(const LoopClosure& closure, std::size_t e
   Mat3 R = transpose(closure.axes);
   Vec3 origin = zero_vector();
   for (const int i : bodies) {
-    const std::string n = name + label(i);
+    const std::string n = name + frames_.label(i);
     const Vec3 z = d_.named(R * frames_.axis_in_parent(i), "z_" + n);
     origin = d_.named(origin + R * frames_.p(i) + frames_.slide(i) * z, "p_" + n);
     origins.push_back(origin);
@@ -63,7 +63,7 @@ ClosedLoops::Path ClosedLoops::path_to(const LoopClosure& closure, std::size_t e
   }
   const Vec3 point = d_.named(origin + R * closure.ends[end].p, "p_" + name + "e");
   for (std::size_t k = 0; k < path.size(); ++k) {
-    const std::string n = name + label(path[k].body);
+    const std::string n = name + frames_.label(path[k].body);
     const Vec3& next = k + 1 < path.size() ? origins[k + 1] : point;
     path[k].link = d_.named(next - origins[k], "r_" + n);
     path[k].column = path[k].slides ? path[k].axis : d_.named(cross(path[k].axis, point - origins[k]), "J_" + n);
@@ -150,11 +150,11 @@ Rows ClosedLoops::jacobian() const {
 Rows ClosedLoops::motion() const {
   const auto m = at(mechanism_.position_count());
   Rows G(m);
-  for (int a = 0; a < mechanism_.size(); ++a) {
+  for (std::size_t a = 0; a < mechanism_.independent.size(); ++a) {
     std::vector<Number> unit(m, 0);
-    unit[at(mechanism_.position_of(a))] = 1;
+    unit[at(mechanism_.independent[a])] = 1;
     const auto nothing = [](const Loop& loop, std::size_t) { return std::vector<Number>(loop.J.size(), 0); };
-    const std::vector<Number> column = completed(std::move(unit), nothing, "G_" + label(a));
+    const std::vector<Number> column = completed(std::move(unit), nothing, entry_name("G", a));
     for (std::size_t k = 0; k < m; ++k) G[k].push_back(column[k]);
   }
   return G;
@@ -168,7 +168,7 @@ ClosedLoops::Motion ClosedLoops::motion_of(const std::vector<Joint>& path, const
   Motion motion;
   auto& [omega_u, omega_v, domega, sum] = motion;
   for (const Joint& joint : path) {
-    const std::string n = label(joint.body);
+    const std::string n = frames_.label(joint.body);
     const Vec3 spin_u = u[at(joint.body)] * joint.axis, spin_v = v[at(joint.body)] * joint.axis;
     const Vec3 carried = half * (cross(omega_u, spin_v) + cross(omega_v, spin_u));
     if (joint.slides) {

@@ -49,7 +49,7 @@ std::vector<std::string> coupled_joint_texts(const Mechanism& mechanism, const C
 std::string joints_text(const Mechanism& mechanism) {
   const int count = mechanism.position_count() - (kSphericalBodies * static_cast<int>(mechanism.spherical.size()));
   std::string text = std::to_string(count) + (count == 1 ? " joint" : " joints");
-  if (mechanism.has_loops()) text += ", " + std::to_string(mechanism.size()) + " of them independent";
+  if (mechanism.has_loops()) text += ", " + std::to_string(mechanism.joints().size()) + " of them independent";
   const std::size_t spherical = mechanism.spherical.size();
   const bool are_all = count == static_cast<int>(spherical);
   if (spherical > 0) text += are_all ? ", spherical" : fmt::format(", {} of them spherical", spherical);

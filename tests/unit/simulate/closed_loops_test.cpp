@@ -68,6 +68,32 @@ TEST(SliderCrank, IsSimulated) {
   EXPECT_LT(energy_error(motion), 1e-6);
 }
 
+// Free flight of a body with a five-bar leg that motors move: loops stay closed, no force acts on the base, and
+// momentum and energy are accounted for.
+TEST(FiveBarHopper, IsSimulatedInFreeFlight) {
+  const LoadedRobot model = model_of("../docs/examples/five_bar_hopper.toml");
+  auto robot = reference_robot<double>(model.robot, {});
+  Progress progress(true);
+  JointDynamics dynamics(model, progress);
+  Simulation simulation = resting(model.robot, model.mechanism);
+  simulation.duration = 0.5;
+  simulation.rate = 100;
+  simulation.qd = {0.1, 0.05, 2, 0.3, 0.2, -0.5, 1, -2};
+  simulation.constant = {0, 0, 0, 0, 0, 0, 0.02, -0.03};
+  const SimulatedMotion motion = simulate(simulation, dynamics, [](double) { return false; });
+  ASSERT_EQ(motion.rows.size(), 51U);
+  for (const SimulationRow& row : motion.rows) {
+    ASSERT_EQ(row.q.size(), 4);
+    EXPECT_LT(reference::loop_closure(robot, row.q).norm(), 1e-13);
+    robot.gravity = row.base->gravity;
+    const Eigen::VectorXd tau = reference::inverse_dynamics<double>(robot, row.q, row.qd, row.qdd);
+    EXPECT_LT((tau - Eigen::Map<const Eigen::VectorXd>(simulation.constant.data(), 8)).norm(), 1e-9);
+  }
+  EXPECT_LT(energy_error(motion), 1e-6);
+  const Momentum error = momentum_error(motion);
+  EXPECT_LT(error.linear.norm() + error.angular.norm(), 1e-6);
+}
+
 TEST(FiveBar, HasTorquesAlongATrajectory) {
   const LoadedRobot model = model_of("five_bar.toml");
   const auto robot = reference_robot<double>(model.robot, {});

@@ -75,6 +75,12 @@ VectorX<S> gap_of(const Loop<S>& loop, const std::vector<Pose<S>>& poses) {
   return rows_of(loop, gap);
 }
 
+// The column of a moving joint among those of all joints: a floating base has none.
+template <class S>
+int column_of(const Robot<S>& robot, const Joint<S>& joint) {
+  return joint.index - robot.base_size();
+}
+
 // The Jacobian of one loop, with a column for each joint.
 template <class S>
 MatrixX<S> loop_jacobian_of_joints(const Robot<S>& robot, const Loop<S>& loop, const std::vector<Pose<S>>& poses) {
@@ -91,7 +97,7 @@ MatrixX<S> loop_jacobian_of_joints(const Robot<S>& robot, const Loop<S>& loop, c
       for (int k = 0; k < 2 && !slides; ++k) {
         column[kOfPoints + k] = across_of(loop, poses, k).dot(z.cross(axis_of(loop, poses)));
       }
-      J.col(joint.index) += (end == 0 ? S(-1) : S(1)) * rows_of(loop, column);
+      J.col(column_of(robot, joint)) += (end == 0 ? S(-1) : S(1)) * rows_of(loop, column);
     }
   }
   return J;
@@ -117,7 +123,7 @@ Eigen::Matrix<S, 2, 1> axis_drift(const Loop<S>& loop, const LinkMotion<S>& firs
 }
 
 // Φ̇_q q̇ of one loop for rates of the joints: the relative acceleration of its points, and of its axes, while q̈ = 0.
-// Joints that carry the whole loop have no effect on it.
+// Joints that carry the whole loop, and a floating base, have no effect on it.
 template <class S>
 VectorX<S> loop_drift_of_joints(const Robot<S>& robot, const Loop<S>& loop, const std::vector<Pose<S>>& poses,
                                 const VectorX<S>& positions, VectorX<S> rates) {
@@ -125,6 +131,7 @@ VectorX<S> loop_drift_of_joints(const Robot<S>& robot, const Loop<S>& loop, cons
     const bool is_in_loop = moves_end(robot, loop, joint, 0) || moves_end(robot, loop, joint, 1);
     if (joint.index >= 0 && !is_in_loop) rates[joint.index] = S(0);
   }
+  rates.head(robot.base_size()).setZero();
   const VectorX<S> none = VectorX<S>::Zero(rates.size());
   const std::vector<LinkMotion<S>> motions = motions_of_tree(robot, positions, rates, none, false);
   Vector3<S> gap = Vector3<S>::Zero();
@@ -203,7 +210,7 @@ VectorX<S> completed(const Robot<S>& robot, const std::vector<Pose<S>>& poses, V
 template <class S>
 VectorX<S> loop_closure(const Robot<S>& robot, const VectorX<S>& q) {
   VectorX<S> room;
-  const std::vector<Pose<S>> poses = detail::poses_of_tree(robot, of_joints(robot, q, room));
+  const std::vector<Pose<S>> poses = detail::poses_of_tree(robot, positions_of_joints(robot, q, room));
   std::vector<S> entries;
   for (const Loop<S>& loop : robot.loops) {
     const VectorX<S> rows = detail::gap_of(loop, poses);
@@ -216,7 +223,7 @@ VectorX<S> loop_closure(const Robot<S>& robot, const VectorX<S>& q) {
 template <class S>
 MatrixX<S> loop_jacobian(const Robot<S>& robot, const VectorX<S>& q) {
   VectorX<S> room;
-  const std::vector<Pose<S>> poses = detail::poses_of_tree(robot, of_joints(robot, q, room));
+  const std::vector<Pose<S>> poses = detail::poses_of_tree(robot, positions_of_joints(robot, q, room));
   MatrixX<S> J(0, q.size());
   for (const Loop<S>& loop : robot.loops) {
     const MatrixX<S> rows = detail::loop_jacobian_of_joints(robot, loop, poses).lazyProduct(robot.coupling);
@@ -226,12 +233,12 @@ MatrixX<S> loop_jacobian(const Robot<S>& robot, const VectorX<S>& q) {
   return J;
 }
 
-// G, m × n: the rates of all entries of q by those of the independent ones.
+// G, the rates of all entries of q by those of the independent ones, without a floating base's.
 template <class S>
 MatrixX<S> loop_motion(const Robot<S>& robot, const VectorX<S>& q) {
   VectorX<S> room;
-  const std::vector<Pose<S>> poses = detail::poses_of_tree(robot, of_joints(robot, q, room));
-  MatrixX<S> G(q.size(), robot.size());
+  const std::vector<Pose<S>> poses = detail::poses_of_tree(robot, positions_of_joints(robot, q, room));
+  MatrixX<S> G(q.size(), static_cast<Eigen::Index>(robot.independent.size()));
   for (Eigen::Index a = 0; a < G.cols(); ++a) {
     const VectorX<S> unit = VectorX<S>::Unit(q.size(), robot.independent[static_cast<std::size_t>(a)]);
     const auto nothing = [](const Loop<S>& loop) -> VectorX<S> {
@@ -242,13 +249,20 @@ MatrixX<S> loop_motion(const Robot<S>& robot, const VectorX<S>& q) {
   return G;
 }
 
+// The rates of the moving joints, after a floating base's, by the entries of q̇: A, or A G if loops are closed.
+template <class S>
+MatrixX<S> motion_of_joints(const Robot<S>& robot, const VectorX<S>& q) {
+  if (robot.loops.empty()) return rate_coupling(robot);
+  return beside_base(robot, MatrixX<S>(robot.coupling.lazyProduct(loop_motion(robot, q))));
+}
+
 // γ, the accelerations of all entries of q while q̈_a = 0.
 template <class S>
 VectorX<S> loop_drift(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd) {
   VectorX<S> room;
-  const VectorX<S>& positions = of_joints(robot, q, room);
+  const VectorX<S>& positions = positions_of_joints(robot, q, room);
   const std::vector<Pose<S>> poses = detail::poses_of_tree(robot, positions);
-  const VectorX<S> rates = robot.coupling.lazyProduct(loop_motion(robot, q).lazyProduct(qd));
+  const VectorX<S> rates = motion_of_joints(robot, q).lazyProduct(qd);
   const auto drift = [&](const Loop<S>& loop) {
     return detail::loop_drift_of_joints<S>(robot, loop, poses, positions, rates);
   };
@@ -259,7 +273,7 @@ VectorX<S> loop_drift(const Robot<S>& robot, const VectorX<S>& q, const VectorX<
 template <class S>
 VectorX<S> loop_step(const Robot<S>& robot, const VectorX<S>& q) {
   VectorX<S> room;
-  const std::vector<Pose<S>> poses = detail::poses_of_tree(robot, of_joints(robot, q, room));
+  const std::vector<Pose<S>> poses = detail::poses_of_tree(robot, positions_of_joints(robot, q, room));
   const auto gap = [&](const Loop<S>& loop) { return detail::gap_of(loop, poses); };
   return detail::completed(robot, poses, VectorX<S>(VectorX<S>::Zero(q.size())), gap);
 }
@@ -304,7 +318,7 @@ MatrixX<S> stretched_lengths(const Robot<S>& robot, const Loop<S>& loop, const V
     for (auto joint = robot.joints.rbegin(); joint != robot.joints.rend(); ++joint) {
       if (!moves_end(robot, loop, *joint, end)) continue;
       const bool slides = joint->type == JointType::prismatic;
-      lengths(0, joint->index) += slides ? S(1) : distance;
+      lengths(0, column_of(robot, *joint)) += slides ? S(1) : distance;
       distance += joint->p_0.norm() + (slides ? S(abs(positions[joint->index])) : S(0));
     }
   }
@@ -319,7 +333,8 @@ void compare_rows(const Robot<S>& robot, const Loop<S>& loop, MatrixX<S>& J, Mat
   if (!aligns_axes(loop)) return;
   S length(0);
   for (const Joint<S>& joint : robot.joints) {
-    if (joint.index >= 0 && joint.type == JointType::revolute) length = max(length, lengths(0, joint.index));
+    if (joint.index >= 0 && joint.type == JointType::revolute)
+      length = max(length, lengths(0, column_of(robot, joint)));
   }
   if (!(length > S(0))) length = S(1);
   for (std::size_t r = 0; r < loop.rows.size(); ++r) {
@@ -329,7 +344,7 @@ void compare_rows(const Robot<S>& robot, const Loop<S>& loop, MatrixX<S>& J, Mat
   for (const Joint<S>& joint : robot.joints) {
     const bool turns = joint.index >= 0 && joint.type == JointType::revolute;
     if (turns && (moves_end(robot, loop, joint, 0) || moves_end(robot, loop, joint, 1)))
-      lengths(0, joint.index) += S(1);
+      lengths(0, column_of(robot, joint)) += S(1);
   }
 }
 
@@ -344,7 +359,7 @@ S loop_regularity(const Robot<S>& robot, const VectorX<S>& q) {
   using std::max;
   using std::min;
   VectorX<S> room;
-  const VectorX<S>& positions = of_joints(robot, q, room);
+  const VectorX<S>& positions = positions_of_joints(robot, q, room);
   const std::vector<Pose<S>> poses = detail::poses_of_tree(robot, positions);
   S smallest(1);
   for (const Loop<S>& loop : robot.loops) {
@@ -360,12 +375,6 @@ S loop_regularity(const Robot<S>& robot, const VectorX<S>& q) {
   return smallest;
 }
 
-// The rates of the moving joints by those of the coordinates: A, or A G if loops are closed.
-template <class S>
-MatrixX<S> motion_of_joints(const Robot<S>& robot, const VectorX<S>& q) {
-  return robot.loops.empty() ? rate_coupling(robot) : MatrixX<S>(robot.coupling.lazyProduct(loop_motion(robot, q)));
-}
-
 // The rates of the moving joints; stored in `room` if they differ from the coordinates' rates.
 template <class S>
 const VectorX<S>& rates_of_joints(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd, VectorX<S>& room) {
@@ -378,7 +387,8 @@ template <class S>
 const VectorX<S>& accelerations_of_joints(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd,
                                           const VectorX<S>& qdd, VectorX<S>& room) {
   if (robot.loops.empty()) return rates_of_joints(robot, q, qdd, room);
-  room = motion_of_joints(robot, q).lazyProduct(qdd) + robot.coupling.lazyProduct(loop_drift(robot, q, qd));
+  room = motion_of_joints(robot, q).lazyProduct(qdd);
+  room.tail(robot.joint_count()) += robot.coupling.lazyProduct(loop_drift(robot, q, qd));
   return room;
 }
 

@@ -138,16 +138,21 @@ const VectorX<S>& of_joints(const Robot<S>& robot, const VectorX<S>& q, VectorX<
   return room;
 }
 
-// The rates of the moving joints, after a floating base's, by the entries of q̇, without loops: `coupling`, beside the
-// identity of a base. Only of coupled joints.
+// A matrix of the joints beside the identity of a floating base.
+template <class S>
+MatrixX<S> beside_base(const Robot<S>& robot, const MatrixX<S>& of_joints) {
+  if (!robot.floating_base) return of_joints;
+  const Eigen::Index base = robot.base_size();
+  MatrixX<S> A = MatrixX<S>::Zero(base + of_joints.rows(), base + of_joints.cols());
+  A.topLeftCorner(base, base).setIdentity();
+  A.bottomRightCorner(of_joints.rows(), of_joints.cols()) = of_joints;
+  return A;
+}
+
+// The rates of the moving joints, after a floating base's, by the entries of q̇, without loops. Only of coupled joints.
 template <class S>
 MatrixX<S> rate_coupling(const Robot<S>& robot) {
-  if (!robot.floating_base) return robot.coupling;
-  const Eigen::Index base = robot.base_size();
-  MatrixX<S> A = MatrixX<S>::Zero(base + robot.coupling.rows(), base + robot.coupling.cols());
-  A.topLeftCorner(base, base).setIdentity();
-  A.bottomRightCorner(robot.coupling.rows(), robot.coupling.cols()) = robot.coupling;
-  return A;
+  return beside_base(robot, robot.coupling);
 }
 
 // The positions of the moving joints by their indices; stored in `room` if joints are coupled or the base floats.
