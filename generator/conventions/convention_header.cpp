@@ -81,9 +81,15 @@ std::string constant_motion(const Mechanism& mechanism, const Convention& conven
 
 // The comments of integrate() and difference().
 std::vector<std::string> integrate_comment(const Mechanism& mechanism, const Convention& convention) {
-  return wrapped_words(fmt::format("The positions q_next to which v moves the robot from q in the time dt (s). {} "
+  const std::string of_loops = mechanism.has_loops()
+                                   ? fmt::format(
+                                         " Joints that closed loops move stay where they are: close_loops(q_next + {}, "
+                                         "tolerance) of the robot's header moves them.",
+                                         pose_entries(mechanism))
+                                   : "";
+  return wrapped_words(fmt::format("The positions q_next to which v moves the robot from q in the time dt (s). {}{} "
                                    "q_next may be q.",
-                                   constant_motion(mechanism, convention)),
+                                   constant_motion(mechanism, convention), of_loops),
                        kCommentWidth);
 }
 
@@ -242,9 +248,6 @@ void check_conventions_apply(const Mechanism& mechanism) {
   if (!mechanism.has_quasi_velocities()) {
     throw Failure(ExitCode::unsupported, "--convention: the robot has neither a floating base nor spherical joints",
                   "leave it out, or use --base floating");
-  }
-  if (mechanism.has_loops()) {
-    throw Failure(ExitCode::unsupported, "--convention: closed loops are not supported", "leave it out");
   }
 }
 

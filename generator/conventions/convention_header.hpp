@@ -14,7 +14,7 @@ struct ConventionHeader {
   std::vector<std::string> left_out;  // a sentence per function that has no adaptor
 };
 
-// Throws Failure(unsupported) for a robot with neither a floating base nor spherical joints, or with closed loops.
+// Throws Failure(unsupported) for a robot with neither a floating base nor spherical joints.
 void check_conventions_apply(const Mechanism& mechanism);
 
 // For a robot with a floating base or spherical joints. `functions`: those of the C++ code that was emitted with these

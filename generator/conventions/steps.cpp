@@ -9,8 +9,9 @@
 namespace flatdyn {
 namespace {
 
-// Joints of one axis that follow each other, or a spherical joint: entries of v from `first` to before `last`. Entry k
-// of v belongs to entry k + `shift` of q; for a spherical joint that of `first` is its quaternion's first.
+// Joints of one axis whose entries follow each other in v and in q, or a spherical joint: entries of v from `first` to
+// before `last`. Entry k of v belongs to entry k + `shift` of q; for a spherical joint that of `first` is its
+// quaternion's first.
 struct JointSegment {
   int first = 0, last = 0, shift = 0;
   bool is_spherical = false;
@@ -20,8 +21,13 @@ std::vector<JointSegment> segments(const Mechanism& mechanism) {
   std::vector<JointSegment> found;
   const int pose = pose_entries(mechanism);
   int next = mechanism.base_bodies();
+  const auto shift_of = [&](int k) { return pose + mechanism.position_of(k) - k; };
   const auto add_axes_before = [&](int end) {
-    if (next < end) found.push_back({next, end, pose + mechanism.position_of(next) - next});
+    while (next < end) {
+      const int first = next++;
+      while (next < end && shift_of(next) == shift_of(first)) ++next;
+      found.push_back({first, next, shift_of(first)});
+    }
   };
   for (const int first : mechanism.spherical) {
     add_axes_before(first);
@@ -67,8 +73,13 @@ std::vector<std::string> lines_of(const Mechanism& mechanism, const char* axis, 
 }  // namespace
 
 std::vector<std::string> integrate_joints(const Mechanism& mechanism) {
-  return lines_of(mechanism, "q_next[{q}] = q[{q}] + v[{v}] * dt;",
-                  "detail::turn_joint(q + {q}, v + {v}, dt, q_next + {q});");
+  std::vector<std::string> lines = lines_of(mechanism, "q_next[{q}] = q[{q}] + v[{v}] * dt;",
+                                            "detail::turn_joint(q + {q}, v + {v}, dt, q_next + {q});");
+  for (const LoopClosure& loop : mechanism.loops) {
+    for (const int p : loop.dependent)
+      lines.push_back(fmt::format("q_next[{0}] = q[{0}];", pose_entries(mechanism) + p));
+  }
+  return lines;
 }
 
 std::vector<std::string> difference_joints(const Mechanism& mechanism) {

@@ -17,7 +17,8 @@ inline std::string count_of_velocities(const Mechanism& mechanism) {
   return mechanism.floating_base ? "velocity_count" : "joint_count";
 }
 
-// "q_next[7] = q[7] + v[6] * dt;" for joints of one axis, and a call for each spherical one.
+// "q_next[7] = q[7] + v[6] * dt;" for joints of one axis, and a call for each spherical one. Joints that closed loops
+// move stay where they are.
 std::vector<std::string> integrate_joints(const Mechanism& mechanism);
 // "v[6] = q_1[7] - q_0[7];", …
 std::vector<std::string> difference_joints(const Mechanism& mechanism);

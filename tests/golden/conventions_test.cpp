@@ -53,6 +53,13 @@ TEST(Conventions, AreThoseOfBallsOnAFixedBase) {
   EXPECT_EQ(printed(wrist, "fixed.cpp", "g++"), "0 do not hold\n");
 }
 
+TEST(ConventionsOfLoops, AgreeAndStepWithTheLoop) {
+  const GoldenCase hopper = {"docs/examples/five_bar_hopper.toml",
+                             " --convention pose,mujoco --functions inverse_dynamics,forward_dynamics,loop_closure,"
+                             "loop_step"};
+  EXPECT_EQ(printed(hopper, "loops.cpp", "g++"), "0 do not hold\n");
+}
+
 // Spatial vectors have the angular part first: functions with such vectors of the tip are left out.
 TEST(Conventions, LeaveOutTheTipOfAFixedBase) {
   const TemporaryFolder folder;
