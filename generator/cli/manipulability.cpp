@@ -6,6 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "input/csv/base_gravity.hpp"
 #include "input/csv/positions.hpp"
 #include "manipulability/workspace_map.hpp"
 #include "plot/time_table.hpp"
@@ -37,35 +38,66 @@ constexpr double kPlacesAlongArm = 24;  // in a map without --spacing
 
 struct Positions {
   std::vector<std::vector<double>> q;
-  std::vector<double> t;  // empty, or one time per row of q
-  int first_line = 0;     // line of the first row in the file
+  std::vector<Eigen::Vector3d> g_b;  // gravity in the axes of a floating base, one per row of q; else empty
+  std::vector<double> t;             // empty, or one time per row of q
+  int first_line = 0;                // line of the first row in the file
+
+  std::optional<Eigen::Vector3d> gravity(std::size_t row) const {
+    return g_b.empty() ? std::nullopt : std::optional(g_b[row]);
+  }
 };
+
+// The columns that are read.
+struct PositionColumns {
+  std::vector<CsvSource> q;
+  std::optional<BaseGravity> gravity;  // of a floating base
+  std::optional<CsvTime> time;
+
+  std::vector<CsvSource> sources() const {
+    std::vector<CsvSource> all = q;
+    if (!gravity) return all;
+    for (const CsvSource& source : gravity->sources()) all.push_back(source);
+    return all;
+  }
+};
+
+PositionColumns columns_of(CsvHeading& heading, const Mechanism& mechanism, const Place& place, Diagnostics& found) {
+  PositionColumns columns;
+  columns.q = heading.require(CsvQuantity::q, "positions");
+  if (mechanism.has_base_gravity()) {
+    columns.gravity.emplace(heading, mechanism, place, "gravity shifts the ellipsoids", found);
+  }
+  columns.time = heading.find_time();
+  heading.finish();
+  return columns;
+}
 
 Positions read_positions(const ManipulabilityArguments& arguments, const Mechanism& mechanism) {
   const std::string& file = arguments.states;
   Diagnostics found;
   CsvTable table = read_csv(file, found);
   CsvHeading heading = table.heading(file, mechanism, found);
-  const std::vector<CsvSource> columns = heading.require(CsvQuantity::q, "positions");
-  const std::optional<CsvTime> time = heading.find_time();
-  heading.finish();
-  check_entries(table, columns, heading, file, found);
+  const PositionColumns columns = columns_of(heading, mechanism, {file, table.heading_line}, found);
+  check_entries(table, columns.sources(), heading, file, found);
   if (table.rows.empty()) found.error({file, 0}, "there is no row", "write a heading and at least one position");
   if (!arguments.map.empty() && table.rows.size() > 1) {
     found.error({file, table.lines[1]}, "a map starts at one position", "leave one row, or leave out --map");
   }
   Positions positions;
-  if (time) positions.t = times_of(table, *time, file, found);
+  if (columns.time) positions.t = times_of(table, *columns.time, file, found);
   arguments.report(found);
   Diagnostics asked;
-  const std::vector<std::optional<CsvSource>> q(columns.begin(), columns.end());
-  warn_of_positions(table, q, mechanism, file, asked);
+  warn_of_positions(table, {columns.q.begin(), columns.q.end()}, mechanism, file, asked);
+  if (columns.gravity) columns.gravity->check(table, file, asked);
   arguments.report(asked);
   positions.first_line = table.lines.front();
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     positions.q.emplace_back();
-    for (const CsvSource& source : columns)
+    for (const CsvSource& source : columns.q)
       positions.q.back().push_back(nearest_double(exact_value(table, row, source)));
+    if (!mechanism.floating_base) continue;
+    positions.g_b.push_back(columns.gravity ? Eigen::Vector3d(columns.gravity->at(table, row).data())
+                                            : Eigen::Vector3d::Zero());
   }
   return positions;
 }
@@ -83,10 +115,11 @@ bool has_turns(const std::vector<int>& task) {
   return std::any_of(task.begin(), task.end(), [](int row) { return row >= 3; });
 }
 
-// Replaces the start by all places on a grid that the tip can reach from there.
+// Replaces the start by all places on a grid that the tip can reach from there. With a floating base they are seen from
+// it, so it counts as fixed, and as turned as it is at the start.
 void spread(const ManipulabilityArguments& arguments, const LoadedRobot& model, const std::vector<int>& task,
             double spacing, Positions& positions) {
-  const Eigen::VectorXd start = Eigen::Map<const Eigen::VectorXd>(positions.q.front().data(), model.mechanism.size());
+  const Eigen::VectorXd start = Eigen::VectorXd::Map(positions.q.front().data(), model.mechanism.position_count());
   if (!is_within_limits(model.mechanism, start)) {
     Diagnostics found;
     found.error({arguments.states, positions.first_line}, "the map's start is beyond the joints' limits",
@@ -94,9 +127,13 @@ void spread(const ManipulabilityArguments& arguments, const LoadedRobot& model, 
     throw BadInput(ExitCode::input, found);
   }
   WorkspaceGrid grid{view_of(arguments.map).onto.transpose(), spacing, has_turns(task)};
+  Robot held = model.robot;
+  held.floating_base = false;
+  const std::optional<Eigen::Vector3d> g_b = positions.gravity(0);
   positions = {};
-  for (const Eigen::VectorXd& q : map_workspace(TipKinematics(model.robot), model.mechanism, start, grid)) {
+  for (const Eigen::VectorXd& q : map_workspace(TipKinematics(held), model.mechanism, start, grid)) {
     positions.q.emplace_back(q.begin(), q.end());
+    if (g_b) positions.g_b.push_back(*g_b);
   }
 }
 
@@ -107,11 +144,21 @@ std::string picture(const ManipulabilityArguments& arguments, const std::string&
   return manipulability_plot(robot, task, poses, views(arguments.view, task), format);
 }
 
+std::vector<ManipulablePose> poses_at(const Positions& positions, Manipulability& arm) {
+  std::vector<ManipulablePose> poses;
+  for (std::size_t k = 0; k < positions.q.size(); ++k) {
+    const std::vector<double>& q = positions.q[k];
+    const std::optional<Eigen::Vector3d> g_b = positions.gravity(k);
+    poses.push_back({q, arm.at(q, g_b.value_or(Eigen::Vector3d::Zero())), arm.skeleton(q)});
+    poses.back().g_b = g_b;
+    if (!positions.t.empty()) poses.back().t = positions.t[k];
+  }
+  return poses;
+}
+
 ExitCode run_manipulability(const ManipulabilityArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   refuse_loops(model, "manipulability");
-  refuse_floating_base(model, "manipulability");
-  refuse_spherical_joints(model, "manipulability");
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   std::vector<std::string> inputs = model.robot.files;
@@ -126,11 +173,7 @@ ExitCode run_manipulability(const ManipulabilityArguments& arguments) {
     progress.step("mapping the workspace");
     spread(arguments, model, arm.task(), spacing, positions);
   }
-  std::vector<ManipulablePose> poses;
-  for (const std::vector<double>& q : positions.q) {
-    poses.push_back({q, arm.at(q), arm.skeleton(q)});
-    if (!positions.t.empty()) poses.back().t = positions.t[poses.size() - 1];
-  }
+  const std::vector<ManipulablePose> poses = poses_at(positions, arm);
   const std::string& name = model.mechanism.name;
   std::vector<TextFile> files;
   if (!arguments.output.empty()) files.push_back({arguments.output, manipulability_csv(arm.task(), poses)});

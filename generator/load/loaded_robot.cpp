@@ -45,7 +45,8 @@ void refuse_spherical_joints(const LoadedRobot& model, const std::string& what) 
     found.unsupported(
         joint.place,
         fmt::format("{}: spherical joints are not supported yet, and joint \"{}\" is one", what, joint.name),
-        "inspect, convert, generate, verify, certify, eval, simulate, identify, excite, report, bench and stress know "
+        "inspect, convert, generate, verify, certify, eval, simulate, identify, excite, manipulability, report, bench "
+        "and stress know "
         "them");
     throw BadInput(ExitCode::unsupported, std::move(found));
   }
@@ -56,7 +57,8 @@ void refuse_floating_base(const LoadedRobot& model, const std::string& what) {
   Diagnostics found;
   found.unsupported(model.robot.links[static_cast<std::size_t>(model.robot.root)].place,
                     what + ": robots with a floating base are not supported yet",
-                    "inspect, convert, generate, verify, certify, eval, simulate, identify, excite, report, bench and "
+                    "inspect, convert, generate, verify, certify, eval, simulate, identify, excite, manipulability, "
+                    "report, bench and "
                     "stress know them; "
                     "--base fixed holds the base still");
   throw BadInput(ExitCode::unsupported, std::move(found));

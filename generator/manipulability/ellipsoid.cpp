@@ -7,36 +7,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "manipulability/tip_directions.hpp"
+#include "model/spherical_joint.hpp"
 #include "planning/make_functions.hpp"
-#include "symbolic/dynamics/task_rows.hpp"
 #include "trajectory/pace_limits.hpp"
 
 namespace flatdyn {
 namespace {
 
-std::vector<int> directions(const Mechanism& mechanism) {
-  if (mechanism.task.has_angles()) {
-    throw Failure(ExitCode::unsupported, "an ellipsoid has base axes, and the scene asks for Euler angles",
-                  "take `orientation` out of the scene");
-  }
-  std::vector<int> rows = mechanism.task.empty() ? moved_directions(mechanism) : task_rows(mechanism);
-  if (!rows.empty()) return rows;
-  throw Failure(ExitCode::unsupported, "no joint moves the tip's origin",
-                "name directions of rotation in the scene's `task`, or another link with --tip");
-}
-
-// The number of directions of the task in which the tip moves independently.
-Eigen::Index rank_of(const Mechanism& mechanism) {
-  const std::vector<int> rows = task_rows(mechanism);
-  if (!mechanism.task.empty()) return static_cast<Eigen::Index>(rows.size());
-  return std::count_if(rows.begin(), rows.end(), [](int row) { return row < 3; });
-}
-
 // Refuses a singular B, judged by the pivots of its Cholesky factor: that of a joint that moves no inertia is only
 // rounding.
-void refuse_singular(const Eigen::MatrixXd& B, const Eigen::LLT<Eigen::MatrixXd>& factor,
-                     const std::vector<double>& q) {
+void refuse_singular(const Eigen::MatrixXd& B, const std::vector<double>& q) {
   constexpr double kRounding = 1e-13;
+  const Eigen::LLT<Eigen::MatrixXd> factor(B);
   const Eigen::ArrayXd pivots = Eigen::MatrixXd(factor.matrixL()).diagonal().array().square();
   const bool is_positive = (pivots > kRounding * B.diagonal().array()).all();  // false for NaN
   if (factor.info() == Eigen::Success && is_positive) return;
@@ -45,15 +28,35 @@ void refuse_singular(const Eigen::MatrixXd& B, const Eigen::LLT<Eigen::MatrixXd>
                 "leave such positions out; where it is so everywhere, give the last links inertia");
 }
 
+// The tip's Jacobian, and the inertia matrix.
+struct JointMotion {
+  Eigen::MatrixXd J, B;
+};
+
+// The part of the joints while nothing holds the base, whose `base` entries come first (none if it is fixed): from
+// B_bb a_b + B_bq q̈ = 0 its accelerations are a_b = -B_bb^-1 B_bq q̈, so the tip's are J* q̈ with
+//     J* = J_q - J_b B_bb^-1 B_bq
+// the generalised Jacobian of Umetani and Yoshida (1989), and the torques are B* q̈ with B* = B_qq - B_qb B_bb^-1 B_bq.
+JointMotion of_joints(JointMotion whole, Eigen::Index base) {
+  if (base == 0) return whole;
+  const Eigen::Index joints = whole.B.cols() - base;
+  const Eigen::LLT<Eigen::MatrixXd> held(whole.B.topLeftCorner(base, base));
+  const Eigen::MatrixXd follows = -held.solve(Eigen::MatrixXd(whole.B.topRightCorner(base, joints)));
+  return {whole.J.rightCols(joints) + whole.J.leftCols(base) * follows,
+          whole.B.bottomRightCorner(joints, joints) + whole.B.bottomLeftCorner(joints, base) * follows};
+}
+
 Eigen::VectorXd torque_units(const Mechanism& mechanism, TorqueNorm norm) {
-  if (norm == TorqueNorm::plain) return Eigen::VectorXd::Ones(mechanism.size());
+  const auto joints = static_cast<Eigen::Index>(mechanism.joints().size());
+  if (norm == TorqueNorm::plain) return Eigen::VectorXd::Ones(joints);
   const std::vector<double> limits = given_limits(mechanism).torque;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     if (std::isfinite(limits[i])) continue;
-    throw Failure(ExitCode::unsupported, fmt::format("joint \"{}\" has no effort limit", mechanism.joints()[i].joint),
+    throw Failure(ExitCode::unsupported,
+                  fmt::format("joint \"{}\" has no effort limit", joint_name(mechanism.joints()[i])),
                   "give one in the robot file or in the scene's [limits], or leave out --norm");
   }
-  return Eigen::Map<const Eigen::VectorXd>(limits.data(), mechanism.size());
+  return Eigen::Map<const Eigen::VectorXd>(limits.data(), joints);
 }
 
 // Whether the tip's origin coincides with the frame of this link.
@@ -65,10 +68,11 @@ bool is_at_tip(const Mechanism& mechanism, const std::string& name) {
                     [](const Number& a, const Number& b) { return vanishes(a - b); });
 }
 
-// The names of the frames to draw: the last link of each body on the way from the base to the tip, and the tip.
+// The names of the frames to draw: the last link of each body on the way from the base to the tip, and the tip. The
+// base's own frame is the origin, and bodies inside spherical joints are no links.
 std::vector<std::string> poses_to_tip(const Mechanism& mechanism) {
   std::vector<std::string> names = {"forward_kinematics"};
-  for (int i = mechanism.tip.body; i >= 0; i = mechanism.bodies[static_cast<std::size_t>(i)].parent) {
+  for (int i = mechanism.tip.body; i >= mechanism.base_bodies(); i = parent_of_joint(mechanism, i)) {
     const std::string& link = mechanism.bodies[static_cast<std::size_t>(i)].link;
     if (i != mechanism.tip.body || !is_at_tip(mechanism, link)) names.push_back("forward_kinematics:" + link);
   }
@@ -96,39 +100,53 @@ double length_of(const std::vector<Eigen::Vector3d>& skeleton) {
 }
 
 Manipulability::Manipulability(const LoadedRobot& model, const TorqueBall& torques, Progress& progress)
-    : task_(directions(model.mechanism)),
-      rank_(rank_of(model.mechanism)),
+    : base_(model.mechanism.base_bodies()),
       set_(torques.set),
       torque_unit_(torques.radius * torque_units(model.mechanism, torques.norm)) {
-  std::vector<std::string> names = {"inertia_matrix", model.mechanism.has_springs() ? "bias" : "gravity", "jacobian"};
+  const bool has_springs = model.mechanism.has_springs(), has_torques = base_ == 0 || has_springs;
+  std::vector<std::string> names = {"inertia_matrix", "jacobian"};
+  if (has_torques) names.emplace_back(has_springs ? "bias" : "gravity");
+  const std::size_t first_frame = names.size();
   for (const std::string& pose : poses_to_tip(model.mechanism)) names.push_back(pose);
   const std::vector<Function> functions = derive_numeric_functions(model, names, "an ellipsoid", progress);
+  const TipDirections directions = tip_directions(model.mechanism, functions[0], functions[1]);
+  task_ = directions.rows;
+  rank_ = directions.rank;
   inertia_.emplace(functions[0]);
-  gravity_.emplace(functions[1]);
-  jacobian_.emplace(functions[2]);
-  for (std::size_t k = 3; k < functions.size(); ++k) frames_.emplace_back(functions[k]);
+  jacobian_.emplace(functions[1]);
+  if (has_torques) torques_at_rest_.emplace(functions[2]);
+  for (std::size_t k = first_frame; k < functions.size(); ++k) frames_.emplace_back(functions[k]);
 }
 
 std::vector<double> Manipulability::values(Tape& tape, const std::vector<double>& q) const {
   TapeInputs given;
-  const std::vector<double> rest(q.size(), 0);
+  const std::vector<double> rest(static_cast<std::size_t>(base_ + torque_unit_.size()), 0), weightless(3, 0);
   given[InputKind::q] = q;
   given[InputKind::qd] = rest;
+  given[InputKind::v] = rest;
+  given[InputKind::g_b] = weightless;
   std::vector<double> results(tape.results());
   tape.run(given, results);
   return results;
 }
 
-Ellipsoid Manipulability::at(const std::vector<double>& q) {
-  const Eigen::Index n = torque_unit_.size();
-  const std::vector<double> b = values(*inertia_, q), g = values(*gravity_, q), j = values(*jacobian_, q);
+Ellipsoid Manipulability::at(const std::vector<double>& q, const Eigen::Vector3d& g_b) {
+  const Eigen::Index joints = torque_unit_.size(), n = base_ + joints;
+  const std::vector<double> b = values(*inertia_, q), j = values(*jacobian_, q);
   // The matrices are stored row by row, hence transposed.
-  const Eigen::Map<const Eigen::MatrixXd> B(b.data(), n, n), all(j.data(), n, 6);
+  const Eigen::Map<const Eigen::MatrixXd> whole(b.data(), n, n), columns(j.data(), n, 6);
+  refuse_singular(whole, q);
+  const auto [J, B] = of_joints({Eigen::MatrixXd(columns.transpose())(task_, Eigen::all), whole}, base_);
   const Eigen::LLT<Eigen::MatrixXd> factor(B);
-  refuse_singular(B, factor, q);
-  const Eigen::MatrixXd J = Eigen::MatrixXd(all.transpose())(task_, Eigen::all);
   Ellipsoid ellipsoid = set_ == TorqueSet::all ? of_all_torques(J, factor) : of_least_accelerations(J, B);
-  ellipsoid.centre = -J * factor.solve(Eigen::Map<const Eigen::VectorXd>(g.data(), n));
+  ellipsoid.centre = Eigen::VectorXd::Zero(J.rows());
+  if (torques_at_rest_) {
+    const std::vector<double> tau = values(*torques_at_rest_, q);
+    ellipsoid.centre = -J * factor.solve(Eigen::Map<const Eigen::VectorXd>(tau.data() + base_, joints));
+  }
+  for (std::size_t i = 0; base_ > 0 && i < task_.size() && task_[i] < 3; ++i) {
+    ellipsoid.centre[static_cast<Eigen::Index>(i)] += g_b[task_[i]];
+  }
   ellipsoid.measure = ellipsoid.lengths.prod();
   return ellipsoid;
 }

@@ -33,9 +33,10 @@ std::optional<Eigen::VectorXd> reached(const TipKinematics& tip, const Mechanism
 }  // namespace
 
 bool is_within_limits(const Mechanism& mechanism, const Eigen::VectorXd& q) {
-  Eigen::Index i = 0;
-  for (const Body& body : mechanism.joints()) {
-    const double position = q[i++];
+  for (int p = 0; p < mechanism.position_count(); ++p) {
+    if (mechanism.is_of_quaternion(p)) continue;  // spherical joints have no limits of position
+    const Body& body = mechanism.joint_at(p);
+    const double position = q[p];
     if (body.limits.lower && position < nearest_double(body.limits.lower->number)) return false;
     if (body.limits.upper && position > nearest_double(body.limits.upper->number)) return false;
   }

@@ -18,12 +18,12 @@ struct WorkspaceGrid {
 // The places reached, the start first, then neighbours of reached places, nearest first. Each place's joint positions
 // come by damped least squares from its neighbour's, so the posture changes as little as possible, and a place behind
 // one that is not reached within the limits is found only by a way round it. No place is more than kFarthestCell cells
-// from the start.
+// from the start. q is that of the mechanism, with a quaternion for each spherical joint.
 inline constexpr int kFarthestCell = 60;
 std::vector<Eigen::VectorXd> map_workspace(const TipKinematics& tip, const Mechanism& mechanism,
                                            const Eigen::VectorXd& start, const WorkspaceGrid& grid);
 
-// Whether q, rad or m, is within the limits of all joints.
+// Whether q, rad or m, is within the limits of all joints. Spherical joints have none.
 bool is_within_limits(const Mechanism& mechanism, const Eigen::VectorXd& q);
 
 }  // namespace flatdyn

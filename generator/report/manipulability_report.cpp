@@ -38,6 +38,9 @@ std::string manipulability_csv(const std::vector<int>& task, const std::vector<M
   std::vector<std::string> columns;
   if (poses.front().t) columns.emplace_back("t");
   for (std::size_t i = 0; i < poses.front().q.size(); ++i) columns.push_back(fmt::format("q{}", i + 1));
+  for (const char* axis : {"x", "y", "z"}) {
+    if (poses.front().g_b) columns.push_back(fmt::format("base_g{}", axis));
+  }
   for (const char* axis : {"x", "y", "z"}) columns.push_back(fmt::format("p_{}", axis));
   for (const int row : task) columns.push_back(fmt::format("centre_{}", direction(row)));
   const auto axes = poses.front().ellipsoid.lengths.size();
@@ -50,6 +53,7 @@ std::string manipulability_csv(const std::vector<int>& task, const std::vector<M
     std::vector<double> numbers;
     if (pose.t) numbers.push_back(*pose.t);
     numbers.insert(numbers.end(), pose.q.begin(), pose.q.end());
+    if (pose.g_b) numbers.insert(numbers.end(), pose.g_b->begin(), pose.g_b->end());
     for (const double value : pose.skeleton.back()) numbers.push_back(value + 0.0);
     for (const double value : pose.ellipsoid.centre) numbers.push_back(value + 0.0);
     for (const double value : pose.ellipsoid.lengths) numbers.push_back(value);
@@ -91,6 +95,7 @@ nlohmann::ordered_json manipulability_json(const std::string& robot, const std::
                              {"lengths", list(pose.ellipsoid.lengths)},
                              {"axes", axes},
                              {"measure", pose.ellipsoid.measure}});
+    if (pose.g_b) json["poses"].back()["g_b"] = list(*pose.g_b);
   }
   return json;
 }

@@ -24,13 +24,55 @@ reference::Robot<double> in_numbers(const Robot& robot) {
   return reference_robot<double>(robot, {});
 }
 
+// A robot with spherical joints at q, and the positions that the reference takes.
+struct Oriented {
+  reference::Robot<double> robot;
+  Eigen::VectorXd q;
+
+  Oriented(const reference::Robot<double>& at_rest, const Eigen::VectorXd& positions) : robot(at_rest), q(positions) {
+    reference::take_orientations(robot, q);
+  }
+};
+
+// The unit quaternion (w, x, y, z) of R exp(S(turn)), with R that of `quaternion`.
+Eigen::Vector4d turned(const Eigen::Vector4d& quaternion, const Eigen::Vector3d& turn) {
+  const Eigen::Quaterniond before(quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
+  const Eigen::Quaterniond by(Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()));
+  const Eigen::Quaterniond after = (before * by).normalized();
+  return {after.w(), after.x(), after.y(), after.z()};
+}
+
 }  // namespace
 
 TipKinematics::TipKinematics(const Robot& robot)
     : robot_(in_numbers(robot)), with_slopes_(reference::with_tangents(robot_)) {}
 
+reference::Pose<double> TipKinematics::pose(const Eigen::VectorXd& q) const {
+  if (!reference::has_spherical_joints(robot_)) return reference::tip_pose(robot_, q);
+  const Oriented oriented(robot_, q);
+  return reference::tip_pose(oriented.robot, oriented.q);
+}
+
 Eigen::MatrixXd TipKinematics::jacobian(const Eigen::VectorXd& q, int rows) const {
-  return reference::jacobian(robot_, q).topRows(rows);
+  if (!reference::has_spherical_joints(robot_)) return reference::jacobian(robot_, q).topRows(rows);
+  const Oriented oriented(robot_, q);
+  return reference::jacobian(oriented.robot, oriented.q).topRows(rows);
+}
+
+Eigen::VectorXd TipKinematics::moved(const Eigen::VectorXd& q, const Eigen::VectorXd& step) const {
+  if (!reference::has_spherical_joints(robot_)) return q + step;
+  Eigen::VectorXd result = q;
+  Eigen::Index entry = 0;
+  for (const reference::Joint<double>& joint : robot_.joints) {
+    if (joint.index < 0) continue;
+    if (joint.type == reference::JointType::spherical) {
+      result.segment<4>(entry) = turned(q.segment<4>(entry), step.segment<3>(joint.index));
+      entry += 4;
+    } else {
+      result[entry++] += step[joint.index];
+    }
+  }
+  return result;
 }
 
 Eigen::MatrixXd TipKinematics::jacobian_rate(const Eigen::VectorXd& q, const Eigen::VectorXd& qd, int rows) const {
@@ -61,7 +103,7 @@ Eigen::VectorXd inverse_kinematics(const TipKinematics& tip, const TipGoal& goal
     const Eigen::MatrixXd J = tip.jacobian(q, static_cast<int>(e.size()));
     Eigen::MatrixXd normal = J * J.transpose();
     normal.diagonal().array() += damping;
-    const Eigen::VectorXd candidate = q + J.transpose() * normal.ldlt().solve(e);
+    const Eigen::VectorXd candidate = tip.moved(q, J.transpose() * normal.ldlt().solve(e));
     const Eigen::VectorXd rest = tip.missing(goal, candidate);
     if (rest.norm() < e.norm()) {
       q = candidate;

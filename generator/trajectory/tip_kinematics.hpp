@@ -26,14 +26,18 @@ struct TipGoal {
 // The exact kinematics of the robot file, with the tip frame and held joints.
 class TipKinematics {
  public:
-  // Throws Failure(unsupported) for a robot with free symbols.
+  // Throws Failure(unsupported) for a robot with free symbols. The base is fixed.
   explicit TipKinematics(const Robot& robot);
 
+  // Entries of q̇. q has four of a spherical joint, its quaternion (w, x, y, z) of any length; q̇ has three, the angular
+  // velocity in the child's axes.
   int joints() const { return robot_.size(); }
-  reference::Pose<double> pose(const Eigen::VectorXd& q) const { return reference::tip_pose(robot_, q); }
+  reference::Pose<double> pose(const Eigen::VectorXd& q) const;
   // The first three rows of the geometric Jacobian (7.14), or all six.
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& q, int rows) const;
-  // The derivative of the Jacobian along q̇.
+  // q after a small motion, by entries of q̇: a sum, or for a spherical joint the turn R ← R exp(S(step)).
+  Eigen::VectorXd moved(const Eigen::VectorXd& q, const Eigen::VectorXd& step) const;
+  // The derivative of the Jacobian along q̇; not for spherical joints.
   Eigen::MatrixXd jacobian_rate(const Eigen::VectorXd& q, const Eigen::VectorXd& qd, int rows) const;
   // The remaining displacement to the goal: position, m; with an orientation also the rotation vector, rad. 3 or 6
   // numbers.

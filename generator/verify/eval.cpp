@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "emit/arguments.hpp"
 #include "flatdyn/reference/closed_loops.hpp"
 #include "functions/function_table.hpp"
+#include "input/csv/base_gravity.hpp"
 #include "input/csv/positions.hpp"
 #include "input/csv/text.hpp"
 #include "model/loop_closure.hpp"
@@ -83,10 +85,7 @@ class Columns {
     const auto is_there = [](const std::optional<CsvSource>& each) { return each.has_value(); };
     const Vec3& g_0 = mechanism_.gravity;
     if (std::any_of(g_b.begin(), g_b.end(), is_there) || std::any_of(g_0.begin(), g_0.end(), has_symbols)) return;
-    const std::vector<std::optional<CsvSource>> pose = heading.find(CsvQuantity::pose);
-    const auto quaternion = pose.end() - 4;
-    if (!std::all_of(quaternion, pose.end(), is_there)) return;
-    for (auto each = quaternion; each != pose.end(); ++each) orientation_.push_back(**each);
+    orientation_ = base_orientation(heading);
   }
 
   const Mechanism& mechanism_;
@@ -184,21 +183,17 @@ class Evaluator {
     return state;
   }
 
-  // g_b = Rᵀ g_0, with the quaternion as it is: (w² - u·u) g_0 + 2 (u·g_0) u - 2 w u × g_0, where u is (x, y, z).
+  // Gravity in base axes from the base's quaternion.
   void set_gravity(const std::vector<CsvSource>& orientation, const std::vector<std::string>& entries,
                    StateOf<S>& state) const {
-    S quaternion[4], g[3];
+    std::array<S, 4> quaternion;
+    std::array<S, 3> g_0;
     for (std::size_t k = 0; k < 4; ++k) {
       quaternion[k] = to_scalar<S>(exact_decimal(entries[orientation[k].column]), {});
     }
-    for (std::size_t k = 0; k < 3; ++k) g[k] = to_scalar<S>(mechanism_.gravity[k], {});
-    const S &w = quaternion[0], *u = quaternion + 1;
-    const S along = S(2) * (u[0] * g[0] + u[1] * g[1] + u[2] * g[2]);
-    const S scale = w * w - u[0] * u[0] - u[1] * u[1] - u[2] * u[2];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
-      state.g_b[k] = scale * g[k] + along * u[k] - S(2) * w * (u[next] * g[last] - u[last] * g[next]);
-    }
+    for (std::size_t k = 0; k < 3; ++k) g_0[k] = to_scalar<S>(mechanism_.gravity[k], {});
+    const std::array<S, 3> g_b = gravity_in_base_axes(quaternion, g_0);
+    state.g_b.assign(g_b.begin(), g_b.end());
   }
 
   // The reference's values; nullopt where the task is singular, or a loop, for any function, as the reference needs
@@ -306,10 +301,7 @@ void say_what_is_missing(const Columns& columns, const std::vector<Input>& input
   if (missing != by_joint) {
     hints.push_back(fmt::format("by joint, {} called {}", is_one ? "it is" : "they are", fmt::join(by_joint, ", ")));
   }
-  if (lacks_gravity)
-    hints.emplace_back(
-        "gravity is that in base axes: 0, 0, -9.81 where z of the base points up; or give base_qw to "
-        "base_qz, the base's unit quaternion");
+  if (lacks_gravity) hints.emplace_back(kBaseGravityHint);
   diagnostics.error(heading,
                     fmt::format("{} {} {} missing; {} reads {}", is_one ? "column" : "columns",
                                 fmt::join(missing, ", "), is_one ? "is" : "are", function.name, is_one ? "it" : "them"),

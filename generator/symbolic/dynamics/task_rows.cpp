@@ -142,14 +142,4 @@ std::vector<int> task_rows(const Mechanism& mechanism) {
   return rows;
 }
 
-std::vector<int> moved_directions(const Mechanism& mechanism) {
-  const FieldColumns columns = columns_of(mechanism, {0, 1, 2});
-  std::vector<int> moved;
-  for (const int row : {0, 1, 2}) {
-    const auto moves = [row](const auto& column) { return column[static_cast<std::size_t>(row)].value() != 0; };
-    if (std::any_of(columns.begin(), columns.end(), moves)) moved.push_back(row);
-  }
-  return moved;
-}
-
 }  // namespace flatdyn

@@ -17,9 +17,6 @@ namespace flatdyn {
 // if the rows named depend on each other everywhere.
 std::vector<int> task_rows(const Mechanism& mechanism);
 
-// The directions among x, y, z in which joints move the tip, even if only along a fixed curve.
-std::vector<int> moved_directions(const Mechanism& mechanism);
-
 // The rows of a task in words: "x, y, z, rx, ry, rz"; with Euler angles "x, y, z, phi, theta, psi".
 std::string task_text(const std::vector<int>& rows, Orientation orientation = Orientation::angular_velocity);
 

@@ -38,12 +38,12 @@ class WorkspaceMap : public ::testing::Test {
 };
 
 // The annulus between 0.4 and 1.6 m has this many places on the grid, and the tip is at a different one each time.
-TEST_F(WorkspaceMap, IsAllThatTheTipGetsTo) {
-  const std::vector<Eigen::VectorXd> q = places(model_of_toml(two_links("")));
-  const Eigen::Vector3d start = tip->pose(kStart).p;
+void expect_annulus(const TipKinematics& tip, const std::vector<Eigen::VectorXd>& q, double spacing) {
+  const Eigen::Vector3d start = tip.pose(q.front()).p;
   std::set<std::pair<long, long>> cells;
   for (const Eigen::VectorXd& each : q) {
-    const Eigen::Vector3d way = (tip->pose(each).p - start) / kSpacing;
+    const Eigen::Vector3d way = (tip.pose(each).p - start) / spacing;
+    EXPECT_NEAR(way.z(), 0, 1e-6);
     EXPECT_NEAR(way.x(), std::round(way.x()), 1e-6);
     EXPECT_NEAR(way.y(), std::round(way.y()), 1e-6);
     EXPECT_TRUE(cells.emplace(std::lround(way.x()), std::lround(way.y())).second);
@@ -51,7 +51,7 @@ TEST_F(WorkspaceMap, IsAllThatTheTipGetsTo) {
   long inside = 0;
   for (int i = -kFarthestCell; i <= kFarthestCell; ++i) {
     for (int j = -kFarthestCell; j <= kFarthestCell; ++j) {
-      const double r = (start + kSpacing * Eigen::Vector3d(i, j, 0)).norm();
+      const double r = (start + spacing * Eigen::Vector3d(i, j, 0)).norm();
       const bool is_clear = std::abs(r - 0.4) > 1e-3 && std::abs(r - 1.6) > 1e-3;
       if (!is_clear) continue;
       const bool is_reachable = 0.4 < r && r < 1.6;
@@ -59,8 +59,32 @@ TEST_F(WorkspaceMap, IsAllThatTheTipGetsTo) {
       inside += is_reachable;
     }
   }
-  EXPECT_NEAR(static_cast<double>(inside) * kSpacing * kSpacing, std::numbers::pi * (1.6 * 1.6 - 0.4 * 0.4), 0.1);
+  EXPECT_NEAR(static_cast<double>(inside) * spacing * spacing, std::numbers::pi * (1.6 * 1.6 - 0.4 * 0.4), 0.1);
+}
+
+TEST_F(WorkspaceMap, IsAllThatTheTipGetsTo) {
+  const std::vector<Eigen::VectorXd> q = places(model_of_toml(two_links("")));
+  expect_annulus(*tip, q, kSpacing);
   EXPECT_EQ(q.front(), kStart);
+}
+
+// With balls for hinges the tip gets to the same places, and postures stay quaternions.
+TEST_F(WorkspaceMap, TurnsBalls) {
+  std::string text = "name = \"balls\"\n";
+  for (const char* place : {"[0, 0, 0]", "[1, 0, 0]"}) {
+    text += std::string("[[link]]\ntype = \"spherical\"\nmass = 1\nxyz = ") + place + "\n";
+  }
+  const LoadedRobot model = model_of_toml(text + "[tip]\nlink = \"link2\"\nxyz = [0.6, 0, 0]\n");
+  tip.emplace(model.robot);
+  Eigen::VectorXd start(8);
+  start << std::cos(0.1), 0, 0, std::sin(0.1), std::cos(0.5), 0, 0, std::sin(0.5);
+  const std::vector<Eigen::VectorXd> q =
+      map_workspace(*tip, model.mechanism, start, {Eigen::Matrix<double, 3, 2>::Identity(), kSpacing});
+  expect_annulus(*tip, q, kSpacing);
+  for (const Eigen::VectorXd& each : q) {
+    EXPECT_NEAR(each.head<4>().norm(), 1, 1e-14);
+    EXPECT_NEAR(each.tail<4>().norm(), 1, 1e-14);
+  }
 }
 
 TEST_F(WorkspaceMap, StaysWithinLimits) {
