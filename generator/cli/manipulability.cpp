@@ -144,6 +144,15 @@ std::string picture(const ManipulabilityArguments& arguments, const std::string&
   return manipulability_plot(robot, task, poses, views(arguments.view, task), format);
 }
 
+void note_contacts(const ManipulabilityArguments& arguments, const LoadedRobot& model) {
+  if (model.mechanism.contacts.empty()) return;
+  Diagnostics notes;
+  notes.note({model.robot.scene.file, 0},
+             "contacts have no effect here: ellipsoids are those of a robot that touches nothing",
+             "constrained_forward_dynamics of eval has accelerations with contacts");
+  arguments.report(notes);
+}
+
 std::vector<ManipulablePose> poses_at(const Positions& positions, Manipulability& arm) {
   std::vector<ManipulablePose> poses;
   for (std::size_t k = 0; k < positions.q.size(); ++k) {
@@ -161,6 +170,7 @@ ExitCode run_manipulability(const ManipulabilityArguments& arguments) {
   refuse_loops(model, "manipulability");
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
+  note_contacts(arguments, model);
   std::vector<std::string> inputs = model.robot.files;
   inputs.push_back(arguments.states);
   check_outputs({arguments.output, arguments.plot}, inputs);
@@ -192,13 +202,20 @@ Run add_manipulability(CLI::App& app) {
   auto* command = app.add_subcommand(
       "manipulability",
       "The dynamic manipulability ellipsoid (7.148) at positions of a CSV file: which accelerations of the tip torques "
-      "of one norm make. For a redundant arm --norm torque has those that any torques make.\n\n"
+      "of one norm make. For a redundant arm --norm torque has those that any torques make. With a floating base they "
+      "are those of joint torques alone, while nothing holds the base.\n\n"
       "  flatdyn manipulability robots/planar_2r_example_7_2.toml --states docs/examples/two_poses.csv --torque 500\n"
       "  flatdyn manipulability robots/panda.urdf --states docs/examples/panda_states.csv --norm limits -o m.csv\n"
-      "  flatdyn manipulability robots/ur5.urdf --states start.csv --map xz --plot map.svg -o map.csv");
+      "  flatdyn manipulability robots/ur5.urdf --states start.csv --map xz --plot map.svg -o map.csv\n"
+      "  flatdyn manipulability robots/panda.urdf --base floating --gravity off --states "
+      "docs/examples/panda_states.csv");
   const auto arguments = std::make_shared<ManipulabilityArguments>();
   arguments->add_to(*command);
-  command->add_option("--states", arguments->states, "CSV: q1,… or q_<joint>,…; other columns do not matter")
+  command
+      ->add_option(
+          "--states", arguments->states,
+          "CSV: q1,… or q_<joint>,…; with a floating base also gravity in its axes, base_gx to base_gz, or its "
+          "quaternion, base_qw to base_qz; other columns do not matter")
       ->required()
       ->check(kNotEmpty)
       ->type_name("FILE");

@@ -15,6 +15,12 @@
 namespace flatdyn {
 namespace {
 
+void refuse_angles(const Mechanism& mechanism) {
+  if (!mechanism.task.has_angles()) return;
+  throw Failure(ExitCode::unsupported, "an ellipsoid has base axes, and the scene asks for Euler angles",
+                "take `orientation` out of the scene");
+}
+
 // Refuses a singular B, judged by the pivots of its Cholesky factor: that of a joint that moves no inertia is only
 // rounding.
 void refuse_singular(const Eigen::MatrixXd& B, const std::vector<double>& q) {
@@ -103,6 +109,7 @@ Manipulability::Manipulability(const LoadedRobot& model, const TorqueBall& torqu
     : base_(model.mechanism.base_bodies()),
       set_(torques.set),
       torque_unit_(torques.radius * torque_units(model.mechanism, torques.norm)) {
+  refuse_angles(model.mechanism);
   const bool has_springs = model.mechanism.has_springs(), has_torques = base_ == 0 || has_springs;
   std::vector<std::string> names = {"inertia_matrix", "jacobian"};
   if (has_torques) names.emplace_back(has_springs ? "bias" : "gravity");

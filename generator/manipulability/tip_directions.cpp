@@ -96,10 +96,6 @@ void refuse_dependent(const Mechanism& mechanism, const std::vector<int>& wanted
 }  // namespace
 
 TipDirections tip_directions(const Mechanism& mechanism, const Function& B, const Function& J) {
-  if (mechanism.task.has_angles()) {
-    throw Failure(ExitCode::unsupported, "an ellipsoid has base axes, and the scene asks for Euler angles",
-                  "take `orientation` out of the scene");
-  }
   const Matrix columns = columns_by_joint(mechanism, B, J);
   TipDirections directions{mechanism.task.rows};
   if (mechanism.task.empty()) directions.rows = moved_directions(columns);

@@ -14,11 +14,11 @@ struct TipDirections {
   int rank = 0;           // how many of them are independent at almost every position
 };
 
-// The rows are those of the scene's task, or else the directions out of x, y, z in which joints accelerate the tip's
-// origin, even if only along a curve. With a floating base they are those in which joints do so while nothing holds the
-// base: an arm of one hinge has a curve. B and J are the functions inertia_matrix and jacobian of the mechanism. Throws
-// Failure(unsupported) if the task is in Euler angles or its rows depend on each other everywhere, if there are no
-// rows, or if forces on a floating base move no inertia.
+// The rows are those of the scene's task, which is not in Euler angles, or else the directions out of x, y, z in which
+// joints accelerate the tip's origin, even if only along a curve. With a floating base they are those in which joints
+// do so while nothing holds the base: an arm of one hinge has a curve. B and J are the functions inertia_matrix and
+// jacobian of the mechanism. Throws Failure(unsupported) if the task's rows depend on each other everywhere, if there
+// are no rows, or if forces on a floating base move no inertia.
 TipDirections tip_directions(const Mechanism& mechanism, const Function& B, const Function& J);
 
 }  // namespace flatdyn

@@ -17,8 +17,8 @@ constexpr std::size_t kJointsInNames = 3;
 constexpr int kOutlinePoints = 120, kOutlinePointsOfMap = 40;
 // The largest half axis in the picture, as a share of the arm's length.
 constexpr double kDrawnPart = 0.35, kDrawnPartOfPath = 0.12;
-// The place and the length of the base frame's axes, as shares of a view's side; their names are a little beyond their
-// ends.
+// The distance from the sides and the length of the base frame's axes, as shares of a view's side; their names are a
+// little beyond their ends.
 constexpr double kTriadCorner = 0.14, kTriadLength = 0.11, kBeyond = 1.35;
 constexpr double kMargin = 1.06, kFar = std::numeric_limits<double>::infinity();
 // Near singular postures of light wrists, ellipsoids are many times as long as elsewhere. In a map, this share of them
@@ -118,6 +118,9 @@ Drawing drawing_of(const std::vector<int>& task, const std::vector<ManipulablePo
   return drawing;
 }
 
+// The note in a title that the base floats, whose axes the pictures have.
+std::string base_note(const std::vector<ManipulablePose>& poses) { return poses.front().g_b ? ", free base" : ""; }
+
 std::string label_of(const std::string& axis) { return axis.empty() ? "m" : axis + " in m"; }
 
 Panel view_panel(const Drawing& drawing, const View& view, bool is_half) {
@@ -171,11 +174,36 @@ void share_scale(std::vector<Panel>& panels) {
   }
 }
 
+// The number of points within half a side of a square's middle.
+std::size_t points_near(const Panel& panel, const Eigen::Vector2d& middle, double half) {
+  std::size_t count = 0;
+  for (const Series& series : panel.series) {
+    for (std::size_t k = 0; k < series.x.size(); ++k) {
+      const Eigen::Vector2d way = Eigen::Vector2d(series.x[k], series.y[k]) - middle;
+      if (way.cwiseAbs().maxCoeff() < half) ++count;  // false for breaks
+    }
+  }
+  return count;
+}
+
+// The place for the base frame's axes: the corner with the fewest points, the lower left one if there is a choice.
+Eigen::Vector2d empty_corner(const Panel& panel) {
+  const Window& window = *panel.window;
+  const double side = window.right - window.left, margin = kTriadCorner * side;
+  const double left = window.left + margin, right = window.right - margin;
+  const double bottom = window.bottom + margin, top = window.top - margin;
+  Eigen::Vector2d best(left, bottom);
+  for (const Eigen::Vector2d& corner :
+       {Eigen::Vector2d(right, bottom), Eigen::Vector2d(left, top), Eigen::Vector2d(right, top)}) {
+    if (points_near(panel, corner, margin) < points_near(panel, best, margin)) best = corner;
+  }
+  return best;
+}
+
 // Adds the base frame's axes in a corner, without which a view in space cannot be read.
 void add_triad(Panel& panel, const View& view) {
-  const Window& window = *panel.window;
-  const double side = window.right - window.left;
-  const Eigen::Vector2d corner(window.left + kTriadCorner * side, window.bottom + kTriadCorner * side);
+  const double side = panel.window->right - panel.window->left;
+  const Eigen::Vector2d corner = empty_corner(panel);
   Series axes{"", {}, {}, SeriesKind::guide};
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector2d axis = kTriadLength * side * view.onto.col(k), at = corner + kBeyond * axis;
@@ -235,7 +263,7 @@ std::string manipulability_plot(const std::string& robot, const std::vector<int>
   const Drawing drawing = drawing_of(task, poses, views);
   std::vector<Panel> panels;
   for (const View& view : views) panels.push_back(view_panel(drawing, view, views.size() > 1));
-  std::string title = robot + ": dynamic manipulability";
+  std::string title = robot + ": dynamic manipulability" + base_note(poses);
   const std::string scale = fmt::format("1 m is {:.3g} m/s^2", 1 / drawing.scale);
   if (views.size() == 1) {
     panels.front().title = "accelerations at the tip: " + scale;
@@ -288,7 +316,7 @@ std::string workspace_plot(const std::string& robot, const std::vector<int>& tas
   panel.series = {std::move(measure), std::move(outlines), arm_line(poses.front(), view)};
   panel.cell = spacing;
   panel.value_label = "measure";
-  return plot(robot + ": dynamic manipulability in the workspace", {panel}, format);
+  return plot(robot + ": dynamic manipulability in the workspace" + base_note(poses), {panel}, format);
 }
 
 }  // namespace flatdyn

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Pictures of arms with their dynamic manipulability ellipsoids, as in Figure 7.15.
+// Pictures of arms with their dynamic manipulability ellipsoids, as in Figure 7.15. They have the axes of the base
+// frame, whose origin is where the arm begins, with a floating base, too.
 #pragma once
 
 #include "plot/plot.hpp"

@@ -127,5 +127,89 @@ TEST(ManipulabilityCommand, DiagnosesBadInput) {
   EXPECT_THAT(limits.err, HasSubstr("joint \"theta_1\" has no effort limit"));
 }
 
+constexpr const char* kFreeArm = "manipulability docs/examples/free_arm.toml --torque 20 --states ";
+constexpr const char* kFreeArmColumns = "q_hinge,q_ball.qw,q_ball.qx,q_ball.qy,q_ball.qz,q_slide,q_thumb";
+constexpr const char* kFreeArmPosition = "0.3,0.7,0.1,0.7,0.1,0.05,0.2";
+
+// The base's quaternion, which turns it about x, tells gravity as well as gravity itself does.
+TEST(ManipulabilityCommand, TakesFloatingBasesAndSphericalJoints) {
+  const Scratch scratch;
+  scratch.write("gravity.csv",
+                fmt::format("{},base_gx,base_gy,base_gz\n{},0,-9.81,0\n", kFreeArmColumns, kFreeArmPosition));
+  scratch.write("pose.csv",
+                fmt::format("{},base_qw,base_qx,base_qy,base_qz\n{},0.6,0.8,0,0\n", kFreeArmColumns, kFreeArmPosition));
+  const Outcome outcome = run_flatdyn(kFreeArm + fmt::format("{} -o {} --plot {}", scratch.path("gravity.csv"),
+                                                             scratch.path("m.csv"), scratch.path("m.svg")));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("1     228.255  23.76, 11.83, 0.8119  0, -9.81, 0\n"));
+  EXPECT_THAT(scratch.read("m.csv"), StartsWith("q1,q2,q3,q4,q5,q6,q7,base_gx,base_gy,base_gz,p_x,p_y,p_z,centre_x,"));
+  EXPECT_THAT(scratch.read("m.svg"), HasSubstr("free_arm: dynamic manipulability, free base, 1 m is "));
+  const Outcome again = run_flatdyn(kFreeArm + fmt::format("{} --json", scratch.path("m.csv")));
+  EXPECT_EQ(json::parse(again.out)["poses"][0]["g_b"], (json{0, -9.81, 0}));
+  const Outcome pose = run_flatdyn(kFreeArm + fmt::format("{} --json", scratch.path("pose.csv")));
+  ASSERT_EQ(pose.code, 0) << pose.err;
+  const json turned = json::parse(pose.out)["poses"][0], centre = turned["centre"];
+  EXPECT_EQ(turned["lengths"], json::parse(again.out)["poses"][0]["lengths"]);
+  EXPECT_NEAR(centre[1].get<double>(), -9.81 * 0.96, 1e-12);
+  EXPECT_NEAR(centre[2].get<double>(), 9.81 * 0.28, 1e-12);
+}
+
+TEST(ManipulabilityCommand, AsksForGravityOfAFloatingBase) {
+  const Scratch scratch;
+  scratch.write("q.csv", fmt::format("{}\n{}\n", kFreeArmColumns, kFreeArmPosition));
+  scratch.write("part.csv", fmt::format("{},base_gx,base_gz\n{},0,1\n", kFreeArmColumns, kFreeArmPosition));
+  scratch.write("norm.csv",
+                fmt::format("{},base_qw,base_qx,base_qy,base_qz\n{},2,0,0,0\n", kFreeArmColumns, kFreeArmPosition));
+  const Outcome missing = run_flatdyn(kFreeArm + scratch.path("q.csv"));
+  EXPECT_EQ(missing.code, 3);
+  EXPECT_THAT(missing.err,
+              HasSubstr("q.csv:1: error: base_gx, base_gy, base_gz are missing: gravity shifts the ellipsoids"));
+  EXPECT_THAT(missing.err, HasSubstr("or give base_qw to base_qz, the base's unit quaternion; --gravity off leaves"));
+  EXPECT_THAT(run_flatdyn(kFreeArm + scratch.path("part.csv")).err, HasSubstr("part.csv:1: error: base_gy is missing"));
+  EXPECT_THAT(run_flatdyn(kFreeArm + scratch.path("norm.csv")).err,
+              HasSubstr("norm.csv:2: warning: the quaternion of the floating base has norm 2"));
+  scratch.write("standing.toml", "[[contact]]\nlink = \"hand\"\n");
+  const Outcome weightless =
+      run_flatdyn(kFreeArm + scratch.path("q.csv") + " --gravity off --scene " + scratch.path("standing.toml"));
+  EXPECT_THAT(weightless.err, HasSubstr("standing.toml: note: contacts have no effect here"));
+  EXPECT_EQ(weightless.code, 0) << weightless.err;
+  EXPECT_THAT(weightless.out, HasSubstr("23.76, 11.83, 0.8119  0, 0, 0\n"));
+}
+
+// Seen from its base, a free arm gets to the places that it gets to on a fixed one, with other ellipsoids.
+TEST(ManipulabilityCommand, MapsTheWorkspaceOfAFreeBase) {
+  const Scratch scratch;
+  scratch.write("start.csv", "q1,q2,q3,q4,q5,q6,q7\n0,-0.3,0,-2.2,0,2,0.8\n");
+  const auto map = [&](const std::string& base) {
+    const Outcome outcome =
+        run_flatdyn("manipulability robots/panda.urdf --gravity off --map xz --spacing 0.1 -q --json --base " + base +
+                    " --states " + scratch.path("start.csv"));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return json::parse(outcome.out)["poses"];
+  };
+  const json fixed = map("fixed"), floating = map("floating");
+  ASSERT_GT(fixed.size(), 50U);
+  ASSERT_EQ(fixed.size(), floating.size());
+  for (std::size_t k = 0; k < fixed.size(); ++k) {
+    EXPECT_EQ(fixed[k]["q"], floating[k]["q"]);
+    EXPECT_NE(fixed[k]["measure"], floating[k]["measure"]);
+  }
+}
+
+TEST(ManipulabilityCommand, TakesLimitsOfSphericalJoints) {
+  const Scratch scratch;
+  scratch.write("q.csv",
+                "q_waist,q_shoulder,q_wrist.qw,q_wrist.qx,q_wrist.qy,q_wrist.qz,q_knuckle,q_slide\n"
+                "0.2,0.4,0.7,0.1,0.7,0.1,0.3,0.02\n");
+  const std::string command = "manipulability docs/examples/ball_wrist.toml --norm limits --states ";
+  const Outcome without = run_flatdyn(command + scratch.path("q.csv"));
+  EXPECT_EQ(without.code, 4);
+  EXPECT_THAT(without.err, HasSubstr("joint \"waist\" has no effort limit"));
+  const Outcome limited =
+      run_flatdyn(command + scratch.path("q.csv") + " --scene docs/examples/ball_wrist_limits.toml");
+  EXPECT_EQ(limited.code, 0) << limited.err;
+  EXPECT_THAT(limited.out, HasSubstr("1     295492   218.9, 44.2, 30.54  "));
+}
+
 }  // namespace
 }  // namespace flatdyn::testing
