@@ -36,8 +36,8 @@ Matrix motion_of_free_base(Matrix B, std::size_t base) {
   B.resize(base);
   const Echelon<Element> solved = reduced_echelon(std::move(B), is_zero);
   if (solved.pivots.size() < base || solved.pivots.back() != base - 1) {
-    throw Failure(ExitCode::unsupported, "forces on the floating base move no inertia",
-                  "give the base link, or links on it, mass and inertia");
+    throw Failure(ExitCode::unsupported, "forces or moments on the floating base move no inertia",
+                  "give the base link, or links on it, mass and moments of inertia about all axes");
   }
   Matrix motion = solved.rows;
   for (std::vector<Element>& row : motion) {

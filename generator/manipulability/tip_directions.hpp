@@ -18,7 +18,7 @@ struct TipDirections {
 // joints accelerate the tip's origin, even if only along a curve. With a floating base they are those in which joints
 // do so while nothing holds the base: an arm of one hinge has a curve. B and J are the functions inertia_matrix and
 // jacobian of the mechanism. Throws Failure(unsupported) if the task's rows depend on each other everywhere, if there
-// are no rows, or if forces on a floating base move no inertia.
+// are no rows, or if some forces or moments on a floating base move no inertia.
 TipDirections tip_directions(const Mechanism& mechanism, const Function& B, const Function& J);
 
 }  // namespace flatdyn

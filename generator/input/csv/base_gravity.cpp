@@ -31,7 +31,8 @@ BaseGravity::BaseGravity(CsvHeading& heading, const Mechanism& mechanism, const 
       missing.push_back(base_name_of(CsvQuantity::g_b, static_cast<int>(k), mechanism));
     }
   }
-  if (gravity_.empty()) orientation_ = base_orientation(heading);
+  const bool is_known = std::none_of(g_0_.begin(), g_0_.end(), has_symbols);
+  if (gravity_.empty() && is_known) orientation_ = base_orientation(heading);
   if (missing.empty() || !orientation_.empty()) return;
   diagnostics.error(place,
                     fmt::format("{} {} missing: {}", fmt::join(missing, ", "), missing.size() == 1 ? "is" : "are", why),

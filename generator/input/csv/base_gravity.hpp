@@ -33,7 +33,8 @@ std::array<S, 3> gravity_in_base_axes(const std::array<S, 4>& quaternion, const 
   return g_b;
 }
 
-// Gravity in base axes of each row of a table, m/s². Reads its columns, or else the quaternion's.
+// Gravity in base axes of each row of a table, m/s². Reads its columns, or else the quaternion's if the robot's gravity
+// is without symbols.
 class BaseGravity {
  public:
   // Columns that are missing are errors; `why` says what needs them: "it moves the ellipsoids".

@@ -307,6 +307,21 @@ TEST(FreeManipulability, KnowsWhichDirectionsJointsReach) {
   }
 }
 
+// A rod and a base of one line of mass: moments about it turn nothing.
+TEST(FreeManipulability, IsRefusedWhereTheBaseTurnsNothing) {
+  const LoadedRobot line = model_of_toml(
+      "name = \"line\"\n[base]\nmotion = \"floating\"\nmass = 3\n[[link]]\njoint = \"a\"\ntype = \"prismatic\"\n"
+      "axis = [1, 0, 0]\nmass = 2\ncom = [0.5, 0, 0]\n[tip]\nlink = \"link1\"\nxyz = [0.5, 0, 0]\n");
+  std::vector<int> task;
+  try {
+    ellipsoid_of(line, {0.1}, kGravity, {}, task);
+    FAIL();
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), ExitCode::unsupported);
+    EXPECT_EQ(std::string(failure.what()), "forces or moments on the floating base move no inertia");
+  }
+}
+
 TEST(FreeManipulability, KnowsWhereTheArmIs) {
   Progress progress(true);
   Manipulability arm(two_arms(), {}, progress);
