@@ -278,26 +278,6 @@ CLI::Option* add_names_option(CLI::App& command, const std::string& option, std:
       ->type_name("NAMES");
 }
 
-void add_stream_options(CLI::App& command, StreamOptions& options) {
-  command
-      .add_option("--band", options.band,
-                  "pass band of the zero-phase filter; default: 10 Hz where derivatives are missing, else no filter")
-      ->check(positive_number())
-      ->type_name("HZ");
-  command
-      .add_option("--decimate", options.decimate,
-                  "use every N-th sample; default: three samples per period of the band")
-      ->check(positive_number())
-      ->type_name("N");
-  command
-      .add_option("--rest-speed", options.rest_speed,
-                  "a joint rests while it is slower than this (rad/s, m/s; one number, or one for each joint): its "
-                  "friction may then be anything, and its equation is left out; default: estimated from the log")
-      ->delimiter(',')
-      ->check(number_between(0, 1e6))
-      ->type_name("V[,V...]");
-}
-
 void add_trajectory_option(CLI::App& command, std::string& file) {
   command
       .add_option(

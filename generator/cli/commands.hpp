@@ -87,8 +87,13 @@ std::string stamp(const std::vector<std::pair<std::string, std::string>>& option
 // Stamps one after the other.
 std::string joined_stamps(const std::vector<std::string>& stamps);
 
-// Adds --band and --decimate.
+// Adds --band, --decimate and --rest-speed.
 void add_stream_options(CLI::App& command, StreamOptions& options);
+// Adds --imu.
+void add_imu_option(CLI::App& command, std::string& imu);
+// Throws Failure(usage) if --imu is given for a robot with a fixed base, or names a link that is not fixed to a
+// floating one.
+void check_imu(const Mechanism& mechanism, const std::string& imu);
 
 // Adds --trajectory.
 void add_trajectory_option(CLI::App& command, std::string& file);

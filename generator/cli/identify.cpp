@@ -131,10 +131,7 @@ void check_options_for(const Mechanism& mechanism, const IdentifyArguments& argu
   if (mechanism.has_spherical_joints() && arguments.gravity_direction) {
     throw Failure(ExitCode::unsupported, "--gravity-direction is for robots without spherical joints");
   }
-  if (!mechanism.floating_base && !arguments.stream.imu.empty()) {
-    throw Failure(ExitCode::usage, "--imu is for robots with a floating base", "give --base floating");
-  }
-  base_sensors(mechanism, arguments.stream.imu);
+  check_imu(mechanism, arguments.stream.imu);
   if (mechanism.has_loops() && (arguments.gravity_direction || arguments.estimator == "iv")) {
     throw Failure(ExitCode::unsupported, "--gravity-direction and --estimator iv are for robots without closed loops");
   }
@@ -426,12 +423,7 @@ Run add_identify(CLI::App& app) {
   add_identified_option(*command, arguments->parameters);
   add_frames_option(*command, arguments->frames);
   add_stream_options(*command, arguments->stream);
-  command
-      ->add_option(
-          "--imu", arguments->stream.imu,
-          "the link, fixed to a floating base, whose frame is that of the log's imu_ax to imu_wz; default: the "
-          "base link")
-      ->type_name("LINK");
+  add_imu_option(*command, arguments->stream.imu);
   add_estimation_options(*command, *arguments);
   return [arguments] { return identify(*arguments); };
 }

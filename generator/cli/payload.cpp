@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "identify/torque_equations.hpp"
+#include "identify/usable_samples.hpp"
 #include "identify/wrist.hpp"
 #include "report/payload_report.hpp"
 
@@ -25,6 +26,7 @@ void check_payload_usage(const PayloadArguments& arguments, const LoadedRobot& r
     throw Failure(ExitCode::usage, "--wrist and --without exclude each other",
                   "a sensor at the wrist measures the payload alone");
   }
+  check_imu(robot.mechanism, arguments.stream.imu);
   std::vector<std::string> inputs = robot.robot.files;
   inputs.insert(inputs.end(), arguments.logs.begin(), arguments.logs.end());
   inputs.insert(inputs.end(), arguments.without.begin(), arguments.without.end());
@@ -36,20 +38,15 @@ void check_payload_usage(const PayloadArguments& arguments, const LoadedRobot& r
   }
 }
 
-void require_samples(long used) {
-  if (used > 0) return;
-  throw Failure(ExitCode::input, "no sample can be used: the logs are shorter than the filter's window",
-                "log longer runs, or give a wider --band; of poses in which the robot stands still, give columns qd1, "
-                "..., qdd1, ... of zeros");
-}
-
-Measurement observed(const TorqueEquations& equations, const std::vector<std::string>& logs,
+Measurement observed(const EquationModel& equations, const LoadedRobot& robot, const std::vector<std::string>& logs,
                      const PayloadArguments& arguments, Progress& progress) {
   Diagnostics found;
-  Measurement measurement =
-      measure(equations, equations.model().mechanism(), {logs.begin(), logs.end()}, arguments.stream, progress, found);
+  StreamOptions options = arguments.stream;
+  options.torques = !arguments.wrist;
+  Measurement measurement = measure(equations, robot.mechanism, {logs.begin(), logs.end()}, options, progress, found);
+  if (!found.has_errors() && arguments.wrist) check_used_samples(measurement, logs.front(), found);
+  if (!found.has_errors() && !arguments.wrist) check_samples(measurement, robot.mechanism, logs.front(), found);
   arguments.report(found);
-  require_samples(measurement.count.used);
   return measurement;
 }
 
@@ -57,45 +54,31 @@ Measurement observed(const TorqueEquations& equations, const std::vector<std::st
 FittedPayload from_torques(const LoadedRobot& robot, const PayloadArguments& arguments, Progress& progress) {
   const TorqueModel model(robot, parameter_set(arguments.parameters, robot.mechanism), progress);
   const TorqueEquations equations(model);
-  const Measurement with = observed(equations, arguments.logs, arguments, progress);
-  std::vector<MeasuredLog> logs = with.logs;
-  PayloadProblem problem;
-  if (arguments.without.empty()) {
-    problem = payload_problem(model, robot, with.observations);
-  } else {
-    const Measurement without = observed(equations, arguments.without, arguments, progress);
-    logs.insert(logs.end(), without.logs.begin(), without.logs.end());
-    problem = payload_problem(model, with.observations, without.observations, equations.file_values());
+  std::vector<Measurement> measurements = {observed(equations, robot, arguments.logs, arguments, progress)};
+  if (!arguments.without.empty()) {
+    measurements.push_back(observed(equations, robot, arguments.without, arguments, progress));
   }
-  FittedPayload found{estimate_payload(problem), {}, {}};
-  found.fits = fit_quality(problem.observations, logs, found.payload.unknowns, problem.acceleration_rows);
-  found.observations = std::move(problem.observations);
-  return found;
+  return fitted_payload(model, robot, std::move(measurements));
 }
 
-PayloadEstimate from_wrist(const LoadedRobot& robot, const PayloadArguments& arguments, Progress& progress) {
-  StreamOptions options = arguments.stream;
-  options.torques = false;
-  Diagnostics found;
-  const Measurement measurement = measure(WristEquations(robot.robot), robot.mechanism,
-                                          {arguments.logs.begin(), arguments.logs.end()}, options, progress, found);
-  arguments.report(found);
-  require_samples(measurement.count.used);
-  return estimate_payload_at_wrist(measurement.observations);
+FittedPayload from_wrist(const LoadedRobot& robot, const PayloadArguments& arguments, Progress& progress) {
+  Measurement measurement = observed(WristEquations(robot), robot, arguments.logs, arguments, progress);
+  return {estimate_payload_at_wrist(measurement.observations), {}, {}, {std::move(measurement)}};
 }
 
 // A possible reason of a negative mass.
-std::string hint_of(const PayloadArguments& arguments) {
+std::string hint_of(const LoadedRobot& robot, const PayloadArguments& arguments) {
   if (arguments.wrist) return "are the sensor's forces those that the link exerts, or those that it feels?";
   if (!arguments.without.empty()) return "are --data and --without exchanged?";
-  return "are the robot file's masses right? A log --without the payload takes their place";
+  return fmt::format("are the robot file's masses right? A log --without the payload takes their place{}",
+                     robot.mechanism.floating_base
+                         ? "; or are base_fx to base_nz what the base exerts, and not what is exerted on it?"
+                         : "");
 }
 
 ExitCode payload(const PayloadArguments& arguments) {
   const LoadedRobot robot = load_robot(arguments.robot, arguments.options());
   refuse_loops(robot, "payload");
-  refuse_floating_base(robot, "payload");
-  refuse_spherical_joints(robot, "payload");
   check_payload_usage(arguments, robot);
   print_diagnostics(robot.diagnostics, arguments);
   arguments.note_function_keys(robot);
@@ -104,13 +87,10 @@ ExitCode payload(const PayloadArguments& arguments) {
   FittedPayload found;
   {
     Progress progress(arguments.quiet);
-    if (arguments.wrist) {
-      found.payload = from_wrist(robot, arguments, progress);
-    } else {
-      found = from_torques(robot, arguments, progress);
-    }
+    found = arguments.wrist ? from_wrist(robot, arguments, progress) : from_torques(robot, arguments, progress);
   }
-  const std::vector<std::string> warning_texts = plausibility_warnings(robot, found, hint_of(arguments));
+  require_told(robot, found);
+  const std::vector<std::string> warning_texts = plausibility_warnings(robot, found, hint_of(robot, arguments));
   arguments.warn_of(warning_texts, arguments.logs.front());
   std::vector<TextFile> files;
   if (!arguments.output.empty()) {
@@ -145,6 +125,7 @@ Run add_payload(CLI::App& app) {
       ->type_name("FILE");
   add_identified_option(*command, arguments->parameters);
   add_stream_options(*command, arguments->stream);
+  add_imu_option(*command, arguments->stream.imu);
   return [arguments] { return payload(*arguments); };
 }
 

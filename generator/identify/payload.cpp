@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include "identify/physical_parameters.hpp"
+#include "identify/singular_values.hpp"
+#include "identify/torque_equations.hpp"
 
 namespace flatdyn {
 namespace {
@@ -134,6 +136,34 @@ Observations side_by_side(const Observations& with, const Observations& without,
   return result;
 }
 
+// A basis of the same space of columns: each has a 1 in a row in which the others have 0. Earlier rows come first.
+MatrixXd echelon(MatrixXd columns) {
+  constexpr double kNothing = 1e-6;  // share of the largest entry of a basis of unit length
+  Index done = 0;
+  for (Index row = 0; row < columns.rows() && done < columns.cols(); ++row) {
+    Index pivot = 0;
+    if (columns.row(row).tail(columns.cols() - done).cwiseAbs().maxCoeff(&pivot) < kNothing) continue;
+    columns.col(done).swap(columns.col(done + pivot));
+    columns.col(done) /= columns(row, done);
+    for (Index k = 0; k < columns.cols(); ++k) {
+      if (k != done) columns.col(k) -= columns(row, k) * columns.col(done).eval();
+    }
+    ++done;
+  }
+  return columns;
+}
+
+// The null space of the information on the first ten unknowns, whatever the others are.
+MatrixXd untold_of_payload(const Estimate& estimate, const MatrixXd& root_of_payload) {
+  constexpr double kRounding = 1e-9;  // where columns have unit length
+  VectorXd lengths = estimate.root_information.leftCols(kInertialPerBody).colwise().norm();
+  lengths = (lengths.array() > 0).select(lengths, 1);
+  const SingularValues svd = singular_values(root_of_payload * lengths.cwiseInverse().asDiagonal());
+  const Index told = (svd.s.array() > kRounding).count();
+  const MatrixXd scaled = svd.V.rightCols(kInertialPerBody - told);
+  return echelon((lengths.cwiseInverse().asDiagonal() * scaled).colwise().normalized());
+}
+
 }  // namespace
 
 PayloadEstimate payload_of(const Estimate& estimate) {
@@ -141,7 +171,9 @@ PayloadEstimate payload_of(const Estimate& estimate) {
   result.unknowns = estimate.values;
   result.values = estimate.values.head(kInertialPerBody);
   result.standard_deviations = estimate.standard_deviations.head(kInertialPerBody);
-  const NearestBody body = nearest_body(result.values, root_information_of_first(estimate, kInertialPerBody));
+  const MatrixXd root = root_information_of_first(estimate, kInertialPerBody);
+  result.untold = untold_of_payload(estimate, root);
+  const NearestBody body = nearest_body(result.values, root);
   result.body = body.ten;
   result.largest_misfit = body.largest_misfit;
   return result;
@@ -181,6 +213,21 @@ PayloadEstimate estimate_payload(const PayloadProblem& problem) {
   EstimateOptions options;
   options.acceleration_rows = problem.acceleration_rows;
   return payload_of(estimate(problem.observations, problem.prior, options));
+}
+
+FittedPayload fitted_payload(const TorqueModel& model, const LoadedRobot& robot,
+                             std::vector<Measurement> measurements) {
+  const Observations& with = measurements.front().observations;
+  PayloadProblem problem = measurements.size() == 1 ? payload_problem(model, robot, with)
+                                                    : payload_problem(model, with, measurements.back().observations,
+                                                                      TorqueEquations(model).file_values());
+  std::vector<MeasuredLog> logs;
+  for (const Measurement& each : measurements) logs.insert(logs.end(), each.logs.begin(), each.logs.end());
+  FittedPayload found{estimate_payload(problem), {}, {}, {}};
+  found.fits = fit_quality(problem.observations, logs, found.payload.unknowns, problem.acceleration_rows);
+  found.observations = std::move(problem.observations);
+  found.measurements = std::move(measurements);
+  return found;
 }
 
 }  // namespace flatdyn

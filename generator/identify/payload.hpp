@@ -2,6 +2,7 @@
 // The payload of the tip: ten inertial parameters, identified as a change of the last link (7.4).
 #pragma once
 
+#include "identify/fit_quality.hpp"
 #include "identify/least_squares.hpp"
 #include "identify/torque_model.hpp"
 
@@ -15,6 +16,9 @@ struct PayloadEstimate {
   Eigen::VectorXd body;
   double largest_misfit = 0;  // the largest distance of body from values, in standard deviations
   Eigen::VectorXd unknowns;   // values of all unknowns of the problem
+  // Changes of the ten parameters that nothing in the logs shows, one column each: a basis in which each has a 1 for a
+  // parameter that the others lack.
+  Eigen::MatrixXd untold;
 };
 
 // Equations whose first ten unknowns are the payload's parameters.
@@ -34,6 +38,21 @@ PayloadProblem payload_problem(const TorqueModel& model, const Observations& wit
 PayloadProblem payload_problem(const TorqueModel& model, const LoadedRobot& robot, const Observations& with_payload);
 
 PayloadEstimate estimate_payload(const PayloadProblem& problem);
+
+// A payload, and how well the equations fit that it comes from: those of the joints with it, after those of a floating
+// base's force, then those without it, if there is such a log. Of a sensor at the wrist there are no fits.
+struct FittedPayload {
+  PayloadEstimate payload;
+  std::vector<JointFit> fits;
+  Observations observations;
+  std::vector<Measurement> measurements;  // with the payload, then without it
+
+  bool is_of_wrist() const { return fits.empty(); }
+};
+
+// The payload from torques with it, as the change against those without it, or against the robot file if there is but
+// one measurement. All are made with the equations of `model`.
+FittedPayload fitted_payload(const TorqueModel& model, const LoadedRobot& robot, std::vector<Measurement> measurements);
 
 // The first ten parameters of an estimate, and the nearest ones of a real body.
 PayloadEstimate payload_of(const Estimate& estimate);

@@ -120,9 +120,9 @@ void TorqueModel::regressor(const double* q, const double* qd, const double* qdd
 
 void TorqueModel::add_springs(const double* q, double* tau) const {
   if (stiffness_.isZero(0)) return;
-  const Eigen::Index n = relaxed_.size();
-  Eigen::Map<Eigen::VectorXd>(tau + first_joint(), n) +=
-      stiffness_ * Eigen::Map<const Eigen::VectorXd>(q, n) - relaxed_;
+  Eigen::VectorXd positions(relaxed_.size());
+  for (int i = 0; i < joints(); ++i) positions(i) = q[mechanism().position_of(first_joint() + i)];
+  Eigen::Map<Eigen::VectorXd>(tau + first_joint(), positions.size()) += stiffness_ * positions - relaxed_;
 }
 
 std::vector<Eigen::MatrixXd> TorqueModel::acceleration_rows(const double* q) const {

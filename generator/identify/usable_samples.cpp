@@ -87,8 +87,7 @@ Failure no_equations() {
 
 }  // namespace
 
-void check_samples(const Measurement& measurement, const Mechanism& mechanism, const std::string& log,
-                   Diagnostics& found) {
+void check_used_samples(const Measurement& measurement, const std::string& log, Diagnostics& found) {
   const StreamCount& count = measurement.count;
   int window = 0, decimate = 1;
   for (const SampleFilter& filter : measurement.filters()) {
@@ -96,6 +95,16 @@ void check_samples(const Measurement& measurement, const Mechanism& mechanism, c
     decimate = std::max(decimate, filter.decimate);
   }
   if (count.used == 0) throw no_samples(measurement, window, decimate);
+  if (count.gaps == 0 || 2 * count.used * decimate > count.lines) return;
+  found.warning({log, 0},
+                fmt::format("{} gaps in time take most of {} samples: each costs the filter's window, {} samples",
+                            count.gaps, count.lines, window),
+                "log without gaps, or q, qd and qdd, so that there is no filter; a wider --band has a shorter window");
+}
+
+void check_samples(const Measurement& measurement, const Mechanism& mechanism, const std::string& log,
+                   Diagnostics& found) {
+  check_used_samples(measurement, log, found);
   const std::vector<JointObservations>& joints = measurement.observations.joints;
   const auto has_no_rows = [](const JointObservations& joint) { return joint.rows == 0; };
   const auto first_joint = joints.begin() + mechanism.base_bodies();
@@ -104,11 +113,6 @@ void check_samples(const Measurement& measurement, const Mechanism& mechanism, c
   const bool base_rests =
       !mechanism.floating_base || !base_moves(measurement) || std::all_of(joints.begin(), first_joint, has_no_rows);
   if (joints_rest && base_rests) throw no_motion(measurement, mechanism.base_bodies());
-  if (count.gaps == 0 || 2 * count.used * decimate > count.lines) return;
-  found.warning({log, 0},
-                fmt::format("{} gaps in time take most of {} samples: each costs the filter's window, {} samples",
-                            count.gaps, count.lines, window),
-                "log without gaps, or q, qd and qdd, so that there is no filter; a wider --band has a shorter window");
 }
 
 }  // namespace flatdyn

@@ -40,10 +40,21 @@ Eigen::Matrix<double, kWrench, kInertialPerBody> wrench_regressor(const referenc
   return A;
 }
 
+// Gravity is part of the motion of a floating base.
+reference::Robot<double> robot_in_numbers(const LoadedRobot& model) {
+  require_numbers(model.robot, "measured motion");
+  reference::Robot<double> robot = reference_robot<double>(model.robot, {});
+  if (robot.floating_base) robot.gravity.setZero();
+  return robot;
+}
+
 }  // namespace
 
-WristEquations::WristEquations(const Robot& robot)
-    : robot_(reference_robot<double>(robot, {})), joints_(static_cast<int>(moving_joints(robot).size())) {
+WristEquations::WristEquations(const LoadedRobot& model)
+    : robot_(robot_in_numbers(model)),
+      positions_(model.mechanism.position_count()),
+      rates_(model.mechanism.size()),
+      has_spherical_joints_(model.mechanism.has_spherical_joints()) {
   parameters_ = kUnknowns;
   std::vector<int> inertial(kInertialPerBody);
   std::iota(inertial.begin(), inertial.end(), 0);
@@ -55,9 +66,11 @@ WristEquations::WristEquations(const Robot& robot)
 }
 
 void WristEquations::evaluate(const MeasuredMotion& motion, double* entries, double* known) const {
-  const auto vector = [this](const double* from) { return VectorXd(Eigen::Map<const VectorXd>(from, joints_)); };
+  const auto vector = [](const double* from, int size) { return VectorXd(Eigen::Map<const VectorXd>(from, size)); };
+  VectorXd positions = vector(motion.q, positions_);
+  if (has_spherical_joints_) reference::take_orientations(robot_, positions);
   const auto motions =
-      reference::link_motions<double>(robot_, vector(motion.q), vector(motion.qd), vector(motion.qdd), true);
+      reference::link_motions<double>(robot_, positions, vector(motion.qd, rates_), vector(motion.qdd, rates_), true);
   const auto A = wrench_regressor(motions[static_cast<std::size_t>(robot_.tip)]);
   for (int k = 0; k < kWrench; ++k) {
     for (int column = 0; column < kInertialPerBody; ++column) *entries++ = A(k, column);

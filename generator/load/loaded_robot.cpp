@@ -45,9 +45,8 @@ void refuse_spherical_joints(const LoadedRobot& model, const std::string& what) 
     found.unsupported(
         joint.place,
         fmt::format("{}: spherical joints are not supported yet, and joint \"{}\" is one", what, joint.name),
-        "inspect, convert, generate, verify, certify, eval, simulate, identify, excite, manipulability, report, bench "
-        "and stress know "
-        "them");
+        "all commands but torques and scale know them, bench without --gpu; eval has the torques of a motion that its "
+        "columns say");
     throw BadInput(ExitCode::unsupported, std::move(found));
   }
 }
@@ -57,9 +56,8 @@ void refuse_floating_base(const LoadedRobot& model, const std::string& what) {
   Diagnostics found;
   found.unsupported(model.robot.links[static_cast<std::size_t>(model.robot.root)].place,
                     what + ": robots with a floating base are not supported yet",
-                    "inspect, convert, generate, verify, certify, eval, simulate, identify, excite, manipulability, "
-                    "report, bench and "
-                    "stress know them; "
+                    "all commands but torques and scale know them; eval has the torques of a motion that its columns "
+                    "say; "
                     "--base fixed holds the base still");
   throw BadInput(ExitCode::unsupported, std::move(found));
 }

@@ -6,6 +6,7 @@
 
 #include "identify/gravity_search.hpp"
 #include "model/spherical_joint.hpp"
+#include "report/base_warnings.hpp"
 #include "report/identification_report.hpp"
 
 namespace flatdyn {
@@ -112,13 +113,6 @@ bool is_gross(const Identification& found) {
          });
 }
 
-// Whether an inertial measurement unit tells the motion of a floating base: accelerations are read, turns are
-// differentiated.
-bool is_of_measurement_unit(const Identification& found) {
-  const std::vector<int>& orders = found.measurement.logs.front().differentiations;
-  return orders.size() >= LogLayout::kTwist && orders[0] == 0 && orders[3] == 1;
-}
-
 // Reports residuals that are no noise, and the reason that explains them, where there is one.
 void warn_of_fit(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
   std::vector<std::string> bad;
@@ -148,9 +142,7 @@ void warn_of_fit(const TorqueModel& model, const Identification& found, std::vec
                         "(--friction), ripple or flexibility; the torques may have noise or vibration that is slower "
                         "than the band, which intervals take account of; or columns, units or times of the log are "
                         "not what they say",
-                  is_of_measurement_unit(found) && !found.hypothesis
-                      ? "; is the measurement unit in the base link's frame (--imu LINK says which)?"
-                      : ""));
+                  found.hypothesis ? "" : imu_question(found.measurement.logs)));
 }
 
 // Reports joints whose residuals are steps of the encoder.
@@ -286,38 +278,10 @@ void warn_of_links(const TorqueModel& model, const Identification& found, std::v
   }
 }
 
-// Reports a specific force of a floating base that is not that of a robot that something carries, or a force on the
-// base that is zero although something does.
-void warn_of_base(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
-  constexpr double kLittle = 0.3, kMuch = 3, kCarried = 0.5;  // shares of gravity, of a mean
-  const std::vector<EquationInstant>& instants = found.measurement.observations.instants;
-  const double gravity = base_sensors(model.mechanism(), "").gravity.norm();
-  if (model.first_joint() == 0 || gravity == 0 || instants.empty()) return;
-  double sum = 0;
-  for (const EquationInstant& each : instants) sum += Eigen::Map<const Eigen::Vector3d>(each.qdd.data()).norm();
-  const double mean = sum / static_cast<double>(instants.size());
-  const auto& joints = found.measurement.observations.joints;
-  const bool is_free = std::all_of(joints.begin(), joints.begin() + model.first_joint(),
-                                   [](const auto& each) { return each.rows > 0 && each.rms_torque() == 0; });
-  if (is_free && mean > kCarried * gravity) {
-    warning_texts.push_back(fmt::format(
-        "the force on the base is zero in all of the log, and its specific force is {:.3g} m/s^2 on average: something "
-        "carries the robot; leave base_fx to base_nz out, or log that force",
-        mean));
-  }
-  if (is_free || (mean > kLittle * gravity && mean < kMuch * gravity)) return;
-  warning_texts.push_back(
-      fmt::format("the base's specific force is {:.3g} m/s^2 on average, and that of a robot at rest is {:.3g}: is a "
-                  "unit another one "
-                  "(imu_ax [g], base_x [mm]), was gravity taken off an accelerometer, or does the robot fall?",
-                  mean, gravity));
-}
-
 }  // namespace
 
 std::vector<std::string> plausibility_warnings(const TorqueModel& model, const Identification& found) {
-  std::vector<std::string> warning_texts;
-  warn_of_base(model, found, warning_texts);
+  std::vector<std::string> warning_texts = base_warnings(model.mechanism(), found.measurement.observations);
   warn_of_fit(model, found, warning_texts);
   const std::size_t count_of_fit = warning_texts.size();
   warn_of_frozen(model, found, warning_texts);

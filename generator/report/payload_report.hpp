@@ -5,20 +5,15 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "identify/fit_quality.hpp"
 #include "identify/payload.hpp"
 
 namespace flatdyn {
 
-// A payload, and how well the equations fit that it comes from: those of the joints with it, then those without it, if
-// there is such a log. Of a sensor at the wrist there are none.
-struct FittedPayload {
-  PayloadEstimate payload;
-  std::vector<JointFit> fits;
-  Observations observations;
-};
+// Throws Failure(input) if the logs tell nothing of the payload.
+void require_told(const LoadedRobot& robot, const FittedPayload& found);
 
-// Sentences on estimates that no payload explains; none for others. `hint`: a possible reason of a negative mass.
+// Sentences on estimates that no payload explains, on logs that a floating base can hardly have, and on a mass that is
+// not told; none for others. `hint`: a possible reason of a negative mass.
 std::vector<std::string> plausibility_warnings(const LoadedRobot& robot, const FittedPayload& found,
                                                const std::string& hint);
 

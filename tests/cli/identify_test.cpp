@@ -267,66 +267,6 @@ TEST(Identify, RefusesWhatItCannotUse) {
   }
 }
 
-TEST(Payload, ComesOutAsARobotFile) {
-  const Scratch scratch;
-  scratch.write("truth.toml", fmt::format("robot = \"{}/robots/puma560.toml\"\n[payload]\nmass = 2.5\ncom = [0.05, 0, "
-                                          "0.1]\ninertia = {{ xx = 0.01, yy = 0.02, zz = 0.015 }}\ninertia_about = "
-                                          "\"com\"\n",
-                                          FLATDYN_SOURCE_DIR));
-  const LoadedRobot loaded = load_robot(scratch.path("truth.toml"), {});
-  write_log(scratch.path("with.csv"), simulated(loaded, {.samples = 800, .noise = 0.01}));
-  write_log(scratch.path("without.csv"),
-            simulated(model_of("puma560.toml"), {.samples = 800, .noise = 0.01, .seed = 4}));
-  const Outcome outcome =
-      run_flatdyn(fmt::format("payload {} -q --json --data {} --without {} -o {}", kPuma, scratch.path("with.csv"),
-                              scratch.path("without.csv"), scratch.path("loaded.toml")));
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const json mass = json::parse(outcome.out)["parameters"][0];
-  EXPECT_EQ(mass["name"], "m");
-  EXPECT_EQ(mass["unit"], "kg");
-  EXPECT_NEAR(mass["value"].get<double>(), 2.5, 0.02);
-  write_log(scratch.path("other.csv"), simulated(loaded, {.samples = 20, .seed = 9}));
-  const auto truth = torques(scratch.path("truth.toml"), scratch.path("other.csv"));
-  const auto found = torques(scratch.path("loaded.toml"), scratch.path("other.csv"));
-  for (std::size_t k = 0; k < truth.size(); ++k) {
-    for (std::size_t i = truth[k].size() - 6; i < truth[k].size(); ++i) EXPECT_NEAR(found[k][i], truth[k][i], 0.1);
-  }
-}
-
-// The mass comes out negative, which is impossible.
-TEST(Payload, SaysThatLogsMayBeExchanged) {
-  const Scratch scratch;
-  scratch.write("truth.toml", fmt::format("robot = \"{}/robots/puma560.toml\"\n[payload]\nmass = 1.5\n"
-                                          "com = [0, 0, 0.1]\ninertia = {{ xx = 0.01, yy = 0.01, zz = 0.01 }}\n"
-                                          "inertia_about = \"com\"\n",
-                                          FLATDYN_SOURCE_DIR));
-  write_log(scratch.path("with.csv"),
-            simulated(load_robot(scratch.path("truth.toml"), {}), {.samples = 400, .noise = 0.01}));
-  write_log(scratch.path("without.csv"),
-            simulated(model_of("puma560.toml"), {.samples = 400, .noise = 0.01, .seed = 4}));
-  const std::string command = fmt::format("payload {} -o {} --data ", kPuma, scratch.path("loaded.toml"));
-  const std::string with = scratch.path("with.csv"), without = scratch.path("without.csv");
-  const Outcome exchanged = run_flatdyn(command + without + " --without " + with);
-  ASSERT_EQ(exchanged.code, 0) << exchanged.err;
-  for (const std::string& text : {exchanged.err, scratch.read("loaded.toml")}) {
-    EXPECT_THAT(text, HasSubstr("units or geometry cannot be right\n"));
-    EXPECT_THAT(text, HasSubstr("the mass is negative: are --data and --without exchanged?\n"));
-  }
-  const Outcome right = run_flatdyn(command + with + " --without " + without);
-  ASSERT_EQ(right.code, 0) << right.err;
-  EXPECT_EQ(right.err, "");
-  EXPECT_EQ(run_flatdyn(command + without + " -Werror --without " + with).code, 3);
-}
-
-TEST(Payload, NeedsASensorWhereItIsToldToUseOne) {
-  const Scratch scratch;
-  write_log(scratch.path("log.csv"), simulated(model_of("planar_2r_example_7_2.toml"), {.samples = 50}));
-  const Outcome outcome =
-      run_flatdyn("payload robots/planar_2r_example_7_2.toml --wrist --data " + scratch.path("log.csv"));
-  EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("log.csv:1: error: no columns fx, fy, fz, mx, my, mz"));
-}
-
 TEST(Identify, SaysThatALogIsTooShortForTheFilter) {
   const Scratch scratch;
   write_log(scratch.path("log.csv"), simulated(model_of("puma560.toml"), {.samples = 50}), LogDerivatives::none);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Logs of a known robot with a floating base, which is carried about: sums of sines for the base's position, for its
-// roll, pitch and yaw and for the joints, with torques and the base's force by the recursive reference.
+// Logs of a known robot whose base floats and is carried about, or is fixed: sums of sines for the base's position, for
+// roll, pitch and yaw of it and of spherical joints, and for other joints, with torques and the base's force by the
+// recursive reference.
 #pragma once
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include <Eigen/Geometry>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include "flatdyn/reference/newton_euler.hpp"
 #include "support/simulated_log.hpp"
@@ -16,7 +18,7 @@ namespace flatdyn::testing {
 
 struct FloatingSample {
   double time = 0;
-  Eigen::VectorXd q, v, a, tau{};  // v, a and tau: six entries of the base first
+  Eigen::VectorXd q, v, a, tau{};  // v, a and tau: six entries of a floating base first
   Eigen::Vector3d place{}, g_b{};  // world axes; base axes
   Eigen::Quaterniond turn{};
 };
@@ -71,38 +73,66 @@ inline Turning turning(const Eigen::Matrix3d& angles) {
           E * angles.col(1), E * angles.col(2) + E_rate * angles.col(1)};
 }
 
+// Three of the sums from `first` on, row by row.
+inline Eigen::Matrix3d three_at(const std::vector<SumOfSines>& sums, int first, double t) {
+  Eigen::Matrix3d result;
+  for (int i = 0; i < 3; ++i) result.row(i) = sums[static_cast<std::size_t>(first + i)].at(t).transpose();
+  return result;
+}
+
+inline void move_base(FloatingSample& sample, const std::vector<SumOfSines>& sums, const Eigen::Vector3d& gravity) {
+  const Eigen::Matrix3d place = three_at(sums, 0, sample.time);
+  const Turning turned = turning(three_at(sums, 3, sample.time));
+  const Eigen::Quaterniond back = turned.turn.conjugate();
+  sample.place = place.col(0);
+  sample.turn = turned.turn;
+  sample.g_b = back * gravity;
+  const Eigen::Vector3d v = back * place.col(1);
+  sample.v.head(6) << v, turned.velocity;
+  sample.a.head(6) << back * place.col(2) - turned.velocity.cross(v), turned.acceleration;
+}
+
+inline void move_joints(FloatingSample& sample, const std::vector<SumOfSines>& sums, const Mechanism& mechanism) {
+  for (int i = mechanism.base_bodies(); i < mechanism.size(); ++i) {
+    const Eigen::Vector3d joint = sums[static_cast<std::size_t>(i)].at(sample.time);
+    sample.q[mechanism.position_of(i)] = joint[0];
+    sample.v[i] = joint[1];
+    sample.a[i] = joint[2];
+  }
+  for (const int first : mechanism.spherical) {
+    const Turning turned = turning(three_at(sums, first, sample.time));
+    const Eigen::Quaterniond& turn = turned.turn;
+    sample.q.segment(mechanism.quaternion_of(first), 4) << turn.w(), turn.x(), turn.y(), turn.z();
+    sample.v.segment(first, 3) = turned.velocity;
+    sample.a.segment(first, 3) = turned.acceleration;
+  }
+}
+
+// The torques of a sample, with the force on a floating base, by the recursive reference.
+inline Eigen::VectorXd torques_of(reference::Robot<double> robot, const FloatingSample& sample) {
+  Eigen::VectorXd positions = sample.q;
+  if (robot.floating_base) robot.gravity = sample.g_b;
+  reference::take_orientations(robot, positions);
+  return reference::inverse_dynamics<double>(robot, positions, sample.v, sample.a);
+}
+
 inline std::vector<FloatingSample> floating_motion(const LoadedRobot& model, const FloatingLogOptions& options) {
   constexpr double kOfPlace = 0.15, kOfAngle = 0.25, kOfJoint = 0.5;
   Uniform draw(options.seed);
-  reference::Robot<double> robot = reference_robot<double>(model.robot, {});
-  const Eigen::Vector3d gravity = robot.gravity;
-  const auto n = static_cast<int>(model.mechanism.joints().size());
+  const Mechanism& mechanism = model.mechanism;
+  const reference::Robot<double> robot = reference_robot<double>(model.robot, {});
   std::vector<SumOfSines> sums;
-  for (int k = 0; k < 6 + n; ++k) {
-    sums.emplace_back(draw, k < 3 ? kOfPlace : k < 6 ? kOfAngle : kOfJoint, options.fundamental);
+  for (int k = 0; k < mechanism.size(); ++k) {
+    const bool is_of_base = mechanism.is_of_base(k);
+    sums.emplace_back(draw, is_of_base && k < 3 ? kOfPlace : is_of_base ? kOfAngle : kOfJoint, options.fundamental);
   }
   std::vector<FloatingSample> samples;
   for (int k = 0; k < options.samples; ++k) {
-    FloatingSample sample{k / options.rate, Eigen::VectorXd(n), Eigen::VectorXd(6 + n), Eigen::VectorXd(6 + n)};
-    Eigen::Matrix3d place, angles;
-    for (int i = 0; i < 3; ++i) place.row(i) = sums[static_cast<std::size_t>(i)].at(sample.time).transpose();
-    for (int i = 0; i < 3; ++i) angles.row(i) = sums[static_cast<std::size_t>(3 + i)].at(sample.time).transpose();
-    const Turning turned = turning(angles);
-    const Eigen::Quaterniond back = turned.turn.conjugate();
-    sample.place = place.col(0);
-    sample.turn = turned.turn;
-    sample.g_b = back * gravity;
-    const Eigen::Vector3d v = back * place.col(1);
-    sample.v.head(6) << v, turned.velocity;
-    sample.a.head(6) << back * place.col(2) - turned.velocity.cross(v), turned.acceleration;
-    for (int i = 0; i < n; ++i) {
-      const Eigen::Vector3d joint = sums[static_cast<std::size_t>(6 + i)].at(sample.time);
-      sample.q[i] = joint[0];
-      sample.v[6 + i] = joint[1];
-      sample.a[6 + i] = joint[2];
-    }
-    robot.gravity = sample.g_b;
-    sample.tau = reference::inverse_dynamics<double>(robot, sample.q, sample.v, sample.a);
+    FloatingSample sample{k / options.rate, Eigen::VectorXd(mechanism.position_count()),
+                          Eigen::VectorXd(mechanism.size()), Eigen::VectorXd(mechanism.size())};
+    if (mechanism.floating_base) move_base(sample, sums, robot.gravity);
+    move_joints(sample, sums, mechanism);
+    sample.tau = torques_of(robot, sample);
     samples.push_back(std::move(sample));
   }
   return samples;
@@ -123,6 +153,8 @@ struct FloatingLogForm {
   Eigen::Quaterniond imu_axes = Eigen::Quaterniond::Identity();
   Eigen::Vector3d imu_place = Eigen::Vector3d::Zero();
   FloatingLogNoise noise{};
+  // The force and moment in the columns fx to mz, six numbers by sample; none: no such columns.
+  std::function<Eigen::VectorXd(const FloatingSample&)> wrench{};
 };
 
 class FloatingLogWriter {
@@ -151,10 +183,12 @@ class FloatingLogWriter {
     const auto of_joints = [&](const char* stem) {
       for (const Body& body : mechanism_.joints()) text += fmt::format(",{}_{}", stem, body.joint);
     };
-    of_joints("q");
+    for (int k = 0; k < mechanism_.position_count(); ++k) text += ",q_" + mechanism_.position_name(k);
     of_joints("tau");
     if (form_.has_rates) of_joints("qd");
     if (form_.has_accelerations) of_joints("qdd");
+    if (form_.wrench) names({"fx", "fy", "fz", "mx", "my", "mz"});
+    if (!mechanism_.floating_base) return text + "\n";
     if (form_.has_force) names({"base_fx", "base_fy", "base_fz", "base_nx", "base_ny", "base_nz"});
     if (form_.base == BaseColumns::imu) names({"imu_ax", "imu_ay", "imu_az", "imu_wx", "imu_wy", "imu_wz"});
     if (has_pose()) names({"base_x", "base_y", "base_z", "base_qw", "base_qx", "base_qy", "base_qz"});
@@ -175,12 +209,14 @@ class FloatingLogWriter {
   }
 
   void row(const FloatingSample& each, bool flipped) {
-    const auto n = each.q.size();
+    const auto n = static_cast<Eigen::Index>(mechanism_.joints().size());
     const FloatingLogNoise& noise = form_.noise;
     put(each.q, noise.q);
     put(Eigen::VectorXd(each.tau.tail(n)), noise.tau);
     if (form_.has_rates) put(Eigen::VectorXd(each.v.tail(n)));
     if (form_.has_accelerations) put(Eigen::VectorXd(each.a.tail(n)));
+    if (form_.wrench) put(form_.wrench(each));
+    if (!mechanism_.floating_base) return;
     if (form_.has_force) put(Eigen::VectorXd(each.tau.head(6)), noise.force);
     const Eigen::Vector3d v = each.v.head(3), w = each.v.segment(3, 3), dw = each.a.segment(3, 3);
     if (form_.base == BaseColumns::imu) {

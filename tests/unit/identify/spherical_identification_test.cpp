@@ -6,6 +6,7 @@
 #include "flatdyn/reference/newton_euler.hpp"
 #include "identify/excitation.hpp"
 #include "identify/identification.hpp"
+#include "load/load_robot.hpp"
 #include "model/spherical_joint.hpp"
 #include "report/excitation_report.hpp"
 #include "report/identified_robot.hpp"
