@@ -113,7 +113,7 @@ std::vector<SourceFile> gpu_robot(const BenchArguments& arguments, const std::st
   {
     const LoadedRobot read = load_robot(robot, options);
     refuse_loops(read, "bench");
-    refuse_spherical_joints(read, "bench");
+    refuse_spherical_joints(read, "bench --gpu");
     check_for_gpu(read.mechanism);
     options.form.name_space = gpu_name(read.mechanism);
   }

@@ -45,7 +45,7 @@ std::vector<std::string> base_warnings(const Mechanism& mechanism, const Observa
   return warning_texts;
 }
 
-// Of a measurement unit, accelerations are read, and turns are differentiated.
+// A log of a measurement unit has accelerations, which are read, and turns, which are differentiated.
 std::string imu_question(const std::vector<MeasuredLog>& logs) {
   const bool is_of_unit = std::any_of(logs.begin(), logs.end(), [](const MeasuredLog& log) {
     const std::vector<int>& orders = log.differentiations;

@@ -91,16 +91,15 @@ std::string sum_text(const Eigen::VectorXd& factors) {
   return text;
 }
 
-// Of which parameters, and of which sums, the logs show nothing.
+// The sums of parameters of which the logs show nothing.
 std::string untold_sums_text(const Mechanism& mechanism, const FittedPayload& found) {
   const Eigen::MatrixXd& untold = found.payload.untold;
   const std::string lacking = logs_without_base_force(mechanism, found);
   std::string text;
   if (!lacking.empty()) {
     text += fmt::format(
-        "\n{} has the force on the base, base_fx to base_nz (zeros, if nothing touches the robot), which tells more "
-        "of\n"
-        "the payload\n",
+        "\n{} has the force on the base, base_fx to base_nz, which tells more of the payload\n"
+        "(zeros, if nothing touches the robot)\n",
         lacking);
   }
   if (untold.cols() == 0) return text;
