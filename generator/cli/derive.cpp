@@ -24,20 +24,34 @@ nlohmann::ordered_json derived_json(const std::vector<DerivedLine>& lines) {
   return json;
 }
 
+// Frames, order and units, and the names of the entries of v, dv/dt and tau.
+void add_conventions(const DerivedModel& model, nlohmann::ordered_json& json) {
+  json["conventions"] = model.conventions;
+  json["entries"] = nlohmann::ordered_json::array();
+  for (const EntryNames& entry : model.entries) {
+    json["entries"].push_back(
+        {{"velocity", entry.velocity}, {"acceleration", entry.acceleration}, {"torque", entry.torque}});
+  }
+}
+
 nlohmann::ordered_json derived_json(const DerivedModel& model) {
-  return {{"joints", derived_json(model.joints)},
-          {"inertia", derived_json(model.inertia)},
-          {"shared", derived_json(model.shared)},
-          {"christoffel", derived_json(model.christoffel)},
-          {"gravity", derived_json(model.gravity)},
-          {"equations", derived_json(model.equations)},
-          {"notes", model.notes}};
+  nlohmann::ordered_json json = {{"joints", derived_json(model.joints)}};
+  if (model.has_quasi_velocities) add_conventions(model, json);
+  json["inertia"] = derived_json(model.inertia);
+  if (model.has_quasi_velocities) {
+    json["velocity_terms"] = derived_json(model.velocity_terms);
+  } else {
+    json["shared"] = derived_json(model.shared);
+    json["christoffel"] = derived_json(model.christoffel);
+  }
+  json["gravity"] = derived_json(model.gravity);
+  json["equations"] = derived_json(model.equations);
+  json["notes"] = model.notes;
+  return json;
 }
 
 ExitCode run_derive(const DeriveArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, arguments.options());
-  refuse_floating_base(model, "derive");
-  refuse_spherical_joints(model, "derive");
   print_diagnostics(model.diagnostics, arguments);
   arguments.note_function_keys(model);
   if (arguments.json) {

@@ -12,6 +12,8 @@
 
 #include "model/angles.hpp"
 #include "model/rational_rotation.hpp"
+#include "model/spherical_joint.hpp"
+#include "symbolic/closed_form/velocity_terms.hpp"
 #include "symbolic/kernel/axis_rotations.hpp"
 #include "symbolic/kernel/jacobian_column.hpp"
 
@@ -41,14 +43,11 @@ class Lagrange {
  public:
   explicit Lagrange(const Mechanism& mechanism) : mechanism_(mechanism) {
     const auto n = at(mechanism.body_count());
-    for (int k = 0; k < mechanism.size(); ++k) form_.d.emplace_back("d_" + std::to_string(k + 1));
-    for (int k = 0; k < mechanism.angle_count(); ++k) {
-      form_.c.emplace_back("c_" + std::to_string(k + 1));
-      form_.s.emplace_back("s_" + std::to_string(k + 1));
-    }
+    add_symbols();
     for (int i = 0; i < mechanism.body_count(); ++i) {
-      angle_.push_back(mechanism.bodies[at(i)].prismatic ? PlanarRotation{} : turn_of_joint(i));
-      slide_.push_back(mechanism.bodies[at(i)].prismatic ? slide_of_joint(i) : Number(0));
+      const bool is_still = mechanism.is_around_pose(i), slides = mechanism.bodies[at(i)].prismatic;
+      angle_.push_back(slides || is_still ? PlanarRotation{} : turn_of_joint(i));
+      slide_.push_back(slides && !is_still ? slide_of_joint(i) : Number(0));
       composite_.push_back(mechanism.bodies[at(i)].inertia);
     }
     form_.B.assign(n, std::vector<Number>(n, 0));
@@ -64,18 +63,41 @@ class Lagrange {
     for (int i = 0; i < mechanism_.body_count(); ++i) add_rotor(i);
     if (mechanism_.is_coupled()) gather_at_coordinates();
     reduce_all();
-    add_christoffel_symbols();
+    if (mechanism_.has_quasi_velocities()) {
+      form_.h = velocity_terms(mechanism_, form_);
+    } else {
+      add_christoffel_symbols();
+    }
     return std::move(form_);
   }
 
  private:
   const Body& body(int i) const { return mechanism_.bodies[at(i)]; }
 
+  void add_symbols() {
+    form_.joints = joints_of_entries(mechanism_);
+    const int joints = joint_count(mechanism_);
+    for (int k = 0; k < joints; ++k) form_.d.emplace_back("d_" + std::to_string(k + 1));
+    for (int k = 0; k < joints + static_cast<int>(mechanism_.angles.size()); ++k) {
+      form_.c.emplace_back("c_" + std::to_string(k + 1));
+      form_.s.emplace_back("s_" + std::to_string(k + 1));
+    }
+    for (const int first : mechanism_.spherical) {
+      const std::string n = "_" + std::to_string(form_.joints[at(first)] + 1);
+      form_.quaternions.push_back(
+          {GiNaC::symbol("w" + n), GiNaC::symbol("x" + n), GiNaC::symbol("y" + n), GiNaC::symbol("z" + n)});
+      const ClosedForm::Quaternion& q = form_.quaternions.back();
+      free_[first] = with_columns_cycled(rotation_of_quaternion<Number>({q[0], q[1], q[2], q[3]}));
+    }
+    if (!mechanism_.has_base_gravity()) return;
+    for (const char* const name : {"g_x", "g_y", "g_z"}) form_.g_b.emplace_back(name);
+  }
+
   // The multiples of coordinates by which joint i moves.
   std::vector<Number> factors_of(int i) const {
     if (mechanism_.is_coupled()) return mechanism_.coupling[at(i)];
-    std::vector<Number> own(at(mechanism_.size()), 0);
-    own[at(i)] = 1;
+    std::vector<Number> own(form_.d.size(), 0);
+    own[at(form_.joints[at(i)])] = 1;
     return own;
   }
 
@@ -101,7 +123,7 @@ class Lagrange {
   // Replaces B and g by Aᵀ B A and Aᵀ g, where A is the coupling.
   void gather_at_coordinates() {
     const auto n = at(mechanism_.size());
-    const Rows& A = mechanism_.coupling;
+    const Rows A = mechanism_.rate_coupling();
     Rows B(n, std::vector<Number>(n, 0));
     std::vector<Number> g(n, 0);
     for (std::size_t r = 0; r < A.size(); ++r) {
@@ -129,13 +151,32 @@ class Lagrange {
     const Vec3 fixed =
         expanded_vector(rotate_z(inverse(b.theta), rotate_x(inverse(b.alpha), rotate_z(inverse(b.beta), v))));
     if (b.prismatic) return fixed;
+    if (b.spherical == 1) return reduced_vector(transpose(free_.at(i)) * fixed);
     return expanded_vector(rotate_z(inverse(angle_[at(i)]), fixed));
+  }
+
+  Vec3 reduced_vector(const Vec3& v) const {
+    return {reduced(v[0], form_), reduced(v[1], form_), reduced(v[2], form_)};
+  }
+
+  // A vector or symmetric tensor of a spherical joint's first frame, as the joint turns it.
+  Vec3 turned_freely(int i, const Vec3& v) const { return reduced_vector(free_.at(i) * v); }
+  Mat3 turned_freely(int i, const Mat3& T) const {
+    Mat3 half = T * transpose(free_.at(i));
+    for (Vec3& row : half) row = reduced_vector(row);
+    Mat3 result = free_.at(i) * half;
+    for (Vec3& row : result) row = reduced_vector(row);
+    return result;
   }
 
   template <class Quantity>  // a vector or symmetric tensor of frame i, in its parent's axes
   Quantity to_parent(int i, Quantity v) const {
     const Body& b = body(i);
-    if (!b.prismatic) v = rotate_z(angle_[at(i)], v);
+    if (b.spherical == 1) {
+      v = turned_freely(i, v);
+    } else if (!b.prismatic) {
+      v = rotate_z(angle_[at(i)], v);
+    }
     return rotate_z(b.beta, rotate_x(b.alpha, rotate_z(b.theta, v)));
   }
 
@@ -154,8 +195,12 @@ class Lagrange {
     columns_.push_back(std::move(columns));
 
     // The direction of gravity is rotated likewise: g_k = -g_0ᵀ J_P summed over the composite link, (7.39).
-    const Vec3& above = body(i).parent < 0 ? mechanism_.gravity : gravity_[at(body(i).parent)];
-    gravity_.push_back(to_child(i, above));
+    gravity_.push_back(to_child(i, body(i).parent < 0 ? gravity_of_base() : gravity_[at(body(i).parent)]));
+  }
+
+  Vec3 gravity_of_base() const {
+    if (form_.g_b.empty()) return mechanism_.gravity;
+    return {form_.g_b[0], form_.g_b[1], form_.g_b[2]};
   }
 
   void add_momentum_products(int k) {
@@ -202,20 +247,6 @@ class Lagrange {
     }
   }
 
-  // ∂/∂q_k, with ∂c/∂q = -s and ∂s/∂q = c. A coordinate that turns one joint may move another, prismatic one.
-  Number derivative(const Number& b, int k) const {
-    const auto turned = [&](int angle) {
-      const GiNaC::symbol &c = form_.c[at(angle)], &s = form_.s[at(angle)];
-      return c * b.diff(s) - s * b.diff(c);
-    };
-    Number result = turned(k) + b.diff(form_.d[at(k)]);
-    for (std::size_t a = 0; a < mechanism_.angles.size(); ++a) {
-      const CoordinateMultiple& angle = mechanism_.angles[a];
-      if (angle.position == k) result += angle.factor * turned(mechanism_.size() + static_cast<int>(a));
-    }
-    return result;
-  }
-
   void add_christoffel_symbols() {
     const int n = mechanism_.size();
     form_.c_ijk.assign(at(n), std::vector<Number>(at(n * (n + 1) / 2), 0));
@@ -225,7 +256,8 @@ class Lagrange {
       db[at(k)].assign(at(n), std::vector<Number>(at(n), 0));
       for (int i = 0; i < (mechanism_.is_coupled() ? n : k); ++i) {
         for (int j = i; j < n; ++j) {
-          db[at(k)][at(i)][at(j)] = db[at(k)][at(j)][at(i)] = reduced(derivative(form_.B[at(i)][at(j)], k), form_);
+          db[at(k)][at(i)][at(j)] = db[at(k)][at(j)][at(i)] =
+              reduced(rate_along(form_.B[at(i)][at(j)], k, mechanism_, form_), form_);
         }
       }
     }
@@ -243,32 +275,38 @@ class Lagrange {
   ClosedForm form_;
   std::vector<PlanarRotation> angle_;  // by body: its joint's angle
   std::vector<Number> slide_;
+  std::map<int, Mat3> free_;  // by the first body of a spherical joint: its rotation
   std::vector<std::map<int, JacobianColumn>> columns_;
   std::vector<Vec3> gravity_;
   std::vector<InertialParameters> composite_;
 };
 
-// The cosine of the same angle as a sine: c_i for s_i, cos(x) for sin(x); 0 if the factor is not a sine.
-Number cosine_of(const Number& factor, const ClosedForm& form) {
+// An expression that a factor's square is replaced by: 1 - c_i² for s_i, 1 - cos(x)² for sin(x), 1 - x² - y² - z² for w
+// of a quaternion; 0 if it stays.
+Number square_of(const Number& factor, const ClosedForm& form) {
   if (GiNaC::is_a<GiNaC::symbol>(factor)) {
+    const auto& symbol = GiNaC::ex_to<GiNaC::basic>(factor);
     for (std::size_t i = 0; i < form.s.size(); ++i) {
-      if (form.s[i].is_equal(GiNaC::ex_to<GiNaC::basic>(factor))) return form.c[i];
+      if (form.s[i].is_equal(symbol)) return 1 - form.c[i] * form.c[i];
+    }
+    for (const auto& [w, x, y, z] : form.quaternions) {
+      if (w.is_equal(symbol)) return 1 - x * x - y * y - z * z;
     }
     return 0;
   }
   const bool is_sine =
       GiNaC::is_a<GiNaC::function>(factor) && GiNaC::ex_to<GiNaC::function>(factor).get_name() == "sin";
-  return is_sine ? Number(GiNaC::cos(factor.op(0))) : Number(0);
+  return is_sine ? Number(1 - GiNaC::cos(factor.op(0)) * GiNaC::cos(factor.op(0))) : Number(0);
 }
 
-// A factor of a term with powers of sines reduced; `changed` is set if it was such a power.
+// A factor of a term with powers of sines and of w reduced; `changed` is set if it was such a power.
 Number reduced_factor(const Number& factor, const ClosedForm& form, bool& changed) {
   if (!GiNaC::is_a<GiNaC::power>(factor) || !factor.op(1).info(GiNaC::info_flags::posint)) return factor;
-  const Number cosine = cosine_of(factor.op(0), form);
-  if (cosine.is_zero()) return factor;
+  const Number square = square_of(factor.op(0), form);
+  if (square.is_zero()) return factor;
   const int exponent = GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int();
   changed = true;
-  return GiNaC::pow(1 - cosine * cosine, exponent / 2) * GiNaC::pow(factor.op(0), exponent % 2);
+  return GiNaC::pow(square, exponent / 2) * GiNaC::pow(factor.op(0), exponent % 2);
 }
 
 Number reduced_term(const Number& term, const ClosedForm& form, bool& changed) {
@@ -282,6 +320,21 @@ Number reduced_term(const Number& term, const ClosedForm& form, bool& changed) {
 }
 
 }  // namespace
+
+int joint_count(const Mechanism& mechanism) {
+  return mechanism.position_count() - kSphericalBodies * static_cast<int>(mechanism.spherical.size());
+}
+
+std::vector<int> joints_of_entries(const Mechanism& mechanism) {
+  std::vector<int> joints;
+  int next = 0;
+  for (int k = 0; k < mechanism.size(); ++k) {
+    const bool is_of_base = k < mechanism.base_bodies();
+    joints.push_back(is_of_base ? -1 : next);
+    if (!is_of_base && !is_inside_joint(mechanism.joint(k))) ++next;
+  }
+  return joints;
+}
 
 const Number& ClosedForm::christoffel(int i, int j, int k) const {
   if (j > k) std::swap(j, k);

@@ -163,7 +163,8 @@ Monomial times(Monomial a, const Monomial& b) {
 
 }  // namespace
 
-AngleRewriter::AngleRewriter(const Mechanism& mechanism) : angles_(mechanism.angle_count()) {
+AngleRewriter::AngleRewriter(const Mechanism& mechanism)
+    : angles_(joint_count(mechanism) + static_cast<int>(mechanism.angles.size())) {
   std::vector<std::size_t> group_of(mechanism.bodies.size());
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     const Body& body = mechanism.bodies[i];
@@ -174,12 +175,14 @@ AngleRewriter::AngleRewriter(const Mechanism& mechanism) : angles_(mechanism.ang
       groups_.emplace_back();
     }
   }
-  for (int k = 0; k < mechanism.size(); ++k) {
-    if (mechanism.joint(k).prismatic) continue;
+  const std::vector<int> joints = joints_of_entries(mechanism);
+  for (int k = mechanism.base_bodies(); k < mechanism.size(); ++k) {
+    const Body& body = mechanism.joint(k);
+    if (body.prismatic || body.spherical > 0) continue;
     // Angles of coupled joints may be sums of any coordinates, whatever the axes.
-    groups_[mechanism.is_coupled() ? 0 : group_of[static_cast<std::size_t>(k)]].push_back(k);
+    groups_[mechanism.is_coupled() ? 0 : group_of[at(k)]].push_back(joints[at(k)]);
   }
-  for (int k = mechanism.position_count(); k < mechanism.angle_count(); ++k) groups_[0].push_back(k);
+  for (int k = joint_count(mechanism); k < angles_; ++k) groups_[0].push_back(k);
   std::erase_if(groups_, [](const std::vector<int>& group) { return group.empty(); });
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "diagnostics/diagnostics.hpp"
+#include "model/spherical_joint.hpp"
 #include "symbolic/closed_form/closed_form.hpp"
 #include "symbolic/notation/coupled_text.hpp"
 #include "symbolic/notation/latex.hpp"
@@ -24,7 +25,10 @@ void refuse_long_chains(const Mechanism& mechanism) {
                   "flatdyn generate makes code of them: of Phi_q, G with dq/dt = G qd, B, C and g");
   }
   std::vector<int> depth;
-  for (const Body& body : mechanism.bodies) depth.push_back(body.parent < 0 ? 1 : depth[at(body.parent)] + 1);
+  for (int i = 0; i < mechanism.body_count(); ++i) {
+    const int parent = mechanism.bodies[at(i)].parent, own = mechanism.is_of_base(i) ? 0 : 1;
+    depth.push_back((parent < 0 ? 0 : depth[at(parent)]) + own);
+  }
   const int longest = depth.empty() ? 0 : *std::max_element(depth.begin(), depth.end());
   if (longest <= kLongestChain) return;
   throw Failure(ExitCode::unsupported,
@@ -47,16 +51,22 @@ class Deriver {
         form_(closed_form(mechanism)),
         names_(mechanism, form_),
         angles_(mechanism),
-        formatter_(names_, mechanism.size(), notation, options.digits, mechanism.angles) {}
+        formatter_(names_, joint_count(mechanism), notation, options.digits, mechanism.angles),
+        entries_(entry_names(mechanism, form_, formatter_)) {}
 
   DerivedModel run() {
+    add_conventions();
     add_joints();
     add_coupled_joints();
     add_inertia();
-    add_christoffel_symbols();
+    if (model_.has_quasi_velocities) {
+      add_velocity_terms();
+    } else {
+      add_christoffel_symbols();
+    }
     for (int i = 0; i < n(); ++i) {
       g_.push_back(readable(form_.g[at(i)]));
-      model_.gravity.push_back(line("g" + formatter_.subscript({i}), g_.back(), GroupBy::motion));
+      model_.gravity.push_back(line("g" + index({i}), g_.back(), GroupBy::motion));
     }
     for (int i = 0; i < n(); ++i) add_equation(i);
     add_notes();
@@ -65,6 +75,15 @@ class Deriver {
 
  private:
   int n() const { return mechanism_.size(); }
+  std::string index(const std::vector<int>& entries) const { return formatter_.subscript(entries, n()); }
+
+  void add_conventions() {
+    model_.has_quasi_velocities = mechanism_.has_quasi_velocities();
+    if (!model_.has_quasi_velocities) return;
+    model_.entries = entries_;
+    SumFormatter plain(names_, joint_count(mechanism_), Notation::text, options_.digits);
+    model_.conventions = motion_conventions(mechanism_, form_, entry_names(mechanism_, form_, plain));
+  }
 
   Readable readable(const Number& expression) const {
     constexpr int kLargestReduction = 4;  // rewriting angles seldom saves more than this factor
@@ -83,13 +102,31 @@ class Deriver {
   }
 
   void add_joints() {
-    for (int i = 0; i < n(); ++i) {
+    for (int i = mechanism_.base_bodies(); i < n(); ++i) {
       const Body& body = mechanism_.joint(i);
-      const bool slides = (body.prismatic || moves_a_slide(i)) && !formatter_.long_names();
+      const int joint = form_.joints[at(i)];
+      if (body.spherical == 1) {
+        model_.joints.push_back({quaternion_of(joint), joint_name(body) + " (spherical)", 0, false});
+      }
+      if (body.spherical > 0) continue;
+      const bool slides = (body.prismatic || moves_a_slide(joint)) && !formatter_.long_names();
       const std::string type = body.prismatic ? "prismatic" : body.continuous ? "continuous" : "revolute";
-      model_.joints.push_back({formatter_.coordinate("q", i) + (slides ? " = " + formatter_.coordinate("d", i) : ""),
-                               fmt::format("{} ({})", body.joint, type), 0, false});
+      model_.joints.push_back(
+          {formatter_.coordinate("q", joint) + (slides ? " = " + formatter_.coordinate("d", joint) : ""),
+           fmt::format("{} ({})", body.joint, type), 0, false});
     }
+  }
+
+  // "w_2, x_2, y_2, z_2".
+  std::string quaternion_of(int joint) const {
+    const std::vector<std::string> all = quaternion_names(mechanism_, form_);
+    std::vector<std::string> own;
+    const std::string number = "_" + std::to_string(joint + 1);
+    for (const std::string& name : all) {
+      if (!name.ends_with(number)) continue;
+      own.push_back(formatter_.notation() == Notation::latex ? latex_name(name) : name);
+    }
+    return fmt::format("{}", fmt::join(own, ", "));
   }
 
   // Whether a prismatic joint follows coordinate k.
@@ -111,9 +148,9 @@ class Deriver {
       for (int j = 0; j < n(); ++j) {
         b_[at(i)].push_back(j < i ? b_[at(j)][at(i)] : readable(form_.B[at(i)][at(j)]));
         if (j < i) continue;
-        const std::string name = "b" + formatter_.subscript({i, j});
+        const std::string name = "b" + index({i, j});
         model_.inertia.push_back(
-            line(i == j ? name : name + " = b" + formatter_.subscript({j, i}), b_[at(i)].back(), GroupBy::parameters));
+            line(i == j ? name : name + " = b" + index({j, i}), b_[at(i)].back(), GroupBy::parameters));
       }
     }
   }
@@ -149,8 +186,7 @@ class Deriver {
     std::erase_if(in_order, [&](const ReadableSum* sum) { return uses[*sum] < 2; });
     std::map<ReadableSum, std::string> names;
     for (std::size_t k = 0; k < in_order.size(); ++k) {
-      const std::string name =
-          shared_name() + (in_order.size() == 1 ? "" : formatter_.subscript({static_cast<int>(k)}));
+      const std::string name = shared_name() + (in_order.size() == 1 ? "" : index({static_cast<int>(k)}));
       names[*in_order[k]] = name;
       const int terms = static_cast<int>(in_order[k]->size());
       model_.shared.push_back({name, formatter_.text(*in_order[k], GroupBy::parameters), terms, false});
@@ -165,8 +201,8 @@ class Deriver {
   void add_christoffel_line(int i, int j, int k, const std::map<ReadableSum, std::string>& names) {
     const Readable& c = c_[at(i)][{j, k}];
     if (c.sum.empty() && !c.left_out) return;
-    std::string name = "c" + formatter_.subscript({i, j, k});
-    if (j != k) name += " = c" + formatter_.subscript({i, k, j});
+    std::string name = "c" + index({i, j, k});
+    if (j != k) name += " = c" + index({i, k, j});
     DerivedLine result = line(name, c, GroupBy::parameters);
     if (const auto same = names.find(c.sum); same != names.end()) {
       result.text = same->second;
@@ -184,7 +220,30 @@ class Deriver {
     return name;
   }
 
-  // Adds the equation Σ b_ij qdd_j + Σ c_ijj qd_j² + Σ 2 c_ijk qd_j qd_k + friction + springs + g_i = tau_i.
+  // Adds all coefficients h_kij that are not zero; a sum that is that of an earlier one, up to sign, refers to it.
+  void add_velocity_terms() {
+    const std::string letter = shared_name();
+    std::map<ReadableSum, std::string> known;
+    for (int k = 0; k < n(); ++k) {
+      h_.emplace_back();
+      for (const auto& [entries, coefficient] : form_.h[at(k)]) {
+        const auto [i, j] = entries;
+        const Readable& h = h_.back()[entries] = readable(coefficient);
+        DerivedLine result = line(letter + index({k, i, j}), h, GroupBy::parameters);
+        if (const auto same = known.find(h.sum); same != known.end()) {
+          result.text = same->second;
+        } else if (const auto opposite = known.find(negated(h.sum)); opposite != known.end()) {
+          result.text = "-" + opposite->second;
+        } else if (h.sum.size() > 1) {
+          known[h.sum] = result.name;
+        }
+        model_.velocity_terms.push_back(std::move(result));
+      }
+    }
+  }
+
+  // Adds the equation Σ b_ij qdd_j + Σ c_ijj qd_j² + Σ 2 c_ijk qd_j qd_k + friction + springs + g_i = tau_i; with
+  // quasi-velocities Σ h_ijk v_j v_k instead of the Christoffel symbols.
   void add_equation(int i) {
     std::vector<SignedTerm> pieces;
     int terms = 0;
@@ -202,34 +261,35 @@ class Deriver {
         pieces.push_back(SumFormatter::times(summands, suffix));
       }
     };
-    for (int j = 0; j < n(); ++j) add(b_[at(i)][at(j)], 1, formatter_.coordinate("qdd", j), GroupBy::parameters);
-    for (const auto& [joints, c] : c_[at(i)]) {
-      const auto [j, k] = joints;
-      const std::string first = formatter_.coordinate("qd", j);
-      const std::string rates = j == k ? first + "^2" : first + " " + formatter_.coordinate("qd", k);
-      add(c, j == k ? 1 : 2, rates, GroupBy::parameters);
+    for (int j = 0; j < n(); ++j) add(b_[at(i)][at(j)], 1, entries_[at(j)].acceleration, GroupBy::parameters);
+    const bool has_symbols = !model_.has_quasi_velocities;
+    for (const auto& [entries, c] : has_symbols ? c_[at(i)] : h_[at(i)]) {
+      const auto [j, k] = entries;
+      const std::string first = entries_[at(j)].velocity;
+      const std::string rates = j == k ? first + "^2" : first + " " + entries_[at(k)].velocity;
+      add(c, has_symbols && j != k ? 2 : 1, rates, GroupBy::parameters);
     }
     for (const auto& [factor, friction] : friction_of(i)) add(readable(friction), 1, factor, GroupBy::parameters);
     for (const auto& [factor, spring] : springs_of(i)) add(readable(spring), 1, factor, GroupBy::parameters);
     add(g_[at(i)], 1, "", GroupBy::motion);
     const bool left_out = !complete || terms > options_.max_terms;
-    model_.equations.push_back({formatter_.coordinate("tau", i),
-                                left_out ? left_out_text(terms) : SumFormatter::joined(pieces), terms, left_out});
+    model_.equations.push_back(
+        {entries_[at(i)].torque, left_out ? left_out_text(terms) : SumFormatter::joined(pieces), terms, left_out});
   }
 
   // The friction terms of equation i: functions of velocity, each with its coefficient.
   std::vector<std::pair<std::string, Number>> friction_of(int i) {
     if (!mechanism_.is_coupled()) {
       const Body& body = mechanism_.joint(i);
-      const std::string rate = formatter_.coordinate("qd", i);
+      const std::string& rate = entries_[at(i)].velocity;
       return {{rate, body.viscous}, {sign_of(rate), body.coulomb}};
     }
     std::vector<std::pair<std::string, Number>> terms;
-    const auto& A = mechanism_.coupling;
+    const Rows A = mechanism_.rate_coupling();
     for (int k = 0; k < n(); ++k) {
       Number viscous = 0;
       for (std::size_t r = 0; r < A.size(); ++r) viscous += A[r][at(i)] * A[r][at(k)] * mechanism_.bodies[r].viscous;
-      terms.emplace_back(formatter_.coordinate("qd", k), viscous);
+      terms.emplace_back(entries_[at(k)].velocity, viscous);
     }
     for (std::size_t r = 0; r < A.size(); ++r) {
       terms.emplace_back(sign_of(rate_text(A[r])), A[r][at(i)] * mechanism_.bodies[r].coulomb);
@@ -242,16 +302,18 @@ class Deriver {
     std::vector<std::pair<std::string, Number>> terms;
     std::vector<Number> stiffness(at(n()), 0);
     Number rest = 0;
+    const Rows A = mechanism_.rate_coupling();
     for (std::size_t r = 0; r < mechanism_.bodies.size(); ++r) {
       const Body& body = mechanism_.bodies[r];
       const auto factor = [&](int k) -> Number {
-        return mechanism_.is_coupled() ? mechanism_.coupling[r][at(k)] : Number(static_cast<int>(r) == k ? 1 : 0);
+        return mechanism_.is_coupled() ? A[r][at(k)] : Number(static_cast<int>(r) == k ? 1 : 0);
       };
       for (int k = 0; k < n(); ++k) stiffness[at(k)] += factor(i) * factor(k) * body.stiffness;
       rest -= factor(i) * body.stiffness * body.spring_reference;
     }
     for (int k = 0; k < n(); ++k) {
-      if (!vanishes(stiffness[at(k)])) terms.emplace_back(formatter_.coordinate("q", k), stiffness[at(k)]);
+      if (vanishes(stiffness[at(k)])) continue;
+      terms.emplace_back(formatter_.coordinate("q", form_.joints[at(k)]), stiffness[at(k)]);
     }
     if (!vanishes(rest)) terms.emplace_back("", rest);
     return terms;
@@ -265,7 +327,7 @@ class Deriver {
       const bool negative = nearest_double(factors[k]) < 0;
       const Number magnitude = negative ? -factors[k] : factors[k];
       const std::string times = magnitude.is_equal(1) ? "" : formatter_.number(to_rational(magnitude), true) + " ";
-      pieces.push_back({negative, times + formatter_.coordinate("qd", static_cast<int>(k))});
+      pieces.push_back({negative, times + entries_[k].velocity});
     }
     return SumFormatter::joined(pieces);
   }
@@ -283,17 +345,30 @@ class Deriver {
         kRoundedDigits);
   }
 
-  void add_notes() {
-    const bool turns = std::any_of(mechanism_.bodies.begin(), mechanism_.bodies.end(),
-                                   [](const Body& body) { return !body.prismatic; });
-    if (turns && !formatter_.long_names()) {
+  void add_notes_on_names() {
+    int turns = 0;
+    for (int i = 0; i < mechanism_.body_count(); ++i) {
+      turns += mechanism_.bodies[at(i)].prismatic || mechanism_.is_around_pose(i) ? 0 : 1;
+    }
+    const bool is_short = turns > 0 && !formatter_.long_names();
+    if (model_.has_quasi_velocities) {
+      if (is_short) model_.notes.emplace_back("c_1 = cos(q_1), s_1 = sin(q_1), c_12 = cos(q_1 + q_2)");
+      model_.notes.emplace_back(
+          "there are no Christoffel symbols, which belong to coordinates: v is not the derivative of any; the terms of "
+          "Boltzmann and Hamel are part of h");
+    } else if (is_short) {
       model_.notes.emplace_back(
           "c_1 = cos(q_1), s_1 = sin(q_1), c_12 = cos(q_1 + q_2); c_ijk to the left of = is a "
           "Christoffel symbol");
     }
+  }
+
+  void add_notes() {
+    add_notes_on_names();
     if (formatter_.rounded()) model_.notes.push_back(rounding_note());
     int count = 0, terms = 0;
-    for (const auto* lines : {&model_.inertia, &model_.christoffel, &model_.gravity, &model_.equations}) {
+    for (const auto* lines :
+         {&model_.inertia, &model_.christoffel, &model_.velocity_terms, &model_.gravity, &model_.equations}) {
       for (const DerivedLine& line : *lines) {
         count += line.left_out ? 1 : 0;
         terms += line.left_out ? line.terms : 0;
@@ -312,66 +387,18 @@ class Deriver {
   FactorNames names_;
   AngleRewriter angles_;
   SumFormatter formatter_;
+  std::vector<EntryNames> entries_;
   DerivedModel model_;
   std::vector<std::vector<Readable>> b_;
-  std::vector<std::map<std::pair<int, int>, Readable>> c_;
+  std::vector<std::map<std::pair<int, int>, Readable>> c_, h_;
   std::vector<Readable> g_;
 };
-
-void append_section(std::string& text, const std::string& title, const std::vector<DerivedLine>& lines) {
-  text += "\n" + title + "\n";
-  for (const DerivedLine& line : lines) text += line.name + " = " + line.text + "\n";
-}
-
-void append_latex(std::string& text, const std::string& title, const std::vector<DerivedLine>& lines) {
-  if (lines.empty()) return;
-  text += "\n% " + title + "\n\\begin{align*}\n";
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    const std::string side = lines[k].left_out ? "\\text{" + lines[k].text + "}" : latex_lines(lines[k].text);
-    text += "  " + lines[k].name + " &= " + side + (k + 1 < lines.size() ? " \\\\\n" : "\n");
-  }
-  text += "\\end{align*}\n";
-}
 
 }  // namespace
 
 DerivedModel derive_model(const Mechanism& mechanism, const DeriveOptions& options, Notation notation) {
   refuse_long_chains(mechanism);
   return Deriver(mechanism, options, notation).run();
-}
-
-std::string derive_text(const Mechanism& mechanism, const DeriveOptions& options) {
-  const DerivedModel model = derive_model(mechanism, options, Notation::text);
-  std::string text = mechanism.name + "\n";
-  for (const DerivedLine& joint : model.joints) text += joint.name + ": " + joint.text + "\n";
-  for (const std::string& joint : model.coupled) text += joint + "\n";
-  append_section(text, "Inertia matrix B(q), (7.32)", model.inertia);
-  if (model.christoffel.empty()) {
-    text += "\nChristoffel symbols c_ijk(q), (7.45): all are zero\n";
-  } else {
-    std::vector<DerivedLine> lines = model.shared;
-    lines.insert(lines.end(), model.christoffel.begin(), model.christoffel.end());
-    append_section(text, "Christoffel symbols c_ijk(q), (7.45); all others are zero", lines);
-  }
-  append_section(text, "Gravity g(q), (7.39)", model.gravity);
-  text += "\nEquations of motion (7.42)\n";
-  for (const DerivedLine& line : model.equations) text += line.text + " = " + line.name + "\n";
-  if (!model.notes.empty()) text += "\n";
-  for (const std::string& note : model.notes) text += note + "\n";
-  return text;
-}
-
-std::string derive_latex(const Mechanism& mechanism, const DeriveOptions& options) {
-  const DerivedModel model = derive_model(mechanism, options, Notation::latex);
-  std::string text = "% " + mechanism.name + "\n";
-  for (const std::string& joint : model.coupled) text += "% " + joint + "\n";
-  append_latex(text, "Inertia matrix B(q), (7.32)", model.inertia);
-  append_latex(text, "Shared by Christoffel symbols", model.shared);
-  append_latex(text, "Christoffel symbols c_ijk(q), (7.45); all others are zero", model.christoffel);
-  append_latex(text, "Gravity g(q), (7.39)", model.gravity);
-  append_latex(text, "Equations of motion (7.42)", model.equations);
-  for (const std::string& note : model.notes) text += "% " + note + "\n";
-  return text;
 }
 
 }  // namespace flatdyn

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The model in closed form as people write it: B, the Christoffel symbols, g and the equations of motion.
+// The model in closed form as people write it: B, the Christoffel symbols, g and the equations of motion. With a
+// floating base or spherical joints, the coefficients of products of velocities take the place of Christoffel symbols.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "model/mechanism.hpp"
-#include "symbolic/notation/sum_formatter.hpp"
+#include "symbolic/notation/motion_names.hpp"
 
 namespace flatdyn {
 
@@ -24,11 +25,17 @@ struct DerivedLine {
 };
 
 struct DerivedModel {
-  std::vector<DerivedLine> joints;       // q_i, and the joint's name and type
-  std::vector<std::string> coupled;      // "theta_2 = q_2 - q_1": joints that follow others
-  std::vector<DerivedLine> inertia;      // b_ij for i <= j
-  std::vector<DerivedLine> shared;       // h = …, where several Christoffel symbols share a value
-  std::vector<DerivedLine> christoffel;  // those that are not zero
+  // Whether velocities are not all rates of coordinates. Then there are `entries`, `conventions` and `velocity_terms`,
+  // and neither `shared` nor `christoffel`.
+  bool has_quasi_velocities = false;
+  std::vector<std::string> conventions;     // frames, order and units of all names
+  std::vector<EntryNames> entries;          // by row of B
+  std::vector<DerivedLine> joints;          // q_i, or the quaternion, and the joint's name and type
+  std::vector<std::string> coupled;         // "theta_2 = q_2 - q_1": joints that follow others
+  std::vector<DerivedLine> inertia;         // b_ij for i <= j
+  std::vector<DerivedLine> shared;          // h = …, where several Christoffel symbols share a value
+  std::vector<DerivedLine> christoffel;     // those that are not zero
+  std::vector<DerivedLine> velocity_terms;  // h_kij of h_k = Σ h_kij v_i v_j over i <= j, those that are not zero
   std::vector<DerivedLine> gravity;
   std::vector<DerivedLine> equations;  // (7.42) without tip force
   std::vector<std::string> notes;      // about notation, rounding, and what was left out

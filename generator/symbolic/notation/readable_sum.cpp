@@ -9,6 +9,7 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "model/field_mechanism.hpp"
+#include "symbolic/notation/motion_names.hpp"
 
 namespace flatdyn {
 namespace {
@@ -129,6 +130,7 @@ FactorNames::FactorNames(const Mechanism& mechanism, const ClosedForm& form) : f
   for (const FreeSymbol& symbol : mechanism.symbols) {
     entries_.push_back({symbol.name, kind_of(symbol.symbol, mechanism), symbol.symbol});
   }
+  add_names_of_motion(mechanism);
   const auto is_known = [&](const Number& factor) {
     const auto same = [&](const auto& known) { return known.is_equal(GiNaC::ex_to<GiNaC::basic>(factor)); };
     return GiNaC::is_a<GiNaC::numeric>(factor) || std::any_of(form.c.begin(), form.c.end(), same) ||
@@ -144,7 +146,9 @@ FactorNames::FactorNames(const Mechanism& mechanism, const ClosedForm& form) : f
   };
   for (std::size_t i = 0; i < form.B.size(); ++i) {
     for (const Number& b : form.B[i]) learn(b);
-    for (const Number& c : form.c_ijk[i]) learn(c);
+    if (!form.c_ijk.empty()) {
+      for (const Number& c : form.c_ijk[i]) learn(c);
+    }
     learn(form.g[i]);
   }
   for (const Number& entry : mechanism.gravity) learn(entry.expand());
@@ -154,6 +158,21 @@ FactorNames::FactorNames(const Mechanism& mechanism, const ClosedForm& form) : f
   std::sort(entries_.begin(), entries_.end(),
             [](const Entry& a, const Entry& b) { return natural_key(a.name) < natural_key(b.name); });
   for (const Entry& entry : entries_) names_.push_back(entry.name);
+}
+
+// Adds the entries of quaternions and gravity in base axes.
+void FactorNames::add_names_of_motion(const Mechanism& mechanism) {
+  std::size_t next = 0;
+  const std::vector<std::string> of_quaternions = quaternion_names(mechanism, form_);
+  for (const ClosedForm::Quaternion& quaternion : form_.quaternions) {
+    for (const GiNaC::symbol& entry : quaternion) {
+      entries_.push_back({of_quaternions[next++], FactorKind::quaternion, entry});
+    }
+  }
+  const std::vector<std::string> of_gravity = base_gravity_names(mechanism);
+  for (std::size_t k = 0; k < form_.g_b.size(); ++k) {
+    entries_.push_back({of_gravity[k], FactorKind::gravity, form_.g_b[k]});
+  }
 }
 
 void FactorNames::multiply(const Number& factor, int exponent, Monomial& monomial, Rational& coefficient) const {

@@ -13,10 +13,10 @@
 namespace flatdyn {
 
 // The kinds of factors, in the order in which they are written: k_r^2 I_m, m a g d_1 c_2 s_12.
-enum class FactorKind { gear, dynamic, other, gravity, coordinate, cosine, sine };
+enum class FactorKind { gear, dynamic, other, gravity, coordinate, quaternion, cosine, sine };
 
-// A factor. gear … gravity: `index` into FactorNames; coordinate: d of joint `index`; cosine, sine: of Σ angle[i] q_i,
-// followed by multiples of Mechanism::angles.
+// A factor. gear … gravity, quaternion: `index` into FactorNames; coordinate: d of joint `index`; cosine, sine: of
+// Σ angle[i] q_i over the joints, followed by multiples of Mechanism::angles.
 struct Factor {
   FactorKind kind = FactorKind::other;
   int index = 0;
@@ -32,7 +32,8 @@ using ReadableSum = std::map<Monomial, Rational>;
 
 // The names of the factors in a robot's sums, in the order in which people list them: by the number at the name's end
 // (the link), then by the letters between underscore and number, then by those before: I_l1, m_l1, I_m1, I_l2. A factor
-// is a free symbol, its sine or cosine, or the reciprocal of an expression in free symbols.
+// is a free symbol, its sine or cosine, the reciprocal of an expression in free symbols, gravity in base axes, or an
+// entry of a quaternion.
 class FactorNames {
  public:
   FactorNames(const Mechanism& mechanism, const ClosedForm& form);
@@ -52,6 +53,7 @@ class FactorNames {
     Number expression;
   };
 
+  void add_names_of_motion(const Mechanism& mechanism);
   void multiply(const Number& factor, int exponent, Monomial& monomial, Rational& coefficient) const;
 
   std::vector<Entry> entries_;

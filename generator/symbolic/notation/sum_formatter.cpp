@@ -78,11 +78,11 @@ SumFormatter::SumFormatter(const FactorNames& names, int joints, Notation notati
   });
 }
 
-std::string SumFormatter::subscript(const std::vector<int>& joints) const {
+std::string SumFormatter::subscript(const std::vector<int>& indices, int count) const {
   const bool latex = notation_ == Notation::latex;
-  const std::string separator = joints_ < 10 ? "" : latex ? "," : "_";
+  const std::string separator = count < 10 ? "" : latex ? "," : "_";
   std::string text;
-  for (const int joint : joints) text += (text.empty() ? "" : separator) + std::to_string(joint + 1);
+  for (const int index : indices) text += (text.empty() ? "" : separator) + std::to_string(index + 1);
   return latex ? "_{" + text + "}" : "_" + text;
 }
 

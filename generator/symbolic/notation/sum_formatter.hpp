@@ -36,12 +36,15 @@ class SumFormatter {
   static SignedTerm times(const std::vector<SignedTerm>& pieces, const std::string& suffix);
   static std::string joined(const std::vector<SignedTerm>& pieces);
 
-  std::string subscript(const std::vector<int>& joints) const;         // "_12", "_1_12", "_{12}", "_{1,12}"
+  std::string subscript(const std::vector<int>& joints) const { return subscript(joints, joints_); }
+  // The subscript of indices below `count`: "_12", "_1_12", "_{12}", "_{1,12}".
+  std::string subscript(const std::vector<int>& indices, int count) const;
   std::string coordinate(const std::string& letter, int joint) const;  // "qd_1", "\dot{q}_{1}"
 
   // A positive number; a small fraction as such before symbols.
   std::string number(const Rational& magnitude, bool with_symbols);
 
+  Notation notation() const { return notation_; }
   bool rounded() const { return rounded_; }        // whether a number was not printed in full
   bool long_names() const { return long_names_; }  // whether cos(q_1) is written out, as the robot has a symbol c_1
 
