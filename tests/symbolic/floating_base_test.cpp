@@ -125,7 +125,7 @@ class FreeMotion : public ::testing::Test {
   Vector q_, v_, a_;
 };
 
-const Real50 kStep("1e-12");
+const Real50 kTimeStep("1e-12");
 
 double relative(const Real50& difference, const Real50& size) {
   return Real50(abs(difference / size)).convert_to<double>();
@@ -134,9 +134,9 @@ double relative(const Real50& difference, const Real50& size) {
 // Derivatives along the motion, by central differences.
 TEST_F(FreeMotion, HasASkewSymmetricMatrix) {
   const auto n = q_.size();
-  const Matrix later = reference::inertia_matrix(robot_, Vector(q_ + kStep * v_.tail(n))),
-               earlier = reference::inertia_matrix(robot_, Vector(q_ - kStep * v_.tail(n)));
-  const Matrix N = (later - earlier) / (2 * kStep) - 2 * reference::coriolis_matrix(robot_, q_, v_);
+  const Matrix later = reference::inertia_matrix(robot_, Vector(q_ + kTimeStep * v_.tail(n))),
+               earlier = reference::inertia_matrix(robot_, Vector(q_ - kTimeStep * v_.tail(n)));
+  const Matrix N = (later - earlier) / (2 * kTimeStep) - 2 * reference::coriolis_matrix(robot_, q_, v_);
   EXPECT_LT(relative((N + N.transpose()).norm(), N.norm()), 1e-18);
 }
 
@@ -155,7 +155,7 @@ TEST_F(FreeMotion, ObeysTheLawOfMomentum) {
   const auto at = [&](const Real50& t) {
     return momentum(Vector(q_ + t * v_.tail(n) + t * t / 2 * a_.tail(n)), Vector(v_ + t * a_));
   };
-  const Vector rate = (at(kStep) - at(-kStep)) / (2 * kStep), here = momentum(q_, v_);
+  const Vector rate = (at(kTimeStep) - at(-kTimeStep)) / (2 * kTimeStep), here = momentum(q_, v_);
   const Vector3 p = here.head(3), l = here.tail(3), v = v_.head(3), omega = v_.segment(3, 3);
   const Vector tau = reference::inverse_dynamics(robot_, q_, v_, a_, {.gravity = false, .friction = false});
   const Vector3 force = rate.head(3) + omega.cross(p), moment = rate.tail(3) + omega.cross(l) + v.cross(p);
@@ -177,7 +177,7 @@ TEST_F(FreeMotion, KeepsAccountOfItsEnergy) {
   const auto energy = [&](const Real50& t) {
     return reference::kinetic_energy(robot_, Vector(q_ + t * v_.tail(n) + t * t / 2 * a_.tail(n)), Vector(v_ + t * a_));
   };
-  const Real50 rate = (energy(kStep) - energy(-kStep)) / (2 * kStep);
+  const Real50 rate = (energy(kTimeStep) - energy(-kTimeStep)) / (2 * kTimeStep);
   const Vector tau = reference::inverse_dynamics(robot_, q_, v_, a_, {.gravity = false, .friction = false});
   EXPECT_LT(relative(rate - v_.dot(tau), rate), 1e-18);
 }

@@ -5,11 +5,14 @@
 // only, so hardly any terms cancel.
 #include "symbolic/closed_form/closed_form.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <utility>
 
+#include "diagnostics/diagnostics.hpp"
 #include "model/angles.hpp"
 #include "model/rational_rotation.hpp"
 #include "model/spherical_joint.hpp"
@@ -41,7 +44,7 @@ Mat3 rotate_x(const PlanarRotation& a, const Mat3& T) {
 
 class Lagrange {
  public:
-  explicit Lagrange(const Mechanism& mechanism) : mechanism_(mechanism) {
+  Lagrange(const Mechanism& mechanism, std::size_t most_terms) : mechanism_(mechanism), most_terms_(most_terms) {
     const auto n = at(mechanism.body_count());
     add_symbols();
     for (int i = 0; i < mechanism.body_count(); ++i) {
@@ -58,6 +61,7 @@ class Lagrange {
     for (int i = 0; i < mechanism_.body_count(); ++i) add_columns(i);
     for (int k = mechanism_.body_count() - 1; k >= 0; --k) {
       add_momentum_products(k);
+      refuse_long_matrices();
       gather(k);
     }
     for (int i = 0; i < mechanism_.body_count(); ++i) add_rotor(i);
@@ -211,8 +215,18 @@ class Lagrange {
     for (const auto& [j, column] : columns_[at(k)]) {
       const Number b = (dot(column.linear, momentum.linear) + dot(column.angular, momentum.angular)).expand();
       form_.B[at(j)][at(k)] = form_.B[at(k)][at(j)] = b;
+      terms_ += b.nops();
     }
     form_.g[at(k)] = (-dot(gravity_[at(k)], momentum.linear)).expand();
+  }
+
+  // The terms in products of velocities, which are ten times as many, would take minutes.
+  void refuse_long_matrices() const {
+    if (!mechanism_.has_quasi_velocities() || terms_ <= most_terms_) return;
+    throw Failure(
+        ExitCode::unsupported, fmt::format("the closed form is too long: B alone has more than {} terms", most_terms_),
+        "flatdyn generate makes code of such robots; with --base fixed, fewer joints or joints at right angles "
+        "it is shorter");
   }
 
   // Adds the composite link i to its parent's.
@@ -279,6 +293,8 @@ class Lagrange {
   std::vector<std::map<int, JacobianColumn>> columns_;
   std::vector<Vec3> gravity_;
   std::vector<InertialParameters> composite_;
+  std::size_t most_terms_;
+  std::size_t terms_ = 0;  // about as many as B has so far
 };
 
 // An expression that a factor's square is replaced by: 1 - c_i² for s_i, 1 - cos(x)² for sin(x), 1 - x² - y² - z² for w
@@ -353,6 +369,8 @@ Number reduced(const Number& expression, const ClosedForm& form) {
   return changed ? Number(GiNaC::add(terms)).expand() : expanded;
 }
 
-ClosedForm closed_form(const Mechanism& mechanism) { return Lagrange(mechanism).run(); }
+ClosedForm closed_form(const Mechanism& mechanism, std::size_t most_terms) {
+  return Lagrange(mechanism, most_terms).run();
+}
 
 }  // namespace flatdyn

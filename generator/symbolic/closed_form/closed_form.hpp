@@ -43,9 +43,12 @@ int joint_count(const Mechanism& mechanism);
 // The joint that each entry of q̇ belongs to, counted in that way from 0; -1 for the motion of a floating base.
 std::vector<int> joints_of_entries(const Mechanism& mechanism);
 
+// The terms of B beyond which those in products of quasi-velocities, ten times as many, would take minutes.
+inline constexpr std::size_t kMostTermsOfInertia = 100'000;
+
 // B, the Christoffel symbols or what takes their place, and g of the mechanism, expanded. The mechanism must not have
-// closed loops.
-ClosedForm closed_form(const Mechanism& mechanism);
+// closed loops. Throws Failure(unsupported) where B has more than `most_terms` terms and there are quasi-velocities.
+ClosedForm closed_form(const Mechanism& mechanism, std::size_t most_terms = kMostTermsOfInertia);
 
 // Replaces sin(x)² by 1 - cos(x)² everywhere and expands, for the joints' s_i and c_i and for angles that are free
 // symbols, and w² of quaternions by 1 - x² - y² - z².

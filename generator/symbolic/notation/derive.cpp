@@ -80,6 +80,7 @@ class Deriver {
   void add_conventions() {
     model_.has_quasi_velocities = mechanism_.has_quasi_velocities();
     if (!model_.has_quasi_velocities) return;
+    formatter_.begin_with_positive_terms();
     model_.entries = entries_;
     SumFormatter plain(names_, joint_count(mechanism_), Notation::text, options_.digits);
     model_.conventions = motion_conventions(mechanism_, form_, entry_names(mechanism_, form_, plain));
@@ -345,6 +346,12 @@ class Deriver {
         kRoundedDigits);
   }
 
+  bool has_friction_or_springs() const {
+    return std::any_of(mechanism_.bodies.begin(), mechanism_.bodies.end(), [](const Body& body) {
+      return !vanishes(body.viscous) || !vanishes(body.coulomb) || !vanishes(body.stiffness);
+    });
+  }
+
   void add_notes_on_names() {
     int turns = 0;
     for (int i = 0; i < mechanism_.body_count(); ++i) {
@@ -354,8 +361,12 @@ class Deriver {
     if (model_.has_quasi_velocities) {
       if (is_short) model_.notes.emplace_back("c_1 = cos(q_1), s_1 = sin(q_1), c_12 = cos(q_1 + q_2)");
       model_.notes.emplace_back(
-          "there are no Christoffel symbols, which belong to coordinates: v is not the derivative of any; the terms of "
+          "there are no Christoffel symbols: they belong to coordinates, and v is not the derivative of any; the terms "
+          "of "
           "Boltzmann and Hamel are part of h");
+      if (has_friction_or_springs()) {
+        model_.notes.emplace_back("the equations of motion also have the friction and the springs of joints");
+      }
     } else if (is_short) {
       model_.notes.emplace_back(
           "c_1 = cos(q_1), s_1 = sin(q_1), c_12 = cos(q_1 + q_2); c_ijk to the left of = is a "

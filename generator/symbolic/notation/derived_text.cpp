@@ -42,7 +42,7 @@ std::string gravity_title(const DerivedModel& model) {
 
 std::string equations_title(const DerivedModel& model) {
   return std::string("Equations of motion (7.42)") +
-         (model.has_quasi_velocities ? ": B(q) dv/dt + h(q, v) + g = tau, with friction and springs" : "");
+         (model.has_quasi_velocities ? ": B(q) dv/dt + h(q, v) + g = tau" : "");
 }
 
 }  // namespace

@@ -112,14 +112,22 @@ std::string listed(const std::vector<EntryNames>& names, std::string EntryNames:
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+// "1 v_x, 2 v_y, …" of all entries.
+std::string numbered(const std::vector<EntryNames>& names, std::string EntryNames::*name) {
+  std::vector<std::string> texts;
+  for (const EntryNames& entry : names) texts.push_back(std::to_string(texts.size() + 1) + " " + entry.*name);
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 std::vector<std::string> conventions_of_base(const Mechanism& mechanism, const std::vector<EntryNames>& names) {
   const int linear = 0, angular = kAxisCount;
   const auto list = [&](std::string EntryNames::*name, int first) { return listed(names, name, first, kAxisCount); };
   std::vector<std::string> lines = {
+      "the base floats: " + mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)].link,
       list(&EntryNames::velocity, linear) + ": velocity of the base frame's origin, in base axes, m/s",
       list(&EntryNames::velocity, angular) + ": angular velocity of the base, in base axes, rad/s",
       fmt::format("{}, {}: derivatives of these numbers, m/s^2 and rad/s^2; the origin's acceleration is "
-                  "dv/dt + omega x v",
+                  "dv/dt + omega x v, in base axes",
                   list(&EntryNames::acceleration, linear), list(&EntryNames::acceleration, angular)),
       list(&EntryNames::torque, linear) + ": force on the base, in base axes, N",
       list(&EntryNames::torque, angular) + ": moment on the base about its frame's origin, in base axes, N m"};
@@ -188,9 +196,8 @@ std::vector<std::string> motion_conventions(const Mechanism& mechanism, const Cl
         "q_k, qd_k, qdd_k, tau_k of another joint: position, its two derivatives, torque; rad and N m, or "
         "m and N if it is prismatic");
   }
-  const auto all = [&](std::string EntryNames::*name) { return listed(names, name, 0, mechanism.size()); };
-  lines.push_back("order of velocities v: " + all(&EntryNames::velocity));
-  lines.push_back("order of forces tau: " + all(&EntryNames::torque));
+  lines.push_back("velocities v by index: " + numbered(names, &EntryNames::velocity));
+  lines.push_back("forces tau by index: " + numbered(names, &EntryNames::torque));
   return lines;
 }
 

@@ -46,6 +46,15 @@ int degree_in_motion(const Monomial& monomial) {
   return degree;
 }
 
+bool is_of_parameters(const ReadableSum& sum) {
+  return std::all_of(sum.begin(), sum.end(), [](const auto& term) { return degree_in_motion(term.first) == 0; });
+}
+
+void put_positive_term_first(std::vector<SignedTerm>& terms) {
+  const auto first = std::find_if(terms.begin(), terms.end(), [](const SignedTerm& term) { return !term.negative; });
+  if (first != terms.end()) std::rotate(terms.begin(), first, first + 1);
+}
+
 // The largest number that divides all coefficients: gcd of numerators over lcm of denominators; negative if all
 // coefficients are.
 Rational content(const ReadableSum& sum) {
@@ -224,6 +233,7 @@ std::vector<SignedTerm> SumFormatter::pieces(const ReadableSum& sum, GroupBy gro
       result.push_back(group(common, rest, group_by));
     }
   }
+  if (positive_first_ && is_of_parameters(sum)) put_positive_term_first(result);
   return result;
 }
 

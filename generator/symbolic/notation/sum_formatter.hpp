@@ -29,6 +29,9 @@ class SumFormatter {
   SumFormatter(const FactorNames& names, int joints, Notation notation, int digits,
                std::vector<CoordinateMultiple> further_angles = {});
 
+  // From now on, sums of parameters begin with a positive term if they have one: "I_z - I_y".
+  void begin_with_positive_terms() { positive_first_ = true; }
+
   std::vector<SignedTerm> pieces(const ReadableSum& sum, GroupBy group_by);
   std::string text(const ReadableSum& sum, GroupBy group_by) { return joined(pieces(sum, group_by)); }
 
@@ -66,6 +69,7 @@ class SumFormatter {
   std::vector<CoordinateMultiple> further_angles_;  // Mechanism::angles
   bool long_names_ = false;
   bool rounded_ = false;
+  bool positive_first_ = false;
 };
 
 }  // namespace flatdyn
