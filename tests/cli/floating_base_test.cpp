@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "cli/program.hpp"
@@ -42,9 +43,6 @@ TEST(FloatingEval, ReadsTheBaseByItsNames) {
 TEST(FloatingBase, IsRefusedWhereItIsNotSupported) {
   const Scratch scratch;
   scratch.write("body.toml", kBody);
-  const Outcome derive = run_flatdyn("derive " + scratch.path("body.toml"));
-  EXPECT_EQ(derive.code, 4);
-  EXPECT_THAT(derive.err, HasSubstr("body.toml:2: error: derive: robots with a floating base are not supported yet"));
   const Outcome christoffel =
       run_flatdyn("generate " + scratch.path("body.toml") + " --functions christoffel -o " + scratch.path("out"));
   EXPECT_EQ(christoffel.code, 4);
@@ -53,6 +51,27 @@ TEST(FloatingBase, IsRefusedWhereItIsNotSupported) {
   const Outcome fixed = run_flatdyn("generate robots/ur5.urdf --functions centre_of_mass -o " + scratch.path("out"));
   EXPECT_EQ(fixed.code, 2);
   EXPECT_THAT(fixed.err, HasSubstr("--base floating"));
+}
+
+// Euler's equations, and the names of all entries in their order.
+TEST(FloatingDerive, PrintsTextLatexAndJson) {
+  const Scratch scratch;
+  scratch.write("body.toml", kBody);
+  const std::string derive = "derive -q " + scratch.path("body.toml");
+  const Outcome text = run_flatdyn(derive), latex = run_flatdyn(derive + " --latex");
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("\n2 dv_x - 2 v_y omega_z + 2 v_z omega_y - 2 g_x = f_x\n"));
+  EXPECT_THAT(text.out, HasSubstr("\n2 domega_y - 2 omega_x omega_z = n_y\n"));
+  EXPECT_THAT(latex.out, HasSubstr("n_{y} &= 2 \\dot{\\omega}_{y} - 2 \\omega_{x} \\omega_{z}"));
+  EXPECT_THAT(latex.out, HasSubstr("% omega_x, omega_y, omega_z: angular velocity of the base, in base axes, rad/s\n"));
+  const nlohmann::json json = nlohmann::json::parse(run_flatdyn(derive + " --json").out);
+  EXPECT_EQ(json["entries"].size(), 6u);
+  EXPECT_EQ(json["entries"][3],
+            nlohmann::json({{"velocity", "omega_x"}, {"acceleration", "domega_x"}, {"torque", "n_x"}}));
+  EXPECT_EQ(json["velocity_terms"][0]["name"], "h_126");
+  EXPECT_EQ(json["velocity_terms"][0]["text"], "-2");
+  EXPECT_FALSE(json.contains("christoffel"));
+  EXPECT_THAT(run_flatdyn(derive + " --gravity off").out, Not(HasSubstr("g_x")));
 }
 
 TEST(FloatingBase, HasOtherConventionsInCppOnly) {

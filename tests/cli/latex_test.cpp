@@ -19,7 +19,7 @@ class Latex : public ::testing::TestWithParam<const char*> {};
 TEST_P(Latex, CompilesAndFitsThePage) {
   if (std::system("command -v pdflatex > /dev/null") != 0) GTEST_SKIP() << "pdflatex is not installed: scripts/setup";
   const Scratch scratch;
-  const Outcome derived = run_flatdyn(fmt::format("derive robots/{} --latex -q", GetParam()));
+  const Outcome derived = run_flatdyn(fmt::format("derive {} --latex -q", GetParam()));
   ASSERT_EQ(derived.code, 0) << derived.err;
   scratch.write("model.tex", derived.out);
   scratch.write("document.tex",
@@ -33,11 +33,17 @@ TEST_P(Latex, CompilesAndFitsThePage) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Derive, Latex,
-                         ::testing::Values("cartesian_2.toml", "planar_2r.toml", "pendulum_motor.toml",
-                                           "planar_2r_example_7_2.toml", "prismatic_revolute.toml", "scara.toml"),
+                         ::testing::Values("robots/cartesian_2.toml", "robots/planar_2r.toml",
+                                           "robots/pendulum_motor.toml", "robots/planar_2r_example_7_2.toml",
+                                           "robots/prismatic_revolute.toml", "robots/scara.toml",
+                                           "robots/planar_2r.toml --base floating", "docs/examples/floating_body.toml",
+                                           "docs/examples/spherical_pendulum.toml",
+                                           "docs/examples/ball_wrist.toml --digits 4 --max-terms 40"),
                          [](const auto& test) {
-                           const std::string file = test.param;
-                           return file.substr(0, file.find('.'));
+                           std::string name = test.param;
+                           name.erase(0, name.rfind('/') + 1);
+                           const bool floats = name.find("floating") != std::string::npos;
+                           return name.substr(0, name.find('.')) + (floats ? "_floats" : "");
                          });
 
 }  // namespace
