@@ -19,7 +19,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 
 constexpr const char* kLoadedPuma = "robots/puma560.toml";
-constexpr const char* kFreeArm = "docs/examples/free_arm.toml";
+constexpr const char* kArmInFlight = "docs/examples/free_arm.toml";
 
 TEST(Payload, ComesOutAsARobotFile) {
   const Scratch scratch;
@@ -109,12 +109,12 @@ TEST(Payload, IsFoundOnARobotThatFlies) {
   scratch.write("truth.toml", fmt::format("robot = \"{}/{}\"\n[payload]\nlink = \"hand\"\nmass = 0.4\n"
                                           "com = [0.03, -0.02, 0.05]\ninertia_about = \"com\"\n"
                                           "inertia = {{ xx = 0.001, yy = 0.0012, zz = 0.0009 }}\n",
-                                          FLATDYN_SOURCE_DIR, kFreeArm));
+                                          FLATDYN_SOURCE_DIR, kArmInFlight));
   const std::string with = " --data " + scratch.path("with.csv"), without = " --without " + scratch.path("without.csv"),
-                    payload = fmt::format("payload {} -q --json --parameters given --tip hand", kFreeArm);
+                    payload = fmt::format("payload {} -q --json --parameters given --tip hand", kArmInFlight);
   for (const double drive : {0.0, 1.0}) {
     fly(scratch, scratch.path("truth.toml"), "with.csv", drive, 1.5);
-    fly(scratch, kFreeArm, "without.csv", drive, -1.2);
+    fly(scratch, kArmInFlight, "without.csv", drive, -1.2);
     for (const std::string& against : {std::string(), without}) {
       if (drive == 0 && against.empty()) continue;
       const bool has_scale = drive > 0;
