@@ -158,17 +158,18 @@ class AdaptorWriter {
     return call_of(text, std::move(arguments));
   }
 
-  std::string call_of(const FunctionText& text, std::vector<std::string> arguments) const {
+  std::string call_of(const FunctionText& text, std::vector<std::string> arguments,
+                      const char* result = "is_valid") const {
     if (!code_.mechanism.symbols.empty()) arguments.insert(arguments.begin(), "parameters");
     if (text.uses_trigonometry) arguments.emplace_back("sin_cos");
-    return without_newline(list_line(fmt::format("{}::{}::{}(", result_before_call(text), code_.name_space, text.name),
-                                     arguments, ");", 2));
+    return without_newline(list_line(
+        fmt::format("{}::{}::{}(", result_before_call(text, result), code_.name_space, text.name), arguments, ");", 2));
   }
 
   // "return " for the last statement that has a value, and "const bool is_valid = " for one that results follow.
-  std::string result_before_call(const FunctionText& text) const {
+  std::string result_before_call(const FunctionText& text, const char* result) const {
     if (text.returns == "void") return "";
-    return text.outputs.empty() || !has_conversions() ? "return " : "const bool is_valid = ";
+    return text.outputs.empty() || !has_conversions() ? "return " : fmt::format("const bool {} = ", result);
   }
   bool has_conversions() const {
     for (std::size_t k = 0; k < text_.outputs.size(); ++k) {
@@ -184,10 +185,13 @@ class AdaptorWriter {
     if (adds_inertia()) arrays.push_back(fmt::format("B[{}]", size_ * size_));
     if (!arrays.empty()) lines += list_line("Scalar ", arrays, ";", kStatementIndent);
     for (const std::string& statement : conversions_) lines += "  " + statement + "\n";
-    if (adds_inertia()) lines += call_of(inertia(), {positions(), "B"}) + "\n";
+    if (adds_inertia()) lines += call_of(inertia(), {positions(), "B"}, "has_inertia") + "\n";
     lines += call + "\n";
     for (const std::string& statement : results_) lines += "  " + with_replaced(statement, "\n", "\n  ") + "\n";
-    if (has_results && text_.returns == "bool") lines += "  return is_valid;\n";
+    const bool needs_both = adds_inertia() && inertia().returns == "bool";
+    if (has_results && text_.returns == "bool") {
+      lines += needs_both ? "  return has_inertia && is_valid;\n" : "  return is_valid;\n";
+    }
     return lines;
   }
 

@@ -101,6 +101,7 @@ std::string why_not(const Function& adapted, const std::vector<Function>& all, c
     if (!convention.angular_first || !has_two_parts(adapted)) return "";
     return "with a fixed base, velocities and forces of the tip keep flatdyn's order";
   }
+  if (find_row(adapted.name)->traits.needs_loops) return "it is about the joints alone: take flatdyn's own";
   const bool knows_all =
       std::all_of(adapted.inputs.begin(), adapted.inputs.end(), [](InputKind kind) { return is_known(kind); }) &&
       std::all_of(adapted.outputs.begin(), adapted.outputs.end(),

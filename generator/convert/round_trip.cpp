@@ -18,6 +18,13 @@ struct NamedNumber {
   Number number;
 };
 
+// Tables of TOML have no order.
+std::vector<JointPosition> in_order_of_names(std::vector<JointPosition> positions) {
+  std::sort(positions.begin(), positions.end(),
+            [](const JointPosition& a, const JointPosition& b) { return a.joint < b.joint; });
+  return positions;
+}
+
 class NumberCollector {
  public:
   NumberCollector(const Mechanism& mechanism, const Robot& robot) {
@@ -31,7 +38,9 @@ class NumberCollector {
     for (const Number& offset : mechanism.offsets) add("offset of a coupling", offset);
     add("base", mechanism.base);
     for (const Loop& loop : robot.loops) add(loop);
-    for (const JointPosition& each : robot.assembly) add("assembly, joint \"" + each.joint + "\"", each.position);
+    for (const JointPosition& each : in_order_of_names(robot.assembly)) {
+      add("assembly, joint \"" + each.joint + "\"", each.position);
+    }
   }
 
   std::vector<NamedNumber> all;

@@ -13,7 +13,10 @@ void check_assembly(const Robot& robot, Diagnostics& diagnostics) {
     if (joint.type != JointType::fixed && !joint.coupled) known.push_back(joint.name);
   }
   for (const JointPosition& position : robot.assembly) {
-    if (std::find(known.begin(), known.end(), position.joint) != known.end()) continue;
+    const bool is_held = std::any_of(robot.joints.begin(), robot.joints.end(), [&position](const Joint& joint) {
+      return joint.held && joint.name == position.joint;
+    });
+    if (is_held || std::find(known.begin(), known.end(), position.joint) != known.end()) continue;
     diagnostics.error(position.place, "assembly: no joint \"" + position.joint + "\" has a position of its own",
                       hint_for_unknown(position.joint, known, "joints"));
   }

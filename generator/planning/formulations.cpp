@@ -175,6 +175,7 @@ void describe_floating(const OutputRow& row, Output& output) {
       output.meaning = "force and moment on the base (base axes, N, N m), then joint torques";
       break;
     case OutputQuantity::joint_acceleration:
+      if (row.rows == Extent::positions) break;
       output.meaning =
           row.rows == Extent::six ? "derivatives of the first six entries of v" : "derivatives of the entries of v";
       break;

@@ -10,9 +10,9 @@ namespace flatdyn {
 namespace {
 
 // The seeds of arguments, and of the tangents of half angles.
-const std::map<std::string, int> kSeeds = {{"q", 1},    {"qd", 2},     {"qdd", 3},  {"tau", 4},
-                                           {"h_e", 5},  {"symbol", 6}, {"qd_r", 7}, {"qdd_r", 8},
-                                           {"pi_b", 9}, {"g_b", 10},   {"v", 11},   {"a", 12}};
+const std::map<std::string, int> kSeeds = {{"q", 1},      {"qd", 2},   {"qdd", 3},   {"tau", 4},  {"h_e", 5},
+                                           {"symbol", 6}, {"qd_r", 7}, {"qdd_r", 8}, {"pi_b", 9}, {"g_b", 10},
+                                           {"v", 11},     {"a", 12},   {"v_r", 13},  {"a_r", 14}};
 constexpr int kTangents = 16;
 
 int results_of(const FileFunction& function) { return static_cast<int>(entry_count(*function.function)); }

@@ -157,5 +157,20 @@ TEST_F(ClosedLoops, AreEmittedInAllForms) {
   }
 }
 
+// Positions of the assembly are for joints that move.
+TEST_F(ClosedLoops, MayHaveJointsHeldThatTheAssemblyNames) {
+  const Outcome outcome = run_flatdyn("inspect robots/five_bar.toml --fix left=1.57");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("3 joints, 1 of them independent"));
+}
+
+TEST(AdaptiveRegressor, OfAFloatingBaseIsWritten) {
+  const Scratch scratch;
+  const Outcome outcome =
+      run_flatdyn("generate docs/examples/floating_body.toml -q --functions adaptive_regressor --convention pose -o " +
+                  scratch.path("out"));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
 }  // namespace
 }  // namespace flatdyn::testing

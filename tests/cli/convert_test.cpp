@@ -81,6 +81,20 @@ TEST_F(Convert, WritesLoopsAndTheirAssembly) {
   EXPECT_EQ(scratch.read("a.toml"), scratch.read("b.toml"));
 }
 
+// A keyframe's joints are in the order of its bodies, those of a table of TOML in no order.
+TEST_F(Convert, WritesTheAssemblyOfAKeyframe) {
+  scratch.write("r.xml", R"(<mujoco><compiler angle="radian"/><worldbody><body name="base"><freejoint/><geom size=".2"/>
+    <body name="t1"><joint name="z" axis="0 1 0"/><geom size=".1"/>
+      <body name="s1" pos=".09 0 0"><joint name="y" axis="0 1 0"/><geom size=".1"/></body></body>
+    <body name="t2"><joint name="b" axis="0 1 0"/><geom size=".1"/>
+      <body name="s2" pos=".09 0 0"><joint name="a" axis="0 1 0"/><geom size=".1"/></body></body></body></worldbody>
+    <actuator><motor joint="z"/><motor joint="b"/></actuator>
+    <equality><connect body1="s1" body2="s2" anchor=".162 0 0"/></equality>
+    <keyframe><key name="home" qpos="0 0 1 1 0 0 0 .785 1.189 2.356 -1.189"/></keyframe></mujoco>)");
+  const std::string text = exact(scratch.path("r.xml") + " --keyframe home", "a.toml");
+  EXPECT_THAT(text, HasSubstr("\"y\" = \"1.189\""));
+}
+
 TEST_F(Convert, WritesSymbols) {
   EXPECT_THAT(exact("robots/planar_2r.toml", "a.toml"), HasSubstr("a_1"));
   exact(scratch.path("a.toml"), "b.toml");

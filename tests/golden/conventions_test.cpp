@@ -55,8 +55,8 @@ TEST(Conventions, AreThoseOfBallsOnAFixedBase) {
 
 TEST(ConventionsOfLoops, AgreeAndStepWithTheLoop) {
   const GoldenCase hopper = {"docs/examples/five_bar_hopper.toml",
-                             " --convention pose,mujoco --functions inverse_dynamics,forward_dynamics,loop_closure,"
-                             "loop_step"};
+                             " --convention pose,mujoco,mixed --functions inverse_dynamics,forward_dynamics,"
+                             "inertia_matrix,coriolis_matrix,gravity,loop_closure,loop_step,loop_motion"};
   EXPECT_EQ(printed(hopper, "loops.cpp", "g++"), "0 do not hold\n");
 }
 

@@ -44,8 +44,8 @@ void read_mjcf(const std::string& text, const std::string& file, ReadContext& co
   read_mjcf_equalities(model);
   read_mjcf_actuators(model);
   refuse_mjcf_tendons(model);
-  take_mjcf_free_joints(model);
   read_mjcf_keyframe(model);
+  take_mjcf_free_joints(model);  // leaves joints out, so that indices of others change
 }
 
 }  // namespace flatdyn

@@ -52,7 +52,7 @@ class Deriver {
         names_(mechanism, form_),
         angles_(mechanism),
         formatter_(names_, joint_count(mechanism), notation, options.digits, mechanism.angles),
-        entries_(entry_names(mechanism, form_, formatter_)) {}
+        entries_(entry_names(mechanism, formatter_)) {}
 
   DerivedModel run() {
     add_conventions();
@@ -83,7 +83,7 @@ class Deriver {
     formatter_.begin_with_positive_terms();
     model_.entries = entries_;
     SumFormatter plain(names_, joint_count(mechanism_), Notation::text, options_.digits);
-    model_.conventions = motion_conventions(mechanism_, form_, entry_names(mechanism_, form_, plain));
+    model_.conventions = motion_conventions(mechanism_, entry_names(mechanism_, plain));
   }
 
   Readable readable(const Number& expression) const {
@@ -120,7 +120,7 @@ class Deriver {
 
   // "w_2, x_2, y_2, z_2".
   std::string quaternion_of(int joint) const {
-    const std::vector<std::string> all = quaternion_names(mechanism_, form_);
+    const std::vector<std::string> all = quaternion_names(mechanism_);
     std::vector<std::string> own;
     const std::string number = "_" + std::to_string(joint + 1);
     for (const std::string& name : all) {

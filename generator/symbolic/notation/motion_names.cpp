@@ -40,9 +40,10 @@ std::vector<std::string> ends_of_vectors(const std::vector<std::string>& joints)
 }
 
 // The numbers of the joints that are spherical, counted from 1.
-std::vector<std::string> numbers_of_spherical_joints(const Mechanism& mechanism, const ClosedForm& form) {
+std::vector<std::string> numbers_of_spherical_joints(const Mechanism& mechanism) {
+  const std::vector<int> joints = joints_of_entries(mechanism);
   std::vector<std::string> numbers;
-  for (const int first : mechanism.spherical) numbers.push_back(std::to_string(form.joints[at(first)] + 1));
+  for (const int first : mechanism.spherical) numbers.push_back(std::to_string(joints[at(first)] + 1));
   return numbers;
 }
 
@@ -65,16 +66,17 @@ std::vector<std::string> names_of_vector(const std::string& letters, const std::
 
 class NamesOfEntries {
  public:
-  NamesOfEntries(const Mechanism& mechanism, const ClosedForm& form, const SumFormatter& formatter)
-      : mechanism_(mechanism), form_(form), formatter_(formatter) {}
+  NamesOfEntries(const Mechanism& mechanism, const SumFormatter& formatter)
+      : mechanism_(mechanism), formatter_(formatter) {}
 
   std::vector<EntryNames> all() {
     if (mechanism_.floating_base) {
       add("v", "f", "");
       add("omega", "n", "");
     }
+    const std::vector<int> joints = joints_of_entries(mechanism_);
     for (int k = mechanism_.base_bodies(); k < mechanism_.size(); ++k) {
-      const int part = mechanism_.joint(k).spherical, joint = form_.joints[at(k)];
+      const int part = mechanism_.joint(k).spherical, joint = joints[at(k)];
       if (part == 1) add("omega", "tau", std::to_string(joint + 1));
       if (part != 0) continue;
       names_.push_back({formatter_.coordinate("qd", joint), formatter_.coordinate("qdd", joint),
@@ -88,7 +90,7 @@ class NamesOfEntries {
   // spherical joints.
   void add(const std::string& velocity, const std::string& force, const std::string& joint) {
     const std::vector<std::string> ends =
-        ends_of_vectors(joint.empty() ? std::vector<std::string>{""} : numbers_of_spherical_joints(mechanism_, form_));
+        ends_of_vectors(joint.empty() ? std::vector<std::string>{""} : numbers_of_spherical_joints(mechanism_));
     const auto names = [&](const std::string& letters, bool is_derivative) {
       return names_of_vector(unused_letters(mechanism_, letters, ends), joint, is_derivative, formatter_.notation());
     };
@@ -100,7 +102,6 @@ class NamesOfEntries {
   }
 
   const Mechanism& mechanism_;
-  const ClosedForm& form_;
   const SumFormatter& formatter_;
   std::vector<EntryNames> names_;
 };
@@ -113,7 +114,7 @@ std::string listed(const std::vector<EntryNames>& names, std::string EntryNames:
 }
 
 // "1 v_x, 2 v_y, …" of all entries.
-std::string numbered(const std::vector<EntryNames>& names, std::string EntryNames::*name) {
+std::string with_indices(const std::vector<EntryNames>& names, std::string EntryNames::*name) {
   std::vector<std::string> texts;
   for (const EntryNames& entry : names) texts.push_back(std::to_string(texts.size() + 1) + " " + entry.*name);
   return fmt::format("{}", fmt::join(texts, ", "));
@@ -138,9 +139,8 @@ std::vector<std::string> conventions_of_base(const Mechanism& mechanism, const s
 }
 
 // The lines on spherical joints, in which k stands for a joint's number.
-std::vector<std::string> conventions_of_spherical_joints(const Mechanism& mechanism, const ClosedForm& form) {
-  const std::vector<std::string> numbers = numbers_of_spherical_joints(mechanism, form),
-                                 ends = ends_of_vectors(numbers);
+std::vector<std::string> conventions_of_spherical_joints(const Mechanism& mechanism) {
+  const std::vector<std::string> numbers = numbers_of_spherical_joints(mechanism), ends = ends_of_vectors(numbers);
   const auto vector = [&](const std::string& letters, bool is_derivative) {
     const std::string unused = unused_letters(mechanism, letters, ends);
     return fmt::format("{}", fmt::join(names_of_vector(unused, "k", is_derivative, Notation::text), ", "));
@@ -164,16 +164,16 @@ bool has_joints_of_one_axis(const Mechanism& mechanism) {
 
 }  // namespace
 
-std::vector<EntryNames> entry_names(const Mechanism& mechanism, const ClosedForm& form, const SumFormatter& formatter) {
-  return NamesOfEntries(mechanism, form, formatter).all();
+std::vector<EntryNames> entry_names(const Mechanism& mechanism, const SumFormatter& formatter) {
+  return NamesOfEntries(mechanism, formatter).all();
 }
 
 std::vector<std::string> base_gravity_names(const Mechanism& mechanism) {
   return names_of_vector(unused_letters(mechanism, "g", ends_of_vectors({""})), "", false, Notation::text);
 }
 
-std::vector<std::string> quaternion_names(const Mechanism& mechanism, const ClosedForm& form) {
-  const std::vector<std::string> numbers = numbers_of_spherical_joints(mechanism, form);
+std::vector<std::string> quaternion_names(const Mechanism& mechanism) {
+  const std::vector<std::string> numbers = numbers_of_spherical_joints(mechanism);
   std::vector<std::string> names;
   for (const std::string& number : numbers) {
     for (const char* const letter : {"w", "x", "y", "z"}) {
@@ -183,21 +183,20 @@ std::vector<std::string> quaternion_names(const Mechanism& mechanism, const Clos
   return names;
 }
 
-std::vector<std::string> motion_conventions(const Mechanism& mechanism, const ClosedForm& form,
-                                            const std::vector<EntryNames>& names) {
+std::vector<std::string> motion_conventions(const Mechanism& mechanism, const std::vector<EntryNames>& names) {
   std::vector<std::string> lines;
   const auto append = [&lines](const std::vector<std::string>& more) {
     lines.insert(lines.end(), more.begin(), more.end());
   };
   if (mechanism.floating_base) append(conventions_of_base(mechanism, names));
-  if (mechanism.has_spherical_joints()) append(conventions_of_spherical_joints(mechanism, form));
+  if (mechanism.has_spherical_joints()) append(conventions_of_spherical_joints(mechanism));
   if (has_joints_of_one_axis(mechanism)) {
     lines.emplace_back(
         "q_k, qd_k, qdd_k, tau_k of another joint: position, its two derivatives, torque; rad and N m, or "
         "m and N if it is prismatic");
   }
-  lines.push_back("velocities v by index: " + numbered(names, &EntryNames::velocity));
-  lines.push_back("forces tau by index: " + numbered(names, &EntryNames::torque));
+  lines.push_back("velocities v by index: " + with_indices(names, &EntryNames::velocity));
+  lines.push_back("forces tau by index: " + with_indices(names, &EntryNames::torque));
   return lines;
 }
 

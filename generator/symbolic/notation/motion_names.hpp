@@ -17,17 +17,16 @@ struct EntryNames {
 };
 
 // Those of all entries, in the notation of the formatter.
-std::vector<EntryNames> entry_names(const Mechanism& mechanism, const ClosedForm& form, const SumFormatter& formatter);
+std::vector<EntryNames> entry_names(const Mechanism& mechanism, const SumFormatter& formatter);
 
 // "g_x", "g_y", "g_z": gravity in the axes of a floating base. A letter is doubled, "gg_x", where the robot has a free
 // symbol of such a name; so are those of all other names here.
 std::vector<std::string> base_gravity_names(const Mechanism& mechanism);
 
 // "w_2", "x_2", "y_2", "z_2" of each spherical joint, in order.
-std::vector<std::string> quaternion_names(const Mechanism& mechanism, const ClosedForm& form);
+std::vector<std::string> quaternion_names(const Mechanism& mechanism);
 
 // Lines that say frames, order and units of all names, in text notation. Only with quasi-velocities.
-std::vector<std::string> motion_conventions(const Mechanism& mechanism, const ClosedForm& form,
-                                            const std::vector<EntryNames>& names);
+std::vector<std::string> motion_conventions(const Mechanism& mechanism, const std::vector<EntryNames>& names);
 
 }  // namespace flatdyn

@@ -163,7 +163,7 @@ FactorNames::FactorNames(const Mechanism& mechanism, const ClosedForm& form) : f
 // Adds the entries of quaternions and gravity in base axes.
 void FactorNames::add_names_of_motion(const Mechanism& mechanism) {
   std::size_t next = 0;
-  const std::vector<std::string> of_quaternions = quaternion_names(mechanism, form_);
+  const std::vector<std::string> of_quaternions = quaternion_names(mechanism);
   for (const ClosedForm::Quaternion& quaternion : form_.quaternions) {
     for (const GiNaC::symbol& entry : quaternion) {
       entries_.push_back({of_quaternions[next++], FactorKind::quaternion, entry});

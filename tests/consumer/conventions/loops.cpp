@@ -63,6 +63,17 @@ int main() {
   expect(distance(force, tau) < 1e-12, "force");
   expect(std::fabs(dot(force, v) - dot(force_mujoco, v_mujoco)) < 1e-12, "power");
 
+  // C v and gravity are the forces without acceleration.
+  const Rates rest = {};
+  std::array<double, robot::velocity_count * robot::velocity_count> C;
+  expect(robot::mujoco::coriolis_matrix(q.data(), v_mujoco.data(), C.data()), "coriolis_matrix");
+  expect(robot::mujoco::gravity(q.data(), back.data()), "gravity");
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    for (std::size_t k = 0; k < v.size(); ++k) back[i] += C[i * v.size() + k] * v_mujoco[k];
+  }
+  expect(robot::mujoco::inverse_dynamics(q.data(), v_mujoco.data(), rest.data(), force_mujoco.data()), "bias");
+  expect(distance(back, force_mujoco) < 1e-13, "C v and gravity");
+
   Positions next;
   robot::pose::integrate(q.data(), v.data(), 0.2, next.data());
   expect(next[kPose + 1] == q[kPose + 1], "joints that the loop moves stay");

@@ -135,6 +135,23 @@ TEST_F(MjcfCopies, TakesTheAssemblyFromAKeyframe) {
   EXPECT_THAT(found, ElementsAre("j 0.25", "k 0.5", "l 0.75"));
 }
 
+// The free joint is left out of the robot; its seven numbers stay those of the base.
+TEST_F(MjcfCopies, TakesTheAssemblyOfAFloatingRobotFromAKeyframe) {
+  ReadOptions options;
+  options.keyframe = "home";
+  const Robot robot = read("r.xml", R"(<mujoco><compiler angle="radian"/><worldbody>
+  <body name="a"><freejoint name="f"/><geom size="1"/>
+    <body name="b"><joint name="j"/><geom size="1"/><body name="c" pos="1 0 0"><joint name="k"/><geom size="1"/>
+      <body name="d" pos="1 0 0"><joint name="l"/><geom size="1"/></body></body></body></body></worldbody>
+  <equality><connect body1="d" body2="a" anchor="1 0 0"/></equality>
+  <keyframe><key name="home" qpos="9 8 7 1 0 0 0 .25 .5 .75"/></keyframe></mujoco>)",
+                           options);
+  EXPECT_TRUE(robot.floating_base);
+  std::vector<std::string> found;
+  for (const JointPosition& each : robot.assembly) found.push_back(each.joint + " " + to_decimal(each.position, 5));
+  EXPECT_THAT(found, ElementsAre("j 0.25", "k 0.5", "l 0.75"));
+}
+
 // As in MuJoCo, what is not of the attached model stays where `ref` puts it.
 TEST_F(MjcfCopies, TakesTheAssemblyFromAKeyframeOfAnAttachedModel) {
   write("chain.xml", R"(<mujoco model="chain"><compiler angle="radian"/><worldbody>
