@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "model/linear_loops.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -289,31 +288,7 @@ class LinearLoopCoupler {
 
 }  // namespace
 
-namespace {
-
-// Reports loops to what stands still beside a robot that floats: reading has left these links out.
-void refuse_loops_to_surroundings(const Robot& robot, Diagnostics& diagnostics) {
-  for (const Loop& loop : robot.loops) {
-    for (const Reference& end : loop.links) {
-      const bool is_there = std::any_of(robot.links.begin(), robot.links.end(),
-                                        [&end](const Link& link) { return link.name == end.name; });
-      if (is_there) continue;
-      diagnostics.unsupported(
-          loop.place,
-          fmt::format("{}: link \"{}\" stands still beside the robot, whose base floats: what holds the robot is no "
-                      "loop of its joints",
-                      name_of(loop), end.name),
-          "leave the loop out, and say in a scene that the robot touches something there ([[contact]]); or give --base "
-          "fixed");
-    }
-  }
-}
-
-}  // namespace
-
 void couple_linear_loops(Robot& robot, Diagnostics& diagnostics) {
-  refuse_loops_to_surroundings(robot, diagnostics);
-  if (diagnostics.has_errors()) return;
   close_at_zero(robot);
   Diagnostics choices;
   find_dependent_joints(robot, choices);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input/common/floating_joints.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <set>
@@ -86,6 +88,25 @@ void note_standing(const Robot& robot, const Parts& parts, int root, Diagnostics
   }
 }
 
+// Reports loops to links that are left out, which stand still.
+void refuse_loops_to(const Parts& parts, const Robot& robot, Diagnostics& diagnostics) {
+  for (const Loop& loop : robot.loops) {
+    for (const Reference& end : loop.links) {
+      const bool is_left_out = std::any_of(parts.links.begin(), parts.links.end(), [&](int link) {
+        return robot.links[static_cast<std::size_t>(link)].name == end.name;
+      });
+      if (!is_left_out) continue;
+      diagnostics.unsupported(
+          loop.place,
+          fmt::format("{}: link \"{}\" stands still beside the robot, whose base floats: what holds the robot is no "
+                      "loop of its joints",
+                      name_of(loop), end.name),
+          "leave the loop out, and say in a scene that the robot touches something there ([[contact]]); or give --base "
+          "fixed");
+    }
+  }
+}
+
 // Whether joint `index` carries all that moves, from a root without a body: then it is left out with that root.
 bool float_on(int index, ReadContext& context, Robot& robot) {
   Diagnostics& diagnostics = context.diagnostics;
@@ -106,6 +127,7 @@ bool float_on(int index, ReadContext& context, Robot& robot) {
                      "the pose of the base is part of the state");
   }
   robot.floating_base = true;
+  refuse_loops_to(around.parts(), robot, diagnostics);
   for (const int other : around.parts().joints) {  // one that was to be held does stand still
     std::erase_if(context.held_joints, [&](const HeldJoint& held) {
       return held.joint == robot.joints[static_cast<std::size_t>(other)].name;
