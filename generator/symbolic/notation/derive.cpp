@@ -33,7 +33,8 @@ void refuse_long_chains(const Mechanism& mechanism) {
   if (longest <= kLongestChain) return;
   throw Failure(ExitCode::unsupported,
                 fmt::format("the closed form of a chain of {} joints has millions of terms", longest),
-                fmt::format("derive takes robots with at most {} joints in a row", kLongestChain));
+                fmt::format("derive takes robots with at most {} joints in a row{}", kLongestChain,
+                            mechanism.has_spherical_joints() ? ", of which a spherical one counts as three" : ""));
 }
 
 // A sum as text or, if it is too long, its number of terms.
@@ -362,8 +363,7 @@ class Deriver {
       if (is_short) model_.notes.emplace_back("c_1 = cos(q_1), s_1 = sin(q_1), c_12 = cos(q_1 + q_2)");
       model_.notes.emplace_back(
           "there are no Christoffel symbols: they belong to coordinates, and v is not the derivative of any; the terms "
-          "of "
-          "Boltzmann and Hamel are part of h");
+          "of Boltzmann and Hamel are part of h");
       if (has_friction_or_springs()) {
         model_.notes.emplace_back("the equations of motion also have the friction and the springs of joints");
       }
