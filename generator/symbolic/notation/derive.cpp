@@ -9,9 +9,11 @@
 #include <utility>
 
 #include "diagnostics/diagnostics.hpp"
+#include "model/field_mechanism.hpp"
 #include "model/spherical_joint.hpp"
 #include "symbolic/closed_form/closed_form.hpp"
 #include "symbolic/notation/coupled_text.hpp"
+#include "symbolic/notation/exact_text.hpp"
 #include "symbolic/notation/latex.hpp"
 
 namespace flatdyn {
