@@ -64,13 +64,13 @@ TEST(FloatingDerive, PrintsTextLatexAndJson) {
   EXPECT_THAT(text.out, HasSubstr("\n2 domega_y - 2 omega_x omega_z = n_y\n"));
   EXPECT_THAT(latex.out, HasSubstr("n_{y} &= 2 \\dot{\\omega}_{y} - 2 \\omega_{x} \\omega_{z}"));
   EXPECT_THAT(latex.out, HasSubstr("% omega_x, omega_y, omega_z: angular velocity of the base, in base axes, rad/s\n"));
-  const nlohmann::json json = nlohmann::json::parse(run_flatdyn(derive + " --json").out);
-  EXPECT_EQ(json["entries"].size(), 6u);
-  EXPECT_EQ(json["entries"][3],
+  const nlohmann::json read = nlohmann::json::parse(run_flatdyn(derive + " --json").out);
+  EXPECT_EQ(read["entries"].size(), 6u);
+  EXPECT_EQ(read["entries"][3],
             nlohmann::json({{"velocity", "omega_x"}, {"acceleration", "domega_x"}, {"torque", "n_x"}}));
-  EXPECT_EQ(json["velocity_terms"][0]["name"], "h_126");
-  EXPECT_EQ(json["velocity_terms"][0]["text"], "-2");
-  EXPECT_FALSE(json.contains("christoffel"));
+  EXPECT_EQ(read["velocity_terms"][0]["name"], "h_126");
+  EXPECT_EQ(read["velocity_terms"][0]["text"], "-2");
+  EXPECT_FALSE(read.contains("christoffel"));
   EXPECT_THAT(run_flatdyn(derive + " --gravity off").out, Not(HasSubstr("g_x")));
 }
 
