@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What `derive` prints for robots with a floating base or spherical joints: the printed text is read back and compared
+// The text that `derive` prints for robots with a floating base or spherical joints is read back and compared
 // with the definition, in exact arithmetic where no number is rounded, and with derived functions in 50 digits.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What robots with a floating base or spherical joints carry, from torques, the base's force and a sensor at the wrist.
+// Payloads on floating bases and behind spherical joints, from torques, the base's force and a sensor at the wrist.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
