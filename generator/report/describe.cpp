@@ -41,6 +41,16 @@ std::vector<std::string> independent_names(const Mechanism& mechanism) {
   return names;
 }
 
+std::string text_of_loops(const Mechanism& mechanism) {
+  std::string text = fmt::format("\nclosed loops, {} of {}:\n",
+                                 mechanism.floating_base ? "v, a and tau, after the base's entries," : "qd and tau",
+                                 fmt::join(independent_names(mechanism), ", "));
+  for (const LoopClosure& loop : mechanism.loops) {
+    text += fmt::format("  {} follow from the others\n", fmt::join(dependent_joint_names(mechanism, loop), ", "));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_effects, SnapDetail detail) {
@@ -86,14 +96,7 @@ std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_eff
     const std::vector<std::string> coupled = coupled_joint_texts(mechanism, by_index);
     if (!coupled.empty()) text += fmt::format("\ncoupled joints:\n  {}\n", fmt::join(coupled, "\n  "));
   }
-  if (mechanism.has_loops()) {
-    text += fmt::format("\nclosed loops, {} of {}:\n",
-                        mechanism.floating_base ? "v, a and tau, after the base's entries," : "qd and tau",
-                        fmt::join(independent_names(mechanism), ", "));
-    for (const LoopClosure& loop : mechanism.loops) {
-      text += fmt::format("  {} follow from the others\n", fmt::join(dependent_joint_names(mechanism, loop), ", "));
-    }
-  }
+  if (mechanism.has_loops()) text += text_of_loops(mechanism);
   const std::vector<std::string> scene = scene_items(model);
   if (!scene.empty()) text += fmt::format("\nfixed by scene or options:\n  {}\n", fmt::join(scene, "\n  "));
   if (!mechanism.merged.empty())
