@@ -8,6 +8,7 @@
 
 #include "readback/patterns_c.hpp"
 #include "readback/patterns_cpp.hpp"
+#include "readback/patterns_flags.hpp"
 
 namespace flatdyn {
 namespace {
@@ -107,6 +108,7 @@ void CFile::source() {
   has_math_ = accept("#include <math.h>\n");
   expect("#include <stdint.h>\n#include <string.h>\n");
   expect(kNoFastMath);
+  if (contents_.scalar != "float") expect(kCDoubleConstants);
   for (const FileTable& each : contents_.tables) define(each);
   for (const FileTable& each : contents_.base_tables) define(each);
   has_sign_ = accept(kCSign);

@@ -8,6 +8,7 @@
 #include "flatdyn/interface.hpp"
 #include "readback/file_known_answer.hpp"
 #include "readback/patterns_cpp.hpp"
+#include "readback/patterns_flags.hpp"
 #include "readback/patterns_limbs.hpp"
 
 namespace flatdyn {
@@ -40,6 +41,11 @@ void CppFile::guard() {
   expect("#define $guard$\n");
 }
 
+void CppFile::flags() {
+  expect(kNoFastMath);
+  if (contents_.scalar != "float") expect(kCppDoubleConstants);
+}
+
 void CppFile::name_space() {
   fill("namespace", contents_.name_spaces.front());
   for (const std::string& name_space : contents_.name_spaces) {
@@ -52,7 +58,7 @@ void CppFile::header() {
   guard();
   if (!is_pair()) expect(kCppRoundingIncludes);
   expect("#include <cmath>\n");
-  if (!is_pair()) expect(kNoFastMath);
+  if (!is_pair()) flags();
   name_space();
   constants();
   helpers();
@@ -68,7 +74,7 @@ void CppFile::header() {
 void CppFile::source() {
   expect("#include \"$file$.hpp\"\n");
   expect(kCppRoundingIncludes);
-  expect(kNoFastMath);
+  flags();
   expect("namespace $namespace$ {");
   has_sign_ = accept(kCppSign);
   has_sqrt_ = accept(kCppSqrt);

@@ -35,6 +35,8 @@ CudaFile::CudaFile(const EmittedText& text, const FileContents& contents) : CppF
 
 void CudaFile::file() {
   guard();
+  expect(kCudaIncludes);
+  flags();
   expect(kCudaHead);
   name_space();
   constants();

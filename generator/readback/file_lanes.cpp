@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "readback/file_c.hpp"
+#include "readback/patterns_flags.hpp"
 #include "readback/patterns_lanes.hpp"
 
 namespace flatdyn {
@@ -23,6 +24,7 @@ class LanesFile : public CFile {
     exported_ = prefix_;
     name_lanes();
     expect("#include \"$file$.h\"\n#include <math.h>\n#include <stddef.h>\n");
+    expect(kNoFastMath);
     text_hash();
     helpers();
     angles();
@@ -48,6 +50,7 @@ class LanesFile : public CFile {
     fill("first_halves", is_float() ? "0, 4, 1, 5" : "0, 2");
     fill("second_halves", is_float() ? "2, 6, 3, 7" : "1, 3");
     fill("reduced_angles", is_float() ? "6400" : "1e5");
+    fill("next", is_float() ? "0x200001u" : "0x4000000000001u");
   }
 
   // Takes the hash of the text, or what stands for it until all texts are known.

@@ -151,55 +151,58 @@ static inline void $lanes$_or_not_a_number($mask$ $verdict$, size_t length,
 inline constexpr const char* kLanesReducedAngles = R"(
 static const $real$ $lanes$_reduced_angles = $reduced_angles$;
 typedef unsigned $integer$ $lanes$_bits __attribute__((vector_size($lanes$_bytes)));
+static const unsigned $integer$ $lanes$_next = $next$;
 )";
 
 inline constexpr const char* kLanesSinesOfDoubles = R"(
 static inline $lanes$_bits $lanes$_reduced($lanes$ x, $lanes$* restrict r,
-    $lanes$* restrict rest) {
-  const $lanes$ large = $lanes$_all(0x1.8p+52);
-  const $lanes$ turns = x * $lanes$_all(0x1.45f306dc9c883p-1) + large, n = turns - large;
+    $lanes$* restrict missing) {
+  const $lanes$ turns = x * $lanes$_all(0x1.45f306dc9c883p-1) + $lanes$_all(0x1.8p+52);
+  const $lanes$_bits quadrant = ($lanes$_bits)turns;
+  const $lanes$ n = ($lanes$)(quadrant + $lanes$_next) - $lanes$_all(0x1.c000000000001p+52);
   const $lanes$ above = x - n * $lanes$_all(0x1.921fb544p+0);
   const $lanes$ below = n * $lanes$_all(0x1.0b4611a6p-34);
   *r = above - below;
-  *rest = ((above - *r) - below) - n * $lanes$_all(0x1.3198a2e037073p-69);
-  return ($lanes$_bits)turns;
+  *missing = (below - (above - *r)) + n * $lanes$_all(0x1.3198a2e037073p-69);
+  return quadrant;
 }
-static inline $lanes$ $lanes$_sine_near_zero($lanes$ r, $lanes$ rest) {
+static inline $lanes$ $lanes$_sine_near_zero($lanes$ r, $lanes$ missing) {
   const $lanes$ z = r * r, zz = z * z, leading = 1.0 - 0.5 * z;
-  const $lanes$ p = (-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03) +
-      zz * ((-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06) +
-      zz * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10));
-  return r + (z * r * p + leading * rest);
+  const $lanes$ p = (1.66666666666666324348e-01 + z * -8.33333333332248946124e-03) +
+      zz * ((1.98412698298579493134e-04 + z * -2.75573137070700676789e-06) +
+      zz * (2.50507602534068634195e-08 + z * -1.58969099521155010221e-10));
+  return r - (z * r * p + leading * missing);
 }
-static inline $lanes$ $lanes$_cosine_near_zero($lanes$ r, $lanes$ rest) {
+static inline $lanes$ $lanes$_cosine_near_zero($lanes$ r, $lanes$ missing) {
   const $lanes$ z = r * r, zz = z * z, half = 0.5 * z, leading = 1.0 - half;
   const $lanes$ k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
       zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
       zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
-  return leading + ((((1.0 - leading) - half) - r * rest) + zz * k);
+  return leading + ((((1.0 - leading) - half) + r * missing) + zz * k);
 }
 )";
 
 inline constexpr const char* kLanesSinesOfFloats = R"(
 static inline $lanes$_bits $lanes$_reduced($lanes$ x, $lanes$* restrict r,
-    $lanes$* restrict rest) {
-  const $lanes$ large = $lanes$_all(0x1.8p+23f);
-  const $lanes$ turns = x * $lanes$_all(0x1.45f306p-1f) + large, n = turns - large;
+    $lanes$* restrict missing) {
+  const $lanes$ turns = x * $lanes$_all(0x1.45f306p-1f) + $lanes$_all(0x1.8p+23f);
+  const $lanes$_bits quadrant = ($lanes$_bits)turns;
+  const $lanes$ n = ($lanes$)(quadrant + $lanes$_next) - $lanes$_all(0x1.c00002p+23f);
   const $lanes$ above = (x - n * $lanes$_all(0x1.922p+0f)) - n * $lanes$_all(-0x1.2cp-18f);
   const $lanes$ below = n * $lanes$_all(0x1.11p-26f);
   *r = above - below;
-  *rest = ((above - *r) - below) - n * $lanes$_all(0x1.68c234p-39f);
-  return ($lanes$_bits)turns;
+  *missing = (below - (above - *r)) + n * $lanes$_all(0x1.68c234p-39f);
+  return quadrant;
 }
-static inline $lanes$ $lanes$_sine_near_zero($lanes$ r, $lanes$ rest) {
+static inline $lanes$ $lanes$_sine_near_zero($lanes$ r, $lanes$ missing) {
   const $lanes$ z = r * r, leading = 1.0f - 0.5f * z;
-  const $lanes$ p = -1.6666654611e-1f + z * (8.3321608736e-3f + z * -1.9515295891e-4f);
-  return r + (z * r * p + leading * rest);
+  const $lanes$ p = 1.6666654611e-1f + z * (-8.3321608736e-3f + z * 1.9515295891e-4f);
+  return r - (z * r * p + leading * missing);
 }
-static inline $lanes$ $lanes$_cosine_near_zero($lanes$ r, $lanes$ rest) {
+static inline $lanes$ $lanes$_cosine_near_zero($lanes$ r, $lanes$ missing) {
   const $lanes$ z = r * r, half = 0.5f * z, leading = 1.0f - half;
   const $lanes$ p = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
-  return leading + ((((1.0f - leading) - half) - r * rest) + z * z * p);
+  return leading + ((((1.0f - leading) - half) + r * missing) + z * z * p);
 }
 )";
 
@@ -209,12 +212,12 @@ static inline $lanes$ $lanes$_with_sign_of($lanes$_bits quadrant, $lanes$ x) {
 }
 static inline void $lanes$_sine_and_cosine($lanes$ x, $lanes$* restrict sine,
     $lanes$* restrict cosine) {
-  $lanes$ r, rest;
-  const $lanes$_bits quadrant = $lanes$_reduced(x, &r, &rest);
-  const $lanes$ s = $lanes$_sine_near_zero(r, rest), c = $lanes$_cosine_near_zero(r, rest);
+  $lanes$ r, missing;
+  const $lanes$_bits quadrant = $lanes$_reduced(x, &r, &missing);
+  const $lanes$ s = $lanes$_sine_near_zero(r, missing), c = $lanes$_cosine_near_zero(r, missing);
   const $mask$ is_swapped = ($mask$)-(quadrant & 1u);
   *sine = $lanes$_with_sign_of(quadrant, $lanes$_where(is_swapped, c, s));
-  *cosine = $lanes$_with_sign_of(quadrant + 1u, $lanes$_where(is_swapped, s, c));
+  *cosine = $lanes$_with_sign_of(quadrant + $lanes$_next, $lanes$_where(is_swapped, s, c));
 }
 static inline bool $lanes$_is_large($real$ x) {
   return !(x <= $lanes$_reduced_angles && x >= -$lanes$_reduced_angles);

@@ -4,6 +4,7 @@ exact values and with the scripts for Gappa; what those take for granted of poly
 
 import math
 import re
+import struct
 from fractions import Fraction
 
 import mpmath
@@ -43,27 +44,37 @@ typedef uint32_t BitsOfFloats;
 #endif
 template <class = void>
 static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cosine) noexcept {
-{doubles}
+  const Doubles turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52;
   BitsOfDoubles quadrant, bits_of_s, bits_of_c;
   memcpy(&quadrant, &turns, sizeof(turns));
+  const BitsOfDoubles next = quadrant + 0x4000000000001u;
+  Doubles n;
+  memcpy(&n, &next, sizeof(next));
+  n -= 0x1.c000000000001p+52;
+{doubles}
   memcpy(&bits_of_s, &s, sizeof(s));
   memcpy(&bits_of_c, &c, sizeof(c));
   const BitsOfDoubles exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
   bits_of_s ^= exchange ^ ((quadrant & 2u) << 62);
-  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 62);
+  bits_of_c ^= exchange ^ ((next & 2u) << 62);
   memcpy(&sine, &bits_of_s, sizeof(s));
   memcpy(&cosine, &bits_of_c, sizeof(c));
 }
 template <class = void>
 static inline void sine_and_cosine(const Floats& x, Floats& sine, Floats& cosine) noexcept {
-{floats}
+  const Floats turns = x * 0x1.45f306p-1f + 0x1.8p+23f;
   BitsOfFloats quadrant, bits_of_s, bits_of_c;
   memcpy(&quadrant, &turns, sizeof(turns));
+  const BitsOfFloats next = quadrant + 0x200001u;
+  Floats n;
+  memcpy(&n, &next, sizeof(next));
+  n -= 0x1.c00002p+23f;
+{floats}
   memcpy(&bits_of_s, &s, sizeof(s));
   memcpy(&bits_of_c, &c, sizeof(c));
   const BitsOfFloats exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
   bits_of_s ^= exchange ^ ((quadrant & 2u) << 30);
-  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 30);
+  bits_of_c ^= exchange ^ ((next & 2u) << 30);
   memcpy(&sine, &bits_of_s, sizeof(s));
   memcpy(&cosine, &bits_of_c, sizeof(c));
 }
@@ -155,6 +166,9 @@ DEFAULT = "using DefaultSinCos = PolynomialSinCos;"
 LANES = {"double": "Doubles", "float": "Floats"}
 RANGE = {"double": 1e5, "float": 6400.0}
 STEP_OF_QUADRANTS = {"double": 1.5 * 2**52, "float": 1.5 * 2**23}
+QUARTER_TURNS = {"double": float.fromhex("0x1.45f306dc9c883p-1"), "float": float.fromhex("0x1.45f306p-1")}
+# The bits of a number, and what is added to those of `turns`.
+BITS = {"double": ("d", "Q", 0x4000000000001), "float": ("f", "I", 0x200001)}
 LITERAL = re.compile(r"-?0x[0-9a-f.]+p[+-]\d+f?|-?\b\d+\.\d+(?:e[+-]\d+)?f?|\b1\b")
 LARGEST_REMAINDER = Fraction(786, 1000)
 PIECES = 64  # of the polynomials' range
@@ -268,7 +282,13 @@ class Sines:
         return Number(self.scalar, value_of(literal))
 
     def values(self, x):
-        return followed(self.statements, {"number": self.number, "x": Number(self.scalar, x)})
+        number, step = Number(self.scalar, x), Number(self.scalar, STEP_OF_QUADRANTS[self.scalar])
+        turns = number * Number(self.scalar, QUARTER_TURNS[self.scalar]) + step
+        form, integer, added = BITS[self.scalar]
+        bits = struct.unpack(integer, struct.pack(form, turns.value))[0] + added
+        next_turns = Number(self.scalar, struct.unpack(form, struct.pack(integer, bits))[0])
+        n = next_turns - Number(self.scalar, step.value / 6 * 7 + 1)
+        return followed(self.statements, {"number": self.number, "x": number, "turns": turns, "n": n})
 
     def polynomials(self):
         """p and k of z, in exact arithmetic."""
@@ -294,7 +314,7 @@ class Proof:
         for name, expression in re.findall(r"^(\w+) (?:rnd)?= ([^;]+);", definitions, re.M):
             plain = re.sub(r"\brnd\(", "(", expression).strip()
             self.statements.append((name, compile(in_python(plain), name, "eval")))
-        self.assumed, self.rest = (self.bound_of(what, text) for what in (r"M - [SC]", "rest"))
+        self.assumed, self.missing = (self.bound_of(what, text) for what in (r"M - [SC]", "missing"))
 
     @staticmethod
     def bound_of(what, text):
@@ -328,17 +348,18 @@ def taylor(first):
     return Polynomial([Fraction((-1) ** (first // 2 + i), math.factorial(first + 2 * i)) for i in range(8)])
 
 
-def error_of(polynomial, first, size_of_rest):
-    """How far M is from a sine or cosine of r + rest."""
+def error_of(polynomial, first, size_of_missing):
+    """How far M is from a sine or cosine of r - missing."""
     difference, most = polynomial - taylor(first), 0
     square = LARGEST_REMAINDER**2
     for piece in range(PIECES):
         low, high = square * piece / PIECES, square * (piece + 1) / PIECES
         most = max(most, difference.bound(low, high) * high ** (first // 2) * (LARGEST_REMAINDER if first == 3 else 1))
     tail = LARGEST_REMAINDER ** (first + 16) / math.factorial(first + 16)
-    # sin(r + rest) has cos(r) rest, and M (1 - r^2 / 2) rest; cos(r + rest) has -sin(r) rest, and M -r rest.
+    # sin(r - missing) has -cos(r) missing, and M -(1 - r^2 / 2) missing; cos(r - missing) has sin(r) missing, and M
+    # r missing.
     slope = LARGEST_REMAINDER**4 / 24 if first == 3 else LARGEST_REMAINDER**3 / 6
-    return most + tail + slope * size_of_rest + size_of_rest**2 / 2
+    return most + tail + slope * size_of_missing + size_of_missing**2 / 2
 
 
 def faults_of_proofs(sines, folder, angles):
@@ -347,11 +368,11 @@ def faults_of_proofs(sines, folder, angles):
     for angle in angles:
         values = sines.values(angle)
         for proof in proofs.values():
-            given = {"x": values["x"], "n": values["n"], "r_": values["r"], "rest_": values["rest"]}
+            given = {"x": values["x"], "n": values["n"], "r_": values["r"], "missing_": values["missing"]}
             if proof.assumed is None:
-                del given["r_"], given["rest_"]
+                del given["r_"], given["missing_"]
             for name, value in proof.values(given, sines.number).items():
-                if name in ("r", "rest", "z", "p", "k", "s", "c") and value.value != values[name].value:
+                if name in ("r", "missing", "z", "p", "k", "s", "c") and value.value != values[name].value:
                     yield f"{proof.name} is not about the header's {name} at {angle!r}"
                     return
     polynomials = dict(zip("pk", sines.polynomials()))
@@ -360,11 +381,13 @@ def faults_of_proofs(sines, folder, angles):
         for name in set(values) & set(polynomials):
             if values[name].coefficients != polynomials[name].coefficients:
                 yield f"{proof.name} is about another polynomial {name} than the header's"
-    if len({proof.rest for proof in proofs.values()}) != 1:
-        yield "the scripts about sines differ in how large the rest of an angle is"
+    if len({proof.missing for proof in proofs.values()}) != 1:
+        yield "the scripts about sines differ in how large the missing part of an angle is"
     for name, polynomial, first in zip(("sine", "cosine"), polynomials.values(), (3, 2)):
-        error = error_of(polynomial if first == 3 else polynomial * Polynomial([0, 1]) - Polynomial([Fraction(1, 2)]),
-                         first, proofs[name].rest)
+        # The sine subtracts p; the cosine has 1 - z / 2 before k.
+        of_z = polynomial * Polynomial([-1]) if first == 3 else (
+            polynomial * Polynomial([0, 1]) - Polynomial([Fraction(1, 2)]))
+        error = error_of(of_z, first, proofs[name].missing)
         if not error <= proofs[name].assumed:
             yield f"{proofs[name].name} takes {float(proofs[name].assumed):.3g} for an error of {float(error):.3g}"
 

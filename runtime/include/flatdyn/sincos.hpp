@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sine and cosine of several angles at a time, without branches, so that the compiler can share what a sine and a
-// cosine of the same angle have in common. Not for -ffast-math, which would undo the roundings on which they rely.
+// cosine of the same angle have in common. The values are right under flags that let compilers reorder sums, too.
 #pragma once
 
 #include <cmath>
@@ -96,6 +96,35 @@ inline To with_bits_of(const From& from) noexcept {
   return to;
 }
 
+// How n, the whole number nearest to 2 x/π, is computed: added to `large`, a number has no room for a fraction, and its
+// last bits are those of n, the quadrant. Added to the bits, as integers, `next` makes the last ones those of the next
+// quadrant, and the number `next_large` + n. Compilers that may reorder sums cannot undo the rounding, since they do
+// not see through the bits.
+template <class T>
+struct WholeTurns;
+
+template <>
+struct WholeTurns<double> {
+  static constexpr double large = 0x1.8p+52, next_large = 0x1.c000000000001p+52;
+  static constexpr std::uint64_t next = 0x4000000000001U;
+};
+
+template <>
+struct WholeTurns<float> {
+  static constexpr float large = 0x1.8p+23F, next_large = 0x1.c00002p+23F;
+  static constexpr std::uint32_t next = 0x200001U;
+};
+
+template <class Batch>
+inline Bits<Batch> next_quadrant(const Batch& turns) noexcept {
+  return with_bits_of<Bits<Batch>>(turns) + Bits<Batch>(WholeTurns<typename Batch::value_type>::next);
+}
+
+template <class Batch>
+inline Batch whole_number(const Batch& turns) noexcept {
+  return with_bits_of<Batch>(next_quadrant(turns)) - Batch(WholeTurns<typename Batch::value_type>::next_large);
+}
+
 // Sine and cosine of n π/2 + r from those of r; the last two bits of `turns` are those of n. In an odd quadrant they
 // are exchanged.
 template <class Batch>
@@ -107,14 +136,13 @@ inline SineAndCosine<Batch> in_quadrant(const Batch& turns, const Batch& s, cons
   const Integers of_s = with_bits_of<Integers>(s), of_c = with_bits_of<Integers>(c);
   const Integers exchange = (of_s ^ of_c) & (Integers(Integer(0)) - (quadrant & one));
   const Integers sine = of_s ^ exchange ^ ((quadrant & two) << kToSign);
-  const Integers cosine = of_c ^ exchange ^ (((quadrant + one) & two) << kToSign);
+  const Integers cosine = of_c ^ exchange ^ ((next_quadrant(turns) & two) << kToSign);
   return {with_bits_of<Batch>(sine), with_bits_of<Batch>(cosine)};
 }
 
 // The formula of generated code (templates/polynomial_sines.hpp.mustache): x = n π/2 + r - missing with |r| <= π/4 up
-// to a rounding; `missing` is the part that the digits of r cannot hold. The last bits of `turns` are those of n. It
-// and p have other signs than there, which keeps the sign of a zero. That text gives +0 for it, and so does this one
-// where bits have to be the same.
+// to a rounding; `missing` is the part that the digits of r cannot hold. The last bits of `turns` are those of n. p
+// and `missing` are subtracted, which keeps the sign of a zero in double; in float sin(-0) is +0.
 //
 // The polynomials are minimax on [-π/4, π/4]; in double their errors are below 2^-57 (coefficients of fdlibm's k_sin.c
 // and k_cos.c; the parts of π/2 are those of its e_rem_pio2.c), in float they are those of Cephes' sinf.c.
@@ -124,7 +152,8 @@ template <class Rounding, class A>
 inline SineAndCosine<xsimd::batch<double, A>> sine_and_cosine(const xsimd::batch<double, A>& x) noexcept {
   using Batch = xsimd::batch<double, A>;
   using R = Rounding;
-  const Batch turns = R::multiply_add(x, Batch(0x1.45f306dc9c883p-1), Batch(0x1.8p+52)), n = turns - Batch(0x1.8p+52);
+  const Batch turns = R::multiply_add(x, Batch(0x1.45f306dc9c883p-1), Batch(WholeTurns<double>::large));
+  const Batch n = whole_number(turns);
   const Batch above = R::subtract_product(x, n, Batch(0x1.921fb544p+0)), below = n * Batch(0x1.0b4611a6p-34);
   const Batch r = above - below, missing = R::multiply_add(n, Batch(0x1.3198a2e037073p-69), below - (above - r));
   const Batch z = r * r, zz = z * z, leading = R::subtract_product(Batch(1.0), Batch(0.5), z);
@@ -136,8 +165,7 @@ inline SineAndCosine<xsimd::batch<double, A>> sine_and_cosine(const xsimd::batch
   const Batch k_2 = R::multiply_add(z, Batch(-2.75573143513906633035e-07), Batch(2.48015872894767294178e-05));
   const Batch k_0 = R::multiply_add(z, Batch(-1.38888888888741095749e-03), Batch(4.16666666666666019037e-02));
   const Batch k = R::multiply_add(zz, R::multiply_add(zz, k_4, k_2), k_0);
-  Batch s = r - R::multiply_add(z * r, p, leading * missing);
-  if constexpr (std::is_same_v<R, AsWritten>) s = s + Batch(0.0);
+  const Batch s = r - R::multiply_add(z * r, p, leading * missing);
   const Batch rest = R::multiply_add(r, missing, R::subtract_product(Batch(1.0) - leading, Batch(0.5), z));
   return in_quadrant(turns, s, leading + R::multiply_add(zz, k, rest));
 }
@@ -146,7 +174,8 @@ template <class Rounding, class A>
 inline SineAndCosine<xsimd::batch<float, A>> sine_and_cosine(const xsimd::batch<float, A>& x) noexcept {
   using Batch = xsimd::batch<float, A>;
   using R = Rounding;
-  const Batch turns = R::multiply_add(x, Batch(0x1.45f306p-1F), Batch(0x1.8p+23F)), n = turns - Batch(0x1.8p+23F);
+  const Batch turns = R::multiply_add(x, Batch(0x1.45f306p-1F), Batch(WholeTurns<float>::large));
+  const Batch n = whole_number(turns);
   Batch s, c;
   if constexpr (kHasFused && std::is_same_v<R, Fused>) {
     // The parts of π/2 have 24 bits: n times a part is rounded once, with the difference, and nothing is missing.
@@ -166,7 +195,6 @@ inline SineAndCosine<xsimd::batch<float, A>> sine_and_cosine(const xsimd::batch<
     const Batch k =
         Batch(4.166664568298827e-2F) + z * (Batch(-1.388731625493765e-3F) + z * Batch(2.443315711809948e-5F));
     s = r - (z * r * p + leading * missing);
-    if constexpr (std::is_same_v<R, AsWritten>) s = s + Batch(0.0F);
     c = leading + ((((Batch(1.0F) - leading) - Batch(0.5F) * z) + r * missing) + z * z * k);
   }
   return in_quadrant(turns, s, c);
