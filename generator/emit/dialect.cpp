@@ -56,4 +56,8 @@ std::string Dialect::braced_check_loop(const std::string& counter, std::size_t f
                    kStatementIndent);
 }
 
+std::string Dialect::excess(const std::string& sum, const std::string& term) const {
+  return term[0] == '-' ? fmt::format("{} + {}", sum, term.substr(1)) : fmt::format("{} - {}", sum, term);
+}
+
 }  // namespace flatdyn

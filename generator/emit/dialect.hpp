@@ -133,6 +133,9 @@ class Dialect {
   // A loop of checks of entries from `first` to before `end`: for (int k = 0; k < 7; ++k) valid &= check;
   virtual std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const = 0;
   // A loop of checks: for … valid &= pivots[k] > 0;
+  // A value that is positive if the rounded sum is above its first term: the sum less the term, where no flag of the
+  // language's compilers lets them reorder sums, which would make it the second term.
+  virtual std::string excess(const std::string& sum, const std::string& term) const;
   virtual std::string all_positive(const std::string& array, std::size_t length) const = 0;
 
  protected:

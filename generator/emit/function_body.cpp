@@ -84,6 +84,9 @@ class BodyWriter {
     body.output_names = output_names_;
     body.uses_sign = has_op(Op::sign);
     body.uses_sqrt = has_op(Op::sqrt);
+    const std::vector<CheckedPivot> pivots = pivots_to_check(function_);
+    body.uses_excess =
+        std::any_of(pivots.begin(), pivots.end(), [](const CheckedPivot& pivot) { return pivot.scale.has_value(); });
     body.uses_positions = std::any_of(inputs_.begin(), inputs_.end(), [this](const Input& input) {
       return input.kind == InputKind::q && is_used_by_itself(find_input(input));
     });

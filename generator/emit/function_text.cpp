@@ -46,6 +46,7 @@ class FunctionWriter {
     text.parts = body_.parts;
     text.uses_sign = body_.uses_sign;
     text.uses_sqrt = body_.uses_sqrt;
+    text.uses_excess = body_.uses_excess;
     text.uses_fma = body_.uses_fma;
     text.uses_limbs = body_.uses_limbs;
     text.uses_trigonometry = body_.uses_trigonometry();

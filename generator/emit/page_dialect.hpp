@@ -30,7 +30,8 @@ struct CodeContent {
   std::vector<FunctionText> texts{};   // by function
   std::vector<StageText> stages{};     // empty: none were asked for
   std::vector<std::string> exports{};  // the names that the text exports, in order
-  bool uses_sign = false, uses_sqrt = false, uses_fma = false, uses_trigonometry = false, uses_limbs = false;
+  bool uses_sign = false, uses_sqrt = false, uses_excess = false, uses_fma = false, uses_trigonometry = false,
+       uses_limbs = false;
 };
 
 class PageDialect : public Dialect {

@@ -78,6 +78,7 @@ class PageWriter {
     write_angles(header);
     header["uses_sign"] = content_.uses_sign;
     header["uses_sqrt"] = content_.uses_sqrt;
+    header["uses_excess"] = content_.uses_excess;
     header["uses_limbs"] = content_.uses_limbs;
     header["uses_fma"] = content_.uses_fma;
     header["uses_trigonometry"] = content_.uses_trigonometry;
@@ -276,6 +277,7 @@ class PageWriter {
   void note_needs(const FunctionText& text) {
     content_.uses_sign = content_.uses_sign || text.uses_sign;
     content_.uses_sqrt = content_.uses_sqrt || text.uses_sqrt;
+    content_.uses_excess = content_.uses_excess || text.uses_excess;
     content_.uses_fma = content_.uses_fma || text.uses_fma;
     content_.uses_limbs = content_.uses_limbs || text.uses_limbs;
     content_.uses_trigonometry = content_.uses_trigonometry || text.uses_trigonometry;

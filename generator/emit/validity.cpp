@@ -22,9 +22,9 @@ std::string ValidityText::checked(const CheckedPivot& pivot) const {
   if (!pivot.scale) return value;
   const auto unsigned_text = [](const std::string& text) { return text[0] == '-' ? text.substr(1) : text; };
   const std::string scale = printer_.use(*pivot.scale);
-  const bool is_negative = value[0] == '-', is_below = scale[0] == '-';
-  return fmt::format("{} {} {} * {} {} {}", scale, is_negative ? '-' : '+', dialect_.literal(kPivotSignificance),
-                     unsigned_text(value), is_below ? '+' : '-', unsigned_text(scale));
+  const std::string sum = fmt::format("{} {} {} * {}", scale, value[0] == '-' ? '-' : '+',
+                                      dialect_.literal(kPivotSignificance), unsigned_text(value));
+  return dialect_.excess(sum, scale);
 }
 
 std::string ValidityText::statements(const Function& function, const std::vector<std::string>& output_names) const {

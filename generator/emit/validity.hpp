@@ -28,8 +28,8 @@ class ValidityText {
  public:
   ValidityText(const ExpressionPrinter& printer, const Dialect& dialect) : printer_(printer), dialect_(dialect) {}
 
-  // The value that must be positive: "D_1", or "b_1_1 + Scalar(0.015625) * D_1 - b_1_1", evaluated from left to right,
-  // so that it is 0 if D_1 is lost beside b_1_1.
+  // The value that must be positive: "D_1", or the excess of "b_1_1 + Scalar(0.015625) * D_1" over "b_1_1", which is 0
+  // if D_1 is lost beside b_1_1.
   std::string checked(const CheckedPivot& pivot) const;
 
   // All checks, from the definition of `valid` to its return. `output_names`: the arrays that hold the outputs.

@@ -48,6 +48,7 @@ CFile::CFile(const EmittedText& text, const FileContents& contents) : FileReader
   fill("smallest", is_float ? "0x1p-126f" : "0x1p-1022");
   fill("or_double", is_float ? "" : "&& method != 1");
   fill("bits", is_float ? "uint32_t" : "uint64_t");
+  fill("signed_bits", is_float ? "int32_t" : "int64_t");
   fill("most_angle", is_float ? "6400.0f" : "1e5");
   fill("hash_of_sines", is_float ? "0x803948b6889bcc50" : "0x7b037ac8b2e0683c");
   fill("places", is_float ? "8388608.0f" : "4503599627370496.0");
@@ -79,6 +80,7 @@ void CFile::file() {
   header();
   source();
   require_helper("sign()", has_sign_, uses({prefixed("sign")}));
+  require_helper("excess()", has_excess_, uses({prefixed("excess")}));
   require_helper("sines_and_cosines()", has_sines_, uses({prefixed("sines_and_cosines")}));
   require_helper("fma()", has_fma_, uses({prefixed("fma")}));
   require_helper("<math.h>", has_math_,
@@ -112,6 +114,7 @@ void CFile::source() {
   for (const FileTable& each : contents_.tables) define(each);
   for (const FileTable& each : contents_.base_tables) define(each);
   has_sign_ = accept(kCSign);
+  has_excess_ = accept(kCExcess);
   has_fma_ = accept(kCMultiplyAdd);
   sines();
   angles();

@@ -51,7 +51,7 @@ class CFile : public FileReader {
   const ScannedFunction* given_of(const FileFunction& function) const;
   std::string returns_of(const FileFunction& function) const;
 
-  bool has_math_ = false, has_sign_ = false, has_fma_ = false, has_sines_ = false;
+  bool has_math_ = false, has_sign_ = false, has_excess_ = false, has_fma_ = false, has_sines_ = false;
   bool has_limits_missing_ = false;  // a table has HUGE_VAL, which <math.h> defines
 };
 

@@ -28,6 +28,7 @@ void CppFile::file() {
   if (is_pair()) source();
   require_helper("sign()", has_sign_, uses({"detail", "::", "sign"}));
   require_helper("sqrt()", has_sqrt_, uses({"detail", "::", "sqrt"}));
+  require_helper("Excess", has_excess_, uses({"detail", "::", "Excess", "<", "Scalar"}));
   require_helper("MultiplyAdd", has_fma_, uses({"MultiplyAdd", "<", "Scalar", ">", "fma"}));
   require_helper("Limbs", has_limbs_, uses({"detail", "::", "Limbs", "<", "Scalar"}));
   require_helper("LibrarySinCos", has_sines_, uses({"sin_cos"}));
@@ -78,6 +79,7 @@ void CppFile::source() {
   expect("namespace $namespace$ {");
   has_sign_ = accept(kCppSign);
   has_sqrt_ = accept(kCppSqrt);
+  has_excess_ = accept(kCppExcess);
   has_fma_ = accept(kCppMultiplyAdd);
   has_limbs_ = accept(kCppLimbs);
   if (has_sines_ && has_polynomials()) {
@@ -146,6 +148,7 @@ void CppFile::helpers() {
   if (!is_pair()) {
     has_sign_ = accept(kCppSign);
     has_sqrt_ = accept(kCppSqrt);
+    has_excess_ = accept(kCppExcess);
     has_fma_ = accept(kCppMultiplyAdd);
     has_limbs_ = accept(kCppLimbs);
     expect(kCppInterface);

@@ -23,7 +23,8 @@ class CppFile : public FileReader {
   std::string returns_of(const FileFunction& function, const std::string& scalar) const;
   void shape_of_array(const EmittedParameter& parameter, const std::string& name);
 
-  bool has_sign_ = false, has_sqrt_ = false, has_fma_ = false, has_limbs_ = false, has_sines_ = false;
+  bool has_sign_ = false, has_sqrt_ = false, has_excess_ = false, has_fma_ = false, has_limbs_ = false,
+       has_sines_ = false;
 
  private:
   // A function that has been read, as others name it.

@@ -47,6 +47,7 @@ void CudaFile::file() {
   expect("}\n#endif");
   require_helper("sign()", has_sign_, uses({"detail", "::", "sign"}));
   require_helper("sqrt()", has_sqrt_, uses({"detail", "::", "sqrt"}));
+  require_helper("Excess", has_excess_, uses({"detail", "::", "Excess", "<", "Scalar"}));
   require_helper("MultiplyAdd", has_fma_, uses({"MultiplyAdd", "<", "Scalar", ">", "fma"}));
   require_helper("stored()", has_stored_, uses({"detail", "::", "stored"}));
   require_helper("LibrarySinCos", has_sines_, uses({"sin_cos"}));
@@ -55,6 +56,7 @@ void CudaFile::file() {
 void CudaFile::cuda_helpers() {
   has_sign_ = accept(kCudaSign);
   has_sqrt_ = accept(kCudaSqrt);
+  has_excess_ = accept(kCudaExcess);
   has_fma_ = accept(kCudaMultiplyAdd);
   has_stored_ = accept(kCudaStored);
   has_sines_ = accept(kCudaLibrarySines);

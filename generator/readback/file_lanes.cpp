@@ -33,6 +33,7 @@ class LanesFile : public CFile {
       batch(each);
     }
     require_helper("sign()", has_sign_, uses({prefixed("sign")}));
+    require_helper("excess()", has_excess_, uses({prefixed("excess")}));
     require_helper("sqrt()", has_sqrt_, uses({prefixed("sqrt")}));
     require_helper("sines_and_cosines()", has_sines_, uses({prefixed("sines_and_cosines")}));
   }
@@ -65,6 +66,7 @@ class LanesFile : public CFile {
   void helpers() {
     expect(kLanesTypes);
     has_sign_ = accept(kLanesSign);
+    has_excess_ = accept(kLanesExcess);
     has_sqrt_ = accept(kLanesSqrt);
     has_sines_ = accept(kLanesReducedAngles);
     if (has_sines_) {
@@ -160,7 +162,7 @@ class LanesFile : public CFile {
     expect(fmt::format("$lanes$_write({0}_block, states, {1}, {0} + {1} * k);", rows.name, rows.length));
   }
 
-  bool has_sign_ = false, has_sqrt_ = false, has_sines_ = false;
+  bool has_sign_ = false, has_excess_ = false, has_sqrt_ = false, has_sines_ = false;
   std::string exported_, verdict_;
 };
 

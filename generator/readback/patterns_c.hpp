@@ -8,6 +8,15 @@ inline constexpr const char* kCSign = R"(
 static $real$ $prefix$sign($real$ x) { return ($real$)((x > 0.0$f$) - (x < 0.0$f$)); }
 )";
 
+inline constexpr const char* kCExcess = R"(
+static $real$ $prefix$excess($real$ sum, $real$ term) {
+  $signed_bits$ bits_of_sum = 0, bits_of_term = 0;
+  (void)memcpy(&bits_of_sum, &sum, sizeof(sum));
+  (void)memcpy(&bits_of_term, &term, sizeof(term));
+  return ($real$)(bits_of_sum > bits_of_term);
+}
+)";
+
 inline constexpr const char* kCMultiplyAdd = R"(
 static inline $real$ $prefix$fma($real$ a, $real$ b, $real$ c) {
 #if defined(__FMA__) || defined(__aarch64__) || defined(__FP_FAST_FMA$F$) || \

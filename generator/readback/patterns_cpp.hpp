@@ -16,6 +16,32 @@ template <class Scalar>
 static inline Scalar sqrt(const Scalar& x) noexcept { using std::sqrt; return sqrt(x); }
 })";
 
+inline constexpr const char* kCppExcess = R"(
+namespace detail {
+template <class Scalar>
+struct Excess {
+  static Scalar of(const Scalar& sum, const Scalar& term) noexcept { return sum - term; }
+};
+template <>
+struct Excess<double> {
+  [[gnu::always_inline]] static double of(double sum, double term) noexcept {
+    int64_t bits_of_sum = 0, bits_of_term = 0;
+    memcpy(&bits_of_sum, &sum, sizeof(sum));
+    memcpy(&bits_of_term, &term, sizeof(term));
+    return double(bits_of_sum > bits_of_term);
+  }
+};
+template <>
+struct Excess<float> {
+  [[gnu::always_inline]] static float of(float sum, float term) noexcept {
+    int32_t bits_of_sum = 0, bits_of_term = 0;
+    memcpy(&bits_of_sum, &sum, sizeof(sum));
+    memcpy(&bits_of_term, &term, sizeof(term));
+    return float(bits_of_sum > bits_of_term);
+  }
+};
+})";
+
 inline constexpr const char* kCppMultiplyAdd = R"(
 namespace detail {
 void fma();

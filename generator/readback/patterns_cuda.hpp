@@ -36,6 +36,32 @@ template <class Scalar>
 FLATDYN_FUNCTION Scalar sqrt(const Scalar& x) noexcept { using std::sqrt; return sqrt(x); }
 })";
 
+inline constexpr const char* kCudaExcess = R"(
+namespace detail {
+template <class Scalar>
+struct Excess {
+  static FLATDYN_MEMBER Scalar of(Scalar sum, Scalar term) noexcept { return sum - term; }
+};
+template <>
+struct Excess<double> {
+  static FLATDYN_MEMBER double of(double sum, double term) noexcept {
+    int64_t bits_of_sum = 0, bits_of_term = 0;
+    memcpy(&bits_of_sum, &sum, sizeof(sum));
+    memcpy(&bits_of_term, &term, sizeof(term));
+    return double(bits_of_sum > bits_of_term);
+  }
+};
+template <>
+struct Excess<float> {
+  static FLATDYN_MEMBER float of(float sum, float term) noexcept {
+    int32_t bits_of_sum = 0, bits_of_term = 0;
+    memcpy(&bits_of_sum, &sum, sizeof(sum));
+    memcpy(&bits_of_term, &term, sizeof(term));
+    return float(bits_of_sum > bits_of_term);
+  }
+};
+})";
+
 inline constexpr const char* kCudaMultiplyAdd = R"(
 namespace detail {
 template <class Scalar>

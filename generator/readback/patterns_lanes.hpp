@@ -33,6 +33,13 @@ static inline $lanes$ $lanes$_sign($lanes$ x) {
 }
 )";
 
+inline constexpr const char* kLanesExcess = R"(
+static inline $lanes$ $lanes$_excess($lanes$ sum, $lanes$ term) {
+  const $lanes$ zeros = {0};
+  return $lanes$_where(($mask$)sum > ($mask$)term, $lanes$_all(1.0), zeros);
+}
+)";
+
 inline constexpr const char* kLanesSqrt = R"(
 static inline $lanes$ $lanes$_sqrt($lanes$ x) {
   for (size_t lane = 0; lane < $lanes$_count; ++lane) x[lane] = sqrt(x[lane]);

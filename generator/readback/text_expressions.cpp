@@ -80,6 +80,7 @@ int TextReader::factor() {
   if (notation_.is_cpp && accept("detail")) {
     expect("::");
     const std::string function = take();
+    if (function == "Excess") expect_all({"<", "Scalar", ">", "::", "of"});
     expect("(");
     return function == "stored" ? stored_entry() : function_call(function);
   }
@@ -95,7 +96,9 @@ int TextReader::factor() {
                                                               : "sqrt";
     if (function == root) return function_call("sqrt");
     if (!notation_.has_lanes && function.ends_with("_fma") && text_.parts_.count(function) != 0) return multiply_add();
-    if (!function.ends_with("_sign") || text_.parts_.count(function) == 0) fail("an unknown function");
+    const bool is_own = text_.parts_.count(function) != 0;
+    if (is_own && function.ends_with("_excess")) return function_call("Excess");
+    if (!function.ends_with("_sign") || !is_own) fail("an unknown function");
     return function_call("sign");
   }
   return named_value(take());
@@ -118,8 +121,13 @@ int TextReader::same_in_all_lanes() {
   return value;
 }
 
-// Reads the argument of sign or sqrt, after the opening bracket.
+// Reads the arguments of sign, sqrt or Excess, after the opening bracket.
 int TextReader::function_call(const std::string& function) {
+  if (function == "Excess") {
+    const int value = sum();
+    expect(",");
+    return lines_.subtract(value, in_brackets());
+  }
   if (function == "sign") return lines_.sign(scalar_in_brackets());
   if (function != "sqrt") fail("an unknown function");
   return lines_.sqrt(scalar_in_brackets());

@@ -107,6 +107,10 @@ std::string CDialect::infinity(bool negative) const {
 
 std::string CDialect::sign(const std::string& of) const { return global("sign(") + of + ")"; }
 
+std::string CDialect::excess(const std::string& sum, const std::string& term) const {
+  return fmt::format("{}({}, {})", global("excess"), sum, term);
+}
+
 std::string CDialect::sqrt(const std::string& of) const { return library("sqrt") + "(" + of + ")"; }
 
 std::string CDialect::fused(const std::string& a, const std::string& b, const std::string& c) const {
@@ -248,6 +252,7 @@ void CDialect::write_page(data& page, const CodeContent& content) const {
   page["hash_of_sines"] = std::string(is_float ? "0x803948b6889bcc50" : "0x7b037ac8b2e0683c");
   page["places"] = std::string(is_float ? "8388608.0f" : "4503599627370496.0");
   page["bits"] = std::string(is_float ? "uint32_t" : "uint64_t");
+  page["signed_bits"] = std::string(is_float ? "int32_t" : "int64_t");
   const std::string statements =
       known_answer_statements(content, {scalar(), global(""), global("parameters"), "&parameters", ""});
   const char* const polynomials = is_float ? templates::polynomials_of_floats_c : templates::polynomials_of_doubles_c;

@@ -27,6 +27,7 @@ class CDialect : public PageDialect {
   std::string infinity(bool negative) const override;
   std::string sign(const std::string& of) const override;
   std::string sqrt(const std::string& of) const override;
+  std::string excess(const std::string& sum, const std::string& term) const override;
   std::string fused(const std::string& a, const std::string& b, const std::string& c) const override;
   std::string parameter(const std::string& member) const override;
   bool has_given_variants() const override { return true; }

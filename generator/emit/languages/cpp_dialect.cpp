@@ -61,6 +61,10 @@ std::string CppDialect::sign(const std::string& of) const { return "detail::sign
 
 std::string CppDialect::sqrt(const std::string& of) const { return "detail::sqrt(" + of + ")"; }
 
+std::string CppDialect::excess(const std::string& sum, const std::string& term) const {
+  return fmt::format("detail::Excess<Scalar>::of({}, {})", sum, term);
+}
+
 std::string CppDialect::fused_begin() const {
   return code_line("constexpr detail::MultiplyAdd<Scalar> fma{};", kStatementIndent);
 }
@@ -122,11 +126,13 @@ void CppDialect::write_page(data& page, const CodeContent& content) const {
   page["asks_runtime?"] = !is_pair();  // header and source are compiled without the runtime
   page["header_sign?"] = content.uses_sign && !is_pair();
   page["header_sqrt?"] = content.uses_sqrt && !is_pair();
+  page["header_excess?"] = content.uses_excess && !is_pair();
   page["header_fma?"] = content.uses_fma && !is_pair();
   page["header_limbs?"] = content.uses_limbs && !is_pair();
   page["limb_operators"] = list_of({"+", "-", "*", "/"});
   page["limbs_type"] = without_newline(rendered(templates::limbs_hpp, page));
   page["multiply_add"] = without_newline(rendered(templates::multiply_add_hpp, page));
+  page["excess"] = without_newline(rendered(templates::excess_hpp, page));
   page["header_angles?"] = content.uses_trigonometry && !content.scope.angles.empty() && !is_pair();
   page["polynomial_sines"] = without_newline(rendered(templates::polynomial_sines_hpp, page));
   write_known_answer(page, content);

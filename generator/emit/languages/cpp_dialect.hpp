@@ -22,6 +22,7 @@ class CppDialect : public PageDialect {
   std::string infinity(bool negative) const override;
   std::string sign(const std::string& of) const override;
   std::string sqrt(const std::string& of) const override;
+  std::string excess(const std::string& sum, const std::string& term) const override;
   std::string fused_begin() const override;
   // One call for the sines and cosines of all joints, so that they can be evaluated together.
   std::string filled_sines(const std::set<int>& angles, const HeaderScope& scope) const override;
