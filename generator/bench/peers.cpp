@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/floating_base.hpp"
 #include "model/physical_inertia.hpp"
 #include "model/spherical_joint.hpp"
 #include "templates.hpp"
@@ -75,6 +76,7 @@ std::string unknown_to_others(const Mechanism& mechanism) {
   if (any_body(mechanism, [](const Body& body) { return body.rotor.has_value(); })) return "it knows no rotors";
   const auto has_friction = [](const Body& body) { return !body.viscous.is_zero() || !body.coulomb.is_zero(); };
   if (any_body(mechanism, has_friction)) return "its friction is another one";
+  if (has_base_armature(mechanism)) return "its base moves freely, without armature";
   if (mechanism.has_springs()) return "its springs are not part of it";
   return "";
 }

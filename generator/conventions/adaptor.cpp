@@ -26,6 +26,7 @@ class AdaptorWriter {
         text_(code.texts[function]),
         floats_(code.mechanism.floating_base),
         is_plain_(code.convention.is_plain() || !floats_),
+        is_rubbed_(flatdyn::is_rubbed(function_, code.mechanism, code.convention)),
         size_(code.mechanism.size()),
         pose_(pose_entries(code.mechanism)) {}
 
@@ -63,6 +64,13 @@ class AdaptorWriter {
       if (kind == InputKind::q) {
         if (has_other_quaternions(convention_, code_.mechanism)) reorder_joints();
         arguments_.push_back(positions());
+      } else if (kind == InputKind::tau && is_rubbed_) {
+        const std::string core = argument.name + "_b";
+        convert(argument,
+                is_plain_ ? fmt::format("for (int k = 0; k < {}; ++k) {}[k] = tau[k];", argument.length, core)
+                          : fmt::format("base.to_core(tau, {});", core),
+                core);
+        oppose_friction(core, "-");
       } else if (is_plain_ && (kind != InputKind::h_e || !floats_)) {
         arguments_.push_back(argument.name);
       } else if (kind == InputKind::h_e) {
@@ -94,6 +102,15 @@ class AdaptorWriter {
     arguments_.push_back(core);
   }
 
+  // The statements that add friction of the base's origin to a force in base axes, or with "-" take it away.
+  static std::string friction_added_to(const std::string& force, const std::string& sign) {
+    return fmt::format("base.friction(v, f_b);\nfor (int k = 0; k < 3; ++k) {0}[k] = {0}[k] {1} f_b[k];", force, sign);
+  }
+  void oppose_friction(const std::string& force, const std::string& sign) {
+    locals_.emplace_back("f_b[3]");
+    conversions_.push_back(with_replaced(friction_added_to(force, sign), "\n", "\n  "));
+  }
+
   // Whether the function is called as from a frame that moves with the base's origin at the moment.
   bool sees_from_origin() const {
     return floats_ && convention_.linear_in_world &&
@@ -106,13 +123,25 @@ class AdaptorWriter {
       const std::string& name = text_.outputs[k].name;
       parameters_.push_back("Scalar* " + name);
       const std::string statement = conversion_of(function_.outputs[k], name);
+      if (needs_friction(function_.outputs[k])) locals_.emplace_back("f_b[3]");
       if (!statement.empty()) results_.push_back(statement);
     }
     if (!results_.empty()) needs_base_ = true;
     return !results_.empty();
   }
 
+  // Whether friction is added to this result, as no force is an argument.
+  bool needs_friction(const Output& output) const {
+    return is_rubbed_ && output.quantity == OutputQuantity::joint_torque && function_.outputs.size() == 1;
+  }
+
   std::string conversion_of(const Output& output, const std::string& name) const {
+    const std::string turned = turned_result(output, name);
+    if (!needs_friction(output)) return turned;
+    return friction_added_to(name, "+") + (turned.empty() ? "" : "\n" + turned);
+  }
+
+  std::string turned_result(const Output& output, const std::string& name) const {
     if (!floats_) return "";
     switch (output.quantity) {
       case OutputQuantity::joint_torque:
@@ -251,8 +280,9 @@ class AdaptorWriter {
   const Convention& convention_;
   const Function& function_;
   const FunctionText& text_;
-  const bool floats_;    // whether the base does
-  const bool is_plain_;  // whether v, a and tau are as in flatdyn's functions
+  const bool floats_;     // whether the base does
+  const bool is_plain_;   // whether v, a and tau are as in flatdyn's functions
+  const bool is_rubbed_;  // whether friction of the base's origin is added
   const int size_;
   const int pose_;  // entries of q that are the base's
   CppDialect dialect_;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "conventions/adaptor.hpp"
 #include "conventions/coverage.hpp"
 #include "conventions/meanings.hpp"
@@ -28,6 +30,17 @@ const char* const kStretchedJoint =
     "The quaternion of a spherical joint is used as it is: with |q|^2 = 1 + e it is a matrix that is off by 2 |e| "
     "at most.";
 
+std::string friction_text(const Mechanism& mechanism, const Convention& convention) {
+  const FrictionOfOrigin friction = friction_of_origin(mechanism, convention);
+  if (friction.is_zero()) return "";
+  return fmt::format(
+      "Friction of the base that depends on the velocity of its origin along axes of the world is added "
+      "here{}. But for it: ",
+      vanishes(friction.coulomb) ? ""
+                                 : ", its Coulomb friction as well, which flatdyn's own functions "
+                                   "leave out");
+}
+
 // The paragraphs at the head of the file.
 std::vector<std::string> paragraphs_of(const Mechanism& mechanism, const Convention& convention) {
   if (!mechanism.floating_base) {
@@ -47,13 +60,17 @@ std::vector<std::string> paragraphs_of(const Mechanism& mechanism, const Convent
                   "sixth power at most. A length that is wrong by 1e-7 makes at most 6.1e-7 of the sum of the terms' "
                   "magnitudes. {}integrate() returns quaternions of unit length, and has the digits of double.",
                   mechanism.has_spherical_joints() ? std::string(kStretchedJoint) + " " : ""),
-      convention.linear_in_world
-          ? "Torques depend on the velocity of the base's origin through its acceleration only. So where the "
-            "acceleration is an argument, or zero, the functions called are given the base as it is for an observer "
-            "who moves with the origin at the moment: without linear velocity, and no omega x v is added and taken "
-            "away again."
-          : "Velocities of the base are in axes that turn. The acceleration of its origin is its linear part of a plus "
-            "omega x v, in base axes; for spatial vectors a is the spatial acceleration of the base."};
+      friction_text(mechanism, convention) +
+          (convention.linear_in_world
+               ? "Torques depend on the velocity of the base's origin through its acceleration only. So where the "
+                 "acceleration is an argument, or zero, the functions called are given the base as it is for an "
+                 "observer "
+                 "who moves with the origin at the moment: without linear velocity, and no omega x v is added and "
+                 "taken "
+                 "away again."
+               : "Velocities of the base are in axes that turn. The acceleration of its origin is its linear part of a "
+                 "plus "
+                 "omega x v, in base axes; for spatial vectors a is the spatial acceleration of the base.")};
 }
 
 std::vector<std::string> prose(const Mechanism& mechanism, const Convention& convention) {
@@ -189,7 +206,30 @@ class ConventionWriter {
     page["linear"] = std::string(convention_.angular_first ? "3 + " : "");
     page["angular"] = std::string(convention_.angular_first ? "" : "3 + ");
     page["gravity?"] = mechanism_.has_base_gravity();
+    write_friction(page);
     if (mechanism_.has_base_gravity()) page["gravity"] = gravity_statement(mechanism_.gravity, CppDialect());
+  }
+
+  void write_friction(data& page) const {
+    const FrictionOfOrigin friction = friction_of_origin(mechanism_, convention_);
+    const bool is_used = std::any_of(code_.functions.begin(), code_.functions.end(), [this](const Function& function) {
+      return is_rubbed(function, mechanism_, convention_);
+    });
+    page["friction?"] = is_used;
+    if (!is_used) return;
+    const CppDialect dialect;
+    std::string sum;
+    const auto add = [&](const Number& factor, const std::string& of) {
+      if (vanishes(factor)) return;
+      if (!is_rational(factor)) {
+        throw Failure(ExitCode::unsupported, "--convention: friction of the base is not a number",
+                      "give it a number in the file");
+      }
+      sum += fmt::format("{}{} * {}", sum.empty() ? "" : " + ", dialect.literal(to_rational(factor)), of);
+    };
+    add(friction.viscous, "f_b[k]");
+    add(friction.coulomb, core_ + "::detail::sign(f_b[k])");
+    page["friction"] = without_newline(code_line(fmt::format("for (int k = 0; k < 3; ++k) f_b[k] = {};", sum), 4));
   }
 
   bool has_screw() const { return mechanism_.floating_base && !convention_.linear_in_world; }

@@ -66,6 +66,10 @@ bool has_two_parts(const Function& function) {
          std::any_of(function.outputs.begin(), function.outputs.end(), has_parts);
 }
 
+bool takes(const Function& function, InputKind kind) {
+  return std::find(function.inputs.begin(), function.inputs.end(), kind) != function.inputs.end();
+}
+
 }  // namespace
 
 bool is_of_inertia(const Function& function) {
@@ -89,6 +93,20 @@ bool depends_on_acceleration(const Output& output) {
   }
 }
 
+FrictionOfOrigin friction_of_origin(const Mechanism& mechanism, const Convention& convention) {
+  if (!mechanism.floating_base) return {};
+  const Body& turning = mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)];
+  return {convention.linear_in_world ? turning.viscous : Number(0), turning.coulomb};
+}
+
+bool is_rubbed(const Function& function, const Mechanism& mechanism, const Convention& convention) {
+  const auto is_dynamic = [](const Output& output) {
+    return output.quantity == OutputQuantity::joint_torque || output.quantity == OutputQuantity::joint_acceleration;
+  };
+  return takes(function, InputKind::v) && std::any_of(function.outputs.begin(), function.outputs.end(), is_dynamic) &&
+         !friction_of_origin(mechanism, convention).is_zero();
+}
+
 bool has_other_quaternions(const Convention& convention, const Mechanism& mechanism) {
   return !convention.scalar_first && mechanism.has_spherical_joints();
 }
@@ -109,6 +127,10 @@ std::string why_not(const Function& adapted, const std::vector<Function>& all, c
   if (!knows_all) return "its results are flatdyn's own";
   if (find_row(adapted.name)->traits.depends_on_gravity_only && adapted.outputs[0].quantity == OutputQuantity::energy) {
     return "it is about the base's origin: add -m g_0^T p to flatdyn's own";
+  }
+  const bool adds_friction = takes(adapted, InputKind::tau) || adapted.outputs.size() == 1;
+  if (is_rubbed(adapted, mechanism, convention) && !adds_friction) {
+    return "the base's friction along the axes of the world has a part in it";
   }
   if (is_coriolis(adapted) && convention.linear_in_world && std::none_of(all.begin(), all.end(), is_of_inertia)) {
     return "in axes of the world it needs inertia_matrix, too";

@@ -133,7 +133,11 @@ class TomlWriter {
   void write_base(const CleanLink& base) {
     text_ += "\n[base]\n";
     add("name", toml_string(base.name));
-    if (robot_.floating_base) add("motion", "\"floating\"");
+    if (robot_.floating_base) {
+      add("motion", "\"floating\"");
+      const BaseJoint& joint = robot_.base_joint;
+      write_values({{"armature", &joint.armature}, {"viscous", &joint.viscous}, {"coulomb", &joint.coulomb}}, "base");
+    }
     if (base.body) write_body(*base.body, "link \"" + base.name + "\"");
   }
 
@@ -188,16 +192,17 @@ class TomlWriter {
     add("inertia_about", "\"com\"");
   }
 
+  // Those that are not zero.
+  void write_values(const std::vector<std::pair<const char*, const Value*>>& values, const std::string& what) {
+    for (const auto& [key, value] : values) {
+      if (!vanishes(value->number)) add(key, number(value->number, what + ", " + key));
+    }
+  }
+
   void write_motion(const Joint& joint, const std::string& what) {
-    const auto value = [&](const char* key, const Value& each) {
-      if (!vanishes(each.number)) add(key, number(each.number, what + ", " + key));
-    };
-    value("viscous", joint.viscous);
-    value("coulomb", joint.coulomb);
-    value("armature", joint.armature);
+    write_values({{"viscous", &joint.viscous}, {"coulomb", &joint.coulomb}, {"armature", &joint.armature}}, what);
     if (!vanishes(joint.stiffness.number)) {
-      value("stiffness", joint.stiffness);
-      value("spring_reference", joint.spring_reference);
+      write_values({{"stiffness", &joint.stiffness}, {"spring_reference", &joint.spring_reference}}, what);
     }
     if (joint.coupled) add("position", position_of(*joint.coupled));
     std::string limits;

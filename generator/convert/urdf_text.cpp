@@ -52,6 +52,11 @@ class UrdfWriter {
 
   void refuse_what_urdf_lacks() {
     const Place file{robot_.file, 0};
+    for (const Value* value : {&robot_.base_joint.armature, &robot_.base_joint.viscous, &robot_.base_joint.coulomb}) {
+      if (!robot_.floating_base || vanishes(value->number)) continue;
+      refuse(value->place, "that a base that floats has armature or friction of its own");
+      break;
+    }
     const Vec3 usual = {0, 0, exact_decimal("-9.81")};
     for (std::size_t i = 0; i < 3; ++i) {
       if (vanishes(robot_.gravity[i] - usual[i])) continue;

@@ -203,8 +203,11 @@ class NumberComparison {
       compare_vector(subject, body.p, {0, 0, 0}, reach_ + 1);
       const bool has_inertia = body.inertia.mass != 0 || length_sum(body.inertia.first_moment) != 0;
       require(!has_inertia || k + 1 == base_bodies(), subject);
-      require(body.armature == 0 && body.viscous == 0 && body.coulomb == 0 && body.stiffness == 0 && !body.rotor,
-              subject);
+      require(body.stiffness == 0 && !body.rotor, subject);
+      compare_own(subject + ": its armature", body.armature, robot_.base_joint.armature);
+      compare_own(subject + ": its viscous friction", body.viscous, robot_.base_joint.viscous);
+      compare_own(subject + ": its Coulomb friction", body.coulomb,
+                  body.prismatic ? Value{} : robot_.base_joint.coulomb);
     }
   }
 

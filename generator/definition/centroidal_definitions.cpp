@@ -48,9 +48,19 @@ Matrix<F> first_rows(const Matrix<F>& m, int count) {
   return result;
 }
 
+// The first rows of B without the base's armature, which is a diagonal that no link has.
+template <class Point, class F = typename Point::F>
+Matrix<F> momentum_rows(Point& at, int count) {
+  Matrix<F> result = first_rows(at.lagrangian.inertia(), count);
+  for (int i = 0; i < count; ++i) {
+    result(i, i) += -at.lagrangian.mechanism().bodies[static_cast<std::size_t>(i)].armature;
+  }
+  return result;
+}
+
 template <class Point>
 auto momentum_matrix(Point& at) {
-  auto A = first_rows(at.lagrangian.inertia(), kTwist);
+  auto A = momentum_rows(at, kTwist);
   move_to_centre(whole_robot(at).centre(), A);
   return A.entries();
 }
@@ -59,8 +69,13 @@ template <class Point>
 auto momentum_bias(Point& at) {
   using F = typename Point::F;
   const auto torques = times(at.coriolis_matrix(), at.qd());
+  const auto turning = base_drift(at.qd());  // first ω × v, which the armature takes part in
   Matrix<F> b(kTwist, 1);
-  for (int i = 0; i < kTwist; ++i) b(i, 0) = torques[static_cast<std::size_t>(i)];
+  for (int i = 0; i < kTwist; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    b(i, 0) = torques[row];
+    if (i < kLinear) b(i, 0) += -(at.lagrangian.mechanism().bodies[row].armature * turning[row]);
+  }
   move_to_centre(whole_robot(at).centre(), b);
   return b.entries();
 }
@@ -71,7 +86,7 @@ auto centre(Point& at, const Output& output) {
   const WholeRobot<F> robot = whole_robot(at);
   const Vector3<F> r = robot.centre();
   if (output.name == "r_G") return std::vector<F>(r.begin(), r.end());
-  std::vector<F> J = first_rows(at.lagrangian.inertia(), kLinear).entries();
+  std::vector<F> J = momentum_rows(at, kLinear).entries();
   for (F& entry : J) entry = entry / robot.mass;
   return J;
 }

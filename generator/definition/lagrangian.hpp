@@ -222,7 +222,8 @@ class Lagrangian {
     const FieldBody<F>& body = mechanism_.bodies[static_cast<std::size_t>(i)];
     const Pose3<S>& pose = poses[static_cast<std::size_t>(i)];
     const Vector3<S> h = times(pose.R, body.inertia.first_moment);
-    const Matrix3<S> I = times(times(pose.R, body.inertia.inertia), transposed(pose.R));
+    Matrix3<S> I = times(times(pose.R, body.inertia.inertia), transposed(pose.R));
+    if (i + 1 == mechanism_.base_bodies) add_armature_of_turns(I);
     std::vector<std::pair<int, Column<S>>> columns;
     for (int j = i; j >= 0; j = parent(j)) columns.emplace_back(j, joint_column(poses, j, pose.p));
     for (const auto& [j, column] : columns) {
@@ -238,11 +239,20 @@ class Lagrangian {
     add_rotor(poses, i, B);
   }
 
+  // A floating base's armature about its axes is that of ω, whose components are no rates of coordinates: its energy is
+  // half of it times ω·ω.
+  template <class S>
+  void add_armature_of_turns(Matrix3<S>& I) const {
+    const F& armature = mechanism_.bodies[static_cast<std::size_t>(mechanism_.base_bodies - 1)].armature;
+    for (std::size_t k = 0; k < 3; ++k) I[k][k] += S(armature);
+  }
+  bool turns_base(int i) const { return i < mechanism_.base_bodies && i >= mechanism_.base_bodies / 2; }
+
   // Adds the contribution of joint i's spinning rotor, (7.29), (7.64), beyond the augmented link.
   template <class S>
   void add_rotor(const std::vector<Pose3<S>>& poses, int i, Matrix<S>& B) const {
     const FieldBody<F>& body = mechanism_.bodies[static_cast<std::size_t>(i)];
-    B(i, i) += S(body.armature);
+    if (!turns_base(i)) B(i, i) += S(body.armature);
     if (!body.rotor) return;
     const FieldRotor<F>& rotor = *body.rotor;
     const F spin = rotor.gear_ratio * rotor.inertia;

@@ -43,6 +43,7 @@ class WrittenEnergies {
     for (std::size_t l = 0; l < robot_.links.size(); ++l) {
       for (const Inertial& inertial : robot_.links[l].inertials) add_inertial(inertial, links_[l]);
     }
+    if (robot_.floating_base) add_armature_of_base();
     const std::vector<int> joints = moving_joints(robot_);
     std::size_t body = rates_.size();  // before those of the joints: the motion of a floating base
     for (const int j : joints) body -= bodies_of(robot_.joints[static_cast<std::size_t>(j)]);
@@ -60,6 +61,12 @@ class WrittenEnergies {
   }
 
  private:
+  // ½ (v·v + ω·ω) times it, with the first six rates.
+  void add_armature_of_base() {
+    const F armature = numbers_.number(robot_.base_joint.armature.number);
+    for (std::size_t k = 0; k < 6; ++k) sum_.kinetic += half_ * armature * rates_[k] * rates_[k];
+  }
+
   // The spring of body i's joint: ½ k (q - q_0)².
   void add_spring(const Joint& joint, std::size_t i) {
     F stretch = q_[i].d + -numbers_.number(joint.spring_reference.number);

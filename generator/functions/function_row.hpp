@@ -61,6 +61,7 @@ struct FunctionTraits {
   bool needs_floating_base = false;      // whether it is there for robots with a floating base only
   bool needs_rates = false;              // whether velocities have to be the derivatives of coordinates
   bool leaves_out_springs = false;       // whether it is about torques without those of springs
+  bool leaves_out_base_joint = false;    // whether armature and friction of a floating base have no part in it
   bool needs_contacts = false;           // whether it is about the scene's contacts
 };
 

@@ -6,6 +6,7 @@
 #include "emit/languages/emit.hpp"
 #include "input/common/content_hash.hpp"
 #include "input/csv/names.hpp"
+#include "model/floating_base.hpp"
 #include "planning/make_functions.hpp"
 #include "symbolic/notation/number_text.hpp"
 #include "verify/compiled.hpp"
@@ -27,6 +28,14 @@ LoadedRobot as_derived(const LoadedRobot& model) {
   LoadedRobot derived = model;
   if (model.mechanism.floating_base) derived.mechanism.gravity = zero_vector();
   return derived;
+}
+
+// Regressors do not have them.
+void refuse_base_joint(const Mechanism& mechanism) {
+  if (!has_base_joint(mechanism)) return;
+  throw Failure(ExitCode::unsupported,
+                "measured motion: a floating base with armature or friction of its own is not supported",
+                "a real base has neither: write <freejoint/>, or leave armature, viscous and coulomb out of [base]");
 }
 
 std::vector<std::vector<int>> nonzero_columns(const Function& regressor) {
@@ -57,6 +66,7 @@ Eigen::VectorXd coordinate_factors(const Mechanism& mechanism, int body, int coo
 TorqueModel::TorqueModel(const LoadedRobot& model, ParameterSet set, Progress& progress)
     : model_(with_mechanism(model, with_parameter_set(model.mechanism, set))) {
   require_numbers(model.robot, "measured motion");
+  refuse_base_joint(model.mechanism);
   const LoadedRobot derived = as_derived(model_);
   base_ = base_parameters(derived.mechanism);
   for (const Number& value : base_values(model.mechanism, base_)) {

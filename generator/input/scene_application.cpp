@@ -76,6 +76,7 @@ void apply_to_joints(const Scene& scene, Diagnostics& diagnostics, Robot& robot)
     if (!scene.friction) joint.viscous.number = joint.coulomb.number = 0;
     if (!scene.springs) joint.stiffness.number = 0;
   }
+  if (!scene.friction) robot.base_joint.viscous.number = robot.base_joint.coulomb.number = 0;
 }
 
 }  // namespace flatdyn

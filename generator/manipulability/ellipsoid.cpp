@@ -8,12 +8,20 @@
 #include <cmath>
 
 #include "manipulability/tip_directions.hpp"
+#include "model/floating_base.hpp"
 #include "model/spherical_joint.hpp"
 #include "planning/make_functions.hpp"
 #include "trajectory/pace_limits.hpp"
 
 namespace flatdyn {
 namespace {
+
+// The centre of an ellipsoid is how the robot falls: with such armature, its parts do not fall alike.
+void refuse_base_armature(const Mechanism& mechanism) {
+  if (!has_base_armature(mechanism)) return;
+  throw Failure(ExitCode::unsupported, "manipulability: a floating base with armature of its own is not supported",
+                "a real base has none: write <freejoint/>, or leave armature out of [base]");
+}
 
 void refuse_angles(const Mechanism& mechanism) {
   if (!mechanism.task.has_angles()) return;
@@ -110,6 +118,7 @@ Manipulability::Manipulability(const LoadedRobot& model, const TorqueBall& torqu
       set_(torques.set),
       torque_unit_(torques.radius * torque_units(model.mechanism, torques.norm)) {
   refuse_angles(model.mechanism);
+  refuse_base_armature(model.mechanism);
   const bool has_springs = model.mechanism.has_springs(), has_torques = base_ == 0 || has_springs;
   std::vector<std::string> names = {"inertia_matrix", "jacobian"};
   if (has_torques) names.emplace_back(has_springs ? "bias" : "gravity");

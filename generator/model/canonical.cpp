@@ -208,7 +208,7 @@ Mechanism make_mechanism(const Robot& robot) {
   add_coupling(tree, mechanism);
   add_loops(robot, mechanism);
   if (!robot.floating_base) return mechanism;
-  return with_floating_base(std::move(mechanism), robot.scene.base_limits);
+  return with_base_joint(with_floating_base(std::move(mechanism), robot.scene.base_limits), robot.base_joint);
 }
 
 }  // namespace flatdyn

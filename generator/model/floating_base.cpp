@@ -75,4 +75,28 @@ Mechanism with_floating_base(Mechanism mechanism, const std::optional<BaseLimits
   return mechanism;
 }
 
+Mechanism with_base_joint(Mechanism mechanism, const BaseJoint& joint) {
+  for (int k = 0; k < mechanism.base_bodies(); ++k) {
+    Body& body = mechanism.bodies[static_cast<std::size_t>(k)];
+    body.armature = rationalised(joint.armature.number);
+    body.viscous = rationalised(joint.viscous.number);
+    if (!body.prismatic) body.coulomb = rationalised(joint.coulomb.number);
+  }
+  return mechanism;
+}
+
+bool has_base_armature(const Mechanism& mechanism) {
+  return mechanism.floating_base && !vanishes(mechanism.bodies.front().armature);
+}
+
+bool has_base_friction(const Mechanism& mechanism) {
+  if (!mechanism.floating_base) return false;
+  const Body& turning = mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)];
+  return !vanishes(turning.viscous) || !vanishes(turning.coulomb);
+}
+
+bool has_base_joint(const Mechanism& mechanism) { return has_base_armature(mechanism) || has_base_friction(mechanism); }
+
+Mechanism without_base_joint(Mechanism mechanism) { return with_base_joint(std::move(mechanism), {}); }
+
 }  // namespace flatdyn

@@ -22,6 +22,19 @@ namespace flatdyn {
 // Lets the base of a mechanism whose base is fixed move freely, within the limits if there are any.
 Mechanism with_floating_base(Mechanism mechanism, const std::optional<BaseLimits>& limits = std::nullopt);
 
+// The base of this mechanism, which floats, has the armature and friction of the joint. They are those of bodies 0 to
+// 5, in the entries of ν: the armature of the turns belongs to ω, and so is an inertia of the base link that is alike
+// about all axes; that of the slides is a mass at the base frame's origin that nothing attracts.
+Mechanism with_base_joint(Mechanism mechanism, const BaseJoint& joint);
+
+// Whether the base of a mechanism floats and has armature or friction of its own.
+bool has_base_joint(const Mechanism& mechanism);
+bool has_base_armature(const Mechanism& mechanism);
+bool has_base_friction(const Mechanism& mechanism);
+
+// The same mechanism with a base on which only forces from outside act.
+Mechanism without_base_joint(Mechanism mechanism);
+
 // The Coriolis-like part of ẍ = ν̇ - Ȧ ν: -Ȧ ν for a twist of six entries, (v, ω), over any scalar.
 //     -Ȧ ν = (ω × v, (-ω_y ω_z, ω_x ω_z, -ω_x ω_y))
 template <class S>

@@ -17,11 +17,11 @@ struct Leader {
   double factor;
 };
 
-// Converts an entry of q, counted after the base's, to the entry of q̇ from which it is integrated. Throws
-// Failure(unsupported) if a closed loop determines it.
+// Converts an entry of q, counted after the base's six, which stay, to the entry of q̇ from which it is integrated.
+// Throws Failure(unsupported) if a closed loop determines it.
 Leader rate_of(const Mechanism& mechanism, Leader leader, std::size_t body) {
-  if (!mechanism.has_loops()) return leader;
   const int base = mechanism.base_bodies();
+  if (!mechanism.has_loops() || static_cast<int>(leader.coordinate) < base) return leader;
   const auto found =
       std::find(mechanism.independent.begin(), mechanism.independent.end(), static_cast<int>(leader.coordinate) - base);
   if (found != mechanism.independent.end()) {

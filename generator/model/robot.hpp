@@ -100,6 +100,15 @@ struct FreeSymbol {
   std::string unit{};  // "kg"; empty where the file does not show it (symbols in products) and for pure numbers
 };
 
+// What acts at the six velocities of a floating base themselves, as MJCF gives it to a free joint. The armature is
+// added to the six diagonal entries of B that belong to the velocity of the base frame's origin for an observer at
+// rest, kg, and to the angular velocity in base axes, kg m^2; gravity does not act on it. Friction opposes the motion:
+// viscous friction the velocity and the angular velocity, N s/m and N m s/rad, and Coulomb friction the turns about the
+// base's axes alone, N m.
+struct BaseJoint {
+  Value armature, viscous, coulomb;
+};
+
 struct Robot;
 
 // A number that was snapped to an exact one: an angle to a multiple of pi/12 (input/common/context.hpp), or a value
@@ -138,6 +147,7 @@ struct Robot {
   std::vector<Snap> rounded_angles;
   Scene scene;                 // the user's choices for this robot, applied as far as they concern the robot
   bool floating_base = false;  // whether the root link moves freely
+  BaseJoint base_joint;        // of a floating base
 };
 
 // The indices of all joints, fixed ones too, in depth-first file order. The tree must be valid.

@@ -196,6 +196,13 @@ void check_spherical_joints(const Robot& robot, Diagnostics& diagnostics) {
   }
 }
 
+void check_base_joint(BaseJoint& joint, Diagnostics& diagnostics) {
+  const char* const against = "friction acts against the motion: write it positive";
+  check_not_negative(joint.viscous, "the base: viscous friction (damping)", against, diagnostics);
+  check_not_negative(joint.coulomb, "the base: Coulomb friction", against, diagnostics);
+  check_not_negative(joint.armature, "the base: armature", "reflected inertia is not negative", diagnostics);
+}
+
 void check_joint(Joint& joint, Diagnostics& diagnostics) {
   if (joint.type == JointType::fixed) return;
   if (joint.type == JointType::spherical) {
@@ -285,6 +292,7 @@ void validate_values(Robot& robot, const std::vector<Place>& payloads, Diagnosti
     }
   }
   for (Joint& joint : robot.joints) check_joint(joint, diagnostics);
+  if (robot.floating_base) check_base_joint(robot.base_joint, diagnostics);
   check_spherical_joints(robot, diagnostics);
   if (!complete) return;
   if (moving_joints(robot).empty() && !robot.floating_base) {

@@ -11,6 +11,7 @@
 #include "functions/function_table.hpp"
 #include "graph/count.hpp"
 #include "model/field_mechanism.hpp"
+#include "model/floating_base.hpp"
 #include "model/inertia_bound.hpp"
 #include "model/rounded_up.hpp"
 
@@ -107,6 +108,12 @@ std::string with_springs(const std::string& summary, const FunctionRow& row) {
                   "Potential energy of links, rotors and springs");
 }
 
+// The summary for a robot whose floating base has armature or friction.
+std::string with_base_joint(const std::string& summary, const FunctionRow& row) {
+  if (!row.traits.leaves_out_base_joint) return summary;
+  return summary + ", without the armature and friction of the floating base";
+}
+
 // The summary where contacts are damped: they accelerate by forces.
 std::string with_damping(const std::string& summary, const Rational& damping) {
   const std::string lambda = fmt::format(", lambda = {}", nearest_double(to_number(damping)));
@@ -120,6 +127,7 @@ std::string summary_of(const Request& request, const Mechanism& mechanism) {
   const bool floating_base = mechanism.floating_base;
   std::string summary = request.row->summary;
   if (mechanism.has_springs()) summary = with_springs(summary, *request.row);
+  if (has_base_joint(mechanism)) summary = with_base_joint(summary, *request.row);
   if (request.row->traits.needs_contacts && mechanism.contact_damping != 0) {
     summary = with_damping(summary, mechanism.contact_damping);
   }

@@ -10,6 +10,14 @@ namespace {
 namespace ref = reference;
 using At = ReferencePoint<double>;
 
+// The robot whose links alone have momentum: the armature of a floating base has no part in it.
+template <class S>
+ref::Robot<S> links_of(const ReferencePoint<S>& at) {
+  ref::Robot<S> links = at.robot;
+  links.base_armature = S(0);
+  return links;
+}
+
 template <class S>
 struct WholeRobot {
   S mass = S(0);
@@ -42,7 +50,7 @@ void move_to_centre(const ref::Vector3<S>& centre, ref::MatrixX<S>& rows) {
 
 template <class S>
 std::vector<S> momentum_matrix(const ReferencePoint<S>& at) {
-  ref::MatrixX<S> A = ref::inertia_matrix(at.robot, at.q).topRows(6);
+  ref::MatrixX<S> A = ref::inertia_matrix(links_of(at), at.q).topRows(6);
   move_to_centre(whole_robot(at).centre, A);
   return row_by_row(A);
 }
@@ -51,7 +59,7 @@ template <class S>
 std::vector<S> momentum_bias(const ReferencePoint<S>& at) {
   const ref::VectorX<S> none = ref::VectorX<S>::Zero(at.robot.size());
   ref::MatrixX<S> b =
-      ref::inverse_dynamics(at.robot, at.q, at.qd, none, {.gravity = false, .friction = false, .springs = false})
+      ref::inverse_dynamics(links_of(at), at.q, at.qd, none, {.gravity = false, .friction = false, .springs = false})
           .head(6);
   move_to_centre(whole_robot(at).centre, b);
   return row_by_row(b);
@@ -61,7 +69,7 @@ template <class S>
 std::vector<S> centre(const ReferencePoint<S>& at) {
   const WholeRobot<S> robot = whole_robot(at);
   std::vector<S> entries(robot.centre.data(), robot.centre.data() + 3);
-  const ref::MatrixX<S> J = ref::inertia_matrix(at.robot, at.q).topRows(3) / robot.mass;
+  const ref::MatrixX<S> J = ref::inertia_matrix(links_of(at), at.q).topRows(3) / robot.mass;
   const std::vector<S> more = row_by_row(J);
   entries.insert(entries.end(), more.begin(), more.end());
   return entries;
@@ -70,7 +78,7 @@ std::vector<S> centre(const ReferencePoint<S>& at) {
 // The size of the centre's terms: B's entries of turns about the base's origin, per mass.
 double length_of_centre(const At& at) {
   const WholeRobot<double> robot = whole_robot(at);
-  return ref::inertia_magnitude(at.robot, at.q).topRows(3).middleCols<3>(3).maxCoeff() / std::abs(robot.mass);
+  return ref::inertia_magnitude(links_of(at), at.q).topRows(3).middleCols<3>(3).maxCoeff() / std::abs(robot.mass);
 }
 
 // The same with magnitudes: moments, and forces times the length.
@@ -80,20 +88,20 @@ ref::MatrixX<double> about_centre(double length, ref::MatrixX<double> rows) {
 }
 
 std::vector<double> momentum_magnitude(const At& at) {
-  return row_by_row(about_centre(length_of_centre(at), ref::inertia_magnitude(at.robot, at.q).topRows(6)));
+  return row_by_row(about_centre(length_of_centre(at), ref::inertia_magnitude(links_of(at), at.q).topRows(6)));
 }
 
 std::vector<double> bias_magnitude(const At& at) {
   const ref::VectorX<double> none = ref::VectorX<double>::Zero(at.robot.size());
   const ref::MatrixX<double> n =
-      ref::torque_magnitude(at.robot, at.q, at.qd, none, {.gravity = false, .friction = false, .springs = false})
+      ref::torque_magnitude(links_of(at), at.q, at.qd, none, {.gravity = false, .friction = false, .springs = false})
           .head(6);
   return row_by_row(about_centre(length_of_centre(at), n));
 }
 
 std::vector<double> centre_magnitude(const At& at) {
   std::vector<double> entries(3, length_of_centre(at));
-  const ref::MatrixX<double> J = ref::inertia_magnitude(at.robot, at.q).topRows(3) / std::abs(whole_robot(at).mass);
+  const ref::MatrixX<double> J = ref::inertia_magnitude(links_of(at), at.q).topRows(3) / std::abs(whole_robot(at).mass);
   const std::vector<double> more = row_by_row(J);
   entries.insert(entries.end(), more.begin(), more.end());
   return entries;

@@ -13,6 +13,18 @@ double spring_magnitude(const Joint<double>& joint, double q) {
   return std::abs(joint.stiffness) * (q + std::abs(joint.spring_q_0));
 }
 
+// Adds that of a floating base's own armature and friction.
+void add_magnitude_of_base(const Robot<double>& robot, const VectorX<double>& qd, const VectorX<double>& qdd,
+                           bool friction, VectorX<double>& tau) {
+  const double armature = std::abs(robot.base_armature), viscous = std::abs(robot.base_viscous);
+  const double v = qd.head<3>().norm(), omega = qd.segment<3>(3).norm();
+  tau.head<3>().array() += armature * (qdd.head<3>().norm() + omega * v);
+  tau.segment<3>(3).array() += armature * qdd.segment<3>(3).norm();
+  if (!friction) return;
+  tau.head<3>().array() += viscous * v;
+  tau.segment<3>(3).array() += viscous * omega + (omega > 0 ? std::abs(robot.base_coulomb) : 0);
+}
+
 // The magnitude of each moving joint's torque for the magnitudes of their motion.
 VectorX<double> torque_magnitude_of_tree(const Robot<double>& robot, const VectorX<double>& q,
                                          const VectorX<double>& qd, const VectorX<double>& qdd,
@@ -66,6 +78,7 @@ VectorX<double> torque_magnitude_of_tree(const Robot<double>& robot, const Vecto
   if (robot.floating_base) {
     tau.head<3>().setConstant(f[static_cast<std::size_t>(robot.root)]);
     tau.segment<3>(3).setConstant(mu[static_cast<std::size_t>(robot.root)]);
+    add_magnitude_of_base(robot, qd, qdd, options.friction, tau);
   }
   return tau;
 }
@@ -165,6 +178,7 @@ MatrixX<double> rate_derivative_magnitude(const Robot<double>& robot, const Vect
   for (const Joint<double>& joint : robot.joints) {
     viscous.segment(std::max(joint.index, 0), joint.size()).setConstant(std::abs(joint.viscous));
   }
+  viscous.head(robot.base_size()).setConstant(std::abs(robot.base_viscous));
   MatrixX<double> friction = viscous.asDiagonal();
   if (robot.coupling.size() > 0) {
     const MatrixX<double> A = rate_coupling(robot).cwiseAbs();

@@ -46,6 +46,11 @@ class Converter {
   reference::Robot<S> run() {
     result_.root = robot_.root;
     result_.floating_base = robot_.floating_base;
+    if (robot_.floating_base) {
+      result_.base_armature = number(robot_.base_joint.armature.number);
+      result_.base_viscous = number(robot_.base_joint.viscous.number);
+      result_.base_coulomb = number(robot_.base_joint.coulomb.number);
+    }
     next_index_ = result_.base_size();
     result_.gravity = vector(robot_.gravity);
     for (const Link& link : robot_.links) add_link(link);

@@ -16,6 +16,7 @@ reference::Robot<S> without_parameters(reference::Robot<S> robot) {
   for (reference::Joint<S>& joint : robot.joints) {
     joint.viscous = joint.coulomb = joint.armature = joint.rotor.inertia = joint.stiffness = S(0);
   }
+  robot.base_armature = robot.base_viscous = robot.base_coulomb = S(0);
   return robot;
 }
 

@@ -9,6 +9,7 @@
 #include "diagnostics/table.hpp"
 #include "emit/arguments.hpp"
 #include "emit/languages/cpp_dialect.hpp"
+#include "model/floating_base.hpp"
 #include "model/spherical_joint.hpp"
 #include "passes/fuse_products.hpp"
 #include "report/number_json.hpp"
@@ -51,6 +52,21 @@ std::string text_of_loops(const Mechanism& mechanism) {
   return text;
 }
 
+// What the entries of a floating base have beside the robot's links; empty if that is nothing.
+std::string base_joint_text(const Mechanism& mechanism, const NumberText& number) {
+  if (!has_base_joint(mechanism)) return "";
+  const Body& turning = mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)];
+  std::string parts;
+  const auto add = [&](const char* name, const Number& value, const char* units) {
+    if (vanishes(value)) return;
+    parts += fmt::format("{}{} {} {}", parts.empty() ? "" : ", ", name, number(value), units);
+  };
+  add("armature", turning.armature, "kg and kg m^2");
+  add("viscous friction", turning.viscous, "N s/m and N m s/rad");
+  add("Coulomb friction of turns", turning.coulomb, "N m");
+  return fmt::format("  with {}\n", parts);
+}
+
 }  // namespace
 
 std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_effects, SnapDetail detail) {
@@ -80,6 +96,7 @@ std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_eff
         "\nfloating base, link {}: v, a and tau begin with six entries of the base, in its axes: linear, then "
         "angular\n",
         mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)].link);
+    text += base_joint_text(mechanism, number);
   }
   if (mechanism.has_spherical_joints()) {
     text +=

@@ -57,12 +57,17 @@ PartInFile part_in_file(const Link& link, ElementsOfFiles& elements) {
   return numbers.part();
 }
 
-PartInFile part_in_file(const Joint& joint, ElementsOfFiles& elements) {
-  NumbersOfPart numbers(joint.name, elements);
-  numbers.add("joint", joint.place, {});
+template <class Part>  // a joint, or the base's
+void add_friction_and_armature(const Part& joint, NumbersOfPart& numbers) {
   numbers.add("viscous friction", joint.viscous, {"damping"});
   numbers.add("Coulomb friction", joint.coulomb, {"frictionloss", "friction"});
   numbers.add("armature", joint.armature, {"armature", "value"});
+}
+
+PartInFile part_in_file(const Joint& joint, ElementsOfFiles& elements) {
+  NumbersOfPart numbers(joint.name, elements);
+  numbers.add("joint", joint.place, {});
+  add_friction_and_armature(joint, numbers);
   if (joint.motor) numbers.add("motor", joint.motor->place, {});
   numbers.add("stiffness", joint.stiffness, {"stiffness", "spring_stiffness"});
   if (!vanishes(joint.stiffness.number)) {
@@ -90,6 +95,9 @@ std::vector<PartInFile> parts_of_joints(const Robot& robot, ElementsOfFiles& ele
   for (const Joint& joint : robot.joints) {
     if (joint.type != JointType::fixed) parts.push_back(part_in_file(joint, elements));
   }
+  NumbersOfPart base("the base", elements);
+  add_friction_and_armature(robot.base_joint, base);
+  if (robot.floating_base && !base.part().numbers.empty()) parts.push_back(base.part());
   return parts;
 }
 

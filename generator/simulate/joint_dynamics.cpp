@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "simulate/joint_dynamics.hpp"
 
+#include "model/floating_base.hpp"
 #include "model/joint_friction.hpp"
 #include "planning/make_functions.hpp"
 #include "reference/reference_model.hpp"
@@ -21,6 +22,7 @@ JointDynamics::JointDynamics(const LoadedRobot& model, Progress& progress)
   const JointFriction friction = joint_friction(model.mechanism);
   viscous_ = vector_of(friction.viscous);
   coulomb_ = vector_of(friction.coulomb);
+  if (has_base_armature(model.mechanism)) base_armature_ = nearest_double(model.mechanism.bodies.front().armature);
   terms_.emplace(make_fusion(model_, {"inertia_matrix", "bias"}, progress).fusion.function);
   const std::vector<Function> functions =
       derive_numeric_functions(model_, {"gravity", "potential_energy"}, "a simulation", progress);

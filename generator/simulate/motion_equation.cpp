@@ -110,7 +110,8 @@ Eigen::Vector3d MotionEquation::centre_of_mass() const {
 
 Momentum MotionEquation::momentum(const MotionState& x) const {
   const Eigen::Map<const Eigen::VectorXd> v(x.data() + n_, n_);
-  const Eigen::Matrix<double, 2 * kDirections, 1> about_origin = dynamics_.last().B.topRows<2 * kDirections>() * v;
+  Eigen::Matrix<double, 2 * kDirections, 1> about_origin = dynamics_.last().B.topRows<2 * kDirections>() * v;
+  about_origin -= dynamics_.base_armature() * v.head<2 * kDirections>();
   const Eigen::Vector3d linear = about_origin.head<kDirections>(), angular = about_origin.tail<kDirections>();
   const Eigen::Quaterniond turned = orientation(x);
   return {turned * linear, turned * Eigen::Vector3d(angular - centre_of_mass().cross(linear))};
@@ -141,12 +142,23 @@ void MotionEquation::turn_by_rates(const MotionState& x, MotionState& dx) const 
   }
 }
 
+// The force and moment on the base, of which its own armature and friction take some.
+Eigen::VectorXd MotionEquation::wrench_on_links(const MotionState& x, const ContactMotion& now) const {
+  constexpr Eigen::Index kBase = 2 * kDirections;
+  const Eigen::Map<const Eigen::VectorXd> v(x.data() + n_, kBase);
+  Eigen::VectorXd acceleration = now.qdd.head(kBase);
+  acceleration.head<kDirections>() += v.tail<kDirections>().cross(v.head<kDirections>());
+  return tau_.head(kBase) + now.lambda.head(kBase) - dynamics_.viscous().head(kBase).cwiseProduct(v) -
+         dynamics_.base_armature() * acceleration;
+}
+
 // ṗ = R v; forces of the base and gravity add to the momentum.
-void MotionEquation::move_base(const MotionState& x, MotionState& dx) const {
+void MotionEquation::move_base(const MotionState& x, const ContactMotion& now, MotionState& dx) const {
   const Eigen::Map<const Eigen::Vector3d> v(x.data() + n_);
   const Eigen::Quaterniond turned = orientation(x);
   Eigen::Map<Eigen::Vector3d>(dx.data()) = turned * v;
-  const Eigen::Vector3d force = tau_.head<kDirections>(), moment = tau_.segment<kDirections>(kDirections);
+  const Eigen::VectorXd wrench = wrench_on_links(x, now);
+  const Eigen::Vector3d force = wrench.head<kDirections>(), moment = wrench.tail<kDirections>();
   double* const first = dx.data() + 2 * n_ + 3;
   Eigen::Map<Eigen::Vector3d>{first} = turned * force + mass() * gravity_;
   Eigen::Map<Eigen::Vector3d>{first + kDirections} = turned * Eigen::Vector3d(moment - centre_of_mass().cross(force));
@@ -169,7 +181,7 @@ void MotionEquation::operator()(const MotionState& x, MotionState& dx, double t)
   derivative(2 * n_) = qd.dot(tau_);
   derivative(2 * n_ + 1) = qd.dot(dynamics_.viscous().cwiseProduct(qd) - now.lambda);
   turn_by_rates(x, dx);
-  if (has_base()) move_base(x, dx);
+  if (has_base()) move_base(x, now, dx);
 }
 
 double MotionEquation::kinetic_energy(const MotionState& x) const {

@@ -84,9 +84,10 @@ class MotionEquation {
   Eigen::Quaterniond orientation(const MotionState& x) const;
   void turn_bodies(const MotionState& x);  // before anything is evaluated at x
   const MotionTerms& terms_at(const MotionState& x);
-  void move_base(const MotionState& x, MotionState& dx) const;
+  void move_base(const MotionState& x, const ContactMotion& now, MotionState& dx) const;
+  Eigen::VectorXd wrench_on_links(const MotionState& x, const ContactMotion& now) const;
   void turn_by_rates(const MotionState& x, MotionState& dx) const;
-  double mass() const { return dynamics_.last().B(0, 0); }
+  double mass() const { return dynamics_.last().B(0, 0) - dynamics_.base_armature(); }
   Eigen::Vector3d centre_of_mass() const;
   double w_of(const MotionState& x) const { return x[static_cast<std::size_t>(2 * n_ + 2)]; }
 

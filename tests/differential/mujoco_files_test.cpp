@@ -60,39 +60,63 @@ class MujocoConvention : public MujocoFiles {
     std::istringstream text(content_of_file(folder_.path() / "numbers"));
     return {std::istream_iterator<double>(text), {}};
   }
+
+  // B, bias, torques, accelerations and steps of the emitted code, with n entries of v, at random states.
+  void expect_same_in_convention(const fs::path& path, Eigen::Index n) {
+    nlohmann::json states = nlohmann::json::array();
+    for (const FreeState& s : random_free_states(n)) states.push_back(s.in_mujoco(s.q));
+    const nlohmann::json peer = mujoco(for_mujoco(content_of_file(path), {path.filename().string()}), states);
+    if (peer.empty()) GTEST_SKIP() << "MuJoCo is not installed: npm install @mujoco/mujoco";
+    const std::vector<double> numbers = printed(path, states);
+    ASSERT_EQ(numbers.size(), states.size() * (n * n + 5 * n + 1));
+    const Vector coulomb = vector_of(peer["coulomb"].get<std::vector<double>>());
+    const double* next = numbers.data();
+    const auto taken = [&next](Eigen::Index count) {
+      next += count;
+      return Vector(Eigen::Map<const Vector>(next - count, count));
+    };
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      const nlohmann::json& at = peer["states"][k];
+      const auto wanted = [&at](const char* name) { return vector_of(at[name].get<std::vector<double>>()); };
+      const auto state = [&](const char* name) { return vector_of(states[k][name].get<std::vector<double>>()); };
+      const Vector friction = coulomb.cwiseProduct(state("qd").cwiseSign());
+      expect_close(taken(n * n), wanted("B"), "B", kCloseInDouble);
+      expect_close(taken(n), wanted("bias") + friction, "bias", kCloseInDouble);
+      expect_close(taken(n), wanted("tau") + friction, "tau", kCloseInDouble);
+      expect_close(taken(n), state("qdd"), "a", kCloseInDouble);
+      expect_close(taken(n + 1), wanted("next"), "next", kCloseInDouble);
+      expect_close(taken(n), wanted("difference"), "difference", kCloseInDouble);
+    }
+  }
 };
 
 TEST_F(MujocoConvention, IsThatOfMujoco) {
   const fs::path path = fs::path(FLATDYN_SOURCE_DIR) / ".." / "shared" / "robots" / "mjcf" / "go1.xml";
   if (!fs::exists(path)) GTEST_SKIP() << "no such file: " << path;
-  constexpr Eigen::Index n = 18;
-  nlohmann::json states = nlohmann::json::array();
-  for (const FreeState& s : random_free_states(n)) states.push_back(s.in_mujoco(s.q));
-  const nlohmann::json peer = mujoco(for_mujoco(content_of_file(path), {"go1.xml"}), states);
-  if (peer.empty()) GTEST_SKIP() << "MuJoCo is not installed: npm install @mujoco/mujoco";
-  const std::vector<double> numbers = printed(path, states);
-  ASSERT_EQ(numbers.size(), states.size() * (n * n + 5 * n + 1));
-  const Vector coulomb = vector_of(peer["coulomb"].get<std::vector<double>>());
-  const double* next = numbers.data();
-  const auto taken = [&next](Eigen::Index count) {
-    next += count;
-    return Vector(Eigen::Map<const Vector>(next - count, count));
-  };
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    const nlohmann::json& at = peer["states"][k];
-    const auto wanted = [&at](const char* name) { return vector_of(at[name].get<std::vector<double>>()); };
-    const auto state = [&](const char* name) { return vector_of(states[k][name].get<std::vector<double>>()); };
-    const Vector friction = coulomb.cwiseProduct(state("qd").cwiseSign());
-    expect_close(taken(n * n), wanted("B"), "B", kCloseInDouble);
-    expect_close(taken(n), wanted("bias") + friction, "bias", kCloseInDouble);
-    expect_close(taken(n), wanted("tau") + friction, "tau", kCloseInDouble);
-    expect_close(taken(n), state("qdd"), "a", kCloseInDouble);
-    expect_close(taken(n + 1), wanted("next"), "next", kCloseInDouble);
-    expect_close(taken(n), wanted("difference"), "difference", kCloseInDouble);
-  }
+  expect_same_in_convention(path, 18);
+}
+
+constexpr const char* kJointOfBase = R"(<mujoco>
+  <default><joint armature="0.7" damping="1.3" frictionloss="0.4"/></default>
+  <worldbody><body name="trunk" pos="0 0 1"><joint name="root" type="free" armature="0.9"/>
+    <inertial pos="0.1 -0.2 0.05" mass="2" fullinertia="0.1 0.2 0.25 0.01 -0.02 0.03"/>
+    <body name="leg" pos="0.3 0.1 0"><joint name="hip" axis="0 1 0.2"/>
+      <inertial pos="0.05 0 -0.2" mass="1" diaginertia="0.02 0.03 0.01"/>
+      <body name="foot" pos="0 0 -0.4"><joint name="slide" type="slide" axis="1 0 1"/>
+        <inertial pos="0 0.02 -0.1" mass="0.5" diaginertia="0.004 0.003 0.002"/></body></body></body></worldbody></mujoco>)";
+
+// Armature, damping and friction of a free joint, as MuJoCo adds them to its six entries.
+TEST_F(MujocoConvention, HasArmatureAndFrictionOfAFreeJoint) {
+  write_file(folder_.path() / "trunk.xml", kJointOfBase);
+  expect_same_in_convention(folder_.path() / "trunk.xml", 8);
 }
 
 class MujocoSharedFiles : public MujocoFiles {};
+
+// In base axes, where Coulomb friction along the axes of the world is left out.
+TEST_F(MujocoSharedFiles, MoveWithArmatureAndDampingOfAFreeJointAsInMujoco) {
+  compare_text(without(kJointOfBase, R"re(\bfrictionloss="[^"]*")re"));
+}
 
 // Real files lie beside the checkout, in ../shared/robots/mjcf.
 TEST_P(MujocoSharedFiles, MoveAsInMujoco) {

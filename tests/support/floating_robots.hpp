@@ -2,6 +2,8 @@
 // Small robots with a floating base, as TOML.
 #pragma once
 
+#include <string>
+
 namespace flatdyn::testing {
 
 // A body with an arm of a turn and a slide, a rotor on each, friction, and a branch.
@@ -45,6 +47,14 @@ inertia = { xx = 0.04, yy = 0.03, zz = 0.02 }
 inertia_about = "com"
 armature = 0.01
 )";
+
+// The same with armature and friction of the base itself.
+inline std::string heavy_satellite() {
+  std::string text = kSatellite;
+  const std::string motion = "motion = \"floating\"\n";
+  text.insert(text.find(motion) + motion.size(), "armature = 1.5\nviscous = 0.7\ncoulomb = 0.4\n");
+  return text;
+}
 
 // A knee that follows joints of two branches, with friction, a rotor and a constant part, and a slide that follows a
 // turn.

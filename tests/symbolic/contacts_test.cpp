@@ -23,7 +23,7 @@ namespace flatdyn {
 namespace {
 
 struct TouchingRobot {
-  const char *name, *robot, *scene;  // a robot of robots/, or the text of one; the text of the scene
+  std::string name, robot, scene;  // a robot of robots/, or the text of one; the text of the scene
   bool floats = true;
 };
 
@@ -64,7 +64,7 @@ LoadedRobot touching(const TouchingRobot& what) {
   const std::filesystem::path scene = folder.path() / "scene.toml";
   std::ofstream(scene) << what.scene;
   std::filesystem::path robot = std::filesystem::path(FLATDYN_SOURCE_DIR) / "robots" / what.robot;
-  if (std::string(what.robot).starts_with("name =")) {
+  if (what.robot.starts_with("name =")) {
     robot = folder.path() / "robot.toml";
     std::ofstream(robot) << what.robot;
   }
@@ -120,8 +120,9 @@ TEST_P(AtContacts, FunctionsAgreeWithTheReference) {
 INSTANTIATE_TEST_SUITE_P(Robots, AtContacts,
                          ::testing::Values(TouchingRobot{"quadruped", "quadruped12.urdf", kFourFeet},
                                            TouchingRobot{"satellite", testing::kSatellite, kHandAndPanel},
+                                           TouchingRobot{"heavy_satellite", testing::heavy_satellite(), kHandAndPanel},
                                            TouchingRobot{"puma", "puma560.toml", kTwoHandles, false}),
-                         [](const auto& each) { return std::string(each.param.name); });
+                         [](const auto& each) { return each.param.name; });
 
 // The proof sees a contact that is a micrometre off.
 TEST(Contacts, AreProvenWhereTheyAre) {

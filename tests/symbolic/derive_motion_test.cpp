@@ -320,6 +320,7 @@ INSTANTIATE_TEST_SUITE_P(
                       MotionSubject{"symbolic_body", [] { return of_toml(kSymbolicBody); }, true},
                       MotionSubject{"hopper", [] { return of_toml(kHopper); }, true},
                       MotionSubject{"satellite", [] { return of_toml(testing::kSatellite); }, false},
+                      MotionSubject{"heavy_satellite", [] { return of_toml(testing::heavy_satellite()); }, false},
                       MotionSubject{"lander", [] { return of_toml(testing::kLander); }, false},
                       MotionSubject{"pendulum", [] { return of_example("spherical_pendulum.toml"); }, true},
                       MotionSubject{"ball_arm", [] { return of_toml(kBallArm); }, true}),

@@ -98,6 +98,8 @@ INSTANTIATE_TEST_SUITE_P(Robots, FloatingBase,
                          ::testing::Values(Subject{"drone", [] { return testing::model_of_toml(testing::kDrone); }},
                                            Subject{"satellite",
                                                    [] { return testing::model_of_toml(testing::kSatellite); }},
+                                           Subject{"heavy_satellite",
+                                                   [] { return testing::model_of_toml(testing::heavy_satellite()); }},
                                            Subject{"lander", [] { return testing::model_of_toml(testing::kLander); }},
                                            Subject{"puma", [] { return floating("puma560.toml"); }},
                                            Subject{"quadruped", [] { return floating("quadruped12.urdf"); }}),
@@ -182,6 +184,39 @@ TEST_F(FreeMotion, KeepsAccountOfItsEnergy) {
   EXPECT_LT(relative(rate - v_.dot(tau), rate), 1e-18);
 }
 
+// What a base's own armature and friction are, in the reference: a mass at its origin that nothing attracts, an inertia
+// alike about all axes, and forces against its twist.
+class BaseJointMotion : public FreeMotion {
+ protected:
+  BaseJointMotion() {
+    base_.armature.number = Number(3) / 2;
+    base_.viscous.number = Number(7) / 10;
+    base_.coulomb.number = Number(2) / 5;
+  }
+
+  Vector torques(const Robot& robot, const reference::Vector3<Real50>& gravity) const {
+    reference::Robot<Real50> numbers = reference_robot<Real50>(robot, {});
+    numbers.gravity = gravity;
+    return reference::inverse_dynamics(numbers, q_, v_, a_);
+  }
+
+  BaseJoint base_;
+};
+
+TEST_F(BaseJointMotion, IsThatOfABodyWithoutWeight) {
+  Robot heavy = model_.robot, light = model_.robot;
+  heavy.base_joint = base_;
+  Inertial sphere;
+  sphere.mass.number = base_.armature.number;
+  for (std::size_t k = 0; k < 3; ++k) sphere.tensor[k][k] = base_.armature.number;
+  light.links[static_cast<std::size_t>(light.root)].inertials.push_back(sphere);
+  Vector expected = torques(light, robot_.gravity);
+  expected.head(3) += Real50(3) / 2 * robot_.gravity;
+  expected.head(6) += Real50(7) / 10 * v_.head(6);
+  for (Eigen::Index k = 3; k < 6; ++k) expected[k] += Real50(2) / 5 * (v_[k] > 0 ? 1 : -1);
+  EXPECT_LT(relative((torques(heavy, robot_.gravity) - expected).norm(), expected.norm()), 1e-45);
+}
+
 constexpr const char* kUrdf = R"(<robot name="r">
 <link name="world"/><link name="body"><inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1"/></inertial></link>
 <link name="arm"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial></link>
@@ -203,6 +238,12 @@ TEST(FloatingInput, ReadsTheBaseOfToml) {
   const LoadedRobot model = testing::model_of_toml(testing::kSatellite);
   EXPECT_TRUE(model.mechanism.floating_base);
   EXPECT_EQ(model.mechanism.bodies[5].link, "bus");
+  const LoadedRobot heavy = testing::model_of_toml(testing::heavy_satellite());
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_EQ(heavy.mechanism.bodies[k].armature, Number(3) / 2);
+    EXPECT_EQ(heavy.mechanism.bodies[k].viscous, Number(7) / 10);
+    EXPECT_EQ(heavy.mechanism.bodies[k].coulomb, k < 3 ? Number(0) : Number(2) / 5);
+  }
   const LoadedRobot fixed = testing::model_of_toml("base = \"fixed\"\n[[link]]\nmass = 1\n");
   EXPECT_FALSE(fixed.mechanism.floating_base);
   EXPECT_EQ(fixed.robot.links[0].name, "base");

@@ -28,7 +28,8 @@ struct Parts {
 // The joint's root link, and what stands still on it.
 class Surroundings {
  public:
-  Surroundings(const Robot& robot, int free_joint) : robot_(robot), free_joint_(free_joint) {
+  Surroundings(const Robot& robot, const ReadContext& context, int free_joint)
+      : robot_(robot), context_(context), free_joint_(free_joint) {
     add(robot.joints[static_cast<std::size_t>(free_joint)].parent);
     parts_.joints.insert(free_joint);
   }
@@ -36,7 +37,7 @@ class Surroundings {
   const Parts& parts() const { return parts_; }
   // Whether the free joint's own link hangs on what stands still, too, which the validation reports.
   bool has_child() const { return parts_.links.count(robot_.joints[static_cast<std::size_t>(free_joint_)].child) > 0; }
-  const Joint* moving() const { return moving_; }  // the first other joint that moves; nullptr if there is none
+  const std::vector<std::string>& moving() const { return moving_; }  // the other joints that move and are not held
 
  private:
   // Files that are wrong have links that hang on themselves, or on nothing.
@@ -45,16 +46,17 @@ class Surroundings {
     for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
       const Joint& joint = robot_.joints[j];
       if (joint.parent != link || static_cast<int>(j) == free_joint_) continue;
-      if (joint.type != JointType::fixed && moving_ == nullptr) moving_ = &joint;
+      if (joint.type != JointType::fixed && !is_held(joint.name, context_)) moving_.push_back(joint.name);
       parts_.joints.insert(static_cast<int>(j));
       add(joint.child);
     }
   }
 
   const Robot& robot_;
+  const ReadContext& context_;
   int free_joint_;
   Parts parts_;
-  const Joint* moving_ = nullptr;
+  std::vector<std::string> moving_;
 };
 
 template <class T>
@@ -112,13 +114,16 @@ bool float_on(int index, ReadContext& context, Robot& robot) {
   Diagnostics& diagnostics = context.diagnostics;
   const Joint joint = robot.joints[static_cast<std::size_t>(index)];
   if (joint.parent < 0 || joint.child < 0 || !is_on_empty_root(robot, joint)) return false;
-  const Surroundings around(robot, index);
+  const Surroundings around(robot, context, index);
   if (around.has_child()) return false;
-  if (around.moving() != nullptr) {
-    diagnostics.unsupported(joint.place,
-                            "joint \"" + joint.name + "\" moves freely, but does not carry all that moves: joint \"" +
-                                around.moving()->name + "\" is beside it",
-                            "hold one of them still by the option --fix");
+  if (const std::vector<std::string>& beside = around.moving(); !beside.empty()) {
+    diagnostics.unsupported(
+        joint.place,
+        fmt::format("joint \"{}\" moves freely, but does not carry all that moves: joint{} \"{}\" {} beside it",
+                    joint.name, beside.size() > 1 ? "s" : "", fmt::join(beside, "\", \""),
+                    beside.size() > 1 ? "are" : "is"),
+        fmt::format("hold what is beside it still, which leaves it out: --fix {}; or this joint: --fix {}",
+                    fmt::join(beside, " --fix "), joint.name));
     return true;
   }
   note_standing(robot, around.parts(), joint.parent, diagnostics);

@@ -6,8 +6,8 @@
 namespace flatdyn {
 
 // Makes the base float if the robot has one free joint, in a body of the world, and nothing of the world has a mass or
-// carries anything else: the joint and the world are left out, and the body becomes the base. Other free joints are
-// reported as unsupported.
+// carries anything else: the joint and the world are left out, and the body becomes the base, with the joint's armature
+// and friction. Other free joints are reported as unsupported.
 void take_mjcf_free_joints(MjcfModel& model);
 
 }  // namespace flatdyn

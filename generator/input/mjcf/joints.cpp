@@ -47,7 +47,7 @@ class JointReader {
       position_count_ = type == "free" ? 7 : 4;
       is_free_ = type == "free" && !is_held(joint_.name, context_);
       if (is_free_ && context_.options.floating_base.value_or(true)) {
-        refuse_forces_of_base();
+        read_forces_of_base();
         refuse_alignment();
       }
       if (is_free_ || is_held(joint_.name, context_)) return joint_;
@@ -77,14 +77,39 @@ class JointReader {
     return values_.keyword(item_, "type", {"hinge", "slide", "ball", "free"}, "hinge");
   }
 
-  void refuse_forces_of_base() const {
-    for (const char* name : {"stiffness", "damping", "frictionloss", "armature"}) {
+  // Those that MuJoCo adds to the six entries of the joint. Most of them come from defaults that are meant for others.
+  void read_forces_of_base() {
+    for (const char* name : {"stiffness", "springdamper"}) {
       const MjcfAttribute* found = values_.find(item_, name);
       if (found == nullptr || is_zero_text(found->text)) continue;
       values_.diagnostics().unsupported(found->place,
                                         values_.spot(item_, *found).what + ": not supported for a free joint",
                                         "write <freejoint/>, which has no such forces and takes no defaults");
     }
+    joint_.armature = values_.number_or(item_, "armature", 0);
+    joint_.coulomb = values_.number_or(item_, "frictionloss", 0);
+    joint_.viscous = linear("damping");
+    tell_of_forces_of_base();
+  }
+
+  void tell_of_forces_of_base() {
+    std::string named;
+    for (const auto& [name, value] : {std::pair("armature", &joint_.armature), std::pair("damping", &joint_.viscous),
+                                      std::pair("frictionloss", &joint_.coulomb)}) {
+      if (!vanishes(value->number)) named += (named.empty() ? "" : ", ") + std::string(name);
+    }
+    if (named.empty()) return;
+    context_.diagnostics.note(
+        joint_.place, item_.what + " moves freely with " + named + ", perhaps by accident",
+        "as in MuJoCo they act on the base, which nothing holds; <freejoint/> has none, and takes "
+        "none from defaults");
+    if (vanishes(joint_.coulomb.number)) return;
+    context_.diagnostics.warning(joint_.coulomb.place,
+                                 item_.what +
+                                     ", frictionloss: left out along the axes of the world, read about those of "
+                                     "the base",
+                                 "its force depends on how the base is turned, which functions are not told; headers of "
+                                 "--convention, which take the pose, add it");
   }
 
   // MuJoCo moves the frame of such a body to its centre of mass, along its principal axes, if it carries no other.

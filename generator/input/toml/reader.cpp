@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input/toml/reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -108,6 +110,7 @@ class TomlReader {
       base.name = row.text("name").value_or("base");
       const std::string motion = read_choice(row, "motion", {"fixed", "floating"}, diagnostics_);
       robot_.floating_base = motion == "floating";
+      read_base_joint(row);
       if (const auto inertial = read_inertial(row, diagnostics_)) base.inertials.push_back(*inertial);
       row.reject_unknown_keys();
       return base;
@@ -115,6 +118,20 @@ class TomlReader {
     const std::string text = table.text("base").value_or("base");
     if (!read_motion_of_base(text, robot_)) base.name = text;
     return base;
+  }
+
+  void read_base_joint(TomlTable& row) {
+    BaseJoint& joint = robot_.base_joint;
+    const Value none{0, row.place()};
+    joint.armature = row.number("armature", Quantity::other).value_or(none);
+    joint.viscous = row.number("viscous", Quantity::viscous_friction).value_or(none);
+    joint.coulomb = row.number("coulomb", Quantity::coulomb_friction).value_or(none);
+    if (robot_.floating_base) return;
+    for (const char* key : {"armature", "viscous", "coulomb"}) {
+      if (!row.has(key)) continue;
+      diagnostics_.error(row.place_of(key), fmt::format("base: {} has no effect on a base that does not move", key),
+                         "leave it out, or write motion = \"floating\"");
+    }
   }
 
   DhConvention read_convention(TomlTable& table) {

@@ -128,7 +128,10 @@ std::string script_data(const PageContent& content) {
     if (bodies[k].parent + 1 != static_cast<int>(k)) json["tree"] = true;
   }
   const Mechanism& mechanism = content.model.mechanism;
-  if (mechanism.floating_base) json["base"] = {{"gravity", mechanism.has_base_gravity()}};
+  if (mechanism.floating_base) {
+    json["base"] = {{"gravity", mechanism.has_base_gravity()},
+                    {"armature", nearest_double(mechanism.bodies.front().armature)}};
+  }
   if (mechanism.has_spherical_joints()) add_spherical_joints(json, mechanism);
   json["points"] = content.drawing.points;
   json["edges"] = content.drawing.lines;

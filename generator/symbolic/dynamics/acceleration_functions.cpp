@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/floating_base.hpp"
 #include "symbolic/dynamics/accelerations.hpp"
 #include "symbolic/dynamics/articulated.hpp"
 #include "symbolic/dynamics/composite.hpp"
@@ -48,7 +49,7 @@ class FreeBase {
   }
   Conditions conditions() const {
     const Mat3& I = robot_.inertia;
-    return conditions_about_centre(context_, inertia_, {I[0][0], I[1][1], I[2][2]});
+    return conditions_of_base(context_, inertia_, {I[0][0], I[1][1], I[2][2]}, kSlides);
   }
 
  private:
@@ -121,9 +122,42 @@ std::vector<Number> torques_with(DerivationContext& context, const BaseAccelerat
   return tau;
 }
 
+// The base's part of B.
+Factorisation inertia_of_base(DerivationContext& context, const Rows& B) {
+  Rows of_base;
+  std::vector<int> chain;
+  for (std::size_t i = 0; i < kOfBase; ++i) {
+    of_base.emplace_back(B[i].begin(), B[i].begin() + kOfBase);
+    chain.push_back(static_cast<int>(i) - 1);
+  }
+  return {context.derivation, chain, of_base, "the floating base's part of B", "b"};
+}
+
+// With armature or friction of the base, not all parts of the robot fall alike: its six equations are solved as they
+// are, with gravity and the base's velocity.
+Function floating_dynamics_with_base_joint(DerivationContext& context) {
+  Motion motion{context.joint_motion(InputKind::qd), context.joint_motion(InputKind::qdd), context.gravity(), true};
+  std::fill_n(motion.qdd.begin(), kOfBase, Number(0));
+  std::vector<Number> tau = context.at_coordinates(torques(context.frames, motion));
+  const Rows B = context.inertia();
+  const Factorisation of_base = inertia_of_base(context, B);
+  std::vector<Number> needed;
+  for (std::size_t i = 0; i < kOfBase; ++i) needed.push_back(-tau[i]);
+  const std::vector<Number> a = of_base.solve(needed, "a_b");
+  std::fill_n(tau.begin(), kOfBase, Number(0));
+  for (std::size_t j = kOfBase; j < tau.size(); ++j) {
+    for (std::size_t k = 0; k < kOfBase; ++k) tau[j] += B[j][k] * a[k];
+  }
+  return finished(
+      context,
+      {vector_output("a_base", context.nodes(a), "derivatives of v[0..5]"), torque_output("tau", context.nodes(tau))},
+      conditions_of_base(context, of_base, of_base.diagonal(), 0));
+}
+
 }  // namespace
 
 Function derive_inverse_dynamics_floating(const Mechanism& mechanism, const Choices& choices) {
+  if (has_base_joint(mechanism)) return derived(mechanism, choices, floating_dynamics_with_base_joint);
   return derived(mechanism, choices, [](DerivationContext& context) {
     const std::vector<Number> needed = torques(context.frames, motion_about_base(context));
     const FreeBase robot(context);

@@ -153,6 +153,9 @@ class ArticulatedRecursion {
   Number driving_torque(int i) {
     const Body& moving = frames_.body(i);
     Number tau = tau_[static_cast<std::size_t>(i)];
+    if (frames_.mechanism().is_of_base(i)) {  // what the armature of a base's slide needs for ω × v; q̈ is zero here
+      tau -= d_.named(moving.armature, "I_r" + frames_.label(i)) * own_acceleration(frames_, i, motion_);
+    }
     if (!motion_.passive) return tau;
     tau -= spring_torque(frames_, i);
     tau -= d_.named(moving.viscous, "F_v" + frames_.label(i)) * qd(i);

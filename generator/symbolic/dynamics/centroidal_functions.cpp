@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/dynamics/centroidal_functions.hpp"
 
+#include "model/floating_base.hpp"
 #include "symbolic/dynamics/composite.hpp"
 
 namespace flatdyn {
@@ -34,7 +35,7 @@ void add_column(const Vec3& linear, const Vec3& angular, std::size_t k, Rows& ma
 }  // namespace
 
 Function derive_centroidal_momentum_matrix(const Mechanism& mechanism, const Choices& choices) {
-  return derived(mechanism, choices, [](DerivationContext& context) {
+  return derived(without_base_joint(mechanism), choices, [](DerivationContext& context) {
     Derivation& d = context.derivation;
     const auto n = static_cast<std::size_t>(context.size());
     const Rows B = context.inertia();
@@ -53,7 +54,7 @@ Function derive_centroidal_momentum_matrix(const Mechanism& mechanism, const Cho
 }
 
 Function derive_centroidal_bias(const Mechanism& mechanism, const Choices& choices) {
-  return derived(mechanism, choices, [](DerivationContext& context) {
+  return derived(without_base_joint(mechanism), choices, [](DerivationContext& context) {
     const Motion motion{context.joint_motion(InputKind::qd), context.joint_drift(), zero_vector(), false};
     const std::vector<Number> n = torques(context.frames, motion);
     const Vec3 force = {n[0], n[1], n[2]};
@@ -65,7 +66,7 @@ Function derive_centroidal_bias(const Mechanism& mechanism, const Choices& choic
 }
 
 Function derive_centre_of_mass(const Mechanism& mechanism, const Choices& choices) {
-  return derived(mechanism, choices, [](DerivationContext& context) {
+  return derived(without_base_joint(mechanism), choices, [](DerivationContext& context) {
     const auto n = static_cast<std::size_t>(context.size());
     const Rows B = context.inertia();
     const InertialParameters robot = whole_robot(context);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Momentum and centre of mass of a robot with a floating base, in base axes (Orin, Goswami and Lee, "Centroidal
 // dynamics of a humanoid robot", 2013). They follow from the base's rows of B and of the bias, which are about the base
-// frame's origin: the moment about the centre of mass, at r_G, is n - r_G × f.
+// frame's origin: the moment about the centre of mass, at r_G, is n - r_G × f. They are those of the links: the
+// armature of a floating base is left out.
 #pragma once
 
 #include "symbolic/dynamics/derivation_context.hpp"

@@ -81,8 +81,11 @@ std::vector<Number> composite_bias_torques(Frames& frames, const Motion& motion,
   const LinkMotion& base = links[first - 1];
   const Wrench locked = inertial_wrench(d, bodies[first - 1], base, "cb"), &more = wrenches[first - 1];
   for (std::size_t k = 0; k < 3; ++k) {
-    tau[k] = d.named(locked.f[k] + more.f[k], "tau_" + frames.label(static_cast<int>(k)));
-    tau[k + 3] = d.named(locked.mu[k] + more.mu[k], "tau_" + frames.label(static_cast<int>(k) + 3));
+    const int slide = static_cast<int>(k), turn = slide + 3;
+    const Wrench force = {{0, 0, locked.f[k] + more.f[k]}, zero_vector()},
+                 moment = {zero_vector(), {0, 0, locked.mu[k] + more.mu[k]}};
+    tau[k] = joint_torque(frames, slide, force, links, motion);
+    tau[k + 3] = joint_torque(frames, turn, moment, links, motion);
   }
   return tau;
 }

@@ -123,13 +123,12 @@ Conditions conditions_of(DerivationContext& context, const Factorisation& B) {
   return {context.nodes(B.pivots()), context.nodes(B.pivot_scales(sizes))};
 }
 
-Conditions conditions_about_centre(DerivationContext& context, const Factorisation& inertia,
-                                   const std::vector<Number>& diagonal) {
+Conditions conditions_of_base(DerivationContext& context, const Factorisation& inertia,
+                              const std::vector<Number>& diagonal, std::size_t first) {
   if (!context.guard.compares) return conditions_of(context, inertia.pivots());
-  constexpr std::size_t kAngular = 3;  // the first of the base's turns among the entries of v
   std::vector<Number> sizes;
   for (std::size_t k = 0; k < diagonal.size(); ++k) {
-    sizes.push_back(size_of(context.guard.diagonals, kAngular + k, diagonal[k]));
+    sizes.push_back(size_of(context.guard.diagonals, first + k, diagonal[k]));
   }
   return {context.nodes(inertia.pivots()), context.nodes(inertia.pivot_scales(sizes))};
 }

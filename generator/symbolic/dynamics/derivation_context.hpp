@@ -61,10 +61,10 @@ inline constexpr const char* kLargestPivot = "1e30";  // kg m² or kg; a float h
 Conditions conditions_of(DerivationContext& context, const std::vector<Number>& pivots);
 // The pivots of B, with their scales if the context's guard compares them.
 Conditions conditions_of(DerivationContext& context, const Factorisation& B);
-// The pivots of a robot's moments of inertia about its centre of mass, which are those of the base's part of B once the
-// translations are eliminated. `diagonal`: the moments of inertia about the axes of the floating base.
-Conditions conditions_about_centre(DerivationContext& context, const Factorisation& inertia,
-                                   const std::vector<Number>& diagonal);
+// The pivots of a floating base's part of B, whose diagonal these are from entry `first` of v on: of all six, or of the
+// moments of inertia that are left when the translations are eliminated.
+Conditions conditions_of_base(DerivationContext& context, const Factorisation& inertia,
+                              const std::vector<Number>& diagonal, std::size_t first);
 
 Output vector_output(const std::string& name, std::vector<NodeId> entries, const std::string& meaning);
 Output torque_output(const std::string& name, std::vector<NodeId> entries);

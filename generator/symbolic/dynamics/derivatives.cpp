@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "symbolic/dynamics/derivatives.hpp"
 
+#include "model/floating_base.hpp"
 #include "model/spherical_joint.hpp"
 #include "symbolic/dynamics/composite.hpp"
 #include "symbolic/dynamics/momenta.hpp"
@@ -37,6 +38,7 @@ class TorqueDerivation {
       column_of_position(i);
       column_of_rate(i);
     }
+    if (has_base_armature(frames_.mechanism())) add_armature_of_base();
     return std::move(result_);
   }
 
@@ -212,6 +214,39 @@ class TorqueDerivation {
       if (rotor && rotor->carrier == i) wrench.mu = wrench.mu + at_carrier;
       set(result, i, k, joint_component(frames_, i, wrench), "dtau_" + what);
     }
+  }
+
+  // The armature of a floating base adds its multiple of v̇ + ω × v to the force, and of ω̇ to the moment, without
+  // gravity: of p̈ + g_b where p̈ is held fixed. The moment is that of a sphere's inertia, with the C of one.
+  void add_armature_of_base() {
+    const Number armature = d_.named(frames_.body(0).armature, "I_r" + frames_.label(0));
+    const std::vector<Number>& twist = motion_.qd;
+    const Mat3 of_v = skew({twist[0], twist[1], twist[2]}), of_omega = skew({twist[3], twist[4], twist[5]}),
+               of_g = skew(motion_.gravity);
+    constexpr int kSlides = 3;
+    for (int i = 0; i < kSlides; ++i) {
+      for (int j = 0; j < kSlides; ++j) {
+        const auto r = static_cast<std::size_t>(i), c = static_cast<std::size_t>(j);
+        const int turn = j + kSlides;
+        switch (base_columns_) {
+          case BaseColumns::derivatives:
+            add(result_.dqd, i, j, armature * of_omega[r][c]);  // ω × e_j
+            add(result_.dqd, i, turn, -armature * of_v[r][c]);  // e_j × v
+            break;
+          case BaseColumns::at_origin_acceleration:
+            add(result_.dq, i, turn, armature * of_g[r][c]);  // g_b × e_j
+            break;
+          case BaseColumns::coriolis:
+            add(result_.dqd, i, j, 2 * armature * of_omega[r][c]);
+            add(result_.dqd, i + kSlides, turn, armature * of_omega[r][c]);
+            break;
+        }
+      }
+    }
+  }
+
+  void add(Rows& result, int i, int k, const Number& value) {
+    set(result, i, k, at(at(result, i), k) + value, "dtau_a_");
   }
 
   void set(Rows& result, int i, int k, const Number& value, const std::string& name) {

@@ -236,6 +236,16 @@ Number reflected_inertia(const Body& body) {
   return inertia;
 }
 
+Number own_acceleration(Frames& frames, int i, const Motion& motion) {
+  const auto k = static_cast<std::size_t>(i);
+  if (!frames.mechanism().is_of_base(i) || !frames.body(i).prismatic || vanishes(frames.body(i).armature)) {
+    return motion.qdd[k];
+  }
+  const std::vector<Number>& twist = motion.qd;
+  const Vec3 turning = cross({twist[3], twist[4], twist[5]}, {twist[0], twist[1], twist[2]});
+  return frames.derivation().named(motion.qdd[k] + turning[k], "ddp_a" + frames.label(i));
+}
+
 Number joint_component(Frames& frames, int i, const Wrench& wrench) {
   return frames.body(i).prismatic ? wrench.f[2] : wrench.mu[2];
 }
@@ -277,7 +287,7 @@ Number joint_torque(Frames& frames, int i, const Wrench& wrench, const std::vect
     const Vec3& z = frames.rotor_axis(i);
     tau += krI * d.named(dot(z, links[static_cast<std::size_t>(rotor.carrier)].domega), "domega_m" + n);
   }
-  tau += d.named(reflected_inertia(body), "I_r" + n) * motion.qdd[k];
+  tau += d.named(reflected_inertia(body), "I_r" + n) * own_acceleration(frames, i, motion);
   if (motion.passive) {
     tau += d.named(body.viscous, "F_v" + n) * motion.qd[k];
     if (!vanishes(body.coulomb)) tau += d.named(body.coulomb, "F_s" + n) * d.sign(motion.qd[k], "sgn_" + n);

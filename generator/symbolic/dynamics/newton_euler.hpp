@@ -62,6 +62,10 @@ Number spring_stretch(Frames& frames, int i);
 // k (q - q_0) of the spring at joint i, N m or N; 0 if it has none.
 Number spring_torque(Frames& frames, int i);
 
+// The acceleration that the own inertia of joint i has: q̈_i, and of a floating base's slides that of its origin, whose
+// derivatives of components v̇ lack ω × v.
+Number own_acceleration(Frames& frames, int i, const Motion& motion);
+
 // τ_i, (7.114), from the wrench on body i through its joint, with motor, friction and spring.
 Number joint_torque(Frames& frames, int i, const Wrench& wrench, const std::vector<LinkMotion>& links,
                     const Motion& motion);

@@ -73,11 +73,13 @@ std::vector<Number> entries_of(const InertialParameters& body) {
 
 std::vector<Number> dynamic_parameters(const Mechanism& mechanism) {
   std::vector<Number> parameters;
-  for (const Body& body : mechanism.bodies) {
+  for (int i = 0; i < mechanism.body_count(); ++i) {
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
+    const bool is_of_joint = !mechanism.is_of_base(i);
     for (const Number& entry : entries_of(body.inertia)) parameters.push_back(entry);
-    parameters.push_back(driving_inertia(body));
-    parameters.push_back(body.viscous);
-    parameters.push_back(body.coulomb);
+    parameters.push_back(is_of_joint ? driving_inertia(body) : Number(0));
+    parameters.push_back(is_of_joint ? body.viscous : Number(0));
+    parameters.push_back(is_of_joint ? body.coulomb : Number(0));
   }
   return parameters;
 }

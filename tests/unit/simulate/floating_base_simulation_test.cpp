@@ -93,6 +93,23 @@ TEST(FloatingSimulation, OfASatelliteAccountsForMomentum) {
   EXPECT_EQ(motion.rows.back().tau(2), -1);
 }
 
+// The armature and friction of its base take momentum from the links, and friction takes energy.
+TEST(FloatingSimulation, OfABaseWithArmatureAccountsForMomentum) {
+  const LoadedRobot satellite = testing::model_of_toml(testing::heavy_satellite());
+  Simulation simulation = resting(satellite.robot, satellite.mechanism);
+  simulation.duration = 1;
+  simulation.rate = 20;
+  simulation.tolerance = 1e-11;
+  simulation.constant = {5, 0, -4, 3, 0, 2, 0.5, 0.1, 0.3};
+  const SimulatedMotion motion = flown(satellite, simulation);
+  const Momentum error = momentum_error(motion);
+  EXPECT_LT(error.linear.norm(), 1e-8);
+  EXPECT_LT(error.angular.norm(), 1e-8);
+  EXPECT_LT(energy_error(motion), 1e-7);
+  EXPECT_GT(motion.rows.back().qd.head<3>().norm(), 0.1);
+  EXPECT_GT(motion.rows.back().qd.segment<3>(3).norm(), 0.05);
+}
+
 // Thrust that carries the weight through the centre of mass holds a drone at rest where it is.
 TEST(FloatingSimulation, HoversOnItsThrust) {
   const LoadedRobot drone = testing::model_of_toml(testing::kDrone);

@@ -147,6 +147,18 @@ std::vector<LinkMotion<S>> motions_of_tree(const Robot<S>& robot, const VectorX<
   return motions;
 }
 
+// Adds what a floating base's own armature and friction need.
+template <class S>
+void add_torques_of_base(const Robot<S>& robot, const VectorX<S>& qd, const VectorX<S>& qdd, bool friction,
+                         VectorX<S>& tau) {
+  const Vector3<S> v = qd.template head<3>(), omega = qd.template segment<3>(3);
+  tau.template head<3>() += robot.base_armature * (qdd.template head<3>() + omega.cross(v));
+  tau.template segment<3>(3) += robot.base_armature * qdd.template segment<3>(3);
+  if (!friction) return;
+  tau.template head<6>() += robot.base_viscous * qd.template head<6>();
+  for (Eigen::Index k = 0; k < 3; ++k) tau[3 + k] += robot.base_coulomb * sign(omega[k]);
+}
+
 // The torques at all moving joints for their motion, N m or N.
 template <class S>
 VectorX<S> torques_of_tree(const Robot<S>& robot, const VectorX<S>& q, const VectorX<S>& qd, const VectorX<S>& qdd,
@@ -198,6 +210,7 @@ VectorX<S> torques_of_tree(const Robot<S>& robot, const VectorX<S>& q, const Vec
   if (robot.floating_base) {
     tau.template head<3>() = f[static_cast<std::size_t>(robot.root)];
     tau.template segment<3>(3) = mu[static_cast<std::size_t>(robot.root)];
+    add_torques_of_base(robot, qd, qdd, environment.friction, tau);
   }
   return tau;
 }

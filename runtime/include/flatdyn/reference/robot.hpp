@@ -106,6 +106,10 @@ struct Robot {
   // angular velocity), the derivatives of these components, and the force and moment about its origin, all in its axes;
   // joints have indices from 6 on. "The base frame" is the root's, and gravity is given in its axes.
   bool floating_base = false;
+  // Added to the floating base's entries: the armature times the acceleration of the root's origin for an observer at
+  // rest and the derivative of its angular velocity, both without gravity; viscous friction times its twist; Coulomb
+  // friction against the turns about its axes.
+  S base_armature = S(0), base_viscous = S(0), base_coulomb = S(0);
   std::vector<Contact<S>> contacts;
   S contact_damping = S(0);  // λ of J B^-1 Jᵀ + λ² 1
 

@@ -91,6 +91,9 @@ Robot<Tangent<S>> with_tangents(const Robot<S>& robot) {
   result.p_tip = vector(robot.p_tip);
   result.coupling = robot.coupling.template cast<T>();
   result.floating_base = robot.floating_base;
+  result.base_armature = T(robot.base_armature);
+  result.base_viscous = T(robot.base_viscous);
+  result.base_coulomb = T(robot.base_coulomb);
   return result;
 }
 

@@ -263,6 +263,59 @@ TEST_F(MjcfReader, LeavesOutWhatStandsStillBesideAFloatingRobot) {
   EXPECT_EQ(robot.links[static_cast<std::size_t>(robot.joints[0].child)].name, "leg");
 }
 
+// Makers of robots write such dummies beside them.
+TEST_F(MjcfReader, LeavesOutJointsBesideAFloatingRobotThatAreHeld) {
+  const std::string trunk =
+      mjcf_body("trunk", "<freejoint name=\"root\"/>" + mjcf_body("leg", R"(<joint name="hip"/>)"));
+  const std::string dummies =
+      mjcf_body("dummy", R"(<joint name="spare"/>)" + mjcf_body("more", R"(<joint name="slide" type="slide"/>)"));
+  ReadOptions options;
+  for (const char* name : {"spare", "slide"}) options.scene.locked.push_back({name});
+  const Robot robot = mjcf(dummies + trunk, "", "<actuator><motor joint=\"spare\"/></actuator>", options);
+  EXPECT_FALSE(diagnostics_.has_errors());
+  EXPECT_TRUE(robot.floating_base);
+  EXPECT_THAT(joints_of(robot), ElementsAre("hip"));
+  ASSERT_EQ(robot.links.size(), 2U);
+}
+
+TEST_F(MjcfReader, NamesAllJointsBesideAFloatingRobot) {
+  mjcf(mjcf_body("trunk", "<freejoint name=\"root\"/>") +
+       mjcf_body("dummy", R"(<joint name="spare"/>)" + mjcf_body("more", R"(<joint name="slide" type="slide"/>)")));
+  ASSERT_FALSE(diagnostics_.all().empty());
+  EXPECT_EQ(
+      diagnostics_.all().front().message,
+      "joint \"root\" moves freely, but does not carry all that moves: joints \"spare\", \"slide\" are beside it");
+  EXPECT_EQ(diagnostics_.all().front().hint,
+            "hold what is beside it still, which leaves it out: --fix spare --fix slide; or this joint: --fix root");
+}
+
+// Of defaults that are meant for other joints, too. <freejoint/> takes none.
+TEST_F(MjcfReader, ReadsArmatureAndFrictionOfAFreeJoint) {
+  const std::string defaults = R"(<default><joint armature="0.1" damping="0.5" frictionloss="2"/></default>)";
+  const Robot robot = mjcf(mjcf_body("trunk", R"(<joint name="root" type="free" damping="3 0"/>)"), defaults);
+  EXPECT_TRUE(robot.floating_base);
+  EXPECT_EQ(printed_exactly(robot.base_joint.armature.number), "1/10");
+  EXPECT_EQ(printed_exactly(robot.base_joint.viscous.number), "3");
+  EXPECT_EQ(printed_exactly(robot.base_joint.coulomb.number), "2");
+  EXPECT_THAT(
+      messages(),
+      ElementsAre("joint \"root\" moves freely with armature, damping, frictionloss, perhaps by accident",
+                  "joint \"root\", frictionloss: left out along the axes of the world, read about those of the base"));
+  const Robot plain = mjcf(mjcf_body("trunk", "<freejoint/>"), defaults);
+  EXPECT_TRUE(plain.base_joint.armature.number.is_zero());
+}
+
+TEST_F(MjcfReader, ReadsNoForcesOfAFreeJointThatIsHeld) {
+  ReadOptions options;
+  options.floating_base = false;
+  const Robot robot = mjcf(mjcf_body("trunk", R"(<joint name="root" type="free" damping="3" stiffness="2"/>)" +
+                                                  mjcf_body("leg", R"(<joint name="hip"/>)")),
+                           "", "", options);
+  EXPECT_FALSE(robot.floating_base);
+  EXPECT_TRUE(robot.base_joint.viscous.number.is_zero());
+  EXPECT_THAT(messages(), ElementsAre());
+}
+
 // As MuJoCo does: in the main file's folder first, then beside the file that includes it.
 TEST_F(MjcfReader, IncludesFilesBesideTheOneThatNamesThem) {
   std::filesystem::create_directories(folder_ / "parts");
