@@ -6,6 +6,7 @@
 
 #include "diagnostics/utf8.hpp"
 #include "input/common/context.hpp"
+#include "input/common/foreign_files.hpp"
 #include "input/common/units.hpp"
 #include "input/common/xacro.hpp"
 #include "input/mjcf/reader.hpp"
@@ -159,8 +160,9 @@ void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   if (!text) return;
   robot.files.push_back(file);
   if (source->kind == FileKind::unknown) {
-    context.diagnostics.error({file, 0}, "unknown kind of file",
-                              "robot files are called .urdf, .sdf, .xml, .xacro or .toml");
+    const ForeignFile kind = foreign_by_name(file).value_or(
+        ForeignFile{"unknown kind of file", "robot files are called .urdf, .sdf, .xml, .xacro or .toml"});
+    context.diagnostics.error({file, 0}, kind.what, kind.hint);
     return;
   }
   const Attachments attachments = read_text(kind_by_text(source->kind, *text), *text, source->name, context, robot);

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "diagnostics/nearest.hpp"
+#include "model/exact_sign.hpp"
 
 namespace flatdyn {
 
@@ -25,7 +26,7 @@ constexpr std::array<LimitMember, 5> kLimitMembers = {{{"lower", &Limits::lower,
 
 // A limit of 0 says that nobody gave it.
 bool is_wider(const Value& scene, const std::optional<Value>& robot, int outwards) {
-  return robot && !vanishes(robot->number) && outwards * nearest_double(scene.number - robot->number) > 0;
+  return robot && !vanishes(robot->number) && is_positive(outwards * (scene.number - robot->number));
 }
 
 void replace_limits(const SceneLimits& wanted, Joint& joint, Diagnostics& diagnostics) {

@@ -5,6 +5,7 @@
 
 #include "input/toml/held_joints.hpp"
 #include "input/toml/parts.hpp"
+#include "model/exact_sign.hpp"
 #include "model/field_mechanism.hpp"
 
 namespace flatdyn {
@@ -52,7 +53,7 @@ std::optional<BaseLimits> read_base_limits(TomlTable& table, Diagnostics& diagno
   if (!given) return std::nullopt;
   const auto read = [&](const char* key, Quantity quantity) {
     std::optional<Value> limit = given->limit(key, quantity, Bound::magnitude);
-    if (limit && !(nearest_double(limit->number) > 0)) {
+    if (limit && !is_positive(limit->number)) {
       diagnostics.error(limit->place, std::string("base_limits: ") + key + " is not positive",
                         "it is the largest size of each component; leave it out if it is not known");
     }

@@ -6,6 +6,8 @@
 #include <array>
 #include <functional>
 
+#include "model/exact_sign.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -48,7 +50,7 @@ void remove_limit(Joint& joint, const std::function<bool(std::size_t, const Numb
 }
 
 bool is_exactly(const std::optional<Value>& limit, int number) {
-  return limit && !has_symbols(limit->number) && limit->number.is_equal(number);
+  return limit && !has_symbols(limit->number) && vanishes(limit->number - number);
 }
 
 }  // namespace
@@ -60,7 +62,8 @@ void remove_absent_limits(Joint& joint, Diagnostics& diagnostics) {
       joint, [&](std::size_t i, const Number& limit) { return vanishes(limit) && (i > 1 || is_zero_range); },
       "limits of 0", "joints with limits of 0, which are taken as not given", diagnostics);
   remove_limit(
-      joint, [](std::size_t i, const Number& limit) { return magnitude(limit) > (i > 1 ? kLargestRate : kFarthest); },
+      joint,
+      [](std::size_t i, const Number& limit) { return is_below(i > 1 ? kLargestRate : kFarthest, absolute(limit)); },
       "limits beyond what a joint reaches", "joints with huge limits, which are taken as not given", diagnostics);
   if (!is_exactly(limits.lower, 1) || !is_exactly(limits.upper, 0)) return;
   remove_limit(

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/exact_sign.hpp"
 #include "model/rational_rotation.hpp"
 
 namespace flatdyn {
@@ -12,18 +13,18 @@ namespace {
 Value scaled(const Value& limit, const Number& factor) { return {(limit.number * factor).expand(), limit.place}; }
 
 void take_lower(std::optional<Value>& limit, const std::optional<Value>& other) {
-  if (other && (!limit || nearest_double(other->number) < nearest_double(limit->number))) limit = other;
+  if (other && (!limit || is_below(other->number, limit->number))) limit = other;
 }
 
 void take_higher(std::optional<Value>& limit, const std::optional<Value>& other) {
-  if (other && (!limit || nearest_double(other->number) > nearest_double(limit->number))) limit = other;
+  if (other && (!limit || is_below(limit->number, other->number))) limit = other;
 }
 
 // Applies the limits of a joint that follows one coordinate alone to that coordinate.
 void tighten(const Limits& joint, const LinearPosition& position, Limits& limits) {
   const Number factor = position.factors.begin()->second;
-  const bool turns_back = nearest_double(factor) < 0;
-  const Number size = turns_back ? Number(-factor) : factor;
+  const bool turns_back = is_negative(factor);
+  const Number size = absolute(factor);
   const auto at_coordinate = [&](const std::optional<Value>& limit) -> std::optional<Value> {
     if (!limit) return std::nullopt;
     return Value{rationalised((limit->number - position.offset) / factor), limit->place};
@@ -39,7 +40,7 @@ void tighten(const Limits& joint, const LinearPosition& position, Limits& limits
 
 void check_coordinate_range(const Robot& robot, int owner, const Limits& limits, Diagnostics& diagnostics) {
   if (!limits.lower || !limits.upper) return;
-  if (nearest_double(limits.lower->number) <= nearest_double(limits.upper->number)) return;
+  if (!is_below(limits.upper->number, limits.lower->number)) return;
   diagnostics.error(limits.lower->place,
                     "joint \"" + robot.joints[static_cast<std::size_t>(owner)].name +
                         "\" and those that follow it have limits that leave it no position: above " +
@@ -89,8 +90,7 @@ Limits coordinate_limits(const Robot& robot, const std::vector<LinearPosition>& 
     const Joint& follower = robot.joints[static_cast<std::size_t>(joint)];
     tighten(follower.limits, position, limits);
     if (joint != owner || !follower.limits.effort) continue;
-    const Number factor = position.factors.begin()->second;
-    limits.effort = scaled(*follower.limits.effort, nearest_double(factor) < 0 ? Number(-factor) : factor);
+    limits.effort = scaled(*follower.limits.effort, absolute(position.factors.begin()->second));
   }
   return limits;
 }

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "model/exact_sign.hpp"
+
 namespace flatdyn {
 
 Vec3 zero_vector() { return {0, 0, 0}; }
@@ -76,7 +78,11 @@ Mat3 steiner(const Number& m, const Vec3& r) {
   return result;
 }
 
-bool vanishes(const Number& a) { return a.is_zero() || a.expand().is_zero(); }
+bool vanishes(const Number& a) {
+  if (a.is_zero()) return true;
+  const std::optional<int> sign = sign_of(a);
+  return sign ? *sign == 0 : a.expand().is_zero();
+}
 
 Vec3 expanded(const Vec3& a) { return {a[0].expand(), a[1].expand(), a[2].expand()}; }
 
@@ -141,12 +147,42 @@ Number exact_decimal(std::string_view text) {
   return negative ? -value : value;
 }
 
-std::string to_decimal(const Number& a, int digits) {
-  constexpr int kGuardDigits = 10;
+namespace {
+
+GiNaC::ex value_to(const Number& a, int digits) {
   const long saved = GiNaC::Digits;
-  GiNaC::Digits = digits + kGuardDigits;
+  GiNaC::Digits = digits;
   const GiNaC::ex value = a.evalf();
   GiNaC::Digits = saved;
+  return value;
+}
+
+bool have_same_digits(const GiNaC::ex& a, const GiNaC::ex& b, int digits) {
+  if (!GiNaC::is_a<GiNaC::numeric>(a) || !GiNaC::is_a<GiNaC::numeric>(b)) return true;  // said by the caller
+  const GiNaC::numeric difference = GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(a - b));
+  return difference <= GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(b)) * GiNaC::pow(GiNaC::numeric(10), -digits);
+}
+
+// Where terms cancel, more digits are needed than are shown.
+GiNaC::ex value_with_digits(const Number& a, int digits) {
+  constexpr int kGuardDigits = 10, kMostDigits = 10000;
+  int computed = digits + kGuardDigits;
+  GiNaC::ex value = value_to(a, computed);
+  if (GiNaC::is_a<GiNaC::numeric>(a)) return value;
+  while (computed < kMostDigits) {
+    computed *= 2;
+    const GiNaC::ex closer = value_to(a, computed);
+    if (have_same_digits(value, closer, digits + 2)) return value;
+    if (vanishes(a)) return 0;
+    value = closer;
+  }
+  return value;
+}
+
+}  // namespace
+
+std::string to_decimal(const Number& a, int digits) {
+  const GiNaC::ex value = value_with_digits(a, digits);
   if (!GiNaC::is_a<GiNaC::numeric>(value) || !GiNaC::ex_to<GiNaC::numeric>(value).is_real()) {
     std::ostringstream text;
     text << a;

@@ -5,25 +5,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/exact_sign.hpp"
+
 namespace flatdyn {
 
 namespace {
 
-bool is_below_zero(const Number& a) { return a.info(GiNaC::info_flags::negative); }
-
-// A symmetric rational matrix is positive semidefinite if and only if no principal minor is negative.
+// A symmetric matrix is positive semidefinite if and only if no principal minor is negative.
 bool is_positive_semidefinite(const Mat3& a) {
   const auto minor = [&](std::size_t i, std::size_t j) { return Number(a[i][i] * a[j][j] - a[i][j] * a[j][i]); };
   const Number determinant = dot(a[0], cross(a[1], a[2]));
-  return !is_below_zero(a[0][0]) && !is_below_zero(a[1][1]) && !is_below_zero(a[2][2]) && !is_below_zero(minor(0, 1)) &&
-         !is_below_zero(minor(0, 2)) && !is_below_zero(minor(1, 2)) && !is_below_zero(determinant);
+  return !is_negative(a[0][0]) && !is_negative(a[1][1]) && !is_negative(a[2][2]) && !is_negative(minor(0, 1)) &&
+         !is_negative(minor(0, 2)) && !is_negative(minor(1, 2)) && !is_negative(determinant);
 }
 
 }  // namespace
 
 std::optional<InertiaFault> fault_of_inertia(const Mat3& tensor) {
   for (const Vec3& row : tensor) {
-    if (!std::all_of(row.begin(), row.end(), is_rational)) return std::nullopt;
+    if (std::any_of(row.begin(), row.end(), has_symbols)) return std::nullopt;
   }
   if (!is_positive_semidefinite(tensor)) return InertiaFault::not_positive_semidefinite;
   // ∫ r r^T dm = tr(I)/2 E - I: each of its eigenvalues is half the sum of two principal moments less the third.

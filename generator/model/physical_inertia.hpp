@@ -15,7 +15,7 @@ enum class InertiaFault {
 };
 
 // Why no body can have this inertia tensor about its centre of mass, decided exactly; nothing if one can. Nothing is
-// found, either, where an entry is not a rational number (a symbol, a root).
+// found, either, where an entry has a symbol.
 std::optional<InertiaFault> fault_of_inertia(const Mat3& tensor);
 
 // The tensor about the centre of mass, along the axes of the inertial frame.

@@ -3,6 +3,8 @@
 
 #include <cln/cln.h>
 
+#include "model/exact_sign.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -194,7 +196,7 @@ Vec3 unit(const Vec3& axis) {
 Mat3 rotation_onto(const Vec3& axis) {
   for (int k = 0; k < 3; ++k) {
     const auto at = [&axis, k](int offset) { return axis[static_cast<std::size_t>((k + offset) % 3)]; };
-    if (vanishes(at(1)) && vanishes(at(2))) return signed_permutation(k, at(0).info(GiNaC::info_flags::positive));
+    if (vanishes(at(1)) && vanishes(at(2))) return signed_permutation(k, is_positive(at(0)));
   }
   // The quaternion half-way between z and the axis, (1 + u_z; z x u); from the opposite side if u points down.
   Vec3 u = unit(axis);

@@ -21,11 +21,14 @@ bool is_multiple_of_15(const Number& degrees) {
 
 double size_of(const Number& number) { return std::abs(nearest_double(number)); }
 
+// Not an expression in pi, which is taken as radians, nor one with a symbol.
+bool is_plain(const Number& angle) { return !has_symbols(angle) && !angle.has(GiNaC::Pi); }
+
 bool is_beyond_a_turn(double angle) { return angle > kTurn * (1 + kRounded); }
 
 }  // namespace
 
-bool may_be_degrees(const Number& angle) { return is_rational(angle) && is_beyond_a_turn(size_of(angle)); }
+bool may_be_degrees(const Number& angle) { return is_plain(angle) && is_beyond_a_turn(size_of(angle)); }
 
 bool may_be_degrees(const Number& position, const Limits& limits, bool continuous) {
   if (!may_be_degrees(position)) return false;
@@ -37,7 +40,7 @@ bool may_be_degrees(const Number& position, const Limits& limits, bool continuou
 }
 
 bool limit_may_be_degrees(const Number& limit) {
-  if (!is_rational(limit)) return false;
+  if (!is_plain(limit)) return false;
   const double size = size_of(limit);
   return size <= kNoLimit && (size > kManyTurns || is_multiple_of_15(limit));
 }

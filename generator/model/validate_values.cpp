@@ -7,16 +7,16 @@
 #include <array>
 
 #include "model/absent_limits.hpp"
+#include "model/exact_sign.hpp"
 #include "model/physical_inertia.hpp"
 
 namespace flatdyn {
 
 namespace {
 
-bool is_negative(const Number& a) { return is_rational(a) && a.info(GiNaC::info_flags::negative); }
 bool is_exact_zero(const Number& a) { return vanishes(a); }
 
-std::string decimal(const Number& a) { return fmt::format("{:.6g}", GiNaC::ex_to<GiNaC::numeric>(a).to_double()); }
+std::string decimal(const Number& a) { return fmt::format("{:.6g}", nearest_double(a)); }
 
 std::string named(const Joint& joint) { return "joint \"" + joint.name + "\""; }
 std::string named(const Link& link) { return "link \"" + link.name + "\""; }
@@ -104,8 +104,7 @@ void check_motor(const Joint& joint, Diagnostics& diagnostics) {
     diagnostics.error(motor.place, what + "the axis is zero", "write a direction such as [0, 0, 1]");
   }
   const Number excess = motor.inertia_axial.number - 2 * motor.inertia_transverse.number;
-  if (!is_exact_zero(motor.inertia_transverse.number) && is_rational(excess) && !is_negative(excess) &&
-      !is_exact_zero(excess)) {
+  if (!is_exact_zero(motor.inertia_transverse.number) && is_positive(excess)) {
     diagnostics.warning(motor.place, what + "no body has this inertia: inertia exceeds twice inertia_transverse",
                         "check the units; a flat disc has twice, a slender rotor less",
                         "motors with an inertia that no body can have");
@@ -297,7 +296,8 @@ void validate_values(Robot& robot, const std::vector<Place>& payloads, Diagnosti
   if (!complete) return;
   if (moving_joints(robot).empty() && !robot.floating_base) {
     diagnostics.error({robot.file, 0}, "no joint of this robot moves",
-                      robot.scene.locked.empty() ? "make a joint revolute, continuous, prismatic or spherical"
+                      robot.scene.locked.empty() ? "make a joint revolute, continuous, prismatic or spherical; for a "
+                                                   "body that moves freely, such as a drone, give --base floating"
                                                  : "leave a joint free that [locked] or --fix holds");
   }
   check_moved_inertia(robot, diagnostics);

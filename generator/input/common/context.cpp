@@ -9,10 +9,13 @@
 #include <sstream>
 
 #include "diagnostics/nearest.hpp"
+#include "model/exact_sign.hpp"
 
 namespace flatdyn {
 
 namespace {
+
+constexpr std::size_t kLongestNumber = 1000;
 
 bool is_word_for(std::string_view text, std::string_view word) {
   if (!text.empty() && (text[0] == '+' || text[0] == '-')) text.remove_prefix(1);
@@ -35,9 +38,14 @@ GiNaC::numeric rounded(const Number& rational) {
   return GiNaC::numeric(cln::floor1(cln::the<cln::cl_R>(half.to_cl_N())));
 }
 
-const GiNaC::numeric& smallest_number() {
-  static const GiNaC::numeric kSmallest = GiNaC::ex_to<GiNaC::numeric>(exact_decimal("1e-30"));
+const Number& smallest_number() {
+  static const Number kSmallest = exact_decimal("1e-30");
   return kSmallest;
+}
+
+const Number& largest_number() {
+  static const Number kLargest = exact_decimal("1e30");
+  return kLargest;
 }
 
 // Exporters write the rounding errors of their computations.
@@ -47,17 +55,18 @@ Number taken_for_zero(const std::string& shown, const Spot& spot, Diagnostics& d
   return 0;
 }
 
-// A decimal with an exponent beyond all that is read: "-2.5e-99999".
-bool has_tiny_exponent(std::string_view text) {
+// A decimal with an exponent beyond all that is read: "-2.5e-99999", or with `sign` '+' "1e400".
+bool has_exponent_beyond(std::string_view text, char sign) {
   constexpr std::size_t kMostDigits = 100;  // far fewer than that exponent takes away
   const std::size_t e = text.find_first_of("eE");
-  if (e > kMostDigits || e + 2 >= text.size() || text[e + 1] != '-') return false;
-  const std::string_view digits = text.substr(e + 2);
+  if (e > kMostDigits || e + 2 >= text.size()) return false;
+  const bool has_sign = text[e + 1] == '-' || text[e + 1] == '+';
+  if ((has_sign ? text[e + 1] : '+') != sign) return false;
+  const std::string_view digits = text.substr(e + (has_sign ? 2 : 1));
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   if (!std::all_of(digits.begin(), digits.end(), is_digit)) return false;
   try {
-    exact_decimal(text.substr(0, e));
-    return true;
+    return !vanishes(exact_decimal(text.substr(0, e))) || sign == '-';
   } catch (const std::invalid_argument&) {
     return false;
   }
@@ -99,20 +108,29 @@ std::optional<int> find_link(const Robot& robot, const Reference& link, const st
 }
 
 bool check_magnitude(const Number& value, const std::string& shown, const Spot& spot, Diagnostics& diagnostics) {
-  static const GiNaC::numeric kLargest = GiNaC::ex_to<GiNaC::numeric>(exact_decimal("1e30"));
   if (vanishes(value)) return true;
-  const GiNaC::numeric size = magnitude(value);
-  if (size > kLargest) {
+  const Number size = absolute(value);
+  if (is_below(largest_number(), size)) {
     diagnostics.error(spot.place, spot.what + ": " + shown + " is too large",
                       "numbers go up to 1e30; check the units (SI)");
     return false;
   }
-  if (size < smallest_number()) {
+  if (is_below(size, smallest_number())) {
     diagnostics.error(spot.place, spot.what + ": " + shown + " is too small",
                       "numbers other than 0 go down to 1e-30; write 0 if it is only a rounding error");
     return false;
   }
   return true;
+}
+
+bool is_infinite_limit(std::string_view written) {
+  if (is_word_for(written, "inf") || is_word_for(written, ".inf")) return true;
+  if (written.size() > kLongestNumber) return false;
+  try {
+    return !is_below(absolute(exact_decimal(written)), largest_number());
+  } catch (const std::invalid_argument&) {
+    return has_exponent_beyond(written, '+');
+  }
 }
 
 void check_infinite_limit(std::string_view written, Bound bound, const Spot& spot, Diagnostics& diagnostics) {
@@ -151,23 +169,23 @@ Number canonical_angle(const Number& angle, const Spot& spot, Diagnostics& diagn
 }
 
 std::optional<Number> checked_decimal(std::string_view text, const Spot& spot, Diagnostics& diagnostics) {
-  constexpr std::size_t kLongest = 1000;
   constexpr std::size_t kShown = 40;
   const std::string shown = "\"" + std::string(text.substr(0, kShown)) + (text.size() > kShown ? "..." : "") + "\"";
   if (is_word_for(text, "nan") || is_word_for(text, "inf")) {
     diagnostics.error(spot.place, spot.what + ": " + shown + " is not a finite number", "write a finite decimal");
     return std::nullopt;
   }
-  if (text.size() > kLongest) {
+  if (text.size() > kLongestNumber) {
     diagnostics.error(spot.place, spot.what + ": the number " + shown + " is too long", "write at most 1000 digits");
     return std::nullopt;
   }
   try {
     const Number value = exact_decimal(text);
-    if (!vanishes(value) && magnitude(value) < smallest_number()) return taken_for_zero(shown, spot, diagnostics);
+    if (!vanishes(value) && is_below(absolute(value), smallest_number()))
+      return taken_for_zero(shown, spot, diagnostics);
     if (check_magnitude(value, shown, spot, diagnostics)) return value;
   } catch (const std::invalid_argument& error) {
-    if (has_tiny_exponent(text)) return taken_for_zero(shown, spot, diagnostics);
+    if (has_exponent_beyond(text, '-')) return taken_for_zero(shown, spot, diagnostics);
     if (std::string_view(error.what()).find("too large") != std::string_view::npos) {
       diagnostics.error(spot.place, spot.what + ": " + shown + ": " + error.what(), "numbers go from 1e-30 to 1e30");
     } else {
@@ -204,10 +222,16 @@ bool check_size(std::uintmax_t size, const std::string& path, Diagnostics& diagn
   return false;
 }
 
+bool check_fetched(std::string_view text, const std::string& path, Diagnostics& diagnostics) {
+  if (!text.starts_with(kLfsPointer)) return true;
+  diagnostics.error({path, 1}, kIsLfsPointer, kLfsHint);
+  return false;
+}
+
 std::optional<std::string> file_text(const std::string& path, Diagnostics& diagnostics) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) {
-    throw Failure(ExitCode::io, path + ": is a folder", "name a robot file (.urdf, .xacro or .toml)");
+    throw Failure(ExitCode::io, path + ": is a folder", "name a robot file (.urdf, .sdf, .xml, .xacro or .toml)");
   }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw Failure(ExitCode::io, path + ": cannot be read", "check the path and the permissions");
@@ -216,6 +240,7 @@ std::optional<std::string> file_text(const std::string& path, Diagnostics& diagn
   std::ostringstream text;
   text << stream.rdbuf();
   if (stream.bad()) throw Failure(ExitCode::io, path + ": cannot be read to its end", "check the disk");
+  if (!check_fetched(text.view(), path, diagnostics)) return std::nullopt;
   return text.str();
 }
 

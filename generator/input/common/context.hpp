@@ -84,6 +84,9 @@ bool check_magnitude(const Number& value, const std::string& shown, const Spot& 
 
 // Which limit a number is. An infinite one means none, but only where that is what it bounds.
 enum class Bound { lower, upper, magnitude };
+// inf, infinity or .inf with a sign, or a decimal from 1e30, which is beyond all numbers that are read: programs write
+// the largest float or double where there is no limit, as 1.79769e+308 or 3.40282e+38, or 1e308.
+bool is_infinite_limit(std::string_view written);
 void check_infinite_limit(std::string_view written, Bound bound, const Spot& spot, Diagnostics& diagnostics);
 
 // /dev/stdin, <(...) of a shell: what is there can be read once, and its name tells nothing.
@@ -94,7 +97,16 @@ FileKind kind_of(const std::filesystem::path& path);  // by its extension; .xacr
 // False, and a diagnostic, if a file is larger than 64 MB.
 bool check_size(std::uintmax_t size, const std::string& path, Diagnostics& diagnostics);
 
-// The text of a file. Throws Failure(io) if it cannot be read; nullopt and a diagnostic if it is larger than 64 MB.
+// The text that Git LFS leaves where it has not fetched a file. Its first line has no blanks before it.
+inline constexpr std::string_view kLfsPointer = "version https://git-lfs.github.com/spec/";
+inline constexpr const char *kIsLfsPointer = "this is a pointer of Git LFS, not the file itself",
+                            *kLfsHint = "fetch the file: git lfs pull";
+
+// False, and a diagnostic, if it is such a pointer.
+bool check_fetched(std::string_view text, const std::string& path, Diagnostics& diagnostics);
+
+// The text of a file. Throws Failure(io) if it cannot be read; nullopt and a diagnostic if it is larger than 64 MB, or
+// a pointer of Git LFS.
 std::optional<std::string> file_text(const std::string& path, Diagnostics& diagnostics);
 
 }  // namespace flatdyn

@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "diagnostics/characters.hpp"
+#include "diagnostics/diagnostics.hpp"
 #include "input/common/exact_root.hpp"
+#include "model/exact_sign.hpp"
 
 namespace flatdyn {
 
@@ -66,7 +68,7 @@ class Parser {
     if (text_.size() > kLongestText) throw ExpressionError("the expression is too long", 1);
     const Number value = sum();
     if (peek() != '\0') fail("an operator (+ - * / ^) is expected before " + rest());
-    return limited(value);
+    return is_zero(limited(value)) ? Number(0) : value;
   }
 
  private:
@@ -93,6 +95,19 @@ class Parser {
       fail("the number is too large or too long");
     }
     return value;
+  }
+
+  std::optional<int> sign_in_expression(const Number& value) const {
+    try {
+      return sign_of(value);
+    } catch (const Failure&) {
+      fail("the expression has too many roots");
+    }
+  }
+
+  bool is_zero(const Number& value) const {
+    const std::optional<int> sign = sign_in_expression(value);
+    return sign ? *sign == 0 : vanishes(value);
   }
 
   const Number& limited(const Number& value) const {
@@ -129,7 +144,7 @@ class Parser {
         value = bounded(value * factor());
       } else if (take('/')) {
         const Number divisor = factor();
-        if (vanishes(limited(divisor))) fail("division by zero");
+        if (is_zero(limited(divisor))) fail("division by zero");
         value = bounded(value / divisor);
       } else {
         return value;
@@ -152,9 +167,9 @@ class Parser {
     const int bound = has_symbols(base) ? kLargestSymbolicExponent : kLargestExponent;
     if (GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(exponent)) > bound) fail("the exponent is too large");
     if (has_symbols(base)) refuse(growth_of_power(growth_of(base), exponent));
-    const bool is_zero = vanishes(base);
-    if (is_zero && exponent.is_zero()) fail("0^0 has no value");
-    if (is_zero && exponent.info(GiNaC::info_flags::negative)) fail("division by zero");
+    const bool is_of_zero = is_zero(base);
+    if (is_of_zero && exponent.is_zero()) fail("0^0 has no value");
+    if (is_of_zero && exponent.info(GiNaC::info_flags::negative)) fail("division by zero");
     return bounded(GiNaC::pow(base, exponent));
   }
 
@@ -223,8 +238,9 @@ class Parser {
     take('(');
     const Number argument = closed(sum());
     if (has_symbols(argument)) fail("sqrt() of a symbol is not supported: give the root a name of its own");
-    if (!argument.evalf().info(GiNaC::info_flags::nonnegative)) fail("sqrt() of a negative number");
-    return exact_root(argument);
+    const int sign = *sign_in_expression(argument);
+    if (sign < 0) fail("sqrt() of a negative number");
+    return sign == 0 ? Number(0) : exact_root(argument);
   }
 
   class Nesting {

@@ -39,6 +39,7 @@ std::optional<Source> Sources::read(const std::string& path, Diagnostics& diagno
   if (path == kStandardInput) {
     Source source = from_standard_input();
     if (!check_size(source.text.size(), path, diagnostics)) return std::nullopt;
+    if (!check_fetched(source.text, path, diagnostics)) return std::nullopt;
     return kept_.emplace(path, std::move(source)).first->second;
   }
   std::optional<std::string> text = file_text(path, diagnostics);

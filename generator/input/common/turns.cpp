@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "model/exact_sign.hpp"
 #include "model/pose_product.hpp"
 
 namespace flatdyn {
@@ -31,7 +32,7 @@ Vec3 rpy_of(const TurnedAxes& axes, const Number& tolerance) {
   const Vec3 z = cross(axes.x, axes.y);
   const Number across = x[0] * x[0] + x[1] * x[1], length = dot(x, x);
   if (magnitude(across) <= magnitude(tolerance * tolerance * length)) {
-    const Number quarter = GiNaC::Pi / (x[2].info(GiNaC::info_flags::positive) ? -2 : 2);
+    const Number quarter = GiNaC::Pi / (is_positive(x[2]) ? -2 : 2);
     return {0, quarter, angle_of(axes.y[1], -axes.y[0])};
   }
   return {angle_of(z[2], axes.y[2] * decimal_of(GiNaC::sqrt(length))), angle_of(decimal_of(GiNaC::sqrt(across)), -x[2]),
@@ -69,7 +70,7 @@ Displacements turn_about(const Vec3& axis, const Number& angle, const Spot& spot
   for (std::size_t i = 0; i < 3; ++i) {
     if (!vanishes(axis[(i + 1) % 3]) || !vanishes(axis[(i + 2) % 3])) continue;
     const Kind kind = i == 0 ? Kind::rotation_x : i == 1 ? Kind::rotation_y : Kind::rotation_z;
-    return {{kind, zero_vector(), axis[i].info(GiNaC::info_flags::positive) ? angle : -angle}};
+    return {{kind, zero_vector(), is_positive(axis[i]) ? angle : -angle}};
   }
   const Number half = decimal_of(GiNaC::sin(angle / 2) / GiNaC::sqrt(dot(axis, axis)));
   return displacements_of(turned_axes(decimal_of(GiNaC::cos(angle / 2)), half * axis), spot, written, context);

@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "input/common/namespaces.hpp"
+
 namespace flatdyn {
 
 namespace {
@@ -64,8 +66,12 @@ const tinyxml2::XMLElement* parse_xml(const std::string& text, const std::string
                       "put in what it declares: xmllint --noent --dropdtd FILE > robot" + form.extension);
     return nullptr;
   }
-  const tinyxml2::XMLElement* root = document.RootElement();
-  if (root == nullptr) diagnostics.error({file, 0}, "there is no element in this file", form.outline);
+  tinyxml2::XMLElement* root = document.RootElement();
+  if (root == nullptr) {
+    diagnostics.error({file, 0}, "there is no element in this file", form.outline);
+    return nullptr;
+  }
+  give_usual_prefixes(*root);
   return root;
 }
 
@@ -89,7 +95,8 @@ std::string outermost_element(const std::string& text) {
   }
   if (k >= text.size()) return "";
   const std::size_t end = text.find_first_of(" \t\r\n/>", k);
-  return text.substr(k + 1, end == std::string::npos ? end : end - k - 1);
+  const std::string name = text.substr(k + 1, end == std::string::npos ? end : end - k - 1);
+  return name.substr(name.find(':') + 1);
 }
 
 }  // namespace flatdyn

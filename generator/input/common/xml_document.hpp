@@ -17,7 +17,7 @@ struct XmlForm {
 };
 
 // The outermost element; nullptr and an error if the text is not well-formed, has none, or declares entities. Lines
-// keep their numbers.
+// keep their numbers, and names have the usual prefixes of their namespaces.
 const tinyxml2::XMLElement* parse_xml(const std::string& text, const std::string& file, const XmlForm& form,
                                       Diagnostics& diagnostics, tinyxml2::XMLDocument& document);
 
@@ -26,7 +26,7 @@ const tinyxml2::XMLElement* parse_xml(const std::string& text, const std::string
 bool refuse_content_beside(const tinyxml2::XMLElement& root, const std::string& file, const XmlForm& form,
                            Diagnostics& diagnostics);
 
-// The name of the first element of a text, "" if there is none; the text need not be well-formed.
+// The name of the first element of a text without its prefix, "" if there is none; the text need not be well-formed.
 std::string outermost_element(const std::string& text);
 
 }  // namespace flatdyn

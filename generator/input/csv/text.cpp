@@ -8,6 +8,7 @@
 
 #include "diagnostics/characters.hpp"
 #include "diagnostics/utf8.hpp"
+#include "input/common/context.hpp"
 
 namespace flatdyn {
 namespace {
@@ -29,6 +30,7 @@ constexpr OtherFile kOtherFiles[] = {
     {"PK\x03\x04", "this is a zip archive or a spreadsheet, not CSV", "save the sheet as CSV (UTF-8)"},
     {"#ROSBAG", "this is a bag, not CSV", "write its topic as CSV: rostopic echo -p -b FILE /joint_states > log.csv"},
     {"\x89MCAP", "this is a bag, not CSV", "export its topic as CSV, for instance by PlotJuggler"},
+    {kLfsPointer, kIsLfsPointer, kLfsHint},
     {"SQLite format 3", "this is a bag or another database, not CSV", "export its topic as CSV, as PlotJuggler can"},
 };
 

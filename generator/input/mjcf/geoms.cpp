@@ -6,6 +6,7 @@
 #include "input/common/exact_root.hpp"
 #include "input/mjcf/names.hpp"
 #include "input/mjcf/solids.hpp"
+#include "model/exact_sign.hpp"
 #include "model/rational_rotation.hpp"
 
 namespace flatdyn {
@@ -91,8 +92,9 @@ class GeomReader {
   Value mass_of(const Number& volume) const {
     if (const std::optional<Value> mass = values_.number(item_, "mass")) return *mass;
     Value mass = values_.number_or(item_, "density", kWater);
-    if (mass.number.info(GiNaC::info_flags::negative)) {
+    if (is_negative(mass.number)) {
       values_.diagnostics().error(mass.place, item_.what + ": its density is negative", "density is in kg/m^3");
+      mass.number = 0;  // said once
     }
     mass.number *= volume;
     return mass;
@@ -111,7 +113,7 @@ class GeomReader {
       return std::nullopt;
     }
     for (std::size_t i = 0; i < count; ++i) {
-      if (found[i].info(GiNaC::info_flags::positive)) continue;
+      if (is_positive(found[i])) continue;
       values_.diagnostics().error(geom_.element->place,
                                   item_.what + ": size " + std::to_string(i + 1) + " is not positive",
                                   "sizes are half lengths, m");
@@ -151,7 +153,8 @@ class GeomReader {
   std::optional<MjcfSolid> between(const MjcfValues::Numbers& ends, Pose& pose) {
     const Vec3 from = as_vector(ends.numbers), to = {ends.numbers[3], ends.numbers[4], ends.numbers[5]};
     const Vec3 direction = to - from;
-    if (mjcf_size_count(type_) < 2 || values_.find(item_, "pos") != nullptr) {
+    const Vec3 position = values_.length_vector(item_, "pos");
+    if (mjcf_size_count(type_) < 2 || !vanishes(dot(position, position))) {
       values_.diagnostics().error(
           ends.spot.place,
           ends.spot.what + (mjcf_size_count(type_) < 2 ? " of a " + type_ : " beside pos") + " has no meaning",

@@ -2,6 +2,7 @@
 #include "input/mjcf/inertials.hpp"
 
 #include "input/mjcf/geoms.hpp"
+#include "model/exact_sign.hpp"
 
 namespace flatdyn {
 
@@ -28,14 +29,14 @@ bool is_at_least_zero(const Mat3& m) {
   const auto minor = [&m](std::size_t i, std::size_t j) { return m[i][i] * m[j][j] - m[i][j] * m[j][i]; };
   const Number determinant = dot(m[0], cross(m[1], m[2]));
   for (const Number& value : {m[0][0], m[1][1], m[2][2], minor(0, 1), minor(0, 2), minor(1, 2), determinant}) {
-    if (!vanishes(value) && nearest_double(value.expand()) < 0) return false;
+    if (is_negative(value)) return false;
   }
   return true;
 }
 
 bool is_diagonal(const Mat3& m) { return vanishes(m[0][1]) && vanishes(m[0][2]) && vanishes(m[1][2]); }
 
-Number larger(const Number& a, const Number& b) { return nearest_double(a - b) < 0 ? b : a; }
+Number larger(const Number& a, const Number& b) { return is_below(a, b) ? b : a; }
 
 Mat3 multiple_of_one(const Number& a) { return {Vec3{a, 0, 0}, Vec3{0, a, 0}, Vec3{0, 0, a}}; }
 

@@ -9,6 +9,7 @@
 #include "input/mjcf/mesh_file.hpp"
 #include "input/mjcf/names.hpp"
 #include "input/urdf/entries.hpp"
+#include "model/exact_sign.hpp"
 
 namespace flatdyn {
 
@@ -52,8 +53,8 @@ class SolidReader {
     solid.moments = mesh_moments(scaled(*mesh, *scale), *volume);
     constexpr double kLeast = 1e-15;  // m^3, as in MuJoCo
     if (nearest_double(solid.moments.volume) < kLeast) {
-      report(nearest_double(solid.moments.volume) < 0 ? "its volume is negative: its triangles are turned inside out"
-                                                      : "it encloses no volume");
+      report(is_negative(solid.moments.volume) ? "its volume is negative: its triangles are turned inside out"
+                                               : "it encloses no volume");
       return std::nullopt;
     }
     if (!place(*scale, solid)) return std::nullopt;

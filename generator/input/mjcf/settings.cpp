@@ -6,6 +6,7 @@
 
 #include "input/mjcf/names.hpp"
 #include "input/urdf/entries.hpp"
+#include "model/exact_sign.hpp"
 
 namespace flatdyn {
 
@@ -26,7 +27,7 @@ MjcfElement merged(const MjcfElement& root, const std::string& name) {
 }
 
 std::optional<Value> positive(std::optional<Value> value) {
-  return value && value->number.info(GiNaC::info_flags::positive) ? value : std::nullopt;
+  return value && is_positive(value->number) ? value : std::nullopt;
 }
 
 InertiaFromGeom inertia_from_geom(const MjcfItem& compiler, const MjcfValues& values) {

@@ -17,12 +17,6 @@ std::string count_text(std::size_t least, std::size_t most) {
                        : count + " to " + std::to_string(most) + " numbers are";
 }
 
-bool is_infinity(std::string word) {
-  if (!word.empty() && (word[0] == '+' || word[0] == '-')) word.erase(0, 1);
-  for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
-  return word == "inf" || word == "infinity";
-}
-
 }  // namespace
 
 Vec3 as_vector(const std::vector<Number>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
@@ -123,7 +117,7 @@ std::optional<std::array<std::optional<Value>, 2>> MjcfValues::range(const MjcfI
   }
   std::array<std::optional<Value>, 2> limits;
   for (std::size_t i = 0; i < 2; ++i) {
-    if (is_infinity(words[i])) {
+    if (is_infinite_limit(words[i])) {
       check_infinite_limit(words[i], i == 0 ? Bound::lower : Bound::upper, where, diagnostics());
     } else if (const auto value = checked_decimal(words[i], where, diagnostics())) {
       limits[i] = Value{*value, where.place};

@@ -94,13 +94,9 @@ class BodyReader {
       diagnostics_.unsupported(values_.place(element), what + ": inertia from collision shapes is not supported yet",
                                "write <mass> and <inertia>, and delete auto=\"true\"");
     }
-    if (const XMLElement* added = values_.child(element, "fluid_added_mass", what)) {
-      for (const XMLElement* entry : elements_in(*added)) {
-        if (is_zero_text(text_in(*entry))) continue;
-        diagnostics_.unsupported(values_.place(*entry), what + ": the mass of a fluid that moves is not supported yet",
-                                 "delete <fluid_added_mass>");
-        break;
-      }
+    if (const XMLElement* entry = first_number_in("fluid_added_mass", element)) {
+      diagnostics_.unsupported(values_.place(*entry), what + ": the mass of a fluid that moves is not supported yet",
+                               "delete <fluid_added_mass>");
     }
   }
 
@@ -109,15 +105,21 @@ class BodyReader {
       diagnostics_.unsupported(values_.place(element_), what_ + ": it is kinematic, so no force moves it",
                                "delete <kinematic>, or fix its joint");
     }
-    const XMLElement* decay = values_.child(element_, "velocity_decay", what_);
-    if (decay == nullptr) return;
-    for (const XMLElement* entry : elements_in(*decay)) {
-      if (is_zero_text(text_in(*entry))) continue;
+    if (const XMLElement* entry = first_number_in("velocity_decay", element_)) {
       diagnostics_.note(values_.place(*entry), what_ + ": <velocity_decay> is not read",
                         "it is a number of simulators; write <damping> of a joint",
                         "decays of velocities that are not read");
-      return;
     }
+  }
+
+  // The first entry that is not 0 in children of this name, of which there may be several; nullptr if there is none.
+  static const XMLElement* first_number_in(const char* tag, const XMLElement& parent) {
+    for (const XMLElement* holder : elements_in(parent, tag)) {
+      for (const XMLElement* entry : elements_in(*holder)) {
+        if (!is_zero_text(text_in(*entry))) return entry;
+      }
+    }
+    return nullptr;
   }
 
   const SdfValues& values_;

@@ -71,14 +71,15 @@ class Chooser {
 
   std::optional<SdfChoice> choose_only() {
     const std::size_t before = diagnostics_.all().size();
+    const std::vector<SdfChoice> own = moving_choices();
     for (const Included& each : includes_) {
       if (const std::optional<SdfModel> model = included(each)) choices_.push_back({*model, each.world});
     }
-    if (diagnostics_.all().size() > before && diagnostics_.has_errors()) return std::nullopt;
-    std::vector<SdfChoice> moving;
-    for (const SdfChoice& choice : choices_) {
-      if (!is_static(choice.model)) moving.push_back(choice);
+    if (diagnostics_.all().size() > before && diagnostics_.has_errors()) {
+      tell_of_own(own);
+      return std::nullopt;
     }
+    const std::vector<SdfChoice> moving = moving_choices();
     const std::vector<SdfChoice>& all = moving.empty() ? choices_ : moving;
     if (all.size() == 1) {
       note_static(all.front());
@@ -86,6 +87,29 @@ class Chooser {
     }
     refuse(all);
     return std::nullopt;
+  }
+
+  std::vector<SdfChoice> moving_choices() const {
+    std::vector<SdfChoice> moving;
+    for (const SdfChoice& choice : choices_) {
+      if (!is_static(choice.model)) moving.push_back(choice);
+    }
+    return moving;
+  }
+
+  // Where files of others are missing.
+  void tell_of_own(const std::vector<SdfChoice>& own) {
+    if (own.empty()) return;
+    diagnostics_.note(
+        values_.place(*own.front().model.element),
+        fmt::format("this file itself has the {} {}", own.size() == 1 ? "model" : "models", name_list(own)),
+        "--model NAME reads one model, without what is included beside it");
+  }
+
+  static std::string name_list(const std::vector<SdfChoice>& all) {
+    std::vector<std::string> names;
+    for (const SdfChoice& choice : all) names.push_back("\"" + name_of(choice.model) + "\"");
+    return fmt::format("{}", fmt::join(names, ", "));
   }
 
   void note_static(const SdfChoice& choice) {
@@ -102,10 +126,8 @@ class Chooser {
                          "an SDF file of a robot is <sdf version=\"1.9\"> <model name=\"...\"> ... </model> </sdf>");
       return;
     }
-    std::vector<std::string> names;
-    for (const SdfChoice& choice : all) names.push_back("\"" + name_of(choice.model) + "\"");
     diagnostics_.error(values_.place(*all[1].model.element),
-                       fmt::format("there are {} models in this file: {}", all.size(), fmt::join(names, ", ")),
+                       fmt::format("there are {} models in this file: {}", all.size(), name_list(all)),
                        "choose one by --model NAME");
   }
 

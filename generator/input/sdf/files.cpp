@@ -72,22 +72,35 @@ std::optional<fs::path> file_of_folder(const fs::path& folder, const Place& plac
   return std::nullopt;
 }
 
-// The folder or file that a URI stands for, from the folder of the file that it is in.
-std::optional<fs::path> place_of_uri(std::string uri, const fs::path& here) {
-  std::vector<fs::path> candidates;
-  if (uri.starts_with("model://")) {
-    uri.erase(0, std::string_view("model://").size());
-    candidates = {here / uri, here / ".." / uri, here / "models" / uri};
-  } else if (uri.starts_with("file://")) {
-    candidates = {here / uri.substr(std::string_view("file://").size())};
-  } else if (uri.find("://") == std::string::npos) {
-    candidates = {here / uri};
+// The folders or files that a URI may stand for, from the folder of the file that it is in; none of a network.
+std::vector<fs::path> places_of_uri(std::string uri, const fs::path& here) {
+  constexpr std::string_view kModel = "model://", kFile = "file://";
+  if (uri.starts_with(kModel)) {
+    uri.erase(0, kModel.size());
+    return {here / uri, here / ".." / uri, here / "models" / uri};
   }
+  if (uri.starts_with(kFile)) return {here / uri.substr(kFile.size())};
+  return uri.find("://") == std::string::npos ? std::vector{here / uri} : std::vector<fs::path>{};
+}
+
+// The first of them that is there; nullopt, and an error, if none is.
+std::optional<fs::path> place_of_uri(const Reference& uri, const fs::path& here, Diagnostics& diagnostics) {
+  const std::vector<fs::path> candidates = places_of_uri(uri.name, here);
+  std::vector<std::string> looked_for;
   for (const fs::path& candidate : candidates) {
     std::error_code error;
-    if (fs::is_regular_file(candidate, error) || fs::is_regular_file(candidate / "model.config", error)) {
-      return candidate.lexically_normal();
-    }
+    const fs::path place = candidate.lexically_normal();
+    if (fs::is_regular_file(place, error) || fs::is_regular_file(place / "model.config", error)) return place;
+    const bool is_folder = fs::is_directory(place, error);
+    looked_for.push_back(place.string() + (is_folder ? " (a folder without model.config)" : ""));
+  }
+  if (looked_for.empty()) {
+    diagnostics.error(uri.place, "include: \"" + uri.name + "\" is on a network, from which nothing is fetched",
+                      "put the model into a folder beside this file, and write its path");
+  } else {
+    diagnostics.error(uri.place,
+                      fmt::format("include: \"{}\" is not found: looked for {}", uri.name, fmt::join(looked_for, ", ")),
+                      kIncludeHint);
   }
   return std::nullopt;
 }
@@ -119,11 +132,8 @@ const SdfFile* include_sdf(const XMLElement& include, const SdfValues& values, c
     context.diagnostics.error(values.place(include), "include: it has no <uri>", kIncludeHint);
     return nullptr;
   }
-  std::optional<fs::path> path = place_of_uri(uri->name, fs::path(values.file()).parent_path());
-  if (!path) {
-    context.diagnostics.error(uri->place, "include: \"" + uri->name + "\" is not found beside this file", kIncludeHint);
-    return nullptr;
-  }
+  std::optional<fs::path> path = place_of_uri(*uri, fs::path(values.file()).parent_path(), context.diagnostics);
+  if (!path) return nullptr;
   std::error_code error;
   if (fs::is_directory(*path, error)) path = file_of_folder(*path, uri->place, context);
   if (!path) return nullptr;

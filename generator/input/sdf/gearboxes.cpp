@@ -7,6 +7,7 @@
 #include "input/sdf/joint_axis.hpp"
 #include "input/sdf/placing.hpp"
 #include "input/urdf/mimics.hpp"
+#include "model/exact_sign.hpp"
 
 namespace flatdyn {
 
@@ -82,7 +83,7 @@ class GearboxReader {
       refuse(std::string("its <") + tag + "> is not parallel to the axis of joint \"" + joint->name + "\"");
       return std::nullopt;
     }
-    return Turning{joint, nearest_double(dot(wanted, found).expand()) < 0 ? -1 : 1};
+    return Turning{joint, is_negative(dot(wanted, found)) ? -1 : 1};
   }
 
   // nullptr if the body is not moved on the reference body by a joint that turns.

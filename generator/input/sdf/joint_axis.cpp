@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input/sdf/joint_axis.hpp"
 
+#include "input/common/exchanged_limits.hpp"
 #include "input/urdf/entries.hpp"
 
 namespace flatdyn {
@@ -56,6 +57,7 @@ class AxisReader {
       joint_.limits.lower = values_.limit(limit, "lower", Bound::lower, what);
       joint_.limits.upper = values_.limit(limit, "upper", Bound::upper, what);
     }
+    remove_exchanged_limits(joint_, context_.diagnostics);
     joint_.limits.velocity = values_.limit(limit, "velocity", Bound::magnitude, what);
     joint_.limits.effort = values_.limit(limit, "effort", Bound::magnitude, what);
     joint_.limits.acceleration = values_.limit(limit, "drake:acceleration", Bound::magnitude, what);

@@ -10,6 +10,7 @@
 #include "input/urdf/entries.hpp"
 #include "input/urdf/quaternion.hpp"
 #include "input/urdf/values.hpp"
+#include "model/exact_sign.hpp"
 #include "model/unit_plausibility.hpp"
 
 namespace flatdyn {
@@ -22,8 +23,17 @@ constexpr std::size_t kOfPosition = 3, kOfEuler = 6, kOfQuaternion = 7;
 
 std::string joined_words(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
-bool is_unlimited(const std::string& text) {
-  return text == "inf" || text == "-inf" || text == "+inf" || text == "INF" || text == "-INF";
+bool says_the_same(const XMLElement& a, const XMLElement& b) {
+  const auto is_text = [](const XMLElement& e) {
+    return e.FirstChildElement() == nullptr && e.FirstAttribute() == nullptr;
+  };
+  return is_text(a) && is_text(b) && are_equivalent_texts(text_in(a), text_in(b));
+}
+
+// SDF's default for a position without a limit.
+bool is_default_limit(const Number& limit) {
+  static const Number kDefault = exact_decimal("1e16");
+  return !is_below(absolute(limit), kDefault);
 }
 
 }  // namespace
@@ -31,11 +41,14 @@ bool is_unlimited(const std::string& text) {
 const XMLElement* SdfValues::child(const XMLElement& parent, const char* tag, const std::string& what) const {
   const XMLElement* first = parent.FirstChildElement(tag);
   if (first == nullptr) return nullptr;
-  if (const XMLElement* second = first->NextSiblingElement(tag)) {
+  for (const XMLElement* second = first->NextSiblingElement(tag); second != nullptr;
+       second = second->NextSiblingElement(tag)) {
+    if (says_the_same(*first, *second)) continue;
     context_.diagnostics.error(
         place(*second),
         fmt::format("{}: <{}> is there twice (the first is in line {})", what, tag, first->GetLineNum()),
         "delete one of them");
+    break;
   }
   return first;
 }
@@ -128,13 +141,15 @@ std::optional<Value> SdfValues::limit(const XMLElement& parent, const char* tag,
   const XMLElement* element = child(parent, tag, what);
   if (element == nullptr) return std::nullopt;
   const std::string text = single_word(text_in(*element));
-  if (is_unlimited(text)) {
-    check_infinite_limit(text, bound, {place(*element), what + ", " + tag}, context_.diagnostics);
-    return std::nullopt;
+  const Spot spot{place(*element), what + ", " + tag};
+  const bool is_none = bound == Bound::magnitude && text.starts_with('-');
+  if (!is_infinite_limit(text)) {
+    const std::optional<Number> value = checked_decimal(text, spot, context_.diagnostics);
+    if (!value || is_none) return std::nullopt;
+    if (!is_default_limit(*value)) return Value{*value, spot.place};
   }
-  const std::optional<Value> value = number(parent, tag, what);
-  const bool is_none = bound == Bound::magnitude && value->number.info(GiNaC::info_flags::negative);
-  return is_none ? std::nullopt : value;
+  if (!is_none) check_infinite_limit(text, bound, spot, context_.diagnostics);
+  return std::nullopt;
 }
 
 Vec3 SdfValues::angles(const std::vector<std::string>& words, const std::vector<Number>& numbers, bool degrees,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Values of SDF elements, each with its line. A value is the text of an element: <mass>2</mass>. A child that is there
-// twice is an error: it is not clear which one counts.
+// twice in different ways is an error: it is not clear which one counts.
 #pragma once
 
 #include <tinyxml2.h>
@@ -53,7 +53,7 @@ class SdfValues {
   // The three numbers of an element; nullopt and an error if it has others.
   std::optional<Vec3> vector(const tinyxml2::XMLElement& element, const std::string& what) const;
 
-  // A limit: infinite, or a negative magnitude, means none.
+  // A limit: infinite, 1e16 as SDF's defaults, or a negative magnitude, means none.
   std::optional<Value> limit(const tinyxml2::XMLElement& parent, const char* tag, Bound bound,
                              const std::string& what) const;
 

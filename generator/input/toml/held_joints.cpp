@@ -7,6 +7,7 @@
 #include "diagnostics/nearest.hpp"
 #include "input/common/units.hpp"
 #include "model/coupling.hpp"
+#include "model/exact_sign.hpp"
 #include "model/unit_plausibility.hpp"
 
 namespace flatdyn {
@@ -70,11 +71,6 @@ bool ask_about(const Number& position, const HeldJoint& written, const Joint& jo
   if (!may_be_degrees(position, joint.limits, type == JointType::continuous)) return false;
   warn_of_degrees(position, spot, hint_for_degrees(written), context.diagnostics);
   return true;
-}
-
-bool is_below(const Number& a, const Number& b) {
-  const Number difference = b - a;
-  return !has_symbols(difference) && nearest_double(difference) > 0;
 }
 
 // Exporters write lower = upper = 0 where nobody gave limits.

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "diagnostics/nearest.hpp"
+#include "input/common/foreign_files.hpp"
 #include "input/mjcf/reader.hpp"
 #include "input/sdf/reader.hpp"
 #include "input/toml/reader.hpp"
@@ -60,6 +61,11 @@ class OverlayReader {
     const Place place = table.place_of(key);
     if (!can_be_read(path, key, place)) return {};
     const FileKind kind = kind_of(path);
+    const std::optional<ForeignFile> foreign = foreign_by_name(path);
+    if (foreign && kind == FileKind::unknown) {
+      diagnostics_.error(place, key + ": " + quoted(*name) + ": " + foreign->what, foreign->hint);
+      return {};
+    }
     if (kind == FileKind::unknown || (kind == FileKind::toml && key == "urdf")) {
       diagnostics_.error(place, key + ": " + quoted(*name) + " is no " + (key == "urdf" ? "URDF" : "robot file"),
                          kind == FileKind::toml ? "write robot = " + quoted(*name)

@@ -96,7 +96,8 @@ class TomlReader {
     std::vector<TomlTable> rows = table.tables("link");
     if (rows.empty() && !table.has("link") && !robot_.floating_base) {
       diagnostics_.error(top, "there is no [[link]] and no other robot file",
-                         "add a [[link]] for each joint, or robot = \"file.urdf\"");
+                         "add a [[link]] for each joint, or robot = \"file.urdf\"; a body that moves freely has base = "
+                         "\"floating\"");
     }
     for (std::size_t i = 0; i < rows.size(); ++i) name_link(rows[i], i + 1);
     for (std::size_t i = 0; i < rows.size(); ++i) read_row(rows[i], i + 1);

@@ -18,11 +18,6 @@ std::string with_key(const std::string& what, std::string_view key) {
   return what.empty() ? std::string(key) : what + ", " + std::string(key);
 }
 
-bool is_infinite(const toml::node& node) {
-  const auto* number = node.as_floating_point();
-  return number != nullptr && (number->get() > 1e300 || number->get() < -1e300);
-}
-
 // Checks the value, or each number that is a term or factor beside its symbols.
 bool check_magnitudes(const Number& value, const std::string& shown, const Spot& spot, Diagnostics& diagnostics) {
   if (!has_symbols(value)) return check_magnitude(value, shown, spot, diagnostics);
@@ -232,8 +227,10 @@ Value TomlTable::number_or_zero(std::string_view key, Quantity quantity) {
 std::optional<Value> TomlTable::limit(std::string_view key, Quantity quantity, Bound bound) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (is_infinite(*node)) {
-    check_infinite_limit(source_.text_of(node->source()), bound, spot(*node, key), source_.context().diagnostics);
+  std::string written = node->is_string() ? node->as_string()->get() : source_.text_of(node->source());
+  std::erase(written, '_');
+  if ((node->is_string() || node->is_number()) && is_infinite_limit(written)) {
+    check_infinite_limit(written, bound, spot(*node, key), source_.context().diagnostics);
     return std::nullopt;
   }
   std::optional<Value> value = value_in_si(key, quantity);

@@ -44,11 +44,30 @@ const Names kIrrelevantInJoint = {"safety_controller", "calibration", "hardwareI
 const Names kOfRotor = {"rotor_inertia",        "motorInertia", "gear_ratio",          "mechanicalReduction",
                         "mechanical_reduction", "reduction",    "drake:rotor_inertia", "drake:gear_ratio"};
 const Names kOfTransmission = {"type", "joint", "actuator", "plugin"};
-const Names kIrrelevantInActuator = {"hardwareInterface", "role", "offset", "state_interface", "command_interface"};
+// A torque constant maps current to torque.
+const Names kIrrelevantInActuator = {
+    "hardwareInterface",     "role",           "offset", "state_interface", "command_interface", "motorTorqueConstant",
+    "motor_torque_constant", "torque_constant"};
 
 Names both(Names names, const Names& more) {
   names.insert(names.end(), more.begin(), more.end());
   return names;
+}
+
+bool is_reduction(std::string_view name) { return words_of_name(name).back() == "reduction"; }
+
+// Whether an element or attribute is the inertia of a rotor.
+bool holds_rotor(const XMLElement& element) {
+  const auto is_rotor = [](const char* name) {
+    const std::vector<std::string> words = words_of_name(name);
+    return words == Names{"rotor", "inertia"} || words == Names{"motor", "inertia"};
+  };
+  if (is_rotor(element.Name())) return true;
+  for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
+    if (is_rotor(a->Name())) return true;
+  }
+  const std::vector<const XMLElement*> children = elements_in(element);
+  return std::any_of(children.begin(), children.end(), [](const XMLElement* child) { return holds_rotor(*child); });
 }
 
 class NameChecker {
@@ -57,6 +76,7 @@ class NameChecker {
       : values_(values), diagnostics_(values.context().diagnostics), unknown_(values), unread_(values) {}
 
   void check_robot(const XMLElement& root) {
+    has_rotor_ = holds_rotor(root);
     Names irrelevant = kIrrelevantInRobot;
     for (const XMLElement* element : elements_in(root)) {
       const std::string_view name = element->Name();
@@ -150,13 +170,14 @@ class NameChecker {
     for (const std::string& name : names) {
       const XMLElement* first = parent.FirstChildElement(name.c_str());
       const XMLElement* second = first == nullptr ? nullptr : first->NextSiblingElement(name.c_str());
-      if (second == nullptr) continue;
+      if (second == nullptr || (is_reduction(name) && !has_rotor_)) continue;
       diagnostics_.error(values_.place(*second), what + " has two <" + name + "> elements", "keep one");
     }
   }
 
   const UrdfValues& values_;
   Diagnostics& diagnostics_;
+  bool has_rotor_ = false;  // without a rotor's inertia, gears are not read
   UnknownEntries unknown_;
   UnreadElements unread_;
 };

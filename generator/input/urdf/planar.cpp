@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "input/common/joint_parts.hpp"
+#include "model/exact_sign.hpp"
 
 namespace flatdyn {
 
@@ -32,7 +33,7 @@ bool is_coupled(const std::string& name, const Robot& robot) {
 
 void tell_of_axes(const Joint& joint, const std::string& what, Diagnostics& diagnostics) {
   const Vec3& axis = joint.axis;
-  const bool is_z = vanishes(axis[0]) && vanishes(axis[1]) && nearest_double(axis[2]) > 0;
+  const bool is_z = vanishes(axis[0]) && vanishes(axis[1]) && is_positive(axis[2]);
   if (is_z) return;
   diagnostics.note(joint.place,
                    what +

@@ -5,7 +5,9 @@
 #include <map>
 
 #include "diagnostics/nearest.hpp"
+#include "input/common/exchanged_limits.hpp"
 #include "input/common/floating_joints.hpp"
+#include "input/common/foreign_files.hpp"
 #include "input/common/xacro.hpp"
 #include "input/common/xml_document.hpp"
 #include "input/urdf/actuators.hpp"
@@ -271,6 +273,7 @@ class UrdfReader {
       joint.limits.lower = values_.limit(*limit, "lower", Bound::lower, where);
       joint.limits.upper = values_.limit(*limit, "upper", Bound::upper, where);
     }
+    remove_exchanged_limits(joint, diagnostics_);
     joint.limits.velocity = values_.limit(*limit, "velocity", Bound::magnitude, where);
     joint.limits.effort = values_.limit(*limit, "effort", Bound::magnitude, where);
     joint.limits.acceleration = values_.limit(*limit, "acceleration", Bound::magnitude, where);
@@ -295,7 +298,9 @@ class UrdfReader {
 void report_other_format(const XMLElement& root, const Place& place, Diagnostics& diagnostics) {
   const std::string name = root.Name();
   const std::string message = "the outermost element is <" + name + ">, not <robot>";
-  if (name == "mujocoinclude") {
+  if (const std::optional<ForeignFile> foreign = foreign_by_element(name)) {
+    diagnostics.error(place, foreign->what, foreign->hint);
+  } else if (name == "mujocoinclude") {
     diagnostics.unsupported(place, message + ": this format is not supported",
                             "convert the model to URDF, or write a TOML file");
   } else {

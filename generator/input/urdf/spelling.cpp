@@ -23,6 +23,21 @@ bool has_word_among(const std::vector<std::string>& words, const WordSet& among)
   return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return among.contains(word); });
 }
 
+// What a motor makes of current and voltage, how large they may be, and how it is called and counted: nothing by which
+// a robot moves another way.
+bool is_of_motor_only(const std::vector<std::string>& words) {
+  static const WordSet kElectrical = {"resistance", "inductance", "voltage",    "current", "currents", "emf",
+                                      "backemf",    "winding",    "electrical", "kt",      "ke",       "kv",
+                                      "encoder",    "encoders",   "pole",       "poles",   "power"};
+  static const WordSet kMotors = {"motor", "motors", "rotor", "torque", "speed", "velocity"};
+  static const WordSet kHandling = {"constant", "id",    "ids",    "name", "names",
+                                    "type",     "model", "serial", "port", "channel"};
+  static const WordSet kOfMotion = {"inertia", "inertias", "mass",   "damping",   "friction",  "viscous",  "coulomb",
+                                    "gear",    "ratio",    "spring", "stiffness", "reduction", "reflected"};
+  if (has_word_among(words, kOfMotion)) return false;
+  return has_word_among(words, kElectrical) || (has_word_among(words, kMotors) && has_word_among(words, kHandling));
+}
+
 }  // namespace
 
 std::string folded_name(std::string_view name) {
@@ -67,13 +82,14 @@ bool is_dynamics_name(std::string_view name) {
       "mimic",     "follow",    "follows",  "follower",  "coupling",   "coupled", "springdamper"};
   static const WordSet kOfOthers = {"sensor", "sensors", "controller", "controllers", "interface", "plugin"};
   const std::vector<std::string> words = words_of_name(name);
-  if (has_word_among(words, kOfOthers)) return false;
+  if (has_word_among(words, kOfOthers) || is_of_motor_only(words)) return false;
   return has_word_among(words, kWords) || joined_name(name) == "forceelement";
 }
 
 bool is_rotor_name(std::string_view name) {
   static const WordSet kWords = {"rotor", "inertia", "inerta", "armature", "gear", "ratio", "reduction", "reflected"};
-  return has_word_among(words_of_name(name), kWords);
+  const std::vector<std::string> words = words_of_name(name);
+  return has_word_among(words, kWords) && !is_of_motor_only(words);
 }
 
 }  // namespace flatdyn

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "diagnostics/nearest.hpp"
 #include "input/urdf/children.hpp"
@@ -82,6 +83,19 @@ bool holds_values(const XMLElement& element) {
   const tinyxml2::XMLNode* above = element.Parent()->Parent();
   return holder == "link" || holder == "inertial" ||
          (holder == "joint" && above != nullptr && std::string_view(above->Value()) == "robot");
+}
+
+// How Gazebo's switches of a link stand where they change nothing.
+std::optional<bool> usual_state(std::string_view name) {
+  static const std::map<std::string, bool, std::less<>> kSwitches = {
+      {"gravity", true}, {"kinematic", false}, {"turngravityoff", false}, {"static", false}};
+  const auto found = kSwitches.find(joined_name(name));
+  return found == kSwitches.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool says(const std::string& text, bool state) {
+  const std::string word = folded_name(single_word(text));
+  return state ? word == "true" || word == "1" : word == "false" || word == "0";
 }
 
 }  // namespace
@@ -165,9 +179,28 @@ bool UnreadElements::refuse_contents(const Element& element, const std::string& 
   return true;
 }
 
+// True of a switch of Gazebo in a link, whether or not it is refused.
+bool UnreadElements::check_switch(const Element& element, const std::string& what) {
+  const std::optional<bool> usual = usual_state(element.Name());
+  if (!usual || std::string_view(element.Parent()->Value()) != "link") return false;
+  const std::string text = value_of(element);
+  if (says(text, *usual) || words_of(text).empty()) return true;
+  const bool is_known = says(text, !*usual);
+  const std::string said = what + ": " + tag_of(element) + " is \"" + single_word(text) + "\"";
+  if (!is_known) {
+    diagnostics_.error(values_.place(element), said + ", neither true nor false", "write 1 or 0, or delete it");
+  } else if (joined_name(element.Name()).find("gravity") != std::string::npos) {
+    diagnostics_.unsupported(values_.place(element), said + ": links on which gravity does not act are not supported",
+                             "delete it; for robots whose weight is balanced, --gravity off leaves out all of it");
+  } else {
+    diagnostics_.unsupported(values_.place(element), said + ", so no force moves it", "delete it, or fix its joint");
+  }
+  return true;
+}
+
 void UnreadElements::check_one(const Element& element, const std::string& what, const ChildNames& names) {
   const std::string_view name = element.Name();
-  if (refuse_spelling(element, what, names.read)) return;
+  if (check_switch(element, what) || refuse_spelling(element, what, names.read)) return;
   if (brings_in_files(name)) {
     diagnostics_.error(values_.place(element),
                        what + ": " + tag_of(element) + " is not read, nor the file that it names",

@@ -43,6 +43,7 @@ class UnreadElements {
   bool refuse_spelling(const Element& element, const std::string& what, const std::vector<std::string>& read);
   bool refuse_place(const Element& element, const std::string& what);
   bool refuse_words_of_sdf(const Element& element, const std::string& what);
+  bool check_switch(const Element& element, const std::string& what);
   bool refuse_contents(const Element& element, const std::string& what);
   void check_one(const Element& element, const std::string& what, const ChildNames& names);
 

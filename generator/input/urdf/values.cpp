@@ -7,6 +7,7 @@
 #include "diagnostics/utf8.hpp"
 #include "input/common/units.hpp"
 #include "input/urdf/quaternion.hpp"
+#include "model/exact_sign.hpp"
 #include "model/unit_plausibility.hpp"
 
 namespace flatdyn {
@@ -44,20 +45,6 @@ std::string words_for_place(const XMLElement& holder, const UrdfEntry& entry) {
   if (entry.form == UrdfEntry::Form::text) return "the text of " + tag;
   if (entry.form == UrdfEntry::Form::child) return "<" + entry.name + "> in " + tag;
   return "\"" + entry.name + "\" of " + tag;
-}
-
-// Some files write 1e308 for infinite.
-bool is_infinite(std::string_view text) {
-  constexpr int kBeyond = 30;
-  std::string_view word = text;
-  if (!word.empty() && (word[0] == '+' || word[0] == '-')) word.remove_prefix(1);
-  if (word == "inf" || word == "INF" || word == "Inf" || word == "infinity" || word == "Infinity") return true;
-  try {
-    const auto magnitude = GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(exact_decimal(text)));
-    return magnitude >= GiNaC::pow(GiNaC::numeric(10), kBeyond);
-  } catch (const std::invalid_argument&) {
-    return false;  // no number at all: said by number()
-  }
 }
 
 }  // namespace
@@ -175,13 +162,13 @@ std::optional<Value> UrdfValues::limit(const XMLElement& element, const char* ke
   if (!entry) return std::nullopt;
   const Spot where = spot(*entry, key, what);
   const std::string text = single_word(entry->text);
-  if (is_infinite(text)) {
+  if (is_infinite_limit(text)) {
     check_infinite_limit(text, bound, where, context_.diagnostics);
     return std::nullopt;
   }
   const std::optional<Number> value = checked_decimal(text, where, context_.diagnostics);
   if (!value) return std::nullopt;
-  if (bound == Bound::magnitude && value->info(GiNaC::info_flags::negative)) {
+  if (bound == Bound::magnitude && is_negative(*value)) {
     context_.diagnostics.note(where.place, where.what + ": \"" + text + "\" is taken as not given",
                               "a limit is a magnitude; leave it out where there is none",
                               "negative limits taken as not given");

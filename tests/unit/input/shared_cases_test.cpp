@@ -63,6 +63,29 @@ const Refusal kRefusals[] = {
     {"reduction0.urdf", 1, "the gear ratio of its rotor is zero"},
     {"twomotors.urdf", 1, "two actuators with a rotor each"},
     {"xacro.urdf", 2, "this is a xacro template"},
+    {"limits/a.toml", 5, "the lower limit (2.26893) is above the upper one (-1.74533)"},
+    {"limits/b.toml", 4, "the lower limit (1.5708) is above the upper one (-1.5708)"},
+    {"limits/c.toml", 5, "velocity limit is negative (-3.14159)"},
+    {"limits/s1.toml", 3, "mass is negative (-1.41421)"},
+    {"limits/s2.toml", 4, "viscous friction (damping) is negative (-1.41421)"},
+    {"files/lfs.urdf", 1, "this is a pointer of Git LFS"},
+};
+
+// A file that is read, and what is noted or warned of: "" for nothing at all.
+struct Reading {
+  const char* file;
+  const char* says;
+};
+
+const Reading kReadings[] = {
+    {"limits/s7.toml", "no body has this inertia: a principal moment is negative"},
+    {"files/B_limit.xml", ""},
+    {"files/B_limit_dblmax.sdf", ""},
+    {"files/B_limit_dblmax.urdf", ""},
+    {"files/E_velocity_decay_twice.sdf", ""},
+    {"files/G_gravity1.urdf", ""},
+    {"files/H_bullet_lower_above_upper.urdf", "no limit in Bullet and ODE"},
+    {"files/torque_constant.urdf", ""},
 };
 
 // A file with several joints, and its coordinates. Their dynamics are tested where loops and dust are.
@@ -78,9 +101,9 @@ const Coordinates kCoordinates[] = {
 };
 
 std::string name_of(const std::string& file) {
-  std::string name = fs::path(file).stem().string();
+  std::string name = fs::path(file).replace_extension().string();
   std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+      name.begin(), name.end(), [](char c) { return c == '-' || c == '.' || c == '/'; }, '_');
   return name;
 }
 
@@ -121,6 +144,23 @@ TEST_P(SharedRefusals, NameTheLine) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, SharedRefusals, ::testing::ValuesIn(kRefusals), name_of_case<Refusal>);
+
+class SharedReadings : public ::testing::TestWithParam<Reading> {};
+
+TEST_P(SharedReadings, SayNothingElse) {
+  const fs::path path = kShared / "cases" / GetParam().file;
+  if (!fs::exists(path)) GTEST_SKIP() << "there is no ../shared/cases";
+  Diagnostics diagnostics;
+  const std::optional<Robot> robot = read_robot(path, {}, diagnostics);
+  ASSERT_TRUE(robot.has_value()) << all_of(diagnostics);
+  const std::string says = GetParam().says;
+  EXPECT_EQ(diagnostics.all().size(), says.empty() ? 0U : 1U) << all_of(diagnostics);
+  EXPECT_NE(all_of(diagnostics).find(says), std::string::npos) << all_of(diagnostics);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, SharedReadings, ::testing::ValuesIn(kReadings), [](const auto& info) {
+  return name_of(info.param.file) + name_of(fs::path(info.param.file).extension().string());
+});
 
 TEST(SharedCases, AMimicPluginLetsTheMimicJointFollow) {
   const fs::path path = kShared / "cases" / "loop_gz_mimic_plugin.urdf";

@@ -27,6 +27,12 @@ TEST(ToDecimal, KeepsAllDigitsAskedFor) {
   EXPECT_THROW(to_decimal(GiNaC::symbol("x"), 10), std::domain_error);
 }
 
+TEST(ToDecimal, KeepsThemWhereTermsCancel) {
+  const Number rest = GiNaC::sqrt(Number(2)) - exact_decimal("1.41421356237309504880168872420969807856967187537694");
+  EXPECT_EQ(to_decimal(rest, 40).substr(0, 30), "8.0731766797379907324784621070");
+  EXPECT_EQ(to_decimal(GiNaC::sqrt(Number(8)) - 2 * GiNaC::sqrt(Number(2)), 10), "0.0");
+}
+
 TEST(ToRational, IsExactBothWays) {
   for (const char* text : {"0", "-1", "9223372036854775807", "-9223372036854775808", "9223372036854775808",
                            "-1606938044258990275541962092341162602522202993782792835301376", "2/3",

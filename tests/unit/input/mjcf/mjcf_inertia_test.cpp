@@ -59,6 +59,9 @@ INSTANTIATE_TEST_SUITE_P(
                                 "25132.74123: 65345.12719 50265.48246 25132.74123"},
                       GeomShape{"box", R"(<geom type="box" size="1 2 3"/>)", "48000: 208000 160000 80000"},
                       GeomShape{"from_to", R"(<geom type="capsule" size="1" fromto="0 0 0 4 0 0" mass="3"/>)",
+                                "3: 7.9875 7.9875 1.425"},
+                      GeomShape{"from_to_beside_pos_of_zero",
+                                R"(<geom type="capsule" size="1" pos="0 0 0" fromto="0 0 0 4 0 0" mass="3"/>)",
                                 "3: 7.9875 7.9875 1.425"}),
     [](const auto& tested) { return std::string(tested.param.name); });
 

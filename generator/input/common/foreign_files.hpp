@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Files beside those of robots, which are easily named instead of one.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+namespace flatdyn {
+
+struct ForeignFile {
+  const char *what, *hint;
+};
+
+// A mesh, a drawing or another file beside a robot's, by its name; nothing of others.
+std::optional<ForeignFile> foreign_by_name(const std::filesystem::path& path);
+
+// The same of XML, by its outermost element.
+std::optional<ForeignFile> foreign_by_element(std::string_view element);
+
+}  // namespace flatdyn
