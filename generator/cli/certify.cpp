@@ -49,6 +49,8 @@ std::string certify_stamp(const CertifyArguments& arguments, const std::vector<O
 struct Certified {
   Certificate certificate;
   std::string header, text;  // name and content of the header
+  std::vector<Function> functions{};
+  FileContents contents{};  // refers to the functions
   std::vector<GappaScript> of_sines{};
 };
 
@@ -72,12 +74,20 @@ Certified certified(const CertifyArguments& arguments, const LoadedRobot& model,
   progress.step("proving");
   const std::uint64_t seed = proof_seed({model.input_hash, result.text});
   prove(effective_mechanism(model), functions, std::nullopt, std::nullopt, seed);
-  prove_text(EmittedText(result.text), {model.mechanism, functions_of(functions), std::nullopt, emit}, seed);
-  result.certificate = certify(model.mechanism, functions_of(functions), result.text, arguments.options, progress);
+  result.functions = functions_of(functions);
+  const std::optional<Stages> no_stages;
+  const WrittenCode code{model.mechanism, result.functions, no_stages, emit};
+  prove_text(EmittedText(result.text), code, seed);
+  result.contents = contents_of(code);
+  result.certificate = certify(model.mechanism, result.functions, result.text, arguments.options, progress);
   const auto asks_sines = [](const OptimisedFunction& each) {
     return count_operations(each.function).trigonometric > 0;
   };
-  if (std::any_of(functions.begin(), functions.end(), asks_sines)) result.of_sines = scripts_of_sines(emit.scalar);
+  if (std::any_of(functions.begin(), functions.end(), asks_sines)) {
+    result.of_sines = scripts_of_sines(emit.scalar);
+  } else {
+    result.contents.angles = 0;
+  }
   print_diagnostics(findings, arguments);
   return result;
 }
@@ -118,7 +128,7 @@ ExitCode run_certify(const CertifyArguments& arguments) {
   refuse_loops(model, "certify");
   print_diagnostics(model.diagnostics, arguments);
   const Certified result = certified(arguments, model, options);
-  const CertifiedHeader about{result.header, content_hash({result.text}), model.robot.snaps,
+  const CertifiedHeader about{result.header, content_hash({result.text}), result.contents, model.robot.snaps,
                               snap_effects(model, options.read)};
   if (is_refuted(result.certificate)) {
     if (!arguments.json) print_result(describe_certificate(result.certificate, arguments.enough / 100));

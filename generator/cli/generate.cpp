@@ -5,6 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/delivery.hpp"
+#include "cli/held_header.hpp"
 #include "conventions/convention_header.hpp"
 #include "diagnostics/version.hpp"
 #include "firmware/folder.hpp"
@@ -408,22 +409,8 @@ void add_form_options(CLI::App& command, GenerateArguments& arguments) {
       "arrays of PyTorch, CuPy or JAX on the device");
 }
 
-}  // namespace
-
-Run add_generate(CLI::App& app) {
-  auto* command = app.add_subcommand(
-      "generate",
-      "Write code that computes the robot's dynamics.\n\n"
-      "  flatdyn generate robots/panda.urdf -o out/\n"
-      "  flatdyn generate robots/puma560.toml -o out/ --functions inverse_dynamics,gravity --scalar float");
-  const auto arguments = std::make_shared<GenerateArguments>();
-  arguments->add_to(*command);
-  command
-      ->add_option("-o,--output", arguments->folder,
-                   "folder to write to, made if it is not there; - writes the header alone, to stdout")
-      ->required()
-      ->check(kNotEmpty)
-      ->type_name("FOLDER");
+// Adds the options that shape the code, which its stamp has.
+void add_code_options(CLI::App* command, const std::shared_ptr<GenerateArguments>& arguments) {
   add_functions_option(*command, arguments->functions);
   add_error_budget_option(*command, *arguments);
   add_search_option(*command, *arguments);
@@ -462,6 +449,40 @@ Run add_generate(CLI::App& app) {
       ->check(CLI::Range(kFewestLines, kMostLines))
       ->type_name("N");
   add_frames_option(*command, arguments->frames);
+}
+
+}  // namespace
+
+GenerationOptions options_of_stamp(const std::vector<std::string>& stamp, const OptionsGiven& given) {
+  CLI::App command;
+  const auto arguments = std::make_shared<GenerateArguments>();
+  arguments->add_settings_to(command);
+  add_code_options(&command, arguments);
+  command.parse(std::vector<std::string>(stamp.rbegin(), stamp.rend()));
+  check_usage(*arguments);
+  given.replace_in(*arguments);
+  if (!given.functions.empty()) arguments->functions = given.functions;
+  arguments->quiet = given.quiet;
+  GenerationOptions options = generation_options(*arguments);
+  options.options_stamp = [arguments](const auto& functions) { return stamp_of(*arguments, functions); };
+  return options;
+}
+
+Run add_generate(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "generate",
+      "Write code that computes the robot's dynamics.\n\n"
+      "  flatdyn generate robots/panda.urdf -o out/\n"
+      "  flatdyn generate robots/puma560.toml -o out/ --functions inverse_dynamics,gravity --scalar float");
+  const auto arguments = std::make_shared<GenerateArguments>();
+  arguments->add_to(*command);
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "folder to write to, made if it is not there; - writes the header alone, to stdout")
+      ->required()
+      ->check(kNotEmpty)
+      ->type_name("FOLDER");
+  add_code_options(command, arguments);
   add_names_option(*command, "--dump-after", arguments->dumped_passes,
                    "write every function as text after these passes: names of passes, derived (before the first one), "
                    "or all");

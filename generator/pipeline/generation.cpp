@@ -27,13 +27,6 @@ void prove_kernels(const GenerationResult& result, std::uint64_t seed) {
   }
 }
 
-// The functions of the text: those of the result, and in CUDA the parts of their kernels.
-std::vector<Function> functions_of_text(const GenerationResult& result) {
-  std::vector<Function> functions = functions_of(result);
-  functions.insert(functions.end(), result.kernel_parts.begin(), result.kernel_parts.end());
-  return functions;
-}
-
 void divide_for_kernels(GenerationResult& result, Progress& progress) {
   if (result.form.language != Language::cuda) return;
   progress.step("dividing among kernels");
@@ -180,5 +173,11 @@ GenerationResult generate_code(const std::filesystem::path& robot_file, const Ge
 }
 
 std::vector<Function> functions_of(const GenerationResult& result) { return functions_of(result.functions); }
+
+std::vector<Function> functions_of_text(const GenerationResult& result) {
+  std::vector<Function> functions = functions_of(result);
+  functions.insert(functions.end(), result.kernel_parts.begin(), result.kernel_parts.end());
+  return functions;
+}
 
 }  // namespace flatdyn

@@ -55,5 +55,7 @@ std::vector<GenerationResult> generate_code_for(const std::filesystem::path& rob
 
 // The functions of the result, in their order.
 std::vector<Function> functions_of(const GenerationResult& result);
+// The same and, in CUDA, the parts of their kernels: the functions of the text without stages.
+std::vector<Function> functions_of_text(const GenerationResult& result);
 
 }  // namespace flatdyn

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "diagnostics/diagnostics.hpp"
+#include "readback/unreadable_text.hpp"
 
 namespace flatdyn {
 namespace {
@@ -80,8 +80,7 @@ void TextReader::require_full_use(const char* array) const {
 void TextReader::fail(const std::string& what) const {
   if (text_.tokens_.empty()) throw Failure(ExitCode::bug, "emitted text cannot be read back: it is empty");
   const std::size_t k = std::min(at_, text_.tokens_.size() - 1);
-  throw Failure(ExitCode::bug, fmt::format("emitted text cannot be read back: line {}: {} at \"{}\"",
-                                           text_.tokens_[k].line, what, text_.tokens_[k].text));
+  throw UnreadableText(text_.tokens_[k].line, fmt::format("{} at \"{}\"", what, text_.tokens_[k].text));
 }
 
 // The token's text; "" after the end.

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "readback/token_cursor.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "diagnostics/diagnostics.hpp"
+#include "readback/unreadable_text.hpp"
 
 namespace flatdyn {
 
@@ -40,7 +38,7 @@ void TokenCursor::skip_to(const char* text) {
 
 void TokenCursor::fail(const std::string& what) const {
   const int line = tokens_.empty() ? 0 : tokens_[std::min(at_, tokens_.size() - 1)].line;
-  throw Failure(ExitCode::bug, fmt::format("emitted text cannot be read back: line {}: {}", line, what));
+  throw UnreadableText(line, what);
 }
 
 }  // namespace flatdyn

@@ -5,11 +5,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "diagnostics/table.hpp"
 #include "diagnostics/version.hpp"
 #include "model/rounded_up.hpp"
+#include "readback/file_reader.hpp"
 #include "report/snap_report.hpp"
 
 namespace flatdyn {
@@ -145,6 +147,36 @@ nlohmann::ordered_json leaves_json(const CertifiedFunction& function) {
   return leaves;
 }
 
+// The constants of the header by the model. Where a joint has no limit, it is null.
+nlohmann::ordered_json constants_json(const FileContents& contents) {
+  nlohmann::ordered_json constants = {{"joint_count", contents.joints}};
+  if (contents.has_positions) constants["position_count"] = contents.positions;
+  if (contents.velocities) constants["velocity_count"] = *contents.velocities;
+  if (contents.angles > contents.positions) constants["angle_count"] = contents.angles;
+  if (contents.base_count) constants["base_parameter_count"] = *contents.base_count;
+  for (const std::vector<FileTable>* tables : {&contents.tables, &contents.base_tables}) {
+    for (const FileTable& table : *tables) {
+      nlohmann::ordered_json entries = table.texts;
+      for (const double number : table.numbers) {
+        entries.push_back(std::isfinite(number) ? nlohmann::ordered_json(number) : nlohmann::ordered_json(nullptr));
+      }
+      constants[table.name] = entries;
+    }
+  }
+  return constants;
+}
+
+// The arguments of a function, in order, with their lengths: of a matrix rows and columns.
+nlohmann::ordered_json arguments_json(const FileFunction& function, const FileContents& contents) {
+  nlohmann::ordered_json arguments = nlohmann::ordered_json::object();
+  for (const EmittedParameter& each : parameters_of(function, contents)) {
+    const std::vector<int> lengths =
+        each.columns == 0 ? std::vector<int>{each.length} : std::vector<int>{each.length / each.columns, each.columns};
+    arguments[each.name] = lengths;
+  }
+  return arguments;
+}
+
 const char* verdict_name(Verdict verdict) {
   return verdict == Verdict::proven ? "proven" : verdict == Verdict::refused ? "refused" : "out of time";
 }
@@ -215,8 +247,10 @@ nlohmann::ordered_json certificate_json(const Certificate& certificate, const Ce
                                  {"seed", certificate.options.observed.seed}};
   json["snapped"] = snaps_json(header.snaps, header.snap_effects);
   if (header.snap_effects.bound) json["snapped_torque_bound"] = rounded_up(*header.snap_effects.bound, 2);
+  json["constants"] = constants_json(header.contents);
   json["functions"] = nlohmann::ordered_json::array();
-  for (const CertifiedFunction& function : certificate.functions) {
+  for (std::size_t k = 0; k < certificate.functions.size(); ++k) {
+    const CertifiedFunction& function = certificate.functions[k];
     nlohmann::ordered_json outputs = nlohmann::ordered_json::array();
     for (const CertifiedOutput& output : function.outputs) {
       nlohmann::ordered_json row = {{"output", output.name}, {"also", output.also},   {"result", output.result},
@@ -226,7 +260,10 @@ nlohmann::ordered_json certificate_json(const Certificate& certificate, const Ce
       if (certificate.by_gappa) row["gappa"] = verdict_name(output.verdict);
       outputs.push_back(row);
     }
-    json["functions"].push_back({{"name", function.name}, {"leaves", leaves_json(function)}, {"outputs", outputs}});
+    json["functions"].push_back({{"name", function.name},
+                                 {"arguments", arguments_json(header.contents.functions.at(k), header.contents)},
+                                 {"leaves", leaves_json(function)},
+                                 {"outputs", outputs}});
   }
   return json;
 }

@@ -6,14 +6,16 @@
 
 #include "certify/certificate.hpp"
 #include "model/robot.hpp"
+#include "readback/file_contents.hpp"
 #include "verify/snap_effect.hpp"
 
 namespace flatdyn {
 
-// The header that a certificate is about, and the numbers of its robot file that the model has replaced by exact ones:
-// with what they change of torques.
+// The header that a certificate is about, what it has to hold by the model, and the numbers of its robot file that the
+// model has replaced by exact ones: with what they change of torques.
 struct CertifiedHeader {
   std::string name, hash;
+  FileContents contents;  // angles are 0 where no function asks for their sines
   std::vector<Snap> snaps;
   SnapEffects snap_effects;
 };

@@ -29,19 +29,6 @@ void require_unchanged(const Function& derived, const Function& function, std::u
   require(prove_equal(derived, function, quick(seed)), function.name, "it was before the passes");
 }
 
-// The functions in the order of the text.
-std::vector<Function> written(const std::vector<Function>& functions, const std::optional<Stages>& stages) {
-  std::vector<Function> list = functions;
-  if (!stages) return list;
-  const auto add = [&list](const Stage& stage) {
-    list.push_back(stage.make);
-    list.insert(list.end(), stage.members.begin(), stage.members.end());
-  };
-  add(stages->configuration);
-  if (!stages->motion.members.empty()) add(stages->motion);
-  return list;
-}
-
 }  // namespace
 
 std::uint64_t proof_seed(const std::vector<std::string>& contents) {
@@ -82,7 +69,7 @@ AsReadResult prove_robot(const Robot& robot, const Mechanism& mechanism) {
 }
 
 void prove_text(const EmittedText& text, const WrittenCode& code, std::uint64_t seed) {
-  const std::vector<Function> wanted = written(code.functions, code.stages);
+  const std::vector<Function> wanted = functions_in_text(code);
   if (text.functions().size() != wanted.size()) {
     throw Failure(ExitCode::bug, "the emitted text has other functions than were made");
   }

@@ -155,6 +155,18 @@ void add_closing(const Mechanism& mechanism, const std::vector<Function>& functi
 
 }  // namespace
 
+std::vector<Function> functions_in_text(const WrittenCode& code) {
+  std::vector<Function> list = code.functions;
+  if (!code.stages) return list;
+  const auto add = [&list](const Stage& stage) {
+    list.push_back(stage.make);
+    list.insert(list.end(), stage.members.begin(), stage.members.end());
+  };
+  add(code.stages->configuration);
+  if (!code.stages->motion.members.empty()) add(code.stages->motion);
+  return list;
+}
+
 FileContents contents_of(const WrittenCode& code) {
   const Mechanism& mechanism = code.mechanism;
   const EmitOptions& options = code.options;

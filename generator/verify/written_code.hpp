@@ -21,6 +21,9 @@ struct WrittenCode {
   bool is_over_states = false;  // in C: the header and the functions over arrays of states
 };
 
+// All functions of the text, members of stages included, in its order.
+std::vector<Function> functions_in_text(const WrittenCode& code);
+
 // Refers to the functions of `code`.
 FileContents contents_of(const WrittenCode& code);
 

@@ -24,6 +24,7 @@ class Function:
         self.header = header.functions.get(self.name)
         if not self.header:
             raise ValueError(f"the header has no function {self.name}")
+        self.header.name_results(row)
         self.operations = Operations(folder, self.name)
         name_of = {f"r{leaf['operation']}": leaf["name"] for leaf in self.leaves}
         name_of.update({"r" + name[1:]: name for name in self.operations.names})

@@ -10,159 +10,8 @@ from fractions import Fraction
 import mpmath
 
 from certificate_check.arithmetic import rounded_to
+from certificate_check.known import section
 
-TEXT = r"""
-template <int... joint>
-struct Joints {
-  static constexpr int flatdyn_interface = 1;
-};
-struct LibrarySinCos {
-  template <class Scalar, int... joint>
-  void operator()(const Scalar* q, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    using std::cos;
-    using std::sin;
-    ((s[joint] = sin(q[joint]), c[joint] = cos(q[joint])), ...);
-  }
-};
-namespace detail {
-#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
-#ifdef __AVX__
-constexpr int bytes_of_doubles = 32;
-#else
-constexpr int bytes_of_doubles = 16;
-#endif
-typedef double Doubles __attribute__((vector_size(bytes_of_doubles)));
-typedef uint64_t BitsOfDoubles __attribute__((vector_size(bytes_of_doubles)));
-typedef float Floats __attribute__((vector_size(16)));
-typedef uint32_t BitsOfFloats __attribute__((vector_size(16)));
-#define GUARD_IN_LANES
-#else
-typedef double Doubles;
-typedef uint64_t BitsOfDoubles;
-typedef float Floats;
-typedef uint32_t BitsOfFloats;
-#endif
-template <class = void>
-static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cosine) noexcept {
-  const Doubles turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52;
-  BitsOfDoubles quadrant, bits_of_s, bits_of_c;
-  memcpy(&quadrant, &turns, sizeof(turns));
-  const BitsOfDoubles next = quadrant + 0x4000000000001u;
-  Doubles n;
-  memcpy(&n, &next, sizeof(next));
-  n -= 0x1.c000000000001p+52;
-{doubles}
-  memcpy(&bits_of_s, &s, sizeof(s));
-  memcpy(&bits_of_c, &c, sizeof(c));
-  const BitsOfDoubles exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
-  bits_of_s ^= exchange ^ ((quadrant & 2u) << 62);
-  bits_of_c ^= exchange ^ ((next & 2u) << 62);
-  memcpy(&sine, &bits_of_s, sizeof(s));
-  memcpy(&cosine, &bits_of_c, sizeof(c));
-}
-template <class = void>
-static inline void sine_and_cosine(const Floats& x, Floats& sine, Floats& cosine) noexcept {
-  const Floats turns = x * 0x1.45f306p-1f + 0x1.8p+23f;
-  BitsOfFloats quadrant, bits_of_s, bits_of_c;
-  memcpy(&quadrant, &turns, sizeof(turns));
-  const BitsOfFloats next = quadrant + 0x200001u;
-  Floats n;
-  memcpy(&n, &next, sizeof(next));
-  n -= 0x1.c00002p+23f;
-{floats}
-  memcpy(&bits_of_s, &s, sizeof(s));
-  memcpy(&bits_of_c, &c, sizeof(c));
-  const BitsOfFloats exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
-  bits_of_s ^= exchange ^ ((quadrant & 2u) << 30);
-  bits_of_c ^= exchange ^ ((next & 2u) << 30);
-  memcpy(&sine, &bits_of_s, sizeof(s));
-  memcpy(&cosine, &bits_of_c, sizeof(c));
-}
-template <class Lanes, class Scalar>
-static inline Scalar evaluate(Lanes squares, const Scalar* q, const int* joints, int count,
-    Scalar* s, Scalar* c) noexcept {
-#ifdef GUARD_IN_LANES
-  constexpr int lanes = sizeof(Lanes) / sizeof(Scalar);
-#pragma GCC unroll 4
-  for (int first = 0; first < count; first += lanes) {
-    Lanes x = squares, sine, cosine;
-#pragma GCC unroll 4
-    for (int k = 0; k < lanes; ++k) x[k] = q[joints[first + k < count ? first + k : count - 1]];
-    sine_and_cosine(x, sine, cosine);
-    squares += x * x;
-#pragma GCC unroll 4
-    for (int k = 0; k < lanes; ++k) {
-      const int joint = joints[first + k < count ? first + k : count - 1];
-      s[joint] = sine[k];
-      c[joint] = cosine[k];
-    }
-  }
-  Scalar sum = squares[0];
-#pragma GCC unroll 4
-  for (int k = 1; k < lanes; ++k) sum += squares[k];
-  return sum;
-#else
-  for (int k = 0; k < count; ++k) {
-    const Scalar x = q[joints[k]];
-    sine_and_cosine(x, s[joints[k]], c[joints[k]]);
-    squares += x * x;
-  }
-  return squares;
-#endif
-}
-template <class Scalar>
-[[gnu::noinline, gnu::cold]] static void ask_library(Scalar most, const Scalar* q,
-    const int* joints, int count, Scalar* s, Scalar* c) noexcept {
-  for (int k = 0; k < count; ++k) {
-    const Scalar x = q[joints[k]];
-    if (x <= most && x >= -most) continue;
-    s[joints[k]] = std::sin(x);
-    c[joints[k]] = std::cos(x);
-  }
-}
-template <int... joint>
-static inline void sines_and_cosines(const double* q, Joints<joint...>, double* s,
-    double* c) noexcept {
-  static constexpr int joints[] = {joint...};
-  constexpr int count = sizeof...(joint);
-  constexpr double most = 1e5;
-  const double squares = evaluate(Doubles{}, q, joints, count, s, c);
-  if (!(squares <= most * most)) ask_library(most, q, joints, count, s, c);
-}
-template <int... joint>
-static inline void sines_and_cosines(const float* q, Joints<joint...>, float* s,
-    float* c) noexcept {
-  static constexpr int joints[] = {joint...};
-  constexpr int count = sizeof...(joint);
-  constexpr float most = 6400.0f;
-  const float squares = evaluate(Floats{}, q, joints, count, s, c);
-  if (!(squares <= most * most)) ask_library(most, q, joints, count, s, c);
-}
-template <class Scalar, int... joint>
-static inline void sines_and_cosines(const Scalar* q, Joints<joint...> all, Scalar* s,
-    Scalar* c) noexcept {
-  LibrarySinCos()(q, all, s, c);
-}
-}
-struct PolynomialSinCos {
-  template <class Scalar, int... joint>
-  [[gnu::always_inline]] void operator()(const Scalar* q, Joints<joint...> all, Scalar* s,
-      Scalar* c) const noexcept {
-    detail::sines_and_cosines(q, all, s, c);
-  }
-};
-template <class Scalar>
-struct GivenSinCos {
-  const Scalar* sine;
-  const Scalar* cosine;
-  template <int... joint>
-  void operator()(const Scalar*, Joints<joint...>, Scalar* s, Scalar* c) const noexcept {
-    ((s[joint] = sine[joint], c[joint] = cosine[joint]), ...);
-  }
-};
-using DefaultSinCos = PolynomialSinCos;
-"""
-DEFAULT = "using DefaultSinCos = PolynomialSinCos;"
 LANES = {"double": "Doubles", "float": "Floats"}
 RANGE = {"double": 1e5, "float": 6400.0}
 STEP_OF_QUADRANTS = {"double": 1.5 * 2**52, "float": 1.5 * 2**23}
@@ -173,10 +22,6 @@ LITERAL = re.compile(r"-?0x[0-9a-f.]+p[+-]\d+f?|-?\b\d+\.\d+(?:e[+-]\d+)?f?|\b1\
 LARGEST_REMAINDER = Fraction(786, 1000)
 PIECES = 64  # of the polynomials' range
 PROOFS = ("reduction", "sine", "cosine", "cosine_near_1")
-
-
-def uses_polynomials(text):
-    return DEFAULT in text
 
 
 class Number:
@@ -243,18 +88,12 @@ def followed(statements, values):
     return values
 
 
-def squeezed(text):
-    """A text without comments, and with single spaces."""
-    return " ".join(re.sub(r"//[^\n]*", "", text).split())
-
-
-def bodies(text):
-    """The statements of sine_and_cosine() in double and in float; nothing if the text around them is another one."""
-    pattern = re.escape(squeezed(TEXT))
-    for scalar in ("doubles", "floats"):
-        pattern = pattern.replace(re.escape("{" + scalar + "}"), f"(?P<{scalar}>[^{{}}]*?)")
-    found = re.findall(pattern, re.sub(r"\bFLATDYN_\w+_IN_LANES\b", "GUARD_IN_LANES", squeezed(text)))
-    return dict(zip(("double", "float"), found[0])) if len(found) == 1 else None
+def body(scalar):
+    """The statements of sine_and_cosine() that are sums and products: of the known text, which is the header's."""
+    text = re.sub(r"(?<=[*(=+-] )- (?=\d)", "-", " ".join(section("sines", {})))  # signs of numbers
+    begin = f"sine_and_cosine ( const {LANES[scalar]} & x , {LANES[scalar]} & sine , {LANES[scalar]} & cosine ) noexcept {{"
+    statements = text.split(begin)[1].split("}")[0].split(" ;")
+    return [each.strip() for each in statements if each.strip().startswith(f"const {LANES[scalar]} ")]
 
 
 def in_exact_arithmetic(statements, scalar):
@@ -267,14 +106,10 @@ def in_exact_arithmetic(statements, scalar):
 class Sines:
     """The statements of sine_and_cosine() for one scalar."""
 
-    def __init__(self, body, scalar):
-        lanes = LANES[scalar]
+    def __init__(self, scalar):
         self.scalar, self.statements = scalar, []
-        for statement in body.split(";"):
-            declared = statement.split()
-            if declared and declared[:2] != ["const", lanes]:
-                raise ValueError(f"sines: no statement that flatdyn writes: {statement.strip()}")
-            for definition in " ".join(declared[2:]).split(", ") if declared else []:
+        for statement in body(scalar):
+            for definition in statement.removeprefix(f"const {LANES[scalar]} ").split(" , "):
                 name, expression = definition.split(" = ")
                 self.statements.append((name, compile(in_python(expression), name, "eval")))
 
@@ -394,15 +229,9 @@ def faults_of_proofs(sines, folder, angles):
 
 def faults(header, scalar, error, folder, states, source):
     """What is wrong with the header's own sines, if it has any. `error`: how far off a certificate lets them be."""
-    if not uses_polynomials(header.text):
+    if not header.has_sines:
         return
-    text = bodies(header.text)
-    if set(re.findall(r"class SinCos = (\w+)", header.text)) - {"DefaultSinCos"}:
-        yield "a function of the header has another default source of sines"
-    if text is None:
-        yield "the header's own sines are not those that flatdyn writes"
-        return
-    sines = Sines(text[scalar], scalar)
+    sines = Sines(scalar)
     found, angle = largest_error(sines, angles_to_try(scalar, states, source))
     print(f"sines: errors of up to {100 * found / error:.3g} % of what is stated, at {2 * states} angles")
     if found > error:

@@ -8,6 +8,7 @@
 
 #include "emit/languages/emit.hpp"
 #include "planning/make_functions.hpp"
+#include "verify/held_code.hpp"
 #include "verify/proof.hpp"
 
 namespace flatdyn::testing {
@@ -39,6 +40,13 @@ class PrintedCode {
   void prove(const std::string& text, const EmitOptions& options) const {
     const EmittedText read(text, dialect_of(model_.mechanism, options)->scalar());
     prove_text(read, {model_.mechanism, functions_, stages_in(options), options});
+  }
+
+  // What is found in a text that is held, beside `own` of the same options.
+  HeldReport compare(const std::string& held, const std::string& own, const EmitOptions& options) const {
+    const EmittedText read(own, dialect_of(model_.mechanism, options)->scalar());
+    const std::optional<Stages> stages = stages_in(options);
+    return compare_held(held, read, {model_.mechanism, functions_, stages, options}, 1);
   }
 
   // The C form's header, and the functions over arrays of states.
