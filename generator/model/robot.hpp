@@ -138,6 +138,7 @@ struct Robot {
   std::vector<Snap> rounded_angles;
   Scene scene;                 // the user's choices for this robot, applied as far as they concern the robot
   bool floating_base = false;  // whether the root link moves freely
+  bool in_degrees = false;     // whether angles of the file are in degrees
 };
 
 // The indices of all joints, fixed ones too, in depth-first file order. The tree must be valid.
