@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # flatdyn_generate(TARGET
-#   ROBOT file              robot file: URDF or TOML
+#   ROBOT file              robot file: URDF, SDF, MJCF, xacro or TOML
 #   [SCENE file]            scene file
 #   [FUNCTIONS name...]     what to compute; default: what the scene names, else all
 #   [STAGES name...] [FUSE name...]
@@ -80,7 +80,7 @@ function(flatdyn_generate target)
                         "\"${arg_UNPARSED_ARGUMENTS}${arg_KEYWORDS_MISSING_VALUES}\"")
   endif()
   if(NOT arg_ROBOT)
-    message(FATAL_ERROR "flatdyn_generate(${target}): ROBOT is missing: a URDF or TOML file")
+    message(FATAL_ERROR "flatdyn_generate(${target}): ROBOT is missing: a file in URDF, SDF, MJCF, xacro or TOML")
   endif()
   if(NOT arg_LANGUAGE)
     set(arg_LANGUAGE c++)

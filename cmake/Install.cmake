@@ -22,10 +22,16 @@ if(TARGET flatdyn)
     execute_process(COMMAND \"$<TARGET_FILE:flatdyn>\" man -o \"${manual}/man1\" COMMAND_ERROR_IS_FATAL ANY)
     file(GLOB pages \"${manual}/man1/*.1\")
     execute_process(COMMAND \"${GZIP}\" -9n \${pages} COMMAND_ERROR_IS_FATAL ANY)
-    execute_process(COMMAND \"$<TARGET_FILE:flatdyn>\" completion OUTPUT_FILE \"${manual}/flatdyn\"
-                    COMMAND_ERROR_IS_FATAL ANY)")
+    foreach(shell_and_file bash:flatdyn zsh:_flatdyn fish:flatdyn.fish)
+      string(REGEX MATCH \"^[a-z]+\" shell \"\${shell_and_file}\")
+      string(REGEX REPLACE \"^[a-z]+:\" \"\" file \"\${shell_and_file}\")
+      execute_process(COMMAND \"$<TARGET_FILE:flatdyn>\" completion \${shell} OUTPUT_FILE \"${manual}/\${file}\"
+                      COMMAND_ERROR_IS_FATAL ANY)
+    endforeach()")
   install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
   install(FILES ${manual}/flatdyn DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${manual}/_flatdyn DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+  install(FILES ${manual}/flatdyn.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 endif()
 
 install(EXPORT flatdynTargets NAMESPACE flatdyn:: DESTINATION ${config_dir})
@@ -46,6 +52,6 @@ install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 if(PROJECT_IS_TOP_LEVEL)
   include(DebianPackage)
   if(TARGET flatdyn)
-    add_custom_target(program DEPENDS flatdyn debian_changelog)  # everything that is installed
+    add_custom_target(program DEPENDS flatdyn)  # everything that is installed
   endif()
 endif()

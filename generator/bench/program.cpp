@@ -7,6 +7,7 @@
 
 #include "bench/calls.hpp"
 #include "diagnostics/diagnostics.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {
@@ -15,8 +16,9 @@ namespace fs = std::filesystem;
 
 void check(int status, const fs::path& folder) {
   if (status == 0) return;
-  throw Failure(ExitCode::bug,
-                fmt::format("the benchmark's program ended with {}\n{}", status, content_of_file(folder / "log")));
+  const std::string messages = content_of_file(folder / "log");
+  check_room(folder, messages);
+  throw Failure(ExitCode::bug, fmt::format("the benchmark's program ended with {}\n{}", status, messages));
 }
 
 // The cases: the generated functions in all variants, then the peers'.

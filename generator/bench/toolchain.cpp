@@ -18,8 +18,10 @@ namespace fs = std::filesystem;
 bool succeeds(const std::string& command) { return run_command(command + " > /dev/null 2>&1", temporary_root()) == 0; }
 
 void compiler_run(const std::string& command, const fs::path& folder, const std::string& log) {
-  if (run_command(fmt::format("{} > {} 2>&1", command, log), folder) == 0) return;
-  throw Failure(ExitCode::bug, fmt::format("{}\ndoes not compile:\n{}", command, content_of_file(folder / log)));
+  if (run_command(fmt::format("export LC_ALL=C; {} > {} 2>&1", command, log), folder) == 0) return;
+  const std::string messages = content_of_file(folder / log);
+  check_room(folder, messages);
+  throw Failure(ExitCode::bug, fmt::format("{}\ndoes not compile:\n{}", command, messages));
 }
 
 std::string compile_command(const Toolchain& toolchain, const CompileJob& job) {

@@ -13,6 +13,7 @@
 #include "functions/function_table.hpp"
 #include "input/common/expression.hpp"
 #include "input/common/name_list.hpp"
+#include "input/common/units.hpp"
 #include "report/toml_string.hpp"
 #include "symbolic/notation/number_text.hpp"
 
@@ -77,23 +78,25 @@ Number expression_option(const std::string& option, const std::string& text) {
   }
 }
 
-bool is_decimal(const std::string& text) {
-  try {
-    exact_decimal(text);
-    return true;
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-}
-
-// Parses "JOINT" or "JOINT=POSITION".
+// Parses "JOINT", "JOINT=POSITION" or "JOINT=ANGLEdeg".
 JointPosition fixed_option(const std::string& text) {
   const std::size_t sign = text.rfind('=');
   if (sign == std::string::npos) return {text};
   JointPosition lock{text.substr(0, sign), 0, text.substr(sign + 1)};
-  lock.is_decimal = is_decimal(lock.written);
-  lock.position = lock.is_decimal ? decimal_option("--fix", lock.written) : expression_option("--fix", lock.written);
+  const std::optional<std::string> degrees = number_of_degrees(lock.written);
+  const std::string number = degrees.value_or(lock.written);
+  lock.in_degrees = degrees.has_value();
+  lock.is_decimal = is_decimal_text(number);
+  lock.position = lock.is_decimal ? decimal_option("--fix", number) : expression_option("--fix", number);
   return lock;
+}
+
+// The option without a blank before the unit, so that it is one word in the stamp.
+std::string without_blank_before_unit(std::string text) {
+  const std::size_t sign = text.rfind('=');
+  const std::optional<std::string> degrees =
+      sign == std::string::npos ? std::nullopt : number_of_degrees(text.substr(sign + 1));
+  return degrees ? text.substr(0, sign + 1) + *degrees + "deg" : text;
 }
 
 std::vector<JointPosition> fixed_options(const std::vector<std::string>& texts) {
@@ -104,7 +107,7 @@ std::vector<JointPosition> fixed_options(const std::vector<std::string>& texts) 
         std::find_if(all.begin(), all.end(), [&lock](const JointPosition& each) { return each.joint == lock.joint; });
     if (before == all.end()) {
       all.push_back(lock);
-    } else if (!vanishes(before->position - lock.position)) {
+    } else if (!vanishes(before->position - lock.position) || before->in_degrees != lock.in_degrees) {
       throw Failure(
           ExitCode::usage,
           fmt::format("--fix: joint \"{}\" is held at {} and at {}", lock.joint, before->written, lock.written),
@@ -196,9 +199,10 @@ void RobotArguments::add_settings_to(CLI::App& command) {
       ->type_name("LINK");
   command
       .add_option("--fix", fixed_joints,
-                  "hold this joint at q = 0, or at a position (rad or m, such as pi/2), as if it were a fixed one; "
-                  "may be repeated")
+                  "hold this joint at q = 0, or at a position (rad or m, such as pi/2, or 90deg), as if it were a "
+                  "fixed one; may be repeated")
       ->allow_extra_args(false)
+      ->transform(without_blank_before_unit, "")
       ->type_name("JOINT[=POSITION]");
   command
       .add_option("--xacro", xacro, "an argument NAME:=VALUE of a .xacro file, which xacro expands; may be repeated")

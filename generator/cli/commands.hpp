@@ -7,6 +7,7 @@
 
 #include "cli/messages.hpp"
 #include "identify/motion_stream.hpp"
+#include "input/formats.hpp"
 #include "planning/make_functions.hpp"
 #include "symbolic/parameters/parameter_frames.hpp"
 #include "symbolic/parameters/parameters.hpp"
@@ -52,8 +53,7 @@ struct RobotArguments : OutputStyle {
 };
 
 // The description of the robot argument in all subcommands.
-inline constexpr const char* kRobotMeaning =
-    "robot file: URDF, SDF, MJCF, xacro or TOML; - reads one but a xacro from stdin";
+inline const std::string kRobotMeaning = "robot file: " + robot_formats_text() + "; - reads one but a xacro from stdin";
 
 // A check for options that are names.
 inline const CLI::Validator kNotEmpty([](const std::string& text) { return text.empty() ? "it is empty" : ""; }, "");
@@ -130,6 +130,7 @@ Run add_stress(CLI::App& app);
 Run add_simulate(CLI::App& app);
 Run add_manipulability(CLI::App& app);
 Run add_convert(CLI::App& app);
+Run add_help(CLI::App& app);
 Run add_man(CLI::App& app);
 Run add_completion(CLI::App& app);
 

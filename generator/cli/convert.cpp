@@ -16,6 +16,12 @@ struct ConvertArguments : RobotArguments {
 
 bool is_toml(const std::string& path) { return path.ends_with(".toml"); }
 
+// The name of the file, or of one in the other format than the robot's where the result goes to stdout.
+std::string named_output(const ConvertArguments& arguments, const Robot& robot) {
+  if (arguments.output != kStdout) return arguments.output;
+  return is_toml(robot.file) ? "robot.urdf" : "robot.toml";
+}
+
 // The numbers that were rounded must not change torques by more than this part of the largest.
 constexpr double kSameTorque = 1e-15;
 
@@ -28,9 +34,10 @@ void check_round_trip(const Conversion& conversion, const RoundTrip& trip) {
 }
 
 void note_rounded(const Conversion& conversion, const RoundTrip& trip, const ConvertArguments& arguments) {
+  const std::string place = arguments.output == kStdout ? "standard output" : arguments.output;
   if (conversion.rounded.empty()) return;
   Diagnostics notes;
-  notes.note({arguments.output, 0},
+  notes.note({place, 0},
              fmt::format("{} numbers are no finite decimals and are rounded to {} digits; first: {}",
                          conversion.rounded.size(), kWrittenDigits, conversion.rounded.front()),
              trip.is_exact
@@ -43,10 +50,11 @@ ExitCode convert(const ConvertArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, arguments.options());
   print_diagnostics(model.diagnostics, arguments);
   check_outputs({arguments.output}, model.robot.files);
+  const std::string output_name = named_output(arguments, model.robot);
   Diagnostics lost;
-  const Conversion conversion = (is_toml(arguments.output) ? toml_of : urdf_of)(model.robot, lost);
+  const Conversion conversion = (is_toml(output_name) ? toml_of : urdf_of)(model.robot, lost);
   if (lost.has_errors()) throw BadInput(ExitCode::unsupported, lost);
-  const RoundTrip trip = round_trip(conversion.text, arguments.output, model);
+  const RoundTrip trip = round_trip(conversion.text, output_name, model);
   check_round_trip(conversion, trip);
   note_rounded(conversion, trip, arguments);
   CommandOutput output;
@@ -71,9 +79,13 @@ Run add_convert(CLI::App& app) {
   const auto arguments = std::make_shared<ConvertArguments>();
   arguments->add_to(*command);
   const auto has_format = [](const std::string& name) {
-    return name.ends_with(".urdf") || is_toml(name) ? "" : "the file's name must end in .urdf or .toml";
+    const bool says = name.ends_with(".urdf") || is_toml(name) || name == kStdout;
+    return says ? "" : "the file's name must end in .urdf or .toml";
   };
-  command->add_option("-o,--output", arguments->output, "the file to write; its name says in which format")
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "the file to write; its name says in which format. - writes to stdout: a URDF of a TOML file, a "
+                   "TOML of any other")
       ->required()
       ->check(CLI::Validator(has_format, ""))
       ->type_name("FILE.urdf|FILE.toml");

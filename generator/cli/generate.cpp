@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/delivery.hpp"
 #include "cli/held_header.hpp"
+#include "cli/languages.hpp"
 #include "conventions/convention_header.hpp"
 #include "diagnostics/version.hpp"
 #include "firmware/folder.hpp"
@@ -28,6 +29,9 @@ namespace {
 // The range of --max-lines: a part must have room for the longest statement with everything it needs.
 constexpr int kFewestLines = 30, kMostLines = 1'000'000;
 
+// As many times the instructions of float does double take on a Cortex-M4: inverse dynamics of the Panda.
+constexpr int kInstructionsOfSoftDouble = 40;
+
 struct GenerateArguments : RobotArguments {
   std::string folder;
   std::vector<std::string> functions, staged, fused, conventions;
@@ -46,19 +50,6 @@ struct GenerateArguments : RobotArguments {
   bool has_lanes() const { return limbs == "lanes"; }
   bool is_to_stdout() const { return folder == kStdout; }
 };
-
-// A language, and which options it has.
-struct LanguageChoice {
-  Language language;
-  const char* name;
-  bool has_form, has_stages, has_scalar, has_namespace, has_fma;
-  bool is_one_file;  // unless its form is a pair
-};
-const std::map<std::string, LanguageChoice> kLanguages = {
-    {"c++", {Language::cpp, "C++", true, true, true, true, true, true}},
-    {"c", {Language::c, "C", false, false, true, true, true, false}},
-    {"cuda", {Language::cuda, "CUDA", false, false, true, true, true, true}},
-    {"javascript", {Language::javascript, "JavaScript", false, false, false, false, false, true}}};
 
 const CLI::Validator kFileName(
     [](const std::string& text) {
@@ -96,6 +87,10 @@ void choose_c(GenerateArguments& arguments, const char* option, const char* lang
 
 // Chooses C, which Python calls.
 void choose_for_python(GenerateArguments& arguments) {
+  if (arguments.language == kPython) {
+    arguments.python = true;
+    arguments.language = "c";
+  }
   if (arguments.python && arguments.language != "cuda") choose_c(arguments, "--python", "C or CUDA");
 }
 
@@ -111,7 +106,7 @@ void choose_for_firmware(GenerateArguments& arguments) {
 
 // Requires a language with forms for a pair, and a pair for more than one scalar.
 void check_form(const GenerateArguments& arguments) {
-  const LanguageChoice& language = kLanguages.at(arguments.language);
+  const LanguageChoice& language = language_choice(arguments.language);
   if (arguments.form_given->count() > 0 && !language.has_form) {
     throw Failure(ExitCode::usage, fmt::format("--form: {} has one form only", language.name), "leave it out");
   }
@@ -129,7 +124,7 @@ void check_stdout(const GenerateArguments& arguments) {
   if (arguments.delivery.check || arguments.delivery.dry_run || !arguments.delivery.depfile.empty()) {
     throw Failure(ExitCode::usage, "-o -: --check, --dry-run and --depfile are about files", "name a folder");
   }
-  if (!kLanguages.at(arguments.language).is_one_file || arguments.is_pair() || arguments.python) {
+  if (!language_choice(arguments.language).is_one_file || arguments.is_pair() || arguments.python) {
     throw Failure(ExitCode::usage, "-o -: several files result, and stdout has room for one",
                   "name a folder; a header in C++ or CUDA and a module in JavaScript are one file");
   }
@@ -144,7 +139,7 @@ void check_stdout(const GenerateArguments& arguments) {
 // Requires a language and a target that have fused multiply-adds.
 void check_fma(const GenerateArguments& arguments) {
   if (!arguments.fuses) return;
-  const LanguageChoice& language = kLanguages.at(arguments.language);
+  const LanguageChoice& language = language_choice(arguments.language);
   if (!language.has_fma || (arguments.python && arguments.language == "c")) {
     throw Failure(ExitCode::usage,
                   arguments.python ? "--fma: the module for Python is without fused multiply-adds"
@@ -162,7 +157,7 @@ void check_fma(const GenerateArguments& arguments) {
 void check_limbs(const GenerateArguments& arguments) {
   if (!arguments.has_lanes()) return;
   if (arguments.language != "c++") {
-    throw Failure(ExitCode::usage, fmt::format("--limbs lanes: not in {}", kLanguages.at(arguments.language).name),
+    throw Failure(ExitCode::usage, fmt::format("--limbs lanes: not in {}", language_choice(arguments.language).name),
                   "leave it out, or use C++");
   }
   if (arguments.fuses) {
@@ -178,7 +173,7 @@ void check_conventions(const GenerateArguments& arguments) {
     throw Failure(ExitCode::usage, "--convention: \"" + *name + "\" is asked for twice", "name it once");
   }
   if (arguments.conventions.empty() || arguments.language == "c++") return;
-  throw Failure(ExitCode::usage, fmt::format("--convention: not in {}", kLanguages.at(arguments.language).name),
+  throw Failure(ExitCode::usage, fmt::format("--convention: not in {}", language_choice(arguments.language).name),
                 "leave it out, or use C++");
 }
 
@@ -192,7 +187,7 @@ void check_usage(const GenerateArguments& arguments) {
   if (arguments.fused.size() == 1) {
     throw Failure(ExitCode::usage, "--fuse: one function is no set", "name two or more, separated by commas");
   }
-  const LanguageChoice& language = kLanguages.at(arguments.language);
+  const LanguageChoice& language = language_choice(arguments.language);
   if (language.language == Language::cuda && arguments.most_lines > 0) {
     throw Failure(ExitCode::usage, "--max-lines: functions of CUDA stay whole, as calls within a kernel are slow",
                   "leave it out");
@@ -219,7 +214,7 @@ GenerationOptions generation_options(const GenerateArguments& arguments) {
   options.form.name_space = arguments.name_space;
   options.form.scalar = arguments.scalars.front();
   options.form.most_lines = arguments.most_lines;
-  options.form.language = kLanguages.at(arguments.language).language;
+  options.form.language = language_choice(arguments.language).language;
   options.form.file_name = arguments.file_name;
   options.form.form = arguments.is_pair() ? Form::pair : Form::header;
   options.form.sines = arguments.sincos == "library" ? Sines::library : Sines::polynomials;
@@ -282,6 +277,10 @@ std::vector<GeneratedFile> companions(const GenerationResult& result, const Gene
       files.push_back({file.name, file.text});
     }
   }
+  if (result.form.language == Language::javascript) {
+    files.push_back({std::filesystem::path(result.files[0].name).replace_extension(".d.ts").string(),
+                     emit_javascript_types(robot.mechanism, functions, result.form)});
+  }
   if (arguments.python && arguments.language == "cuda") {
     const std::string name = module_name(robot.mechanism, result.form);
     const CudaPythonModule module = cuda_python_module(robot.mechanism, functions, result.form);
@@ -295,6 +294,17 @@ std::vector<GeneratedFile> companions(const GenerationResult& result, const Gene
   }
   for (GeneratedFile& file : pass_dump(result, arguments.dumped_passes)) files.push_back(std::move(file));
   return files;
+}
+
+// Notes that a processor has no unit for the scalar.
+void note_soft_scalar(const GenerateArguments& arguments, GenerationResult& result) {
+  if (arguments.firmware.empty() || !is_soft(firmware_target(arguments.firmware), arguments.scalars.front())) return;
+  result.findings.note(
+      {result.robot.robot.file, 0},
+      fmt::format("--firmware: {} has no unit for double, which takes functions of its compiler, and about {} times as "
+                  "many instructions as float",
+                  arguments.firmware, kInstructionsOfSoftDouble),
+      "use --scalar float, unless time does not matter");
 }
 
 // The headers in other conventions. Functions that they leave out are noted.
@@ -343,14 +353,15 @@ std::string tables(const GenerationResult& result, const SnapEffects& effects, c
 }
 
 ExitCode generate(GenerateArguments arguments) {
-  choose_for_firmware(arguments);
   choose_for_python(arguments);
+  choose_for_firmware(arguments);
   check_usage(arguments);
   const GenerationOptions options = generation_options(arguments);
   GenerationResult result = generated(arguments, options);
   const LoadedRobot& robot = result.robot;
   if (!arguments.quiet) note_rounded_angles(robot, options, result.functions, result.findings);
   const SnapEffects effects = snap_effects(robot, options.read);
+  note_soft_scalar(arguments, result);
   const std::string manifest = json_text(manifest_of(result, effects));
   const std::string done = arguments.delivery.deliver(files_to_write(result, manifest, arguments), robot.robot.files);
   print_diagnostics(robot.diagnostics, arguments);
@@ -378,10 +389,12 @@ void add_form_options(CLI::App& command, GenerateArguments& arguments) {
           ->default_str("double");
   arguments.language_given =
       command
-          .add_option("--language", arguments.language,
-                      "a C++17 header, a C99 header and source in one scalar, a JavaScript module, or a header of CUDA "
-                      "for many states at once on a graphics processor")
-          ->check(CLI::IsMember({"c++", "c", "cuda", "javascript"}))
+          .add_option(
+              "--language", arguments.language,
+              "a C++17 header, a C99 header and source in one scalar, a JavaScript module, a header of CUDA for "
+              "many states at once on a graphics processor, or a module for Python over the C form, as by "
+              "--python")
+          ->check(CLI::IsMember(language_options()))
           ->capture_default_str();
   command
       .add_option(

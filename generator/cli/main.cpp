@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
+#include "cli/languages.hpp"
 #include "cli/usage.hpp"
 #include "diagnostics/exit_codes.hpp"
 #include "diagnostics/version.hpp"
@@ -53,20 +54,21 @@ ExitCode run(const Run& command, const OutputStyle& style) {
 
 int main(int argc, char** argv) {
   using namespace flatdyn;
-  CLI::App app{
-      "Flat, dependency-free C++, C or JavaScript for the dynamics of one robot.\n\n"
-      "  flatdyn generate robots/panda.urdf -o out/\n"
-      "  flatdyn verify robots/panda.urdf\n\n"
-      "Exit codes: " +
-      exit_codes_text() + "."};
+  CLI::App app{"Flat, dependency-free " + languages_text() +
+               " for the dynamics of one robot.\n\n"
+               "  flatdyn generate robots/panda.urdf -o out/\n"
+               "  flatdyn verify robots/panda.urdf\n\n"
+               "Exit codes: " +
+               exit_codes_text() + "."};
   app.name("flatdyn");
   app.formatter(std::make_shared<NarrowHelp>());
   app.set_version_flag("--version", fmt::format("flatdyn {}", kProgramVersion));
   app.require_subcommand(1);
   Run chosen;
-  for (const auto add : {add_generate, add_inspect, add_derive, add_verify, add_eval, add_excite, add_identify,
-                         add_payload, add_torques, add_scale, add_simulate, add_manipulability, add_report, add_bench,
-                         add_certify, add_stress, add_convert, add_man, add_completion}) {
+  for (const auto add :
+       {add_generate, add_inspect, add_derive,   add_verify,         add_eval,   add_excite, add_identify, add_payload,
+        add_torques,  add_scale,   add_simulate, add_manipulability, add_report, add_bench,  add_certify,  add_stress,
+        add_convert,  add_help,    add_man,      add_completion}) {
     const Run command = add(app);
     app.get_subcommands({}).back()->callback([&chosen, command] { chosen = command; });
   }

@@ -7,9 +7,9 @@
 #include "cli/markdown.hpp"
 #include "cli/option_list.hpp"
 #include "cli/output_file.hpp"
+#include "cli/usage.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/exit_codes.hpp"
-#include "diagnostics/nearest.hpp"
 #include "diagnostics/version.hpp"
 
 namespace flatdyn {
@@ -92,22 +92,21 @@ struct ManArguments {
 
 ExitCode print_page(const CLI::App& app, const ManArguments& arguments) {
   const std::string& name = arguments.subcommand;
-  std::vector<std::string> names;
-  for (const CLI::App* command : subcommands(app)) {
-    names.push_back(command->get_name());
-    if (names.back() != name) continue;
-    fmt::print("{}", arguments.is_markdown ? markdown_of_command(*command) : page_of_command(*command));
-    return ExitCode::ok;
+  if (name.empty()) {
+    print_result(arguments.is_markdown ? markdown_of_program(app) : page_of_program(app));
+  } else {
+    const CLI::App& command = subcommand_named(app, name);
+    print_result(arguments.is_markdown ? markdown_of_command(command) : page_of_command(command));
   }
-  if (!name.empty()) {
-    throw Failure(ExitCode::usage, "there is no subcommand \"" + name + "\"",
-                  hint_for_unknown(name, names, "subcommands"));
-  }
-  fmt::print("{}", arguments.is_markdown ? markdown_of_program(app) : page_of_program(app));
   return ExitCode::ok;
 }
 
-ExitCode write_pages(const CLI::App& app, const std::filesystem::path& folder) {
+ExitCode write_pages(const CLI::App& app, const ManArguments& arguments) {
+  if (!arguments.subcommand.empty() || arguments.is_markdown) {
+    throw Failure(ExitCode::usage, "-o FOLDER: it gets the manual pages of all subcommands",
+                  "leave the other arguments out, or write -o - for one page on stdout");
+  }
+  const std::filesystem::path folder = arguments.folder;
   std::vector<TextFile> files = {{folder / "flatdyn.1", page_of_program(app)}};
   for (const CLI::App* command : subcommands(app)) {
     files.push_back({folder / ("flatdyn-" + command->get_name() + ".1"), page_of_command(*command)});
@@ -124,15 +123,16 @@ Run add_man(CLI::App& app) {
                                      "  flatdyn man generate | man -l -\n"
                                      "  flatdyn man -o share/man/man1/");
   const auto arguments = std::make_shared<ManArguments>();
-  auto* name = command->add_option("subcommand", arguments->subcommand, "whose page; default: the program's");
-  name->type_name("NAME");
-  auto* folder =
-      command->add_option("-o,--output", arguments->folder, "write all pages to this folder; made if it is not there");
-  folder->excludes(name)->check(kNotEmpty)->type_name("FOLDER");
-  command->add_flag("--markdown", arguments->is_markdown, "print the reference of docs/commands/ instead, in Markdown")
-      ->excludes(folder);
+  command->add_option("subcommand", arguments->subcommand, "whose page; default: the program's")->type_name("COMMAND");
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "write all pages to this folder, made if it is not there; - prints the one page, as without -o")
+      ->check(kNotEmpty)
+      ->type_name("FOLDER");
+  command->add_flag("--markdown", arguments->is_markdown, "print the reference of docs/commands/ instead, in Markdown");
   return [&app, arguments] {
-    return arguments->folder.empty() ? print_page(app, *arguments) : write_pages(app, arguments->folder);
+    const bool is_printed = arguments->folder.empty() || arguments->folder == kStdout;
+    return is_printed ? print_page(app, *arguments) : write_pages(app, *arguments);
   };
 }
 

@@ -14,6 +14,8 @@ std::vector<std::string> choices_of(const std::string& type) {
   return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
 }
 
+}  // namespace
+
 ListedOption listed_option(const CLI::Option& option) {
   ListedOption result;
   for (const std::string& name : option.get_snames()) result.names.push_back("-" + name);
@@ -28,8 +30,6 @@ ListedOption listed_option(const CLI::Option& option) {
   result.standard = option.get_default_str();
   return result;
 }
-
-}  // namespace
 
 std::vector<ListedOption> listed_options(const CLI::App& command) {
   std::vector<ListedOption> result;

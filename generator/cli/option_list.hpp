@@ -26,6 +26,7 @@ struct Description {
 };
 Description description_of(const CLI::App& command);
 
+ListedOption listed_option(const CLI::Option& option);
 // The options in the order of --help, without positional ones.
 std::vector<ListedOption> listed_options(const CLI::App& command);
 std::vector<const CLI::Option*> positionals(const CLI::App& command);

@@ -68,6 +68,13 @@ const CLI::Option* given_too_often(const CLI::App& command) {
 
 }  // namespace
 
+const CLI::App& subcommand_named(const CLI::App& app, const std::string& name) {
+  for (const CLI::App* command : subcommands(app)) {
+    if (command->get_name() == name) return *command;
+  }
+  throw unknown_subcommand(app, name);
+}
+
 Failure usage_failure(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = chosen(app);
   const std::vector<std::string> left_over = command.remaining();

@@ -11,6 +11,7 @@
 #include "conventions/steps.hpp"
 #include "emit/arguments.hpp"
 #include "emit/languages/cpp_dialect.hpp"
+#include "emit/languages/cpp_function.hpp"
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
 
@@ -232,7 +233,8 @@ class AdaptorWriter {
     std::vector<std::string> parameters = parameters_;
     if (uses_trigonometry()) parameters.emplace_back("const SinCos& sin_cos = {}");
     return without_newline(
-        list_line(fmt::format("static inline {} {}(", text_.returns, text_.name), parameters, ") noexcept {", 0));
+        list_line(fmt::format("{}static inline {} {}(", not_to_discard(text_.returns), text_.returns, text_.name),
+                  parameters, ") noexcept {", 0));
   }
 
   // The type of the function, with the length of this convention's q.

@@ -13,6 +13,8 @@
 #include "diagnostics/table.hpp"
 #include "diagnostics/version.hpp"
 #include "emit/languages/cpp_dialect.hpp"
+#include "emit/languages/cpp_function.hpp"
+#include "emit/licence.hpp"
 #include "emit/name_space.hpp"
 #include "emit/page.hpp"
 #include "emit/page_writer.hpp"
@@ -254,6 +256,7 @@ class ConventionWriter {
   void write_adaptors(data& page, std::vector<std::string>& left_out) const {
     data list(data::type::list);
     std::vector<ShapedFunction> shapes;
+    std::vector<std::string> refusals;
     for (std::size_t k = 0; k < code_.functions.size(); ++k) {
       const std::string reason = why_not(code_.functions[k], code_.functions, convention_, mechanism_);
       if (!reason.empty()) {
@@ -268,7 +271,11 @@ class ConventionWriter {
       item["body"] = found.body;
       list << item;
       shapes.push_back(found.shape);
+      refusals.push_back(refusal_of_objects(found.shape.name, "::" + core_ + "::"));
     }
+    page["refusals?"] = !refusals.empty();
+    page["refusals"] = list_of(refusals);
+    page["licence"] = list_of(licence_lines());
     page["functions"] = data(list);
     page["base?"] = mechanism_.floating_base && (!shapes.empty() || has_screw());  // screws turn vectors, too
     write_shapes(page, shapes, core_ + "::" + convention_.name);

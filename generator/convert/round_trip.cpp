@@ -2,11 +2,11 @@
 #include "convert/round_trip.hpp"
 
 #include <algorithm>
-#include <fstream>
 
 #include "flatdyn/reference/newton_euler.hpp"
 #include "input/reader.hpp"
 #include "reference/reference_model.hpp"
+#include "system/process.hpp"
 #include "system/temporary_folder.hpp"
 
 namespace flatdyn {
@@ -97,7 +97,7 @@ class NumberCollector {
 Robot read_back(const std::string& text, const std::string& path) {
   const TemporaryFolder folder;
   const std::filesystem::path copy = folder.path() / std::filesystem::path(path).filename();
-  std::ofstream(copy, std::ios::binary) << text;
+  write_file(copy, text);
   Diagnostics diagnostics;
   std::optional<Robot> robot = read_robot(copy, {}, diagnostics);
   if (robot) return *std::move(robot);

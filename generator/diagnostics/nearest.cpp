@@ -2,26 +2,45 @@
 #include "diagnostics/nearest.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 
 namespace flatdyn {
 
 namespace {
 
-// The Levenshtein distance: insertions, deletions and replacements of a character.
+std::string in_small_letters(std::string_view text) {
+  std::string small(text);
+  for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return small;
+}
+
+// The number of insertions, deletions and replacements of a character, and exchanges of two neighbours.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
+  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  std::iota(last.begin(), last.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
     row[0] = i + 1;
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+      row[j + 1] = std::min({last[j] + (a[i] == b[j] ? 0 : 1), row[j] + 1, last[j + 1] + 1});
+      const bool is_exchanged = i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j];
+      if (is_exchanged) row[j + 1] = std::min(row[j + 1], before[j - 1] + 1);
     }
+    std::swap(before, last);
+    std::swap(last, row);
   }
-  return row[b.size()];
+  return last[b.size()];
+}
+
+// The shortest name that begins with what is written, if that is no less than three letters; nullptr if none does.
+const std::string* name_begun(const std::string& written, const std::vector<std::string>& known) {
+  constexpr std::size_t kFewestLetters = 3;
+  const std::string* found = nullptr;
+  for (const std::string& name : known) {
+    const bool is_begun = written.size() >= kFewestLetters && in_small_letters(name).starts_with(written);
+    if (is_begun && (found == nullptr || name.size() < found->size())) found = &name;
+  }
+  return found;
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -39,13 +58,15 @@ std::string hint_for_unknown(std::string_view written, const std::vector<std::st
   const std::size_t most_wrong = written.size() <= 1 ? 0 : std::max<std::size_t>(1, written.size() / 3);
   std::size_t best_distance = most_wrong + 1;
   const std::string* best = nullptr;
+  const std::string small = in_small_letters(written.substr(0, kLongestName));
   for (const std::string& name : known) {
     if (name.size() > kLongestName || written.size() > kLongestName) continue;
-    const std::size_t distance = edit_distance(written, name);
+    const std::size_t distance = edit_distance(small, in_small_letters(name));
     if (distance >= best_distance) continue;
     best_distance = distance;
     best = &name;
   }
+  if (best == nullptr) best = name_begun(small, known);
   if (best != nullptr) return "did you mean \"" + *best + "\"?";
   if (known.empty()) return "";
   return "known " + std::string(plural) + ": " + joined(known);

@@ -76,12 +76,15 @@ class FunctionWriter {
       list.push_back({Argument::Kind::parameters, "parameters", reads(InputKind::parameter)});
     }
     for (InputKind kind : function_.inputs) {
-      list.push_back({Argument::Kind::input, input_argument(kind, 0).name, reads(kind)});
+      const InputArgument argument = input_argument(kind, counts(), function_);
+      list.push_back({Argument::Kind::input, argument.name, reads(kind), static_cast<std::size_t>(argument.length)});
     }
     const std::set<int> read = scope_.stored.empty() ? outputs_read(function_) : std::set<int>();
     for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_) && !makes_stage(); ++k) {
-      const bool is_used = function_.outputs[k].is_written() || read.count(static_cast<int>(k)) != 0;
-      list.push_back({Argument::Kind::output, body_.output_names[k], is_used});
+      const Output& output = function_.outputs[k];
+      const bool is_used = output.is_written() || read.count(static_cast<int>(k)) != 0;
+      list.push_back({Argument::Kind::output, body_.output_names[k], is_used, output.entries.size(),
+                      output.layout == Layout::scalar});
     }
     return list;
   }

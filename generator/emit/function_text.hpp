@@ -38,6 +38,8 @@ struct Argument {
   enum class Kind { parameters, input, output } kind;
   std::string name;
   bool is_used;  // read or written
+  std::size_t length = 0;
+  bool is_number = false;  // an output that is not one of several entries, by a pointer
 };
 
 // A function whose body is written and whose parameters are not.

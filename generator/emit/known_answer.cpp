@@ -74,9 +74,9 @@ class AnswerWriter {
     for (std::size_t k = 0; k < text.inputs.size(); ++k) note_length(function.inputs[k], text.inputs[k].length);
     const bool is_variant = style_.given.empty() && text.sin_cos_variant;
     const bool returns_verdict = !returns_value(function) && !function.validity_conditions.empty();
-    const std::string begin = returns_value(function)                   ? fmt::format("{}[0] = ", kResults)
-                              : returns_verdict && style_.given.empty() ? "(void)"
-                                                                        : "";
+    const std::string begin = returns_value(function) ? fmt::format("{}[0] = ", kResults)
+                              : returns_verdict       ? "(void)"
+                                                      : "";
     // Entries that a scene leaves out are not written.
     if (!is_whole(function)) calls_ += call(fmt::format("fill({}, {}, 0u)", kResults, results));
     calls_ +=

@@ -14,6 +14,7 @@
 #include "emit/function_text.hpp"
 #include "emit/global_names.hpp"
 #include "emit/joints.hpp"
+#include "emit/licence.hpp"
 #include "emit/name_space.hpp"
 #include "emit/names.hpp"
 #include "emit/page.hpp"
@@ -85,6 +86,8 @@ class PageWriter {
     header["own_sines?"] = content_.uses_trigonometry && options_.sines == Sines::polynomials;
     header["library_sines?"] = options_.sines == Sines::library;
     header["uses_math"] = content_.uses_trigonometry || content_.uses_sqrt || content_.uses_fma || uses_infinity();
+    header["licence"] = list_of(licence_lines());
+    header["position_count"] = std::to_string(mechanism_.position_count());
     dialect_.write_page(header, content_);
     return header;
   }

@@ -61,6 +61,7 @@ class FolderWriter {
     page["version"] = std::string(kProgramVersion);
     page["name"] = header.substr(0, header.size() - 2);
     page["prefix"] = dialect_->global("");
+    page["nodiscard"] = dialect_->count_name("nodiscard");
     page["scalar"] = options_.scalar;
     page["is_float"] = options_.scalar == "float";
     page["target"] = std::string(target_.name);
@@ -71,6 +72,8 @@ class FolderWriter {
     page["branches"] = std::string(target_.branches);
     page["packages"] = std::string(target_.packages);
     page["own_start?"] = target_.has_own_start;
+    page["soft?"] = is_soft(target_, options_.scalar);
+    page["soft_double"] = std::string(is_soft(target_, options_.scalar) ? target_.soft_double : "");
     page["measures?"] = measures();
     page["sines"] = angle_literals(Rational(3, 5));
     page["cosines"] = angle_literals(Rational(4, 5));

@@ -20,23 +20,27 @@ constexpr const char* kRiscvLink =
     "--oslib=semihost --crt0=hosted -Wl,--defsym=__flash=0x80000000,--defsym=__flash_size=4M"
     " -Wl,--defsym=__ram=0x80400000,--defsym=__ram_size=4M,--defsym=__stack_size=64K";
 
+// Functions for double of the run-time ABI for Arm, and of libgcc.
+constexpr const char* kArmDouble = "__aeabi_d* | __aeabi_i2d | __aeabi_ui2d | __aeabi_f2d";
+constexpr const char* kRiscvDouble = "__*df2 | __*df3 | __float*df | __fix*df*i | __truncdfsf2";
+
 constexpr FirmwareTarget kTargets[] = {
     {"cortex-m4", "arm-none-eabi-", "-mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard", kArmLink,
      "qemu-system-arm -M mps2-an386 -nographic -semihosting-config enable=on,target=native -kernel", kArmBranches,
-     kArmPackages, "float", true},
+     kArmPackages, "float", kArmDouble, true},
     {"cortex-m7", "arm-none-eabi-", "-mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard", kArmLink,
      "qemu-system-arm -M mps2-an500 -nographic -semihosting-config enable=on,target=native -kernel", kArmBranches,
-     kArmPackages, "double", true},
+     kArmPackages, "double", nullptr, true},
     {"riscv32", "riscv64-unknown-elf-", "-march=rv32imafc -mabi=ilp32f -mcmodel=medany --specs=picolibc.specs",
      kRiscvLink,
      "qemu-system-riscv32 -M virt -bios none -nographic -semihosting-config enable=on,target=native -kernel",
-     kRiscvBranches, kRiscvPackages, "float"},
+     kRiscvBranches, kRiscvPackages, "float", kRiscvDouble},
     {"riscv64", "riscv64-unknown-elf-", "-march=rv64gc -mabi=lp64d -mcmodel=medany --specs=picolibc.specs", kRiscvLink,
      "qemu-system-riscv64 -M virt -bios none -nographic -semihosting-config enable=on,target=native -kernel",
-     kRiscvBranches, kRiscvPackages, "double"},
+     kRiscvBranches, kRiscvPackages, "double", nullptr},
     // Debian has no library for this target without an operating system, so the result is a program for Linux.
     {"aarch64", "aarch64-linux-gnu-", "-march=armv8-a -fno-pie", "-static -no-pie", "qemu-aarch64",
-     "b\\.[a-z]+|[ct]bn?z", "gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user make", "double"},
+     "b\\.[a-z]+|[ct]bn?z", "gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user make", "double", nullptr},
 };
 
 }  // namespace
@@ -47,6 +51,10 @@ const FirmwareTarget& firmware_target(const std::string& name) {
   }
   throw Failure(ExitCode::usage, "unknown processor \"" + name + "\"",
                 fmt::format("use one of {}", fmt::join(firmware_target_names(), ", ")));
+}
+
+bool is_soft(const FirmwareTarget& target, const std::string& scalar) {
+  return scalar == "double" && target.soft_double != nullptr;
 }
 
 std::vector<std::string> firmware_target_names() {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "symbolic/parameters/base_parameters.hpp"
 #include "symbolic/parameters/parameters.hpp"
 
 namespace flatdyn {
@@ -183,6 +184,33 @@ class OutputUnits {
 
 std::string unit_of(const Mechanism& mechanism, const Function& function, const Output& output, std::size_t entry) {
   return OutputUnits(mechanism, function, output).at(entry);
+}
+
+std::string unit_of_parameter(const Mechanism& mechanism, int index) {
+  const Body& body = mechanism.bodies[static_cast<std::size_t>(joint_of(index))];
+  const Unit joint = body.prismatic ? kMetre : kOne;
+  switch (parameter_of(index)) {
+    case Parameter::m:
+      return "kg";
+    case Parameter::mlx:
+    case Parameter::mly:
+    case Parameter::mlz:
+      return "kg m";
+    case Parameter::Im:
+      return body.rotor || !body.prismatic ? "kg m^2" : "kg";
+    case Parameter::Fv:
+      return text_of(kEnergy * kSecond / (joint * joint));
+    case Parameter::Fs:
+      return text_of(kEnergy / joint);
+    default:
+      return "kg m^2";
+  }
+}
+
+std::vector<std::string> units_of_base_parameters(const Mechanism& mechanism) {
+  std::vector<std::string> units;
+  for (const int index : base_parameters(mechanism).columns) units.push_back(unit_of_parameter(mechanism, index));
+  return units;
 }
 
 std::string units_of(const Mechanism& mechanism, const Function& function) {

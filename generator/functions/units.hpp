@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
@@ -13,6 +14,11 @@ namespace flatdyn {
 
 // The unit, such as "N m" or "kg m^2"; "1" for a number without one, "" if the output's quantity is not said.
 std::string unit_of(const Mechanism& mechanism, const Function& function, const Output& output, std::size_t entry);
+
+// The unit of a dynamic parameter by its index in pi, and those of the base parameters, which are those of the
+// parameters that they keep.
+std::string unit_of_parameter(const Mechanism& mechanism, int index);
+std::vector<std::string> units_of_base_parameters(const Mechanism& mechanism);
 
 // All units of a function's entries in their order, each once: "N m, N".
 std::string units_of(const Mechanism& mechanism, const Function& function);

@@ -207,7 +207,10 @@ std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOpt
   robot.file = path == "-" ? kStandardInput : path.string();
   robot.scene = options.scene;
   if (!options.scene_file.empty()) add_scene(read_scene(options.scene_file, context), robot.scene);
-  for (const JointPosition& lock : robot.scene.locked) context.held_joints.push_back({lock});
+  for (const JointPosition& lock : robot.scene.locked) {
+    const bool is_of_scene = !lock.place.file.empty();
+    context.held_joints.push_back({lock, {is_of_scene && robot.scene.degrees, false, is_of_scene}});
+  }
   read_into(robot.file, context, robot);
   if (!options.scene_file.empty()) robot.files.push_back(options.scene_file);
   robot.symbols = context.symbols.in_order();

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "diagnostics/nearest.hpp"
+#include "input/common/units.hpp"
 #include "model/exact_sign.hpp"
 
 namespace flatdyn {
@@ -16,22 +17,28 @@ namespace {
 struct LimitMember {
   const char* name;
   std::optional<Value> Limits::*value;
-  int outwards;  // the sign of a difference that allows more
+  int outwards;     // the sign of a difference that allows more
+  bool has_angles;  // of a joint that turns
 };
-constexpr std::array<LimitMember, 5> kLimitMembers = {{{"lower", &Limits::lower, -1},
-                                                       {"upper", &Limits::upper, 1},
-                                                       {"velocity", &Limits::velocity, 1},
-                                                       {"acceleration", &Limits::acceleration, 1},
-                                                       {"effort", &Limits::effort, 1}}};
+constexpr std::array<LimitMember, 5> kLimitMembers = {{{"lower", &Limits::lower, -1, true},
+                                                       {"upper", &Limits::upper, 1, true},
+                                                       {"velocity", &Limits::velocity, 1, true},
+                                                       {"acceleration", &Limits::acceleration, 1, true},
+                                                       {"effort", &Limits::effort, 1, false}}};
 
 // A limit of 0 says that nobody gave it.
 bool is_wider(const Value& scene, const std::optional<Value>& robot, int outwards) {
   return robot && !vanishes(robot->number) && is_positive(outwards * (scene.number - robot->number));
 }
 
-void replace_limits(const SceneLimits& wanted, Joint& joint, Diagnostics& diagnostics) {
+void replace_limits(const SceneLimits& wanted, const Units& units, Joint& joint, Diagnostics& diagnostics) {
+  const bool slides = (joint.held ? joint.held->type : joint.type) == JointType::prismatic;
   for (const LimitMember& member : kLimitMembers) {
-    const std::optional<Value>& limit = wanted.limits.*(member.value);
+    std::optional<Value> limit = wanted.limits.*(member.value);
+    if (limit && member.has_angles && !slides) {
+      const Spot spot{limit->place, fmt::format("limits, {}, {}", joint.name, member.name)};
+      limit->number = in_radians(limit->number, units, spot, diagnostics);
+    }
     std::optional<Value>& old = joint.limits.*(member.value);
     if (!limit) continue;
     if (is_wider(*limit, old, member.outwards)) {
@@ -44,11 +51,11 @@ void replace_limits(const SceneLimits& wanted, Joint& joint, Diagnostics& diagno
   }
 }
 
-void apply_limits(const SceneLimits& wanted, Diagnostics& diagnostics, Robot& robot) {
+void apply_limits(const SceneLimits& wanted, const Units& units, Diagnostics& diagnostics, Robot& robot) {
   std::vector<std::string> known;
   for (Joint& joint : robot.joints) {
     known.push_back(joint.name);
-    if (joint.name == wanted.joint.name) return replace_limits(wanted, joint, diagnostics);
+    if (joint.name == wanted.joint.name) return replace_limits(wanted, units, joint, diagnostics);
   }
   if (robot.joints.empty()) return;  // the robot file could not be read: said there
   diagnostics.error(wanted.joint.place, "limits: there is no joint \"" + wanted.joint.name + "\"",
@@ -72,7 +79,8 @@ void add_scene(Scene file, Scene& scene) {
 }
 
 void apply_to_joints(const Scene& scene, Diagnostics& diagnostics, Robot& robot) {
-  for (const SceneLimits& wanted : scene.limits) apply_limits(wanted, diagnostics, robot);
+  const Units units{scene.degrees, false, true};
+  for (const SceneLimits& wanted : scene.limits) apply_limits(wanted, units, diagnostics, robot);
   for (Joint& joint : robot.joints) {
     if (!scene.friction) joint.viscous.number = joint.coulomb.number = 0;
     if (!scene.springs) joint.stiffness.number = 0;

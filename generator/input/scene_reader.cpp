@@ -37,12 +37,13 @@ std::optional<ScenePayload> read_payload(TomlTable& table, Diagnostics& diagnost
   return std::nullopt;
 }
 
-std::vector<SceneLimits> read_all_limits(TomlTable table) {
+// Of which joints the limits are is not known yet, so that they are left in the file's unit.
+std::vector<SceneLimits> read_all_limits(TomlTable table, const Units& units) {
+  const JointType type = units.degrees ? JointType::prismatic : JointType::revolute;
   std::vector<SceneLimits> all;
   for (const std::string& joint : table.keys()) {
     std::optional<TomlTable> limits = table.table(joint);
-    // Which quantity a limit is does not matter: it is a number.
-    if (limits) all.push_back({{joint, table.place_of(joint)}, read_limits(*limits, JointType::revolute)});
+    if (limits) all.push_back({{joint, table.place_of(joint)}, read_limits(*limits, type)});
   }
   return all;
 }
@@ -201,15 +202,18 @@ Scene read_scene(const std::string& file, ReadContext& context) {
   Diagnostics& diagnostics = context.diagnostics;
   const std::optional<std::string> text = file_text(file, diagnostics);
   if (!text) return scene;
-  const TomlSource source(*text, file, context, "docs/scene-format.md");
+  TomlSource source(*text, file, context, "docs/scene-format.md");
   const std::optional<toml::table> root = source.parse();
   if (!root) return scene;
   TomlTable table(*root, "", source);
   table.text("description");
+  const Units units{read_choice(table, "angles", {"rad", "deg"}, diagnostics) == "deg", false, true};
+  source.set_units(units);
+  scene.degrees = units.degrees;
   scene.gravity = read_gravity(table, diagnostics);
   if (const std::optional<TomlTable> locked = table.table("locked")) scene.locked = read_locked(*locked);
   scene.payload = read_payload(table, diagnostics);
-  if (const std::optional<TomlTable> limits = table.table("limits")) scene.limits = read_all_limits(*limits);
+  if (const std::optional<TomlTable> limits = table.table("limits")) scene.limits = read_all_limits(*limits, units);
   scene.base_limits = read_base_limits(table, diagnostics);
   scene.at_rest = table.boolean("static").value_or(false);
   scene.friction = table.boolean("friction").value_or(true);

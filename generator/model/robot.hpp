@@ -148,6 +148,7 @@ struct Robot {
   Scene scene;                 // the user's choices for this robot, applied as far as they concern the robot
   bool floating_base = false;  // whether the root link moves freely
   BaseJoint base_joint;        // of a floating base
+  bool in_degrees = false;     // whether angles of the file are in degrees
 };
 
 // The indices of all joints, fixed ones too, in depth-first file order. The tree must be valid.

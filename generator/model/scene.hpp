@@ -22,6 +22,7 @@ struct JointPosition {
   std::string written = "0";  // the text as written
   bool is_decimal = true;     // then an angle near a multiple of pi/12 is snapped to it
   Place place{};
+  bool in_degrees = false;  // whether the text says so: "45 deg"
 };
 
 struct ScenePayload {
@@ -29,7 +30,7 @@ struct ScenePayload {
   Inertial inertial;
 };
 
-// Limits that replace those of the robot.
+// Limits that replace those of the robot, in the unit of the scene's angles.
 struct SceneLimits {
   Reference joint;
   Limits limits;
@@ -76,6 +77,7 @@ std::optional<ErrorBudget> error_budget(const std::string& text);
 struct Scene {
   std::string file;  // empty if there is none
   std::optional<Vec3> gravity;
+  bool degrees = false;               // whether angles of the file, in `locked` and `limits`, are in degrees
   std::vector<JointPosition> locked;  // of two entries for one joint the first counts
   std::optional<ScenePayload> payload;
   std::vector<SceneLimits> limits;

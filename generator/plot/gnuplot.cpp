@@ -32,7 +32,9 @@ std::string gnuplot_picture(const std::function<std::string(const fs::path&)>& s
   const fs::path output = folder.path() / "plot";
   write_file(folder.path() / "plot.gp", script(output));
   if (run_command("gnuplot plot.gp > /dev/null 2> log", folder.path()) != 0) {
-    throw Failure(ExitCode::io, "gnuplot failed: " + content_of_file(folder.path() / "log"));
+    const std::string messages = content_of_file(folder.path() / "log");
+    check_room(folder.path(), messages);
+    throw Failure(ExitCode::io, "gnuplot failed: " + messages);
   }
   return content_of_file(output);
 }

@@ -10,6 +10,7 @@
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/version.hpp"
 #include "emit/arguments.hpp"
+#include "emit/joints.hpp"
 #include "emit/languages/cuda_dialect.hpp"
 #include "emit/name_space.hpp"
 #include "emit/page.hpp"
@@ -128,6 +129,24 @@ std::string names_of_joints(const Mechanism& mechanism) {
   return names.dump();
 }
 
+data limits_of_joints(const Mechanism& mechanism, const Dialect& dialect) {
+  data list(data::type::list);
+  for (const LimitColumn& kind : limits_given(mechanism)) {
+    std::vector<std::string> entries;
+    for (const std::string& entry : limit_entries(mechanism, kind, dialect)) {
+      const std::size_t open = entry.find('('), close = entry.rfind(')');
+      const std::string number = entry.substr(open + 1, close - open - 1);
+      const bool is_missing = number.find("HUGE_VAL") != std::string::npos;
+      entries.push_back(!is_missing ? number : number.front() == '-' ? "-float(\"inf\")" : "float(\"inf\")");
+    }
+    data item("name", std::string(kind.constant));
+    item["meaning"] = std::string(kind.meaning);
+    item["entries"] = fmt::format("{}", fmt::join(entries, ", "));
+    list << item;
+  }
+  return list;
+}
+
 }  // namespace
 
 CudaPythonModule cuda_python_module(const Mechanism& mechanism, const std::vector<Function>& functions,
@@ -165,6 +184,8 @@ CudaPythonModule cuda_python_module(const Mechanism& mechanism, const std::vecto
   page["typestr"] = std::string(is_float ? "<f4" : "<f8");
   page["prefix"] = prefix;
   page["joint_names"] = names_of_joints(mechanism);
+  page["joint_count"] = std::to_string(mechanism.joints().size());
+  page["limits"] = limits_of_joints(mechanism, *dialect);
   page["launchers"] = data(launchers);
   page["functions"] = data(python);
   page["hash"] = std::string(kHashPlaceholder);

@@ -10,11 +10,15 @@
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/version.hpp"
 #include "emit/arguments.hpp"
+#include "emit/base_constants.hpp"
 #include "emit/facts.hpp"
+#include "emit/global_names.hpp"
+#include "emit/joints.hpp"
 #include "emit/page.hpp"
 #include "emit/sections.hpp"
 #include "emit/text_hash.hpp"
 #include "emit/writer.hpp"
+#include "functions/units.hpp"
 #include "model/identifiers.hpp"
 #include "model/loop_closure.hpp"
 #include "python/module_names.hpp"
@@ -108,7 +112,33 @@ class ModuleWriter {
     page["closes_loops?"] = closes_loops();
     page["closes_axes?"] = aligns_axes(mechanism_);
     page["positions"] = std::to_string(mechanism_.position_count());
+    write_constants(page);
     return page;
+  }
+
+  // Constants of the C form, by their names there.
+  void write_constants(data& page) const {
+    page["joint_count"] = std::to_string(mechanism_.joints().size());
+    page["floating?"] = mechanism_.floating_base;
+    page["velocity_count"] = std::to_string(mechanism_.size());
+    data limits(data::type::list);
+    for (const LimitColumn& kind : limits_given(mechanism_)) {
+      data item("name", std::string(kind.constant));
+      item["meaning"] = std::string(kind.meaning);
+      item["exported"] = dialect_->global(kind.constant);
+      limits << item;
+    }
+    page["limits"] = data(limits);
+    const std::vector<std::string> names = global_names(mechanism_, functions_, *dialect_).base;
+    const BaseConstants base =
+        names.empty() ? BaseConstants{} : base_constants(mechanism_, names, options_.frames, *dialect_);
+    page["base?"] = base.count > 0;
+    if (base.count == 0) return;
+    page["base_count"] = std::to_string(base.count);
+    page["base_names"] = names[1];
+    page["base_units"] = names_line("base_parameter_units", units_of_base_parameters(mechanism_));
+    page["base_values?"] = base.arrays.size() > 1;
+    page["base_values"] = names[2];
   }
 
   data functions() const {
@@ -150,7 +180,9 @@ class ModuleWriter {
     if (!function.validity_conditions.empty())
       results << data("line", "Not a number where " + condition_of(function) + ".");
     row["arguments"] = fmt::format("{}{}", has_parameters() ? "parameters, " : "", fmt::join(names, ", "));
-    row["given"] = tuple_of(names);
+    std::vector<std::string> given;
+    for (const std::string& name : names) given.push_back(fmt::format("\"{0}\": {0}", name));
+    row["given"] = fmt::format("{{{}}}", fmt::join(given, ", "));
     row["lengths"] = tuple_of(lengths);
     row["shapes"] = tuple_of(shapes);
     row["meanings"] = data(meanings);
@@ -179,7 +211,7 @@ class ModuleWriter {
   const Mechanism& mechanism_;
   const std::vector<Function>& functions_;
   const EmitOptions& options_;
-  std::unique_ptr<const Dialect> dialect_;
+  std::unique_ptr<const PageDialect> dialect_;
 };
 
 }  // namespace

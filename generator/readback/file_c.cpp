@@ -64,6 +64,8 @@ void CFile::find_prefix() {
   fill("prefix", prefix_);
   fill("exported", prefix_);
   fill("positions", count_name("position_count"));
+  fill("nodiscard", count_name("nodiscard"));
+  fill("position_count", std::to_string(contents_.positions));
   const bool has_parameters = !contents_.parameters.empty();
   fill("parameters", has_parameters ? "parameters," : "");
   fill("parameters_argument", has_parameters ? fmt::format("const {}parameters* parameters,", prefix_) : "");
@@ -92,7 +94,8 @@ void CFile::header() {
   const std::string guard = take();
   if (!guard.starts_with(std::string(kIf) + "FLATDYN_")) fail("a guard expected");
   fill("guard", guard.substr(std::string(kIf).size()));
-  expect("#define $guard$\n#include <stdbool.h>\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n");
+  expect("#define $guard$\n");
+  expect(kCStandard);
   counts();
   for (const FileTable& each : contents_.tables) declare(each);
   if (contents_.base_count) count("base_parameter_count", *contents_.base_count);
@@ -100,13 +103,15 @@ void CFile::header() {
   if (!contents_.parameters.empty()) parameters();
   for (const FileFunction& each : contents_.functions) declarations(each);
   if (contents_.closing) {
-    expect("bool $prefix$close_loops($parameters_argument$ $real$* q, $real$ tolerance, int most_steps);");
+    expect(
+        "$nodiscard$ bool $prefix$close_loops($parameters_argument$ $real$ q[$position_count$], $real$ tolerance, int "
+        "most_steps);");
   }
-  expect("bool $prefix$rounding_is_as_written(void);\n#ifdef __cplusplus\n}\n#endif\n#endif");
+  expect("$nodiscard$ bool $prefix$rounding_is_as_written(void);\n#ifdef __cplusplus\n}\n#endif\n#endif");
 }
 
 void CFile::source() {
-  expect("#include \"$file$.h\"\n#include <float.h>\n");
+  expect("#define $nodiscard$\n#include \"$file$.h\"\n#include <float.h>\n");
   has_math_ = accept("#include <math.h>\n");
   expect("#include <stdint.h>\n#include <string.h>\n");
   expect(kNoFastMath);

@@ -2,6 +2,8 @@
 // The files of emitted C: a header and its source.
 #pragma once
 
+#include <set>
+
 #include "readback/file_known_answer.hpp"
 #include "readback/file_reader.hpp"
 
@@ -25,6 +27,7 @@ class CFile : public FileReader {
   std::string prefixed(const std::string& name) const { return prefix_ + name; }
   virtual std::string condition_type() const { return "bool"; }
 
+  bool has_lengths_ = true;            // whether arrays are declared with their lengths
   std::string scalar_;                 // of variables
   std::string prefix_;                 // of names
   std::string prefix_of_definitions_;  // of functions that are defined here
@@ -46,7 +49,10 @@ class CFile : public FileReader {
   bool follows_part(const std::string& owner) const;
   void part(const FileFunction& function, const ScannedFunction& asking);
   void parameter_list(const FileFunction& function, const ScannedFunction* body, bool takes_sines);
-  void parameter(const EmittedParameter& parameter, const ScannedFunction* body, bool& is_first);
+  void parameter(const EmittedParameter& parameter, const ScannedFunction* body, bool& is_first,
+                 const ScannedFunction* given = nullptr);
+  void length_of_sines(const ScannedFunction& given);
+  int last_sine_read(const ScannedFunction& function, std::set<std::string>& parts) const;
   void require_used(const ScannedFunction& body, const std::string& name) const;
   const ScannedFunction* given_of(const FileFunction& function) const;
   std::string returns_of(const FileFunction& function) const;

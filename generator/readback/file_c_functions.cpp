@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "readback/file_c.hpp"
 
@@ -30,19 +31,54 @@ void CFile::require_used(const ScannedFunction& body, const std::string& name) c
   if (cast > 1 || (cast == 1) != (used == 0)) fail(fmt::format("{} is not used, or cast to void", name));
 }
 
-void CFile::parameter(const EmittedParameter& parameter, const ScannedFunction* body, bool& is_first) {
+// Takes a parameter, in a definition with `body`: const double q[7], double tau[restrict 7], double* condition.
+void CFile::parameter(const EmittedParameter& parameter, const ScannedFunction* body, bool& is_first,
+                      const ScannedFunction* given) {
   using Kind = EmittedParameter::Kind;
   if (!is_first) expect(",");
   is_first = false;
+  const bool is_sized = has_lengths_ && parameter.length > 0 && !parameter.is_number;
+  const bool is_restricted = parameter.kind == Kind::output && body != nullptr;
   if (parameter.kind == Kind::parameters) {
     expect("const $exported$parameters*");
   } else {
-    expect((parameter.kind == Kind::input ? "const " : "") + scalar_ + "*");
-    if (parameter.kind == Kind::output && body != nullptr) expect("restrict");
+    expect((parameter.kind == Kind::input ? "const " : "") + scalar_);
+    if (!is_sized) expect(is_restricted ? "* restrict" : "*");
   }
   const std::string name = take_name_like(parameter.name);
   if (parameter.kind != Kind::output && name != parameter.name) fail("another parameter");
   if (body != nullptr) require_used(*body, name);
+  if (!is_sized) return;
+  expect(is_restricted ? "[restrict" : "[");
+  if (given != nullptr) {
+    length_of_sines(*given);
+  } else {
+    expect(std::to_string(parameter.length));
+  }
+  expect("]");
+}
+
+// Takes the length of the arrays of sines and cosines: the function reads the last of them, and none beyond.
+void CFile::length_of_sines(const ScannedFunction& given) {
+  std::set<std::string> parts;
+  int last = last_sine_read(given, parts);
+  if (take() != std::to_string(last + 1)) fail(fmt::format("the length {} expected", last + 1));
+}
+
+// The largest index at which the function, or a part that it calls, reads sines or cosines; -1 if there is none.
+int CFile::last_sine_read(const ScannedFunction& function, std::set<std::string>& parts) const {
+  int last = -1;
+  for (std::size_t k = function.begin; k + 2 < function.end; ++k) {
+    const std::string& text = tokens_[k].text;
+    if ((text == "sine" || text == "cosine") && tokens_[k + 1].text == "[" && !is_member(k)) {
+      last = std::max(last, std::stoi(tokens_[k + 2].text));
+    }
+    const auto part = text_.parts().find(text);
+    if (part != text_.parts().end() && parts.insert(text).second) {
+      last = std::max(last, last_sine_read(part->second, parts));
+    }
+  }
+  return last;
 }
 
 // Takes the parameters up to the closing bracket. Where sines are taken, q is only if its values are read.
@@ -53,8 +89,8 @@ void CFile::parameter_list(const FileFunction& function, const ScannedFunction* 
   for (const EmittedParameter& each : parameters_of(function, contents_)) {
     if (!has_sines && each.kind != Kind::parameters) {
       has_sines = true;
-      parameter({Kind::input, "sine"}, body, is_first);
-      parameter({Kind::input, "cosine"}, body, is_first);
+      parameter({Kind::input, "sine", 1}, body, is_first, given);
+      parameter({Kind::input, "cosine", 1}, body, is_first, given);
     }
     const bool is_read = !takes_sines || each.kind != Kind::input || each.name != "q" || names(*given, "q");
     if (is_read) parameter(each, body, is_first);
@@ -64,11 +100,12 @@ void CFile::parameter_list(const FileFunction& function, const ScannedFunction* 
 
 void CFile::declarations(const FileFunction& function) {
   for (const FileTable& each : function.zeros) declare(each);
-  expect(fmt::format("{} {}(", returns_of(function), prefixed(function.name)));
+  const std::string returns = (returns_of(function) == "bool" ? "$nodiscard$ " : "") + returns_of(function);
+  expect(fmt::format("{} {}(", returns, prefixed(function.name)));
   parameter_list(function, nullptr, false);
   expect(";");
   if (given_of(function) == nullptr) return;
-  expect(fmt::format("{} {}(", returns_of(function), prefixed(function.given)));
+  expect(fmt::format("{} {}(", returns, prefixed(function.given)));
   parameter_list(function, nullptr, true);
   expect(";");
 }

@@ -57,6 +57,7 @@ void CppFile::name_space() {
 
 void CppFile::header() {
   guard();
+  expect(kCppStandard);
   if (!is_pair()) expect(kCppRoundingIncludes);
   expect("#include <cmath>\n");
   if (!is_pair()) flags();
@@ -65,6 +66,7 @@ void CppFile::header() {
   helpers();
   for (const FileFunction& function : contents_.functions) header_function(function);
   if (!contents_.stages.empty()) stages();
+  refusals();
   shapes();
   loops(kCppCloseLoops);
   rounding();
@@ -162,6 +164,18 @@ void CppFile::helpers() {
   if (!is_pair() && contents_.angles > contents_.positions) parts({nullptr, "angles"});
 }
 
+// Takes the declarations that are found where objects stand in place of arrays.
+void CppFile::refusals() {
+  std::vector<std::string> names;
+  for (const FileFunction& function : contents_.functions) names.push_back(function.name);
+  if (!contents_.stages.empty()) names.push_back(contents_.stages.front().make.name);
+  if (names.empty()) return;
+  expect(kCppObjectArguments);
+  for (const std::string& name : names) {
+    expect(fmt::format("template <class... Of> detail::IfObjects<Of...> {}(const Of&...);", name));
+  }
+}
+
 void CppFile::loops(const char* close_loops) {
   if (!contents_.closing) return;
   fill("closure", contents_.closing->closure);
@@ -172,11 +186,11 @@ void CppFile::loops(const char* close_loops) {
 
 void CppFile::rounding() {
   if (is_pair()) {
-    expect("template <class Scalar = Real> bool rounding_is_as_written() noexcept;");
+    expect("template <class Scalar = Real> [[nodiscard]] bool rounding_is_as_written() noexcept;");
     return;
   }
   rounding_helpers();
-  expect("template <class Scalar = Real> static bool rounding_is_as_written() noexcept");
+  expect("template <class Scalar = Real> [[nodiscard]] static bool rounding_is_as_written() noexcept");
   known_answer();
 }
 

@@ -21,6 +21,7 @@ class CppFile : public FileReader {
   void table(const FileTable& table);
   std::string parameter_name(const EmittedParameter& parameter, const ScannedFunction* body);
   std::string returns_of(const FileFunction& function, const std::string& scalar) const;
+  std::string not_discarded(const FileFunction& function) const;
   void shape_of_array(const EmittedParameter& parameter, const std::string& name);
 
   bool has_sign_ = false, has_sqrt_ = false, has_excess_ = false, has_fma_ = false, has_limbs_ = false,
@@ -58,6 +59,7 @@ class CppFile : public FileReader {
   std::vector<const FileFunction*> staged_functions() const;
 
   // The rest, after the functions.
+  void refusals();
   void shapes();
   int place_of_stage(const Known& known) const;
   void shape(const Known& known, bool is_by_itself);

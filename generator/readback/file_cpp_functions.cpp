@@ -14,6 +14,11 @@ std::string CppFile::returns_of(const FileFunction& function, const std::string&
   return function.function->validity_conditions.empty() ? "void" : "bool";
 }
 
+// [[nodiscard]], which the first declaration of a function that returns bool has.
+std::string CppFile::not_discarded(const FileFunction& function) const {
+  return returns_of(function, "Scalar") == "bool" ? "[[nodiscard]] " : "";
+}
+
 // Takes the name of a parameter. In a definition, one that is not read or written has none.
 std::string CppFile::parameter_name(const EmittedParameter& parameter, const ScannedFunction* body) {
   if (is(",") || is(")")) {
@@ -63,7 +68,7 @@ void CppFile::header_function(const FileFunction& function) {
 void CppFile::declaration(const FileFunction& function) {
   const bool has_sin_cos = accept("template <class Scalar, class SinCos = DefaultSinCos>");
   if (!has_sin_cos) expect("template <class Scalar>");
-  expect(fmt::format("{} {}(", returns_of(function, "Scalar"), function.name));
+  expect(fmt::format("{}{} {}(", not_discarded(function), returns_of(function, "Scalar"), function.name));
   Known known = parameter_list(function, nullptr);
   if (known.has_sin_cos != has_sin_cos) fail("sin_cos without its type");
   expect("noexcept;");
@@ -76,7 +81,7 @@ void CppFile::definition(const FileFunction& function) {
   const bool has_sin_cos = accept(is_pair() ? "template <class Scalar, class SinCos>"
                                             : "template <class Scalar, class SinCos = DefaultSinCos>");
   if (!has_sin_cos) expect("template <class Scalar>");
-  if (!is_pair()) expect(is_member ? "inline" : "static inline");
+  if (!is_pair()) expect(is_member ? "inline" : not_discarded(function) + "static inline");
   expect(fmt::format("{} {}{}(", returns_of(function, "Scalar"), is_member ? function.member_of + "<Scalar>::" : "",
                      function.name));
   Known known = parameter_list(function, &body);
@@ -161,8 +166,7 @@ void CppFile::structure(std::size_t k) {
 
 // Takes the declaration of a member. In a header by itself it is like the definition.
 void CppFile::member(const FileFunction& function) {
-  const std::string returns = returns_of(function, "Scalar");
-  expect(fmt::format("{} {}(", returns, function.name));
+  expect(fmt::format("{}{} {}(", not_discarded(function), returns_of(function, "Scalar"), function.name));
   const auto& functions = text_.functions();
   const auto body = std::find_if(functions.begin(), functions.end(), [&](const ScannedFunction& each) {
     return each.name == function.name && each.member_of == function.member_of;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "readback/patterns_cpp.hpp"
 #include "readback/patterns_cuda.hpp"
 
 namespace flatdyn {
@@ -35,6 +36,7 @@ CudaFile::CudaFile(const EmittedText& text, const FileContents& contents) : CppF
 
 void CudaFile::file() {
   guard();
+  expect(kCppStandard);
   expect(kCudaIncludes);
   flags();
   expect(kCudaHead);
@@ -86,7 +88,8 @@ void CudaFile::cuda_function(const FileFunction& function) {
   }
   const bool has_sin_cos = accept(head + ", class SinCos = DefaultSinCos>");
   if (!has_sin_cos) expect(head + ">");
-  expect(fmt::format("FLATDYN_FUNCTION {} {}(", returns_of(function, "Scalar"), function.name));
+  expect(
+      fmt::format("{}FLATDYN_FUNCTION {} {}(", not_discarded(function), returns_of(function, "Scalar"), function.name));
   kernels_.push_back(parameters_and_body(function, has_sin_cos, body));
 }
 

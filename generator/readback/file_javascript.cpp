@@ -23,6 +23,7 @@ class JavascriptFile : public FileReader {
     constants();
     const bool has_sines = has_polynomials() && follows("function sine_of_turned(");
     if (has_sines) expect_on_lines(kJavascriptSines);
+    if (contents_.is_module && !contents_.functions.empty()) expect(kJavascriptCheck);
     for (const FileFunction& each : contents_.functions) function(each);
     const bool asks_library = uses({"Math", ".", "sin"}) || uses({"Math", ".", "cos"});
     if (has_polynomials() && asks_library) fail("sines of the library");
@@ -100,16 +101,35 @@ class JavascriptFile : public FileReader {
     const ScannedFunction& body = next_function();
     expect(fmt::format("function {}(", function.name));
     const char* before = "";
+    std::vector<std::pair<std::string, int>> arrays;
+    int inputs = 0;
     for (const EmittedParameter& parameter : parameters_of(function, contents_)) {
       expect(before);
       before = ",";
       const std::string name = take_name_like(parameter.name);
       if (parameter.kind != EmittedParameter::Kind::output && name != parameter.name) fail("another parameter");
+      if (parameter.kind != EmittedParameter::Kind::parameters) arrays.emplace_back(name, parameter.length);
+      inputs += parameter.kind == EmittedParameter::Kind::input ? 1 : 0;
     }
     expect(") {");
+    if (contents_.is_module && !arrays.empty()) check_of_lengths(function.name, arrays, inputs);
     require_result(*function.function, body);
     take_body(body);
     exports_.push_back(function.name);
+  }
+
+  // Takes the statement that refuses arrays of other lengths.
+  void check_of_lengths(const std::string& function, const std::vector<std::pair<std::string, int>>& arrays,
+                        int inputs) {
+    std::string conditions, names, lengths;
+    for (const auto& [name, length] : arrays) {
+      const bool is_first = names.empty();
+      conditions += fmt::format("{}{}.length !== {}", is_first ? "" : " || ", name, length);
+      names += (is_first ? "" : ", ") + name;
+      lengths += (is_first ? "" : ", ") + std::to_string(length);
+    }
+    expect(fmt::format("if ({}) {{ check_lengths('{}', {{{}}}, [{}], {}); }}", conditions, function, names, lengths,
+                       inputs));
   }
 
   bool follows_part(const std::string& owner) const {

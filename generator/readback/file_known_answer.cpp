@@ -57,7 +57,7 @@ std::string call_text(const KnownCall& call, const FileContents& contents, const
                                        : fmt::format("result + {}", offset);
     offset += lengths.at(output++);
   }
-  const bool drops_verdict = words.given.empty() && !returns_number(function) && !function.validity_conditions.empty();
+  const bool drops_verdict = !returns_number(function) && !function.validity_conditions.empty();
   return text + fmt::format("{}{}({});hash = {}hash_of(result, {}, hash);",
                             returns_number(function) ? "result[0] = "
                             : drops_verdict          ? "(void)"

@@ -22,6 +22,7 @@ class LanesFile : public CFile {
     prefix_of_definitions_ = prefix_ + "lanes_";
     header();
     exported_ = prefix_;
+    has_lengths_ = false;
     name_lanes();
     expect("#include \"$file$.h\"\n#include <math.h>\n#include <stddef.h>\n");
     expect(kNoFastMath);

@@ -83,7 +83,7 @@ std::vector<EmittedParameter> parameters_of(const FileFunction& file_function, c
   if (returns_number(function) || !file_function.made.empty()) return list;
   for (const Output& output : function.outputs) {
     list.push_back({Kind::output, output.name, static_cast<int>(output.entries.size()),
-                    has_rows(output) ? output.cols : 0, is_written_at_all(output)});
+                    has_rows(output) ? output.cols : 0, is_written_at_all(output), output.layout == Layout::scalar});
   }
   return list;
 }

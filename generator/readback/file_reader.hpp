@@ -88,6 +88,7 @@ struct EmittedParameter {
   int length = 0;
   int columns = 0;  // of an output that is a matrix; else 0
   bool is_written = true;
+  bool is_number = false;  // an output that is no array
 };
 
 // The name of an array of inputs.

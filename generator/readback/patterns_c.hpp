@@ -4,6 +4,28 @@
 
 namespace flatdyn {
 
+// What stands before the declarations of a header.
+inline constexpr const char* kCStandard = R"(
+#if !defined(__cplusplus) && (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L)
+#error "this needs C99: compile it with -std=c99, or a later standard"
+#endif
+#include <stdbool.h>
+#ifndef $nodiscard$
+#if defined(__cplusplus) && __cplusplus >= 201703L
+#define $nodiscard$ [[nodiscard]]
+#elif !defined(__cplusplus) && __STDC_VERSION__ > 201710L
+#define $nodiscard$ [[nodiscard]]
+#elif defined(__GNUC__)
+#define $nodiscard$ __attribute__((warn_unused_result))
+#else
+#define $nodiscard$
+#endif
+#endif
+#ifdef __cplusplus
+extern "C" {
+#endif
+)";
+
 inline constexpr const char* kCSign = R"(
 static $real$ $prefix$sign($real$ x) { return ($real$)((x > 0.0$f$) - (x < 0.0$f$)); }
 )";
@@ -123,7 +145,7 @@ static $real$ $prefix$gap_at($parameters_argument$ const $real$* q) {
   for (int row = 0; row < $rows$; ++row) sum += phi[row] * phi[row];
   return sum;
 }
-bool $prefix$close_loops($parameters_argument$ $real$* q, $real$ tolerance, int most_steps) {
+bool $prefix$close_loops($parameters_argument$ $real$ q[$position_count$], $real$ tolerance, int most_steps) {
   $real$ here[$positions$], next[$positions$], dq[$positions$];
   for (int k = 0; k < $positions$; ++k) here[k] = q[k];
   $real$ gap = $prefix$gap_at($parameters$ here);

@@ -4,6 +4,38 @@
 
 namespace flatdyn {
 
+inline constexpr const char* kCppStandard = R"(
+#if __cplusplus < 201703L && (!defined(_MSVC_LANG) || _MSVC_LANG < 201703L)
+#error "this needs C++17: compile it with -std=c++17, or a later standard"
+#endif
+)";
+
+inline constexpr const char* kCppObjectArguments = R"(
+namespace detail {
+struct Objects {
+  template <class Of>
+  static constexpr bool hold_array(decltype(static_cast<Of*>(nullptr)->data())*) noexcept { return true; }
+  template <class Of>
+  static constexpr bool hold_array(...) noexcept { return false; }
+  template <class Of>
+  static constexpr bool are_expressions(decltype(static_cast<Of*>(nullptr)->eval())*) noexcept { return true; }
+  template <class Of>
+  static constexpr bool are_expressions(...) noexcept { return false; }
+};
+template <bool are_objects, class... Of>
+struct ObjectArguments {};
+template <class... Of>
+struct ObjectArguments<true, Of...> {
+  static_assert(sizeof...(Of) == 0,
+      "arguments are plain arrays: of a std::array, std::vector or std::span pass q.data(); of "
+      "Eigen's vectors, too, or include flatdyn/eigen.hpp and call flatdyn::eigen<functions::NAME>");
+  using type = bool;
+};
+template <class... Of>
+using IfObjects = typename ObjectArguments<((Objects::hold_array<Of>(nullptr) ||
+    Objects::are_expressions<Of>(nullptr)) || ... || false), Of...>::type;
+})";
+
 inline constexpr const char* kCppSign = R"(
 namespace detail {
 template <class Scalar>
@@ -292,7 +324,7 @@ using DefaultSinCos = $default_sines$;)";
 
 inline constexpr const char* kCppCloseLoops = R"(
 template <class Scalar>
-static inline bool close_loops($parameters_argument$ Scalar* q, Scalar tolerance, int most_steps = 20) noexcept {
+[[nodiscard]] static inline bool close_loops($parameters_argument$ Scalar* q, Scalar tolerance, int most_steps = 20) noexcept {
   Scalar here[position_count], next[position_count], dq[position_count], phi[$rows$];
   const auto gap_at = [&](const Scalar* position) {
     $closure$($parameters$ position, phi);

@@ -191,7 +191,7 @@ using DefaultSinCos = $default_sines$;)";
 
 inline constexpr const char* kCudaCloseLoops = R"(
 template <class Scalar, class InOut>
-FLATDYN_FUNCTION bool close_loops($parameters_argument$ InOut q, Scalar tolerance, int most_steps = 20) noexcept {
+[[nodiscard]] FLATDYN_FUNCTION bool close_loops($parameters_argument$ InOut q, Scalar tolerance, int most_steps = 20) noexcept {
   Scalar here[position_count], next[position_count], dq[position_count], phi[$rows$];
   const auto gap_at = [&](const Scalar* position) {
     $closure$<Scalar>($parameters$ position, phi);

@@ -34,6 +34,16 @@ function cos(x) {
 }
 )";
 
+inline constexpr const char* kJavascriptCheck = R"(
+function check_lengths(name, arrays, lengths, inputs) {
+  Object.keys(arrays).forEach((key, k) => {
+    const length = arrays[key].length, grows = k >= inputs && Array.isArray(arrays[key]);
+    if (length === lengths[k] || (grows && length === 0)) return;
+    throw new RangeError(name + ': ' + key + ' has ' + length + ' entries instead of ' + lengths[k]);
+  });
+}
+)";
+
 inline constexpr const char* kJavascriptCloseLoops = R"(
 function close_loops($parameters$ q, tolerance, most_steps = 20) {
   const phi = new Float64Array($rows$), dq = new Float64Array(position_count);

@@ -118,15 +118,21 @@ class CScanner : TokenCursor {
     ++at_;
   }
 
-  // Scans a parameter: "const float* restrict q," or the last one with its parenthesis.
+  // Scans a parameter, "const float* restrict q," or "float tau[restrict 7],", or the last one with its parenthesis.
   void parameter(ScannedFunction& written) {
     const bool is_constant = is("const");
     bool is_pointer = false;
+    std::string name_of_array;
     while (!is(",") && !is(")")) {
+      if (is("[")) {
+        name_of_array = word(-1);
+        skip_to("]");
+      }
       is_pointer = is_pointer || is("*");
       ++at_;
     }
-    if (is_pointer) written.parameters.push_back({tokens_[at_ - 1].text, !is_constant});
+    if (is_pointer) name_of_array = tokens_[at_ - 1].text;
+    if (!name_of_array.empty()) written.parameters.push_back({name_of_array, !is_constant});
     ++at_;
   }
 

@@ -57,10 +57,20 @@ class JavascriptScanner : TokenCursor {
     }
     if (word(1) != "{") fail("{ expected");
     ++at_;
-    written.begin = at_ + 1;
+    const std::size_t brace = at_;
     skip_block();
     written.end = at_ - 1;
+    written.begin = end_of_check(brace + 1, written.end);
     if (!is_helper_function(written.name)) functions_.push_back(std::move(written));
+  }
+
+  // Where the statements begin after the one that refuses arrays of other lengths, if that is there.
+  std::size_t end_of_check(std::size_t begin, std::size_t end) const {
+    const bool is_check = begin + 5 < end && tokens_[begin].text == "if" && tokens_[begin + 4].text == "length";
+    if (!is_check) return begin;
+    std::size_t k = begin;
+    while (k < end && tokens_[k].text != ";") ++k;
+    return std::min(k + 2, end);  // with its brace
   }
 
   // Scans export {gravity, bias};

@@ -27,14 +27,42 @@ std::string type_of(const Body& body) {
   return body.continuous ? "continuous" : "revolute";
 }
 
-std::string limit_text(const std::optional<Value>& value, const NumberText& text) {
-  return value ? text(value->number) : "-";
-}
+// Limits as text. Those of a file in degrees are in degrees, with the unit.
+class LimitText {
+ public:
+  LimitText(const LoadedRobot& model, const NumberText& number)
+      : in_degrees_(model.robot.in_degrees || model.robot.scene.degrees), number_(number) {}
 
-std::string range_text(const Limits& limits, const NumberText& text) {
-  if (!limits.lower && !limits.upper) return "-";
-  return "[" + limit_text(limits.lower, text) + ", " + limit_text(limits.upper, text) + "]";
-}
+  std::string position(const Body& body) const {
+    const Limits& limits = body.limits;
+    if (!limits.lower && !limits.upper) return "-";
+    const bool degrees = is_in_degrees(body, limits.lower) && is_in_degrees(body, limits.upper);
+    return fmt::format("[{}, {}]{}", text(limits.lower, degrees), text(limits.upper, degrees), degrees ? " deg" : "");
+  }
+
+  std::string rate(const Body& body, const std::optional<Value>& limit, const char* unit) const {
+    const bool degrees = limit && is_in_degrees(body, limit);
+    return text(limit, degrees) + (degrees ? std::string(" ") + unit : "");
+  }
+
+  std::string plain(const std::optional<Value>& limit) const { return text(limit, false); }
+
+ private:
+  // Whether a limit, if there is one, was written in degrees: the number over pi is then rational.
+  bool is_in_degrees(const Body& body, const std::optional<Value>& limit) const {
+    if (!in_degrees_ || body.prismatic) return false;
+    return !limit || is_rational((limit->number / GiNaC::Pi).expand());
+  }
+
+  std::string text(const std::optional<Value>& limit, bool degrees) const {
+    constexpr int kHalfTurn = 180;
+    if (!limit) return "-";
+    return number_(degrees ? Number((limit->number * kHalfTurn / GiNaC::Pi).expand()) : limit->number);
+  }
+
+  bool in_degrees_;
+  const NumberText& number_;
+};
 
 std::vector<std::string> independent_names(const Mechanism& mechanism) {
   std::vector<std::string> names;
@@ -72,6 +100,7 @@ std::string base_joint_text(const Mechanism& mechanism, const NumberText& number
 std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_effects, SnapDetail detail) {
   const Mechanism& mechanism = model.mechanism;
   const NumberText number(mechanism);
+  const LimitText limit(model, number);
   std::string text = fmt::format("robot {}: {}, gravity {} m/s^2, tip {}\n\n", mechanism.name, joints_text(mechanism),
                                  number(mechanism.gravity), mechanism.tip.link);
   const JointRange joints = mechanism.joints();
@@ -86,9 +115,9 @@ std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_eff
     const std::string parent =
         is_on_base ? "base" : joint_name(mechanism.bodies[static_cast<std::size_t>(parent_body)]);
     rows.push_back({std::to_string(i), mechanism.position_name(i), type_of(body), body.link, parent,
-                    range_text(body.limits, number), limit_text(body.limits.velocity, number),
-                    limit_text(body.limits.effort, number)});
-    if (has_accelerations) rows.back().push_back(limit_text(body.limits.acceleration, number));
+                    limit.position(body), limit.rate(body, body.limits.velocity, "deg/s"),
+                    limit.plain(body.limits.effort)});
+    if (has_accelerations) rows.back().push_back(limit.rate(body, body.limits.acceleration, "deg/s^2"));
   }
   text += aligned_table(rows);
   if (mechanism.floating_base) {

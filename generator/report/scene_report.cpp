@@ -22,8 +22,10 @@ class SceneText {
   explicit SceneText(const Mechanism& mechanism) : number_(mechanism, 17) {}
 
   std::vector<std::string> items(const Scene& scene) {
+    degrees_ = scene.degrees;
+    if (degrees_) add("angles", "deg");
     if (scene.gravity) add("gravity", list(*scene.gravity));
-    for (const JointPosition& lock : scene.locked) add("locked." + lock.joint, lock.written);
+    for (const JointPosition& lock : scene.locked) add("locked." + lock.joint, position_text(lock));
     if (scene.payload) add_payload(*scene.payload);
     if (scene.at_rest) add("static", "true");
     if (!scene.friction) add("friction", "false");
@@ -45,6 +47,17 @@ class SceneText {
 
  private:
   void add(const std::string& key, const std::string& value) { items_.push_back(key + " = " + value); }
+
+  // Options give positions in rad also beside a scene in degrees.
+  std::string position_text(const JointPosition& lock) const {
+    const bool is_of_option = lock.place.file.empty() && !lock.in_degrees && !vanishes(lock.position);
+    return lock.written + (degrees_ && is_of_option ? " (rad, m)" : "");
+  }
+
+  Number in_unit_of_angles(const Number& angle) const {
+    constexpr int kHalfTurn = 180;
+    return degrees_ ? Number((angle * kHalfTurn / GiNaC::Pi).expand()) : angle;
+  }
 
   std::string list(const Vec3& v) const {
     return fmt::format("[{}, {}, {}]", number_(v[0]), number_(v[1]), number_(v[2]));
@@ -77,12 +90,15 @@ class SceneText {
     const auto add_one = [&](const char* key, const std::optional<Value>& value) {
       if (value) add(std::string("base_limits.") + key, number_(value->number));
     };
+    const auto add_angle = [&](const char* key, const std::optional<Value>& value) {
+      if (value) add(std::string("base_limits.") + key, number_(in_unit_of_angles(value->number)));
+    };
     add_one("displacement", limits.linear.upper);
-    add_one("turn", limits.angular.upper);
+    add_angle("turn", limits.angular.upper);
     add_one("linear_velocity", limits.linear.velocity);
-    add_one("angular_velocity", limits.angular.velocity);
+    add_angle("angular_velocity", limits.angular.velocity);
     add_one("linear_acceleration", limits.linear.acceleration);
-    add_one("angular_acceleration", limits.angular.acceleration);
+    add_angle("angular_acceleration", limits.angular.acceleration);
     add_one("force", limits.linear.effort);
     add_one("moment", limits.angular.effort);
   }
@@ -99,6 +115,7 @@ class SceneText {
   }
 
   NumberText number_;
+  bool degrees_ = false;
   std::vector<std::string> items_;
 };
 

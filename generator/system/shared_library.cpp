@@ -6,14 +6,17 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "system/process.hpp"
+#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 
 SharedLibrary::SharedLibrary(const std::filesystem::path& folder, const std::string& stem, const std::string& flags) {
   const std::string command =
-      fmt::format("{0} {1} -shared -fPIC {2}.cpp -o {2}.so 2> {2}.log", machine_compiler(), flags, stem);
+      fmt::format("LC_ALL=C {0} {1} -shared -fPIC {2}.cpp -o {2}.so 2> {2}.log", machine_compiler(), flags, stem);
   if (run_command(command, folder) != 0) {
-    throw Failure(ExitCode::bug, "emitted code does not compile:\n" + content_of_file(folder / (stem + ".log")));
+    const std::string messages = content_of_file(folder / (stem + ".log"));
+    check_room(folder, messages);
+    throw Failure(ExitCode::bug, "emitted code does not compile:\n" + messages);
   }
   handle_ = ::dlopen((folder / (stem + ".so")).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle_ == nullptr) throw Failure(ExitCode::bug, fmt::format("emitted code cannot be loaded: {}", ::dlerror()));

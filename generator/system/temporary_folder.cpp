@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <string>
 
 #include "diagnostics/diagnostics.hpp"
@@ -22,6 +23,29 @@ fs::path temporary_root() {
       ExitCode::io,
       chosen == nullptr ? "/tmp is no folder" : "TMPDIR is \"" + std::string(chosen) + "\", which is no folder",
       "set TMPDIR to a folder for temporary files");
+}
+
+namespace {
+
+bool can_hold_a_mebibyte(const fs::path& folder) {
+  const fs::path trial = folder / "room";
+  std::ofstream file(trial, std::ios::binary);
+  file << std::string(std::size_t{1} << 20U, ' ');
+  file.close();
+  const bool is_written = !file.fail();
+  std::error_code ignored;
+  fs::remove(trial, ignored);
+  return is_written;
+}
+
+}  // namespace
+
+void check_room(const fs::path& folder, const std::string& messages) {
+  const bool is_said = messages.find(std::strerror(ENOSPC)) != std::string::npos ||
+                       messages.find(std::strerror(EDQUOT)) != std::string::npos;
+  if (!is_said && can_hold_a_mebibyte(folder)) return;
+  throw Failure(ExitCode::io, folder.string() + ": there is no room for temporary files",
+                "make room, or set TMPDIR to a folder of another disk");
 }
 
 TemporaryFolder::TemporaryFolder() {

@@ -31,6 +31,17 @@ TEST_F(Convert, WritesUrdfAsUrdfAndToml) {
   }
 }
 
+// On stdout is the other format than that of the robot file, and nothing else.
+TEST_F(Convert, WritesToStandardOutput) {
+  exact("robots/scara.toml", "scara.urdf");
+  const Outcome urdf = run_flatdyn("convert robots/scara.toml -o -");
+  EXPECT_EQ(urdf.code, 0) << urdf.err;
+  EXPECT_EQ(urdf.out, scratch.read("scara.urdf"));
+  exact("robots/ur5.urdf", "ur5.toml");
+  EXPECT_EQ(run_flatdyn("convert robots/ur5.urdf -o -").out, scratch.read("ur5.toml"));
+  EXPECT_EQ(run_flatdyn("convert robots/ur5.urdf -o - --json").code, 2);
+}
+
 TEST_F(Convert, WritesDhTables) {
   for (const char* robot : {"puma560", "rx90"}) {
     exact("robots/" + std::string(robot) + ".toml", "again.toml");

@@ -235,6 +235,17 @@ TEST(Man, HasAPageForEverySubcommand) {
     EXPECT_THAT(page, HasSubstr(option));
   }
   EXPECT_EQ(run_flatdyn("man generat").code, 2);
+  EXPECT_EQ(run_flatdyn("man generate -o -").out, page);
+  EXPECT_EQ(run_flatdyn("man -o -").out, run_flatdyn("man").out);
+  EXPECT_EQ(run_flatdyn("man generate -o " + scratch.path("one")).code, 2);
+}
+
+TEST(Help, IsThatOfTheOption) {
+  EXPECT_EQ(run_flatdyn("help generate").out, run_flatdyn("generate --help").out);
+  EXPECT_EQ(run_flatdyn("help").out, run_flatdyn("--help").out);
+  const Outcome unknown = run_flatdyn("help generat");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("did you mean \"generate\"?"));
 }
 
 // The completions that bash offers for a line with the cursor at its end.
@@ -262,6 +273,53 @@ TEST(Completion, OffersSubcommandsOptionsValuesFilesAndFunctions) {
   EXPECT_EQ(completed("flatdyn generate robots/pan"), "robots/panda.urdf ");
   EXPECT_EQ(completed("flatdyn verify --functions gravity,coriolis"), "gravity,coriolis_matrix ");
   EXPECT_EQ(completed("flatdyn generate -o robo"), "robots ");
+  EXPECT_EQ(completed("flatdyn man gen"), "generate ");
+  EXPECT_EQ(completed("flatdyn help ver"), "verify ");
+  EXPECT_EQ(completed("flatdyn completion "), "bash zsh fish ");
+}
+
+// Bash splits "--language=ja" into three words, and into one where = is no separator.
+TEST(Completion, OffersValuesBehindAnEqualsSign) {
+  EXPECT_EQ(completed("flatdyn generate --language = ja"), "javascript ");
+  EXPECT_EQ(completed("flatdyn generate --form ="), "header pair ");
+  EXPECT_EQ(completed("flatdyn generate --language=cu"), "--language=cuda ");
+}
+
+TEST(Completion, IsOfZsh) {
+  if (std::system("command -v zsh > /dev/null") != 0) GTEST_SKIP() << "zsh is not installed";
+  const Scratch scratch;
+  scratch.write("zsh", run_flatdyn("completion zsh").out);
+  // The functions of zsh's completion are replaced by some that print what they are asked for.
+  scratch.write("ask", R"(compdef() { :; }
+_describe() { print -l -- ${(P)2} }
+_arguments() { print -l -- "$@" }
+source ./zsh
+words=(flatdyn ''); CURRENT=2; _flatdyn
+words=(flatdyn generate --language=); CURRENT=3; _flatdyn
+)");
+  const std::string command = fmt::format("cd '{}' && zsh -f ask > offered 2>&1", scratch.path());
+  ASSERT_EQ(std::system(command.c_str()), 0) << scratch.read("offered");
+  const std::string offered = scratch.read("offered");
+  EXPECT_THAT(offered, HasSubstr("generate:Write code that computes"));
+  EXPECT_THAT(offered,
+              ::testing::ContainsRegex("\\*--language=\\[[^]]*\\]:value:\\(c\\+\\+ c cuda javascript python\\)"));
+}
+
+TEST(Completion, IsOfFish) {
+  if (std::system("command -v fish > /dev/null") != 0) GTEST_SKIP() << "fish is not installed";
+  const Scratch scratch;
+  scratch.write("fish", run_flatdyn("completion fish").out);
+  const auto offered = [&scratch](const std::string& line) {
+    const std::string command = fmt::format(
+        "cd '{}' && HOME=. fish -N -c 'source fish; complete -C \"{}\"' > offered 2>&1", scratch.path(), line);
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return scratch.read("offered");
+  };
+  EXPECT_THAT(offered("flatdyn gen"), ::testing::StartsWith("generate\tWrite code"));
+  EXPECT_EQ(offered("flatdyn generate --language=ja"), "--language=javascript\n");
+  EXPECT_EQ(offered("flatdyn generate --scalar "), "double\nfloat\n");
+  EXPECT_THAT(offered("flatdyn verify --functions gravity,coriolis"), HasSubstr("gravity,coriolis_matrix"));
+  EXPECT_EQ(offered("flatdyn man verif"), "verify\n");
 }
 
 }  // namespace

@@ -54,7 +54,8 @@ class UsersFolder {
 };
 
 // The prefixes of commands in a code block.
-constexpr const char* kPrompts[] = {"    flatdyn ", "    make -C out", "    cd out && cc ", "    g++ ", "    ./"};
+constexpr const char* kPrompts[] = {"    flatdyn ", "    make -C out", "    cd out && cc ",
+                                    "    g++ ",     "    ./",          "    node "};
 const std::string kPrints = "    → ";  // prefix of the expected output of the command before it
 
 bool is_command(const std::string& line) {
@@ -151,7 +152,7 @@ TEST(TrajectoryFormat, HasAnExampleThatRuns) {
 
 INSTANTIATE_TEST_SUITE_P(Documents, Page,
                          ::testing::Values("../README.md", "example-7-2.md", "figure-7-15.md", "firmware.md",
-                                           "generated-code.md", "loops.md", "python.md", "tutorial.md",
+                                           "generated-code.md", "javascript.md", "loops.md", "python.md", "tutorial.md",
                                            "problems/7-01.md", "problems/7-02.md", "problems/7-03.md",
                                            "problems/7-04.md", "problems/7-05.md", "problems/7-07.md",
                                            "problems/7-08.md", "problems/7-09.md", "problems/7-10.md",

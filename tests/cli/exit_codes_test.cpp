@@ -147,6 +147,35 @@ TEST(ExitCodes, ALostStandardOutputIsInputOutput) {
   EXPECT_EQ(WEXITSTATUS(status), 6);
 }
 
+// A compiler that finds no room for its files says so; what it is given is not at fault.
+TEST(ExitCodes, AFullTemporaryFolderIsInputOutput) {
+  const Scratch scratch;
+  scratch.write("compiler",
+                "#!/bin/sh\n[ \"$1\" = --version ] && exit\n"
+                "echo 'cc1plus: fatal error: error writing to x.s: No space left on device' >&2\nexit 1\n");
+  std::filesystem::permissions(scratch.path("compiler"), std::filesystem::perms::owner_all);
+  ASSERT_EQ(::setenv("CXX", scratch.path("compiler").c_str(), 1), 0);
+  const Outcome outcome = run_flatdyn(std::string("verify ") + kPendulum + " --functions gravity -q");
+  ASSERT_EQ(::unsetenv("CXX"), 0);
+  EXPECT_EQ(outcome.code, 6) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("there is no room for temporary files"));
+  EXPECT_THAT(outcome.err, HasSubstr("TMPDIR"));
+}
+
+// The same with a real folder of some kilobytes: whichever file is the first without room.
+TEST(ExitCodes, ATooSmallTemporaryFolderIsInputOutput) {
+  for (const char* size : {"8k", "64k", "100k"}) {
+    const Scratch scratch;
+    const std::string command = std::string("unshare -rm sh -c 'mount -t tmpfs -o size=") + size + " none " +
+                                scratch.path() + " || exit 77; cd " FLATDYN_SOURCE_DIR "; TMPDIR=" + scratch.path() +
+                                " " FLATDYN_PROGRAM " verify " + kPendulum +
+                                " --functions gravity -q > /dev/null 2>&1'";
+    const int status = WEXITSTATUS(std::system(command.c_str()));
+    if (status == 77 || status == 1) GTEST_SKIP() << "no file system can be mounted here";
+    EXPECT_EQ(status, 6) << size;
+  }
+}
+
 TEST(OutputFiles, ALinkStaysALinkAndAFolderStopsBothFiles) {
   const Scratch scratch;
   const std::string generate = "generate robots/scara.toml -q --functions gravity -o ";

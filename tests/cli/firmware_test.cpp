@@ -7,11 +7,13 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 #include <sstream>
 
 #include "cli/program.hpp"
+#include "system/process.hpp"
 
 namespace flatdyn::testing {
 namespace {
@@ -44,8 +46,12 @@ class Firmware : public ::testing::Test {
   std::string printed() const { return folder_.read("log"); }
 
   // A row of `make size`: bytes of code, of .rodata and of stack; spills, instructions and conditional branches.
-  std::vector<int> row(const std::string& function) const {
-    std::istringstream lines(printed());
+  std::vector<int> row(const std::string& function) const { return row_of(printed(), function); }
+
+  static std::string docs_page() { return content_of_file(FLATDYN_SOURCE_DIR "/docs/firmware.md"); }
+
+  static std::vector<int> row_of(const std::string& printed_rows, const std::string& function) {
+    std::istringstream lines(printed_rows);
     for (std::string line; std::getline(lines, line);) {
       std::istringstream words(line);
       std::string name;
@@ -151,6 +157,85 @@ TEST_F(Firmware, AllFunctionsOfSmallRobotsPass) {
   EXPECT_EQ(make("run"), 0) << printed();
   EXPECT_THAT(printed(), ::testing::ContainsRegex("planar_2r on cortex-m7, in float, at [0-9]+ states: passed\n"));
   expect_measured_as_counted("planar_2r_", {"gravity", "kinetic_energy", "forward_dynamics"});
+}
+
+// A processor without a unit for double: this is said, and the folder builds, runs and reports as others do.
+TEST_F(Firmware, DoubleOnCortexM4IsSoftAndSaysSo) {
+  const std::string generate = fmt::format(
+      "generate robots/panda.urdf --firmware cortex-m4 --scalar double --functions inverse_dynamics -o '{}'",
+      folder_.path());
+  const Outcome outcome = run_flatdyn(generate);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("note: --firmware: cortex-m4 has no unit for double"));
+  EXPECT_THAT(outcome.err, HasSubstr("hint: use --scalar float"));
+  EXPECT_EQ(make("run"), 0) << printed();
+  EXPECT_THAT(printed(), HasSubstr("panda on cortex-m4, in double, at 13 states: passed\n"));
+  EXPECT_EQ(make("size"), 0) << printed();
+  EXPECT_THAT(printed(), HasSubstr("double is computed by the compiler's functions"));
+  EXPECT_EQ(make("measure"), 0) << printed();
+  const std::vector<int> in_double = row("inverse_dynamics");
+  const Outcome in_float = run_flatdyn(std::regex_replace(generate, std::regex("double"), "float"));
+  ASSERT_EQ(in_float.code, 0) << in_float.err;
+  EXPECT_THAT(in_float.err, Not(HasSubstr("has no unit")));
+  ASSERT_EQ(make("clean"), 0);
+  ASSERT_EQ(make("measure"), 0) << printed();
+  const std::vector<int> measured = row("inverse_dynamics");
+  ASSERT_EQ(in_double.size(), 2U);
+  ASSERT_EQ(measured.size(), 2U);
+  // The note's number of times, from these two counts of the whole function.
+  const std::regex times("about ([0-9]+) times");
+  std::smatch said;
+  ASSERT_TRUE(std::regex_search(outcome.err, said, times)) << outcome.err;
+  EXPECT_NEAR(double(in_double[1]) / measured[1], std::stod(said[1]), 2.5);
+  EXPECT_THAT(docs_page(), HasSubstr(fmt::format("{} in double and {} in float", in_double[1], measured[1])));
+}
+
+// The tables of docs/firmware.md, whose numbers are those of Debian 12's compiler.
+TEST_F(Firmware, ThePageHasTheNumbersOfThisCompiler) {
+  if (std::system("arm-none-eabi-gcc --version | grep -q '12\\.2\\.'") != 0) GTEST_SKIP() << "another compiler";
+  generate("robots/panda.urdf --firmware cortex-m4");
+  ASSERT_EQ(make("size"), 0) << printed();
+  const std::string sizes = printed();
+  ASSERT_EQ(make("measure"), 0) << printed();
+  const std::string times = printed();
+  const std::string manifest = folder_.read("panda.json");
+  const nlohmann::json functions = nlohmann::json::parse(manifest)["functions"];
+  ASSERT_GE(functions.size(), 13U);
+  for (const nlohmann::json& function : functions) {
+    const std::string name = function["name"];
+    const std::vector<int> own = row_of(sizes, "panda_" + name), given = row_of(sizes, "panda_" + name + "_given");
+    const std::vector<int> time = row_of(times, name);
+    ASSERT_EQ(own.size(), 6U) << name;
+    ASSERT_EQ(time.size(), 2U) << name;
+    const std::vector<int>& body = given.empty() ? own : given;
+    const int more = given.empty() ? 0 : 1;
+    const int operations = function["multiplications"].get<int>() + function["additions"].get<int>();
+    const std::string line = fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} |\n", name, own[0] + more * body[0],
+                                         own[2] + more * body[2], body[3], body[4], time[0], time[1], operations);
+    EXPECT_THAT(docs_page(), HasSubstr(line));
+  }
+  const std::vector<int> sines = row_of(sizes, "panda_sines_and_cosines");
+  ASSERT_EQ(sines.size(), 6U);
+  EXPECT_THAT(docs_page(), HasSubstr(fmt::format("{} bytes of code and {} of stack", sines[0], sines[2])));
+}
+
+// What compiler flags make of inverse dynamics.
+TEST_F(Firmware, ThePageHasTheEffectOfFlags) {
+  if (std::system("arm-none-eabi-gcc --version | grep -q '12\\.2\\.'") != 0) GTEST_SKIP() << "another compiler";
+  generate("robots/panda.urdf --firmware cortex-m4 --functions inverse_dynamics");
+  std::string cells = "|";
+  for (const char* flags : {"-O2", "-Os", "-O1", "-O2 -fno-schedule-insns"}) {
+    ASSERT_EQ(make("clean"), 0);
+    ASSERT_EQ(make(fmt::format("size CFLAGS='$(TARGET) -std=c99 {} -ffp-contract=off -ffunction-sections "
+                               "-fdata-sections -fstack-usage'",
+                               flags)),
+              0)
+        << printed();
+    const std::vector<int> given = row("panda_inverse_dynamics_given");
+    ASSERT_EQ(given.size(), 6U) << printed();
+    cells += fmt::format(" {} / {} |", given[0], given[2]);
+  }
+  EXPECT_THAT(docs_page(), HasSubstr(cells + "\n"));
 }
 
 class OtherProcessor : public Firmware, public ::testing::WithParamInterface<const char*> {

@@ -58,6 +58,50 @@ assert.equal(panda.position_upper[0], 2.8973);
       << folder_.read("log");
 }
 
+// Arrays of other lengths throw, in inputs and outputs; an output may be an empty Array, which grows.
+TEST_F(Javascript, RefusesWrongLengths) {
+  generate("robots/planar_2r.toml --functions gravity,forward_dynamics --name arm");
+  EXPECT_EQ(run(R"js(import * as arm from './arm.js';
+const one = Object.fromEntries(arm.parameter_names.map((name) => [name, 1]));
+const g = new Float64Array(2), grown = [];
+arm.gravity(one, [0, 0], grown);
+arm.gravity(one, new Float64Array(2), g);
+assert.equal(grown.length, 2);
+assert.throws(() => arm.gravity(one, [0], g), new RangeError('gravity: q has 1 entries instead of 2'));
+assert.throws(() => arm.gravity(one, [], g), RangeError);
+assert.throws(() => arm.gravity(one, [0, 0], new Float64Array(0)), RangeError);
+assert.throws(() => arm.gravity(one, [0, 0], [1, 2, 3]), new RangeError('gravity: g has 3 entries instead of 2'));
+assert.throws(() => arm.forward_dynamics(one, [0, 0], [0, 0], [0, 0, 0], g),
+    new RangeError('forward_dynamics: tau has 3 entries instead of 2'));
+)js"),
+            0)
+      << folder_.read("log");
+}
+
+// Every export has a type of its name, and nothing else has.
+TEST_F(Javascript, HasTypes) {
+  generate("robots/planar_2r.toml --functions gravity,forward_dynamics,kinetic_energy,inertia_matrix --name arm");
+  const std::string types = folder_.read("arm.d.ts");
+  EXPECT_THAT(types, HasSubstr("export declare function gravity(parameters: Parameters, q: ArrayLike<number>, g: "
+                               "Numbers): void;"));
+  EXPECT_THAT(types, HasSubstr("tau: ArrayLike<number>,\n    qdd: Numbers): boolean;"));
+  EXPECT_THAT(types, HasSubstr("): number;"));
+  EXPECT_THAT(types, HasSubstr("\n  g: number;"));
+  EXPECT_EQ(run(R"js(import * as arm from './arm.js';
+import fs from 'node:fs';
+const text = fs.readFileSync('arm.d.ts', 'utf8');
+const declared = [...text.matchAll(/export declare (?:const|function) (\w+)/g)].map((match) => match[1]);
+assert.deepEqual(declared.sort(), Object.keys(arm).sort());
+for (const [, name, type] of text.matchAll(/export declare const (\w+): (.*);/g)) {
+  const value = arm[name];
+  assert(type === 'number' ? typeof value === 'number'
+      : Array.isArray(value) && value.every((entry) => `readonly ${typeof entry}[]` === type), name);
+}
+)js"),
+            0)
+      << folder_.read("log");
+}
+
 // The angles of the tip need a square root. Torques in the null space exert nothing along them, (7.140).
 TEST_F(Javascript, TakesSquareRoots) {
   folder_.write("scene.toml", "orientation = \"rpy\"\ntask = [\"theta\", \"psi\"]\n");

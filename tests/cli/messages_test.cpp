@@ -74,9 +74,9 @@ TEST(Messages, ListsOfNamesMayHaveBlanksAndNoHoles) {
 }
 
 TEST(Messages, HelpIsNotWiderThanATerminal) {
-  for (const char* command :
-       {"", "generate", "inspect", "derive", "verify", "eval", "excite", "identify", "payload", "torques", "scale",
-        "simulate", "manipulability", "report", "bench", "certify", "stress", "man", "completion"}) {
+  for (const char* command : {"",         "generate", "inspect", "derive", "verify",   "eval",           "excite",
+                              "identify", "payload",  "torques", "scale",  "simulate", "manipulability", "report",
+                              "bench",    "certify",  "stress",  "help",   "man",      "completion"}) {
     std::istringstream lines(run_flatdyn(fmt::format("{} --help", command)).out);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120U) << command << ": " << line;
   }

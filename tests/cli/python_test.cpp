@@ -51,6 +51,75 @@ for wrong in (lambda: panda.inertia_matrix(np.zeros(6)), lambda: panda.inverse_d
       << folder_.read("log");
 }
 
+TEST(PythonUsage, IsALanguage) {
+  const Scratch as_option, as_language;
+  const std::string generate = "generate robots/scara.toml -q --functions gravity -o ";
+  ASSERT_EQ(run_flatdyn(generate + as_option.path() + " --python").code, 0);
+  ASSERT_EQ(run_flatdyn(generate + as_language.path() + " --language python").code, 0);
+  for (const char* file : {"scara.py", "scara.h", "scara.c", "scara_batch.c"}) {
+    EXPECT_EQ(as_language.read(file), as_option.read(file)) << file;
+    EXPECT_FALSE(as_option.read(file).empty()) << file;
+  }
+}
+
+// Errors name the argument; complex numbers and texts are no numbers.
+TEST_F(Python, RefusesWrongArgumentsByName) {
+  generate("robots/scara.toml --functions inverse_dynamics");
+  build("scara");
+  EXPECT_EQ(run(R"py(import numpy as np, scara
+def refused(error, words, *arguments):
+    try:
+        scara.inverse_dynamics(*arguments)
+    except error as failure:
+        assert words in str(failure), failure
+    else:
+        raise SystemExit("not refused: " + words)
+z, Z = np.zeros(4), np.zeros((3, 4))
+refused(TypeError, "qd: real numbers are expected, not complex128", z, z + 1j, z)
+refused(TypeError, "qdd: real numbers are expected", z, z, [0, 0, 0, 1j])
+refused(TypeError, "q: real numbers are expected", ["1", "2", "3", "4"], z, z)
+refused(TypeError, "q: real numbers are expected", [None] * 4, z, z)
+refused(ValueError, "qd: an array of shape (4,) or (N, 4) is expected, not (3,)", z, z[1:], z)
+refused(ValueError, "qdd: this is no array", z, z, [[1, 2], [3]])
+refused(ValueError, "here are q for 3, qdd for 2", Z, z, Z[1:])
+assert scara.inverse_dynamics([0, 0, 0, 0], z, np.zeros(4, dtype=object)).shape == (4,)
+)py"),
+            0)
+      << folder_.read("log");
+}
+
+TEST_F(Python, HasTheConstantsOfTheHeader) {
+  generate("robots/ur5.urdf --functions base_regressor,inverse_dynamics");
+  build("ur5");
+  EXPECT_EQ(run(R"py(import numpy as np, ur5
+assert ur5.joint_count == 6 and len(ur5.joint_names) == 6
+assert ur5.position_upper.shape == (6,) and ur5.velocity_limit[0] == 3.15 and not ur5.effort_limit.flags.writeable
+n = ur5.base_parameter_count
+assert n == len(ur5.base_parameter_names) == len(ur5.base_parameter_units) == len(ur5.base_parameter_values)
+units = dict(zip(ur5.base_parameter_names, ur5.base_parameter_units))
+assert units["m3lx"] == "kg m" and units["I1zz"] == "kg m^2", units
+q, qd, qdd = np.random.default_rng(2).uniform(-1, 1, (3, 6))
+assert np.allclose(ur5.base_regressor(q, qd, qdd) @ ur5.base_parameter_values, ur5.inverse_dynamics(q, qd, qdd))
+)py"),
+            0)
+      << folder_.read("log");
+}
+
+TEST_F(Python, SaysHowToMakeABrokenLibraryAnew) {
+  generate("robots/scara.toml --functions gravity");
+  folder_.write("libscara.so", "no library");
+  EXPECT_EQ(run(R"py(
+try:
+    import scara
+except ImportError as error:
+    assert "cannot be loaded" in str(error) and "cc -std=c99" in str(error), error
+else:
+    raise SystemExit("imported")
+)py"),
+            0)
+      << folder_.read("log");
+}
+
 // The robot has free symbols, is in float, and its B is not positive definite.
 TEST_F(Python, TakesParametersAndSaysWhereThereIsNoResult) {
   generate("robots/planar_2r.toml --scalar float --functions gravity,forward_dynamics --name arm --namespace arm");

@@ -201,6 +201,34 @@ TEST(Scene, FixIsLocked) {
   EXPECT_NE(body(run_flatdyn("inspect --json robots/scara.toml --fix theta_2")), locked);
 }
 
+// Positions and limits of a scene may be in degrees; a position may say so itself, as may --fix.
+TEST(Scene, MayBeInDegrees) {
+  const Scratch scratch;
+  const std::string inspect = "inspect --json robots/scara.toml";
+  const auto body = [](const Outcome& outcome) {
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    nlohmann::json json = nlohmann::json::parse(outcome.out);
+    json.erase("scene");
+    return json.dump();
+  };
+  const std::string limits =
+      "[limits.theta_1]\nlower = \"-pi/4\"\nupper = \"pi/4\"\nvelocity = \"pi\"\neffort = 5\n"
+      "[limits.d_3]\nupper = 0.25\n";
+  const std::string right = body(run_in_scene(scratch, inspect, "[locked]\ntheta_2 = \"pi/3\"\n" + limits));
+  EXPECT_EQ(body(run_in_scene(scratch, inspect,
+                              "angles = \"deg\"\n[locked]\ntheta_2 = 60\n[limits.theta_1]\nlower = -45\nupper = 45\n"
+                              "velocity = 180\neffort = 5\n[limits.d_3]\nupper = 0.25\n")),
+            right);
+  EXPECT_EQ(body(run_in_scene(scratch, inspect, "[locked]\ntheta_2 = \"60 deg\"\n" + limits)), right);
+  for (const char* option : {" --fix theta_2=60deg", " --fix 'theta_2=60 deg'", " --fix 'theta_2=120/2 deg'"}) {
+    EXPECT_EQ(body(run_in_scene(scratch, inspect + option, limits)), right) << option;
+  }
+  EXPECT_THAT(run_flatdyn("inspect robots/scara.toml --fix d_3=5deg").err, HasSubstr("it slides"));
+  EXPECT_THAT(
+      run_in_scene(scratch, "inspect robots/scara.toml", "angles = \"deg\"\n[locked]\ntheta_2 = \"pi/3\"\n").err,
+      HasSubstr("an expression with pi in a file in degrees"));
+}
+
 TEST(Scene, EvalComputesTheEntriesThatItAsksFor) {
   const Scratch scratch;
   scratch.write("states.csv", "q1,q2,qdd1,qdd2\n0.5,0.25,1,2\n");

@@ -227,6 +227,23 @@ TEST(Json, InspectHasTheModelInNumbers) {
   EXPECT_NEAR(model["links"][1]["length"].get<double>(), 0.316, 1e-12);
 }
 
+// Limits of a file in degrees are shown as they are written there, those of other files in rad.
+TEST(Inspect, ShowsTheDegreesOfAFileAsDegrees) {
+  const Scratch scratch;
+  scratch.write("arm.toml",
+                "angles = \"deg\"\n[[link]]\nmass = 1\ncom = [1, 0, 0]\n"
+                "limits = { lower = -170, upper = 22.5, velocity = 180, acceleration = 600, effort = 20 }\n"
+                "[[link]]\ntype = \"prismatic\"\nmass = 1\nlimits = { lower = -1, upper = 1, velocity = 2 }\n");
+  const std::string shown = run_flatdyn("inspect " + scratch.path("arm.toml")).out;
+  EXPECT_THAT(shown, HasSubstr(" [-170, 22.5] deg  180 deg/s  20      600 deg/s^2"));
+  EXPECT_THAT(shown, HasSubstr(" [-1, 1]           2          -       -"));
+  scratch.write("arm.xml",
+                "<mujoco><worldbody><body><inertial pos=\"1 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/>"
+                "<joint name=\"a\" range=\"-45 60\" limited=\"true\"/></body></worldbody></mujoco>");
+  EXPECT_THAT(run_flatdyn("inspect " + scratch.path("arm.xml")).out, HasSubstr("[-45, 60] deg"));
+  EXPECT_THAT(run_flatdyn("inspect robots/panda.urdf").out, HasSubstr("[-2.8973, 2.8973]  2.175"));
+}
+
 TEST(Help, OpensWithTwoRunnableExamples) {
   for (const std::string command :
        {"", "generate ", "inspect ", "derive ", "verify ", "eval ", "excite ", "torques "}) {

@@ -4,6 +4,7 @@
 // compared in a few functions; FLATDYN_ALL_FUNCTIONS=1 compares all functions of robots with up to twenty, which takes
 // some minutes.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -79,7 +80,7 @@ std::string comparison(const Function& function, const std::string& scalar, cons
   std::string text = fmt::format("  {{\n    {} all[3][{}] = {{}};\n", scalar, length + 1);
   text += run("whole::" + name, with("p", inputs), 0) + run(in_c, with("&p_in_c", inputs), 1);
   if (const std::size_t given = header.find(" " + in_c + "_given("); given != std::string::npos) {
-    const bool takes_q = header.substr(given, header.find(';', given) - given).find("* q,") != std::string::npos;
+    const bool takes_q = header.substr(given, header.find(';', given) - given).find(" q[") != std::string::npos;
     std::vector<std::string> arguments = inputs;
     if (!takes_q) arguments.erase(arguments.begin());
     arguments.insert(arguments.begin(), {"sine", "cosine"});
@@ -173,7 +174,8 @@ TEST(CFormsInputs, MayBeOneArray) {
       "#include <stdio.h>\n#include <string.h>\n#include \"ur5.h\"\nint main(void) {\n  const double one[6] = {0.3, "
       "-1, 2, "
       "0.5, 1, -2}, q[6] = {0.3, -1, 2, 0.5, 1, -2}, qd[6] = {0.3, -1, 2, 0.5, 1, -2}, "
-      "qdd[6] = {0.3, -1, 2, 0.5, 1, -2}, tau[6] = {0.3, -1, 2, 0.5, 1, -2};\n  static double a[99], b[99];\n";
+      "qdd[6] = {0.3, -1, 2, 0.5, 1, -2}, tau[6] = {0.3, -1, 2, 0.5, 1, -2};\n  static double a[99], b[99];\n  bool "
+      "valid = true;\n";
   for (const Function& function : functions) {
     if (returns_value(function)) continue;
     std::vector<std::string> apart, together;
@@ -182,10 +184,11 @@ TEST(CFormsInputs, MayBeOneArray) {
       together.emplace_back("one");
     }
     const std::string name = "in_double_" + cpp_identifier(function.name);
-    program += fmt::format("  {0}({1}, a), {0}({2}, b);\n  if (memcmp(a, b, sizeof a)) puts(\"{0}\");\n", name,
-                           joined(apart), joined(together));
+    const char* const receiver = function.validity_conditions.empty() ? "" : "valid &= ";
+    program += fmt::format("  {3}{0}({1}, a);\n  {3}{0}({2}, b);\n  if (memcmp(a, b, sizeof a)) puts(\"{0}\");\n", name,
+                           joined(apart), joined(together), receiver);
   }
-  write(folder.path() / "main.c", program + "  puts(\"done\");\n  return 0;\n}\n");
+  write(folder.path() / "main.c", program + "  puts(\"done\");\n  return !valid;\n}\n");
   for (const char* compiler : {"gcc -O3 -flto", "gcc -O2", "clang -O3"}) {
     EXPECT_EQ(
         output_of(folder.path(), fmt::format("{} -std=c99 -Wall -Wextra -Wrestrict -Werror -Wno-unknown-warning-option "
@@ -193,6 +196,46 @@ TEST(CFormsInputs, MayBeOneArray) {
                                              compiler)),
         "done\n")
         << compiler;
+  }
+}
+
+// What a compiler says of a program over the checked-in header of the planar arm.
+std::string said_by(const std::string& compiler, const std::string& statements) {
+  const TemporaryFolder folder;
+  write(folder.path() / "main.c",
+        "#include \"planar_2r.h\"\nint main(void) {\n  const planar_2r_parameters p = {0};\n  double q[2] = {0}, g[2], "
+        "less[1] = {0};\n  (void)p, (void)q, (void)g, (void)less;\n  " +
+            statements + "\n  return 0;\n}\n");
+  return output_of(folder.path(),
+                   fmt::format("{} -I '{}/generated' -Wall -pedantic -c main.c", compiler, FLATDYN_SOURCE_DIR));
+}
+
+// gcc knows the lengths of arrays from the declarations.
+TEST(CInterface, GccWarnsOfArraysThatAreTooShort) {
+  EXPECT_EQ(said_by("gcc -std=c99", "planar_2r_gravity(&p, q, g);"), "");
+  EXPECT_THAT(said_by("gcc -std=c99", "planar_2r_gravity(&p, q, less);"),
+              ::testing::HasSubstr("accessing 16 bytes in a region of size 8"));
+  EXPECT_THAT(said_by("gcc -std=c99", "planar_2r_gravity(&p, less, g);"),
+              ::testing::HasSubstr("reading 16 bytes from a region of size 8"));
+}
+
+TEST(CInterface, CompilersWarnOfAnswersThatAreDropped) {
+  for (const char* compiler : {"gcc -std=c99", "gcc -std=c11", "clang -std=c99", "clang -std=c2x",
+                               "g++ -x c++ -std=c++11", "clang++ -x c++ -std=c++17"}) {
+    const std::string call = "planar_2r_rounding_is_as_written();";
+    EXPECT_THAT(said_by(compiler, call), ::testing::ContainsRegex("unused-result|nodiscard")) << compiler;
+    EXPECT_EQ(said_by(compiler, "if (!" + call.substr(0, call.size() - 1) + ") return 1;"), "") << compiler;
+    EXPECT_EQ(said_by(compiler + std::string(" -D PLANAR_2R_NODISCARD="), call), "") << compiler;
+  }
+}
+
+TEST(CInterface, StandardsThatAreTooOldAreRefused) {
+  for (const char* compiler : {"gcc -std=c89", "gcc -std=gnu89", "clang -std=c89"}) {
+    EXPECT_THAT(said_by(compiler, ""), ::testing::HasSubstr("this needs C99")) << compiler;
+  }
+  for (const char* compiler :
+       {"g++ -x c++ -std=c++14 -include panda.hpp", "clang++ -x c++ -std=c++14 -include panda.hpp"}) {
+    EXPECT_THAT(said_by(compiler, ""), ::testing::HasSubstr("this needs C++17")) << compiler;
   }
 }
 

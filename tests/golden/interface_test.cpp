@@ -162,6 +162,49 @@ TEST_P(Interface, OfGeneratedCodeWithoutANumberIsRefused) {
   EXPECT_THAT(complaint(kTogether), HasSubstr("generate it again, with the flatdyn that the header came with"));
 }
 
+// Objects in place of arrays have one message that says what to pass, and nothing else.
+TEST_P(Interface, ObjectsInPlaceOfArraysAreRefusedInASentence) {
+  const auto with = [this](const char* types, const char* call) {
+    const std::string program = fmt::format(
+        "#include \"ur5.hpp\"\n#include <array>\n#include <vector>\n{}\nint main() {{\n  double p[6] = {{}}, t[6];\n"
+        "  (void)p, (void)t;\n  {}\n}}\n",
+        types, call);
+    return complaint(program.c_str());
+  };
+  const auto is_the_message = [](const std::string& said) {
+    std::size_t errors = 0;
+    for (std::size_t at = said.find(" error: "); at != std::string::npos; at = said.find(" error: ", at + 1)) ++errors;
+    return errors == 1 &&
+           said.find("arguments are plain arrays: of a std::array, std::vector or std::span pass q.data()") !=
+               std::string::npos;
+  };
+  constexpr const char* kMatrix =
+      "struct Matrix { double* data(); const double* data() const; };\n"
+      "struct Sum { Matrix eval() const; };";
+  for (const char* call :
+       {"std::array<double, 6> q{}, g; ur5::gravity(q, g);", "std::vector<double> q(6), g(6); ur5::gravity(q, g);",
+        "const std::array<float, 6> q{}; std::array<float, 6> g; ur5::gravity(q, g);",
+        "std::array<double, 6> q{}; ur5::gravity(q, t);", "Matrix g; ur5::gravity(p, g);",
+        "Sum q; ur5::gravity(q, t, ur5::LibrarySinCos());",
+        "std::array<double, 6> q{}; if (!ur5::forward_dynamics(q, p, p, t)) return 1;",
+        "std::array<double, 6> q{}; const double T = ur5::kinetic_energy(q, p); (void)T;"}) {
+    const std::string said = with(kMatrix, call);
+    EXPECT_TRUE(is_the_message(said)) << call << "\n" << said;
+  }
+  EXPECT_EQ(with("", "std::array<double, 6> q{}, g; ur5::gravity(q.data(), g.data());"), "");
+  EXPECT_EQ(with("", "ur5::gravity(p, t); ur5::gravity<double>(p, t); ur5::gravity(p, t, ur5::LibrarySinCos());"), "");
+  EXPECT_EQ(with("", "auto* const f = &ur5::gravity<double, ur5::LibrarySinCos>; (void)f;"), "");
+}
+
+// A result that says whether the others mean something must not be dropped.
+TEST_P(Interface, DroppedAnswersAreWarnings) {
+  const std::string calls = "#include \"ur5.hpp\"\nint main() {\n  double q[6] = {}, qdd[6];\n  ";
+  EXPECT_THAT(complaint((calls + "ur5::forward_dynamics(q, q, q, qdd);\n}\n").c_str()), HasSubstr("nodiscard"));
+  EXPECT_THAT(complaint((calls + "(void)qdd, (void)q;\n  ur5::rounding_is_as_written();\n}\n").c_str()),
+              HasSubstr("nodiscard"));
+  EXPECT_EQ(complaint((calls + "(void)ur5::forward_dynamics(q, q, q, qdd);\n}\n").c_str()), "");
+}
+
 INSTANTIATE_TEST_SUITE_P(Compilers, Interface, ::testing::Values("g++", "clang++"),
                          [](const auto& test) { return test.param == std::string("g++") ? "gcc" : "clang"; });
 

@@ -86,6 +86,21 @@ const std::string& prefix() {
   return folder;
 }
 
+// After scripts/demo there is the program, and nothing else that has been built.
+TEST(Installation, NeedsTheProgramAlone) {
+  const std::filesystem::path packed = std::filesystem::path(FLATDYN_BUILD_DIR) / "debian/changelog.gz";
+  std::filesystem::remove(packed);
+  const Scratch scratch;
+  const std::string command = fmt::format("cmake --install '{}' --prefix '{}' > '{}' 2>&1", FLATDYN_BUILD_DIR,
+                                          scratch.path("prefix"), scratch.path("log"));
+  ASSERT_EQ(std::system(command.c_str()), 0) << scratch.read("log");
+  for (const char* file : {"bin/flatdyn", "share/doc/flatdyn/changelog.gz", "share/man/man1/flatdyn-generate.1.gz",
+                           "share/bash-completion/completions/flatdyn", "share/zsh/vendor-completions/_flatdyn",
+                           "share/fish/vendor_completions.d/flatdyn.fish"}) {
+    EXPECT_TRUE(std::filesystem::exists(scratch.path(std::string("prefix/") + file))) << file;
+  }
+}
+
 class Package : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Package, IsGeneratedFromAgainOnlyWhenAFileChanged) {

@@ -2,6 +2,7 @@
 // The controller against a simulated arm, a thousand times per second, as one would try it before it moves metal.
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include "controller.hpp"
 #include "simulated.hpp"
@@ -17,7 +18,10 @@ struct Arm {
 // How fast the state changes under constant torques.
 Arm rate_of(const Arm& state, const double* tau) {
   Arm rate;
-  simulated::forward_dynamics(state.q, state.qd, tau, rate.qd);
+  if (!simulated::forward_dynamics(state.q, state.qd, tau, rate.qd)) {
+    std::fprintf(stderr, "the simulated arm has left the finite numbers\n");
+    std::exit(1);
+  }
   for (int i = 0; i < n; ++i) rate.q[i] = state.qd[i];
   return rate;
 }

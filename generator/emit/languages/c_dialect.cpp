@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "emit/angles.hpp"
 #include "emit/arguments.hpp"
 #include "emit/known_answer.hpp"
@@ -28,7 +30,7 @@ std::string prefix_of(const std::string& name_space) {
   return prefix;
 }
 
-// "void panda_gravity(const double* q, double* g)", followed by `end`, " {" or ";".
+// "void panda_gravity(const double q[7], double g[7])", followed by `end`, " {" or ";".
 std::string c_signature(const std::string& returns, const std::string& name, const std::vector<std::string>& parameters,
                         const std::string& end) {
   return without_newline(list_line(fmt::format("{} {}(", returns, name), parameters, ")" + end, 0));
@@ -44,8 +46,9 @@ std::vector<Argument> with_sines(const UndeclaredFunction& function) {
     list.push_back(argument);
   }
   const bool has_parameters = !list.empty() && list.front().kind == Argument::Kind::parameters;
-  list.insert(list.begin() + (has_parameters ? 1 : 0), {{Argument::Kind::input, "sine", body.takes_sines},
-                                                        {Argument::Kind::input, "cosine", body.takes_cosines}});
+  const auto length = static_cast<std::size_t>(1 + *std::max_element(body.angles.begin(), body.angles.end()));
+  list.insert(list.begin() + (has_parameters ? 1 : 0), {{Argument::Kind::input, "sine", body.takes_sines, length},
+                                                        {Argument::Kind::input, "cosine", body.takes_cosines, length}});
   return list;
 }
 
@@ -90,6 +93,7 @@ std::string CDialect::count_name(const std::string& name) const { return in_capi
 std::vector<std::string> CDialect::reserved() const {
   std::vector<std::string> words = {"restrict", "sin",  "cos",   "sqrt",
                                     "sinf",     "cosf", "sqrtf", count_name("joint_count")};
+  words.push_back(count_name("nodiscard"));
   for (const char* name : {"joint_names", "parameters", "sign", "fma", "is_zero", "sine_and_cosine",
                            "sines_and_cosines", "angles", "rounding_is_as_written", "text_hash"}) {
     words.push_back(global(name));
@@ -154,11 +158,23 @@ std::vector<std::string> CDialect::parameters(const std::vector<Argument>& argum
   std::vector<std::string> list;
   for (const Argument& argument : arguments) {
     list.push_back(argument.kind == Argument::Kind::parameters ? parameters_argument()
+                   : is_sized(argument)                        ? sized(argument, restricts)
                    : argument.kind == Argument::Kind::input    ? input(argument.name)
                    : restricts                                 ? output(argument.name)
                                                                : scalar() + "* " + argument.name);
   }
   return list;
+}
+
+bool CDialect::is_sized(const Argument& argument) const {
+  return declares_lengths() && argument.length > 0 && !argument.is_number;
+}
+
+// "const double q[7]", and in definitions "double tau[restrict 7]": compilers warn of shorter arrays.
+std::string CDialect::sized(const Argument& argument, bool restricts) const {
+  const bool is_input = argument.kind == Argument::Kind::input;
+  return fmt::format("{}{} {}[{}{}]", is_input ? "const " : "", scalar(), argument.name,
+                     restricts && !is_input ? "restrict " : "", argument.length);
 }
 
 // The body of the function that computes sines and cosines and calls `given`; records in `given` which ones it takes.
@@ -222,16 +238,16 @@ std::string CDialect::definitions(const FunctionText& text) const {
 }
 
 void CDialect::write_function(data& item, const Function& function, const FunctionText& text) const {
+  const std::string returns = (text.returns == "bool" ? count_name("nodiscard") + " " : "") + text.returns;
   item["brief"] = list_of(brief_comment(function));
-  item["declaration"] = c_signature(text.returns, text.name, text.declared, ";");
+  item["declaration"] = c_signature(returns, text.name, text.declared, ";");
   item["definitions"] = definitions(text);
   item["given?"] = text.sin_cos_variant.has_value();
   if (!text.sin_cos_variant) return;
   item["given_comment"] =
       fmt::format("The same from sine[k] = sin({0}[k]) and cosine[k] = cos({0}[k]) of the caller's, k = {1}.",
                   text.sin_cos_variant->of, text.sin_cos_variant->joints);
-  item["given_declaration"] =
-      c_signature(text.returns, text.sin_cos_variant->name, text.sin_cos_variant->declared, ";");
+  item["given_declaration"] = c_signature(returns, text.sin_cos_variant->name, text.sin_cos_variant->declared, ";");
 }
 
 void CDialect::write_page(data& page, const CodeContent& content) const {
@@ -239,6 +255,7 @@ void CDialect::write_page(data& page, const CodeContent& content) const {
   page["header_file"] = content.file_name + CDialect::files().front().ending;
   page["prefix"] = global("");
   page["count"] = count_name("joint_count");
+  page["nodiscard"] = count_name("nodiscard");
   page["sin"] = library("sin");
   page["cos"] = library("cos");
   page["F"] = std::string(is_float ? "F" : "");

@@ -56,10 +56,14 @@ class CDialect : public PageDialect {
   CDialect(const std::string& number, const std::string& name_space, const Vectors& vectors);
 
   virtual std::string linkage() const { return ""; }  // "static " for functions that no other file calls
+  // Whether parameters that are arrays are declared with their lengths.
+  virtual bool declares_lengths() const { return true; }
   std::string definition_begin(const ConstantArray& array) const override;
 
  private:
   std::vector<std::string> parameters(const std::vector<Argument>& arguments, bool restricts) const;
+  bool is_sized(const Argument& argument) const;
+  std::string sized(const Argument& argument, bool restricts) const;
   std::string asking_body(const UndeclaredFunction& function, const std::string& returns, SinCosVariant& given) const;
   std::string definitions(const FunctionText& text) const;
   std::string type_of(const ConstantArray& array) const;

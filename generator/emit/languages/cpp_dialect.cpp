@@ -42,6 +42,18 @@ std::vector<std::string> cpp_example(const CodeContent& content) {
   return call_example(text, {name_space + "::" + text.name, result, scalar, "{}", parameters, "parameters"});
 }
 
+// Declarations that are found where objects stand in place of arrays, and have a message.
+void write_refusals(data& page, const CodeContent& content) {
+  std::vector<std::string> names;
+  for (const FunctionText& text : content.texts) names.push_back(text.name);
+  if (!content.stages.empty()) names.push_back(content.stages.front().make.name);
+  std::vector<std::string> declarations;
+  for (const std::string& name : names) declarations.push_back(refusal_of_objects(name));
+  page["refusals?"] = !declarations.empty();
+  page["refusals"] = list_of(declarations);
+  page["object_arguments"] = without_newline(templates::object_arguments_hpp);
+}
+
 }  // namespace
 
 std::vector<std::string> CppDialect::reserved() const {
@@ -121,6 +133,7 @@ void CppDialect::write_page(data& page, const CodeContent& content) const {
   if (!content.texts.empty()) page["example"] = list_of(cpp_example(content));
   if (!content.stages.empty()) write_stages(page, content.stages, content.name_space);
   write_shapes(page, shapes_of(content), content.name_space);
+  write_refusals(page, content);
   if (is_pair()) write_instances(page, content);
   page["interface"] = std::to_string(kInterface);
   page["asks_runtime?"] = !is_pair();  // header and source are compiled without the runtime

@@ -41,15 +41,23 @@ std::string template_parameters(const FunctionText& text) {
 
 // "static inline void gravity(const Scalar* q, Scalar* g) noexcept {"; for a member of `stage`, "…
 // Motion<Scalar>::bias(… const" that is not static. A function that is declared in a header and defined in a source is
-// not inline.
+// not inline. The first declaration of a function that returns bool has [[nodiscard]].
 std::string signature(const FunctionText& text, const std::string& stage) {
   const std::string scope = stage.empty() ? "" : stage + "<Scalar>::";
-  const char* const begin = is_declared_apart(text) ? "" : stage.empty() ? "static inline " : "inline ";
+  const std::string begin = is_declared_apart(text) ? ""
+                            : stage.empty()         ? not_to_discard(text.returns) + "static inline "
+                                                    : "inline ";
   return without_newline(list_line(fmt::format("{}{} {}{}(", begin, text.returns, scope, text.name), text.parameters,
                                    stage.empty() ? ") noexcept {" : ") const noexcept {", 0));
 }
 
 }  // namespace
+
+std::string not_to_discard(const std::string& returns) { return returns == "bool" ? "[[nodiscard]] " : ""; }
+
+std::string refusal_of_objects(const std::string& name, const std::string& scope) {
+  return fmt::format("{}detail::IfObjects<Of...> {}(const Of&...);", scope, name);
+}
 
 // Defaults belong to the declaration. The source of sines and cosines is the header's own.
 void declare_template(FunctionText& text, const UndeclaredFunction& function,
@@ -72,8 +80,8 @@ void write_template(kainjow::mustache::data& item, const FunctionText& text, con
   item["signature"] = signature(text, stage);
   if (!is_declared_apart(text)) return;
   item["source_parameters"] = std::string(text.uses_trigonometry ? "class Scalar, class SinCos" : "class Scalar");
-  item["declaration"] =
-      without_newline(list_line(fmt::format("{} {}(", text.returns, text.name), text.declared, ") noexcept;", 0));
+  item["declaration"] = without_newline(list_line(
+      fmt::format("{}{} {}(", not_to_discard(text.returns), text.returns, text.name), text.declared, ") noexcept;", 0));
 }
 
 }  // namespace flatdyn

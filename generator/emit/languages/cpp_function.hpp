@@ -16,6 +16,13 @@ void declare_template(FunctionText& text, const UndeclaredFunction& function, co
 
 inline bool is_declared_apart(const FunctionText& text) { return !text.declared.empty(); }
 
+// "[[nodiscard]] " where a function returns whether its results mean something.
+std::string not_to_discard(const std::string& returns);
+
+// A declaration, of a template of Of..., that is found where objects such as std::vector stand in place of arrays, and
+// has a message. `scope`: of the header that has the message, "::panda::"; empty within it.
+std::string refusal_of_objects(const std::string& name, const std::string& scope = "");
+
 // Fills in the template's head, its body's parts, and, if it is declared apart, its declaration and the template
 // parameters of its definition. `stage`: the stage that it is a member of, if any.
 void write_template(kainjow::mustache::data& item, const FunctionText& text, const std::string& stage = "");

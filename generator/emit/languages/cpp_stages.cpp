@@ -40,8 +40,8 @@ std::vector<std::string> example(const std::vector<StageText>& stages, const std
 // The declaration in the struct: "void bias(Scalar* n) const noexcept;".
 std::string declaration(const FunctionText& text) {
   const std::vector<std::string>& parameters = is_declared_apart(text) ? text.declared : text.parameters;
-  const std::string line =
-      list_line(fmt::format("{} {}(", text.returns, text.name), parameters, ") const noexcept;", kStatementIndent);
+  const std::string line = list_line(fmt::format("{}{} {}(", not_to_discard(text.returns), text.returns, text.name),
+                                     parameters, ") const noexcept;", kStatementIndent);
   return without_newline(line);
 }
 

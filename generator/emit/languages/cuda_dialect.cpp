@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "diagnostics/diagnostics.hpp"
+#include "emit/languages/cpp_function.hpp"
 #include "emit/languages/cpp_shapes.hpp"
 #include "emit/name_space.hpp"
 #include "emit/packed_places.hpp"
@@ -272,7 +273,8 @@ std::vector<FileTemplate> CudaDialect::files() const { return {{".cuh", template
 void CudaDialect::write_function(data& item, const Function&, const FunctionText& text) const {
   item["header_parameters"] = broken(template_head(text));
   item["signature"] = without_newline(
-      list_line(fmt::format("FLATDYN_FUNCTION {} {}(", text.returns, text.name), text.parameters, ") noexcept {", 0));
+      list_line(fmt::format("{}FLATDYN_FUNCTION {} {}(", not_to_discard(text.returns), text.returns, text.name),
+                text.parameters, ") noexcept {", 0));
 }
 
 void CudaDialect::write_page(data& page, const CodeContent& content) const {

@@ -103,6 +103,11 @@ std::string emit_c_batch(const Mechanism& mechanism, const std::vector<Function>
   return emitted(lanes, mechanism, functions, options).front();
 }
 
+std::string emit_javascript_types(const Mechanism& mechanism, const std::vector<Function>& functions,
+                                  const EmitOptions& options) {
+  return emitted(JavascriptDialect(JavascriptForm::types, options.sines), mechanism, functions, options).front();
+}
+
 std::string emit_javascript(const Mechanism& mechanism, const std::vector<Function>& functions,
                             const EmitOptions& options, JavascriptForm form) {
   return emitted(JavascriptDialect(form, options.sines), mechanism, functions, options).front();

@@ -68,6 +68,10 @@ std::vector<StraightCall> straight_calls(const Mechanism& mechanism, const std::
 std::string emit_c_batch(const Mechanism& mechanism, const std::vector<Function>& functions,
                          const EmitOptions& options);
 
+// The types of a JavaScript module for TypeScript and editors.
+std::string emit_javascript_types(const Mechanism& mechanism, const std::vector<Function>& functions,
+                                  const EmitOptions& options = {});
+
 // The same functions in JavaScript, in double. They have the same operations in the same order.
 std::string emit_javascript(const Mechanism& mechanism, const std::vector<Function>& functions,
                             const EmitOptions& options, JavascriptForm form = JavascriptForm::module);

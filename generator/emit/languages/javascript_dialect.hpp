@@ -9,8 +9,9 @@
 
 namespace flatdyn {
 
-// An ES module, or the body of a function that returns the same functions in an object, for a web page.
-enum class JavascriptForm { module, function_body };
+// An ES module, which checks the lengths of arrays; its types for TypeScript; or the body of a function that returns
+// the same functions in an object, for a web page.
+enum class JavascriptForm { module, types, function_body };
 
 class JavascriptDialect : public PageDialect {
  public:
@@ -51,6 +52,8 @@ class JavascriptDialect : public PageDialect {
   std::string definition_end() const override { return "];"; }
 
  private:
+  void write_types(kainjow::mustache::data& page, const CodeContent& content) const;
+
   JavascriptForm form_;
   Sines sines_;
 };

@@ -26,6 +26,7 @@ class LanesDialect : public CDialect {
 
  protected:
   std::string linkage() const override { return "static "; }
+  bool declares_lengths() const override { return false; }
 
  private:
   std::string spread(const std::string& value) const;

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cmath>
+#include <stdexcept>
 
 #include "model/unit_plausibility.hpp"
 
@@ -63,11 +65,10 @@ const Value* odd_limit(const Limits& limits, const IsOdd& is_odd) {
 }
 
 std::string hint_for_limit(const Value& limit, const Robot& robot) {
-  const bool is_scene = limit.place.file == robot.scene.file, is_urdf = kind_of(limit.place.file) != FileKind::toml;
-  if (!is_urdf && !is_scene) return degrees_hint(limit.number);
-  const std::string angle = radians_text(limit.number, is_urdf ? AngleText::decimal : AngleText::expression);
-  return "if so, write " + angle + "; if it turns without end, it needs no limit" +
-         (is_urdf ? " but type=\"continuous\"" : "");
+  const std::string without_end = "; if it turns without end, it needs no limit";
+  if (limit.place.file == robot.scene.file) return degrees_hint(limit.number) + without_end;
+  if (kind_of(limit.place.file) == FileKind::toml) return degrees_hint(limit.number);
+  return "if so, write " + radians_text(limit.number, AngleText::decimal) + without_end + " but type=\"continuous\"";
 }
 
 void warn_of_angular_limits(const Robot& robot, Diagnostics& diagnostics) {
@@ -102,6 +103,31 @@ void warn_of_strokes(const Robot& robot, Diagnostics& diagnostics) {
 }
 
 }  // namespace
+
+std::optional<std::string> number_of_degrees(const std::string& text) {
+  constexpr std::string_view kUnit = "deg", kBlanks = " \t";
+  const std::size_t last = text.find_last_not_of(kBlanks);
+  const std::string whole = last == std::string::npos ? "" : text.substr(0, last + 1);
+  if (!whole.ends_with(kUnit)) return std::nullopt;
+  const std::string before = whole.substr(0, whole.size() - kUnit.size());
+  const std::size_t end = before.find_last_not_of(kBlanks);
+  if (end == std::string::npos) return std::nullopt;
+  // A letter before it makes it part of a name.
+  const char c = before[end];
+  const bool is_name = end + 1 == before.size() && (std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_');
+  const bool is_factor = c == '*' || c == '/' || c == '+' || c == '-';
+  if (is_name || is_factor) return std::nullopt;
+  return before.substr(0, end + 1);
+}
+
+bool is_decimal_text(const std::string& text) {
+  try {
+    exact_decimal(text);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
 
 Number in_metres(const Number& written, const Units& units, const Spot& spot, Diagnostics& diagnostics) {
   constexpr int kPerMetre = 1000;

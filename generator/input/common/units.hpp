@@ -8,6 +8,12 @@
 
 namespace flatdyn {
 
+// The text before a unit of degrees: "45" of "45 deg" or "45deg"; nullopt if there is no such unit.
+std::optional<std::string> number_of_degrees(const std::string& text);
+
+// Whether the text is a decimal number, which is snapped where it is an angle, and no expression.
+bool is_decimal_text(const std::string& text);
+
 // A length in m. A symbol is in m whatever the file's unit: an expression that adds a number to one is an error.
 Number in_metres(const Number& written, const Units& units, const Spot& spot, Diagnostics& diagnostics);
 

@@ -104,6 +104,7 @@ std::optional<std::string> expanded_by_xacro(const std::string& file, const std:
   for (const std::string& argument : arguments) command += " " + shell_word(argument);
   command += " > " + shell_word(expanded.string()) + " 2> " + shell_word(messages.string());
   if (run_command(command, fs::current_path()) == 0) return content_of_file(expanded);
+  check_room(folder.path(), content_of_file(messages));
   diagnostics.error({file, 0}, "xacro does not expand it:" + indented(content_of_file(messages)),
                     "correct the file; arguments are given by --xacro NAME:=VALUE");
   return std::nullopt;

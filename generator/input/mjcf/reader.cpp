@@ -39,6 +39,7 @@ void read_mjcf(const std::string& text, const std::string& file, ReadContext& co
   const MjcfSettings settings = mjcf_settings(tree, values, robot);
   MjcfModel model{tree, values, settings, robot};
   robot.name = tree.text("model");
+  robot.in_degrees = robot.in_degrees || settings.angles.degrees;
   read_mjcf_bodies(model);
   add_mjcf_inertias(model);
   read_mjcf_equalities(model);

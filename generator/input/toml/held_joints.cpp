@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input/toml/held_joints.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
@@ -43,22 +45,37 @@ void hold_rotor(Joint& joint, Robot& robot) {
 
 std::string held_at(const JointPosition& lock) { return "joint \"" + lock.joint + "\", held at " + lock.written; }
 
+// The units of a position that may say by itself that it is in degrees.
+Units units_of(const HeldJoint& lock) {
+  Units units = lock.units;
+  units.degrees = units.degrees || lock.in_degrees;
+  return units;
+}
+
+// An error where a position says that it is in degrees and cannot be.
+void check_degrees(const HeldJoint& lock, bool slides, const Spot& spot, Diagnostics& diagnostics) {
+  if (!lock.in_degrees) return;
+  if (slides) {
+    diagnostics.error(spot.place, spot.what + ": it slides, and its positions are lengths", "write a length in m");
+  } else if (has_symbols(lock.position)) {
+    diagnostics.error(spot.place, spot.what + ": symbols are in rad", "leave the unit out");
+  }
+}
+
 Number position_of(const HeldJoint& lock, JointType type, ReadContext& context) {
   const Spot spot{lock.place, held_at(lock)};
+  const Units units = units_of(lock);
   const Quantity quantity = type == JointType::prismatic ? Quantity::length : Quantity::angle;
   context.symbols.check_quantity(lock.position, quantity, lock.place, context.diagnostics);
-  if (type == JointType::prismatic) return in_metres(lock.position, lock.units, spot, context.diagnostics);
-  if (lock.is_decimal) return decimal_angle(lock.position, lock.written, lock.units, spot, context);
-  return canonical_angle(in_radians(lock.position, lock.units, spot, context.diagnostics), spot, context.diagnostics);
+  check_degrees(lock, type == JointType::prismatic, spot, context.diagnostics);
+  if (type == JointType::prismatic) return in_metres(lock.position, units, spot, context.diagnostics);
+  if (lock.is_decimal) return decimal_angle(lock.position, lock.written, units, spot, context);
+  return canonical_angle(in_radians(lock.position, units, spot, context.diagnostics), spot, context.diagnostics);
 }
 
 std::string hint_for_degrees(const HeldJoint& position) {
   if (position.units.has_keys) return degrees_hint(position.position);
-  const std::string radians = radians_text(position.position, AngleText::expression);
-  if (!position.place.file.empty()) return "if so, write " + radians + ": a scene's positions are in radians";
-  std::string bare = radians;
-  std::erase(bare, '"');
-  return "if so, write --fix " + position.joint + "=" + bare;
+  return fmt::format("if so, write --fix {}={}deg", position.joint, position.written);
 }
 
 // position: in rad or m. True if it was asked whether degrees were meant.
@@ -175,9 +192,10 @@ std::vector<JointPosition> read_locked(TomlTable table) {
 }
 
 Number assembled(const HeldJoint& written, const Joint& joint, const Spot& spot, ReadContext& context) {
-  const Number position = joint.type == JointType::prismatic
-                              ? in_metres(written.position, written.units, spot, context.diagnostics)
-                              : in_radians(written.position, written.units, spot, context.diagnostics);
+  const bool slides = joint.type == JointType::prismatic;
+  check_degrees(written, slides, spot, context.diagnostics);
+  const Number position = slides ? in_metres(written.position, written.units, spot, context.diagnostics)
+                                 : in_radians(written.position, units_of(written), spot, context.diagnostics);
   ask_about(position, written, joint, joint.type, spot, context);
   return position;
 }

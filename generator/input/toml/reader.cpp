@@ -55,6 +55,7 @@ class TomlReader {
   Attachments read(const toml::table& root) {
     TomlTable table(root, "", source_);
     source_.set_units(read_units(table, diagnostics_));
+    robot_.in_degrees = source_.units().degrees;
     const std::optional<std::string> name = table.text("name");
     table.text("description");
     table.text("source");

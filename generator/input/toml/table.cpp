@@ -26,12 +26,55 @@ bool check_magnitudes(const Number& value, const std::string& shown, const Spot&
                      [&](const Number& part) { return check_magnitudes(part, shown, spot, diagnostics); });
 }
 
-// TOML's own numbers are doubles and integers of 64 bits; the parser refuses others before we see them.
+// What to do about an error of TOML's parser, by words of its description. Of several that it has the first counts.
+struct HintForMalformed {
+  const char *words, *hint;
+};
+constexpr HintForMalformed kHintsForMalformed[] = {
+    // TOML's own numbers are doubles and integers of 64 bits; the parser refuses others before we see them.
+    {"not representable in 64 bits", "write so large a number with a decimal point or an exponent"},
+    {"could not be interpreted as a value", "numbers go from 1e-30 to 1e30"},
+    {"leading zeroes", "write 5, not 05"},
+    {"hexadecimal", "write the number in decimal"},
+    {"parsing floating-point",
+     "write a number as 0.5, 2.0 or 1e-3: with digits on both sides of its point, and one "
+     "point only"},
+    {"parsing decimal integer", "write a number as 5, 0.5 or 1e-3; a text or an expression needs quotes: \"pi/2\""},
+    {"parsing date", "numbers have no - inside; a text or an expression needs quotes: \"2 - 1\""},
+    {"parsing time", "numbers have no : inside; a text needs quotes"},
+    {"parsing boolean", "write true or false in small letters; a text needs quotes"},
+    {"utf-8", "save the file as text in UTF-8"},
+    {"escape sequence", "write the text in single quotes, 'C:\\robots', or each backslash twice"},
+    {"parsing string: encountered end-of-file", "the text has no quote at its end"},
+    {"literal string: encountered end-of-file", "the text has no quotes at its end"},
+    {"parsing string: unescaped control", "the text has no quote at the end of its line, or a control character in it"},
+    {"control character", "remove the control character"},
+    {"parsing array: encountered end-of-file", "the list has no ] at its end"},
+    {"expected comma or closing ']'", "a list has commas between its values, and a ] at its end: [0, 0, 1]"},
+    {"parsing inline table: encountered end-of-file", "the table has no } at its end"},
+    {"dangling comma", "delete the comma before }"},
+    {"parsing inline table",
+     "a table in braces is in one line, with commas between its keys: { mass = 1, com = [0, 0, 1] }"},
+    {"as array-of-tables", "[name] or name = ... and [[name]] cannot both stand in a file: write [[name]] for each"},
+    {"existing table",
+     "a table stands once in a file: write all its keys below one [name], or [[name]] for each of several"},
+    {"cannot redefine", "a key stands once in its table: delete one of the two"},
+    {"into existing inline table", "write all keys of the table within its braces"},
+    {"parsing table header", "tables are [name], arrays of tables [[name]], each in a line of its own"},
+    {"expected '='", "a line is key = value, and a comment begins with #"},
+    {"expected a comment or whitespace",
+     "one key stands in a line; a text or an expression needs quotes, a list [ ], and "
+     "decimals a point: 0.5"},
+    {"parsing key-value pair: encountered end-of-file", "a line is key = value"},
+    {"expected keys, tables", "a line is key = value, [table], [[array of tables]] or # comment"},
+    {"maximum nested value depth", "write fewer brackets within each other"},
+};
+
 std::string hint_for_malformed(const std::string& description) {
-  const auto says = [&](const char* words) { return description.find(words) != std::string::npos; };
-  if (says("floating-point") && says("could not be interpreted")) return "numbers go from 1e-30 to 1e30";
-  if (says("not representable in 64 bits")) return "write so large a number with a decimal point or an exponent";
-  return "strings need quotes, tables [name], arrays of tables [[name]]";
+  for (const HintForMalformed& each : kHintsForMalformed) {
+    if (description.find(each.words) != std::string::npos) return each.hint;
+  }
+  return "a text needs quotes, and so does an expression: name = \"arm\", alpha = \"pi/2\"";
 }
 
 }  // namespace
@@ -148,11 +191,14 @@ std::vector<std::string> TomlTable::keys() const {
 
 std::optional<JointPosition> TomlTable::locked_joint(const std::string& joint) {
   const toml::node* node = find(joint);
-  const std::optional<Number> position = node == nullptr ? std::nullopt : number_of(*node, joint);
+  if (node == nullptr) return std::nullopt;
+  const std::string written = node->is_string() ? node->as_string()->get() : source_.text_of(node->source());
+  const std::optional<std::string> degrees = node->is_string() ? number_of_degrees(written) : std::nullopt;
+  const std::optional<Number> position =
+      degrees ? expression_of(*node, *degrees, spot(*node, joint)) : number_of(*node, joint);
   if (!position) return std::nullopt;
-  const bool is_decimal = !node->is_string();
-  const std::string written = is_decimal ? source_.text_of(node->source()) : node->as_string()->get();
-  return JointPosition{joint, *position, written, is_decimal, source_.place(node->source())};
+  const bool is_decimal = degrees ? is_decimal_text(*degrees) : !node->is_string();
+  return JointPosition{joint, *position, written, is_decimal, source_.place(node->source()), degrees.has_value()};
 }
 
 std::optional<Coupled> TomlTable::linear_position(std::string_view key, JointType type) {

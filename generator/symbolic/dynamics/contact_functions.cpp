@@ -92,7 +92,7 @@ class PointsOfSupport {
 
   Conditions conditions() const {
     const std::vector<Number>& diagonal = inertia_.diagonal();
-    const Number size = context_.derivation.named(diagonal[0] + diagonal[1] + diagonal[2], "size_p");
+    const Number size = context_.derivation.named(kContactMargin * (diagonal[0] + diagonal[1] + diagonal[2]), "size_p");
     return {context_.nodes(inertia_.pivots()), context_.nodes(inertia_.pivot_scales({size, size, size}))};
   }
 

@@ -110,15 +110,17 @@ Rows ContactSpace::mobility() const {
   return M;
 }
 
-// By row, the size of the terms whose sums are in M: the mean of the three rows of one contact and unit, as the axes
-// are not those in which a contact moves most.
+// By row, the scale of the terms whose sums are in M: the mean of the three rows of one contact and unit, as the axes
+// are not those in which a contact moves most. It is kContactMargin times as large, so that pivots with fewer digits
+// left than that are refused.
 std::vector<Number> ContactSpace::sizes() const {
   constexpr std::size_t kDirections = 3;
   std::vector<Number> result;
   for (std::size_t first = 0; first < size(); first += kDirections) {
     const Number sum = mobility_[first][first] + mobility_[first + 1][first + 1] + mobility_[first + 2][first + 2];
     const std::string name = "size_m_" + label(static_cast<int>(first));
-    result.insert(result.end(), kDirections, context_.derivation.named(sum / static_cast<int>(kDirections), name));
+    result.insert(result.end(), kDirections,
+                  context_.derivation.named(Number(kContactMargin) / static_cast<int>(kDirections) * sum, name));
   }
   return result;
 }

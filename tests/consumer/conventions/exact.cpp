@@ -97,7 +97,7 @@ struct Comparison {
     std::array<Rational, 6> of_base;
     Vector<Rational> driven, found;
     C::of.inverse_dynamics_floating(q.data(), v.data(), a.data(), of_base.data(), driven.data(), s.sines());
-    C::of.forward_dynamics(q.data(), v.data(), driven.data(), found.data(), s.sines());
+    (void)C::of.forward_dynamics(q.data(), v.data(), driven.data(), found.data(), s.sines());
     bool same = true;
     for (std::size_t k = 0; k < kSize; ++k) same = same && found[k] == (k < 6 ? of_base[k] : a[k]);
     checks.expect(same, meaning, "inverse_dynamics_floating");
@@ -189,19 +189,20 @@ struct Comparison {
     std::array<Rational, 1> condition, condition_b;
     Vector<Rational> found;
     ExactState other = s;
-    satellite::contact_inverse_dynamics(s.q.data(), s.g_b, s.v.data(), s.a.data(), other.tau.data(), f_b.data(),
-                                        condition_b.data(), s.sines());
-    C::of.contact_inverse_dynamics(q.data(), v.data(), a.data(), found.data(), f.data(), condition.data(), s.sines());
+    (void)satellite::contact_inverse_dynamics(s.q.data(), s.g_b, s.v.data(), s.a.data(), other.tau.data(), f_b.data(),
+                                              condition_b.data(), s.sines());
+    (void)C::of.contact_inverse_dynamics(q.data(), v.data(), a.data(), found.data(), f.data(), condition.data(),
+                                         s.sines());
     checks.expect(found == force_in(meaning, s, other.tau) && f == turned_rows(f_b) && condition == condition_b,
                   meaning, "contact_inverse_dynamics");
-    satellite::constrained_forward_dynamics(s.q.data(), s.g_b, s.v.data(), s.tau.data(), other.a.data(), f_b.data(),
-                                            condition_b.data(), s.sines());
-    C::of.constrained_forward_dynamics(q.data(), v.data(), tau.data(), found.data(), f.data(), condition.data(),
-                                       s.sines());
+    (void)satellite::constrained_forward_dynamics(s.q.data(), s.g_b, s.v.data(), s.tau.data(), other.a.data(),
+                                                  f_b.data(), condition_b.data(), s.sines());
+    (void)C::of.constrained_forward_dynamics(q.data(), v.data(), tau.data(), found.data(), f.data(), condition.data(),
+                                             s.sines());
     checks.expect(found == acceleration_in(meaning, other) && f == turned_rows(f_b) && condition == condition_b,
                   meaning, "constrained_forward_dynamics");
-    satellite::contact_impact(s.q.data(), s.v.data(), other.v.data(), f_b.data(), condition_b.data(), s.sines());
-    C::of.contact_impact(q.data(), v.data(), found.data(), f.data(), condition.data(), s.sines());
+    (void)satellite::contact_impact(s.q.data(), s.v.data(), other.v.data(), f_b.data(), condition_b.data(), s.sines());
+    (void)C::of.contact_impact(q.data(), v.data(), found.data(), f.data(), condition.data(), s.sines());
     checks.expect(found == velocity_in(meaning, other) && f == turned_rows(f_b) && condition == condition_b, meaning,
                   "contact_impact");
   }

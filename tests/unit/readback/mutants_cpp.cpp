@@ -32,6 +32,14 @@ const Mutant kSignatures[] = {
     {"a function more", kBoth, "namespace functions {", "inline int more() { return 1; } namespace functions {"},
     {"a variable more", kBoth, "namespace functions {", "inline int more = 1; namespace functions {"},
     {"a specialisation", kBoth, "namespace functions {", "template <> void gravity(int); namespace functions {"},
+    {"an answer that may be dropped", kBoth, "[[nodiscard]] ", ""},
+    {"a message that is not there", kBoth, "static_assert(sizeof...(Of) == 0,", "static_assert(true,"},
+    {"objects that are not found", kBoth, "Of*>(nullptr)->data()", "Of*>(nullptr)->size()"},
+    {"a function without the message", kBoth,
+     "template <class... Of>\ndetail::IfObjects<Of...> forward_dynamics(const Of&...);", ""},
+    {"a message that is a function", kBoth, "forward_dynamics(const Of&...);",
+     "forward_dynamics(const Of&...) { return true; }"},
+    {"an older standard", kBoth, "__cplusplus < 201703L", "__cplusplus < 201103L"},
     {"an operator", kBoth, "namespace functions {", "int operator+(X, X); namespace functions {"},
 };
 
