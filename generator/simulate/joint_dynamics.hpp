@@ -29,7 +29,7 @@ class JointDynamics {
   Eigen::Index joints() const { return viscous_.size(); }      // entries of q̇
   const Eigen::VectorXd& viscous() const { return viscous_; }  // F_v, N m s (N s/m)
   const Eigen::VectorXd& coulomb() const { return coulomb_; }  // F_s, N m (N)
-  // What a floating base adds to the first six entries of B's diagonal, kg and kg m^2.
+  // The armature of a floating base, added to the first six entries of B's diagonal, kg and kg m^2.
   double base_armature() const { return base_armature_; }
 
   // Turns a floating base: gravity has the direction that it has in axes of this orientation, until the next call.

@@ -184,7 +184,7 @@ TEST_F(FreeMotion, KeepsAccountOfItsEnergy) {
   EXPECT_LT(relative(rate - v_.dot(tau), rate), 1e-18);
 }
 
-// What a base's own armature and friction are, in the reference: a mass at its origin that nothing attracts, an inertia
+// The armature and friction of a base itself are, in the reference, a mass at its origin that nothing attracts, an inertia
 // alike about all axes, and forces against its twist.
 class BaseJointMotion : public FreeMotion {
  protected:

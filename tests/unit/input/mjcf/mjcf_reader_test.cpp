@@ -289,7 +289,7 @@ TEST_F(MjcfReader, NamesAllJointsBesideAFloatingRobot) {
             "hold what is beside it still, which leaves it out: --fix spare --fix slide; or this joint: --fix root");
 }
 
-// Of defaults that are meant for other joints, too. <freejoint/> takes none.
+// Defaults that are meant for other joints count, too. <freejoint/> takes none.
 TEST_F(MjcfReader, ReadsArmatureAndFrictionOfAFreeJoint) {
   const std::string defaults = R"(<default><joint armature="0.1" damping="0.5" frictionloss="2"/></default>)";
   const Robot robot = mjcf(mjcf_body("trunk", R"(<joint name="root" type="free" damping="3 0"/>)"), defaults);
