@@ -121,6 +121,14 @@ TEST_F(PolynomialSinesTest, AreOddAndEven) {
   }
 }
 
+TEST_F(PolynomialSinesTest, KeepTheSignOfAZeroInDouble) {
+  const double q[2] = {-0.0, 0.0};
+  double s[2], c[2];
+  panda::PolynomialSinCos()(q, panda::Joints<0, 1>(), s, c);
+  EXPECT_TRUE(std::signbit(s[0]));
+  EXPECT_FALSE(std::signbit(s[1]));
+}
+
 template <template <int...> class Joints, int... joint, class T>
 void expect_these(const T (&q)[10]) {
   T s[10], c[10];

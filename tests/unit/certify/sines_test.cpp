@@ -24,11 +24,11 @@ TEST(ScriptsOfSines, AreProvenByGappa) {
   }
 }
 
-// Parts of pi/2 with a digit too many, a remainder in place of the rest, a product with another sign.
+// Parts of pi/2 with a digit too many, a remainder in place of the missing part, a product with another sign.
 TEST(ScriptsOfSines, AreRefusedWithASlip) {
   const std::pair<const char*, const char*> slips[] = {{"P1 = 0x1.921fb544p+0", "P1 = 0x1.921fb54442p+0"},
-                                                       {"leading * rest", "leading * r"},
-                                                       {"lost - product", "lost + product"}};
+                                                       {"leading * missing", "leading * r"},
+                                                       {"lost + product", "lost - product"}};
   std::vector<GappaScript> scripts = scripts_of_sines("double");
   for (std::size_t k = 0; k < std::size(slips); ++k) {
     const std::size_t at = scripts[k].text.find(slips[k].first);

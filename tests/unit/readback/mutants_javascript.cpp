@@ -35,7 +35,7 @@ const Mutant kMutantsOfJavascript[] = {
     {"sine and cosine exchanged", kScript, "return sine_of_turned(x, 0);", "return sine_of_turned(x, 1);"},
     {"another coefficient of a sine", kScript, "2.75573137070700676789e-06", "2.75573137070700776789e-06"},
     {"another part of pi/2", kScript, "6.077100506303966e-11", "6.077100506303967e-11"},
-    {"a rest that is left out", kScript, "leading * rest", "leading"},
+    {"a rest that is left out", kScript, "leading * missing", "leading"},
     {"another quadrant", kScript, "(quadrant & 1) === 0", "(quadrant & 1) === 1"},
     {"a sine with another sign", kScript, "? sine : -sine", "? -sine : sine"},
     {"a larger range of polynomials", kScript, "x <= 1e5", "x <= 1e6"},
