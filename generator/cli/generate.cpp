@@ -29,9 +29,6 @@ namespace {
 // The range of --max-lines: a part must have room for the longest statement with everything it needs.
 constexpr int kFewestLines = 30, kMostLines = 1'000'000;
 
-// As many times the instructions of float does double take on a Cortex-M4: inverse dynamics of the Panda.
-constexpr int kInstructionsOfSoftDouble = 40;
-
 struct GenerateArguments : RobotArguments {
   std::string folder;
   std::vector<std::string> functions, staged, fused, conventions;
@@ -265,13 +262,16 @@ nlohmann::ordered_json manifest_of(const GenerationResult& result, const SnapEff
 }
 
 // The files that were asked for in addition to header and source.
-std::vector<GeneratedFile> companions(const GenerationResult& result, const GenerateArguments& arguments) {
+std::vector<GeneratedFile> companions(GenerationResult& result, const GenerateArguments& arguments) {
   const LoadedRobot& robot = result.robot;
   const std::vector<Function> functions = functions_of(result);
   std::vector<GeneratedFile> files;
   if (!arguments.firmware.empty()) {
     Progress progress(arguments.quiet);
     const FirmwareTarget& target = firmware_target(arguments.firmware);
+    if (const std::string soft = note_of_soft_scalar(target, arguments.scalars.front()); !soft.empty()) {
+      result.findings.note({robot.robot.file, 0}, soft, "use --scalar float, unless time does not matter");
+    }
     for (const FirmwareFile& file :
          firmware_files(robot.robot, robot.mechanism, functions, result.form, target, progress)) {
       files.push_back({file.name, file.text});
@@ -281,30 +281,18 @@ std::vector<GeneratedFile> companions(const GenerationResult& result, const Gene
     files.push_back({std::filesystem::path(result.files[0].name).replace_extension(".d.ts").string(),
                      emit_javascript_types(robot.mechanism, functions, result.form)});
   }
+  const std::string name = arguments.python ? module_name(robot.mechanism, result.form) : "";
   if (arguments.python && arguments.language == "cuda") {
-    const std::string name = module_name(robot.mechanism, result.form);
     const CudaPythonModule module = cuda_python_module(robot.mechanism, functions, result.form);
     files.push_back({name + ".py", module.module});
     files.push_back({name + "_python.cu", module.launchers});
   } else if (arguments.python) {
-    const std::string name = module_name(robot.mechanism, result.form);
     const PythonModule module = python_module(robot.mechanism, functions, result.form);
     files.push_back({name + ".py", module.module});
     files.push_back({name + "_batch.c", module.batch});
   }
   for (GeneratedFile& file : pass_dump(result, arguments.dumped_passes)) files.push_back(std::move(file));
   return files;
-}
-
-// Notes that a processor has no unit for the scalar.
-void note_soft_scalar(const GenerateArguments& arguments, GenerationResult& result) {
-  if (arguments.firmware.empty() || !is_soft(firmware_target(arguments.firmware), arguments.scalars.front())) return;
-  result.findings.note(
-      {result.robot.robot.file, 0},
-      fmt::format("--firmware: {} has no unit for double, which takes functions of its compiler, and about {} times as "
-                  "many instructions as float",
-                  arguments.firmware, kInstructionsOfSoftDouble),
-      "use --scalar float, unless time does not matter");
 }
 
 // The headers in other conventions. Functions that they leave out are noted.
@@ -361,7 +349,6 @@ ExitCode generate(GenerateArguments arguments) {
   const LoadedRobot& robot = result.robot;
   if (!arguments.quiet) note_rounded_angles(robot, options, result.functions, result.findings);
   const SnapEffects effects = snap_effects(robot, options.read);
-  note_soft_scalar(arguments, result);
   const std::string manifest = json_text(manifest_of(result, effects));
   const std::string done = arguments.delivery.deliver(files_to_write(result, manifest, arguments), robot.robot.files);
   print_diagnostics(robot.diagnostics, arguments);

@@ -57,6 +57,16 @@ bool is_soft(const FirmwareTarget& target, const std::string& scalar) {
   return scalar == "double" && target.soft_double != nullptr;
 }
 
+std::string note_of_soft_scalar(const FirmwareTarget& target, const std::string& scalar) {
+  constexpr int kTimes = 40;  // of the instructions in float, for inverse dynamics of the Panda on a Cortex-M4
+  if (!is_soft(target, scalar)) return "";
+  return fmt::format(
+      "--firmware: {} has no unit for double, which takes functions of its compiler, and about {} times as many "
+      "instructions as "
+      "float",
+      target.name, kTimes);
+}
+
 std::vector<std::string> firmware_target_names() {
   std::vector<std::string> names;
   for (const FirmwareTarget& target : kTargets) names.emplace_back(target.name);

@@ -24,6 +24,9 @@ struct FirmwareTarget {
 // Whether the processor computes in this scalar by functions of its compiler, because it has no unit for it.
 bool is_soft(const FirmwareTarget& target, const std::string& scalar);
 
+// A sentence about such a processor, with what it costs; empty if it has a unit for the scalar.
+std::string note_of_soft_scalar(const FirmwareTarget& target, const std::string& scalar);
+
 // The target of this name. Throws Failure(usage) for an unknown name.
 const FirmwareTarget& firmware_target(const std::string& name);
 
