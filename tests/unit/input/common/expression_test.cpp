@@ -70,6 +70,8 @@ TEST_F(Expression, EqualRootsLookEqual) {
   EXPECT_TRUE(same("sqrt(1/2) - sqrt(2)/2", 0));
   EXPECT_TRUE(same("1/sqrt(2) - sqrt(0.5)", 0));
   EXPECT_TRUE(same("sqrt(10007)^2", 10007));  // a prime beyond those looked for
+  EXPECT_TRUE(same("sqrt(5 + 2*sqrt(6)) - sqrt(2) - sqrt(3)", 0));
+  EXPECT_TRUE(same("sqrt(sqrt(2) + sqrt(3) - sqrt(5 + 2*sqrt(6)))", 0));
   EXPECT_FALSE(same("sqrt(2) - 1.41421356237309504880168872420969807856967187537694", 0));
 }
 
