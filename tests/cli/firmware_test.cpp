@@ -48,6 +48,10 @@ class Firmware : public ::testing::Test {
   // A row of `make size`: bytes of code, of .rodata and of stack; spills, instructions and conditional branches.
   std::vector<int> row(const std::string& function) const { return row_of(printed(), function); }
 
+  static bool has_compiler_of_the_page() {
+    return std::system("arm-none-eabi-gcc --version | grep -q '12\\.2\\.'") == 0;
+  }
+
   static std::string docs_page() { return content_of_file(FLATDYN_SOURCE_DIR "/docs/firmware.md"); }
 
   static std::vector<int> row_of(const std::string& printed_rows, const std::string& function) {
@@ -122,7 +126,9 @@ TEST_F(Firmware, PandaInDoubleOnCortexM7Passes) {
 // processor.
 TEST_F(Firmware, ThePairInCppIsAsSmallAsTheCForm) {
   if (!has_program("arm-none-eabi-g++")) GTEST_SKIP() << "arm-none-eabi-g++ is not installed: scripts/setup";
-  generate("robots/panda.urdf --form pair --scalar float --functions inverse_dynamics");
+  generate(
+      "robots/panda.urdf --form pair --scalar float --functions "
+      "inverse_dynamics,inertia_matrix,gravity,forward_dynamics");
   folder_.write("cmath",
                 "extern \"C\" { float sinf(float); float cosf(float); }\n"
                 "namespace std {\ninline float sin(float x) { return sinf(x); }\n"
@@ -142,6 +148,19 @@ TEST_F(Firmware, ThePairInCppIsAsSmallAsTheCForm) {
   EXPECT_LE(std::stoi(stack[1]), 376);  // the C form's
   EXPECT_THAT(text, ::testing::ContainsRegex(" U cosf\n +U sinf\n"));
   EXPECT_THAT(text, Not(::testing::ContainsRegex(" U [^sc]")));
+  if (!has_compiler_of_the_page()) return;
+  for (const char* function : {"inverse_dynamics", "inertia_matrix", "gravity", "forward_dynamics"}) {
+    std::string cells = fmt::format("| `{}` |", function);
+    for (const char* source : {"PolynomialSinCos", "GivenSinCos<float>"}) {
+      std::smatch bytes, taken;
+      const std::string of_nm = fmt::format(" ([0-9a-f]+) W \\w+ panda::{}<float, panda::{} ?>", function, source);
+      const std::string of_su = fmt::format("panda::{}\\([^\n]*SinCos = {}\\]\t([0-9]+)", function, source);
+      ASSERT_TRUE(std::regex_search(text, bytes, std::regex(of_nm))) << of_nm << text;
+      ASSERT_TRUE(std::regex_search(text, taken, std::regex(of_su))) << of_su << text;
+      cells += fmt::format(" {} / {} |", std::stoi(bytes[1], nullptr, kHexadecimal), taken[1].str());
+    }
+    EXPECT_THAT(docs_page(), HasSubstr(cells));
+  }
 }
 
 TEST_F(Firmware, AllFunctionsOfSmallRobotsPass) {
@@ -192,7 +211,7 @@ TEST_F(Firmware, DoubleOnCortexM4IsSoftAndSaysSo) {
 
 // The tables of docs/firmware.md, whose numbers are those of Debian 12's compiler.
 TEST_F(Firmware, ThePageHasTheNumbersOfThisCompiler) {
-  if (std::system("arm-none-eabi-gcc --version | grep -q '12\\.2\\.'") != 0) GTEST_SKIP() << "another compiler";
+  if (!has_compiler_of_the_page()) GTEST_SKIP() << "another compiler than that of the page";
   generate("robots/panda.urdf --firmware cortex-m4");
   ASSERT_EQ(make("size"), 0) << printed();
   const std::string sizes = printed();
@@ -201,6 +220,7 @@ TEST_F(Firmware, ThePageHasTheNumbersOfThisCompiler) {
   const std::string manifest = folder_.read("panda.json");
   const nlohmann::json functions = nlohmann::json::parse(manifest)["functions"];
   ASSERT_GE(functions.size(), 13U);
+  const std::set<std::string> is_of_the_pair = {"inverse_dynamics", "inertia_matrix", "gravity", "forward_dynamics"};
   for (const nlohmann::json& function : functions) {
     const std::string name = function["name"];
     const std::vector<int> own = row_of(sizes, "panda_" + name), given = row_of(sizes, "panda_" + name + "_given");
@@ -213,6 +233,10 @@ TEST_F(Firmware, ThePageHasTheNumbersOfThisCompiler) {
     const std::string line = fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} |\n", name, own[0] + more * body[0],
                                          own[2] + more * body[2], body[3], body[4], time[0], time[1], operations);
     EXPECT_THAT(docs_page(), HasSubstr(line));
+    if (!is_of_the_pair.contains(name)) continue;
+    const std::string columns =
+        fmt::format(" | {} / {} | {} / {} |\n", own[0] + more * body[0], own[2] + more * body[2], body[0], body[2]);
+    EXPECT_THAT(docs_page(), HasSubstr(columns)) << name;
   }
   const std::vector<int> sines = row_of(sizes, "panda_sines_and_cosines");
   ASSERT_EQ(sines.size(), 6U);
@@ -221,7 +245,7 @@ TEST_F(Firmware, ThePageHasTheNumbersOfThisCompiler) {
 
 // What compiler flags make of inverse dynamics.
 TEST_F(Firmware, ThePageHasTheEffectOfFlags) {
-  if (std::system("arm-none-eabi-gcc --version | grep -q '12\\.2\\.'") != 0) GTEST_SKIP() << "another compiler";
+  if (!has_compiler_of_the_page()) GTEST_SKIP() << "another compiler than that of the page";
   generate("robots/panda.urdf --firmware cortex-m4 --functions inverse_dynamics");
   std::string cells = "|";
   for (const char* flags : {"-O2", "-Os", "-O1", "-O2 -fno-schedule-insns"}) {

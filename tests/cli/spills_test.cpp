@@ -2,6 +2,7 @@
 // Register spills of the emitted text on a Cortex-M4, whose floating-point unit has 32 registers: with the statements
 // in flatdyn's order and in another, as one function and in stages. `ctest -R Spills -V` prints them.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,9 +14,12 @@
 #include <vector>
 
 #include "cli/program.hpp"
+#include "system/process.hpp"
 
 namespace flatdyn::testing {
 namespace {
+
+using ::testing::HasSubstr;
 
 constexpr const char* kFunctions = "inverse_dynamics,inertia_matrix,gravity";
 constexpr const char* kPlain = "-std=c99 -O2 -ffp-contract=off -ffunction-sections -fdata-sections -fstack-usage";
@@ -51,6 +55,12 @@ class Spills : public ::testing::Test {
     }
     return found;
   }
+
+  static bool has_compiler_of_the_page() {
+    return std::system("arm-none-eabi-gcc --version | grep -q '12\\.2\\.'") == 0;
+  }
+
+  static std::string docs_page() { return content_of_file(FLATDYN_SOURCE_DIR "/docs/firmware.md"); }
 
   std::map<std::string, int> spills_in_c(const std::string& options) const {
     return spills(fmt::format("make size CFLAGS='$(TARGET) {} {}'", kPlain, options));
@@ -102,6 +112,7 @@ std::string reordered(std::string source) {
 // GCC reorders instructions itself, so the order of the text matters little; it must not cost anything.
 TEST_F(Spills, AreNoMoreThanInAnotherOrder) {
   const std::string source = folder_.read("panda.c");
+  std::map<std::string, std::vector<int>> rows, rows_of_other;  // by options, in the order of the page
   for (const char* options : {"", "-fno-schedule-insns"}) {
     folder_.write("panda.c", source);
     const std::map<std::string, int> emitted = spills_in_c(options);
@@ -111,12 +122,23 @@ TEST_F(Spills, AreNoMoreThanInAnotherOrder) {
     for (const char* function : {"inverse_dynamics", "inertia_matrix", "gravity"}) {
       const std::string name = fmt::format("panda_{}_given", function);
       fmt::print("-O2 {}, {}: {} spills, level by level {}\n", options, name, emitted.at(name), other.at(name));
+      rows[options].push_back(emitted.at(name));
+      rows_of_other[options].push_back(other.at(name));
       sum += emitted.at(name);
       sum_of_other += other.at(name);
     }
     EXPECT_GT(sum, 0);
     EXPECT_LE(sum, 1.1 * sum_of_other) << options;
   }
+  if (!has_compiler_of_the_page()) return;
+  EXPECT_THAT(docs_page(), HasSubstr(fmt::format("inputs | {} |\n", fmt::join(rows_of_other[""], " | "))));
+  EXPECT_THAT(docs_page(), HasSubstr(fmt::format("outputs | {} |\n", fmt::join(rows[""], " | "))));
+  std::vector<std::string> pairs;
+  for (std::size_t k = 0; k < 3; ++k) {
+    pairs.push_back(
+        fmt::format("{}, {}", rows_of_other["-fno-schedule-insns"].at(k), rows["-fno-schedule-insns"].at(k)));
+  }
+  EXPECT_THAT(docs_page(), HasSubstr(fmt::format("`-fno-schedule-insns` | {} |\n", fmt::join(pairs, " | "))));
 }
 
 // The values that stages pass on are in their structs. The C++ library for this processor is a separate package, of
@@ -148,6 +170,9 @@ TEST_F(Spills, AreFewerInStages) {
   EXPECT_GT(whole, 0);
   EXPECT_LT(staged, whole);
   EXPECT_LE(staged_matrix, whole_matrix);
+  if (!has_compiler_of_the_page()) return;
+  EXPECT_THAT(docs_page(), HasSubstr(fmt::format("of the member | {} instead of {} | {} instead of {} | 0 |\n", staged,
+                                                 whole, staged_matrix, whole_matrix)));
 }
 
 }  // namespace
