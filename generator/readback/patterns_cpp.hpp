@@ -22,14 +22,18 @@ struct Objects {
   template <class Of>
   static constexpr bool are_expressions(...) noexcept { return false; }
 };
+template <class... Of>
+struct ObjectsRefused {
+  static_assert(sizeof...(Of) == 0,
+      "arguments are plain arrays: of a std::array, std::vector or std::span pass q.data(); of "
+      "Eigen's vectors, too, or include flatdyn/eigen.hpp and call flatdyn::eigen<functions::NAME>");
+  operator bool() const noexcept;
+};
 template <bool are_objects, class... Of>
 struct ObjectArguments {};
 template <class... Of>
 struct ObjectArguments<true, Of...> {
-  static_assert(sizeof...(Of) == 0,
-      "arguments are plain arrays: of a std::array, std::vector or std::span pass q.data(); of "
-      "Eigen's vectors, too, or include flatdyn/eigen.hpp and call flatdyn::eigen<functions::NAME>");
-  using type = bool;
+  using type = ObjectsRefused<Of...>;
 };
 template <class... Of>
 using IfObjects = typename ObjectArguments<((Objects::hold_array<Of>(nullptr) ||
