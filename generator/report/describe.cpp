@@ -21,6 +21,9 @@
 namespace flatdyn {
 namespace {
 
+constexpr const char* kCountsFrom =
+    "\nq counts from 0 here, as arrays in code do; names such as q_1 and m1, and columns of files, count from 1\n";
+
 std::string type_of(const Body& body) {
   if (body.spherical > 0) return "spherical";
   if (body.prismatic) return "prismatic";
@@ -120,6 +123,7 @@ std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_eff
     if (has_accelerations) rows.back().push_back(limit.rate(body, body.limits.acceleration, "deg/s^2"));
   }
   text += aligned_table(rows);
+  if (mechanism.position_count() > 0) text += kCountsFrom;
   if (mechanism.floating_base) {
     text += fmt::format(
         "\nfloating base, link {}: v, a and tau begin with six entries of the base, in its axes: linear, then "
