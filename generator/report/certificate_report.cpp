@@ -166,13 +166,13 @@ nlohmann::ordered_json constants_json(const FileContents& contents) {
   return constants;
 }
 
-// The arguments of a function, in order, with their lengths: of a matrix rows and columns.
+// The arguments of a function in their order, with their lengths: of a matrix rows and columns.
 nlohmann::ordered_json arguments_json(const FileFunction& function, const FileContents& contents) {
-  nlohmann::ordered_json arguments = nlohmann::ordered_json::object();
+  nlohmann::ordered_json arguments = nlohmann::ordered_json::array();
   for (const EmittedParameter& each : parameters_of(function, contents)) {
     const std::vector<int> lengths =
         each.columns == 0 ? std::vector<int>{each.length} : std::vector<int>{each.length / each.columns, each.columns};
-    arguments[each.name] = lengths;
+    arguments.push_back({{"name", each.name}, {"lengths", lengths}});
   }
   return arguments;
 }

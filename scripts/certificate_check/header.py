@@ -44,8 +44,9 @@ class Header:
         self.has_sines = reader.accept_section("sines", "template <int... joint> struct Joints")
         if "angle_count" in self.constants:
             self.read_angles()
-        while reader.word() == "template" or reader.word(2) == "bool":
+        while reader.word() == "inline" or reader.follows(tokens_of("template <class Scalar")):
             self.read_function()
+        self.read_refusals()
         self.read_shapes()
         reader.expect_section("rounding")
         if self.has_sines:
@@ -192,6 +193,12 @@ class Header:
                 reader.fail(f"an argument {name} that flatdyn does not write")
             (arrays if is_read else results).append(name)
         return arrays, results
+
+    def read_refusals(self):
+        """Takes the declarations that compilers find where objects stand in place of arrays."""
+        self.reader.expect_section("object_arguments")
+        for name in self.functions:
+            self.reader.expect(f"template <class... Of> detail::IfObjects<Of...> {name}(const Of&...);")
 
     def read_shapes(self):
         """Takes the functions as types, which have the shapes of their arguments."""

@@ -223,7 +223,7 @@ class HeaderFunction:
     def name_results(self, row):
         """Calls arguments and results by their names in the certificate, which may lack a number that tells one from
         another; and requires that they are these."""
-        stated = row["arguments"]
+        stated = {argument["name"]: argument["lengths"] for argument in row["arguments"]}
         names = dict(zip(self.arrays + self.results, stated))
         is_same = len(stated) == len(self.arrays) + len(self.results) and all(
             name == other or re.fullmatch(rf"{re.escape(other)}_?\d+", name) for name, other in names.items())

@@ -62,7 +62,7 @@ inline const Attack kAttacksAroundFunctions[] = {
     {"a larger range", "most = 1e5", "most = 1e6"},
     {"another list of joints", "((s[joint] = sine[joint]", "((s[joint] = sine[0]"},
     {"another namespace", "namespace planar_2r_example_7_2 {", "namespace std {"},
-    {"another scalar", "using Real = double", "using Real = float", "", "the header is for float"},
+    {"another scalar", "using Real = double", "using Real = float"},
     {"more joints", "joint_count = 2", "joint_count = 3"},
     {"names exchanged", "{\"theta_1\", \"theta_2\"}", "{\"theta_2\", \"theta_1\"}", "", "joint_names is "},
     {"a raw text", "{\"theta_1\"", "{R\"(theta_1)\""},
