@@ -24,6 +24,12 @@ bool ends_comment_early(std::string_view comment) {
          comment.find("\xE2\x80\xA9") != std::string_view::npos;
 }
 
+// Whether a compiler reads the next line as part of this one. It may pass over blanks behind the backslash.
+bool goes_on(std::string_view line) {
+  while (line.ends_with(' ') || line.ends_with('\t')) line.remove_suffix(1);
+  return line.ends_with("\\") || line.ends_with("?\?/");
+}
+
 class Lexer {
  public:
   explicit Lexer(const std::string& text) : text_(text) {}
@@ -55,8 +61,7 @@ class Lexer {
       if (starts_with("//")) {
         line_comment();
       } else if (starts_with("/*")) {
-        const std::size_t end = text_.find("*/", at_ + 2);
-        skip_to(end == std::string::npos ? text_.size() : end + 2);
+        block_comment();
       } else if (text_[at_] == ' ' || text_[at_] == '\n') {
         skip_to(at_ + 1);
       } else {
@@ -65,14 +70,25 @@ class Lexer {
     }
   }
 
+  // A compiler ends a comment by "*/" even where a line that goes on divides it.
+  void block_comment() {
+    const std::size_t end = text_.find("*/", at_ + 2);
+    const std::size_t behind = end == std::string::npos ? text_.size() : end + 2;
+    for (std::size_t line = text_.find('\n', at_); line < behind; line = text_.find('\n', line + 1)) {
+      std::string_view before = std::string_view(text_).substr(at_, line - at_);
+      if (!goes_on(before)) continue;
+      before.remove_suffix(before.size() - before.find_last_not_of("\\?/ \t") - 1);
+      if (before.ends_with('*')) refuse("a comment that ends on two lines");
+    }
+    skip_to(behind);
+  }
+
   void line_comment() {
     const std::size_t end = end_of_line();
-    std::string_view comment = std::string_view(text_).substr(at_, end - at_);
+    const std::string_view comment = std::string_view(text_).substr(at_, end - at_);
     if (ends_comment_early(comment)) refuse("a comment that ends early");
-    while (comment.ends_with(' ')) comment.remove_suffix(1);
-    const bool goes_on = comment.ends_with("\\") || comment.ends_with("?\?/");
     skip_to(std::min(end + 1, text_.size()));
-    if (!goes_on) return;
+    if (!goes_on(comment)) return;
     while (at_ < text_.size() && text_[at_] == ' ') ++at_;
     if (!starts_with("//") && at_ < text_.size() && text_[at_] != '\n') refuse("a comment that goes on");
   }
@@ -84,7 +100,7 @@ class Lexer {
     const std::size_t begin = last_end == std::string::npos ? 0 : last_end + 1;
     const bool is_first = text_.find_first_not_of(' ', begin) == at_;
     std::string line = text_.substr(at_, end - at_);
-    if (const std::size_t comment = line.find("//"); comment != std::string::npos && !line.ends_with("\\")) {
+    if (const std::size_t comment = line.find("//"); comment != std::string::npos && !goes_on(line)) {
       line.resize(comment);
     }
     while (line.ends_with(' ')) line.pop_back();

@@ -24,8 +24,12 @@ std::string full_name(const ScannedFunction& function) {
 // The tokens of a text, divided into the bodies of its functions and their parts, by name, and what is around them.
 using Sections = std::map<std::string, std::vector<Token>>;
 
-// Writes the guard of a header, which depends on the version and the bytes of the robot file, as "GUARD".
-std::vector<Token> without_guard(std::vector<Token> tokens) {
+// The tokens as they are compared. The guard of a header, which depends on the version and the bytes of the robot file,
+// becomes "GUARD". The "return" of a result on another line becomes another word, since JavaScript returns nothing then.
+std::vector<Token> comparable(std::vector<Token> tokens) {
+  for (std::size_t k = 0; k + 1 < tokens.size(); ++k) {
+    if (tokens[k].text == "return" && tokens[k + 1].line != tokens[k].line) tokens[k].text = "return ";
+  }
   const std::string begin = "#ifndef FLATDYN_";
   const auto first = std::find_if(tokens.begin(), tokens.end(),
                                   [&begin](const Token& token) { return token.text.starts_with(begin); });
@@ -39,7 +43,7 @@ std::vector<Token> without_guard(std::vector<Token> tokens) {
 }
 
 Sections sections_of(const EmittedText& text) {
-  const std::vector<Token> tokens = without_guard(text.tokens());
+  const std::vector<Token> tokens = comparable(text.tokens());
   std::map<std::size_t, std::pair<std::size_t, std::string>> bodies;  // by their begin: end and name
   for (const ScannedFunction& each : text.functions()) bodies[each.begin] = {each.end, full_name(each)};
   for (const auto& [name, part] : text.parts()) bodies[part.begin] = {part.end, name};
@@ -191,8 +195,7 @@ HeldReport compared_as_wholes(const std::string& held, const EmittedText& own, c
   HeldReport report;
   report.unreadable = failure.what_is_wrong();
   report.unreadable_line = failure.line();
-  report.differences =
-      differences_of(without_guard(tokens_of(held)), without_guard(own.tokens()), report.is_only_first);
+  report.differences = differences_of(comparable(tokens_of(held)), comparable(own.tokens()), report.is_only_first);
   for (TextDifference& each : report.differences) each.function = function_at(own, each.own_line);
   return report;
 }

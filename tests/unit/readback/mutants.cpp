@@ -40,6 +40,7 @@ const Mutant kMutantsInAll[] = {
     {"a comment instead of a statement", kAll, "tau[1] = qd_1", "// tau[1] = qd_1"},
     {"a comment that goes on", kAll, "  tau[1] = qd_1", "  // then \\\n  tau[1] = qd_1"},
     {"a comment that a trigraph continues", kAll, "  tau[1] = qd_1", "  // then ?\?/\n  tau[1] = qd_1"},
+    {"a comment that ends on two lines", kAll, "  tau[1] = qd_1", "  /* then *\\\n/ ; /* */ tau[1] = qd_1"},
     {"a comment that is not closed", kAll, "  tau[1] = qd_1", "  /* tau[1] = qd_1"},
     {"a continued line", kAll, "tau[1] = qd_1", "tau[1] \\\n = qd_1"},
     {"a variable that is defined twice", kAll, "t2 = ", "t1 = "},

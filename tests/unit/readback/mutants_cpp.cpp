@@ -84,6 +84,7 @@ const Mutant kSines[] = {
 };
 
 const Mutant kHelpers[] = {
+    {"a directive that goes on behind its comment", kHeader, "#else\n", "#else  // then \\ \n", "evaluate("},
     {"a sign of zero that is one", kBoth, "(x > Scalar(0.0))", "(x >= Scalar(0.0))"},
     {"another square root", kBoth, "using std::sqrt;", "using std::cbrt;", "", "root"},
     {"a check of fractions that holds always", kHeader, "Scalar(1.5) > Scalar(1.0)", "Scalar(1.5) >= Scalar(1.0)"},
