@@ -93,19 +93,33 @@ class Lexer {
     if (!starts_with("//") && at_ < text_.size() && text_[at_] != '\n') refuse("a comment that goes on");
   }
 
-  // Takes a line that begins with #.
+  // Takes a line that begins with #, and those that it goes on with, as one line.
   void directive() {
-    const std::size_t end = end_of_line();
     const std::size_t last_end = at_ == 0 ? std::string::npos : text_.rfind('\n', at_ - 1);
     const std::size_t begin = last_end == std::string::npos ? 0 : last_end + 1;
     const bool is_first = text_.find_first_not_of(' ', begin) == at_;
-    std::string line = text_.substr(at_, end - at_);
+    const int number = line_;
+    std::string line = taken_line();
+    while (line.ends_with('\\') && at_ < text_.size()) {
+      line.pop_back();
+      while (line.ends_with(' ')) line.pop_back();
+      skip_to(at_ + 1);
+      while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+      line += " " + taken_line();
+    }
     if (const std::size_t comment = line.find("//"); comment != std::string::npos && !goes_on(line)) {
       line.resize(comment);
     }
     while (line.ends_with(' ')) line.pop_back();
-    tokens_.push_back({is_first ? line : "# within a line", line_});
+    tokens_.push_back({is_first ? line : "# within a line", number});
+  }
+
+  // Takes the rest of the line, without its end.
+  std::string taken_line() {
+    const std::size_t end = end_of_line();
+    std::string line = text_.substr(at_, end - at_);
     skip_to(end);
+    return line;
   }
 
   // Adds a token that no grammar knows.

@@ -9,7 +9,7 @@
 namespace flatdyn {
 
 struct Token {
-  std::string text;  // of a directive: the line without its comment and without blanks that mean nothing
+  std::string text;  // of a directive: its lines as one, without comment and without blanks that mean nothing
   int line = 0;      // from 1
 
   bool is_directive() const { return text.front() == '#'; }
