@@ -42,9 +42,6 @@ TEST_F(UrdfValuesRead, LimitsFromOneToZeroAreNone) {
   const Joint j = joint("revolute", R"(<limit lower="1" upper="0" velocity="1" effort="1"/>)");
   EXPECT_FALSE(j.limits.lower || j.limits.upper);
   EXPECT_THAT(messages(), HasSubstr("note: joint \"j\": limits from 1 to 0, Bullet's word for none"));
-  EXPECT_FALSE(
-      read_robot(write("r.urdf", one_joint_urdf("revolute", R"(<limit lower="2" upper="1"/>)")), {}, diagnostics_)
-          .has_value());
 }
 
 TEST_F(UrdfValuesRead, StatesAreDrawnOnTheRightSideOfOneLimit) {
