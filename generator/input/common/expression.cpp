@@ -98,11 +98,14 @@ class Parser {
   }
 
   std::optional<int> sign_in_expression(const Number& value) const {
+    std::optional<int> sign;
     try {
-      return sign_of(value);
+      sign = sign_of(value);
     } catch (const Failure&) {
       fail("the expression has too many roots");
     }
+    if (!sign && !has_symbols(value)) fail("the exponents together are too large");
+    return sign;
   }
 
   bool is_zero(const Number& value) const {

@@ -98,6 +98,8 @@ TEST_F(Expression, SaysWhereItIsWrong) {
 }
 
 TEST_F(Expression, IsBounded) {
+  EXPECT_THROW(parse("((((((pi^1000)^1000)^1000)^1000)^1000)^1000)^1000"), ExpressionError);
+  EXPECT_THROW(parse("1/((((((pi^1000)^1000)^1000)^1000)^1000)^1000)^1000"), ExpressionError);
   EXPECT_NO_THROW(parse(std::string(90, '(') + "1" + std::string(90, ')')));
   EXPECT_THROW(parse(std::string(20000, '(')), ExpressionError);
   EXPECT_THROW(parse(std::string(9000, '(')), ExpressionError);
