@@ -7,6 +7,8 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "definition/exact.hpp"
 #include "emit/languages/emit.hpp"
@@ -25,7 +27,8 @@ std::string full_name(const ScannedFunction& function) {
 using Sections = std::map<std::string, std::vector<Token>>;
 
 // The tokens as they are compared. The guard of a header, which depends on the version and the bytes of the robot file,
-// becomes "GUARD". The "return" of a result on another line becomes another word, since JavaScript returns nothing then.
+// becomes "GUARD". The "return" of a result on another line becomes another word, since JavaScript returns nothing
+// then.
 std::vector<Token> comparable(std::vector<Token> tokens) {
   for (std::size_t k = 0; k + 1 < tokens.size(); ++k) {
     if (tokens[k].text == "return" && tokens[k + 1].line != tokens[k].line) tokens[k].text = "return ";
@@ -60,13 +63,23 @@ Sections sections_of(const EmittedText& text) {
   return sections;
 }
 
-// The names of the function's section and of those of all parts that it calls.
+// What the names of a function's parts begin with, and in C that of the function that takes its sines and cosines.
+std::string begin_of_parts(const ScannedFunction& function) {
+  constexpr std::string_view kGiven = "_given";
+  std::string name = (function.member_of.empty() ? "" : function.member_of + "_") + function.name;
+  if (name.ends_with(kGiven)) name.resize(name.size() - kGiven.size());
+  return name;
+}
+
+// The sections that are read with a function: its own, and those of its parts, whose names begin so. Helpers, such as
+// the text's own sines, are not among them: what they compute is known by their text alone.
 void note_sections(const EmittedText& text, const ScannedFunction& function, const std::string& name,
-                   std::set<std::string>& sections) {
+                   const std::string& begin, std::set<std::string>& sections) {
   if (!sections.insert(name).second) return;
   for (std::size_t k = function.begin; k < function.end; ++k) {
     const auto part = text.parts().find(text.tokens()[k].text);
-    if (part != text.parts().end()) note_sections(text, part->second, part->first, sections);
+    if (part == text.parts().end() || !part->first.starts_with(begin)) continue;
+    note_sections(text, part->second, part->first, begin, sections);
   }
 }
 
@@ -134,8 +147,10 @@ class HeldComparison {
     const std::optional<std::size_t> place = place_of(name);
     if (!place) return {name, HeldVerdict::missing};
     std::set<std::string> sections;
-    note_sections(own_, own_.functions()[k], name, sections);
-    note_sections(held_, held_.functions()[*place], name, sections);
+    for (const auto& [text, number] : {std::pair(&own_, k), std::pair(&held_, *place)}) {
+      const ScannedFunction& function = text->functions()[number];
+      note_sections(*text, function, name, begin_of_parts(function), sections);
+    }
     const bool is_same = std::none_of(sections.begin(), sections.end(), [this](const std::string& section) {
       return differences_.count(section) != 0 || own_.parts().count(section) != held_.parts().count(section);
     });
