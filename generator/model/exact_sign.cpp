@@ -89,7 +89,7 @@ class RootTower {
   std::optional<Number> rewritten(const Number& a);
   std::optional<Number> rewritten_power(const Number& a);
   std::optional<Number> root_of(const Number& a);
-  // Of a polynomial that is 0 or the other one, which is not 0.
+  // The polynomial is either 0 or the other one, which is not 0.
   bool is_nearer_to_zero(const Number& polynomial, const Number& other) const;
   int sign_of_polynomial(const Number& polynomial);
 
@@ -158,7 +158,7 @@ class Evaluation {
   std::vector<std::optional<EnclosingInterval>> roots_;
 };
 
-// Of a number that is not 0.
+// The number is not 0.
 int sign_by_intervals(const Number& a, const RootTower* tower, long bits) {
   for (; bits <= kMostBits; bits *= 2) {
     if (const int sign = Evaluation(bits, tower).sign(a)) return sign;

@@ -23,8 +23,8 @@ bool has_word_among(const std::vector<std::string>& words, const WordSet& among)
   return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return among.contains(word); });
 }
 
-// What a motor makes of current and voltage, how large they may be, and how it is called and counted: nothing by which
-// a robot moves another way.
+// Whether a name is about what a motor makes of current and voltage, how large they may be, or how it is called:
+// nothing of that moves a robot another way.
 bool is_of_motor_only(const std::vector<std::string>& words) {
   static const WordSet kElectrical = {"resistance", "inductance", "voltage",    "current", "currents", "emf",
                                       "backemf",    "winding",    "electrical", "kt",      "ke",       "kv",

@@ -16,7 +16,7 @@ const std::string kIsPointer = "this is a pointer of Git LFS, not the file itsel
 
 class ForeignFiles : public RobotFiles {
  protected:
-  // What is said of a file that is refused.
+  // The messages about a file that is refused.
   std::string refusal(const std::string& name, const std::string& text) {
     Diagnostics diagnostics;
     EXPECT_FALSE(read_robot(write(name, text), {}, diagnostics).has_value()) << name;
