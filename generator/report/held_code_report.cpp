@@ -44,7 +44,7 @@ bool has_differences(const HeldReport& report, const std::string& function) {
   });
 }
 
-std::string verdict_text(const HeldFunction& function) {
+std::string text_of_held_verdict(const HeldFunction& function) {
   switch (function.verdict) {
     case HeldVerdict::same:
       return "the robot's, proven";
@@ -62,7 +62,7 @@ std::string verdict_text(const HeldFunction& function) {
   return "";
 }
 
-const char* verdict_name(HeldVerdict verdict) {
+const char* held_verdict_name(HeldVerdict verdict) {
   constexpr const char* kNames[] = {"same", "equal", "different", "unreadable", "missing", "unknown"};
   return kNames[static_cast<int>(verdict)];
 }
@@ -102,7 +102,7 @@ void add_findings(const HeldReport& report, const PlaceOfLine& place, const std:
 
 std::string to_text(const HeldReport& report, const std::string& name) {
   std::vector<std::vector<std::string>> rows = {{"function", "it is"}};
-  for (const HeldFunction& each : report.functions) rows.push_back({each.name, verdict_text(each)});
+  for (const HeldFunction& each : report.functions) rows.push_back({each.name, text_of_held_verdict(each)});
   std::string text = report.functions.empty() ? "" : aligned_table(rows) + "\n";
   if (const std::size_t count = around(report); count > 0) {
     text += fmt::format("around the functions, {} statement{} {} not what flatdyn writes\n", count,
@@ -120,7 +120,7 @@ nlohmann::ordered_json to_json(const HeldReport& report, const PlaceOfLine& plac
   }
   json["functions"] = nlohmann::ordered_json::array();
   for (const HeldFunction& each : report.functions) {
-    json["functions"].push_back({{"function", each.name}, {"verdict", verdict_name(each.verdict)}});
+    json["functions"].push_back({{"function", each.name}, {"verdict", held_verdict_name(each.verdict)}});
     if (!each.reason.empty()) json["functions"].back()["reason"] = each.reason;
   }
   json["differences"] = nlohmann::ordered_json::array();

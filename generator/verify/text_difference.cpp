@@ -63,7 +63,7 @@ class Divider {
 };
 
 // The words as one line of text.
-std::string text_of(const Words& words) {
+std::string as_one_line(const Words& words) {
   constexpr std::size_t kLongest = 200;
   std::string text;
   for (std::size_t k = 0; k < words.size(); ++k) {
@@ -96,9 +96,9 @@ struct Hunk {
 };
 
 // Myers' algorithm: the shortest list of statements to remove and to add.
-class Comparison {
+class StatementDifference {
  public:
-  Comparison(const std::vector<Statement>& held, const std::vector<Statement>& own) : held_(held), own_(own) {}
+  StatementDifference(const std::vector<Statement>& held, const std::vector<Statement>& own) : held_(held), own_(own) {}
 
   // The hunks in order; false: they are too many.
   bool run(std::vector<Hunk>& hunks) {
@@ -166,7 +166,7 @@ int line_at(const std::vector<Statement>& statements, std::size_t k) {
 // Two statements, one of which takes the place of the other.
 TextDifference changed(const Statement& held, const Statement& own) {
   TextDifference result{
-      held.words.front().line, own.words.front().line, "", text_of(held.words), text_of(own.words), "", ""};
+      held.words.front().line, own.words.front().line, "", as_one_line(held.words), as_one_line(own.words), "", ""};
   std::size_t k = 0;
   const std::size_t most = std::min(held.words.size(), own.words.size());
   while (k < most && held.words[k].text == own.words[k].text) ++k;
@@ -183,7 +183,7 @@ TextDifference changed(const Statement& held, const Statement& own) {
 std::vector<TextDifference> differences_of(const Words& held_words, const Words& own_words, bool& is_only_first) {
   std::vector<Statement> held = Divider(held_words).run(), own = Divider(own_words).run();
   number_alike(held, own);
-  Comparison comparison(held, own);
+  StatementDifference comparison(held, own);
   std::vector<Hunk> hunks;
   std::vector<TextDifference> result;
   if (!comparison.run(hunks)) {
@@ -198,10 +198,10 @@ std::vector<TextDifference> differences_of(const Words& held_words, const Words&
       if (held[h].number != own[o].number) result.push_back(changed(held[h], own[o]));
     }
     for (; h < hunk.held_end; ++h) {
-      result.push_back({line_at(held, h), line_at(own, o), "", text_of(held[h].words), "", "", ""});
+      result.push_back({line_at(held, h), line_at(own, o), "", as_one_line(held[h].words), "", "", ""});
     }
     for (; o < hunk.own_end; ++o) {
-      result.push_back({line_at(held, h), line_at(own, o), "", "", text_of(own[o].words), "", ""});
+      result.push_back({line_at(held, h), line_at(own, o), "", "", as_one_line(own[o].words), "", ""});
     }
   }
   return result;
