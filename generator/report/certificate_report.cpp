@@ -112,6 +112,14 @@ std::string trigonometry(const Certificate& certificate) {
                      certificate.options.trigonometry_ulp, trigonometry_error(certificate.options));
 }
 
+// Robots with spherical joints, but for closed loops, are those whose q is longer than their velocity.
+std::string quaternions_text(const FileContents& contents) {
+  if (!contents.has_positions) return "";
+  return "- where each quaternion of q has unit length; of others the bounds say how far results are from what the "
+         "same "
+         "formulas give without rounding, and not how far that is from the model;\n";
+}
+
 std::string markdown_table(const Cells& rows) {
   std::string text;
   for (const auto& row : rows) {
@@ -208,6 +216,7 @@ std::string certificate_markdown(const Certificate& certificate, double enough, 
       "They hold\n\n"
       "- within the limits of position, speed, acceleration and torque that the header states, each as the nearest "
       "{};\n"
+      "{}"
       "- for {}, as the header's own are to 1 ulp up to {} rad (the scripts `sines.*.g` prove it, in units of the last "
       "place of 1), those of glibc's <cmath>, and those of `flatdyn::TogetherSinCos`, in float to 2 ulp;\n"
       "- in files that include the header, or the source of the same functions as a pair, for which "
@@ -218,9 +227,9 @@ std::string certificate_markdown(const Certificate& certificate, double enough, 
       "operation's result can be, and how much of its error reaches an output, are hypotheses there, which flatdyn "
       "has proven from norms and from motions of links. Gappa checks each script by itself. That all belong together, "
       "and to the header, is for flatdyn's scripts/check-certificate to check.\n",
-      certificate.robot, certificate.scalar, header.name, header.hash, certificate.scalar, trigonometry(certificate),
-      certificate.scalar == "float" ? "6400" : "1e5", certificate.scalar, snaps_text(header),
-      std::filesystem::path(header.name).replace_extension("gappa").string());
+      certificate.robot, certificate.scalar, header.name, header.hash, certificate.scalar,
+      quaternions_text(header.contents), trigonometry(certificate), certificate.scalar == "float" ? "6400" : "1e5",
+      certificate.scalar, snaps_text(header), std::filesystem::path(header.name).replace_extension("gappa").string());
   for (const CertifiedFunction& function : certificate.functions) {
     const std::vector<CertifiedOutput>& outputs = function.outputs;
     text += fmt::format("\n## {}\n\n{}", function.name,
