@@ -112,12 +112,12 @@ std::string trigonometry(const Certificate& certificate) {
                      certificate.options.trigonometry_ulp, trigonometry_error(certificate.options));
 }
 
-// Robots with spherical joints, but for closed loops, are those whose q is longer than their velocity.
+// Says what quaternions have to be. The header has more positions than joints only for spherical ones, as closed loops
+// are refused.
 std::string quaternions_text(const FileContents& contents) {
   if (!contents.has_positions) return "";
   return "- where each quaternion of q has unit length; of others the bounds say how far results are from what the "
-         "same "
-         "formulas give without rounding, and not how far that is from the model;\n";
+         "same formulas give without rounding, and not how far that is from the model;\n";
 }
 
 std::string markdown_table(const Cells& rows) {
