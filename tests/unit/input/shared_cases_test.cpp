@@ -158,9 +158,12 @@ TEST_P(SharedReadings, SayNothingElse) {
   EXPECT_NE(all_of(diagnostics).find(says), std::string::npos) << all_of(diagnostics);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, SharedReadings, ::testing::ValuesIn(kReadings), [](const auto& info) {
+// With the extension, as one name is that of several formats.
+std::string name_of_reading(const ::testing::TestParamInfo<Reading>& info) {
   return name_of(info.param.file) + name_of(fs::path(info.param.file).extension().string());
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, SharedReadings, ::testing::ValuesIn(kReadings), name_of_reading);
 
 TEST(SharedCases, AMimicPluginLetsTheMimicJointFollow) {
   const fs::path path = kShared / "cases" / "loop_gz_mimic_plugin.urdf";
