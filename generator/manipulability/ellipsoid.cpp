@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "manipulability/tip_directions.hpp"
-#include "model/floating_base.hpp"
 #include "model/spherical_joint.hpp"
 #include "planning/make_functions.hpp"
 #include "trajectory/pace_limits.hpp"
@@ -18,7 +17,7 @@ namespace {
 
 // The centre of an ellipsoid is how the robot falls: with such armature, its parts do not fall alike.
 void refuse_base_armature(const Mechanism& mechanism) {
-  if (!has_base_armature(mechanism)) return;
+  if (!mechanism.floating_base || vanishes(mechanism.bodies.front().armature)) return;
   throw Failure(ExitCode::unsupported, "manipulability: a floating base with armature of its own is not supported",
                 "a real base has none: write <freejoint/>, or leave armature out of [base]");
 }
