@@ -8,6 +8,17 @@
 #include "readback/file_c.hpp"
 
 namespace flatdyn {
+namespace {
+
+// The index that a token is; -1: it is none.
+int index_in(const std::string& token) {
+  constexpr std::size_t kMostDigits = 8;
+  const bool is_index =
+      !token.empty() && token.size() <= kMostDigits && token.find_first_not_of("0123456789") == std::string::npos;
+  return is_index ? std::stoi(token) : -1;
+}
+
+}  // namespace
 
 std::string CFile::returns_of(const FileFunction& function) const {
   if (returns_number(*function.function)) return scalar_;
@@ -71,7 +82,7 @@ int CFile::last_sine_read(const ScannedFunction& function, std::set<std::string>
   for (std::size_t k = function.begin; k + 2 < function.end; ++k) {
     const std::string& text = tokens_[k].text;
     if ((text == "sine" || text == "cosine") && tokens_[k + 1].text == "[" && !is_member(k)) {
-      last = std::max(last, std::stoi(tokens_[k + 2].text));
+      last = std::max(last, index_in(tokens_[k + 2].text));
     }
     const auto part = text_.parts().find(text);
     if (part != text_.parts().end() && parts.insert(text).second) {

@@ -215,6 +215,20 @@ HeldReport compared_as_wholes(const std::string& held, const EmittedText& own, c
   return report;
 }
 
+// Where statements compute the same as others, the rules of the text that are not about values have to hold as well:
+// which checks, helpers and arguments there are.
+void read_as_a_file(const EmittedText& text, const WrittenCode& code, HeldReport& report) {
+  const bool has_others = std::any_of(report.functions.begin(), report.functions.end(),
+                                      [](const HeldFunction& each) { return each.verdict == HeldVerdict::equal; });
+  if (!has_others || !report.passed()) return;
+  try {
+    read_file(text, contents_of(code));
+  } catch (const UnreadableText& failure) {
+    report.unreadable = failure.what_is_wrong();
+    report.unreadable_line = failure.line();
+  }
+}
+
 }  // namespace
 
 bool HeldReport::passed() const {
@@ -227,6 +241,7 @@ HeldReport compare_held(const std::string& held, const EmittedText& own, const W
   try {
     const EmittedText text(held, dialect_of(code.mechanism, code.options)->scalar());
     report = HeldComparison(text, own, functions_in_text(code), seed).run();
+    read_as_a_file(text, code, report);
   } catch (const UnreadableText& failure) {
     report = compared_as_wholes(held, own, failure);
   }

@@ -15,7 +15,7 @@ const Mutant kMutantsOfC[] = {
      "const double tau[2], const double qd[2]"},
     {"sine and cosine exchanged among arguments", kInC, "const double sine[2],\n    const double cosine[2]",
      "const double cosine[2],\n    const double sine[2]", kSource},
-    {"another length in the header", kEither, " qd[2]", " qd[3]"},
+    {"another length in the header", kEither, " qd[2]", " qd[3]", "void arm_inverse_dynamics("},
     {"another length in the source", kEither, "tau[restrict 2]", "tau[restrict 1]"},
     {"another length of sines", kEither, "sine[2]", "sine[1]"},
     {"another length of sines in the source", kEither, "cosine[2]", "cosine[3]", kSource},
