@@ -16,10 +16,9 @@ struct ConvertArguments : RobotArguments {
 
 bool is_toml(const std::string& path) { return path.ends_with(".toml"); }
 
-// The name of the file, or of one in the other format than the robot's where the result goes to stdout.
-std::string named_output(const ConvertArguments& arguments, const Robot& robot) {
-  if (arguments.output != kStdout) return arguments.output;
-  return is_toml(robot.file) ? "robot.urdf" : "robot.toml";
+// The name of the file, or of one in the format that can say everything where the result goes to stdout.
+std::string named_output(const ConvertArguments& arguments) {
+  return arguments.output == kStdout ? "robot.toml" : arguments.output;
 }
 
 // The numbers that were rounded must not change torques by more than this part of the largest.
@@ -50,7 +49,7 @@ ExitCode convert(const ConvertArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, arguments.options());
   print_diagnostics(model.diagnostics, arguments);
   check_outputs({arguments.output}, model.robot.files);
-  const std::string output_name = named_output(arguments, model.robot);
+  const std::string output_name = named_output(arguments);
   Diagnostics lost;
   const Conversion conversion = (is_toml(output_name) ? toml_of : urdf_of)(model.robot, lost);
   if (lost.has_errors()) throw BadInput(ExitCode::unsupported, lost);
@@ -84,8 +83,7 @@ Run add_convert(CLI::App& app) {
   };
   command
       ->add_option("-o,--output", arguments->output,
-                   "the file to write; its name says in which format. - writes to stdout: a URDF of a TOML file, a "
-                   "TOML of any other")
+                   "the file to write; its name says in which format; - writes TOML to stdout")
       ->required()
       ->check(CLI::Validator(has_format, ""))
       ->type_name("FILE.urdf|FILE.toml");
