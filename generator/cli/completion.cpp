@@ -52,7 +52,9 @@ std::string plain_summary(const std::string& meaning) {
       plain += '(';
     } else if (c == ']' || c == ')') {
       plain += ')';
-    } else if (c != '\'' && c != '"' && c != '\\' && c != '$' && c != '`' && c != ':') {
+    } else if (c == '\'') {
+      plain += "\u2019";  // an apostrophe that ends no string
+    } else if (c != '"' && c != '\\' && c != '$' && c != '`' && c != ':') {
       plain += c;
     }
   }
