@@ -275,7 +275,7 @@ class ConventionWriter {
     }
     page["refusals?"] = !refusals.empty();
     page["refusals"] = list_of(refusals);
-    page["licence"] = list_of(licence_lines());
+    page["licence"] = licence_comment();
     page["functions"] = data(list);
     page["base?"] = mechanism_.floating_base && (!shapes.empty() || has_screw());  // screws turn vectors, too
     write_shapes(page, shapes, core_ + "::" + convention_.name);

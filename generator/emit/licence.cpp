@@ -36,11 +36,13 @@ THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.
 
 }  // namespace
 
-std::vector<std::string> licence_lines() {
-  std::vector<std::string> lines;
+std::string licence_comment() {
+  std::string comment;
   std::istringstream text(kLicence);
-  for (std::string line; std::getline(text, line);) lines.push_back(line);
-  return lines;
+  for (std::string line; std::getline(text, line);) {
+    comment += std::string(comment.empty() ? "" : "\n") + (line.empty() ? "//" : "// ") + line;
+  }
+  return comment;
 }
 
 }  // namespace flatdyn

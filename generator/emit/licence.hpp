@@ -3,11 +3,10 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 namespace flatdyn {
 
-// The lines of the BSD-3-Clause licence, whose copyright holder is the user of flatdyn.
-std::vector<std::string> licence_lines();
+// The BSD-3-Clause licence, whose copyright holder is the user of flatdyn, as lines of comment that begin with //.
+std::string licence_comment();
 
 }  // namespace flatdyn

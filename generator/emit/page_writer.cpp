@@ -86,7 +86,7 @@ class PageWriter {
     header["own_sines?"] = content_.uses_trigonometry && options_.sines == Sines::polynomials;
     header["library_sines?"] = options_.sines == Sines::library;
     header["uses_math"] = content_.uses_trigonometry || content_.uses_sqrt || content_.uses_fma || uses_infinity();
-    header["licence"] = list_of(licence_lines());
+    header["licence"] = licence_comment();
     header["position_count"] = std::to_string(mechanism_.position_count());
     dialect_.write_page(header, content_);
     return header;
