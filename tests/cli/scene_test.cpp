@@ -207,9 +207,9 @@ TEST(Scene, MayBeInDegrees) {
   const std::string inspect = "inspect --json robots/scara.toml";
   const auto body = [](const Outcome& outcome) {
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    nlohmann::json json = nlohmann::json::parse(outcome.out);
-    json.erase("scene");
-    return json.dump();
+    json object = json::parse(outcome.out);
+    object.erase("scene");
+    return object.dump();
   };
   const std::string limits =
       "[limits.theta_1]\nlower = \"-pi/4\"\nupper = \"pi/4\"\nvelocity = \"pi\"\neffort = 5\n"
