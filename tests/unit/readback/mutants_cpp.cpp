@@ -177,8 +177,8 @@ const Mutant kStagesAndParts[] = {
     {"pivots that are checked against another bound", kBoth, "valid &= pivot > Scalar(0.0)",
      "valid &= pivot > Scalar(-1.0)", "", "finger", true},
     {"a pivot less", kBoth,
-     "pivots[2] = detail::Excess<Scalar>::of(Scalar(0.00002) + Scalar(0.015625) * b_3_3q, Scalar(0.00002));", "", "",
-     "finger", true},
+     "pivots[2] = detail::Excess<Scalar>::of(Scalar(0.00002) +\n      Scalar(0.015625) * b_3_3q, Scalar(0.00002));", "",
+     "", "finger", true},
     {"a part that nothing calls", kBoth, "template <class Scalar>\nstatic void bias_part_2(",
      "template <class Scalar>\nstatic void bias_part_3() noexcept {}\ntemplate <class Scalar>\nstatic void "
      "bias_part_2(",
