@@ -100,8 +100,8 @@ struct FreeSymbol {
   std::string unit{};  // "kg"; empty where the file does not show it (symbols in products) and for pure numbers
 };
 
-// The armature and friction at the six velocities of a floating base themselves, as MJCF gives them to a free joint. The
-// armature is added to the six diagonal entries of B that belong to the velocity of the base frame's origin for an
+// The armature and friction at the six velocities of a floating base themselves, as MJCF gives them to a free joint.
+// The armature is added to the six diagonal entries of B that belong to the velocity of the base frame's origin for an
 // observer at rest, kg, and to the angular velocity in base axes, kg m^2; gravity does not act on it. Friction opposes
 // the motion: viscous friction the velocity and the angular velocity, N s/m and N m s/rad, and Coulomb friction the
 // turns about the base's axes alone, N m.

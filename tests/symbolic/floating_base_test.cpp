@@ -94,16 +94,15 @@ TEST_P(FloatingBase, FunctionsAgreeWithTheReference) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, FloatingBase,
-                         ::testing::Values(Subject{"drone", [] { return testing::model_of_toml(testing::kDrone); }},
-                                           Subject{"satellite",
-                                                   [] { return testing::model_of_toml(testing::kSatellite); }},
-                                           Subject{"heavy_satellite",
-                                                   [] { return testing::model_of_toml(testing::heavy_satellite()); }},
-                                           Subject{"lander", [] { return testing::model_of_toml(testing::kLander); }},
-                                           Subject{"puma", [] { return floating("puma560.toml"); }},
-                                           Subject{"quadruped", [] { return floating("quadruped12.urdf"); }}),
-                         [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Robots, FloatingBase,
+    ::testing::Values(Subject{"drone", [] { return testing::model_of_toml(testing::kDrone); }},
+                      Subject{"satellite", [] { return testing::model_of_toml(testing::kSatellite); }},
+                      Subject{"heavy_satellite", [] { return testing::model_of_toml(testing::heavy_satellite()); }},
+                      Subject{"lander", [] { return testing::model_of_toml(testing::kLander); }},
+                      Subject{"puma", [] { return floating("puma560.toml"); }},
+                      Subject{"quadruped", [] { return floating("quadruped12.urdf"); }}),
+    [](const auto& each) { return std::string(each.param.name); });
 
 using Vector = reference::VectorX<Real50>;
 using Matrix = reference::MatrixX<Real50>;
@@ -184,8 +183,8 @@ TEST_F(FreeMotion, KeepsAccountOfItsEnergy) {
   EXPECT_LT(relative(rate - v_.dot(tau), rate), 1e-18);
 }
 
-// The armature and friction of a base itself are, in the reference, a mass at its origin that nothing attracts, an inertia
-// alike about all axes, and forces against its twist.
+// The armature and friction of a base itself are, in the reference, a mass at its origin that nothing attracts, an
+// inertia alike about all axes, and forces against its twist.
 class BaseJointMotion : public FreeMotion {
  protected:
   BaseJointMotion() {

@@ -104,12 +104,13 @@ class JointReader {
         "as in MuJoCo they act on the base, which nothing holds; <freejoint/> has none, and takes "
         "none from defaults");
     if (vanishes(joint_.coulomb.number)) return;
-    context_.diagnostics.warning(joint_.coulomb.place,
-                                 item_.what +
-                                     ", frictionloss: left out along the axes of the world, read about those of "
-                                     "the base",
-                                 "its force depends on how the base is turned, which functions are not told; headers of "
-                                 "--convention, which take the pose, add it");
+    context_.diagnostics.warning(
+        joint_.coulomb.place,
+        item_.what +
+            ", frictionloss: left out along the axes of the world, read about those of "
+            "the base",
+        "its force depends on how the base is turned, which functions are not told; headers of "
+        "--convention, which take the pose, add it");
   }
 
   // MuJoCo moves the frame of such a body to its centre of mass, along its principal axes, if it carries no other.
