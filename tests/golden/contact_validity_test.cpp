@@ -248,7 +248,7 @@ type = "surface"
 )";
 
 INSTANTIATE_TEST_SUITE_P(Robots, ContactValidity,
-                         ::testing::Values(Standing{"arm", kArm, kOfArm, 9, 20000},
+                         ::testing::Values(Standing{"arm", kArm, kOfArm, 9, 5000},
                                            Standing{"quadruped12", "quadruped12.urdf", kFeet, 12, 20000},
                                            Standing{"humanoid32", "humanoid32.urdf", kSoles, 12, 20000}),
                          [](const auto& test) { return std::string(test.param.name); });
