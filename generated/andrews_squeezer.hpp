@@ -51,15 +51,22 @@
 #ifndef FLATDYN_ANDREWS_SQUEEZER_HPP_CE1E6A84
 #define FLATDYN_ANDREWS_SQUEEZER_HPP_CE1E6A84
 
+#if __cplusplus < 201703L && (!defined(_MSVC_LANG) || _MSVC_LANG < 201703L)
+#error "this needs C++17: compile it with -std=c++17, or a later standard"
+#endif
+
 #include <float.h>
 #include <stdint.h>
 #include <string.h>
 
 #include <cmath>
 
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
-#error "compile this without -ffast-math: it leaves out the checks that results are finite"
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || \
+    defined(_M_FP_FAST)
+#error "-ffast-math, -Ofast and /fp:fast leave out checks of results: add -fno-finite-math-only"
 #endif
+static_assert(sizeof(1.0) == 8,
+    "constants have to be doubles of 64 bits: compile this without -fsingle-precision-constant");
 
 namespace andrews_squeezer {
 
@@ -78,6 +85,35 @@ inline constexpr const char* position_names[position_count] = {
 
 // The entries of q that qd, qdd and tau belong to.
 inline constexpr int independent_positions[joint_count] = {0};
+
+namespace detail {
+
+// Positive if a sum, rounded, is above its first term. The bits are compared, since compilers that
+// may reorder sums take x + y - x for y.
+template <class Scalar>
+struct Excess {
+  static Scalar of(const Scalar& sum, const Scalar& term) noexcept { return sum - term; }
+};
+template <>
+struct Excess<double> {
+  [[gnu::always_inline]] static double of(double sum, double term) noexcept {
+    int64_t bits_of_sum = 0, bits_of_term = 0;
+    memcpy(&bits_of_sum, &sum, sizeof(sum));
+    memcpy(&bits_of_term, &term, sizeof(term));
+    return double(bits_of_sum > bits_of_term);
+  }
+};
+template <>
+struct Excess<float> {
+  [[gnu::always_inline]] static float of(float sum, float term) noexcept {
+    int32_t bits_of_sum = 0, bits_of_term = 0;
+    memcpy(&bits_of_sum, &sum, sizeof(sum));
+    memcpy(&bits_of_term, &term, sizeof(term));
+    return float(bits_of_sum > bits_of_term);
+  }
+};
+
+}  // namespace detail
 
 namespace detail {
 
@@ -156,34 +192,41 @@ typedef uint32_t BitsOfFloats;
 
 // sin(x) and cos(x) for |x| <= 1e5, to 1 ulp.
 //
-// x = n pi/2 + r + rest with |r| <= pi/4 up to a rounding; rest is the part that the digits of r
-// cannot hold (Cody and Waite). Added to 1.5 2^52, a number has no room for a fraction: this rounds
-// n, and leaves its last bits, the quadrant, at the end of `turns`. pi/2 is in three parts, the
-// first two of 33 bits, so that their products with n are exact (the split is that of fdlibm's
-// e_rem_pio2.c). The polynomials are minimax on [-pi/4, pi/4], with errors below 2^-57 (they are
-// those of fdlibm's k_sin.c and k_cos.c). In an odd quadrant sine and cosine are exchanged. (It is a
-// template so that compilers do not warn where nothing calls it.)
+// x = n pi/2 + r - missing with |r| <= pi/4 up to a rounding; `missing` is the part that the digits
+// of r cannot hold (Cody and Waite). Added to 1.5 2^52, a number has no room for a fraction: this
+// rounds n, and leaves its last bits, the quadrant, at the end of `turns`. `next` is computed from
+// bits and holds n + 1 above 1.75 2^52, so that compilers that may reorder sums, or that keep more
+// digits, cannot undo the rounding; its last bits are the next quadrant, which gives the cosine's
+// sign. pi/2 is in three parts, the first two of 33 bits, so that their products with n are exact
+// (the split is that of fdlibm's e_rem_pio2.c). The polynomials are minimax on [-pi/4, pi/4], with
+// errors below 2^-57 (they are those of fdlibm's k_sin.c and k_cos.c). p and `missing` are
+// subtracted, which keeps the sign of a zero. In an odd quadrant sine and cosine are exchanged. (It
+// is a template so that compilers do not warn where nothing calls it.)
 template <class = void>
 static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cosine) noexcept {
-  const Doubles turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52, n = turns - 0x1.8p+52;
+  const Doubles turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52;
+  BitsOfDoubles quadrant, bits_of_s, bits_of_c;
+  memcpy(&quadrant, &turns, sizeof(turns));
+  const BitsOfDoubles next = quadrant + 0x4000000000001u;
+  Doubles n;
+  memcpy(&n, &next, sizeof(next));
+  n -= 0x1.c000000000001p+52;
   const Doubles above = x - n * 0x1.921fb544p+0, below = n * 0x1.0b4611a6p-34, r = above - below;
-  const Doubles rest = ((above - r) - below) - n * 0x1.3198a2e037073p-69;
+  const Doubles missing = (below - (above - r)) + n * 0x1.3198a2e037073p-69;
   const Doubles z = r * r, zz = z * z, half = 0.5 * z, leading = 1.0 - half;
-  const Doubles p = (-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03) +
-      zz * ((-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06) +
-      zz * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10));
+  const Doubles p = (1.66666666666666324348e-01 + z * -8.33333333332248946124e-03) +
+      zz * ((1.98412698298579493134e-04 + z * -2.75573137070700676789e-06) +
+      zz * (2.50507602534068634195e-08 + z * -1.58969099521155010221e-10));
   const Doubles k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
       zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
       zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
-  const Doubles s = r + (z * r * p + leading * rest);
-  const Doubles c = leading + ((((1.0 - leading) - half) - r * rest) + zz * k);
-  BitsOfDoubles quadrant, bits_of_s, bits_of_c;
-  memcpy(&quadrant, &turns, sizeof(turns));
+  const Doubles s = r - (z * r * p + leading * missing);
+  const Doubles c = leading + ((((1.0 - leading) - half) + r * missing) + zz * k);
   memcpy(&bits_of_s, &s, sizeof(s));
   memcpy(&bits_of_c, &c, sizeof(c));
   const BitsOfDoubles exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
   bits_of_s ^= exchange ^ ((quadrant & 2u) << 62);
-  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 62);
+  bits_of_c ^= exchange ^ ((next & 2u) << 62);
   memcpy(&sine, &bits_of_s, sizeof(s));
   memcpy(&cosine, &bits_of_c, sizeof(c));
 }
@@ -192,21 +235,25 @@ static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cos
 // and 9) that their products with n are exact. The polynomials are those of Cephes' sinf.c.
 template <class = void>
 static inline void sine_and_cosine(const Floats& x, Floats& sine, Floats& cosine) noexcept {
-  const Floats turns = x * 0x1.45f306p-1f + 0x1.8p+23f, n = turns - 0x1.8p+23f;
-  const Floats above = (x - n * 0x1.922p+0f) - n * -0x1.2cp-18f, below = n * 0x1.11p-26f;
-  const Floats r = above - below, rest = ((above - r) - below) - n * 0x1.68c234p-39f;
-  const Floats z = r * r, half = 0.5f * z, leading = 1.0f - half;
-  const Floats p = -1.6666654611e-1f + z * (8.3321608736e-3f + z * -1.9515295891e-4f);
-  const Floats k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
-  const Floats s = r + (z * r * p + leading * rest);
-  const Floats c = leading + ((((1.0f - leading) - half) - r * rest) + z * z * k);
+  const Floats turns = x * 0x1.45f306p-1f + 0x1.8p+23f;
   BitsOfFloats quadrant, bits_of_s, bits_of_c;
   memcpy(&quadrant, &turns, sizeof(turns));
+  const BitsOfFloats next = quadrant + 0x200001u;
+  Floats n;
+  memcpy(&n, &next, sizeof(next));
+  n -= 0x1.c00002p+23f;
+  const Floats above = (x - n * 0x1.922p+0f) - n * -0x1.2cp-18f, below = n * 0x1.11p-26f;
+  const Floats r = above - below, missing = (below - (above - r)) + n * 0x1.68c234p-39f;
+  const Floats z = r * r, half = 0.5f * z, leading = 1.0f - half;
+  const Floats p = 1.6666654611e-1f + z * (-8.3321608736e-3f + z * 1.9515295891e-4f);
+  const Floats k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
+  const Floats s = r - (z * r * p + leading * missing);
+  const Floats c = leading + ((((1.0f - leading) - half) + r * missing) + z * z * k);
   memcpy(&bits_of_s, &s, sizeof(s));
   memcpy(&bits_of_c, &c, sizeof(c));
   const BitsOfFloats exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
   bits_of_s ^= exchange ^ ((quadrant & 2u) << 30);
-  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 30);
+  bits_of_c ^= exchange ^ ((next & 2u) << 30);
   memcpy(&sine, &bits_of_s, sizeof(s));
   memcpy(&cosine, &bits_of_c, sizeof(c));
 }
@@ -323,8 +370,8 @@ using DefaultSinCos = PolynomialSinCos;
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..6], qd[0], qdd[0]. Operations: 142 mul, 77 add, 3 div, 14 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
-    Scalar* tau, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool inverse_dynamics(const Scalar* q, const Scalar* qd,
+    const Scalar* qdd, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
@@ -421,12 +468,12 @@ static inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Sca
   const Scalar regular_l1 = t6 * t6 - Scalar(3.7515625e-13);
   const Scalar regular_l2 = t58 * t58 - Scalar(6.25e-13);
   const Scalar regular_l3 = t35 * t35 - Scalar(6.25e-13);
-  bool valid = Scalar(0.000366363525390625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000366363525390625) > Scalar(0.0);
-  valid &= Scalar(0.0006103515625) + Scalar(0.015625) * regular_l2 -
-      Scalar(0.0006103515625) > Scalar(0.0);
-  valid &= Scalar(0.0006103515625) + Scalar(0.015625) * regular_l3 -
-      Scalar(0.0006103515625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000366363525390625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000366363525390625)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(0.0006103515625) +
+      Scalar(0.015625) * regular_l2, Scalar(0.0006103515625)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(0.0006103515625) +
+      Scalar(0.015625) * regular_l3, Scalar(0.0006103515625)) > Scalar(0.0);
   valid &= Scalar(0.0) * tau[0] < Scalar(1.0);
   return valid;
 }
@@ -441,8 +488,8 @@ static inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Sca
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..6], qd[0], qdd[0], h_e[0..1], h_e[5]. Operations: 152 mul, 82 add, 3 div, 14 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
-    const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd,
+    const Scalar* qdd, const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
@@ -548,10 +595,12 @@ static inline bool inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd,
       Scalar(0.02) * t82 + h_e_6;
   tau[0] = Scalar(2.93825e-07) * t70 + Scalar(2.4094568e-06) * qdd_1 + t71 + t43 * t54 + t67 * t81 -
       t21 * mu_3_z;
-  bool valid = Scalar(9.37890625e-10) + Scalar(0.015625) * regular_l1 -
-      Scalar(9.37890625e-10) > Scalar(0.0);
-  valid &= Scalar(1.5625e-09) + Scalar(0.015625) * regular_l2 - Scalar(1.5625e-09) > Scalar(0.0);
-  valid &= Scalar(1.5625e-09) + Scalar(0.015625) * regular_l3 - Scalar(1.5625e-09) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(9.37890625e-10) +
+      Scalar(0.015625) * regular_l1, Scalar(9.37890625e-10)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(1.5625e-09) +
+      Scalar(0.015625) * regular_l2, Scalar(1.5625e-09)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(1.5625e-09) +
+      Scalar(0.015625) * regular_l3, Scalar(1.5625e-09)) > Scalar(0.0);
   valid &= Scalar(0.0) * tau[0] < Scalar(1.0);
   return valid;
 }
@@ -568,7 +617,8 @@ inline constexpr bool inertia_matrix_nonzero[1] = {
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..6]. Operations: 73 mul, 43 add, 3 div, 14 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool inertia_matrix(const Scalar* q, Scalar* B,
+    const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
@@ -625,12 +675,12 @@ static inline bool inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_
   const Scalar regular_l1 = t6 * t6 - Scalar(3.7515625e-13);
   const Scalar regular_l2 = t18 * t18 - Scalar(6.25e-13);
   const Scalar regular_l3 = t27 * t27 - Scalar(6.25e-13);
-  bool valid = Scalar(0.000366363525390625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000366363525390625) > Scalar(0.0);
-  valid &= Scalar(0.0006103515625) + Scalar(0.015625) * regular_l2 -
-      Scalar(0.0006103515625) > Scalar(0.0);
-  valid &= Scalar(0.0006103515625) + Scalar(0.015625) * regular_l3 -
-      Scalar(0.0006103515625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000366363525390625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000366363525390625)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(0.0006103515625) +
+      Scalar(0.015625) * regular_l2, Scalar(0.0006103515625)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(0.0006103515625) +
+      Scalar(0.015625) * regular_l3, Scalar(0.0006103515625)) > Scalar(0.0);
   valid &= Scalar(0.0) * B[0] < Scalar(1.0);
   return valid;
 }
@@ -647,7 +697,8 @@ inline constexpr bool christoffel_nonzero[1] = {
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..6]. Operations: 125 mul, 66 add, 3 div, 14 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool christoffel(const Scalar* q, Scalar* c,
+    const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
@@ -734,12 +785,12 @@ static inline bool christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos
   const Scalar regular_l1 = t6 * t6 - Scalar(3.7515625e-13);
   const Scalar regular_l2 = t50 * t50 - Scalar(6.25e-13);
   const Scalar regular_l3 = t33 * t33 - Scalar(6.25e-13);
-  bool valid = Scalar(0.000366363525390625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000366363525390625) > Scalar(0.0);
-  valid &= Scalar(0.0006103515625) + Scalar(0.015625) * regular_l2 -
-      Scalar(0.0006103515625) > Scalar(0.0);
-  valid &= Scalar(0.0006103515625) + Scalar(0.015625) * regular_l3 -
-      Scalar(0.0006103515625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000366363525390625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000366363525390625)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(0.0006103515625) +
+      Scalar(0.015625) * regular_l2, Scalar(0.0006103515625)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(0.0006103515625) +
+      Scalar(0.015625) * regular_l3, Scalar(0.0006103515625)) > Scalar(0.0);
   valid &= Scalar(0.0) * c[0] < Scalar(1.0);
   return valid;
 }
@@ -757,7 +808,7 @@ inline constexpr bool coriolis_matrix_nonzero[1] = {
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..6], qd[0]. Operations: 126 mul, 66 add, 3 div, 14 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
+[[nodiscard]] static inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
@@ -846,12 +897,12 @@ static inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
   const Scalar regular_l1 = t6 * t6 - Scalar(3.7515625e-13);
   const Scalar regular_l2 = t50 * t50 - Scalar(6.25e-13);
   const Scalar regular_l3 = t33 * t33 - Scalar(6.25e-13);
-  bool valid = Scalar(0.000366363525390625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000366363525390625) > Scalar(0.0);
-  valid &= Scalar(0.0006103515625) + Scalar(0.015625) * regular_l2 -
-      Scalar(0.0006103515625) > Scalar(0.0);
-  valid &= Scalar(0.0006103515625) + Scalar(0.015625) * regular_l3 -
-      Scalar(0.0006103515625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000366363525390625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000366363525390625)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(0.0006103515625) +
+      Scalar(0.015625) * regular_l2, Scalar(0.0006103515625)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(0.0006103515625) +
+      Scalar(0.015625) * regular_l3, Scalar(0.0006103515625)) > Scalar(0.0);
   valid &= Scalar(0.0) * C[0] < Scalar(1.0);
   return valid;
 }
@@ -874,7 +925,7 @@ static inline void gravity(const Scalar* /* q */, Scalar* g) noexcept {
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..6], qd[0]. Operations: 134 mul, 69 add, 3 div, 14 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
+[[nodiscard]] static inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
@@ -966,12 +1017,12 @@ static inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
   const Scalar regular_l1 = t6 * t6 - Scalar(3.7515625e-13);
   const Scalar regular_l2 = t34 * t34 - Scalar(6.25e-13);
   const Scalar regular_l3 = t55 * t55 - Scalar(6.25e-13);
-  bool valid = Scalar(0.000366363525390625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000366363525390625) > Scalar(0.0);
-  valid &= Scalar(0.0006103515625) + Scalar(0.015625) * regular_l2 -
-      Scalar(0.0006103515625) > Scalar(0.0);
-  valid &= Scalar(0.0006103515625) + Scalar(0.015625) * regular_l3 -
-      Scalar(0.0006103515625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000366363525390625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000366363525390625)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(0.0006103515625) +
+      Scalar(0.015625) * regular_l2, Scalar(0.0006103515625)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(0.0006103515625) +
+      Scalar(0.015625) * regular_l3, Scalar(0.0006103515625)) > Scalar(0.0);
   valid &= Scalar(0.0) * n[0] < Scalar(1.0);
   return valid;
 }
@@ -986,8 +1037,8 @@ static inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
 // is not a finite number.
 // Reads q[0..6], qd[0], tau[0]. Operations: 165 mul, 91 add, 4 div, 14 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
-    Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool forward_dynamics(const Scalar* q, const Scalar* qd,
+    const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar tau_1 = tau[0];
@@ -1099,13 +1150,13 @@ static inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Sca
   const Scalar t85 = (t64 + Scalar(1.5182341650671785) * t43) * (Scalar(2.6655560183256974) + t84);
   const Scalar t86 = Scalar(-4e-06) - Scalar(9.4150150390625e-06) * t84 + t83 -
       Scalar(5.087974575195312e-06) * t85;
-  bool valid = -t86 - Scalar(0.015625) * t83 + t86 > Scalar(0.0);
-  valid &= Scalar(0.000366363525390625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000366363525390625) > Scalar(0.0);
-  valid &= Scalar(0.0006103515625) + Scalar(0.015625) * regular_l2 -
-      Scalar(0.0006103515625) > Scalar(0.0);
-  valid &= Scalar(0.0006103515625) + Scalar(0.015625) * regular_l3 -
-      Scalar(0.0006103515625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(-t86 - Scalar(0.015625) * t83, -t86) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(0.000366363525390625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000366363525390625)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(0.0006103515625) +
+      Scalar(0.015625) * regular_l2, Scalar(0.0006103515625)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(0.0006103515625) +
+      Scalar(0.015625) * regular_l3, Scalar(0.0006103515625)) > Scalar(0.0);
   valid &= Scalar(0.0) * qdd[0] < Scalar(1.0);
   return valid;
 }
@@ -1118,7 +1169,7 @@ static inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Sca
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..6], qd[0]. Operations: 73 mul, 38 add, 3 div, 14 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
+[[nodiscard]] static inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
@@ -1174,12 +1225,12 @@ static inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
   const Scalar regular_l1 = t6 * t6 - Scalar(3.7515625e-13);
   const Scalar regular_l2 = t16 * t16 - Scalar(6.25e-13);
   const Scalar regular_l3 = t25 * t25 - Scalar(6.25e-13);
-  bool valid = Scalar(0.000366363525390625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000366363525390625) > Scalar(0.0);
-  valid &= Scalar(0.0006103515625) + Scalar(0.015625) * regular_l2 -
-      Scalar(0.0006103515625) > Scalar(0.0);
-  valid &= Scalar(0.0006103515625) + Scalar(0.015625) * regular_l3 -
-      Scalar(0.0006103515625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000366363525390625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000366363525390625)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(0.0006103515625) +
+      Scalar(0.015625) * regular_l2, Scalar(0.0006103515625)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(0.0006103515625) +
+      Scalar(0.015625) * regular_l3, Scalar(0.0006103515625)) > Scalar(0.0);
   valid &= Scalar(0.0) * T[0] < Scalar(1.0);
   return valid;
 }
@@ -1241,7 +1292,8 @@ inline constexpr bool jacobian_nonzero[6] = {
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..2]. Operations: 21 mul, 9 add, 1 div, 6 sin/cos. Always zero: 3 of the 6 entries of J.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool jacobian(const Scalar* q, Scalar* J,
+    const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2>(), sine, cosine);
@@ -1262,8 +1314,8 @@ static inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = 
   J[1] = -r_3_x * t5;
   const Scalar regular_l1 = t4 * t4 - Scalar(9.604e-19);
   J[2] = J[3] = J[4] = Scalar(0.0);
-  bool valid = Scalar(9.37890625e-10) + Scalar(0.015625) * regular_l1 -
-      Scalar(9.37890625e-10) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(9.37890625e-10) +
+      Scalar(0.015625) * regular_l1, Scalar(9.37890625e-10)) > Scalar(0.0);
   for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * J[k] < Scalar(1.0);
   return valid;
 }
@@ -1277,7 +1329,7 @@ static inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = 
 // Reads q[0..2], qd[0]. Operations: 41 mul, 18 add, 1 div, 6 sin/cos. Always zero: a[2], a[3],
 // a[4].
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
+[[nodiscard]] static inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
@@ -1314,8 +1366,8 @@ static inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   a[0] = -c_3 * t20 - s_3 * t19;
   const Scalar regular_l1 = t6 * t6 - Scalar(9.604e-19);
   a[2] = a[3] = a[4] = Scalar(0.0);
-  bool valid = Scalar(9.37890625e-10) + Scalar(0.015625) * regular_l1 -
-      Scalar(9.37890625e-10) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(9.37890625e-10) +
+      Scalar(0.015625) * regular_l1, Scalar(9.37890625e-10)) > Scalar(0.0);
   for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * a[k] < Scalar(1.0);
   return valid;
 }
@@ -1406,7 +1458,8 @@ static inline void loop_jacobian(const Scalar* q, Scalar* phi_q,
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..6]. Operations: 55 mul, 42 add, 3 div, 14 sin/cos. Always zero: dq[0].
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool loop_step(const Scalar* q, Scalar* dq,
+    const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1, 2, 3, 4, 5, 6>(), sine, cosine);
@@ -1465,10 +1518,12 @@ static inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos 
   const Scalar regular_l2 = t19 * t19 - Scalar(1.6e-18);
   const Scalar regular_l3 = t27 * t27 - Scalar(1.6e-18);
   dq[0] = Scalar(0.0);
-  bool valid = Scalar(9.37890625e-10) + Scalar(0.015625) * regular_l1 -
-      Scalar(9.37890625e-10) > Scalar(0.0);
-  valid &= Scalar(1.5625e-09) + Scalar(0.015625) * regular_l2 - Scalar(1.5625e-09) > Scalar(0.0);
-  valid &= Scalar(1.5625e-09) + Scalar(0.015625) * regular_l3 - Scalar(1.5625e-09) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(9.37890625e-10) +
+      Scalar(0.015625) * regular_l1, Scalar(9.37890625e-10)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(1.5625e-09) +
+      Scalar(0.015625) * regular_l2, Scalar(1.5625e-09)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(1.5625e-09) +
+      Scalar(0.015625) * regular_l3, Scalar(1.5625e-09)) > Scalar(0.0);
   for (int k = 0; k < 7; ++k) valid &= Scalar(0.0) * dq[k] < Scalar(1.0);
   return valid;
 }
@@ -1483,8 +1538,8 @@ static inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos 
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..6], qd[0], qdd[0]. Operations: 113 mul, 55 add, 3 div, 14 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* rates,
-    Scalar* accelerations, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd,
+    Scalar* rates, Scalar* accelerations, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
@@ -1578,14 +1633,95 @@ static inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* 
   const Scalar t60 = t33 - s_6 * t55 - t49 * t58;
   accelerations[6] = -t53 * (t50 * qdd_1 + J_l3b6_x * t59 - J_l3b6_y * t60);
   accelerations[5] = -t53 * ((t49 * t60 + R_l3b71_x * t59) - t51 * qdd_1);
-  bool valid = Scalar(9.37890625e-10) + Scalar(0.015625) * regular_l1 -
-      Scalar(9.37890625e-10) > Scalar(0.0);
-  valid &= Scalar(1.5625e-09) + Scalar(0.015625) * regular_l2 - Scalar(1.5625e-09) > Scalar(0.0);
-  valid &= Scalar(1.5625e-09) + Scalar(0.015625) * regular_l3 - Scalar(1.5625e-09) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(9.37890625e-10) +
+      Scalar(0.015625) * regular_l1, Scalar(9.37890625e-10)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(1.5625e-09) +
+      Scalar(0.015625) * regular_l2, Scalar(1.5625e-09)) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(1.5625e-09) +
+      Scalar(0.015625) * regular_l3, Scalar(1.5625e-09)) > Scalar(0.0);
   for (int k = 0; k < 7; ++k) valid &= Scalar(0.0) * rates[k] < Scalar(1.0);
   for (int k = 0; k < 7; ++k) valid &= Scalar(0.0) * accelerations[k] < Scalar(1.0);
   return valid;
 }
+
+namespace detail {
+
+// Whether an argument is an object that holds an array, or an expression of Eigen's.
+struct Objects {
+  template <class Of>
+  static constexpr bool hold_array(decltype(static_cast<Of*>(nullptr)->data())*) noexcept {
+    return true;
+  }
+  template <class Of>
+  static constexpr bool hold_array(...) noexcept {
+    return false;
+  }
+  template <class Of>
+  static constexpr bool are_expressions(decltype(static_cast<Of*>(nullptr)->eval())*) noexcept {
+    return true;
+  }
+  template <class Of>
+  static constexpr bool are_expressions(...) noexcept {
+    return false;
+  }
+};
+
+// The result of a call with such objects. It has no definition that compiles: compilers say why.
+template <class... Of>
+struct ObjectsRefused {
+  static_assert(sizeof...(Of) == 0,
+      "arguments are plain arrays: of a std::array, std::vector or std::span pass q.data(); of "
+      "Eigen's vectors, too, or include flatdyn/eigen.hpp and call flatdyn::eigen<functions::NAME>");
+  operator bool() const noexcept;
+};
+
+template <bool are_objects, class... Of>
+struct ObjectArguments {};
+template <class... Of>
+struct ObjectArguments<true, Of...> {
+  using type = ObjectsRefused<Of...>;
+};
+template <class... Of>
+using IfObjects = typename ObjectArguments<((Objects::hold_array<Of>(nullptr) ||
+    Objects::are_expressions<Of>(nullptr)) || ... || false), Of...>::type;
+
+}  // namespace detail
+
+// Calls with such objects end in the message above.
+template <class... Of>
+detail::IfObjects<Of...> inverse_dynamics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> inverse_dynamics_tip_force(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> inertia_matrix(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> christoffel(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> coriolis_matrix(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> gravity(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> bias(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> forward_dynamics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> kinetic_energy(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> potential_energy(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> forward_kinematics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> jacobian(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> jacobian_dot_qd(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> loop_closure(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> loop_jacobian(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> loop_step(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> loop_motion(const Of&...);
 
 // The functions as types, with the shapes of their arguments, for adapters such as
 // flatdyn/eigen.hpp.
@@ -1755,7 +1891,7 @@ struct loop_motion {
 // than `tolerance` (m) after `most_steps`: the loops cannot be closed from there, or are singular.
 // If the loops can be closed in several ways, q decides which one is found.
 template <class Scalar>
-static inline bool close_loops(Scalar* q, Scalar tolerance, int most_steps = 20) noexcept {
+[[nodiscard]] static inline bool close_loops(Scalar* q, Scalar tolerance, int most_steps = 20) noexcept {
   Scalar here[position_count], next[position_count], dq[position_count], phi[6];
   const auto gap_at = [&](const Scalar* position) {
     loop_closure(position, phi);
@@ -1848,7 +1984,7 @@ static bool sines_are_right() noexcept {
 // for the calling file and thread, for float and double: every file has its own copy of the
 // functions, but shares members of stages with others.
 template <class Scalar = Real>
-static bool rounding_is_as_written() noexcept {
+[[nodiscard]] static bool rounding_is_as_written() noexcept {
   constexpr bool is_float = sizeof(Scalar) == sizeof(float);
   constexpr int method = FLT_EVAL_METHOD;
   if (method != 0 && method != 16 && (is_float || method != 1)) return false;
@@ -1883,39 +2019,39 @@ static bool rounding_is_as_written() noexcept {
   detail::fill(h_e, 6, seed + 5u);
   detail::fill_sines(sine, cosine, 7, seed + 16u);
   const GivenSinCos<Scalar> given = {sine, cosine};
-  inverse_dynamics(q, qd, qdd, result, given);
+  (void)inverse_dynamics(q, qd, qdd, result, given);
   hash = detail::hash_of(result, 1, hash);
-  inverse_dynamics_tip_force(q, qd, qdd, h_e, result, given);
+  (void)inverse_dynamics_tip_force(q, qd, qdd, h_e, result, given);
   hash = detail::hash_of(result, 1, hash);
-  inertia_matrix(q, result, given);
+  (void)inertia_matrix(q, result, given);
   hash = detail::hash_of(result, 1, hash);
-  christoffel(q, result, given);
+  (void)christoffel(q, result, given);
   hash = detail::hash_of(result, 1, hash);
-  coriolis_matrix(q, qd, result, given);
+  (void)coriolis_matrix(q, qd, result, given);
   hash = detail::hash_of(result, 1, hash);
   gravity(q, result);
   hash = detail::hash_of(result, 1, hash);
-  bias(q, qd, result, given);
+  (void)bias(q, qd, result, given);
   hash = detail::hash_of(result, 1, hash);
-  forward_dynamics(q, qd, tau, result, given);
+  (void)forward_dynamics(q, qd, tau, result, given);
   hash = detail::hash_of(result, 1, hash);
-  kinetic_energy(q, qd, result, given);
+  (void)kinetic_energy(q, qd, result, given);
   hash = detail::hash_of(result, 1, hash);
   result[0] = potential_energy(q);
   hash = detail::hash_of(result, 1, hash);
   forward_kinematics(q, result, result + 9, given);
   hash = detail::hash_of(result, 12, hash);
-  jacobian(q, result, given);
+  (void)jacobian(q, result, given);
   hash = detail::hash_of(result, 6, hash);
-  jacobian_dot_qd(q, qd, result, given);
+  (void)jacobian_dot_qd(q, qd, result, given);
   hash = detail::hash_of(result, 6, hash);
   loop_closure(q, result, given);
   hash = detail::hash_of(result, 6, hash);
   loop_jacobian(q, result, given);
   hash = detail::hash_of(result, 42, hash);
-  loop_step(q, result, given);
+  (void)loop_step(q, result, given);
   hash = detail::hash_of(result, 7, hash);
-  loop_motion(q, qd, qdd, result, result + 7, given);
+  (void)loop_motion(q, qd, qdd, result, result + 7, given);
   hash = detail::hash_of(result, 14, hash);
   return hash == (is_float ? 0xc5d1f8ce4076bfabu : 0x4cbc9ac361d41647u);
 }
@@ -1923,3 +2059,30 @@ static bool rounding_is_as_written() noexcept {
 }  // namespace andrews_squeezer
 
 #endif  // FLATDYN_ANDREWS_SQUEEZER_HPP_CE1E6A84
+
+// The licence of this file, BSD-3-Clause:
+//
+// Copyright (c) the user of flatdyn, who generated this file. All rights reserved.
+//
+// Redistribution and use in source and binary forms, with or without modification, are permitted
+// provided that the following conditions are met:
+//
+// 1. Redistributions of source code must retain the above copyright notice, this list of conditions
+//    and the following disclaimer.
+//
+// 2. Redistributions in binary form must reproduce the above copyright notice, this list of
+//    conditions and the following disclaimer in the documentation and/or other materials provided
+//    with the distribution.
+//
+// 3. Neither the name of the copyright holder nor the names of its contributors may be used to
+//    endorse or promote products derived from this software without specific prior written
+//    permission.
+//
+// THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS "AS IS" AND ANY EXPRESS OR
+// IMPLIED WARRANTIES, INCLUDING, BUT NOT LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND
+// FITNESS FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE COPYRIGHT HOLDER OR
+// CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL
+// DAMAGES (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES; LOSS OF USE,
+// DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER
+// IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT OF
+// THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.

@@ -41,15 +41,22 @@
 #ifndef FLATDYN_CARTESIAN_2_HPP_811A5273
 #define FLATDYN_CARTESIAN_2_HPP_811A5273
 
+#if __cplusplus < 201703L && (!defined(_MSVC_LANG) || _MSVC_LANG < 201703L)
+#error "this needs C++17: compile it with -std=c++17, or a later standard"
+#endif
+
 #include <float.h>
 #include <stdint.h>
 #include <string.h>
 
 #include <cmath>
 
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
-#error "compile this without -ffast-math: it leaves out the checks that results are finite"
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || \
+    defined(_M_FP_FAST)
+#error "-ffast-math, -Ofast and /fp:fast leave out checks of results: add -fno-finite-math-only"
 #endif
+static_assert(sizeof(1.0) == 8,
+    "constants have to be doubles of 64 bits: compile this without -fsingle-precision-constant");
 
 namespace cartesian_2 {
 
@@ -258,8 +265,8 @@ static inline void bias(const Parameters<Scalar>& parameters, const Scalar* /* q
 // parameters.m_l2, parameters.m_m2, parameters.I_m2, parameters.k_r2. Operations: 5 mul, 5 add, 2
 // div.
 template <class Scalar>
-static inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* /* q */,
-    const Scalar* /* qd */, const Scalar* tau, Scalar* qdd) noexcept {
+[[nodiscard]] static inline bool forward_dynamics(const Parameters<Scalar>& parameters,
+    const Scalar* /* q */, const Scalar* /* qd */, const Scalar* tau, Scalar* qdd) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar tau_1 = tau[0], tau_2 = tau[1];
   const Scalar g = parameters.g, m_l1 = parameters.m_l1, I_m1 = parameters.I_m1,
@@ -374,6 +381,77 @@ static inline void jacobian_dot_qd(const Parameters<Scalar>& /* parameters */,
   static_assert(detail::Interface::checked<Scalar>());
   a[0] = a[1] = a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
 }
+
+namespace detail {
+
+// Whether an argument is an object that holds an array, or an expression of Eigen's.
+struct Objects {
+  template <class Of>
+  static constexpr bool hold_array(decltype(static_cast<Of*>(nullptr)->data())*) noexcept {
+    return true;
+  }
+  template <class Of>
+  static constexpr bool hold_array(...) noexcept {
+    return false;
+  }
+  template <class Of>
+  static constexpr bool are_expressions(decltype(static_cast<Of*>(nullptr)->eval())*) noexcept {
+    return true;
+  }
+  template <class Of>
+  static constexpr bool are_expressions(...) noexcept {
+    return false;
+  }
+};
+
+// The result of a call with such objects. It has no definition that compiles: compilers say why.
+template <class... Of>
+struct ObjectsRefused {
+  static_assert(sizeof...(Of) == 0,
+      "arguments are plain arrays: of a std::array, std::vector or std::span pass q.data(); of "
+      "Eigen's vectors, too, or include flatdyn/eigen.hpp and call flatdyn::eigen<functions::NAME>");
+  operator bool() const noexcept;
+};
+
+template <bool are_objects, class... Of>
+struct ObjectArguments {};
+template <class... Of>
+struct ObjectArguments<true, Of...> {
+  using type = ObjectsRefused<Of...>;
+};
+template <class... Of>
+using IfObjects = typename ObjectArguments<((Objects::hold_array<Of>(nullptr) ||
+    Objects::are_expressions<Of>(nullptr)) || ... || false), Of...>::type;
+
+}  // namespace detail
+
+// Calls with such objects end in the message above.
+template <class... Of>
+detail::IfObjects<Of...> inverse_dynamics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> inverse_dynamics_tip_force(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> inertia_matrix(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> christoffel(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> coriolis_matrix(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> gravity(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> bias(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> forward_dynamics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> kinetic_energy(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> potential_energy(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> forward_kinematics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> jacobian(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> jacobian_dot_qd(const Of&...);
 
 // The functions as types, with the shapes of their arguments, for adapters such as
 // flatdyn/eigen.hpp.
@@ -557,7 +635,7 @@ static uint64_t hash_of(const Scalar* x, int count, uint64_t hash) noexcept {
 // for the calling file and thread, for float and double: every file has its own copy of the
 // functions, but shares members of stages with others.
 template <class Scalar = Real>
-static bool rounding_is_as_written() noexcept {
+[[nodiscard]] static bool rounding_is_as_written() noexcept {
   constexpr bool is_float = sizeof(Scalar) == sizeof(float);
   constexpr int method = FLT_EVAL_METHOD;
   if (method != 0 && method != 16 && (is_float || method != 1)) return false;
@@ -608,7 +686,7 @@ static bool rounding_is_as_written() noexcept {
   hash = detail::hash_of(result, 2, hash);
   bias(parameters, q, qd, result);
   hash = detail::hash_of(result, 2, hash);
-  forward_dynamics(parameters, q, qd, tau, result);
+  (void)forward_dynamics(parameters, q, qd, tau, result);
   hash = detail::hash_of(result, 2, hash);
   result[0] = kinetic_energy(parameters, q, qd);
   hash = detail::hash_of(result, 1, hash);
@@ -626,3 +704,30 @@ static bool rounding_is_as_written() noexcept {
 }  // namespace cartesian_2
 
 #endif  // FLATDYN_CARTESIAN_2_HPP_811A5273
+
+// The licence of this file, BSD-3-Clause:
+//
+// Copyright (c) the user of flatdyn, who generated this file. All rights reserved.
+//
+// Redistribution and use in source and binary forms, with or without modification, are permitted
+// provided that the following conditions are met:
+//
+// 1. Redistributions of source code must retain the above copyright notice, this list of conditions
+//    and the following disclaimer.
+//
+// 2. Redistributions in binary form must reproduce the above copyright notice, this list of
+//    conditions and the following disclaimer in the documentation and/or other materials provided
+//    with the distribution.
+//
+// 3. Neither the name of the copyright holder nor the names of its contributors may be used to
+//    endorse or promote products derived from this software without specific prior written
+//    permission.
+//
+// THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS "AS IS" AND ANY EXPRESS OR
+// IMPLIED WARRANTIES, INCLUDING, BUT NOT LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND
+// FITNESS FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE COPYRIGHT HOLDER OR
+// CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL
+// DAMAGES (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES; LOSS OF USE,
+// DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER
+// IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT OF
+// THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.

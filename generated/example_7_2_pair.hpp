@@ -29,6 +29,10 @@
 #ifndef FLATDYN_EXAMPLE_7_2_PAIR_HPP_9D0893AB
 #define FLATDYN_EXAMPLE_7_2_PAIR_HPP_9D0893AB
 
+#if __cplusplus < 201703L && (!defined(_MSVC_LANG) || _MSVC_LANG < 201703L)
+#error "this needs C++17: compile it with -std=c++17, or a later standard"
+#endif
+
 #include <cmath>
 
 namespace example_7_2_pair {
@@ -110,8 +114,8 @@ void gravity(const Scalar* q, Scalar* g, const SinCos& sin_cos = {}) noexcept;
 // size of its terms, so that rounding cannot cancel it.
 // Reads q[0..1], qd[0..1], tau[0..1]. Operations: 16 mul, 12 add, 1 div, 4 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
-    const SinCos& sin_cos = {}) noexcept;
+[[nodiscard]] bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
+    Scalar* qdd, const SinCos& sin_cos = {}) noexcept;
 
 // Several functions at the same positions, or at the same positions and velocities. Terms that two
 // or more of them need are computed once: by at(), and by with() those that depend on velocities.
@@ -150,6 +154,59 @@ struct Configuration {
 // Reads q[0..1]. Operations: 0 mul, 0 add, 4 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
 Configuration<Scalar> at(const Scalar* q, const SinCos& sin_cos = {}) noexcept;
+
+namespace detail {
+
+// Whether an argument is an object that holds an array, or an expression of Eigen's.
+struct Objects {
+  template <class Of>
+  static constexpr bool hold_array(decltype(static_cast<Of*>(nullptr)->data())*) noexcept {
+    return true;
+  }
+  template <class Of>
+  static constexpr bool hold_array(...) noexcept {
+    return false;
+  }
+  template <class Of>
+  static constexpr bool are_expressions(decltype(static_cast<Of*>(nullptr)->eval())*) noexcept {
+    return true;
+  }
+  template <class Of>
+  static constexpr bool are_expressions(...) noexcept {
+    return false;
+  }
+};
+
+// The result of a call with such objects. It has no definition that compiles: compilers say why.
+template <class... Of>
+struct ObjectsRefused {
+  static_assert(sizeof...(Of) == 0,
+      "arguments are plain arrays: of a std::array, std::vector or std::span pass q.data(); of "
+      "Eigen's vectors, too, or include flatdyn/eigen.hpp and call flatdyn::eigen<functions::NAME>");
+  operator bool() const noexcept;
+};
+
+template <bool are_objects, class... Of>
+struct ObjectArguments {};
+template <class... Of>
+struct ObjectArguments<true, Of...> {
+  using type = ObjectsRefused<Of...>;
+};
+template <class... Of>
+using IfObjects = typename ObjectArguments<((Objects::hold_array<Of>(nullptr) ||
+    Objects::are_expressions<Of>(nullptr)) || ... || false), Of...>::type;
+
+}  // namespace detail
+
+// Calls with such objects end in the message above.
+template <class... Of>
+detail::IfObjects<Of...> inverse_dynamics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> gravity(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> forward_dynamics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> at(const Of&...);
 
 // The functions as types, with the shapes of their arguments, for adapters such as
 // flatdyn/eigen.hpp.
@@ -201,7 +258,7 @@ struct forward_dynamics {
 // with sines and cosines given, and the bits of their results compared with those of arithmetic as
 // it is written, in the calling thread.
 template <class Scalar = Real>
-bool rounding_is_as_written() noexcept;
+[[nodiscard]] bool rounding_is_as_written() noexcept;
 
 // The instances that example_7_2_pair.cpp is compiled for.
 extern template void inverse_dynamics(const double* q, const double* qd, const double* qdd,
@@ -238,3 +295,30 @@ extern template bool rounding_is_as_written<float>();
 }  // namespace example_7_2_pair
 
 #endif  // FLATDYN_EXAMPLE_7_2_PAIR_HPP_9D0893AB
+
+// The licence of this file, BSD-3-Clause:
+//
+// Copyright (c) the user of flatdyn, who generated this file. All rights reserved.
+//
+// Redistribution and use in source and binary forms, with or without modification, are permitted
+// provided that the following conditions are met:
+//
+// 1. Redistributions of source code must retain the above copyright notice, this list of conditions
+//    and the following disclaimer.
+//
+// 2. Redistributions in binary form must reproduce the above copyright notice, this list of
+//    conditions and the following disclaimer in the documentation and/or other materials provided
+//    with the distribution.
+//
+// 3. Neither the name of the copyright holder nor the names of its contributors may be used to
+//    endorse or promote products derived from this software without specific prior written
+//    permission.
+//
+// THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS "AS IS" AND ANY EXPRESS OR
+// IMPLIED WARRANTIES, INCLUDING, BUT NOT LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND
+// FITNESS FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE COPYRIGHT HOLDER OR
+// CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL
+// DAMAGES (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES; LOSS OF USE,
+// DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER
+// IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT OF
+// THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.

@@ -48,15 +48,22 @@
 #ifndef FLATDYN_FOUR_BAR_HPP_120CF1DC
 #define FLATDYN_FOUR_BAR_HPP_120CF1DC
 
+#if __cplusplus < 201703L && (!defined(_MSVC_LANG) || _MSVC_LANG < 201703L)
+#error "this needs C++17: compile it with -std=c++17, or a later standard"
+#endif
+
 #include <float.h>
 #include <stdint.h>
 #include <string.h>
 
 #include <cmath>
 
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
-#error "compile this without -ffast-math: it leaves out the checks that results are finite"
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || \
+    defined(_M_FP_FAST)
+#error "-ffast-math, -Ofast and /fp:fast leave out checks of results: add -fno-finite-math-only"
 #endif
+static_assert(sizeof(1.0) == 8,
+    "constants have to be doubles of 64 bits: compile this without -fsingle-precision-constant");
 
 namespace four_bar {
 
@@ -94,6 +101,35 @@ struct Parameters {
   Scalar b;  // m
   Scalar c;  // m
 };
+
+namespace detail {
+
+// Positive if a sum, rounded, is above its first term. The bits are compared, since compilers that
+// may reorder sums take x + y - x for y.
+template <class Scalar>
+struct Excess {
+  static Scalar of(const Scalar& sum, const Scalar& term) noexcept { return sum - term; }
+};
+template <>
+struct Excess<double> {
+  [[gnu::always_inline]] static double of(double sum, double term) noexcept {
+    int64_t bits_of_sum = 0, bits_of_term = 0;
+    memcpy(&bits_of_sum, &sum, sizeof(sum));
+    memcpy(&bits_of_term, &term, sizeof(term));
+    return double(bits_of_sum > bits_of_term);
+  }
+};
+template <>
+struct Excess<float> {
+  [[gnu::always_inline]] static float of(float sum, float term) noexcept {
+    int32_t bits_of_sum = 0, bits_of_term = 0;
+    memcpy(&bits_of_sum, &sum, sizeof(sum));
+    memcpy(&bits_of_term, &term, sizeof(term));
+    return float(bits_of_sum > bits_of_term);
+  }
+};
+
+}  // namespace detail
 
 namespace detail {
 
@@ -172,34 +208,41 @@ typedef uint32_t BitsOfFloats;
 
 // sin(x) and cos(x) for |x| <= 1e5, to 1 ulp.
 //
-// x = n pi/2 + r + rest with |r| <= pi/4 up to a rounding; rest is the part that the digits of r
-// cannot hold (Cody and Waite). Added to 1.5 2^52, a number has no room for a fraction: this rounds
-// n, and leaves its last bits, the quadrant, at the end of `turns`. pi/2 is in three parts, the
-// first two of 33 bits, so that their products with n are exact (the split is that of fdlibm's
-// e_rem_pio2.c). The polynomials are minimax on [-pi/4, pi/4], with errors below 2^-57 (they are
-// those of fdlibm's k_sin.c and k_cos.c). In an odd quadrant sine and cosine are exchanged. (It is a
-// template so that compilers do not warn where nothing calls it.)
+// x = n pi/2 + r - missing with |r| <= pi/4 up to a rounding; `missing` is the part that the digits
+// of r cannot hold (Cody and Waite). Added to 1.5 2^52, a number has no room for a fraction: this
+// rounds n, and leaves its last bits, the quadrant, at the end of `turns`. `next` is computed from
+// bits and holds n + 1 above 1.75 2^52, so that compilers that may reorder sums, or that keep more
+// digits, cannot undo the rounding; its last bits are the next quadrant, which gives the cosine's
+// sign. pi/2 is in three parts, the first two of 33 bits, so that their products with n are exact
+// (the split is that of fdlibm's e_rem_pio2.c). The polynomials are minimax on [-pi/4, pi/4], with
+// errors below 2^-57 (they are those of fdlibm's k_sin.c and k_cos.c). p and `missing` are
+// subtracted, which keeps the sign of a zero. In an odd quadrant sine and cosine are exchanged. (It
+// is a template so that compilers do not warn where nothing calls it.)
 template <class = void>
 static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cosine) noexcept {
-  const Doubles turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52, n = turns - 0x1.8p+52;
+  const Doubles turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52;
+  BitsOfDoubles quadrant, bits_of_s, bits_of_c;
+  memcpy(&quadrant, &turns, sizeof(turns));
+  const BitsOfDoubles next = quadrant + 0x4000000000001u;
+  Doubles n;
+  memcpy(&n, &next, sizeof(next));
+  n -= 0x1.c000000000001p+52;
   const Doubles above = x - n * 0x1.921fb544p+0, below = n * 0x1.0b4611a6p-34, r = above - below;
-  const Doubles rest = ((above - r) - below) - n * 0x1.3198a2e037073p-69;
+  const Doubles missing = (below - (above - r)) + n * 0x1.3198a2e037073p-69;
   const Doubles z = r * r, zz = z * z, half = 0.5 * z, leading = 1.0 - half;
-  const Doubles p = (-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03) +
-      zz * ((-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06) +
-      zz * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10));
+  const Doubles p = (1.66666666666666324348e-01 + z * -8.33333333332248946124e-03) +
+      zz * ((1.98412698298579493134e-04 + z * -2.75573137070700676789e-06) +
+      zz * (2.50507602534068634195e-08 + z * -1.58969099521155010221e-10));
   const Doubles k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
       zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
       zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
-  const Doubles s = r + (z * r * p + leading * rest);
-  const Doubles c = leading + ((((1.0 - leading) - half) - r * rest) + zz * k);
-  BitsOfDoubles quadrant, bits_of_s, bits_of_c;
-  memcpy(&quadrant, &turns, sizeof(turns));
+  const Doubles s = r - (z * r * p + leading * missing);
+  const Doubles c = leading + ((((1.0 - leading) - half) + r * missing) + zz * k);
   memcpy(&bits_of_s, &s, sizeof(s));
   memcpy(&bits_of_c, &c, sizeof(c));
   const BitsOfDoubles exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
   bits_of_s ^= exchange ^ ((quadrant & 2u) << 62);
-  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 62);
+  bits_of_c ^= exchange ^ ((next & 2u) << 62);
   memcpy(&sine, &bits_of_s, sizeof(s));
   memcpy(&cosine, &bits_of_c, sizeof(c));
 }
@@ -208,21 +251,25 @@ static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cos
 // and 9) that their products with n are exact. The polynomials are those of Cephes' sinf.c.
 template <class = void>
 static inline void sine_and_cosine(const Floats& x, Floats& sine, Floats& cosine) noexcept {
-  const Floats turns = x * 0x1.45f306p-1f + 0x1.8p+23f, n = turns - 0x1.8p+23f;
-  const Floats above = (x - n * 0x1.922p+0f) - n * -0x1.2cp-18f, below = n * 0x1.11p-26f;
-  const Floats r = above - below, rest = ((above - r) - below) - n * 0x1.68c234p-39f;
-  const Floats z = r * r, half = 0.5f * z, leading = 1.0f - half;
-  const Floats p = -1.6666654611e-1f + z * (8.3321608736e-3f + z * -1.9515295891e-4f);
-  const Floats k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
-  const Floats s = r + (z * r * p + leading * rest);
-  const Floats c = leading + ((((1.0f - leading) - half) - r * rest) + z * z * k);
+  const Floats turns = x * 0x1.45f306p-1f + 0x1.8p+23f;
   BitsOfFloats quadrant, bits_of_s, bits_of_c;
   memcpy(&quadrant, &turns, sizeof(turns));
+  const BitsOfFloats next = quadrant + 0x200001u;
+  Floats n;
+  memcpy(&n, &next, sizeof(next));
+  n -= 0x1.c00002p+23f;
+  const Floats above = (x - n * 0x1.922p+0f) - n * -0x1.2cp-18f, below = n * 0x1.11p-26f;
+  const Floats r = above - below, missing = (below - (above - r)) + n * 0x1.68c234p-39f;
+  const Floats z = r * r, half = 0.5f * z, leading = 1.0f - half;
+  const Floats p = 1.6666654611e-1f + z * (-8.3321608736e-3f + z * 1.9515295891e-4f);
+  const Floats k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
+  const Floats s = r - (z * r * p + leading * missing);
+  const Floats c = leading + ((((1.0f - leading) - half) + r * missing) + z * z * k);
   memcpy(&bits_of_s, &s, sizeof(s));
   memcpy(&bits_of_c, &c, sizeof(c));
   const BitsOfFloats exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
   bits_of_s ^= exchange ^ ((quadrant & 2u) << 30);
-  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 30);
+  bits_of_c ^= exchange ^ ((next & 2u) << 30);
   memcpy(&sine, &bits_of_s, sizeof(s));
   memcpy(&cosine, &bits_of_c, sizeof(c));
 }
@@ -342,8 +389,9 @@ using DefaultSinCos = PolynomialSinCos;
 // parameters.l_3, parameters.I_3, parameters.b, parameters.c. Operations: 74 mul, 34 add, 1 div, 6
 // sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool inverse_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, const Scalar* qdd, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool inverse_dynamics(const Parameters<Scalar>& parameters,
+    const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* tau,
+    const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
@@ -395,7 +443,8 @@ static inline bool inverse_dynamics(const Parameters<Scalar>& parameters, const 
   const Scalar t31 = t3 * t3;
   const Scalar t32 = (t2 * t2 - Scalar(1e-12)) * t31;
   const Scalar scale_l1 = Scalar(0.0009765625) * t31;
-  bool valid = scale_l1 + Scalar(0.015625) * t32 - scale_l1 > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(scale_l1 +
+      Scalar(0.015625) * t32, scale_l1) > Scalar(0.0);
   valid &= Scalar(0.0) * tau[0] < Scalar(1.0);
   return valid;
 }
@@ -413,8 +462,8 @@ static inline bool inverse_dynamics(const Parameters<Scalar>& parameters, const 
 // parameters.m_3, parameters.l_3, parameters.I_3, parameters.b, parameters.c. Operations: 84 mul,
 // 46 add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool inverse_dynamics_tip_force(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau,
+[[nodiscard]] static inline bool inverse_dynamics_tip_force(const Parameters<Scalar>& parameters,
+    const Scalar* q, const Scalar* qd, const Scalar* qdd, const Scalar* h_e, Scalar* tau,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
@@ -474,7 +523,8 @@ static inline bool inverse_dynamics_tip_force(const Parameters<Scalar>& paramete
   const Scalar t32 = t9 * t9;
   const Scalar t33 = t10 * t10 - Scalar(1e-12) * t32;
   const Scalar scale_l1 = Scalar(0.0009765625) * t32;
-  bool valid = scale_l1 + Scalar(0.015625) * t33 - scale_l1 > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(scale_l1 +
+      Scalar(0.015625) * t33, scale_l1) > Scalar(0.0);
   valid &= Scalar(0.0) * tau[0] < Scalar(1.0);
   return valid;
 }
@@ -493,8 +543,8 @@ inline constexpr bool inertia_matrix_nonzero[1] = {
 // parameters.l_2, parameters.h_2, parameters.I_2, parameters.m_3, parameters.l_3, parameters.I_3,
 // parameters.b, parameters.c. Operations: 42 mul, 21 add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool inertia_matrix(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* B,
-    const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool inertia_matrix(const Parameters<Scalar>& parameters,
+    const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar m_1 = parameters.m_1, l_1 = parameters.l_1, I_1 = parameters.I_1, a = parameters.a,
       m_2 = parameters.m_2, l_2 = parameters.l_2, h_2 = parameters.h_2, I_2 = parameters.I_2,
@@ -524,7 +574,8 @@ static inline bool inertia_matrix(const Parameters<Scalar>& parameters, const Sc
   const Scalar t11 = t4 * t4;
   const Scalar t12 = t5 * t5 - Scalar(1e-12) * t11;
   const Scalar scale_l1 = Scalar(0.0009765625) * t11;
-  bool valid = scale_l1 + Scalar(0.015625) * t12 - scale_l1 > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(scale_l1 +
+      Scalar(0.015625) * t12, scale_l1) > Scalar(0.0);
   valid &= Scalar(0.0) * B[0] < Scalar(1.0);
   return valid;
 }
@@ -543,8 +594,8 @@ inline constexpr bool christoffel_nonzero[1] = {
 // parameters.m_3, parameters.l_3, parameters.I_3, parameters.b, parameters.c. Operations: 55 mul,
 // 25 add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool christoffel(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* c,
-    const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool christoffel(const Parameters<Scalar>& parameters, const Scalar* q,
+    Scalar* c, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar a = parameters.a, m_2 = parameters.m_2, l_2 = parameters.l_2, h_2 = parameters.h_2,
       I_2 = parameters.I_2, m_3 = parameters.m_3, l_3 = parameters.l_3, I_3 = parameters.I_3,
@@ -587,7 +638,8 @@ static inline bool christoffel(const Parameters<Scalar>& parameters, const Scala
   const Scalar t22 = t9 * t9;
   const Scalar t23 = Scalar(1e-12) * t22 - t10 * t10;
   const Scalar scale_l1 = Scalar(0.0009765625) * t22;
-  bool valid = scale_l1 - Scalar(0.015625) * t23 - scale_l1 > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(scale_l1 -
+      Scalar(0.015625) * t23, scale_l1) > Scalar(0.0);
   valid &= Scalar(0.0) * c[0] < Scalar(1.0);
   return valid;
 }
@@ -607,8 +659,8 @@ inline constexpr bool coriolis_matrix_nonzero[1] = {
 // parameters.I_2, parameters.m_3, parameters.l_3, parameters.I_3, parameters.b, parameters.c.
 // Operations: 56 mul, 25 add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool coriolis_matrix(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, Scalar* C, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool coriolis_matrix(const Parameters<Scalar>& parameters,
+    const Scalar* q, const Scalar* qd, Scalar* C, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar a = parameters.a, m_2 = parameters.m_2, l_2 = parameters.l_2, h_2 = parameters.h_2,
@@ -652,7 +704,8 @@ static inline bool coriolis_matrix(const Parameters<Scalar>& parameters, const S
   const Scalar t22 = t9 * t9;
   const Scalar t23 = Scalar(1e-12) * t22 - t10 * t10;
   const Scalar scale_l1 = Scalar(0.0009765625) * t22;
-  bool valid = scale_l1 - Scalar(0.015625) * t23 - scale_l1 > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(scale_l1 -
+      Scalar(0.015625) * t23, scale_l1) > Scalar(0.0);
   valid &= Scalar(0.0) * C[0] < Scalar(1.0);
   return valid;
 }
@@ -666,8 +719,8 @@ static inline bool coriolis_matrix(const Parameters<Scalar>& parameters, const S
 // parameters.l_2, parameters.h_2, parameters.m_3, parameters.l_3, parameters.b, parameters.c.
 // Operations: 33 mul, 13 add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool gravity(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* g,
-    const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool gravity(const Parameters<Scalar>& parameters, const Scalar* q,
+    Scalar* g, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar g_2 = parameters.g, m_1 = parameters.m_1, l_1 = parameters.l_1, a = parameters.a,
       m_2 = parameters.m_2, l_2 = parameters.l_2, h_2 = parameters.h_2, m_3 = parameters.m_3,
@@ -689,7 +742,7 @@ static inline bool gravity(const Parameters<Scalar>& parameters, const Scalar* q
   const Scalar t7 = t4 * t4;
   const Scalar t8 = t5 * t5 - Scalar(1e-12) * t7;
   const Scalar scale_l1 = Scalar(0.0009765625) * t7;
-  bool valid = scale_l1 + Scalar(0.015625) * t8 - scale_l1 > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(scale_l1 + Scalar(0.015625) * t8, scale_l1) > Scalar(0.0);
   valid &= Scalar(0.0) * g[0] < Scalar(1.0);
   return valid;
 }
@@ -704,8 +757,8 @@ static inline bool gravity(const Parameters<Scalar>& parameters, const Scalar* q
 // parameters.l_2, parameters.h_2, parameters.I_2, parameters.m_3, parameters.l_3, parameters.I_3,
 // parameters.b, parameters.c. Operations: 69 mul, 29 add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool bias(const Parameters<Scalar>& parameters, const Scalar* q, const Scalar* qd,
-    Scalar* n, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool bias(const Parameters<Scalar>& parameters, const Scalar* q,
+    const Scalar* qd, Scalar* n, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar g = parameters.g, m_1 = parameters.m_1, l_1 = parameters.l_1, a = parameters.a,
@@ -752,7 +805,8 @@ static inline bool bias(const Parameters<Scalar>& parameters, const Scalar* q, c
   const Scalar t29 = t3 * t3;
   const Scalar t30 = (t2 * t2 - Scalar(1e-12)) * t29;
   const Scalar scale_l1 = Scalar(0.0009765625) * t29;
-  bool valid = scale_l1 + Scalar(0.015625) * t30 - scale_l1 > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(scale_l1 +
+      Scalar(0.015625) * t30, scale_l1) > Scalar(0.0);
   valid &= Scalar(0.0) * n[0] < Scalar(1.0);
   return valid;
 }
@@ -770,8 +824,9 @@ static inline bool bias(const Parameters<Scalar>& parameters, const Scalar* q, c
 // parameters.l_3, parameters.I_3, parameters.b, parameters.c. Operations: 78 mul, 40 add, 2 div, 6
 // sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool forward_dynamics(const Parameters<Scalar>& parameters,
+    const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
+    const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar tau_1 = tau[0];
@@ -829,7 +884,7 @@ static inline bool forward_dynamics(const Parameters<Scalar>& parameters, const 
   const Scalar t31 = t8 * t8 - Scalar(1e-12) * t30;
   const Scalar scale_l1 = Scalar(0.0009765625) * t30;
   bool valid = b_1_1q > Scalar(0.0);
-  valid &= scale_l1 + Scalar(0.015625) * t31 - scale_l1 > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(scale_l1 + Scalar(0.015625) * t31, scale_l1) > Scalar(0.0);
   valid &= Scalar(0.0) * qdd[0] < Scalar(1.0);
   return valid;
 }
@@ -844,8 +899,8 @@ static inline bool forward_dynamics(const Parameters<Scalar>& parameters, const 
 // parameters.m_2, parameters.l_2, parameters.h_2, parameters.I_2, parameters.m_3, parameters.l_3,
 // parameters.I_3, parameters.b, parameters.c. Operations: 46 mul, 18 add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool kinetic_energy(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, Scalar* T, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool kinetic_energy(const Parameters<Scalar>& parameters,
+    const Scalar* q, const Scalar* qd, Scalar* T, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar m_1 = parameters.m_1, l_1 = parameters.l_1, I_1 = parameters.I_1, a = parameters.a,
@@ -875,7 +930,8 @@ static inline bool kinetic_energy(const Parameters<Scalar>& parameters, const Sc
   const Scalar t10 = t2 * t2;
   const Scalar t11 = t3 * t3 - Scalar(1e-12) * t10;
   const Scalar scale_l1 = Scalar(0.0009765625) * t10;
-  bool valid = scale_l1 + Scalar(0.015625) * t11 - scale_l1 > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(scale_l1 +
+      Scalar(0.015625) * t11, scale_l1) > Scalar(0.0);
   valid &= Scalar(0.0) * T[0] < Scalar(1.0);
   return valid;
 }
@@ -954,8 +1010,8 @@ inline constexpr bool jacobian_nonzero[6] = {
 // Reads q[0..2], parameters.a, parameters.b, parameters.c. Operations: 27 mul, 15 add, 1 div, 6
 // sin/cos. Always zero: 3 of the 6 entries of J.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool jacobian(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* J,
-    const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool jacobian(const Parameters<Scalar>& parameters, const Scalar* q,
+    Scalar* J, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar a = parameters.a, b = parameters.b, c = parameters.c;
   Scalar sine[position_count], cosine[position_count];
@@ -983,7 +1039,8 @@ static inline bool jacobian(const Parameters<Scalar>& parameters, const Scalar* 
   const Scalar t10 = t5 * t5 - Scalar(1e-12) * t9;
   const Scalar scale_l1 = Scalar(0.0009765625) * t9;
   J[2] = J[3] = J[4] = Scalar(0.0);
-  bool valid = scale_l1 + Scalar(0.015625) * t10 - scale_l1 > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(scale_l1 +
+      Scalar(0.015625) * t10, scale_l1) > Scalar(0.0);
   for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * J[k] < Scalar(1.0);
   return valid;
 }
@@ -997,8 +1054,8 @@ static inline bool jacobian(const Parameters<Scalar>& parameters, const Scalar* 
 // Reads q[0..2], qd[0], parameters.a, parameters.b, parameters.c. Operations: 52 mul, 20 add, 1
 // div, 6 sin/cos. Always zero: a[2], a[3], a[4].
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool jacobian_dot_qd(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, Scalar* a, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool jacobian_dot_qd(const Parameters<Scalar>& parameters,
+    const Scalar* q, const Scalar* qd, Scalar* a, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar a_2 = parameters.a, b = parameters.b, c = parameters.c;
@@ -1037,7 +1094,8 @@ static inline bool jacobian_dot_qd(const Parameters<Scalar>& parameters, const S
   const Scalar t21 = t6 * t6 - Scalar(1e-12) * t20;
   const Scalar scale_l1 = Scalar(0.0009765625) * t20;
   a[2] = a[3] = a[4] = Scalar(0.0);
-  bool valid = scale_l1 + Scalar(0.015625) * t21 - scale_l1 > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(scale_l1 +
+      Scalar(0.015625) * t21, scale_l1) > Scalar(0.0);
   for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * a[k] < Scalar(1.0);
   return valid;
 }
@@ -1103,8 +1161,8 @@ static inline void loop_jacobian(const Parameters<Scalar>& parameters, const Sca
 // Reads q[0..2], parameters.a, parameters.d, parameters.b, parameters.c. Operations: 25 mul, 11
 // add, 1 div, 6 sin/cos. Always zero: dq[0].
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool loop_step(const Parameters<Scalar>& parameters, const Scalar* q, Scalar* dq,
-    const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool loop_step(const Parameters<Scalar>& parameters, const Scalar* q,
+    Scalar* dq, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar a = parameters.a, d = parameters.d, b = parameters.b, c = parameters.c;
   Scalar sine[position_count], cosine[position_count];
@@ -1128,7 +1186,8 @@ static inline bool loop_step(const Parameters<Scalar>& parameters, const Scalar*
   const Scalar t12 = t9 * t9 - Scalar(1e-12) * t11;
   const Scalar scale_l1 = Scalar(0.0009765625) * t11;
   dq[0] = Scalar(0.0);
-  bool valid = scale_l1 + Scalar(0.015625) * t12 - scale_l1 > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(scale_l1 +
+      Scalar(0.015625) * t12, scale_l1) > Scalar(0.0);
   for (int k = 0; k < 3; ++k) valid &= Scalar(0.0) * dq[k] < Scalar(1.0);
   return valid;
 }
@@ -1144,7 +1203,7 @@ static inline bool loop_step(const Parameters<Scalar>& parameters, const Scalar*
 // Reads q[0..2], qd[0], qdd[0], parameters.a, parameters.b, parameters.c. Operations: 44 mul, 17
 // add, 1 div, 6 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool loop_motion(const Parameters<Scalar>& parameters, const Scalar* q,
+[[nodiscard]] static inline bool loop_motion(const Parameters<Scalar>& parameters, const Scalar* q,
     const Scalar* qd, const Scalar* qdd, Scalar* rates, Scalar* accelerations,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
@@ -1189,11 +1248,91 @@ static inline bool loop_motion(const Parameters<Scalar>& parameters, const Scala
   const Scalar t22 = t8 * t8;
   const Scalar t23 = t9 * t9 - Scalar(1e-12) * t22;
   const Scalar scale_l1 = Scalar(0.0009765625) * t22;
-  bool valid = scale_l1 + Scalar(0.015625) * t23 - scale_l1 > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(scale_l1 +
+      Scalar(0.015625) * t23, scale_l1) > Scalar(0.0);
   for (int k = 0; k < 3; ++k) valid &= Scalar(0.0) * rates[k] < Scalar(1.0);
   for (int k = 0; k < 3; ++k) valid &= Scalar(0.0) * accelerations[k] < Scalar(1.0);
   return valid;
 }
+
+namespace detail {
+
+// Whether an argument is an object that holds an array, or an expression of Eigen's.
+struct Objects {
+  template <class Of>
+  static constexpr bool hold_array(decltype(static_cast<Of*>(nullptr)->data())*) noexcept {
+    return true;
+  }
+  template <class Of>
+  static constexpr bool hold_array(...) noexcept {
+    return false;
+  }
+  template <class Of>
+  static constexpr bool are_expressions(decltype(static_cast<Of*>(nullptr)->eval())*) noexcept {
+    return true;
+  }
+  template <class Of>
+  static constexpr bool are_expressions(...) noexcept {
+    return false;
+  }
+};
+
+// The result of a call with such objects. It has no definition that compiles: compilers say why.
+template <class... Of>
+struct ObjectsRefused {
+  static_assert(sizeof...(Of) == 0,
+      "arguments are plain arrays: of a std::array, std::vector or std::span pass q.data(); of "
+      "Eigen's vectors, too, or include flatdyn/eigen.hpp and call flatdyn::eigen<functions::NAME>");
+  operator bool() const noexcept;
+};
+
+template <bool are_objects, class... Of>
+struct ObjectArguments {};
+template <class... Of>
+struct ObjectArguments<true, Of...> {
+  using type = ObjectsRefused<Of...>;
+};
+template <class... Of>
+using IfObjects = typename ObjectArguments<((Objects::hold_array<Of>(nullptr) ||
+    Objects::are_expressions<Of>(nullptr)) || ... || false), Of...>::type;
+
+}  // namespace detail
+
+// Calls with such objects end in the message above.
+template <class... Of>
+detail::IfObjects<Of...> inverse_dynamics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> inverse_dynamics_tip_force(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> inertia_matrix(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> christoffel(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> coriolis_matrix(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> gravity(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> bias(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> forward_dynamics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> kinetic_energy(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> potential_energy(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> forward_kinematics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> jacobian(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> jacobian_dot_qd(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> loop_closure(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> loop_jacobian(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> loop_step(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> loop_motion(const Of&...);
 
 // The functions as types, with the shapes of their arguments, for adapters such as
 // flatdyn/eigen.hpp.
@@ -1368,7 +1507,7 @@ struct loop_motion {
 // than `tolerance` (m) after `most_steps`: the loops cannot be closed from there, or are singular.
 // If the loops can be closed in several ways, q decides which one is found.
 template <class Scalar>
-static inline bool close_loops(const Parameters<Scalar>& parameters, Scalar* q,
+[[nodiscard]] static inline bool close_loops(const Parameters<Scalar>& parameters, Scalar* q,
     Scalar tolerance, int most_steps = 20) noexcept {
   Scalar here[position_count], next[position_count], dq[position_count], phi[2];
   const auto gap_at = [&](const Scalar* position) {
@@ -1462,7 +1601,7 @@ static bool sines_are_right() noexcept {
 // for the calling file and thread, for float and double: every file has its own copy of the
 // functions, but shares members of stages with others.
 template <class Scalar = Real>
-static bool rounding_is_as_written() noexcept {
+[[nodiscard]] static bool rounding_is_as_written() noexcept {
   constexpr bool is_float = sizeof(Scalar) == sizeof(float);
   constexpr int method = FLT_EVAL_METHOD;
   if (method != 0 && method != 16 && (is_float || method != 1)) return false;
@@ -1501,39 +1640,39 @@ static bool rounding_is_as_written() noexcept {
       symbol[0], symbol[1], symbol[2], symbol[3], symbol[4], symbol[5], symbol[6], symbol[7],
       symbol[8], symbol[9], symbol[10], symbol[11], symbol[12], symbol[13], symbol[14]};
   const GivenSinCos<Scalar> given = {sine, cosine};
-  inverse_dynamics(parameters, q, qd, qdd, result, given);
+  (void)inverse_dynamics(parameters, q, qd, qdd, result, given);
   hash = detail::hash_of(result, 1, hash);
-  inverse_dynamics_tip_force(parameters, q, qd, qdd, h_e, result, given);
+  (void)inverse_dynamics_tip_force(parameters, q, qd, qdd, h_e, result, given);
   hash = detail::hash_of(result, 1, hash);
-  inertia_matrix(parameters, q, result, given);
+  (void)inertia_matrix(parameters, q, result, given);
   hash = detail::hash_of(result, 1, hash);
-  christoffel(parameters, q, result, given);
+  (void)christoffel(parameters, q, result, given);
   hash = detail::hash_of(result, 1, hash);
-  coriolis_matrix(parameters, q, qd, result, given);
+  (void)coriolis_matrix(parameters, q, qd, result, given);
   hash = detail::hash_of(result, 1, hash);
-  gravity(parameters, q, result, given);
+  (void)gravity(parameters, q, result, given);
   hash = detail::hash_of(result, 1, hash);
-  bias(parameters, q, qd, result, given);
+  (void)bias(parameters, q, qd, result, given);
   hash = detail::hash_of(result, 1, hash);
-  forward_dynamics(parameters, q, qd, tau, result, given);
+  (void)forward_dynamics(parameters, q, qd, tau, result, given);
   hash = detail::hash_of(result, 1, hash);
-  kinetic_energy(parameters, q, qd, result, given);
+  (void)kinetic_energy(parameters, q, qd, result, given);
   hash = detail::hash_of(result, 1, hash);
   result[0] = potential_energy(parameters, q, given);
   hash = detail::hash_of(result, 1, hash);
   forward_kinematics(parameters, q, result, result + 9, given);
   hash = detail::hash_of(result, 12, hash);
-  jacobian(parameters, q, result, given);
+  (void)jacobian(parameters, q, result, given);
   hash = detail::hash_of(result, 6, hash);
-  jacobian_dot_qd(parameters, q, qd, result, given);
+  (void)jacobian_dot_qd(parameters, q, qd, result, given);
   hash = detail::hash_of(result, 6, hash);
   loop_closure(parameters, q, result, given);
   hash = detail::hash_of(result, 2, hash);
   loop_jacobian(parameters, q, result, given);
   hash = detail::hash_of(result, 6, hash);
-  loop_step(parameters, q, result, given);
+  (void)loop_step(parameters, q, result, given);
   hash = detail::hash_of(result, 3, hash);
-  loop_motion(parameters, q, qd, qdd, result, result + 3, given);
+  (void)loop_motion(parameters, q, qd, qdd, result, result + 3, given);
   hash = detail::hash_of(result, 6, hash);
   return hash == (is_float ? 0xe5ab0904222398d8u : 0x6d670fb8d3776115u);
 }
@@ -1541,3 +1680,30 @@ static bool rounding_is_as_written() noexcept {
 }  // namespace four_bar
 
 #endif  // FLATDYN_FOUR_BAR_HPP_120CF1DC
+
+// The licence of this file, BSD-3-Clause:
+//
+// Copyright (c) the user of flatdyn, who generated this file. All rights reserved.
+//
+// Redistribution and use in source and binary forms, with or without modification, are permitted
+// provided that the following conditions are met:
+//
+// 1. Redistributions of source code must retain the above copyright notice, this list of conditions
+//    and the following disclaimer.
+//
+// 2. Redistributions in binary form must reproduce the above copyright notice, this list of
+//    conditions and the following disclaimer in the documentation and/or other materials provided
+//    with the distribution.
+//
+// 3. Neither the name of the copyright holder nor the names of its contributors may be used to
+//    endorse or promote products derived from this software without specific prior written
+//    permission.
+//
+// THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS "AS IS" AND ANY EXPRESS OR
+// IMPLIED WARRANTIES, INCLUDING, BUT NOT LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND
+// FITNESS FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE COPYRIGHT HOLDER OR
+// CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL
+// DAMAGES (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES; LOSS OF USE,
+// DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER
+// IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT OF
+// THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.

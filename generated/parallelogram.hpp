@@ -43,15 +43,22 @@
 #ifndef FLATDYN_PARALLELOGRAM_HPP_6ADA0A0C
 #define FLATDYN_PARALLELOGRAM_HPP_6ADA0A0C
 
+#if __cplusplus < 201703L && (!defined(_MSVC_LANG) || _MSVC_LANG < 201703L)
+#error "this needs C++17: compile it with -std=c++17, or a later standard"
+#endif
+
 #include <float.h>
 #include <stdint.h>
 #include <string.h>
 
 #include <cmath>
 
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
-#error "compile this without -ffast-math: it leaves out the checks that results are finite"
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || \
+    defined(_M_FP_FAST)
+#error "-ffast-math, -Ofast and /fp:fast leave out checks of results: add -fno-finite-math-only"
 #endif
+static_assert(sizeof(1.0) == 8,
+    "constants have to be doubles of 64 bits: compile this without -fsingle-precision-constant");
 
 namespace parallelogram {
 
@@ -82,6 +89,35 @@ struct Parameters {
   Scalar l_1b;  // m
   Scalar I_l1b;  // kg m^2
 };
+
+namespace detail {
+
+// Positive if a sum, rounded, is above its first term. The bits are compared, since compilers that
+// may reorder sums take x + y - x for y.
+template <class Scalar>
+struct Excess {
+  static Scalar of(const Scalar& sum, const Scalar& term) noexcept { return sum - term; }
+};
+template <>
+struct Excess<double> {
+  [[gnu::always_inline]] static double of(double sum, double term) noexcept {
+    int64_t bits_of_sum = 0, bits_of_term = 0;
+    memcpy(&bits_of_sum, &sum, sizeof(sum));
+    memcpy(&bits_of_term, &term, sizeof(term));
+    return double(bits_of_sum > bits_of_term);
+  }
+};
+template <>
+struct Excess<float> {
+  [[gnu::always_inline]] static float of(float sum, float term) noexcept {
+    int32_t bits_of_sum = 0, bits_of_term = 0;
+    memcpy(&bits_of_sum, &sum, sizeof(sum));
+    memcpy(&bits_of_term, &term, sizeof(term));
+    return float(bits_of_sum > bits_of_term);
+  }
+};
+
+}  // namespace detail
 
 namespace detail {
 
@@ -160,34 +196,41 @@ typedef uint32_t BitsOfFloats;
 
 // sin(x) and cos(x) for |x| <= 1e5, to 1 ulp.
 //
-// x = n pi/2 + r + rest with |r| <= pi/4 up to a rounding; rest is the part that the digits of r
-// cannot hold (Cody and Waite). Added to 1.5 2^52, a number has no room for a fraction: this rounds
-// n, and leaves its last bits, the quadrant, at the end of `turns`. pi/2 is in three parts, the
-// first two of 33 bits, so that their products with n are exact (the split is that of fdlibm's
-// e_rem_pio2.c). The polynomials are minimax on [-pi/4, pi/4], with errors below 2^-57 (they are
-// those of fdlibm's k_sin.c and k_cos.c). In an odd quadrant sine and cosine are exchanged. (It is a
-// template so that compilers do not warn where nothing calls it.)
+// x = n pi/2 + r - missing with |r| <= pi/4 up to a rounding; `missing` is the part that the digits
+// of r cannot hold (Cody and Waite). Added to 1.5 2^52, a number has no room for a fraction: this
+// rounds n, and leaves its last bits, the quadrant, at the end of `turns`. `next` is computed from
+// bits and holds n + 1 above 1.75 2^52, so that compilers that may reorder sums, or that keep more
+// digits, cannot undo the rounding; its last bits are the next quadrant, which gives the cosine's
+// sign. pi/2 is in three parts, the first two of 33 bits, so that their products with n are exact
+// (the split is that of fdlibm's e_rem_pio2.c). The polynomials are minimax on [-pi/4, pi/4], with
+// errors below 2^-57 (they are those of fdlibm's k_sin.c and k_cos.c). p and `missing` are
+// subtracted, which keeps the sign of a zero. In an odd quadrant sine and cosine are exchanged. (It
+// is a template so that compilers do not warn where nothing calls it.)
 template <class = void>
 static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cosine) noexcept {
-  const Doubles turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52, n = turns - 0x1.8p+52;
+  const Doubles turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52;
+  BitsOfDoubles quadrant, bits_of_s, bits_of_c;
+  memcpy(&quadrant, &turns, sizeof(turns));
+  const BitsOfDoubles next = quadrant + 0x4000000000001u;
+  Doubles n;
+  memcpy(&n, &next, sizeof(next));
+  n -= 0x1.c000000000001p+52;
   const Doubles above = x - n * 0x1.921fb544p+0, below = n * 0x1.0b4611a6p-34, r = above - below;
-  const Doubles rest = ((above - r) - below) - n * 0x1.3198a2e037073p-69;
+  const Doubles missing = (below - (above - r)) + n * 0x1.3198a2e037073p-69;
   const Doubles z = r * r, zz = z * z, half = 0.5 * z, leading = 1.0 - half;
-  const Doubles p = (-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03) +
-      zz * ((-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06) +
-      zz * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10));
+  const Doubles p = (1.66666666666666324348e-01 + z * -8.33333333332248946124e-03) +
+      zz * ((1.98412698298579493134e-04 + z * -2.75573137070700676789e-06) +
+      zz * (2.50507602534068634195e-08 + z * -1.58969099521155010221e-10));
   const Doubles k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
       zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
       zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
-  const Doubles s = r + (z * r * p + leading * rest);
-  const Doubles c = leading + ((((1.0 - leading) - half) - r * rest) + zz * k);
-  BitsOfDoubles quadrant, bits_of_s, bits_of_c;
-  memcpy(&quadrant, &turns, sizeof(turns));
+  const Doubles s = r - (z * r * p + leading * missing);
+  const Doubles c = leading + ((((1.0 - leading) - half) + r * missing) + zz * k);
   memcpy(&bits_of_s, &s, sizeof(s));
   memcpy(&bits_of_c, &c, sizeof(c));
   const BitsOfDoubles exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
   bits_of_s ^= exchange ^ ((quadrant & 2u) << 62);
-  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 62);
+  bits_of_c ^= exchange ^ ((next & 2u) << 62);
   memcpy(&sine, &bits_of_s, sizeof(s));
   memcpy(&cosine, &bits_of_c, sizeof(c));
 }
@@ -196,21 +239,25 @@ static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cos
 // and 9) that their products with n are exact. The polynomials are those of Cephes' sinf.c.
 template <class = void>
 static inline void sine_and_cosine(const Floats& x, Floats& sine, Floats& cosine) noexcept {
-  const Floats turns = x * 0x1.45f306p-1f + 0x1.8p+23f, n = turns - 0x1.8p+23f;
-  const Floats above = (x - n * 0x1.922p+0f) - n * -0x1.2cp-18f, below = n * 0x1.11p-26f;
-  const Floats r = above - below, rest = ((above - r) - below) - n * 0x1.68c234p-39f;
-  const Floats z = r * r, half = 0.5f * z, leading = 1.0f - half;
-  const Floats p = -1.6666654611e-1f + z * (8.3321608736e-3f + z * -1.9515295891e-4f);
-  const Floats k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
-  const Floats s = r + (z * r * p + leading * rest);
-  const Floats c = leading + ((((1.0f - leading) - half) - r * rest) + z * z * k);
+  const Floats turns = x * 0x1.45f306p-1f + 0x1.8p+23f;
   BitsOfFloats quadrant, bits_of_s, bits_of_c;
   memcpy(&quadrant, &turns, sizeof(turns));
+  const BitsOfFloats next = quadrant + 0x200001u;
+  Floats n;
+  memcpy(&n, &next, sizeof(next));
+  n -= 0x1.c00002p+23f;
+  const Floats above = (x - n * 0x1.922p+0f) - n * -0x1.2cp-18f, below = n * 0x1.11p-26f;
+  const Floats r = above - below, missing = (below - (above - r)) + n * 0x1.68c234p-39f;
+  const Floats z = r * r, half = 0.5f * z, leading = 1.0f - half;
+  const Floats p = 1.6666654611e-1f + z * (-8.3321608736e-3f + z * 1.9515295891e-4f);
+  const Floats k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
+  const Floats s = r - (z * r * p + leading * missing);
+  const Floats c = leading + ((((1.0f - leading) - half) + r * missing) + z * z * k);
   memcpy(&bits_of_s, &s, sizeof(s));
   memcpy(&bits_of_c, &c, sizeof(c));
   const BitsOfFloats exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
   bits_of_s ^= exchange ^ ((quadrant & 2u) << 30);
-  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 30);
+  bits_of_c ^= exchange ^ ((next & 2u) << 30);
   memcpy(&sine, &bits_of_s, sizeof(s));
   memcpy(&cosine, &bits_of_c, sizeof(c));
 }
@@ -573,8 +620,9 @@ static inline void bias(const Parameters<Scalar>& parameters, const Scalar* q, c
 // parameters.a_1b, parameters.m_l3, parameters.l_3, parameters.I_l3, parameters.m_l1b,
 // parameters.l_1b, parameters.I_l1b. Operations: 54 mul, 39 add, 2 div, 4 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool forward_dynamics(const Parameters<Scalar>& parameters, const Scalar* q,
-    const Scalar* qd, const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool forward_dynamics(const Parameters<Scalar>& parameters,
+    const Scalar* q, const Scalar* qd, const Scalar* tau, Scalar* qdd,
+    const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0], qd_2 = qd[1];
   const Scalar tau_1 = tau[0], tau_2 = tau[1];
@@ -623,7 +671,8 @@ static inline bool forward_dynamics(const Parameters<Scalar>& parameters, const 
   qdd[0] = qdd_1;
   qdd[1] = d_2 * (t16 - t18 * qdd_1);
   const Scalar scale_1 = t24 + b_1_1q;
-  bool valid = scale_1 + Scalar(0.015625) * b_2_1_1 - scale_1 > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(scale_1 +
+      Scalar(0.015625) * b_2_1_1, scale_1) > Scalar(0.0);
   valid &= b_2_2q > Scalar(0.0);
   for (int k = 0; k < 2; ++k) valid &= Scalar(0.0) * qdd[k] < Scalar(1.0);
   return valid;
@@ -783,6 +832,77 @@ static inline void jacobian_dot_qd(const Parameters<Scalar>& parameters, const S
   a[1] = c_1 * t7 - s_1 * t8;
   a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
 }
+
+namespace detail {
+
+// Whether an argument is an object that holds an array, or an expression of Eigen's.
+struct Objects {
+  template <class Of>
+  static constexpr bool hold_array(decltype(static_cast<Of*>(nullptr)->data())*) noexcept {
+    return true;
+  }
+  template <class Of>
+  static constexpr bool hold_array(...) noexcept {
+    return false;
+  }
+  template <class Of>
+  static constexpr bool are_expressions(decltype(static_cast<Of*>(nullptr)->eval())*) noexcept {
+    return true;
+  }
+  template <class Of>
+  static constexpr bool are_expressions(...) noexcept {
+    return false;
+  }
+};
+
+// The result of a call with such objects. It has no definition that compiles: compilers say why.
+template <class... Of>
+struct ObjectsRefused {
+  static_assert(sizeof...(Of) == 0,
+      "arguments are plain arrays: of a std::array, std::vector or std::span pass q.data(); of "
+      "Eigen's vectors, too, or include flatdyn/eigen.hpp and call flatdyn::eigen<functions::NAME>");
+  operator bool() const noexcept;
+};
+
+template <bool are_objects, class... Of>
+struct ObjectArguments {};
+template <class... Of>
+struct ObjectArguments<true, Of...> {
+  using type = ObjectsRefused<Of...>;
+};
+template <class... Of>
+using IfObjects = typename ObjectArguments<((Objects::hold_array<Of>(nullptr) ||
+    Objects::are_expressions<Of>(nullptr)) || ... || false), Of...>::type;
+
+}  // namespace detail
+
+// Calls with such objects end in the message above.
+template <class... Of>
+detail::IfObjects<Of...> inverse_dynamics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> inverse_dynamics_tip_force(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> inertia_matrix(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> christoffel(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> coriolis_matrix(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> gravity(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> bias(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> forward_dynamics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> kinetic_energy(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> potential_energy(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> forward_kinematics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> jacobian(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> jacobian_dot_qd(const Of&...);
 
 // The functions as types, with the shapes of their arguments, for adapters such as
 // flatdyn/eigen.hpp.
@@ -981,7 +1101,7 @@ static bool sines_are_right() noexcept {
 // for the calling file and thread, for float and double: every file has its own copy of the
 // functions, but shares members of stages with others.
 template <class Scalar = Real>
-static bool rounding_is_as_written() noexcept {
+[[nodiscard]] static bool rounding_is_as_written() noexcept {
   constexpr bool is_float = sizeof(Scalar) == sizeof(float);
   constexpr int method = FLT_EVAL_METHOD;
   if (method != 0 && method != 16 && (is_float || method != 1)) return false;
@@ -1034,7 +1154,7 @@ static bool rounding_is_as_written() noexcept {
   hash = detail::hash_of(result, 2, hash);
   bias(parameters, q, qd, result, given);
   hash = detail::hash_of(result, 2, hash);
-  forward_dynamics(parameters, q, qd, tau, result, given);
+  (void)forward_dynamics(parameters, q, qd, tau, result, given);
   hash = detail::hash_of(result, 2, hash);
   result[0] = kinetic_energy(parameters, q, qd, given);
   hash = detail::hash_of(result, 1, hash);
@@ -1052,3 +1172,30 @@ static bool rounding_is_as_written() noexcept {
 }  // namespace parallelogram
 
 #endif  // FLATDYN_PARALLELOGRAM_HPP_6ADA0A0C
+
+// The licence of this file, BSD-3-Clause:
+//
+// Copyright (c) the user of flatdyn, who generated this file. All rights reserved.
+//
+// Redistribution and use in source and binary forms, with or without modification, are permitted
+// provided that the following conditions are met:
+//
+// 1. Redistributions of source code must retain the above copyright notice, this list of conditions
+//    and the following disclaimer.
+//
+// 2. Redistributions in binary form must reproduce the above copyright notice, this list of
+//    conditions and the following disclaimer in the documentation and/or other materials provided
+//    with the distribution.
+//
+// 3. Neither the name of the copyright holder nor the names of its contributors may be used to
+//    endorse or promote products derived from this software without specific prior written
+//    permission.
+//
+// THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS "AS IS" AND ANY EXPRESS OR
+// IMPLIED WARRANTIES, INCLUDING, BUT NOT LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND
+// FITNESS FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE COPYRIGHT HOLDER OR
+// CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL
+// DAMAGES (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES; LOSS OF USE,
+// DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER
+// IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT OF
+// THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.

@@ -14,6 +14,7 @@
 // multiplied by the magnitude of gravity); t1, t2, ... are parts of sums. Inside functions a
 // distance between joints may be the unit of length; arguments are not affected.
 
+#define PLANAR_2R_NODISCARD  // the check of the build drops some results
 #include "planar_2r.h"
 
 #include <float.h>
@@ -21,41 +22,60 @@
 #include <stdint.h>
 #include <string.h>
 
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
-#error "compile this without -ffast-math: it leaves out the checks that results are finite"
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || \
+    defined(_M_FP_FAST)
+#error "-ffast-math, -Ofast and /fp:fast leave out checks of results: add -fno-finite-math-only"
 #endif
+// Constants are doubles of 64 bits, which is not so with -fsingle-precision-constant.
+typedef char planar_2r_has_double_constants[sizeof(1.0) == 8 ? 1 : -1];
 
 const char* const planar_2r_joint_names[PLANAR_2R_JOINT_COUNT] = {"theta_1", "theta_2"};
 
+// 1 if a sum, rounded, is above its first term, else 0. The bits are compared, since compilers that
+// may reorder sums take x + y - x for y.
+static double planar_2r_excess(double sum, double term) {
+  int64_t bits_of_sum = 0, bits_of_term = 0;
+  (void)memcpy(&bits_of_sum, &sum, sizeof(sum));
+  (void)memcpy(&bits_of_term, &term, sizeof(term));
+  return (double)(bits_of_sum > bits_of_term);
+}
+
 // sin(x) and cos(x) for |x| <= 1e5, to 1 ulp.
 //
-// x = n pi/2 + r + rest with |r| <= pi/4 up to a rounding; rest is the part that the digits of r
-// cannot hold (Cody and Waite). Added to 1.5 2^52, a number has no room for a fraction: this rounds
-// n, and leaves its last bits, the quadrant, at the end of `turns`. pi/2 is in three parts, the
-// first two of 33 bits, so that their products with n are exact (the split is that of fdlibm's
-// e_rem_pio2.c). The polynomials are minimax on [-pi/4, pi/4], with errors below 2^-57 (they are
-// those of fdlibm's k_sin.c and k_cos.c). In an odd quadrant sine and cosine are exchanged.
+// x = n pi/2 + r - missing with |r| <= pi/4 up to a rounding; `missing` is the part that the digits
+// of r cannot hold (Cody and Waite). Added to 1.5 2^52, a number has no room for a fraction: this
+// rounds n, and leaves its last bits, the quadrant, at the end of `turns`. `next` is computed from
+// bits and holds n + 1 above 1.75 2^52, so that compilers that may reorder sums, or that keep more
+// digits, cannot undo the rounding; its last bits are the next quadrant, which gives the cosine's
+// sign. pi/2 is in three parts, the first two of 33 bits, so that their products with n are exact
+// (the split is that of fdlibm's e_rem_pio2.c). The polynomials are minimax on [-pi/4, pi/4], with
+// errors below 2^-57 (they are those of fdlibm's k_sin.c and k_cos.c). p and `missing` are
+// subtracted, which keeps the sign of a zero. In an odd quadrant sine and cosine are exchanged.
 static void planar_2r_sine_and_cosine(double x, double* restrict sine,
     double* restrict cosine) {
-  const double turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52, n = turns - 0x1.8p+52;
+  const double turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52;
+  uint64_t quadrant = 0, bits_of_s = 0, bits_of_c = 0;
+  (void)memcpy(&quadrant, &turns, sizeof(turns));
+  const uint64_t next = quadrant + 0x4000000000001u;
+  double n = 0.0;
+  (void)memcpy(&n, &next, sizeof(next));
+  n -= 0x1.c000000000001p+52;
   const double above = x - n * 0x1.921fb544p+0, below = n * 0x1.0b4611a6p-34, r = above - below;
-  const double rest = ((above - r) - below) - n * 0x1.3198a2e037073p-69;
+  const double missing = (below - (above - r)) + n * 0x1.3198a2e037073p-69;
   const double z = r * r, zz = z * z, half = 0.5 * z, leading = 1.0 - half;
-  const double p = (-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03) +
-      zz * ((-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06) +
-      zz * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10));
+  const double p = (1.66666666666666324348e-01 + z * -8.33333333332248946124e-03) +
+      zz * ((1.98412698298579493134e-04 + z * -2.75573137070700676789e-06) +
+      zz * (2.50507602534068634195e-08 + z * -1.58969099521155010221e-10));
   const double k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
       zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
       zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
-  const double s = r + (z * r * p + leading * rest);
-  const double c = leading + ((((1.0 - leading) - half) - r * rest) + zz * k);
-  uint64_t quadrant = 0, bits_of_s = 0, bits_of_c = 0;
-  (void)memcpy(&quadrant, &turns, sizeof(turns));
+  const double s = r - (z * r * p + leading * missing);
+  const double c = leading + ((((1.0 - leading) - half) + r * missing) + zz * k);
   (void)memcpy(&bits_of_s, &s, sizeof(s));
   (void)memcpy(&bits_of_c, &c, sizeof(c));
   const uint64_t exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
   bits_of_s ^= exchange ^ ((quadrant & 2u) << 62);
-  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 62);
+  bits_of_c ^= exchange ^ ((next & 2u) << 62);
   (void)memcpy(sine, &bits_of_s, sizeof(s));
   (void)memcpy(cosine, &bits_of_c, sizeof(c));
 }
@@ -80,8 +100,8 @@ static void planar_2r_sines_and_cosines(const double* q, int first, int last,
 }
 
 // tau = B(q) qdd + C(q, qd) qd + g(q) + friction (7.42).
-void planar_2r_inverse_dynamics_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, const double* qd, const double* qdd, double* restrict tau) {
+void planar_2r_inverse_dynamics_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], const double qd[2], const double qdd[2], double tau[restrict 2]) {
   const double qd_1 = qd[0], qd_2 = qd[1];
   const double qdd_1 = qdd[0], qdd_2 = qdd[1];
   const double g = parameters->g, a_1 = parameters->a_1, m_l1 = parameters->m_l1,
@@ -109,8 +129,8 @@ void planar_2r_inverse_dynamics_given(const planar_2r_parameters* parameters, co
   tau[1] = t7 * (qdd_1 + k_r2 * qdd_2) + N_2_z;
 }
 
-void planar_2r_inverse_dynamics(const planar_2r_parameters* parameters, const double* q,
-    const double* qd, const double* qdd, double* restrict tau) {
+void planar_2r_inverse_dynamics(const planar_2r_parameters* parameters, const double q[2],
+    const double qd[2], const double qdd[2], double tau[restrict 2]) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
   planar_2r_inverse_dynamics_given(parameters, sine, cosine, qd, qdd, tau);
@@ -118,8 +138,8 @@ void planar_2r_inverse_dynamics(const planar_2r_parameters* parameters, const do
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
 void planar_2r_inverse_dynamics_tip_force_given(const planar_2r_parameters* parameters,
-    const double* sine, const double* cosine, const double* qd, const double* qdd,
-    const double* h_e, double* restrict tau) {
+    const double sine[2], const double cosine[2], const double qd[2], const double qdd[2],
+    const double h_e[6], double tau[restrict 2]) {
   const double qd_1 = qd[0], qd_2 = qd[1];
   const double qdd_1 = qdd[0], qdd_2 = qdd[1];
   const double h_e_1 = h_e[0], h_e_2 = h_e[1], h_e_6 = h_e[5];
@@ -152,8 +172,8 @@ void planar_2r_inverse_dynamics_tip_force_given(const planar_2r_parameters* para
   tau[0] = t3 * mr_1_x + qdd_2 * t5 + mu_2_z - t7 + t10;
 }
 
-void planar_2r_inverse_dynamics_tip_force(const planar_2r_parameters* parameters, const double* q,
-    const double* qd, const double* qdd, const double* h_e, double* restrict tau) {
+void planar_2r_inverse_dynamics_tip_force(const planar_2r_parameters* parameters, const double q[2],
+    const double qd[2], const double qdd[2], const double h_e[6], double tau[restrict 2]) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
   planar_2r_inverse_dynamics_tip_force_given(parameters, sine, cosine, qd, qdd, h_e, tau);
@@ -164,8 +184,8 @@ const bool planar_2r_inertia_matrix_nonzero[4] = {
     1, 1};
 
 // Joint-space inertia matrix B(q) (7.32).
-void planar_2r_inertia_matrix_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, double* restrict B) {
+void planar_2r_inertia_matrix_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], double B[restrict 4]) {
   (void)sine;
   const double a_1 = parameters->a_1, m_l1 = parameters->m_l1, l_1 = parameters->l_1,
       I_l1 = parameters->I_l1, I_m1 = parameters->I_m1, k_r1 = parameters->k_r1,
@@ -182,8 +202,8 @@ void planar_2r_inertia_matrix_given(const planar_2r_parameters* parameters, cons
   B[1] = B[2] = t2 + Ic_2_zz + t4;
 }
 
-void planar_2r_inertia_matrix(const planar_2r_parameters* parameters, const double* q,
-    double* restrict B) {
+void planar_2r_inertia_matrix(const planar_2r_parameters* parameters, const double q[2],
+    double B[restrict 4]) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 1, 1, sine, cosine);
   planar_2r_inertia_matrix_given(parameters, sine, cosine, B);
@@ -194,8 +214,8 @@ const bool planar_2r_christoffel_nonzero[6] = {
     1, 0, 0};
 
 // Christoffel symbols of the first kind c_ijk(q) (7.45).
-void planar_2r_christoffel_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, double* restrict c) {
+void planar_2r_christoffel_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], double c[restrict 6]) {
   (void)cosine;
   const double a_1 = parameters->a_1, m_l2 = parameters->m_l2, l_2 = parameters->l_2;
   const double s_2 = sine[1];
@@ -205,8 +225,8 @@ void planar_2r_christoffel_given(const planar_2r_parameters* parameters, const d
   c[0] = c[4] = c[5] = 0.0;
 }
 
-void planar_2r_christoffel(const planar_2r_parameters* parameters, const double* q,
-    double* restrict c) {
+void planar_2r_christoffel(const planar_2r_parameters* parameters, const double q[2],
+    double c[restrict 6]) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 1, 1, sine, cosine);
   planar_2r_christoffel_given(parameters, sine, cosine, c);
@@ -217,8 +237,8 @@ const bool planar_2r_coriolis_matrix_nonzero[4] = {
     1, 0};
 
 // C(q, qd) from the Christoffel symbols (7.44).
-void planar_2r_coriolis_matrix_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, const double* qd, double* restrict C) {
+void planar_2r_coriolis_matrix_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], const double qd[2], double C[restrict 4]) {
   (void)cosine;
   const double qd_1 = qd[0], qd_2 = qd[1];
   const double a_1 = parameters->a_1, m_l2 = parameters->m_l2, l_2 = parameters->l_2;
@@ -232,16 +252,16 @@ void planar_2r_coriolis_matrix_given(const planar_2r_parameters* parameters, con
   C[3] = 0.0;
 }
 
-void planar_2r_coriolis_matrix(const planar_2r_parameters* parameters, const double* q,
-    const double* qd, double* restrict C) {
+void planar_2r_coriolis_matrix(const planar_2r_parameters* parameters, const double q[2],
+    const double qd[2], double C[restrict 4]) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 1, 1, sine, cosine);
   planar_2r_coriolis_matrix_given(parameters, sine, cosine, qd, C);
 }
 
 // Gravity torques g(q) (7.39).
-void planar_2r_gravity_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, double* restrict g) {
+void planar_2r_gravity_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], double g[restrict 2]) {
   const double g_2 = parameters->g, a_1 = parameters->a_1, m_l1 = parameters->m_l1,
       l_1 = parameters->l_1, m_l2 = parameters->m_l2, l_2 = parameters->l_2,
       m_m2 = parameters->m_m2;
@@ -251,16 +271,16 @@ void planar_2r_gravity_given(const planar_2r_parameters* parameters, const doubl
   g[0] = -g_2 * (t1 - c_1 * (m_l1 * l_1 + a_1 * (m_l2 + m_m2)));
 }
 
-void planar_2r_gravity(const planar_2r_parameters* parameters, const double* q,
-    double* restrict g) {
+void planar_2r_gravity(const planar_2r_parameters* parameters, const double q[2],
+    double g[restrict 2]) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
   planar_2r_gravity_given(parameters, sine, cosine, g);
 }
 
 // C(q, qd) qd + g(q) + friction (7.116).
-void planar_2r_bias_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, const double* qd, double* restrict n) {
+void planar_2r_bias_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], const double qd[2], double n[restrict 2]) {
   const double qd_1 = qd[0], qd_2 = qd[1];
   const double g = parameters->g, a_1 = parameters->a_1, m_l1 = parameters->m_l1,
       l_1 = parameters->l_1, m_l2 = parameters->m_l2, l_2 = parameters->l_2,
@@ -276,16 +296,16 @@ void planar_2r_bias_given(const planar_2r_parameters* parameters, const double* 
   n[0] = t1 * mr_1_x + N_2_z - a_1 * s_2 * omega_2_z * omega_2_z * t2;
 }
 
-void planar_2r_bias(const planar_2r_parameters* parameters, const double* q, const double* qd,
-    double* restrict n) {
+void planar_2r_bias(const planar_2r_parameters* parameters, const double q[2], const double qd[2],
+    double n[restrict 2]) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
   planar_2r_bias_given(parameters, sine, cosine, qd, n);
 }
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
-bool planar_2r_forward_dynamics_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, const double* qd, const double* tau, double* restrict qdd) {
+bool planar_2r_forward_dynamics_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], const double qd[2], const double tau[2], double qdd[restrict 2]) {
   const double qd_1 = qd[0], qd_2 = qd[1];
   const double tau_1 = tau[0], tau_2 = tau[1];
   const double g = parameters->g, a_1 = parameters->a_1, m_l1 = parameters->m_l1,
@@ -319,22 +339,22 @@ bool planar_2r_forward_dynamics_given(const planar_2r_parameters* parameters, co
   qdd[0] = qdd_1;
   qdd[1] = d_2 * (t4 - mu_2_1_z * qdd_1);
   const double scale_1 = b_1_1 + t12;
-  bool valid = scale_1 + 0.015625 * b_2_1_1 - scale_1 > 0.0;
+  bool valid = planar_2r_excess(scale_1 + 0.015625 * b_2_1_1, scale_1) > 0.0;
   valid &= b_2_2 > 0.0;
   for (int k = 0; k < 2; ++k) { valid &= 0.0 * qdd[k] < 1.0; }
   return valid;
 }
 
-bool planar_2r_forward_dynamics(const planar_2r_parameters* parameters, const double* q,
-    const double* qd, const double* tau, double* restrict qdd) {
+bool planar_2r_forward_dynamics(const planar_2r_parameters* parameters, const double q[2],
+    const double qd[2], const double tau[2], double qdd[restrict 2]) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
   return planar_2r_forward_dynamics_given(parameters, sine, cosine, qd, tau, qdd);
 }
 
 // Kinetic energy of links and rotors (7.31).
-double planar_2r_kinetic_energy_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, const double* qd) {
+double planar_2r_kinetic_energy_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], const double qd[2]) {
   (void)sine;
   const double qd_1 = qd[0], qd_2 = qd[1];
   const double a_1 = parameters->a_1, m_l1 = parameters->m_l1, l_1 = parameters->l_1,
@@ -355,16 +375,16 @@ double planar_2r_kinetic_energy_given(const planar_2r_parameters* parameters, co
   return 0.5 * T_2;
 }
 
-double planar_2r_kinetic_energy(const planar_2r_parameters* parameters, const double* q,
-    const double* qd) {
+double planar_2r_kinetic_energy(const planar_2r_parameters* parameters, const double q[2],
+    const double qd[2]) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 1, 1, sine, cosine);
   return planar_2r_kinetic_energy_given(parameters, sine, cosine, qd);
 }
 
 // Potential energy of links and rotors (7.36).
-double planar_2r_potential_energy_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine) {
+double planar_2r_potential_energy_given(const planar_2r_parameters* parameters,
+    const double sine[2], const double cosine[2]) {
   const double g = parameters->g, a_1 = parameters->a_1, m_l1 = parameters->m_l1,
       l_1 = parameters->l_1, m_l2 = parameters->m_l2, l_2 = parameters->l_2,
       m_m2 = parameters->m_m2;
@@ -375,7 +395,7 @@ double planar_2r_potential_energy_given(const planar_2r_parameters* parameters, 
   return g * hu_1_t_y;
 }
 
-double planar_2r_potential_energy(const planar_2r_parameters* parameters, const double* q) {
+double planar_2r_potential_energy(const planar_2r_parameters* parameters, const double q[2]) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
   return planar_2r_potential_energy_given(parameters, sine, cosine);
@@ -387,8 +407,8 @@ const bool planar_2r_forward_kinematics_R_nonzero[9] = {
     0, 0, 1};
 
 // Pose of the tip (2.50).
-void planar_2r_forward_kinematics_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, double* restrict R, double* restrict p) {
+void planar_2r_forward_kinematics_given(const planar_2r_parameters* parameters,
+    const double sine[2], const double cosine[2], double R[restrict 9], double p[restrict 3]) {
   const double a_1 = parameters->a_1, a_2 = parameters->a_2;
   const double s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const double t1 = c_1 * s_2;
@@ -404,8 +424,8 @@ void planar_2r_forward_kinematics_given(const planar_2r_parameters* parameters, 
   R[2] = R[5] = R[6] = R[7] = p[2] = 0.0;
 }
 
-void planar_2r_forward_kinematics(const planar_2r_parameters* parameters, const double* q,
-    double* restrict R, double* restrict p) {
+void planar_2r_forward_kinematics(const planar_2r_parameters* parameters, const double q[2],
+    double R[restrict 9], double p[restrict 3]) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
   planar_2r_forward_kinematics_given(parameters, sine, cosine, R, p);
@@ -420,8 +440,8 @@ const bool planar_2r_jacobian_nonzero[12] = {
     1, 1};
 
 // Geometric Jacobian of the tip (7.14), (7.15).
-void planar_2r_jacobian_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, double* restrict J) {
+void planar_2r_jacobian_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], double J[restrict 12]) {
   const double a_1 = parameters->a_1, a_2 = parameters->a_2;
   const double s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
   const double p_2_x = a_2 * c_2 + a_1;
@@ -436,16 +456,16 @@ void planar_2r_jacobian_given(const planar_2r_parameters* parameters, const doub
   J[4] = J[5] = J[6] = J[7] = J[8] = J[9] = 0.0;
 }
 
-void planar_2r_jacobian(const planar_2r_parameters* parameters, const double* q,
-    double* restrict J) {
+void planar_2r_jacobian(const planar_2r_parameters* parameters, const double q[2],
+    double J[restrict 12]) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
   planar_2r_jacobian_given(parameters, sine, cosine, J);
 }
 
 // (dJ/dt) qd of the tip.
-void planar_2r_jacobian_dot_qd_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, const double* qd, double* restrict a) {
+void planar_2r_jacobian_dot_qd_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], const double qd[2], double a[restrict 6]) {
   const double qd_1 = qd[0], qd_2 = qd[1];
   const double a_1 = parameters->a_1, a_2 = parameters->a_2;
   const double s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
@@ -459,8 +479,8 @@ void planar_2r_jacobian_dot_qd_given(const planar_2r_parameters* parameters, con
   a[2] = a[3] = a[4] = a[5] = 0.0;
 }
 
-void planar_2r_jacobian_dot_qd(const planar_2r_parameters* parameters, const double* q,
-    const double* qd, double* restrict a) {
+void planar_2r_jacobian_dot_qd(const planar_2r_parameters* parameters, const double q[2],
+    const double qd[2], double a[restrict 6]) {
   double sine[PLANAR_2R_JOINT_COUNT], cosine[PLANAR_2R_JOINT_COUNT];
   planar_2r_sines_and_cosines(q, 0, 1, sine, cosine);
   planar_2r_jacobian_dot_qd_given(parameters, sine, cosine, qd, a);

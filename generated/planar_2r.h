@@ -38,7 +38,25 @@
 #ifndef FLATDYN_PLANAR_2R_H_D068B31F
 #define FLATDYN_PLANAR_2R_H_D068B31F
 
+#if !defined(__cplusplus) && (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L)
+#error "this needs C99: compile it with -std=c99, or a later standard"
+#endif
+
 #include <stdbool.h>
+
+// Compilers warn where a result that says whether the others mean something is dropped. Defined as
+// nothing before this header is included, this switches the warnings off.
+#ifndef PLANAR_2R_NODISCARD
+#if defined(__cplusplus) && __cplusplus >= 201703L
+#define PLANAR_2R_NODISCARD [[nodiscard]]
+#elif !defined(__cplusplus) && __STDC_VERSION__ > 201710L
+#define PLANAR_2R_NODISCARD [[nodiscard]]
+#elif defined(__GNUC__)
+#define PLANAR_2R_NODISCARD __attribute__((warn_unused_result))
+#else
+#define PLANAR_2R_NODISCARD
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -77,11 +95,11 @@ typedef struct {
 // parameters->l_1, parameters->I_l1, parameters->I_m1, parameters->k_r1, parameters->m_l2,
 // parameters->l_2, parameters->I_l2, parameters->m_m2, parameters->I_m2, parameters->k_r2.
 // Operations: 28 mul, 20 add, 4 sin/cos.
-void planar_2r_inverse_dynamics(const planar_2r_parameters* parameters, const double* q,
-    const double* qd, const double* qdd, double* tau);
+void planar_2r_inverse_dynamics(const planar_2r_parameters* parameters, const double q[2],
+    const double qd[2], const double qdd[2], double tau[2]);
 // The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = 0..1.
-void planar_2r_inverse_dynamics_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, const double* qd, const double* qdd, double* tau);
+void planar_2r_inverse_dynamics_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], const double qd[2], const double qdd[2], double tau[2]);
 
 // Inverse dynamics with a force h_e that the tip exerts on the environment (7.42).
 //   q[2]    in   joint positions, rad or m
@@ -93,12 +111,12 @@ void planar_2r_inverse_dynamics_given(const planar_2r_parameters* parameters, co
 // parameters->m_l1, parameters->l_1, parameters->I_l1, parameters->I_m1, parameters->k_r1,
 // parameters->a_2, parameters->m_l2, parameters->l_2, parameters->I_l2, parameters->m_m2,
 // parameters->I_m2, parameters->k_r2. Operations: 38 mul, 28 add, 4 sin/cos.
-void planar_2r_inverse_dynamics_tip_force(const planar_2r_parameters* parameters, const double* q,
-    const double* qd, const double* qdd, const double* h_e, double* tau);
+void planar_2r_inverse_dynamics_tip_force(const planar_2r_parameters* parameters, const double q[2],
+    const double qd[2], const double qdd[2], const double h_e[6], double tau[2]);
 // The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = 0..1.
 void planar_2r_inverse_dynamics_tip_force_given(const planar_2r_parameters* parameters,
-    const double* sine, const double* cosine, const double* qd, const double* qdd,
-    const double* h_e, double* tau);
+    const double sine[2], const double cosine[2], const double qd[2], const double qdd[2],
+    const double h_e[6], double tau[2]);
 
 // The entries of B in planar_2r_inertia_matrix that are not always zero.
 extern const bool planar_2r_inertia_matrix_nonzero[4];
@@ -110,10 +128,11 @@ extern const bool planar_2r_inertia_matrix_nonzero[4];
 // Reads q[1], parameters->a_1, parameters->m_l1, parameters->l_1, parameters->I_l1,
 // parameters->I_m1, parameters->k_r1, parameters->m_l2, parameters->l_2, parameters->I_l2,
 // parameters->m_m2, parameters->I_m2, parameters->k_r2. Operations: 13 mul, 11 add, 1 sin/cos.
-void planar_2r_inertia_matrix(const planar_2r_parameters* parameters, const double* q, double* B);
+void planar_2r_inertia_matrix(const planar_2r_parameters* parameters, const double q[2],
+    double B[4]);
 // The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = 1.
-void planar_2r_inertia_matrix_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, double* B);
+void planar_2r_inertia_matrix_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], double B[4]);
 
 // The entries of c in planar_2r_christoffel that are not always zero.
 extern const bool planar_2r_christoffel_nonzero[6];
@@ -124,10 +143,10 @@ extern const bool planar_2r_christoffel_nonzero[6];
 //              c_ijk = c_ikj is c[3 * i + k * (k + 1) / 2 + j] for j <= k, counted from 0
 // Reads q[1], parameters->a_1, parameters->m_l2, parameters->l_2. Operations: 3 mul, 0 add, 1
 // sin/cos. Always zero: 3 of the 6 entries of c.
-void planar_2r_christoffel(const planar_2r_parameters* parameters, const double* q, double* c);
+void planar_2r_christoffel(const planar_2r_parameters* parameters, const double q[2], double c[6]);
 // The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = 1.
-void planar_2r_christoffel_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, double* c);
+void planar_2r_christoffel_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], double c[6]);
 
 // The entries of C in planar_2r_coriolis_matrix that are not always zero.
 extern const bool planar_2r_coriolis_matrix_nonzero[4];
@@ -139,21 +158,21 @@ extern const bool planar_2r_coriolis_matrix_nonzero[4];
 //               2 x 2, row by row: entry (i, j) is C[2 * i + j]
 // Reads q[1], qd[0..1], parameters->a_1, parameters->m_l2, parameters->l_2. Operations: 5 mul, 1
 // add, 1 sin/cos. Always zero: 1 of the 4 entries of C.
-void planar_2r_coriolis_matrix(const planar_2r_parameters* parameters, const double* q,
-    const double* qd, double* C);
+void planar_2r_coriolis_matrix(const planar_2r_parameters* parameters, const double q[2],
+    const double qd[2], double C[4]);
 // The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = 1.
-void planar_2r_coriolis_matrix_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, const double* qd, double* C);
+void planar_2r_coriolis_matrix_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], const double qd[2], double C[4]);
 
 // Gravity torques g(q) (7.39).
 //   q[2]  in   joint positions, rad or m
 //   g[2]  out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..1], parameters->g, parameters->a_1, parameters->m_l1, parameters->l_1,
 // parameters->m_l2, parameters->l_2, parameters->m_m2. Operations: 9 mul, 4 add, 4 sin/cos.
-void planar_2r_gravity(const planar_2r_parameters* parameters, const double* q, double* g);
+void planar_2r_gravity(const planar_2r_parameters* parameters, const double q[2], double g[2]);
 // The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = 0..1.
-void planar_2r_gravity_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, double* g);
+void planar_2r_gravity_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], double g[2]);
 
 // C(q, qd) qd + g(q) + friction (7.116).
 //   q[2]   in   joint positions, rad or m
@@ -161,11 +180,11 @@ void planar_2r_gravity_given(const planar_2r_parameters* parameters, const doubl
 //   n[2]   out  joint torques, N m (forces, N, for prismatic joints)
 // Reads q[0..1], qd[0..1], parameters->g, parameters->a_1, parameters->m_l1, parameters->l_1,
 // parameters->m_l2, parameters->l_2, parameters->m_m2. Operations: 15 mul, 7 add, 4 sin/cos.
-void planar_2r_bias(const planar_2r_parameters* parameters, const double* q, const double* qd,
-    double* n);
+void planar_2r_bias(const planar_2r_parameters* parameters, const double q[2], const double qd[2],
+    double n[2]);
 // The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = 0..1.
-void planar_2r_bias_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, const double* qd, double* n);
+void planar_2r_bias_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], const double qd[2], double n[2]);
 
 // qdd from B(q) qdd = tau - bias(q, qd) (7.115).
 //   q[2]    in   joint positions, rad or m
@@ -178,11 +197,12 @@ void planar_2r_bias_given(const planar_2r_parameters* parameters, const double* 
 // parameters->l_1, parameters->I_l1, parameters->I_m1, parameters->k_r1, parameters->m_l2,
 // parameters->l_2, parameters->I_l2, parameters->m_m2, parameters->I_m2, parameters->k_r2.
 // Operations: 29 mul, 23 add, 2 div, 4 sin/cos.
-bool planar_2r_forward_dynamics(const planar_2r_parameters* parameters, const double* q,
-    const double* qd, const double* tau, double* qdd);
+PLANAR_2R_NODISCARD bool planar_2r_forward_dynamics(const planar_2r_parameters* parameters,
+    const double q[2], const double qd[2], const double tau[2], double qdd[2]);
 // The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = 0..1.
-bool planar_2r_forward_dynamics_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, const double* qd, const double* tau, double* qdd);
+PLANAR_2R_NODISCARD bool planar_2r_forward_dynamics_given(const planar_2r_parameters* parameters,
+    const double sine[2], const double cosine[2], const double qd[2], const double tau[2],
+    double qdd[2]);
 
 // Kinetic energy of links and rotors (7.31).
 //   q[2]   in  joint positions, rad or m
@@ -191,21 +211,21 @@ bool planar_2r_forward_dynamics_given(const planar_2r_parameters* parameters, co
 // Reads q[1], qd[0..1], parameters->a_1, parameters->m_l1, parameters->l_1, parameters->I_l1,
 // parameters->I_m1, parameters->k_r1, parameters->m_l2, parameters->l_2, parameters->I_l2,
 // parameters->m_m2, parameters->I_m2, parameters->k_r2. Operations: 20 mul, 11 add, 1 sin/cos.
-double planar_2r_kinetic_energy(const planar_2r_parameters* parameters, const double* q,
-    const double* qd);
+double planar_2r_kinetic_energy(const planar_2r_parameters* parameters, const double q[2],
+    const double qd[2]);
 // The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = 1.
-double planar_2r_kinetic_energy_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, const double* qd);
+double planar_2r_kinetic_energy_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], const double qd[2]);
 
 // Potential energy of links and rotors (7.36).
 //   q[2]  in  joint positions, rad or m
 // Returns U: potential energy, J; zero at the base frame's origin.
 // Reads q[0..1], parameters->g, parameters->a_1, parameters->m_l1, parameters->l_1,
 // parameters->m_l2, parameters->l_2, parameters->m_m2. Operations: 8 mul, 4 add, 4 sin/cos.
-double planar_2r_potential_energy(const planar_2r_parameters* parameters, const double* q);
+double planar_2r_potential_energy(const planar_2r_parameters* parameters, const double q[2]);
 // The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = 0..1.
-double planar_2r_potential_energy_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine);
+double planar_2r_potential_energy_given(const planar_2r_parameters* parameters,
+    const double sine[2], const double cosine[2]);
 
 // The entries of R in planar_2r_forward_kinematics that are not always zero.
 extern const bool planar_2r_forward_kinematics_R_nonzero[9];
@@ -217,11 +237,11 @@ extern const bool planar_2r_forward_kinematics_R_nonzero[9];
 //   p[3]  out  position of the frame's origin in the base frame, m
 // Reads q[0..1], parameters->a_1, parameters->a_2. Operations: 9 mul, 5 add, 4 sin/cos. Always
 // zero: 4 of the 9 entries of R. Always zero: p[2].
-void planar_2r_forward_kinematics(const planar_2r_parameters* parameters, const double* q,
-    double* R, double* p);
+void planar_2r_forward_kinematics(const planar_2r_parameters* parameters, const double q[2],
+    double R[9], double p[3]);
 // The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = 0..1.
-void planar_2r_forward_kinematics_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, double* R, double* p);
+void planar_2r_forward_kinematics_given(const planar_2r_parameters* parameters,
+    const double sine[2], const double cosine[2], double R[9], double p[3]);
 
 // The entries of J in planar_2r_jacobian that are not always zero.
 extern const bool planar_2r_jacobian_nonzero[12];
@@ -232,10 +252,10 @@ extern const bool planar_2r_jacobian_nonzero[12];
 //               6 x 2, row by row: entry (i, j) is J[2 * i + j]
 // Reads q[0..1], parameters->a_1, parameters->a_2. Operations: 8 mul, 5 add, 4 sin/cos. Always
 // zero: 6 of the 12 entries of J.
-void planar_2r_jacobian(const planar_2r_parameters* parameters, const double* q, double* J);
+void planar_2r_jacobian(const planar_2r_parameters* parameters, const double q[2], double J[12]);
 // The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = 0..1.
-void planar_2r_jacobian_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, double* J);
+void planar_2r_jacobian_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], double J[12]);
 
 // (dJ/dt) qd of the tip.
 //   q[2]   in   joint positions, rad or m
@@ -243,11 +263,11 @@ void planar_2r_jacobian_given(const planar_2r_parameters* parameters, const doub
 //   a[6]   out  (dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2
 // Reads q[0..1], qd[0..1], parameters->a_1, parameters->a_2. Operations: 13 mul, 5 add, 4 sin/cos.
 // Always zero: a[2], a[3], a[4], a[5].
-void planar_2r_jacobian_dot_qd(const planar_2r_parameters* parameters, const double* q,
-    const double* qd, double* a);
+void planar_2r_jacobian_dot_qd(const planar_2r_parameters* parameters, const double q[2],
+    const double qd[2], double a[6]);
 // The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = 0..1.
-void planar_2r_jacobian_dot_qd_given(const planar_2r_parameters* parameters, const double* sine,
-    const double* cosine, const double* qd, double* a);
+void planar_2r_jacobian_dot_qd_given(const planar_2r_parameters* parameters, const double sine[2],
+    const double cosine[2], const double qd[2], double a[6]);
 
 // Whether the source of this header was compiled so that every operation is rounded as it is
 // written, to nearest: compilers fuse products into sums unless they are given -ffp-contract=off
@@ -255,10 +275,37 @@ void planar_2r_jacobian_dot_qd_given(const planar_2r_parameters* parameters, con
 // The rounding errors that certificates bound assume that this is true. All functions are called at one state, with sines and cosines given, and
 // the bits of their results compared with those of arithmetic as it is written, in the calling
 // thread.
-bool planar_2r_rounding_is_as_written(void);
+PLANAR_2R_NODISCARD bool planar_2r_rounding_is_as_written(void);
 
 #ifdef __cplusplus
 }
 #endif
 
 #endif  // FLATDYN_PLANAR_2R_H_D068B31F
+
+// The licence of this file, BSD-3-Clause:
+//
+// Copyright (c) the user of flatdyn, who generated this file. All rights reserved.
+//
+// Redistribution and use in source and binary forms, with or without modification, are permitted
+// provided that the following conditions are met:
+//
+// 1. Redistributions of source code must retain the above copyright notice, this list of conditions
+//    and the following disclaimer.
+//
+// 2. Redistributions in binary form must reproduce the above copyright notice, this list of
+//    conditions and the following disclaimer in the documentation and/or other materials provided
+//    with the distribution.
+//
+// 3. Neither the name of the copyright holder nor the names of its contributors may be used to
+//    endorse or promote products derived from this software without specific prior written
+//    permission.
+//
+// THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS "AS IS" AND ANY EXPRESS OR
+// IMPLIED WARRANTIES, INCLUDING, BUT NOT LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND
+// FITNESS FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE COPYRIGHT HOLDER OR
+// CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL
+// DAMAGES (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES; LOSS OF USE,
+// DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER
+// IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT OF
+// THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.

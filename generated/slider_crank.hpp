@@ -47,15 +47,22 @@
 #ifndef FLATDYN_SLIDER_CRANK_HPP_DE71316E
 #define FLATDYN_SLIDER_CRANK_HPP_DE71316E
 
+#if __cplusplus < 201703L && (!defined(_MSVC_LANG) || _MSVC_LANG < 201703L)
+#error "this needs C++17: compile it with -std=c++17, or a later standard"
+#endif
+
 #include <float.h>
 #include <stdint.h>
 #include <string.h>
 
 #include <cmath>
 
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
-#error "compile this without -ffast-math: it leaves out the checks that results are finite"
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || \
+    defined(_M_FP_FAST)
+#error "-ffast-math, -Ofast and /fp:fast leave out checks of results: add -fno-finite-math-only"
 #endif
+static_assert(sizeof(1.0) == 8,
+    "constants have to be doubles of 64 bits: compile this without -fsingle-precision-constant");
 
 namespace slider_crank {
 
@@ -73,6 +80,35 @@ inline constexpr const char* position_names[position_count] = {"theta_1", "theta
 
 // The entries of q that qd, qdd and tau belong to.
 inline constexpr int independent_positions[joint_count] = {0};
+
+namespace detail {
+
+// Positive if a sum, rounded, is above its first term. The bits are compared, since compilers that
+// may reorder sums take x + y - x for y.
+template <class Scalar>
+struct Excess {
+  static Scalar of(const Scalar& sum, const Scalar& term) noexcept { return sum - term; }
+};
+template <>
+struct Excess<double> {
+  [[gnu::always_inline]] static double of(double sum, double term) noexcept {
+    int64_t bits_of_sum = 0, bits_of_term = 0;
+    memcpy(&bits_of_sum, &sum, sizeof(sum));
+    memcpy(&bits_of_term, &term, sizeof(term));
+    return double(bits_of_sum > bits_of_term);
+  }
+};
+template <>
+struct Excess<float> {
+  [[gnu::always_inline]] static float of(float sum, float term) noexcept {
+    int32_t bits_of_sum = 0, bits_of_term = 0;
+    memcpy(&bits_of_sum, &sum, sizeof(sum));
+    memcpy(&bits_of_term, &term, sizeof(term));
+    return float(bits_of_sum > bits_of_term);
+  }
+};
+
+}  // namespace detail
 
 namespace detail {
 
@@ -151,34 +187,41 @@ typedef uint32_t BitsOfFloats;
 
 // sin(x) and cos(x) for |x| <= 1e5, to 1 ulp.
 //
-// x = n pi/2 + r + rest with |r| <= pi/4 up to a rounding; rest is the part that the digits of r
-// cannot hold (Cody and Waite). Added to 1.5 2^52, a number has no room for a fraction: this rounds
-// n, and leaves its last bits, the quadrant, at the end of `turns`. pi/2 is in three parts, the
-// first two of 33 bits, so that their products with n are exact (the split is that of fdlibm's
-// e_rem_pio2.c). The polynomials are minimax on [-pi/4, pi/4], with errors below 2^-57 (they are
-// those of fdlibm's k_sin.c and k_cos.c). In an odd quadrant sine and cosine are exchanged. (It is a
-// template so that compilers do not warn where nothing calls it.)
+// x = n pi/2 + r - missing with |r| <= pi/4 up to a rounding; `missing` is the part that the digits
+// of r cannot hold (Cody and Waite). Added to 1.5 2^52, a number has no room for a fraction: this
+// rounds n, and leaves its last bits, the quadrant, at the end of `turns`. `next` is computed from
+// bits and holds n + 1 above 1.75 2^52, so that compilers that may reorder sums, or that keep more
+// digits, cannot undo the rounding; its last bits are the next quadrant, which gives the cosine's
+// sign. pi/2 is in three parts, the first two of 33 bits, so that their products with n are exact
+// (the split is that of fdlibm's e_rem_pio2.c). The polynomials are minimax on [-pi/4, pi/4], with
+// errors below 2^-57 (they are those of fdlibm's k_sin.c and k_cos.c). p and `missing` are
+// subtracted, which keeps the sign of a zero. In an odd quadrant sine and cosine are exchanged. (It
+// is a template so that compilers do not warn where nothing calls it.)
 template <class = void>
 static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cosine) noexcept {
-  const Doubles turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52, n = turns - 0x1.8p+52;
+  const Doubles turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52;
+  BitsOfDoubles quadrant, bits_of_s, bits_of_c;
+  memcpy(&quadrant, &turns, sizeof(turns));
+  const BitsOfDoubles next = quadrant + 0x4000000000001u;
+  Doubles n;
+  memcpy(&n, &next, sizeof(next));
+  n -= 0x1.c000000000001p+52;
   const Doubles above = x - n * 0x1.921fb544p+0, below = n * 0x1.0b4611a6p-34, r = above - below;
-  const Doubles rest = ((above - r) - below) - n * 0x1.3198a2e037073p-69;
+  const Doubles missing = (below - (above - r)) + n * 0x1.3198a2e037073p-69;
   const Doubles z = r * r, zz = z * z, half = 0.5 * z, leading = 1.0 - half;
-  const Doubles p = (-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03) +
-      zz * ((-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06) +
-      zz * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10));
+  const Doubles p = (1.66666666666666324348e-01 + z * -8.33333333332248946124e-03) +
+      zz * ((1.98412698298579493134e-04 + z * -2.75573137070700676789e-06) +
+      zz * (2.50507602534068634195e-08 + z * -1.58969099521155010221e-10));
   const Doubles k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
       zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
       zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
-  const Doubles s = r + (z * r * p + leading * rest);
-  const Doubles c = leading + ((((1.0 - leading) - half) - r * rest) + zz * k);
-  BitsOfDoubles quadrant, bits_of_s, bits_of_c;
-  memcpy(&quadrant, &turns, sizeof(turns));
+  const Doubles s = r - (z * r * p + leading * missing);
+  const Doubles c = leading + ((((1.0 - leading) - half) + r * missing) + zz * k);
   memcpy(&bits_of_s, &s, sizeof(s));
   memcpy(&bits_of_c, &c, sizeof(c));
   const BitsOfDoubles exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
   bits_of_s ^= exchange ^ ((quadrant & 2u) << 62);
-  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 62);
+  bits_of_c ^= exchange ^ ((next & 2u) << 62);
   memcpy(&sine, &bits_of_s, sizeof(s));
   memcpy(&cosine, &bits_of_c, sizeof(c));
 }
@@ -187,21 +230,25 @@ static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cos
 // and 9) that their products with n are exact. The polynomials are those of Cephes' sinf.c.
 template <class = void>
 static inline void sine_and_cosine(const Floats& x, Floats& sine, Floats& cosine) noexcept {
-  const Floats turns = x * 0x1.45f306p-1f + 0x1.8p+23f, n = turns - 0x1.8p+23f;
-  const Floats above = (x - n * 0x1.922p+0f) - n * -0x1.2cp-18f, below = n * 0x1.11p-26f;
-  const Floats r = above - below, rest = ((above - r) - below) - n * 0x1.68c234p-39f;
-  const Floats z = r * r, half = 0.5f * z, leading = 1.0f - half;
-  const Floats p = -1.6666654611e-1f + z * (8.3321608736e-3f + z * -1.9515295891e-4f);
-  const Floats k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
-  const Floats s = r + (z * r * p + leading * rest);
-  const Floats c = leading + ((((1.0f - leading) - half) - r * rest) + z * z * k);
+  const Floats turns = x * 0x1.45f306p-1f + 0x1.8p+23f;
   BitsOfFloats quadrant, bits_of_s, bits_of_c;
   memcpy(&quadrant, &turns, sizeof(turns));
+  const BitsOfFloats next = quadrant + 0x200001u;
+  Floats n;
+  memcpy(&n, &next, sizeof(next));
+  n -= 0x1.c00002p+23f;
+  const Floats above = (x - n * 0x1.922p+0f) - n * -0x1.2cp-18f, below = n * 0x1.11p-26f;
+  const Floats r = above - below, missing = (below - (above - r)) + n * 0x1.68c234p-39f;
+  const Floats z = r * r, half = 0.5f * z, leading = 1.0f - half;
+  const Floats p = 1.6666654611e-1f + z * (-8.3321608736e-3f + z * 1.9515295891e-4f);
+  const Floats k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
+  const Floats s = r - (z * r * p + leading * missing);
+  const Floats c = leading + ((((1.0f - leading) - half) + r * missing) + z * z * k);
   memcpy(&bits_of_s, &s, sizeof(s));
   memcpy(&bits_of_c, &c, sizeof(c));
   const BitsOfFloats exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
   bits_of_s ^= exchange ^ ((quadrant & 2u) << 30);
-  bits_of_c ^= exchange ^ (((quadrant + 1u) & 2u) << 30);
+  bits_of_c ^= exchange ^ ((next & 2u) << 30);
   memcpy(&sine, &bits_of_s, sizeof(s));
   memcpy(&cosine, &bits_of_c, sizeof(c));
 }
@@ -318,8 +365,8 @@ using DefaultSinCos = PolynomialSinCos;
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1], qd[0], qdd[0]. Operations: 38 mul, 18 add, 1 div, 4 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Scalar* qdd,
-    Scalar* tau, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool inverse_dynamics(const Scalar* q, const Scalar* qd,
+    const Scalar* qdd, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
@@ -348,8 +395,8 @@ static inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Sca
       Scalar(0.00339984) * (s_2 * t6 + c_2 * qdd_1));
   tau[0] = Scalar(0.00815184) * qdd_1 - Scalar(0.00339984) * t11 + Scalar(0.075552) * t14 - t15;
   const Scalar regular_l1 = Scalar(0.09) * t1 * t1 - Scalar(9e-14);
-  bool valid = Scalar(0.000087890625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000087890625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000087890625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000087890625)) > Scalar(0.0);
   valid &= Scalar(0.0) * tau[0] < Scalar(1.0);
   return valid;
 }
@@ -364,8 +411,8 @@ static inline bool inverse_dynamics(const Scalar* q, const Scalar* qd, const Sca
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1], qd[0], qdd[0], h_e[0]. Operations: 38 mul, 19 add, 1 div, 4 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd, const Scalar* qdd,
-    const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd,
+    const Scalar* qdd, const Scalar* h_e, Scalar* tau, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
@@ -395,8 +442,8 @@ static inline bool inverse_dynamics_tip_force(const Scalar* q, const Scalar* qd,
       Scalar(0.00339984) * (s_2 * t6 + c_2 * qdd_1));
   tau[0] = Scalar(0.00815184) * qdd_1 - Scalar(0.00339984) * t13 - t14 + t4 * t11 * f_3_z;
   const Scalar regular_l1 = Scalar(0.09) * t1 * t1 - Scalar(9e-14);
-  bool valid = Scalar(0.000087890625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000087890625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000087890625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000087890625)) > Scalar(0.0);
   valid &= Scalar(0.0) * tau[0] < Scalar(1.0);
   return valid;
 }
@@ -413,7 +460,8 @@ inline constexpr bool inertia_matrix_nonzero[1] = {
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1]. Operations: 21 mul, 12 add, 1 div, 4 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool inertia_matrix(const Scalar* q, Scalar* B,
+    const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
@@ -432,8 +480,8 @@ static inline bool inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_
   B[0] = Scalar(0.00679968) * c_2 + Scalar(0.075552) * t5 * t5 + t6 * b_1_2h + mu_2_1_z * t6 +
       Scalar(0.0160856059);
   const Scalar regular_l1 = Scalar(0.09) * t2 * t2 - Scalar(9e-14);
-  bool valid = Scalar(0.000087890625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000087890625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000087890625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000087890625)) > Scalar(0.0);
   valid &= Scalar(0.0) * B[0] < Scalar(1.0);
   return valid;
 }
@@ -450,7 +498,8 @@ inline constexpr bool christoffel_nonzero[1] = {
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1]. Operations: 28 mul, 13 add, 1 div, 4 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool christoffel(const Scalar* q, Scalar* c,
+    const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
@@ -475,8 +524,8 @@ static inline bool christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos
       Scalar(0.00339984) * s_2 * p_l1ae_x * t5;
   c[0] = t4 * t11;
   const Scalar regular_l1 = Scalar(0.09) * t1 * t1 - Scalar(9e-14);
-  bool valid = Scalar(0.000087890625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000087890625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000087890625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000087890625)) > Scalar(0.0);
   valid &= Scalar(0.0) * c[0] < Scalar(1.0);
   return valid;
 }
@@ -494,7 +543,7 @@ inline constexpr bool coriolis_matrix_nonzero[1] = {
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1], qd[0]. Operations: 29 mul, 13 add, 1 div, 4 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
+[[nodiscard]] static inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
@@ -521,8 +570,8 @@ static inline bool coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
       Scalar(0.00339984) * s_2 * p_l1ae_x * t5;
   C[0] = qd_1 * t4 * t11;
   const Scalar regular_l1 = Scalar(0.09) * t1 * t1 - Scalar(9e-14);
-  bool valid = Scalar(0.000087890625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000087890625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000087890625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000087890625)) > Scalar(0.0);
   valid &= Scalar(0.0) * C[0] < Scalar(1.0);
   return valid;
 }
@@ -545,7 +594,7 @@ static inline void gravity(const Scalar* /* q */, Scalar* g) noexcept {
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1], qd[0]. Operations: 31 mul, 13 add, 1 div, 4 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
+[[nodiscard]] static inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
@@ -568,8 +617,8 @@ static inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
   const Scalar t11 = (t9 - Scalar(0.15) * c_2 * t6) - Scalar(0.35003555608499226) * t10;
   n[0] = Scalar(0.00339984) * qd_1 * qd_1 * t3 * t11;
   const Scalar regular_l1 = Scalar(0.09) * t1 * t1 - Scalar(9e-14);
-  bool valid = Scalar(0.000087890625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000087890625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000087890625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000087890625)) > Scalar(0.0);
   valid &= Scalar(0.0) * n[0] < Scalar(1.0);
   return valid;
 }
@@ -584,8 +633,8 @@ static inline bool bias(const Scalar* q, const Scalar* qd, Scalar* n,
 // is not a finite number.
 // Reads q[0..1], qd[0], tau[0]. Operations: 40 mul, 24 add, 2 div, 4 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Scalar* tau,
-    Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool forward_dynamics(const Scalar* q, const Scalar* qd,
+    const Scalar* tau, Scalar* qdd, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar tau_1 = tau[0];
@@ -623,9 +672,10 @@ static inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Sca
   qdd[0] = -t18 / b_1_1q;
   const Scalar regular_l1 = Scalar(0.09) * t1 * t1 - Scalar(9e-14);
   const Scalar scale_1 = b_1_1q + Scalar(0.023) + Scalar(0.003339) * t11;
-  bool valid = scale_1 + Scalar(0.015625) * b_1_1q - scale_1 > Scalar(0.0);
-  valid &= Scalar(0.000087890625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000087890625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(scale_1 +
+      Scalar(0.015625) * b_1_1q, scale_1) > Scalar(0.0);
+  valid &= detail::Excess<Scalar>::of(Scalar(0.000087890625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000087890625)) > Scalar(0.0);
   valid &= Scalar(0.0) * qdd[0] < Scalar(1.0);
   return valid;
 }
@@ -638,7 +688,7 @@ static inline bool forward_dynamics(const Scalar* q, const Scalar* qd, const Sca
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1], qd[0]. Operations: 24 mul, 10 add, 1 div, 4 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
+[[nodiscard]] static inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
@@ -658,8 +708,8 @@ static inline bool kinetic_energy(const Scalar* q, const Scalar* qd, Scalar* T,
   T[0] = Scalar(0.037776) * t5 * t5 + Scalar(0.00407592) * qd_1 * qd_1 +
       Scalar(0.5) * omega_2_z * L_2_z;
   const Scalar regular_l1 = Scalar(0.09) * t2 * t2 - Scalar(9e-14);
-  bool valid = Scalar(0.000087890625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000087890625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000087890625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000087890625)) > Scalar(0.0);
   valid &= Scalar(0.0) * T[0] < Scalar(1.0);
   return valid;
 }
@@ -713,7 +763,8 @@ inline constexpr bool jacobian_nonzero[6] = {
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1]. Operations: 12 mul, 6 add, 1 div, 4 sin/cos. Always zero: 5 of the 6 entries of J.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool jacobian(const Scalar* q, Scalar* J,
+    const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   Scalar sine[position_count], cosine[position_count];
   sin_cos(q, Joints<0, 1>(), sine, cosine);
@@ -725,8 +776,8 @@ static inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = 
   J[0] = Scalar(0.045) * (Scalar(3.3333333333333335) / t1) * (R_l1a21_x * p_l1ae_x - t1 * p_l1ae_y);
   const Scalar regular_l1 = Scalar(0.09) * t1 * t1 - Scalar(9e-14);
   J[1] = J[2] = J[3] = J[4] = J[5] = Scalar(0.0);
-  bool valid = Scalar(0.000087890625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000087890625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000087890625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000087890625)) > Scalar(0.0);
   for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * J[k] < Scalar(1.0);
   return valid;
 }
@@ -740,7 +791,7 @@ static inline bool jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = 
 // Reads q[0..1], qd[0]. Operations: 21 mul, 8 add, 1 div, 4 sin/cos. Always zero: a[1], a[2], a[3],
 // a[4], a[5].
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
+[[nodiscard]] static inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
     const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
@@ -762,8 +813,8 @@ static inline bool jacobian_dot_qd(const Scalar* q, const Scalar* qd, Scalar* a,
   a[0] = t4 * (t6 * driftr1_2 + t2 * driftr1_1);
   const Scalar regular_l1 = Scalar(0.09) * t1 * t1 - Scalar(9e-14);
   a[1] = a[2] = a[3] = a[4] = a[5] = Scalar(0.0);
-  bool valid = Scalar(0.000087890625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000087890625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000087890625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000087890625)) > Scalar(0.0);
   for (int k = 0; k < 6; ++k) valid &= Scalar(0.0) * a[k] < Scalar(1.0);
   return valid;
 }
@@ -822,7 +873,8 @@ static inline void loop_jacobian(const Scalar* q, Scalar* phi_q,
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..2]. Operations: 14 mul, 7 add, 1 div, 4 sin/cos. Always zero: dq[0].
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool loop_step(const Scalar* q, Scalar* dq,
+    const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar q_3 = q[2];
   Scalar sine[position_count], cosine[position_count];
@@ -838,8 +890,8 @@ static inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos 
   dq[2] = -t3 * (t1 * p_l1ae_y + t4 * (Scalar(0.15) * c_1 + t4 - q_3));
   const Scalar regular_l1 = Scalar(0.09) * t2 * t2 - Scalar(9e-14);
   dq[0] = Scalar(0.0);
-  bool valid = Scalar(0.000087890625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000087890625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000087890625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000087890625)) > Scalar(0.0);
   for (int k = 0; k < 3; ++k) valid &= Scalar(0.0) * dq[k] < Scalar(1.0);
   return valid;
 }
@@ -854,8 +906,8 @@ static inline bool loop_step(const Scalar* q, Scalar* dq, const SinCos& sin_cos 
 // (6e-5 in float), or an entry of the result is not a finite number.
 // Reads q[0..1], qd[0], qdd[0]. Operations: 27 mul, 12 add, 1 div, 4 sin/cos.
 template <class Scalar, class SinCos = DefaultSinCos>
-static inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd, Scalar* rates,
-    Scalar* accelerations, const SinCos& sin_cos = {}) noexcept {
+[[nodiscard]] static inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* qdd,
+    Scalar* rates, Scalar* accelerations, const SinCos& sin_cos = {}) noexcept {
   static_assert(detail::Interface::checked<Scalar>());
   const Scalar qd_1 = qd[0];
   const Scalar qdd_1 = qdd[0];
@@ -886,12 +938,91 @@ static inline bool loop_motion(const Scalar* q, const Scalar* qd, const Scalar* 
   const Scalar t11 = t6 * driftr1_2 + t2 * (t3 * t10 + t2 * t9);
   accelerations[2] = t4 * (t8 * qdd_1 + t11);
   const Scalar regular_l1 = Scalar(0.09) * t1 * t1 - Scalar(9e-14);
-  bool valid = Scalar(0.000087890625) + Scalar(0.015625) * regular_l1 -
-      Scalar(0.000087890625) > Scalar(0.0);
+  bool valid = detail::Excess<Scalar>::of(Scalar(0.000087890625) +
+      Scalar(0.015625) * regular_l1, Scalar(0.000087890625)) > Scalar(0.0);
   for (int k = 0; k < 3; ++k) valid &= Scalar(0.0) * rates[k] < Scalar(1.0);
   for (int k = 0; k < 3; ++k) valid &= Scalar(0.0) * accelerations[k] < Scalar(1.0);
   return valid;
 }
+
+namespace detail {
+
+// Whether an argument is an object that holds an array, or an expression of Eigen's.
+struct Objects {
+  template <class Of>
+  static constexpr bool hold_array(decltype(static_cast<Of*>(nullptr)->data())*) noexcept {
+    return true;
+  }
+  template <class Of>
+  static constexpr bool hold_array(...) noexcept {
+    return false;
+  }
+  template <class Of>
+  static constexpr bool are_expressions(decltype(static_cast<Of*>(nullptr)->eval())*) noexcept {
+    return true;
+  }
+  template <class Of>
+  static constexpr bool are_expressions(...) noexcept {
+    return false;
+  }
+};
+
+// The result of a call with such objects. It has no definition that compiles: compilers say why.
+template <class... Of>
+struct ObjectsRefused {
+  static_assert(sizeof...(Of) == 0,
+      "arguments are plain arrays: of a std::array, std::vector or std::span pass q.data(); of "
+      "Eigen's vectors, too, or include flatdyn/eigen.hpp and call flatdyn::eigen<functions::NAME>");
+  operator bool() const noexcept;
+};
+
+template <bool are_objects, class... Of>
+struct ObjectArguments {};
+template <class... Of>
+struct ObjectArguments<true, Of...> {
+  using type = ObjectsRefused<Of...>;
+};
+template <class... Of>
+using IfObjects = typename ObjectArguments<((Objects::hold_array<Of>(nullptr) ||
+    Objects::are_expressions<Of>(nullptr)) || ... || false), Of...>::type;
+
+}  // namespace detail
+
+// Calls with such objects end in the message above.
+template <class... Of>
+detail::IfObjects<Of...> inverse_dynamics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> inverse_dynamics_tip_force(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> inertia_matrix(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> christoffel(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> coriolis_matrix(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> gravity(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> bias(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> forward_dynamics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> kinetic_energy(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> potential_energy(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> forward_kinematics(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> jacobian(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> jacobian_dot_qd(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> loop_closure(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> loop_jacobian(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> loop_step(const Of&...);
+template <class... Of>
+detail::IfObjects<Of...> loop_motion(const Of&...);
 
 // The functions as types, with the shapes of their arguments, for adapters such as
 // flatdyn/eigen.hpp.
@@ -1061,7 +1192,7 @@ struct loop_motion {
 // than `tolerance` (m) after `most_steps`: the loops cannot be closed from there, or are singular.
 // If the loops can be closed in several ways, q decides which one is found.
 template <class Scalar>
-static inline bool close_loops(Scalar* q, Scalar tolerance, int most_steps = 20) noexcept {
+[[nodiscard]] static inline bool close_loops(Scalar* q, Scalar tolerance, int most_steps = 20) noexcept {
   Scalar here[position_count], next[position_count], dq[position_count], phi[2];
   const auto gap_at = [&](const Scalar* position) {
     loop_closure(position, phi);
@@ -1154,7 +1285,7 @@ static bool sines_are_right() noexcept {
 // for the calling file and thread, for float and double: every file has its own copy of the
 // functions, but shares members of stages with others.
 template <class Scalar = Real>
-static bool rounding_is_as_written() noexcept {
+[[nodiscard]] static bool rounding_is_as_written() noexcept {
   constexpr bool is_float = sizeof(Scalar) == sizeof(float);
   constexpr int method = FLT_EVAL_METHOD;
   if (method != 0 && method != 16 && (is_float || method != 1)) return false;
@@ -1189,39 +1320,39 @@ static bool rounding_is_as_written() noexcept {
   detail::fill(h_e, 6, seed + 5u);
   detail::fill_sines(sine, cosine, 3, seed + 16u);
   const GivenSinCos<Scalar> given = {sine, cosine};
-  inverse_dynamics(q, qd, qdd, result, given);
+  (void)inverse_dynamics(q, qd, qdd, result, given);
   hash = detail::hash_of(result, 1, hash);
-  inverse_dynamics_tip_force(q, qd, qdd, h_e, result, given);
+  (void)inverse_dynamics_tip_force(q, qd, qdd, h_e, result, given);
   hash = detail::hash_of(result, 1, hash);
-  inertia_matrix(q, result, given);
+  (void)inertia_matrix(q, result, given);
   hash = detail::hash_of(result, 1, hash);
-  christoffel(q, result, given);
+  (void)christoffel(q, result, given);
   hash = detail::hash_of(result, 1, hash);
-  coriolis_matrix(q, qd, result, given);
+  (void)coriolis_matrix(q, qd, result, given);
   hash = detail::hash_of(result, 1, hash);
   gravity(q, result);
   hash = detail::hash_of(result, 1, hash);
-  bias(q, qd, result, given);
+  (void)bias(q, qd, result, given);
   hash = detail::hash_of(result, 1, hash);
-  forward_dynamics(q, qd, tau, result, given);
+  (void)forward_dynamics(q, qd, tau, result, given);
   hash = detail::hash_of(result, 1, hash);
-  kinetic_energy(q, qd, result, given);
+  (void)kinetic_energy(q, qd, result, given);
   hash = detail::hash_of(result, 1, hash);
   result[0] = potential_energy(q);
   hash = detail::hash_of(result, 1, hash);
   forward_kinematics(q, result, result + 9);
   hash = detail::hash_of(result, 12, hash);
-  jacobian(q, result, given);
+  (void)jacobian(q, result, given);
   hash = detail::hash_of(result, 6, hash);
-  jacobian_dot_qd(q, qd, result, given);
+  (void)jacobian_dot_qd(q, qd, result, given);
   hash = detail::hash_of(result, 6, hash);
   loop_closure(q, result, given);
   hash = detail::hash_of(result, 2, hash);
   loop_jacobian(q, result, given);
   hash = detail::hash_of(result, 6, hash);
-  loop_step(q, result, given);
+  (void)loop_step(q, result, given);
   hash = detail::hash_of(result, 3, hash);
-  loop_motion(q, qd, qdd, result, result + 3, given);
+  (void)loop_motion(q, qd, qdd, result, result + 3, given);
   hash = detail::hash_of(result, 6, hash);
   return hash == (is_float ? 0x8abdb3221c3250d3u : 0xbed3c92cd41d5283u);
 }
@@ -1229,3 +1360,30 @@ static bool rounding_is_as_written() noexcept {
 }  // namespace slider_crank
 
 #endif  // FLATDYN_SLIDER_CRANK_HPP_DE71316E
+
+// The licence of this file, BSD-3-Clause:
+//
+// Copyright (c) the user of flatdyn, who generated this file. All rights reserved.
+//
+// Redistribution and use in source and binary forms, with or without modification, are permitted
+// provided that the following conditions are met:
+//
+// 1. Redistributions of source code must retain the above copyright notice, this list of conditions
+//    and the following disclaimer.
+//
+// 2. Redistributions in binary form must reproduce the above copyright notice, this list of
+//    conditions and the following disclaimer in the documentation and/or other materials provided
+//    with the distribution.
+//
+// 3. Neither the name of the copyright holder nor the names of its contributors may be used to
+//    endorse or promote products derived from this software without specific prior written
+//    permission.
+//
+// THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS "AS IS" AND ANY EXPRESS OR
+// IMPLIED WARRANTIES, INCLUDING, BUT NOT LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND
+// FITNESS FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE COPYRIGHT HOLDER OR
+// CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL
+// DAMAGES (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES; LOSS OF USE,
+// DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER
+// IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT OF
+// THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.

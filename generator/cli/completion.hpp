@@ -14,7 +14,7 @@ std::string bash_completion(const CLI::App& app);
 std::string zsh_completion(const CLI::App& app);
 std::string fish_completion(const CLI::App& app);
 
-// What may follow as the value of an option, or as an argument.
+// The kinds of words that may follow as the value of an option, or as an argument.
 enum class Completed { nothing, any, files, folders, functions, commands, words };
 struct CompletedValue {
   Completed kind = Completed::nothing;

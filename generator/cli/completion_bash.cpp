@@ -45,7 +45,7 @@ std::string cases_of(const CLI::App& command) {
                              argument.empty() ? ":" : argument);
 }
 
-// What `--option=va` gives in words: "--option", "=" and "va", as bash splits at =.
+// Bash splits at =: `--option=va` is the words "--option", "=" and "va".
 constexpr const char* kHelpers = R"(# bash completion for flatdyn, made by `flatdyn completion`.
 _flatdyn_words() { mapfile -t COMPREPLY < <(compgen -W "$1" -- "$word"); }
 _flatdyn_files() {

@@ -7,7 +7,7 @@
 namespace flatdyn {
 namespace {
 
-// What fish's `complete` is told of a value.
+// The options of fish's `complete` for a value.
 std::string fish_value(const CompletedValue& value, const std::string& commands) {
   switch (value.kind) {
     case Completed::nothing:
@@ -36,7 +36,7 @@ std::string fish_names(const ListedOption& option) {
   return text;
 }
 
-std::string lines_of(const CLI::App& command, const std::string& commands) {
+std::string fish_lines_of(const CLI::App& command, const std::string& commands) {
   const std::string begin = fmt::format("complete -c flatdyn -n '__fish_seen_subcommand_from {}'", command.get_name());
   std::string lines;
   const CompletedValue argument = completed_argument(command);
@@ -70,7 +70,7 @@ std::string fish_completion(const CLI::App& app) {
     text += fmt::format("complete -c flatdyn -n __fish_use_subcommand -a {} -d '{}'\n", command->get_name(),
                         plain_summary(description_of(*command).first));
   }
-  for (const CLI::App* command : subcommands(app)) text += lines_of(*command, commands);
+  for (const CLI::App* command : subcommands(app)) text += fish_lines_of(*command, commands);
   return text;
 }
 

@@ -18,7 +18,7 @@
 namespace flatdyn {
 namespace {
 
-// What the comment at the top of a file says of how it was written.
+// The comment at the top of a file says how it was written.
 struct Stamp {
   std::string version, options, input, scene;
   int line_of_options = 0;

@@ -17,7 +17,7 @@ struct LanguageChoice {
   bool is_one_file;  // unless its form is a pair
 };
 
-// Of --language python, a module over the C form.
+// The value of --language for a module over the C form.
 inline constexpr const char* kPython = "python";
 
 const std::vector<LanguageChoice>& language_choices();

@@ -45,14 +45,12 @@ ExitCode run_verify(const VerifyArguments& arguments) {
 }  // namespace
 
 Run add_verify(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("verify",
-                         "Compare every generated function with the Lagrangian, exactly, and with the "
-                         "recursive Newton-Euler reference. With --header, prove that a file of generated code, "
-                         "which may have been edited, is still the robot's.\n\n"
-                         "  flatdyn verify robots/panda.urdf\n"
-                         "  flatdyn verify robots/panda.urdf --header generated/panda.hpp\n"
-                         "  flatdyn verify robots/puma560.toml --functions inverse_dynamics --states 1000 --json");
+  auto* command = app.add_subcommand(
+      "verify",
+      "Compare every function with the Lagrangian, exactly, and with the reference; or prove a file that is held.\n\n"
+      "  flatdyn verify robots/panda.urdf\n"
+      "  flatdyn verify robots/panda.urdf --header generated/panda.hpp\n"
+      "  flatdyn verify robots/puma560.toml --functions inverse_dynamics --states 1000 --json");
   const auto arguments = std::make_shared<VerifyArguments>();
   arguments->add_to(*command);
   add_functions_option(*command, arguments->functions);

@@ -32,15 +32,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-// The shortest name that begins with what is written, if that is no less than three letters; nullptr if none does.
-const std::string* name_begun(const std::string& written, const std::vector<std::string>& known) {
-  constexpr std::size_t kFewestLetters = 3;
-  const std::string* found = nullptr;
-  for (const std::string& name : known) {
-    const bool is_begun = written.size() >= kFewestLetters && in_small_letters(name).starts_with(written);
-    if (is_begun && (found == nullptr || name.size() < found->size())) found = &name;
-  }
-  return found;
+// Letters of another case alone are no difference.
+std::size_t distance_of(std::string_view written, const std::string& name) {
+  return in_small_letters(written) == in_small_letters(name) ? 0 : edit_distance(written, name);
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -58,18 +52,28 @@ std::string hint_for_unknown(std::string_view written, const std::vector<std::st
   const std::size_t most_wrong = written.size() <= 1 ? 0 : std::max<std::size_t>(1, written.size() / 3);
   std::size_t best_distance = most_wrong + 1;
   const std::string* best = nullptr;
-  const std::string small = in_small_letters(written.substr(0, kLongestName));
   for (const std::string& name : known) {
     if (name.size() > kLongestName || written.size() > kLongestName) continue;
-    const std::size_t distance = edit_distance(small, in_small_letters(name));
+    const std::size_t distance = distance_of(written, name);
     if (distance >= best_distance) continue;
     best_distance = distance;
     best = &name;
   }
-  if (best == nullptr) best = name_begun(small, known);
   if (best != nullptr) return "did you mean \"" + *best + "\"?";
   if (known.empty()) return "";
   return "known " + std::string(plural) + ": " + joined(known);
+}
+
+std::string hint_for_abbreviated(std::string_view written, const std::vector<std::string>& known,
+                                 std::string_view plural) {
+  constexpr std::size_t kFewestLetters = 3;
+  const std::string* shortest = nullptr;
+  for (const std::string& name : known) {
+    const bool is_begun = written.size() >= kFewestLetters && name.starts_with(written);
+    if (is_begun && (shortest == nullptr || name.size() < shortest->size())) shortest = &name;
+  }
+  if (shortest != nullptr) return "did you mean \"" + *shortest + "\"?";
+  return hint_for_unknown(written, known, plural);
 }
 
 }  // namespace flatdyn

@@ -37,7 +37,7 @@ std::optional<ScenePayload> read_payload(TomlTable& table, Diagnostics& diagnost
   return std::nullopt;
 }
 
-// Of which joints the limits are is not known yet, so that they are left in the file's unit.
+// Limits are left in the file's unit, since it is not known yet whether their joints turn.
 std::vector<SceneLimits> read_all_limits(TomlTable table, const Units& units) {
   const JointType type = units.degrees ? JointType::prismatic : JointType::revolute;
   std::vector<SceneLimits> all;

@@ -22,7 +22,7 @@ const FunctionRow& known_row(const std::string& name) {
   if (const FunctionRow* row = find_row(name)) return *row;
   std::vector<std::string> known;
   for (const FunctionRow& row : function_table()) known.emplace_back(row.name);
-  throw Failure(ExitCode::usage, "unknown function \"" + name + "\"", hint_for_unknown(name, known, "functions"));
+  throw Failure(ExitCode::usage, "unknown function \"" + name + "\"", hint_for_abbreviated(name, known, "functions"));
 }
 
 const LinkFrame& link_of(const Mechanism& mechanism, const std::string& name) {

@@ -4,7 +4,7 @@
 
 namespace flatdyn {
 
-// What stands before the declarations of a header.
+// The lines before the declarations of a header.
 inline constexpr const char* kCStandard = R"(
 #if !defined(__cplusplus) && (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L)
 #error "this needs C99: compile it with -std=c99, or a later standard"

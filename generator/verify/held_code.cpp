@@ -63,7 +63,7 @@ Sections sections_of(const EmittedText& text) {
   return sections;
 }
 
-// What the names of a function's parts begin with, and in C that of the function that takes its sines and cosines.
+// The beginning of the names of a function's parts, and in C that of the function that takes its sines and cosines.
 std::string begin_of_parts(const ScannedFunction& function) {
   constexpr std::string_view kGiven = "_given";
   std::string name = (function.member_of.empty() ? "" : function.member_of + "_") + function.name;

@@ -272,7 +272,7 @@ class CompilerFlags : public ::testing::Test {
     return std::system(fmt::format("command -v {} > /dev/null", program).c_str()) == 0;
   }
 
-  // What the program prints that is compiled with these flags.
+  // Compiles a program with these flags, and returns what it prints.
   static std::string answer_of(const Build& build) {
     std::string compile = "rm -f *.o main && ";
     const std::string headers = fmt::format("-I . -isystem '{}/runtime/include'", FLATDYN_SOURCE_DIR);

@@ -33,7 +33,7 @@ TEST_F(Convert, WritesUrdfAsUrdfAndToml) {
 
 // A TOML file goes to stdout, and nothing else.
 TEST_F(Convert, WritesToStandardOutput) {
-  for (const char* robot : {"robots/scara.toml", "robots/ur5.urdf"}) {
+  for (const char* robot : {"robots/puma560.toml", "robots/ur5.urdf"}) {
     exact(robot, "again.toml");
     const Outcome outcome = run_flatdyn(std::string("convert ") + robot + " -o -");
     EXPECT_EQ(outcome.code, 0) << outcome.err;

@@ -243,7 +243,7 @@ TEST_F(Firmware, ThePageHasTheNumbersOfThisCompiler) {
   EXPECT_THAT(docs_page(), HasSubstr(fmt::format("{} bytes of code and {} of stack", sines[0], sines[2])));
 }
 
-// What compiler flags make of inverse dynamics.
+// Compiler flags change the instructions of inverse dynamics.
 TEST_F(Firmware, ThePageHasTheEffectOfFlags) {
   if (!has_compiler_of_the_page()) GTEST_SKIP() << "another compiler than that of the page";
   generate("robots/panda.urdf --firmware cortex-m4 --functions inverse_dynamics");

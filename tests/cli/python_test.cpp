@@ -64,25 +64,25 @@ TEST(PythonUsage, IsALanguage) {
 
 // Errors name the argument; complex numbers and texts are no numbers.
 TEST_F(Python, RefusesWrongArgumentsByName) {
-  generate("robots/scara.toml --functions inverse_dynamics");
-  build("scara");
-  EXPECT_EQ(run(R"py(import numpy as np, scara
+  generate("robots/puma560.toml --functions inverse_dynamics");
+  build("puma560");
+  EXPECT_EQ(run(R"py(import numpy as np, puma560
 def refused(error, words, *arguments):
     try:
-        scara.inverse_dynamics(*arguments)
+        puma560.inverse_dynamics(*arguments)
     except error as failure:
         assert words in str(failure), failure
     else:
         raise SystemExit("not refused: " + words)
-z, Z = np.zeros(4), np.zeros((3, 4))
+z, Z = np.zeros(6), np.zeros((3, 6))
 refused(TypeError, "qd: real numbers are expected, not complex128", z, z + 1j, z)
-refused(TypeError, "qdd: real numbers are expected", z, z, [0, 0, 0, 1j])
-refused(TypeError, "q: real numbers are expected", ["1", "2", "3", "4"], z, z)
-refused(TypeError, "q: real numbers are expected", [None] * 4, z, z)
-refused(ValueError, "qd: an array of shape (4,) or (N, 4) is expected, not (3,)", z, z[1:], z)
+refused(TypeError, "qdd: real numbers are expected", z, z, [0, 0, 0, 0, 0, 1j])
+refused(TypeError, "q: real numbers are expected", ["1"] * 6, z, z)
+refused(TypeError, "q: real numbers are expected", [None] * 6, z, z)
+refused(ValueError, "qd: an array of shape (6,) or (N, 6) is expected, not (5,)", z, z[1:], z)
 refused(ValueError, "qdd: this is no array", z, z, [[1, 2], [3]])
 refused(ValueError, "here are q for 3, qdd for 2", Z, z, Z[1:])
-assert scara.inverse_dynamics([0, 0, 0, 0], z, np.zeros(4, dtype=object)).shape == (4,)
+assert puma560.inverse_dynamics([0] * 6, z, np.zeros(6, dtype=object)).shape == (6,)
 )py"),
             0)
       << folder_.read("log");
@@ -93,7 +93,7 @@ TEST_F(Python, HasTheConstantsOfTheHeader) {
   build("ur5");
   EXPECT_EQ(run(R"py(import numpy as np, ur5
 assert ur5.joint_count == 6 and len(ur5.joint_names) == 6
-assert ur5.position_upper.shape == (6,) and ur5.velocity_limit[0] == 3.15 and not ur5.effort_limit.flags.writeable
+assert ur5.position_upper.shape == (6,) and ur5.velocity_limit[0] == np.pi and not ur5.effort_limit.flags.writeable
 n = ur5.base_parameter_count
 assert n == len(ur5.base_parameter_names) == len(ur5.base_parameter_units) == len(ur5.base_parameter_values)
 units = dict(zip(ur5.base_parameter_names, ur5.base_parameter_units))

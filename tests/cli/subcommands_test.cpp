@@ -241,7 +241,7 @@ TEST(Inspect, ShowsTheDegreesOfAFileAsDegrees) {
                 "<mujoco><worldbody><body><inertial pos=\"1 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/>"
                 "<joint name=\"a\" range=\"-45 60\" limited=\"true\"/></body></worldbody></mujoco>");
   EXPECT_THAT(run_flatdyn("inspect " + scratch.path("arm.xml")).out, HasSubstr("[-45, 60] deg"));
-  EXPECT_THAT(run_flatdyn("inspect robots/panda.urdf").out, HasSubstr("[-2.8973, 2.8973]  2.175"));
+  EXPECT_THAT(run_flatdyn("inspect robots/panda.urdf").out, HasSubstr("[-2.8973, 2.8973]   2.175"));
 }
 
 TEST(Help, OpensWithTwoRunnableExamples) {

@@ -199,7 +199,7 @@ TEST(CFormsInputs, MayBeOneArray) {
   }
 }
 
-// What a compiler says of a program over the checked-in header of the planar arm.
+// Returns what a compiler says of a program over the checked-in header of the planar arm.
 std::string said_by(const std::string& compiler, const std::string& statements) {
   const TemporaryFolder folder;
   write(folder.path() / "main.c",

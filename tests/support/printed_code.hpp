@@ -42,7 +42,7 @@ class PrintedCode {
     prove_text(read, {model_.mechanism, functions_, stages_in(options), options});
   }
 
-  // What is found in a text that is held, beside `own` of the same options.
+  // Compares a text that is held with `own` of the same options.
   HeldReport compare(const std::string& held, const std::string& own, const EmitOptions& options) const {
     const EmittedText read(own, dialect_of(model_.mechanism, options)->scalar());
     const std::optional<Stages> stages = stages_in(options);

@@ -26,7 +26,7 @@ bool check_magnitudes(const Number& value, const std::string& shown, const Spot&
                      [&](const Number& part) { return check_magnitudes(part, shown, spot, diagnostics); });
 }
 
-// What to do about an error of TOML's parser, by words of its description. Of several that it has the first counts.
+// The hint for an error of TOML's parser, by words of its description. If it has several, the first counts.
 struct HintForMalformed {
   const char *words, *hint;
 };

@@ -202,7 +202,7 @@ TEST(Header, HasOnlyWhatIsNeeded) {
   EXPECT_THAT(text, Not(HasSubstr("velocity_limit")));
   EXPECT_THAT(text, Not(HasSubstr("\n\n\n")));
   EXPECT_THAT(text, HasSubstr("#include <cmath>\n\n#if defined(__FAST_MATH__)"));
-  EXPECT_THAT(text, HasSubstr("#endif\n\nnamespace two_link_arm {\n"));
+  EXPECT_THAT(text, HasSubstr("-fsingle-precision-constant\");\n\nnamespace two_link_arm {\n"));
 }
 
 TEST(Header, SaysWhatTheFunctionIs) {

@@ -79,7 +79,8 @@ TEST_F(Entries, OfChristoffelSymbolsAreSymmetric) {
 }
 
 TEST_F(Entries, ThatAreWrongAreRefusedWithAHint) {
-  EXPECT_THAT(refusal("tua[0]"), HasSubstr("known outputs: tau"));
+  EXPECT_THAT(refusal("tua[0]"), HasSubstr("did you mean \"tau\"?"));
+  EXPECT_THAT(refusal("force[0]"), HasSubstr("known outputs: tau"));
   EXPECT_THAT(refusal("tau[3]"), HasSubstr("indices here go from 0 to 2"));
   EXPECT_THAT(refusal("tau[2..1]"), HasSubstr("is empty"));
   EXPECT_THAT(refusal("tau[0][0]"), HasSubstr("has 1 and not 2 indices"));

@@ -275,7 +275,7 @@ TEST_F(InUnits, HeldPositionsAreAskedAboutWhereverTheyAreSaid) {
                                            "<child link=\"hand\"/></joint>");
   read("r.urdf", robot, options);
   ASSERT_THAT(warnings(), ::testing::Contains("joint \"j\", held at 90: 90 rad is 14 turns; were degrees meant?"));
-  EXPECT_EQ(diagnostics_.all().front().hint, "if so, write --fix j=pi/2");
+  EXPECT_EQ(diagnostics_.all().front().hint, "if so, write --fix j=90deg");
   options.scene.locked = {{"j", Number(6), "6", true, {}}};
   read("r.urdf", robot, options);
   EXPECT_THAT(warnings(), ::testing::Not(::testing::Contains(HasSubstr("degrees"))));

@@ -279,8 +279,11 @@ TEST_F(MjcfReader, LeavesOutJointsBesideAFloatingRobotThatAreHeld) {
 }
 
 TEST_F(MjcfReader, NamesAllJointsBesideAFloatingRobot) {
-  mjcf(mjcf_body("trunk", "<freejoint name=\"root\"/>") +
-       mjcf_body("dummy", R"(<joint name="spare"/>)" + mjcf_body("more", R"(<joint name="slide" type="slide"/>)")));
+  const std::string bodies =
+      mjcf_body("trunk", "<freejoint name=\"root\"/>") +
+      mjcf_body("dummy", R"(<joint name="spare"/>)" + mjcf_body("more", R"(<joint name="slide" type="slide"/>)"));
+  EXPECT_FALSE(read_robot(write("r.xml", "<mujoco><worldbody>" + bodies + "</worldbody></mujoco>"), {}, diagnostics_)
+                   .has_value());
   ASSERT_FALSE(diagnostics_.all().empty());
   EXPECT_EQ(
       diagnostics_.all().front().message,
