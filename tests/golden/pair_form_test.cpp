@@ -71,8 +71,9 @@ std::string comparison(const std::string& call, const std::string& inputs, const
   std::string text = fmt::format("  {{\n    Scalar all[2][{}] = {{}};\n", length);
   for (int form = 0; form < 2; ++form) {
     const std::string name = form == 0 ? "whole" : "apart";
-    const std::string line = fmt::format("    {{ Scalar* const out = all[{}]; {}FORM::{}({}); }}\n", form,
-                                         returns_value(function) ? "out[0] = " : "", call, fmt::join(arguments, ", "));
+    const std::string line =
+        fmt::format("    {{ Scalar* const out = all[{}]; {}FORM::{}({}); }}\n", form,
+                    returns_value(function) ? "out[0] = " : "(void)", call, fmt::join(arguments, ", "));
     text += with_replaced(line, "FORM", name);
   }
   return text + "    compare(all);\n  }\n";

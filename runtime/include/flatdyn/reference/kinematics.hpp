@@ -111,6 +111,7 @@ S kinetic_energy(const Robot<S>& robot, const VectorX<S>& coordinates, const Vec
     child.v = place.R.transpose() * v + child.omega.cross(place.after);
   }
   S twice(0);
+  if (robot.floating_base) twice += robot.base_armature * qd.template head<6>().squaredNorm();
   for (std::size_t l = 0; l < robot.links.size(); ++l) {
     const Velocity& link = velocities[l];
     for (const Inertial<S>& body : robot.links[l].inertials) {
