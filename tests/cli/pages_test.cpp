@@ -242,7 +242,8 @@ TEST(AccuracyPage, HasTheRowsOfVerify) {
 
 // Multiplications and additions per function, as the checked-in output states them, which `ctest -R Golden` holds.
 std::map<std::string, std::pair<int, int>> operations_of(const std::string& robot) {
-  const std::regex operations(R"(Operations:\s+(\d+) mul, (\d+) add)"), function(R"(^(?:\[\[nodiscard\]\] )?static inline \w+ (\w+)\()");
+  const std::regex operations(R"(Operations:\s+(\d+) mul, (\d+) add)"),
+      function(R"(^(?:\[\[nodiscard\]\] )?static inline \w+ (\w+)\()");
   std::ifstream header(kSource / "generated" / (robot + ".hpp"));
   std::map<std::string, std::pair<int, int>> result;
   std::pair<int, int> counts = {-1, -1};  // of the comment above
