@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What emitted code refuses to be compiled with, as it has to be.
+// The flags that emitted code refuses to be compiled with, as the text has to be.
 #pragma once
 
 namespace flatdyn {

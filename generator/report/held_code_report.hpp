@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What `flatdyn verify --header` finds, as messages, as a table and as JSON.
+// The findings of `flatdyn verify --header`, as messages, as a table and as JSON.
 #pragma once
 
 #include <functional>

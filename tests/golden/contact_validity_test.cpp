@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What `true` promises in functions about contacts: a search climbs to the states with the largest errors, of a
+// The promise of `true` in functions about contacts: a search climbs to the states with the largest errors, of a
 // quadruped on four feet, a humanoid on two soles, and an arm on a free body. Errors in double are those beside long
 // double, and in float those beside double. They are in parts of the largest of what a function adds up: accelerations
 // with and without contacts, velocities before an impact, torques without contacts. Each error is in the norm in which
