@@ -313,7 +313,8 @@ TEST_F(CompilerFlags, ThatReorderSumsChangeLastPlacesOnly) {
   expect_right({"clang", "clang++", kUnsafe, ""});
 }
 
-// Each of these is a set of flags that people compile with.
+// Each of these is a set of flags that people compile with. Vectors in C do not compile for the x87, whose constants
+// have more digits.
 TEST_F(CompilerFlags, OfGccChangeLastPlacesOnly) {
   for (const char* flags : {"-O0",
                             "-Og",
@@ -342,7 +343,8 @@ TEST_F(CompilerFlags, OfGccChangeLastPlacesOnly) {
                             "-O2 -fwrapv -fno-strict-aliasing",
                             "-O2 -fno-builtin",
                             "-O2 -mpc64 -mfpmath=387"}) {
-    expect_right({"gcc", "g++", flags, ""});
+    const bool has_vectors = std::string(flags).find("387") == std::string::npos;
+    expect_right({"gcc", "g++", flags, "", has_vectors});
   }
 }
 
