@@ -129,7 +129,8 @@ void climb(const char* name, int function, double least, unsigned seed, int step
     worst_of_forces = std::fmax(worst_of_forces, error.force);
     if (error.motion > worst) worst = error.motion, best = s;
   }
-  std::printf("%s %d, condition >= %g: %.2g, forces %.2g, true at %.0f %%\n", name, function, least, worst, worst_of_forces,
+  std::printf("%s %d, condition >= %g: %.2g, forces %.2g, true at %.0f %%\n", name, function, least,
+              worst, worst_of_forces,
               100.0 * held / tried);
 }
 
