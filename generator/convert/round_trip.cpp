@@ -70,7 +70,8 @@ class NumberCollector {
   void add(const Body& body) {
     // The name has all that is no number.
     const std::string name = "joint \"" + body.joint + "\" on body " + std::to_string(body.parent) +
-                             (body.prismatic ? ", prismatic" : "") + (body.continuous ? ", continuous" : "");
+                             (body.prismatic ? ", prismatic" : "") + (body.continuous ? ", continuous" : "") +
+                             (body.is_tendon ? ", tendon" : "");
     for (const PlanarRotation& rotation : {body.beta, body.alpha, body.theta}) {
       add(name + ", orientation", rotation.c);
       add(name + ", orientation", rotation.s);

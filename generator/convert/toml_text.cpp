@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <sstream>
 
 #include "convert/conversion.hpp"
 #include "convert/decimals.hpp"
+#include "convert/ordered_text.hpp"
 #include "convert/plain_robot.hpp"
 #include "report/toml_string.hpp"
 
@@ -41,7 +40,12 @@ class TomlWriter {
 
   Conversion write() {
     write_top();
-    for (const PlainJoint& joint : plain_.joints) write_row(joint);
+    for (const PlainJoint& joint : plain_.joints) {
+      if (joint.joint == nullptr || !joint.joint->is_tendon) write_row(joint);
+    }
+    for (const Joint& joint : robot_.joints) {
+      if (joint.is_tendon) write_tendon(joint);
+    }
     for (const Loop& loop : robot_.loops) write_loop(loop);
     write_assembly();
     write_tip();
@@ -51,21 +55,7 @@ class TomlWriter {
  private:
   // ---- numbers
 
-  static std::string expression(const Number& value) {
-    std::ostringstream text;
-    text << value;
-    std::string expression = text.str();
-    const auto is_of_name = [&expression](std::size_t k) {
-      return k < expression.size() &&
-             (std::isalnum(static_cast<unsigned char>(expression[k])) != 0 || expression[k] == '_');
-    };
-    for (std::size_t k = expression.find("Pi"); k != std::string::npos; k = expression.find("Pi", k + 1)) {
-      if (!is_of_name(k - 1) && !is_of_name(k + 2)) expression.replace(k, 2, "pi");
-    }
-    return expression;
-  }
-
-  static std::string quoted_expression(const Number& value) { return toml_string(expression(value)); }
+  static std::string quoted_expression(const Number& value) { return toml_string(ordered_text(value)); }
 
   // An expression in symbols, as the reader takes it.
   std::string symbolic(const Number& value, const std::string& what) {
@@ -220,14 +210,26 @@ class TomlWriter {
     if (joint.motor) write_motor(*joint.motor, what + ", motor");
   }
 
+  void write_tendon(const Joint& tendon) {
+    text_ += "\n[[tendon]]\n";
+    add("name", toml_string(tendon.name));
+    add("length", position_of(*tendon.coupled));
+    write_values({{"stiffness", &tendon.stiffness},
+                  {"spring_reference", &tendon.spring_reference},
+                  {"viscous", &tendon.viscous},
+                  {"coulomb", &tendon.coulomb},
+                  {"armature", &tendon.armature}},
+                 "tendon \"" + tendon.name + "\"");
+  }
+
   // "2*'elbow' + 1/3": rational numbers are written exactly, multiples of pi as such.
   static std::string position_of(const Coupled& coupled) {
     std::string text;
     for (const Coupled::Term& term : coupled.terms) {
-      text += (text.empty() ? "(" : " + (") + expression(term.factor) + ")*'" + term.joint.name + "'";
+      text += (text.empty() ? "(" : " + (") + ordered_text(term.factor) + ")*'" + term.joint.name + "'";
     }
     if (!vanishes(coupled.offset) || coupled.terms.empty()) {
-      text += (text.empty() ? "(" : " + (") + expression(coupled.offset) + ")";
+      text += (text.empty() ? "(" : " + (") + ordered_text(coupled.offset) + ")";
     }
     return toml_string(text);
   }

@@ -99,6 +99,7 @@ class NumberComparison {
       require((body.spherical == kSphericalBodies) == is_spherical, name + ": its kind");
       require(body.prismatic == (written(i).type == JointType::prismatic), name + ": its kind");
       require(body.continuous == (written(i).type == JointType::continuous), name + ": its kind");
+      require(body.is_tendon == written(i).is_tendon, name + ": its kind");
       require(body.parent < index, name + ": its parent");
       require(!body.rotor || body.rotor->carrier < index, name + ": the carrier of its rotor");
       require(mechanism_.links[static_cast<std::size_t>(written(i).child)].body == index,

@@ -84,6 +84,9 @@ std::string facts_of(const Mechanism& mechanism, const std::string& scene) {
   const auto by_index = [](int k) { return fmt::format("q[{}]", k); };
   const std::vector<std::string> coupled = coupled_joint_texts(mechanism, by_index);
   if (!coupled.empty()) text += coupled_text(coupled);
+  const std::vector<std::string> tendons = tendon_texts(mechanism, by_index);
+  if (!tendons.empty())
+    text += fmt::format(" Tendons act on the joints that they run over: {}.", fmt::join(tendons, ", "));
   if (mechanism.has_spherical_joints()) text += " " + spherical_joints_text(mechanism);
   if (mechanism.has_loops()) text += loop_text(mechanism);
   if (!scene.empty()) text += " " + scene;

@@ -202,9 +202,9 @@ PhysicalParameters physical_parameters(const Mechanism& mechanism, const BasePar
   const VectorXd starts = starts_of_missing(K, Eigen::Map<const VectorXd>(file.data(), K.cols()), estimate);
   PhysicalParameters found = nearest(shapes_of(bodies, starts), rotors, K, estimate.values, estimate.root_information);
   found.pi.insert(found.pi.begin(), static_cast<std::size_t>(without), 0);
-  // The search gives the bodies inside spherical joints small masses, which no equation has.
+  // The search gives bodies without links small masses, which no equation has.
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-    if (!is_inside_joint(mechanism.bodies[i])) continue;
+    if (!has_no_link(mechanism.bodies[i])) continue;
     const auto its = found.pi.begin() + static_cast<std::ptrdiff_t>(i * kParametersPerJoint);
     std::fill(its, its + kInertialPerBody, 0);
   }

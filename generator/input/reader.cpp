@@ -21,6 +21,7 @@
 #include "model/coupling.hpp"
 #include "model/linear_loops.hpp"
 #include "model/snap_dust.hpp"
+#include "model/tendon.hpp"
 #include "model/validate.hpp"
 
 namespace flatdyn {
@@ -34,8 +35,8 @@ int last_moving_link(const Robot& robot) {
   const std::vector<bool> moves = moving_links(robot);
   int last = robot.root;
   for (const int j : depth_first_joints(robot)) {
-    const int child = robot.joints[static_cast<std::size_t>(j)].child;
-    if (moves[static_cast<std::size_t>(child)]) last = child;
+    const Joint& joint = robot.joints[static_cast<std::size_t>(j)];
+    if (moves[static_cast<std::size_t>(joint.child)] && !joint.is_tendon) last = joint.child;
   }
   return last;
 }
@@ -173,6 +174,7 @@ void read_into(const std::string& file, ReadContext& context, Robot& robot) {
   if (robot.links.empty() && context.diagnostics.has_errors()) return;
   apply_to_joints(robot.scene, context.diagnostics, robot);
   hold_joints(context, robot);
+  leave_out_idle_tendons(robot);
   if (!validate_tree(robot, context.diagnostics)) return;
   robot.floating_base = context.options.floating_base.value_or(robot.floating_base);
   if (robot.scene.base_limits && !robot.floating_base) {

@@ -56,6 +56,7 @@ Body make_body(const RawTree& tree, const std::vector<Placement>& placements, st
   body.parent = tree.parent[i];
   body.prismatic = joint.type == JointType::prismatic;
   body.continuous = joint.type == JointType::continuous;
+  body.is_tendon = joint.is_tendon;
   const ZxzAngles angles = zxz_angles(tree.frames[i].R);
   body.beta = angles.beta;
   if (body.parent >= 0) {

@@ -85,11 +85,13 @@ void report_unknown_leader(const Robot& robot, const CouplingResolver::UnknownLe
                            Diagnostics& diagnostics) {
   const Joint& joint = robot.joints[static_cast<std::size_t>(unknown_leader.follower)];
   std::vector<std::string> known;
-  for (const Joint& each : robot.joints) known.push_back(each.name);
-  diagnostics.error(
-      joint.coupled->place,
-      "joint \"" + joint.name + "\" follows joint \"" + unknown_leader.name->name + "\", which does not exist",
-      hint_for_unknown(unknown_leader.name->name, known, "joints"));
+  for (const Joint& each : robot.joints) {
+    if (!each.is_tendon) known.push_back(each.name);
+  }
+  const std::string what = joint.is_tendon ? "tendon \"" + joint.name + "\" runs over joint \""
+                                           : "joint \"" + joint.name + "\" follows joint \"";
+  diagnostics.error(joint.coupled->place, what + unknown_leader.name->name + "\", which does not exist",
+                    hint_for_unknown(unknown_leader.name->name, known, "joints"));
 }
 
 void report_circle(const Robot& robot, const std::vector<int>& circle, Diagnostics& diagnostics) {

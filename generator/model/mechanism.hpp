@@ -64,6 +64,7 @@ struct Body {
   Number spring_reference = 0;
   // 1, 2, 3: the body is the first, second or last one of a spherical joint, and turns about its x, y or z. 0: not so.
   int spherical = 0;
+  bool is_tendon = false;  // joint i is the length of a tendon (model/tendon.hpp): the body has no inertia
 };
 
 // The unit of the joint's torque or force.

@@ -75,6 +75,7 @@ struct Joint {
   Place place;
   Value stiffness;         // k of a spring at the joint, N m/rad or N/m
   Value spring_reference;  // q_0, the joint's position where the spring exerts nothing, rad or m
+  bool is_tendon = false;  // a tendon's length (model/tendon.hpp)
 };
 
 // A closed chain, cut at the joint that closes it: a point of one link coincides with a point of another, and if there

@@ -52,6 +52,9 @@ inline int parent_of_joint(const Mechanism& mechanism, int i) {
 // Whether it is the first or second body of a spherical joint, which have no inertia and are no links.
 inline bool is_inside_joint(const Body& body) { return body.spherical > 0 && body.spherical < kSphericalBodies; }
 
+// Whether the body stands for a motion only, and has no inertial parameters.
+inline bool has_no_link(const Body& body) { return is_inside_joint(body) || body.is_tendon; }
+
 // The joint's name from that of one of its bodies: "JOINT".
 std::string spherical_joint_name(const std::string& body);
 // The name of the joint that moves a body, as written.

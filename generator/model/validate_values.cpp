@@ -18,7 +18,7 @@ bool is_exact_zero(const Number& a) { return vanishes(a); }
 
 std::string decimal(const Number& a) { return fmt::format("{:.6g}", nearest_double(a)); }
 
-std::string named(const Joint& joint) { return "joint \"" + joint.name + "\""; }
+std::string named(const Joint& joint) { return (joint.is_tendon ? "tendon \"" : "joint \"") + joint.name + "\""; }
 std::string named(const Link& link) { return "link \"" + link.name + "\""; }
 
 void check_axis(const Joint& joint, Diagnostics& diagnostics) {
@@ -111,16 +111,23 @@ void check_motor(const Joint& joint, Diagnostics& diagnostics) {
   }
 }
 
-void check_range(const Joint& joint, Diagnostics& diagnostics) {
+// A position of the joint in the unit of its file.
+std::string position_text(const Number& position, const Joint& joint, bool in_degrees) {
+  if (!in_degrees || joint.type == JointType::prismatic) return decimal(position);
+  return decimal(position * 180 / GiNaC::Pi) + " deg";
+}
+
+void check_range(const Joint& joint, bool in_degrees, Diagnostics& diagnostics) {
   const std::optional<Value>& lower = joint.limits.lower;
   const std::optional<Value>& upper = joint.limits.upper;
   if (!lower || !upper) return;
   const Number range = upper->number - lower->number;
   if (is_negative(range)) {
-    diagnostics.error(lower->place,
-                      fmt::format("{}: the lower limit ({}) is above the upper one ({})", named(joint),
-                                  decimal(lower->number), decimal(upper->number)),
-                      "exchange them");
+    diagnostics.error(
+        lower->place,
+        fmt::format("{}: the lower limit ({}) is above the upper one ({})", named(joint),
+                    position_text(lower->number, joint, in_degrees), position_text(upper->number, joint, in_degrees)),
+        "exchange them");
   } else if (is_exact_zero(range)) {
     diagnostics.warning(lower->place, named(joint) + " cannot move: its lower and upper limit are the same",
                         "give the range, or make the joint a fixed one",
@@ -128,17 +135,23 @@ void check_range(const Joint& joint, Diagnostics& diagnostics) {
   }
 }
 
-void check_limits(Joint& joint, Diagnostics& diagnostics) {
+void check_limits(Joint& joint, bool in_degrees, Diagnostics& diagnostics) {
   remove_absent_limits(joint, diagnostics);
-  check_range(joint, diagnostics);
-  const std::array<std::pair<const char*, const std::optional<Value>*>, 3> magnitudes = {
-      {{"velocity", &joint.limits.velocity},
-       {"acceleration", &joint.limits.acceleration},
-       {"effort", &joint.limits.effort}}};
-  for (const auto& [name, limit] : magnitudes) {
-    if (*limit) {
-      check_not_negative(**limit, named(joint) + ": " + name + " limit", "it bounds the magnitude", diagnostics);
-    }
+  check_range(joint, in_degrees, diagnostics);
+  struct Magnitude {
+    const char* name;
+    const std::optional<Value>& limit;
+    const char* per_time;  // after degrees; nullptr of what is no motion
+  };
+  const Magnitude magnitudes[] = {{"velocity", joint.limits.velocity, "/s"},
+                                  {"acceleration", joint.limits.acceleration, "/s^2"},
+                                  {"effort", joint.limits.effort, nullptr}};
+  for (const auto& [name, limit, per_time] : magnitudes) {
+    if (!limit || !is_negative(limit->number)) continue;
+    std::string text = position_text(limit->number, joint, in_degrees && per_time != nullptr);
+    if (text.ends_with("deg")) text += per_time;
+    diagnostics.error(limit->place, fmt::format("{}: {} limit is negative ({})", named(joint), name, text),
+                      "it bounds the magnitude");
   }
 }
 
@@ -181,9 +194,10 @@ void check_spherical_joints(const Robot& robot, Diagnostics& diagnostics) {
   for (const Joint& joint : robot.joints) {
     if (!joint.coupled || joint.type == JointType::fixed || of_type(joint)) continue;
     diagnostics.unsupported(joint.coupled->place,
-                            fmt::format("{} is coupled, and {} is spherical: both in one robot are not supported yet",
-                                        named(joint), named(*spherical)),
-                            "hold one of them still: --fix");
+                            fmt::format("{} {}, and {} is spherical: both in one robot are not supported yet",
+                                        named(joint), joint.is_tendon ? "has forces" : "is coupled", named(*spherical)),
+                            joint.is_tendon ? "hold the spherical joint still, --fix, or leave out the tendon's forces"
+                                            : "hold one of them still: --fix");
     return;
   }
   for (const Loop& loop : robot.loops) {
@@ -202,7 +216,7 @@ void check_base_joint(BaseJoint& joint, Diagnostics& diagnostics) {
   check_not_negative(joint.armature, "the base: armature", "reflected inertia is not negative", diagnostics);
 }
 
-void check_joint(Joint& joint, Diagnostics& diagnostics) {
+void check_joint(Joint& joint, bool in_degrees, Diagnostics& diagnostics) {
   if (joint.type == JointType::fixed) return;
   if (joint.type == JointType::spherical) {
     check_spherical(joint, diagnostics);
@@ -217,7 +231,7 @@ void check_joint(Joint& joint, Diagnostics& diagnostics) {
   check_not_negative(joint.stiffness, named(joint) + ": stiffness", "a spring pulls back to where it is relaxed",
                      diagnostics);
   check_motor(joint, diagnostics);
-  check_limits(joint, diagnostics);
+  check_limits(joint, in_degrees, diagnostics);
 }
 
 // Whether a closed loop goes through the link: joints before it move what the loop takes along.
@@ -265,7 +279,8 @@ void check_moved_inertia(const Robot& robot, Diagnostics& diagnostics) {
     const Joint& joint = robot.joints[static_cast<std::size_t>(*index)];
     if (has_inertia[static_cast<std::size_t>(joint.child)]) {
       has_inertia[static_cast<std::size_t>(joint.parent)] = true;
-    } else if (joint.type != JointType::fixed && is_exact_zero(joint.armature.number) && !joint.motor) {
+    } else if (joint.type != JointType::fixed && !joint.is_tendon && is_exact_zero(joint.armature.number) &&
+               !joint.motor) {
       diagnostics.warning(joint.place, named(joint) + " moves no mass: the inertia matrix is singular",
                           "give the links after it their mass and inertia, or make it a fixed joint",
                           "joints that move no mass: the inertia matrix is singular");
@@ -290,7 +305,7 @@ void validate_values(Robot& robot, const std::vector<Place>& payloads, Diagnosti
       if (complete) check_inertia_without_mass(what, inertial, diagnostics);
     }
   }
-  for (Joint& joint : robot.joints) check_joint(joint, diagnostics);
+  for (Joint& joint : robot.joints) check_joint(joint, robot.in_degrees, diagnostics);
   if (robot.floating_base) check_base_joint(robot.base_joint, diagnostics);
   check_spherical_joints(robot, diagnostics);
   if (!complete) return;

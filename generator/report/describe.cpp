@@ -26,6 +26,7 @@ constexpr const char* kCountsFrom =
 
 std::string type_of(const Body& body) {
   if (body.spherical > 0) return "spherical";
+  if (body.is_tendon) return "tendon";
   if (body.prismatic) return "prismatic";
   return body.continuous ? "continuous" : "revolute";
 }
@@ -98,6 +99,27 @@ std::string base_joint_text(const Mechanism& mechanism, const NumberText& number
   return fmt::format("  with {}\n", parts);
 }
 
+// lengths: one text for each tendon.
+std::string describe_tendons(const Mechanism& mechanism, const std::vector<std::string>& lengths,
+                             const NumberText& number) {
+  std::string text = lengths.empty() ? "" : "\ntendons, which act on several joints by their lengths, rad or m:\n";
+  auto length = lengths.begin();
+  for (const Body& body : mechanism.bodies) {
+    if (!body.is_tendon) continue;
+    text += "  " + *length++;
+    const auto add = [&](const char* what, const Number& value) {
+      if (!vanishes(value)) text += fmt::format("; {} {}", what, number(value));
+    };
+    add("stiffness", body.stiffness);
+    add("relaxed at", body.spring_reference);
+    add("F_v", body.viscous);
+    add("F_s", body.coulomb);
+    add("armature", body.armature);
+    text += "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_effects, SnapDetail detail) {
@@ -145,6 +167,7 @@ std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_eff
     const auto by_index = [](int k) { return fmt::format("q[{}]", k); };
     const std::vector<std::string> coupled = coupled_joint_texts(mechanism, by_index);
     if (!coupled.empty()) text += fmt::format("\ncoupled joints:\n  {}\n", fmt::join(coupled, "\n  "));
+    text += describe_tendons(mechanism, tendon_texts(mechanism, by_index), number);
   }
   if (mechanism.has_loops()) text += text_of_loops(mechanism);
   const std::vector<std::string> scene = scene_items(model);
@@ -195,7 +218,8 @@ std::string describe_canonical_bodies(const Mechanism& mechanism, const NumberTe
     text += fmt::format("base ({}), in its own frame\n", base.link) + inertia_about_origin(base.inertia, number);
   }
   for (int i = mechanism.base_bodies(); i < mechanism.body_count(); ++i) {
-    text += describe_body(mechanism.bodies[static_cast<std::size_t>(i)], i + 1 - mechanism.base_bodies(), number);
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
+    if (!body.is_tendon) text += describe_body(body, i + 1 - mechanism.base_bodies(), number);
   }
   return text;
 }

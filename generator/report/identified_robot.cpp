@@ -32,7 +32,7 @@ class RobotText {
     if (model_.robot.has_payload) line("payload = { mass = 0 }  # in its link, below");
     const int base = model_.mechanism.base_bodies();
     for (int i = std::max(0, base - 1); i < model_.mechanism.body_count(); ++i) {
-      if (!is_inside_joint(model_.mechanism.bodies[static_cast<std::size_t>(i)])) add_link(i);
+      if (!has_no_link(model_.mechanism.bodies[static_cast<std::size_t>(i)])) add_link(i);
     }
     for (const LinkFrame& link : model_.mechanism.links) add_merged(link);
     for (int i = base; i < model_.mechanism.body_count(); ++i) {

@@ -147,7 +147,7 @@ std::vector<LinkInFile> links_in_file(const LoadedRobot& model) {
   if (has_values(model)) numeric = reference_robot<double>(model.robot, {});
   for (int i = first_link(mechanism); i < mechanism.body_count(); ++i) {
     const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
-    if (is_inside_joint(body)) continue;
+    if (has_no_link(body)) continue;
     const LinkFrame& frame = frame_of(mechanism, i);
     const Mat3 back = transpose(frame.R);
     LinkInFile link;

@@ -7,6 +7,7 @@
 namespace flatdyn::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -57,6 +58,18 @@ TEST_F(Convert, WritesSprings) {
               HasSubstr("<gazebo reference=\"j\">\n    <springStiffness>2.5</springStiffness>\n"
                         "    <springReference>-0.25</springReference>\n  </gazebo>\n"));
   exact(scratch.path("a.urdf"), "b.toml");
+}
+
+TEST_F(Convert, WritesTendons) {
+  scratch.write(
+      "r.toml",
+      "name = \"r\"\n[[link]]\njoint = \"i\"\nmass = 1\ncom = [1, 0, 0]\n[[link]]\njoint = \"j\"\nmass = 1\n"
+      "com = [1, 0, 0]\n[[tendon]]\nname = \"t\"\nlength = \"2*i - 1/3*j\"\nstiffness = 2.5\narmature = \"a\"\n");
+  EXPECT_THAT(
+      exact(scratch.path("r.toml"), "a.toml"),
+      HasSubstr("[[tendon]]\nname = \"t\"\nlength = \"(2)*'i' + (-1/3)*'j'\"\nstiffness = 2.5\narmature = \"a\"\n"));
+  EXPECT_THAT(run_flatdyn("convert " + scratch.path("r.toml") + " -o " + scratch.path("a.urdf")).err,
+              HasSubstr("a URDF cannot say a tendon, \"t\""));
 }
 
 TEST_F(Convert, KeepsDecimalsAndAnglesAsTheyAre) {
@@ -111,8 +124,10 @@ TEST_F(Convert, WritesSymbols) {
   exact(scratch.path("a.toml"), "b.toml");
   scratch.write("r.toml",
                 "name = \"r\"\n[[link]]\nxyz = [\"Pi_x\", 0, \"2*a/b\"]\nmass = \"m\"\n"
-                "com = [1, 0, \"c^2/b\"]\n");
-  EXPECT_THAT(exact(scratch.path("r.toml"), "c.toml"), HasSubstr("\"Pi_x\""));
+                "com = [1, 0, \"c^2/b\"]\n[[link]]\nxyz = [\"l - z/2\", \"(b - a)*pi\", \"-a*(c + b)/3\"]\nmass = 1\n");
+  EXPECT_THAT(exact(scratch.path("r.toml"), "c.toml"),
+              AllOf(HasSubstr("[\"Pi_x\", 0, \"2*a*b^(-1)\"]"), HasSubstr("com = [1, 0, \"b^(-1)*c^2\"]"),
+                    HasSubstr("[\"l - 1/2*z\", \"b*pi - a*pi\", \"-1/3*a*b - 1/3*a*c\"]")));
 }
 
 TEST_F(Convert, WritesMultiplesOfPiInCouplings) { exact("robots/parallelogram.toml", "a.toml"); }

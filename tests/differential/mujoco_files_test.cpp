@@ -118,6 +118,39 @@ TEST_F(MujocoSharedFiles, MoveWithArmatureAndDampingOfAFreeJointAsInMujoco) {
   compare_text(without(kJointOfBase, R"re(\bfrictionloss="[^"]*")re"));
 }
 
+// Springs, dampers and armature of fixed tendons, with what an actuator adds, and springs of which MuJoCo finds the
+// length at rest. `root`: a joint of the first body.
+std::string hand_with_tendons(const std::string& root) {
+  return "<mujoco><worldbody><body name=\"palm\" pos=\"0 0 1\">" + root +
+         R"(<inertial pos="0.1 -0.2 0.05" mass="2" fullinertia="0.1 0.2 0.25 0.01 -0.02 0.03"/>
+    <body name="proximal" pos="0.3 0.1 0"><joint name="mcp" axis="0 1 0.2" ref="20" springref="30" stiffness="0.5"/>
+      <inertial pos="0.05 0 -0.2" mass="1" diaginertia="0.02 0.03 0.01"/>
+      <body name="distal" pos="0 0 -0.4"><joint name="pip" axis="0 1 0" springref="-15"/>
+        <inertial pos="0 0.02 -0.1" mass="0.5" diaginertia="0.004 0.003 0.002"/></body></body>
+    <body name="thumb" pos="0 0.3 0.1"><joint name="slide" type="slide" axis="1 0 1" ref="0.2" springref="0.1"/>
+      <inertial pos="0 0.02 -0.1" mass="0.5" diaginertia="0.004 0.003 0.002"/></body></body></worldbody>
+  <tendon><fixed name="flexor" stiffness="30" springlength="0.4" damping="2.5" armature="0.3">
+      <joint joint="mcp" coef="0.8"/><joint joint="pip" coef="-1.5"/></fixed>
+    <fixed name="mixed" stiffness="70" damping="0.2"><joint joint="pip" coef="2"/><joint joint="slide" coef="3"/></fixed>
+    <fixed name="driven"><joint joint="mcp" coef="1"/><joint joint="pip" coef="0.5"/></fixed></tendon>
+  <actuator><motor tendon="driven" gear="6" armature="0.01" damping="0.02"/></actuator></mujoco>)";
+}
+
+TEST_F(MujocoSharedFiles, TendonsPullAsInMujoco) {
+  compare_text(hand_with_tendons(R"(<joint name="root" axis="1 0 0"/>)"));
+  compare_text(hand_with_tendons("<freejoint/>"));
+}
+
+// The positions that are reached hold MuJoCo's equalities.
+TEST_F(MujocoSharedFiles, TendonsCoupleAsInMujoco) {
+  for (const char* equality : {R"(<tendon tendon1="flexor" polycoef="0.3"/>)",
+                               R"(<tendon tendon1="flexor" tendon2="mixed" polycoef="-0.2 0.7 0 0 0"/>)"}) {
+    std::string text = hand_with_tendons(R"(<joint name="root" axis="1 0 0"/>)");
+    text.insert(text.find("<actuator>"), std::string("<equality>") + equality + "</equality>");
+    compare_text(text);
+  }
+}
+
 // Real files lie beside the checkout, in ../shared/robots/mjcf.
 TEST_P(MujocoSharedFiles, MoveAsInMujoco) {
   const fs::path path = fs::path(FLATDYN_SOURCE_DIR) / ".." / "shared" / "robots" / "mjcf" / GetParam().name;
@@ -132,17 +165,18 @@ std::string name_of(const ::testing::TestParamInfo<MjcfFile>& info) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Files, MujocoSharedFiles,
-    ::testing::Values(MjcfFile{"ur5e.xml"}, MjcfFile{"panda_nohand.xml"}, MjcfFile{"iiwa14.xml"},
-                      MjcfFile{"gym_hopper.xml"}, MjcfFile{"gym_pusher_v5.xml"}, MjcfFile{"panda.xml", {"tendon"}},
-                      MjcfFile{"shadow_right_hand.xml", {"tendon"}}, MjcfFile{"gym_half_cheetah.xml"},
-                      MjcfFile{"2f85.xml", {"tendon", "mesh"}}, MjcfFile{"go1.xml", {}, {"trunk_joint"}},
-                      MjcfFile{"anymal_c.xml", {}, {"base_joint"}},
-                      MjcfFile{"g1_29dof.xml", {}, {"floating_base_joint"}}, MjcfFile{"gym_humanoid.xml", {}, {"root"}},
-                      MjcfFile{"go1.xml"}, MjcfFile{"anymal_c.xml"}, MjcfFile{"g1_29dof.xml"},
-                      MjcfFile{"gym_humanoid.xml"}),
-    name_of);
+INSTANTIATE_TEST_SUITE_P(Files, MujocoSharedFiles,
+                         ::testing::Values(MjcfFile{"ur5e.xml"}, MjcfFile{"panda_nohand.xml"}, MjcfFile{"iiwa14.xml"},
+                                           MjcfFile{"gym_hopper.xml"}, MjcfFile{"gym_pusher_v5.xml"},
+                                           MjcfFile{"panda.xml"}, MjcfFile{"shadow_right_hand.xml"},
+                                           MjcfFile{"gym_half_cheetah.xml"}, MjcfFile{"2f85.xml", {"mesh"}},
+                                           MjcfFile{"go1.xml", {}, {"trunk_joint"}},
+                                           MjcfFile{"anymal_c.xml", {}, {"base_joint"}},
+                                           MjcfFile{"g1_29dof.xml", {}, {"floating_base_joint"}},
+                                           MjcfFile{"gym_humanoid.xml", {}, {"root"}}, MjcfFile{"go1.xml"},
+                                           MjcfFile{"anymal_c.xml"}, MjcfFile{"g1_29dof.xml"},
+                                           MjcfFile{"gym_humanoid.xml"}),
+                         name_of);
 
 }  // namespace
 }  // namespace flatdyn::mujoco_peer

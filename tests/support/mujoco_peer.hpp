@@ -72,7 +72,8 @@ inline std::optional<Robot> read_mjcf_file(const fs::path& path, const MjcfFile&
   return robot;
 }
 
-// The robot's coordinates, and what they are for the joints of its tree.
+// The robot's coordinates, and what they are for the joints of its tree, without tendons, which are the last ones here
+// and no joints in MuJoCo.
 struct Coordinates {
   Matrix factors;  // by joint and coordinate
   Vector offsets;
@@ -86,13 +87,17 @@ inline Coordinates coordinates_of(const Robot& robot, const ref::Robot<double>& 
   for (const int j : moving_joints(robot)) {
     found.offsets[row++] = nearest_double(positions[static_cast<std::size_t>(j)].offset);
   }
+  const auto tendons =
+      std::count_if(robot.joints.begin(), robot.joints.end(), [](const Joint& joint) { return joint.is_tendon; });
+  found.factors.conservativeResize(n - tendons, Eigen::NoChange);
+  found.offsets.conservativeResize(n - tendons);
   return found;
 }
 
 // The rates of a floating base and of the joints of its tree, by those of the base and the coordinates.
-inline Matrix rates_of(const ref::Robot<double>& numbers) {
-  return numbers.coupling.size() > 0 ? ref::rate_coupling(numbers)
-                                     : Matrix(Matrix::Identity(numbers.size(), numbers.size()));
+inline Matrix rates_of(const ref::Robot<double>& numbers, const Coordinates& c) {
+  if (numbers.coupling.size() == 0) return Matrix::Identity(numbers.size(), numbers.size());
+  return ref::rate_coupling(numbers).topRows(numbers.base_size() + c.factors.rows());
 }
 
 // Positions as MuJoCo has them: a spherical joint's three numbers, which are a turn here, become a unit quaternion.
@@ -103,7 +108,7 @@ inline Vector with_quaternions(const ref::Robot<double>& numbers, const Vector& 
     result.tail(entries.size()) = entries;
   };
   for (const ref::Joint<double>& joint : numbers.joints) {
-    if (joint.index < 0) continue;
+    if (joint.index < 0 || joint.index - numbers.base_size() >= q.size()) continue;
     const Vector own = q.segment(joint.index - numbers.base_size(), joint.size());
     if (joint.type == ref::JointType::spherical) append(Eigen::Vector4d(1, own[0], own[1], own[2]).normalized());
     if (joint.type != ref::JointType::spherical) append(own);
@@ -149,7 +154,7 @@ struct FreeState {
 
   // Position, quaternion (w, x, y, z), joints; velocity and acceleration of the origin in world axes.
   nlohmann::json in_mujoco(const Coordinates& c, const ref::Robot<double>& numbers) const {
-    const Matrix A = rates_of(numbers);
+    const Matrix A = rates_of(numbers, c);
     return in_mujoco(with_quaternions(numbers, c.factors * q + c.offsets), A * v, A * a);
   }
   nlohmann::json in_mujoco(const Vector& positions) const { return in_mujoco(positions, v, a); }
@@ -281,22 +286,22 @@ class MujocoFiles : public ::testing::TestWithParam<MjcfFile> {
     for (const FreeState& s : states) all.push_back(s.in_mujoco(c, numbers));
     const nlohmann::json peer = mujoco(xml, all);
     if (peer.empty()) GTEST_SKIP() << "MuJoCo is not installed: npm install @mujoco/mujoco";
-    ASSERT_EQ(peer["n"].get<int>(), numbers.base_size() + numbers.joint_count());
+    ASSERT_EQ(peer["n"].get<Eigen::Index>(), numbers.base_size() + c.factors.rows());
     const ref::Vector3<double> gravity = numbers.gravity;
     const Vector coulomb = vector_of(peer["coulomb"].get<std::vector<double>>());
     for (std::size_t k = 0; k < states.size(); ++k) {
       numbers.gravity = states[k].R.transpose() * gravity;
-      expect_same_free(numbers, states[k], peer["states"][k], coulomb);
+      expect_same_free(numbers, c, states[k], peer["states"][k], coulomb);
     }
   }
 
-  static void expect_same_free(ref::Robot<double> numbers, const FreeState& s, const nlohmann::json& at,
-                               const Vector& coulomb) {
+  static void expect_same_free(ref::Robot<double> numbers, const Coordinates& c, const FreeState& s,
+                               const nlohmann::json& at, const Vector& coulomb) {
     const Eigen::Index n = numbers.size();
     const Vector q = turned_by(numbers, s.q);
     Matrix T = Matrix::Identity(n, n);
     T.topLeftCorner<3, 3>() = s.R;
-    const Matrix A = rates_of(numbers);
+    const Matrix A = rates_of(numbers, c);
     const auto entries = at["B"].get<std::vector<double>>();
     const Matrix B = Eigen::Map<const Matrix>(entries.data(), A.rows(), A.rows());
     const Vector friction = coulomb.cwiseProduct((A * s.v).cwiseSign());

@@ -15,6 +15,7 @@
 #include "reference/reference_model.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
+#include "symbolic/parameters/parameters.hpp"
 
 namespace flatdyn {
 namespace {
@@ -142,6 +143,49 @@ mass = 0.2
 stiffness = 40
 )";
 
+// Tendons over joints of two limbs and of one, with springs, friction and armature.
+const char* const kTendons = R"(
+[[link]]
+joint = "upper"
+xyz = [0.1, 0.2, 0]
+mass = 0.3
+com = [0.2, 0.1, 0]
+inertia = { xx = 0.003, yy = 0.004, zz = 0.005 }
+inertia_about = "com"
+[[link]]
+joint = "lower"
+xyz = [0.2, 0, 0]
+rpy = ["pi/2", 0, 0]
+mass = 0.2
+com = [0.1, 0.05, 0]
+viscous = 0.1
+[[link]]
+joint = "tail"
+parent = "base"
+type = "prismatic"
+xyz = [-0.2, 0, 0]
+mass = 0.2
+stiffness = 40
+[[tendon]]
+name = "crossing"
+length = "2*lower - tail"
+stiffness = "k"
+spring_reference = 0.2
+viscous = 1.5
+armature = 0.04
+[[tendon]]
+name = "along"
+length = "upper + 3/2*lower"
+stiffness = 12
+coulomb = 0.3
+)";
+const std::string kTendonsOnAFixedBase = std::string("name = \"hand\"") + kTendons;
+const std::string kTendonsOnAFloatingBase =
+    std::string(
+        "name = \"bird\"\n[base]\nmotion = \"floating\"\nmass = 1.5\ncom = [0.01, 0.02, -0.03]\n"
+        "inertia = { xx = 0.02, yy = 0.03, zz = 0.04 }\ninertia_about = \"com\"\n") +
+    kTendons;
+
 struct SprungRobot {
   const char* name;
   const char* text;
@@ -208,7 +252,9 @@ TEST_P(Springs, FunctionsAgreeWithTheReference) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, Springs,
                          ::testing::Values(SprungRobot{"arm", kArm}, SprungRobot{"coupled", kCoupled},
-                                           SprungRobot{"loop", kLoop}, SprungRobot{"floating", kFloating}),
+                                           SprungRobot{"loop", kLoop}, SprungRobot{"floating", kFloating},
+                                           SprungRobot{"tendons", kTendonsOnAFixedBase.c_str()},
+                                           SprungRobot{"tendons_floating", kTendonsOnAFloatingBase.c_str()}),
                          [](const auto& each) { return std::string(each.param.name); });
 
 using Vector = reference::VectorX<Real50>;
@@ -231,6 +277,25 @@ TEST(SpringForces, HaveAPotential) {
     }
     EXPECT_GT((at_rest - reference::gravity(robot, q)).norm(), 1);
   }
+}
+
+// B = B_without + c a cᵀ, with tail's own stiffness and no inertial parameters of tendons.
+TEST(Tendons, AddTheirArmatureAlongTheirLengths) {
+  const std::string text = kTendonsOnAFixedBase;
+  const LoadedRobot with = testing::model_of_toml(text),
+                    without = testing::model_of_toml(text.substr(0, text.find("[[tendon]]")));
+  const auto inertia = [](const LoadedRobot& model) {
+    const reference::Robot<Real50> robot =
+        reference_robot<Real50>(model.robot, SymbolValues(model.mechanism.symbols.size(), GiNaC::numeric(7, 4)));
+    Vector q(3);
+    q << 0.3, -0.7, 0.2;
+    return reference::MatrixX<Real50>(reference::inertia_matrix(robot, q));
+  };
+  Vector c(3);
+  c << 0, 2, -1;
+  const reference::MatrixX<Real50> added = inertia(with) - inertia(without);
+  EXPECT_LT((added - Real50("0.04") * c * c.transpose()).norm(), Real50("1e-45"));
+  EXPECT_EQ(parameter_indices(with.mechanism).size(), parameter_indices(without.mechanism).size() + 2 * 3);
 }
 
 }  // namespace

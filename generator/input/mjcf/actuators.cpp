@@ -5,6 +5,7 @@
 
 #include "input/mjcf/joints.hpp"
 #include "input/mjcf/names.hpp"
+#include "input/mjcf/tendons.hpp"
 
 namespace flatdyn {
 
@@ -17,7 +18,7 @@ using Efforts = std::vector<std::optional<Value>>;
 
 class ActuatorReader {
  public:
-  explicit ActuatorReader(const MjcfModel& model) : model_(model), values_(model.values) {}
+  explicit ActuatorReader(MjcfModel& model) : model_(model), values_(model.values) {}
 
   void read() {
     for (const MjcfElement* section : model_.root.elements("actuator")) {
@@ -33,7 +34,11 @@ class ActuatorReader {
     const MjcfAttribute* joint = actuator.attribute("joint");
     if (joint == nullptr) joint = actuator.attribute("jointinparent");
     if (joint == nullptr) {
-      tell_of_transmission(item);
+      if (const MjcfAttribute* tendon = actuator.attribute("tendon")) {
+        read_on_tendon(item, *tendon);
+      } else {
+        tell_of_transmission(item);
+      }
       return;
     }
     Joint* moved = joint_in(model_.robot, joint->text);
@@ -43,7 +48,7 @@ class ActuatorReader {
     }
     if (moved->type == JointType::fixed) return;
     if (moved->type == JointType::spherical) {
-      if (refuse_reflected(item)) return;
+      if (refuse_reflected(item, "a ball joint")) return;
       model_.diagnostics().note(item.element->place, item.what + ": it acts on a ball joint: it is not read",
                                 "forces of actuators are read where they act on a joint with one axis",
                                 "actuators that act on ball joints");
@@ -77,9 +82,27 @@ class ActuatorReader {
     return is_muscle;
   }
 
-  // Tendons have a message of their own.
+  // Its force drives all joints that the tendon runs over, and is no torque of one of them.
+  void read_on_tendon(const MjcfItem& item, const MjcfAttribute& name) {
+    MjcfTendon* tendon = mjcf_tendon(name, item.what, model_);
+    if (tendon == nullptr) return;
+    if (!tendon->is_fixed) {
+      if (refuse_reflected(item, "a spatial tendon")) return;
+    } else {
+      const auto gears = values_.numbers(item, "gear", 1, 6);
+      add_reflected(item, gears ? gears->numbers[0] : Number(1), tendon->length);
+      for (const Coupled::Term& term : tendon->length.coupled->terms) {
+        joint_in(model_.robot, term.joint.name)->driven = true;
+        efforts_[term.joint.name].push_back(std::nullopt);  // more than those of the joint's own actuators
+      }
+    }
+    model_.diagnostics().note(item.element->place,
+                              item.what + " acts through " + tendon->what + ": its force and its limits are not read",
+                              "its torques at the joints are the force times the gear and the tendon's coefficients",
+                              "actuators that act through tendons");
+  }
+
   void tell_of_transmission(const MjcfItem& item) {
-    if (item.element->attribute("tendon") != nullptr) return;
     for (const char* other : {"site", "body", "slidersite", "cranksite"}) {
       if (item.element->attribute(other) == nullptr) continue;
       model_.diagnostics().note(item.element->place, item.what + ": it acts at a " + other + ": it is not read",
@@ -91,12 +114,13 @@ class ActuatorReader {
     model_.diagnostics().error(item.element->place, item.what + " drives nothing", "write joint=\"...\"");
   }
 
-  // An armature or damping of an actuator on a ball joint would act about the axis of its gear only.
-  bool refuse_reflected(const MjcfItem& item) {
+  // An armature or damping of an actuator on a ball joint would act about the axis of its gear only; on a spatial
+  // tendon, along it.
+  bool refuse_reflected(const MjcfItem& item, const std::string& moved) {
     for (const char* key : {"armature", "damping"}) {
       const auto given = values_.numbers(item, key, 1, 3);
       if (!given || std::all_of(given->numbers.begin(), given->numbers.end(), vanishes)) continue;
-      refuse_mjcf(given->spot.place, given->spot.what + " of an actuator on a ball joint is not supported", key,
+      refuse_mjcf(given->spot.place, given->spot.what + " of an actuator on " + moved + " is not supported", key,
                   values_);
       return true;
     }
@@ -138,58 +162,13 @@ class ActuatorReader {
     if (!effort || nearest_double(whole.number - effort->number) < 0) effort = whole;
   }
 
-  const MjcfModel& model_;
+  MjcfModel& model_;
   const MjcfValues& values_;
   std::map<std::string, Efforts> efforts_;
 };
 
-// The element that acts through a tendon; nullptr if nothing does.
-const MjcfElement* user_of(const std::string& tendon, const MjcfElement& root) {
-  for (const char* section : {"actuator", "equality"}) {
-    for (const MjcfElement* holder : root.elements(section)) {
-      for (const MjcfElement& child : holder->children) {
-        for (const char* key : {"tendon", "tendon1", "tendon2"}) {
-          if (child.text(key) == tendon) return &child;
-        }
-      }
-    }
-  }
-  return nullptr;
-}
-
-void refuse_tendon(const MjcfElement& tendon, const MjcfModel& model) {
-  const MjcfItem item = model.values.item(tendon, kMainClass, "tendon");
-  const std::string what = "tendon" + (tendon.text("name").empty() ? "" : " \"" + tendon.text("name") + "\"");
-  for (const char* key : {"stiffness", "damping", "frictionloss", "armature"}) {
-    const auto found = model.values.numbers(item, key, 1, 3);
-    const bool pulls = found && std::any_of(found->numbers.begin(), found->numbers.end(),
-                                            [](const Number& each) { return !vanishes(each); });
-    if (!pulls) continue;
-    refuse_mjcf(found->spot.place, what + ": its " + key + " is not supported", "tendon", model.values);
-    return;
-  }
-  if (const MjcfElement* user = user_of(tendon.text("name"), model.root); user && !tendon.text("name").empty()) {
-    refuse_mjcf(tendon.place, what + ": " + name_in_messages(*user) + " acts through it, which is not supported",
-                "tendon", model.values);
-  } else if (mjcf_is_limited(item, "range", "limited", model.values, model.settings)) {
-    model.diagnostics().note(tendon.place, what + ": its range is not read", "limits are read of joints",
-                             "limits of tendons that are not read");
-  }
-}
-
 }  // namespace
 
-void read_mjcf_actuators(const MjcfModel& model) { ActuatorReader(model).read(); }
-
-void refuse_mjcf_tendons(const MjcfModel& model) {
-  for (const MjcfElement* section : model.root.elements("tendon")) {
-    for (const MjcfElement& tendon : section->children) refuse_tendon(tendon, model);
-  }
-  for (const MjcfElement* section : model.root.elements("deformable")) {
-    for (const MjcfElement* flex : section->elements("flex")) {
-      refuse_mjcf(flex->place, name_in_messages(*flex) + ": what bends is not supported", "flex", model.values);
-    }
-  }
-}
+void read_mjcf_actuators(MjcfModel& model) { ActuatorReader(model).read(); }
 
 }  // namespace flatdyn

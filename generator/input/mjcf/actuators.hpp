@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Actuators: what they add to their joints' armature and damping, and the joints' effort limits.
+// Actuators: what they add to the armature and damping of their joints and tendons, and the joints' effort limits.
 #pragma once
 
 #include "input/mjcf/model.hpp"
 
 namespace flatdyn {
 
-void read_mjcf_actuators(const MjcfModel& model);
-
-// Tendons that pull, or through which actuators act, are refused; so is what bends.
-void refuse_mjcf_tendons(const MjcfModel& model);
+void read_mjcf_actuators(MjcfModel& model);
 
 }  // namespace flatdyn

@@ -116,21 +116,26 @@ class BodyReader {
     body.element = &element;
     body.parent = parent;
     body.pose = joined(child.around.frame, mjcf_pose(MjcfValues::plain(element), values_, model_.settings));
-    refuse_forces(element);
+    tell_of_forces(element);
     model_.bodies.push_back(body);
     read_contents(element, static_cast<int>(model_.bodies.size()) - 1,
                   class_for_children(element, child.around.class_name));
   }
 
-  void refuse_forces(const MjcfElement& element) {
+  void tell_of_forces(const MjcfElement& element) {
     if (element.text("mocap") == "true") {
       model_.diagnostics().note(element.place, name_in_messages(element) + ": mocap is not read: the body stands still",
                                 "a joint moves a body", "bodies that motion capture moves");
     }
     const MjcfAttribute* gravcomp = element.attribute("gravcomp");
     if (gravcomp == nullptr || is_zero_text(gravcomp->text)) return;
-    refuse_mjcf(gravcomp->place, name_in_messages(element) + ", gravcomp: forces against gravity are not supported",
-                "gravcomp", values_);
+    model_.diagnostics().note(
+        gravcomp->place,
+        name_in_messages(element) + ", gravcomp=\"" + gravcomp->text +
+            "\": the force that carries its weight is not read: gravity acts on it in full",
+        "it is like an actuator's: take it off the torques; where all bodies have gravcomp=\"1\", a scene with gravity "
+        "= [0, 0, 0] does",
+        "bodies whose weight gravcomp carries");
   }
 
   std::string name_of_body(const MjcfElement& element) {
@@ -159,8 +164,7 @@ class BodyReader {
     MjcfBody body = model_.bodies[at(index)];
     const std::string name = name_of_body(element);
     const int parent = body.parent;
-    add_mjcf_joints(contents.joints, name, parent < 0 ? 0 : model_.bodies[at(parent)].link, model_, body,
-                    model_.reference);
+    add_mjcf_joints(contents.joints, name, parent < 0 ? 0 : model_.bodies[at(parent)].link, model_, body);
     const bool has_joint = std::any_of(body.joints.begin(), body.joints.end(),
                                        [this](int j) { return robot_.joints[at(j)].type != JointType::fixed; });
     body.moves = has_joint || !body.free_joints.empty() || (parent >= 0 && model_.bodies[at(parent)].moves);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "input/mjcf/names.hpp"
+#include "input/mjcf/tendons.hpp"
 #include "input/urdf/mimics.hpp"
 
 namespace flatdyn {
@@ -14,8 +15,7 @@ constexpr int kWorld = -1;
 
 class EqualityReader {
  public:
-  explicit EqualityReader(const MjcfModel& model)
-      : model_(model), values_(model.values), diagnostics_(model.diagnostics()) {}
+  explicit EqualityReader(MjcfModel& model) : model_(model), values_(model.values), diagnostics_(model.diagnostics()) {}
 
   void read() {
     for (const MjcfElement* section : model_.root.elements("equality")) {
@@ -32,6 +32,8 @@ class EqualityReader {
                         "write active=\"true\" if it holds", "equalities that are not active");
     } else if (element.name == "joint") {
       read_joint(item);
+    } else if (element.name == "tendon") {
+      read_tendon(item);
     } else if (element.name == "connect") {
       read_connect(item);
     } else if (element.name == "weld") {
@@ -63,20 +65,99 @@ class EqualityReader {
     return nullptr;
   }
 
+  // The five of polycoef; nullopt, and an error, if they are not linear in the second joint or tendon.
+  std::optional<std::vector<Number>> coefficients(const MjcfItem& item, bool is_alone) {
+    std::vector<Number> c = {0, 1, 0, 0, 0};
+    if (const auto found = values_.numbers(item, "polycoef", 1, 5)) {
+      std::copy(found->numbers.begin(), found->numbers.end(), c.begin());
+    }
+    if (is_alone || std::all_of(c.begin() + 2, c.end(), [](const Number& each) { return vanishes(each); })) return c;
+    refuse(item, "has a polycoef that is not linear, which is not supported");
+    return std::nullopt;
+  }
+
+  // The tendon that an attribute names; nullptr, and an error, if there is none with a length that is linear.
+  const MjcfTendon* tendon_of(const MjcfItem& item, const char* key) {
+    const MjcfAttribute* name = item.element->attribute(key);
+    if (name == nullptr) {
+      diagnostics_.error(item.element->place, item.what + " has no " + key, std::string("write ") + key + "=\"...\"");
+      return nullptr;
+    }
+    const MjcfTendon* tendon = mjcf_tendon(*name, item.what, model_);
+    if (tendon == nullptr || tendon->is_fixed) return tendon;
+    refuse(item, "names a spatial tendon, which is not supported");
+    return nullptr;
+  }
+
+  // Σ a_j q_j = b
+  struct LinearEquation {
+    std::vector<Coupled::Term> terms;  // each joint once
+    Number b = 0;
+  };
+
+  // Adds factor · (L - L at ref) to the left side.
+  void add_length(const MjcfTendon& tendon, const Number& factor, LinearEquation& equation) {
+    for (const Coupled::Term& term : tendon.length.coupled->terms) {
+      const Number a = factor * term.factor;
+      equation.b += a * model_.reference.at(term.joint.name);
+      const auto same = std::find_if(equation.terms.begin(), equation.terms.end(),
+                                     [&term](const Coupled::Term& each) { return each.joint.name == term.joint.name; });
+      if (same == equation.terms.end()) {
+        equation.terms.push_back({term.joint, a});
+      } else {
+        same->factor += a;
+      }
+    }
+  }
+
+  // L_1 - L_1(ref) = c_0 + c_1 (L_2 - L_2(ref))
+  void read_tendon(const MjcfItem& item) {
+    const bool is_alone = item.element->attribute("tendon2") == nullptr;
+    const MjcfTendon* first = tendon_of(item, "tendon1");
+    const MjcfTendon* second = is_alone ? nullptr : tendon_of(item, "tendon2");
+    const std::optional<std::vector<Number>> c = coefficients(item, is_alone);
+    if (first == nullptr || (!is_alone && second == nullptr) || !c) return;
+    LinearEquation equation;
+    equation.b = (*c)[0];
+    add_length(*first, 1, equation);
+    if (!is_alone) add_length(*second, -(*c)[1], equation);
+    std::erase_if(equation.terms, [](const Coupled::Term& term) { return vanishes(term.factor); });
+    solve(equation, item);
+  }
+
+  // The last joint follows the others, if nothing drives it and it follows none yet; else the last one that can.
+  void solve(const LinearEquation& equation, const MjcfItem& item) {
+    Joint* follower = nullptr;
+    Number own = 0;
+    for (const Coupled::Term& term : equation.terms) {
+      Joint* joint = joint_in(model_.robot, term.joint.name);
+      if (joint->coupled || (follower != nullptr && joint->driven && !follower->driven)) continue;
+      follower = joint;
+      own = term.factor;
+    }
+    if (follower == nullptr) return refuse(item, "of joints that follow others already is not supported");
+    if (equation.terms.size() == 1) return hold(*follower, equation.b / own, item.element->place);
+    Coupled coupled;
+    coupled.place = item.element->place;
+    coupled.offset = equation.b / own;
+    for (const Coupled::Term& term : equation.terms) {
+      if (term.joint.name != follower->name) coupled.terms.push_back({term.joint, -term.factor / own});
+    }
+    follower->coupled = coupled;
+    diagnostics_.note(item.element->place, item.what + ": joint \"" + follower->name + "\" follows the others",
+                      "q has no entry of it; a joint that an actuator drives is not taken if there is another",
+                      "joints that follow by tendons");
+  }
+
   // q_1 - ref_1 = c_0 + c_1 (q_2 - ref_2)
   void read_joint(const MjcfItem& item) {
     Joint* follower = joint_of(item, "joint1");
     const bool is_alone = item.element->attribute("joint2") == nullptr;
     const Joint* leader = is_alone ? nullptr : joint_of(item, "joint2");
     if (follower == nullptr || (!is_alone && leader == nullptr)) return;
-    std::vector<Number> c = {0, 1, 0, 0, 0};
-    if (const auto found = values_.numbers(item, "polycoef", 1, 5)) {
-      std::copy(found->numbers.begin(), found->numbers.end(), c.begin());
-    }
-    if (!is_alone && std::any_of(c.begin() + 2, c.end(), [](const Number& each) { return !vanishes(each); })) {
-      refuse(item, "has a polycoef that is not linear, which is not supported");
-      return;
-    }
+    const std::optional<std::vector<Number>> polynomial = coefficients(item, is_alone);
+    if (!polynomial) return;
+    const std::vector<Number>& c = *polynomial;
     const Number at_reference = model_.reference.at(follower->name) + c[0];
     if (is_alone || vanishes(c[1])) {
       hold(*follower, at_reference, item.element->place);
@@ -208,13 +289,13 @@ class EqualityReader {
     }
   }
 
-  const MjcfModel& model_;
+  MjcfModel& model_;
   const MjcfValues& values_;
   Diagnostics& diagnostics_;
 };
 
 }  // namespace
 
-void read_mjcf_equalities(const MjcfModel& model) { EqualityReader(model).read(); }
+void read_mjcf_equalities(MjcfModel& model) { EqualityReader(model).read(); }
 
 }  // namespace flatdyn

@@ -69,6 +69,13 @@ class JointReader {
   bool is_free() const { return is_free_; }
   int position_count() const { return position_count_; }
 
+  // The position of a hinge or slide in MuJoCo's qpos_spring.
+  Number relaxed() const {
+    const bool has_one = position_count_ == 1 && joint_.type != JointType::fixed;
+    if (!has_one) return 0;
+    return vanishes(joint_.stiffness.number) ? relaxed_position().number : joint_.spring_reference.number;
+  }
+
  private:
   bool slides() const { return joint_.type == JointType::prismatic; }
 
@@ -345,11 +352,12 @@ std::optional<Value> mjcf_effort(const MjcfItem& item, const char* range, const 
   return effort;
 }
 
-void add_mjcf_joints(const std::vector<MjcfJoint>& joints, const std::string& body, int parent_link,
-                     const MjcfModel& model, MjcfBody& added, std::map<std::string, Number>& references) {
+void add_mjcf_joints(const std::vector<MjcfJoint>& joints, const std::string& body, int parent_link, MjcfModel& model,
+                     MjcfBody& added) {
   Robot& robot = model.robot;
   std::vector<Joint> moving;
   std::vector<bool> is_free;
+  const bool has_tendons = !model.root.elements("tendon").empty();
   for (const MjcfJoint& each : joints) {
     JointReader reader(each, joint_name(each, body, moving, model), !has_body(*added.element), model);
     const std::optional<Joint> joint = reader.read();
@@ -358,7 +366,8 @@ void add_mjcf_joints(const std::vector<MjcfJoint>& joints, const std::string& bo
       model.diagnostics().error(joint->place, "joint \"" + joint->name + "\" turns a body that a ball joint turns",
                                 "write slides and hinges before the ball joint, or give the joint a body of its own");
     }
-    references[joint->name] = reader.reference();
+    model.reference[joint->name] = reader.reference();
+    if (has_tendons) model.relaxed[joint->name] = reader.relaxed();
     moving.push_back(*joint);
     is_free.push_back(reader.is_free());
     added.position_counts.push_back(reader.position_count());

@@ -14,8 +14,8 @@ struct MjcfJoint {
 
 // Adds the body's link to the robot, with the joints between it and its parent's, and links without mass between these;
 // without joints a fixed one.
-void add_mjcf_joints(const std::vector<MjcfJoint>& joints, const std::string& body, int parent_link,
-                     const MjcfModel& model, MjcfBody& added, std::map<std::string, Number>& references);
+void add_mjcf_joints(const std::vector<MjcfJoint>& joints, const std::string& body, int parent_link, MjcfModel& model,
+                     MjcfBody& added);
 
 // The magnitude of an effort limit that is given as a range; nullopt where there is none.
 std::optional<Value> mjcf_effort(const MjcfItem& item, const char* range, const char* limited, const MjcfValues& values,

@@ -33,6 +33,13 @@ struct MjcfBody {
   std::vector<int> position_counts = {};  // of its `joints` in MuJoCo's q: 7 of a free one, 4 of a ball
 };
 
+// The length of a tendon as a joint that is not in the robot yet: a fixed one follows the joints that it runs over.
+struct MjcfTendon {
+  Joint length;
+  std::string what;  // tendon "split"
+  bool is_fixed = false;
+};
+
 struct MjcfModel {
   const MjcfElement& root;
   const MjcfValues& values;
@@ -42,6 +49,8 @@ struct MjcfModel {
   std::map<std::string, int> body_of_name = {};
   std::map<std::string, MjcfSite> sites = {};
   std::map<std::string, Number> reference = {};   // ref of a joint, rad or m
+  std::map<std::string, Number> relaxed = {};     // springref of a joint, rad or m
+  std::vector<MjcfTendon> tendons = {};           // in file order
   std::vector<std::string> names_of_joints = {};  // of all elements
   std::vector<std::string> names_of_bodies = {};
 

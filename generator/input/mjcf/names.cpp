@@ -121,6 +121,7 @@ const std::map<std::string, KnownElement>& known_in_sections() {
       {"equality/weld",
        {kOfEquality + Words{"body1", "body2", "relpose", "anchor", "site1", "site2", "torquescale"}, Words{}}},
       {"equality/joint", {kOfEquality + Words{"joint1", "joint2", "polycoef"}, Words{}}},
+      {"equality/tendon", {kOfEquality + Words{"tendon1", "tendon2", "polycoef"}, Words{}}},
       {"tendon/fixed", {kOfTendon, Words{"joint"}}},
       {"tendon/spatial", {kOfTendon, Words{"site", "geom", "pulley"}}}};
   return kElements;

@@ -12,6 +12,7 @@
 #include "input/mjcf/inertials.hpp"
 #include "input/mjcf/keyframe.hpp"
 #include "input/mjcf/names.hpp"
+#include "input/mjcf/tendons.hpp"
 
 namespace flatdyn {
 
@@ -42,11 +43,13 @@ void read_mjcf(const std::string& text, const std::string& file, ReadContext& co
   robot.in_degrees = robot.in_degrees || settings.angles.degrees;
   read_mjcf_bodies(model);
   add_mjcf_inertias(model);
-  read_mjcf_equalities(model);
+  read_mjcf_tendons(model);
   read_mjcf_actuators(model);
-  refuse_mjcf_tendons(model);
+  read_mjcf_equalities(model);
   read_mjcf_keyframe(model);
   take_mjcf_free_joints(model);  // leaves joints out, so that indices of others change
+  add_mjcf_tendons(model);
+  refuse_mjcf_flags(tree, values, robot);
 }
 
 }  // namespace flatdyn

@@ -85,35 +85,33 @@ void refuse_medium(const MjcfItem& option, const MjcfValues& values) {
   }
 }
 
-// Flags that turn off forces or constraints that would be read.
-void refuse_flags(const MjcfElement& flag, const MjcfValues& values) {
-  static const std::map<std::string, std::string> kTurnedOff = {
-      {"constraint", " --ignore equality --ignore frictionloss"},
-      {"equality", ""},
-      {"frictionloss", ""},
-      {"spring", " --ignore stiffness"},
-      {"damper", " --ignore damping"},
-      {"passive", " --ignore stiffness --ignore damping"}};
-  for (const auto& [name, others] : kTurnedOff) {
-    const MjcfAttribute* found = flag.attribute(name);
-    if (found == nullptr || found->text == "enable") continue;
-    values.diagnostics().unsupported(
-        found->place,
-        "option, flag: " + name + "=\"" + found->text + "\", which turns off what would be read, is not supported",
-        "--ignore " + name + others + " leaves out the flag and what it turns off");
-  }
-}
-
 void read_option(const MjcfElement& root, const MjcfValues& values, Robot& robot) {
   const MjcfElement merged_option = merged(root, "option");
   const MjcfItem option = MjcfValues::plain(merged_option);
   robot.gravity = values.vector(option, "gravity", robot.gravity);
   refuse_medium(option, values);
   for (const MjcfElement* flag : merged_option.elements("flag")) {
-    refuse_flags(*flag, values);
     if (values.keyword(MjcfValues::plain(*flag), "gravity", {"enable", "disable"}, "enable") == "disable")
       robot.gravity = zero_vector();
   }
+}
+
+// The parts of a robot that flags of MuJoCo turn off.
+struct SwitchedParts {
+  bool equalities = false, friction = false, springs = false, dampers = false;
+};
+
+SwitchedParts parts_of(const MjcfElement& root, const Robot& robot) {
+  SwitchedParts parts;
+  for (const MjcfElement* section : root.elements("equality")) parts.equalities |= !section->children.empty();
+  parts.friction = !vanishes(robot.base_joint.coulomb.number);
+  parts.dampers = !vanishes(robot.base_joint.viscous.number);
+  for (const Joint& joint : robot.joints) {
+    parts.friction |= !vanishes(joint.coulomb.number);
+    parts.springs |= !vanishes(joint.stiffness.number);
+    parts.dampers |= !vanishes(joint.viscous.number);
+  }
+  return parts;
 }
 
 bool is_same(const std::optional<Value>& a, const std::optional<Value>& b) {
@@ -132,6 +130,33 @@ std::string mjcf_difference(const MjcfSettings& a, const MjcfSettings& b) {
   if (!is_same(a.least_inertia, b.least_inertia)) return "boundinertia";
   if (!is_same(a.total_mass, b.total_mass)) return "settotalmass";
   return a.balances_inertia != b.balances_inertia ? "balanceinertia" : "";
+}
+
+void refuse_mjcf_flags(const MjcfElement& root, const MjcfValues& values, const Robot& robot) {
+  const SwitchedParts parts = parts_of(root, robot);
+  struct Flag {
+    const char* name;
+    bool turns_off;
+    const char* others;  // --ignore leaves them out, too
+  };
+  const Flag flags[] = {{"constraint", parts.equalities || parts.friction, " --ignore equality --ignore frictionloss"},
+                        {"equality", parts.equalities, ""},
+                        {"frictionloss", parts.friction, ""},
+                        {"spring", parts.springs, " --ignore stiffness"},
+                        {"damper", parts.dampers, " --ignore damping"},
+                        {"passive", parts.springs || parts.dampers, " --ignore stiffness --ignore damping"}};
+  const MjcfElement option = merged(root, "option");
+  for (const MjcfElement* element : option.elements("flag")) {
+    for (const Flag& flag : flags) {
+      const MjcfAttribute* found = element->attribute(flag.name);
+      if (found == nullptr || found->text == "enable" || !flag.turns_off) continue;
+      values.diagnostics().unsupported(
+          found->place,
+          std::string("option, flag: ") + flag.name + "=\"" + found->text +
+              "\", which turns off what would be read, is not supported",
+          std::string("--ignore ") + flag.name + flag.others + " leaves out the flag and what it turns off");
+    }
+  }
 }
 
 MjcfSettings mjcf_settings(const MjcfElement& root, const MjcfValues& values, Robot& robot) {

@@ -23,8 +23,11 @@ struct MjcfSettings {
   bool strips_path = false;             // files of meshes are named with folders that do not count
 };
 
-// Reads them, and gravity into the robot. Settings that change the dynamics in other ways are refused.
+// Reads them, and gravity into the robot. Forces of a medium are refused.
 MjcfSettings mjcf_settings(const MjcfElement& root, const MjcfValues& values, Robot& robot);
+
+// Refuses flags that turn off what the robot has, once it is read.
+void refuse_mjcf_flags(const MjcfElement& root, const MjcfValues& values, const Robot& robot);
 
 // The attribute of <compiler> in which two models differ; "" if there is none. Folders may differ.
 std::string mjcf_difference(const MjcfSettings& a, const MjcfSettings& b);

@@ -15,6 +15,8 @@
 #include "input/toml/overlay.hpp"
 #include "input/toml/parts.hpp"
 #include "input/urdf/values.hpp"
+#include "model/coupling.hpp"
+#include "model/tendon.hpp"
 
 namespace flatdyn {
 
@@ -70,6 +72,7 @@ class TomlReader {
     robot_.gravity = table.vector("gravity", Quantity::acceleration, robot_.gravity);
     read_attachments(table, attachments);
     for (TomlTable& row : table.tables("loop")) read_loop(row);
+    for (TomlTable& row : table.tables("tendon")) read_tendon(row);
     if (const std::optional<TomlTable> positions = table.table("assembly")) read_assembly(*positions);
     table.reject_unknown_keys();
     carriers_.find_in(robot_, diagnostics_);
@@ -312,6 +315,33 @@ class TomlReader {
     }
     loop.links = {links[0], links[1]};
     robot_.loops.push_back(std::move(loop));
+  }
+
+  // Lengths are in rad or m, whatever the factors give; the file's units are those of other keys.
+  void read_tendon(TomlTable& row) {
+    Joint tendon;
+    tendon.place = row.place();
+    tendon.name = row.text("name").value_or("");
+    row.rename("tendon " + flatdyn::quoted(tendon.name));
+    if (tendon.name.empty()) diagnostics_.error(row.place(), "a tendon has no name", "write name = \"...\"");
+    const std::optional<Coupled> length = row.linear_position("length", JointType::prismatic);
+    const Value none{0, tendon.place};
+    tendon.stiffness = row.number("stiffness", Quantity::other).value_or(none);
+    tendon.spring_reference = row.number("spring_reference", Quantity::other).value_or(none);
+    tendon.viscous = row.number("viscous", Quantity::other).value_or(none);
+    tendon.coulomb = row.number("coulomb", Quantity::other).value_or(none);
+    tendon.armature = row.number("armature", Quantity::other).value_or(none);
+    row.reject_unknown_keys();
+    if (!row.has("length")) {
+      diagnostics_.error(row.place(), row.what() + " has no length", "write length = \"0.5*left + 0.5*right\"");
+    }
+    if (!length || tendon.name.empty()) return;
+    tendon.coupled = length;
+    if (!vanishes(own_factor(tendon.name, *length))) {
+      diagnostics_.error(length->place, row.what() + ": its length follows itself", "name joints");
+      return;
+    }
+    add_tendon(std::move(tendon), robot_);
   }
 
   TomlSource& source_;

@@ -20,11 +20,18 @@ LinkFrame moved_by(LinkFrame frame, const Vec3& point) {
 class DrawingMaker {
  public:
   DrawingMaker(const Robot& robot, const Mechanism& mechanism)
-      : robot_(robot), mechanism_(mechanism), frames_(mechanism.links.begin(), mechanism.links.end()) {}
+      : robot_(robot), mechanism_(mechanism), frames_(mechanism.links.begin(), mechanism.links.end()) {
+    for (const Joint& joint : robot.joints) {  // the links of tendons are nowhere
+      if (joint.is_tendon)
+        frames_[static_cast<std::size_t>(joint.child)] = frames_[static_cast<std::size_t>(joint.parent)];
+    }
+  }
 
   Drawing make() {
     Drawing drawing;
-    for (const Joint& joint : robot_.joints) drawing.lines.emplace_back(joint.parent, joint.child);
+    for (const Joint& joint : robot_.joints) {
+      if (!joint.is_tendon) drawing.lines.emplace_back(joint.parent, joint.child);
+    }
     for (const Body& body : mechanism_.joints()) drawing.joints.push_back(point_on_axis(body));
     for (const int i : followers()) {
       const Body& body = mechanism_.bodies[static_cast<std::size_t>(i)];
@@ -49,7 +56,7 @@ class DrawingMaker {
     for (int i = 0; i < mechanism_.body_count(); ++i) {
       bool has_coordinate = false;
       for (int k = 0; k < mechanism_.size(); ++k) has_coordinate = has_coordinate || mechanism_.body_of(k) == i;
-      if (!has_coordinate) bodies.push_back(i);
+      if (!has_coordinate && !mechanism_.bodies[static_cast<std::size_t>(i)].is_tendon) bodies.push_back(i);
     }
     return bodies;
   }

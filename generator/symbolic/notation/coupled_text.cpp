@@ -28,13 +28,12 @@ bool is_own_coordinate(const Mechanism& mechanism, int body) {
   return vanishes(mechanism.offsets[static_cast<std::size_t>(body)]);
 }
 
-}  // namespace
-
-std::vector<std::string> coupled_joint_texts(const Mechanism& mechanism, const CoordinateName& coordinate) {
+// The positions of tendons, or of other joints, that are no entries of q.
+std::vector<std::string> position_texts(const Mechanism& mechanism, const CoordinateName& coordinate, bool of_tendons) {
   std::vector<std::string> texts;
   for (int i = 0; i < mechanism.body_count() && mechanism.is_coupled(); ++i) {
-    if (is_own_coordinate(mechanism, i)) continue;
     const auto row = static_cast<std::size_t>(i);
+    if (is_own_coordinate(mechanism, i) || mechanism.bodies[row].is_tendon != of_tendons) continue;
     std::string sum;
     for (int k = 0; k < mechanism.position_count(); ++k) {
       const Number& factor = mechanism.coupling[row][static_cast<std::size_t>(k)];
@@ -44,6 +43,16 @@ std::vector<std::string> coupled_joint_texts(const Mechanism& mechanism, const C
     texts.push_back(mechanism.bodies[row].joint + " = " + sum);
   }
   return texts;
+}
+
+}  // namespace
+
+std::vector<std::string> coupled_joint_texts(const Mechanism& mechanism, const CoordinateName& coordinate) {
+  return position_texts(mechanism, coordinate, false);
+}
+
+std::vector<std::string> tendon_texts(const Mechanism& mechanism, const CoordinateName& coordinate) {
+  return position_texts(mechanism, coordinate, true);
 }
 
 std::string joints_text(const Mechanism& mechanism) {

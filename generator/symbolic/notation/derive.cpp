@@ -143,7 +143,8 @@ class Deriver {
 
   void add_coupled_joints() {
     const auto coordinate = [this](int k) { return formatter_.coordinate("q", k); };
-    for (const std::string& text : coupled_joint_texts(mechanism_, coordinate)) model_.coupled.push_back(text);
+    model_.coupled = coupled_joint_texts(mechanism_, coordinate);
+    for (const std::string& text : tendon_texts(mechanism_, coordinate)) model_.coupled.push_back(text);
   }
 
   void add_inertia() {

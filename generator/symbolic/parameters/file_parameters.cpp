@@ -58,8 +58,10 @@ class Sum {
 }  // namespace
 
 std::vector<const WrittenLink*> links_of(const Mechanism& mechanism, int i) {
-  const std::string& moved = mechanism.bodies[static_cast<std::size_t>(i)].link;
+  const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
+  const std::string& moved = body.link;
   std::vector<const WrittenLink*> links;
+  if (body.is_tendon) return links;
   for (const WrittenLink& link : mechanism.links) {
     if (link.body != i) continue;
     if (link.link == moved) {
@@ -93,6 +95,7 @@ std::vector<FileParameter> file_parameters(const Mechanism& mechanism, Parameter
 
 bool has_canonical_links(const Mechanism& mechanism) {
   for (int i = std::max(0, mechanism.base_bodies() - 1); i < mechanism.body_count(); ++i) {
+    if (mechanism.bodies[static_cast<std::size_t>(i)].is_tendon) continue;
     const std::vector<const WrittenLink*> links = links_of(mechanism, i);
     if (links.size() != 1 || !is_canonical(*links.front())) return false;
   }

@@ -41,7 +41,8 @@ std::vector<int> parameter_indices(const Mechanism& mechanism) {
   for (int i = joints; i < mechanism.body_count(); ++i) {
     const bool is_spherical = mechanism.is_of_spherical(i);
     if (is_spherical && is_inside_joint(mechanism.bodies[static_cast<std::size_t>(i)])) continue;
-    for (int k = 0; k < (is_spherical ? kInertialPerBody : kParametersPerJoint); ++k) {
+    const bool is_tendon = mechanism.bodies[static_cast<std::size_t>(i)].is_tendon;
+    for (int k = is_tendon ? kInertialPerBody : 0; k < (is_spherical ? kInertialPerBody : kParametersPerJoint); ++k) {
       indices.push_back(index_of(i, static_cast<Parameter>(k)));
     }
     for (int j = first_body_of_joint(mechanism, i); is_spherical && j <= i; ++j) {

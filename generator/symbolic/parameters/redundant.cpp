@@ -273,7 +273,7 @@ std::vector<std::vector<RedundantPart>> redundant_parts(const Mechanism& mechani
     std::vector<Parameter> found = free_columns(echelon), general = leads_in_general(body);
     std::sort(found.begin(), found.end());
     std::sort(general.begin(), general.end());
-    const bool has_none = mechanism.is_of_base(j) || is_inside_joint(body);
+    const bool has_none = mechanism.is_of_base(j) || has_no_link(body);
     if (found != general && !has_none) special.push_back(j);
     parts.push_back(has_none ? std::vector<RedundantPart>{} : parts_in_general(body));
   }

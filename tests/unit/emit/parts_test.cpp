@@ -56,7 +56,9 @@ int longest_function(const std::string& header) {
   std::istringstream text(header.substr(begin, header.find("static bool rounding_is_as_written()") - begin));
   int longest = 0, lines = 0;
   for (std::string line; std::getline(text, line); ++lines) {
-    const bool begins = begins_with(line, "void ") || begins_with(line, "inline ") || begins_with(line, "static ");
+    const auto begins_so = [&line](const char* word) { return begins_with(line, word); };
+    const bool begins =
+        begins_so("void ") || begins_so("inline ") || begins_so("static ") || begins_so("[[nodiscard]] ");
     if (begins) lines = 0;
     if (line == "}") longest = std::max(longest, lines + 1);
   }
