@@ -317,7 +317,9 @@ ExitCode identify(IdentifyArguments arguments) {
   StreamOptions stream = arguments.stream;
   if (!arguments.part.empty()) read_part(arguments.part, stream);
   LoadedRobot robot = load_robot(arguments.robot, arguments.options());
-  if (!arguments.further.springs) refuse_springs(robot, "identify", "--springs estimates them; ");
+  if (!arguments.further.springs) {
+    refuse_springs(robot, "identify", robot.mechanism.is_coupled() ? "" : "--springs estimates them; ");
+  }
   check_files(arguments, robot.robot);
   print_diagnostics(robot.diagnostics, arguments);
   arguments.note_function_keys(robot);

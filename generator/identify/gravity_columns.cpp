@@ -28,8 +28,9 @@ GravityColumns::GravityColumns(const TorqueModel& model, const LoadedRobot& robo
   const RegressorReference<double> reference(model.mechanism(), reference_robot<double>(robot.robot, {}), {},
                                              RegressorColumns::all);
   for (std::size_t k = 0; k < reference.units().size(); ++k) {
-    const double value = pi[static_cast<Index>(k)];
-    if (parameter_of(static_cast<int>(k)) > Parameter::mlz || value == 0) continue;
+    const int index = reference.indices()[k];
+    const double value = pi[index];
+    if (parameter_of(index) > Parameter::mlz || value == 0) continue;
     values_.push_back(value);
     for (std::size_t s = 0; s < slopes_.size(); ++s) {
       units_[s].push_back(reference.units()[k]);

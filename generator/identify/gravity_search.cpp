@@ -19,7 +19,8 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Y of all parameters as an affine function of gravity: Y = still + Σ_d g_d of[d], by instant.
+// Y as an affine function of gravity: Y = still + Σ_d g_d of[d], by instant. It has a column for every index of a
+// parameter, also of those that there are none of.
 struct AffineRows {
   std::vector<MatrixXd> still, of[3];
 
@@ -42,10 +43,10 @@ AffineRows affine_rows(const TorqueModel& model, const LoadedRobot& robot, const
     const VectorXd zero = VectorXd::Zero(instant.qd.size());
     for (int d = -1; d < directions; ++d) {
       const Index more = instant.Y.cols() - model.parameters();
-      MatrixXd Y = MatrixXd::Zero(instant.qd.size(), static_cast<Index>(units.size()) + more);
+      MatrixXd Y = MatrixXd::Zero(instant.qd.size(), kParametersPerJoint * model.mechanism().body_count() + more);
       for (std::size_t k = 0; k < units.size(); ++k) {
         units[k].gravity = d < 0 ? Vector3d::Zero().eval() : Vector3d::Unit(d).eval();
-        Y.col(static_cast<Index>(k)) = reference::inverse_dynamics<double>(
+        Y.col(reference.indices()[k]) = reference::inverse_dynamics<double>(
             units[k], instant.q, d < 0 ? instant.qd : zero, d < 0 ? instant.qdd : zero);
       }
       if (d < 0) {

@@ -67,7 +67,8 @@ void refuse_springs(const LoadedRobot& model, const std::string& what, const std
     if (vanishes(body.stiffness)) continue;
     throw Failure(
         ExitCode::unsupported,
-        fmt::format("{}: springs are not supported yet, and joint \"{}\" has one", what, body.joint),
+        fmt::format("{}: springs are not supported yet, and {} \"{}\" has one", what,
+                    body.is_tendon ? "tendon" : "joint", body.joint),
         remedy + "a scene with springs = false leaves them out: measured torques must then be without theirs");
   }
 }

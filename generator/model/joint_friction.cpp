@@ -41,6 +41,12 @@ Leader leader_of(const Mechanism& mechanism, std::size_t body) {
     if (!vanishes(row[k])) leaders.push_back({k, nearest_double(row[k])});
   }
   if (leaders.size() == 1) return rate_of(mechanism, leaders.front(), body);
+  if (mechanism.bodies[body].is_tendon) {
+    throw Failure(ExitCode::unsupported,
+                  fmt::format("friction of tendon \"{}\", which acts on several joints, is not supported here",
+                              mechanism.bodies[body].joint),
+                  "leave it out: viscous = 0 and coulomb = 0, or a scene with friction = false, which leaves out all");
+  }
   throw Failure(ExitCode::unsupported,
                 fmt::format("friction of joint \"{}\", which follows several coordinates, is not supported here",
                             mechanism.bodies[body].joint),

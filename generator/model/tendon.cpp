@@ -44,6 +44,11 @@ void add_tendon(Joint tendon, Robot& robot) {
   robot.joints.push_back(std::move(tendon));
 }
 
+bool is_of_tendon(const Robot& robot, int link) {
+  return std::any_of(robot.joints.begin(), robot.joints.end(),
+                     [link](const Joint& joint) { return joint.is_tendon && joint.child == link; });
+}
+
 void leave_out_idle_tendons(Robot& robot) {
   for (std::size_t j = robot.joints.size(); j-- > 0;) {
     if (!is_idle(robot.joints[j])) continue;

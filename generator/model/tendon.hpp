@@ -14,6 +14,9 @@ namespace flatdyn {
 // links must have one root.
 void add_tendon(Joint tendon, Robot& robot);
 
+// Whether the link is that of a tendon, which is nowhere: it is no part of the robot.
+bool is_of_tendon(const Robot& robot, int link);
+
 // Leaves out tendons that stand still, and those without a force.
 void leave_out_idle_tendons(Robot& robot);
 

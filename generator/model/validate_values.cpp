@@ -112,9 +112,10 @@ void check_motor(const Joint& joint, Diagnostics& diagnostics) {
 }
 
 // A position of the joint in the unit of its file.
-std::string position_text(const Number& position, const Joint& joint, bool in_degrees) {
-  if (!in_degrees || joint.type == JointType::prismatic) return decimal(position);
-  return decimal(position * 180 / GiNaC::Pi) + " deg";
+std::string position_text(const Number& position, const Joint& joint, bool in_degrees, int digits = 6) {
+  if (!in_degrees || joint.type == JointType::prismatic)
+    return fmt::format("{:.{}g}", nearest_double(position), digits);
+  return fmt::format("{:.{}g} deg", nearest_double(position * 180 / GiNaC::Pi), digits);
 }
 
 void check_range(const Joint& joint, bool in_degrees, Diagnostics& diagnostics) {
@@ -123,11 +124,12 @@ void check_range(const Joint& joint, bool in_degrees, Diagnostics& diagnostics) 
   if (!lower || !upper) return;
   const Number range = upper->number - lower->number;
   if (is_negative(range)) {
-    diagnostics.error(
-        lower->place,
-        fmt::format("{}: the lower limit ({}) is above the upper one ({})", named(joint),
-                    position_text(lower->number, joint, in_degrees), position_text(upper->number, joint, in_degrees)),
-        "exchange them");
+    const auto text = [&](const Number& limit, int digits) { return position_text(limit, joint, in_degrees, digits); };
+    const int digits = text(lower->number, 6) == text(upper->number, 6) ? 17 : 6;
+    diagnostics.error(lower->place,
+                      fmt::format("{}: the lower limit ({}) is above the upper one ({})", named(joint),
+                                  text(lower->number, digits), text(upper->number, digits)),
+                      "exchange them");
   } else if (is_exact_zero(range)) {
     diagnostics.warning(lower->place, named(joint) + " cannot move: its lower and upper limit are the same",
                         "give the range, or make the joint a fixed one",

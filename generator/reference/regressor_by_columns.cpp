@@ -226,10 +226,9 @@ template <class S>
 RegressorReference<S>::RegressorReference(const Mechanism& mechanism, const reference::Robot<S>& robot,
                                           const SymbolValues& symbols, RegressorColumns columns) {
   const GiNaC::exmap values = values_of(mechanism.symbols, symbols);
-  const std::vector<int> indices =
-      columns == RegressorColumns::base ? base_parameters(mechanism).columns : parameter_indices(mechanism);
+  indices_ = columns == RegressorColumns::base ? base_parameters(mechanism).columns : parameter_indices(mechanism);
   const reference::Robot<S> empty = without_parameters(robot);
-  for (const int index : indices) {
+  for (const int index : indices_) {
     units_.push_back(unit_robot(mechanism, empty, values, index));
     const bool has_one_row = parameter_of(index) == Parameter::Fv && mechanism.is_of_spherical(joint_of(index));
     only_rows_.push_back(has_one_row ? joint_of(index) : -1);

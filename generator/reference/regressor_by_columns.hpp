@@ -13,7 +13,7 @@
 namespace flatdyn {
 
 enum class RegressorColumns {
-  all,   // 13 for every joint, and ten of a floating base
+  all,   // those of all parameters, parameter_indices()
   base,  // those of the base parameters
 };
 
@@ -29,11 +29,14 @@ class RegressorReference {
 
   // By column: the written robot with one parameter 1 and the others 0.
   const std::vector<reference::Robot<S>>& units() const { return units_; }
+  // By column: the index of its parameter.
+  const std::vector<int>& indices() const { return indices_; }
   // The units' columns, where a spherical joint's friction about one axis acts about that one only.
   reference::MatrixX<S> with_own_friction(reference::MatrixX<S> Y) const;
 
  private:
   std::vector<reference::Robot<S>> units_;
+  std::vector<int> indices_;
   std::vector<int> only_rows_;  // by column: the only row that is not zero, -1: all may be other than zero
 };
 

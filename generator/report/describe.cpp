@@ -104,14 +104,17 @@ std::string describe_tendons(const Mechanism& mechanism, const std::vector<std::
                              const NumberText& number) {
   std::string text = lengths.empty() ? "" : "\ntendons, which act on several joints by their lengths, rad or m:\n";
   auto length = lengths.begin();
-  for (const Body& body : mechanism.bodies) {
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    const Body& body = mechanism.bodies[i];
     if (!body.is_tendon) continue;
     text += "  " + *length++;
     const auto add = [&](const char* what, const Number& value) {
       if (!vanishes(value)) text += fmt::format("; {} {}", what, number(value));
     };
     add("stiffness", body.stiffness);
-    add("relaxed at", body.spring_reference);
+    if (!vanishes(body.stiffness)) {
+      text += fmt::format("; relaxed at {}", number((body.spring_reference + mechanism.offsets[i]).expand()));
+    }
     add("F_v", body.viscous);
     add("F_s", body.coulomb);
     add("armature", body.armature);

@@ -11,6 +11,7 @@
 #include "cli/torques_of_log.hpp"
 #include "support/robot_models.hpp"
 #include "support/simulated_log.hpp"
+#include "support/written_model.hpp"
 
 namespace flatdyn::testing {
 namespace {
@@ -141,6 +142,47 @@ TEST(Identify, FindsFrictionAndRotorsOfASimulatedRobot) {
     ++checked;
   }
   EXPECT_EQ(checked, 16);
+}
+
+// A tendon has friction and an armature, and no inertial parameters.
+TEST(Identify, FindsTheForcesOfTendons) {
+  const Scratch scratch;
+  const std::string text = R"(gravity = [0, -9.81, 0]
+[[link]]
+joint = "i"
+mass = 2
+com = [0.3, 0.1, 0]
+inertia = { zz = 0.2 }
+inertia_about = "com"
+[[link]]
+joint = "j"
+xyz = [0.5, 0, 0]
+mass = 1
+com = [0.2, 0, 0]
+inertia = { zz = 0.1 }
+inertia_about = "com"
+[[tendon]]
+name = "t"
+length = "0.5*i - 2*j + 0.7"
+viscous = 1.5
+coulomb = 0.5
+armature = 0.3
+)";
+  scratch.write("r.toml", text);
+  write_log(scratch.path("log.csv"), simulated(model_of_toml(text), {.samples = 400}));
+  const Outcome found =
+      run_flatdyn(fmt::format("identify {} -q --json --data {}", scratch.path("r.toml"), scratch.path("log.csv")));
+  ASSERT_EQ(found.code, 0) << found.err;
+  int checked = 0;
+  const json result = json::parse(found.out);
+  for (const json& parameter : result["base_parameters"]) {
+    const std::string kept = parameter["kept"];
+    const double truth = kept == "Fv3" ? 1.5 : kept == "Fs3" ? 0.5 : kept == "Im3" ? 0.3 : 0;
+    if (truth == 0) continue;
+    EXPECT_NEAR(parameter["value"], truth, 1e-3) << kept;
+    ++checked;
+  }
+  EXPECT_EQ(checked, 3) << found.out;
 }
 
 TEST(Identify, LeavesFrictionAndRotorsOutWhereOnlyInertiasAreAskedFor) {

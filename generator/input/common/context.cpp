@@ -10,6 +10,7 @@
 
 #include "diagnostics/nearest.hpp"
 #include "model/exact_sign.hpp"
+#include "model/tendon.hpp"
 
 namespace flatdyn {
 
@@ -99,6 +100,7 @@ std::optional<int> find_link(const Robot& robot, const Reference& link, const st
                              Diagnostics& diagnostics) {
   std::vector<std::string> known;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    if (is_of_tendon(robot, static_cast<int>(i))) continue;
     if (robot.links[i].name == link.name) return static_cast<int>(i);
     known.push_back(robot.links[i].name);
   }

@@ -46,7 +46,10 @@ class ActuatorReader {
       report_unknown(*joint, item);
       return;
     }
-    if (moved->type == JointType::fixed) return;
+    if (moved->type == JointType::fixed) {
+      if (is_free(*moved)) read_on_free_joint(item, *moved);
+      return;
+    }
     if (moved->type == JointType::spherical) {
       if (refuse_reflected(item, "a ball joint")) return;
       model_.diagnostics().note(item.element->place, item.what + ": it acts on a ball joint: it is not read",
@@ -64,6 +67,22 @@ class ActuatorReader {
     moved->driven = true;
     add_reflected(item, gear, *moved);
     efforts_[joint->text].push_back(effort_of(item, gear));
+  }
+
+  bool is_free(const Joint& joint) const {
+    const auto index = static_cast<int>(&joint - model_.robot.joints.data());
+    return std::any_of(model_.bodies.begin(), model_.bodies.end(), [index](const MjcfBody& body) {
+      return std::find(body.free_joints.begin(), body.free_joints.end(), index) != body.free_joints.end();
+    });
+  }
+
+  // As MuJoCo does, what it reflects is added to all six entries of the base.
+  void read_on_free_joint(const MjcfItem& item, Joint& joint) {
+    const auto gears = values_.numbers(item, "gear", 1, 6);
+    add_reflected(item, gears ? gears->numbers[0] : Number(1), joint);
+    model_.diagnostics().note(item.element->place, item.what + ": it acts on a free joint: its force is not read",
+                              "its armature and damping, if any, are added to the six entries of the base",
+                              "actuators that act on free joints");
   }
 
   // A joint that is held or of a type that is not supported has been spoken of.

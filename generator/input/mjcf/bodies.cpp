@@ -128,7 +128,8 @@ class BodyReader {
                                 "a joint moves a body", "bodies that motion capture moves");
     }
     const MjcfAttribute* gravcomp = element.attribute("gravcomp");
-    if (gravcomp == nullptr || is_zero_text(gravcomp->text)) return;
+    const bool is_weightless = vanishes(dot(robot_.gravity, robot_.gravity));
+    if (gravcomp == nullptr || is_zero_text(gravcomp->text) || is_weightless) return;
     model_.diagnostics().note(
         gravcomp->place,
         name_in_messages(element) + ", gravcomp=\"" + gravcomp->text +

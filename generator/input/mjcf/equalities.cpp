@@ -2,10 +2,10 @@
 #include "input/mjcf/equalities.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "input/mjcf/names.hpp"
 #include "input/mjcf/tendons.hpp"
-#include "input/urdf/mimics.hpp"
 
 namespace flatdyn {
 
@@ -17,13 +17,25 @@ class EqualityReader {
  public:
   explicit EqualityReader(MjcfModel& model) : model_(model), values_(model.values), diagnostics_(model.diagnostics()) {}
 
+  // Those that hold a joint come first, and those of tendons last: their joints may follow by the others.
   void read() {
-    for (const MjcfElement* section : model_.root.elements("equality")) {
-      for (const MjcfElement& element : section->children) read_equality(element);
+    for (const Pass pass : {Pass::holds, Pass::joints, Pass::tendons}) {
+      for (const MjcfElement* section : model_.root.elements("equality")) {
+        for (const MjcfElement& element : section->children) {
+          if (pass_of(element) == pass) read_equality(element);
+        }
+      }
     }
   }
 
  private:
+  enum class Pass { holds, joints, tendons };
+
+  static Pass pass_of(const MjcfElement& element) {
+    if (element.name == "tendon") return Pass::tendons;
+    return element.name == "joint" && element.attribute("joint2") != nullptr ? Pass::joints : Pass::holds;
+  }
+
   void read_equality(const MjcfElement& element) {
     MjcfItem item = values_.item(element, kMainClass, "equality");
     item.what = "equality, " + item.what;
@@ -95,18 +107,21 @@ class EqualityReader {
     Number b = 0;
   };
 
+  static void add_term(const Reference& joint, const Number& factor, LinearEquation& equation) {
+    const auto same = std::find_if(equation.terms.begin(), equation.terms.end(),
+                                   [&joint](const Coupled::Term& each) { return each.joint.name == joint.name; });
+    if (same == equation.terms.end()) {
+      equation.terms.push_back({joint, factor});
+    } else {
+      same->factor += factor;
+    }
+  }
+
   // Adds factor · (L - L at ref) to the left side.
-  void add_length(const MjcfTendon& tendon, const Number& factor, LinearEquation& equation) {
+  void add_length(const MjcfTendon& tendon, const Number& factor, LinearEquation& equation) const {
     for (const Coupled::Term& term : tendon.length.coupled->terms) {
-      const Number a = factor * term.factor;
-      equation.b += a * model_.reference.at(term.joint.name);
-      const auto same = std::find_if(equation.terms.begin(), equation.terms.end(),
-                                     [&term](const Coupled::Term& each) { return each.joint.name == term.joint.name; });
-      if (same == equation.terms.end()) {
-        equation.terms.push_back({term.joint, a});
-      } else {
-        same->factor += a;
-      }
+      add_term(term.joint, factor * term.factor, equation);
+      equation.b += factor * term.factor * model_.reference.at(term.joint.name);
     }
   }
 
@@ -121,32 +136,76 @@ class EqualityReader {
     equation.b = (*c)[0];
     add_length(*first, 1, equation);
     if (!is_alone) add_length(*second, -(*c)[1], equation);
-    std::erase_if(equation.terms, [](const Coupled::Term& term) { return vanishes(term.factor); });
     solve(equation, item);
   }
 
-  // The last joint follows the others, if nothing drives it and it follows none yet; else the last one that can.
-  void solve(const LinearEquation& equation, const MjcfItem& item) {
+  bool is_held_still(const Joint& joint) const {
+    return joint.type == JointType::fixed || is_held(joint.name, values_.context());
+  }
+
+  // Puts in the positions of joints that follow others, until none is left.
+  void put_in_followers(LinearEquation& equation) const {
+    for (std::size_t k = 0; k < equation.terms.size();) {
+      const Coupled::Term term = equation.terms[k];
+      const Joint& joint = *joint_in(model_.robot, term.joint.name);
+      if (!joint.coupled || is_held_still(joint)) {
+        ++k;
+        continue;
+      }
+      equation.terms.erase(equation.terms.begin() + static_cast<std::ptrdiff_t>(k));
+      equation.b -= term.factor * joint.coupled->offset;
+      for (const Coupled::Term& leader : joint.coupled->terms)
+        add_term(leader.joint, term.factor * leader.factor, equation);
+      k = 0;
+    }
+    std::erase_if(equation.terms, [](const Coupled::Term& term) { return vanishes(term.factor); });
+  }
+
+  // The joint that follows: this one if it can, else the last one that nothing drives, else the last one; nullptr if
+  // all are held.
+  Joint* follower_of(const LinearEquation& equation, const std::string& wanted) const {
     Joint* follower = nullptr;
-    Number own = 0;
     for (const Coupled::Term& term : equation.terms) {
       Joint* joint = joint_in(model_.robot, term.joint.name);
-      if (joint->coupled || (follower != nullptr && joint->driven && !follower->driven)) continue;
-      follower = joint;
-      own = term.factor;
+      if (is_held_still(*joint)) continue;
+      if (joint->name == wanted) return joint;
+      if (follower == nullptr || !joint->driven || follower->driven) follower = joint;
     }
-    if (follower == nullptr) return refuse(item, "of joints that follow others already is not supported");
-    if (equation.terms.size() == 1) return hold(*follower, equation.b / own, item.element->place);
+    return follower;
+  }
+
+  void solve(LinearEquation equation, const MjcfItem& item, const std::string& wanted = "") {
+    put_in_followers(equation);
+    if (equation.terms.empty()) {
+      if (vanishes(equation.b)) return;  // others say the same
+      diagnostics_.error(item.element->place, item.what + " contradicts others before it",
+                         "delete one of them, or make them agree");
+      return;
+    }
+    Joint* follower = follower_of(equation, wanted);
+    if (follower == nullptr) {
+      diagnostics_.note(item.element->place, item.what + " is not read: its joints are all held",
+                        "whether they are held where it has them is not asked", "equalities of joints that are held");
+      return;
+    }
     Coupled coupled;
     coupled.place = item.element->place;
+    Number own = 0;
+    for (const Coupled::Term& term : equation.terms) {
+      if (term.joint.name == follower->name) own = term.factor;
+    }
     coupled.offset = equation.b / own;
     for (const Coupled::Term& term : equation.terms) {
       if (term.joint.name != follower->name) coupled.terms.push_back({term.joint, -term.factor / own});
     }
+    if (coupled.terms.empty()) return hold(*follower, coupled.offset, item.element->place);
     follower->coupled = coupled;
-    diagnostics_.note(item.element->place, item.what + ": joint \"" + follower->name + "\" follows the others",
-                      "q has no entry of it; a joint that an actuator drives is not taken if there is another",
-                      "joints that follow by tendons");
+    if (wanted == follower->name) return;
+    diagnostics_.note(
+        item.element->place, item.what + ": joint \"" + follower->name + "\" follows the others",
+        "q has no entry of it; joints that an actuator drives, or that are held, are not taken if there is "
+        "another",
+        "joints that follow by equalities");
   }
 
   // q_1 - ref_1 = c_0 + c_1 (q_2 - ref_2)
@@ -159,18 +218,24 @@ class EqualityReader {
     if (!polynomial) return;
     const std::vector<Number>& c = *polynomial;
     const Number at_reference = model_.reference.at(follower->name) + c[0];
-    if (is_alone || vanishes(c[1])) {
+    if (is_alone) {
       hold(*follower, at_reference, item.element->place);
       return;
     }
-    Coupled coupled;
-    coupled.place = item.element->place;
-    coupled.offset = at_reference - c[1] * model_.reference.at(leader->name);
-    coupled.terms.push_back({{leader->name, coupled.place}, c[1]});
-    couple_joint(*follower, coupled, item.what, diagnostics_);
+    LinearEquation equation{{{{follower->name, item.element->place}, 1}}, at_reference};
+    if (!vanishes(c[1])) {
+      equation.b -= c[1] * model_.reference.at(leader->name);
+      add_term({leader->name, item.element->place}, -c[1], equation);
+    }
+    solve(equation, item, follower->name);
   }
 
   void hold(const Joint& joint, const Number& position, const Place& place) {
+    const auto [before, is_new] = held_.emplace(joint.name, position);
+    if (!is_new && !vanishes(before->second - position)) {
+      diagnostics_.error(place, "joint \"" + joint.name + "\" is held at two positions by equalities",
+                         "delete one of them, or make them agree");
+    }
     HeldJoint held;
     held.joint = joint.name;
     held.position = position;
@@ -292,6 +357,7 @@ class EqualityReader {
   MjcfModel& model_;
   const MjcfValues& values_;
   Diagnostics& diagnostics_;
+  std::map<std::string, Number> held_ = {};  // positions at which equalities hold joints
 };
 
 }  // namespace

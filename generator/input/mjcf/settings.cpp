@@ -101,9 +101,13 @@ struct SwitchedParts {
   bool equalities = false, friction = false, springs = false, dampers = false;
 };
 
-SwitchedParts parts_of(const MjcfElement& root, const Robot& robot) {
+SwitchedParts parts_of(const MjcfElement& root, const MjcfValues& values, const Robot& robot) {
   SwitchedParts parts;
-  for (const MjcfElement* section : root.elements("equality")) parts.equalities |= !section->children.empty();
+  for (const MjcfElement* section : root.elements("equality")) {
+    for (const MjcfElement& equality : section->children) {
+      parts.equalities |= values.flag(values.item(equality, kMainClass, "equality"), "active", true);
+    }
+  }
   parts.friction = !vanishes(robot.base_joint.coulomb.number);
   parts.dampers = !vanishes(robot.base_joint.viscous.number);
   for (const Joint& joint : robot.joints) {
@@ -133,7 +137,7 @@ std::string mjcf_difference(const MjcfSettings& a, const MjcfSettings& b) {
 }
 
 void refuse_mjcf_flags(const MjcfElement& root, const MjcfValues& values, const Robot& robot) {
-  const SwitchedParts parts = parts_of(root, robot);
+  const SwitchedParts parts = parts_of(root, values, robot);
   struct Flag {
     const char* name;
     bool turns_off;

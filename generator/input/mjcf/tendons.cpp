@@ -30,6 +30,13 @@ class TendonReader {
   void read_tendon(const MjcfElement& element) {
     MjcfItem item = values_.item(element, kMainClass, "tendon");
     item.what = "tendon" + (element.text("name").empty() ? "" : " \"" + element.text("name") + "\"");
+    const std::string name = element.text("name");
+    const bool is_second = std::any_of(model_.tendons.begin(), model_.tendons.end(), [&name](const MjcfTendon& each) {
+      return !name.empty() && each.length.name == name;
+    });
+    if (is_second) {
+      model_.diagnostics().error(element.place, "two tendons are called \"" + name + "\"", "give one another name");
+    }
     MjcfTendon tendon;
     tendon.is_fixed = element.name == "fixed";
     tendon.what = item.what;
@@ -84,6 +91,9 @@ class TendonReader {
         if (std::find(names.begin(), names.end(), name->text) == names.end()) {
           report_missing_name(*name, item.what, "joint", joint_names(model_.robot), model_.diagnostics());
         }
+      } else if (joint->type == JointType::fixed) {
+        model_.diagnostics().unsupported(name->place, item.what + ": \"" + name->text + "\" is a free joint",
+                                         "a fixed tendon runs over hinges and slides");
       } else if (joint->type == JointType::spherical) {
         model_.diagnostics().error(name->place, item.what + ": \"" + name->text + "\" is a ball joint",
                                    "a fixed tendon runs over hinges and slides");

@@ -200,16 +200,25 @@ Number assembled(const HeldJoint& written, const Joint& joint, const Spot& spot,
   return position;
 }
 
+Number held_position(const HeldJoint& lock, const Joint& joint, ReadContext& context) {
+  return position_of(lock, joint.held ? joint.held->type : joint.type, context);
+}
+
 void hold_joints(ReadContext& context, Robot& robot) {
   const bool couplings_are_valid = validate_couplings(robot, context.diagnostics);
   std::vector<std::string> known;
-  for (const Joint& joint : robot.joints) known.push_back(joint.name);
+  for (const Joint& joint : robot.joints) {
+    if (!joint.is_tendon) known.push_back(joint.name);
+  }
   std::set<std::string> done;
   for (const HeldJoint& lock : context.held_joints) {
     if (!done.insert(lock.joint).second) continue;
     const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
                                     [&lock](const Joint& joint) { return joint.name == lock.joint; });
-    if (found != robot.joints.end()) {
+    if (found != robot.joints.end() && found->is_tendon) {
+      context.diagnostics.error(lock.place, "\"" + lock.joint + "\" is a tendon, which cannot be fixed",
+                                "fix the joints that it runs over, or leave out its forces");
+    } else if (found != robot.joints.end()) {
       hold(lock, *found, context, robot);
     } else if (!robot.joints.empty()) {
       context.diagnostics.error(lock.place, "there is no joint \"" + lock.joint + "\" to be fixed",

@@ -317,14 +317,14 @@ class TomlReader {
     robot_.loops.push_back(std::move(loop));
   }
 
-  // Lengths are in rad or m, whatever the factors give; the file's units are those of other keys.
+  // Its numbers are in SI units, whatever the units of the file.
   void read_tendon(TomlTable& row) {
     Joint tendon;
     tendon.place = row.place();
     tendon.name = row.text("name").value_or("");
     row.rename("tendon " + flatdyn::quoted(tendon.name));
     if (tendon.name.empty()) diagnostics_.error(row.place(), "a tendon has no name", "write name = \"...\"");
-    const std::optional<Coupled> length = row.linear_position("length", JointType::prismatic);
+    const std::optional<Coupled> length = row.tendon_length("length");
     const Value none{0, tendon.place};
     tendon.stiffness = row.number("stiffness", Quantity::other).value_or(none);
     tendon.spring_reference = row.number("spring_reference", Quantity::other).value_or(none);

@@ -208,6 +208,13 @@ std::optional<Coupled> TomlTable::linear_position(std::string_view key, JointTyp
                               source_.context());
 }
 
+std::optional<Coupled> TomlTable::tendon_length(std::string_view key) {
+  const std::optional<std::string> expression = text(key);
+  if (!expression) return std::nullopt;
+  return read_linear_position(*expression, JointType::prismatic, {}, {place_of(key), with_key(what_, key)},
+                              source_.context());
+}
+
 std::optional<Number> TomlTable::expression_of(const toml::node& node, const std::string& text, const Spot& spot) {
   ReadContext& context = source_.context();
   const toml::source_index column = node.source().begin.column;

@@ -74,6 +74,8 @@ class TomlTable {
   std::optional<JointPosition> locked_joint(const std::string& joint);
   // The position of a coupled joint, linear in the coordinates of others.
   std::optional<Coupled> linear_position(std::string_view key, JointType type);
+  // The length of a tendon, a sum of joint positions; a constant in it is in rad or m.
+  std::optional<Coupled> tendon_length(std::string_view key);
 
   // Lengths and angles are brought to m and rad. Of limits, `quantity` is that of the joint's position.
   // nullopt if the key is not there, or, with an error, if it is no number or expression.

@@ -24,8 +24,8 @@ std::vector<Number> contact_drift(DerivationContext& context);
 std::string contact_text(const std::vector<Contact>& contacts);
 
 // How many times as large beside its scale a pivot of M has to be as one of B. A pivot that counts just so is right to
-// a hundredth, and so are forces and accelerations: a tenth, as of B, would be too little where a robot is meant to
-// stand.
+// some hundredths, and so are forces and accelerations (docs/contacts.md): a tenth, as of B, would be too little where
+// a robot is meant to stand.
 inline constexpr int kContactMargin = 32;
 
 class ContactSpace {

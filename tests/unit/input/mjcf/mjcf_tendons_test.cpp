@@ -116,6 +116,57 @@ TEST_F(MjcfTendons, CoupleTheJointsOfTwo) {
   EXPECT_EQ(s.offset, 2);
 }
 
+// i + j + s = 0 and i + 2 j + 3 s = 0, in either order, by elimination: j = -2 i, s = i.
+TEST_F(MjcfTendons, AreSolvedTogether) {
+  const std::string paths = R"(<tendon><fixed name="t"><joint joint="i" coef="1"/><joint joint="j" coef="1"/>
+    <joint joint="s" coef="1"/></fixed><fixed name="u"><joint joint="i" coef="1"/><joint joint="j" coef="2"/>
+    <joint joint="s" coef="3"/></fixed></tendon>)";
+  for (const char* equalities :
+       {R"(<tendon tendon1="t"/><tendon tendon1="u"/>)", R"(<tendon tendon1="u"/><tendon tendon1="t"/>)"}) {
+    const std::vector<LinearPosition> q = joint_positions(finger(paths + "<equality>" + equalities + "</equality>"));
+    EXPECT_EQ(q.at(1).factors.at(0), -2);
+    EXPECT_EQ(q.at(2).factors.at(0), 1);
+  }
+  const Robot with_joints =
+      finger(paths + R"(<equality><tendon tendon1="t"/><joint joint1="s" joint2="j"/></equality>)");
+  EXPECT_EQ(joint_positions(with_joints).at(2).factors.at(0), Number(-1) / 2);
+}
+
+// A joint that is held does not follow: the other one does, and is held with it.
+TEST_F(MjcfTendons, HeldJointsLead) {
+  const std::string text = tendons("") + R"(<equality><tendon tendon1="pull"/></equality>)";
+  ReadOptions held;
+  held.scene.locked = {{"s", 0.5, "0.5", true}};
+  const Robot robot = finger(text, held);
+  ASSERT_TRUE(robot.joints.at(0).held);  // 2 (i - pi/2) = 3 (0.5 - 2)
+  EXPECT_TRUE(vanishes(robot.joints.at(0).held->position - (GiNaC::Pi / 2 - Number(9) / 4)));
+  const Robot by_equality = finger(text + R"(<equality><joint joint1="s" polycoef="-1.5"/></equality>)");
+  EXPECT_TRUE(vanishes(by_equality.joints.at(0).held.value().position - (GiNaC::Pi / 2 - Number(9) / 4)));
+}
+
+// Beside a free base, what is held is left out, and its position put in.
+TEST_F(MjcfTendons, KnowJointsThatAreLeftOut) {
+  const std::string mass = R"(<inertial pos="0 0 0" mass="2" diaginertia="1 1 1"/>)";
+  ReadOptions held;
+  held.scene.locked = {{"spare", 0.5, "0.5", true}};
+  const Robot robot = read("r.xml",
+                           R"(<mujoco><worldbody><body><freejoint/>)" + mass + R"(<body><joint name="hip"/>)" + mass +
+                               R"(</body></body><body><joint name="spare"/>)" + mass +
+                               R"(</body></worldbody><tendon><fixed name="t" stiffness="3"><joint joint="hip" coef="1"/>
+                               <joint joint="spare" coef="2"/></fixed></tendon></mujoco>)",
+                           held);
+  EXPECT_EQ(joint_positions(robot).back().offset, 1);
+}
+
+// As MuJoCo does, an actuator on a free joint adds to its six entries.
+TEST_F(MjcfTendons, ActuatorsOnAFreeJointReflect) {
+  const Robot robot = read("r.xml", R"(<mujoco><worldbody><body><joint name="root" type="free" armature="1"/>
+    <inertial pos="0 0 0" mass="2" diaginertia="1 1 1"/></body></worldbody>
+    <actuator><motor joint="root" gear="2 0 0 0 0 0" armature="3" damping="5"/></actuator></mujoco>)");
+  EXPECT_EQ(robot.base_joint.armature.number, 13);
+  EXPECT_EQ(robot.base_joint.viscous.number, 20);
+}
+
 TEST_F(MjcfTendons, HoldTheirOnlyJointByAnEquality) {
   const Robot robot = finger(R"(<tendon><fixed name="t"><joint joint="s" coef="4"/></fixed></tendon>
     <equality><tendon tendon1="t" polycoef="2"/></equality>)");
