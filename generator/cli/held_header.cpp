@@ -89,6 +89,10 @@ class HeldFiles {
   explicit HeldFiles(const std::filesystem::path& named) {
     static const std::map<std::string, std::string> kHeaders = {{".c", ".h"}, {".cpp", ".hpp"}};
     header_ = named;
+    constexpr std::string_view kTypes = ".d.ts";  // of a module
+    if (named.string().ends_with(kTypes)) {
+      header_ = named.string().substr(0, named.string().size() - kTypes.size()) + ".js";
+    }
     const auto found = kHeaders.find(named.extension());
     if (found != kHeaders.end()) header_.replace_extension(found->second);
     text_ = content_of(header_);
@@ -148,9 +152,24 @@ GenerationOptions options_of(const HeldFiles& files, const OptionsGiven& given) 
   return options;
 }
 
+// Those of the stamp's options that make another robot of the file.
+std::string options_of_robot(const std::string& options) {
+  std::string text;
+  for (const std::string& word : words_of(options)) {
+    for (const char* name : {"--gravity", "--fix", "--base", "--tip", "--ignore", "--keyframe", "--snap", "--model"}) {
+      if (word.substr(0, word.find('=')) == name) text += (text.empty() ? "" : " ") + word;
+    }
+  }
+  return text;
+}
+
 // Notes what is another thing than when the code was written, but need not change it.
 void note_stamp(const Stamp& stamp, const HeldFiles& files, const GenerationResult& own, Diagnostics& findings) {
   const Place place = files.place(0);
+  if (const std::string of_robot = options_of_robot(stamp.options); !of_robot.empty()) {
+    findings.note(files.place(stamp.line_of_options), "it is compared with the robot by its stamp: " + of_robot,
+                  "the same options of this command replace them");
+  }
   if (stamp.version != kProgramVersion) {
     findings.note(place, fmt::format("flatdyn {} wrote it, and this is {}: functions are compared in exact arithmetic, "
                                      "the text around them with that of {}",

@@ -36,6 +36,9 @@ TEST_P(HeldCode, IsTheRobotsAsItWasWrittenAndWithoutItsComments) {
   EXPECT_EQ(outcome.code, 0) << outcome.err << outcome.out;
   EXPECT_THAT(outcome.out, HasSubstr("every function is the robot's, and nothing else is in it"));
   EXPECT_THAT(outcome.out, HasSubstr("the robot's, proven"));
+  if (std::string(held.options).find("--fix") != std::string::npos) {
+    EXPECT_THAT(outcome.err, HasSubstr("it is compared with the robot by its stamp: --fix=waist=pi/3"));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -45,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(
         Held{"robots/finger.toml", "--language c", "finger.c"},
         Held{kArm, "--form pair --scalar double,float --stages gravity,bias --fuse gravity,bias",
              "planar_2r_example_7_2.cpp"},
-        Held{"robots/planar_2r.toml", "--language javascript --name arm", "arm.js"},
+        Held{"robots/planar_2r.toml", "--language javascript --name arm", "arm.d.ts"},
         Held{"robots/scara.toml", "--language cuda --functions gravity,bias", "scara.cuh"},
         Held{"robots/rx90.toml", "--max-lines 30 --fma --functions bias,forward_dynamics --namespace my_arm",
              "rx90.hpp"},
