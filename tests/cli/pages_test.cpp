@@ -92,6 +92,11 @@ std::string fault_of(const fs::path& page, const std::string& link) {
   return "there is no heading " + link;
 }
 
+TEST(Pages, TheCitationHasTheVersion) {
+  const std::string version = run_flatdyn("--version").out.substr(std::string("flatdyn ").size());
+  EXPECT_THAT(text_of(kSource / "CITATION.cff"), HasSubstr("\nversion: " + version));
+}
+
 TEST(Pages, HaveLinksThatLeadSomewhere) {
   const std::regex link_in_text(R"(\]\(([^)\s]+)\))");
   std::vector<std::string> faults;
