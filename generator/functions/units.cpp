@@ -180,6 +180,16 @@ class OutputUnits {
   const Output& output_;
 };
 
+// Whether the joint's position is a length. That of a tendon is one unless it runs over joints that turn only.
+bool is_length(const Mechanism& mechanism, int body) {
+  const auto at = static_cast<std::size_t>(body);
+  if (!mechanism.bodies[at].is_tendon) return mechanism.bodies[at].prismatic;
+  for (int k = 0; k < mechanism.position_count(); ++k) {
+    if (!vanishes(mechanism.coupling[at][static_cast<std::size_t>(k)]) && mechanism.joint_at(k).prismatic) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string unit_of(const Mechanism& mechanism, const Function& function, const Output& output, std::size_t entry) {
@@ -188,7 +198,8 @@ std::string unit_of(const Mechanism& mechanism, const Function& function, const 
 
 std::string unit_of_parameter(const Mechanism& mechanism, int index) {
   const Body& body = mechanism.bodies[static_cast<std::size_t>(joint_of(index))];
-  const Unit joint = body.prismatic ? kMetre : kOne;
+  const bool slides = is_length(mechanism, joint_of(index));
+  const Unit joint = slides ? kMetre : kOne;
   switch (parameter_of(index)) {
     case Parameter::m:
       return "kg";
@@ -197,7 +208,7 @@ std::string unit_of_parameter(const Mechanism& mechanism, int index) {
     case Parameter::mlz:
       return "kg m";
     case Parameter::Im:
-      return body.rotor || !body.prismatic ? "kg m^2" : "kg";
+      return body.rotor || !slides ? "kg m^2" : "kg";
     case Parameter::Fv:
       return text_of(kEnergy * kSecond / (joint * joint));
     case Parameter::Fs:

@@ -9,6 +9,7 @@
 #include "flatdyn/reference/kinematics.hpp"
 #include "functions/exact_proof.hpp"
 #include "functions/function_table.hpp"
+#include "functions/units.hpp"
 #include "model/states.hpp"
 #include "planning/formulations.hpp"
 #include "reference/graph_evaluator.hpp"
@@ -296,6 +297,8 @@ TEST(Tendons, AddTheirArmatureAlongTheirLengths) {
   const reference::MatrixX<Real50> added = inertia(with) - inertia(without);
   EXPECT_LT((added - Real50("0.04") * c * c.transpose()).norm(), Real50("1e-45"));
   EXPECT_EQ(parameter_indices(with.mechanism).size(), parameter_indices(without.mechanism).size() + 2 * 3);
+  EXPECT_EQ(unit_of_parameter(with.mechanism, index_of(3, Parameter::Im)), "kg");  // it runs over a slide, too
+  EXPECT_EQ(unit_of_parameter(with.mechanism, index_of(4, Parameter::Im)), "kg m^2");
 }
 
 }  // namespace
