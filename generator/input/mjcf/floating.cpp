@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "input/common/floating_joints.hpp"
-#include "input/toml/held_joints.hpp"
+#include "input/common/held_position.hpp"
 
 namespace flatdyn {
 
@@ -33,7 +33,7 @@ class LeftOutJoints {
       const auto held = std::find_if(held_.begin(), held_.end(),
                                      [&term](const HeldJoint& each) { return each.joint == term.joint.name; });
       if (joint == before_.end() || held == held_.end()) return false;
-      coupled.offset += term.factor * held_position(*held, *joint, model_.values.context());
+      coupled.offset += term.factor * held_position(*held, joint->type, model_.values.context());
       return true;
     });
   }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "diagnostics/nearest.hpp"
+#include "input/common/held_position.hpp"
 #include "input/common/units.hpp"
 #include "model/coupling.hpp"
 #include "model/exact_sign.hpp"
@@ -41,36 +42,6 @@ void hold_rotor(Joint& joint, Robot& robot) {
     robot.links[static_cast<std::size_t>(carrier)].inertials.push_back(as_inertial(*joint.motor));
   }
   joint.motor.reset();
-}
-
-std::string held_at(const JointPosition& lock) { return "joint \"" + lock.joint + "\", held at " + lock.written; }
-
-// The units of a position that may say by itself that it is in degrees.
-Units units_of(const HeldJoint& lock) {
-  Units units = lock.units;
-  units.degrees = units.degrees || lock.in_degrees;
-  return units;
-}
-
-// An error where a position says that it is in degrees and cannot be.
-void check_degrees(const HeldJoint& lock, bool slides, const Spot& spot, Diagnostics& diagnostics) {
-  if (!lock.in_degrees) return;
-  if (slides) {
-    diagnostics.error(spot.place, spot.what + ": it slides, and its positions are lengths", "write a length in m");
-  } else if (has_symbols(lock.position)) {
-    diagnostics.error(spot.place, spot.what + ": symbols are in rad", "leave the unit out");
-  }
-}
-
-Number position_of(const HeldJoint& lock, JointType type, ReadContext& context) {
-  const Spot spot{lock.place, held_at(lock)};
-  const Units units = units_of(lock);
-  const Quantity quantity = type == JointType::prismatic ? Quantity::length : Quantity::angle;
-  context.symbols.check_quantity(lock.position, quantity, lock.place, context.diagnostics);
-  check_degrees(lock, type == JointType::prismatic, spot, context.diagnostics);
-  if (type == JointType::prismatic) return in_metres(lock.position, units, spot, context.diagnostics);
-  if (lock.is_decimal) return decimal_angle(lock.position, lock.written, units, spot, context);
-  return canonical_angle(in_radians(lock.position, units, spot, context.diagnostics), spot, context.diagnostics);
 }
 
 std::string hint_for_degrees(const HeldJoint& position) {
@@ -162,7 +133,7 @@ void hold(const HeldJoint& lock, Joint& joint, ReadContext& context, Robot& robo
   hold_rotor(joint, robot);
   if ((type == JointType::fixed || type == JointType::spherical) && vanishes(lock.position)) return;
   if (!vanishes(lock.position) && !can_move(lock, joint, type, context.diagnostics)) return;
-  joint.held = Held{type, position_of(lock, type, context)};
+  joint.held = Held{type, held_position(lock, type, context)};
   if (coupled) end_coupling(lock, joint, *coupled, context, robot);
   if (ask_about(joint.held->position, lock, joint, type, {lock.place, held_at(lock)}, context)) return;
   warn_outside_limits(lock, joint, context.diagnostics);
@@ -198,10 +169,6 @@ Number assembled(const HeldJoint& written, const Joint& joint, const Spot& spot,
                                  : in_radians(written.position, units_of(written), spot, context.diagnostics);
   ask_about(position, written, joint, joint.type, spot, context);
   return position;
-}
-
-Number held_position(const HeldJoint& lock, const Joint& joint, ReadContext& context) {
-  return position_of(lock, joint.held ? joint.held->type : joint.type, context);
 }
 
 void hold_joints(ReadContext& context, Robot& robot) {

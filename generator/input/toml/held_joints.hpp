@@ -12,9 +12,6 @@ namespace flatdyn {
 // JOINT = POSITION, ... of a table.
 std::vector<JointPosition> read_locked(TomlTable table);
 
-// The position, in rad or m, at which a joint is to be held.
-Number held_position(const HeldJoint& lock, const Joint& joint, ReadContext& context);
-
 // The position, in rad or m, of a joint that is not held. It is asked about where it is odd.
 Number assembled(const HeldJoint& written, const Joint& joint, const Spot& spot, ReadContext& context);
 
