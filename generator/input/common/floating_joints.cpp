@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "input/common/held_position.hpp"
 #include "input/common/joint_parts.hpp"
 
 namespace flatdyn {
@@ -110,7 +111,7 @@ void refuse_loops_to(const Parts& parts, const Robot& robot, Diagnostics& diagno
 }
 
 // Whether joint `index` carries all that moves, from a root without a body: then it is left out with that root.
-bool float_on(int index, ReadContext& context, Robot& robot) {
+bool float_on(int index, ReadContext& context, Robot& robot, std::vector<LeftOutJoint>& left_out) {
   Diagnostics& diagnostics = context.diagnostics;
   const Joint joint = robot.joints[static_cast<std::size_t>(index)];
   if (joint.parent < 0 || joint.child < 0 || !is_on_empty_root(robot, joint)) return false;
@@ -134,18 +135,34 @@ bool float_on(int index, ReadContext& context, Robot& robot) {
   robot.floating_base = true;
   refuse_loops_to(around.parts(), robot, diagnostics);
   for (const int other : around.parts().joints) {  // one that was to be held does stand still
+    const Joint& beside = robot.joints[static_cast<std::size_t>(other)];
     std::erase_if(context.held_joints, [&](const HeldJoint& held) {
-      return held.joint == robot.joints[static_cast<std::size_t>(other)].name;
+      if (held.joint == beside.name) left_out.push_back({held, beside.type});
+      return held.joint == beside.name;
     });
   }
   leave_out(around.parts(), robot);
+  for (Joint& follower : robot.joints) {
+    if (follower.coupled) put_in_left_out(left_out, context, *follower.coupled);
+  }
   return true;
 }
 
 }  // namespace
 
-void take_floating_joints(const std::vector<int>& joints, ReadContext& context, Robot& robot) {
-  if (joints.size() == 1 && float_on(joints.front(), context, robot)) return;
+void put_in_left_out(const std::vector<LeftOutJoint>& joints, ReadContext& context, Coupled& coupled) {
+  for (const LeftOutJoint& joint : joints) {
+    std::erase_if(coupled.terms, [&](const Coupled::Term& term) {
+      if (term.joint.name != joint.held.joint) return false;
+      coupled.offset += term.factor * held_position(joint.held, joint.type, context);
+      return true;
+    });
+  }
+}
+
+std::vector<LeftOutJoint> take_floating_joints(const std::vector<int>& joints, ReadContext& context, Robot& robot) {
+  std::vector<LeftOutJoint> left_out;
+  if (joints.size() == 1 && float_on(joints.front(), context, robot, left_out)) return left_out;
   for (const int index : joints) {
     const Joint& joint = robot.joints[static_cast<std::size_t>(index)];
     context.diagnostics.unsupported(
@@ -153,6 +170,7 @@ void take_floating_joints(const std::vector<int>& joints, ReadContext& context, 
         "joint \"" + joint.name + "\" moves freely: that is supported for one joint only, which carries all that moves",
         "hold it still: give the option --fix " + joint.name);
   }
+  return left_out;
 }
 
 bool floats_in_tree(const Robot& robot, const Joint& joint) {

@@ -57,8 +57,7 @@ class ActuatorReader {
                                 "actuators that act on ball joints");
       return;
     }
-    const auto gears = values_.numbers(item, "gear", 1, 6);
-    const Number gear = gears ? gears->numbers[0] : Number(1);
+    const Number gear = gear_of(item);
     if (vanishes(gear)) {
       model_.diagnostics().note(item.element->place, item.what + ": its gear is 0: it does nothing", "write its gear",
                                 "actuators with a gear of 0");
@@ -78,8 +77,7 @@ class ActuatorReader {
 
   // As MuJoCo does, what it reflects is added to all six entries of the base.
   void read_on_free_joint(const MjcfItem& item, Joint& joint) {
-    const auto gears = values_.numbers(item, "gear", 1, 6);
-    add_reflected(item, gears ? gears->numbers[0] : Number(1), joint);
+    add_reflected(item, gear_of(item), joint);
     model_.diagnostics().note(item.element->place, item.what + ": it acts on a free joint: its force is not read",
                               "its armature and damping, if any, are added to the six entries of the base",
                               "actuators that act on free joints");
@@ -108,8 +106,7 @@ class ActuatorReader {
     if (!tendon->is_fixed) {
       if (refuse_reflected(item, "a spatial tendon")) return;
     } else {
-      const auto gears = values_.numbers(item, "gear", 1, 6);
-      add_reflected(item, gears ? gears->numbers[0] : Number(1), tendon->length);
+      add_reflected(item, gear_of(item), tendon->length);
       for (const Coupled::Term& term : tendon->length.coupled->terms) {
         joint_in(model_.robot, term.joint.name)->driven = true;
         efforts_[term.joint.name].push_back(std::nullopt);  // more than those of the joint's own actuators
@@ -144,6 +141,11 @@ class ActuatorReader {
       return true;
     }
     return false;
+  }
+
+  Number gear_of(const MjcfItem& item) const {
+    const auto gears = values_.numbers(item, "gear", 1, 6);
+    return gears ? gears->numbers[0] : Number(1);
   }
 
   // Motors turn `gear` times as fast as their joint.

@@ -59,13 +59,19 @@ class EqualityReader {
     refuse_mjcf(item.element->place, item.what + " " + message, "equality", values_);
   }
 
-  // The joint that an attribute names; nullptr, and an error, if there is none that moves.
-  Joint* joint_of(const MjcfItem& item, const char* key) {
+  // The attribute that names a joint or tendon; nullptr, and an error, if it is missing.
+  const MjcfAttribute* name_in(const MjcfItem& item, const char* key) {
     const MjcfAttribute* name = item.element->attribute(key);
     if (name == nullptr) {
       diagnostics_.error(item.element->place, item.what + " has no " + key, std::string("write ") + key + "=\"...\"");
-      return nullptr;
     }
+    return name;
+  }
+
+  // The joint that an attribute names; nullptr, and an error, if there is none that moves.
+  Joint* joint_of(const MjcfItem& item, const char* key) {
+    const MjcfAttribute* name = name_in(item, key);
+    if (name == nullptr) return nullptr;
     Joint* joint = joint_in(model_.robot, name->text);
     if (joint != nullptr && joint->type == JointType::spherical) {
       diagnostics_.error(name->place, item.what + ": \"" + name->text + "\" is a ball joint",
@@ -90,11 +96,8 @@ class EqualityReader {
 
   // The tendon that an attribute names; nullptr, and an error, if there is none with a length that is linear.
   const MjcfTendon* tendon_of(const MjcfItem& item, const char* key) {
-    const MjcfAttribute* name = item.element->attribute(key);
-    if (name == nullptr) {
-      diagnostics_.error(item.element->place, item.what + " has no " + key, std::string("write ") + key + "=\"...\"");
-      return nullptr;
-    }
+    const MjcfAttribute* name = name_in(item, key);
+    if (name == nullptr) return nullptr;
     const MjcfTendon* tendon = mjcf_tendon(*name, item.what, model_);
     if (tendon == nullptr || tendon->is_fixed) return tendon;
     refuse(item, "names a spatial tendon, which is not supported");

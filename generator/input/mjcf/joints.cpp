@@ -95,7 +95,7 @@ class JointReader {
     }
     joint_.armature = values_.number_or(item_, "armature", 0);
     joint_.coulomb = values_.number_or(item_, "frictionloss", 0);
-    joint_.viscous = linear("damping");
+    joint_.viscous = mjcf_linear(item_, "damping", values_);
     tell_of_forces_of_base();
   }
 
@@ -221,27 +221,14 @@ class JointReader {
   void read_forces() {
     joint_.armature = values_.number_or(item_, "armature", 0);
     joint_.coulomb = values_.number_or(item_, "frictionloss", 0);
-    joint_.viscous = linear("damping");
-    joint_.stiffness = linear("stiffness");
+    joint_.viscous = mjcf_linear(item_, "damping", values_);
+    joint_.stiffness = mjcf_linear(item_, "stiffness", values_);
     if (!vanishes(joint_.stiffness.number)) joint_.spring_reference = relaxed_position();
     const MjcfAttribute* found = values_.find(item_, "springdamper");
     if (found == nullptr || is_zero_text(found->text)) return;
     refuse_mjcf(found->place,
                 values_.spot(item_, *found).what + ": a spring that is given by its motion is not supported",
                 "springdamper", values_);
-  }
-
-  // The first of the coefficients of a force by the powers of what it acts against.
-  Value linear(const char* name) const {
-    const auto found = values_.numbers(item_, name, 1, 3);
-    if (!found) return {0, joint_.place};
-    const bool is_linear = std::all_of(found->numbers.begin() + 1, found->numbers.end(),
-                                       [](const Number& coefficient) { return vanishes(coefficient); });
-    if (!is_linear) {
-      refuse_mjcf(found->spot.place, found->spot.what + ": " + name + " that is not linear is not supported", name,
-                  values_);
-    }
-    return {found->numbers[0], found->spot.place};
   }
 
   // MuJoCo's qpos_spring, at which the spring exerts nothing; `ref` moves the body, not the spring.
@@ -329,6 +316,18 @@ bool mjcf_is_limited(const MjcfItem& item, const char* range, const char* limite
         "write the lower limit first", "ranges without effect, as their numbers are exchanged");
   }
   return lower < upper;
+}
+
+Value mjcf_linear(const MjcfItem& item, const char* name, const MjcfValues& values) {
+  const auto found = values.numbers(item, name, 1, 3);
+  if (!found) return {0, item.element->place};
+  const bool is_linear =
+      std::all_of(found->numbers.begin() + 1, found->numbers.end(), [](const Number& x) { return vanishes(x); });
+  if (!is_linear) {
+    refuse_mjcf(found->spot.place, found->spot.what + ": " + name + " that is not linear is not supported", name,
+                values);
+  }
+  return {found->numbers[0], found->spot.place};
 }
 
 std::optional<Value> mjcf_effort(const MjcfItem& item, const char* range, const char* limited, const MjcfValues& values,

@@ -17,6 +17,10 @@ struct MjcfJoint {
 void add_mjcf_joints(const std::vector<MjcfJoint>& joints, const std::string& body, int parent_link, MjcfModel& model,
                      MjcfBody& added);
 
+// The first of the coefficients of a force by the powers of what it acts against; the others are refused unless they
+// are 0.
+Value mjcf_linear(const MjcfItem& item, const char* name, const MjcfValues& values);
+
 // The magnitude of an effort limit that is given as a range; nullopt where there is none.
 std::optional<Value> mjcf_effort(const MjcfItem& item, const char* range, const char* limited, const MjcfValues& values,
                                  const MjcfSettings& settings);

@@ -106,23 +106,11 @@ class TendonReader {
 
   void read_forces(const MjcfItem& item, MjcfTendon& tendon) {
     Joint& length = tendon.length;
-    length.stiffness = linear(item, "stiffness");
-    length.viscous = linear(item, "damping");
+    length.stiffness = mjcf_linear(item, "stiffness", values_);
+    length.viscous = mjcf_linear(item, "damping", values_);
     length.coulomb = values_.number_or(item, "frictionloss", 0);
     length.armature = values_.number_or(item, "armature", 0);
     if (!vanishes(length.stiffness.number)) length.spring_reference = length_at_rest(item, tendon);
-  }
-
-  // The first of the coefficients of a force by the powers of what it acts against.
-  Value linear(const MjcfItem& item, const char* name) {
-    const auto found = values_.numbers(item, name, 1, 3);
-    if (!found) return {0, item.element->place};
-    const bool is_linear =
-        std::all_of(found->numbers.begin() + 1, found->numbers.end(), [](const Number& x) { return vanishes(x); });
-    if (!is_linear) {
-      refuse_mjcf(found->spot.place, item.what + ": " + name + " that is not linear is not supported", name, values_);
-    }
-    return {found->numbers[0], found->spot.place};
   }
 
   // The length that is written; where it is -1 or missing, that with all joints at their springref.

@@ -402,6 +402,24 @@ TEST_F(UrdfReader, RefusesAFileThatIsTooLarge) {
   EXPECT_EQ(diagnostics_.all().at(0).message, "the file is larger than 64 MB");
 }
 
+// A joint beside a floating base is held and left out; the joint that follows it stands where it leads.
+TEST_F(UrdfReader, KnowsWhereJointsThatAreLeftOutStand) {
+  const std::string mass =
+      R"(<inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>)";
+  ReadOptions held;
+  held.scene.locked = {{"spare", 0.5, "0.5", true}};
+  const Robot robot =
+      read("r.urdf",
+           R"(<robot name="r"><link name="world"/><link name="trunk">)" + mass + R"(</link><link name="leg">)" + mass +
+               R"(</link><link name="dummy">)" + mass + R"(</link>
+    <joint name="free" type="floating"><parent link="world"/><child link="trunk"/></joint>
+    <joint name="hip" type="continuous"><parent link="trunk"/><child link="leg"/><mimic joint="spare" multiplier="2"/></joint>
+    <joint name="spare" type="continuous"><parent link="world"/><child link="dummy"/></joint></robot>)",
+           held);
+  ASSERT_EQ(robot.joints.size(), 1U);
+  EXPECT_EQ(robot.joints[0].held.value().position, 1);
+}
+
 TEST_F(UrdfReader, ExpandsNoEntities) {
   const std::string bomb = R"(<!DOCTYPE r [<!ENTITY a "0000000000"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;">]>)";
   const auto path = write("bomb.urdf", bomb + one_joint_urdf("revolute", R"(<origin xyz="&b; 0 0"/>)"));
