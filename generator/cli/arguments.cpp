@@ -92,7 +92,7 @@ JointPosition fixed_option(const std::string& text) {
 }
 
 // The option without a blank before the unit, so that it is one word in the stamp.
-std::string without_blank_before_unit(std::string text) {
+std::string without_blank_before_unit(const std::string& text) {
   const std::size_t sign = text.rfind('=');
   const std::optional<std::string> degrees =
       sign == std::string::npos ? std::nullopt : number_of_degrees(text.substr(sign + 1));

@@ -24,7 +24,7 @@ Run add_help(CLI::App& app) {
   const auto name = std::make_shared<std::string>();
   command->add_option("subcommand", *name, "whose help; default: the program's")->type_name("COMMAND");
   return [&app, name] {
-    const std::string called = app.get_name();
+    const std::string& called = app.get_name();
     print_result(name->empty() ? help_of(app, called) : help_of(subcommand_named(app, *name), called + " " + *name));
     return ExitCode::ok;
   };

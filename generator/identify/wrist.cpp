@@ -51,10 +51,7 @@ reference::Robot<double> robot_in_numbers(const LoadedRobot& model) {
 }  // namespace
 
 WristEquations::WristEquations(const LoadedRobot& model)
-    : robot_(robot_in_numbers(model)),
-      positions_(model.mechanism.position_count()),
-      rates_(model.mechanism.size()),
-      has_spherical_joints_(model.mechanism.has_spherical_joints()) {
+    : robot_(robot_in_numbers(model)), positions_(model.mechanism.position_count()), rates_(model.mechanism.size()) {
   parameters_ = kUnknowns;
   std::vector<int> inertial(kInertialPerBody);
   std::iota(inertial.begin(), inertial.end(), 0);
@@ -68,7 +65,7 @@ WristEquations::WristEquations(const LoadedRobot& model)
 void WristEquations::evaluate(const MeasuredMotion& motion, double* entries, double* known) const {
   const auto vector = [](const double* from, int size) { return VectorXd(Eigen::Map<const VectorXd>(from, size)); };
   VectorXd positions = vector(motion.q, positions_);
-  if (has_spherical_joints_) reference::take_orientations(robot_, positions);
+  reference::take_orientations(robot_, positions);
   const auto motions =
       reference::link_motions<double>(robot_, positions, vector(motion.qd, rates_), vector(motion.qdd, rates_), true);
   const auto A = wrench_regressor(motions[static_cast<std::size_t>(robot_.tip)]);

@@ -23,7 +23,6 @@ class WristEquations : public EquationModel {
  private:
   mutable reference::Robot<double> robot_;  // spherical joints are turned as in the motion that was evaluated last
   int positions_, rates_;                   // entries of q; of q̇ and q̈
-  bool has_spherical_joints_;
 };
 
 PayloadEstimate estimate_payload_at_wrist(const Observations& observations);

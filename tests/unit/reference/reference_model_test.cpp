@@ -131,6 +131,16 @@ TEST(ReferenceModel, PutsInTheSymbolsValues) {
   EXPECT_EQ(Real50(to_scalar<double>(drawn[0], {})), to_scalar<Real50>(drawn[0], {})) << "doubles must hold them";
 }
 
+TEST(ReferenceModel, KeepsThePositionsOfCoupledJoints) {
+  reference::Robot<double> robot;
+  robot.joints.resize(2);
+  for (int k = 0; k < 2; ++k) robot.joints[static_cast<std::size_t>(k)].index = k;
+  robot.coupling = reference::VectorX<double>{{1, -2}};
+  reference::VectorX<double> q{{0.3}};
+  reference::take_orientations(robot, q);
+  EXPECT_EQ(q, (reference::VectorX<double>{{0.3}}));
+}
+
 // A decimal is rounded to the nearest double.
 TEST(ReferenceModel, RoundsOnce) { EXPECT_EQ(to_scalar<double>(exact_decimal("0.1"), {}), 0.1); }
 

@@ -191,8 +191,10 @@ Matrix3<S> rotation_of_quaternion(const S& w, const Vector3<S>& r) {
 
 // A state in which the orientations of spherical joints are those of the robot and not of q, and such a robot. q, with
 // a quaternion (w, x, y, z) of any length for each spherical joint, becomes positions of all moving joints, in order.
+// Without spherical joints, q stays; beside them, no joints may be coupled.
 template <class S>
 void take_orientations(Robot<S>& robot, VectorX<S>& q) {
+  if (!has_spherical_joints(robot)) return;
   VectorX<S> positions = VectorX<S>::Zero(robot.joint_count());
   Eigen::Index entry = 0;
   for (Joint<S>& joint : robot.joints) {
