@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Most compile time goes into the headers of GiNaC, Eigen and Boost. So a few sources of one folder at a time are
+# Much compile time goes into the headers of GiNaC and Eigen. So a few sources of one folder at a time are
 # compiled together, which parses these headers less often. -DFLATDYN_UNITY_BUILD=OFF compiles them one by one, which is
 # faster for repeated changes of single files.
 option(FLATDYN_UNITY_BUILD "Compile sources of one folder together" ON)

@@ -10,7 +10,7 @@ namespace flatdyn {
 namespace {
 
 double distance(const Rational& exact, double value) {
-  return std::abs(Rational(exact - Rational(value)).convert_to<double>()) * kRoundingMargin;
+  return std::abs(Rational(exact - Rational(value)).truncated()) * kRoundingMargin;
 }
 
 }  // namespace

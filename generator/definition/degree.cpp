@@ -32,7 +32,7 @@ double angle_degree(const Graph& graph, NodeId angle) {
   if (node.op != Op::sum) return 1;
   double degree = node.value == 0 ? 0 : 1;
   for (const Term& term : node.terms) {
-    degree += std::ceil(std::abs(static_cast<double>(term.coefficient))) * angle_degree(graph, term.node);
+    degree += std::ceil(std::abs(term.coefficient.truncated())) * angle_degree(graph, term.node);
   }
   return degree;
 }

@@ -3,16 +3,14 @@
 // a prime field, irrational ones are replaced by the rational ones of the mechanism.
 #pragma once
 
-#include <boost/multiprecision/mpfr.hpp>
-
+#include "flatdyn/reference/mpfr_real.hpp"
 #include "graph/arithmetic.hpp"
 #include "model/body_poses.hpp"
 #include "model/rational_rotation.hpp"
 
 namespace flatdyn {
 
-using Digits100 =
-    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<100>, boost::multiprecision::et_off>;
+using Digits100 = reference::MpfrReal<334>;
 
 // Numbers of a robot over a prime field.
 template <class Arithmetic>

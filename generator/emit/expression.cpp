@@ -98,7 +98,7 @@ std::vector<ExpressionPrinter::Summand> ExpressionPrinter::summands(NodeId id, b
   const Node& node = graph_[id];
   const auto size_of = [](const Rational& coefficient, double magnitude) {
     constexpr double kLeast = 1e-300;
-    return std::ilogb(std::max(std::abs(coefficient.convert_to<double>()) * magnitude, kLeast));
+    return std::ilogb(std::max(std::abs(coefficient.truncated()) * magnitude, kLeast));
   };
   std::vector<Summand> result;
   for (const Term& term : readable_order(graph_, node.terms)) {

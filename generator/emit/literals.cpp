@@ -13,30 +13,35 @@ namespace flatdyn {
 
 namespace {
 
-using Integer = boost::multiprecision::mpz_int;
+using Integer = Rational::Integer;
 
 constexpr int kMantissaBits = std::numeric_limits<double>::digits;
 constexpr int kSmallestExponent =
     std::numeric_limits<double>::min_exponent - kMantissaBits;  // exponent of a subnormal's last bit
 
+int bits(const Integer& a) { return static_cast<int>(mpz_sizeinbase(a.get_mpz_t(), 2)); }
+
+// a · 2^count, count >= 0.
+Integer shifted(const Integer& a, int count) { return a << static_cast<mp_bitcnt_t>(count); }
+
 // floor(log2(a / b)) for positive a and b.
 int floor_log2(const Integer& a, const Integer& b) {
-  const int estimate = static_cast<int>(msb(a)) - static_cast<int>(msb(b));  // exact, or one too large
-  const bool too_many = estimate >= 0 ? a < (b << estimate) : (a << -estimate) < b;
+  const int estimate = bits(a) - bits(b);  // exact, or one too large
+  const bool too_many = estimate >= 0 ? a < shifted(b, estimate) : shifted(a, -estimate) < b;
   return too_many ? estimate - 1 : estimate;
 }
 
 // a / b · 2^-exponent, rounded to an integer, half to even.
 Integer rounded_quotient(Integer a, Integer b, int exponent) {
   if (exponent < 0) {
-    a <<= -exponent;
+    a = shifted(a, -exponent);
   } else {
-    b <<= exponent;
+    b = shifted(b, exponent);
   }
   Integer quotient, remainder;
-  divide_qr(a, b, quotient, remainder);
-  const int half = Integer(2 * remainder).compare(b);
-  const bool up = half > 0 || (half == 0 && bit_test(quotient, 0));
+  mpz_fdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
+  const int half = cmp(Integer(2 * remainder), b);
+  const bool up = half > 0 || (half == 0 && mpz_odd_p(quotient.get_mpz_t()) != 0);
   return up ? Integer(quotient + 1) : quotient;
 }
 
@@ -47,7 +52,7 @@ double nearest_double(const Rational& value) {
   const Integer a = abs(numerator(value));
   const Integer b = denominator(value);
   const int exponent = std::max(floor_log2(a, b) - (kMantissaBits - 1), kSmallestExponent);
-  const double mantissa = rounded_quotient(a, b, exponent).convert_to<double>();  // exact: at most 2^53
+  const double mantissa = rounded_quotient(a, b, exponent).get_d();  // exact: at most 2^53
   const double magnitude = std::ldexp(mantissa, exponent);
   if (std::isinf(magnitude) || magnitude < std::numeric_limits<double>::denorm_min()) {
     throw Failure(ExitCode::input,

@@ -37,15 +37,14 @@ std::vector<double> typical_magnitudes(const Graph& graph) {
     double& magnitude = magnitudes[static_cast<std::size_t>(id)];
     switch (node.op) {
       case Op::constant:
-        magnitude = std::abs(node.value.convert_to<double>());
+        magnitude = std::abs(node.value.truncated());
         break;
       case Op::input:
         magnitude = magnitude_of(node.input.kind);
         break;
       case Op::sum: {
-        double squares = std::pow(node.value.convert_to<double>(), 2);
-        for (const Term& term : node.terms)
-          squares += std::pow(term.coefficient.convert_to<double>() * at(term.node), 2);
+        double squares = std::pow(node.value.truncated(), 2);
+        for (const Term& term : node.terms) squares += std::pow(term.coefficient.truncated() * at(term.node), 2);
         magnitude = std::sqrt(squares);
         break;
       }

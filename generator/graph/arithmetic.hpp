@@ -3,22 +3,13 @@
 // sin, cos and sqrt are found by ADL.
 #pragma once
 
-#include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <functional>
-#include <type_traits>
 #include <utility>
 
 #include "graph/evaluate.hpp"
 
 namespace flatdyn {
-
-// The T nearest to an exact number. Built-in types are rounded from 100 digits, since GMP's own conversion truncates.
-template <class T>
-T to_real(const Rational& value) {
-  using Wide = std::conditional_t<std::is_floating_point_v<T>, boost::multiprecision::mpfr_float_100, T>;
-  return static_cast<T>(Wide(numerator(value)) / Wide(denominator(value)));
-}
 
 template <class T>
 class RealArithmetic {

@@ -186,9 +186,9 @@ struct FieldTraits<Rational> {
   }
   static bool is_negative(const Rational& value) { return value < 0; }
   static Rational sqrt(const Rational& value) {
-    const boost::multiprecision::mpz_int above = numerator(value), below = denominator(value);
+    const Rational::Integer above = numerator(value), below = denominator(value);
     if (value < 0) throw std::domain_error("no square of a rational number");
-    const boost::multiprecision::mpz_int a = boost::multiprecision::sqrt(above), b = boost::multiprecision::sqrt(below);
+    const Rational::Integer a = ::sqrt(above), b = ::sqrt(below);
     if (a * a != above || b * b != below) throw std::domain_error("no square of a rational number");
     return Rational(a, b);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "graph/rational.hpp"
 
+#include <mpfr.h>
+
 #include <atomic>
 #include <bit>
 #include <numeric>
@@ -33,26 +35,33 @@ std::size_t hash_of_fraction(const mpq_t value) {
   return mixed_hash(hash_of_integer(mpq_numref(value)), hash_of_integer(mpq_denref(value)));
 }
 
+mpq_class lowest(mpq_class fraction) {
+  if (fraction.get_den() == 0) throw std::overflow_error("division by zero");
+  fraction.canonicalize();
+  return fraction;
+}
+
 std::uint64_t size_of_word(std::int64_t word) { return static_cast<std::uint64_t>(word < 0 ? -word : word); }
 
 }  // namespace
 
 struct Rational::Shared {
-  explicit Shared(Big number) : value(std::move(number)), hash(hash_of_fraction(value.backend().data())) {}
+  explicit Shared(Big number) : value(std::move(number)), hash(hash_of_fraction(value.get_mpq_t())) {}
 
   Big value;
   std::size_t hash;
   std::atomic<std::int64_t> owners = 1;
 };
 
-Rational::Rational(const Integer& value) : Rational(value, Integer(1)) {}
+Rational::Rational(const Integer& value) : Rational(Big(value)) {}
 
-Rational::Rational(const Integer& numerator, const Integer& denominator) : Rational(Big(numerator, denominator)) {}
+Rational::Rational(const Integer& numerator, const Integer& denominator)
+    : Rational(lowest(Big(numerator, denominator))) {}
 
-Rational::Rational(const std::string& text) : Rational(Big(text)) {}
+Rational::Rational(const std::string& text) : Rational(lowest(Big(text))) {}
 
 Rational::Rational(Big value) {
-  const mpq_t& fraction = value.backend().data();
+  mpq_srcptr fraction = value.get_mpq_t();
   if (fits(mpq_numref(fraction)) && fits(mpq_denref(fraction))) {
     numerator_ = mpz_get_si(mpq_numref(fraction));
     denominator_ = mpz_get_si(mpq_denref(fraction));
@@ -66,8 +75,8 @@ const Rational::Big& Rational::big() const { return shared()->value; }
 
 Rational::Big Rational::as_big() const {
   Big result;
-  mpz_set_si(mpq_numref(result.backend().data()), numerator_);
-  mpz_set_si(mpq_denref(result.backend().data()), denominator_);
+  mpz_set_si(mpq_numref(result.get_mpq_t()), numerator_);
+  mpz_set_si(mpq_denref(result.get_mpq_t()), denominator_);
   return result;
 }
 
@@ -125,7 +134,7 @@ Rational Rational::reciprocal() const {
   if (is_zero()) throw std::overflow_error("division by zero");
   if (!is_inline()) {
     Big inverse;
-    mpq_inv(inverse.backend().data(), big().backend().data());
+    mpq_inv(inverse.get_mpq_t(), big().get_mpq_t());
     return Rational(std::move(inverse));
   }
   Rational result;
@@ -142,18 +151,18 @@ std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
     return left < right ? std::strong_ordering::less : std::strong_ordering::greater;
   }
   if (a == b) return std::strong_ordering::equal;
-  return (a.is_inline() ? a.as_big() : a.big()).compare(b.is_inline() ? b.as_big() : b.big()) <=> 0;
+  return cmp(a.is_inline() ? a.as_big() : a.big(), b.is_inline() ? b.as_big() : b.big()) <=> 0;
 }
 
 int Rational::sign() const {
-  if (!is_inline()) return big().sign();
+  if (!is_inline()) return sgn(big());
   return (numerator_ > 0) - (numerator_ < 0);
 }
 
 bool Rational::has_size_of(const Rational& b) const {
   if (denominator_ != b.denominator_) return false;
   if (is_inline()) return numerator_ == b.numerator_ || numerator_ == -b.numerator_;
-  const mpq_t &x = big().backend().data(), &y = b.big().backend().data();
+  mpq_srcptr x = big().get_mpq_t(), y = b.big().get_mpq_t();
   return mpz_cmpabs(mpq_numref(x), mpq_numref(y)) == 0 && mpz_cmp(mpq_denref(x), mpq_denref(y)) == 0;
 }
 
@@ -163,12 +172,12 @@ bool Rational::has_reciprocal_size_of(const Rational& b) const {
     return size_of_word(numerator_) == size_of_word(b.denominator_) &&
            size_of_word(b.numerator_) == size_of_word(denominator_);
   }
-  const mpq_t &x = big().backend().data(), &y = b.big().backend().data();
+  mpq_srcptr x = big().get_mpq_t(), y = b.big().get_mpq_t();
   return mpz_cmpabs(mpq_numref(x), mpq_denref(y)) == 0 && mpz_cmpabs(mpq_denref(x), mpq_numref(y)) == 0;
 }
 
 std::string Rational::str() const {
-  if (!is_inline()) return big().str();
+  if (!is_inline()) return big().get_str();
   const std::string above = std::to_string(numerator_);
   return denominator_ == 1 ? above : above + "/" + std::to_string(denominator_);
 }
@@ -180,29 +189,62 @@ std::size_t Rational::hash() const {
 
 std::size_t Rational::bits() const {
   if (!is_inline())
-    return mpz_sizeinbase(mpq_numref(big().backend().data()), 2) +
-           mpz_sizeinbase(mpq_denref(big().backend().data()), 2);
+    return mpz_sizeinbase(mpq_numref(big().get_mpq_t()), 2) + mpz_sizeinbase(mpq_denref(big().get_mpq_t()), 2);
   return static_cast<std::size_t>(std::bit_width(size_of_word(numerator_)) +
                                   std::bit_width(size_of_word(denominator_)));
 }
 
 Integer numerator(const Rational& value) {
-  return value.is_inline() ? Integer(value.numerator_) : boost::multiprecision::numerator(value.big());
+  return value.is_inline() ? Integer(value.numerator_) : value.big().get_num();
 }
 
 Integer denominator(const Rational& value) {
-  return value.is_inline() ? Integer(value.denominator_) : boost::multiprecision::denominator(value.big());
+  return value.is_inline() ? Integer(value.denominator_) : value.big().get_den();
 }
 
 std::uint64_t Rational::numerator_modulo(std::uint64_t modulus) const {
-  if (!is_inline()) return mpz_fdiv_ui(mpq_numref(big().backend().data()), modulus);
+  if (!is_inline()) return mpz_fdiv_ui(mpq_numref(big().get_mpq_t()), modulus);
   const std::uint64_t size = size_of_word(numerator_) % modulus;
   return numerator_ < 0 && size > 0 ? modulus - size : size;
 }
 
 std::uint64_t Rational::denominator_modulo(std::uint64_t modulus) const {
-  if (!is_inline()) return mpz_fdiv_ui(mpq_denref(big().backend().data()), modulus);
+  if (!is_inline()) return mpz_fdiv_ui(mpq_denref(big().get_mpq_t()), modulus);
   return static_cast<std::uint64_t>(denominator_) % modulus;
+}
+
+namespace {
+
+// 100 digits of a number, which are rounded again, correctly but for what lies within 1e-100 of the middle of two
+// numbers of T.
+template <class T>
+T rounded(const mpz_class& above, const mpz_class& below, T (*round)(mpfr_srcptr, mpfr_rnd_t)) {
+  constexpr mpfr_prec_t kBits = 334;
+  mpfr_t a, b;
+  mpfr_inits2(kBits, a, b, nullptr);
+  mpfr_set_z(a, above.get_mpz_t(), MPFR_RNDN);
+  mpfr_set_z(b, below.get_mpz_t(), MPFR_RNDN);
+  mpfr_div(a, a, b, MPFR_RNDN);
+  const T result = round(a, MPFR_RNDN);
+  mpfr_clears(a, b, nullptr);
+  return result;
+}
+
+}  // namespace
+
+template <>
+double to_real(const Rational& value) {
+  return rounded(numerator(value), denominator(value), mpfr_get_d);
+}
+
+template <>
+float to_real(const Rational& value) {
+  return rounded(numerator(value), denominator(value), mpfr_get_flt);
+}
+
+template <>
+long double to_real(const Rational& value) {
+  return rounded(numerator(value), denominator(value), mpfr_get_ld);
 }
 
 std::ostream& operator<<(std::ostream& stream, const Rational& value) { return stream << value.str(); }

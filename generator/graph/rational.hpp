@@ -2,7 +2,7 @@
 // Exact numbers: coefficients and constants.
 #pragma once
 
-#include <boost/multiprecision/gmp.hpp>
+#include <gmpxx.h>
 #include <compare>
 #include <concepts>
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace flatdyn {
 // all coefficients do; larger ones are GMP's, and copies share them. Division by zero throws std::overflow_error.
 class Rational {
  public:
-  using Integer = boost::multiprecision::mpz_int;
+  using Integer = mpz_class;
 
   Rational() = default;
   template <std::integral T>
@@ -74,15 +74,7 @@ class Rational {
   std::size_t hash() const;
   std::size_t bits() const;  // of the numerator and the denominator together
 
-  // Rounded as GMP does: for double, towards zero.
-  template <class T>
-  T convert_to() const {
-    return (is_inline() ? as_big() : big()).template convert_to<T>();
-  }
-  template <std::floating_point T>
-  explicit operator T() const {
-    return convert_to<T>();
-  }
+  double truncated() const { return (is_inline() ? as_big() : big()).get_d(); }  // rounded towards zero
 
   friend Integer numerator(const Rational& value);
   friend Integer denominator(const Rational& value);
@@ -93,7 +85,7 @@ class Rational {
   std::uint64_t denominator_modulo(std::uint64_t modulus) const;
 
  private:
-  using Big = boost::multiprecision::mpq_rational;
+  using Big = mpq_class;
   __extension__ using Wide = __int128;
   struct Shared;  // a Big, how many numbers share it, and its hash
 
@@ -106,7 +98,8 @@ class Rational {
       result.numerator_ = static_cast<std::int64_t>(value);
       return result;
     }
-    return Rational(Integer(value));
+    return Rational(std::is_signed_v<T> ? Integer(static_cast<long>(value))
+                                        : Integer(static_cast<unsigned long>(value)));
   }
 
   bool is_inline() const { return denominator_ != 0; }
@@ -121,6 +114,18 @@ class Rational {
   // Where the denominator is 0, the numerator is the address of a Shared.
   std::int64_t numerator_ = 0, denominator_ = 1;
 };
+
+// The T nearest to an exact number: a built-in type, or one that is made from mpz_srcptr.
+template <class T>
+T to_real(const Rational& value) {
+  return T(numerator(value).get_mpz_t()) / T(denominator(value).get_mpz_t());
+}
+template <>
+double to_real(const Rational& value);
+template <>
+float to_real(const Rational& value);
+template <>
+long double to_real(const Rational& value);
 
 std::ostream& operator<<(std::ostream& stream, const Rational& value);
 

@@ -10,8 +10,8 @@ EnclosingInterval EnclosingInterval::of(const Rational& value, long bits) {
   EnclosingInterval result(bits);
   mpq_t fraction;
   mpq_init(fraction);
-  mpz_set(mpq_numref(fraction), numerator(value).backend().data());
-  mpz_set(mpq_denref(fraction), denominator(value).backend().data());
+  mpz_set(mpq_numref(fraction), numerator(value).get_mpz_t());
+  mpz_set(mpq_denref(fraction), denominator(value).get_mpz_t());
   mpfr_set_q(result.low_.get(), fraction, MPFR_RNDD);
   mpfr_set_q(result.high_.get(), fraction, MPFR_RNDU);
   mpq_clear(fraction);

@@ -42,7 +42,7 @@ std::optional<Exponent> exponent_of(const Number& power) {
   if (!is_rational(power.op(1))) return std::nullopt;
   const Rational exponent = to_rational(power.op(1));
   if (abs(exponent) > kLargest || denominator(exponent) > kLargest) return std::nullopt;
-  return Exponent{numerator(exponent).convert_to<long>(), denominator(exponent).convert_to<unsigned long>()};
+  return Exponent{numerator(exponent).get_si(), denominator(exponent).get_ui()};
 }
 
 // A root whose square is a polynomial in pi, as `pi`, and in the roots before it.

@@ -30,7 +30,7 @@ Rational::Integer to_integer(const cln::cl_I& value) {
   }
   Rational::Integer result;
   constexpr int kLeastFirst = -1, kNative = 0;
-  mpz_import(result.backend().data(), words.size(), kLeastFirst, sizeof(words[0]), kNative, 0, words.data());
+  mpz_import(result.get_mpz_t(), words.size(), kLeastFirst, sizeof(words[0]), kNative, 0, words.data());
   return cln::minusp(value) ? Rational::Integer(-result) : result;
 }
 
@@ -44,7 +44,7 @@ cln::cl_I from_words(const mpz_t value, std::size_t begin, std::size_t count) {
 }
 
 cln::cl_I from_integer(const Rational::Integer& value) {
-  const cln::cl_I size = from_words(value.backend().data(), 0, mpz_size(value.backend().data()));
+  const cln::cl_I size = from_words(value.get_mpz_t(), 0, mpz_size(value.get_mpz_t()));
   return value < 0 ? -size : size;
 }
 

@@ -13,7 +13,7 @@ std::size_t as_index(std::int32_t number) { return static_cast<std::size_t>(numb
 
 int exponent_of(const Rational& value) {
   constexpr int kOfDouble = 1023;
-  return std::clamp(std::ilogb(value.convert_to<double>()), -kOfDouble, kOfDouble);
+  return std::clamp(std::ilogb(value.truncated()), -kOfDouble, kOfDouble);
 }
 
 CoefficientTable::CoefficientTable() {

@@ -15,7 +15,9 @@ constexpr int kMostDigits = 60;
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 Integer power(int base, int exponent) {
-  return boost::multiprecision::pow(Integer(base), static_cast<unsigned>(exponent));
+  Integer result;
+  mpz_ui_pow_ui(result.get_mpz_t(), static_cast<unsigned long>(base), static_cast<unsigned long>(exponent));
+  return result;
 }
 
 }  // namespace

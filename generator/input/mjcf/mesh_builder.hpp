@@ -2,8 +2,8 @@
 // Triangles of meshes in exact numbers, as they are read.
 #pragma once
 
+#include <gmpxx.h>
 #include <array>
-#include <boost/multiprecision/gmp.hpp>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -13,7 +13,7 @@
 
 namespace flatdyn {
 
-using Integer = boost::multiprecision::mpz_int;
+using Integer = mpz_class;
 using IntegerPoint = std::array<Integer, 3>;
 
 // A surface of triangles, counterclockwise seen from outside. Corners are multiples of a unit.

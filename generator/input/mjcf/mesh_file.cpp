@@ -2,6 +2,7 @@
 #include "input/mjcf/mesh_file.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <sstream>
@@ -167,9 +168,7 @@ class MeshReader {
     return sum;
   }
 
-  static double nearest(const Scientific& number) {
-    return number.mantissa.convert_to<double>() * std::pow(10.0, number.exponent);
-  }
+  static double nearest(const Scientific& number) { return number.mantissa.get_d() * std::pow(10.0, number.exponent); }
 
   bool report(int line, const std::string& what) {
     diagnostics_.error({path_, line}, spot_.what + ": " + what, "export the mesh anew");

@@ -13,7 +13,7 @@ namespace {
 constexpr int kFineBits = 200;  // of a grid for what is no rational number
 constexpr int kDigits = 50;
 
-Number number_of(const Integer& a) { return GiNaC::numeric(a.str().c_str()); }
+Number number_of(const Integer& a) { return GiNaC::numeric(a.get_str().c_str()); }
 
 IntegerPoint minus(const IntegerPoint& a, const IntegerPoint& b) {
   return {Integer(a[0] - b[0]), Integer(a[1] - b[1]), Integer(a[2] - b[2])};

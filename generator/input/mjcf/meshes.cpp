@@ -145,7 +145,7 @@ class SolidReader {
         const std::optional<Scientific> corner = exact_scientific(corners[i + k]);
         if (!corner || corner->exponent != 0 || corner->mantissa < 0 || corner->mantissa >= builder.point_count())
           return wrong_number(*faces, corners[i + k]);
-        triangle[k] = corner->mantissa.convert_to<std::size_t>();
+        triangle[k] = corner->mantissa.get_ui();
       }
       builder.add_triangle(triangle[0], triangle[1], triangle[2]);
     }

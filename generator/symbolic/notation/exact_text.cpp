@@ -2,7 +2,8 @@
 #include "symbolic/notation/exact_text.hpp"
 
 #include <algorithm>
-#include <boost/multiprecision/mpfr.hpp>
+
+#include "flatdyn/reference/mpfr_real.hpp"
 
 namespace flatdyn {
 
@@ -14,7 +15,7 @@ std::optional<std::string> finite_decimal(const Rational& number) {
     if (places == kMostPlaces) return std::nullopt;
     scaled *= 10;
   }
-  std::string digits = numerator(scaled).str();
+  std::string digits = numerator(scaled).get_str();
   if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
   if (places > 0) digits.insert(digits.size() - places, ".");
   return (number < 0 ? "-" : "") + digits;
@@ -26,8 +27,7 @@ bool is_short_fraction(const Rational& number) {
 }
 
 std::string rounded_decimal(const Rational& number, int digits) {
-  using Wide = boost::multiprecision::mpfr_float_100;
-  std::string decimal = Wide(Wide(numerator(number)) / Wide(denominator(number))).str(digits);
+  std::string decimal = to_real<reference::MpfrReal<334>>(number).str(digits);
   decimal.erase(std::remove(decimal.begin(), decimal.end(), '+'), decimal.end());
   return decimal;
 }

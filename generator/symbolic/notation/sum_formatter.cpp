@@ -58,14 +58,14 @@ void put_positive_term_first(std::vector<SignedTerm>& terms) {
 // The largest number that divides all coefficients: gcd of numerators over lcm of denominators; negative if all
 // coefficients are.
 Rational content(const ReadableSum& sum) {
-  boost::multiprecision::mpz_int above = 0, below = 1;
+  Rational::Integer above = 0, below = 1;
   bool all_negative = true;
   for (const auto& [monomial, coefficient] : sum) {
     above = gcd(above, numerator(coefficient));
     below = lcm(below, denominator(coefficient));
     all_negative = all_negative && coefficient < 0;
   }
-  return Rational(all_negative ? boost::multiprecision::mpz_int(-above) : above, below);
+  return Rational(all_negative ? Rational::Integer(-above) : above, below);
 }
 
 // Whether factoring out the divisor leaves small whole numbers, so that it is worth doing.
@@ -104,7 +104,7 @@ std::string SumFormatter::coordinate(const std::string& letter, int joint) const
 }
 
 std::string SumFormatter::fraction(const Rational& magnitude) const {
-  const std::string above = numerator(magnitude).str(), below = denominator(magnitude).str();
+  const std::string above = numerator(magnitude).get_str(), below = denominator(magnitude).get_str();
   return notation_ == Notation::latex ? "\\frac{" + above + "}{" + below + "}" : above + "/" + below;
 }
 

@@ -15,10 +15,10 @@
 namespace flatdyn {
 namespace {
 
-using Integer = boost::multiprecision::mpz_int;
+using Integer = Rational::Integer;
 
 Rational power_of_two(int exponent) {
-  const Rational magnitude(Integer(1) << std::abs(exponent));
+  const Rational magnitude(Integer(Integer(1) << static_cast<unsigned long>(std::abs(exponent))));
   return exponent < 0 ? Rational(1 / magnitude) : magnitude;
 }
 

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a build costs is decided by the headers that sources reach. A header that takes seconds to compile may be
+// reached from the folders named here alone; a folder that is new to a list costs every build of everyone.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <regex>
+#include <set>
+
+#include "unit/layout/source_files.hpp"
+
+namespace flatdyn::testing {
+namespace {
+
+struct HeavyHeader {
+  std::string path;               // how its name begins
+  std::set<std::string> folders;  // the generator's folders whose sources may reach it
+};
+
+const std::vector<HeavyHeader>& heavy_headers() {
+  static const std::vector<HeavyHeader> all = {
+      {"boost/multiprecision/", {}},
+      {"boost/", {"diagnostics", "input", "simulate"}},
+      {"CLI/", {"cli"}},
+      {"ceres/", {"identify"}},
+      {"nlohmann/json.hpp", {"cli", "emit", "identify", "planning", "python", "report", "verify"}},
+      {"regex", {"input"}},
+      {"toml++/", {"input", "simulate", "trajectory"}},
+      {"Eigen/", {"bench",     "certify",  "cli",   "conventions",    "convert", "deviation", "emit",       "firmware",
+                  "functions", "identify", "load",  "manipulability", "model",   "numeric",   "planning",   "plot",
+                  "reference", "report",   "scene", "simulate",       "stress",  "symbolic",  "trajectory", "verify"}},
+  };
+  return all;
+}
+
+// The folders that see numbers and the standard library alone.
+const std::set<std::string>& folders_without_symbols() {
+  static const std::set<std::string> all = {"diagnostics", "graph", "numeric", "passes", "system"};
+  return all;
+}
+
+// Headers by the names that #include gives them, "model/robot.hpp" or "flatdyn/reference/robot.hpp".
+using Headers = std::map<std::string, std::vector<std::string>>;
+
+Headers own_headers() {
+  Headers headers;
+  for (const std::string top : {"generator", "runtime/include"}) {
+    for (const SourceFile& file : source_files(top)) headers.emplace(file.name, file.lines);
+  }
+  return headers;
+}
+
+// All headers of others that a file reaches, each with the chain of names that leads to it.
+std::map<std::string, std::string> reached_from(const std::string& name, const Headers& headers) {
+  static const std::regex kInclude("^#include [\"<](.*)[\">]$");
+  std::map<std::string, std::string> reached;
+  std::set<std::string> seen = {name};
+  std::vector<std::pair<std::string, std::string>> waiting = {{name, name}};
+  while (!waiting.empty()) {
+    const auto [next, chain] = waiting.back();
+    waiting.pop_back();
+    for (const std::string& line : headers.at(next)) {
+      std::smatch match;
+      if (!line.starts_with("#include") || !std::regex_match(line, match, kInclude)) continue;
+      const std::string header = match[1];
+      if (!seen.insert(header).second) continue;
+      if (headers.count(header) > 0) {
+        waiting.emplace_back(header, chain + " > " + header);
+      } else {
+        reached.emplace(header, chain + " > " + header);
+      }
+    }
+  }
+  return reached;
+}
+
+std::string first_folder(const std::string& name) { return name.substr(0, name.find('/')); }
+
+std::vector<std::string> broken_rules(const Headers& headers) {
+  std::vector<std::string> broken;
+  for (const auto& [name, lines] : headers) {
+    if (!name.ends_with(".cpp")) continue;
+    const std::string folder = first_folder(name);
+    for (const auto& [header, chain] : reached_from(name, headers)) {
+      for (const HeavyHeader& heavy : heavy_headers()) {
+        if (!header.starts_with(heavy.path)) continue;
+        if (heavy.folders.count(folder) == 0)
+          broken.push_back(fmt::format("{}/ reaches <{}>: {}", folder, header, chain));
+        break;
+      }
+      if (header.starts_with("ginac/") && folders_without_symbols().count(folder) > 0) {
+        broken.push_back(fmt::format("{}/ reaches <{}>: {}", folder, header, chain));
+      }
+    }
+  }
+  return broken;
+}
+
+TEST(BuildWeight, HeavyHeadersAreReachedFromFewFolders) {
+  for (const std::string& rule : broken_rules(own_headers())) ADD_FAILURE() << rule;
+}
+
+TEST(BuildWeight, EveryFolderOfAListReachesItsHeader) {
+  const Headers headers = own_headers();
+  std::map<std::string, std::set<std::string>> found;
+  for (const auto& [name, lines] : headers) {
+    for (const auto& [header, chain] : reached_from(name, headers)) {
+      for (const HeavyHeader& heavy : heavy_headers()) {
+        if (header.starts_with(heavy.path)) found[heavy.path].insert(first_folder(name));
+      }
+    }
+  }
+  for (const HeavyHeader& heavy : heavy_headers()) {
+    for (const std::string& folder : heavy.folders) {
+      EXPECT_EQ(found[heavy.path].count(folder), 1u) << folder << "/ may leave the list of <" << heavy.path << ">";
+    }
+  }
+}
+
+TEST(BuildWeight, AHeaderBehindAnotherIsFound) {
+  const Headers headers = {{"graph/a.cpp", {"#include \"graph/b.hpp\""}},
+                           {"graph/b.hpp", {"#include <vector>", "#include <CLI/CLI.hpp>", "#include <ginac/ginac.h>"}},
+                           {"cli/c.cpp", {"#include <CLI/CLI.hpp>"}}};
+  EXPECT_EQ(broken_rules(headers),
+            (std::vector<std::string>{"graph/ reaches <CLI/CLI.hpp>: graph/a.cpp > graph/b.hpp > CLI/CLI.hpp",
+                                      "graph/ reaches <ginac/ginac.h>: graph/a.cpp > graph/b.hpp > ginac/ginac.h"}));
+}
+
+}  // namespace
+}  // namespace flatdyn::testing
