@@ -10,7 +10,7 @@
 
 namespace flatdyn {
 
-using Digits100 = reference::MpfrReal<334>;
+using reference::Digits100;
 
 // Numbers of a robot over a prime field.
 template <class Arithmetic>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "graph/rational.hpp"
 
-#include <mpfr.h>
-
 #include <atomic>
 #include <bit>
 #include <numeric>
 #include <ostream>
 #include <stdexcept>
+
+#include "flatdyn/reference/mpfr_real.hpp"
 
 namespace flatdyn {
 
@@ -35,6 +35,8 @@ std::size_t hash_of_fraction(const mpq_t value) {
   return mixed_hash(hash_of_integer(mpq_numref(value)), hash_of_integer(mpq_denref(value)));
 }
 
+constexpr int kDecimal = 10;  // GMP would take a leading 0 for base 8
+
 mpq_class lowest(mpq_class fraction) {
   if (fraction.get_den() == 0) throw std::overflow_error("division by zero");
   fraction.canonicalize();
@@ -53,22 +55,24 @@ struct Rational::Shared {
   std::atomic<std::int64_t> owners = 1;
 };
 
-Rational::Rational(const Integer& value) : Rational(Big(value)) {}
+Rational::Rational(const Integer& value) : Rational(of_big(Big(value))) {}
 
 Rational::Rational(const Integer& numerator, const Integer& denominator)
-    : Rational(lowest(Big(numerator, denominator))) {}
+    : Rational(of_big(lowest(Big(numerator, denominator)))) {}
 
-Rational::Rational(const std::string& text) : Rational(lowest(Big(text))) {}
+Rational::Rational(const std::string& text) : Rational(of_big(lowest(Big(text, kDecimal)))) {}
 
-Rational::Rational(Big value) {
+Rational Rational::of_big(Big value) {
+  Rational result;
   mpq_srcptr fraction = value.get_mpq_t();
   if (fits(mpq_numref(fraction)) && fits(mpq_denref(fraction))) {
-    numerator_ = mpz_get_si(mpq_numref(fraction));
-    denominator_ = mpz_get_si(mpq_denref(fraction));
+    result.numerator_ = mpz_get_si(mpq_numref(fraction));
+    result.denominator_ = mpz_get_si(mpq_denref(fraction));
   } else {
-    numerator_ = reinterpret_cast<std::int64_t>(new Shared(std::move(value)));
-    denominator_ = 0;
+    result.numerator_ = reinterpret_cast<std::int64_t>(new Shared(std::move(value)));
+    result.denominator_ = 0;
   }
+  return result;
 }
 
 const Rational::Big& Rational::big() const { return shared()->value; }
@@ -104,7 +108,7 @@ Rational& Rational::operator+=(const Rational& other) {
   }
   Big sum = is_inline() ? as_big() : big();
   sum += other.is_inline() ? other.as_big() : other.big();
-  return *this = Rational(std::move(sum));
+  return *this = of_big(std::move(sum));
 }
 
 Rational& Rational::operator*=(const Rational& other) {
@@ -119,11 +123,11 @@ Rational& Rational::operator*=(const Rational& other) {
   if (is_unit()) return *this = numerator_ < 0 ? -other : other;
   Big product = is_inline() ? as_big() : big();
   product *= other.is_inline() ? other.as_big() : other.big();
-  return *this = Rational(std::move(product));
+  return *this = of_big(std::move(product));
 }
 
 Rational Rational::operator-() const {
-  if (!is_inline()) return Rational(Big(-big()));
+  if (!is_inline()) return of_big(Big(-big()));
   Rational result;
   result.numerator_ = -numerator_;
   result.denominator_ = denominator_;
@@ -135,7 +139,7 @@ Rational Rational::reciprocal() const {
   if (!is_inline()) {
     Big inverse;
     mpq_inv(inverse.get_mpq_t(), big().get_mpq_t());
-    return Rational(std::move(inverse));
+    return of_big(std::move(inverse));
   }
   Rational result;
   result.numerator_ = numerator_ < 0 ? -denominator_ : denominator_;
@@ -213,38 +217,20 @@ std::uint64_t Rational::denominator_modulo(std::uint64_t modulus) const {
   return static_cast<std::uint64_t>(denominator_) % modulus;
 }
 
-namespace {
-
-// 100 digits of a number, which are rounded again, correctly but for what lies within 1e-100 of the middle of two
-// numbers of T.
-template <class T>
-T rounded(const mpz_class& above, const mpz_class& below, T (*round)(mpfr_srcptr, mpfr_rnd_t)) {
-  constexpr mpfr_prec_t kBits = 334;
-  mpfr_t a, b;
-  mpfr_inits2(kBits, a, b, nullptr);
-  mpfr_set_z(a, above.get_mpz_t(), MPFR_RNDN);
-  mpfr_set_z(b, below.get_mpz_t(), MPFR_RNDN);
-  mpfr_div(a, a, b, MPFR_RNDN);
-  const T result = round(a, MPFR_RNDN);
-  mpfr_clears(a, b, nullptr);
-  return result;
-}
-
-}  // namespace
-
+// Built-in numbers are rounded from 100 digits, since GMP's own conversion truncates.
 template <>
 double to_real(const Rational& value) {
-  return rounded(numerator(value), denominator(value), mpfr_get_d);
+  return to_real<reference::Digits100>(value).convert_to<double>();
 }
 
 template <>
 float to_real(const Rational& value) {
-  return rounded(numerator(value), denominator(value), mpfr_get_flt);
+  return to_real<reference::Digits100>(value).convert_to<float>();
 }
 
 template <>
 long double to_real(const Rational& value) {
-  return rounded(numerator(value), denominator(value), mpfr_get_ld);
+  return to_real<reference::Digits100>(value).convert_to<long double>();
 }
 
 std::ostream& operator<<(std::ostream& stream, const Rational& value) { return stream << value.str(); }

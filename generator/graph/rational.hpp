@@ -23,7 +23,7 @@ class Rational {
   Rational(T value) : Rational(from_word(value)) {}
   Rational(const Integer& value);
   template <std::floating_point T>
-  explicit Rational(T value) : Rational(Big(value)) {}  // exactly this number
+  explicit Rational(T value) : Rational(of_big(Big(value))) {}  // exactly this number
   Rational(const Integer& numerator, const Integer& denominator);
   template <std::integral T, std::integral U>
   Rational(T numerator, U denominator) : Rational(Rational(numerator) / Rational(denominator)) {}
@@ -89,7 +89,7 @@ class Rational {
   __extension__ using Wide = __int128;
   struct Shared;  // a Big, how many numbers share it, and its hash
 
-  explicit Rational(Big value);
+  static Rational of_big(Big value);
 
   template <std::integral T>
   static Rational from_word(T value) {

@@ -27,7 +27,7 @@ bool is_short_fraction(const Rational& number) {
 }
 
 std::string rounded_decimal(const Rational& number, int digits) {
-  std::string decimal = to_real<reference::MpfrReal<334>>(number).str(digits);
+  std::string decimal = to_real<reference::Digits100>(number).str(digits);
   decimal.erase(std::remove(decimal.begin(), decimal.end(), '+'), decimal.end());
   return decimal;
 }

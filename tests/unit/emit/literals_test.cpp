@@ -18,7 +18,7 @@ namespace {
 using Integer = Rational::Integer;
 
 Rational power_of_two(int exponent) {
-  const Rational magnitude(Integer(Integer(1) << static_cast<unsigned long>(std::abs(exponent))));
+  const Rational magnitude(Integer(1) << static_cast<unsigned long>(std::abs(exponent)));
   return exponent < 0 ? Rational(1 / magnitude) : magnitude;
 }
 

@@ -88,21 +88,24 @@ TEST(Rational, TakesIntegersOfAllTypesExactly) {
   EXPECT_EQ(Rational(std::numeric_limits<std::uint64_t>::max()).str(), "18446744073709551615");
   EXPECT_EQ(Rational(-1).str(), "-1");
   EXPECT_EQ(Rational(6, -4).str(), "-3/2");
+  EXPECT_EQ(Rational("010/4").str(), "5/2") << "no octal number";
   EXPECT_EQ(Rational(0.1).str(), "3602879701896397/36028797018963968");
-  EXPECT_EQ(Rational(std::ldexp(1.0, 70)), Rational(Integer(Integer(1) << 70)));
+  EXPECT_EQ(Rational(std::ldexp(1.0, 70)), Rational(Integer(1) << 70));
 }
 
 TEST(Rational, DividesByNothingButNumbersOtherThanZero) {
   EXPECT_THROW(Rational(1) / Rational(0), std::overflow_error);
   EXPECT_THROW(Rational(1, 0), std::overflow_error);
+  EXPECT_THROW(Rational("1/0"), std::overflow_error);
+  EXPECT_THROW(Rational(Integer(1), Integer(0)), std::overflow_error);
   EXPECT_THROW(Rational(0).reciprocal(), std::overflow_error);
 }
 
 TEST(Rational, CopiesOfLargeNumbersAreIndependent) {
-  const Rational large(Integer(Integer(1) << 100));
+  const Rational large(Integer(1) << 100);
   Rational copy = large, other = copy;
   copy += 1;
-  EXPECT_EQ(large, Rational(Integer(Integer(1) << 100)));
+  EXPECT_EQ(large, Rational(Integer(1) << 100));
   EXPECT_EQ(other, large);
   EXPECT_EQ(copy - large, 1);
   other = std::move(copy);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a build costs is decided by the headers that sources reach. A header that takes seconds to compile may be
-// reached from the folders named here alone; a folder that is new to a list costs every build of everyone.
+// The headers that sources reach decide what a build costs. A header that takes seconds to compile may be reached from
+// the folders named here alone: a folder that joins a list makes every build longer.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@ namespace {
 
 // Small numbers; large ones; and multiples and fractions of the prime that fingerprints are taken modulo.
 std::vector<Rational> coefficients() {
-  const Rational prime(kMersenne61), large(Rational::Integer(Rational::Integer(1) << 100));
+  const Rational prime(kMersenne61), large(Rational::Integer(1) << 100);
   std::vector<Rational> result;
   for (const Rational& unit : {Rational(1), prime, 1 / prime, large, prime * prime * large}) {
     for (const Rational& factor : {Rational(1), Rational(2), Rational(2, 3), Rational(3), Rational(4)}) {

@@ -60,6 +60,8 @@ class MpfrReal {
       return mpfr_get_d(number_, MPFR_RNDN);
     } else if constexpr (std::is_same_v<T, float>) {
       return mpfr_get_flt(number_, MPFR_RNDN);
+    } else if constexpr (std::is_same_v<T, long double>) {
+      return mpfr_get_ld(number_, MPFR_RNDN);
     } else {
       return T(*this);
     }
@@ -151,6 +153,9 @@ class MpfrReal {
   mp_limb_t mantissa_[kLimbs];
   mpfr_t number_;
 };
+
+// 100 digits, and a guard digit's bits.
+using Digits100 = MpfrReal<334>;
 
 }  // namespace flatdyn::reference
 
