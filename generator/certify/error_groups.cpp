@@ -18,15 +18,15 @@ double sum_of(const AlikeErrors& errors) {
 }
 
 // A group under construction. Its cost is a bound of its contribution to the output's error.
-struct Draft {
+struct GroupDraft {
   std::vector<const ErrorsByDerivative*> parts;
   std::vector<int> derivatives;
   // Lengths of the vector of errors, and of the vector of the derivatives' separate bounds.
   double error = 0, apart = 0;
   double cost = 0;
 
-  Draft with(const ErrorsByDerivative& part, Norms& norms) const {
-    Draft result = *this;
+  GroupDraft with(const ErrorsByDerivative& part, Norms& norms) const {
+    GroupDraft result = *this;
     result.parts.push_back(&part);
     result.derivatives.push_back(part.derivative);
     result.error = std::hypot(error, sum_of(part.errors));
@@ -47,7 +47,7 @@ ErrorGroup group_of(const std::vector<const ErrorsByDerivative*>& parts, double 
 }
 
 // Finishes a group; its parts are bounded separately if that is no worse after all.
-void finish(const Draft& draft, Norms& norms, std::vector<ErrorGroup>& groups) {
+void finish(const GroupDraft& draft, Norms& norms, std::vector<ErrorGroup>& groups) {
   std::vector<ErrorGroup> apart;
   double bound = 0;
   for (const ErrorsByDerivative* part : draft.parts) {
@@ -62,22 +62,22 @@ void finish(const Draft& draft, Norms& norms, std::vector<ErrorGroup>& groups) {
   groups.insert(groups.end(), apart.begin(), apart.end());
 }
 
-bool may_rotate_together(const Draft& draft, int derivative, Norms& norms) {
+bool may_rotate_together(const GroupDraft& draft, int derivative, Norms& norms) {
   return std::any_of(draft.derivatives.begin(), draft.derivatives.end(),
                      [&](int other) { return norms.may_rotate_together(other, derivative); });
 }
 
 // Adds the part to the draft that gains most by it, or to a new one.
-void add(const ErrorsByDerivative& part, Norms& norms, std::vector<Draft>& drafts) {
-  const Draft alone = Draft{}.with(part, norms);
+void add(const ErrorsByDerivative& part, Norms& norms, std::vector<GroupDraft>& drafts) {
+  const GroupDraft alone = GroupDraft{}.with(part, norms);
   double most = kWorthwhile * alone.cost;
-  Draft best = alone;
+  GroupDraft best = alone;
   std::size_t into = drafts.size();
   for (std::size_t back = 1; back <= std::min(drafts.size(), kNearby); ++back) {
     const std::size_t k = drafts.size() - back;
-    const Draft& draft = drafts[k];
+    const GroupDraft& draft = drafts[k];
     if (draft.parts.size() == kMostComponents || !may_rotate_together(draft, part.derivative, norms)) continue;
-    Draft together = draft.with(part, norms);
+    GroupDraft together = draft.with(part, norms);
     const double gained = draft.cost + alone.cost - together.cost;
     if (gained <= most) continue;
     most = gained;
@@ -91,10 +91,10 @@ void add(const ErrorsByDerivative& part, Norms& norms, std::vector<Draft>& draft
 }  // namespace
 
 std::vector<ErrorGroup> grouped(const std::vector<ErrorsByDerivative>& errors, Norms& norms) {
-  std::vector<Draft> drafts;
+  std::vector<GroupDraft> drafts;
   for (const ErrorsByDerivative& part : errors) add(part, norms, drafts);
   std::vector<ErrorGroup> groups;
-  for (const Draft& draft : drafts) finish(draft, norms, groups);
+  for (const GroupDraft& draft : drafts) finish(draft, norms, groups);
   std::reverse(groups.begin(), groups.end());
   return groups;
 }

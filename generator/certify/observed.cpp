@@ -15,10 +15,10 @@ namespace flatdyn {
 namespace {
 
 // The limits of entries of q̇, q̈, τ that operations read, as doubles, which threads can share.
-using Limits = std::map<std::pair<InputKind, int>, double>;
+using LimitOfInput = std::map<std::pair<InputKind, int>, double>;
 
-Limits limits_of_inputs(const StraightLine& lines, const InputLimits& limits) {
-  Limits result;
+LimitOfInput limits_of_inputs(const StraightLine& lines, const InputLimits& limits) {
+  LimitOfInput result;
   for (int k = 0; k < lines.size(); ++k) {
     const Input& input = lines[k].input;
     if (lines[k].step == Step::input && input.kind != InputKind::q) result[{input.kind, input.index}] = limits(input);
@@ -48,7 +48,7 @@ constexpr StateMutation kAnywhere = {4, 0, 7}, kNearby = {0, 8, 37}, kFurther = 
 
 struct Comparison {
   StateSource source;
-  Limits limits;
+  LimitOfInput limits;
   const StraightLine& lines;
   const std::vector<int>& of;
   const Function& function;

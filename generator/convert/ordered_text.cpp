@@ -32,14 +32,14 @@ std::string factor_text(const Number& factor) {
 }
 
 // A term without its sign.
-struct Term {
+struct PrintedTerm {
   bool is_negative = false;
   std::string factors, coefficient;  // one of them may be empty
 
   std::string text() const { return coefficient + (coefficient.empty() || factors.empty() ? "" : "*") + factors; }
 };
 
-Term term_of(const Number& term) {
+PrintedTerm term_of(const Number& term) {
   Number coefficient = 1;
   std::vector<std::string> factors;
   const auto take = [&](const Number& factor) {
@@ -55,7 +55,7 @@ Term term_of(const Number& term) {
     take(term);
   }
   std::sort(factors.begin(), factors.end());
-  Term result;
+  PrintedTerm result;
   result.is_negative = coefficient.info(GiNaC::info_flags::negative);
   if (result.is_negative) coefficient = -coefficient;
   for (const std::string& factor : factors) result.factors += (result.factors.empty() ? "" : "*") + factor;
@@ -72,14 +72,14 @@ std::string ordered_text(const Number& expression) {
   }
   const bool is_sum = GiNaC::is_a<GiNaC::add>(expression);
   if (!is_sum && !GiNaC::is_a<GiNaC::mul>(expression)) return printed(expression);
-  std::vector<Term> terms;
+  std::vector<PrintedTerm> terms;
   for (std::size_t k = 0; is_sum && k < expression.nops(); ++k) terms.push_back(term_of(expression.op(k)));
   if (!is_sum) terms.push_back(term_of(expression));
-  std::sort(terms.begin(), terms.end(), [](const Term& a, const Term& b) {
+  std::sort(terms.begin(), terms.end(), [](const PrintedTerm& a, const PrintedTerm& b) {
     return std::tie(a.is_negative, a.factors, a.coefficient) < std::tie(b.is_negative, b.factors, b.coefficient);
   });
   std::string text;
-  for (const Term& term : terms) {
+  for (const PrintedTerm& term : terms) {
     const char* const sign = term.is_negative ? (text.empty() ? "-" : " - ") : (text.empty() ? "" : " + ");
     text += sign + term.text();
   }

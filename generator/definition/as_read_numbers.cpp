@@ -14,7 +14,7 @@ namespace flatdyn {
 namespace {
 
 using Real = Digits100;
-using Form = QuadraticForm<Real>;
+using RealForm = QuadraticForm<Real>;
 using RealPose = Pose3<Real>;
 
 Real length_sum(const Vector3<Real>& v) { return abs(v[0]) + abs(v[1]) + abs(v[2]); }
@@ -403,7 +403,7 @@ class NumberComparison {
 
   // The sum of the forms of all that moves with a body, or is fixed to one link, and the scales of its rounding.
   struct Sum {
-    Form form = {};
+    RealForm form = {};
     Real mass = 0, inertia = 0;
   };
 
@@ -471,7 +471,7 @@ class NumberComparison {
   }
 
   void compare_form(const std::string& subject, const FieldInertia<Real>& found, const Sum& expected) {
-    Form form = {};
+    RealForm form = {};
     add_body({identity_pose<Real>(), found.mass, {0, 0, 0}, found.inertia}, form);
     const Vector3<Real>& h = found.first_moment;
     const Matrix3<Real> S = {Vector3<Real>{0, -h[2], h[1]}, Vector3<Real>{h[2], 0, -h[0]},

@@ -12,7 +12,7 @@
 namespace flatdyn {
 namespace {
 
-std::vector<double> doubles(const std::vector<float>& values) { return {values.begin(), values.end()}; }
+constexpr int kFloatBits = std::numeric_limits<float>::digits;
 
 std::vector<double> absolute(std::vector<double> values) {
   for (double& value : values) value = std::abs(value);
@@ -26,8 +26,21 @@ ExpectedValues::ExpectedValues(const Robot& robot, const Mechanism& mechanism, u
       mechanism_(mechanism),
       symbols_(random_symbol_values(robot, seed)),
       exact_(reference_robot<Real50>(robot, symbols_)),
-      rounded_(reference_robot<double>(robot, symbols_)),
-      in_float_(reference_robot<float>(robot, symbols_)) {}
+      rounded_(reference_robot<double>(robot, symbols_)) {}
+
+// The reference with all numbers rounded to 24 bits, made at the first state.
+std::function<std::vector<double>(const State&)> ExpectedValues::in_float(const Function& function) const {
+  return [this, &function, reference = ReferenceFunction<Real50>()](const State& state) mutable {
+    const Real50::Precision of_float(kFloatBits);
+    if (!reference) {
+      reference = row_of(function).reference.exact({mechanism_, robot_for_function(function, robot_, exact_), symbols_},
+                                                   function);
+    }
+    std::vector<double> values;
+    for (const Real50& value : reference(widened<Real50>(state))) values.push_back(value.convert_to<double>());
+    return values;
+  };
+}
 
 Expected ExpectedValues::of(const Function& function) const {
   const NumericReference& reference = row_of(function).reference;
@@ -35,12 +48,10 @@ Expected ExpectedValues::of(const Function& function) const {
   const auto exact = reference.exact({mechanism_, robot_for_function(function, robot_, exact_), symbols_}, function);
   const auto rounded = reference.in_double({mechanism_, rounded_robot, symbols_}, function);
   const auto magnitude = reference.magnitude({mechanism_, rounded_robot, symbols_}, function);
-  const auto in_float =
-      reference.in_float({mechanism_, robot_for_function(function, robot_, in_float_), symbols_}, function);
   return {[exact](const State& s) { return exact(widened<Real50>(s)); },
           rounded,
           [magnitude](const State& s) { return absolute(magnitude(s)); },
-          [in_float](const State& s) { return doubles(in_float(widened<float>(s))); },
+          in_float(function),
           [this, &function, rounded_robot](const State& s) {
             if (!is_clear_of_singular_loops(s)) return false;
             if (function.task.empty()) return true;

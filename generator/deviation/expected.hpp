@@ -16,7 +16,7 @@ struct Expected {
   std::function<std::vector<Real50>(const State&)> exact;  // by the recursive reference
   // By the reference in double; magnitudes of the terms.
   std::function<std::vector<double>(const State&)> rounded, scale;
-  std::function<std::vector<double>(const State&)> in_float;  // by the reference in float
+  std::function<std::vector<double>(const State&)> in_float;  // by the reference in 24 bits, as float has
   // Whether the function has a value at the state. Near a singularity of its task, or of a closed loop, it has none
   // that doubles could hold.
   std::function<bool(const State&)> is_regular;
@@ -37,6 +37,7 @@ class ExpectedValues {
   std::vector<State> with_closed_loops(std::vector<State> states) const;
 
  private:
+  std::function<std::vector<double>(const State&)> in_float(const Function& function) const;
   bool is_clear_of_singular_loops(const State& state) const;
 
   const Robot& robot_;
@@ -44,7 +45,6 @@ class ExpectedValues {
   SymbolValues symbols_;
   reference::Robot<Real50> exact_;
   reference::Robot<double> rounded_;
-  reference::Robot<float> in_float_;
 };
 
 // The row's NumericReference::needs_many_recursions.

@@ -17,10 +17,10 @@ decltype(auto) entry(List& list, int k) {
 }
 
 // A limb of a set.
-struct Place {
+struct PlaceInSet {
   int set = kNone, limb = kNone;
 
-  bool operator==(const Place&) const = default;
+  bool operator==(const PlaceInSet&) const = default;
   bool is_limb() const { return set != kNone; }
 };
 
@@ -79,7 +79,7 @@ class Finder {
   };
 
   // The limb and the place in it of an input's joint; the place is -1 if it belongs to no limb.
-  std::pair<Place, int> place_of_input(const Input& input) const {
+  std::pair<PlaceInSet, int> place_of_input(const Input& input) const {
     const bool is_of_joint = input.kind != InputKind::h_e && input.kind != InputKind::parameter &&
                              input.kind != InputKind::pi_b && input.kind != InputKind::g_b &&
                              input.kind != InputKind::stored;
@@ -103,9 +103,9 @@ class Finder {
       if (node.op == Op::input) entry(place_, id) = place_of_input(node.input).first;
       if (node.op == Op::sign || node.op == Op::sqrt) continue;
       for (const NodeId operand : operands_of(node)) {
-        const Place place = entry(place_, operand);
+        const PlaceInSet place = entry(place_, operand);
         if (!place.is_limb()) continue;
-        Place& mine = entry(place_, id);
+        PlaceInSet& mine = entry(place_, id);
         if (mine.is_limb() && !(mine == place)) {
           mine = {};
           break;
@@ -223,7 +223,7 @@ class Finder {
   std::vector<bool> alive_;
   VariableNames names_;
   ExpressionPrinter printer_;
-  std::vector<Place> place_;
+  std::vector<PlaceInSet> place_;
   std::vector<int> height_;  // above the inputs of the limb
   LimbClasses found_;
 };

@@ -15,7 +15,7 @@ using Sign = std::bitset<kMostGiven + 1>;
 constexpr std::size_t kMinus = kMostGiven;
 
 // Conditions that products of signs are 1, each kept if it agrees with those before it.
-class Conditions {
+class SignConditions {
  public:
   void add(Sign condition) {
     for (const auto& [unknown, sign] : known_) {
@@ -53,7 +53,7 @@ class Chooser {
     for (std::size_t k = 0; k < signs_.size(); ++k) {
       if (is_mine(k)) follow(k);
     }
-    Conditions conditions;
+    SignConditions conditions;
     for (const auto* list : {&of_units_, &of_given_, &of_sizes_}) {
       for (const Sign& each : *list) conditions.add(each);
     }

@@ -23,11 +23,11 @@ Vector3d numbers_of(const Vec3& v) { return {nearest_double(v[0]), nearest_doubl
 Eigen::Quaterniond quaternion_of(const VectorXd& wxyz) { return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]}; }
 
 // (ω, f, ω̇).
-struct Motion {
+struct ImuMotion {
   Vector3d turns, force, turns_faster;
 };
 
-Motion of_measurement_unit(const LogLayout& layout, const BaseSensors& sensors, const ChannelFilter& channels) {
+ImuMotion of_measurement_unit(const LogLayout& layout, const BaseSensors& sensors, const ChannelFilter& channels) {
   const int accelerometer = layout.base_reading(), gyroscope = accelerometer + kDirections;
   const Vector3d turns = sensors.imu_axes * channels(gyroscope, kDirections, 0);
   const Vector3d turns_faster = sensors.imu_axes * channels(gyroscope, kDirections, 1);
@@ -36,7 +36,7 @@ Motion of_measurement_unit(const LogLayout& layout, const BaseSensors& sensors, 
   return {turns, there - moved, turns_faster};
 }
 
-Motion of_pose(const LogLayout& layout, const BaseSensors& sensors, const ChannelFilter& channels) {
+ImuMotion of_pose(const LogLayout& layout, const BaseSensors& sensors, const ChannelFilter& channels) {
   const int place = layout.base_reading(), quaternion = place + LogLayout::kQuaternionInPose;
   const auto turned = [&](int order) -> Eigen::Vector4d { return channels(quaternion, LogLayout::kQuaternion, order); };
   const QuaternionRates found = quaternion_rates(turned(0), turned(1), turned(2));
@@ -50,7 +50,7 @@ Vector3d base_gravity(const LogLayout& layout, const BaseSensors& sensors, const
   return quaternion_of(q).normalized().conjugate() * sensors.gravity;
 }
 
-Motion of_twist(const LogLayout& layout, const BaseSensors& sensors, const ChannelFilter& channels) {
+ImuMotion of_twist(const LogLayout& layout, const BaseSensors& sensors, const ChannelFilter& channels) {
   const VectorXd twist = channels(layout.twist(), LogLayout::kTwist, 0);
   const VectorXd rates = layout.has_twist_rates ? channels(layout.twist_rates(), LogLayout::kTwist, 0)
                                                 : channels(layout.twist(), LogLayout::kTwist, 1);
@@ -83,9 +83,9 @@ BaseSensors base_sensors(const Mechanism& mechanism, const std::string& imu) {
 
 void set_base_motion(const LogLayout& layout, const BaseSensors& sensors, const ChannelFilter& channels, VectorXd& qd,
                      VectorXd& qdd) {
-  const Motion motion = layout.base_motion == BaseMotion::imu ? of_measurement_unit(layout, sensors, channels)
-                        : layout.has_twist                    ? of_twist(layout, sensors, channels)
-                                                              : of_pose(layout, sensors, channels);
+  const ImuMotion motion = layout.base_motion == BaseMotion::imu ? of_measurement_unit(layout, sensors, channels)
+                           : layout.has_twist                    ? of_twist(layout, sensors, channels)
+                                                                 : of_pose(layout, sensors, channels);
   qd.head(LogLayout::kTwist) << Vector3d::Zero(), motion.turns;
   qdd.head(LogLayout::kTwist) << motion.force, motion.turns_faster;
 }

@@ -104,7 +104,7 @@ Matrix3Xd across(const Matrix3Xd& space, const Vector3d& direction) {
   const Eigen::VectorXd inside = space.transpose() * direction;
   const Index size = space.cols();
   if (size == 0 || inside.norm() == 0) return space;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(inside * inside.transpose() / inside.squaredNorm());
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(MatrixXd(inside * inside.transpose() / inside.squaredNorm()));
   return space * eigen.eigenvectors().leftCols(size - 1);
 }
 
@@ -284,7 +284,7 @@ Vector3d turned_gravity(const Vector3d& gravity, const Matrix3Xd& told, const Ve
 }
 
 std::vector<Vector3d> untold_directions(const Matrix3Xd& told) {
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(told * told.transpose());
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(Matrix3d(told * told.transpose()));
   std::vector<Vector3d> directions;
   for (Index k = 0; k < 3 - told.cols(); ++k) {
     Vector3d direction = eigen.eigenvectors().col(k);

@@ -24,7 +24,7 @@ void require_told(const VectorXd& values) {
 
 // Sets the covariance of the coordinates along `spread`, and what follows from it.
 void set_covariance(Estimate& result, const MatrixXd& spread, const MatrixXd& covariance) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen((covariance + covariance.transpose()) / 2);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(MatrixXd((covariance + covariance.transpose()) / 2));
   const VectorXd root = eigen.eigenvalues().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt();
   const MatrixXd own = spread * eigen.eigenvectors() * root.asDiagonal();
   result.covariance = own * own.transpose();

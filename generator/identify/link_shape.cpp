@@ -81,7 +81,7 @@ LinkShape::Vector LinkShape::gradient() const {
 }
 
 void LinkShape::move(const double* y) {
-  S = S * Eigen::LLT<Matrix4d>(Matrix4d::Identity() + symmetric_matrix(y)).matrixL();
+  S = S * Eigen::LLT<Matrix4d>(Matrix4d(Matrix4d::Identity() + symmetric_matrix(y))).matrixL();
   for (int k = 0; k < kOthers; ++k) multiples[k] *= 1 + y[kInertialPerBody + k];
 }
 

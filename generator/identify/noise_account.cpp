@@ -23,8 +23,9 @@ struct SplitInformation {
 
 SplitInformation split(const Solution& solution, const MatrixXd& false_information) {
   const Index size = solution.spread.rows();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(solution.spread.transpose() *
-                                                      false_information.topLeftCorner(size, size) * solution.spread);
+  const MatrixXd information = false_information.topLeftCorner(size, size);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(
+      MatrixXd(solution.spread.transpose() * information * solution.spread));
   SplitInformation result{eigen.eigenvalues(), eigen.eigenvectors()};
   result.told = (result.shares.array() <= NoisyDirection::kMost).count();
   return result;

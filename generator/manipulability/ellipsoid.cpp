@@ -42,7 +42,7 @@ void refuse_singular(const Eigen::MatrixXd& B, const std::vector<double>& q) {
 }
 
 // The tip's Jacobian, and the inertia matrix.
-struct JointMotion {
+struct MotionOfJoint {
   Eigen::MatrixXd J, B;
 };
 
@@ -50,10 +50,10 @@ struct JointMotion {
 // B_bb a_b + B_bq q̈ = 0 its accelerations are a_b = -B_bb^-1 B_bq q̈, so the tip's are J* q̈ with
 //     J* = J_q - J_b B_bb^-1 B_bq
 // the generalised Jacobian of Umetani and Yoshida (1989), and the torques are B* q̈ with B* = B_qq - B_qb B_bb^-1 B_bq.
-JointMotion of_joints(JointMotion whole, Eigen::Index base) {
+MotionOfJoint of_joints(MotionOfJoint whole, Eigen::Index base) {
   if (base == 0) return whole;
   const Eigen::Index joints = whole.B.cols() - base;
-  const Eigen::LLT<Eigen::MatrixXd> held(whole.B.topLeftCorner(base, base));
+  const Eigen::LLT<Eigen::MatrixXd> held(Eigen::MatrixXd(whole.B.topLeftCorner(base, base)));
   const Eigen::MatrixXd follows = -held.solve(Eigen::MatrixXd(whole.B.topRightCorner(base, joints)));
   return {whole.J.rightCols(joints) + whole.J.leftCols(base) * follows,
           whole.B.bottomRightCorner(joints, joints) + whole.B.bottomLeftCorner(joints, base) * follows};

@@ -14,17 +14,17 @@ namespace flatdyn {
 namespace {
 
 using Element = ModP<kMersenne61>;
-using Matrix = std::vector<std::vector<Element>>;  // by rows
+using ElementMatrix = std::vector<std::vector<Element>>;  // by rows
 
 bool is_zero(const Element& x) { return x.value() == 0; }
 
 // The function's matrix at a random point of a large prime field, the same one for all functions: what is independent,
 // or not zero, anywhere, is so at this point, except with a probability of about 1e-17.
-Matrix drawn_matrix(const Function& function, const Mechanism& mechanism) {
+ElementMatrix drawn_matrix(const Function& function, const Mechanism& mechanism) {
   const auto arithmetic = ModPArithmetic<kMersenne61>(1).with_quaternions(mechanism.quaternions());
   const auto values = evaluate(function, arithmetic);
   const Output& output = function.outputs.front();
-  Matrix rows(static_cast<std::size_t>(output.rows));
+  ElementMatrix rows(static_cast<std::size_t>(output.rows));
   for (std::size_t k = 0; k < output.entries.size(); ++k) {
     rows[k / static_cast<std::size_t>(output.cols)].push_back(values[static_cast<std::size_t>(output.entries[k])]);
   }
@@ -32,14 +32,14 @@ Matrix drawn_matrix(const Function& function, const Mechanism& mechanism) {
 }
 
 // The accelerations of the base by those of the joints while nothing holds it: -B_bb^-1 B_bq.
-Matrix motion_of_free_base(Matrix B, std::size_t base) {
+ElementMatrix motion_of_free_base(ElementMatrix B, std::size_t base) {
   B.resize(base);
   const Echelon<Element> solved = reduced_echelon(std::move(B), is_zero);
   if (solved.pivots.size() < base || solved.pivots.back() != base - 1) {
     throw Failure(ExitCode::unsupported, "forces or moments on the floating base move no inertia",
                   "give the base link, or links on it, mass and moments of inertia about all axes");
   }
-  Matrix motion = solved.rows;
+  ElementMatrix motion = solved.rows;
   for (std::vector<Element>& row : motion) {
     row.erase(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(base));
     for (Element& entry : row) entry = -entry;
@@ -48,11 +48,11 @@ Matrix motion_of_free_base(Matrix B, std::size_t base) {
 }
 
 // The columns, by joint, of the tip's Jacobian; with a floating base, of the generalised one.
-Matrix columns_by_joint(const Mechanism& mechanism, const Function& B, const Function& J) {
+ElementMatrix columns_by_joint(const Mechanism& mechanism, const Function& B, const Function& J) {
   const auto base = static_cast<std::size_t>(mechanism.base_bodies());
-  const Matrix all = drawn_matrix(J, mechanism);
-  const Matrix motion = base > 0 ? motion_of_free_base(drawn_matrix(B, mechanism), base) : Matrix();
-  Matrix columns(mechanism.joints().size());
+  const ElementMatrix all = drawn_matrix(J, mechanism);
+  const ElementMatrix motion = base > 0 ? motion_of_free_base(drawn_matrix(B, mechanism), base) : ElementMatrix();
+  ElementMatrix columns(mechanism.joints().size());
   for (std::size_t k = 0; k < columns.size(); ++k) {
     for (const std::vector<Element>& row : all) {
       Element entry = row[base + k];
@@ -64,8 +64,8 @@ Matrix columns_by_joint(const Mechanism& mechanism, const Function& B, const Fun
 }
 
 // Those of the rows, in this order, that are independent of the ones before.
-std::vector<int> independent(const Matrix& columns, const std::vector<int>& rows) {
-  Matrix chosen;
+std::vector<int> independent(const ElementMatrix& columns, const std::vector<int>& rows) {
+  ElementMatrix chosen;
   for (const std::vector<Element>& column : columns) {
     chosen.emplace_back();
     for (const int row : rows) chosen.back().push_back(column[static_cast<std::size_t>(row)]);
@@ -75,7 +75,7 @@ std::vector<int> independent(const Matrix& columns, const std::vector<int>& rows
   return kept;
 }
 
-std::vector<int> moved_directions(const Matrix& columns) {
+std::vector<int> moved_directions(const ElementMatrix& columns) {
   std::vector<int> moved;
   for (const int row : {0, 1, 2}) {
     const auto moves = [row](const auto& column) { return !is_zero(column[static_cast<std::size_t>(row)]); };
@@ -96,7 +96,7 @@ void refuse_dependent(const Mechanism& mechanism, const std::vector<int>& wanted
 }  // namespace
 
 TipDirections tip_directions(const Mechanism& mechanism, const Function& B, const Function& J) {
-  const Matrix columns = columns_by_joint(mechanism, B, J);
+  const ElementMatrix columns = columns_by_joint(mechanism, B, J);
   TipDirections directions{mechanism.task.rows};
   if (mechanism.task.empty()) directions.rows = moved_directions(columns);
   if (directions.rows.empty()) {

@@ -109,9 +109,9 @@ class RandomPosition {
   std::vector<JointPoint<F>> points_;
 };
 
-using Solution = std::vector<Candidate>;
+using Candidates = std::vector<Candidate>;
 
-bool holds_a_joint_still(const Solution& solution) {
+bool holds_a_joint_still(const Candidates& solution) {
   return std::any_of(solution.begin(), solution.end(), [](const Candidate& candidate) {
     return std::all_of(candidate.factors.begin(), candidate.factors.end(), [](int factor) { return factor == 0; });
   });
@@ -119,11 +119,11 @@ bool holds_a_joint_still(const Solution& solution) {
 
 // All angles of the dependent joints for which the loop stays closed. Two joints at most: more are not determined by a
 // loop in a plane.
-std::vector<Solution> linear_solutions(const CutLoop& loop) {
+std::vector<Candidates> linear_solutions(const CutLoop& loop) {
   const std::vector<Candidate> all = all_candidates(loop.independent.size());
   RandomPosition first(loop, 1), second(loop, 2), third(loop, 3);
-  std::vector<Solution> solutions;
-  const auto try_out = [&](const Solution& tried) {
+  std::vector<Candidates> solutions;
+  const auto try_out = [&](const Candidates& tried) {
     if (first.closes(tried) && second.closes(tried) && third.closes(tried)) solutions.push_back(tried);
   };
   for (const Candidate& a : all) {
@@ -147,7 +147,7 @@ class LinearLoopCoupler {
     if (!find_ends(loop, cut) || !find_joints(loop, cut) || !is_determined_by_points(loop, robot_, diagnostics_))
       return false;
     constexpr std::size_t kMostDependent = 2, kMostIndependent = 3;
-    std::vector<Solution> solutions;
+    std::vector<Candidates> solutions;
     if (cut.dependent.size() <= kMostDependent && cut.independent.size() <= kMostIndependent) {
       solutions = linear_solutions(cut);
     }

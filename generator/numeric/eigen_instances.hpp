@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Declarations of Eigen's decompositions and of the loops of its products, which take long to compile: they are
-// instantiated once for each scalar, in eigen_instances.cpp. This header is precompiled, so that no other file
+// instantiated once for each scalar, in eigen_instances_*.cpp. This header is precompiled, so that no other file
 // instantiates them.
 #pragma once
 
@@ -52,6 +52,7 @@
   EXTERN template SelfAdjointEigenSolver<Matrix4d>& SelfAdjointEigenSolver<Matrix4d>::compute(                     \
       const EigenBase<Matrix4d>&, int);                                                                            \
   EXTERN template void LDLT<MatrixXd>::_solve_impl(const VectorXd&, VectorXd&) const;                              \
+  EXTERN template LLT<Matrix4d>& LLT<Matrix4d>::compute(const EigenBase<Matrix4d>&);                               \
   }
 
 FLATDYN_EIGEN_DECOMPOSITIONS(double, extern)

@@ -17,7 +17,7 @@ using NodeFactor = std::int32_t;
 using NodeFactors = std::vector<NodeFactor>;  // sorted, repeated for powers
 
 // A product in use, with the absolute value of its coefficient among the factors.
-struct Monomial {
+struct UsedProduct {
   NodeFactors factors;
   int uses = 0;
 };
@@ -193,7 +193,7 @@ class ProductSharing {
   }
 
   // The constant factor of a monomial (1 if it has none) and the node of its other factors.
-  std::pair<Rational, NodeId> build(const Monomial& monomial) {
+  std::pair<Rational, NodeId> build(const UsedProduct& monomial) {
     NodeFactors nodes = monomial.factors;
     Rational coefficient = 1;
     if (nodes.front() < 0) {
@@ -205,7 +205,7 @@ class ProductSharing {
 
   void write_back() {
     std::vector<std::pair<Rational, NodeId>> built;
-    for (const Monomial& monomial : monomials_) {
+    for (const UsedProduct& monomial : monomials_) {
       built.push_back(build(monomial));
       auto& [coefficient, node] = built.back();
       if (monomial.uses > 1 && coefficient != 1) {
@@ -227,7 +227,7 @@ class ProductSharing {
   Draft draft_;
   std::vector<Rational> constants_;
   HashIndex constant_index_;
-  std::vector<Monomial> monomials_;
+  std::vector<UsedProduct> monomials_;
   HashIndex monomial_index_;  // of the factors as collected
   std::vector<Use> uses_;
   std::vector<Pair> pairs_;

@@ -316,8 +316,8 @@ class SumSharing {
   // Chooses the scale: the kernel may be made as scale · (a + ratio · b) for any scale. Without one, it saves nothing.
   void choose_scale(int kernel, Plan& best) const {
     constexpr std::size_t kTried = 4;
-    constexpr int kNone = -1'000'000;
-    best.savings = kNone;
+    constexpr int kNoSavings = -1'000'000;
+    best.savings = kNoSavings;
     const auto consider = [&](Scale scale, TermPair terms) {
       const int savings = -scaling_cost(scale, terms) - cost_of_terms(kernels_[kernel], scale, terms);
       if (savings <= best.savings || is_extreme(scale, terms)) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The values that a function must return at a state by the recursive reference, which is written without a look at the
-// derivation, in float, double and 50 digits; and the size of the terms of its entries, for scaled errors.
+// derivation, in double and 50 digits; and the size of the terms of its entries, for scaled errors.
 #pragma once
 
 #include <functional>
@@ -30,7 +30,6 @@ template <class S>
 using Preparation = ReferenceFunction<S> (*)(const ReferenceModel<S>&, const Function&);
 
 struct NumericReference {
-  Preparation<float> in_float;
   Preparation<double> in_double;
   Preparation<Real50> exact;
   Preparation<double> magnitude;  // by entry: the sum of the absolute values of its terms (reference/magnitude.hpp)
@@ -39,7 +38,6 @@ struct NumericReference {
 
   template <class S>
   Preparation<S> over() const {
-    if constexpr (std::is_same_v<S, float>) return in_float;
     if constexpr (std::is_same_v<S, double>) return in_double;
     if constexpr (std::is_same_v<S, Real50>) return exact;
   }

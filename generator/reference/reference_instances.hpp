@@ -50,6 +50,5 @@
   EXTERN template S loop_regularity(const Robot<S>&, const VectorX<S>&);                                               \
   }
 
-FLATDYN_REFERENCE_OVER(float, extern)
 FLATDYN_REFERENCE_OVER(double, extern)
 FLATDYN_REFERENCE_OVER(Real50, extern)

@@ -247,10 +247,8 @@ reference::Robot<S> reference_robot(const Robot& robot, const SymbolValues& valu
   return Converter<S>(robot, values).run();
 }
 
-template float to_scalar<float>(const Number&, const GiNaC::exmap&);
 template double to_scalar<double>(const Number&, const GiNaC::exmap&);
 template Real50 to_scalar<Real50>(const Number&, const GiNaC::exmap&);
-template reference::Robot<float> reference_robot(const Robot&, const SymbolValues&);
 template reference::Robot<double> reference_robot(const Robot&, const SymbolValues&);
 template reference::Robot<Real50> reference_robot(const Robot&, const SymbolValues&);
 

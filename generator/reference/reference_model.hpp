@@ -39,10 +39,8 @@ std::vector<typename Matrix::Scalar> row_by_row(const Matrix& m) {
   return entries;
 }
 
-extern template float to_scalar<float>(const Number&, const GiNaC::exmap&);
 extern template double to_scalar<double>(const Number&, const GiNaC::exmap&);
 extern template Real50 to_scalar<Real50>(const Number&, const GiNaC::exmap&);
-extern template reference::Robot<float> reference_robot(const Robot&, const SymbolValues&);
 extern template reference::Robot<double> reference_robot(const Robot&, const SymbolValues&);
 extern template reference::Robot<Real50> reference_robot(const Robot&, const SymbolValues&);
 

@@ -34,39 +34,39 @@ bool has_base_gravity(const reference::Robot<S>& robot) {
 }
 
 template <class S>
-reference::Robot<S> with_base_gravity(reference::Robot<S> robot, const StateOf<S>& state) {
-  robot.gravity = vector_of<S>(state.g_b);
-  return robot;
-}
+reference::Robot<S> with_base_gravity(reference::Robot<S> robot, const StateOf<S>& state);
 
 // The state whose q lacks the orientations of spherical joints, which become the robot's.
 template <class S>
-StateOf<S> without_quaternions(reference::Robot<S>& robot, StateOf<S> state) {
-  reference::VectorX<S> q = vector_of(state.q);
-  reference::take_orientations(robot, q);
-  state.q.assign(q.data(), q.data() + q.size());
-  return state;
-}
+StateOf<S> without_quaternions(reference::Robot<S>& robot, StateOf<S> state);
+
+// The entries of a function's outputs at a point.
+template <class S>
+using EntriesAt = std::vector<S> (*)(const ReferencePoint<S>&);
+
+// The reference of a function for one robot: `entries` of the point at each state.
+template <class S>
+ReferenceFunction<S> reference_of(EntriesAt<S> entries, const ReferenceModel<S>& model, const Function& function);
+
+// Functions over S; `extern` declares that they are instantiated elsewhere, empty instantiates them.
+#define FLATDYN_REFERENCE_POINTS_OVER(S, EXTERN)                                                 \
+  EXTERN template reference::Robot<S> with_base_gravity(reference::Robot<S>, const StateOf<S>&); \
+  EXTERN template StateOf<S> without_quaternions(reference::Robot<S>&, StateOf<S>);              \
+  EXTERN template ReferenceFunction<S> reference_of(EntriesAt<S>, const ReferenceModel<S>&, const Function&);
+
+FLATDYN_REFERENCE_POINTS_OVER(double, extern)
+FLATDYN_REFERENCE_POINTS_OVER(Real50, extern)
 
 // `Generic`: the type of a function object without state that takes a ReferencePoint<S> and returns the entries.
 template <class Generic, class S>
 ReferenceFunction<S> prepared(const ReferenceModel<S>& model, const Function& function) {
-  return [robot = model.robot, &function](const StateOf<S>& state) -> std::vector<S> {
-    if (reference::has_spherical_joints(robot)) {
-      reference::Robot<S> turned = has_base_gravity(robot) ? with_base_gravity(robot, state) : robot;
-      const StateOf<S> rest = without_quaternions(turned, state);
-      return Generic{}(ReferencePoint<S>(turned, function, rest));
-    }
-    if (!has_base_gravity(robot)) return Generic{}(ReferencePoint<S>(robot, function, state));
-    return Generic{}(ReferencePoint<S>(with_base_gravity(robot, state), function, state));
-  };
+  return reference_of<S>([](const ReferencePoint<S>& at) -> std::vector<S> { return Generic{}(at); }, model, function);
 }
 
 // `value`: as above. `magnitude`: the same for double.
 template <class Value, class Magnitude>
 constexpr NumericReference computed_by(Value, Magnitude, bool needs_many_recursions = false) {
-  return {prepared<Value, float>, prepared<Value, double>, prepared<Value, Real50>, prepared<Magnitude, double>,
-          needs_many_recursions};
+  return {prepared<Value, double>, prepared<Value, Real50>, prepared<Magnitude, double>, needs_many_recursions};
 }
 
 // The entries of several matrices.

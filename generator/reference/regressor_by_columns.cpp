@@ -308,13 +308,10 @@ reference::MatrixX<double> adaptive_magnitudes(const RegressorReference<double>&
       by_columns(of.units(), state, [](const auto& unit, const auto& at) { return adaptive_magnitude(unit, at); }));
 }
 
-template class RegressorReference<float>;
 template class RegressorReference<double>;
 template class RegressorReference<Real50>;
-template class SpringRegressorReference<float>;
 template class SpringRegressorReference<double>;
 template class SpringRegressorReference<Real50>;
-template BaseValues<float> base_values_of(const Mechanism&, const SymbolValues&);
 template BaseValues<double> base_values_of(const Mechanism&, const SymbolValues&);
 template BaseValues<Real50> base_values_of(const Mechanism&, const SymbolValues&);
 

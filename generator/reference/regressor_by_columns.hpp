@@ -70,14 +70,11 @@ struct BaseValues {
 template <class S>
 BaseValues<S> base_values_of(const Mechanism& mechanism, const SymbolValues& symbols);
 
-extern template class RegressorReference<float>;
 extern template class RegressorReference<double>;
 extern template class RegressorReference<Real50>;
-extern template class SpringRegressorReference<float>;
 extern template class SpringRegressorReference<double>;
 extern template class SpringRegressorReference<Real50>;
 
-extern template BaseValues<float> base_values_of(const Mechanism&, const SymbolValues&);
 extern template BaseValues<double> base_values_of(const Mechanism&, const SymbolValues&);
 extern template BaseValues<Real50> base_values_of(const Mechanism&, const SymbolValues&);
 

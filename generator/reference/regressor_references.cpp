@@ -23,8 +23,7 @@ ReferenceFunction<double> magnitudes_of(const ReferenceModel<double>& model, con
 
 template <RegressorColumns columns>
 constexpr NumericReference matrix_with() {
-  return {matrix_of<float, columns>, matrix_of<double, columns>, matrix_of<Real50, columns>, magnitudes_of<columns>,
-          true};
+  return {matrix_of<double, columns>, matrix_of<Real50, columns>, magnitudes_of<columns>, true};
 }
 
 template <class S>
@@ -79,13 +78,13 @@ ReferenceFunction<double> spring_magnitudes_of(const ReferenceModel<double>& mod
 
 constinit const NumericReference regressor = matrix_with<RegressorColumns::all>();
 constinit const NumericReference base_regressor = matrix_with<RegressorColumns::base>();
-constinit const NumericReference base_parameters = {parameters_of<float>, parameters_of<double>, parameters_of<Real50>,
+constinit const NumericReference base_parameters = {parameters_of<double>, parameters_of<Real50>,
                                                     parameter_magnitudes_of, true};
-constinit const NumericReference inverse_dynamics_base = {torques_of<float>, torques_of<double>, torques_of<Real50>,
-                                                          torque_magnitudes_of, true};
-constinit const NumericReference adaptive_regressor = {adaptive_matrix_of<float>, adaptive_matrix_of<double>,
-                                                       adaptive_matrix_of<Real50>, adaptive_magnitudes_of, true};
-constinit const NumericReference spring_regressor = {springs_of<float>, springs_of<double>, springs_of<Real50>,
-                                                     spring_magnitudes_of, true};
+constinit const NumericReference inverse_dynamics_base = {torques_of<double>, torques_of<Real50>, torque_magnitudes_of,
+                                                          true};
+constinit const NumericReference adaptive_regressor = {adaptive_matrix_of<double>, adaptive_matrix_of<Real50>,
+                                                       adaptive_magnitudes_of, true};
+constinit const NumericReference spring_regressor = {springs_of<double>, springs_of<Real50>, spring_magnitudes_of,
+                                                     true};
 
 }  // namespace flatdyn::references

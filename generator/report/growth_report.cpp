@@ -58,9 +58,9 @@ ordered_json curve_json(const GrowthCurve& curve) {
   return json;
 }
 
-using Quantity = double (*)(const GrowthRow&);
+using GrowthQuantity = double (*)(const GrowthRow&);
 
-Panel growth_panel(const GrowthReport& report, const std::string& title, Quantity quantity) {
+Panel growth_panel(const GrowthReport& report, const std::string& title, GrowthQuantity quantity) {
   Panel panel{title, "", "", {}, PanelStyle::marked};
   for (const GrowthCurve& curve : report.curves) {
     Series series{curve.shape + ", " + curve.function, {}, {}};

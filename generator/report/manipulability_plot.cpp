@@ -91,7 +91,7 @@ std::vector<std::size_t> evenly(std::size_t count, std::size_t most) {
   return chosen;
 }
 
-struct Drawing {
+struct EllipsoidDrawing {
   const std::vector<int>& task;
   const std::vector<ManipulablePose>& poses;
   std::vector<std::size_t> chosen;
@@ -100,9 +100,9 @@ struct Drawing {
   bool is_path() const { return chosen.size() < poses.size(); }
 };
 
-Drawing drawing_of(const std::vector<int>& task, const std::vector<ManipulablePose>& poses,
-                   const std::vector<View>& views) {
-  Drawing drawing{task, poses, evenly(poses.size(), kEllipsoidsDrawn)};
+EllipsoidDrawing drawing_of(const std::vector<int>& task, const std::vector<ManipulablePose>& poses,
+                            const std::vector<View>& views) {
+  EllipsoidDrawing drawing{task, poses, evenly(poses.size(), kEllipsoidsDrawn)};
   double largest = 0;
   for (const std::size_t k : drawing.chosen) {
     drawing.reach = std::max(drawing.reach, length_of(poses[k].skeleton));
@@ -123,7 +123,7 @@ std::string base_note(const std::vector<ManipulablePose>& poses) { return poses.
 
 std::string label_of(const std::string& axis) { return axis.empty() ? "m" : axis + " in m"; }
 
-Panel view_panel(const Drawing& drawing, const View& view, bool is_half) {
+Panel view_panel(const EllipsoidDrawing& drawing, const View& view, bool is_half) {
   Panel panel{is_half ? view.name : "", label_of(view.across), label_of(view.up), {}, PanelStyle::plane};
   panel.is_half = is_half;
   const Eigen::MatrixXd onto = projection(drawing.task, view);
@@ -215,7 +215,7 @@ void add_triad(Panel& panel, const View& view) {
 }
 
 // Curves of all half axes and measures, by time or by number of the pose.
-std::vector<Panel> curves_along(const Drawing& drawing) {
+std::vector<Panel> curves_along(const EllipsoidDrawing& drawing) {
   const bool is_timed = drawing.poses.front().t.has_value();
   const std::string across = is_timed ? "t in s" : "pose";
   Panel lengths{"half axes", across, "m/s^2", {}}, measure{"measure", across, "", {}};
@@ -260,7 +260,7 @@ int stride_of(const std::vector<Eigen::Vector2i>& cells) {
 std::string manipulability_plot(const std::string& robot, const std::vector<int>& task,
                                 const std::vector<ManipulablePose>& poses, const std::vector<View>& views,
                                 PictureFormat format) {
-  const Drawing drawing = drawing_of(task, poses, views);
+  const EllipsoidDrawing drawing = drawing_of(task, poses, views);
   std::vector<Panel> panels;
   for (const View& view : views) panels.push_back(view_panel(drawing, view, views.size() > 1));
   std::string title = robot + ": dynamic manipulability" + base_note(poses);

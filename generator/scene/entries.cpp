@@ -70,14 +70,14 @@ std::size_t place_of(const Output& output, const std::vector<int>& indices) {
 }
 
 // The parts "tau" and "0..2" of "tau[0..2]".
-struct Parts {
+struct NameAndIndices {
   std::string name;
   std::vector<std::string> indices;
 };
 
-Parts parts_of(const std::string& text) {
+NameAndIndices parts_of(const std::string& text) {
   const std::size_t open = text.find('[');
-  Parts parts{text.substr(0, open), {}};
+  NameAndIndices parts{text.substr(0, open), {}};
   for (std::size_t at = open; at < text.size();) {
     const std::size_t close = text.find(']', at);
     if (text[at] != '[' || close == std::string::npos) {
@@ -172,7 +172,7 @@ void add_all(const std::string& stem, const std::vector<std::string>& runs, std:
 }  // namespace
 
 EntrySelection selected_entries(const Function& function, const Mechanism& mechanism, const std::string& text) {
-  const Parts parts = parts_of(text);
+  const NameAndIndices parts = parts_of(text);
   EntrySelection selection{output_of(function, parts.name), {}};
   const Output& output = function.outputs[selection.output];
   const std::vector<int> sizes = dimensions(output);

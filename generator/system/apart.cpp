@@ -19,11 +19,11 @@
 namespace flatdyn {
 namespace {
 
-using Task = std::uint32_t;
+using TaskNumber = std::uint32_t;
 
 // The bytes before a text in a pipe.
 struct Head {
-  Task task = 0;
+  TaskNumber task = 0;
   std::uint64_t length = 0;
 };
 
@@ -59,7 +59,7 @@ bool write_all(int to, const void* data, std::size_t length) {
 // Takes tasks and writes their texts until there are no more. Does not return: nothing of the parent is cleaned up.
 [[noreturn]] void work(int tasks, int results, const std::function<std::string(std::size_t)>& compute) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // it does not outlive the parent
-  Task task = 0;
+  TaskNumber task = 0;
   while (::read(tasks, &task, sizeof(task)) == static_cast<ssize_t>(sizeof(task))) {
     try {
       const std::string text = compute(task);
@@ -151,7 +151,7 @@ std::vector<std::optional<std::string>> computed_apart(std::size_t tasks, std::s
   std::vector<std::optional<std::string>> texts(tasks);
   Pipe numbers;
   if (tasks > kMostTasks || !numbers.open()) return texts;
-  for (Task task = 0; task < tasks; ++task) write_all(numbers.write, &task, sizeof(task));
+  for (TaskNumber task = 0; task < tasks; ++task) write_all(numbers.write, &task, sizeof(task));
   std::vector<Worker> workers;
   for (std::size_t k = 0; k < std::min(tasks, processes); ++k) start(workers, numbers, compute);
   close_end(numbers.write);

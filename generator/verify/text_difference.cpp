@@ -11,7 +11,7 @@ namespace {
 using Words = std::vector<Token>;
 
 // A statement up to its semicolon, up to the brace that opens a body, a brace that closes one, or a directive.
-struct Statement {
+struct TokenStatement {
   Words words;
   int number = 0;  // equal for equal statements
 };
@@ -23,7 +23,7 @@ class Divider {
  public:
   explicit Divider(const Words& words) : words_(words) {}
 
-  std::vector<Statement> run() {
+  std::vector<TokenStatement> run() {
     for (std::size_t k = 0; k < words_.size(); ++k) take(k);
     end();
     return std::move(statements_);
@@ -58,8 +58,8 @@ class Divider {
 
   const Words& words_;
   int depth_ = 0, values_ = 0;  // open brackets, and braces of values
-  Statement statement_;
-  std::vector<Statement> statements_;
+  TokenStatement statement_;
+  std::vector<TokenStatement> statements_;
 };
 
 // The words as one line of text.
@@ -79,10 +79,10 @@ std::string as_one_line(const Words& words) {
   return text;
 }
 
-void number_alike(std::vector<Statement>& held, std::vector<Statement>& own) {
+void number_alike(std::vector<TokenStatement>& held, std::vector<TokenStatement>& own) {
   std::map<std::string, int> numbers;
-  for (std::vector<Statement>* list : {&held, &own}) {
-    for (Statement& statement : *list) {
+  for (std::vector<TokenStatement>* list : {&held, &own}) {
+    for (TokenStatement& statement : *list) {
       std::string key;
       for (const Token& word : statement.words) key += word.text + '\n';
       statement.number = numbers.emplace(key, static_cast<int>(numbers.size())).first->second;
@@ -98,7 +98,8 @@ struct Hunk {
 // Myers' algorithm: the shortest list of statements to remove and to add.
 class StatementDifference {
  public:
-  StatementDifference(const std::vector<Statement>& held, const std::vector<Statement>& own) : held_(held), own_(own) {}
+  StatementDifference(const std::vector<TokenStatement>& held, const std::vector<TokenStatement>& own)
+      : held_(held), own_(own) {}
 
   // The hunks in order; false: they are too many.
   bool run(std::vector<Hunk>& hunks) {
@@ -154,17 +155,17 @@ class StatementDifference {
     std::reverse(hunks.begin(), hunks.end());
   }
 
-  const std::vector<Statement>&held_, &own_;
+  const std::vector<TokenStatement>&held_, &own_;
   std::vector<std::vector<int>> farthest_;
 };
 
-int line_at(const std::vector<Statement>& statements, std::size_t k) {
+int line_at(const std::vector<TokenStatement>& statements, std::size_t k) {
   if (k < statements.size()) return statements[k].words.front().line;
   return statements.empty() ? 0 : statements.back().words.back().line;
 }
 
 // Two statements, one of which takes the place of the other.
-TextDifference changed(const Statement& held, const Statement& own) {
+TextDifference changed(const TokenStatement& held, const TokenStatement& own) {
   TextDifference result{
       held.words.front().line, own.words.front().line, "", as_one_line(held.words), as_one_line(own.words), "", ""};
   std::size_t k = 0;
@@ -181,7 +182,7 @@ TextDifference changed(const Statement& held, const Statement& own) {
 }  // namespace
 
 std::vector<TextDifference> differences_of(const Words& held_words, const Words& own_words, bool& is_only_first) {
-  std::vector<Statement> held = Divider(held_words).run(), own = Divider(own_words).run();
+  std::vector<TokenStatement> held = Divider(held_words).run(), own = Divider(own_words).run();
   number_alike(held, own);
   StatementDifference comparison(held, own);
   std::vector<Hunk> hunks;

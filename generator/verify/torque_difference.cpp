@@ -17,35 +17,37 @@ using Joint50 = reference::Joint<Real50>;
 double size_of(const Real50& number) { return std::abs(number.convert_to<double>()); }
 
 // A size, and a bound of the difference between the two robots.
-struct Bound {
+struct DifferenceBound {
   double size = 0, difference = 0;
 
-  Bound& operator+=(const Bound& b) {
+  DifferenceBound& operator+=(const DifferenceBound& b) {
     size += b.size;
     difference += b.difference;
     return *this;
   }
 };
 
-Bound operator+(Bound a, const Bound& b) { return a += b; }
-Bound operator*(const Bound& a, const Bound& b) {
+DifferenceBound operator+(DifferenceBound a, const DifferenceBound& b) { return a += b; }
+DifferenceBound operator*(const DifferenceBound& a, const DifferenceBound& b) {
   return {a.size * b.size, a.difference * b.size + a.size * b.difference + a.difference * b.difference};
 }
-Bound operator*(double factor, const Bound& a) { return {factor * a.size, factor * a.difference}; }
+DifferenceBound operator*(double factor, const DifferenceBound& a) { return {factor * a.size, factor * a.difference}; }
 
 // The bound for two vectors or matrices, by their Frobenius norms.
 template <class M>
-Bound bound_of(const M& a, const M& b) {
+DifferenceBound bound_of(const M& a, const M& b) {
   return {std::max(size_of(a.norm()), size_of(b.norm())), size_of(M(a - b).norm())};
 }
-Bound bound_of(const Real50& a, const Real50& b) { return {std::max(size_of(a), size_of(b)), size_of(a - b)}; }
+DifferenceBound bound_of(const Real50& a, const Real50& b) {
+  return {std::max(size_of(a), size_of(b)), size_of(a - b)};
+}
 
 // A rotation, which keeps lengths.
-Bound rotation(double difference) { return {1, difference}; }
+DifferenceBound rotation(double difference) { return {1, difference}; }
 
 // The inertial parameters of a link about its frame's origin.
 struct LinkBound {
-  Bound mass, first_moment, inertia;
+  DifferenceBound mass, first_moment, inertia;
 };
 
 LinkBound bound_of(const Link50& a, const Link50& b) {
@@ -69,12 +71,12 @@ LinkBound bound_of(const Link50& a, const Link50& b) {
 }
 
 // The motion of a link's frame: ω, ω̇ and p̈ - g_0.
-struct Motion {
-  Bound omega, domega, ddp;
+struct MotionDifference {
+  DifferenceBound omega, domega, ddp;
 };
 
-struct Wrench {
-  Bound force, moment;
+struct WrenchDifference {
+  DifferenceBound force, moment;
 };
 
 class TorqueDifference {
@@ -84,7 +86,7 @@ class TorqueDifference {
       : a_(a), b_(b), limits_(limits), base_(base), motions_(a.links.size()), wrenches_(a.links.size()) {}
 
   double largest() {
-    Motion& root = motions_[index(a_.root)];
+    MotionDifference& root = motions_[index(a_.root)];
     root = {{base_.omega, 0}, {base_.domega, 0}, bound_of(a_.gravity, b_.gravity)};
     root.ddp.size += base_.ddp;
     for (std::size_t j = 0; j < a_.joints.size(); ++j) move(j);
@@ -92,7 +94,7 @@ class TorqueDifference {
     for (std::size_t j = 0; j < a_.joints.size(); ++j) drive(j);
     double worst = 0;
     for (std::size_t j = a_.joints.size(); j-- > 0;) worst = std::max(worst, hand_on(j));
-    const Wrench& on_base = wrenches_[index(a_.root)];
+    const WrenchDifference& on_base = wrenches_[index(a_.root)];
     if (a_.floating_base) worst = std::max({worst, on_base.force.difference, on_base.moment.difference});
     return worst * kRoundingMargin;
   }
@@ -107,38 +109,38 @@ class TorqueDifference {
     return joint.index < 0 ? MotionLimits{} : limits_[index(joint.index - a_.base_size())];
   }
 
-  Bound axis(std::size_t j) const { return {1, bound_of(a_.joints[j].axis, b_.joints[j].axis).difference}; }
+  DifferenceBound axis(std::size_t j) const { return {1, bound_of(a_.joints[j].axis, b_.joints[j].axis).difference}; }
 
   // The rotation of the child in the parent: |Rot(u_a, q) - Rot(u_b, q)| <= 6 |u_a - u_b|.
-  Bound rotation_of(std::size_t j) const {
+  DifferenceBound rotation_of(std::size_t j) const {
     const Joint50 &a = a_.joints[j], &b = b_.joints[j];
     const double of_axis = a.index < 0 ? 0 : kOfAxis * axis(j).difference;
     return rotation(bound_of(a.R_0, b.R_0).difference + of_axis + bound_of(a.R_1, b.R_1).difference);
   }
 
   // The rotation from the joint's axis to the child, and back.
-  Bound axis_in_child(std::size_t j) const {
+  DifferenceBound axis_in_child(std::size_t j) const {
     return rotation(bound_of(a_.joints[j].R_1, b_.joints[j].R_1).difference) * axis(j);
   }
 
   // The displacement of the child's origin, in parent axes.
-  Bound step(std::size_t j) const {
+  DifferenceBound step(std::size_t j) const {
     const Joint50 &a = a_.joints[j], &b = b_.joints[j];
-    const Bound before = rotation(bound_of(a.R_0, b.R_0).difference);
+    const DifferenceBound before = rotation(bound_of(a.R_0, b.R_0).difference);
     const bool slides = a.type == reference::JointType::prismatic;
-    const Bound turned = slides ? before : rotation(before.difference + kOfAxis * axis(j).difference);
-    Bound sum = bound_of(a.p_0, b.p_0) + turned * bound_of(a.p_1, b.p_1);
+    const DifferenceBound turned = slides ? before : rotation(before.difference + kOfAxis * axis(j).difference);
+    DifferenceBound sum = bound_of(a.p_0, b.p_0) + turned * bound_of(a.p_1, b.p_1);
     if (slides) sum += limits_of(a).position * (before * axis(j));
     return sum;
   }
 
   void move(std::size_t j) {
     const Joint50& joint = a_.joints[j];
-    const Motion& before = motions_[index(joint.parent)];
-    const Bound R = rotation_of(j), z = axis_in_child(j);
+    const MotionDifference& before = motions_[index(joint.parent)];
+    const DifferenceBound R = rotation_of(j), z = axis_in_child(j);
     const MotionLimits limits = limits_of(joint);
-    Motion motion{R * before.omega, R * before.domega,
-                  R * (before.ddp + (before.domega + before.omega * before.omega) * step(j))};
+    MotionDifference motion{R * before.omega, R * before.domega,
+                            R * (before.ddp + (before.domega + before.omega * before.omega) * step(j))};
     if (joint.type == reference::JointType::revolute) {
       motion.domega += limits.acceleration * z + limits.speed * (motion.omega * z);
       motion.omega += limits.speed * z;
@@ -151,8 +153,8 @@ class TorqueDifference {
   // Adds the wrench that the link's inertia needs.
   void load(std::size_t l) {
     const LinkBound link = bound_of(a_.links[l], b_.links[l]);
-    const Motion& motion = motions_[l];
-    const Bound swing = motion.domega + motion.omega * motion.omega;
+    const MotionDifference& motion = motions_[l];
+    const DifferenceBound swing = motion.domega + motion.omega * motion.omega;
     wrenches_[l].force += link.mass * motion.ddp + swing * link.first_moment;
     wrenches_[l].moment += link.inertia * swing + link.first_moment * motion.ddp;
   }
@@ -162,8 +164,8 @@ class TorqueDifference {
     const auto &a = a_.joints[j].rotor, &b = b_.joints[j].rotor;
     if (a.inertia == 0 && b.inertia == 0) return;
     const MotionLimits limits = limits_of(a_.joints[j]);
-    const Bound spin = bound_of(a.gear_ratio, b.gear_ratio) * bound_of(a.inertia, b.inertia);
-    const Bound z{1, bound_of(a.axis, b.axis).difference};
+    const DifferenceBound spin = bound_of(a.gear_ratio, b.gear_ratio) * bound_of(a.inertia, b.inertia);
+    const DifferenceBound z{1, bound_of(a.axis, b.axis).difference};
     wrenches_[index(a.carrier)].moment +=
         spin * (limits.acceleration * z + limits.speed * (motions_[index(a.carrier)].omega * z));
   }
@@ -171,18 +173,18 @@ class TorqueDifference {
   // The difference of the joint's torque; what its child needs is handed on to its parent.
   double hand_on(std::size_t j) {
     const Joint50& joint = a_.joints[j];
-    const Wrench& of_child = wrenches_[index(joint.child)];
-    const Bound R = rotation_of(j);
-    Wrench& of_parent = wrenches_[index(joint.parent)];
-    const Bound force = R * of_child.force;
+    const WrenchDifference& of_child = wrenches_[index(joint.child)];
+    const DifferenceBound R = rotation_of(j);
+    WrenchDifference& of_parent = wrenches_[index(joint.parent)];
+    const DifferenceBound force = R * of_child.force;
     of_parent.force += force;
     of_parent.moment += R * of_child.moment + step(j) * force;
     if (joint.index < 0) return 0;
     const bool slides = joint.type == reference::JointType::prismatic;
     // The axis passes through the joint's own origin, which is p_1 away from the child's.
-    const Bound lever =
+    const DifferenceBound lever =
         rotation(bound_of(joint.R_1, b_.joints[j].R_1).difference) * bound_of(joint.p_1, b_.joints[j].p_1);
-    const Bound moment = of_child.moment + lever * of_child.force;
+    const DifferenceBound moment = of_child.moment + lever * of_child.force;
     const double by_links = (axis_in_child(j) * (slides ? of_child.force : moment)).difference;
     return by_links + by_rotor(j);
   }
@@ -191,19 +193,20 @@ class TorqueDifference {
   double by_rotor(std::size_t j) const {
     const Joint50 &a = a_.joints[j], &b = b_.joints[j];
     const MotionLimits limits = limits_of(a);
-    const Bound ratio = bound_of(a.rotor.gear_ratio, b.rotor.gear_ratio);
-    const Bound spin = ratio * bound_of(a.rotor.inertia, b.rotor.inertia);
-    const Bound z{1, bound_of(a.rotor.axis, b.rotor.axis).difference};
-    const Bound torque = limits.acceleration * (spin * ratio) + spin * (motions_[index(a.rotor.carrier)].domega * z) +
-                         limits.acceleration * bound_of(a.armature, b.armature);
+    const DifferenceBound ratio = bound_of(a.rotor.gear_ratio, b.rotor.gear_ratio);
+    const DifferenceBound spin = ratio * bound_of(a.rotor.inertia, b.rotor.inertia);
+    const DifferenceBound z{1, bound_of(a.rotor.axis, b.rotor.axis).difference};
+    const DifferenceBound torque = limits.acceleration * (spin * ratio) +
+                                   spin * (motions_[index(a.rotor.carrier)].domega * z) +
+                                   limits.acceleration * bound_of(a.armature, b.armature);
     return torque.difference;
   }
 
   const Robot50 &a_, &b_;
   const std::vector<MotionLimits>& limits_;
   MotionOfBase base_;
-  std::vector<Motion> motions_;   // by link
-  std::vector<Wrench> wrenches_;  // by link: force, and moment about its frame's origin
+  std::vector<MotionDifference> motions_;   // by link
+  std::vector<WrenchDifference> wrenches_;  // by link: force, and moment about its frame's origin
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr const char *kArm = "robots/planar_2r_example_7_2.toml", *kName = "planar_2r_example_7_2.hpp";
+constexpr const char *kArmWithHeader = "robots/planar_2r_example_7_2.toml", *kName = "planar_2r_example_7_2.hpp";
 
 // A robot, and how its code was generated.
 struct Held {
@@ -44,9 +44,9 @@ TEST_P(HeldCode, IsTheRobotsAsItWasWrittenAndWithoutItsComments) {
 INSTANTIATE_TEST_SUITE_P(
     Kinds, HeldCode,
     ::testing::Values(
-        Held{kArm, "", kName}, Held{"robots/finger.toml", "--language c --scalar float", "finger.h"},
+        Held{kArmWithHeader, "", kName}, Held{"robots/finger.toml", "--language c --scalar float", "finger.h"},
         Held{"robots/finger.toml", "--language c", "finger.c"},
-        Held{kArm, "--form pair --scalar double,float --stages gravity,bias --fuse gravity,bias",
+        Held{kArmWithHeader, "--form pair --scalar double,float --stages gravity,bias --fuse gravity,bias",
              "planar_2r_example_7_2.cpp"},
         Held{"robots/planar_2r.toml", "--language javascript --name arm", "arm.d.ts"},
         Held{"robots/scara.toml", "--language cuda --functions gravity,bias", "scara.cuh"},
@@ -65,7 +65,7 @@ class EditedHeader : public ::testing::Test {
   static void SetUpTestSuite() {
     const Scratch scratch;
     ASSERT_EQ(run_flatdyn(fmt::format("generate {} -q -o '{}' --functions gravity,inverse_dynamics,inertia_matrix",
-                                      kArm, scratch.path()))
+                                      kArmWithHeader, scratch.path()))
                   .code,
               0);
     original_ = scratch.read(kName);
@@ -80,7 +80,7 @@ class EditedHeader : public ::testing::Test {
   }
 
   Outcome verify(const std::string& more = "") const {
-    return run_flatdyn(fmt::format("verify {} --header '{}' {}", kArm, scratch_.path(kName), more));
+    return run_flatdyn(fmt::format("verify {} --header '{}' {}", kArmWithHeader, scratch_.path(kName), more));
   }
 
   // Expects these words at the line of the edit.
@@ -183,7 +183,8 @@ TEST_F(EditedHeader, WithoutAStampIsRefused) {
   const Outcome outcome = verify();
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("its first comment has no stamp of flatdyn"));
-  const Outcome nothing = run_flatdyn(fmt::format("verify {} --header '{}'", kArm, scratch_.path("nothing.hpp")));
+  const Outcome nothing =
+      run_flatdyn(fmt::format("verify {} --header '{}'", kArmWithHeader, scratch_.path("nothing.hpp")));
   EXPECT_EQ(nothing.code, 6);
 }
 

@@ -24,7 +24,7 @@ struct Answer {
 
 void PrintTo(const Answer& answer, std::ostream* out) { *out << answer.in_double << " " << answer.in_float; }
 
-constexpr const char* kProgram =
+constexpr const char* kRoundingProgram =
     "#include \"planar_2r.hpp\"\n"
     "#include <cstdio>\n"
     "int main() {\n"
@@ -35,7 +35,7 @@ constexpr const char* kProgram =
 
 Answer answer_of_build(const std::string& compiler, const std::string& flags) {
   const TemporaryFolder folder;
-  std::ofstream(folder.path() / "main.cpp") << kProgram;
+  std::ofstream(folder.path() / "main.cpp") << kRoundingProgram;
   const std::string command = fmt::format(
       "cd '{0}' && ({1} -std=c++17 -I'{2}/generated' -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror "
       "{3} main.cpp -o main && ./main) > log 2>&1",
@@ -66,7 +66,7 @@ TEST_P(RoundingIsAsWritten, NotWhereTheCompilerTakesLiberties) {
 // The checks of finite results would be left out.
 TEST_P(RoundingIsAsWritten, DoesNotCompileWithFastMath) {
   const TemporaryFolder folder;
-  write(folder.path() / "main.cpp", kProgram);
+  write(folder.path() / "main.cpp", kRoundingProgram);
   write(folder.path() / "main.c", "#include \"planar_2r.c\"\n");
   for (const char* flag : {"-ffast-math", "-ffinite-math-only"}) {
     for (const char* file : {"main.cpp", "main.c"}) {

@@ -120,7 +120,7 @@ link = "fan"
 xyz = [0.05, 0.02, 0.01]
 )";
 
-constexpr const char* kHopper = "../docs/examples/five_bar_hopper.toml";
+constexpr const char* kHopperInALoop = "../docs/examples/five_bar_hopper.toml";
 
 // The base of kSpatial as a body that moves freely.
 const std::string kFloatingBase = R"([base]
@@ -132,7 +132,7 @@ inertia_about = "com"
 )";
 
 LoadedRobot loop_model(const std::string& name) {
-  if (name == "hopper") return testing::model_of(kHopper);
+  if (name == "hopper") return testing::model_of(kHopperInALoop);
   const std::map<std::string, std::string> written = {{"spatial", kSpatial},
                                                       {"floating_spatial", kSpatial + kFloatingBase},
                                                       {"cut_at_hinge", testing::kCutAtHinge},
@@ -395,7 +395,7 @@ TEST(RobotsWithLoops, HaveTheRankOfTheirBaseParameters) {
   EXPECT_EQ(rows_too_many(testing::model_of("slider_crank.toml"), 3), 0);
   EXPECT_EQ(rows_too_many(testing::model_of("five_bar.toml")), 0);
   EXPECT_EQ(rows_too_many(testing::model_of("andrews_squeezer.toml"), 3), 0);
-  EXPECT_EQ(rows_too_many(testing::model_of(kHopper)), 0);
+  EXPECT_EQ(rows_too_many(testing::model_of(kHopperInALoop)), 0);
 }
 
 // Which way the axes point to each other where the loop is assembled, is known: masses and their moments along the

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kLongestText = 10000;
 constexpr int kDeepestNesting = 100;
-constexpr int kLargestExponent = 1000;
+constexpr int kLargestPower = 1000;
 constexpr int kLargestSymbolicExponent = 20;  // the closed form expands powers
 constexpr int kMostBits = 8192;               // of a numerator or denominator
 constexpr double kLargestDegree = 400;        // of a power of powers
@@ -167,7 +167,7 @@ class Parser {
     if (!take('^')) return base;
     const Number exponent = factor();
     if (!exponent.info(GiNaC::info_flags::integer)) fail("an exponent must be an integer (roots: sqrt(...))");
-    const int bound = has_symbols(base) ? kLargestSymbolicExponent : kLargestExponent;
+    const int bound = has_symbols(base) ? kLargestSymbolicExponent : kLargestPower;
     if (GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(exponent)) > bound) fail("the exponent is too large");
     if (has_symbols(base)) refuse(growth_of_power(growth_of(base), exponent));
     const bool is_of_zero = is_zero(base);

@@ -22,7 +22,7 @@ bool is_on_empty_root(const Robot& robot, const Joint& joint) {
 }
 
 // Parts of a robot, by their indices.
-struct Parts {
+struct PartsOfJoint {
   std::set<int> joints, links;
 };
 
@@ -35,7 +35,7 @@ class Surroundings {
     parts_.joints.insert(free_joint);
   }
 
-  const Parts& parts() const { return parts_; }
+  const PartsOfJoint& parts() const { return parts_; }
   // Whether the free joint's own link hangs on what stands still, too, which the validation reports.
   bool has_child() const { return parts_.links.count(robot_.joints[static_cast<std::size_t>(free_joint_)].child) > 0; }
   const std::vector<std::string>& moving() const { return moving_; }  // the other joints that move and are not held
@@ -56,7 +56,7 @@ class Surroundings {
   const Robot& robot_;
   const ReadContext& context_;
   int free_joint_;
-  Parts parts_;
+  PartsOfJoint parts_;
   std::vector<std::string> moving_;
 };
 
@@ -69,7 +69,7 @@ std::vector<T> others_of(const std::vector<T>& all, const std::set<int>& left_ou
   return rest;
 }
 
-void leave_out(const Parts& parts, Robot& robot) {
+void leave_out(const PartsOfJoint& parts, Robot& robot) {
   robot.joints = others_of(robot.joints, parts.joints);
   robot.links = others_of(robot.links, parts.links);
   const auto close_gaps = [&parts](int& link) {
@@ -82,7 +82,7 @@ void leave_out(const Parts& parts, Robot& robot) {
   }
 }
 
-void note_standing(const Robot& robot, const Parts& parts, int root, Diagnostics& diagnostics) {
+void note_standing(const Robot& robot, const PartsOfJoint& parts, int root, Diagnostics& diagnostics) {
   for (const int link : parts.links) {
     if (link == root) continue;
     const Link& left_out = robot.links[static_cast<std::size_t>(link)];
@@ -92,7 +92,7 @@ void note_standing(const Robot& robot, const Parts& parts, int root, Diagnostics
 }
 
 // Reports loops to links that are left out, which stand still.
-void refuse_loops_to(const Parts& parts, const Robot& robot, Diagnostics& diagnostics) {
+void refuse_loops_to(const PartsOfJoint& parts, const Robot& robot, Diagnostics& diagnostics) {
   for (const Loop& loop : robot.loops) {
     for (const Reference& end : loop.links) {
       const bool is_left_out = std::any_of(parts.links.begin(), parts.links.end(), [&](int link) {

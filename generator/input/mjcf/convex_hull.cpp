@@ -10,20 +10,21 @@ namespace {
 using Corner = std::size_t;
 
 IntegerPoint difference(const IntegerPoint& a, const IntegerPoint& b) {
-  return {Integer(a[0] - b[0]), Integer(a[1] - b[1]), Integer(a[2] - b[2])};
+  return {MeshInteger(a[0] - b[0]), MeshInteger(a[1] - b[1]), MeshInteger(a[2] - b[2])};
 }
 
 IntegerPoint normal_to(const IntegerPoint& a, const IntegerPoint& b) {
-  return {Integer(a[1] * b[2] - a[2] * b[1]), Integer(a[2] * b[0] - a[0] * b[2]), Integer(a[0] * b[1] - a[1] * b[0])};
+  return {MeshInteger(a[1] * b[2] - a[2] * b[1]), MeshInteger(a[2] * b[0] - a[0] * b[2]),
+          MeshInteger(a[0] * b[1] - a[1] * b[0])};
 }
 
-Integer along(const IntegerPoint& a, const IntegerPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+MeshInteger along(const IntegerPoint& a, const IntegerPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 struct Face {
   std::array<Corner, 3> corners;
   std::array<std::size_t, 3> neighbours = {};  // across the edge from corner k to the next one
   IntegerPoint normal;                         // outwards
-  Integer offset;                              // normal · corner
+  MeshInteger offset;                          // normal · corner
   std::vector<Corner> outside;                 // points that see the face, each in the list of one face only
   bool is_gone = false;
 };
@@ -54,7 +55,7 @@ class Hull {
   };
 
   // Distance times a positive factor that depends on the face.
-  Integer height(Corner point, const Face& face) const { return along(face.normal, points_[point]) - face.offset; }
+  MeshInteger height(Corner point, const Face& face) const { return along(face.normal, points_[point]) - face.offset; }
 
   std::size_t add_face(Corner a, Corner b, Corner c) {
     Face face;
@@ -77,7 +78,7 @@ class Hull {
       if (normal[0] != 0 || normal[1] != 0 || normal[2] != 0) break;
     }
     Corner fourth = 2;
-    Integer above = 0;
+    MeshInteger above = 0;
     for (;; ++fourth) {
       if (fourth == n) return false;
       above = along(normal, difference(points_[fourth], points_[0]));
@@ -116,9 +117,9 @@ class Hull {
 
   Corner farthest_of(const Face& face) const {
     Corner best = face.outside.front();
-    Integer largest = height(best, face);
+    MeshInteger largest = height(best, face);
     for (const Corner point : face.outside) {
-      const Integer found = height(point, face);
+      const MeshInteger found = height(point, face);
       if (found <= largest) continue;
       largest = found;
       best = point;

@@ -14,8 +14,8 @@ constexpr int kMostDigits = 60;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-Integer power(int base, int exponent) {
-  Integer result;
+MeshInteger power(int base, int exponent) {
+  MeshInteger result;
   mpz_ui_pow_ui(result.get_mpz_t(), static_cast<unsigned long>(base), static_cast<unsigned long>(exponent));
   return result;
 }
@@ -27,7 +27,7 @@ std::optional<Scientific> exact_float(float value) {
   constexpr int kDigits = std::numeric_limits<float>::digits;
   int exponent = 0;
   const float fraction = std::frexp(value, &exponent);
-  return Scientific{Integer(static_cast<long>(std::ldexp(fraction, kDigits))), exponent - kDigits};
+  return Scientific{MeshInteger(static_cast<long>(std::ldexp(fraction, kDigits))), exponent - kDigits};
 }
 
 std::optional<Scientific> exact_scientific(std::string_view text) {
@@ -60,8 +60,8 @@ std::optional<Scientific> exact_scientific(std::string_view text) {
   if (first == std::string::npos) return Scientific{};
   constexpr int kLargest = 30;
   if (exponent < -kMostDigits || exponent + static_cast<int>(digits.size() - first) > kLargest) return std::nullopt;
-  const Integer mantissa(digits.substr(first));
-  return Scientific{is_negative ? Integer(-mantissa) : mantissa, exponent};
+  const MeshInteger mantissa(digits.substr(first));
+  return Scientific{is_negative ? MeshInteger(-mantissa) : mantissa, exponent};
 }
 
 TriangleMesh MeshBuilder::mesh() const {

@@ -13,8 +13,8 @@
 
 namespace flatdyn {
 
-using Integer = mpz_class;
-using IntegerPoint = std::array<Integer, 3>;
+using MeshInteger = mpz_class;
+using IntegerPoint = std::array<MeshInteger, 3>;
 
 // A surface of triangles, counterclockwise seen from outside. Corners are multiples of a unit.
 struct TriangleMesh {
@@ -25,7 +25,7 @@ struct TriangleMesh {
 
 // mantissa · base^exponent, with the base of all of a mesh's numbers.
 struct Scientific {
-  Integer mantissa;
+  MeshInteger mantissa;
   int exponent = 0;
 };
 

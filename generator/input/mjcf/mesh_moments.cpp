@@ -13,21 +13,24 @@ namespace {
 constexpr int kFineBits = 200;  // of a grid for what is no rational number
 constexpr int kDigits = 50;
 
-Number number_of(const Integer& a) { return GiNaC::numeric(a.get_str().c_str()); }
+Number number_of(const MeshInteger& a) { return GiNaC::numeric(a.get_str().c_str()); }
 
 IntegerPoint minus(const IntegerPoint& a, const IntegerPoint& b) {
-  return {Integer(a[0] - b[0]), Integer(a[1] - b[1]), Integer(a[2] - b[2])};
+  return {MeshInteger(a[0] - b[0]), MeshInteger(a[1] - b[1]), MeshInteger(a[2] - b[2])};
 }
 
 IntegerPoint vector_product(const IntegerPoint& a, const IntegerPoint& b) {
-  return {Integer(a[1] * b[2] - a[2] * b[1]), Integer(a[2] * b[0] - a[0] * b[2]), Integer(a[0] * b[1] - a[1] * b[0])};
+  return {MeshInteger(a[1] * b[2] - a[2] * b[1]), MeshInteger(a[2] * b[0] - a[0] * b[2]),
+          MeshInteger(a[0] * b[1] - a[1] * b[0])};
 }
 
-Integer scalar_product(const IntegerPoint& a, const IntegerPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+MeshInteger scalar_product(const IntegerPoint& a, const IntegerPoint& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 // Sums over the pyramids from a point to the triangles, or over the triangles, relative to that point.
 struct PyramidSums {
-  Integer volume = 0;                               // times 6; of triangles their area, times 2
+  MeshInteger volume = 0;                           // times 6; of triangles their area, times 2
   IntegerPoint first = {};                          // times 24; of triangles times 6
   std::array<IntegerPoint, 3> second = {};          // ∫ r r^T, times 120; of triangles times 24; the lower half
   bool has_positive = false, has_negative = false;  // volumes
@@ -41,7 +44,7 @@ class Sums {
     PyramidSums sums;
     for (const auto& [a, b, c] : mesh_.triangles) {
       const IntegerPoint d = minus(points_[a], origin), e = minus(points_[b], origin), f = minus(points_[c], origin);
-      Integer volume = scalar_product(d, vector_product(e, f));
+      MeshInteger volume = scalar_product(d, vector_product(e, f));
       sums.has_positive = sums.has_positive || volume > 0;
       sums.has_negative = sums.has_negative || volume < 0;
       if (in_magnitude) volume = abs(volume);
@@ -62,30 +65,30 @@ class Sums {
 
   // The centroid of the surface, to the nearest points of the grid.
   IntegerPoint centroid() const {
-    Integer area = 0;
+    MeshInteger area = 0;
     IntegerPoint sum = {};
     for (const auto& [a, b, c] : mesh_.triangles) {
       const IntegerPoint &d = points_[a], &e = points_[b], &f = points_[c];
-      const Integer size = twice_area(d, e, f);
+      const MeshInteger size = twice_area(d, e, f);
       area += size;
       for (std::size_t k = 0; k < 3; ++k) sum[k] += size * (d[k] + e[k] + f[k]);
     }
     if (area == 0) return {};
-    for (Integer& each : sum) each /= 3 * area;
+    for (MeshInteger& each : sum) each /= 3 * area;
     return sum;
   }
 
  private:
-  static Integer twice_area(const IntegerPoint& d, const IntegerPoint& e, const IntegerPoint& f) {
+  static MeshInteger twice_area(const IntegerPoint& d, const IntegerPoint& e, const IntegerPoint& f) {
     const IntegerPoint normal = vector_product(minus(e, d), minus(f, d));
     return sqrt(scalar_product(normal, normal));
   }
 
-  static void add(const IntegerPoint& d, const IntegerPoint& e, const IntegerPoint& f, const Integer& volume,
+  static void add(const IntegerPoint& d, const IntegerPoint& e, const IntegerPoint& f, const MeshInteger& volume,
                   PyramidSums& sums) {
     sums.volume += volume;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Integer of_k = d[k] + e[k] + f[k];
+      const MeshInteger of_k = d[k] + e[k] + f[k];
       sums.first[k] += volume * of_k;
       for (std::size_t l = 0; l <= k; ++l) {
         sums.second[k][l] += volume * (d[k] * d[l] + e[k] * e[l] + f[k] * f[l] + of_k * (d[l] + e[l] + f[l]));
@@ -167,7 +170,7 @@ MeshMoments mesh_moments(const TriangleMesh& mesh, MeshVolume volume) {
   const bool in_magnitude = volume == MeshVolume::legacy;
   std::vector<IntegerPoint> points = mesh.points;
   for (IntegerPoint& point : points) {
-    for (Integer& each : point) each <<= kFineBits;
+    for (MeshInteger& each : point) each <<= kFineBits;
   }
   const Sums sums(mesh, points);
   const IntegerPoint centroid = sums.centroid();

@@ -171,7 +171,7 @@ class SolidReader {
       is_mirrored = is_mirrored != factor.is_negative();
       std::ostringstream text;
       text << factor;
-      const Integer whole(text.str());
+      const MeshInteger whole(text.str());
       for (IntegerPoint& point : mesh.points) point[k] *= whole;
     }
     if (is_mirrored) {

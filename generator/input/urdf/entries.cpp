@@ -15,7 +15,7 @@ namespace {
 using tinyxml2::XMLAttribute;
 using tinyxml2::XMLElement;
 using tinyxml2::XMLNode;
-using Form = UrdfEntry::Form;
+using EntryForm = UrdfEntry::Form;
 
 const std::vector<UrdfKey> kOfDynamics = {{"damping", ""},          {"friction", ""},  {"armature", ""},
                                           {"spring_stiffness", ""}, {"stiffness", ""}, {"spring_reference", ""}};
@@ -90,7 +90,7 @@ bool has_key(const UrdfElement& element, std::string_view name) {
 }
 
 std::string key_of(const UrdfElement& element, const UrdfEntry& entry) {
-  if (entry.form == Form::text) return element.key_of_text;
+  if (entry.form == EntryForm::text) return element.key_of_text;
   for (const UrdfKey& key : element.keys) {
     if (entry.name == key.name || entry.name == key.other_name) return key.name;
   }
@@ -114,14 +114,14 @@ std::string value_of(const XMLElement& element) {
 std::vector<UrdfEntry> entries_of(const XMLElement& element) {
   std::vector<UrdfEntry> entries;
   for (const XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
-    entries.push_back({a->Name(), a->Value(), element.GetLineNum(), Form::attribute});
+    entries.push_back({a->Name(), a->Value(), element.GetLineNum(), EntryForm::attribute});
   }
   if (known_urdf_element(element.Name()) == nullptr) return entries;
   for (const XMLElement* e = element.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
-    entries.push_back({e->Name(), value_of(*e), e->GetLineNum(), Form::child});
+    entries.push_back({e->Name(), value_of(*e), e->GetLineNum(), EntryForm::child});
   }
   const std::string text = text_in(element);
-  if (!words_of(text).empty()) entries.push_back({"", text, element.GetLineNum(), Form::text});
+  if (!words_of(text).empty()) entries.push_back({"", text, element.GetLineNum(), EntryForm::text});
   return entries;
 }
 

@@ -14,7 +14,7 @@ namespace flatdyn {
 namespace {
 
 using tinyxml2::XMLElement;
-using Form = UrdfEntry::Form;
+using EntryForm = UrdfEntry::Form;
 using Names = std::vector<std::string>;
 
 bool is_among(const Names& names, std::string_view name) {
@@ -34,11 +34,11 @@ bool is_si_unit(std::string_view unit) {
 }
 
 std::string called(const UrdfEntry& entry) {
-  return entry.form == Form::child ? "element <" + entry.name + ">" : "attribute \"" + entry.name + "\"";
+  return entry.form == EntryForm::child ? "element <" + entry.name + ">" : "attribute \"" + entry.name + "\"";
 }
 
 std::string shown(const UrdfEntry& entry) {
-  return entry.form == Form::child ? "<" + entry.name + ">" : entry.name + "=\"" + entry.text + "\"";
+  return entry.form == EntryForm::child ? "<" + entry.name + ">" : entry.name + "=\"" + entry.text + "\"";
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ bool UnknownEntries::refuse(const XMLElement& element, const UrdfEntry& entry, c
     diagnostics_.error(place, what + ": unknown " + called(entry), "did you mean \"" + meant + "\"?");
     return true;
   }
-  if (const std::string home = parent_of_element(entry.name); entry.form == Form::child && !home.empty()) {
+  if (const std::string home = parent_of_element(entry.name); entry.form == EntryForm::child && !home.empty()) {
     diagnostics_.error(place, what + ": <" + entry.name + "> has no effect here",
                        "it is read from <" + home + ">: write it there, or delete it");
     return true;
@@ -122,7 +122,7 @@ void UnknownEntries::check(const XMLElement& element, const std::string& what) {
     if (!key_of(known.element, entry).empty()) continue;
     const bool is_meant = !known_spelling_of(entry.name, key_names_of(known.element)).empty();
     if (has_namespace(entry.name) && !is_meant) continue;
-    if (entry.form == Form::text) {
+    if (entry.form == EntryForm::text) {
       diagnostics_.error(values_.place(element),
                          what + ": it is not clear what the text \"" + entry.text + "\" in <" + element.Name() + "> is",
                          "write it as attributes: " + list_of(key_names_of(known.element)));
@@ -135,7 +135,7 @@ void UnknownEntries::check(const XMLElement& element, const std::string& what) {
 
 void UnknownEntries::check_misplaced(const XMLElement& holder, const std::string& what) {
   for (const tinyxml2::XMLAttribute* a = holder.FirstAttribute(); a != nullptr; a = a->Next()) {
-    const UrdfEntry entry{a->Name(), a->Value(), holder.GetLineNum(), Form::attribute};
+    const UrdfEntry entry{a->Name(), a->Value(), holder.GetLineNum(), EntryForm::attribute};
     const std::string home = element_of_value(entry.name);
     const bool is_element = known_urdf_element(entry.name) != nullptr;
     if ((home.empty() && !is_element) || has_namespace(entry.name) || is_zero_text(entry.text)) continue;

@@ -223,11 +223,11 @@ class TorqueDerivation {
     const std::vector<Number>& twist = motion_.qd;
     const Mat3 of_v = skew({twist[0], twist[1], twist[2]}), of_omega = skew({twist[3], twist[4], twist[5]}),
                of_g = skew(motion_.gravity);
-    constexpr int kSlides = 3;
-    for (int i = 0; i < kSlides; ++i) {
-      for (int j = 0; j < kSlides; ++j) {
+    constexpr int kOfTranslation = 3;
+    for (int i = 0; i < kOfTranslation; ++i) {
+      for (int j = 0; j < kOfTranslation; ++j) {
         const auto r = static_cast<std::size_t>(i), c = static_cast<std::size_t>(j);
-        const int turn = j + kSlides;
+        const int turn = j + kOfTranslation;
         switch (base_columns_) {
           case BaseColumns::derivatives:
             add(result_.dqd, i, j, armature * of_omega[r][c]);  // ω × e_j
@@ -238,7 +238,7 @@ class TorqueDerivation {
             break;
           case BaseColumns::coriolis:
             add(result_.dqd, i, j, 2 * armature * of_omega[r][c]);
-            add(result_.dqd, i + kSlides, turn, armature * of_omega[r][c]);
+            add(result_.dqd, i + kOfTranslation, turn, armature * of_omega[r][c]);
             break;
         }
       }

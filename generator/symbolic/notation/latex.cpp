@@ -26,7 +26,7 @@ std::string numbered(const std::string& word) {
 }
 
 // The width of a line of 10 pt on A4, in characters; subscripts count at their smaller size.
-constexpr double kLineWidth = 68;
+constexpr double kWidthOfLine = 68;
 constexpr double kSubscriptWidth = 0.65;
 
 // The approximate printed width, in characters.
@@ -78,7 +78,7 @@ std::string latex_lines(const std::string& formula) {
     }
     const std::string summand = formula.substr(begin, end == std::string::npos ? end : end - begin);
     const double more = printed_width(summand);
-    if (width > 0 && width + more > kLineWidth) {
+    if (width > 0 && width + more > kWidthOfLine) {
       result += "\\\\\n    &\\quad ";
       width = 0;
     }

@@ -86,12 +86,12 @@ std::vector<std::vector<typename State::Scalar>> sampled_rows(const Function& fu
 }
 
 // A state modulo a large prime. Symbols have the same values in all states.
-class FieldState {
+class DrawnState {
  public:
   using Arithmetic = ModPArithmetic<>;
   using Scalar = Arithmetic::Scalar;
 
-  explicit FieldState(std::uint64_t seed) : drawn_(seed) {}
+  explicit DrawnState(std::uint64_t seed) : drawn_(seed) {}
 
   Scalar constant(const Rational& value) const { return drawn_.constant(value); }
   Scalar input(const Input& input) const {
@@ -121,7 +121,7 @@ std::size_t rank_of(const Function& function) {
   RowSpace<F> space;
   const auto columns = static_cast<std::size_t>(function.outputs.front().cols);
   for (std::uint64_t seed = 1; seed <= most_states(function) && space.rank() < columns; ++seed) {
-    for (std::vector<F>& row : sampled_rows(function, FieldState(seed))) space.extend(std::move(row));
+    for (std::vector<F>& row : sampled_rows(function, DrawnState(seed))) space.extend(std::move(row));
   }
   return space.rank();
 }

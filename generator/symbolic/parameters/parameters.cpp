@@ -8,10 +8,10 @@ namespace flatdyn {
 namespace {
 
 // The row and column of a moment of inertia, by its place in (7.77).
-struct Place {
+struct InertiaPlace {
   std::size_t row, col;
 };
-constexpr Place kInertiaPlaces[] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
+constexpr InertiaPlace kInertiaPlaces[] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
 constexpr int kFirstInertia = static_cast<int>(Parameter::Ixx);
 
 Number driving_inertia(const Body& body) {

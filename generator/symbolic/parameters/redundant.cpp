@@ -50,12 +50,12 @@ struct BodyState {
 };
 
 template <class Source>
-class Energies {
+class FieldEnergies {
  public:
   using F = typename Source::F;
   using Row = std::vector<F>;
 
-  Energies(const Mechanism& mechanism, Source& source) : mechanism_(mechanism), source_(source) {
+  FieldEnergies(const Mechanism& mechanism, Source& source) : mechanism_(mechanism), source_(source) {
     for (const Body& body : mechanism.bodies) {
       rotation_.push_back(transposed(mapped(constant_rotation(body))));
       p_.push_back(mapped(body.p));
@@ -247,7 +247,7 @@ std::vector<RedundantPart> null_space(const Echelon<Number>& echelon) {
 
 template <class Source>
 std::vector<std::vector<std::vector<typename Source::F>>> samples_of(const Mechanism& mechanism, Source& source) {
-  Energies<Source> energies(mechanism, source);
+  FieldEnergies<Source> energies(mechanism, source);
   std::vector<std::vector<std::vector<typename Source::F>>> samples;
   for (int k = 0; k < kSamples; ++k) samples.push_back(energies.sample());
   return samples;

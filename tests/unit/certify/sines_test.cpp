@@ -10,14 +10,14 @@
 namespace flatdyn {
 namespace {
 
-constexpr double kSeconds = 120;
+constexpr double kSecondsOfSines = 120;
 
 TEST(ScriptsOfSines, AreProvenByGappa) {
   ASSERT_TRUE(has_gappa()) << "scripts/setup installs it";
   for (const char* scalar : {"double", "float"}) {
     const std::vector<GappaScript> scripts = scripts_of_sines(scalar);
     EXPECT_EQ(scripts.size(), 4u);
-    const std::vector<Verdict> verdicts = run_gappa(scripts, kSeconds);
+    const std::vector<Verdict> verdicts = run_gappa(scripts, kSecondsOfSines);
     for (std::size_t k = 0; k < scripts.size(); ++k) {
       EXPECT_EQ(verdicts[k], Verdict::proven) << scripts[k].name << " of " << scalar;
     }
@@ -36,7 +36,7 @@ TEST(ScriptsOfSines, AreRefusedWithASlip) {
     scripts[k].text.replace(at, std::string(slips[k].first).size(), slips[k].second);
   }
   scripts.pop_back();
-  for (const Verdict verdict : run_gappa(scripts, kSeconds)) EXPECT_EQ(verdict, Verdict::refused);
+  for (const Verdict verdict : run_gappa(scripts, kSecondsOfSines)) EXPECT_EQ(verdict, Verdict::refused);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "identify/fit_quality.hpp"
 #include "identify/identification.hpp"
 #include "identify/part_file.hpp"
+#include "load/load_robot.hpp"
 #include "report/excitation_report.hpp"
 #include "report/identification_report.hpp"
 #include "support/floating_log.hpp"

@@ -19,11 +19,23 @@ namespace flatdyn::reference {
 template <int kBits>
 class MpfrReal {
  public:
+  // While one is in scope, the numbers that its thread makes have fewer bits, and copies are rounded to them. So a
+  // function shows what it loses in a shorter type: with 24 bits in float, but for float's range of exponents.
+  class Precision {
+   public:
+    explicit Precision(int bits) : outer_(bits_) { bits_ = bits < kBits ? bits : kBits; }
+    ~Precision() { bits_ = outer_; }
+    Precision(const Precision&) = delete;
+    Precision& operator=(const Precision&) = delete;
+
+   private:
+    int outer_;
+  };
+
   MpfrReal() : MpfrReal(MPFR_ZERO_KIND, 0) {}
-  MpfrReal(const MpfrReal& other) : MpfrReal(other.kind(), other.exponent()) { copy_mantissa(other); }
+  MpfrReal(const MpfrReal& other) { copy(other); }
   MpfrReal& operator=(const MpfrReal& other) {
-    copy_mantissa(other);
-    mpfr_custom_init_set(number_, other.kind(), other.exponent(), kBits, mantissa_);
+    copy(other);
     return *this;
   }
   ~MpfrReal() = default;
@@ -122,6 +134,8 @@ class MpfrReal {
   friend bool isinf(const MpfrReal& x) { return mpfr_inf_p(x.number_) != 0; }
   friend bool isfinite(const MpfrReal& x) { return mpfr_number_p(x.number_) != 0; }
 
+  // How many bits the numbers made now have.
+  static int bits() { return bits_; }
   // 2^exponent.
   static MpfrReal power_of_two(mpfr_exp_t exponent) {
     MpfrReal result;
@@ -134,12 +148,14 @@ class MpfrReal {
  private:
   static constexpr int kLimbs = (kBits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS;
 
-  MpfrReal(int kind, mpfr_exp_t exponent) { mpfr_custom_init_set(number_, kind, exponent, kBits, mantissa_); }
+  MpfrReal(int kind, mpfr_exp_t exponent) { mpfr_custom_init_set(number_, kind, exponent, bits_, mantissa_); }
 
-  int kind() const { return mpfr_custom_get_kind(number_); }
-  mpfr_exp_t exponent() const { return mpfr_custom_get_exp(number_); }
-  void copy_mantissa(const MpfrReal& other) {
+  void copy(const MpfrReal& other) {
+    const mpfr_prec_t bits = mpfr_get_prec(other.number_);
     for (int k = 0; k < kLimbs; ++k) mantissa_[k] = other.mantissa_[k];
+    mpfr_custom_init_set(number_, mpfr_custom_get_kind(other.number_), mpfr_custom_get_exp(other.number_), bits,
+                         mantissa_);
+    if (bits > bits_) mpfr_prec_round(number_, bits_, MPFR_RNDN);
   }
   MpfrReal& set(int /* whether MPFR rounded up or down */) { return *this; }
 
@@ -149,6 +165,8 @@ class MpfrReal {
     function(result.number_, x.number_..., MPFR_RNDN);
     return result;
   }
+
+  inline static thread_local int bits_ = kBits;  // of numbers made now
 
   mp_limb_t mantissa_[kLimbs];
   mpfr_t number_;
@@ -168,7 +186,7 @@ struct std::numeric_limits<flatdyn::reference::MpfrReal<kBits>> : std::numeric_l
   static constexpr bool is_iec559 = false;
   static constexpr bool has_denorm_loss = false;
   static constexpr std::float_denorm_style has_denorm = std::denorm_absent;
-  static Real epsilon() { return Real::power_of_two(1 - kBits); }
+  static Real epsilon() { return Real::power_of_two(1 - Real::bits()); }
   static Real min() { return Real::power_of_two(mpfr_get_emin() - 1); }
   static Real max() { return Real::power_of_two(mpfr_get_emax() - 1) * (2 - epsilon()); }
   static Real lowest() { return -max(); }

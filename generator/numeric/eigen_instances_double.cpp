@@ -2,5 +2,4 @@
 #include "numeric/eigen_instances.hpp"
 
 FLATDYN_EIGEN_DECOMPOSITIONS(double, )
-FLATDYN_EIGEN_DECOMPOSITIONS(flatdyn::reference::Real50, )
 FLATDYN_EIGEN_DECOMPOSITIONS_OF_DOUBLE()
