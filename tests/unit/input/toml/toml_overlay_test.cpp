@@ -6,7 +6,7 @@
 namespace flatdyn {
 namespace {
 
-constexpr const char* kArm = R"(name = "arm"
+constexpr const char* kOverlaidArm = R"(name = "arm"
 gravity = [0, 0, -1.62]
 [[link]]
 name = "upper"
@@ -36,7 +36,7 @@ mass = 7
 class TomlOverlay : public RobotFiles {
  protected:
   Robot over_arm(const std::string& text, const ReadOptions& options = {}) {
-    write("arm.toml", kArm);
+    write("arm.toml", kOverlaidArm);
     return read("over.toml", "robot = \"arm.toml\"\n" + text, options);
   }
   Robot over_urdf(const std::string& elements, const std::string& text, const ReadOptions& options = {}) {
@@ -93,7 +93,7 @@ TEST_F(TomlOverlay, RobotNamesAUrdfToo) {
 }
 
 TEST_F(TomlOverlay, MayBeOverAnOverlay) {
-  write("arm.toml", kArm);
+  write("arm.toml", kOverlaidArm);
   write("middle.toml", "robot = \"arm.toml\"\n[[joint]]\nname = \"elbow\"\nviscous = 2\ncoulomb = 3\n");
   const Robot robot = read("over.toml", "robot = \"middle.toml\"\n[[joint]]\nname = \"elbow\"\nviscous = 4\n");
   EXPECT_TRUE(robot.joints[1].viscous.number.is_equal(4));
