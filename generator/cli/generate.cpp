@@ -16,6 +16,7 @@
 #include "python/cuda_module.hpp"
 #include "python/module.hpp"
 #include "report/budget_report.hpp"
+#include "report/compile_time.hpp"
 #include "report/describe.hpp"
 #include "report/json_text.hpp"
 #include "report/proof_report.hpp"
@@ -333,6 +334,7 @@ std::string tables(const GenerationResult& result, const SnapEffects& effects, c
                      describe_functions(result.functions, symbol_names(robot.mechanism), arguments.fuses) + "\n";
   if (result.stages) text += describe_stages(*result.stages, arguments.fuses) + "\n";
   if (result.torque_deviation) text += describe_abbreviation(robot, *result.torque_deviation) + "\n";
+  text += describe_compile_time(result.functions, result.stages, result.form);
   text += describe_proofs(result.proofs, result.as_read, rounding) + "\n";
   if (!arguments.firmware.empty()) {
     text += fmt::format("a self test for {}: make -C {} run\n", arguments.firmware, arguments.folder);

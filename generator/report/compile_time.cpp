@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/compile_time.hpp"
+
+#include <fmt/format.h>
+
+#include "graph/count.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr double kSecondsPerOperation = 1.5e-4, kSecondsPerEntry = 4e-4;
+constexpr double kInstancesPerScalar = 2;  // of a pair: with sines of its own, and with given ones
+constexpr double kWorthALine = 3;          // s
+
+std::size_t written_entries(const Function& function) {
+  std::size_t entries = 0;
+  for (const Output& output : function.outputs) {
+    for (std::size_t e = 0; e < output.entries.size(); ++e) entries += output.leaves_out(e) ? 0 : 1;
+  }
+  return entries;
+}
+
+double seconds_of_stages(const Stages& stages) {
+  double seconds = compile_seconds(stages.configuration.make);
+  for (const Function& member : stages.configuration.members) seconds += compile_seconds(member);
+  if (stages.motion.members.empty()) return seconds;
+  seconds += compile_seconds(stages.motion.make);
+  for (const Function& member : stages.motion.members) seconds += compile_seconds(member);
+  return seconds;
+}
+
+// Where the time is spent, and what saves it.
+std::string place_of(const EmitOptions& options) {
+  if (options.language == Language::c) return "once, in its source";
+  if (options.form == Form::pair) return "once, in the source of the pair";
+  return "in each file that calls all of it; --form pair compiles it once";
+}
+
+}  // namespace
+
+double compile_seconds(const Function& function) {
+  return kSecondsPerOperation * count_operations(function).arithmetic() +
+         kSecondsPerEntry * static_cast<double>(written_entries(function));
+}
+
+std::string describe_compile_time(const std::vector<OptimisedFunction>& functions, const std::optional<Stages>& stages,
+                                  const EmitOptions& options) {
+  if (options.language != Language::c && options.language != Language::cpp) return "";
+  double seconds = stages ? seconds_of_stages(*stages) : 0;
+  for (const OptimisedFunction& each : functions) seconds += compile_seconds(each.function);
+  if (options.form == Form::pair) seconds *= kInstancesPerScalar * (1.0 + double(options.more_scalars.size()));
+  if (seconds < kWorthALine) return "";
+  return fmt::format("compiling all of it takes some {:.0f} s of a processor at -O2, {}\n\n", seconds,
+                     place_of(options));
+}
+
+}  // namespace flatdyn
