@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Much compile time goes into the headers of GiNaC and Eigen. So a few sources of one folder at a time are
-# compiled together, which parses these headers less often. -DFLATDYN_UNITY_BUILD=OFF compiles them one by one, which is
-# faster for repeated changes of single files.
+# Most compile time goes into headers, and into templates of Eigen, of the standard library and of JSON that the
+# sources of a folder have in common. So sources of one folder are compiled together: four at a time, cli/ takes three
+# times as long as all at once. -DFLATDYN_UNITY_BUILD=OFF compiles them one by one, which is faster for repeated changes
+# of single files.
 option(FLATDYN_UNITY_BUILD "Compile sources of one folder together" ON)
 
 # flatdyn_unity_by_folder(TARGET SIZE SOURCES...): compiles at most SIZE sources of a folder together; other sources
