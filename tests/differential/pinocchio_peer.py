@@ -48,9 +48,9 @@ class Peer:
         velocities = [self.model.joints[i].idx_v for i in self.joints]
         self.order = np.array([*range(self.base), *velocities])
         # Pinocchio knows friction and does not add it.
-        dynamics = [joint.find("dynamics") for joint in joints]
-        friction = [[float(d.get(name, 0)) if d is not None else 0 for d in dynamics] for name in ("damping", "friction")]
-        self.viscous, self.coulomb = (np.concatenate([np.zeros(self.base), f]) for f in friction)
+        dynamics = [{} if joint.find("dynamics") is None else joint.find("dynamics").attrib for joint in joints]
+        of_joints = ([float(each.get(name, 0)) for each in dynamics] for name in ("damping", "friction"))
+        self.viscous, self.coulomb = (np.concatenate([np.zeros(self.base), x]) for x in of_joints)
         self.contacts = [self.contact(*contact.split(":")) for contact in contacts]
 
     def contact(self, link, position, kind):
@@ -93,7 +93,7 @@ class Peer:
             self.at[:7] = pin.SE3ToXYZQUAT(self.pose)
         for i, x in zip(self.joints, self.q):
             k, size = self.model.joints[i].idx_q, self.model.joints[i].nq
-            self.at[k : k + size] = x if size == 1 else (np.cos(x), np.sin(x))
+            self.at[k : k + size] = x if size == 1 else (np.cos(x), np.sin(x))  # two for a continuous joint
 
     def configuration(self):
         """q of the convention: Pinocchio's pose, and joints in the order of the file."""
@@ -256,11 +256,23 @@ class Peer:
         return [np.concatenate(found)]
 
     def constrained_forward_dynamics(self):
+        if any(rows == 6 for _, _, rows in self.contacts):
+            return self.forward_dynamics_at_surfaces()
         models, datas = self.constraints()
         settings = pin.ProximalSettings(1e-14, 0, 20)
         v = self.to_pinocchio(self.v)
         a = pin.constraintDynamics(self.model, self.data, self.at, v, self.forces(), models, datas, settings)
         return [self.rows(a), self.contact_forces(datas)]
+
+    def forward_dynamics_at_surfaces(self):
+        # Pinocchio's constraint of a surface keeps its spatial acceleration at zero. That of the point at the contact,
+        # which flatdyn means, is another where the contact moves. This function takes any constraint.
+        bias, found = self.contact_bias()[0], self.contact_jacobian()[1]
+        J = np.empty_like(found)
+        J[:, self.order] = found
+        v = self.to_pinocchio(self.v)
+        a = pin.forwardDynamics(self.model, self.data, self.at, v, self.forces(), J, bias)
+        return [self.rows(a), self.data.lambda_c]
 
     def contact_impact(self):
         models, datas = self.constraints()
@@ -281,23 +293,26 @@ class Peer:
         return pin.integrate(self.model, self.at, 0.3 * self.to_pinocchio(self.v))
 
     def integrate(self):
-        there = self.step()
-        return [np.concatenate([there[:7], [there[self.model.joints[i].idx_q] for i in self.joints]])]
+        there, joints = self.step(), []
+        for i in self.joints:
+            k, size = self.model.joints[i].idx_q, self.model.joints[i].nq
+            joints.append(there[k] if size == 1 else np.arctan2(there[k + 1], there[k]))
+        return [np.concatenate([there[:7], joints])]
 
     def difference(self):
         return [self.rows(pin.difference(self.model, self.at, self.step()))]
 
 
 def parameters_from(place):
-    """Pinocchio's ten parameters of a link (m, m l, xx, xy, yy, xz, yz, zz) by flatdyn's, in and about a frame there."""
+    """Pinocchio's parameters of a link (m, m l, xx, xy, yy, xz, yz, zz) by flatdyn's, in and about a frame there."""
     H = place.homogeneous
     columns = []
     for k in range(10):
         # Of the points of the link: the sum of mass, of (x, y, z), and of their squares and products.
         m, mx, my, mz, xx, xy, xz, yy, yz, zz = np.eye(10)[k]
         half = (xx + yy + zz) / 2
-        sums = np.array([[half - xx, -xy, -xz, mx], [-xy, half - yy, -yz, my], [-xz, -yz, half - zz, mz], [mx, my, mz, m]])
-        sums = H @ sums @ H.T
+        rows = [half - xx, -xy, -xz, mx], [-xy, half - yy, -yz, my], [-xz, -yz, half - zz, mz], [mx, my, mz, m]
+        sums = H @ np.array(rows) @ H.T
         inertia = np.trace(sums[:3, :3]) * np.eye(3) - sums[:3, :3]
         columns.append([sums[3, 3], *sums[:3, 3], *(inertia[i, j] for i in range(3) for j in range(i + 1))])
     return np.array(columns).T
@@ -320,8 +335,7 @@ class Differences:
             key = name if len(wanted) == 1 else f"{name}, result {k + 1}"
             assert x.shape == y.shape or x.size == y.size, (key, x.shape, y.shape)
             difference = np.abs(x.reshape(y.shape) - y).max() / np.abs(y).max()
-            if not self.largest.get(key, 0) >= difference:
-                self.largest[key] = difference
+            self.largest[key] = np.maximum(self.largest.get(key, 0), difference)  # nan stays
             solved = name in SOLUTIONS or name.startswith("constrained")
             self.limits[key] = SOLVED if solved else CLOSE
 

@@ -27,7 +27,8 @@ constexpr const char* kAtContacts = ",contact_jacobian,contact_bias,constrained_
 
 // A tree with every type of joint, names out of alphabetical order, axes at any angle, and friction. A link is fixed.
 constexpr const char* kTree = R"(<robot name="tree">
-  <link name="ground"/>
+  <link name="ground"><inertial><origin xyz="0.02 0.03 -0.04" rpy="0.1 0.3 -0.2"/><mass value="3.5"/>
+    <inertia ixx="0.05" iyy="0.07" izz="0.06" ixy="0.003" ixz="-0.004" iyz="0.002"/></inertial></link>
   <joint name="z_lift" type="prismatic"><parent link="ground"/><child link="carriage"/>
     <origin xyz="0.1 -0.2 0.3" rpy="0.3 -0.5 0.7"/><axis xyz="0.48 0.6 0.64"/>
     <limit lower="-2" upper="2" velocity="3" effort="50"/><dynamics damping="1.5" friction="0.7"/></joint>
@@ -199,6 +200,7 @@ const std::vector<RobotForPinocchio> kFixedRobots = {
     {"ur5", false, "wrist_3_link", {{"wrist_3_link", "0,0,0", "point"}}}};
 
 const std::vector<RobotForPinocchio> kFloatingRobots = {
+    {"tree", true, "finger", {{"hand", "0.1,0,0.2", "surface"}, {"finger", "0.02,0.01,0", "point"}}},
     {"quadruped12",
      true,
      "FL_FOOT",
