@@ -19,8 +19,8 @@ namespace flatdyn::reference {
 template <int kBits>
 class MpfrReal {
  public:
-  // While one is in scope, the numbers that its thread makes have fewer bits, and copies are rounded to them. So a
-  // function shows what it loses in a shorter type: with 24 bits in float, but for float's range of exponents.
+  // While one is in scope, the numbers that its thread makes have `bits` bits, at most kBits, and copies are rounded to
+  // them. So a function over 24 bits loses what it loses in float, but for what exceeds float's range of exponents.
   class Precision {
    public:
     explicit Precision(int bits) : outer_(bits_) { bits_ = bits < kBits ? bits : kBits; }
