@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "graph/count.hpp"
+#include "report/describe.hpp"
 
 namespace flatdyn {
 namespace {
@@ -18,15 +19,6 @@ std::size_t written_entries(const Function& function) {
     for (std::size_t e = 0; e < output.entries.size(); ++e) entries += output.leaves_out(e) ? 0 : 1;
   }
   return entries;
-}
-
-double seconds_of_stages(const Stages& stages) {
-  double seconds = compile_seconds(stages.configuration.make);
-  for (const Function& member : stages.configuration.members) seconds += compile_seconds(member);
-  if (stages.motion.members.empty()) return seconds;
-  seconds += compile_seconds(stages.motion.make);
-  for (const Function& member : stages.motion.members) seconds += compile_seconds(member);
-  return seconds;
 }
 
 // Where the time is spent, and what saves it.
@@ -46,7 +38,10 @@ double compile_seconds(const Function& function) {
 std::string describe_compile_time(const std::vector<OptimisedFunction>& functions, const std::optional<Stages>& stages,
                                   const EmitOptions& options) {
   if (options.language != Language::c && options.language != Language::cpp) return "";
-  double seconds = stages ? seconds_of_stages(*stages) : 0;
+  double seconds = 0;
+  if (stages) {
+    for (const StagePiece& piece : stage_pieces(*stages)) seconds += compile_seconds(*piece.function);
+  }
   for (const OptimisedFunction& each : functions) seconds += compile_seconds(each.function);
   if (options.form == Form::pair) seconds *= kInstancesPerScalar * (1.0 + double(options.more_scalars.size()));
   if (seconds < kWorthALine) return "";

@@ -14,7 +14,7 @@ namespace flatdyn {
 
 // Seconds of a processor for one function in one scalar, by g++ 12 at -O2 on a machine that compiles a file with
 // <ginac/ginac.h>, <iostream> and <regex> in 0.8 s: 0.15 ms per operation and 0.4 ms per entry that is written.
-// Measured for 19 functions of three robots, at 0.05 to 27 s (docs/benchmark.md, "Compile times").
+// Measured with 19 functions each of three robots, 2 to 26 s (docs/benchmark.md, "Compile times").
 double compile_seconds(const Function& function);
 
 // A line for people, "compiling all of it takes some 8 s …"; nothing if it takes less than 3 s, or is not compiled.

@@ -27,6 +27,13 @@ std::string describe_bodies(const Mechanism& mechanism, ParameterFrames frames);
 std::string describe_functions(const std::vector<OptimisedFunction>& functions, const std::vector<std::string>& symbols,
                                bool fuses = false);
 
+// Stages and their members in the order of the calls: "at", "Configuration::gravity", …, "with", ….
+struct StagePiece {
+  std::string name;
+  const Function* function;
+};
+std::vector<StagePiece> stage_pieces(const Stages& stages);
+
 // The cost of each stage and of each of its members.
 std::string describe_stages(const Stages& stages, bool fuses = false);
 nlohmann::ordered_json stages_json(const Stages& stages, bool fuses = false);

@@ -127,15 +127,7 @@ std::string describe_functions(const std::vector<OptimisedFunction>& functions, 
   return aligned_table(rows);
 }
 
-namespace {
-
-struct StagePiece {
-  std::string name;
-  const Function* function;
-};
-
-// Stages and their members in the order of the calls: at, its members, with, its members.
-std::vector<StagePiece> pieces_of(const Stages& stages) {
+std::vector<StagePiece> stage_pieces(const Stages& stages) {
   std::vector<StagePiece> pieces = {{"at", &stages.configuration.make}};
   for (const Function& member : stages.configuration.members)
     pieces.push_back({"Configuration::" + member.name, &member});
@@ -145,12 +137,10 @@ std::vector<StagePiece> pieces_of(const Stages& stages) {
   return pieces;
 }
 
-}  // namespace
-
 std::string describe_stages(const Stages& stages, bool fuses) {
   std::vector<std::vector<std::string>> rows = {count_heads("stage", fuses)};
   rows[0].emplace_back("stores");
-  for (const StagePiece& piece : pieces_of(stages)) {
+  for (const StagePiece& piece : stage_pieces(stages)) {
     rows.push_back(count_cells(piece.name, *piece.function, fuses));
     const Output& output = piece.function->outputs[0];
     rows.back().push_back(output.layout == Layout::fields ? std::to_string(output.entries.size()) : "");
@@ -160,7 +150,7 @@ std::string describe_stages(const Stages& stages, bool fuses) {
 
 nlohmann::ordered_json stages_json(const Stages& stages, bool fuses) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const StagePiece& piece : pieces_of(stages)) {
+  for (const StagePiece& piece : stage_pieces(stages)) {
     json.push_back(count_json(piece.name, *piece.function, fuses));
   }
   return json;

@@ -84,7 +84,7 @@ std::vector<std::string> names_twice(const std::vector<SourceFile>& files) {
   return twice;
 }
 
-std::vector<std::string> names_of_headers(const std::vector<SourceFile>& files) {
+std::vector<std::string> names_that_hide_a_header(const std::vector<SourceFile>& files) {
   std::map<std::string, std::string> headers;  // by name
   for (const SourceFile& file : files) {
     if (file.path.extension() != ".hpp") continue;
@@ -107,7 +107,8 @@ TEST(Layout, FilesOfAFolderHaveNoAnonymousNameInCommon) {
 }
 
 TEST(Layout, NoAnonymousNameIsThatOfAHeader) {
-  for (const std::string& each : names_of_headers(source_files("generator"))) ADD_FAILURE() << "generator/" << each;
+  for (const std::string& each : names_that_hide_a_header(source_files("generator")))
+    ADD_FAILURE() << "generator/" << each;
 }
 
 TEST(Layout, AnAnonymousNameOfAHeaderIsFound) {
@@ -128,9 +129,10 @@ TEST(Layout, AnAnonymousNameOfAHeaderIsFound) {
                                            "struct Line {};",
                                            "}  // namespace flatdyn"};
   const std::vector<SourceFile> files = {{"a.hpp", "a.hpp", "", header}, {"b.cpp", "b.cpp", "", source}};
-  EXPECT_EQ(names_of_headers(files), (std::vector<std::string>{"b.cpp: Form is a name of a.hpp, too: rename it",
-                                                               "b.cpp: Place is a name of a.hpp, too: rename it",
-                                                               "b.cpp: kMost is a name of a.hpp, too: rename it"}));
+  EXPECT_EQ(names_that_hide_a_header(files),
+            (std::vector<std::string>{"b.cpp: Form is a name of a.hpp, too: rename it",
+                                      "b.cpp: Place is a name of a.hpp, too: rename it",
+                                      "b.cpp: kMost is a name of a.hpp, too: rename it"}));
 }
 
 TEST(Layout, AnAnonymousNameInTwoFilesIsFound) {
