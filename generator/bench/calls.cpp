@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "emit/arguments.hpp"
 #include "emit/sections.hpp"
 #include "graph/count.hpp"
+#include "lower/arguments.hpp"
 #include "model/identifiers.hpp"
 
 namespace flatdyn {

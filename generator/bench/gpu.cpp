@@ -9,9 +9,9 @@
 
 #include "bench/gpu_states.hpp"
 #include "diagnostics/diagnostics.hpp"
-#include "emit/arguments.hpp"
 #include "emit/name_space.hpp"
 #include "emit/packed_places.hpp"
+#include "lower/arguments.hpp"
 #include "model/identifiers.hpp"
 #include "reference/graph_evaluator.hpp"
 #include "system/process.hpp"

@@ -8,10 +8,10 @@
 
 #include "bench/calls.hpp"
 #include "bench/stage_steps.hpp"
-#include "emit/arguments.hpp"
 #include "emit/languages/emit.hpp"
 #include "emit/page.hpp"
 #include "emit/writer.hpp"
+#include "lower/arguments.hpp"
 #include "model/identifiers.hpp"
 #include "templates.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "bench/calls.hpp"
-#include "emit/limbs.hpp"
+#include "lower/limbs.hpp"
 #include "model/identifiers.hpp"
 
 namespace flatdyn {

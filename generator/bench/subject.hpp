@@ -9,8 +9,8 @@
 #include "bench/peers.hpp"
 #include "bench/toolchain.hpp"
 #include "bench/variants.hpp"
-#include "emit/stages.hpp"
 #include "graph/function.hpp"
+#include "lower/stages.hpp"
 #include "model/mechanism.hpp"
 #include "model/states.hpp"
 

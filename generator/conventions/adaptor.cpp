@@ -9,11 +9,12 @@
 #include "conventions/coverage.hpp"
 #include "conventions/meanings.hpp"
 #include "conventions/steps.hpp"
-#include "emit/arguments.hpp"
+#include "emit/argument_text.hpp"
 #include "emit/languages/cpp_dialect.hpp"
 #include "emit/languages/cpp_function.hpp"
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
+#include "lower/arguments.hpp"
 
 namespace flatdyn {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "conventions/convention.hpp"
-#include "emit/arguments.hpp"
 #include "graph/function.hpp"
+#include "lower/arguments.hpp"
 
 namespace flatdyn {
 

@@ -14,8 +14,8 @@ constexpr std::size_t kRowIndent = 4;
 
 std::string Dialect::text(const std::string& value) const { return quoted(value); }
 
-std::string Dialect::angle_function(const std::string& function, int index, const std::string&) const {
-  return fmt::format("{}[{}]", function == "sin" ? "sine" : "cosine", index);
+std::string Dialect::angle_function(const std::string& function, const std::string& angle) const {
+  return fmt::format("{}({})", function, angle);
 }
 
 std::string Dialect::fused(const std::string& a, const std::string& b, const std::string& c) const {
@@ -51,13 +51,17 @@ std::string Dialect::declaration(const ConstantArray&) const { return ""; }
 
 std::string Dialect::braced_check_loop(const std::string& counter, std::size_t first, std::size_t end,
                                        const std::string& check) const {
-  return code_line(fmt::format("for ({0} {1} = {2}; {1} < {3}; ++{1}) {{ {4}{5}; }}", counter, kCounter, first, end,
-                               conditions_continue(), check),
+  return code_line(fmt::format("for ({0} {1} = {2}; {1} < {3}; ++{1}) {{ {4}{5}; }}", counter, code::kCounter, first,
+                               end, conditions_continue(), check),
                    kStatementIndent);
 }
 
 std::string Dialect::excess(const std::string& sum, const std::string& term) const {
-  return term[0] == '-' ? fmt::format("{} + {}", sum, term.substr(1)) : fmt::format("{} - {}", sum, term);
+  return fmt::format("excess({}, {})", sum, term);
+}
+
+std::string Dialect::written_entry(const std::string& output, int entry) const {
+  return fmt::format("{}[{}]", output, entry);
 }
 
 }  // namespace flatdyn

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "emit/schedule.hpp"
 #include "graph/rational.hpp"
+#include "lower/scope.hpp"
 
 namespace flatdyn {
 
@@ -32,9 +32,6 @@ inline constexpr const char* kReal = "Real";
 // The type of vectors with a number of each limb, followed by the number of lanes: "Limbs4".
 inline constexpr const char* kLimbs = "Limbs";
 
-// The counter of loops.
-inline constexpr const char* kCounter = "k";
-
 class Dialect {
  public:
   // `scalar`: the type of variables; `prefix`: the beginning of names at file scope.
@@ -52,6 +49,8 @@ class Dialect {
   // Reserved words that variables must avoid beside those of C++.
   virtual std::vector<std::string> reserved() const = 0;
 
+  // Whether a literal is enclosed, "Scalar(-0.25)", so that its sign never meets another one.
+  virtual bool encloses_literals() const { return false; }
   // A literal: "Scalar(0.0825)", "0.0825f". Throws Failure(input) if the scalar's range is too small for it.
   virtual std::string literal(const Rational& value) const = 0;
   // A literal in an array of constants: "Real(0.0825)", "0.0825f"; and "Real(-HUGE_VAL)", "-HUGE_VALF".
@@ -71,11 +70,11 @@ class Dialect {
   // The value of a free symbol of the robot: "parameters.m_1", "parameters->m_1".
   virtual std::string parameter(const std::string& member) const { return "parameters." + member; }
 
-  // Whether each sine and cosine is evaluated by itself, "Math.sin(q[2])". Otherwise a function reads all of them from
-  // arrays "sine" and "cosine", by index of the angle; it either fills these arrays first, or they are its arguments.
-  virtual bool evaluates_sines() const { return false; }
-  // One of them in an expression. `function`: "sin" or "cos"; `angle`: "q[2]".
-  virtual std::string angle_function(const std::string& function, int index, const std::string& angle) const;
+  // The answers that statements of functions depend on.
+  virtual LanguageTraits traits() const { return {}; }
+
+  // A sine or cosine that is evaluated by itself. `function`: "sin" or "cos"; `angle`: "q[2]".
+  virtual std::string angle_function(const std::string& function, const std::string& angle) const;
   // The statements that fill the arrays for the angles of these indices; empty if they are arguments.
   virtual std::string filled_sines(const std::set<int>& angles, const HeaderScope& scope) const;
   // Whether a function that needs sines and cosines has a variant with a name of its own that takes them as arguments.
@@ -88,16 +87,19 @@ class Dialect {
   virtual std::string number_output(const std::string& name) const;  // "Scalar& result", an array of one in C
   virtual std::string number_definition(const std::string& name) const { return array(name, 1); }  // in C++ "result"
   virtual std::string number_use(const std::string& name) const { return name + "[0]"; }           // in C++ "result"
-  // The type of a stage: "Motion<Scalar>". Only languages that have stages are asked.
+  // The type of a stage, "Motion<Scalar>", and the stage of a function that is a member of it. Only languages that have
+  // stages are asked.
   virtual std::string stage_type(const std::string& stage) const { return stage; }
+  virtual std::string own_stage() const { return ""; }
+  // An entry of an output that an earlier kernel has written: "detail::stored(tau, 3)".
+  virtual std::string written_entry(const std::string& output, int entry) const;
 
   // Declarations of local variables: the beginning, "const Scalar ", "const "; and an array, or a single number, that
   // is filled later: "Scalar ", and "kept[7]", in JavaScript "kept = new Float64Array(7)".
   virtual std::string constant() const { return "const " + scalar_ + " "; }
   virtual std::string arrays() const { return scalar_ + " "; }
   virtual std::string array(const std::string& name, std::size_t length) const;
-  // Whether there are vectors with a number of each limb, and the statement that introduces those with this many lanes.
-  virtual bool has_limbs() const { return false; }
+  // The statement that introduces vectors with a number of each limb that have this many lanes.
   virtual std::string limbs_definition([[maybe_unused]] int lanes) const { return ""; }
   virtual std::string condition_type() const { return "bool"; }
   virtual std::string always() const { return "true"; }
@@ -110,14 +112,6 @@ class Dialect {
   virtual std::string before_part() const { return ""; }                               // "template <class Scalar>\n"
   virtual std::string function_end() const { return ") {"; }                           // ") noexcept {"
   virtual std::string part_call(const std::string& name) const { return name + "("; }  // "detail::f_part_1("
-
-  // Which order of statements suits the target.
-  virtual Lives lives() const { return Lives::short_ones; }
-
-  // The number of lines that a function may have before it is written in parts, and the number of its lines beside the
-  // body. Compilers optimise best if they see as much as possible.
-  virtual int longest_function() const { return 4000; }
-  virtual int lines_around_body([[maybe_unused]] int arguments) const { return 4; }
 
   // Completes the text of a function, of which all but the declaration is written: its parameters, and what precedes or
   // follows from them.
@@ -132,10 +126,12 @@ class Dialect {
   virtual std::string declaration(const ConstantArray& array) const;  // empty if they are not declared apart
   // A loop of checks of entries from `first` to before `end`: for (int k = 0; k < 7; ++k) valid &= check;
   virtual std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const = 0;
-  // A loop of checks: for … valid &= pivots[k] > 0;
-  // A value that is positive if the rounded sum is above its first term: the sum less the term, where no flag of the
-  // language's compilers lets them reorder sums, which would make it the second term.
+  // Whether a call makes the value that is positive if a rounded sum is above its first term, and that call. Without
+  // one it is the sum less the term, which no flag of the language's compilers may reorder: that would make it the
+  // second term.
+  virtual bool has_excess() const { return false; }
   virtual std::string excess(const std::string& sum, const std::string& term) const;
+  // A loop of checks of all entries of an array: for … valid &= pivots[k] > 0;
   virtual std::string all_positive(const std::string& array, std::size_t length) const = 0;
 
  protected:

@@ -7,9 +7,11 @@
 #include <array>
 #include <set>
 
-#include "emit/arguments.hpp"
-#include "emit/function_body.hpp"
-#include "emit/kernel_parts.hpp"
+#include "emit/argument_text.hpp"
+#include "emit/printer.hpp"
+#include "lower/arguments.hpp"
+#include "lower/body.hpp"
+#include "lower/kernel_parts.hpp"
 
 namespace flatdyn {
 
@@ -31,7 +33,8 @@ class FunctionWriter {
         name_(name),
         scope_(scope),
         dialect_(scope.dialect),
-        body_(function_body(function, name, scope)) {}
+        printer_(scope),
+        body_(function_body(function, name, scope, printer_)) {}
 
   FunctionText text(const std::string& sin_cos_variant_name) const {
     FunctionText text;
@@ -42,8 +45,10 @@ class FunctionWriter {
     text.arguments = argument_lines(argument_rows());
     text.reads = reads_text();
     text.result = result_text();
-    text.body = body_.text;
-    text.parts = body_.parts;
+    text.body = printer_.text(body_.statements);
+    for (const code::Part& part : body_.parts) {
+      text.parts += (text.parts.empty() ? "" : "\n") + (dialect_.before_part() + printer_.text(part));
+    }
     text.uses_sign = body_.uses_sign;
     text.uses_sqrt = body_.uses_sqrt;
     text.uses_excess = body_.uses_excess;
@@ -187,6 +192,7 @@ class FunctionWriter {
   const std::string& name_;
   const HeaderScope& scope_;
   const Dialect& dialect_;
+  Printer printer_;
   FunctionBody body_;
 };
 

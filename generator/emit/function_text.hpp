@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "emit/function_body.hpp"
 #include "emit/header_scope.hpp"
 #include "graph/function.hpp"
+#include "lower/body.hpp"
 
 namespace flatdyn {
 

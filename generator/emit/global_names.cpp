@@ -5,7 +5,7 @@
 
 #include "emit/base_constants.hpp"
 #include "emit/joints.hpp"
-#include "emit/names.hpp"
+#include "lower/names.hpp"
 
 namespace flatdyn {
 namespace {

@@ -7,8 +7,8 @@
 #include <map>
 #include <vector>
 
-#include "emit/arguments.hpp"
 #include "emit/writer.hpp"
+#include "lower/arguments.hpp"
 
 namespace flatdyn {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/version.hpp"
-#include "emit/angles.hpp"
+#include "emit/angle_text.hpp"
 #include "emit/base_constants.hpp"
 #include "emit/facts.hpp"
 #include "emit/function_text.hpp"
@@ -16,11 +16,12 @@
 #include "emit/joints.hpp"
 #include "emit/licence.hpp"
 #include "emit/name_space.hpp"
-#include "emit/names.hpp"
 #include "emit/page.hpp"
 #include "emit/partial_output.hpp"
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
+#include "lower/angles.hpp"
+#include "lower/names.hpp"
 #include "model/identifiers.hpp"
 #include "model/inertia_bound.hpp"
 #include "model/loop_closure.hpp"
@@ -103,7 +104,7 @@ class PageWriter {
     scope_.fuses = options_.fuses;
     scope_.most_lines = options_.most_lines;
     scope_.proven_positions = positions_of_inertia_bound(mechanism_);
-    if (options_.limbs_in_lanes && dialect_.has_limbs()) scope_.limbs = limbs_of(mechanism_);
+    if (options_.limbs_in_lanes && scope_.language.has_lanes) scope_.limbs = limbs_of(mechanism_);
     scope_.names = names_.taken;
     for (const std::string& part : parts_of_namespace(namespace_)) scope_.names.insert(part);
     NameTable members({"Scalar", "Parameters", "Real", "restrict"});
@@ -207,7 +208,7 @@ class PageWriter {
   }
 
   void write_angles(data& header) {
-    const bool asks = content_.uses_trigonometry && !scope_.angles.empty() && !dialect_.evaluates_sines();
+    const bool asks = content_.uses_trigonometry && !scope_.angles.empty() && !scope_.language.evaluates_sines;
     header["angles?"] = asks;
     if (!asks) return;
     const std::string count =

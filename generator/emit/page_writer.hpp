@@ -8,8 +8,8 @@
 
 #include "emit/emit_options.hpp"
 #include "emit/page_dialect.hpp"
-#include "emit/stages.hpp"
 #include "graph/function.hpp"
+#include "lower/stages.hpp"
 #include "model/mechanism.hpp"
 
 namespace flatdyn {

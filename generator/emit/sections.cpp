@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "emit/arguments.hpp"
 #include "emit/literals.hpp"
 #include "emit/partial_output.hpp"
 #include "emit/writer.hpp"
 #include "graph/count.hpp"
+#include "lower/arguments.hpp"
 #include "passes/fuse_products.hpp"
 #include "symbolic/dynamics/euler_angles.hpp"
 

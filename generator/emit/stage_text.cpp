@@ -3,9 +3,9 @@
 
 #include <map>
 
-#include "emit/names.hpp"
 #include "emit/writer.hpp"
 #include "graph/count.hpp"
+#include "lower/names.hpp"
 #include "model/identifiers.hpp"
 #include "passes/fuse_products.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "emit/function_text.hpp"
-#include "emit/stages.hpp"
+#include "lower/stages.hpp"
 
 namespace flatdyn {
 

@@ -8,12 +8,12 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/version.hpp"
-#include "emit/arguments.hpp"
 #include "emit/literals.hpp"
 #include "emit/page.hpp"
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
 #include "firmware/test_vectors.hpp"
+#include "lower/arguments.hpp"
 #include "model/identifiers.hpp"
 #include "templates.hpp"
 

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "conventions/convention_header.hpp"
-#include "emit/kernel_parts.hpp"
-#include "emit/limbs.hpp"
 #include "emit/narrowed.hpp"
 #include "load/bad_input.hpp"
+#include "lower/kernel_parts.hpp"
+#include "lower/limbs.hpp"
 #include "planning/kernel_columns.hpp"
 #include "report/scene_report.hpp"
 #include "verify/kernel_proof.hpp"

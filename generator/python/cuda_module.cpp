@@ -9,7 +9,6 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/version.hpp"
-#include "emit/arguments.hpp"
 #include "emit/joints.hpp"
 #include "emit/languages/cuda_dialect.hpp"
 #include "emit/name_space.hpp"
@@ -18,6 +17,7 @@
 #include "emit/sections.hpp"
 #include "emit/text_hash.hpp"
 #include "emit/writer.hpp"
+#include "lower/arguments.hpp"
 #include "python/module.hpp"
 #include "symbolic/notation/coupled_text.hpp"
 #include "templates.hpp"

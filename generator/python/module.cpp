@@ -9,7 +9,6 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/version.hpp"
-#include "emit/arguments.hpp"
 #include "emit/base_constants.hpp"
 #include "emit/facts.hpp"
 #include "emit/global_names.hpp"
@@ -19,6 +18,7 @@
 #include "emit/text_hash.hpp"
 #include "emit/writer.hpp"
 #include "functions/units.hpp"
+#include "lower/arguments.hpp"
 #include "model/identifiers.hpp"
 #include "model/loop_closure.hpp"
 #include "python/module_names.hpp"

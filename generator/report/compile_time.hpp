@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "emit/emit_options.hpp"
-#include "emit/stages.hpp"
+#include "lower/stages.hpp"
 #include "planning/optimised_function.hpp"
 
 namespace flatdyn {

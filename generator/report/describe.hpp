@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "emit/stages.hpp"
 #include "load/loaded_robot.hpp"
+#include "lower/stages.hpp"
 #include "planning/optimised_function.hpp"
 #include "report/snap_report.hpp"
 #include "symbolic/parameters/parameter_frames.hpp"

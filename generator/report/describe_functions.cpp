@@ -5,8 +5,9 @@
 #include <algorithm>
 
 #include "diagnostics/table.hpp"
-#include "emit/arguments.hpp"
+#include "emit/argument_text.hpp"
 #include "emit/languages/cpp_dialect.hpp"
+#include "lower/arguments.hpp"
 #include "passes/fuse_products.hpp"
 #include "report/describe.hpp"
 #include "symbolic/notation/number_text.hpp"

@@ -8,9 +8,9 @@
 #include "bench/calls.hpp"
 #include "bench/sources.hpp"
 #include "bench/toolchain.hpp"
-#include "emit/arguments.hpp"
 #include "emit/languages/emit.hpp"
 #include "emit/page.hpp"
+#include "lower/arguments.hpp"
 #include "system/process.hpp"
 #include "templates.hpp"
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <optional>
 
-#include "emit/arguments.hpp"
 #include "emit/languages/emit.hpp"
+#include "lower/arguments.hpp"
 #include "model/identifiers.hpp"
 #include "system/process.hpp"
 #include "system/shared_library.hpp"

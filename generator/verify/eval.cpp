@@ -9,12 +9,12 @@
 #include <map>
 #include <optional>
 
-#include "emit/arguments.hpp"
 #include "flatdyn/reference/closed_loops.hpp"
 #include "functions/function_table.hpp"
 #include "input/csv/base_gravity.hpp"
 #include "input/csv/positions.hpp"
 #include "input/csv/text.hpp"
+#include "lower/arguments.hpp"
 #include "model/loop_closure.hpp"
 #include "reference/graph_evaluator.hpp"
 #include "reference/operational_values.hpp"

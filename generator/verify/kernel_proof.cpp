@@ -3,7 +3,7 @@
 
 #include "definition/exact.hpp"
 #include "diagnostics/diagnostics.hpp"
-#include "emit/kernel_parts.hpp"
+#include "lower/kernel_parts.hpp"
 
 namespace flatdyn {
 

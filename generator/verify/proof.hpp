@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "definition/as_read.hpp"
-#include "emit/stages.hpp"
 #include "functions/exact_proof.hpp"
 #include "graph/fusion.hpp"
+#include "lower/stages.hpp"
 #include "planning/optimised_function.hpp"
 #include "readback/emitted_text.hpp"
 #include "verify/written_code.hpp"

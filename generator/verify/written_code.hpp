@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "emit/emit_options.hpp"
-#include "emit/stages.hpp"
+#include "lower/stages.hpp"
 #include "model/mechanism.hpp"
 #include "readback/file_contents.hpp"
 

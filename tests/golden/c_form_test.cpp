@@ -10,9 +10,9 @@
 #include <cctype>
 #include <cstdlib>
 
-#include "emit/arguments.hpp"
 #include "emit/languages/emit.hpp"
 #include "golden/golden.hpp"
+#include "lower/arguments.hpp"
 #include "model/identifiers.hpp"
 #include "planning/make_functions.hpp"
 #include "support/given_sines.hpp"

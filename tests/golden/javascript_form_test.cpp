@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "deviation/expected.hpp"
-#include "emit/arguments.hpp"
 #include "emit/languages/emit.hpp"
 #include "golden/golden.hpp"
+#include "lower/arguments.hpp"
 #include "planning/make_functions.hpp"
 #include "reference/graph_evaluator.hpp"
 #include "support/robot_models.hpp"

@@ -8,10 +8,10 @@
 
 #include <cstdlib>
 
-#include "emit/arguments.hpp"
 #include "emit/languages/emit.hpp"
 #include "emit/writer.hpp"
 #include "golden/golden.hpp"
+#include "lower/arguments.hpp"
 #include "model/identifiers.hpp"
 #include "planning/make_functions.hpp"
 #include "support/given_sines.hpp"

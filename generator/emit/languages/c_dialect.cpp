@@ -5,14 +5,15 @@
 
 #include <algorithm>
 
-#include "emit/angles.hpp"
-#include "emit/arguments.hpp"
+#include "emit/angle_text.hpp"
 #include "emit/known_answer.hpp"
 #include "emit/literals.hpp"
 #include "emit/name_space.hpp"
 #include "emit/page.hpp"
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
+#include "lower/angles.hpp"
+#include "lower/arguments.hpp"
 #include "templates.hpp"
 
 namespace flatdyn {
@@ -129,12 +130,6 @@ std::string CDialect::parameters_argument() const { return "const " + exported("
 
 std::string CDialect::part_begin(const std::string& name) const { return "static void " + name + "("; }
 
-// Names are longer than in C++, and each argument that is not read takes a statement.
-int CDialect::lines_around_body(int arguments) const {
-  constexpr int kBesides = 6;
-  return kBesides + arguments;
-}
-
 // A function that needs sines and cosines is split in two: one takes them as arguments; the other one computes them and
 // calls it.
 void CDialect::declare(FunctionText& text, const UndeclaredFunction& function) const {
@@ -219,7 +214,7 @@ std::string CDialect::check_loop(std::size_t first, std::size_t end, const std::
 }
 
 std::string CDialect::all_positive(const std::string& array, std::size_t length) const {
-  return check_loop(0, length, fmt::format("{}[{}] > {}", array, kCounter, literal(0)));
+  return check_loop(0, length, fmt::format("{}[{}] > {}", array, code::kCounter, literal(0)));
 }
 
 std::vector<FileTemplate> CDialect::files() const { return {{".h", templates::header_h}, {".c", templates::source_c}}; }

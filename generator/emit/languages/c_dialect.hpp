@@ -23,10 +23,13 @@ class CDialect : public PageDialect {
 
   std::string count_name(const std::string& name) const override;
   std::vector<std::string> reserved() const override;
+  // Names are longer than in C++, and each argument that is not read takes a statement.
+  LanguageTraits traits() const override { return {.lines_around_body = 6, .lines_per_argument = 1}; }
   std::string literal(const Rational& value) const override;
   std::string infinity(bool negative) const override;
   std::string sign(const std::string& of) const override;
   std::string sqrt(const std::string& of) const override;
+  bool has_excess() const override { return true; }
   std::string excess(const std::string& sum, const std::string& term) const override;
   std::string fused(const std::string& a, const std::string& b, const std::string& c) const override;
   std::string parameter(const std::string& member) const override;
@@ -35,7 +38,6 @@ class CDialect : public PageDialect {
   std::string output(const std::string& name) const override;
   std::string parameters_argument() const override;
   std::string part_begin(const std::string& name) const override;
-  int lines_around_body(int arguments) const override;
   void declare(FunctionText& text, const UndeclaredFunction& function) const override;
   std::string count_definition(const std::string& name, int value) const override;
   bool declares_constants_apart() const override { return true; }

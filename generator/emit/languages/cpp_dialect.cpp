@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "emit/angles.hpp"
+#include "emit/angle_text.hpp"
 #include "emit/known_answer.hpp"
 #include "emit/languages/cpp_function.hpp"
 #include "emit/languages/cpp_pair.hpp"
@@ -15,6 +15,7 @@
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
 #include "flatdyn/interface.hpp"
+#include "lower/angles.hpp"
 #include "templates.hpp"
 
 namespace flatdyn {
@@ -108,9 +109,9 @@ std::string CppDialect::definition_begin(const ConstantArray& array) const {
 }
 
 std::string CppDialect::check_loop(std::size_t first, std::size_t end, const std::string& check) const {
-  return code_line(
-      fmt::format("for (int {0} = {1}; {0} < {2}; ++{0}) {3}{4};", kCounter, first, end, conditions_continue(), check),
-      kStatementIndent);
+  return code_line(fmt::format("for (int {0} = {1}; {0} < {2}; ++{0}) {3}{4};", code::kCounter, first, end,
+                               conditions_continue(), check),
+                   kStatementIndent);
 }
 
 std::string CppDialect::all_positive(const std::string& array, std::size_t) const {

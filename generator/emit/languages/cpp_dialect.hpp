@@ -17,11 +17,14 @@ class CppDialect : public PageDialect {
       : PageDialect("Scalar", ""), compiled_(std::move(compiled)) {}
 
   std::vector<std::string> reserved() const override;
+  LanguageTraits traits() const override { return {.fills_sines = true, .has_lanes = true}; }
+  bool encloses_literals() const override { return true; }
   std::string literal(const Rational& value) const override;
   std::string real_literal(const Rational& value) const override;
   std::string infinity(bool negative) const override;
   std::string sign(const std::string& of) const override;
   std::string sqrt(const std::string& of) const override;
+  bool has_excess() const override { return true; }
   std::string excess(const std::string& sum, const std::string& term) const override;
   std::string fused_begin() const override;
   // One call for the sines and cosines of all joints, so that they can be evaluated together.
@@ -31,8 +34,8 @@ class CppDialect : public PageDialect {
   std::string number_definition(const std::string& name) const override { return name; }
   std::string number_use(const std::string& name) const override { return name; }
   std::string stage_type(const std::string& stage) const override { return stage + "<Scalar>"; }
+  std::string own_stage() const override { return "*this"; }
   std::string part_begin(const std::string& name) const override { return "static void " + name + "("; }
-  bool has_limbs() const override { return true; }
   std::string limbs_definition(int lanes) const override;
   std::string before_part() const override { return "template <class Scalar>\n"; }
   std::string function_end() const override { return ") noexcept {"; }

@@ -256,7 +256,17 @@ std::vector<std::string> CudaDialect::reserved() const {
   return words;
 }
 
-int CudaDialect::longest_function() const { return std::numeric_limits<int>::max() / 8; }
+LanguageTraits CudaDialect::traits() const {
+  LanguageTraits traits = CppDialect::traits();
+  traits.lives = Lives::fewest;
+  traits.reads_parts = true;
+  traits.longest_function = std::numeric_limits<int>::max() / 8;
+  return traits;
+}
+
+std::string CudaDialect::written_entry(const std::string& output, int entry) const {
+  return fmt::format("detail::stored({}, {})", output, entry);
+}
 
 void CudaDialect::declare(FunctionText& text, const UndeclaredFunction& function) const {
   const std::vector<std::string> types = array_types(function.arguments);

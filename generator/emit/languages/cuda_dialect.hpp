@@ -21,9 +21,9 @@ class CudaDialect : public CppDialect {
   std::string part_begin(const std::string& name) const override { return "FLATDYN_FUNCTION void " + name + "("; }
   std::string before_part() const override { return "template <class Scalar, class In>\n"; }
   void declare(FunctionText& text, const UndeclaredFunction& function) const override;
-  Lives lives() const override { return Lives::fewest; }
   // Functions stay whole: a call within a kernel would put its arrays into memory.
-  int longest_function() const override;
+  LanguageTraits traits() const override;
+  std::string written_entry(const std::string& output, int entry) const override;
 
   std::string answering_scalar() const override { return ""; }
   std::vector<FileTemplate> files() const override;

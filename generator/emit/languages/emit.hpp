@@ -10,8 +10,8 @@
 #include "emit/emit_options.hpp"
 #include "emit/languages/javascript_dialect.hpp"
 #include "emit/page_dialect.hpp"
-#include "emit/stages.hpp"
 #include "graph/function.hpp"
+#include "lower/stages.hpp"
 #include "model/mechanism.hpp"
 
 namespace flatdyn {

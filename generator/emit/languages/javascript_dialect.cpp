@@ -143,7 +143,7 @@ std::string JavascriptDialect::sign(const std::string& of) const { return "Math.
 
 std::string JavascriptDialect::sqrt(const std::string& of) const { return "Math.sqrt(" + of + ")"; }
 
-std::string JavascriptDialect::angle_function(const std::string& function, int, const std::string& angle) const {
+std::string JavascriptDialect::angle_function(const std::string& function, const std::string& angle) const {
   return fmt::format("{}{}({})", sines_ == Sines::library ? "Math." : "", function, angle);
 }
 
@@ -169,7 +169,7 @@ std::string JavascriptDialect::check_loop(std::size_t first, std::size_t end, co
 }
 
 std::string JavascriptDialect::all_positive(const std::string& array, std::size_t length) const {
-  return check_loop(0, length, fmt::format("{}[{}] > {}", array, kCounter, literal(0)));
+  return check_loop(0, length, fmt::format("{}[{}] > {}", array, code::kCounter, literal(0)));
 }
 
 std::vector<FileTemplate> JavascriptDialect::files() const {

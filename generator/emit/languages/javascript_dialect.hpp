@@ -24,8 +24,9 @@ class JavascriptDialect : public PageDialect {
   std::string text(const std::string& value) const override;
   std::string sign(const std::string& of) const override;
   std::string sqrt(const std::string& of) const override;
-  bool evaluates_sines() const override { return true; }
-  std::string angle_function(const std::string& function, int index, const std::string& angle) const override;
+  // V8 gives up on functions of 60 kB of bytecode.
+  LanguageTraits traits() const override { return {.evaluates_sines = true, .longest_function = 1000}; }
+  std::string angle_function(const std::string& function, const std::string& angle) const override;
   std::string input(const std::string& name) const override { return name; }
   std::string output(const std::string& name) const override { return name; }
   std::string parameters_argument() const override { return "parameters"; }
@@ -35,8 +36,6 @@ class JavascriptDialect : public PageDialect {
   std::string conditions_begin() const override { return "let valid = "; }
   std::string conditions_continue() const override { return "valid &&= "; }
   std::string part_begin(const std::string& name) const override { return "function " + name + "("; }
-  // V8 gives up on functions of 60 kB of bytecode.
-  int longest_function() const override { return 1000; }
   void declare(FunctionText& text, const UndeclaredFunction& function) const override;
   std::string count_definition(const std::string& name, int value) const override;
   std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const override;

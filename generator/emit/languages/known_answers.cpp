@@ -7,9 +7,9 @@
 #include <map>
 #include <type_traits>
 
-#include "emit/angles.hpp"
 #include "emit/known_answer.hpp"
 #include "emit/writer.hpp"
+#include "lower/angles.hpp"
 #include "readback/emitted_text.hpp"
 #include "readback/execute.hpp"
 

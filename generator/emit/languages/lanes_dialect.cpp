@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "emit/arguments.hpp"
 #include "emit/page.hpp"
 #include "emit/sections.hpp"
 #include "emit/text_hash.hpp"
 #include "emit/writer.hpp"
+#include "lower/arguments.hpp"
 #include "templates.hpp"
 
 namespace flatdyn {

@@ -12,6 +12,7 @@ class LanesDialect : public CDialect {
  public:
   LanesDialect(const std::string& number, const std::string& name_space);
 
+  bool encloses_literals() const override { return true; }
   std::string literal(const Rational& value) const override;
   std::string sqrt(const std::string& of) const override;
   std::string parameter(const std::string& member) const override;

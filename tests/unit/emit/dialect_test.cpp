@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "diagnostics/diagnostics.hpp"
-#include "emit/expression.hpp"
 #include "emit/languages/c_dialect.hpp"
 #include "emit/languages/cpp_dialect.hpp"
 #include "emit/languages/emit.hpp"
@@ -61,27 +60,6 @@ TEST(Dialect, SpreadsNumbersOverLanes) {
   EXPECT_EQ(lanes.sqrt("x"), "arm_lanes_sqrt(x)");
   EXPECT_EQ(lanes.conditions_begin() + lanes.always(), "arm_lanes_mask valid = ~(arm_lanes_mask){0}");
   EXPECT_EQ(CDialect("float", "arm").conditions_begin() + CppDialect().always(), "bool valid = true");
-}
-
-TEST(Dialect, WritesExpressionsOfTheSameShape) {
-  testing::Builder b;
-  const VariableNames names = {"a"};
-  const NodeId a = b.q(0), scaled = b.scaled("-1/2", a);
-  VariableNames all(static_cast<std::size_t>(b.graph.size()));
-  all[static_cast<std::size_t>(a)] = "a";
-  EXPECT_EQ(ExpressionPrinter(b.graph, all, CDialect("float", "arm")).definition(scaled), "-0.5f * a");
-}
-
-// A C compiler reads "- -0.5f" correctly, but people should not have to.
-TEST(Dialect, NegativeConstantsNeverMeetASign) {
-  testing::Builder b;
-  const NodeId a = b.q(0), product = b.times({b.scaled("-1/2", a), b.q(1)});
-  VariableNames all(static_cast<std::size_t>(b.graph.size()));
-  all[static_cast<std::size_t>(a)] = "a";
-  all[static_cast<std::size_t>(b.q(1))] = "b";
-  const std::string text = ExpressionPrinter(b.graph, all, CDialect("double", "arm")).definition(product);
-  EXPECT_THAT(text, Not(HasSubstr("* -")));
-  EXPECT_THAT(text, HasSubstr("0.5"));
 }
 
 EmitOptions in_c() {

@@ -84,10 +84,16 @@ std::vector<std::string> names_twice(const std::vector<SourceFile>& files) {
   return twice;
 }
 
+// Whether the names of a header stand in a namespace of their own, so that others are written beside them.
+bool is_qualified(const SourceFile& header) {
+  return std::any_of(header.lines.begin(), header.lines.end(),
+                     [](const std::string& line) { return line.starts_with("namespace flatdyn::"); });
+}
+
 std::vector<std::string> names_that_hide_a_header(const std::vector<SourceFile>& files) {
   std::map<std::string, std::string> headers;  // by name
   for (const SourceFile& file : files) {
-    if (file.path.extension() != ".hpp") continue;
+    if (file.path.extension() != ".hpp" || is_qualified(file)) continue;
     for (const std::string& name : names_in(file.lines, false, declared_type)) headers.emplace(name, file.name);
   }
   std::vector<std::string> hidden;

@@ -36,7 +36,7 @@ const std::vector<HeavyHeader>& heavy_headers() {
 
 // The folders that see numbers and the standard library alone.
 const std::set<std::string>& folders_without_symbols() {
-  static const std::set<std::string> all = {"diagnostics", "graph", "numeric", "passes", "system"};
+  static const std::set<std::string> all = {"code", "diagnostics", "graph", "numeric", "passes", "system"};
   return all;
 }
 

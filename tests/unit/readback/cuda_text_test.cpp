@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnostics/diagnostics.hpp"
-#include "emit/kernel_parts.hpp"
+#include "lower/kernel_parts.hpp"
 #include "planning/kernel_columns.hpp"
 #include "readback/tokens.hpp"
 #include "support/printed_code.hpp"

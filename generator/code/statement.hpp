@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The statements of emitted functions, before any language.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "code/expression.hpp"
+
+namespace flatdyn::code {
+
+// Constants of the function, which belong together for a reader.
+struct Define {
+  struct Constant {
+    std::string name;
+    Expression value;
+  };
+  std::vector<Constant> constants;
+};
+
+// Arrays, and single numbers, that are filled later.
+struct Declare {
+  struct Array {
+    std::string name;
+    std::optional<std::size_t> length;  // nullopt: a single number
+  };
+  std::vector<Array> arrays;
+};
+
+// The structure that a function makes and returns.
+struct DeclareStage {
+  std::string type, name;
+};
+
+// The value is stored in all places.
+using Place = std::variant<Element, Number, Field>;
+struct Store {
+  std::vector<Place> places;
+  Expression value;
+};
+
+// The arrays "sine" and "cosine" are filled for the angles of these indices.
+struct FillSines {
+  std::set<int> angles;
+};
+
+// The variable of a function's verdict, and the counter of loops.
+inline constexpr const char *kValid = "valid", *kCounter = "k";
+
+// A condition that must hold for a result to mean something.
+struct Always {};
+struct Positive {
+  Expression value;
+};
+struct Finite {
+  Element entry;
+};
+using Condition = std::variant<Always, Positive, Finite>;
+
+// The condition is part of the function's verdict; `is_first`: the verdict begins with it.
+struct Check {
+  bool is_first = false;
+  Condition condition;
+};
+
+// All entries from `first` to before `end` are finite.
+struct CheckFinite {
+  std::string array;
+  std::size_t first = 0, end = 0;
+};
+
+// All entries are positive.
+struct CheckPositive {
+  std::string array;
+  std::size_t length = 0;
+};
+
+// An argument of a function.
+struct Argument {
+  enum class Role { parameters, stage, input, output, number, made_stage } role = Role::input;
+  std::string name;
+  std::string stage{};  // the type of a stage
+};
+
+// A function of the same file is called. `by_part`: by another such function, otherwise by the robot's function.
+struct CallPart {
+  std::string name;
+  std::vector<Argument> arguments;
+  bool by_part = false;
+};
+
+// The function returns a value, or its verdict.
+struct Return {
+  std::optional<Expression> value;  // nullopt: the verdict
+};
+
+// Vectors with a number of each limb: the type of those with this many lanes,
+struct UseLanes {
+  int lanes = 0;
+};
+// one that is put together from numbers,
+struct Gather {
+  int lanes = 0;
+  std::string name;
+  std::vector<Expression> numbers;
+};
+// and one that is computed.
+struct DefineLanes {
+  int lanes = 0;
+  std::string name;
+  Expression value;
+};
+
+using Statement = std::variant<Define, Declare, DeclareStage, Store, FillSines, Check, CheckFinite, CheckPositive,
+                               CallPart, Return, UseLanes, Gather, DefineLanes>;
+using Statements = std::vector<Statement>;
+
+// A function that only functions of the same file call.
+struct Part {
+  std::string name;
+  std::vector<Argument> arguments;
+  Statements statements;
+};
+
+}  // namespace flatdyn::code

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Questions about code that are answered by going through it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "code/statement.hpp"
+
+namespace flatdyn::code {
+
+// Whether the operation is anywhere in the statements.
+bool uses(const Statements& statements, Operation operation);
+
+// The names that a statement reads or stores: of variables; and of arrays, numbers, structures, and `kParameters` for
+// the values of free symbols. In the order of the text, repeated where they are.
+struct Names {
+  std::vector<std::string> variables, others;
+};
+inline constexpr const char* kParameters = "parameters";
+Names names_in(const Statement& statement);
+
+}  // namespace flatdyn::code

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Function → the statements of its function, before any language.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "code/statement.hpp"
+#include "graph/function.hpp"
+#include "lower/scope.hpp"
+
+namespace flatdyn {
+
+struct FunctionBody {
+  code::Statements statements;
+  std::vector<code::Part> parts;          // functions that it calls; none if it is short
+  std::vector<Input> inputs;              // the inputs that it reads, without those that an earlier stage has stored
+  std::vector<std::string> output_names;  // the outputs' names in the text
+  bool uses_sign = false, uses_sqrt = false, uses_excess = false, uses_fma = false, uses_limbs = false;
+  bool uses_positions = false;  // whether it reads entries of q other than for their sines and cosines
+  std::vector<int> angles;      // indices of the angles whose sines and cosines it takes
+  bool takes_sines = false, takes_cosines = false;
+  bool is_too_long = false;  // for one function
+
+  bool uses_trigonometry() const { return !angles.empty(); }
+};
+
+// `length`: how long the text will be, which decides whether it is divided.
+FunctionBody function_body(const Function& function, const std::string& name, const Scope& scope,
+                           const TextLength& length);
+
+}  // namespace flatdyn
