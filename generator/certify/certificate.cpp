@@ -14,6 +14,7 @@
 #include "emit/literals.hpp"
 #include "functions/units.hpp"
 #include "readback/emitted_text.hpp"
+#include "readback/language_reader.hpp"
 
 namespace flatdyn {
 namespace {
@@ -208,7 +209,7 @@ CertifiedFunction certify(const Mechanism& mechanism, const Function& function, 
 
 Certificate certify(const Mechanism& mechanism, const std::vector<Function>& functions, const std::string& header,
                     const CertifyOptions& options, Progress& progress) {
-  const EmittedText text(header);
+  const EmittedText text(header, cpp_reader());
   Certificate result{mechanism.name, options.scalar, asks_gappa(options), options, {}};
   for (std::size_t k = 0; k < functions.size(); ++k) {
     try {

@@ -12,6 +12,7 @@
 #include "emit/languages/emit.hpp"
 #include "graph/count.hpp"
 #include "input/common/content_hash.hpp"
+#include "readback/language_reader.hpp"
 #include "report/certificate_report.hpp"
 #include "report/json_text.hpp"
 #include "report/scene_report.hpp"
@@ -77,7 +78,7 @@ Certified certified(const CertifyArguments& arguments, const LoadedRobot& model,
   result.functions = functions_of(functions);
   const std::optional<Stages> no_stages;
   const WrittenCode code{model.mechanism, result.functions, no_stages, emit};
-  prove_text(EmittedText(result.text), code, seed);
+  prove_text(EmittedText(result.text, cpp_reader()), code, seed);
   result.contents = contents_of(code);
   result.certificate = certify(model.mechanism, result.functions, result.text, arguments.options, progress);
   const auto asks_sines = [](const OptimisedFunction& each) {

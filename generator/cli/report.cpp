@@ -7,6 +7,7 @@
 #include "cli/output_file.hpp"
 #include "emit/languages/emit.hpp"
 #include "functions/function_table.hpp"
+#include "readback/language_reader.hpp"
 #include "report/describe.hpp"
 #include "report/html/page.hpp"
 #include "verify/proof.hpp"
@@ -101,7 +102,7 @@ Certificate certificate_of(const LoadedRobot& model, const std::vector<Optimised
   options.observed.states = 100'000;
   options.time_limit = 0;
   const std::string text = emit_cpp(model.mechanism, functions_of(torques), {});
-  prove_text(EmittedText(text), {model.mechanism, functions_of(torques), std::nullopt, {}});
+  prove_text(EmittedText(text, cpp_reader()), {model.mechanism, functions_of(torques), std::nullopt, {}});
   Certificate certificate = certify(model.mechanism, functions_of(torques), text, options, progress);
   if (!is_refuted(certificate)) return certificate;
   throw Failure(ExitCode::verification_failed, "a bound is wrong: a larger error was seen",
@@ -146,7 +147,7 @@ ExitCode report(const ReportArguments& arguments) {
   if (!arguments.with.empty()) content.certificate = certificate_of(model, code.functions, progress);
   EmitOptions form;
   form.language = Language::javascript;
-  prove_text(EmittedText(code.text, "number"),
+  prove_text(EmittedText(code.text, javascript_reader()),
              {model.mechanism, functions_of(code.functions), std::nullopt, form, false}, proof_seed({code.text}));
   print_diagnostics(model.diagnostics, arguments);
   nlohmann::ordered_json json = model_json(model, content.snap_effects);

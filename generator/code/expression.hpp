@@ -36,7 +36,8 @@ struct Number {
   std::string name;
 };
 
-// The value of a free symbol of the robot.
+// The value of a free symbol of the robot, a field of the structure of this name.
+inline constexpr const char* kParameters = "parameters";
 struct Parameter {
   std::string name;
 };

@@ -27,6 +27,7 @@ struct Declare {
   struct Array {
     std::string name;
     std::optional<std::size_t> length;  // nullopt: a single number
+    std::string count{};                // the constant that is the length: "joint_count"; empty: its digits are written
   };
   std::vector<Array> arrays;
 };
@@ -43,13 +44,19 @@ struct Store {
   Expression value;
 };
 
-// The arrays "sine" and "cosine" are filled for the angles of these indices.
+// The arrays "sine" and "cosine" are filled for the angles of these indices in an array.
 struct FillSines {
+  std::string array;
   std::set<int> angles;
 };
 
 // The variable of a function's verdict, and the counter of loops.
 inline constexpr const char *kValid = "valid", *kCounter = "k";
+
+// An argument that the function does not read.
+struct Ignore {
+  std::string name;
+};
 
 // A condition that must hold for a result to mean something.
 struct Always {};
@@ -87,10 +94,11 @@ struct Argument {
 };
 
 // A function of the same file is called. `by_part`: by another such function, otherwise by the robot's function.
+// `is_returned`: the caller returns what it returns.
 struct CallPart {
   std::string name;
   std::vector<Argument> arguments;
-  bool by_part = false;
+  bool by_part = false, is_returned = false;
 };
 
 // The function returns a value, or its verdict.
@@ -116,7 +124,7 @@ struct DefineLanes {
 };
 
 using Statement = std::variant<Define, Declare, DeclareStage, Store, FillSines, Check, CheckFinite, CheckPositive,
-                               CallPart, Return, UseLanes, Gather, DefineLanes>;
+                               CallPart, Return, Ignore, UseLanes, Gather, DefineLanes>;
 using Statements = std::vector<Statement>;
 
 // A function that only functions of the same file call.

@@ -17,7 +17,6 @@ bool uses(const Statements& statements, Operation operation);
 struct Names {
   std::vector<std::string> variables, others;
 };
-inline constexpr const char* kParameters = "parameters";
 Names names_in(const Statement& statement);
 
 }  // namespace flatdyn::code

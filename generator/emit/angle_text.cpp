@@ -10,25 +10,10 @@
 #include "symbolic/notation/number_text.hpp"
 
 namespace flatdyn {
-namespace {
-
-std::string name_of_angles(const HeaderScope& scope) { return scope.dialect.global("angles"); }
-
-}  // namespace
-
-std::string angle_count_name(const HeaderScope& scope) {
-  if (!scope.angles.empty()) return scope.dialect.count_name("angle_count");
-  const int of_base = scope.floating_base ? 6 : 0;
-  return scope.dialect.count_name(of_base + scope.positions == scope.joints ? "joint_count" : "position_count");
-}
-
-std::string angles_call(const HeaderScope& scope) {
-  return Printer(scope).text({code::CallPart{name_of_angles(scope), arguments_of_angles()}});
-}
 
 std::string angles_definition(const HeaderScope& scope) {
   std::string text;
-  for (const code::Part& part : parts_of_angles(name_of_angles(scope), scope)) {
+  for (const code::Part& part : parts_of_angles(scope.dialect.global(kFunctionOfAngles), scope)) {
     text += (text.empty() ? "" : "\n" + scope.dialect.before_part()) + Printer(scope).text(part);
   }
   return without_newline(text);

@@ -9,12 +9,7 @@
 
 namespace flatdyn {
 
-// The name of the number of angles.
-std::string angle_count_name(const HeaderScope& scope);
-
-// The call "detail::angles(q, angle);", and the definition of the function, which fills the array. Needed only if there
-// are angles beside the entries of q.
-std::string angles_call(const HeaderScope& scope);
+// The definition of the function that fills the array of angles. Needed only if there are some beside those of q.
 std::string angles_definition(const HeaderScope& scope);
 
 // Lines of comment that list these angles.

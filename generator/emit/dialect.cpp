@@ -22,7 +22,7 @@ std::string Dialect::fused(const std::string& a, const std::string& b, const std
   return fmt::format("fma({}, {}, {})", a, b, c);
 }
 
-std::string Dialect::filled_sines(const std::set<int>&, const HeaderScope&) const { return ""; }
+std::string Dialect::filled_sines(const std::string&, const std::set<int>&) const { return ""; }
 
 std::string Dialect::input(const std::string& name) const { return "const " + scalar_ + "* " + name; }
 
@@ -30,7 +30,7 @@ std::string Dialect::output(const std::string& name) const { return scalar_ + "*
 
 std::string Dialect::number_output(const std::string& name) const { return output(name); }
 
-std::string Dialect::array(const std::string& name, std::size_t length) const {
+std::string Dialect::array(const std::string& name, const std::string& length) const {
   return fmt::format("{}[{}]", name, length);
 }
 

@@ -75,8 +75,8 @@ class Dialect {
 
   // A sine or cosine that is evaluated by itself. `function`: "sin" or "cos"; `angle`: "q[2]".
   virtual std::string angle_function(const std::string& function, const std::string& angle) const;
-  // The statements that fill the arrays for the angles of these indices; empty if they are arguments.
-  virtual std::string filled_sines(const std::set<int>& angles, const HeaderScope& scope) const;
+  // The statements that fill the arrays of sines and cosines for the angles of these indices in an array.
+  virtual std::string filled_sines(const std::string& array, const std::set<int>& angles) const;
   // Whether a function that needs sines and cosines has a variant with a name of its own that takes them as arguments.
   virtual bool has_given_variants() const { return false; }
 
@@ -85,8 +85,8 @@ class Dialect {
   virtual std::string output(const std::string& name) const;         // "Scalar* tau", in C "double* restrict tau"
   virtual std::string parameters_argument() const = 0;               // "const Parameters<Scalar>& parameters"
   virtual std::string number_output(const std::string& name) const;  // "Scalar& result", an array of one in C
-  virtual std::string number_definition(const std::string& name) const { return array(name, 1); }  // in C++ "result"
-  virtual std::string number_use(const std::string& name) const { return name + "[0]"; }           // in C++ "result"
+  virtual std::string number_definition(const std::string& name) const { return array(name, "1"); }  // in C++ "result"
+  virtual std::string number_use(const std::string& name) const { return name + "[0]"; }             // in C++ "result"
   // The type of a stage, "Motion<Scalar>", and the stage of a function that is a member of it. Only languages that have
   // stages are asked.
   virtual std::string stage_type(const std::string& stage) const { return stage; }
@@ -98,7 +98,9 @@ class Dialect {
   // is filled later: "Scalar ", and "kept[7]", in JavaScript "kept = new Float64Array(7)".
   virtual std::string constant() const { return "const " + scalar_ + " "; }
   virtual std::string arrays() const { return scalar_ + " "; }
-  virtual std::string array(const std::string& name, std::size_t length) const;
+  virtual std::string array(const std::string& name, const std::string& length) const;
+  // The statement that mentions a parameter that is not read, where compilers warn of it: "(void)qd;".
+  virtual std::string ignored(const std::string& name) const { return "(void)" + name + ";"; }
   // The statement that introduces vectors with a number of each limb that have this many lanes.
   virtual std::string limbs_definition([[maybe_unused]] int lanes) const { return ""; }
   virtual std::string condition_type() const { return "bool"; }

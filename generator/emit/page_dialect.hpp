@@ -42,8 +42,8 @@ class PageDialect : public Dialect {
   virtual std::vector<FileTemplate> files() const = 0;
   // Whether an output may overlap an input, since all inputs are read first; the page says so.
   virtual bool outputs_may_overlap_inputs() const { return false; }
-  // The type of variables, by which the text is read back, if it has a known answer; else empty.
-  virtual std::string answering_scalar() const { return ""; }
+  // Whether the text has the hash of its functions' results at a known state.
+  virtual bool has_known_answer() const { return false; }
   // A member of the parameters with its unit: "m_1;  // kg", in JavaScript "m_1 - kg".
   virtual std::string member(const std::string& name, const std::string& unit) const;
   // Fills in what the language's templates need of a function, beside what all need.

@@ -159,7 +159,12 @@ std::string Printer::line(const code::Define& define) const {
 std::string Printer::line(const code::Declare& declare) const {
   std::vector<std::string> items;
   for (const code::Declare::Array& each : declare.arrays) {
-    items.push_back(each.length ? dialect_.array(each.name, *each.length) : dialect_.number_definition(each.name));
+    if (!each.length) {
+      items.push_back(dialect_.number_definition(each.name));
+      continue;
+    }
+    const std::string digits = std::to_string(*each.length);
+    items.push_back(dialect_.array(each.name, each.count.empty() ? digits : dialect_.count_name(each.count)));
   }
   return list_line(dialect_.arrays(), items, ";", kStatementIndent);
 }
@@ -190,7 +195,7 @@ std::string Printer::line(const code::Store& store) const {
   return lines;
 }
 
-std::string Printer::line(const code::FillSines& fill) const { return dialect_.filled_sines(fill.angles, scope_); }
+std::string Printer::line(const code::FillSines& fill) const { return dialect_.filled_sines(fill.array, fill.angles); }
 
 // NaN compares false, and & does not branch. Zero times x is zero if x is finite, and else not a number.
 std::string Printer::condition(const code::Condition& condition) const {
@@ -223,12 +228,17 @@ std::string Printer::line(const code::CallPart& call) const {
     const bool is_own = each.role == code::Argument::Role::stage && !call.by_part;
     passed.push_back(is_own ? dialect_.own_stage() : each.name);
   }
-  return list_line(call.by_part ? call.name + "(" : dialect_.part_call(call.name), passed, ");", kStatementIndent);
+  const std::string begin = call.by_part ? call.name + "(" : dialect_.part_call(call.name);
+  return list_line((call.is_returned ? "return " : "") + begin, passed, ");", kStatementIndent);
 }
 
 std::string Printer::line(const code::Return& give_back) const {
   return code_line(fmt::format("return {};", give_back.value ? text(*give_back.value) : code::kValid),
                    kStatementIndent);
+}
+
+std::string Printer::line(const code::Ignore& ignore) const {
+  return code_line(dialect_.ignored(ignore.name), kStatementIndent);
 }
 
 std::string Printer::line(const code::UseLanes& use) const {

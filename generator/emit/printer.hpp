@@ -47,6 +47,7 @@ class Printer : public TextLength {
   std::string line(const code::CheckPositive& check) const;
   std::string line(const code::CallPart& call) const;
   std::string line(const code::Return& give_back) const;
+  std::string line(const code::Ignore& ignore) const;
   std::string line(const code::UseLanes& use) const;
   std::string line(const code::Gather& gather) const;
   std::string line(const code::DefineLanes& define) const;

@@ -16,6 +16,7 @@
 #include "model/angles.hpp"
 #include "model/rounded_up.hpp"
 #include "readback/emitted_text.hpp"
+#include "readback/language_reader.hpp"
 #include "reference/graph_evaluator.hpp"
 
 namespace flatdyn {
@@ -69,7 +70,7 @@ EmittedText text_of(const Mechanism& mechanism, const std::vector<Function>& fun
   EmitOptions options;
   options.scalar = form.scalar;
   options.fuses = form.fuses;
-  return EmittedText(emit_cpp(mechanism, functions, options));
+  return EmittedText(emit_cpp(mechanism, functions, options), cpp_reader());
 }
 
 class VectorMaker {

@@ -72,4 +72,21 @@ std::vector<code::Part> parts_of_angles(const std::string& name, const Scope& sc
   return parts;
 }
 
+std::string angle_count_name(const Scope& scope) {
+  if (!scope.angles.empty()) return "angle_count";
+  const int of_base = scope.floating_base ? 6 : 0;
+  return of_base + scope.positions == scope.joints ? "joint_count" : "position_count";
+}
+
+code::Statements filling_sines(const std::set<int>& angles, const std::string& function, const Scope& scope) {
+  const std::string count = angle_count_name(scope);
+  code::Declare arrays;
+  if (!scope.angles.empty()) arrays.arrays.push_back({kAngles, scope.angle_count(), count});
+  for (const char* name : {kSines, kCosines}) arrays.arrays.push_back({name, scope.angle_count(), count});
+  code::Statements statements = {std::move(arrays)};
+  if (!scope.angles.empty()) statements.emplace_back(code::CallPart{function, arguments_of_angles()});
+  statements.emplace_back(code::FillSines{angle_array(scope), angles});
+  return statements;
+}
+
 }  // namespace flatdyn

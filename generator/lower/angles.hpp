@@ -13,6 +13,9 @@
 
 namespace flatdyn {
 
+// The function that fills the array of angles, if there are others than those of q, before a language's prefix.
+inline constexpr const char* kFunctionOfAngles = "angles";
+
 // The arrays of sines and cosines.
 inline constexpr const char *kSines = "sine", *kCosines = "cosine";
 
@@ -33,5 +36,11 @@ std::string angle_array(const Scope& scope);
 // it comes last and calls those before it.
 std::vector<code::Argument> arguments_of_angles();
 std::vector<code::Part> parts_of_angles(const std::string& name, const Scope& scope);
+
+// The name of the constant that is the number of angles.
+std::string angle_count_name(const Scope& scope);
+
+// The statements that make and fill the arrays of these sines and cosines. `function`: as the language names it.
+code::Statements filling_sines(const std::set<int>& angles, const std::string& function, const Scope& scope);
 
 }  // namespace flatdyn

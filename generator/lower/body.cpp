@@ -301,7 +301,7 @@ class BodyMaker {
   // All sines and cosines in arrays. If they are evaluated one by one, only several parts need the arrays.
   code::Statements sines_in_arrays(bool of_parts) const {
     if (angles_.empty()) return {};
-    if (scope_.language.fills_sines) return {code::FillSines{angles_}};
+    if (scope_.language.fills_sines) return filling_sines(angles_, kFunctionOfAngles, scope_);
     if (!scope_.language.evaluates_sines || !of_parts) return {};
     const std::size_t count = scope_.angle_count();
     code::Statements statements = {code::Declare{{{kSines, count}, {kCosines, count}}}};

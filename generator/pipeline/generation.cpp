@@ -10,6 +10,7 @@
 #include "lower/kernel_parts.hpp"
 #include "lower/limbs.hpp"
 #include "planning/kernel_columns.hpp"
+#include "readback/language_reader.hpp"
 #include "report/scene_report.hpp"
 #include "verify/kernel_proof.hpp"
 
@@ -44,7 +45,7 @@ std::string emit_and_read_back(GenerationResult& result) {
   result.files = emit_code(mechanism, functions_of_text(result), result.form, result.stages);
   std::string text;
   for (const GeneratedFile& file : result.files) text += file.text;
-  result.read_back = EmittedText(text, dialect_of(mechanism, result.form)->scalar());
+  result.read_back = EmittedText(text, reader_of(result.form));
   return text;
 }
 

@@ -3,35 +3,52 @@
 
 #include <algorithm>
 
+#include "diagnostics/diagnostics.hpp"
 #include "emit/literals.hpp"
+#include "readback/execution.hpp"
+#include "readback/language_reader.hpp"
 #include "readback/scan.hpp"
-#include "readback/text_reader.hpp"
 
 namespace flatdyn {
 
-EmittedText::EmittedText(const std::string& text, const std::string& scalar)
-    : notation_(notation_of(scalar)), tokens_(tokens_of(text)) {
-  ScannedText found = scan(tokens_, scalar);
+EmittedText::EmittedText(const std::string& text, AnyLanguageReader language)
+    : language_(std::move(language)), tokens_(tokens_of(text)) {
+  ScannedText found = language_->scan(tokens_);
+  scalar_ = language_->scalar(found);
+  verdict_ = language_->verdict(found);
   functions_ = std::move(found.functions);
   parts_ = std::move(found.parts);
   fields_ = std::move(found.fields);
   counts_ = std::move(found.counts);
-  if (notation_.has_lanes) name_lanes(found.lanes, notation_);
 }
+
+std::string EmittedText::constants() const { return language_->constants(); }
 
 const ScannedCount* EmittedText::count(const std::string& name) const {
   const auto found = counts_.find(name);
   return found == counts_.end() ? nullptr : &found->second;
 }
 
+const ScannedCount& EmittedText::count_of_angles() const {
+  for (const char* name : {"angle_count", "position_count", "joint_count"}) {
+    if (const ScannedCount* found = count(name)) return *found;
+  }
+  throw Failure(ExitCode::bug, "emitted text cannot be read back: no count of joints");
+}
+
+const std::vector<std::string>* EmittedText::fields(const std::string& structure) const {
+  const auto found = fields_.find(structure);
+  return found == fields_.end() ? nullptr : &found->second;
+}
+
 // The function with the types of its parameters, which in JavaScript follow from their order.
 ScannedFunction EmittedText::as_called(std::size_t k, const Function& like) const {
   ScannedFunction written = functions_.at(k);
-  if (notation_.names_types) return written;
+  if (language_->names_types()) return written;
   const bool has_symbols = !written.parameters.empty() && written.parameters.front().name == "parameters";
   const bool is_value = written.parameters.size() == like.inputs.size() + (has_symbols ? 1 : 0);
   const bool is_checked = written.end - written.begin > 2 && tokens_[written.end - 3].text == "return";
-  written.returns = is_value ? notation_.scalar : is_checked ? "bool" : "void";
+  written.returns = is_value ? scalar_ : is_checked ? "bool" : "void";
   const std::size_t outputs = is_value ? 0 : like.outputs.size();
   for (std::size_t p = written.parameters.size() - std::min(outputs, written.parameters.size());
        p < written.parameters.size(); ++p) {
@@ -42,7 +59,7 @@ ScannedFunction EmittedText::as_called(std::size_t k, const Function& like) cons
 
 StraightLine EmittedText::operations(std::size_t k, const Function& like) const {
   const ScannedFunction written = as_called(k, like);
-  return TextReader(*this, written, like).read();
+  return Execution(*this, written, like).run();
 }
 
 Function EmittedText::read(std::size_t k, const Function& like) const { return graph_of(operations(k, like), like); }

@@ -2,29 +2,18 @@
 // Emitted code, read back. Properties of a graph hold for the text that people compile only if the text says the same;
 // so it is read by a parser that shares nothing with the printer, and compared.
 //
-//   statement   const Scalar x = sum, …;   B[1] = B[7] = sum;   stage.x1 = sum;   return sum;   detail::f_part_1(…);
-//               Scalar sine[joint_count], cosine[joint_count];   sin_cos(q, Joints<1, 2>(), sine, cosine);
-//               Configuration<Scalar> stage;   constexpr detail::MultiplyAdd<Scalar> fma{};
-//               static_assert(detail::Interface::checked<Scalar>());
-//               and the checks of text_conditions.cpp
-//   sum         [-] product {(+|-) product}
-//   product     factor {(*|/) factor}
-//   factor      x   q[2]   parameters.m1   Scalar(0.0825)   detail::sign(sum)   fma(sum, sum, sum)   (sum)
-//
-// In C the type's name replaces Scalar, and 0.0825 or 0.0825f the literal; there are parameters->m1 and arm_sign(sum);
-// and a function that needs sines and cosines calls the one that takes them as arguments. In JavaScript no type is
-// named; Math.sin(q[2]) and Math.sign(sum) may be factors. There is no other statement, and each is refused where it is
-// not written: an entry of an output is written once, inputs are read before that, results are returned at the end.
+// The grammar of statements is body_parser.hpp's, with a table for each language (language_reader.hpp); execution.hpp
+// carries them out and refuses each where it is not written.
 //
 // read_file() reads everything around the functions (file_contents.hpp).
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "graph/function.hpp"
-#include "readback/notation.hpp"
 #include "readback/straight_line.hpp"
 #include "readback/tokens.hpp"
 
@@ -50,15 +39,21 @@ struct ScannedCount {
   int value = 0;
 };
 
+class LanguageReader;
+using AnyLanguageReader = std::shared_ptr<const LanguageReader>;
+
 class EmittedText {
  public:
-  // A header, followed by its source if there is one, or a module. `scalar`: the type of variables, which tells the
-  // language: "Scalar" in C++, "double" or "float" in C, "number" in JavaScript. Throws Failure(bug) if the emitter
-  // cannot have written the text.
-  explicit EmittedText(const std::string& text, const std::string& scalar = "Scalar");
+  // A header, followed by its source if there is one, or a module, in the reader's language. Throws Failure(bug) if the
+  // emitter cannot have written the text.
+  EmittedText(const std::string& text, AnyLanguageReader language);
 
+  const LanguageReader& language() const { return *language_; }
+  // The type of variables, "Scalar", and that of a function's verdict, "bool".
+  const std::string& scalar() const { return scalar_; }
+  const std::string& verdict() const { return verdict_; }
   // The type to which constants are rounded: "double" or "float". C++ is printed with constants in double.
-  const std::string& constants() const { return notation_.constants; }
+  std::string constants() const;
 
   // The functions of the robot's namespace, in their order, members of stages included.
   const std::vector<ScannedFunction>& functions() const { return functions_; }
@@ -69,6 +64,11 @@ class EmittedText {
   // The count "joint_count", "position_count" or "angle_count"; nullptr: there is none.
   const ScannedCount* count(const std::string& name) const;
 
+  // The number of angles whose sines and cosines there are. Throws Failure(bug) if the text does not say it.
+  const ScannedCount& count_of_angles() const;
+  // The fields of a struct of this name; nullptr: there is none.
+  const std::vector<std::string>* fields(const std::string& structure) const;
+
   // Function k as it is executed, with the outputs of `like`. Throws Failure(bug) if the text is not such a function.
   StraightLine operations(std::size_t k, const Function& like) const;
 
@@ -77,10 +77,10 @@ class EmittedText {
   Function read(std::size_t k, const Function& like) const;
 
  private:
-  friend class TextReader;
   ScannedFunction as_called(std::size_t k, const Function& like) const;
 
-  EmittedNotation notation_;
+  AnyLanguageReader language_;
+  std::string scalar_, verdict_;
   std::vector<Token> tokens_;
   std::vector<ScannedFunction> functions_;
   std::map<std::string, ScannedFunction> parts_;

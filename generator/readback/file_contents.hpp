@@ -44,11 +44,9 @@ struct FileLoops {
 };
 
 struct FileContents {
-  Language language = Language::cpp;
   Form form = Form::header;
   Sines sines = Sines::polynomials;
   bool is_module = true;                 // in JavaScript: exports names instead of returning them
-  bool is_over_states = false;           // in C: functions over arrays of states, after the header
   std::string file_name;                 // without ending
   std::vector<std::string> name_spaces;  // those that the text may have
   std::string scalar;                    // of constants

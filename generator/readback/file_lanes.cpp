@@ -79,7 +79,7 @@ class LanesFile : public CFile {
     expect(kLanesTransposes);
     const auto is_checked = [](const FileFunction& each) { return !each.function->validity_conditions.empty(); };
     if (!std::any_of(contents_.functions.begin(), contents_.functions.end(), is_checked)) return;
-    fill("verdict", kValid);
+    fill("verdict", code::kValid);
     expect(kLanesNoNumber);
   }
 
@@ -149,7 +149,7 @@ class LanesFile : public CFile {
     if (!function.function->validity_conditions.empty()) {
       expect("const $mask$");
       verdict_ = take();
-      if (verdict_ != kValid) fail("an unknown verdict");
+      if (verdict_ != code::kValid) fail("an unknown verdict");
       expect("=");
     }
     expect(fmt::format("{}({});", prefixed(function.name), list));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "readback/file_reader.hpp"
+#include "readback/language_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -291,17 +292,6 @@ void FileReader::note_called(const ScannedFunction& function, std::set<std::stri
   }
 }
 
-void read_file(const EmittedText& text, const FileContents& contents) {
-  switch (contents.language) {
-    case Language::cpp:
-      return read_cpp_file(text, contents);
-    case Language::c:
-      return contents.is_over_states ? read_lanes_file(text, contents) : read_c_file(text, contents);
-    case Language::cuda:
-      return read_cuda_file(text, contents);
-    case Language::javascript:
-      return read_javascript_file(text, contents);
-  }
-}
+void read_file(const EmittedText& text, const FileContents& contents) { text.language().read_file(text, contents); }
 
 }  // namespace flatdyn

@@ -27,10 +27,7 @@ inline bool is_helper_function(const std::string& name) {
   return name.ends_with("rounding_is_as_written") || name.ends_with("close_loops") || name.ends_with("text_hash");
 }
 
-// Scans text whose variables have this type, which tells its language. Throws Failure(bug) if the emitter cannot have
-// written the text; so do the following functions, one for each language.
-ScannedText scan(const std::vector<Token>& tokens, const std::string& scalar);
-
+// Each of these, one for each language, throws Failure(bug) if the emitter cannot have written the text.
 // Scans a C++ header, followed by its source if there is one.
 ScannedText scan_cpp(const std::vector<Token>& tokens);
 

@@ -11,6 +11,7 @@
 #include "passes/passes.hpp"
 #include "planning/formulations.hpp"
 #include "readback/emitted_text.hpp"
+#include "readback/language_reader.hpp"
 #include "readback/straight_line_values.hpp"
 #include "system/process.hpp"
 
@@ -78,7 +79,7 @@ OneRobot::OneRobot(const PlainRobot& robot, unsigned seed, bool is_usual, const 
   EmitOptions emit;
   emit.name_space = name_space_;
   header_ = emit_cpp(model_.mechanism, functions_, emit);
-  const EmittedText text(header_);
+  const EmittedText text(header_, cpp_reader());
   for (std::size_t k = 0; k < functions_.size(); ++k) {
     lines_.push_back(text.operations(k, functions_[k]));
     expected_.push_back(reference_->of(functions_[k]));

@@ -12,6 +12,7 @@
 
 #include "definition/exact.hpp"
 #include "emit/languages/emit.hpp"
+#include "readback/language_reader.hpp"
 #include "readback/unreadable_text.hpp"
 
 namespace flatdyn {
@@ -239,7 +240,7 @@ bool HeldReport::passed() const {
 HeldReport compare_held(const std::string& held, const EmittedText& own, const WrittenCode& code, std::uint64_t seed) {
   HeldReport report;
   try {
-    const EmittedText text(held, dialect_of(code.mechanism, code.options)->scalar());
+    const EmittedText text(held, reader_of(code.options));
     report = HeldComparison(text, own, functions_in_text(code), seed).run();
     read_as_a_file(text, code, report);
   } catch (const UnreadableText& failure) {

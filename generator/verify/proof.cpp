@@ -3,6 +3,7 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "input/common/content_hash.hpp"
+#include "readback/language_reader.hpp"
 
 namespace flatdyn {
 namespace {
@@ -82,8 +83,7 @@ void prove_text(const EmittedText& text, const WrittenCode& code, std::uint64_t 
 }
 
 void prove_batch(const std::string& header, const std::string& batch, WrittenCode code, std::uint64_t seed) {
-  code.is_over_states = true;
-  prove_text(EmittedText(header + batch, "lanes " + code.options.scalar), code, seed);
+  prove_text(EmittedText(header + batch, lanes_reader(code.options.scalar)), code, seed);
 }
 
 }  // namespace flatdyn

@@ -171,11 +171,9 @@ FileContents contents_of(const WrittenCode& code) {
   const Mechanism& mechanism = code.mechanism;
   const EmitOptions& options = code.options;
   FileContents contents;
-  contents.language = options.language;
   contents.form = options.form;
   contents.sines = options.sines;
   contents.is_module = code.is_module;
-  contents.is_over_states = code.is_over_states;
   const std::string name = cpp_identifier(mechanism.name);
   contents.file_name = options.file_name.empty() ? name : options.file_name;
   contents.name_spaces = {options.name_space};

@@ -17,8 +17,7 @@ struct WrittenCode {
   const std::vector<Function>& functions;  // the fused one last
   const std::optional<Stages>& stages;
   const EmitOptions& options;
-  bool is_module = true;        // in JavaScript: exports names instead of returning them
-  bool is_over_states = false;  // in C: the header and the functions over arrays of states
+  bool is_module = true;  // in JavaScript: exports names instead of returning them
 };
 
 // All functions of the text, members of stages included, in its order.

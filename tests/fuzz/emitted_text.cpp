@@ -2,6 +2,7 @@
 #include "readback/emitted_text.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "fuzz/readers.hpp"
+#include "readback/language_reader.hpp"
 
 namespace flatdyn::testing {
 namespace {
@@ -38,9 +39,9 @@ void read_text_bytes(std::string_view bytes) {
     }
   };
   const std::string text(bytes);
-  read([&] { return EmittedText(text); });
-  read([&] { return EmittedText(text, "double"); });
-  read([&] { return EmittedText(text, "number"); });
+  read([&] { return EmittedText(text, cpp_reader()); });
+  read([&] { return EmittedText(text, c_reader("double")); });
+  read([&] { return EmittedText(text, javascript_reader()); });
 }
 
 }  // namespace flatdyn::testing

@@ -8,6 +8,7 @@
 
 #include "emit/languages/emit.hpp"
 #include "planning/make_functions.hpp"
+#include "readback/language_reader.hpp"
 #include "verify/held_code.hpp"
 #include "verify/proof.hpp"
 
@@ -38,13 +39,13 @@ class PrintedCode {
   }
 
   void prove(const std::string& text, const EmitOptions& options) const {
-    const EmittedText read(text, dialect_of(model_.mechanism, options)->scalar());
+    const EmittedText read(text, reader_of(options));
     prove_text(read, {model_.mechanism, functions_, stages_in(options), options});
   }
 
   // Compares a text that is held with `own` of the same options.
   HeldReport compare(const std::string& held, const std::string& own, const EmitOptions& options) const {
-    const EmittedText read(own, dialect_of(model_.mechanism, options)->scalar());
+    const EmittedText read(own, reader_of(options));
     const std::optional<Stages> stages = stages_in(options);
     return compare_held(held, read, {model_.mechanism, functions_, stages, options}, 1);
   }

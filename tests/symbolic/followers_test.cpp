@@ -16,6 +16,7 @@
 #include "model/states.hpp"
 #include "planning/formulations.hpp"
 #include "readback/emitted_text.hpp"
+#include "readback/language_reader.hpp"
 #include "reference/reference_model.hpp"
 #include "support/identified_arm.hpp"
 #include "support/robot_models.hpp"
@@ -315,7 +316,7 @@ TEST(FollowerByAFraction, HasItsAnglesInPartsWhereFunctionsAreShort) {
     ++functions;
   }
   EXPECT_EQ(functions, 3);
-  EXPECT_EQ(EmittedText(header).operations(0, function).outputs.size(), 1U);
+  EXPECT_EQ(EmittedText(header, cpp_reader()).operations(0, function).outputs.size(), 1U);
 }
 
 // The reference loses as much: the angle itself is rounded.

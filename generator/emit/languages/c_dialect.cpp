@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "emit/angle_text.hpp"
 #include "emit/known_answer.hpp"
 #include "emit/literals.hpp"
 #include "emit/name_space.hpp"
 #include "emit/page.hpp"
+#include "emit/printer.hpp"
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
 #include "lower/angles.hpp"
@@ -54,16 +54,16 @@ std::vector<Argument> with_sines(const UndeclaredFunction& function) {
 }
 
 // Statements like "(void)qd;", which silence compilers: in C every parameter has a name.
-std::string unread(const std::vector<Argument>& arguments) {
-  std::string text;
+std::string unread(const std::vector<Argument>& arguments, const HeaderScope& scope) {
+  code::Statements statements;
   for (const Argument& argument : arguments) {
-    if (!argument.is_used) text += code_line(fmt::format("(void){};", argument.name), kStatementIndent);
+    if (!argument.is_used) statements.emplace_back(code::Ignore{argument.name});
   }
-  return text;
+  return Printer(scope).text(statements);
 }
 
 // The angles that are needed, as first and last index of each run of consecutive ones.
-std::vector<std::pair<int, int>> runs_of(const std::vector<int>& angles) {
+std::vector<std::pair<int, int>> runs_of(const std::set<int>& angles) {
   std::vector<std::pair<int, int>> runs;
   for (const int angle : angles) {
     if (!runs.empty() && runs.back().second + 1 == angle) {
@@ -136,14 +136,17 @@ void CDialect::declare(FunctionText& text, const UndeclaredFunction& function) c
   text.declared = parameters(function.arguments, false);
   text.parameters = parameters(function.arguments, true);
   if (!function.body.uses_trigonometry()) {
-    text.body = unread(function.arguments) + text.body;
+    text.body = unread(function.arguments, function.scope) + text.body;
     return;
   }
   const std::vector<Argument> arguments = with_sines(function);
-  SinCosVariant given{function.sin_cos_variant_name, parameters(arguments, true),
-                      parameters(arguments, false),  {},
-                      angle_array(function.scope),   "",
-                      unread(arguments) + text.body};
+  SinCosVariant given{function.sin_cos_variant_name,
+                      parameters(arguments, true),
+                      parameters(arguments, false),
+                      {},
+                      angle_array(function.scope),
+                      "",
+                      unread(arguments, function.scope) + text.body};
   for (const Argument& argument : arguments) given.arguments.push_back(argument.name);
   text.body = asking_body(function, text.returns, given);
   text.sin_cos_variant = std::move(given);
@@ -175,21 +178,25 @@ std::string CDialect::sized(const Argument& argument, bool restricts) const {
 // The body of the function that computes sines and cosines and calls `given`; records in `given` which ones it takes.
 std::string CDialect::asking_body(const UndeclaredFunction& function, const std::string& returns,
                                   SinCosVariant& given) const {
-  const HeaderScope& scope = function.scope;
-  const std::string count = angle_count_name(scope);
-  const bool has_others = !scope.angles.empty();
-  std::string text = code_line(
-      fmt::format("{0} {2}sine[{1}], cosine[{1}];", scalar(), count, has_others ? "angle[" + count + "], " : ""),
-      kStatementIndent);
-  if (has_others) text += angles_call(scope);
-  for (const auto& [first, last] : runs_of(function.body.angles)) {
-    text += code_line(fmt::format("{}({}, {}, {}, sine, cosine);", global("sines_and_cosines"), given.of, first, last),
-                      kStatementIndent);
+  const std::set<int> angles(function.body.angles.begin(), function.body.angles.end());
+  code::Statements statements = filling_sines(angles, global(kFunctionOfAngles), function.scope);
+  code::CallPart call{given.name, {}, false, returns != "void"};
+  for (const std::string& argument : given.arguments) call.arguments.push_back({code::Argument::Role::input, argument});
+  statements.emplace_back(std::move(call));
+  for (const auto& [first, last] : runs_of(angles)) {
     given.joints += (given.joints.empty() ? "" : ", ") + std::to_string(first);
     if (last > first) given.joints += ".." + std::to_string(last);
   }
-  const char* const give_back = returns == "void" ? "" : "return ";
-  return text + list_line(fmt::format("{}{}(", give_back, given.name), given.arguments, ");", kStatementIndent);
+  return Printer(function.scope).text(statements);
+}
+
+std::string CDialect::filled_sines(const std::string& array, const std::set<int>& angles) const {
+  std::string text;
+  for (const auto& [first, last] : runs_of(angles)) {
+    text += code_line(fmt::format("{}({}, {}, {}, sine, cosine);", global("sines_and_cosines"), array, first, last),
+                      kStatementIndent);
+  }
+  return text;
 }
 
 std::string CDialect::count_definition(const std::string& name, int value) const {

@@ -33,6 +33,7 @@ class CDialect : public PageDialect {
   std::string excess(const std::string& sum, const std::string& term) const override;
   std::string fused(const std::string& a, const std::string& b, const std::string& c) const override;
   std::string parameter(const std::string& member) const override;
+  std::string filled_sines(const std::string& array, const std::set<int>& angles) const override;
   bool has_given_variants() const override { return true; }
   // Definitions declare outputs `restrict`; declarations, which C++ reads too, do not.
   std::string output(const std::string& name) const override;
@@ -45,7 +46,7 @@ class CDialect : public PageDialect {
   std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const override;
   std::string all_positive(const std::string& array, std::size_t length) const override;
 
-  std::string answering_scalar() const override { return scalar(); }
+  bool has_known_answer() const override { return true; }
   std::vector<FileTemplate> files() const override;
   void write_function(kainjow::mustache::data& item, const Function& function, const FunctionText& text) const override;
   void write_page(kainjow::mustache::data& page, const CodeContent& content) const override;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "emit/angle_text.hpp"
 #include "emit/known_answer.hpp"
 #include "emit/languages/cpp_function.hpp"
 #include "emit/languages/cpp_pair.hpp"
@@ -15,7 +14,6 @@
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
 #include "flatdyn/interface.hpp"
-#include "lower/angles.hpp"
 #include "templates.hpp"
 
 namespace flatdyn {
@@ -86,13 +84,8 @@ std::string CppDialect::limbs_definition(int lanes) const {
   return fmt::format("using {0}{1} = detail::{0}<Scalar, {1}>;", kLimbs, lanes);
 }
 
-std::string CppDialect::filled_sines(const std::set<int>& angles, const HeaderScope& scope) const {
-  const std::string count = angle_count_name(scope);
-  const bool has_others = !scope.angles.empty();
-  return code_line(fmt::format("Scalar {1}sine[{0}], cosine[{0}];", count, has_others ? "angle[" + count + "], " : ""),
-                   kStatementIndent) +
-         (has_others ? angles_call(scope) : "") +
-         code_line(fmt::format("sin_cos({}, Joints<{}>(), sine, cosine);", angle_array(scope), fmt::join(angles, ", ")),
+std::string CppDialect::filled_sines(const std::string& array, const std::set<int>& angles) const {
+  return code_line(fmt::format("sin_cos({}, Joints<{}>(), sine, cosine);", array, fmt::join(angles, ", ")),
                    kStatementIndent);
 }
 

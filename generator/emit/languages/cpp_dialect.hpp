@@ -28,7 +28,7 @@ class CppDialect : public PageDialect {
   std::string excess(const std::string& sum, const std::string& term) const override;
   std::string fused_begin() const override;
   // One call for the sines and cosines of all joints, so that they can be evaluated together.
-  std::string filled_sines(const std::set<int>& angles, const HeaderScope& scope) const override;
+  std::string filled_sines(const std::string& array, const std::set<int>& angles) const override;
   std::string parameters_argument() const override { return "const Parameters<Scalar>& parameters"; }
   std::string number_output(const std::string& name) const override { return "Scalar& " + name; }
   std::string number_definition(const std::string& name) const override { return name; }
@@ -45,7 +45,7 @@ class CppDialect : public PageDialect {
   std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const override;
   std::string all_positive(const std::string& array, std::size_t length) const override;
 
-  std::string answering_scalar() const override { return "Scalar"; }
+  bool has_known_answer() const override { return true; }
   std::vector<FileTemplate> files() const override;
   bool outputs_may_overlap_inputs() const override { return true; }
   void write_function(kainjow::mustache::data& item, const Function& function, const FunctionText& text) const override;

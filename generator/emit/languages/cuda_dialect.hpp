@@ -25,7 +25,7 @@ class CudaDialect : public CppDialect {
   LanguageTraits traits() const override;
   std::string written_entry(const std::string& output, int entry) const override;
 
-  std::string answering_scalar() const override { return ""; }
+  bool has_known_answer() const override { return false; }
   std::vector<FileTemplate> files() const override;
   void write_function(kainjow::mustache::data& item, const Function& function, const FunctionText& text) const override;
   void write_page(kainjow::mustache::data& page, const CodeContent& content) const override;

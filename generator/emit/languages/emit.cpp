@@ -11,20 +11,19 @@
 #include "emit/languages/lanes_dialect.hpp"
 #include "emit/name_space.hpp"
 #include "emit/page_writer.hpp"
+#include "readback/language_reader.hpp"
 
 namespace flatdyn {
 namespace {
 
 HeaderAndSource two_files(const std::vector<std::string>& texts) { return {texts.at(0), texts.at(1)}; }
 
-// The texts with their known answers, if the dialect has any.
-std::vector<std::string> with_answers(const PageDialect& dialect, const Mechanism& mechanism,
-                                      const std::vector<Function>& functions, const EmitOptions& options,
-                                      const std::optional<Stages>& stages = std::nullopt) {
+// The texts with their known answers, if the dialect has any; they are computed from the text as it is read.
+std::vector<std::string> with_answers(const PageDialect& dialect, const AnyLanguageReader& reader,
+                                      const Mechanism& mechanism, const std::vector<Function>& functions,
+                                      const EmitOptions& options, const std::optional<Stages>& stages = std::nullopt) {
   std::vector<std::string> texts = emitted(dialect, mechanism, functions, options, stages);
-  if (const std::string scalar = dialect.answering_scalar(); !scalar.empty()) {
-    fill_in_known_answers(mechanism, functions, scalar, texts);
-  }
+  if (dialect.has_known_answer()) fill_in_known_answers(mechanism, functions, reader, texts);
   return texts;
 }
 
@@ -52,7 +51,8 @@ std::unique_ptr<const PageDialect> dialect_of(const Mechanism& mechanism, const 
 std::vector<GeneratedFile> emit_code(const Mechanism& mechanism, const std::vector<Function>& functions,
                                      const EmitOptions& options, const std::optional<Stages>& stages) {
   const std::unique_ptr<const PageDialect> dialect = dialect_of(mechanism, options);
-  const std::vector<std::string> texts = with_answers(*dialect, mechanism, functions, options, stages);
+  const std::vector<std::string> texts =
+      with_answers(*dialect, reader_of(options), mechanism, functions, options, stages);
   const std::vector<FileTemplate> templates = dialect->files();
   std::vector<GeneratedFile> files;
   for (std::size_t k = 0; k < texts.size(); ++k) {
@@ -67,16 +67,18 @@ std::string header_name(const Mechanism& mechanism, const EmitOptions& options) 
 
 std::string emit_cpp(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
                      const std::optional<Stages>& stages) {
-  return with_answers(CppDialect(), mechanism, functions, options, stages).front();
+  return with_answers(CppDialect(), cpp_reader(), mechanism, functions, options, stages).front();
 }
 
 HeaderAndSource emit_cpp_pair(const Mechanism& mechanism, const std::vector<Function>& functions,
                               const EmitOptions& options, const std::optional<Stages>& stages) {
-  return two_files(with_answers(CppDialect(compiled_scalars(options)), mechanism, functions, options, stages));
+  return two_files(
+      with_answers(CppDialect(compiled_scalars(options)), cpp_reader(), mechanism, functions, options, stages));
 }
 
 HeaderAndSource emit_c(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options) {
-  return two_files(with_answers(c_dialect_of(mechanism, options), mechanism, functions, options));
+  return two_files(
+      with_answers(c_dialect_of(mechanism, options), c_reader(options.scalar), mechanism, functions, options));
 }
 
 std::vector<StraightCall> straight_calls(const Mechanism& mechanism, const std::vector<Function>& functions,

@@ -147,7 +147,7 @@ std::string JavascriptDialect::angle_function(const std::string& function, const
   return fmt::format("{}{}({})", sines_ == Sines::library ? "Math." : "", function, angle);
 }
 
-std::string JavascriptDialect::array(const std::string& name, std::size_t length) const {
+std::string JavascriptDialect::array(const std::string& name, const std::string& length) const {
   return fmt::format("{} = new Float64Array({})", name, length);
 }
 

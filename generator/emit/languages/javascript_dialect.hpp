@@ -32,7 +32,7 @@ class JavascriptDialect : public PageDialect {
   std::string parameters_argument() const override { return "parameters"; }
   std::string constant() const override { return "const "; }
   std::string arrays() const override { return "const "; }
-  std::string array(const std::string& name, std::size_t length) const override;
+  std::string array(const std::string& name, const std::string& length) const override;
   std::string conditions_begin() const override { return "let valid = "; }
   std::string conditions_continue() const override { return "valid &&= "; }
   std::string part_begin(const std::string& name) const override { return "function " + name + "("; }

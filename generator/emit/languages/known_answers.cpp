@@ -101,11 +101,11 @@ std::string answer(const std::vector<StraightLine>& functions, int angles) {
 }  // namespace
 
 void fill_in_known_answers(const Mechanism& mechanism, const std::vector<Function>& functions,
-                           const std::string& scalar, std::vector<std::string>& texts) {
+                           const AnyLanguageReader& language, std::vector<std::string>& texts) {
   if (functions.empty()) return;
   std::string whole;
   for (const std::string& text : texts) whole += text;
-  const EmittedText text(whole, scalar);
+  const EmittedText text(whole, language);
   std::vector<StraightLine> operations;
   for (std::size_t k = 0; k < functions.size(); ++k) {
     operations.push_back(with_given_sines(text.operations(k, functions[k])));

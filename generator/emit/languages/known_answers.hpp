@@ -8,11 +8,12 @@
 
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
+#include "readback/emitted_text.hpp"
 
 namespace flatdyn {
 
-// Fills the answers into texts that belong together. `scalar`: the type of variables in the text, "Scalar" in C++.
+// Fills the answers into texts that belong together, which the reader of their language reads.
 void fill_in_known_answers(const Mechanism& mechanism, const std::vector<Function>& functions,
-                           const std::string& scalar, std::vector<std::string>& texts);
+                           const AnyLanguageReader& language, std::vector<std::string>& texts);
 
 }  // namespace flatdyn

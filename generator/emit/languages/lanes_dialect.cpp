@@ -61,11 +61,12 @@ class BatchFunction {
 
   std::string blocks() const {
     std::vector<std::string> items;
-    for (const ArrayArgument& input : text_.inputs) items.push_back(dialect_.array(block(input), input.length));
+    for (const ArrayArgument& input : text_.inputs)
+      items.push_back(dialect_.array(block(input), std::to_string(input.length)));
     for (std::size_t k = 0; k < results_.size(); ++k) {
       // Entries that a scene leaves out are not written.
       const char* const initial = function_.outputs[k].left_out.empty() ? "" : " = {{0}}";
-      items.push_back(dialect_.array(block(results_[k]), results_[k].length) + initial);
+      items.push_back(dialect_.array(block(results_[k]), std::to_string(results_[k].length)) + initial);
     }
     return list_line(dialect_.arrays(), items, ";", kInLoop);
   }

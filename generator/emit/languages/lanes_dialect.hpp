@@ -19,7 +19,7 @@ class LanesDialect : public CDialect {
   std::string condition_type() const override;
   std::string always() const override;
 
-  std::string answering_scalar() const override { return ""; }
+  bool has_known_answer() const override { return false; }
   std::vector<FileTemplate> files() const override;
   // A function over arrays takes states as rows and writes results as rows.
   void write_function(kainjow::mustache::data& item, const Function& function, const FunctionText& text) const override;

@@ -10,6 +10,7 @@
 #include "load/load_robot.hpp"
 #include "passes/passes.hpp"
 #include "readback/emitted_text.hpp"
+#include "readback/language_reader.hpp"
 #include "readback/straight_line_values.hpp"
 #include "support/floating_robots.hpp"
 #include "support/limited_robots.hpp"
@@ -161,7 +162,7 @@ TEST(StraightLine, IsWhatTheCompiledTextDoes) {
   const Mechanism mechanism = testing::limited_robot("puma560.toml");
   const std::vector<Function> functions = functions_to_certify(mechanism, {"inverse_dynamics", "forward_dynamics"});
   const CompiledFunctions compiled(mechanism, functions, Sines::library);
-  const EmittedText text(emit_cpp(mechanism, functions, {}));
+  const EmittedText text(emit_cpp(mechanism, functions, {}), cpp_reader());
   for (std::size_t f = 0; f < functions.size(); ++f) {
     const StraightLine lines = text.operations(f, functions[f]);
     for (const State& state : random_states(mechanism, 50, 1)) {
@@ -177,7 +178,7 @@ TEST(StraightLine, IsWhatTheCompiledTextDoes) {
 TEST(Norms, AreAboveResultsAndDerivatives) {
   const Mechanism mechanism = testing::limited_robot("rx90.toml");
   const std::vector<Function> functions = functions_to_certify(mechanism, {"inverse_dynamics"});
-  const StraightLine text = EmittedText(emit_cpp(mechanism, functions, {})).operations(0, functions[0]);
+  const StraightLine text = EmittedText(emit_cpp(mechanism, functions, {}), cpp_reader()).operations(0, functions[0]);
   const RoundingModel model{rounding_format("double"), 0x1p-53, [](double) { return 1e-16; }};
   ErrorAnalysis analysis(text, model, input_limits(mechanism));
   analysis.error_of(text.outputs[0][1]);

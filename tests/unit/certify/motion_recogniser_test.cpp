@@ -13,6 +13,7 @@
 #include "load/load_robot.hpp"
 #include "passes/passes.hpp"
 #include "readback/emitted_text.hpp"
+#include "readback/language_reader.hpp"
 #include "readback/straight_line_values.hpp"
 #include "support/fast_states.hpp"
 #include "support/limited_robots.hpp"
@@ -29,7 +30,7 @@ class ReadMotions {
       : mechanism_(mechanism),
         function_(run_passes(derive_function(mechanism, "inverse_dynamics"))),
         constants_(function_),
-        text_(EmittedText(emit_cpp(mechanism, {function_}, {})).operations(0, function_)) {}
+        text_(EmittedText(emit_cpp(mechanism, {function_}, {}), cpp_reader()).operations(0, function_)) {}
 
   std::unique_ptr<MotionRecogniser> motions() const {
     return std::make_unique<MotionRecogniser>(mechanism_, input_limits(mechanism_),

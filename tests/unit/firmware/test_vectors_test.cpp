@@ -13,6 +13,7 @@
 #include "emit/languages/emit.hpp"
 #include "planning/make_functions.hpp"
 #include "readback/emitted_text.hpp"
+#include "readback/language_reader.hpp"
 #include "readback/straight_line_values.hpp"
 #include "support/robot_models.hpp"
 
@@ -87,7 +88,7 @@ double largest_error(const Made& of, std::size_t begin, std::size_t end) {
   const ExpectedValues values(of.model.robot, of.model.mechanism, 1);
   const Function& function = of.functions.front();
   const Expected expected = values.of(function);
-  const StraightLine lines = EmittedText(of.header).operations(0, function);
+  const StraightLine lines = EmittedText(of.header, cpp_reader()).operations(0, function);
   double largest = 0;
   for (std::size_t k = begin; k < end; ++k) {
     const State& state = of.vectors.states[k];

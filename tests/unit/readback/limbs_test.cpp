@@ -5,6 +5,7 @@
 #include <random>
 
 #include "diagnostics/diagnostics.hpp"
+#include "readback/language_reader.hpp"
 #include "readback/straight_line_values.hpp"
 #include "support/printed_code.hpp"
 #include "support/robot_models.hpp"
@@ -50,7 +51,7 @@ State some_state(int joints, unsigned seed) {
 }
 
 std::vector<double> executed(const PrintedCode& code, const EmitOptions& options, const State& state) {
-  const EmittedText text(code.text(options));
+  const EmittedText text(code.text(options), cpp_reader());
   return outputs_of(text.operations(0, code.functions().front()), state);
 }
 
