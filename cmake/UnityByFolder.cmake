@@ -6,7 +6,7 @@
 option(FLATDYN_UNITY_BUILD "Compile sources of one folder together" ON)
 
 # flatdyn_unity_by_folder(TARGET SIZE SOURCES...): compiles at most SIZE sources of a folder together; other sources
-# stay alone.
+# stay alone. The small folders in languages/ are one.
 function(flatdyn_unity_by_folder target size)
   if(NOT FLATDYN_UNITY_BUILD)
     return()
@@ -14,6 +14,7 @@ function(flatdyn_unity_by_folder target size)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   foreach(source IN LISTS ARGN)
     cmake_path(GET source PARENT_PATH folder)
+    string(REGEX REPLACE "/languages/[a-z]+$" "/languages" folder ${folder})
     cmake_path(GET folder FILENAME folder)
     if(NOT DEFINED ${folder}_count)
       set(${folder}_count 0)

@@ -8,9 +8,9 @@
 
 #include "bench/calls.hpp"
 #include "bench/stage_steps.hpp"
-#include "emit/languages/emit.hpp"
 #include "emit/page.hpp"
 #include "emit/writer.hpp"
+#include "languages/emit.hpp"
 #include "lower/arguments.hpp"
 #include "model/identifiers.hpp"
 #include "templates.hpp"

@@ -13,8 +13,8 @@
 #include "diagnostics/diagnostics.hpp"
 #include "emit/literals.hpp"
 #include "functions/units.hpp"
+#include "languages/readers.hpp"
 #include "readback/emitted_text.hpp"
-#include "readback/language_reader.hpp"
 
 namespace flatdyn {
 namespace {

@@ -6,11 +6,11 @@
 #include "cli/commands.hpp"
 #include "cli/delivery.hpp"
 #include "cli/held_header.hpp"
-#include "cli/languages.hpp"
 #include "conventions/convention_header.hpp"
 #include "diagnostics/version.hpp"
 #include "firmware/folder.hpp"
 #include "input/common/content_hash.hpp"
+#include "languages/language_table.hpp"
 #include "pipeline/generation.hpp"
 #include "pipeline/pass_dump.hpp"
 #include "python/cuda_module.hpp"
@@ -104,13 +104,13 @@ void choose_for_firmware(GenerateArguments& arguments) {
 
 // Requires a language with forms for a pair, and a pair for more than one scalar.
 void check_form(const GenerateArguments& arguments) {
-  const LanguageChoice& language = language_choice(arguments.language);
-  if (arguments.form_given->count() > 0 && !language.has_form) {
+  const LanguageRow& language = language_row(arguments.language);
+  if (arguments.form_given->count() > 0 && !language.has_pair) {
     throw Failure(ExitCode::usage, fmt::format("--form: {} has one form only", language.name), "leave it out");
   }
   if (arguments.scalars.size() == 1 || arguments.is_pair()) return;
   throw Failure(ExitCode::usage, "--scalar: one is enough here",
-                language.has_form
+                language.has_pair
                     ? "a header is a template over its scalar: name that of its constants; or use --form pair"
                     : "name one, and run it again with another --name and --namespace for the other");
 }
@@ -122,7 +122,9 @@ void check_stdout(const GenerateArguments& arguments) {
   if (arguments.delivery.check || arguments.delivery.dry_run || !arguments.delivery.depfile.empty()) {
     throw Failure(ExitCode::usage, "-o -: --check, --dry-run and --depfile are about files", "name a folder");
   }
-  if (!language_choice(arguments.language).is_one_file || arguments.is_pair() || arguments.python) {
+  const LanguageRow& language = language_row(arguments.language);
+  const bool has_several = language.has_source || arguments.is_pair();
+  if (has_several || arguments.python) {
     throw Failure(ExitCode::usage, "-o -: several files result, and stdout has room for one",
                   "name a folder; a header in C++ or CUDA and a module in JavaScript are one file");
   }
@@ -137,7 +139,7 @@ void check_stdout(const GenerateArguments& arguments) {
 // Requires a language and a target that have fused multiply-adds.
 void check_fma(const GenerateArguments& arguments) {
   if (!arguments.fuses) return;
-  const LanguageChoice& language = language_choice(arguments.language);
+  const LanguageRow& language = language_row(arguments.language);
   if (!language.has_fma || (arguments.python && arguments.language == "c")) {
     throw Failure(ExitCode::usage,
                   arguments.python ? "--fma: the module for Python is without fused multiply-adds"
@@ -154,8 +156,8 @@ void check_fma(const GenerateArguments& arguments) {
 // Requires C++ without fused operations for limbs in the lanes of vectors.
 void check_limbs(const GenerateArguments& arguments) {
   if (!arguments.has_lanes()) return;
-  if (arguments.language != "c++") {
-    throw Failure(ExitCode::usage, fmt::format("--limbs lanes: not in {}", language_choice(arguments.language).name),
+  if (!language_row(arguments.language).has_lanes) {
+    throw Failure(ExitCode::usage, fmt::format("--limbs lanes: not in {}", language_row(arguments.language).name),
                   "leave it out, or use C++");
   }
   if (arguments.fuses) {
@@ -170,8 +172,8 @@ void check_conventions(const GenerateArguments& arguments) {
     if (std::find(names.begin(), name, *name) == name) continue;
     throw Failure(ExitCode::usage, "--convention: \"" + *name + "\" is asked for twice", "name it once");
   }
-  if (arguments.conventions.empty() || arguments.language == "c++") return;
-  throw Failure(ExitCode::usage, fmt::format("--convention: not in {}", language_choice(arguments.language).name),
+  if (arguments.conventions.empty() || language_row(arguments.language).has_conventions) return;
+  throw Failure(ExitCode::usage, fmt::format("--convention: not in {}", language_row(arguments.language).name),
                 "leave it out, or use C++");
 }
 
@@ -185,10 +187,12 @@ void check_usage(const GenerateArguments& arguments) {
   if (arguments.fused.size() == 1) {
     throw Failure(ExitCode::usage, "--fuse: one function is no set", "name two or more, separated by commas");
   }
-  const LanguageChoice& language = language_choice(arguments.language);
-  if (language.language == Language::cuda && arguments.most_lines > 0) {
-    throw Failure(ExitCode::usage, "--max-lines: functions of CUDA stay whole, as calls within a kernel are slow",
-                  "leave it out");
+  const LanguageRow& language = language_row(arguments.language);
+  if (!language.has_parts && arguments.most_lines > 0) {
+    throw Failure(
+        ExitCode::usage,
+        fmt::format("--max-lines: functions of {} stay whole, as calls within a kernel are slow", language.name),
+        "leave it out");
   }
   if (!language.has_stages && !arguments.staged.empty()) {
     throw Failure(ExitCode::usage, fmt::format("--stages: there are none in {}", language.name),
@@ -212,7 +216,7 @@ GenerationOptions generation_options(const GenerateArguments& arguments) {
   options.form.name_space = arguments.name_space;
   options.form.scalar = arguments.scalars.front();
   options.form.most_lines = arguments.most_lines;
-  options.form.language = language_choice(arguments.language).language;
+  options.form.language = language_row(arguments.language).language;
   options.form.file_name = arguments.file_name;
   options.form.form = arguments.is_pair() ? Form::pair : Form::header;
   options.form.sines = arguments.sincos == "library" ? Sines::library : Sines::polynomials;
@@ -278,7 +282,7 @@ std::vector<GeneratedFile> companions(GenerationResult& result, const GenerateAr
       files.push_back({file.name, file.text});
     }
   }
-  if (result.form.language == Language::javascript) {
+  if (language_row(result.form.language).has_types_apart) {
     files.push_back({std::filesystem::path(result.files[0].name).replace_extension(".d.ts").string(),
                      emit_javascript_types(robot.mechanism, functions, result.form)});
   }

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "diagnostics/version.hpp"
+#include "languages/language_table.hpp"
 #include "report/held_code_report.hpp"
 #include "report/json_text.hpp"
 #include "system/process.hpp"
@@ -213,7 +214,7 @@ void OptionsGiven::replace_in(RobotArguments& stamped) const {
 ExitCode verify_header(const std::string& header, const OptionsGiven& given) {
   HeldFiles files(header);
   const GenerationOptions options = options_of(files, given);
-  if (options.form.language == Language::c) files.add_source(".c");
+  if (language_row(options.form.language).has_source) files.add_source(".c");
   if (options.form.form == Form::pair) files.add_source(".cpp");
   std::optional<GenerationResult> own;
   HeldReport report;

@@ -9,7 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
-#include "cli/languages.hpp"
+#include "languages/language_table.hpp"
 #include "cli/usage.hpp"
 #include "diagnostics/exit_codes.hpp"
 #include "diagnostics/version.hpp"

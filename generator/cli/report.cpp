@@ -5,9 +5,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "emit/languages/emit.hpp"
 #include "functions/function_table.hpp"
-#include "readback/language_reader.hpp"
+#include "languages/emit.hpp"
+#include "languages/readers.hpp"
 #include "report/describe.hpp"
 #include "report/html/page.hpp"
 #include "verify/proof.hpp"

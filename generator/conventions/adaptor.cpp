@@ -10,10 +10,10 @@
 #include "conventions/meanings.hpp"
 #include "conventions/steps.hpp"
 #include "emit/argument_text.hpp"
-#include "emit/languages/cpp_dialect.hpp"
-#include "emit/languages/cpp_function.hpp"
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
+#include "languages/cpp/dialect.hpp"
+#include "languages/cpp/function.hpp"
 #include "lower/arguments.hpp"
 
 namespace flatdyn {

@@ -7,7 +7,7 @@
 
 #include "conventions/convention.hpp"
 #include "emit/function_text.hpp"
-#include "emit/languages/cpp_shapes.hpp"
+#include "languages/cpp/shapes.hpp"
 
 namespace flatdyn {
 

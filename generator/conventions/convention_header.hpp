@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "conventions/convention.hpp"
-#include "emit/languages/emit.hpp"
+#include "languages/emit.hpp"
 
 namespace flatdyn {
 

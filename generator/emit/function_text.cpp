@@ -34,7 +34,12 @@ class FunctionWriter {
         scope_(scope),
         dialect_(scope.dialect),
         printer_(scope),
-        body_(function_body(function, name, scope, printer_)) {}
+        body_(function_body(function, name, scope)),
+        statements_(printer_.text(body_.statements)) {
+    if (std::count(statements_.begin(), statements_.end(), '\n') <= body_.most_lines) return;
+    body_ = divided_body(function, name, scope, printer_);
+    statements_ = printer_.text(body_.statements);
+  }
 
   FunctionText text(const std::string& sin_cos_variant_name) const {
     FunctionText text;
@@ -45,7 +50,7 @@ class FunctionWriter {
     text.arguments = argument_lines(argument_rows());
     text.reads = reads_text();
     text.result = result_text();
-    text.body = printer_.text(body_.statements);
+    text.body = statements_;
     for (const code::Part& part : body_.parts) {
       text.parts += (text.parts.empty() ? "" : "\n") + (dialect_.before_part() + printer_.text(part));
     }
@@ -194,6 +199,7 @@ class FunctionWriter {
   const Dialect& dialect_;
   Printer printer_;
   FunctionBody body_;
+  std::string statements_;  // of the body
 };
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "diagnostics/progress.hpp"
-#include "emit/languages/emit.hpp"
 #include "firmware/target.hpp"
+#include "languages/emit.hpp"
 #include "model/robot.hpp"
 
 namespace flatdyn {

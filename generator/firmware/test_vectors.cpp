@@ -10,13 +10,13 @@
 #include <numbers>
 
 #include "deviation/expected.hpp"
-#include "emit/languages/emit.hpp"
 #include "firmware/proven_bounds.hpp"
 #include "firmware/worst_state_found.hpp"
+#include "languages/emit.hpp"
+#include "languages/readers.hpp"
 #include "model/angles.hpp"
 #include "model/rounded_up.hpp"
 #include "readback/emitted_text.hpp"
-#include "readback/language_reader.hpp"
 #include "reference/graph_evaluator.hpp"
 
 namespace flatdyn {

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "emit/languages/emit.hpp"
 #include "input/common/content_hash.hpp"
 #include "input/csv/names.hpp"
+#include "languages/emit.hpp"
 #include "model/floating_base.hpp"
 #include "planning/make_functions.hpp"
 #include "symbolic/notation/number_text.hpp"

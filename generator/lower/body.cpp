@@ -61,11 +61,10 @@ std::vector<bool> fused_products(const Function& function, const Scope& scope) {
 
 class BodyMaker {
  public:
-  BodyMaker(const Function& function, const std::string& name, const Scope& scope, const TextLength& length)
+  BodyMaker(const Function& function, const std::string& name, const Scope& scope)
       : function_(function),
         name_(name),
         scope_(scope),
-        length_(length),
         lines_around_(scope.language.lines_around_body +
                       scope.language.lines_per_argument *
                           static_cast<int>(function.inputs.size() + function.outputs.size())),
@@ -86,7 +85,7 @@ class BodyMaker {
         function_, *limb_plan_, scope.limbs, [this](NodeId id) { return given(id); }, names, variables_);
   }
 
-  FunctionBody body() const {
+  FunctionBody whole_body() const {
     FunctionBody body;
     body.inputs = inputs_;
     body.output_names = output_names_;
@@ -102,17 +101,30 @@ class BodyMaker {
     body.uses_excess = code::uses(body.statements, code::Operation::excess);
     body.uses_fma = code::uses(body.statements, code::Operation::multiply_add);
     body.uses_limbs = limbs_.has_value();
-    body.is_too_long = length_.lines_of(body.statements) + lines_around_ > longest();
-    if (body.is_too_long && !limbs_) divide(body);
+    const int longest = scope_.language.longest_function * (limbs_ ? kLongerWithLimbs : 1);
+    body.most_lines = (scope_.most_lines > 0 ? scope_.most_lines : longest) - lines_around_;
     return body;
   }
 
- private:
-  int longest() const {
-    if (scope_.most_lines > 0) return scope_.most_lines;
-    return scope_.language.longest_function * (limbs_ ? kLongerWithLimbs : 1);
+  // Writes the same statements as several functions. The first ones read all inputs.
+  void divide(FunctionBody& body, const TextLength& length) const {
+    const std::string name = scope_.enclosing_stage.empty() ? name_ : scope_.enclosing_stage + "_" + name_;
+    LongBody long_body{name, input_steps(), sources(), part_arguments(), scope_.most_lines, length};
+    if (long_body.most_lines == 0) long_body.most_lines = kLongPart;
+    append(long_body.statements, steps(true));
+    append(long_body.statements, pivot_steps());
+    body.statements = sines_in_arrays(true);
+    append(body.statements, stage());
+    code::Statements after = ending_of_parts();
+    const int lines = length.lines_of(body.statements) + length.lines_of(after);
+    Parts parts = in_parts(long_body, std::max(2, (long_body.most_lines - lines - lines_around_) / 2));
+    body.parts = std::move(parts.definitions);
+    append(body.statements, shared_by_parts(parts.kept));
+    append(body.statements, std::move(parts.calls));
+    append(body.statements, std::move(after));
   }
 
+ private:
   code::Statements whole() const {
     code::Statements statements;
     if (limbs_) append(statements, limbs_->types());
@@ -145,24 +157,6 @@ class BodyMaker {
         break;
     }
     return limbs_->taken(step.index);
-  }
-
-  // Writes the same statements as several functions. The first ones read all inputs.
-  void divide(FunctionBody& body) const {
-    const std::string name = scope_.enclosing_stage.empty() ? name_ : scope_.enclosing_stage + "_" + name_;
-    LongBody long_body{name, input_steps(), sources(), part_arguments(), scope_.most_lines, length_};
-    if (long_body.most_lines == 0) long_body.most_lines = kLongPart;
-    append(long_body.statements, steps(true));
-    append(long_body.statements, pivot_steps());
-    body.statements = sines_in_arrays(true);
-    append(body.statements, stage());
-    code::Statements after = ending_of_parts();
-    const int lines = length_.lines_of(body.statements) + length_.lines_of(after);
-    Parts parts = in_parts(long_body, std::max(2, (long_body.most_lines - lines - lines_around_) / 2));
-    body.parts = std::move(parts.definitions);
-    append(body.statements, shared_by_parts(parts.kept));
-    append(body.statements, std::move(parts.calls));
-    append(body.statements, std::move(after));
   }
 
   code::Statements shared_by_parts(int kept) const {
@@ -394,7 +388,6 @@ class BodyMaker {
   const Function& function_;
   const std::string& name_;
   const Scope& scope_;
-  const TextLength& length_;
   int lines_around_;
   std::vector<Input> inputs_;
   std::vector<bool> is_fused_;  // by node
@@ -410,13 +403,18 @@ class BodyMaker {
 
 }  // namespace
 
-FunctionBody function_body(const Function& function, const std::string& name, const Scope& scope,
-                           const TextLength& length) {
-  FunctionBody body = BodyMaker(function, name, scope, length).body();
-  if (!body.uses_limbs || !body.is_too_long) return body;
+FunctionBody function_body(const Function& function, const std::string& name, const Scope& scope) {
+  return BodyMaker(function, name, scope).whole_body();
+}
+
+FunctionBody divided_body(const Function& function, const std::string& name, const Scope& scope,
+                          const TextLength& length) {
   Scope apart = scope;
   apart.limbs.clear();
-  return BodyMaker(function, name, apart, length).body();
+  const BodyMaker maker(function, name, apart);
+  FunctionBody body = maker.whole_body();
+  if (length.lines_of(body.statements) > body.most_lines) maker.divide(body, length);
+  return body;
 }
 
 }  // namespace flatdyn

@@ -20,13 +20,15 @@ struct FunctionBody {
   bool uses_positions = false;  // whether it reads entries of q other than for their sines and cosines
   std::vector<int> angles;      // indices of the angles whose sines and cosines it takes
   bool takes_sines = false, takes_cosines = false;
-  bool is_too_long = false;  // for one function
+  int most_lines = 0;  // longer ones are divided
 
   bool uses_trigonometry() const { return !angles.empty(); }
 };
 
-// `length`: how long the text will be, which decides whether it is divided.
-FunctionBody function_body(const Function& function, const std::string& name, const Scope& scope,
-                           const TextLength& length);
+FunctionBody function_body(const Function& function, const std::string& name, const Scope& scope);
+
+// The same in parts, if that is too long. Limbs are then computed one by one.
+FunctionBody divided_body(const Function& function, const std::string& name, const Scope& scope,
+                          const TextLength& length);
 
 }  // namespace flatdyn

@@ -6,11 +6,12 @@
 
 #include "conventions/convention_header.hpp"
 #include "emit/narrowed.hpp"
+#include "languages/language_table.hpp"
+#include "languages/readers.hpp"
 #include "load/bad_input.hpp"
 #include "lower/kernel_parts.hpp"
 #include "lower/limbs.hpp"
 #include "planning/kernel_columns.hpp"
-#include "readback/language_reader.hpp"
 #include "report/scene_report.hpp"
 #include "verify/kernel_proof.hpp"
 
@@ -29,7 +30,7 @@ void prove_kernels(const GenerationResult& result, std::uint64_t seed) {
 }
 
 void divide_for_kernels(GenerationResult& result, Progress& progress) {
-  if (result.form.language != Language::cuda) return;
+  if (!language_row(result.form.language).has_kernels) return;
   progress.step("dividing among kernels");
   const std::vector<Function> functions = functions_of(result);
   ReadingParts reading;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "emit/languages/emit.hpp"
+#include "languages/emit.hpp"
 #include "planning/make_functions.hpp"
 #include "readback/emitted_text.hpp"
 #include "verify/proof.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "emit/languages/emit.hpp"
+#include "languages/emit.hpp"
 
 namespace flatdyn {
 

@@ -99,11 +99,4 @@ bool returns_number(const Function& function);
 
 std::vector<EmittedParameter> parameters_of(const FileFunction& function, const FileContents& contents);
 
-// A reader of the file in each language.
-void read_cpp_file(const EmittedText& text, const FileContents& contents);
-void read_c_file(const EmittedText& text, const FileContents& contents);
-void read_lanes_file(const EmittedText& text, const FileContents& contents);
-void read_cuda_file(const EmittedText& text, const FileContents& contents);
-void read_javascript_file(const EmittedText& text, const FileContents& contents);
-
 }  // namespace flatdyn

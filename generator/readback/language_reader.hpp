@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "emit/emit_options.hpp"
 #include "readback/body_parser.hpp"
 #include "readback/file_contents.hpp"
 #include "readback/scan.hpp"
@@ -32,16 +31,5 @@ class LanguageReader {
   // Compares all of the text but the statements of functions with what it has to hold.
   virtual void read_file(const EmittedText& text, const FileContents& contents) const = 0;
 };
-
-AnyLanguageReader cpp_reader();
-AnyLanguageReader cuda_reader();
-// `scalar`: of its numbers, "double" or "float".
-AnyLanguageReader c_reader(const std::string& scalar);
-// C over states, behind the header.
-AnyLanguageReader lanes_reader(const std::string& scalar);
-AnyLanguageReader javascript_reader();
-
-// The reader of text that is written with these options.
-AnyLanguageReader reader_of(const EmitOptions& options);
 
 }  // namespace flatdyn

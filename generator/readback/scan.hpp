@@ -27,14 +27,4 @@ inline bool is_helper_function(const std::string& name) {
   return name.ends_with("rounding_is_as_written") || name.ends_with("close_loops") || name.ends_with("text_hash");
 }
 
-// Each of these, one for each language, throws Failure(bug) if the emitter cannot have written the text.
-// Scans a C++ header, followed by its source if there is one.
-ScannedText scan_cpp(const std::vector<Token>& tokens);
-
-// Scans a C header and its source, or the functions over arrays of states.
-ScannedText scan_c(const std::vector<Token>& tokens, const std::string& scalar);
-
-// Scans a JavaScript module. It does not tell which parameters are outputs, nor what a function returns.
-ScannedText scan_javascript(const std::vector<Token>& tokens);
-
 }  // namespace flatdyn

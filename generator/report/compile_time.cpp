@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "graph/count.hpp"
+#include "languages/language_table.hpp"
 #include "report/describe.hpp"
 
 namespace flatdyn {
@@ -23,7 +24,7 @@ std::size_t written_entries(const Function& function) {
 
 // Where the time is spent, and what saves it.
 std::string place_of(const EmitOptions& options) {
-  if (options.language == Language::c) return "once, in its source";
+  if (language_row(options.language).has_source) return "once, in its source";
   if (options.form == Form::pair) return "once, in the source of the pair";
   return "in each file that calls all of it; --form pair compiles it once";
 }
@@ -37,7 +38,7 @@ double compile_seconds(const Function& function) {
 
 std::string describe_compile_time(const std::vector<OptimisedFunction>& functions, const std::optional<Stages>& stages,
                                   const EmitOptions& options) {
-  if (options.language != Language::c && options.language != Language::cpp) return "";
+  if (!language_row(options.language).is_compiled_by_host) return "";
   double seconds = 0;
   if (stages) {
     for (const StagePiece& piece : stage_pieces(*stages)) seconds += compile_seconds(*piece.function);

@@ -6,7 +6,7 @@
 
 #include "diagnostics/table.hpp"
 #include "emit/argument_text.hpp"
-#include "emit/languages/cpp_dialect.hpp"
+#include "languages/cpp/dialect.hpp"
 #include "lower/arguments.hpp"
 #include "passes/fuse_products.hpp"
 #include "report/describe.hpp"

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <random>
 
-#include "emit/languages/emit.hpp"
 #include "functions/function_table.hpp"
+#include "languages/emit.hpp"
+#include "languages/readers.hpp"
 #include "passes/passes.hpp"
 #include "planning/formulations.hpp"
 #include "readback/emitted_text.hpp"
-#include "readback/language_reader.hpp"
 #include "readback/straight_line_values.hpp"
 #include "system/process.hpp"
 

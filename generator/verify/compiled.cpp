@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "emit/languages/emit.hpp"
+#include "languages/emit.hpp"
 #include "lower/arguments.hpp"
 #include "model/identifiers.hpp"
 #include "system/process.hpp"

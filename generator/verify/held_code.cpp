@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "definition/exact.hpp"
-#include "emit/languages/emit.hpp"
-#include "readback/language_reader.hpp"
+#include "languages/emit.hpp"
+#include "languages/readers.hpp"
 #include "readback/unreadable_text.hpp"
 
 namespace flatdyn {

@@ -3,7 +3,7 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "input/common/content_hash.hpp"
-#include "readback/language_reader.hpp"
+#include "languages/readers.hpp"
 
 namespace flatdyn {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "emit/literals.hpp"
 #include "functions/function_table.hpp"
+#include "languages/language_table.hpp"
 #include "model/field_mechanism.hpp"
 #include "model/identifiers.hpp"
 #include "symbolic/parameters/base_parameters.hpp"
@@ -120,11 +121,12 @@ std::vector<FileTable> zeros_of(const Function& function, const std::string& nam
 }
 
 std::vector<FileFunction> functions_of_file(const WrittenCode& code) {
+  const bool has_given = language_row(code.options.language).has_given_variants;
   NamesOfFile names;
   std::vector<FileFunction> list;
   for (const Function& function : code.functions) {
     list.push_back({&function, names.taken(function.name)});
-    if (code.options.language == Language::c) list.back().given = names.taken(list.back().name + "_given");
+    if (has_given) list.back().given = names.taken(list.back().name + "_given");
   }
   for (std::size_t k = 0; k < list.size(); ++k) {
     if (!code.options.is_kernel_part(k)) list[k].zeros = zeros_of(*list[k].function, list[k].name, names);

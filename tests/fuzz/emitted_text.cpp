@@ -2,7 +2,7 @@
 #include "readback/emitted_text.hpp"
 #include "diagnostics/diagnostics.hpp"
 #include "fuzz/readers.hpp"
-#include "readback/language_reader.hpp"
+#include "languages/readers.hpp"
 
 namespace flatdyn::testing {
 namespace {

@@ -10,8 +10,8 @@
 #include <cctype>
 #include <cstdlib>
 
-#include "emit/languages/emit.hpp"
 #include "golden/golden.hpp"
+#include "languages/emit.hpp"
 #include "lower/arguments.hpp"
 #include "model/identifiers.hpp"
 #include "planning/make_functions.hpp"

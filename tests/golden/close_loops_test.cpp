@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "emit/languages/emit.hpp"
 #include "golden/golden.hpp"
+#include "languages/emit.hpp"
 #include "support/robot_models.hpp"
 #include "system/temporary_folder.hpp"
 

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "deviation/expected.hpp"
-#include "emit/languages/emit.hpp"
 #include "golden/golden.hpp"
+#include "languages/emit.hpp"
 #include "lower/arguments.hpp"
 #include "planning/make_functions.hpp"
 #include "reference/graph_evaluator.hpp"

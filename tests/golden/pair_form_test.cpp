@@ -8,9 +8,9 @@
 
 #include <cstdlib>
 
-#include "emit/languages/emit.hpp"
 #include "emit/writer.hpp"
 #include "golden/golden.hpp"
+#include "languages/emit.hpp"
 #include "lower/arguments.hpp"
 #include "model/identifiers.hpp"
 #include "planning/make_functions.hpp"

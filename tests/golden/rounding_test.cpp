@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "emit/languages/emit.hpp"
 #include "golden/golden.hpp"
+#include "languages/emit.hpp"
 #include "planning/make_functions.hpp"
 #include "support/robot_models.hpp"
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "emit/languages/emit.hpp"
+#include "languages/emit.hpp"
+#include "languages/readers.hpp"
 #include "planning/make_functions.hpp"
-#include "readback/language_reader.hpp"
 #include "verify/held_code.hpp"
 #include "verify/proof.hpp"
 

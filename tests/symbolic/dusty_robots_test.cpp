@@ -7,8 +7,8 @@
 #include <regex>
 #include <sstream>
 
-#include "emit/languages/emit.hpp"
 #include "graph/count.hpp"
+#include "languages/emit.hpp"
 #include "planning/make_functions.hpp"
 #include "system/temporary_folder.hpp"
 

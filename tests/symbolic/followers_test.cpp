@@ -8,15 +8,15 @@
 #include <algorithm>
 
 #include "definition/sampled_base.hpp"
-#include "emit/languages/emit.hpp"
 #include "flatdyn/reference/newton_euler.hpp"
 #include "functions/exact_proof.hpp"
 #include "functions/function_table.hpp"
+#include "languages/emit.hpp"
+#include "languages/readers.hpp"
 #include "model/angles.hpp"
 #include "model/states.hpp"
 #include "planning/formulations.hpp"
 #include "readback/emitted_text.hpp"
-#include "readback/language_reader.hpp"
 #include "reference/reference_model.hpp"
 #include "support/identified_arm.hpp"
 #include "support/robot_models.hpp"

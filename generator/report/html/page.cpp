@@ -9,9 +9,9 @@
 #include <sstream>
 
 #include "diagnostics/version.hpp"
-#include "emit/languages/emit.hpp"
 #include "emit/page.hpp"
 #include "emit/writer.hpp"
+#include "languages/emit.hpp"
 #include "model/spherical_joint.hpp"
 #include "report/describe.hpp"
 #include "report/html/regressor_map.hpp"

@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "diagnostics/diagnostics.hpp"
-#include "emit/languages/emit.hpp"
+#include "languages/emit.hpp"
+#include "languages/readers.hpp"
 #include "load/load_robot.hpp"
 #include "passes/passes.hpp"
 #include "readback/emitted_text.hpp"
-#include "readback/language_reader.hpp"
 #include "readback/straight_line_values.hpp"
 #include "support/floating_robots.hpp"
 #include "support/limited_robots.hpp"

@@ -9,11 +9,11 @@
 
 #include "certify/error_terms.hpp"
 #include "certify/model_constants.hpp"
-#include "emit/languages/emit.hpp"
+#include "languages/emit.hpp"
+#include "languages/readers.hpp"
 #include "load/load_robot.hpp"
 #include "passes/passes.hpp"
 #include "readback/emitted_text.hpp"
-#include "readback/language_reader.hpp"
 #include "readback/straight_line_values.hpp"
 #include "support/fast_states.hpp"
 #include "support/limited_robots.hpp"

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "emit/languages/emit.hpp"
+#include "languages/emit.hpp"
 #include "planning/formulations.hpp"
 #include "support/robot_models.hpp"
 

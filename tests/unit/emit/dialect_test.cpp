@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "diagnostics/diagnostics.hpp"
-#include "emit/languages/c_dialect.hpp"
-#include "emit/languages/cpp_dialect.hpp"
-#include "emit/languages/emit.hpp"
-#include "emit/languages/lanes_dialect.hpp"
+#include "languages/c/dialect.hpp"
+#include "languages/c/lanes_dialect.hpp"
+#include "languages/cpp/dialect.hpp"
+#include "languages/emit.hpp"
 #include "unit/emit/hand_made.hpp"
 
 namespace flatdyn {

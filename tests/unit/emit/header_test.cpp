@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "diagnostics/diagnostics.hpp"
-#include "emit/languages/emit.hpp"
+#include "languages/emit.hpp"
 #include "unit/emit/compiled.hpp"
 #include "unit/emit/hand_made.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "emit/languages/c_dialect.hpp"
-#include "emit/languages/cpp_dialect.hpp"
-#include "emit/languages/javascript_dialect.hpp"
+#include "languages/c/dialect.hpp"
+#include "languages/cpp/dialect.hpp"
+#include "languages/javascript/dialect.hpp"
 
 namespace flatdyn {
 namespace {

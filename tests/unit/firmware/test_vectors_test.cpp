@@ -10,10 +10,10 @@
 
 #include "certify/certificate.hpp"
 #include "deviation/expected.hpp"
-#include "emit/languages/emit.hpp"
+#include "languages/emit.hpp"
+#include "languages/readers.hpp"
 #include "planning/make_functions.hpp"
 #include "readback/emitted_text.hpp"
-#include "readback/language_reader.hpp"
 #include "readback/straight_line_values.hpp"
 #include "support/robot_models.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "emit/languages/cpp_dialect.hpp"
 #include "emit/printer.hpp"
+#include "languages/cpp/dialect.hpp"
 #include "unit/emit/hand_made.hpp"
 
 namespace flatdyn {

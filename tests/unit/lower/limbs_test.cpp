@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "emit/function_text.hpp"
-#include "emit/languages/cpp_dialect.hpp"
+#include "languages/cpp/dialect.hpp"
 #include "lower/limb_plan.hpp"
 #include "support/printed_code.hpp"
 #include "support/robot_models.hpp"

@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <sstream>
 
-#include "emit/languages/cpp_dialect.hpp"
-#include "emit/languages/emit.hpp"
 #include "emit/printer.hpp"
+#include "languages/cpp/dialect.hpp"
+#include "languages/emit.hpp"
 #include "planning/make_functions.hpp"
 #include "support/robot_models.hpp"
 #include "unit/emit/compiled.hpp"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "emit/function_text.hpp"
-#include "emit/languages/cpp_dialect.hpp"
+#include "languages/cpp/dialect.hpp"
 #include "unit/emit/hand_made.hpp"
 
 namespace flatdyn {

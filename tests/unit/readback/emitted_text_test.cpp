@@ -10,7 +10,7 @@
 
 #include "diagnostics/diagnostics.hpp"
 #include "emit/writer.hpp"
-#include "readback/language_reader.hpp"
+#include "languages/readers.hpp"
 #include "support/printed_code.hpp"
 #include "support/robot_models.hpp"
 

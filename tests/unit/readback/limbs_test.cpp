@@ -5,7 +5,7 @@
 #include <random>
 
 #include "diagnostics/diagnostics.hpp"
-#include "readback/language_reader.hpp"
+#include "languages/readers.hpp"
 #include "readback/straight_line_values.hpp"
 #include "support/printed_code.hpp"
 #include "support/robot_models.hpp"

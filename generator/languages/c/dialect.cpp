@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "languages/c/dialect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "emit/known_answer.hpp"
+#include "emit/literals.hpp"
+#include "emit/name_space.hpp"
+#include "emit/page.hpp"
+#include "emit/printer.hpp"
+#include "emit/sections.hpp"
+#include "emit/writer.hpp"
+#include "lower/angles.hpp"
+#include "lower/arguments.hpp"
+#include "templates.hpp"
+
+namespace flatdyn {
+
+using kainjow::mustache::data;
+
+namespace {
+
+std::string prefix_of(const std::string& name_space) {
+  std::string prefix;
+  for (std::string part : parts_of_namespace(name_space)) {
+    while (part.size() > 1 && part.back() == '_') part.pop_back();  // C++ reserves two underscores in a row
+    prefix += part + "_";
+  }
+  return prefix;
+}
+
+// "void panda_gravity(const double q[7], double g[7])", followed by `end`, " {" or ";".
+std::string c_signature(const std::string& returns, const std::string& name, const std::vector<std::string>& parameters,
+                        const std::string& end) {
+  return without_newline(list_line(fmt::format("{} {}(", returns, name), parameters, ")" + end, 0));
+}
+
+// The arguments with sines and cosines in place of q, unless positions themselves are read, too.
+std::vector<Argument> with_sines(const UndeclaredFunction& function) {
+  const FunctionBody& body = function.body;
+  std::vector<Argument> list;
+  for (const Argument& argument : function.arguments) {
+    const bool is_input = argument.kind == Argument::Kind::input;
+    if (is_input && !body.uses_positions && argument.name == input_argument(InputKind::q, 0).name) continue;
+    list.push_back(argument);
+  }
+  const bool has_parameters = !list.empty() && list.front().kind == Argument::Kind::parameters;
+  const auto length = static_cast<std::size_t>(1 + *std::max_element(body.angles.begin(), body.angles.end()));
+  list.insert(list.begin() + (has_parameters ? 1 : 0), {{Argument::Kind::input, "sine", body.takes_sines, length},
+                                                        {Argument::Kind::input, "cosine", body.takes_cosines, length}});
+  return list;
+}
+
+// Statements like "(void)qd;", which silence compilers: in C every parameter has a name.
+std::string unread(const std::vector<Argument>& arguments, const HeaderScope& scope) {
+  code::Statements statements;
+  for (const Argument& argument : arguments) {
+    if (!argument.is_used) statements.emplace_back(code::Ignore{argument.name});
+  }
+  return Printer(scope).text(statements);
+}
+
+// The angles that are needed, as first and last index of each run of consecutive ones.
+std::vector<std::pair<int, int>> runs_of(const std::set<int>& angles) {
+  std::vector<std::pair<int, int>> runs;
+  for (const int angle : angles) {
+    if (!runs.empty() && runs.back().second + 1 == angle) {
+      runs.back().second = angle;
+    } else {
+      runs.emplace_back(angle, angle);
+    }
+  }
+  return runs;
+}
+
+}  // namespace
+
+CDialect::CDialect(const std::string& number, const std::string& name_space)
+    : CDialect(number, name_space, {"", number}) {}
+
+CDialect::CDialect(const std::string& number, const std::string& name_space, const Vectors& vectors)
+    : PageDialect(vectors.scalar, prefix_of(name_space) + vectors.prefix),
+      number_(number),
+      exported_(prefix_of(name_space)) {}
+
+std::string CDialect::library(const std::string& function) const {
+  return number_ == "float" ? function + "f" : function;
+}
+
+std::string CDialect::count_name(const std::string& name) const { return in_capitals(exported(name)); }
+
+std::vector<std::string> CDialect::reserved() const {
+  std::vector<std::string> words = {"restrict", "sin",  "cos",   "sqrt",
+                                    "sinf",     "cosf", "sqrtf", count_name("joint_count")};
+  words.push_back(count_name("nodiscard"));
+  for (const char* name : {"joint_names", "parameters", "sign", "fma", "is_zero", "sine_and_cosine",
+                           "sines_and_cosines", "angles", "rounding_is_as_written", "text_hash"}) {
+    words.push_back(global(name));
+  }
+  return words;
+}
+
+std::string CDialect::literal(const Rational& value) const {
+  return number_ == "float" ? float_literal(value) : decimal_literal(value);
+}
+
+std::string CDialect::infinity(bool negative) const {
+  return (negative ? "-" : "") + std::string(number_ == "float" ? "HUGE_VALF" : "HUGE_VAL");
+}
+
+std::string CDialect::sign(const std::string& of) const { return global("sign(") + of + ")"; }
+
+std::string CDialect::excess(const std::string& sum, const std::string& term) const {
+  return fmt::format("{}({}, {})", global("excess"), sum, term);
+}
+
+std::string CDialect::sqrt(const std::string& of) const { return library("sqrt") + "(" + of + ")"; }
+
+std::string CDialect::fused(const std::string& a, const std::string& b, const std::string& c) const {
+  return fmt::format("{}({}, {}, {})", global("fma"), a, b, c);
+}
+
+std::string CDialect::parameter(const std::string& member) const { return "parameters->" + member; }
+
+std::string CDialect::output(const std::string& name) const { return scalar() + "* restrict " + name; }
+
+std::string CDialect::parameters_argument() const { return "const " + exported("parameters") + "* parameters"; }
+
+std::string CDialect::part_begin(const std::string& name) const { return "static void " + name + "("; }
+
+// A function that needs sines and cosines is split in two: one takes them as arguments; the other one computes them and
+// calls it.
+void CDialect::declare(FunctionText& text, const UndeclaredFunction& function) const {
+  text.declared = parameters(function.arguments, false);
+  text.parameters = parameters(function.arguments, true);
+  if (!function.body.uses_trigonometry()) {
+    text.body = unread(function.arguments, function.scope) + text.body;
+    return;
+  }
+  const std::vector<Argument> arguments = with_sines(function);
+  SinCosVariant given{function.sin_cos_variant_name,
+                      parameters(arguments, true),
+                      parameters(arguments, false),
+                      {},
+                      angle_array(function.scope),
+                      "",
+                      unread(arguments, function.scope) + text.body};
+  for (const Argument& argument : arguments) given.arguments.push_back(argument.name);
+  text.body = asking_body(function, text.returns, given);
+  text.sin_cos_variant = std::move(given);
+}
+
+std::vector<std::string> CDialect::parameters(const std::vector<Argument>& arguments, bool restricts) const {
+  std::vector<std::string> list;
+  for (const Argument& argument : arguments) {
+    list.push_back(argument.kind == Argument::Kind::parameters ? parameters_argument()
+                   : is_sized(argument)                        ? sized(argument, restricts)
+                   : argument.kind == Argument::Kind::input    ? input(argument.name)
+                   : restricts                                 ? output(argument.name)
+                                                               : scalar() + "* " + argument.name);
+  }
+  return list;
+}
+
+bool CDialect::is_sized(const Argument& argument) const {
+  return declares_lengths() && argument.length > 0 && !argument.is_number;
+}
+
+// "const double q[7]", and in definitions "double tau[restrict 7]": compilers warn of shorter arrays.
+std::string CDialect::sized(const Argument& argument, bool restricts) const {
+  const bool is_input = argument.kind == Argument::Kind::input;
+  return fmt::format("{}{} {}[{}{}]", is_input ? "const " : "", scalar(), argument.name,
+                     restricts && !is_input ? "restrict " : "", argument.length);
+}
+
+// The body of the function that computes sines and cosines and calls `given`; records in `given` which ones it takes.
+std::string CDialect::asking_body(const UndeclaredFunction& function, const std::string& returns,
+                                  SinCosVariant& given) const {
+  const std::set<int> angles(function.body.angles.begin(), function.body.angles.end());
+  code::Statements statements = filling_sines(angles, global(kFunctionOfAngles), function.scope);
+  code::CallPart call{given.name, {}, false, returns != "void"};
+  for (const std::string& argument : given.arguments) call.arguments.push_back({code::Argument::Role::input, argument});
+  statements.emplace_back(std::move(call));
+  for (const auto& [first, last] : runs_of(angles)) {
+    given.joints += (given.joints.empty() ? "" : ", ") + std::to_string(first);
+    if (last > first) given.joints += ".." + std::to_string(last);
+  }
+  return Printer(function.scope).text(statements);
+}
+
+std::string CDialect::filled_sines(const std::string& array, const std::set<int>& angles) const {
+  std::string text;
+  for (const auto& [first, last] : runs_of(angles)) {
+    text += code_line(fmt::format("{}({}, {}, {}, sine, cosine);", global("sines_and_cosines"), array, first, last),
+                      kStatementIndent);
+  }
+  return text;
+}
+
+std::string CDialect::count_definition(const std::string& name, int value) const {
+  return fmt::format("enum {{ {} = {} }};\n", name, value);
+}
+
+std::string CDialect::type_of(const ConstantArray& array) const {
+  if (array.type == kReal) return "const " + scalar();
+  return array.type.back() == '*' ? array.type + " const" : "const " + array.type;
+}
+
+std::string CDialect::definition_begin(const ConstantArray& array) const {
+  return fmt::format("{} {}[{}] = {{", type_of(array), array.name, array.length);
+}
+
+std::string CDialect::declaration(const ConstantArray& array) const {
+  return fmt::format("extern {} {}[{}];\n", type_of(array), array.name, array.length);
+}
+
+std::string CDialect::check_loop(std::size_t first, std::size_t end, const std::string& check) const {
+  return braced_check_loop("int", first, end, check);
+}
+
+std::string CDialect::all_positive(const std::string& array, std::size_t length) const {
+  return check_loop(0, length, fmt::format("{}[{}] > {}", array, code::kCounter, literal(0)));
+}
+
+std::vector<FileTemplate> CDialect::files() const { return {{".h", templates::header_h}, {".c", templates::source_c}}; }
+
+// If the function has a variant that takes sines and cosines, it comes before the one that calls it.
+std::string CDialect::definitions(const FunctionText& text) const {
+  const auto definition = [&](const std::string& name, const std::vector<std::string>& parameters,
+                              const std::string& body) {
+    return c_signature(linkage() + text.returns, name, parameters, " {") + "\n" + body + "}";
+  };
+  const std::string own = definition(text.name, text.parameters, text.body);
+  return text.sin_cos_variant
+             ? definition(text.sin_cos_variant->name, text.sin_cos_variant->parameters, text.sin_cos_variant->body) +
+                   "\n\n" + own
+             : own;
+}
+
+void CDialect::write_function(data& item, const Function& function, const FunctionText& text) const {
+  const std::string returns = (text.returns == "bool" ? count_name("nodiscard") + " " : "") + text.returns;
+  item["brief"] = list_of(brief_comment(function));
+  item["declaration"] = c_signature(returns, text.name, text.declared, ";");
+  item["definitions"] = definitions(text);
+  item["given?"] = text.sin_cos_variant.has_value();
+  if (!text.sin_cos_variant) return;
+  item["given_comment"] =
+      fmt::format("The same from sine[k] = sin({0}[k]) and cosine[k] = cos({0}[k]) of the caller's, k = {1}.",
+                  text.sin_cos_variant->of, text.sin_cos_variant->joints);
+  item["given_declaration"] = c_signature(returns, text.sin_cos_variant->name, text.sin_cos_variant->declared, ";");
+}
+
+void CDialect::write_page(data& page, const CodeContent& content) const {
+  const bool is_float = scalar() == "float";
+  page["header_file"] = content.file_name + CDialect::files().front().ending;
+  page["prefix"] = global("");
+  page["count"] = count_name("joint_count");
+  page["nodiscard"] = count_name("nodiscard");
+  page["sin"] = library("sin");
+  page["cos"] = library("cos");
+  page["F"] = std::string(is_float ? "F" : "");
+  page["floats_bit"] = std::string(is_float ? "4" : "8");
+  page["floats_length"] = std::string(is_float ? "32" : "64");
+  page["f"] = std::string(is_float ? "f" : "");
+  page["half_a_place"] = std::string(is_float ? "0x1.001p-24f" : "0x1.001p-53");
+  page["smallest"] = std::string(is_float ? "0x1p-126f" : "0x1p-1022");
+  page["is_float"] = is_float;
+  page["most_angle"] = std::string(is_float ? "6400" : "1e5");
+  page["hash_of_sines"] = std::string(is_float ? "0x803948b6889bcc50" : "0x7b037ac8b2e0683c");
+  page["places"] = std::string(is_float ? "8388608.0f" : "4503599627370496.0");
+  page["bits"] = std::string(is_float ? "uint32_t" : "uint64_t");
+  page["signed_bits"] = std::string(is_float ? "int32_t" : "int64_t");
+  const std::string statements =
+      known_answer_statements(content, {scalar(), global(""), global("parameters"), "&parameters", ""});
+  const char* const polynomials = is_float ? templates::polynomials_of_floats_c : templates::polynomials_of_doubles_c;
+  page["polynomials"] = without_newline(rendered(polynomials, page));
+  page["known_answer?"] = !statements.empty();
+  page["known_answer"] = without_newline(statements);
+  page["verdict"] = statements.empty() ? "true" : fmt::format("hash == {}u", is_float ? kFloatAnswer : kDoubleAnswer);
+  if (content.texts.empty()) return;
+  const FunctionText& text = content.texts.front();
+  const std::string type = content.scope.parameters.empty() ? "" : global("parameters");
+  page["example"] = list_of(call_example(text, {text.name, text.returns, scalar(), "{0}", type, "&parameters"}));
+}
+
+}  // namespace flatdyn
