@@ -9,10 +9,10 @@
 
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
-#include "languages/language_table.hpp"
 #include "cli/usage.hpp"
 #include "diagnostics/exit_codes.hpp"
 #include "diagnostics/version.hpp"
+#include "languages/language_table.hpp"
 
 namespace flatdyn {
 namespace {

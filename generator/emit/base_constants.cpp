@@ -44,19 +44,19 @@ bool uses_base_parameters(const Function& function) {
   return function.base_parameters > 0 || (row != nullptr && row->traits.uses_base_parameters);
 }
 
-BaseConstants base_constants(const Mechanism& mechanism, const std::vector<std::string>& names, ParameterFrames frames,
-                             const Dialect& dialect) {
+BaseConstants base_constants(const Mechanism& mechanism, const std::vector<std::string>& names,
+                             ParameterFrames frames) {
   const BaseParameters base = base_parameters(mechanism);
   BaseConstants constants{comment_of(mechanism, base, frames), base.size(), {}};
   if (base.size() == 0) return constants;
-  std::vector<std::string> kept, values;
-  for (const int index : base.columns) kept.push_back(dialect.text(parameter_name(index, mechanism.base_bodies())));
+  std::vector<code::TableEntry> kept, values;
+  for (const int index : base.columns) kept.emplace_back(parameter_name(index, mechanism.base_bodies()));
   for (const Number& value : base_values(mechanism, base)) {
-    if (const auto rational = rational_of(value)) values.push_back(dialect.real_literal(*rational));
+    if (const auto rational = rational_of(value)) values.emplace_back(*rational);
   }
   const bool all_known = values.size() == kept.size();
-  constants.arrays.push_back({"const char*", names[1], names[0], std::move(kept)});
-  if (all_known) constants.arrays.push_back({kReal, names[2], names[0], std::move(values)});
+  constants.tables.push_back({code::Table::Type::text, names[1], names[0], std::move(kept)});
+  if (all_known) constants.tables.push_back({code::Table::Type::real, names[2], names[0], std::move(values)});
   return constants;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "emit/dialect.hpp"
+#include "code/table.hpp"
 #include "graph/function.hpp"
 #include "model/mechanism.hpp"
 #include "symbolic/parameters/parameter_frames.hpp"
@@ -22,11 +22,10 @@ inline constexpr const char* kBaseConstants[] = {"base_parameter_count", "base_p
 struct BaseConstants {
   std::vector<std::string> comment;  // lines with each combination, "pi_b[0] = I1zz + …"
   int count = 0;
-  std::vector<ConstantArray> arrays;  // values only for a robot without free symbols
+  std::vector<code::Table> tables;  // values only for a robot without free symbols
 };
 
 // `names`: the names of kBaseConstants in this header; `frames`: those to which names of parameters refer.
-BaseConstants base_constants(const Mechanism& mechanism, const std::vector<std::string>& names, ParameterFrames frames,
-                             const Dialect& dialect);
+BaseConstants base_constants(const Mechanism& mechanism, const std::vector<std::string>& names, ParameterFrames frames);
 
 }  // namespace flatdyn

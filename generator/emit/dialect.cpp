@@ -34,20 +34,30 @@ std::string Dialect::array(const std::string& name, const std::string& length) c
   return fmt::format("{}[{}]", name, length);
 }
 
-std::string Dialect::definition(const ConstantArray& array) const {
-  const std::string begin = definition_begin(array), end = definition_end();
-  if (array.row == 0) return list_line(begin, array.entries, end, 0);
+std::string Dialect::entry(const code::TableEntry& entry) const {
+  if (const auto* words = std::get_if<std::string>(&entry)) return text(*words);
+  if (const auto* number = std::get_if<Rational>(&entry)) return real_literal(*number);
+  if (const auto* missing = std::get_if<code::Infinity>(&entry)) return infinity(missing->is_negative);
+  if (const auto* whole = std::get_if<int>(&entry)) return std::to_string(*whole);
+  return flag(std::get<code::Flag>(entry).is_set);
+}
+
+std::string Dialect::definition(const code::Table& table) const {
+  const std::string begin = definition_begin(table), end = definition_end();
+  std::vector<std::string> entries;
+  for (const code::TableEntry& each : table.entries) entries.push_back(entry(each));
+  if (table.row == 0) return list_line(begin, entries, end, 0);
   std::string lines = begin + "\n";
-  const auto row = static_cast<std::size_t>(array.row);
-  for (std::size_t k = 0; k < array.entries.size(); k += row) {
-    const auto first = array.entries.begin() + static_cast<std::ptrdiff_t>(k);
-    const bool is_last = k + row >= array.entries.size();
+  const auto row = static_cast<std::size_t>(table.row);
+  for (std::size_t k = 0; k < entries.size(); k += row) {
+    const auto first = entries.begin() + static_cast<std::ptrdiff_t>(k);
+    const bool is_last = k + row >= entries.size();
     lines += list_line("", {first, first + static_cast<std::ptrdiff_t>(row)}, is_last ? end : ",", kRowIndent);
   }
   return lines;
 }
 
-std::string Dialect::declaration(const ConstantArray&) const { return ""; }
+std::string Dialect::declaration(const code::Table&) const { return ""; }
 
 std::string Dialect::braced_check_loop(const std::string& counter, std::size_t first, std::size_t end,
                                        const std::string& check) const {

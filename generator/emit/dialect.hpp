@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "code/table.hpp"
 #include "graph/rational.hpp"
 #include "lower/scope.hpp"
 
@@ -17,21 +18,10 @@ struct FunctionText;
 struct HeaderScope;
 struct UndeclaredFunction;
 
-// An array of constants at file or namespace scope.
-struct ConstantArray {
-  std::string type;    // "const char*", "bool"; kReal: numbers
-  std::string name;    // as it is emitted
-  std::string length;  // "joint_count", "49"
-  std::vector<std::string> entries;
-  int row = 0;  // entries per line; 0: as many as fit
-};
-
-inline constexpr const char* kReal = "Real";
-
-// Answers that are given here are those of most languages with the syntax of C.
 // The type of vectors with a number of each limb, followed by the number of lanes: "Limbs4".
 inline constexpr const char* kLimbs = "Limbs";
 
+// Answers that are given here are those of most languages with the syntax of C.
 class Dialect {
  public:
   // `scalar`: the type of variables; `prefix`: the beginning of names at file scope.
@@ -121,11 +111,11 @@ class Dialect {
 
   // Definitions and declarations as lines; names are as emitted.
   virtual std::string count_definition(const std::string& name, int value) const = 0;
-  std::string definition(const ConstantArray& array) const;
+  std::string definition(const code::Table& table) const;
   // Whether constants are declared in one file and defined in another; counts are then defined where arrays are
   // declared.
   virtual bool declares_constants_apart() const { return false; }
-  virtual std::string declaration(const ConstantArray& array) const;  // empty if they are not declared apart
+  virtual std::string declaration(const code::Table& table) const;  // empty if they are not declared apart
   // A loop of checks of entries from `first` to before `end`: for (int k = 0; k < 7; ++k) valid &= check;
   virtual std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const = 0;
   // Whether a call makes the value that is positive if a rounded sum is above its first term, and that call. Without
@@ -137,9 +127,12 @@ class Dialect {
   virtual std::string all_positive(const std::string& array, std::size_t length) const = 0;
 
  protected:
-  virtual std::string definition_begin(
-      const ConstantArray& array) const = 0;  // "inline constexpr bool x[joint_count] = {"
+  // "inline constexpr bool x[joint_count] = {", "};"
+  virtual std::string definition_begin(const code::Table& table) const = 0;
   virtual std::string definition_end() const { return "};"; }
+  // An entry of a table: that of a flag is 0 or 1 in most languages.
+  std::string entry(const code::TableEntry& entry) const;
+  virtual std::string flag(bool is_set) const { return is_set ? "1" : "0"; }
   // The loop, with a counter of this type and braces.
   std::string braced_check_loop(const std::string& counter, std::size_t first, std::size_t end,
                                 const std::string& check) const;

@@ -71,11 +71,11 @@ std::optional<Rational> rational_of(const Number& number) {
   return to_rational(exact);
 }
 
-std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitColumn& kind, const Dialect& dialect) {
-  std::vector<std::string> entries;
+std::vector<code::TableEntry> limit_entries(const Mechanism& mechanism, const LimitColumn& kind) {
+  std::vector<code::TableEntry> entries;
   for (const Body& body : mechanism.joints()) {
     const std::optional<Rational> limit = limit_of(body, kind);
-    entries.push_back(limit ? dialect.real_literal(*limit) : dialect.infinity(kind.is_lower));
+    entries.push_back(limit ? code::TableEntry(*limit) : code::Infinity{kind.is_lower});
   }
   return entries;
 }

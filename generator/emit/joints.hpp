@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "emit/dialect.hpp"
+#include "code/table.hpp"
 #include "model/mechanism.hpp"
 
 namespace flatdyn {
@@ -26,8 +26,8 @@ std::vector<LimitColumn> limits_given(const Mechanism& mechanism);
 // The value of a number, with as many digits of Pi and roots as matter; nullopt if it depends on a free symbol.
 std::optional<Rational> rational_of(const Number& number);
 
-// The entries of the emitted array of one kind of limit: "Real(2.8973)", "Real(HUGE_VAL)".
-std::vector<std::string> limit_entries(const Mechanism& mechanism, const LimitColumn& kind, const Dialect& dialect);
+// The entries of the emitted table of one kind of limit; infinite where a joint has none.
+std::vector<code::TableEntry> limit_entries(const Mechanism& mechanism, const LimitColumn& kind);
 
 // Lines of the table: index (with closed loops those in q and qd), joint, link, type, unit and the limits given.
 std::vector<std::string> joint_table(const Mechanism& mechanism);

@@ -152,17 +152,17 @@ class PageWriter {
       header["velocities"] = dialect_.count_name("velocity_count");
     }
     if (mechanism_.joints().size() > 0) {
-      std::vector<std::string> joints;
-      for (const Body& body : mechanism_.joints()) joints.push_back(dialect_.text(body.joint));
+      std::vector<code::TableEntry> joints;
+      for (const Body& body : mechanism_.joints()) joints.emplace_back(body.joint);
       content_.exports.emplace_back("joint_names");
       constants << constant("The names of the joints in the robot file",
-                            per_joint("const char*", "joint_names", joints));
+                            per_joint(code::Table::Type::text, "joint_names", joints));
     }
     if (has_positions) write_position_constants(header, constants);
     for (const LimitColumn& kind : limits_given(mechanism_)) {
-      const std::vector<std::string> entries = limit_entries(mechanism_, kind, dialect_);
       content_.exports.emplace_back(kind.constant);
-      constants << constant(kind.meaning, per_joint(kReal, kind.constant, entries));
+      constants << constant(kind.meaning,
+                            per_joint(code::Table::Type::real, kind.constant, limit_entries(mechanism_, kind)));
     }
     header["constants"] = data(constants);
     header["base?"] = !names_.base.empty();
@@ -172,9 +172,9 @@ class PageWriter {
     header["parameters?"] = !scope_.parameters.empty();
     header["parameters"] = list_of(members_with_units());
     if (!scope_.parameters.empty()) content_.exports.emplace_back("parameter_names");
-    std::vector<std::string> names;
-    for (const std::string& name : scope_.parameters) names.push_back(dialect_.text(name));
-    header["parameter_names"] = without_newline(dialect_.definition({"const char*", "parameter_names", "", names}));
+    const std::vector<code::TableEntry> names(scope_.parameters.begin(), scope_.parameters.end());
+    header["parameter_names"] =
+        without_newline(dialect_.definition({code::Table::Type::text, "parameter_names", "", names}));
   }
 
   std::vector<std::string> members_with_units() const {
@@ -190,21 +190,19 @@ class PageWriter {
   void write_position_constants(data& header, data& constants) {
     header["position_count"] = std::to_string(mechanism_.position_count());
     header["positions"] = dialect_.count_name("position_count");
-    std::vector<std::string> joints, entries;
-    for (int p = 0; p < mechanism_.position_count(); ++p) {
-      joints.push_back(dialect_.text(mechanism_.position_name(p)));
-    }
-    for (const int p : mechanism_.independent) entries.push_back(std::to_string(p));
+    std::vector<code::TableEntry> joints;
+    for (int p = 0; p < mechanism_.position_count(); ++p) joints.emplace_back(mechanism_.position_name(p));
+    const std::vector<code::TableEntry> entries(mechanism_.independent.begin(), mechanism_.independent.end());
     content_.exports.emplace_back("position_count");
     content_.exports.emplace_back("position_names");
-    constants << constant("The joints of q", {"const char*", dialect_.global("position_names"),
+    constants << constant("The joints of q", {code::Table::Type::text, dialect_.global("position_names"),
                                               dialect_.count_name("position_count"), joints});
     if (!mechanism_.has_loops()) return;
     content_.exports.emplace_back("independent_positions");
     constants << constant(mechanism_.floating_base
                               ? "The entries of q that those of v, a and tau after the base's belong to"
                               : "The entries of q that qd, qdd and tau belong to",
-                          per_joint("int", "independent_positions", entries));
+                          per_joint(code::Table::Type::whole, "independent_positions", entries));
   }
 
   void write_angles(data& header) {
@@ -219,14 +217,14 @@ class PageWriter {
   }
 
   void write_base_constants(data& header) {
-    const BaseConstants base = base_constants(mechanism_, names_.base, options_.frames, dialect_);
+    const BaseConstants base = base_constants(mechanism_, names_.base, options_.frames);
     const std::string count = dialect_.count_definition(names_.base[0], base.count);
     std::string definitions, declarations;
     content_.exports.push_back(names_.base[0]);
-    for (const ConstantArray& array : base.arrays) {
-      content_.exports.push_back(array.name);
-      definitions += dialect_.definition(array);
-      declarations += dialect_.declaration(array);
+    for (const code::Table& table : base.tables) {
+      content_.exports.push_back(table.name);
+      definitions += dialect_.definition(table);
+      declarations += dialect_.declaration(table);
     }
     header["base_comment"] = list_of(base.comment);
     header["base_definitions"] =
@@ -234,15 +232,15 @@ class PageWriter {
     header["base_declarations"] = without_newline(count + declarations);
   }
 
-  ConstantArray per_joint(const char* type, const char* name, std::vector<std::string> entries) const {
+  code::Table per_joint(code::Table::Type type, const char* name, std::vector<code::TableEntry> entries) const {
     return {type, dialect_.global(name), dialect_.count_name("joint_count"), std::move(entries)};
   }
 
-  data constant(const std::string& comment, const ConstantArray& array) const {
+  data constant(const std::string& comment, const code::Table& table) const {
     data item;
     item["comment"] = comment;
-    item["definition"] = without_newline(dialect_.definition(array));
-    item["declaration"] = without_newline(dialect_.declaration(array));
+    item["definition"] = without_newline(dialect_.definition(table));
+    item["declaration"] = without_newline(dialect_.declaration(table));
     return item;
   }
 
@@ -264,8 +262,9 @@ class PageWriter {
 
   bool uses_infinity() const {
     for (const LimitColumn& kind : limits_given(mechanism_)) {
-      const std::vector<std::string> entries = limit_entries(mechanism_, kind, dialect_);
-      if (std::count(entries.begin(), entries.end(), dialect_.infinity(kind.is_lower)) > 0) return true;
+      const std::vector<code::TableEntry> entries = limit_entries(mechanism_, kind);
+      const auto is_missing = [](const code::TableEntry& each) { return std::holds_alternative<code::Infinity>(each); };
+      if (std::any_of(entries.begin(), entries.end(), is_missing)) return true;
     }
     return false;
   }
@@ -318,17 +317,18 @@ class PageWriter {
     for (std::size_t o = 0; o < function.outputs.size(); ++o) {
       const Output& output = function.outputs[o];
       if (!is_array_of_arrays(output)) continue;
-      ConstantArray array{"bool", names_.nonzero[k][o], std::to_string(output.entries.size()), {}, output.cols};
-      for (const NodeId entry : output.entries) {
-        array.entries.push_back(function.graph.is_zero(entry) ? "0" : "1");  // also 0 for an entry that is left out
+      const std::string length = std::to_string(output.entries.size());
+      code::Table table{code::Table::Type::flag, names_.nonzero[k][o], length, {}, output.cols};
+      for (const NodeId entry : output.entries) {  // one that is left out is zero, too
+        table.entries.emplace_back(code::Flag{!function.graph.is_zero(entry)});
       }
       data item;
       item["output"] = comment_text(output.name);
       item["function"] = names_.functions[k];
-      item["definition"] = without_newline(dialect_.definition(array));
-      item["declaration"] = without_newline(dialect_.declaration(array));
+      item["definition"] = without_newline(dialect_.definition(table));
+      item["declaration"] = without_newline(dialect_.declaration(table));
       list << item;
-      content_.exports.push_back(array.name);
+      content_.exports.push_back(table.name);
     }
     return list;
   }

@@ -10,6 +10,7 @@
 #include "diagnostics/diagnostics.hpp"
 #include "diagnostics/version.hpp"
 #include "emit/joints.hpp"
+#include "emit/literals.hpp"
 #include "emit/name_space.hpp"
 #include "emit/page.hpp"
 #include "emit/page_writer.hpp"
@@ -129,16 +130,19 @@ std::string names_of_joints(const Mechanism& mechanism) {
   return names.dump();
 }
 
-data limits_of_joints(const Mechanism& mechanism, const Dialect& dialect) {
+// A limit as Python writes it.
+std::string limit_text(const code::TableEntry& entry) {
+  if (const auto* missing = std::get_if<code::Infinity>(&entry)) {
+    return missing->is_negative ? "-float(\"inf\")" : "float(\"inf\")";
+  }
+  return decimal_literal(std::get<Rational>(entry));
+}
+
+data limits_of_joints(const Mechanism& mechanism) {
   data list(data::type::list);
   for (const LimitColumn& kind : limits_given(mechanism)) {
     std::vector<std::string> entries;
-    for (const std::string& entry : limit_entries(mechanism, kind, dialect)) {
-      const std::size_t open = entry.find('('), close = entry.rfind(')');
-      const std::string number = entry.substr(open + 1, close - open - 1);
-      const bool is_missing = number.find("HUGE_VAL") != std::string::npos;
-      entries.push_back(!is_missing ? number : number.front() == '-' ? "-float(\"inf\")" : "float(\"inf\")");
-    }
+    for (const code::TableEntry& entry : limit_entries(mechanism, kind)) entries.push_back(limit_text(entry));
     data item("name", std::string(kind.constant));
     item["meaning"] = std::string(kind.meaning);
     item["entries"] = fmt::format("{}", fmt::join(entries, ", "));
@@ -185,7 +189,7 @@ CudaPythonModule cuda_python_module(const Mechanism& mechanism, const std::vecto
   page["prefix"] = prefix;
   page["joint_names"] = names_of_joints(mechanism);
   page["joint_count"] = std::to_string(mechanism.joints().size());
-  page["limits"] = limits_of_joints(mechanism, *dialect);
+  page["limits"] = limits_of_joints(mechanism);
   page["launchers"] = data(launchers);
   page["functions"] = data(python);
   page["hash"] = std::string(kHashPlaceholder);

@@ -130,14 +130,13 @@ class ModuleWriter {
     }
     page["limits"] = data(limits);
     const std::vector<std::string> names = global_names(mechanism_, functions_, *dialect_).base;
-    const BaseConstants base =
-        names.empty() ? BaseConstants{} : base_constants(mechanism_, names, options_.frames, *dialect_);
+    const BaseConstants base = names.empty() ? BaseConstants{} : base_constants(mechanism_, names, options_.frames);
     page["base?"] = base.count > 0;
     if (base.count == 0) return;
     page["base_count"] = std::to_string(base.count);
     page["base_names"] = names[1];
     page["base_units"] = names_line("base_parameter_units", units_of_base_parameters(mechanism_));
-    page["base_values?"] = base.arrays.size() > 1;
+    page["base_values?"] = base.tables.size() > 1;
     page["base_values"] = names[2];
   }
 

@@ -203,17 +203,26 @@ std::string CDialect::count_definition(const std::string& name, int value) const
   return fmt::format("enum {{ {} = {} }};\n", name, value);
 }
 
-std::string CDialect::type_of(const ConstantArray& array) const {
-  if (array.type == kReal) return "const " + scalar();
-  return array.type.back() == '*' ? array.type + " const" : "const " + array.type;
+std::string CDialect::type_of(const code::Table& table) const {
+  switch (table.type) {
+    case code::Table::Type::text:
+      return "const char* const";
+    case code::Table::Type::real:
+      break;
+    case code::Table::Type::whole:
+      return "const int";
+    case code::Table::Type::flag:
+      return "const bool";
+  }
+  return "const " + scalar();
 }
 
-std::string CDialect::definition_begin(const ConstantArray& array) const {
-  return fmt::format("{} {}[{}] = {{", type_of(array), array.name, array.length);
+std::string CDialect::definition_begin(const code::Table& table) const {
+  return fmt::format("{} {}[{}] = {{", type_of(table), table.name, table.length);
 }
 
-std::string CDialect::declaration(const ConstantArray& array) const {
-  return fmt::format("extern {} {}[{}];\n", type_of(array), array.name, array.length);
+std::string CDialect::declaration(const code::Table& table) const {
+  return fmt::format("extern {} {}[{}];\n", type_of(table), table.name, table.length);
 }
 
 std::string CDialect::check_loop(std::size_t first, std::size_t end, const std::string& check) const {

@@ -42,7 +42,7 @@ class CDialect : public PageDialect {
   void declare(FunctionText& text, const UndeclaredFunction& function) const override;
   std::string count_definition(const std::string& name, int value) const override;
   bool declares_constants_apart() const override { return true; }
-  std::string declaration(const ConstantArray& array) const override;
+  std::string declaration(const code::Table& table) const override;
   std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const override;
   std::string all_positive(const std::string& array, std::size_t length) const override;
 
@@ -61,7 +61,7 @@ class CDialect : public PageDialect {
   virtual std::string linkage() const { return ""; }  // "static " for functions that no other file calls
   // Whether parameters that are arrays are declared with their lengths.
   virtual bool declares_lengths() const { return true; }
-  std::string definition_begin(const ConstantArray& array) const override;
+  std::string definition_begin(const code::Table& table) const override;
 
  private:
   std::vector<std::string> parameters(const std::vector<Argument>& arguments, bool restricts) const;
@@ -69,7 +69,7 @@ class CDialect : public PageDialect {
   std::string sized(const Argument& argument, bool restricts) const;
   std::string asking_body(const UndeclaredFunction& function, const std::string& returns, SinCosVariant& given) const;
   std::string definitions(const FunctionText& text) const;
-  std::string type_of(const ConstantArray& array) const;
+  std::string type_of(const code::Table& table) const;
 
   std::string number_, exported_;
 };

@@ -97,8 +97,21 @@ std::string CppDialect::count_definition(const std::string& name, int value) con
   return fmt::format("inline constexpr int {} = {};\n", name, value);
 }
 
-std::string CppDialect::definition_begin(const ConstantArray& array) const {
-  return fmt::format("inline constexpr {} {}[{}] = {{", array.type, array.name, array.length);
+std::string CppDialect::definition_begin(const code::Table& table) const {
+  const auto type = [&table] {
+    switch (table.type) {
+      case code::Table::Type::text:
+        return "const char*";
+      case code::Table::Type::real:
+        break;
+      case code::Table::Type::whole:
+        return "int";
+      case code::Table::Type::flag:
+        return "bool";
+    }
+    return "Real";
+  };
+  return fmt::format("inline constexpr {} {}[{}] = {{", type(), table.name, table.length);
 }
 
 std::string CppDialect::check_loop(std::size_t first, std::size_t end, const std::string& check) const {

@@ -52,7 +52,7 @@ class CppDialect : public PageDialect {
   void write_page(kainjow::mustache::data& page, const CodeContent& content) const override;
 
  protected:
-  std::string definition_begin(const ConstantArray& array) const override;
+  std::string definition_begin(const code::Table& table) const override;
 
  private:
   bool is_pair() const { return !compiled_.empty(); }

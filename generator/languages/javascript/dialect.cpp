@@ -160,8 +160,8 @@ std::string JavascriptDialect::count_definition(const std::string& name, int val
   return fmt::format("const {} = {};\n", name, value);
 }
 
-std::string JavascriptDialect::definition_begin(const ConstantArray& array) const {
-  return fmt::format("const {} = [", array.name);
+std::string JavascriptDialect::definition_begin(const code::Table& table) const {
+  return fmt::format("const {} = [", table.name);
 }
 
 std::string JavascriptDialect::check_loop(std::size_t first, std::size_t end, const std::string& check) const {

@@ -47,7 +47,7 @@ class JavascriptDialect : public PageDialect {
   void write_page(kainjow::mustache::data& page, const CodeContent& content) const override;
 
  protected:
-  std::string definition_begin(const ConstantArray& array) const override;
+  std::string definition_begin(const code::Table& table) const override;
   std::string definition_end() const override { return "];"; }
 
  private:
