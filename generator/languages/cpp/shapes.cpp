@@ -14,16 +14,6 @@ using kainjow::mustache::data;
 
 namespace {
 
-std::string input_of(const ArrayArgument& array) {
-  return fmt::format("const Scalar (&{})[{}]", array.name, array.length);
-}
-
-std::string output_of(const ArrayArgument& array, const Output& output) {
-  if (!is_array_of_arrays(output)) return fmt::format("Scalar (&{})[{}]", array.name, array.length);
-  const auto columns = static_cast<std::size_t>(output.cols);
-  return fmt::format("Scalar (&{})[{}][{}]", array.name, array.length / columns, columns);
-}
-
 // A function with a single call, on one line if it fits.
 std::string calling(const std::string& parameters, const std::string& callee) {
   const std::string head =
@@ -33,23 +23,35 @@ std::string calling(const std::string& parameters, const std::string& callee) {
   return line.size() <= kLineWidth ? line : head + "\n    " + statement + "\n  }";
 }
 
-// Whether the parameter is an array of length 0, which C++ does not have.
-bool is_empty(const std::string& parameter) { return parameter.find("[0]") != std::string::npos; }
-
 }  // namespace
 
+std::string shape_of(const ShapedArray& array) {
+  const char* const begin = array.is_output ? "Scalar" : "const Scalar";
+  if (array.columns == 0) return fmt::format("{} (&{})[{}]", begin, array.name, array.length);
+  return fmt::format("{} (&{})[{}][{}]", begin, array.name, array.length / array.columns, array.columns);
+}
+
+std::string shape_line(const ShapedFunction& function, std::string (*shape)(const ShapedArray&)) {
+  std::vector<std::string> list;
+  if (function.has_parameters) list.emplace_back("const Parameters<Scalar>&");
+  for (const ShapedArray& each : function.arrays) list.push_back(shape(each));
+  return without_newline(list_line(fmt::format("using Shape = {}(", function.returns), list, ");", kStatementIndent));
+}
+
 ShapedFunction shaped(const Function& function, const FunctionText& text, const HeaderScope& scope) {
-  ShapedFunction result{text.name, text.returns, {}, !is_whole(function), true, ""};
-  if (!scope.parameters.empty()) result.parameters.emplace_back("const Parameters<Scalar>&");
-  for (const ArrayArgument& input : text.inputs) result.parameters.push_back(input_of(input));
+  ShapedFunction result{text.name, text.returns, !scope.parameters.empty(), {}, !is_whole(function), true, ""};
+  for (const ArrayArgument& input : text.inputs) result.arrays.push_back({input.name, input.length});
   for (std::size_t k = 0; k < text.outputs.size(); ++k) {
-    result.parameters.push_back(output_of(text.outputs[k], function.outputs[k]));
+    const Output& output = function.outputs[k];
+    const int columns = is_array_of_arrays(output) ? output.cols : 0;
+    result.arrays.push_back({text.outputs[k].name, text.outputs[k].length, static_cast<std::size_t>(columns), true});
   }
   return result;
 }
 
 bool has_shape(const ShapedFunction& function) {
-  return std::none_of(function.parameters.begin(), function.parameters.end(), is_empty);
+  return std::none_of(function.arrays.begin(), function.arrays.end(),
+                      [](const ShapedArray& array) { return array.length == 0; });
 }
 
 void add_stages(std::vector<ShapedFunction>& functions, const std::vector<StageText>& stages,
@@ -78,8 +80,7 @@ void write_shapes(data& header, const std::vector<ShapedFunction>& functions, co
     any = true;
     data item;
     item["name"] = function.name;
-    item["shape"] = without_newline(
-        list_line(fmt::format("using Shape = {}(", function.returns), function.parameters, ");", kStatementIndent));
+    item["shape"] = shape_line(function, shape_of);
     item["leaves_out?"] = function.leaves_out;
     item["by_itself?"] = function.is_by_itself;
     item["of_stage?"] = !function.stage.empty();

@@ -11,14 +11,27 @@
 
 namespace flatdyn {
 
-struct ShapedFunction {
-  std::string name;                     // "jacobian"
-  std::string returns;                  // "void"
-  std::vector<std::string> parameters;  // "const Scalar (&q)[7]", "Scalar (&J)[6][7]"
-  bool leaves_out = false;              // whether a scene leaves out entries of its outputs
-  bool is_by_itself = true;             // whether it exists outside of a stage
-  std::string stage;                    // the stage that it is a member of, if any: "Configuration"
+struct ShapedArray {
+  std::string name;
+  std::size_t length = 0, columns = 0;  // columns: of an array of arrays; else 0
+  bool is_output = false;
 };
+
+struct ShapedFunction {
+  std::string name;                 // "jacobian"
+  std::string returns;              // "void"
+  bool has_parameters = false;      // whether the first argument is Parameters
+  std::vector<ShapedArray> arrays;  // the others, in order
+  bool leaves_out = false;          // whether a scene leaves out entries of its outputs
+  bool is_by_itself = true;         // whether it exists outside of a stage
+  std::string stage;                // the stage that it is a member of, if any: "Configuration"
+};
+
+// The argument with its shape: "const Scalar (&q)[7]", "Scalar (&J)[6][7]".
+std::string shape_of(const ShapedArray& array);
+
+// The line "using Shape = void(const Scalar (&q)[7], Scalar (&g)[7]);", with `shape` for each array.
+std::string shape_line(const ShapedFunction& function, std::string (*shape)(const ShapedArray&));
 
 // `text`: that of the function outside of stages.
 ShapedFunction shaped(const Function& function, const FunctionText& text, const HeaderScope& scope);

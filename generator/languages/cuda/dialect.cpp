@@ -163,13 +163,9 @@ bool reads_parts(const Function& function) {
   return std::any_of(inputs.begin(), inputs.end(), [](const Input& input) { return input.kind == InputKind::stored; });
 }
 
-// The shapes of arguments. An input without entries, the q of a body without joints, is nullptr.
-std::vector<std::string> shape_of_arguments(const ShapedFunction& shape) {
-  std::vector<std::string> list = shape.parameters;
-  for (std::string& each : list) {
-    if (each.starts_with("const Scalar") && each.ends_with("[0]")) each = "decltype(nullptr)";
-  }
-  return list;
+// An argument's shape. An input without entries, the q of a body without joints, is nullptr.
+std::string shape_in_kernel(const ShapedArray& array) {
+  return array.length == 0 && !array.is_output ? "decltype(nullptr)" : shape_of(array);
 }
 
 // The struct of function k, whose parts begin at `first` among the functions.
@@ -180,8 +176,7 @@ data kernel_of(const CodeContent& content, std::size_t k, std::size_t first, int
   data item;
   data calls(data::type::list);
   item["name"] = text.name;
-  item["shape"] = without_newline(
-      list_line(fmt::format("using Shape = {}(", shape.returns), shape_of_arguments(shape), ");", kStatementIndent));
+  item["shape"] = shape_line(shape, shape_in_kernel);
   item["parts"] = std::to_string(std::max(1, parts));
   item["places?"] = has_places(function);
   item["places"] = places_of(function);
