@@ -214,6 +214,20 @@ VectorXd known_variances(const Observations& observations, Index joints) {
 
 Index joints_of(const std::vector<MatrixXd>& B) { return B.empty() ? 0 : B.front().cols(); }
 
+// The unknowns in one vector: coloured noise by equation and colour, white noise by equation, then noise of
+// accelerations by joint.
+struct Unknowns {
+  Index equations = 0, joints = 0;
+
+  Index all() const { return equations * (kColours + 1) + joints; }
+  Index optional() const { return equations * kColours; }  // those before all that are known
+  Eigen::VectorBlock<VectorXd> coloured(VectorXd& x, Index equation) const {
+    return x.segment(equation * kColours, kColours);
+  }
+  Eigen::VectorBlock<VectorXd> measured(VectorXd& x) const { return x.segment(optional(), equations); }
+  Eigen::VectorBlock<VectorXd> accelerations(VectorXd& x) const { return x.tail(joints); }
+};
+
 }  // namespace
 
 VectorXd with_known_part(const VectorXd& values, Index columns) {
@@ -262,12 +276,11 @@ ResidualNoise residual_noise(const Observations& observations, const VectorXd& v
   const std::vector<MatrixXd> B = inertias(observations, values, rows);
   const auto n = static_cast<Index>(observations.joints.size());
   const Index joints = joints_of(B);
-  // The unknowns: coloured noise by equation and colour, white noise by equation, then noise of accelerations by joint.
-  const Index colours = n * kColours, all = colours + n + joints;
-  VectorXd known = VectorXd::Zero(all);
+  const Unknowns unknowns{n, joints};
+  VectorXd known = VectorXd::Zero(unknowns.all());
   known.tail(n + joints) = known_variances(observations, joints);
-  MatrixXd H = MatrixXd::Zero(all, all);
-  VectorXd h = VectorXd::Zero(all), sizes = known_squares(observations);
+  MatrixXd H = MatrixXd::Zero(unknowns.all(), unknowns.all());
+  VectorXd h = VectorXd::Zero(unknowns.all()), sizes = known_squares(observations);
   for (Index i = 0; i < n; ++i) {
     const LaggedProduct own = lagged_product(observations, left, B, i, i, 0, joints);
     if (own.count > 0) sizes[i] = std::max(sizes[i], own.product / static_cast<double>(own.count));
@@ -281,19 +294,19 @@ ResidualNoise residual_noise(const Observations& observations, const VectorXd& v
         const LaggedProduct mean = lagged_product(observations, left, B, i, k, lag, joints);
         if (mean.count == 0) continue;
         const double scale = std::sqrt(free / static_cast<double>(mean.count)) / size;
-        VectorXd row = VectorXd::Zero(all);
-        row.segment(i * kColours, kColours) = mean.of_colours;
-        row[colours + i] = mean.of_measured;
-        row.tail(joints) = mean.of_accelerations;
+        VectorXd row = VectorXd::Zero(unknowns.all());
+        unknowns.coloured(row, i) = mean.of_colours;
+        unknowns.measured(row)[i] = mean.of_measured;
+        unknowns.accelerations(row) = mean.of_accelerations;
         row *= scale;
         H += row * row.transpose();
         h += scale * mean.product / free * row;
       }
     }
   }
-  const auto [variances, covariance] = without_doubtful(H, h, known, colours, joints);
-  return {variances.segment(colours, n), Eigen::Map<const MatrixXd>(variances.data(), kColours, n).transpose(),
-          variances.tail(joints), covariance.bottomRightCorner(joints, joints)};
+  auto [variances, covariance] = without_doubtful(H, h, known, unknowns.optional(), joints);
+  return {unknowns.measured(variances), Eigen::Map<const MatrixXd>(variances.data(), kColours, n).transpose(),
+          unknowns.accelerations(variances), covariance.bottomRightCorner(joints, joints)};
 }
 
 MatrixXd score_covariance(const Observations& observations, const VectorXd& values, const VectorXd& weights,

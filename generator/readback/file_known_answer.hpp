@@ -25,6 +25,9 @@ struct KnownAnswerWords {
 std::string known_answer_pattern(const FileContents& contents, const std::vector<KnownCall>& calls,
                                  const KnownAnswerWords& words);
 
+// The hashes of the polynomial sines and cosines at eight angles, as they have to be.
+inline constexpr const char *kRightDoubleSines = "0x7b037ac8b2e0683c", *kRightFloatSines = "0x803948b6889bcc50";
+
 // Whether this is the constant of a hash: "0x" and 16 digits, unsigned. A wrong one makes the answer false.
 bool is_hash(const std::string& token);
 

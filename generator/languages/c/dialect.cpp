@@ -277,7 +277,7 @@ void CDialect::write_page(data& page, const CodeContent& content) const {
   page["smallest"] = std::string(is_float ? "0x1p-126f" : "0x1p-1022");
   page["is_float"] = is_float;
   page["most_angle"] = std::string(is_float ? "6400" : "1e5");
-  page["hash_of_sines"] = std::string(is_float ? "0x803948b6889bcc50" : "0x7b037ac8b2e0683c");
+  page["hash_of_sines"] = std::string(is_float ? kFloatSines : kDoubleSines);
   page["places"] = std::string(is_float ? "8388608.0f" : "4503599627370496.0");
   page["bits"] = std::string(is_float ? "uint32_t" : "uint64_t");
   page["signed_bits"] = std::string(is_float ? "int32_t" : "int64_t");

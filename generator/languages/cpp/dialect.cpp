@@ -163,6 +163,8 @@ void CppDialect::write_known_answer(data& page, const CodeContent& content) cons
       content, {"Scalar", "detail::", "Parameters<Scalar>", "parameters", "GivenSinCos<Scalar>"});
   page["known_answer?"] = !statements.empty();
   page["known_answer"] = without_newline(statements);
+  page["hash_of_sines"] = std::string(kDoubleSines);
+  page["hash_of_float_sines"] = std::string(kFloatSines);
   page["known_answer_helpers"] = without_newline(rendered(templates::known_answer_hpp, page));
   page["verdict"] =
       statements.empty() ? "true" : fmt::format("hash == (is_float ? {}u : {}u)", kFloatAnswer, kDoubleAnswer);

@@ -410,7 +410,7 @@ static bool sines_are_right() noexcept {
   for (int k = 0; k < 8; ++k) x[k] = angles[k] + zero;
   PolynomialSinCos()(x, Joints<0, 1, 2, 3, 4, 5, 6, 7>(), s, c);
   const uint64_t hash = hash_of(c, 8, hash_of(s, 8, 14695981039346656037u));
-  return hash == (sizeof(Scalar) == sizeof(float) ? 0x803948b6889bcc50u : 0x7b037ac8b2e0683cu);
+  return hash == (sizeof(Scalar) == sizeof(float) ? $hash_of_float_sines$u : $hash_of_sines$u);
 }
 )";
 

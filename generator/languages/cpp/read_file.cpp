@@ -21,6 +21,8 @@ CppFile::CppFile(const EmittedText& text, const FileContents& contents) : FileRe
   fill("interface", std::to_string(kInterface));
   fill("parameters", has_parameters ? "parameters," : "");
   fill("parameters_argument", has_parameters ? "const Parameters<Scalar>& parameters," : "");
+  fill("hash_of_sines", kRightDoubleSines);
+  fill("hash_of_float_sines", kRightFloatSines);
   fill("file", contents.file_name);
   fill("default_sines", has_polynomials() ? "PolynomialSinCos" : "LibrarySinCos");
 }
