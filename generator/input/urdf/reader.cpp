@@ -44,15 +44,18 @@ class UrdfReader {
       read_joint(*e);
     }
     for (const int link : point_masses_) tell_of_point_mass(robot_.links[static_cast<std::size_t>(link)], moves(link));
+    // Couplings go by the marks, and by the joints that follow others already.
     read_urdf_mimics(root, floating_names(), values_, robot_);
     read_urdf_marks(root, values_, robot_);
     read_urdf_couplings(root, values_, robot_);
     read_urdf_loops(root, values_, robot_);
+    // The rest finds joints by their names in the file; the order is only that of the messages.
     check_urdf_names(root, values_);
     read_urdf_springs(root, values_, robot_);
     refuse_unread_dynamics(root, values_, robot_);
     check_urdf_simulators(root, values_, robot_);
     read_urdf_actuators(root, values_, robot_);
+    // Floating and planar joints come last: joints that stand for them have other names.
     read_floating_joints();
     for (const std::string& joint : planar_) split_planar_joint(joint, context_, robot_);
   }
