@@ -70,13 +70,13 @@ Printer::Bound Printer::product(const code::Product& product) const {
   return {std::move(text), has_minus ? Binding::sum : Binding::product};
 }
 
+// In front, a product or a literal may have a minus of its own.
 Printer::Bound Printer::sum(const code::Sum& sum) const {
-  const code::Addend& first = sum.addends[0];
-  std::string text;
-  if (first.is_negative) text = "-";
-  const bool has_literal =
-      std::holds_alternative<code::Product>(first.value) || std::holds_alternative<code::Literal>(first.value);
-  text += has_literal && !first.is_negative ? bound(first.value).text : operand(first.value, Binding::quotient);
+  const auto& [is_negative, first] = sum.addends[0];
+  const bool may_be_negative =
+      std::holds_alternative<code::Product>(first) || std::holds_alternative<code::Literal>(first);
+  std::string text = is_negative ? "-" : "";
+  text += may_be_negative && !is_negative ? bound(first).text : operand(first, Binding::quotient);
   for (std::size_t k = 1; k < sum.addends.size(); ++k) {
     const code::Addend& each = sum.addends[k];
     text += (each.is_negative ? " - " : " + ") + operand(each.value, Binding::quotient);
