@@ -123,6 +123,10 @@ std::string Printer::text(const code::Part& part) const {
          "}\n";
 }
 
+int Printer::lines_of(const code::Statement& statement) const {
+  return count_lines(std::visit([this](const auto& each) { return line(each); }, statement));
+}
+
 int Printer::lines_of(const code::Statements& statements) const { return count_lines(text(statements)); }
 
 int Printer::lines_of(const code::Part& part) const { return count_lines(text(part)); }

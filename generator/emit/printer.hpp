@@ -20,6 +20,7 @@ class Printer : public TextLength {
   // The definition of a function.
   std::string text(const code::Part& part) const;
 
+  int lines_of(const code::Statement& statement) const override;
   int lines_of(const code::Statements& statements) const override;
   int lines_of(const code::Part& part) const override;
 

@@ -43,6 +43,7 @@ struct PartStep {
   std::optional<int> makes;
   std::vector<int> needs;
   std::vector<std::string> arguments;
+  int lines = 0;
 };
 
 class Cutter {
@@ -83,7 +84,7 @@ class Cutter {
   }
 
   void add_step(const code::Statement& statement) {
-    PartStep step{&statement, {}, {}, {}};
+    PartStep step{&statement, {}, {}, {}, body_.length.lines_of(statement)};
     code::Names names = code::names_in(statement);
     for (const std::string& name : names.variables) step.needs.push_back(number_of(name));
     step.arguments = std::move(names.others);
@@ -105,12 +106,24 @@ class Cutter {
   std::size_t end_of_part(std::size_t first, const std::string& name) const {
     std::size_t last = std::min(steps_.size(), first + static_cast<std::size_t>(body_.most_lines));
     while (last > first + 1) {
-      const int too_many = body_.length.lines_of(part(first, last, name)) - body_.most_lines;
+      int too_many = estimated_lines(first, last) - body_.most_lines;
+      if (too_many <= 0) too_many = body_.length.lines_of(part(first, last, name)) - body_.most_lines;
       if (too_many <= 0) break;
       constexpr int kLinesOfStep = 3;  // with the lines that it needs and keeps
       last = std::max(first + 1, last - static_cast<std::size_t>((too_many + kLinesOfStep - 1) / kLinesOfStep));
     }
     return last;
+  }
+
+  // The lines of the steps, which each value that is kept makes longer by one: printing them all takes long.
+  int estimated_lines(std::size_t first, std::size_t last) const {
+    int lines = 0;
+    for (std::size_t k = first; k < last; ++k) {
+      const std::optional<int>& made = steps_[k].makes;
+      const bool is_both = made && is_kept(*made, last) && first_use_[static_cast<std::size_t>(*made)] < last;
+      lines += steps_[k].lines + (is_both ? 1 : 0);
+    }
+    return lines;
   }
 
   const code::Expression* source_of(int variable) const {

@@ -39,6 +39,7 @@ struct LanguageTraits {
 class TextLength {
  public:
   virtual ~TextLength() = default;
+  virtual int lines_of(const code::Statement& statement) const = 0;
   virtual int lines_of(const code::Statements& statements) const = 0;
   virtual int lines_of(const code::Part& part) const = 0;
 };
