@@ -106,17 +106,17 @@ struct Return {
   std::optional<Expression> value;  // nullopt: the verdict
 };
 
-// Vectors with a number of each limb: the type of those with this many lanes,
+// The type of vectors with a number of each limb, of so many lanes, is introduced.
 struct UseLanes {
   int lanes = 0;
 };
-// one that is put together from numbers,
+// A vector is put together from numbers, one for each lane.
 struct Gather {
   int lanes = 0;
   std::string name;
   std::vector<Expression> numbers;
 };
-// and one that is computed.
+// A vector is computed, the same expression in all lanes.
 struct DefineLanes {
   int lanes = 0;
   std::string name;

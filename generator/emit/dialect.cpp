@@ -66,9 +66,7 @@ std::string Dialect::braced_check_loop(const std::string& counter, std::size_t f
                    kStatementIndent);
 }
 
-std::string Dialect::excess(const std::string& sum, const std::string& term) const {
-  return fmt::format("excess({}, {})", sum, term);
-}
+std::optional<std::string> Dialect::excess(const std::string&, const std::string&) const { return std::nullopt; }
 
 std::string Dialect::written_entry(const std::string& output, int entry) const {
   return fmt::format("{}[{}]", output, entry);

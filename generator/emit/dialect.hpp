@@ -4,6 +4,7 @@
 // the same bits. No other file of this folder asks which language it is (`ctest -R Layout`).
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -118,11 +119,9 @@ class Dialect {
   virtual std::string declaration(const code::Table& table) const;  // empty if they are not declared apart
   // A loop of checks of entries from `first` to before `end`: for (int k = 0; k < 7; ++k) valid &= check;
   virtual std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const = 0;
-  // Whether a call makes the value that is positive if a rounded sum is above its first term, and that call. Without
-  // one it is the sum less the term, which no flag of the language's compilers may reorder: that would make it the
-  // second term.
-  virtual bool has_excess() const { return false; }
-  virtual std::string excess(const std::string& sum, const std::string& term) const;
+  // The call that makes a value that is positive if a rounded sum is above its first term. nullopt: the value is the
+  // sum less the term, which no flag of the language's compilers may reorder to the second term.
+  virtual std::optional<std::string> excess(const std::string& sum, const std::string& term) const;
   // A loop of checks of all entries of an array: for … valid &= pivots[k] > 0;
   virtual std::string all_positive(const std::string& array, std::size_t length) const = 0;
 

@@ -99,7 +99,7 @@ std::string Printer::call(const code::Call& call) const {
     case code::Operation::excess:
       break;
   }
-  if (dialect_.has_excess()) return dialect_.excess(argument(0), argument(1));
+  if (const std::optional<std::string> excess = dialect_.excess(argument(0), argument(1))) return *excess;
   code::Sum difference = std::get<code::Sum>(call.operands[0]);
   code::Addend term = code::without_sign(call.operands[1]);
   term.is_negative = !term.is_negative;

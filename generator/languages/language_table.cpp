@@ -6,44 +6,45 @@
 
 namespace flatdyn {
 
+namespace {
+
+LanguageRow cpp_row() {
+  LanguageRow row{.option = "c++", .name = "C++", .language = Language::cpp};
+  row.has_pair = row.has_stages = row.has_lanes = row.has_conventions = true;
+  row.has_scalar = row.has_namespace = row.has_fma = true;
+  row.is_compiled_by_host = true;
+  return row;
+}
+
+LanguageRow c_row() {
+  LanguageRow row{.option = "c", .name = "C", .language = Language::c};
+  row.has_source = row.has_given_variants = true;
+  row.has_scalar = row.has_namespace = row.has_fma = true;
+  row.is_compiled_by_host = true;
+  return row;
+}
+
+LanguageRow cuda_row() {
+  LanguageRow row{.option = "cuda", .name = "CUDA", .language = Language::cuda};
+  row.has_scalar = row.has_namespace = row.has_fma = true;
+  row.has_kernels = true;
+  row.has_parts = false;
+  return row;
+}
+
+LanguageRow javascript_row() {
+  LanguageRow row{.option = "javascript", .name = "JavaScript", .language = Language::javascript};
+  row.has_types_apart = true;
+  return row;
+}
+
+// A module over C, whose row says what it has.
+LanguageRow python_row() { return {.option = kPython, .name = "Python", .language = Language::c}; }
+
+}  // namespace
+
 const std::vector<LanguageRow>& language_rows() {
-  static const std::vector<LanguageRow> all = {
-      {.option = "c++",
-       .name = "C++",
-       .language = Language::cpp,
-       .has_pair = true,
-       .has_stages = true,
-       .has_scalar = true,
-       .has_namespace = true,
-       .has_fma = true,
-       .has_lanes = true,
-       .has_conventions = true,
-       .is_compiled_by_host = true},
-      {.option = "c",
-       .name = "C",
-       .language = Language::c,
-       .has_source = true,
-       .has_scalar = true,
-       .has_namespace = true,
-       .has_fma = true,
-       .has_given_variants = true,
-       .is_compiled_by_host = true},
-      {.option = "cuda",
-       .name = "CUDA",
-       .language = Language::cuda,
-       .has_scalar = true,
-       .has_namespace = true,
-       .has_fma = true,
-       .has_parts = false,
-       .has_kernels = true},
-      {.option = "javascript", .name = "JavaScript", .language = Language::javascript, .has_types_apart = true},
-      {.option = kPython,
-       .name = "Python",
-       .language = Language::c,
-       .has_source = true,
-       .has_scalar = true,
-       .has_namespace = true,
-       .has_given_variants = true}};
+  static const std::vector<LanguageRow> all = {cpp_row(), c_row(), cuda_row(), javascript_row(), python_row()};
   return all;
 }
 

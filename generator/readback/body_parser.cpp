@@ -8,8 +8,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "readback/unreadable_text.hpp"
-
 namespace flatdyn {
 namespace {
 
@@ -47,12 +45,7 @@ std::vector<ParsedStatement> BodyParser::parse(const ScannedFunction& function, 
   return std::move(statements_);
 }
 
-void BodyParser::fail(const std::string& what) const {
-  const std::vector<Token>& tokens = text_.tokens();
-  if (tokens.empty()) throw Failure(ExitCode::bug, "emitted text cannot be read back: it is empty");
-  const Token& token = tokens[std::min(at_, tokens.size() - 1)];
-  throw UnreadableText(token.line, fmt::format("{} at \"{}\"", what, token.text));
-}
+void BodyParser::fail(const std::string& what) const { text_.refuse(at_, what); }
 
 // The token's text; "" after the end.
 const std::string& BodyParser::word(std::size_t ahead) const {
@@ -108,6 +101,9 @@ code::Expression BodyParser::sum() {
     const bool is_subtracted = take() == "-";
     result.addends.push_back({is_subtracted, product()});
   }
+  const auto& [sign, first] = result.addends.front();
+  const auto* number = std::get_if<code::Literal>(&first);
+  if (is_negative && number != nullptr && number->value == 0) fail("a zero with a sign");
   if (result.addends.size() == 1 && !is_negative) return std::move(result.addends.front().value);
   return result;
 }
@@ -163,6 +159,14 @@ code::Literal BodyParser::literal(bool is_float) {
                                                         : reads_as(text, text.size(), value));
   if (!is_number) fail("a number expected");
   return {Rational(is_float ? double(narrow) : value)};
+}
+
+code::Literal BodyParser::signed_literal(bool is_float) {
+  const bool is_negative = accept("-");
+  code::Literal result = literal(is_float);
+  if (is_negative && result.value == 0) fail("a zero with a sign");
+  if (is_negative) result.value = -result.value;
+  return result;
 }
 
 code::Expression BodyParser::variable_or_entry() {
@@ -237,15 +241,17 @@ void BodyParser::give_back() {
   add(std::move(result));
 }
 
-void BodyParser::arguments_of(const ScannedFunction& part, bool is_returned) {
-  code::CallPart call{part.name, {}, is_part_, is_returned};
+void BodyParser::call_of_part(bool is_returned) {
+  const auto part = text_.parts().find(take());
+  if (part == text_.parts().end()) fail("a call of what is no part");
+  code::CallPart call{part->first, {}, is_part_, is_returned};
   const char* before = "(";
-  for (const ScannedFunction::Parameter& parameter : part.parameters) {
+  for (const ScannedFunction::Parameter& parameter : part->second.parameters) {
     expect(before);
     call.arguments.push_back(argument(parameter));
     before = ",";
   }
-  if (part.parameters.empty()) expect("(");
+  if (part->second.parameters.empty()) expect("(");
   expect_all({")", ";"});
   add(std::move(call));
 }

@@ -67,6 +67,8 @@ class BodyParser {
   code::Expression nested();
   // A literal, in double or as "0.5f" in float, rounded once, in its own type.
   code::Literal literal(bool is_float);
+  // A literal with a sign of its own: -0.5.
+  code::Literal signed_literal(bool is_float);
   // The rest of a call with so many operands, after its opening bracket.
   code::Expression call(code::Operation operation, int operands);
   // A variable, or an entry of an array: x, q[2].
@@ -82,8 +84,8 @@ class BodyParser {
   virtual code::Place place();
   // The rest of a return of a sum or of the verdict.
   void give_back();
-  // The rest of a call of a part, from its arguments on.
-  void arguments_of(const ScannedFunction& part, bool is_returned);
+  // f_part_1(q, kept); by its name and arguments.
+  void call_of_part(bool is_returned);
   virtual code::Argument argument(const ScannedFunction::Parameter& parameter);
 
   // Checks, after their beginning up to the end: D_1 > 0;   true;   0 * tau[3] < 1;
@@ -95,7 +97,6 @@ class BodyParser {
   virtual bool accept_always() { return accept("true"); }
   virtual void whole_literal(const char* wanted) = 0;  // "0.0" as the language writes it
   virtual std::size_t tokens_of_literal() const { return 1; }
-  bool has_checks() const { return has_checks_; }
 
   const EmittedText& text_;
   const ScannedFunction* function_ = nullptr;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "readback/emitted_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "diagnostics/diagnostics.hpp"
@@ -8,6 +10,7 @@
 #include "readback/execution.hpp"
 #include "readback/language_reader.hpp"
 #include "readback/scan.hpp"
+#include "readback/unreadable_text.hpp"
 
 namespace flatdyn {
 
@@ -39,6 +42,12 @@ const ScannedCount& EmittedText::count_of_angles() const {
 const std::vector<std::string>* EmittedText::fields(const std::string& structure) const {
   const auto found = fields_.find(structure);
   return found == fields_.end() ? nullptr : &found->second;
+}
+
+void EmittedText::refuse(std::size_t token, const std::string& what) const {
+  if (tokens_.empty()) throw Failure(ExitCode::bug, "emitted text cannot be read back: it is empty");
+  const Token& at = tokens_[std::min(token, tokens_.size() - 1)];
+  throw UnreadableText(at.line, fmt::format("{} at \"{}\"", what, at.text));
 }
 
 // The function with the types of its parameters, which in JavaScript follow from their order.

@@ -69,6 +69,9 @@ class EmittedText {
   // The fields of a struct of this name; nullptr: there is none.
   const std::vector<std::string>* fields(const std::string& structure) const;
 
+  // Throws UnreadableText with the line of the token, or of the last one.
+  [[noreturn]] void refuse(std::size_t token, const std::string& what) const;
+
   // Function k as it is executed, with the outputs of `like`. Throws Failure(bug) if the text is not such a function.
   StraightLine operations(std::size_t k, const Function& like) const;
 

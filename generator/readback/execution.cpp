@@ -8,7 +8,6 @@
 #include <cctype>
 
 #include "readback/language_reader.hpp"
-#include "readback/unreadable_text.hpp"
 
 namespace flatdyn {
 namespace {
@@ -80,12 +79,7 @@ std::vector<int> Execution::entries_of(const Output& output, const std::string& 
   return entries;
 }
 
-void Execution::fail(const std::string& what) const {
-  const std::vector<Token>& tokens = text_.tokens();
-  if (tokens.empty()) throw Failure(ExitCode::bug, "emitted text cannot be read back: it is empty");
-  const Token& token = tokens[std::min(token_, tokens.size() - 1)];
-  throw UnreadableText(token.line, fmt::format("{} in the statement at \"{}\"", what, token.text));
-}
+void Execution::fail(const std::string& what) const { text_.refuse(token_, what + " in the statement"); }
 
 // An array that parts share is as long as it has to be.
 void Execution::require_full_use(const char* array) const {

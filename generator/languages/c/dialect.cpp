@@ -112,7 +112,7 @@ std::string CDialect::infinity(bool negative) const {
 
 std::string CDialect::sign(const std::string& of) const { return global("sign(") + of + ")"; }
 
-std::string CDialect::excess(const std::string& sum, const std::string& term) const {
+std::optional<std::string> CDialect::excess(const std::string& sum, const std::string& term) const {
   return fmt::format("{}({}, {})", global("excess"), sum, term);
 }
 

@@ -29,8 +29,7 @@ class CDialect : public PageDialect {
   std::string infinity(bool negative) const override;
   std::string sign(const std::string& of) const override;
   std::string sqrt(const std::string& of) const override;
-  bool has_excess() const override { return true; }
-  std::string excess(const std::string& sum, const std::string& term) const override;
+  std::optional<std::string> excess(const std::string& sum, const std::string& term) const override;
   std::string fused(const std::string& a, const std::string& b, const std::string& c) const override;
   std::string parameter(const std::string& member) const override;
   std::string filled_sines(const std::string& array, const std::set<int>& angles) const override;

@@ -8,7 +8,7 @@ namespace flatdyn {
 std::vector<BodyParser::Form> CBodyParser::forms() {
   return {
       {[this] { return accept("for"); }, [this] { expect("("), counted_checks("int", true); }},
-      {[this] { return is("return") && calls_part(1); }, [this] { expect("return"), part(true); }},
+      {[this] { return is("return") && calls_part(1); }, [this] { expect("return"), call_of_part(true); }},
       {[this] { return accept("return"); }, [this] { give_back(); }},
       {[this] { return is(code::kValid); }, [this] { further_check(); }},
       {[this] { return accept("const"); }, [this] { expect(text_.scalar()), definitions(); }},
@@ -16,7 +16,7 @@ std::vector<BodyParser::Form> CBodyParser::forms() {
       {[this] { return accept(text_.scalar()); }, [this] { arrays(); }},
       {[this] { return accept("("); }, [this] { ignored(); }},
       {[this] { return is_own(word(), "_sines_and_cosines"); }, [this] { sines(); }},
-      {[this] { return word(1) == "("; }, [this] { part(false); }},
+      {[this] { return word(1) == "("; }, [this] { call_of_part(false); }},
       {[] { return true; }, [this] { assignment(); }},
   };
 }
@@ -62,12 +62,6 @@ void CBodyParser::sines() {
   if (last < first || last >= text_.count_of_angles().value) fail("no such joints");
   for (int k = first; k <= last; ++k) fill.angles.insert(k);
   add(std::move(fill));
-}
-
-void CBodyParser::part(bool is_returned) {
-  const auto part = text_.parts().find(take());
-  if (part == text_.parts().end()) fail("a call of what is no part");
-  arguments_of(part->second, is_returned);
 }
 
 code::Expression CBodyParser::factor() {

@@ -27,7 +27,6 @@ class CBodyParser : public BodyParser {
   void ignored();
   void arrays();
   void sines();
-  void part(bool is_returned);
   bool calls_part(std::size_t ahead) const;
 
   std::string number_;

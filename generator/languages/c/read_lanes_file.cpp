@@ -184,15 +184,8 @@ class LanesBodyParser : public CBodyParser {
 
   code::Expression same_in_all_lanes() {
     expect_all({spread().c_str(), "("});
-    code::Expression value;
-    if (is(code::kParameters)) {
-      value = CBodyParser::factor();
-    } else {
-      const bool is_negative = accept("-");
-      code::Literal number = literal(is_float());
-      if (is_negative) number.value = -number.value;
-      value = std::move(number);
-    }
+    code::Expression value =
+        is(code::kParameters) ? CBodyParser::factor() : code::Expression(signed_literal(is_float()));
     expect(")");
     return value;
   }

@@ -72,7 +72,7 @@ std::string CppDialect::sign(const std::string& of) const { return "detail::sign
 
 std::string CppDialect::sqrt(const std::string& of) const { return "detail::sqrt(" + of + ")"; }
 
-std::string CppDialect::excess(const std::string& sum, const std::string& term) const {
+std::optional<std::string> CppDialect::excess(const std::string& sum, const std::string& term) const {
   return fmt::format("detail::Excess<Scalar>::of({}, {})", sum, term);
 }
 

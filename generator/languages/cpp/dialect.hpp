@@ -24,8 +24,7 @@ class CppDialect : public PageDialect {
   std::string infinity(bool negative) const override;
   std::string sign(const std::string& of) const override;
   std::string sqrt(const std::string& of) const override;
-  bool has_excess() const override { return true; }
-  std::string excess(const std::string& sum, const std::string& term) const override;
+  std::optional<std::string> excess(const std::string& sum, const std::string& term) const override;
   std::string fused_begin() const override;
   // One call for the sines and cosines of all joints, so that they can be evaluated together.
   std::string filled_sines(const std::string& array, const std::set<int>& angles) const override;

@@ -127,9 +127,7 @@ void CppBodyParser::lanes() {
 // Reads detail::f_part_1(q, kept, B); parts call one another without detail::.
 void CppBodyParser::part() {
   if (!is_part_) expect_all({"detail", "::"});
-  const auto part = text_.parts().find(take());
-  if (part == text_.parts().end()) fail("a call of what is no part");
-  arguments_of(part->second, false);
+  call_of_part(false);
 }
 
 // The stage that a member belongs to is *this.
@@ -152,10 +150,8 @@ code::Place CppBodyParser::place() {
 code::Expression CppBodyParser::factor() {
   if (accept("Scalar")) {
     expect("(");
-    const bool is_negative = accept("-");
-    code::Literal value = literal(false);
+    code::Literal value = signed_literal(false);
     expect(")");
-    if (is_negative) value.value = -value.value;
     return value;
   }
   if (accept("detail")) return detail_call();

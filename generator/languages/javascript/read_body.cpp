@@ -18,7 +18,7 @@ class JavascriptBodyParser : public BodyParser {
         {[this] { return is("const") && word(3) == "new"; }, [this] { expect("const"), arrays(); }},
         {[this] { return accept("const"); }, [this] { definitions(); }},
         {[this] { return accept("let"); }, [this] { first_check(); }},
-        {[this] { return word(1) == "("; }, [this] { part(); }},
+        {[this] { return word(1) == "("; }, [this] { call_of_part(false); }},
         {[] { return true; }, [this] { assignment(); }},
     };
   }
@@ -34,12 +34,6 @@ class JavascriptBodyParser : public BodyParser {
     } while (accept(","));
     expect(";");
     add(std::move(declare));
-  }
-
-  void part() {
-    const auto part = text_.parts().find(take());
-    if (part == text_.parts().end()) fail("a call of what is no part");
-    arguments_of(part->second, false);
   }
 
   code::Expression factor() override {

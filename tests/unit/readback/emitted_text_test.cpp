@@ -241,5 +241,13 @@ TEST(EmittedText, WithoutAMeaningIsRefused) {
   }
 }
 
+// The graph has one zero, so that a sign of it would be lost without a word.
+TEST(EmittedText, WithASignOfZeroIsRefused) {
+  EXPECT_NO_THROW(read_body("g[0] = Scalar(0.0);\n"));
+  for (const char* body : {"g[0] = Scalar(-0.0);\n", "g[0] = -Scalar(0.0);\n", "g[0] = q[0] * Scalar(-0.0);\n"}) {
+    EXPECT_THROW(read_body(body), Failure) << body;
+  }
+}
+
 }  // namespace
 }  // namespace flatdyn
