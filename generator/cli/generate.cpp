@@ -122,9 +122,7 @@ void check_stdout(const GenerateArguments& arguments) {
   if (arguments.delivery.check || arguments.delivery.dry_run || !arguments.delivery.depfile.empty()) {
     throw Failure(ExitCode::usage, "-o -: --check, --dry-run and --depfile are about files", "name a folder");
   }
-  const LanguageRow& language = language_row(arguments.language);
-  const bool has_several = language.has_source || arguments.is_pair();
-  if (has_several || arguments.python) {
+  if (language_row(arguments.language).has_source || arguments.is_pair() || arguments.python) {
     throw Failure(ExitCode::usage, "-o -: several files result, and stdout has room for one",
                   "name a folder; a header in C++ or CUDA and a module in JavaScript are one file");
   }
