@@ -11,6 +11,7 @@
 #include "emit/page.hpp"
 #include "emit/writer.hpp"
 #include "languages/emit.hpp"
+#include "languages/language_table.hpp"
 #include "lower/arguments.hpp"
 #include "model/identifiers.hpp"
 #include "templates.hpp"
@@ -208,7 +209,7 @@ SourceFile peer_source(const BenchSubject& subject, const BenchPeer& peer) {
 
 std::string kernels_header(const Mechanism& mechanism, const std::vector<Function>& functions) {
   EmitOptions emit;
-  emit.language = Language::cuda;
+  emit.language = language_with(&LanguageRow::has_kernels).option;
   emit.name_space = kKernelsNamespace;
   return emit_code(mechanism, functions, emit).front().text;
 }

@@ -10,6 +10,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "languages/language_table.hpp"
 #include "pipeline/generation.hpp"
 #include "report/bench_plot.hpp"
 #include "report/bench_report.hpp"
@@ -109,7 +110,7 @@ std::vector<SourceFile> gpu_robot(const BenchArguments& arguments, const std::st
   GenerationOptions options;
   static_cast<PipelineOptions&>(options) = arguments.options();
   options.functions = arguments.functions;
-  options.form.language = Language::cuda;
+  options.form.language = language_with(&LanguageRow::has_kernels).option;
   {
     const LoadedRobot read = load_robot(robot, options);
     refuse_loops(read, "bench");

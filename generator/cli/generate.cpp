@@ -8,6 +8,7 @@
 #include "cli/held_header.hpp"
 #include "conventions/convention_header.hpp"
 #include "diagnostics/version.hpp"
+#include "emit/page_writer.hpp"
 #include "firmware/folder.hpp"
 #include "input/common/content_hash.hpp"
 #include "languages/language_table.hpp"
@@ -34,7 +35,8 @@ struct GenerateArguments : RobotArguments {
   std::string folder;
   std::vector<std::string> functions, staged, fused, conventions;
   std::vector<std::string> scalars = {"double"};
-  std::string language = "c++", form = "header", frames = "file", sincos = "polynomials", limbs = "apart";
+  std::string language = EmitOptions().language, form = "header", frames = "file", sincos = "polynomials",
+              limbs = "apart";
   std::string name_space, file_name;  // empty: from the robot's name
   std::string firmware;               // a processor; empty: none
   bool python = false, fuses = false;
@@ -64,7 +66,7 @@ std::string stamp_of(const GenerateArguments& arguments, const std::vector<Optim
              {"--stages", fmt::format("{}", fmt::join(arguments.staged, ","))},
              {"--fuse", fmt::format("{}", fmt::join(arguments.fused, ","))},
              {"--scalar", scalars == "double" ? "" : scalars},
-             {"--language", arguments.language == "c++" ? "" : arguments.language},
+             {"--language", arguments.language == EmitOptions().language ? "" : arguments.language},
              {"--form", arguments.is_pair() ? "pair" : ""},
              {"--sincos", arguments.sincos == "polynomials" ? "" : arguments.sincos},
              {"--limbs", arguments.has_lanes() ? arguments.limbs : ""},
@@ -76,26 +78,26 @@ std::string stamp_of(const GenerateArguments& arguments, const std::vector<Optim
   return joined_stamps({of_functions, arguments.fuses ? "--fma" : "", arguments.stamp_of_settings(functions)});
 }
 
-void choose_c(GenerateArguments& arguments, const char* option, const char* languages = "C") {
-  if (arguments.language_given->count() > 0 && arguments.language != "c") {
-    throw Failure(ExitCode::usage, fmt::format("{}: its code is in {}", option, languages), "leave --language out");
+// Chooses the language that an option asks for, unless one is given that has it, too.
+void choose_language(GenerateArguments& arguments, const char* option, bool LanguageRow::*what) {
+  const bool is_given = arguments.language_given->count() > 0 && arguments.language != kPython;
+  if (is_given && language_row(arguments.language).*what) return;
+  if (is_given) {
+    throw Failure(ExitCode::usage, fmt::format("{}: its code is in {}", option, languages_text(what)),
+                  "leave --language out");
   }
-  arguments.language = "c";
+  arguments.language = language_with(what).option;
 }
 
-// Chooses C, which Python calls.
 void choose_for_python(GenerateArguments& arguments) {
-  if (arguments.language == kPython) {
-    arguments.python = true;
-    arguments.language = "c";
-  }
-  if (arguments.python && arguments.language != "cuda") choose_c(arguments, "--python", "C or CUDA");
+  if (arguments.language == kPython) arguments.python = true;
+  if (arguments.python) choose_language(arguments, "--python", &LanguageRow::is_called_by_python);
 }
 
-// Chooses C for a processor, and the scalar of its floating-point unit unless another is given.
+// Chooses the scalar of a processor's floating-point unit, too, unless another is given.
 void choose_for_firmware(GenerateArguments& arguments) {
   if (arguments.firmware.empty()) return;
-  choose_c(arguments, "--firmware");
+  choose_language(arguments, "--firmware", &LanguageRow::is_for_firmware);
   if (!arguments.fused.empty()) {
     throw Failure(ExitCode::usage, "--firmware: fused functions have no self test", "leave --fuse out");
   }
@@ -122,9 +124,9 @@ void check_stdout(const GenerateArguments& arguments) {
   if (arguments.delivery.check || arguments.delivery.dry_run || !arguments.delivery.depfile.empty()) {
     throw Failure(ExitCode::usage, "-o -: --check, --dry-run and --depfile are about files", "name a folder");
   }
-  if (language_row(arguments.language).has_source || arguments.is_pair() || arguments.python) {
+  if (!language_row(arguments.language).is_one_file() || arguments.is_pair() || arguments.python) {
     throw Failure(ExitCode::usage, "-o -: several files result, and stdout has room for one",
-                  "name a folder; a header in C++ or CUDA and a module in JavaScript are one file");
+                  fmt::format("name a folder; {} is one file", languages_text(&LanguageRow::is_one_file)));
   }
   if (!arguments.conventions.empty()) {
     throw Failure(ExitCode::usage, "-o -: --convention writes headers of its own", "name a folder");
@@ -138,7 +140,7 @@ void check_stdout(const GenerateArguments& arguments) {
 void check_fma(const GenerateArguments& arguments) {
   if (!arguments.fuses) return;
   const LanguageRow& language = language_row(arguments.language);
-  if (!language.has_fma || (arguments.python && arguments.language == "c")) {
+  if (!language.has_fma || (arguments.python && !language.has_kernels)) {
     throw Failure(ExitCode::usage,
                   arguments.python ? "--fma: the module for Python is without fused multiply-adds"
                                    : fmt::format("--fma: {} has no fused multiply-add", language.name),
@@ -156,7 +158,7 @@ void check_limbs(const GenerateArguments& arguments) {
   if (!arguments.has_lanes()) return;
   if (!language_row(arguments.language).has_lanes) {
     throw Failure(ExitCode::usage, fmt::format("--limbs lanes: not in {}", language_row(arguments.language).name),
-                  "leave it out, or use C++");
+                  "leave it out, or use " + languages_text(&LanguageRow::has_lanes));
   }
   if (arguments.fuses) {
     throw Failure(ExitCode::usage, "--limbs lanes: not with fused multiply-adds", "leave it out, or --fma");
@@ -172,7 +174,7 @@ void check_conventions(const GenerateArguments& arguments) {
   }
   if (arguments.conventions.empty() || language_row(arguments.language).has_conventions) return;
   throw Failure(ExitCode::usage, fmt::format("--convention: not in {}", language_row(arguments.language).name),
-                "leave it out, or use C++");
+                "leave it out, or use " + languages_text(&LanguageRow::has_conventions));
 }
 
 void check_usage(const GenerateArguments& arguments) {
@@ -214,7 +216,7 @@ GenerationOptions generation_options(const GenerateArguments& arguments) {
   options.form.name_space = arguments.name_space;
   options.form.scalar = arguments.scalars.front();
   options.form.most_lines = arguments.most_lines;
-  options.form.language = language_row(arguments.language).language;
+  options.form.language = arguments.language;
   options.form.file_name = arguments.file_name;
   options.form.form = arguments.is_pair() ? Form::pair : Form::header;
   options.form.sines = arguments.sincos == "library" ? Sines::library : Sines::polynomials;
@@ -281,11 +283,11 @@ std::vector<GeneratedFile> companions(GenerationResult& result, const GenerateAr
     }
   }
   if (language_row(result.form.language).has_types_apart) {
-    files.push_back({std::filesystem::path(result.files[0].name).replace_extension(".d.ts").string(),
+    files.push_back({file_name(robot.mechanism, result.form) + ".d.ts",
                      emit_javascript_types(robot.mechanism, functions, result.form)});
   }
   const std::string name = arguments.python ? module_name(robot.mechanism, result.form) : "";
-  if (arguments.python && arguments.language == "cuda") {
+  if (arguments.python && language_row(arguments.language).has_kernels) {
     const CudaPythonModule module = cuda_python_module(robot.mechanism, functions, result.form);
     files.push_back({name + ".py", module.module});
     files.push_back({name + "_python.cu", module.launchers});
@@ -323,7 +325,7 @@ std::vector<TextFile> files_to_write(GenerationResult& result, const std::string
   for (const GeneratedFile& file : convention_headers(result, arguments)) {
     files.push_back({folder / file.name, file.text});
   }
-  files.push_back({(folder / result.files[0].name).replace_extension(".json"), manifest});
+  files.push_back({folder / (file_name(result.robot.mechanism, result.form) + ".json"), manifest});
   return files;
 }
 
@@ -378,15 +380,9 @@ void add_form_options(CLI::App& command, GenerateArguments& arguments) {
           ->allow_extra_args(false)
           ->check(CLI::IsMember({"double", "float"}))
           ->default_str("double");
-  arguments.language_given =
-      command
-          .add_option(
-              "--language", arguments.language,
-              "a C++17 header, a C99 header and source in one scalar, a JavaScript module, a header of CUDA for "
-              "many states at once on a graphics processor, or a module for Python over the C form, as by "
-              "--python")
-          ->check(CLI::IsMember(language_options()))
-          ->capture_default_str();
+  arguments.language_given = command.add_option("--language", arguments.language, descriptions_of_languages())
+                                 ->check(CLI::IsMember(language_options()))
+                                 ->capture_default_str();
   command
       .add_option(
           "--convention", arguments.conventions,

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <sstream>
 
@@ -84,46 +83,75 @@ std::string content_of(const std::filesystem::path& file) {
   return text;
 }
 
-// The held files: a header, and its source if its language has one; their texts follow one another.
+// The name of a file without one of these endings; nullopt: it has none of them.
+std::optional<std::string> without_ending(const std::string& file, const std::vector<std::string>& endings) {
+  for (const std::string& ending : endings) {
+    if (file.ends_with(ending)) return file.substr(0, file.size() - ending.size());
+  }
+  return std::nullopt;
+}
+
+// The first file of generated code, which has its stamp, by the name of any of its files.
+std::filesystem::path stamped_file(const std::string& named) {
+  for (const LanguageRow& language : language_rows()) {
+    std::vector<std::string> others(language.endings.begin() + 1, language.endings.end());
+    others.insert(others.end(), language.more_endings.begin(), language.more_endings.end());
+    if (const auto name = without_ending(named, others)) return *name + language.endings.front();
+  }
+  return named;
+}
+
+// The held files: a header, and what its language has beside it; their texts follow one another.
 class HeldFiles {
  public:
-  explicit HeldFiles(const std::filesystem::path& named) {
-    static const std::map<std::string, std::string> kHeaders = {{".c", ".h"}, {".cpp", ".hpp"}};
-    header_ = named;
-    constexpr std::string_view kTypes = ".d.ts";  // of a module
-    if (named.string().ends_with(kTypes)) {
-      header_ = named.string().substr(0, named.string().size() - kTypes.size()) + ".js";
-    }
-    const auto found = kHeaders.find(named.extension());
-    if (found != kHeaders.end()) header_.replace_extension(found->second);
-    text_ = content_of(header_);
-    lines_of_header_ = static_cast<int>(std::count(text_.begin(), text_.end(), '\n'));
+  explicit HeldFiles(const std::string& named) {
+    add(stamped_file(named));
     stamp_ = stamp_in(text_);
     if (stamp_.version.empty()) {
-      throw Failure(ExitCode::input, fmt::format("{}: its first comment has no stamp of flatdyn", header_.string()),
+      throw Failure(ExitCode::input, fmt::format("{}: its first comment has no stamp of flatdyn", header().string()),
                     "name the file with the functions as it was generated, not one around it, such as a header of "
                     "--convention");
     }
   }
 
-  void add_source(const char* extension) {
-    source_ = std::filesystem::path(header_).replace_extension(extension);
-    text_ += content_of(source_);
+  // Reads the further files of code in this form.
+  void add_others(const EmitOptions& form) {
+    const LanguageRow& language = language_row(form.language);
+    const std::string name = name_in(language);
+    for (std::size_t k = 1; k < language.endings.size(); ++k) add(name + language.endings[k]);
+    if (form.form == Form::pair) add(name + language.more_endings.front());
+  }
+
+  // The path without the ending that the language gives it.
+  std::string name_in(const LanguageRow& language) const {
+    const auto name = without_ending(header().string(), {language.endings.front()});
+    return name ? *name : std::filesystem::path(header()).replace_extension().string();
   }
 
   Place place(int line) const {
-    const bool is_in_source = !source_.empty() && line > lines_of_header_;
-    return {(is_in_source ? source_ : header_).string(), is_in_source ? line - lines_of_header_ : line};
+    const auto behind = std::find_if(files_.begin() + 1, files_.end(),
+                                     [line](const HeldFile& each) { return each.lines_before >= line; });
+    const HeldFile& file = *(behind - 1);
+    return {file.path.string(), line - file.lines_before};
   }
 
-  const std::filesystem::path& header() const { return header_; }
+  const std::filesystem::path& header() const { return files_.front().path; }
   const Stamp& stamp() const { return stamp_; }
   const std::string& text() const { return text_; }
 
  private:
-  std::filesystem::path header_, source_;
+  struct HeldFile {
+    std::filesystem::path path;
+    int lines_before = 0;  // those of the files before it
+  };
+
+  void add(const std::filesystem::path& path) {
+    files_.push_back({path, static_cast<int>(std::count(text_.begin(), text_.end(), '\n'))});
+    text_ += content_of(path);
+  }
+
+  std::vector<HeldFile> files_;
   std::string text_;
-  int lines_of_header_ = 0;
   Stamp stamp_;
 };
 
@@ -149,7 +177,8 @@ GenerationOptions options_of(const HeldFiles& files, const OptionsGiven& given) 
                   fmt::format("{}: it was written for a scene: {}", files.header().string(), stamp.scene),
                   "add --scene FILE, with the scene's file");
   }
-  options.form.file_name = files.header().stem();  // the source includes the header by it
+  // The source includes the header by its name.
+  options.form.file_name = std::filesystem::path(files.name_in(language_row(options.form.language))).filename();
   return options;
 }
 
@@ -214,8 +243,7 @@ void OptionsGiven::replace_in(RobotArguments& stamped) const {
 ExitCode verify_header(const std::string& header, const OptionsGiven& given) {
   HeldFiles files(header);
   const GenerationOptions options = options_of(files, given);
-  if (language_row(options.form.language).has_source) files.add_source(".c");
-  if (options.form.form == Form::pair) files.add_source(".cpp");
+  files.add_others(options.form);
   std::optional<GenerationResult> own;
   HeldReport report;
   {

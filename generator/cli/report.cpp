@@ -7,6 +7,7 @@
 #include "cli/output_file.hpp"
 #include "functions/function_table.hpp"
 #include "languages/emit.hpp"
+#include "languages/language_table.hpp"
 #include "languages/readers.hpp"
 #include "report/describe.hpp"
 #include "report/html/page.hpp"
@@ -146,7 +147,7 @@ ExitCode report(const ReportArguments& arguments) {
   const PageCode code = page_code(content);
   if (!arguments.with.empty()) content.certificate = certificate_of(model, code.functions, progress);
   EmitOptions form;
-  form.language = Language::javascript;
+  form.language = language_with(&LanguageRow::runs_in_pages).option;
   prove_text(EmittedText(code.text, javascript_reader()),
              {model.mechanism, functions_of(code.functions), std::nullopt, form, false}, proof_seed({code.text}));
   print_diagnostics(model.diagnostics, arguments);

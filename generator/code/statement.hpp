@@ -90,7 +90,9 @@ struct CheckPositive {
 struct Argument {
   enum class Role { parameters, stage, input, output, number, made_stage } role = Role::input;
   std::string name;
-  std::string stage{};  // the type of a stage
+  std::size_t length = 0;  // of an array
+  std::string stage{};     // the type of a stage
+  bool is_local = false;   // in a call: whether the caller declares the array
 };
 
 // A function of the same file is called. `by_part`: by another such function, otherwise by the robot's function.

@@ -2,6 +2,7 @@
 #include "code/walk.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace flatdyn::code {
 namespace {
@@ -74,6 +75,17 @@ Names names_in(const Statement& statement) {
     }
   }
   return names;
+}
+
+void mark_local_arguments(Statements& statements) {
+  std::set<std::string> arrays;
+  for (Statement& statement : statements) {
+    if (const auto* declare = std::get_if<Declare>(&statement)) {
+      for (const Declare::Array& each : declare->arrays) arrays.insert(each.name);
+    } else if (auto* call = std::get_if<CallPart>(&statement)) {
+      for (Argument& each : call->arguments) each.is_local = arrays.count(each.name) != 0;
+    }
+  }
 }
 
 }  // namespace flatdyn::code

@@ -19,4 +19,7 @@ struct Names {
 };
 Names names_in(const Statement& statement);
 
+// Marks the arguments of calls that are arrays of the same statements.
+void mark_local_arguments(Statements& statements);
+
 }  // namespace flatdyn::code

@@ -2,8 +2,7 @@
 #include "emit/dialect.hpp"
 
 #include <fmt/format.h>
-
-#include "emit/writer.hpp"
+#include <fmt/ranges.h>
 
 namespace flatdyn {
 namespace {
@@ -24,11 +23,11 @@ std::string Dialect::fused(const std::string& a, const std::string& b, const std
 
 std::string Dialect::filled_sines(const std::string&, const std::set<int>&) const { return ""; }
 
-std::string Dialect::input(const std::string& name) const { return "const " + scalar_ + "* " + name; }
+std::string Dialect::input(const std::string& name, std::size_t) const { return "const " + scalar_ + "* " + name; }
 
-std::string Dialect::output(const std::string& name) const { return scalar_ + "* " + name; }
+std::string Dialect::output(const std::string& name, std::size_t) const { return scalar_ + "* " + name; }
 
-std::string Dialect::number_output(const std::string& name) const { return output(name); }
+std::string Dialect::number_output(const std::string& name) const { return output(name, 1); }
 
 std::string Dialect::array(const std::string& name, const std::string& length) const {
   return fmt::format("{}[{}]", name, length);
@@ -59,10 +58,29 @@ std::string Dialect::definition(const code::Table& table) const {
 
 std::string Dialect::declaration(const code::Table&) const { return ""; }
 
-std::string Dialect::braced_check_loop(const std::string& counter, std::size_t first, std::size_t end,
-                                       const std::string& check) const {
-  return code_line(fmt::format("for ({0} {1} = {2}; {1} < {3}; ++{1}) {{ {4}{5}; }}", counter, code::kCounter, first,
-                               end, conditions_continue(), check),
+std::string Dialect::declarations(const std::string& begin, const std::vector<std::string>& rests) const {
+  return list_line(begin, rests, ";", kStatementIndent);
+}
+
+std::string Dialect::stored(const std::vector<std::string>& places, const std::string& value) const {
+  return fmt::format("{} = {};", fmt::join(places, " = "), value);
+}
+
+std::string Dialect::finite(const std::string& number) const {
+  return fmt::format("{} * {} < {}", literal(0), number, literal(1));
+}
+
+std::string Dialect::check_finite(const std::string& array, std::size_t first, std::size_t end) const {
+  return check_loop(first, end, finite(fmt::format("{}[{}]", array, code::kCounter)));
+}
+
+std::string Dialect::check_positive(const std::string& array, std::size_t length) const {
+  return check_loop(0, length, fmt::format("{}[{}] > {}", array, code::kCounter, literal(0)));
+}
+
+std::string Dialect::check_loop(std::size_t first, std::size_t end, const std::string& check) const {
+  return code_line(fmt::format("for ({0} {1} = {2}; {1} < {3}; ++{1}) {{ {4}{5}; }}", counter_type(), code::kCounter,
+                               first, end, conditions_continue(), check),
                    kStatementIndent);
 }
 

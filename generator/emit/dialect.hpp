@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "code/table.hpp"
+#include "emit/writer.hpp"
 #include "graph/rational.hpp"
 #include "lower/scope.hpp"
 
@@ -39,6 +40,11 @@ class Dialect {
   virtual std::string count_name(const std::string& name) const { return name; }
   // Reserved words that variables must avoid beside those of C++.
   virtual std::vector<std::string> reserved() const = 0;
+
+  // Words that the names of free symbols, as members of a structure, must avoid beside those of C++.
+  virtual std::vector<std::string> reserved_members() const { return {}; }
+  // The columns by which statements are indented.
+  virtual std::size_t indent() const { return kStatementIndent; }
 
   // Whether a literal is enclosed, "Scalar(-0.25)", so that its sign never meets another one.
   virtual bool encloses_literals() const { return false; }
@@ -72,10 +78,13 @@ class Dialect {
   virtual bool has_given_variants() const { return false; }
 
   // Declarations of function arguments. Inputs are never `restrict`: one array may serve as several of them.
-  virtual std::string input(const std::string& name) const;          // "const Scalar* q"
-  virtual std::string output(const std::string& name) const;         // "Scalar* tau", in C "double* restrict tau"
+  // `length`: of the array, which few languages write.
+  virtual std::string input(const std::string& name, std::size_t length) const;   // "const Scalar* q"
+  virtual std::string output(const std::string& name, std::size_t length) const;  // "Scalar* tau"
   virtual std::string parameters_argument() const = 0;               // "const Parameters<Scalar>& parameters"
   virtual std::string number_output(const std::string& name) const;  // "Scalar& result", an array of one in C
+  // An argument of a call of another function of the file.
+  virtual std::string passed(const code::Argument& argument) const { return argument.name; }
   virtual std::string number_definition(const std::string& name) const { return array(name, "1"); }  // in C++ "result"
   virtual std::string number_use(const std::string& name) const { return name + "[0]"; }             // in C++ "result"
   // The type of a stage, "Motion<Scalar>", and the stage of a function that is a member of it. Only languages that have
@@ -90,6 +99,14 @@ class Dialect {
   virtual std::string constant() const { return "const " + scalar_ + " "; }
   virtual std::string arrays() const { return scalar_ + " "; }
   virtual std::string array(const std::string& name, const std::string& length) const;
+  // The statements that declare variables, from their beginning and the rest of each: "const Scalar a = b, c = d;".
+  virtual std::string declarations(const std::string& begin, const std::vector<std::string>& rests) const;
+  // The statement that stores a value in all places, and the one that ends a function with its result.
+  virtual std::string stored(const std::vector<std::string>& places, const std::string& value) const;
+  virtual std::string returned(const std::string& value) const { return "return " + value + ";"; }
+  // The text before a call of a function of the file, and after its arguments.
+  virtual std::string call_begin(bool is_returned) const { return is_returned ? "return " : ""; }
+  virtual std::string call_end([[maybe_unused]] bool is_returned) const { return ");"; }
   // The statement that mentions a parameter that is not read, where compilers warn of it: "(void)qd;".
   virtual std::string ignored(const std::string& name) const { return "(void)" + name + ";"; }
   // The statement that introduces vectors with a number of each limb that have this many lanes.
@@ -117,13 +134,16 @@ class Dialect {
   // declared.
   virtual bool declares_constants_apart() const { return false; }
   virtual std::string declaration(const code::Table& table) const;  // empty if they are not declared apart
-  // A loop of checks of entries from `first` to before `end`: for (int k = 0; k < 7; ++k) valid &= check;
-  virtual std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const = 0;
+  // The condition that a number is finite. NaN compares false, and zero times x is zero if x is finite, and else not a
+  // number.
+  virtual std::string finite(const std::string& number) const;
+  // The checks that entries of an array from `first` to before `end` are finite, and that all of its entries are
+  // positive, in loops: for (int k = 0; k < 7; ++k) { valid &= 0 * tau[k] < 1; }
+  virtual std::string check_finite(const std::string& array, std::size_t first, std::size_t end) const;
+  virtual std::string check_positive(const std::string& array, std::size_t length) const;
   // The call that makes a value that is positive if a rounded sum is above its first term. nullopt: the value is the
   // sum less the term, which no flag of the language's compilers may reorder to the second term.
   virtual std::optional<std::string> excess(const std::string& sum, const std::string& term) const;
-  // A loop of checks of all entries of an array: for … valid &= pivots[k] > 0;
-  virtual std::string all_positive(const std::string& array, std::size_t length) const = 0;
 
  protected:
   // "inline constexpr bool x[joint_count] = {", "};"
@@ -132,9 +152,9 @@ class Dialect {
   // An entry of a table: that of a flag is 0 or 1 in most languages.
   std::string entry(const code::TableEntry& entry) const;
   virtual std::string flag(bool is_set) const { return is_set ? "1" : "0"; }
-  // The loop, with a counter of this type and braces.
-  std::string braced_check_loop(const std::string& counter, std::size_t first, std::size_t end,
-                                const std::string& check) const;
+  // A loop of checks of what the counter counts from `first` to before `end`.
+  virtual std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const;
+  virtual const char* counter_type() const { return "int"; }
 
  private:
   std::string scalar_, prefix_;

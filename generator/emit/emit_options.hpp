@@ -10,8 +10,6 @@
 
 namespace flatdyn {
 
-enum class Language { cpp, c, javascript, cuda };
-
 // The form of C++: all in one header, or declarations in a header and definitions in a source that is compiled once.
 enum class Form { header, pair };
 
@@ -27,8 +25,8 @@ struct EmitOptions {
   std::string scene_stamp;        // the content of the scene file
   std::string scene_facts;        // sentences about what a scene has fixed
   int most_lines = 0;             // limit of lines per function; 0: only that of compilers
-  Language language = Language::cpp;
-  std::string file_name{};  // name of header and source without extension; empty: the robot's name
+  std::string language = "c++";   // the value of --language, a row of languages/language_table.hpp
+  std::string file_name{};        // name of header and source without extension; empty: the robot's name
   Form form = Form::header;
   Sines sines = Sines::polynomials;
   bool fuses = false;                              // whether products and sums are fused multiply-adds, in C++ and C

@@ -86,7 +86,7 @@ class FunctionWriter {
       list.push_back({Argument::Kind::parameters, "parameters", reads(InputKind::parameter)});
     }
     for (InputKind kind : function_.inputs) {
-      const InputArgument argument = input_argument(kind, counts(), function_);
+      const InputArgument argument = input_argument(kind, counts_of(scope_), function_);
       list.push_back({Argument::Kind::input, argument.name, reads(kind), static_cast<std::size_t>(argument.length)});
     }
     const std::set<int> read = scope_.stored.empty() ? outputs_read(function_) : std::set<int>();
@@ -113,18 +113,10 @@ class FunctionWriter {
                        [kind](const Input& input) { return input.kind == kind; });
   }
 
-  JointCounts counts() const {
-    JointCounts result(scope_.joints);
-    result.positions = scope_.positions;
-    result.floating_base = scope_.floating_base;
-    result.spherical = scope_.spherical;
-    return result;
-  }
-
   std::vector<ArrayArgument> input_arrays() const {
     std::vector<ArrayArgument> arrays;
     for (InputKind kind : function_.inputs) {
-      const InputArgument argument = input_argument(kind, counts(), function_);
+      const InputArgument argument = input_argument(kind, counts_of(scope_), function_);
       arrays.push_back({argument.name, static_cast<std::size_t>(argument.length)});
     }
     return arrays;
@@ -142,7 +134,7 @@ class FunctionWriter {
   std::vector<std::array<std::string, 3>> argument_rows() const {
     std::vector<std::array<std::string, 3>> rows;
     for (InputKind kind : function_.inputs) {
-      const InputArgument argument = input_argument(kind, counts(), function_);
+      const InputArgument argument = input_argument(kind, counts_of(scope_), function_);
       rows.push_back({fmt::format("{}[{}]", argument.name, argument.length), "in", argument.meaning});
     }
     for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_) && !makes_stage(); ++k) {

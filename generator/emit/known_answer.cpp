@@ -13,11 +13,12 @@
 namespace flatdyn {
 namespace {
 
-constexpr const char *kResults = "result", *kSymbols = "symbol", *kGiven = "given";
+constexpr const char *kResults = "result", *kGiven = "given";
 
 class AnswerWriter {
  public:
-  AnswerWriter(const CodeContent& content, const AnswerStyle& style) : content_(content), style_(style) {
+  AnswerWriter(const CodeContent& content, const AnswerStyle& style)
+      : content_(content), style_(style), state_(known_state(content)) {
     for (std::size_t k = 0; k < content.texts.size(); ++k) add_call(content.functions[k], content.texts[k]);
   }
 
@@ -25,17 +26,15 @@ class AnswerWriter {
     if (calls_.empty()) return "";
     std::vector<std::string> arrays;
     std::string fills;
-    for (const auto& [kind, length] : lengths_) {
-      const std::string name = kind == InputKind::parameter ? kSymbols : input_argument(kind, 0).name;
-      arrays.push_back(array(name, length));
-      fills += call(fmt::format("fill({}, {}, seed + {}u)", name, length, seed_of(kind)));
+    for (const KnownArray& each : state_.arrays) {
+      arrays.push_back(array(each.name, each.length));
+      fills += call(fmt::format("fill({}, {}, seed + {}u)", each.name, each.length, seed_of(each.kind)));
     }
-    if (asks_sines_) {
-      const std::size_t angles = content_.scope.angle_count();
-      for (const char* name : {"sine", "cosine"}) arrays.push_back(array(name, angles));
-      fills += call(fmt::format("fill_sines(sine, cosine, {}, seed + {}u)", angles, kTangentSeed));
+    if (asks_sines()) {
+      for (const char* name : {"sine", "cosine"}) arrays.push_back(array(name, state_.angles));
+      fills += call(fmt::format("fill_sines(sine, cosine, {}, seed + {}u)", state_.angles, kTangentSeed));
     }
-    arrays.push_back(array(kResults, most_results_));
+    arrays.push_back(array(kResults, state_.most_results));
     return list_line(style_.scalar + " ", arrays, ";", kStatementIndent) + fills + constants() + calls_;
   }
 
@@ -45,33 +44,26 @@ class AnswerWriter {
     return fmt::format("{}[{}]", name, std::max<std::size_t>(length, 1));
   }
 
+  bool asks_sines() const { return state_.angles > 0; }
+
   std::string call(const std::string& text) const { return code_line(style_.prefix + text + ";", kStatementIndent); }
 
   // The values of the symbols, and the source of sines and cosines.
   std::string constants() const {
     std::string text;
-    if (const auto found = lengths_.find(InputKind::parameter); found != lengths_.end()) {
+    if (const std::size_t symbols = content_.scope.parameters.size(); symbols > 0) {
       std::vector<std::string> members;
-      for (std::size_t k = 0; k < found->second; ++k) members.push_back(fmt::format("{}[{}]", kSymbols, k));
+      for (std::size_t k = 0; k < symbols; ++k) members.push_back(fmt::format("{}[{}]", kSymbols, k));
       text += list_line(fmt::format("const {} parameters = {{", style_.parameters), members, "};", kStatementIndent);
     }
-    if (asks_sines_ && !style_.given.empty()) {
+    if (asks_sines() && !style_.given.empty()) {
       text += code_line(fmt::format("const {} {} = {{sine, cosine}};", style_.given, kGiven), kStatementIndent);
     }
     return text;
   }
 
-  void note_length(InputKind kind, std::size_t length) {
-    std::size_t& known = lengths_[kind];
-    known = std::max(known, length);
-  }
-
   void add_call(const Function& function, const FunctionText& text) {
     const std::size_t results = entry_count(function);
-    most_results_ = std::max(most_results_, results);
-    asks_sines_ = asks_sines_ || text.uses_trigonometry;
-    if (!content_.scope.parameters.empty()) note_length(InputKind::parameter, content_.scope.parameters.size());
-    for (std::size_t k = 0; k < text.inputs.size(); ++k) note_length(function.inputs[k], text.inputs[k].length);
     const bool is_variant = style_.given.empty() && text.sin_cos_variant;
     const bool returns_verdict = !returns_value(function) && !function.validity_conditions.empty();
     const std::string begin = returns_value(function) ? fmt::format("{}[0] = ", kResults)
@@ -114,13 +106,29 @@ class AnswerWriter {
 
   const CodeContent& content_;
   const AnswerStyle& style_;
-  std::map<InputKind, std::size_t> lengths_;
-  std::size_t most_results_ = 0;
-  bool asks_sines_ = false;
+  KnownState state_;
   std::string calls_;
 };
 
 }  // namespace
+
+KnownState known_state(const CodeContent& content) {
+  KnownState state;
+  std::map<InputKind, std::size_t> lengths;
+  const auto note = [&lengths](InputKind kind, std::size_t length) { lengths[kind] = std::max(lengths[kind], length); };
+  if (!content.scope.parameters.empty()) note(InputKind::parameter, content.scope.parameters.size());
+  for (std::size_t k = 0; k < content.texts.size(); ++k) {
+    const Function& function = content.functions[k];
+    const FunctionText& text = content.texts[k];
+    for (std::size_t i = 0; i < text.inputs.size(); ++i) note(function.inputs[i], text.inputs[i].length);
+    if (text.uses_trigonometry) state.angles = content.scope.angle_count();
+    state.most_results = std::max(state.most_results, entry_count(function));
+  }
+  for (const auto& [kind, length] : lengths) {
+    state.arrays.push_back({kind == InputKind::parameter ? kSymbols : input_argument(kind, 0).name, kind, length});
+  }
+  return state;
+}
 
 std::string known_answer_statements(const CodeContent& content, const AnswerStyle& style) {
   return AnswerWriter(content, style).statements();

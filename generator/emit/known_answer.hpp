@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "emit/page_dialect.hpp"
 
@@ -22,7 +23,22 @@ inline constexpr const char *kDoubleSines = "0x7b037ac8b2e0683c", *kFloatSines =
 constexpr std::uint32_t seed_of(InputKind kind) { return static_cast<std::uint32_t>(kind) + 1; }
 inline constexpr std::uint32_t kTangentSeed = 16;
 
-// The words in which languages differ.
+inline constexpr const char* kSymbols = "symbol";  // the array of the robot's free symbols
+
+// The known state: arrays of inputs, and the calls whose results are hashed.
+struct KnownArray {
+  std::string name;
+  InputKind kind;  // decides its seed
+  std::size_t length = 0;
+};
+struct KnownState {
+  std::vector<KnownArray> arrays;
+  std::size_t angles = 0;        // with sines and cosines; 0: no function asks for them
+  std::size_t most_results = 0;  // of any function
+};
+KnownState known_state(const CodeContent& content);
+
+// The words in which languages with pointers differ.
 struct AnswerStyle {
   std::string scalar;                           // "Scalar", "float"
   std::string prefix;                           // of functions that fill arrays and hash them: "detail::", "arm_"

@@ -107,7 +107,9 @@ class PageWriter {
     if (options_.limbs_in_lanes && scope_.language.has_lanes) scope_.limbs = limbs_of(mechanism_);
     scope_.names = names_.taken;
     for (const std::string& part : parts_of_namespace(namespace_)) scope_.names.insert(part);
-    NameTable members({"Scalar", "Parameters", "Real", "restrict"});
+    std::set<std::string> reserved = {"Scalar", "Parameters", "Real", "restrict"};
+    for (const std::string& word : dialect_.reserved_members()) reserved.insert(word);
+    NameTable members(reserved);
     for (const FreeSymbol& symbol : mechanism_.symbols) scope_.parameters.push_back(members.unique(symbol.name));
   }
 

@@ -139,9 +139,9 @@ std::string Printer::declared(const code::Argument& argument) const {
     case Role::stage:
       return fmt::format("const {}& {}", dialect_.stage_type(argument.stage), argument.name);
     case Role::input:
-      return dialect_.input(argument.name);
+      return dialect_.input(argument.name, argument.length);
     case Role::output:
-      return dialect_.output(argument.name);
+      return dialect_.output(argument.name, argument.length);
     case Role::number:
       return dialect_.number_output(argument.name);
     case Role::made_stage:
@@ -153,11 +153,11 @@ std::string Printer::declared(const code::Argument& argument) const {
 std::string Printer::line(const code::Define& define) const {
   if (define.constants.size() == 1) {
     const code::Define::Constant& only = define.constants[0];
-    return code_line(fmt::format("{}{} = {};", dialect_.constant(), only.name, text(only.value)), kStatementIndent);
+    return code_line(fmt::format("{}{} = {};", dialect_.constant(), only.name, text(only.value)), dialect_.indent());
   }
   std::vector<std::string> items;
   for (const code::Define::Constant& each : define.constants) items.push_back(each.name + " = " + text(each.value));
-  return list_line(dialect_.constant(), items, ";", kStatementIndent);
+  return dialect_.declarations(dialect_.constant(), items);
 }
 
 std::string Printer::line(const code::Declare& declare) const {
@@ -170,11 +170,11 @@ std::string Printer::line(const code::Declare& declare) const {
     const std::string digits = std::to_string(*each.length);
     items.push_back(dialect_.array(each.name, each.count.empty() ? digits : dialect_.count_name(each.count)));
   }
-  return list_line(dialect_.arrays(), items, ";", kStatementIndent);
+  return dialect_.declarations(dialect_.arrays(), items);
 }
 
 std::string Printer::line(const code::DeclareStage& stage) const {
-  return code_line(fmt::format("{} {};", dialect_.stage_type(stage.type), stage.name), kStatementIndent);
+  return code_line(fmt::format("{} {};", dialect_.stage_type(stage.type), stage.name), dialect_.indent());
 }
 
 std::string Printer::place(const code::Place& place) const {
@@ -188,12 +188,13 @@ std::string Printer::line(const code::Store& store) const {
   constexpr std::size_t kMostPlaces = 8;
   const bool is_constant = std::holds_alternative<code::Literal>(store.value);
   const std::string value = text(store.value);
-  std::string lines, places;
+  std::string lines;
+  std::vector<std::string> places;
   for (std::size_t k = 0; k < store.places.size(); ++k) {
-    places += place(store.places[k]) + " = ";
+    places.push_back(place(store.places[k]));
     const bool is_full = is_constant && (k + 1) % kMostPlaces == 0;
     if (k + 1 < store.places.size() && !is_full) continue;
-    lines += code_line(places + value + ";", kStatementIndent);
+    lines += code_line(dialect_.stored(places, value), dialect_.indent());
     places.clear();
   }
   return lines;
@@ -201,64 +202,63 @@ std::string Printer::line(const code::Store& store) const {
 
 std::string Printer::line(const code::FillSines& fill) const { return dialect_.filled_sines(fill.array, fill.angles); }
 
-// NaN compares false, and & does not branch. Zero times x is zero if x is finite, and else not a number.
+// & does not branch.
 std::string Printer::condition(const code::Condition& condition) const {
   if (const auto* positive = std::get_if<code::Positive>(&condition)) {
     return fmt::format("{} > {}", text(positive->value), dialect_.literal(0));
   }
   if (const auto* finite = std::get_if<code::Finite>(&condition)) {
-    return fmt::format("{} * {} < {}", dialect_.literal(0), entry_text(finite->entry.array, finite->entry.index),
-                       dialect_.literal(1));
+    return dialect_.finite(entry_text(finite->entry.array, finite->entry.index));
   }
   return dialect_.always();
 }
 
 std::string Printer::line(const code::Check& check) const {
   const std::string begin = check.is_first ? dialect_.conditions_begin() : dialect_.conditions_continue();
-  return code_line(begin + condition(check.condition) + ";", kStatementIndent);
+  return code_line(begin + condition(check.condition) + ";", dialect_.indent());
 }
 
 std::string Printer::line(const code::CheckFinite& check) const {
-  return dialect_.check_loop(check.first, check.end, condition(code::Finite{{check.array, code::kCounted}}));
+  return dialect_.check_finite(check.array, check.first, check.end);
 }
 
 std::string Printer::line(const code::CheckPositive& check) const {
-  return dialect_.all_positive(check.array, check.length);
+  return dialect_.check_positive(check.array, check.length);
 }
 
 std::string Printer::line(const code::CallPart& call) const {
   std::vector<std::string> passed;
   for (const code::Argument& each : call.arguments) {
     const bool is_own = each.role == code::Argument::Role::stage && !call.by_part;
-    passed.push_back(is_own ? dialect_.own_stage() : each.name);
+    passed.push_back(is_own ? dialect_.own_stage() : dialect_.passed(each));
   }
   const std::string begin = call.by_part ? call.name + "(" : dialect_.part_call(call.name);
-  return list_line((call.is_returned ? "return " : "") + begin, passed, ");", kStatementIndent);
+  return list_line(dialect_.call_begin(call.is_returned) + begin, passed, dialect_.call_end(call.is_returned),
+                   dialect_.indent());
 }
 
 std::string Printer::line(const code::Return& give_back) const {
-  return code_line(fmt::format("return {};", give_back.value ? text(*give_back.value) : code::kValid),
-                   kStatementIndent);
+  return code_line(dialect_.returned(give_back.value ? text(*give_back.value) : code::kValid), dialect_.indent());
 }
 
 std::string Printer::line(const code::Ignore& ignore) const {
-  return code_line(dialect_.ignored(ignore.name), kStatementIndent);
+  return code_line(dialect_.ignored(ignore.name), dialect_.indent());
 }
 
 std::string Printer::line(const code::UseLanes& use) const {
-  return code_line(dialect_.limbs_definition(use.lanes), kStatementIndent);
+  return code_line(dialect_.limbs_definition(use.lanes), dialect_.indent());
 }
 
 std::string Printer::line(const code::Gather& gather) const {
   std::vector<std::string> items;
   for (const code::Expression& each : gather.numbers) items.push_back(text(each));
   return list_line(fmt::format("const {} {} = {{", lanes_type(gather.lanes), gather.name), items, "};",
-                   kStatementIndent);
+                   dialect_.indent());
 }
 
 std::string Printer::line(const code::DefineLanes& define) const {
   return code_line(fmt::format("const {} {} = {};", lanes_type(define.lanes), define.name, text(define.value)),
-                   kStatementIndent);
+                   dialect_.indent());
 }
 
 }  // namespace flatdyn

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "languages/emit.hpp"
 
-#include <stdexcept>
-
 #include "emit/name_space.hpp"
 #include "emit/page_writer.hpp"
 #include "languages/c/dialect.hpp"
 #include "languages/c/lanes_dialect.hpp"
 #include "languages/cpp/dialect.hpp"
 #include "languages/cpp/pair.hpp"
-#include "languages/cuda/dialect.hpp"
 #include "languages/known_answers.hpp"
+#include "languages/language_table.hpp"
 #include "languages/readers.hpp"
 
 namespace flatdyn {
@@ -34,33 +32,10 @@ CDialect c_dialect_of(const Mechanism& mechanism, const EmitOptions& options) {
 }  // namespace
 
 std::unique_ptr<const PageDialect> dialect_of(const Mechanism& mechanism, const EmitOptions& options) {
-  switch (options.language) {
-    case Language::cpp:
-      return std::make_unique<CppDialect>(options.form == Form::pair ? compiled_scalars(options)
-                                                                     : std::vector<std::string>());
-    case Language::c:
-      return std::make_unique<CDialect>(options.scalar, namespace_of(mechanism.name, options.name_space));
-    case Language::cuda:
-      return std::make_unique<CudaDialect>();
-    case Language::javascript:
-      return std::make_unique<JavascriptDialect>(JavascriptForm::module, options.sines);
-  }
-  throw std::logic_error("unknown language");
+  return language_row(options.language).dialect(mechanism, options);
 }
 
-AnyLanguageReader reader_of(const EmitOptions& options) {
-  switch (options.language) {
-    case Language::cpp:
-      return cpp_reader();
-    case Language::c:
-      return c_reader(options.scalar);
-    case Language::cuda:
-      return cuda_reader();
-    case Language::javascript:
-      return javascript_reader();
-  }
-  throw std::logic_error("unknown language");
-}
+AnyLanguageReader reader_of(const EmitOptions& options) { return language_row(options.language).reader(options); }
 
 std::vector<GeneratedFile> emit_code(const Mechanism& mechanism, const std::vector<Function>& functions,
                                      const EmitOptions& options, const std::optional<Stages>& stages) {

@@ -4,47 +4,37 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "languages/c/language.hpp"
+#include "languages/cpp/language.hpp"
+#include "languages/cuda/language.hpp"
+#include "languages/javascript/language.hpp"
+
 namespace flatdyn {
 
 namespace {
 
-LanguageRow cpp_row() {
-  LanguageRow row{.option = "c++", .name = "C++", .language = Language::cpp};
-  row.has_pair = row.has_stages = row.has_lanes = row.has_conventions = true;
-  row.has_scalar = row.has_namespace = row.has_fma = true;
-  row.is_compiled_by_host = true;
-  return row;
-}
-
-LanguageRow c_row() {
-  LanguageRow row{.option = "c", .name = "C", .language = Language::c};
-  row.has_source = row.has_given_variants = true;
-  row.has_scalar = row.has_namespace = row.has_fma = true;
-  row.is_compiled_by_host = true;
-  return row;
-}
-
-LanguageRow cuda_row() {
-  LanguageRow row{.option = "cuda", .name = "CUDA", .language = Language::cuda};
-  row.has_scalar = row.has_namespace = row.has_fma = true;
-  row.has_kernels = true;
-  row.has_parts = false;
-  return row;
-}
-
-LanguageRow javascript_row() {
-  LanguageRow row{.option = "javascript", .name = "JavaScript", .language = Language::javascript};
-  row.has_types_apart = true;
-  return row;
-}
-
 // A module over C, whose row says what it has.
-LanguageRow python_row() { return {.option = kPython, .name = "Python", .language = Language::c}; }
+LanguageRow python_row() {
+  LanguageRow row{.option = kPython, .name = "Python"};
+  row.description = "a module for Python over the C form, as by --python";
+  row.endings = c_language().endings;
+  return row;
+}
+
+// "a, b or c"
+std::string alternatives(const std::vector<std::string>& items) {
+  std::string text;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    text += std::string(k == 0 ? "" : k + 1 < items.size() ? ", " : " or ") + items[k];
+  }
+  return text;
+}
 
 }  // namespace
 
 const std::vector<LanguageRow>& language_rows() {
-  static const std::vector<LanguageRow> all = {cpp_row(), c_row(), cuda_row(), javascript_row(), python_row()};
+  static const std::vector<LanguageRow> all = {cpp_language(), c_language(), cuda_language(), javascript_language(),
+                                               python_row()};
   return all;
 }
 
@@ -56,25 +46,33 @@ const LanguageRow& language_row(const std::string& option) {
   return *found;
 }
 
-const LanguageRow& language_row(Language language) {
-  const std::vector<LanguageRow>& all = language_rows();
-  return *std::find_if(all.begin(), all.end(),
-                       [language](const LanguageRow& each) { return each.language == language; });
-}
-
 std::vector<std::string> language_options() {
   std::vector<std::string> options;
   for (const LanguageRow& each : language_rows()) options.emplace_back(each.option);
   return options;
 }
 
-std::string languages_text() {
+const LanguageRow& language_with(bool LanguageRow::*what) {
   const std::vector<LanguageRow>& all = language_rows();
-  std::string text;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    text += std::string(k == 0 ? "" : k + 1 < all.size() ? ", " : " or ") + all[k].name;
+  return *std::find_if(all.begin(), all.end(), [what](const LanguageRow& each) { return each.*what; });
+}
+
+std::string languages_text(const LanguageQuestion& is_meant) {
+  std::vector<std::string> names;
+  for (const LanguageRow& each : language_rows()) {
+    if (is_meant(each)) names.emplace_back(each.name);
   }
-  return text;
+  return alternatives(names);
+}
+
+std::string languages_text() {
+  return languages_text([](const LanguageRow&) { return true; });
+}
+
+std::string descriptions_of_languages() {
+  std::vector<std::string> descriptions;
+  for (const LanguageRow& each : language_rows()) descriptions.emplace_back(each.description);
+  return alternatives(descriptions);
 }
 
 }  // namespace flatdyn

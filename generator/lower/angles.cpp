@@ -46,13 +46,15 @@ std::string angle_array(const Scope& scope) {
   return scope.angles.empty() ? input_argument(InputKind::q, 0).name : kAngles;
 }
 
-std::vector<code::Argument> arguments_of_angles() {
-  return {{code::Argument::Role::input, input_argument(InputKind::q, 0).name}, {code::Argument::Role::output, kAngles}};
+std::vector<code::Argument> arguments_of_angles(const Scope& scope) {
+  const InputArgument q = input_argument(InputKind::q, counts_of(scope));
+  return {{code::Argument::Role::input, q.name, static_cast<std::size_t>(q.length)},
+          {code::Argument::Role::output, kAngles, scope.angle_count()}};
 }
 
 std::vector<code::Part> parts_of_angles(const std::string& name, const Scope& scope) {
   constexpr std::size_t kAround = 2;  // lines around statements
-  const std::vector<code::Argument> arguments = arguments_of_angles();
+  const std::vector<code::Argument> arguments = arguments_of_angles(scope);
   code::Part whole{name, arguments, {}};
   for (int k = 0; k < static_cast<int>(scope.angle_count()); ++k) {
     whole.statements.emplace_back(code::Store{{code::Element{kAngles, k}}, angle_of_index(k, scope)});
@@ -84,7 +86,7 @@ code::Statements filling_sines(const std::set<int>& angles, const std::string& f
   if (!scope.angles.empty()) arrays.arrays.push_back({kAngles, scope.angle_count(), count});
   for (const char* name : {kSines, kCosines}) arrays.arrays.push_back({name, scope.angle_count(), count});
   code::Statements statements = {std::move(arrays)};
-  if (!scope.angles.empty()) statements.emplace_back(code::CallPart{function, arguments_of_angles()});
+  if (!scope.angles.empty()) statements.emplace_back(code::CallPart{function, arguments_of_angles(scope)});
   statements.emplace_back(code::FillSines{angle_array(scope), angles});
   return statements;
 }

@@ -34,7 +34,7 @@ std::string angle_array(const Scope& scope);
 
 // The function that fills the array if there are others, and its arguments. If functions may have only so many lines,
 // it comes last and calls those before it.
-std::vector<code::Argument> arguments_of_angles();
+std::vector<code::Argument> arguments_of_angles(const Scope& scope);
 std::vector<code::Part> parts_of_angles(const std::string& name, const Scope& scope);
 
 // The name of the constant that is the number of angles.

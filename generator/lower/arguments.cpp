@@ -8,6 +8,14 @@
 
 namespace flatdyn {
 
+JointCounts counts_of(const Scope& scope) {
+  JointCounts counts(scope.joints);
+  counts.positions = scope.positions;
+  counts.floating_base = scope.floating_base;
+  counts.spherical = scope.spherical;
+  return counts;
+}
+
 InputArgument input_argument(InputKind kind, JointCounts counts, int base_parameters) {
   const int joints = counts.joints;
   constexpr int kWrench = 6;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "graph/function.hpp"
+#include "lower/scope.hpp"
 #include "model/mechanism.hpp"
 
 namespace flatdyn {
@@ -29,6 +30,8 @@ struct JointCounts {
         floating_base(mechanism.floating_base),
         spherical(mechanism.has_spherical_joints()) {}
 };
+
+JointCounts counts_of(const Scope& scope);
 
 // The argument for a kind of input. `counts`: lengths of q and q̇; `base_parameters`: length of pi_b. Throws
 // std::logic_error for parameters, which are passed in one struct, and for stored values.

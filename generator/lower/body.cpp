@@ -122,6 +122,7 @@ class BodyMaker {
     append(body.statements, shared_by_parts(parts.kept));
     append(body.statements, std::move(parts.calls));
     append(body.statements, std::move(after));
+    code::mark_local_arguments(body.statements);
   }
 
  private:
@@ -134,6 +135,7 @@ class BodyMaker {
     append(statements, stage());
     append(statements, limbs_ ? limb_steps() : steps(false));
     append(statements, ending());
+    code::mark_local_arguments(statements);
     return statements;
   }
 
@@ -210,15 +212,20 @@ class BodyMaker {
   std::vector<code::Argument> part_arguments() const {
     std::vector<code::Argument> list = {{Role::parameters, code::kParameters}};
     if (const std::string& stage = scope_.enclosing_stage; !stage.empty()) {
-      list.push_back({Role::stage, kStored, stage});
+      list.push_back({Role::stage, kStored, 0, stage});
     }
-    for (InputKind kind : function_.inputs) list.push_back({Role::input, input_argument(kind, 0).name});
-    for (const char* name : {kSines, kCosines}) list.push_back({Role::input, name});
-    for (const char* name : {kKept, kPivots}) list.push_back({Role::output, name});
-    list.push_back({Role::number, kResult});
-    for (const std::string& name : output_names_) {
-      list.push_back(makes_stage() ? code::Argument{Role::made_stage, name, scope_.made}
-                                   : code::Argument{Role::output, name});
+    for (InputKind kind : function_.inputs) {
+      const InputArgument input = input_argument(kind, counts_of(scope_), function_);
+      list.push_back({Role::input, input.name, static_cast<std::size_t>(input.length)});
+    }
+    for (const char* name : {kSines, kCosines}) list.push_back({Role::input, name, scope_.angle_count()});
+    list.push_back({Role::output, kKept});  // its length is known when all parts are
+    list.push_back({Role::output, kPivots, pivots_to_check(function_).size()});
+    list.push_back({Role::number, kResult, 1});
+    for (std::size_t k = 0; k < output_names_.size(); ++k) {
+      const std::string& name = output_names_[k];
+      list.push_back(makes_stage() ? code::Argument{Role::made_stage, name, 0, scope_.made}
+                                   : code::Argument{Role::output, name, function_.outputs[k].entries.size()});
     }
     return list;
   }

@@ -74,6 +74,11 @@ class Cutter {
     while (calls_.size() > static_cast<std::size_t>(most_calls)) gather();
     Parts parts{std::move(definitions_), {}, places_.length()};
     for (const Called& call : calls_) parts.calls.emplace_back(statement(call, false));
+    for (code::Part& part : parts.definitions) {
+      for (code::Argument& each : part.arguments) {
+        if (each.name == kKept) each.length = static_cast<std::size_t>(parts.kept);
+      }
+    }
     return parts;
   }
 

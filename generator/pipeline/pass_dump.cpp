@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "diagnostics/nearest.hpp"
+#include "emit/page_writer.hpp"
 #include "graph/text.hpp"
 #include "passes/reorder.hpp"
 
@@ -35,7 +35,7 @@ void check_pass_names(const std::vector<std::string>& names) {
 std::vector<GeneratedFile> pass_dump(const GenerationResult& result, const std::vector<std::string>& names) {
   std::vector<GeneratedFile> files;
   if (names.empty()) return files;  // the passes take most of the time of generation
-  const std::string stem = std::filesystem::path(result.files.front().name).stem().string();
+  const std::string stem = file_name(result.robot.mechanism, result.form);
   for (const OptimisedFunction& each : result.functions) {
     const std::string prefix = stem + "." + each.function.name + ".";
     const Function start = reordered(each.derived, each.search ? each.search->choices.order : 0);

@@ -53,6 +53,13 @@ const std::string& BodyParser::word(std::size_t ahead) const {
   return at_ + ahead < text_.tokens().size() ? text_.tokens()[at_ + ahead].text : none;
 }
 
+bool BodyParser::is_last_statement() const {
+  for (std::size_t k = at_; k < function_->end; ++k) {
+    if (text_.tokens()[k].text == ";") return false;
+  }
+  return true;
+}
+
 bool BodyParser::is_on_line_before() const {
   const std::vector<Token>& tokens = text_.tokens();
   return at_ > 0 && at_ < tokens.size() && tokens[at_].line == tokens[at_ - 1].line;
@@ -151,12 +158,13 @@ code::Expression BodyParser::call(code::Operation operation, int operands) {
   return call;
 }
 
-code::Literal BodyParser::literal(bool is_float) {
+code::Literal BodyParser::literal(bool is_float, const std::string& suffix) {
   const std::string text = take();
   double value = 0;
   float narrow = 0;
-  const bool is_number = is_floating(text) && (is_float ? text.back() == 'f' && reads_as(text, text.size() - 1, narrow)
-                                                        : reads_as(text, text.size(), value));
+  const std::size_t length = text.size() - std::min(suffix.size(), text.size());
+  const bool is_number = is_floating(text) && text.ends_with(suffix) &&
+                         (is_float ? reads_as(text, length, narrow) : reads_as(text, length, value));
   if (!is_number) fail("a number expected");
   return {Rational(is_float ? double(narrow) : value)};
 }
@@ -235,13 +243,17 @@ code::Place BodyParser::place() {
 
 void BodyParser::give_back() {
   if (!is_on_line_before()) fail("a result on another line");  // JavaScript would return nothing
-  code::Return result;
-  if (!has_checks_ || !accept(code::kValid)) result.value = sum();
+  add(result());
   expect(";");
-  add(std::move(result));
 }
 
-void BodyParser::call_of_part(bool is_returned) {
+code::Return BodyParser::result() {
+  code::Return result;
+  if (!has_checks_ || !accept(code::kValid)) result.value = sum();
+  return result;
+}
+
+void BodyParser::call_of_part(bool is_returned, const std::string& end) {
   const auto part = text_.parts().find(take());
   if (part == text_.parts().end()) fail("a call of what is no part");
   code::CallPart call{part->first, {}, is_part_, is_returned};
@@ -252,7 +264,8 @@ void BodyParser::call_of_part(bool is_returned) {
     before = ",";
   }
   if (part->second.parameters.empty()) expect("(");
-  expect_all({")", ";"});
+  expect(")");
+  if (!end.empty()) expect(end);
   add(std::move(call));
 }
 

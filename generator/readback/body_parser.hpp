@@ -51,6 +51,9 @@ class BodyParser {
   const std::string& word(std::size_t ahead = 0) const;
   bool is(const char* text) const { return word() == text; }
   bool is_at_begin() const { return at_ == function_->begin; }
+  bool is_at_end() const { return at_ == function_->end; }
+  // Whether no further statement ends with a semicolon.
+  bool is_last_statement() const;
   bool is_on_line_before() const;
   std::string take();
   void expect(const std::string& text);
@@ -65,8 +68,9 @@ class BodyParser {
   code::Expression sum();
   code::Expression product();
   code::Expression nested();
-  // A literal, in double or as "0.5f" in float, rounded once, in its own type.
-  code::Literal literal(bool is_float);
+  // A literal, in double or as "0.5f" in float, rounded once, in its own type; in some languages without a suffix.
+  code::Literal literal(bool is_float) { return literal(is_float, is_float ? "f" : ""); }
+  code::Literal literal(bool is_float, const std::string& suffix);
   // A literal with a sign of its own: -0.5.
   code::Literal signed_literal(bool is_float);
   // The rest of a call with so many operands, after its opening bracket.
@@ -84,8 +88,9 @@ class BodyParser {
   virtual code::Place place();
   // The rest of a return of a sum or of the verdict.
   void give_back();
-  // f_part_1(q, kept); by its name and arguments.
-  void call_of_part(bool is_returned);
+  code::Return result();
+  // f_part_1(q, kept); by its name and arguments; `end` follows the closing bracket.
+  void call_of_part(bool is_returned, const std::string& end = ";");
   virtual code::Argument argument(const ScannedFunction::Parameter& parameter);
 
   // Checks, after their beginning up to the end: D_1 > 0;   true;   0 * tau[3] < 1;
@@ -97,13 +102,13 @@ class BodyParser {
   virtual bool accept_always() { return accept("true"); }
   virtual void whole_literal(const char* wanted) = 0;  // "0.0" as the language writes it
   virtual std::size_t tokens_of_literal() const { return 1; }
+  virtual code::Condition condition();
 
   const EmittedText& text_;
   const ScannedFunction* function_ = nullptr;
   bool is_part_ = false;
 
  private:
-  code::Condition condition();
   std::size_t last_assignment() const;
 
   std::vector<ParsedStatement> statements_;

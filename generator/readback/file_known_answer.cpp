@@ -9,31 +9,12 @@
 namespace flatdyn {
 namespace {
 
-// The seeds of arguments, and of the tangents of half angles.
+// The seeds of arguments.
 const std::map<std::string, int> kSeeds = {{"q", 1},      {"qd", 2},   {"qdd", 3},   {"tau", 4},  {"h_e", 5},
                                            {"symbol", 6}, {"qd_r", 7}, {"qdd_r", 8}, {"pi_b", 9}, {"g_b", 10},
                                            {"v", 11},     {"a", 12},   {"v_r", 13},  {"a_r", 14}};
-constexpr int kTangents = 16;
 
 int results_of(const FileFunction& function) { return static_cast<int>(entry_count(*function.function)); }
-
-// The lengths of the arrays that the calls read, in the order of their seeds.
-std::map<int, std::pair<std::string, int>> arrays_of(const FileContents& contents,
-                                                     const std::vector<KnownCall>& calls) {
-  std::map<int, std::pair<std::string, int>> arrays;
-  const auto note = [&arrays](const std::string& name, int length) {
-    auto& [known, longest] = arrays[kSeeds.at(name)];
-    known = name;
-    longest = std::max(longest, length);
-  };
-  if (!contents.parameters.empty()) note("symbol", static_cast<int>(contents.parameters.size()));
-  for (const KnownCall& call : calls) {
-    for (const EmittedParameter& parameter : parameters_of(*call.function, contents)) {
-      if (parameter.kind == EmittedParameter::Kind::input) note(parameter.name, parameter.length);
-    }
-  }
-  return arrays;
-}
 
 std::string call_text(const KnownCall& call, const FileContents& contents, const KnownAnswerWords& words) {
   const Function& function = *call.function->function;
@@ -67,6 +48,24 @@ std::string call_text(const KnownCall& call, const FileContents& contents, const
 
 }  // namespace
 
+std::vector<KnownInput> known_inputs(const FileContents& contents) {
+  std::map<int, KnownInput> arrays;
+  const auto note = [&arrays](const std::string& name, int length) {
+    const int seed = kSeeds.at(name);
+    KnownInput& known = arrays[seed];
+    known = {name, std::max(known.length, length), seed};
+  };
+  if (!contents.parameters.empty()) note("symbol", static_cast<int>(contents.parameters.size()));
+  for (const FileFunction& function : contents.functions) {
+    for (const EmittedParameter& parameter : parameters_of(function, contents)) {
+      if (parameter.kind == EmittedParameter::Kind::input) note(parameter.name, parameter.length);
+    }
+  }
+  std::vector<KnownInput> list;
+  for (const auto& [seed, input] : arrays) list.push_back(input);
+  return list;
+}
+
 std::string known_answer_pattern(const FileContents& contents, const std::vector<KnownCall>& calls,
                                  const KnownAnswerWords& words) {
   std::string declared, fills, of_calls;
@@ -74,13 +73,13 @@ std::string known_answer_pattern(const FileContents& contents, const std::vector
     declared += fmt::format("{} {}[{}]", declared.empty() ? words.scalar : ",", name, std::max(length, 1));
   };
   int most = 0;
-  for (const auto& [seed, array] : arrays_of(contents, calls)) {
-    declare(array.first, array.second);
-    fills += fmt::format("{}fill({}, {}, seed + {}u);", words.prefix, array.first, array.second, seed);
+  for (const KnownInput& each : known_inputs(contents)) {
+    declare(each.name, each.length);
+    fills += fmt::format("{}fill({}, {}, seed + {}u);", words.prefix, each.name, each.length, each.seed);
   }
   if (words.asks_sines) {
     for (const char* name : {"sine", "cosine"}) declare(name, contents.angles);
-    fills += fmt::format("{}fill_sines(sine, cosine, {}, seed + {}u);", words.prefix, contents.angles, kTangents);
+    fills += fmt::format("{}fill_sines(sine, cosine, {}, seed + {}u);", words.prefix, contents.angles, kSeedOfTangents);
   }
   for (const KnownCall& call : calls) {
     most = std::max(most, results_of(*call.function));

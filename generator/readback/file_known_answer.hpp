@@ -16,6 +16,15 @@ struct KnownCall {
   std::vector<std::string> arguments;  // in order; those of outputs are empty
 };
 
+// An array of the known state, and its seed.
+struct KnownInput {
+  std::string name;
+  int length = 0, seed = 0;
+};
+// Those that the functions read, in the order of their seeds.
+std::vector<KnownInput> known_inputs(const FileContents& contents);
+inline constexpr int kSeedOfTangents = 16;  // that of sines and cosines
+
 struct KnownAnswerWords {
   std::string scalar, prefix, parameters, given;  // as in patterns; `given` is empty where functions take arrays
   bool asks_sines = false;                        // whether any function needs sines or cosines

@@ -178,9 +178,15 @@ double FileReader::take_literal(char suffix) {
 void FileReader::take_number(const FileTable& table, double wanted) {
   if (table.type == "Real") {
     take_real(wanted);
+  } else if (table.type == "bool") {
+    take_flag(wanted > 0);
   } else if (take() != fmt::format("{}", static_cast<int>(wanted))) {
     fail(fmt::format("another number in {}", table.name));
   }
+}
+
+void FileReader::take_flag(bool wanted) {
+  if (take() != (wanted ? "1" : "0")) fail("another flag");
 }
 
 void FileReader::take_entries(const FileTable& table, const char* end) {

@@ -28,6 +28,9 @@ class FileReader : protected TokenCursor {
 
   // Patterns are text of the language with holes: "$real$ joint_count". A directive takes a line of its own.
   void fill(const std::string& hole, const std::string& text) { holes_[hole] = text; }
+  void fill(const std::map<std::string, std::string>& holes) {
+    for (const auto& [hole, text] : holes) fill(hole, text);
+  }
   void expect(const std::string& pattern);
   bool accept(const std::string& pattern);
   bool follows(const std::string& pattern) const;
@@ -40,6 +43,7 @@ class FileReader : protected TokenCursor {
   void take_text(const std::string& wanted);
   void take_number(const FileTable& table, double wanted);
   virtual void take_real(double wanted) = 0;
+  virtual void take_flag(bool wanted);  // 0 or 1, unless the language has words for them
   double take_literal(char suffix);
   // Takes the entries of a table up to its end, separated by commas.
   void take_entries(const FileTable& table, const char* end);

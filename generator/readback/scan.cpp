@@ -2,6 +2,7 @@
 #include "readback/scan.hpp"
 
 #include <charconv>
+#include <string>
 
 namespace flatdyn {
 
@@ -9,10 +10,11 @@ void note_count(const std::string& name, const std::string& value, ScannedText& 
   int number = 0;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
   if (error != std::errc() || end != value.data() + value.size()) return;
-  for (const auto& [kind, in_c] :
-       {std::pair("joint_count", "_JOINT_COUNT"), std::pair("position_count", "_POSITION_COUNT"),
-        std::pair("angle_count", "_ANGLE_COUNT"), std::pair("velocity_count", "_VELOCITY_COUNT")}) {
-    if (name == kind || name.ends_with(in_c)) found.counts[kind] = {name, number};
+  for (const auto& [kind, capitals] :
+       {std::pair("joint_count", "JOINT_COUNT"), std::pair("position_count", "POSITION_COUNT"),
+        std::pair("angle_count", "ANGLE_COUNT"), std::pair("velocity_count", "VELOCITY_COUNT")}) {
+    const bool is_prefixed = name.ends_with(std::string("_") + capitals);
+    if (name == kind || name == capitals || is_prefixed) found.counts[kind] = {name, number};
   }
 }
 

@@ -200,7 +200,19 @@ bool read_character(std::string_view from, std::size_t& at, std::string& text) {
   return true;
 }
 
-// Reads an escape after its backslash: \ooo of C, or what JSON has; false: it is none.
+// Reads \u{x…} of Rust after its opening brace.
+bool read_braced_character(std::string_view from, std::size_t& at, std::string& text) {
+  const std::size_t end = from.find('}', at);
+  constexpr std::size_t kMostDigits = 6;
+  if (end == std::string_view::npos || end == at || end - at > kMostDigits) return false;
+  const int code = code_at(from, at, static_cast<int>(end - at), 16);
+  ++at;
+  if (code < 0 || code > 0x10FFFF) return false;
+  append_character(code, text);
+  return true;
+}
+
+// Reads an escape after its backslash: \ooo of C, or what JSON and Rust have; false: it is none.
 bool read_escape(std::string_view from, std::size_t& at, std::string& text) {
   constexpr std::string_view kLetters = "bfnrt", kMeanings = "\b\f\n\r\t";
   const char c = at < from.size() ? from[at] : 'x';
@@ -210,6 +222,7 @@ bool read_escape(std::string_view from, std::size_t& at, std::string& text) {
     return byte >= 0;
   }
   ++at;
+  if (c == 'u' && from.substr(at, 1) == "{") return read_braced_character(from, ++at, text);
   if (c == 'u') return read_character(from, at, text);
   const std::size_t letter = kLetters.find(c);
   text += letter == std::string_view::npos ? c : kMeanings[letter];

@@ -24,7 +24,7 @@ std::size_t written_entries(const Function& function) {
 
 // Where the time is spent, and what saves it.
 std::string place_of(const EmitOptions& options) {
-  if (language_row(options.language).has_source) return "once, in its source";
+  if (!language_row(options.language).is_one_file()) return "once, in its source";
   if (options.form == Form::pair) return "once, in the source of the pair";
   return "in each file that calls all of it; --form pair compiles it once";
 }

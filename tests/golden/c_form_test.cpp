@@ -40,9 +40,9 @@ std::vector<Function> functions_to_compare(const LoadedRobot& model) {
 }
 
 // Options for the C robots "in_double" or "in_float", or for the C++ robot "whole".
-EmitOptions options_of(const std::string& scalar, Language language, int most_lines) {
+EmitOptions options_of(const std::string& scalar, const std::string& language, int most_lines) {
   EmitOptions options;
-  options.name_space = language == Language::c ? "in_" + scalar : "whole";
+  options.name_space = language == "c" ? "in_" + scalar : "whole";
   options.scalar = scalar;
   options.language = language;
   options.most_lines = most_lines;
@@ -129,11 +129,11 @@ std::string differences_of(const std::string& robot, int most_lines) {
   const std::vector<Function> functions = functions_to_compare(model);
   const TemporaryFolder folder;
   std::string headers[2], sources;
-  write(folder.path() / "whole.hpp", emit_cpp(model.mechanism, functions, options_of("double", Language::cpp, 0)));
+  write(folder.path() / "whole.hpp", emit_cpp(model.mechanism, functions, options_of("double", "c++", 0)));
   for (int s = 0; s < 2; ++s) {
     const std::string name = fmt::format("in_{}", kScalars[s]),
-                      own = header_name(model.mechanism, options_of("", Language::c, 0));
-    HeaderAndSource text = emit_c(model.mechanism, functions, options_of(kScalars[s], Language::c, most_lines));
+                      own = header_name(model.mechanism, options_of("", "c", 0));
+    HeaderAndSource text = emit_c(model.mechanism, functions, options_of(kScalars[s], "c", most_lines));
     const std::size_t at = text.source.find("#include \"" + own);
     text.source.replace(at + 10, own.size(), name + ".h");  // two forms of one robot share the folder
     write(folder.path() / (name + ".h"), text.header);
@@ -167,7 +167,7 @@ TEST(CFormsInputs, MayBeOneArray) {
   const LoadedRobot model = model_of("ur5.urdf");
   const std::vector<Function> functions = functions_to_compare(model);
   const TemporaryFolder folder;
-  const HeaderAndSource text = emit_c(model.mechanism, functions, options_of("double", Language::c, 0));
+  const HeaderAndSource text = emit_c(model.mechanism, functions, options_of("double", "c", 0));
   write(folder.path() / "ur5.h", text.header);
   write(folder.path() / "ur5.c", text.source);
   std::string program =

@@ -74,7 +74,7 @@ TEST_F(CloseLoops, InCpp) {
 
 TEST_F(CloseLoops, InC) {
   EmitOptions options;
-  options.language = Language::c;
+  options.language = "c";
   const HeaderAndSource text = emit_c(model_.mechanism, functions(), options);
   write("slider_crank.h", text.header);
   write("slider_crank.c", text.source);

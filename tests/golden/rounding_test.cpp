@@ -173,7 +173,7 @@ TEST_P(RoundingIsAsWritten, WithFusedMultiplyAddsOfTheText) {
   Diagnostics left_out;
   const std::vector<Function> functions = functions_of(make_functions(model, pipeline, quiet, left_out));
   write(folder.path() / "ur5.hpp", emit_cpp(model.mechanism, functions, options));
-  options.language = Language::c;
+  options.language = "c";
   const HeaderAndSource in_c = emit_c(model.mechanism, functions, options);
   write(folder.path() / "ur5.h", in_c.header);
   write(folder.path() / "ur5.c", in_c.source);
@@ -267,7 +267,7 @@ TEST(RoundingIsAsWrittenByClang, IsAnsweredForFunctionsOfEigen) {
 TEST(RoundingIsAsWrittenByClang, NotWithFastSinesOfTheLibrary) {
   const TemporaryFolder folder;
   EmitOptions options;
-  options.language = Language::c;
+  options.language = "c";
   const LoadedRobot model = model_of("planar_2r.toml");
   PipelineOptions pipeline;
   pipeline.functions = {"gravity"};

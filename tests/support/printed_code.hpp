@@ -64,7 +64,7 @@ class PrintedCode {
 
  private:
   std::optional<Stages> stages_in(const EmitOptions& options) const {
-    return options.language == Language::cpp ? stages_ : std::nullopt;
+    return options.language == "c++" ? stages_ : std::nullopt;
   }
 
   LoadedRobot model_;
@@ -72,20 +72,18 @@ class PrintedCode {
   std::optional<Stages> stages_;
 };
 
-// Options by language and form: "c++", "pair", "javascript", "cuda", "c", and in C "float" and, over states, "lanes" of
-// doubles.
+// Options by language and form: "c++", "pair", "javascript", "cuda", "rust", "c", and in C "float" and, over states,
+// "lanes" of doubles.
 inline EmitOptions form_of(const std::string& name, int most_lines = 0) {
   EmitOptions options;
   options.most_lines = most_lines;
   if (name == "pair") {
     options.form = Form::pair;
     options.more_scalars = {"float"};
-  } else if (name == "cuda") {
-    options.language = Language::cuda;
-  } else if (name == "javascript") {
-    options.language = Language::javascript;
+  } else if (name == "cuda" || name == "javascript" || name == "rust") {
+    options.language = name;
   } else if (name == "c" || name == "float" || name == "lanes") {
-    options.language = Language::c;
+    options.language = "c";
     options.scalar = name == "float" ? "float" : "double";
   }
   return options;

@@ -3,17 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "emit/known_answer.hpp"
 #include "emit/literals.hpp"
 #include "emit/name_space.hpp"
 #include "emit/page.hpp"
-#include "emit/printer.hpp"
 #include "emit/sections.hpp"
 #include "emit/writer.hpp"
-#include "lower/angles.hpp"
-#include "lower/arguments.hpp"
+#include "languages/common/given_sines.hpp"
 #include "templates.hpp"
 
 namespace flatdyn {
@@ -35,44 +31,6 @@ std::string prefix_of(const std::string& name_space) {
 std::string c_signature(const std::string& returns, const std::string& name, const std::vector<std::string>& parameters,
                         const std::string& end) {
   return without_newline(list_line(fmt::format("{} {}(", returns, name), parameters, ")" + end, 0));
-}
-
-// The arguments with sines and cosines in place of q, unless positions themselves are read, too.
-std::vector<Argument> with_sines(const UndeclaredFunction& function) {
-  const FunctionBody& body = function.body;
-  std::vector<Argument> list;
-  for (const Argument& argument : function.arguments) {
-    const bool is_input = argument.kind == Argument::Kind::input;
-    if (is_input && !body.uses_positions && argument.name == input_argument(InputKind::q, 0).name) continue;
-    list.push_back(argument);
-  }
-  const bool has_parameters = !list.empty() && list.front().kind == Argument::Kind::parameters;
-  const auto length = static_cast<std::size_t>(1 + *std::max_element(body.angles.begin(), body.angles.end()));
-  list.insert(list.begin() + (has_parameters ? 1 : 0), {{Argument::Kind::input, "sine", body.takes_sines, length},
-                                                        {Argument::Kind::input, "cosine", body.takes_cosines, length}});
-  return list;
-}
-
-// Statements like "(void)qd;", which silence compilers: in C every parameter has a name.
-std::string unread(const std::vector<Argument>& arguments, const HeaderScope& scope) {
-  code::Statements statements;
-  for (const Argument& argument : arguments) {
-    if (!argument.is_used) statements.emplace_back(code::Ignore{argument.name});
-  }
-  return Printer(scope).text(statements);
-}
-
-// The angles that are needed, as first and last index of each run of consecutive ones.
-std::vector<std::pair<int, int>> runs_of(const std::set<int>& angles) {
-  std::vector<std::pair<int, int>> runs;
-  for (const int angle : angles) {
-    if (!runs.empty() && runs.back().second + 1 == angle) {
-      runs.back().second = angle;
-    } else {
-      runs.emplace_back(angle, angle);
-    }
-  }
-  return runs;
 }
 
 }  // namespace
@@ -124,32 +82,16 @@ std::string CDialect::fused(const std::string& a, const std::string& b, const st
 
 std::string CDialect::parameter(const std::string& member) const { return "parameters->" + member; }
 
-std::string CDialect::output(const std::string& name) const { return scalar() + "* restrict " + name; }
+std::string CDialect::output(const std::string& name, std::size_t) const { return scalar() + "* restrict " + name; }
 
 std::string CDialect::parameters_argument() const { return "const " + exported("parameters") + "* parameters"; }
 
 std::string CDialect::part_begin(const std::string& name) const { return "static void " + name + "("; }
 
-// A function that needs sines and cosines is split in two: one takes them as arguments; the other one computes them and
-// calls it.
 void CDialect::declare(FunctionText& text, const UndeclaredFunction& function) const {
-  text.declared = parameters(function.arguments, false);
-  text.parameters = parameters(function.arguments, true);
-  if (!function.body.uses_trigonometry()) {
-    text.body = unread(function.arguments, function.scope) + text.body;
-    return;
-  }
-  const std::vector<Argument> arguments = with_sines(function);
-  SinCosVariant given{function.sin_cos_variant_name,
-                      parameters(arguments, true),
-                      parameters(arguments, false),
-                      {},
-                      angle_array(function.scope),
-                      "",
-                      unread(arguments, function.scope) + text.body};
-  for (const Argument& argument : arguments) given.arguments.push_back(argument.name);
-  text.body = asking_body(function, text.returns, given);
-  text.sin_cos_variant = std::move(given);
+  declare_with_given_sines(text, function, true, [this](const std::vector<Argument>& arguments, bool restricts) {
+    return parameters(arguments, restricts);
+  });
 }
 
 std::vector<std::string> CDialect::parameters(const std::vector<Argument>& arguments, bool restricts) const {
@@ -157,8 +99,8 @@ std::vector<std::string> CDialect::parameters(const std::vector<Argument>& argum
   for (const Argument& argument : arguments) {
     list.push_back(argument.kind == Argument::Kind::parameters ? parameters_argument()
                    : is_sized(argument)                        ? sized(argument, restricts)
-                   : argument.kind == Argument::Kind::input    ? input(argument.name)
-                   : restricts                                 ? output(argument.name)
+                   : argument.kind == Argument::Kind::input    ? input(argument.name, argument.length)
+                   : restricts                                 ? output(argument.name, argument.length)
                                                                : scalar() + "* " + argument.name);
   }
   return list;
@@ -173,21 +115,6 @@ std::string CDialect::sized(const Argument& argument, bool restricts) const {
   const bool is_input = argument.kind == Argument::Kind::input;
   return fmt::format("{}{} {}[{}{}]", is_input ? "const " : "", scalar(), argument.name,
                      restricts && !is_input ? "restrict " : "", argument.length);
-}
-
-// The body of the function that computes sines and cosines and calls `given`; records in `given` which ones it takes.
-std::string CDialect::asking_body(const UndeclaredFunction& function, const std::string& returns,
-                                  SinCosVariant& given) const {
-  const std::set<int> angles(function.body.angles.begin(), function.body.angles.end());
-  code::Statements statements = filling_sines(angles, global(kFunctionOfAngles), function.scope);
-  code::CallPart call{given.name, {}, false, returns != "void"};
-  for (const std::string& argument : given.arguments) call.arguments.push_back({code::Argument::Role::input, argument});
-  statements.emplace_back(std::move(call));
-  for (const auto& [first, last] : runs_of(angles)) {
-    given.joints += (given.joints.empty() ? "" : ", ") + std::to_string(first);
-    if (last > first) given.joints += ".." + std::to_string(last);
-  }
-  return Printer(function.scope).text(statements);
 }
 
 std::string CDialect::filled_sines(const std::string& array, const std::set<int>& angles) const {
@@ -225,14 +152,6 @@ std::string CDialect::declaration(const code::Table& table) const {
   return fmt::format("extern {} {}[{}];\n", type_of(table), table.name, table.length);
 }
 
-std::string CDialect::check_loop(std::size_t first, std::size_t end, const std::string& check) const {
-  return braced_check_loop("int", first, end, check);
-}
-
-std::string CDialect::all_positive(const std::string& array, std::size_t length) const {
-  return check_loop(0, length, fmt::format("{}[{}] > {}", array, code::kCounter, literal(0)));
-}
-
 std::vector<FileTemplate> CDialect::files() const { return {{".h", templates::header_h}, {".c", templates::source_c}}; }
 
 // If the function has a variant that takes sines and cosines, it comes before the one that calls it.
@@ -255,9 +174,7 @@ void CDialect::write_function(data& item, const Function& function, const Functi
   item["definitions"] = definitions(text);
   item["given?"] = text.sin_cos_variant.has_value();
   if (!text.sin_cos_variant) return;
-  item["given_comment"] =
-      fmt::format("The same from sine[k] = sin({0}[k]) and cosine[k] = cos({0}[k]) of the caller's, k = {1}.",
-                  text.sin_cos_variant->of, text.sin_cos_variant->joints);
+  item["given_comment"] = given_sines_comment(*text.sin_cos_variant);
   item["given_declaration"] = c_signature(returns, text.sin_cos_variant->name, text.sin_cos_variant->declared, ";");
 }
 

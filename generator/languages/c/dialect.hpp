@@ -35,15 +35,13 @@ class CDialect : public PageDialect {
   std::string filled_sines(const std::string& array, const std::set<int>& angles) const override;
   bool has_given_variants() const override { return true; }
   // Definitions declare outputs `restrict`; declarations, which C++ reads too, do not.
-  std::string output(const std::string& name) const override;
+  std::string output(const std::string& name, std::size_t length) const override;
   std::string parameters_argument() const override;
   std::string part_begin(const std::string& name) const override;
   void declare(FunctionText& text, const UndeclaredFunction& function) const override;
   std::string count_definition(const std::string& name, int value) const override;
   bool declares_constants_apart() const override { return true; }
   std::string declaration(const code::Table& table) const override;
-  std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const override;
-  std::string all_positive(const std::string& array, std::size_t length) const override;
 
   bool has_known_answer() const override { return true; }
   std::vector<FileTemplate> files() const override;
@@ -66,7 +64,6 @@ class CDialect : public PageDialect {
   std::vector<std::string> parameters(const std::vector<Argument>& arguments, bool restricts) const;
   bool is_sized(const Argument& argument) const;
   std::string sized(const Argument& argument, bool restricts) const;
-  std::string asking_body(const UndeclaredFunction& function, const std::string& returns, SinCosVariant& given) const;
   std::string definitions(const FunctionText& text) const;
   std::string type_of(const code::Table& table) const;
 

@@ -51,62 +51,8 @@ static inline $real$ $prefix$fma($real$ a, $real$ b, $real$ c) {
 }
 )";
 
-inline constexpr const char* kCPolynomialsOfDoubles = R"(
-static void $prefix$sine_and_cosine(double x, double* restrict sine,
-    double* restrict cosine) {
-  const double turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52;
-  uint64_t quadrant = 0, bits_of_s = 0, bits_of_c = 0;
-  (void)memcpy(&quadrant, &turns, sizeof(turns));
-  const uint64_t next = quadrant + 0x4000000000001u;
-  double n = 0.0;
-  (void)memcpy(&n, &next, sizeof(next));
-  n -= 0x1.c000000000001p+52;
-  const double above = x - n * 0x1.921fb544p+0, below = n * 0x1.0b4611a6p-34, r = above - below;
-  const double missing = (below - (above - r)) + n * 0x1.3198a2e037073p-69;
-  const double z = r * r, zz = z * z, half = 0.5 * z, leading = 1.0 - half;
-  const double p = (1.66666666666666324348e-01 + z * -8.33333333332248946124e-03) +
-      zz * ((1.98412698298579493134e-04 + z * -2.75573137070700676789e-06) +
-      zz * (2.50507602534068634195e-08 + z * -1.58969099521155010221e-10));
-  const double k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
-      zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
-      zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
-  const double s = r - (z * r * p + leading * missing);
-  const double c = leading + ((((1.0 - leading) - half) + r * missing) + zz * k);
-  (void)memcpy(&bits_of_s, &s, sizeof(s));
-  (void)memcpy(&bits_of_c, &c, sizeof(c));
-  const uint64_t exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
-  bits_of_s ^= exchange ^ ((quadrant & 2u) << 62);
-  bits_of_c ^= exchange ^ ((next & 2u) << 62);
-  (void)memcpy(sine, &bits_of_s, sizeof(s));
-  (void)memcpy(cosine, &bits_of_c, sizeof(c));
-}
-)";
-
-inline constexpr const char* kCPolynomialsOfFloats = R"(
-static void $prefix$sine_and_cosine(float x, float* restrict sine,
-    float* restrict cosine) {
-  const float turns = x * 0x1.45f306p-1f + 0x1.8p+23f;
-  uint32_t quadrant = 0, bits_of_s = 0, bits_of_c = 0;
-  (void)memcpy(&quadrant, &turns, sizeof(turns));
-  const uint32_t next = quadrant + 0x200001u;
-  float n = 0.0f;
-  (void)memcpy(&n, &next, sizeof(next));
-  n -= 0x1.c00002p+23f;
-  const float above = (x - n * 0x1.922p+0f) - n * -0x1.2cp-18f, below = n * 0x1.11p-26f;
-  const float r = above - below, missing = (below - (above - r)) + n * 0x1.68c234p-39f;
-  const float z = r * r, half = 0.5f * z, leading = 1.0f - half;
-  const float p = 1.6666654611e-1f + z * (-8.3321608736e-3f + z * 1.9515295891e-4f);
-  const float k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
-  const float s = r - (z * r * p + leading * missing);
-  const float c = leading + ((((1.0f - leading) - half) + r * missing) + z * z * k);
-  (void)memcpy(&bits_of_s, &s, sizeof(s));
-  (void)memcpy(&bits_of_c, &c, sizeof(c));
-  const uint32_t exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
-  bits_of_s ^= exchange ^ ((quadrant & 2u) << 30);
-  bits_of_c ^= exchange ^ ((next & 2u) << 30);
-  (void)memcpy(sine, &bits_of_s, sizeof(s));
-  (void)memcpy(cosine, &bits_of_c, sizeof(c));
-}
+inline constexpr const char* kCSineAndCosine = R"(
+static void $prefix$sine_and_cosine($real$ x, $real$* restrict sine, $real$* restrict cosine) {
 )";
 
 inline constexpr const char* kCPolynomialSines = R"(

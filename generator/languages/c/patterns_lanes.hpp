@@ -161,7 +161,7 @@ typedef unsigned $integer$ $lanes$_bits __attribute__((vector_size($lanes$_bytes
 static const unsigned $integer$ $lanes$_next = $next$;
 )";
 
-inline constexpr const char* kLanesSinesOfDoubles = R"(
+inline constexpr const char* kLanesReductionOfDoubles = R"(
 static inline $lanes$_bits $lanes$_reduced($lanes$ x, $lanes$* restrict r,
     $lanes$* restrict missing) {
   const $lanes$ turns = x * $lanes$_all(0x1.45f306dc9c883p-1) + $lanes$_all(0x1.8p+52);
@@ -173,23 +173,9 @@ static inline $lanes$_bits $lanes$_reduced($lanes$ x, $lanes$* restrict r,
   *missing = (below - (above - *r)) + n * $lanes$_all(0x1.3198a2e037073p-69);
   return quadrant;
 }
-static inline $lanes$ $lanes$_sine_near_zero($lanes$ r, $lanes$ missing) {
-  const $lanes$ z = r * r, zz = z * z, leading = 1.0 - 0.5 * z;
-  const $lanes$ p = (1.66666666666666324348e-01 + z * -8.33333333332248946124e-03) +
-      zz * ((1.98412698298579493134e-04 + z * -2.75573137070700676789e-06) +
-      zz * (2.50507602534068634195e-08 + z * -1.58969099521155010221e-10));
-  return r - (z * r * p + leading * missing);
-}
-static inline $lanes$ $lanes$_cosine_near_zero($lanes$ r, $lanes$ missing) {
-  const $lanes$ z = r * r, zz = z * z, half = 0.5 * z, leading = 1.0 - half;
-  const $lanes$ k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
-      zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
-      zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
-  return leading + ((((1.0 - leading) - half) + r * missing) + zz * k);
-}
 )";
 
-inline constexpr const char* kLanesSinesOfFloats = R"(
+inline constexpr const char* kLanesReductionOfFloats = R"(
 static inline $lanes$_bits $lanes$_reduced($lanes$ x, $lanes$* restrict r,
     $lanes$* restrict missing) {
   const $lanes$ turns = x * $lanes$_all(0x1.45f306p-1f) + $lanes$_all(0x1.8p+23f);
@@ -201,16 +187,14 @@ static inline $lanes$_bits $lanes$_reduced($lanes$ x, $lanes$* restrict r,
   *missing = (below - (above - *r)) + n * $lanes$_all(0x1.68c234p-39f);
   return quadrant;
 }
+)";
+
+inline constexpr const char* kLanesSineNearZero = R"(
 static inline $lanes$ $lanes$_sine_near_zero($lanes$ r, $lanes$ missing) {
-  const $lanes$ z = r * r, leading = 1.0f - 0.5f * z;
-  const $lanes$ p = 1.6666654611e-1f + z * (-8.3321608736e-3f + z * 1.9515295891e-4f);
-  return r - (z * r * p + leading * missing);
-}
+)";
+
+inline constexpr const char* kLanesCosineNearZero = R"(
 static inline $lanes$ $lanes$_cosine_near_zero($lanes$ r, $lanes$ missing) {
-  const $lanes$ z = r * r, half = 0.5f * z, leading = 1.0f - half;
-  const $lanes$ p = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
-  return leading + ((((1.0f - leading) - half) + r * missing) + z * z * p);
-}
 )";
 
 inline constexpr const char* kLanesSines = R"(

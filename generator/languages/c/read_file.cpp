@@ -9,6 +9,7 @@
 #include "languages/c/patterns.hpp"
 #include "languages/c/read.hpp"
 #include "languages/c/read_body.hpp"
+#include "languages/common/patterns_sines.hpp"
 #include "languages/cpp/patterns.hpp"
 #include "readback/file_known_answer.hpp"
 #include "readback/patterns_flags.hpp"
@@ -139,8 +140,12 @@ void CFile::sines() {
     has_sines_ = accept(kCLibrarySines);
     return;
   }
-  has_sines_ = accept(contents_.scalar == "float" ? kCPolynomialsOfFloats : kCPolynomialsOfDoubles);
-  if (has_sines_) expect(kCPolynomialSines);
+  has_sines_ = accept(kCSineAndCosine);
+  if (!has_sines_) return;
+  const bool is_float = contents_.scalar == "float";
+  fill(sines_holes({is_float, "const " + scalar_, ",", is_float ? "f" : ""}));
+  expect(sines_by_bits_pattern(is_float, {scalar_, is_float ? "uint32_t" : "uint64_t", true, "(void)memcpy", ""}));
+  expect(kCPolynomialSines);
 }
 
 // Takes rounding_is_as_written() and what it calls.

@@ -9,6 +9,7 @@
 #include "languages/c/read.hpp"
 #include "languages/c/read_body.hpp"
 #include "languages/c/read_file.hpp"
+#include "languages/common/patterns_sines.hpp"
 #include "readback/patterns_flags.hpp"
 
 namespace flatdyn {
@@ -73,7 +74,8 @@ class LanesFile : public CFile {
     has_sqrt_ = accept(kLanesSqrt);
     has_sines_ = accept(kLanesReducedAngles);
     if (has_sines_) {
-      expect(is_float() ? kLanesSinesOfFloats : kLanesSinesOfDoubles);
+      expect(is_float() ? kLanesReductionOfFloats : kLanesReductionOfDoubles);
+      polynomials();
       expect(kLanesSines);
     }
     expect(kLanesRows);
@@ -83,6 +85,19 @@ class LanesFile : public CFile {
     if (!std::any_of(contents_.functions.begin(), contents_.functions.end(), is_checked)) return;
     fill("verdict", code::kValid);
     expect(kLanesNoNumber);
+  }
+
+  void polynomials() {
+    SinesStyle style{is_float(), "const " + scalar_, ",", is_float() ? "f" : ""};
+    style.cosine_polynomial = is_float() ? "p" : "k";
+    fill(sines_holes(style));
+    expect(kLanesSineNearZero);
+    expect(is_float() ? "$let$ z = r * r, leading = 1.0f - 0.5f * z;"
+                      : "$let$ z = r * r, zz = z * z, leading = 1.0 - 0.5 * z;");
+    expect(sine_polynomial_pattern(is_float()) + "return " + sine_pattern(is_float()) + "}");
+    expect(kLanesCosineNearZero);
+    expect(squares_pattern(is_float()) + cosine_polynomial_pattern(is_float()));
+    expect("return " + cosine_pattern(is_float()) + "}");
   }
 
   // An array of states, as the function over arrays has it.

@@ -120,7 +120,7 @@ std::string CppDialect::check_loop(std::size_t first, std::size_t end, const std
                    kStatementIndent);
 }
 
-std::string CppDialect::all_positive(const std::string& array, std::size_t) const {
+std::string CppDialect::check_positive(const std::string& array, std::size_t) const {
   return code_line(fmt::format("for (const Scalar& pivot : {}) valid &= pivot > Scalar(0.0);", array),
                    kStatementIndent);
 }

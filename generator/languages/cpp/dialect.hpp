@@ -41,8 +41,7 @@ class CppDialect : public PageDialect {
   std::string part_call(const std::string& name) const override { return "detail::" + name + "("; }
   void declare(FunctionText& text, const UndeclaredFunction& function) const override;
   std::string count_definition(const std::string& name, int value) const override;
-  std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const override;
-  std::string all_positive(const std::string& array, std::size_t length) const override;
+  std::string check_positive(const std::string& array, std::size_t length) const override;
 
   bool has_known_answer() const override { return true; }
   std::vector<FileTemplate> files() const override;
@@ -51,6 +50,7 @@ class CppDialect : public PageDialect {
   void write_page(kainjow::mustache::data& page, const CodeContent& content) const override;
 
  protected:
+  std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const override;
   std::string definition_begin(const code::Table& table) const override;
 
  private:

@@ -156,8 +156,9 @@ struct LibrarySinCos {
   }
 };)";
 
-// Sines and cosines by polynomials, in a namespace of their own.
-inline constexpr const char* kCppPolynomials = R"(
+// Sines and cosines by polynomials, in a namespace of their own: their types, the function for doubles and that for
+// floats, and the functions that call them.
+inline constexpr const char* kCppTypesOfSines = R"(
 namespace detail {
 #if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
 #ifdef __AVX__
@@ -176,58 +177,15 @@ typedef uint64_t BitsOfDoubles;
 typedef float Floats;
 typedef uint32_t BitsOfFloats;
 #endif
+)";
+
+// A function over numbers of these types, up to its statements.
+inline constexpr const char* kCppSineAndCosine = R"(
 template <class = void>
-static inline void sine_and_cosine(const Doubles& x, Doubles& sine, Doubles& cosine) noexcept {
-  const Doubles turns = x * 0x1.45f306dc9c883p-1 + 0x1.8p+52;
-  BitsOfDoubles quadrant, bits_of_s, bits_of_c;
-  memcpy(&quadrant, &turns, sizeof(turns));
-  const BitsOfDoubles next = quadrant + 0x4000000000001u;
-  Doubles n;
-  memcpy(&n, &next, sizeof(next));
-  n -= 0x1.c000000000001p+52;
-  const Doubles above = x - n * 0x1.921fb544p+0, below = n * 0x1.0b4611a6p-34, r = above - below;
-  const Doubles missing = (below - (above - r)) + n * 0x1.3198a2e037073p-69;
-  const Doubles z = r * r, zz = z * z, half = 0.5 * z, leading = 1.0 - half;
-  const Doubles p = (1.66666666666666324348e-01 + z * -8.33333333332248946124e-03) +
-      zz * ((1.98412698298579493134e-04 + z * -2.75573137070700676789e-06) +
-      zz * (2.50507602534068634195e-08 + z * -1.58969099521155010221e-10));
-  const Doubles k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
-      zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
-      zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
-  const Doubles s = r - (z * r * p + leading * missing);
-  const Doubles c = leading + ((((1.0 - leading) - half) + r * missing) + zz * k);
-  memcpy(&bits_of_s, &s, sizeof(s));
-  memcpy(&bits_of_c, &c, sizeof(c));
-  const BitsOfDoubles exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
-  bits_of_s ^= exchange ^ ((quadrant & 2u) << 62);
-  bits_of_c ^= exchange ^ ((next & 2u) << 62);
-  memcpy(&sine, &bits_of_s, sizeof(s));
-  memcpy(&cosine, &bits_of_c, sizeof(c));
-}
-template <class = void>
-static inline void sine_and_cosine(const Floats& x, Floats& sine, Floats& cosine) noexcept {
-  const Floats turns = x * 0x1.45f306p-1f + 0x1.8p+23f;
-  BitsOfFloats quadrant, bits_of_s, bits_of_c;
-  memcpy(&quadrant, &turns, sizeof(turns));
-  const BitsOfFloats next = quadrant + 0x200001u;
-  Floats n;
-  memcpy(&n, &next, sizeof(next));
-  n -= 0x1.c00002p+23f;
-  const Floats above = (x - n * 0x1.922p+0f) - n * -0x1.2cp-18f, below = n * 0x1.11p-26f;
-  const Floats r = above - below, missing = (below - (above - r)) + n * 0x1.68c234p-39f;
-  const Floats z = r * r, half = 0.5f * z, leading = 1.0f - half;
-  const Floats p = 1.6666654611e-1f + z * (-8.3321608736e-3f + z * 1.9515295891e-4f);
-  const Floats k = 4.166664568298827e-2f + z * (-1.388731625493765e-3f + z * 2.443315711809948e-5f);
-  const Floats s = r - (z * r * p + leading * missing);
-  const Floats c = leading + ((((1.0f - leading) - half) + r * missing) + z * z * k);
-  memcpy(&bits_of_s, &s, sizeof(s));
-  memcpy(&bits_of_c, &c, sizeof(c));
-  const BitsOfFloats exchange = (bits_of_s ^ bits_of_c) & (0u - (quadrant & 1u));
-  bits_of_s ^= exchange ^ ((quadrant & 2u) << 30);
-  bits_of_c ^= exchange ^ ((next & 2u) << 30);
-  memcpy(&sine, &bits_of_s, sizeof(s));
-  memcpy(&cosine, &bits_of_c, sizeof(c));
-}
+static inline void sine_and_cosine(const $sine_number$& x, $sine_number$& sine, $sine_number$& cosine) noexcept {
+)";
+
+inline constexpr const char* kCppSinesOfJoints = R"(
 template <class Lanes, class Scalar>
 static inline Scalar evaluate(Lanes squares, const Scalar* q, const int* joints, int count, Scalar* s,
     Scalar* c) noexcept {

@@ -134,7 +134,7 @@ void CppBodyParser::part() {
 code::Argument CppBodyParser::argument(const ScannedFunction::Parameter& parameter) {
   if (parameter.name != "stored" || is_part_) return BodyParser::argument(parameter);
   expect_all({"*", "this"});
-  return {code::Argument::Role::stage, parameter.name, function_->member_of};
+  return {code::Argument::Role::stage, parameter.name, 0, function_->member_of};
 }
 
 // Reads B[1], stage.x1 or result.

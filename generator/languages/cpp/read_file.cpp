@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "flatdyn/interface.hpp"
+#include "languages/common/patterns_sines.hpp"
 #include "languages/cpp/patterns.hpp"
 #include "languages/cpp/patterns_limbs.hpp"
 #include "languages/cpp/read.hpp"
@@ -36,6 +37,19 @@ void CppFile::file() {
   require_helper("MultiplyAdd", has_fma_, uses({"MultiplyAdd", "<", "Scalar", ">", "fma"}));
   require_helper("Limbs", has_limbs_, uses({"detail", "::", "Limbs", "<", "Scalar"}));
   require_helper("LibrarySinCos", has_sines_, uses({"sin_cos"}));
+}
+
+// Takes the sines and cosines by polynomials.
+void CppFile::polynomials() {
+  expect(kCppTypesOfSines);
+  for (const bool is_float : {false, true}) {
+    const std::string number = is_float ? "Floats" : "Doubles";
+    fill("sine_number", number);
+    fill(sines_holes({is_float, "const " + number, ",", is_float ? "f" : ""}));
+    expect(kCppSineAndCosine);
+    expect(sines_by_bits_pattern(is_float, {number, "BitsOf" + number, false}));
+  }
+  expect(kCppSinesOfJoints);
 }
 
 void CppFile::guard() {
@@ -89,7 +103,7 @@ void CppFile::source() {
   has_fma_ = accept(kCppMultiplyAdd);
   has_limbs_ = accept(kCppLimbs);
   if (has_sines_ && has_polynomials()) {
-    expect(kCppPolynomials);
+    polynomials();
     expect(kCppPolynomialSinesDefined);
   }
   if (contents_.angles > contents_.positions) parts({nullptr, "angles"});
@@ -161,7 +175,7 @@ void CppFile::helpers() {
   }
   has_sines_ = accept(kCppLibrarySines);
   if (has_sines_ && has_polynomials()) {
-    if (!is_pair()) expect(kCppPolynomials);
+    if (!is_pair()) polynomials();
     expect(is_pair() ? kCppPolynomialSinesDeclared : kCppPolynomialSines);
   }
   if (has_sines_) expect(kCppGivenSines);

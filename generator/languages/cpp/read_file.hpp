@@ -14,6 +14,7 @@ class CppFile : public FileReader {
   // Take the guard of a header, the beginning of its namespace, and close_loops(), if it is there, as this pattern
   // says.
   void guard();
+  void polynomials();
   void flags();
   void name_space();
   void loops(const char* close_loops);

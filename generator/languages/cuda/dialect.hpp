@@ -17,7 +17,7 @@ bool can_be_launched(const FunctionText& text);
 class CudaDialect : public CppDialect {
  public:
   std::vector<std::string> reserved() const override;
-  std::string input(const std::string& name) const override { return "In " + name; }
+  std::string input(const std::string& name, std::size_t) const override { return "In " + name; }
   std::string part_begin(const std::string& name) const override { return "FLATDYN_FUNCTION void " + name + "("; }
   std::string before_part() const override { return "template <class Scalar, class In>\n"; }
   void declare(FunctionText& text, const UndeclaredFunction& function) const override;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "languages/common/patterns_sines.hpp"
 #include "languages/cpp/patterns.hpp"
 #include "languages/cpp/read.hpp"
 #include "languages/cuda/patterns.hpp"
@@ -57,6 +58,19 @@ void CudaFile::file() {
   require_helper("LibrarySinCos", has_sines_, uses({"sin_cos"}));
 }
 
+// Takes the sines and cosines by polynomials.
+void CudaFile::cuda_polynomials() {
+  expect("namespace detail {");
+  for (const bool is_float : {false, true}) {
+    const std::string number = is_float ? "float" : "double";
+    fill("sine_number", number);
+    fill(sines_holes({is_float, "const " + number, ",", is_float ? "f" : ""}));
+    expect(kCudaSineAndCosine);
+    expect(sines_by_bits_pattern(is_float, {number, is_float ? "uint32_t" : "uint64_t"}));
+  }
+  expect(kCudaSinesOfJoints);
+}
+
 void CudaFile::cuda_helpers() {
   has_sign_ = accept(kCudaSign);
   has_sqrt_ = accept(kCudaSqrt);
@@ -64,7 +78,7 @@ void CudaFile::cuda_helpers() {
   has_fma_ = accept(kCudaMultiplyAdd);
   has_stored_ = accept(kCudaStored);
   has_sines_ = accept(kCudaLibrarySines);
-  if (has_sines_ && has_polynomials()) expect(kCudaPolynomials);
+  if (has_sines_ && has_polynomials()) cuda_polynomials();
   if (has_sines_) expect(kCudaGivenSines);
   if (contents_.angles > contents_.positions) angles_part();
 }

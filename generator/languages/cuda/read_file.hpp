@@ -19,6 +19,7 @@ class CudaFile : public CppFile {
 
   void file() override;
   void cuda_helpers();
+  void cuda_polynomials();
   void angles_part();
   void cuda_function(const FileFunction& function);
   Kernel parameters_and_body(const FileFunction& function, bool has_sin_cos, const ScannedFunction& body);

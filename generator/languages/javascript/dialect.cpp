@@ -164,14 +164,6 @@ std::string JavascriptDialect::definition_begin(const code::Table& table) const 
   return fmt::format("const {} = [", table.name);
 }
 
-std::string JavascriptDialect::check_loop(std::size_t first, std::size_t end, const std::string& check) const {
-  return braced_check_loop("let", first, end, check);
-}
-
-std::string JavascriptDialect::all_positive(const std::string& array, std::size_t length) const {
-  return check_loop(0, length, fmt::format("{}[{}] > {}", array, code::kCounter, literal(0)));
-}
-
 std::vector<FileTemplate> JavascriptDialect::files() const {
   if (form_ == JavascriptForm::types) return {{".d.ts", templates::module_d_ts}};
   return {{".js", templates::module_js}};

@@ -27,8 +27,8 @@ class JavascriptDialect : public PageDialect {
   // V8 gives up on functions of 60 kB of bytecode.
   LanguageTraits traits() const override { return {.evaluates_sines = true, .longest_function = 1000}; }
   std::string angle_function(const std::string& function, const std::string& angle) const override;
-  std::string input(const std::string& name) const override { return name; }
-  std::string output(const std::string& name) const override { return name; }
+  std::string input(const std::string& name, std::size_t) const override { return name; }
+  std::string output(const std::string& name, std::size_t) const override { return name; }
   std::string parameters_argument() const override { return "parameters"; }
   std::string constant() const override { return "const "; }
   std::string arrays() const override { return "const "; }
@@ -38,8 +38,6 @@ class JavascriptDialect : public PageDialect {
   std::string part_begin(const std::string& name) const override { return "function " + name + "("; }
   void declare(FunctionText& text, const UndeclaredFunction& function) const override;
   std::string count_definition(const std::string& name, int value) const override;
-  std::string check_loop(std::size_t first, std::size_t end, const std::string& check) const override;
-  std::string all_positive(const std::string& array, std::size_t length) const override;
 
   std::vector<FileTemplate> files() const override;
   std::string member(const std::string& name, const std::string& unit) const override;
@@ -49,6 +47,7 @@ class JavascriptDialect : public PageDialect {
  protected:
   std::string definition_begin(const code::Table& table) const override;
   std::string definition_end() const override { return "];"; }
+  const char* counter_type() const override { return "let"; }
 
  private:
   void write_types(kainjow::mustache::data& page, const CodeContent& content) const;

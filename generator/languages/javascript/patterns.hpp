@@ -5,25 +5,14 @@
 
 namespace flatdyn {
 
-inline constexpr const char* kJavascriptSines = R"(
+// The sine of an angle that is turned, up to its reduction, and the functions that follow it.
+inline constexpr const char* kJavascriptSineBegin = R"(
 function sine_of_turned(x, turns) {
   if (!(x <= 1e5 && x >= -1e5)) return turns === 0 ? Math.sin(x) : Math.cos(x);
-  const n = (x * 0.6366197723675814 + 6755399441055744) - 6755399441055744, quadrant = n + turns;
-  const above = x - n * 1.5707963267341256, below = n * 6.077100506303966e-11, r = above - below;
-  const missing = (below - (above - r)) + n * 2.0222662487959506e-21;
-  const z = r * r, zz = z * z, half = 0.5 * z, leading = 1 - half;
-  let sine = 0;
-  if ((quadrant & 1) === 0) {
-    const p = (1.66666666666666324348e-01 + z * -8.33333333332248946124e-03) +
-        zz * ((1.98412698298579493134e-04 + z * -2.75573137070700676789e-06) +
-        zz * (2.50507602534068634195e-08 + z * -1.58969099521155010221e-10));
-    sine = r - (z * r * p + leading * missing);
-  } else {
-    const k = (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
-        zz * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +
-        zz * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
-    sine = leading + ((((1 - leading) - half) + r * missing) + zz * k);
-  }
+  const n = (x * $two_over_pi$ + $to_whole$) - $to_whole$, quadrant = n + turns;
+)";
+
+inline constexpr const char* kJavascriptSines = R"(
   return (quadrant & 2) === 0 ? sine : -sine;
 }
 function sin(x) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "languages/common/patterns_sines.hpp"
 #include "languages/javascript/patterns.hpp"
 #include "languages/javascript/read.hpp"
 #include "readback/file_reader.hpp"
@@ -23,7 +24,7 @@ class JavascriptFile : public FileReader {
     expect("'use strict';");
     constants();
     const bool has_sines = has_polynomials() && follows("function sine_of_turned(");
-    if (has_sines) expect_on_lines(kJavascriptSines);
+    if (has_sines) sines();
     if (contents_.is_module && !contents_.functions.empty()) expect(kJavascriptCheck);
     for (const FileFunction& each : contents_.functions) function(each);
     const bool asks_library = uses({"Math", ".", "sin"}) || uses({"Math", ".", "cos"});
@@ -38,6 +39,18 @@ class JavascriptFile : public FileReader {
     }
     expect(fmt::format("{} {{{}}};", contents_.is_module ? "export" : "return", fmt::join(exports_, ", ")));
     require_lengths_of_sines();
+  }
+
+  void sines() {
+    SinesStyle style{false, "const"};
+    style.one = "1";
+    style.has_hexadecimals = false;
+    fill(sines_holes(style));
+    expect_on_lines(kJavascriptSineBegin);
+    expect(reduction_pattern(false) + squares_pattern(false) + "let sine = 0;");
+    expect("if ((quadrant & 1) === 0) {" + sine_polynomial_pattern(false) + "sine = " + sine_pattern(false));
+    expect("} else {" + cosine_polynomial_pattern(false) + "sine = " + cosine_pattern(false) + "}");
+    expect_on_lines(kJavascriptSines);
   }
 
   // Expects a pattern in which every return has its result on the same line.

@@ -64,7 +64,7 @@ TEST(Dialect, SpreadsNumbersOverLanes) {
 
 EmitOptions in_c() {
   EmitOptions options;
-  options.language = Language::c;
+  options.language = "c";
   return options;
 }
 

@@ -135,16 +135,16 @@ std::string guard_in(const std::string& text) {
 // Names that are equal in capitals; and one name for two robots, where the second header must not vanish.
 TEST(Header, HasAGuardOfItsOwn) {
   std::map<std::string, std::string> owners;
-  for (const Language language : {Language::cpp, Language::c}) {
+  for (const std::string language : {"c++", "c"}) {
     for (const char* name : {"acme::arm", "acme_arm", "Acme::arm", "acme::Arm"}) {
       for (const char* hash : {"sha1:1", "sha1:2"}) {
         EmitOptions options = in_namespace(name);
         options.language = language;
         options.input_hash = hash;
         const Mechanism mechanism = testing::two_link_mechanism({"m1"});
-        const std::string text = language == Language::c ? emit_c(mechanism, all_functions(), options).header
+        const std::string text = language == "c" ? emit_c(mechanism, all_functions(), options).header
                                                          : emit_cpp(mechanism, all_functions(), options);
-        const std::string owner = std::string(name) + hash + (language == Language::c ? ".h" : ".hpp");
+        const std::string owner = std::string(name) + hash + (language == "c" ? ".h" : ".hpp");
         EXPECT_TRUE(owners.emplace(guard_in(text), owner).second) << owner << " and " << owners[guard_in(text)];
         EXPECT_THAT(text, HasSubstr("#define " + guard_in(text) + "\n"));
         EXPECT_THAT(text, HasSubstr("#endif  // " + guard_in(text) + "\n"));

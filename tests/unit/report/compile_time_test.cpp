@@ -53,9 +53,9 @@ TEST(CompileTime, OfAPairIsThatOfItsInstances) {
 
 TEST(CompileTime, IsNoneWhereNothingIsCompiled) {
   EmitOptions options;
-  options.language = Language::javascript;
+  options.language = "javascript";
   EXPECT_THAT(describe_compile_time(one_function(100'000), {}, options), IsEmpty());
-  options.language = Language::c;
+  options.language = "c";
   EXPECT_THAT(describe_compile_time(one_function(100'000), {}, options), HasSubstr("once, in its source"));
 }
 
