@@ -8,6 +8,7 @@
 #include "languages/cpp/language.hpp"
 #include "languages/cuda/language.hpp"
 #include "languages/javascript/language.hpp"
+#include "languages/rust/language.hpp"
 
 namespace flatdyn {
 
@@ -33,8 +34,8 @@ std::string alternatives(const std::vector<std::string>& items) {
 }  // namespace
 
 const std::vector<LanguageRow>& language_rows() {
-  static const std::vector<LanguageRow> all = {cpp_language(), c_language(), cuda_language(), javascript_language(),
-                                               python_row()};
+  static const std::vector<LanguageRow> all = {cpp_language(),        c_language(),    cuda_language(),
+                                               javascript_language(), rust_language(), python_row()};
   return all;
 }
 

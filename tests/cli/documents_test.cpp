@@ -54,8 +54,8 @@ class UsersFolder {
 };
 
 // The prefixes of commands in a code block.
-constexpr const char* kPrompts[] = {"    flatdyn ", "    make -C out", "    cd out && cc ",
-                                    "    g++ ",     "    ./",          "    node "};
+constexpr const char* kPrompts[] = {"    flatdyn ", "    make -C out", "    cd out && cc ", "    g++ ",
+                                    "    ./",       "    node ",       "    cargo "};
 const std::string kPrints = "    → ";  // prefix of the expected output of the command before it
 
 bool is_command(const std::string& line) {
@@ -126,6 +126,8 @@ class Reading {
 class Page : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Page, HasCommandsThatRunAndPrintWhatItSays) {
+  const bool needs_cargo = std::string(GetParam()) == "rust.md";
+  if (needs_cargo && std::system("cargo --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "cargo is not installed";
   Reading reading(GetParam());
   for (const std::string& line : lines_of(kDocs / GetParam())) reading.read(line);
   EXPECT_GT(reading.commands(), 0);
@@ -152,8 +154,8 @@ TEST(TrajectoryFormat, HasAnExampleThatRuns) {
 
 INSTANTIATE_TEST_SUITE_P(Documents, Page,
                          ::testing::Values("../README.md", "example-7-2.md", "figure-7-15.md", "firmware.md",
-                                           "generated-code.md", "javascript.md", "loops.md", "python.md", "tutorial.md",
-                                           "problems/7-01.md", "problems/7-02.md", "problems/7-03.md",
+                                           "generated-code.md", "javascript.md", "loops.md", "python.md", "rust.md",
+                                           "tutorial.md", "problems/7-01.md", "problems/7-02.md", "problems/7-03.md",
                                            "problems/7-04.md", "problems/7-05.md", "problems/7-07.md",
                                            "problems/7-08.md", "problems/7-09.md", "problems/7-10.md",
                                            "problems/7-11.md", "problems/7-12.md"),

@@ -16,14 +16,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// The files of code below a folder, relative to it: not manifests, nor what the program prints.
 std::vector<fs::path> code_in(const fs::path& folder) {
-  std::vector<fs::path> headers;
-  for (const auto& entry : fs::directory_iterator(folder)) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string kind = entry.path().extension().string();
-    if (kind == ".hpp" || kind == ".cpp" || kind == ".h" || kind == ".c") headers.push_back(entry.path());
+    const bool is_code =
+        kind == ".hpp" || kind == ".cpp" || kind == ".h" || kind == ".c" || kind == ".rs" || kind == ".toml";
+    if (is_code) files.push_back(entry.path().lexically_relative(folder));
   }
-  std::sort(headers.begin(), headers.end());
-  return headers;
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 std::string first_difference(const std::string& expected, const std::string& produced) {
@@ -65,16 +68,15 @@ std::string generate(const std::string& program, const fs::path& source_dir, con
 
 std::vector<std::string> differences(const fs::path& expected, const fs::path& produced) {
   std::vector<std::string> found;
-  const std::vector<fs::path> headers = code_in(produced);
-  if (headers.empty()) found.push_back("no header was written");
-  for (const fs::path& header : headers) {
-    const fs::path golden = expected / header.filename();
-    if (!fs::exists(golden)) {
-      found.push_back(header.filename().string() + " is not checked in");
+  const std::vector<fs::path> files = code_in(produced);
+  if (files.empty()) found.push_back("no header was written");
+  for (const fs::path& file : files) {
+    if (!fs::exists(expected / file)) {
+      found.push_back(file.string() + " is not checked in");
       continue;
     }
-    const std::string before = content_of(golden), now = content_of(header);
-    if (before != now) found.push_back(header.filename().string() + " " + first_difference(before, now));
+    const std::string before = content_of(expected / file), now = content_of(produced / file);
+    if (before != now) found.push_back(file.string() + " " + first_difference(before, now));
   }
   return found;
 }

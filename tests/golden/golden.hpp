@@ -22,8 +22,8 @@ std::vector<GoldenCase> read_cases(const std::filesystem::path& table);
 std::string generate(const std::string& program, const std::filesystem::path& source_dir, const GoldenCase& golden,
                      const std::filesystem::path& output);
 
-// A sentence for each .hpp, .cpp, .h or .c in `produced` that is missing in `expected` or differs from it, with the
-// first different line; and one if nothing was produced.
+// A sentence for each file of code in `produced` that is missing in `expected` or differs from it, with the first
+// different line; and one if nothing was produced.
 std::vector<std::string> differences(const std::filesystem::path& expected, const std::filesystem::path& produced);
 
 // The names of all robot files in robots/, sorted: "panda.urdf".

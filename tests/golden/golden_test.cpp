@@ -23,10 +23,10 @@ const fs::path kGenerated = kSource / "generated";
 
 std::vector<GoldenCase> cases() { return read_cases(kGenerated / "robots.txt"); }
 
-// The form in which a robot is checked in beside its header: empty, "in_c", "as_pair".
+// The form in which a robot is checked in beside its header: empty, "in_c", "in_rust", "as_pair".
 std::string form_of(const GoldenCase& golden) {
   const auto has = [&golden](const char* option) { return golden.options.find(option) != std::string::npos; };
-  return has("--language c") ? "in_c" : has("--form pair") ? "as_pair" : "";
+  return has("--language c") ? "in_c" : has("--language rust") ? "in_rust" : has("--form pair") ? "as_pair" : "";
 }
 
 std::string test_name(const ::testing::TestParamInfo<GoldenCase>& info) {
@@ -67,15 +67,18 @@ TEST(GoldenTable, ListsEveryRobot) {
 
 TEST(GoldenTable, HasOneHeaderPerRobot) {
   std::size_t headers = 0;
-  for (const auto& entry : fs::directory_iterator(kGenerated)) {
-    headers += entry.path().extension() == ".hpp" || entry.path().extension() == ".h" ? 1 : 0;
+  for (const auto& entry : fs::recursive_directory_iterator(kGenerated)) {
+    const std::string kind = entry.path().extension().string();
+    headers += kind == ".hpp" || kind == ".h" || kind == ".rs" ? 1 : 0;
   }
   EXPECT_EQ(headers, cases().size());
 }
 
 TEST(GoldenTable, StaysUnderFiveMegabytes) {
   std::uintmax_t bytes = 0;
-  for (const auto& entry : fs::directory_iterator(kGenerated)) bytes += entry.file_size();
+  for (const auto& entry : fs::recursive_directory_iterator(kGenerated)) {
+    bytes += entry.is_regular_file() ? entry.file_size() : 0;
+  }
   EXPECT_LT(bytes, 5'000'000u);
 }
 

@@ -183,6 +183,19 @@ TEST(EmittedText, InJavascriptIsWhatWasPrinted) {
   }
 }
 
+TEST(EmittedText, InRustIsWhatWasPrinted) {
+  for (const char* robot : {"scara.toml", "planar_2r.toml", "prismatic_revolute.toml", "pendulum_motor.toml"}) {
+    const PrintedCode all = code_of(robot);
+    for (const char* scalar : {"double", "float"}) {
+      for (const int most_lines : {0, 40}) {
+        EmitOptions options = form_of("rust", most_lines);
+        options.scalar = scalar;
+        EXPECT_NO_THROW(all.prove(all.text(options), options)) << robot << ", lines: " << most_lines;
+      }
+    }
+  }
+}
+
 TEST(EmittedText, InJavascriptWithASlipIsRefused) {
   const PrintedCode all = code_of("scara.toml");
   for (const int most_lines : {0, 40}) {

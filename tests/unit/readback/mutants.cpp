@@ -4,15 +4,16 @@
 namespace flatdyn::testing {
 namespace {
 
-constexpr const char *kCpp = "c++ pair", *kAll = "c++ pair c float javascript lanes",
-                     *kWithTables = "c++ pair c float javascript", *kPlain = "c javascript",
+constexpr const char *kCpp = "c++ pair", *kAll = "c++ pair c float javascript lanes rust",
+                     *kReturning = "c++ pair c float javascript lanes", *kWithTables = "c++ pair c float javascript",
+                     *kWithNames = "c++ pair c float javascript rust", *kPlain = "c javascript",
                      *kTyped = "c++ pair c float";
 
 // Changes that are the same in all languages.
 const Mutant kMutantsInAll[] = {
-    {"a result that is always valid", kAll, "return valid;", "return true;"},
-    {"a result that is never valid", kAll, "return valid;", "return false;"},
-    {"no result", kAll, "return valid;", ""},
+    {"a result that is always valid", kReturning, "return valid;", "return true;"},
+    {"a result that is never valid", kReturning, "return valid;", "return false;"},
+    {"no result", kReturning, "return valid;", ""},
     {"a comparison with equality", kAll, "valid = Ic_1_zz >", "valid = Ic_1_zz >="},
     {"another pivot", kAll, "valid = Ic_1_zz >", "valid = m_1 >"},
     {"an input that is read after an output is written", kAll, "tau[1] = qd_1 * t3", "tau[1] = qd[0] * t3"},
@@ -50,11 +51,11 @@ const Mutant kMutantsInAll[] = {
     {"another operator", kAll, "tau[1] = qd_1 * t3 -", "tau[1] = qd_1 * t3 +"},
     {"a table of zeros that says one", kWithTables, "1, 0,", "1, 1,", "nonzero"},
     {"a table of zeros that is short", kWithTables, "1, 0,", "1,", "nonzero"},
-    {"another name of a joint", kWithTables, "\"elbow\"", "\"ankle\""},
-    {"names of joints exchanged", kWithTables, "\"shoulder\", \"elbow\"", "\"elbow\", \"shoulder\""},
-    {"a name less", kWithTables, "\"shoulder\", \"elbow\"", "\"shoulder\""},
+    {"another name of a joint", kWithNames, "\"elbow\"", "\"ankle\""},
+    {"names of joints exchanged", kWithNames, "\"shoulder\", \"elbow\"", "\"elbow\", \"shoulder\""},
+    {"a name less", kWithNames, "\"shoulder\", \"elbow\"", "\"shoulder\""},
     {"another name of a base parameter", kWithTables, "\"m1lx\"", "\"m2lx\"", "base_parameter_names", "base"},
-    {"a result that is always valid after parts", kAll, "return valid;", "return true;", "", "finger", true},
+    {"a result that is always valid after parts", kReturning, "return valid;", "return true;", "", "finger", true},
     {"an input that is read after parts have written", kAll, "n[1] = -t24", "n[1] = -qd[0]", "", "finger", true},
 };
 
@@ -100,7 +101,7 @@ std::vector<Mutant> mutants() {
   std::vector<Mutant> all(std::begin(kMutantsInAll), std::end(kMutantsInAll));
   all.insert(all.end(), std::begin(kMutantsInSome), std::end(kMutantsInSome));
   for (const std::vector<Mutant>& more :
-       {mutants_in_cpp(), mutants_in_c(), mutants_in_javascript(), mutants_over_states()}) {
+       {mutants_in_cpp(), mutants_in_c(), mutants_in_javascript(), mutants_over_states(), mutants_in_rust()}) {
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;

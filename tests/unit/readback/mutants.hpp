@@ -23,10 +23,11 @@ inline bool is_in(const Mutant& mutant, const std::string& form) {
 // All of them.
 std::vector<Mutant> mutants();
 
-// Those of C++, C, JavaScript and of C over states alone.
+// Those of C++, C, JavaScript, of C over states and of Rust alone.
 std::vector<Mutant> mutants_in_cpp();
 std::vector<Mutant> mutants_in_c();
 std::vector<Mutant> mutants_in_javascript();
 std::vector<Mutant> mutants_over_states();
+std::vector<Mutant> mutants_in_rust();
 
 }  // namespace flatdyn::testing

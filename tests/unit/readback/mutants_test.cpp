@@ -196,14 +196,25 @@ class ChecksOfEntries {
       : is_cpp_(form == "c++" || form == "pair"), is_script_(form == "javascript"), form_(form), robot_(robot) {}
 
   std::string one(const std::string& index) const {
+    if (is_rust()) return fmt::format("valid &= qdd[{}].is_finite();", index);
     return fmt::format("valid {} {} * qdd[{}] < {};", is_script_ ? "&&=" : "&=", literal("0.0"), index, literal("1.0"));
   }
   std::string loop(int first, int end) const {
+    if (is_rust()) return fmt::format("valid &= qdd[{}..{}].iter().all(|x| x.is_finite());", first, end);
     const std::string body = is_cpp_ ? one("k") : "{ " + one("k") + " }";
     return fmt::format("for ({} k = {}; k < {}; ++k) {}", is_script_ ? "let" : "int", first, end, body);
   }
+  // Changes of the loop that no longer check what it checks.
+  std::vector<std::string> changed(const std::string& loop) const {
+    if (is_rust()) {
+      return {with_replaced(loop, "all", "any"), with_replaced(loop, "qdd", "tau"), with_replaced(loop, "..", "..=")};
+    }
+    return {with_replaced(loop, "<", "<="), with_replaced(loop, "1.0", "2.0"), with_replaced(loop, "qdd", "tau"),
+            with_replaced(loop, "++k", "k += 2")};
+  }
 
  private:
+  bool is_rust() const { return form_ == "rust"; }
   std::string literal(const std::string& number) const {
     return form_ == "lanes"   ? fmt::format("{}_lanes_all({})", robot_, number)
            : is_cpp_          ? "Scalar(" + number + ")"
@@ -224,10 +235,12 @@ TEST_P(Mutants, ChecksOfEntriesAreOfAllThatAreWritten) {
   for (const std::string& all : {checks.one("0") + checks.one("1"), checks.loop(1, 2) + checks.one("0")}) {
     EXPECT_NO_THROW(prove_in(code, with_replaced(text, usual, all), form)) << all;
   }
-  for (const std::string& wrong :
-       {std::string(), checks.one("0"), checks.loop(0, 1), checks.loop(0, 3), usual + checks.one("1"),
-        checks.loop(2, 0), with_replaced(usual, "<", "<="), with_replaced(usual, "1.0", "2.0"),
-        with_replaced(usual, "qdd", "tau"), with_replaced(usual, "++k", "k += 2")}) {
+  std::vector<std::string> all_wrong = checks.changed(usual);
+  for (const std::string& each : {std::string(), checks.one("0"), checks.loop(0, 1), checks.loop(0, 3),
+                                  usual + checks.one("1"), checks.loop(2, 0)}) {
+    all_wrong.push_back(each);
+  }
+  for (const std::string& wrong : all_wrong) {
     EXPECT_THROW(prove_in(code, with_replaced(text, usual, wrong), form), Failure) << wrong;
   }
 }
@@ -241,7 +254,8 @@ TEST_P(Mutants, ChecksOfEntriesMayFollowParts) {
   EXPECT_THROW(prove_in(code, with_replaced(text, usual, checks.loop(0, 2)), form), Failure);
 }
 
-INSTANTIATE_TEST_SUITE_P(InEveryForm, Mutants, ::testing::Values("c++", "pair", "javascript", "c", "float", "lanes"),
+INSTANTIATE_TEST_SUITE_P(InEveryForm, Mutants,
+                         ::testing::Values("c++", "pair", "javascript", "c", "float", "lanes", "rust"),
                          [](const auto& form) {
                            const std::string name = form.param;
                            return name == "c++" ? "cpp" : name;
