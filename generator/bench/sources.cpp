@@ -21,10 +21,6 @@ namespace {
 
 using kainjow::mustache::data;
 
-// All possible inputs, in the order of the file of states.
-constexpr InputKind kKinds[] = {InputKind::q,    InputKind::qd,    InputKind::qdd,  InputKind::tau, InputKind::h_e,
-                                InputKind::qd_r, InputKind::qdd_r, InputKind::pi_b, InputKind::g_b};
-
 std::string states_text(const std::vector<State>& states) {
   std::string bytes;
   const auto add = [&](const auto& numbers_of) {
@@ -33,7 +29,7 @@ std::string states_text(const std::vector<State>& states) {
       bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
     }
   };
-  for (const InputKind kind : kKinds) {
+  for (const InputKind kind : kMotionKinds) {
     add([kind](const State& state) -> const std::vector<double>& { return state.of(kind); });
   }
   add([](const State& state) -> const std::vector<double>& { return state.parameters; });
@@ -56,7 +52,7 @@ data main_page(const BenchSubject& subject) {
     lengths << row;
     arguments += (arguments.empty() ? "" : ", ") + name;
   };
-  for (const InputKind kind : kKinds) {
+  for (const InputKind kind : kMotionKinds) {
     add(input_argument(with_base(kind, subject.mechanism.has_quasi_velocities()), 0).name,
         subject.states[0].of(kind).size());
   }

@@ -26,7 +26,7 @@ std::string operand(ErrorAnalysis& analysis, int k) {
     case Step::constant:
       return fmt::format("k{}", k);
     case Step::input:
-      return fmt::format("{}_{}", name_of(operation.input.kind), operation.input.index + 1);
+      return fmt::format("{}_{}", argument_row(operation.input.kind).name, operation.input.index + 1);
     case Step::sine:
       return fmt::format("s_{}", operation.input.index + 1);
     case Step::cosine:

@@ -20,23 +20,23 @@ double size_of_gravity(const Vec3& g) {
 }
 
 double limit_of(const Mechanism& mechanism, const Input& input) {
-  switch (input.kind) {
-    case InputKind::q:
+  const ArgumentRow& row = argument_row(input.kind);
+  if (row.is_reference) throw Failure(ExitCode::unsupported, "it reads inputs that have no limit");
+  switch (row.quantity) {
+    case ArgumentQuantity::position:
       if (mechanism.is_of_quaternion(input.index)) return 1;
       return required_reach(mechanism.joint_at(input.index));
-    case InputKind::qd:
-    case InputKind::v:
+    case ArgumentQuantity::velocity:
       return required_limit(mechanism, input.index, &Limits::velocity);
-    case InputKind::qdd:
-    case InputKind::a:
+    case ArgumentQuantity::acceleration:
       return required_limit(mechanism, input.index, &Limits::acceleration);
-    case InputKind::tau:
+    case ArgumentQuantity::torque:
       return required_limit(mechanism, input.index, &Limits::effort);
-    case InputKind::g_b:
+    case ArgumentQuantity::gravity:
       return size_of_gravity(mechanism.gravity);
-    case InputKind::h_e:
+    case ArgumentQuantity::wrench:
       throw Failure(ExitCode::unsupported, "it reads tip forces, which have no limit");
-    case InputKind::parameter:
+    case ArgumentQuantity::symbol:
       throw Failure(ExitCode::unsupported, "the robot has free symbols", "give them numbers");
     default:
       throw Failure(ExitCode::unsupported, "it reads inputs that have no limit");

@@ -100,15 +100,14 @@ class MotionRecogniser::Implementation {
   // The link with this motion as an argument.
   int link_of(const Input& input) const {
     const int base = mechanism_.base_bodies() - 1;
-    switch (input.kind) {
-      case InputKind::q:
+    if (argument_row(input.kind).is_reference) return kMixed;
+    switch (argument_row(input.kind).quantity) {
+      case ArgumentQuantity::position:
         return mechanism_.base_bodies() + input.index;
-      case InputKind::qd:
-      case InputKind::qdd:
-      case InputKind::v:
-      case InputKind::a:
+      case ArgumentQuantity::velocity:
+      case ArgumentQuantity::acceleration:
         return std::max(base, input.index);
-      case InputKind::g_b:
+      case ArgumentQuantity::gravity:
         return base;
       default:
         return kMixed;

@@ -9,17 +9,10 @@ namespace flatdyn {
 namespace {
 
 bool is_known(InputKind kind) {
-  switch (kind) {
-    case InputKind::q:
-    case InputKind::v:
-    case InputKind::a:
-    case InputKind::tau:
-    case InputKind::h_e:
-    case InputKind::g_b:
-      return true;
-    default:
-      return false;
-  }
+  const ArgumentRow& row = argument_row(kind);
+  const bool is_array = row.length != ArgumentLength::symbols && row.length != ArgumentLength::none;
+  return is_array && !row.is_reference && row.quantity != ArgumentQuantity::base_parameter &&
+         row.with_quasi_velocities == kind;
 }
 
 bool is_known(OutputQuantity quantity) {
@@ -47,7 +40,7 @@ bool is_known(OutputQuantity quantity) {
 }
 
 // Whether an argument or a result has linear and angular parts, as those of the tip and of its task.
-bool has_two_parts(InputKind kind) { return kind == InputKind::h_e; }
+bool has_two_parts(InputKind kind) { return argument_row(kind).quantity == ArgumentQuantity::wrench; }
 bool has_two_parts(const Output& output) {
   switch (output.quantity) {
     case OutputQuantity::tip_jacobian:

@@ -37,7 +37,7 @@ std::string operation_text(const Node& node) {
     case Op::constant:
       return node.value.str();
     case Op::input:
-      return fmt::format("{}[{}]", name_of(node.input.kind), node.input.index);
+      return fmt::format("{}[{}]", argument_row(node.input.kind).name, node.input.index);
     case Op::sum:
       return sum_text(node);
     case Op::product:
@@ -96,7 +96,7 @@ std::string heading(const Function& function) {
     if (!value.empty()) text += fmt::format("  {}: {}\n", key, value);
   };
   std::vector<std::string> inputs;
-  for (const InputKind kind : function.inputs) inputs.push_back(name_of(kind));
+  for (const InputKind kind : function.inputs) inputs.emplace_back(argument_row(kind).name);
   line("summary", function.summary);
   line("equation", function.equation);
   line("inputs", fmt::format("{}", fmt::join(inputs, " ")));
@@ -128,42 +128,6 @@ std::string condition_text(const Function& function, std::size_t k) {
 }
 
 }  // namespace
-
-std::string name_of(InputKind kind) {
-  switch (kind) {
-    case InputKind::q:
-      return "q";
-    case InputKind::qd:
-      return "qd";
-    case InputKind::qdd:
-      return "qdd";
-    case InputKind::tau:
-      return "tau";
-    case InputKind::h_e:
-      return "h_e";
-    case InputKind::parameter:
-      return "parameter";
-    case InputKind::qd_r:
-      return "qd_r";
-    case InputKind::qdd_r:
-      return "qdd_r";
-    case InputKind::pi_b:
-      return "pi_b";
-    case InputKind::g_b:
-      return "g_b";
-    case InputKind::v:
-      return "v";
-    case InputKind::a:
-      return "a";
-    case InputKind::v_r:
-      return "v_r";
-    case InputKind::a_r:
-      return "a_r";
-    case InputKind::stored:
-      return "stored";
-  }
-  return "";
-}
 
 std::string to_text(const Function& function) {
   std::string text = heading(function) + "nodes:\n";

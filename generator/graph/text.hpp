@@ -25,9 +25,6 @@
 
 namespace flatdyn {
 
-// The name of an argument of generated functions: "q", "qd", "pi_b".
-std::string name_of(InputKind kind);
-
 std::string to_text(const Function& function);
 
 }  // namespace flatdyn

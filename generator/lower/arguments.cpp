@@ -16,50 +16,35 @@ JointCounts counts_of(const Scope& scope) {
   return counts;
 }
 
-InputArgument input_argument(InputKind kind, JointCounts counts, int base_parameters) {
-  const int joints = counts.joints;
-  constexpr int kWrench = 6;
-  switch (kind) {
-    case InputKind::q:
-      return {"q", counts.positions,
-              std::string("joint positions, rad or m") +
-                  (counts.spherical ? "; of a spherical joint a unit quaternion w, x, y, z" : "")};
-    case InputKind::qd:
-      return {"qd", joints, "joint velocities, rad/s or m/s"};
-    case InputKind::qdd:
-      return {"qdd", joints, "joint accelerations, rad/s^2 or m/s^2"};
-    case InputKind::tau:
-      return {"tau", joints,
-              std::string(counts.floating_base ? "force and moment on the base (base axes, N, N m), then joint torques"
-                                               : "joint torques or forces, N m or N") +
-                  (counts.spherical ? "; of a spherical joint the moment in the child's axes" : "")};
-    case InputKind::h_e:
-      return {"h_e", kWrench, "force (N), then moment (N m), that the tip exerts on its environment, base frame"};
-    case InputKind::g_b:
-      return {"g_b", 3, "gravity in base axes, m/s^2: R^T g_0 with R from base axes to world axes"};
-    case InputKind::v:
-      return {"v", joints,
-              std::string(counts.floating_base
-                              ? "velocity of the base (linear, then angular; base axes), then of the joints"
-                              : "joint velocities, rad/s or m/s") +
-                  (counts.spherical ? "; of a spherical joint the angular velocity in the child's axes" : "")};
-    case InputKind::a:
-      return {"a", joints, "derivatives of the entries of v"};
-    case InputKind::v_r:
-      return {"v_r", joints, "reference velocities, with entries as those of v"};
-    case InputKind::a_r:
-      return {"a_r", joints, "derivatives of the entries of v_r"};
-    case InputKind::qd_r:
-      return {"qd_r", joints, "reference velocities, rad/s or m/s"};
-    case InputKind::qdd_r:
-      return {"qdd_r", joints, "reference accelerations, rad/s^2 or m/s^2"};
-    case InputKind::pi_b:
-      return {"pi_b", base_parameters, "base parameters, SI units; which they are is said above"};
-    case InputKind::parameter:
-    case InputKind::stored:
+namespace {
+
+int length_of(ArgumentLength length, const JointCounts& counts, int base_parameters) {
+  switch (length) {
+    case ArgumentLength::positions:
+      return counts.positions;
+    case ArgumentLength::velocities:
+      return counts.joints;
+    case ArgumentLength::wrench:
+      return kWrenchLength;
+    case ArgumentLength::vector:
+      return kVectorLength;
+    case ArgumentLength::base_parameters:
+      return base_parameters;
+    case ArgumentLength::symbols:
+    case ArgumentLength::none:
       break;
   }
   throw std::logic_error("parameters and stored values are no array arguments");
+}
+
+}  // namespace
+
+InputArgument input_argument(InputKind kind, JointCounts counts, int base_parameters) {
+  const ArgumentRow& row = argument_row(kind);
+  const bool has_another = counts.floating_base && row.meaning_with_base != nullptr;
+  std::string meaning = has_another ? row.meaning_with_base : row.meaning;
+  if (counts.spherical) meaning += row.of_spherical_joints;
+  return {row.name, length_of(row.length, counts, base_parameters), std::move(meaning)};
 }
 
 InputArgument input_argument(InputKind kind, JointCounts counts, const Function& function) {

@@ -80,9 +80,7 @@ class Finder {
 
   // The limb and the place in it of an input's joint; the place is -1 if it belongs to no limb.
   std::pair<PlaceInSet, int> place_of_input(const Input& input) const {
-    const bool is_of_joint = input.kind != InputKind::h_e && input.kind != InputKind::parameter &&
-                             input.kind != InputKind::pi_b && input.kind != InputKind::g_b &&
-                             input.kind != InputKind::stored;
+    const bool is_of_joint = is_by_joint(input.kind);
     for (std::size_t set = 0; set < sets_.size() && is_of_joint; ++set) {
       for (int limb = 0; limb < sets_[set].count(); ++limb) {
         const std::vector<int>& joints = entry(sets_[set].joints, limb);

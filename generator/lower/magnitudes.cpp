@@ -7,19 +7,13 @@ namespace flatdyn {
 namespace {
 
 double magnitude_of(InputKind kind) {
-  switch (kind) {
-    case InputKind::qd:
-    case InputKind::qd_r:
-    case InputKind::v:
-    case InputKind::v_r:
+  switch (argument_row(kind).quantity) {
+    case ArgumentQuantity::velocity:
       return 3;
-    case InputKind::qdd:
-    case InputKind::qdd_r:
-    case InputKind::tau:
-    case InputKind::h_e:
-    case InputKind::g_b:
-    case InputKind::a:
-    case InputKind::a_r:
+    case ArgumentQuantity::acceleration:
+    case ArgumentQuantity::torque:
+    case ArgumentQuantity::wrench:
+    case ArgumentQuantity::gravity:
       return 10;
     default:
       return 1;

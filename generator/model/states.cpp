@@ -81,6 +81,21 @@ void draw_quaternion(std::vector<double>& q, std::size_t first, Uniform& uniform
   }
 }
 
+// The motion of reference, which no limits are for.
+constexpr MotionRange kReferenceRange{-kPi, kPi, 5, 20, 100};
+
+// The largest size of a quantity by joint.
+double size_in(const MotionRange& range, ArgumentQuantity quantity) {
+  switch (quantity) {
+    case ArgumentQuantity::velocity:
+      return range.speed;
+    case ArgumentQuantity::acceleration:
+      return range.acceleration;
+    default:
+      return range.effort;
+  }
+}
+
 // A vector of this length in a random direction: a random point of a ball of radius 1, scaled.
 std::vector<double> in_any_direction(double length, Uniform& uniform) {
   for (;;) {
@@ -157,11 +172,12 @@ std::vector<State> StateSource::draw(int count, unsigned seed) const {
     for (const Joint& joint : joints_) {
       const auto symmetric = [&uniform](double b) { return uniform(-b, b); };
       if (joint.position != kNoPosition) draw_position(static_cast<std::size_t>(joint.position));
-      state.qd.push_back(symmetric(joint.range.speed));
-      state.qdd.push_back(symmetric(joint.range.acceleration));
-      state.tau.push_back(symmetric(joint.range.effort));
-      state.qd_r.push_back(reference(-5, 5));
-      state.qdd_r.push_back(reference(-20, 20));
+      for (const InputKind kind : kMotionKinds) {
+        const ArgumentRow& row = argument_row(kind);
+        if (row.length != ArgumentLength::velocities) continue;
+        const double own = size_in(joint.range, row.quantity), other = size_in(kReferenceRange, row.quantity);
+        state.of(kind).push_back(row.is_reference ? reference(-other, other) : symmetric(own));
+      }
     }
     for (double& h : state.h_e) h = uniform(-50, 50);
     for (const int p : dependent_) draw_position(static_cast<std::size_t>(p));

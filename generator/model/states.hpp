@@ -2,6 +2,8 @@
 // States of motion at which functions are compared.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <span>
@@ -24,24 +26,33 @@ struct StateOf {
   std::vector<S> g_b;                            // gravity in the axes of a floating base, m/s^2
 
   const std::vector<S>& of(InputKind kind) const {
-    const std::vector<S>* const members[] = {&q,    &qd,  &qdd, &tau, &h_e,  &parameters, &qd_r, &qdd_r,
-                                             &pi_b, &g_b, &qd,  &qdd, &qd_r, &qdd_r};  // in the order of InputKind
-    return *members[static_cast<std::size_t>(kind)];
+    const std::vector<S>* const members[] = {&q,          &qd,   &qdd,   &tau,  &h_e,
+                                             &parameters, &qd_r, &qdd_r, &pi_b, &g_b};  // in the order of InputKind
+    return *members[static_cast<std::size_t>(argument_row(kind).in_state)];
   }
   std::vector<S>& of(InputKind kind) { return const_cast<std::vector<S>&>(std::as_const(*this).of(kind)); }
 };
 
-// All kinds of numbers in a state. Those of a motion come first; the free symbols' values are last.
-inline constexpr InputKind kStateKinds[] = {InputKind::q,   InputKind::qd,       InputKind::qdd,   InputKind::tau,
-                                            InputKind::h_e, InputKind::qd_r,     InputKind::qdd_r, InputKind::pi_b,
-                                            InputKind::g_b, InputKind::parameter};
-// All kinds of arguments. v and a are q̇ and q̈ of a robot with a floating base or spherical joints, v_r and a_r those
-// of reference.
-inline constexpr InputKind kArgumentKinds[] = {InputKind::q,   InputKind::qd,       InputKind::qdd,   InputKind::tau,
-                                               InputKind::h_e, InputKind::qd_r,     InputKind::qdd_r, InputKind::pi_b,
-                                               InputKind::g_b, InputKind::v,        InputKind::a,     InputKind::v_r,
-                                               InputKind::a_r, InputKind::parameter};
-inline constexpr std::span kMotionKinds = std::span(kStateKinds).first<std::size(kStateKinds) - 1>();
+// The kinds of arguments that are meant, in the order of their table; the free symbols' values are last.
+template <class IsMeant>
+constexpr auto argument_kinds(IsMeant) {
+  constexpr auto is_listed = [](const ArgumentRow& row) {
+    return row.kind != InputKind::parameter && row.kind != InputKind::stored && IsMeant()(row);
+  };
+  constexpr auto count = std::count_if(kArgumentRows.begin(), kArgumentRows.end(), is_listed);
+  std::array<InputKind, static_cast<std::size_t>(count) + 1> kinds{};
+  std::size_t place = 0;
+  for (const ArgumentRow& row : kArgumentRows) {
+    if (is_listed(row)) kinds[place++] = row.kind;
+  }
+  kinds[place] = InputKind::parameter;
+  return kinds;
+}
+
+// All kinds of arguments, and those of the numbers in a state.
+inline constexpr auto kArgumentKinds = argument_kinds([](const ArgumentRow&) { return true; });
+inline constexpr auto kStateKinds = argument_kinds([](const ArgumentRow& row) { return row.in_state == row.kind; });
+inline constexpr std::span kMotionKinds = std::span(kStateKinds).first<kStateKinds.size() - 1>();
 
 // A state in doubles: the compiled code gets exactly the same numbers as the reference.
 using State = StateOf<double>;

@@ -284,11 +284,11 @@ void Execution::declare(const std::string& name, int length) {
 
 // The number of entries of an input; -1: the text does not say it.
 int Execution::length_of(InputKind kind) const {
-  constexpr int kWrench = 6, kVector = 3;
-  if (kind == InputKind::h_e) return kWrench;
-  if (kind == InputKind::g_b) return kVector;
-  if (kind == InputKind::pi_b) return like_.base_parameters > 0 ? like_.base_parameters : -1;
-  const ScannedCount* count = text_.count(kind == InputKind::q ? "position_count" : "velocity_count");
+  const ArgumentLength length = argument_row(kind).length;
+  if (length == ArgumentLength::wrench) return kWrenchLength;
+  if (length == ArgumentLength::vector) return kVectorLength;
+  if (length == ArgumentLength::base_parameters) return like_.base_parameters > 0 ? like_.base_parameters : -1;
+  const ScannedCount* count = text_.count(length == ArgumentLength::positions ? "position_count" : "velocity_count");
   if (count == nullptr) count = text_.count("joint_count");
   return count == nullptr ? -1 : count->value;
 }

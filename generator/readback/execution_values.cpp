@@ -9,21 +9,11 @@ namespace {
 
 constexpr int kMostLanes = 8;
 
-const std::map<std::string, InputKind>& input_kinds() {
-  static const std::map<std::string, InputKind> kinds = {
-      {"q", InputKind::q},       {"qd", InputKind::qd},       {"qdd", InputKind::qdd},   {"tau", InputKind::tau},
-      {"g_b", InputKind::g_b},   {"v", InputKind::v},         {"a", InputKind::a},       {"h_e", InputKind::h_e},
-      {"qd_r", InputKind::qd_r}, {"qdd_r", InputKind::qdd_r}, {"pi_b", InputKind::pi_b}, {"v_r", InputKind::v_r},
-      {"a_r", InputKind::a_r},
-  };
-  return kinds;
-}
-
 }  // namespace
 
 bool Execution::is_input(const std::string& array) const {
   const auto& parameters = written_.parameters;
-  return input_kinds().count(array) != 0 && std::any_of(parameters.begin(), parameters.end(), [&](const auto& each) {
+  return find_argument(array) != nullptr && std::any_of(parameters.begin(), parameters.end(), [&](const auto& each) {
            return each.name == array && !each.is_output;
          });
 }
@@ -60,7 +50,7 @@ int Execution::value_of(const code::Element& element) {
   if (is_output(name)) fail("an output that is read");
   if (name == "sine" || name == "cosine") angles_read_.insert(entry);
   if (!is_input(name)) return written_entry(name, entry);
-  const InputKind kind = input_kinds().at(name);
+  const InputKind kind = find_argument(name)->kind;
   const int length = length_of(kind);
   if (length >= 0 && entry >= length) fail("an entry too many");
   return input({kind, entry});

@@ -9,10 +9,13 @@
 namespace flatdyn {
 namespace {
 
-// The seeds of arguments.
-const std::map<std::string, int> kSeeds = {{"q", 1},      {"qd", 2},   {"qdd", 3},   {"tau", 4},  {"h_e", 5},
-                                           {"symbol", 6}, {"qd_r", 7}, {"qdd_r", 8}, {"pi_b", 9}, {"g_b", 10},
-                                           {"v", 11},     {"a", 12},   {"v_r", 13},  {"a_r", 14}};
+constexpr const char* kSymbolsArray = "symbol";
+
+// Arguments have the seeds 1, 2, … in the order of their table.
+int seed_of_input(const std::string& name) {
+  const ArgumentRow* row = find_argument(name);
+  return 1 + static_cast<int>(row == nullptr ? InputKind::parameter : row->kind);
+}
 
 int results_of(const FileFunction& function) { return static_cast<int>(entry_count(*function.function)); }
 
@@ -51,11 +54,11 @@ std::string call_text(const KnownCall& call, const FileContents& contents, const
 std::vector<KnownInput> known_inputs(const FileContents& contents) {
   std::map<int, KnownInput> arrays;
   const auto note = [&arrays](const std::string& name, int length) {
-    const int seed = kSeeds.at(name);
+    const int seed = seed_of_input(name);
     KnownInput& known = arrays[seed];
     known = {name, std::max(known.length, length), seed};
   };
-  if (!contents.parameters.empty()) note("symbol", static_cast<int>(contents.parameters.size()));
+  if (!contents.parameters.empty()) note(kSymbolsArray, static_cast<int>(contents.parameters.size()));
   for (const FileFunction& function : contents.functions) {
     for (const EmittedParameter& parameter : parameters_of(function, contents)) {
       if (parameter.kind == EmittedParameter::Kind::input) note(parameter.name, parameter.length);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -13,36 +12,15 @@
 namespace flatdyn {
 namespace {
 
-// The names of arrays of inputs, and their lengths.
-struct InputArray {
-  InputKind kind;
-  const char* name;
-};
-
-constexpr auto kInputArrays = std::to_array<InputArray>({{InputKind::q, "q"},
-                                                         {InputKind::qd, "qd"},
-                                                         {InputKind::qdd, "qdd"},
-                                                         {InputKind::tau, "tau"},
-                                                         {InputKind::h_e, "h_e"},
-                                                         {InputKind::qd_r, "qd_r"},
-                                                         {InputKind::qdd_r, "qdd_r"},
-                                                         {InputKind::pi_b, "pi_b"},
-                                                         {InputKind::g_b, "g_b"},
-                                                         {InputKind::v, "v"},
-                                                         {InputKind::a, "a"},
-                                                         {InputKind::v_r, "v_r"},
-                                                         {InputKind::a_r, "a_r"}});
-
 int length_of_input(InputKind kind, const Function& function, const FileContents& contents) {
-  constexpr int kWrench = 6, kVector = 3;
-  switch (kind) {
-    case InputKind::q:
+  switch (argument_row(kind).length) {
+    case ArgumentLength::positions:
       return contents.positions;
-    case InputKind::h_e:
-      return kWrench;
-    case InputKind::g_b:
-      return kVector;
-    case InputKind::pi_b:
+    case ArgumentLength::wrench:
+      return kWrenchLength;
+    case ArgumentLength::vector:
+      return kVectorLength;
+    case ArgumentLength::base_parameters:
       return function.base_parameters;
     default:
       return contents.velocities.value_or(contents.joints);
@@ -62,12 +40,6 @@ bool is_written_at_all(const Output& output) {
 
 }  // namespace
 
-std::string name_of_input(InputKind kind) {
-  const auto found =
-      std::find_if(kInputArrays.begin(), kInputArrays.end(), [kind](const InputArray& a) { return a.kind == kind; });
-  return found == kInputArrays.end() ? "none" : found->name;
-}
-
 bool returns_number(const Function& function) {
   return function.validity_conditions.empty() && function.outputs.size() == 1 &&
          function.outputs[0].layout == Layout::scalar;
@@ -79,7 +51,7 @@ std::vector<EmittedParameter> parameters_of(const FileFunction& file_function, c
   std::vector<EmittedParameter> list;
   if (!contents.parameters.empty() && file_function.member_of.empty()) list.push_back({Kind::parameters, "parameters"});
   for (const InputKind kind : function.inputs) {
-    list.push_back({Kind::input, name_of_input(kind), length_of_input(kind, function, contents)});
+    list.push_back({Kind::input, argument_row(kind).name, length_of_input(kind, function, contents)});
   }
   if (returns_number(function) || !file_function.made.empty()) return list;
   for (const Output& output : function.outputs) {

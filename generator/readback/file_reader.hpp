@@ -95,9 +95,6 @@ struct EmittedParameter {
   bool is_number = false;  // an output that is no array
 };
 
-// The name of an array of inputs.
-std::string name_of_input(InputKind kind);
-
 // Whether the function returns its only output.
 bool returns_number(const Function& function);
 

@@ -52,14 +52,12 @@ class Functions {
   // The entries of the function's (only) output.
   Vector50 operator()(const std::string& name, const ExactState& state) const {
     RealArithmetic<Real50> arithmetic([&state](const Input& input) -> Real50 {
-      switch (input.kind) {
+      switch (argument_row(input.kind).in_state) {
         case InputKind::q:
           return state.q[input.index];
         case InputKind::qd:
-        case InputKind::v:
           return state.qd[input.index];
         case InputKind::qdd:
-        case InputKind::a:
           return state.qdd[input.index];
         case InputKind::tau:
           return state.tau[input.index];

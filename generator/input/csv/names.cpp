@@ -270,34 +270,13 @@ std::string stem_of(CsvQuantity quantity) {
 }
 
 CsvQuantity quantity_of(InputKind kind) {
-  switch (kind) {
-    case InputKind::qd:
-    case InputKind::v:
-      return CsvQuantity::qd;
-    case InputKind::g_b:
-      return CsvQuantity::g_b;
-    case InputKind::qdd:
-    case InputKind::a:
-      return CsvQuantity::qdd;
-    case InputKind::tau:
-      return CsvQuantity::tau;
-    case InputKind::h_e:
-      return CsvQuantity::h_e;
-    case InputKind::qd_r:
-    case InputKind::v_r:
-      return CsvQuantity::qd_r;
-    case InputKind::qdd_r:
-    case InputKind::a_r:
-      return CsvQuantity::qdd_r;
-    case InputKind::pi_b:
-      return CsvQuantity::pi_b;
-    case InputKind::parameter:
-      return CsvQuantity::symbol;
-    case InputKind::q:
-    case InputKind::stored:  // passed between stages, never read from a file
-      break;
-  }
-  return CsvQuantity::q;
+  const InputKind in_state = argument_row(kind).in_state;
+  if (in_state == InputKind::parameter) return CsvQuantity::symbol;
+  if (in_state == InputKind::g_b) return CsvQuantity::g_b;
+  const std::string stem = argument_row(in_state).name;
+  const auto* found =
+      std::find_if(std::begin(kStems), std::end(kStems), [&](const auto& each) { return each.first == stem; });
+  return found == std::end(kStems) ? CsvQuantity::q : found->second;
 }
 
 std::string column_name(const Input& input, const Mechanism& mechanism) {

@@ -146,7 +146,8 @@ void CFile::part(const FileFunction& function, const ScannedFunction& asking) {
   const std::string name = take();
   std::vector<std::string> possible = {"const $exported$parameters* parameters"};
   const std::string input = fmt::format("const {}* ", scalar_), output = fmt::format("{}* restrict ", scalar_);
-  for (const InputKind kind : function.function->inputs) possible.push_back(input + name_of_input(kind));
+  for (const InputKind kind : function.function->inputs)
+    possible.push_back(input + std::string(argument_row(kind).name));
   for (const char* each : {"sine", "cosine"}) possible.push_back(input + each);
   for (const char* each : {"kept", "pivots", "result"}) possible.push_back(output + each);
   for (const ScannedFunction::Parameter& each : asking.parameters) {

@@ -113,7 +113,8 @@ void CppFile::part(const FileFunction& function) {
   if (function.function == nullptr) {
     possible = {"const Scalar* q", "Scalar* angle"};
   } else {
-    for (const InputKind kind : function.function->inputs) possible.push_back("const Scalar* " + name_of_input(kind));
+    for (const InputKind kind : function.function->inputs)
+      possible.push_back("const Scalar* " + std::string(argument_row(kind).name));
     for (const char* each :
          {"const Scalar* sine", "const Scalar* cosine", "Scalar* kept", "Scalar* pivots", "Scalar& result"}) {
       possible.emplace_back(each);

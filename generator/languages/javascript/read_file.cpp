@@ -160,7 +160,7 @@ class JavascriptFile : public FileReader {
     expect("function");
     const std::string name = take();
     std::vector<std::string> possible = {"parameters"};
-    for (const InputKind kind : function.function->inputs) possible.push_back(name_of_input(kind));
+    for (const InputKind kind : function.function->inputs) possible.push_back(std::string(argument_row(kind).name));
     for (const char* each : {"sine", "cosine", "kept", "pivots", "result"}) possible.emplace_back(each);
     for (const std::string& output : names_of_outputs(function)) possible.push_back(output);
     expect("(");

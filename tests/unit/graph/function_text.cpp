@@ -30,7 +30,7 @@ bool is_node(const std::string& word) { return word.starts_with("%"); }
 
 InputKind kind_of(const std::string& name) {
   for (int kind = 0; kind <= static_cast<int>(InputKind::stored); ++kind) {
-    if (name_of(static_cast<InputKind>(kind)) == name) return static_cast<InputKind>(kind);
+    if (argument_row(static_cast<InputKind>(kind)).name == name) return static_cast<InputKind>(kind);
   }
   throw std::runtime_error("no input: " + name);
 }
