@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # flatdyn_embed_templates(target folder include_dir [file...]): makes every folder/*.mustache a string in namespace
 # flatdyn::templates of `target` ("header.hpp.mustache" → `header_hpp`), declared in "templates.hpp", so that the program
-# needs no files. Every *.hpp and *.cuh below include_dir becomes a row of the table `headers` there, with the path
+# needs no files; other targets that include it depend on flatdyn_templates. Every *.hpp and *.cuh below include_dir becomes a row of the table `headers` there, with the path
 # that it is included by. Further files are strings, too ("gpu_states.hpp" → `gpu_states`).
 #
 # The same file is the script that the build runs when a template changes:
@@ -49,4 +49,6 @@ function(flatdyn_embed_templates target folder include_dir)
     VERBATIM)
   target_sources(${target} PRIVATE ${output_dir}/templates.cpp ${output_dir}/templates.hpp)
   target_include_directories(${target} PRIVATE ${output_dir})
+  add_custom_target(flatdyn_templates DEPENDS ${output_dir}/templates.hpp)
+  add_dependencies(${target} flatdyn_templates)
 endfunction()

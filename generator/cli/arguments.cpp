@@ -6,16 +6,16 @@
 #include <map>
 #include <sstream>
 
+#include "base/diagnostics/table.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_list.hpp"
 #include "cli/output_file.hpp"
-#include "diagnostics/table.hpp"
+#include "derivation/notation/number_text.hpp"
 #include "functions/function_table.hpp"
-#include "input/common/expression.hpp"
-#include "input/common/name_list.hpp"
-#include "input/common/units.hpp"
 #include "report/toml_string.hpp"
-#include "symbolic/notation/number_text.hpp"
+#include "robot/input/common/expression.hpp"
+#include "robot/input/common/name_list.hpp"
+#include "robot/input/common/units.hpp"
 
 namespace flatdyn {
 namespace {

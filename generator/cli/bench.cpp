@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "bench/bench.hpp"
+#include "laboratory/bench/bench.hpp"
 
 #include <fmt/format.h>
 
 #include <set>
 
-#include "bench/gpu.hpp"
-#include "bench/growth.hpp"
+#include "laboratory/bench/gpu.hpp"
+#include "laboratory/bench/growth.hpp"
 
+#include "base/system/process.hpp"
+#include "base/system/temporary_folder.hpp"
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "languages/language_table.hpp"
+#include "code/languages/language_table.hpp"
 #include "pipeline/generation.hpp"
 #include "report/bench_plot.hpp"
 #include "report/bench_report.hpp"
@@ -18,8 +20,6 @@
 #include "report/gpu_report.hpp"
 #include "report/growth_report.hpp"
 #include "report/json_text.hpp"
-#include "system/process.hpp"
-#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {

@@ -5,19 +5,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "certify/sines.hpp"
 #include "cli/commands.hpp"
 #include "cli/outdated_files.hpp"
 #include "cli/output_file.hpp"
+#include "code/languages/emit.hpp"
+#include "code/languages/readers.hpp"
+#include "functions/load/scene_text.hpp"
 #include "graph/count.hpp"
-#include "input/common/content_hash.hpp"
-#include "languages/emit.hpp"
-#include "languages/readers.hpp"
+#include "proof/certify/sines.hpp"
+#include "proof/verify/proof.hpp"
+#include "proof/verify/snap_effect.hpp"
 #include "report/certificate_report.hpp"
 #include "report/json_text.hpp"
-#include "report/scene_report.hpp"
-#include "verify/proof.hpp"
-#include "verify/snap_effect.hpp"
+#include "robot/input/common/content_hash.hpp"
 
 namespace flatdyn {
 namespace {

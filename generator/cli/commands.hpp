@@ -6,11 +6,11 @@
 #include <functional>
 
 #include "cli/messages.hpp"
-#include "identify/motion_stream.hpp"
-#include "input/formats.hpp"
-#include "planning/make_functions.hpp"
-#include "symbolic/parameters/parameter_frames.hpp"
-#include "symbolic/parameters/parameters.hpp"
+#include "derivation/parameters/parameter_frames.hpp"
+#include "derivation/parameters/parameters.hpp"
+#include "functions/planning/make_functions.hpp"
+#include "laboratory/identify/motion_stream.hpp"
+#include "robot/input/formats.hpp"
 
 namespace flatdyn {
 

@@ -3,9 +3,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "convert/conversion.hpp"
-#include "convert/decimals.hpp"
-#include "convert/round_trip.hpp"
+#include "delivery/convert/conversion.hpp"
+#include "delivery/convert/decimals.hpp"
+#include "delivery/convert/round_trip.hpp"
 
 namespace flatdyn {
 namespace {

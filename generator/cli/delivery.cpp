@@ -8,9 +8,9 @@
 #include <iterator>
 #include <optional>
 
+#include "base/diagnostics/diagnostics.hpp"
 #include "cli/outdated_files.hpp"
-#include "diagnostics/diagnostics.hpp"
-#include "input/common/sources.hpp"
+#include "robot/input/common/sources.hpp"
 
 namespace flatdyn {
 namespace {

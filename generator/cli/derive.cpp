@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "symbolic/notation/derive.hpp"
+#include "derivation/notation/derive.hpp"
 
 #include <fmt/format.h>
 

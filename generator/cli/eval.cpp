@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "verify/eval.hpp"
+#include "proof/verify/eval.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "plot/time_table.hpp"
 #include "report/eval_plot.hpp"
 #include "report/json_text.hpp"
+#include "report/plot/time_table.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include "base/system/interrupt.hpp"
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "model/identifiers.hpp"
 #include "report/excitation_report.hpp"
-#include "system/interrupt.hpp"
+#include "robot/model/identifiers.hpp"
 
 namespace flatdyn {
 namespace {

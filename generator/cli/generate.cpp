@@ -3,27 +3,27 @@
 
 #include <algorithm>
 
+#include "base/diagnostics/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/delivery.hpp"
 #include "cli/held_header.hpp"
-#include "conventions/convention_header.hpp"
-#include "diagnostics/version.hpp"
-#include "emit/page_writer.hpp"
-#include "firmware/folder.hpp"
-#include "input/common/content_hash.hpp"
-#include "languages/language_table.hpp"
+#include "code/conventions/convention_header.hpp"
+#include "code/emit/page_writer.hpp"
+#include "code/languages/language_table.hpp"
+#include "delivery/firmware/folder.hpp"
+#include "delivery/python/cuda_module.hpp"
+#include "delivery/python/module.hpp"
 #include "pipeline/generation.hpp"
 #include "pipeline/pass_dump.hpp"
-#include "python/cuda_module.hpp"
-#include "python/module.hpp"
+#include "proof/verify/rounded_angles.hpp"
+#include "proof/verify/snap_effect.hpp"
 #include "report/budget_report.hpp"
 #include "report/compile_time.hpp"
 #include "report/describe.hpp"
 #include "report/json_text.hpp"
 #include "report/proof_report.hpp"
 #include "report/trace_report.hpp"
-#include "verify/rounded_angles.hpp"
-#include "verify/snap_effect.hpp"
+#include "robot/input/common/content_hash.hpp"
 
 namespace flatdyn {
 namespace {

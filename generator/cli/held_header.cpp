@@ -8,12 +8,12 @@
 #include <optional>
 #include <sstream>
 
-#include "diagnostics/version.hpp"
-#include "languages/language_table.hpp"
+#include "base/diagnostics/version.hpp"
+#include "base/system/process.hpp"
+#include "code/languages/language_table.hpp"
+#include "proof/verify/held_code.hpp"
 #include "report/held_code_report.hpp"
 #include "report/json_text.hpp"
-#include "system/process.hpp"
-#include "verify/held_code.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "cli/help.hpp"
 
-#include "diagnostics/wrap.hpp"
+#include "base/diagnostics/wrap.hpp"
 
 namespace flatdyn {
 namespace {

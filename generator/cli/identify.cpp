@@ -5,17 +5,17 @@
 #include <map>
 #include <sstream>
 
+#include "base/diagnostics/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "diagnostics/version.hpp"
-#include "identify/huber.hpp"
-#include "identify/instrumental_variables.hpp"
-#include "identify/part_file.hpp"
-#include "identify/usable_samples.hpp"
-#include "plot/time_table.hpp"
+#include "laboratory/identify/huber.hpp"
+#include "laboratory/identify/instrumental_variables.hpp"
+#include "laboratory/identify/part_file.hpp"
+#include "laboratory/identify/usable_samples.hpp"
 #include "report/identification_files.hpp"
 #include "report/identification_report.hpp"
 #include "report/identified_robot.hpp"
+#include "report/plot/time_table.hpp"
 #include "report/residual_plot.hpp"
 
 namespace flatdyn {

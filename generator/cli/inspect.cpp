@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "proof/verify/rounded_angles.hpp"
+#include "proof/verify/snap_effect.hpp"
 #include "report/base_report.hpp"
 #include "report/describe.hpp"
 #include "report/json_text.hpp"
 #include "report/links_in_file.hpp"
 #include "report/places_in_file.hpp"
-#include "verify/rounded_angles.hpp"
-#include "verify/snap_effect.hpp"
 
 namespace flatdyn {
 namespace {

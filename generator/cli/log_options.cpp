@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Options of subcommands that read logs of a robot's motion.
+#include "base/diagnostics/diagnostics.hpp"
 #include "cli/commands.hpp"
-#include "diagnostics/diagnostics.hpp"
-#include "identify/base_motion.hpp"
+#include "laboratory/identify/base_motion.hpp"
 
 namespace flatdyn {
 

@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/diagnostics/exit_codes.hpp"
+#include "base/diagnostics/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/usage.hpp"
-#include "diagnostics/exit_codes.hpp"
-#include "diagnostics/version.hpp"
-#include "languages/language_table.hpp"
+#include "code/languages/language_table.hpp"
 
 namespace flatdyn {
 namespace {

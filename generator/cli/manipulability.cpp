@@ -6,11 +6,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "input/csv/base_gravity.hpp"
-#include "input/csv/positions.hpp"
-#include "manipulability/workspace_map.hpp"
-#include "plot/time_table.hpp"
+#include "laboratory/manipulability/workspace_map.hpp"
 #include "report/manipulability_plot.hpp"
+#include "report/plot/time_table.hpp"
+#include "robot/input/csv/base_gravity.hpp"
+#include "robot/input/csv/positions.hpp"
 
 namespace flatdyn {
 namespace {

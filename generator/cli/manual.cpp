@@ -3,14 +3,14 @@
 // data of --help, so that they cannot differ.
 #include <fmt/format.h>
 
+#include "base/diagnostics/diagnostics.hpp"
+#include "base/diagnostics/exit_codes.hpp"
+#include "base/diagnostics/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/markdown.hpp"
 #include "cli/option_list.hpp"
 #include "cli/output_file.hpp"
 #include "cli/usage.hpp"
-#include "diagnostics/diagnostics.hpp"
-#include "diagnostics/exit_codes.hpp"
-#include "diagnostics/version.hpp"
 
 namespace flatdyn {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "base/diagnostics/wrap.hpp"
 #include "cli/option_list.hpp"
-#include "diagnostics/wrap.hpp"
 
 namespace flatdyn {
 namespace {

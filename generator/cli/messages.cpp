@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "diagnostics/progress.hpp"
+#include "base/diagnostics/progress.hpp"
+#include "base/system/interrupt.hpp"
 #include "report/json_text.hpp"
-#include "system/interrupt.hpp"
 
 namespace flatdyn {
 namespace {

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "diagnostics/findings_text.hpp"
-#include "load/bad_input.hpp"
+#include "base/diagnostics/findings_text.hpp"
+#include "functions/load/bad_input.hpp"
 
 namespace flatdyn {
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "system/process.hpp"
+#include "base/system/process.hpp"
 
 namespace flatdyn {
 

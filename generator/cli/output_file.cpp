@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "diagnostics/diagnostics.hpp"
+#include "base/diagnostics/diagnostics.hpp"
 #include "report/json_text.hpp"
 
 namespace flatdyn {

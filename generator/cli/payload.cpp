@@ -5,9 +5,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
-#include "identify/torque_equations.hpp"
-#include "identify/usable_samples.hpp"
-#include "identify/wrist.hpp"
+#include "laboratory/identify/torque_equations.hpp"
+#include "laboratory/identify/usable_samples.hpp"
+#include "laboratory/identify/wrist.hpp"
 #include "report/payload_report.hpp"
 
 namespace flatdyn {

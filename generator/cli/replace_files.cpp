@@ -13,7 +13,7 @@
 #include <map>
 #include <memory>
 
-#include "diagnostics/diagnostics.hpp"
+#include "base/diagnostics/diagnostics.hpp"
 
 namespace flatdyn {
 

@@ -5,14 +5,14 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "code/languages/emit.hpp"
+#include "code/languages/language_table.hpp"
+#include "code/languages/readers.hpp"
 #include "functions/function_table.hpp"
-#include "languages/emit.hpp"
-#include "languages/language_table.hpp"
-#include "languages/readers.hpp"
+#include "proof/verify/proof.hpp"
+#include "proof/verify/snap_effect.hpp"
 #include "report/describe.hpp"
 #include "report/html/page.hpp"
-#include "verify/proof.hpp"
-#include "verify/snap_effect.hpp"
 
 namespace flatdyn {
 namespace {

@@ -7,11 +7,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "laboratory/trajectory/closed_positions.hpp"
+#include "laboratory/trajectory/read_trajectory.hpp"
+#include "laboratory/trajectory/resampling.hpp"
 #include "report/scaling_report.hpp"
 #include "report/torque_report.hpp"
-#include "trajectory/closed_positions.hpp"
-#include "trajectory/read_trajectory.hpp"
-#include "trajectory/resampling.hpp"
 
 namespace flatdyn {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <chrono>
 
+#include "base/system/interrupt.hpp"
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "report/simulation_report.hpp"
-#include "system/interrupt.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "stress/stress.hpp"
+#include "laboratory/stress/stress.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "laboratory/stress/families.hpp"
+#include "laboratory/stress/random_robots.hpp"
 #include "report/family_report.hpp"
 #include "report/json_text.hpp"
 #include "report/random_robots_report.hpp"
 #include "report/stress_report.hpp"
-#include "stress/families.hpp"
-#include "stress/random_robots.hpp"
 
 namespace flatdyn {
 namespace {

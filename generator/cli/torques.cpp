@@ -3,9 +3,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "laboratory/trajectory/closed_positions.hpp"
+#include "laboratory/trajectory/read_trajectory.hpp"
 #include "report/torque_report.hpp"
-#include "trajectory/closed_positions.hpp"
-#include "trajectory/read_trajectory.hpp"
 
 namespace flatdyn {
 namespace {

@@ -7,8 +7,8 @@
 #include <cctype>
 #include <string_view>
 
+#include "base/diagnostics/nearest.hpp"
 #include "cli/option_list.hpp"
-#include "diagnostics/nearest.hpp"
 
 namespace flatdyn {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "diagnostics/findings_text.hpp"
+#include "base/diagnostics/findings_text.hpp"
 
 namespace flatdyn {
 

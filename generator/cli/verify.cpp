@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "verify/verify.hpp"
+#include "proof/verify/verify.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "definition/exact.hpp"
+#include "truth/definition/exact.hpp"
 
 namespace flatdyn {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "definition/definition.hpp"
-#include "reference/numeric_reference.hpp"
-#include "symbolic/closed_functions.hpp"
-#include "symbolic/kernel/choices.hpp"
+#include "derivation/closed_functions.hpp"
+#include "derivation/kernel/choices.hpp"
+#include "truth/definition/definition.hpp"
+#include "truth/reference/numeric_reference.hpp"
 
 namespace flatdyn {
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "symbolic/parameters/base_parameters.hpp"
-#include "symbolic/parameters/parameters.hpp"
+#include "derivation/parameters/base_parameters.hpp"
+#include "derivation/parameters/parameters.hpp"
 
 namespace flatdyn {
 namespace {

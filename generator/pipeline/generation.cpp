@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <utility>
 
-#include "conventions/convention_header.hpp"
-#include "emit/narrowed.hpp"
-#include "languages/language_table.hpp"
-#include "languages/readers.hpp"
-#include "load/bad_input.hpp"
-#include "lower/kernel_parts.hpp"
-#include "lower/limbs.hpp"
-#include "planning/kernel_columns.hpp"
-#include "report/scene_report.hpp"
-#include "verify/kernel_proof.hpp"
+#include "code/conventions/convention_header.hpp"
+#include "code/emit/narrowed.hpp"
+#include "code/languages/language_table.hpp"
+#include "code/languages/readers.hpp"
+#include "code/lower/kernel_parts.hpp"
+#include "code/lower/limbs.hpp"
+#include "functions/load/bad_input.hpp"
+#include "functions/load/scene_text.hpp"
+#include "functions/planning/kernel_columns.hpp"
+#include "proof/verify/kernel_proof.hpp"
 
 namespace flatdyn {
 namespace {

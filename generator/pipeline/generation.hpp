@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "languages/emit.hpp"
-#include "planning/make_functions.hpp"
-#include "readback/emitted_text.hpp"
-#include "verify/proof.hpp"
-#include "verify/torque_deviation.hpp"
+#include "code/languages/emit.hpp"
+#include "code/readback/emitted_text.hpp"
+#include "functions/planning/make_functions.hpp"
+#include "proof/verify/proof.hpp"
+#include "proof/verify/torque_deviation.hpp"
 
 namespace flatdyn {
 

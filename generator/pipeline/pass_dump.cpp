@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "diagnostics/nearest.hpp"
-#include "emit/page_writer.hpp"
+#include "base/diagnostics/nearest.hpp"
+#include "code/emit/page_writer.hpp"
+#include "graph/passes/reorder.hpp"
 #include "graph/text.hpp"
-#include "passes/reorder.hpp"
 
 namespace flatdyn {
 namespace {

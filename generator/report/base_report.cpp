@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "diagnostics/wrap.hpp"
+#include "base/diagnostics/wrap.hpp"
+#include "derivation/parameters/unidentifiable.hpp"
 #include "report/combination_table.hpp"
 #include "report/number_json.hpp"
 #include "report/numbers.hpp"
-#include "symbolic/parameters/unidentifiable.hpp"
 
 namespace flatdyn {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "symbolic/parameters/file_parameters.hpp"
+#include "derivation/parameters/file_parameters.hpp"
 
 namespace flatdyn {
 

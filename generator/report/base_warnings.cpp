@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "identify/base_motion.hpp"
+#include "laboratory/identify/base_motion.hpp"
 
 namespace flatdyn {
 namespace {

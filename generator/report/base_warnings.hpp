@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "identify/measurement.hpp"
+#include "laboratory/identify/measurement.hpp"
 
 namespace flatdyn {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "plot/scatter_plot.hpp"
+#include "report/plot/scatter_plot.hpp"
 
 namespace flatdyn {
 namespace {

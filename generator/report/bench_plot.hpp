@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/bench.hpp"
+#include "laboratory/bench/bench.hpp"
 
 namespace flatdyn {
 

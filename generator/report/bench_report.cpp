@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "diagnostics/table.hpp"
+#include "base/diagnostics/table.hpp"
 
 namespace flatdyn {
 namespace {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "bench/bench.hpp"
+#include "laboratory/bench/bench.hpp"
 
 namespace flatdyn {
 

@@ -6,17 +6,12 @@
 
 #include <cmath>
 
-#include "diagnostics/table.hpp"
-#include "model/rounded_up.hpp"
+#include "base/diagnostics/table.hpp"
+#include "functions/scene/abbreviate.hpp"
+#include "robot/model/rounded_up.hpp"
 
 namespace flatdyn {
 namespace {
-
-std::vector<std::string> dropped_names(const Abbreviation& abbreviation) {
-  std::vector<std::string> names;
-  for (const DroppedParameter& dropped : abbreviation.dropped) names.push_back(dropped.name);
-  return names;
-}
 
 std::string short_number(double value) { return fmt::format("{:.3g}", value); }
 
@@ -31,19 +26,6 @@ std::string bound_text(double value) { return short_number(rounded_up(value, 3))
 
 }  // namespace
 
-std::string abbreviation_fact(const Abbreviation& abbreviation) {
-  if (abbreviation.dropped.empty()) return "The error budget allows to leave out nothing.";
-  std::vector<std::string> bounds;
-  for (const double bound : abbreviation.bound) bounds.push_back(bound_text(bound));
-  const bool floats = abbreviation.mechanism.floating_base;
-  return fmt::format(
-      "Left out for an error budget, of the base parameters: {}. Within the limits of velocity and "
-      "acceleration this changes {} by at most {} N m ({}).",
-      fmt::join(dropped_names(abbreviation), ", "),
-      floats ? "force and moment on the base, and the joints' torques," : "the joints' torques",
-      fmt::join(bounds, ", "), floats ? "N for forces" : "N for prismatic joints");
-}
-
 std::string describe_abbreviation(const LoadedRobot& model, const TorqueDeviation& seen) {
   const Abbreviation& abbreviation = *model.abbreviation;
   std::vector<std::vector<std::string>> rows = {{"joint", "budget", "proven bound", "largest seen", "unit"}};
@@ -55,7 +37,7 @@ std::string describe_abbreviation(const LoadedRobot& model, const TorqueDeviatio
   }
   return fmt::format("error budget {}: left out {}{}\n{}(largest seen: of {} random states)\n",
                      model.robot.scene.error_budget->written, abbreviation.dropped.empty() ? "nothing" : "",
-                     fmt::join(dropped_names(abbreviation), ", "), aligned_table(rows), seen.states);
+                     fmt::join(names_of_dropped(abbreviation), ", "), aligned_table(rows), seen.states);
 }
 
 nlohmann::ordered_json abbreviation_json(const LoadedRobot& model, const TorqueDeviation& seen) {

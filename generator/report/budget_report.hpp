@@ -5,13 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "load/loaded_robot.hpp"
-#include "verify/torque_deviation.hpp"
+#include "functions/load/loaded_robot.hpp"
+#include "proof/verify/torque_deviation.hpp"
 
 namespace flatdyn {
-
-// A sentence for the header: "Left out for an error budget: I3xy, m7lx. Within the limits this changes …".
-std::string abbreviation_fact(const Abbreviation& abbreviation);
 
 // A table of the proven bounds beside the largest deviations found.
 std::string describe_abbreviation(const LoadedRobot& model, const TorqueDeviation& seen);

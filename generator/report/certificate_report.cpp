@@ -8,11 +8,11 @@
 #include <cmath>
 #include <filesystem>
 
-#include "diagnostics/table.hpp"
-#include "diagnostics/version.hpp"
-#include "model/rounded_up.hpp"
-#include "readback/file_reader.hpp"
+#include "base/diagnostics/table.hpp"
+#include "base/diagnostics/version.hpp"
+#include "code/readback/file_reader.hpp"
 #include "report/snap_report.hpp"
+#include "robot/model/rounded_up.hpp"
 
 namespace flatdyn {
 namespace {

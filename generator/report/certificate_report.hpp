@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "certify/certificate.hpp"
-#include "model/robot.hpp"
-#include "readback/file_contents.hpp"
-#include "verify/snap_effect.hpp"
+#include "code/readback/file_contents.hpp"
+#include "proof/certify/certificate.hpp"
+#include "proof/verify/snap_effect.hpp"
+#include "robot/model/robot.hpp"
 
 namespace flatdyn {
 

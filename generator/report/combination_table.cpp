@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "diagnostics/table.hpp"
-#include "diagnostics/wrap.hpp"
+#include "base/diagnostics/table.hpp"
+#include "base/diagnostics/wrap.hpp"
 
 namespace flatdyn {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "symbolic/notation/combination_text.hpp"
+#include "derivation/notation/combination_text.hpp"
 
 namespace flatdyn {
 

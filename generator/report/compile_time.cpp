@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "code/languages/language_table.hpp"
 #include "graph/count.hpp"
-#include "languages/language_table.hpp"
 #include "report/describe.hpp"
 
 namespace flatdyn {

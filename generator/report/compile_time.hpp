@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "emit/emit_options.hpp"
-#include "lower/stages.hpp"
-#include "planning/optimised_function.hpp"
+#include "code/emit/emit_options.hpp"
+#include "code/lower/stages.hpp"
+#include "functions/planning/optimised_function.hpp"
 
 namespace flatdyn {
 

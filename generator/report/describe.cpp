@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnostics/table.hpp"
-#include "model/floating_base.hpp"
-#include "model/spherical_joint.hpp"
+#include "base/diagnostics/table.hpp"
+#include "derivation/notation/coupled_text.hpp"
+#include "derivation/notation/number_text.hpp"
+#include "derivation/parameters/file_parameters.hpp"
+#include "functions/load/scene_text.hpp"
 #include "report/number_json.hpp"
-#include "report/scene_report.hpp"
-#include "symbolic/notation/coupled_text.hpp"
-#include "symbolic/notation/number_text.hpp"
-#include "symbolic/parameters/file_parameters.hpp"
+#include "robot/model/floating_base.hpp"
+#include "robot/model/spherical_joint.hpp"
 
 namespace flatdyn {
 namespace {

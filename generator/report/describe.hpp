@@ -4,11 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "load/loaded_robot.hpp"
-#include "lower/stages.hpp"
-#include "planning/optimised_function.hpp"
+#include "code/lower/stages.hpp"
+#include "derivation/parameters/parameter_frames.hpp"
+#include "functions/load/loaded_robot.hpp"
+#include "functions/planning/optimised_function.hpp"
 #include "report/snap_report.hpp"
-#include "symbolic/parameters/parameter_frames.hpp"
 
 namespace flatdyn {
 

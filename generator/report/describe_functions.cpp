@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "diagnostics/table.hpp"
-#include "emit/argument_text.hpp"
-#include "languages/cpp/dialect.hpp"
-#include "lower/arguments.hpp"
-#include "passes/fuse_products.hpp"
+#include "base/diagnostics/table.hpp"
+#include "code/emit/argument_text.hpp"
+#include "code/languages/cpp/dialect.hpp"
+#include "code/lower/arguments.hpp"
+#include "derivation/notation/number_text.hpp"
+#include "graph/passes/fuse_products.hpp"
 #include "report/describe.hpp"
-#include "symbolic/notation/number_text.hpp"
 
 namespace flatdyn {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "report/eval_plot.hpp"
 
-#include "model/number.hpp"
-#include "plot/time_table.hpp"
+#include "report/plot/time_table.hpp"
+#include "robot/model/number.hpp"
 
 namespace flatdyn {
 namespace {

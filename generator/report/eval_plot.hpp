@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "input/csv/table.hpp"
-#include "plot/plot.hpp"
+#include "report/plot/plot.hpp"
+#include "robot/input/csv/table.hpp"
 
 namespace flatdyn {
 

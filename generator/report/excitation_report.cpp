@@ -8,11 +8,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "diagnostics/table.hpp"
-#include "identify/base_coordinates.hpp"
-#include "input/csv/names.hpp"
-#include "plot/time_table.hpp"
+#include "base/diagnostics/table.hpp"
+#include "laboratory/identify/base_coordinates.hpp"
 #include "report/combination_table.hpp"
+#include "report/plot/time_table.hpp"
+#include "robot/input/csv/names.hpp"
 
 namespace flatdyn {
 namespace {

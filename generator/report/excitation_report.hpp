@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "identify/excitation.hpp"
-#include "identify/excitation_log.hpp"
-#include "symbolic/parameters/parameter_frames.hpp"
+#include "derivation/parameters/parameter_frames.hpp"
+#include "laboratory/identify/excitation.hpp"
+#include "laboratory/identify/excitation_log.hpp"
 
 namespace flatdyn {
 

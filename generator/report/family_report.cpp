@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 
-#include "diagnostics/table.hpp"
-#include "plot/plot.hpp"
+#include "base/diagnostics/table.hpp"
+#include "report/plot/plot.hpp"
 
 namespace flatdyn {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "stress/families.hpp"
+#include "laboratory/stress/families.hpp"
 
 namespace flatdyn {
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "diagnostics/table.hpp"
+#include "base/diagnostics/table.hpp"
 
 namespace flatdyn {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/progress.hpp"
-#include "planning/optimised_function.hpp"
+#include "base/diagnostics/progress.hpp"
+#include "functions/planning/optimised_function.hpp"
 
 namespace flatdyn {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "bench/gpu.hpp"
+#include "laboratory/bench/gpu.hpp"
 
 namespace flatdyn {
 

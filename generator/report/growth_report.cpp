@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "diagnostics/table.hpp"
-#include "plot/plot.hpp"
+#include "base/diagnostics/table.hpp"
+#include "report/plot/plot.hpp"
 
 namespace flatdyn {
 namespace {

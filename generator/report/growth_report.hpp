@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "bench/growth.hpp"
+#include "laboratory/bench/growth.hpp"
 
 namespace flatdyn {
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "diagnostics/diagnostics.hpp"
-#include "verify/held_code.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "proof/verify/held_code.hpp"
 
 namespace flatdyn {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "identify/identification.hpp"
+#include "laboratory/identify/identification.hpp"
 
 namespace flatdyn {
 

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "diagnostics/table.hpp"
-#include "identify/gravity_search.hpp"
+#include "base/diagnostics/table.hpp"
+#include "laboratory/identify/gravity_search.hpp"
 #include "report/combination_table.hpp"
 #include "report/numbers.hpp"
 

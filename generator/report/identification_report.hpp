@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "identify/identification.hpp"
-#include "symbolic/parameters/parameter_frames.hpp"
+#include "derivation/parameters/parameter_frames.hpp"
+#include "laboratory/identify/identification.hpp"
 
 namespace flatdyn {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identify/gravity_search.hpp"
-#include "model/spherical_joint.hpp"
+#include "laboratory/identify/gravity_search.hpp"
 #include "report/base_warnings.hpp"
 #include "report/identification_report.hpp"
+#include "robot/model/spherical_joint.hpp"
 
 namespace flatdyn {
 namespace {

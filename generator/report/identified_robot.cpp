@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "model/spherical_joint.hpp"
 #include "report/toml_string.hpp"
+#include "robot/model/spherical_joint.hpp"
 
 namespace flatdyn {
 namespace {

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "identify/physical_parameters.hpp"
-#include "load/loaded_robot.hpp"
+#include "functions/load/loaded_robot.hpp"
+#include "laboratory/identify/physical_parameters.hpp"
 
 namespace flatdyn {
 

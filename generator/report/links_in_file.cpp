@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "derivation/notation/number_text.hpp"
 #include "flatdyn/reference/kinematics.hpp"
-#include "model/physical_inertia.hpp"
-#include "model/spherical_joint.hpp"
-#include "reference/reference_model.hpp"
 #include "report/number_json.hpp"
-#include "symbolic/notation/number_text.hpp"
+#include "robot/model/physical_inertia.hpp"
+#include "robot/model/spherical_joint.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

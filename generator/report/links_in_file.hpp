@@ -6,7 +6,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "load/loaded_robot.hpp"
+#include "functions/load/loaded_robot.hpp"
 
 namespace flatdyn {
 

@@ -3,9 +3,9 @@
 // frame, whose origin is where the arm begins, with a floating base, too.
 #pragma once
 
-#include "plot/plot.hpp"
-#include "plot/view.hpp"
 #include "report/manipulability_report.hpp"
+#include "report/plot/plot.hpp"
+#include "report/plot/view.hpp"
 
 namespace flatdyn {
 

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "diagnostics/table.hpp"
-#include "symbolic/dynamics/task_rows.hpp"
+#include "base/diagnostics/table.hpp"
+#include "derivation/dynamics/task_rows.hpp"
 
 namespace flatdyn {
 namespace {

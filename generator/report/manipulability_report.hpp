@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "manipulability/ellipsoid.hpp"
+#include "laboratory/manipulability/ellipsoid.hpp"
 
 namespace flatdyn {
 

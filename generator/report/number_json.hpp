@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "symbolic/notation/number_text.hpp"
+#include "derivation/notation/number_text.hpp"
 
 namespace flatdyn {
 

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnostics/table.hpp"
-#include "diagnostics/version.hpp"
-#include "input/csv/names.hpp"
+#include "base/diagnostics/table.hpp"
+#include "base/diagnostics/version.hpp"
 #include "report/base_warnings.hpp"
 #include "report/numbers.hpp"
 #include "report/toml_string.hpp"
+#include "robot/input/csv/names.hpp"
 
 namespace flatdyn {
 namespace {

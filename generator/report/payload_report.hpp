@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "identify/payload.hpp"
+#include "laboratory/identify/payload.hpp"
 
 namespace flatdyn {
 

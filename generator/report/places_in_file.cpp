@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "diagnostics/table.hpp"
-#include "input/common/element_at.hpp"
+#include "base/diagnostics/table.hpp"
+#include "robot/input/common/element_at.hpp"
 
 namespace flatdyn {
 

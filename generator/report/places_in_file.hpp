@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "model/robot.hpp"
+#include "robot/model/robot.hpp"
 
 namespace flatdyn {
 

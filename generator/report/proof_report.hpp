@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/proof.hpp"
+#include "proof/verify/proof.hpp"
 
 namespace flatdyn {
 

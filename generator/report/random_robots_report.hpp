@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "stress/random_robots.hpp"
+#include "laboratory/stress/random_robots.hpp"
 
 namespace flatdyn {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "plot/plot.hpp"
 #include "report/identification_report.hpp"
+#include "report/plot/plot.hpp"
 
 namespace flatdyn {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnostics/table.hpp"
+#include "base/diagnostics/table.hpp"
 
 namespace flatdyn {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "trajectory/time_optimal.hpp"
+#include "laboratory/trajectory/time_optimal.hpp"
 
 namespace flatdyn {
 

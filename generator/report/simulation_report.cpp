@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "input/csv/names.hpp"
+#include "robot/input/csv/names.hpp"
 
 namespace flatdyn {
 namespace {

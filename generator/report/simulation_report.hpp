@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "plot/time_table.hpp"
-#include "simulate/simulator.hpp"
+#include "laboratory/simulate/simulator.hpp"
+#include "report/plot/time_table.hpp"
 
 namespace flatdyn {
 

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <map>
 
-#include "model/rounded_up.hpp"
-#include "symbolic/notation/number_text.hpp"
+#include "derivation/notation/number_text.hpp"
+#include "robot/model/rounded_up.hpp"
 
 namespace flatdyn {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "model/robot.hpp"
-#include "verify/snap_effect.hpp"
+#include "proof/verify/snap_effect.hpp"
+#include "robot/model/robot.hpp"
 
 namespace flatdyn {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plot/plot.hpp"
+#include "report/plot/plot.hpp"
 #include "report/stress_report.hpp"
 
 namespace flatdyn {

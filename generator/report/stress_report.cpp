@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "diagnostics/table.hpp"
+#include "base/diagnostics/table.hpp"
 
 namespace flatdyn {
 namespace {

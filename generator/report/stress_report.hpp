@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "stress/stress.hpp"
+#include "laboratory/stress/stress.hpp"
 
 namespace flatdyn {
 

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "plot/time_table.hpp"
-#include "trajectory/torque_terms.hpp"
+#include "laboratory/trajectory/torque_terms.hpp"
+#include "report/plot/time_table.hpp"
 
 namespace flatdyn {
 

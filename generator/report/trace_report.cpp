@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "diagnostics/table.hpp"
+#include "base/diagnostics/table.hpp"
 
 namespace flatdyn {
 namespace {

@@ -2,8 +2,8 @@
 // Operation counts are the product: none may grow unnoticed. The ceilings are the present counts.
 #include <gtest/gtest.h>
 
+#include "functions/planning/make_functions.hpp"
 #include "graph/count.hpp"
-#include "planning/make_functions.hpp"
 
 namespace flatdyn {
 namespace {

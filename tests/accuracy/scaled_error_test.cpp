@@ -2,8 +2,8 @@
 // The accuracy that the README promises: the compiled text of real robots against 50 digits.
 #include <gtest/gtest.h>
 
-#include "planning/make_functions.hpp"
-#include "verify/verify.hpp"
+#include "functions/planning/make_functions.hpp"
+#include "proof/verify/verify.hpp"
 
 namespace flatdyn {
 namespace {

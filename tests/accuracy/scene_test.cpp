@@ -5,10 +5,10 @@
 
 #include <fstream>
 
+#include "base/system/temporary_folder.hpp"
+#include "functions/planning/make_functions.hpp"
 #include "graph/count.hpp"
-#include "planning/make_functions.hpp"
-#include "reference/graph_evaluator.hpp"
-#include "system/temporary_folder.hpp"
+#include "truth/reference/graph_evaluator.hpp"
 
 namespace flatdyn {
 namespace {

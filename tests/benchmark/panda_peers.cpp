@@ -3,8 +3,8 @@
 
 #include "benchmark/harness.hpp"
 #include "flatdyn/reference/newton_euler.hpp"
-#include "load/load_robot.hpp"
-#include "reference/reference_model.hpp"
+#include "functions/load/load_robot.hpp"
+#include "truth/reference/reference_model.hpp"
 #ifdef FLATDYN_KDL
 #include <kdl/chaindynparam.hpp>
 #include <kdl/chainfdsolver_recursive_newton_euler.hpp>

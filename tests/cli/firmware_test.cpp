@@ -12,8 +12,8 @@
 #include <set>
 #include <sstream>
 
+#include "base/system/process.hpp"
 #include "cli/program.hpp"
-#include "system/process.hpp"
 
 namespace flatdyn::testing {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "cli/program.hpp"
 #include "cli/torques_of_log.hpp"
-#include "identify/motion_limits.hpp"
+#include "laboratory/identify/motion_limits.hpp"
 #include "support/parallel_filter.hpp"
 #include "support/robot_models.hpp"
 #include "support/simulated_log.hpp"

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <regex>
 
+#include "base/system/process.hpp"
 #include "cli/program.hpp"
-#include "input/formats.hpp"
-#include "system/process.hpp"
+#include "robot/input/formats.hpp"
 
 namespace flatdyn::testing {
 namespace {

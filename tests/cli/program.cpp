@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "system/process.hpp"
+#include "base/system/process.hpp"
 
 namespace flatdyn::testing {
 

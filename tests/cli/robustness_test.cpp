@@ -15,10 +15,10 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "base/diagnostics/diagnostics.hpp"
 #include "cli/program.hpp"
 #include "cli/replace_files.hpp"
-#include "diagnostics/diagnostics.hpp"
-#include "input/common/content_hash.hpp"
+#include "robot/input/common/content_hash.hpp"
 
 namespace flatdyn::testing {
 namespace {

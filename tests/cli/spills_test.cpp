@@ -13,8 +13,8 @@
 #include <sstream>
 #include <vector>
 
+#include "base/system/process.hpp"
 #include "cli/program.hpp"
-#include "system/process.hpp"
 
 namespace flatdyn::testing {
 namespace {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "flatdyn/reference/newton_euler.hpp"
-#include "load/load_robot.hpp"
+#include "functions/load/load_robot.hpp"
 #include "support/dart_tree.hpp"
 #include "support/mujoco_peer.hpp"
 #include "support/names.hpp"

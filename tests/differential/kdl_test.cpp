@@ -13,9 +13,9 @@
 #include <kdl/tree.hpp>
 #include <kdl/treeidsolver_recursive_newton_euler.hpp>
 
-#include "reference/magnitude.hpp"
 #include "support/kdl_chain.hpp"
 #include "support/reference_robots.hpp"
+#include "truth/reference/magnitude.hpp"
 
 namespace flatdyn {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "system/process.hpp"
-#include "system/temporary_folder.hpp"
+#include "base/system/process.hpp"
+#include "base/system/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {

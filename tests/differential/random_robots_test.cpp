@@ -4,10 +4,10 @@
 // the reference: flatdyn stress --family random --robots 100000 --seed 1001.
 #include <gtest/gtest.h>
 
-#include "deviation/expected.hpp"
+#include "functions/deviation/expected.hpp"
 #include "functions/function_table.hpp"
+#include "laboratory/stress/random_robots.hpp"
 #include "report/random_robots_report.hpp"
-#include "stress/random_robots.hpp"
 #include "support/kdl_chain.hpp"
 #include "support/mujoco_tree.hpp"
 #ifdef FLATDYN_DART

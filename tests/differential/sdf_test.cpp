@@ -11,9 +11,9 @@
 #include <sdf/sdf.hh>
 
 #include "flatdyn/reference/newton_euler.hpp"
-#include "input/reader.hpp"
-#include "model/coupling.hpp"
-#include "reference/reference_model.hpp"
+#include "robot/input/reader.hpp"
+#include "robot/model/coupling.hpp"
+#include "truth/reference/reference_model.hpp"
 #include "unit/input/sdf/sdf_text.hpp"
 
 namespace flatdyn {

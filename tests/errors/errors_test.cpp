@@ -11,7 +11,7 @@
 #include <sstream>
 #include <vector>
 
-#include "input/reader.hpp"
+#include "robot/input/reader.hpp"
 
 namespace flatdyn {
 namespace {

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "input/reader.hpp"
+#include "robot/input/reader.hpp"
 
 namespace flatdyn {
 namespace {

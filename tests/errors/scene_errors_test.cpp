@@ -10,7 +10,7 @@
 #include <sstream>
 #include <vector>
 
-#include "planning/make_functions.hpp"
+#include "functions/planning/make_functions.hpp"
 
 namespace flatdyn {
 namespace {

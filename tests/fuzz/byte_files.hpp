@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "system/temporary_folder.hpp"
+#include "base/system/temporary_folder.hpp"
 
 namespace flatdyn::testing {
 

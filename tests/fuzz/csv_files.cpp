@@ -2,12 +2,12 @@
 // CSV as the table that eval reads and as the stream that identify reads: if both accept it, they read the same.
 #include <cmath>
 
-#include "diagnostics/utf8.hpp"
+#include "base/diagnostics/utf8.hpp"
 #include "fuzz/byte_files.hpp"
 #include "fuzz/readers.hpp"
-#include "identify/log_reader.hpp"
-#include "input/csv/table.hpp"
-#include "input/reader.hpp"
+#include "laboratory/identify/log_reader.hpp"
+#include "robot/input/csv/table.hpp"
+#include "robot/input/reader.hpp"
 
 namespace flatdyn::testing {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "readback/emitted_text.hpp"
-#include "diagnostics/diagnostics.hpp"
+#include "code/readback/emitted_text.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "code/languages/readers.hpp"
 #include "fuzz/readers.hpp"
-#include "languages/readers.hpp"
 
 namespace flatdyn::testing {
 namespace {

@@ -4,9 +4,9 @@
 #include "flatdyn/reference/newton_euler.hpp"
 #include "fuzz/byte_files.hpp"
 #include "fuzz/readers.hpp"
-#include "input/reader.hpp"
-#include "model/mechanism.hpp"
-#include "reference/reference_model.hpp"
+#include "robot/input/reader.hpp"
+#include "robot/model/mechanism.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn::testing {
 namespace {

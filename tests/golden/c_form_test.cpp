@@ -10,11 +10,11 @@
 #include <cctype>
 #include <cstdlib>
 
+#include "code/languages/emit.hpp"
+#include "code/lower/arguments.hpp"
+#include "functions/planning/make_functions.hpp"
 #include "golden/golden.hpp"
-#include "languages/emit.hpp"
-#include "lower/arguments.hpp"
-#include "model/identifiers.hpp"
-#include "planning/make_functions.hpp"
+#include "robot/model/identifiers.hpp"
 #include "support/given_sines.hpp"
 #include "support/robot_models.hpp"
 

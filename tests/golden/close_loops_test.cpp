@@ -7,10 +7,10 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "base/system/temporary_folder.hpp"
+#include "code/languages/emit.hpp"
 #include "golden/golden.hpp"
-#include "languages/emit.hpp"
 #include "support/robot_models.hpp"
-#include "system/temporary_folder.hpp"
 
 namespace flatdyn::testing {
 namespace {

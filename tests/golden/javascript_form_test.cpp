@@ -7,13 +7,13 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "deviation/expected.hpp"
+#include "code/languages/emit.hpp"
+#include "code/lower/arguments.hpp"
+#include "functions/deviation/expected.hpp"
+#include "functions/planning/make_functions.hpp"
 #include "golden/golden.hpp"
-#include "languages/emit.hpp"
-#include "lower/arguments.hpp"
-#include "planning/make_functions.hpp"
-#include "reference/graph_evaluator.hpp"
 #include "support/robot_models.hpp"
+#include "truth/reference/graph_evaluator.hpp"
 
 namespace flatdyn::testing {
 namespace {

@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "code/languages/emit.hpp"
+#include "functions/planning/make_functions.hpp"
 #include "golden/golden.hpp"
-#include "languages/emit.hpp"
-#include "planning/make_functions.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn::testing {

@@ -9,11 +9,11 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "code/languages/emit.hpp"
+#include "code/lower/arguments.hpp"
+#include "functions/planning/make_functions.hpp"
 #include "golden/golden.hpp"
-#include "languages/emit.hpp"
-#include "lower/arguments.hpp"
-#include "model/identifiers.hpp"
-#include "planning/make_functions.hpp"
+#include "robot/model/identifiers.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
 

@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "base/system/process.hpp"
 #include "cli/program.hpp"
-#include "system/process.hpp"
 
 namespace flatdyn::testing {
 namespace {

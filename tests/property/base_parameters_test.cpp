@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Base parameters of random trees: from regrouping, from samples in prime fields, and from the numeric rank of the
 // reference's regressor in 50 digits.
-#include "symbolic/parameters/base_parameters.hpp"
+#include "derivation/parameters/base_parameters.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,12 +9,12 @@
 #include <array>
 #include <random>
 
-#include "definition/sampled_base.hpp"
-#include "reference/regressor_by_columns.hpp"
 #include "support/names.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
 #include "support/written_model.hpp"
+#include "truth/definition/sampled_base.hpp"
+#include "truth/reference/regressor_by_columns.hpp"
 
 namespace flatdyn {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "graph/mod_p.hpp"
+#include "graph/passes/passes.hpp"
 #include "graph/well_formed.hpp"
-#include "passes/passes.hpp"
 #include "property/random_function.hpp"
 
 namespace flatdyn {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A magnitude bounds its value, equals it if no terms cancel, and is zero only if the value is always zero.
-#include "reference/magnitude.hpp"
+#include "truth/reference/magnitude.hpp"
 
 #include <gtest/gtest.h>
 

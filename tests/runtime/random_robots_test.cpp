@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "flatdyn/reference/derivatives.hpp"
-#include "reference/magnitude.hpp"
 #include "support/reference_robots.hpp"
+#include "truth/reference/magnitude.hpp"
 
 namespace flatdyn {
 namespace {

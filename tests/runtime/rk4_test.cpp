@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "laboratory/simulate/simulator.hpp"
 #include "panda.hpp"
-#include "simulate/simulator.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn {

@@ -9,9 +9,9 @@
 
 #include "flatdyn/reference/tangent.hpp"
 #include "panda.hpp"
-#include "reference/magnitude.hpp"
-#include "reference/reference_model.hpp"
 #include "support/robot_models.hpp"
+#include "truth/reference/magnitude.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn::testing {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Short forms of `flatdyn stress`: robots that are hard on numbers, and one of robots/. The long forms are run by
 // command.
-#include "stress/families.hpp"
+#include "laboratory/stress/families.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A fault that a pass might have is found among random robots, and its robot is simplified.
-#include "stress/random_robots.hpp"
+#include "laboratory/stress/random_robots.hpp"
 
 #include <gtest/gtest.h>
 

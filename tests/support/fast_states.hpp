@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "certify/input_limits.hpp"
-#include "model/states.hpp"
+#include "proof/certify/input_limits.hpp"
+#include "robot/model/states.hpp"
 
 namespace flatdyn::testing {
 

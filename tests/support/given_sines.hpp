@@ -7,9 +7,9 @@
 
 #include <string>
 
-#include "emit/literals.hpp"
-#include "model/field_mechanism.hpp"
-#include "model/mechanism.hpp"
+#include "code/emit/literals.hpp"
+#include "robot/model/field_mechanism.hpp"
+#include "robot/model/mechanism.hpp"
 
 namespace flatdyn::testing {
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "identify/least_squares.hpp"
+#include "laboratory/identify/least_squares.hpp"
 #include "support/observed.hpp"
 #include "support/robot_models.hpp"
 #include "support/simulated_log.hpp"

@@ -2,7 +2,7 @@
 // Robots of robots/ with limits for all joints.
 #pragma once
 
-#include "planning/formulations.hpp"
+#include "functions/planning/formulations.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn::testing {

@@ -12,12 +12,12 @@
 #include <random>
 #include <regex>
 
+#include "base/system/process.hpp"
+#include "base/system/temporary_folder.hpp"
 #include "flatdyn/reference/newton_euler.hpp"
-#include "input/reader.hpp"
-#include "model/coupling.hpp"
-#include "reference/reference_model.hpp"
-#include "system/process.hpp"
-#include "system/temporary_folder.hpp"
+#include "robot/input/reader.hpp"
+#include "robot/model/coupling.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn::mujoco_peer {
 

@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "base/system/temporary_folder.hpp"
 #include "support/joint_dynamics_peer.hpp"
-#include "system/temporary_folder.hpp"
 
 namespace flatdyn::testing {
 

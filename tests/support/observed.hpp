@@ -2,8 +2,8 @@
 // The equations of a motion that is known with all its derivatives, without a filter.
 #pragma once
 
-#include "identify/observations.hpp"
-#include "identify/torque_equations.hpp"
+#include "laboratory/identify/observations.hpp"
+#include "laboratory/identify/torque_equations.hpp"
 #include "support/simulated_log.hpp"
 
 namespace flatdyn::testing {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Identification once more, as the literature does it (inverse dynamic model and parallel filter; Gautier 1997), and
-// apart from generator/identify/: a Butterworth filter forwards and backwards, central differences, a regressor whose
-// columns are torques of the recursive Newton–Euler reference for unit parameters, and weighted least squares of
-// smallest norm over all 13 parameters of every joint.
+// apart from generator/laboratory/identify/: a Butterworth filter forwards and backwards, central differences, a
+// regressor whose columns are torques of the recursive Newton–Euler reference for unit parameters, and weighted least
+// squares of smallest norm over all 13 parameters of every joint.
 #pragma once
 
 #include <array>
@@ -10,10 +10,10 @@
 #include <numbers>
 #include <vector>
 
-#include "load/loaded_robot.hpp"
-#include "reference/reference_model.hpp"
-#include "reference/regressor_by_columns.hpp"
-#include "symbolic/parameters/parameters.hpp"
+#include "derivation/parameters/parameters.hpp"
+#include "functions/load/loaded_robot.hpp"
+#include "truth/reference/reference_model.hpp"
+#include "truth/reference/regressor_by_columns.hpp"
 
 namespace flatdyn::testing {
 

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "identify/huber.hpp"
-#include "identify/least_squares.hpp"
-#include "identify/measurement.hpp"
-#include "identify/torque_equations.hpp"
+#include "laboratory/identify/huber.hpp"
+#include "laboratory/identify/least_squares.hpp"
+#include "laboratory/identify/measurement.hpp"
+#include "laboratory/identify/torque_equations.hpp"
 #include "support/practical_log.hpp"
 
 namespace flatdyn::testing {

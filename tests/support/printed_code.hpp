@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "languages/emit.hpp"
-#include "languages/readers.hpp"
-#include "planning/make_functions.hpp"
-#include "verify/held_code.hpp"
-#include "verify/proof.hpp"
+#include "code/languages/emit.hpp"
+#include "code/languages/readers.hpp"
+#include "functions/planning/make_functions.hpp"
+#include "proof/verify/held_code.hpp"
+#include "proof/verify/proof.hpp"
 
 namespace flatdyn::testing {
 

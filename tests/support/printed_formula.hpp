@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "graph/graph.hpp"
-#include "model/field_mechanism.hpp"
+#include "robot/model/field_mechanism.hpp"
 
 namespace flatdyn::testing {
 

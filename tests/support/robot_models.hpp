@@ -6,7 +6,7 @@
 #include <iterator>
 #include <string>
 
-#include "load/load_robot.hpp"
+#include "functions/load/load_robot.hpp"
 
 namespace flatdyn::testing {
 

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "model/robot.hpp"
+#include "robot/model/robot.hpp"
 
 namespace flatdyn::testing {
 

@@ -11,8 +11,8 @@
 #include <random>
 
 #include "flatdyn/reference/newton_euler.hpp"
-#include "load/loaded_robot.hpp"
-#include "reference/reference_model.hpp"
+#include "functions/load/loaded_robot.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn::testing {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "symbolic/dynamics/task_rows.hpp"
+#include "derivation/dynamics/task_rows.hpp"
 
 namespace flatdyn::testing {
 

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <string>
 
-#include "load/load_robot.hpp"
-#include "system/temporary_folder.hpp"
+#include "base/system/temporary_folder.hpp"
+#include "functions/load/load_robot.hpp"
 
 namespace flatdyn::testing {
 

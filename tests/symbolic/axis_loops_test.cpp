@@ -8,12 +8,12 @@
 #include <optional>
 
 #include "flatdyn/reference/closed_loops.hpp"
-#include "planning/formulations.hpp"
-#include "reference/graph_evaluator.hpp"
-#include "reference/reference_model.hpp"
+#include "functions/planning/formulations.hpp"
 #include "support/robot_models.hpp"
 #include "support/spatial_loops.hpp"
 #include "support/written_model.hpp"
+#include "truth/reference/graph_evaluator.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

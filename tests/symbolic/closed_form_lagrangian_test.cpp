@@ -3,10 +3,10 @@
 // the base frame, derivatives by GiNaC against dual numbers.
 #include <gtest/gtest.h>
 
-#include "definition/lagrangian.hpp"
+#include "derivation/closed_form/closed_form.hpp"
 #include "graph/mod_p.hpp"
-#include "symbolic/closed_form/closed_form.hpp"
 #include "symbolic/textbook_robots.hpp"
+#include "truth/definition/lagrangian.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The closed form of the textbook's robots, expression against expression.
-#include "symbolic/closed_form/closed_form.hpp"
+#include "derivation/closed_form/closed_form.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,18 +6,18 @@
 
 #include <fstream>
 
-#include "deviation/expected.hpp"
+#include "base/system/temporary_folder.hpp"
 #include "flatdyn/reference/contacts.hpp"
+#include "functions/deviation/expected.hpp"
 #include "functions/exact_proof.hpp"
 #include "functions/function_table.hpp"
-#include "load/bad_input.hpp"
-#include "model/states.hpp"
-#include "planning/formulations.hpp"
-#include "planning/make_functions.hpp"
-#include "reference/graph_evaluator.hpp"
+#include "functions/load/bad_input.hpp"
+#include "functions/planning/formulations.hpp"
+#include "functions/planning/make_functions.hpp"
+#include "robot/model/states.hpp"
 #include "support/floating_robots.hpp"
 #include "support/robot_models.hpp"
-#include "system/temporary_folder.hpp"
+#include "truth/reference/graph_evaluator.hpp"
 
 namespace flatdyn {
 namespace {

@@ -3,12 +3,12 @@
 // (Problem 7.6).
 #include <gtest/gtest.h>
 
-#include "definition/sampled_base.hpp"
+#include "derivation/closed_form/closed_form.hpp"
+#include "derivation/parameters/base_parameters.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
-#include "symbolic/closed_form/closed_form.hpp"
-#include "symbolic/parameters/base_parameters.hpp"
 #include "symbolic/textbook_robots.hpp"
+#include "truth/definition/sampled_base.hpp"
 
 namespace flatdyn {
 namespace {

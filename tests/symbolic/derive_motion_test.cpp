@@ -6,16 +6,16 @@
 
 #include <map>
 
+#include "derivation/notation/derive.hpp"
 #include "functions/exact_proof.hpp"
-#include "model/floating_base.hpp"
-#include "model/states.hpp"
-#include "planning/formulations.hpp"
-#include "reference/graph_evaluator.hpp"
+#include "functions/planning/formulations.hpp"
+#include "robot/model/floating_base.hpp"
+#include "robot/model/states.hpp"
 #include "support/floating_robots.hpp"
 #include "support/printed_formula.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
-#include "symbolic/notation/derive.hpp"
+#include "truth/reference/graph_evaluator.hpp"
 
 namespace flatdyn {
 namespace {

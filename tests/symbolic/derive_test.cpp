@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The output of `derive`, character by character.
-#include "symbolic/notation/derive.hpp"
+#include "derivation/notation/derive.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "diagnostics/diagnostics.hpp"
+#include "base/diagnostics/diagnostics.hpp"
 #include "symbolic/textbook_robots.hpp"
 
 namespace flatdyn {

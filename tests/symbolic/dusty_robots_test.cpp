@@ -7,10 +7,10 @@
 #include <regex>
 #include <sstream>
 
+#include "base/system/temporary_folder.hpp"
+#include "code/languages/emit.hpp"
+#include "functions/planning/make_functions.hpp"
 #include "graph/count.hpp"
-#include "languages/emit.hpp"
-#include "planning/make_functions.hpp"
-#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {

@@ -5,19 +5,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "deviation/expected.hpp"
 #include "flatdyn/reference/kinematics.hpp"
+#include "functions/deviation/expected.hpp"
 #include "functions/exact_proof.hpp"
 #include "functions/function_table.hpp"
-#include "model/floating_base.hpp"
-#include "model/states.hpp"
-#include "planning/formulations.hpp"
-#include "planning/make_functions.hpp"
-#include "reference/graph_evaluator.hpp"
-#include "reference/reference_model.hpp"
+#include "functions/planning/formulations.hpp"
+#include "functions/planning/make_functions.hpp"
+#include "robot/model/floating_base.hpp"
+#include "robot/model/states.hpp"
 #include "support/floating_robots.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
+#include "truth/reference/graph_evaluator.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

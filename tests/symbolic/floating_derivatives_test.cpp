@@ -5,13 +5,13 @@
 
 #include "flatdyn/reference/derivatives.hpp"
 #include "functions/exact_proof.hpp"
-#include "model/states.hpp"
-#include "planning/formulations.hpp"
-#include "reference/graph_evaluator.hpp"
-#include "reference/reference_model.hpp"
+#include "functions/planning/formulations.hpp"
+#include "robot/model/states.hpp"
 #include "support/floating_robots.hpp"
 #include "support/mutants.hpp"
 #include "support/written_model.hpp"
+#include "truth/reference/graph_evaluator.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

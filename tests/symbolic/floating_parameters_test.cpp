@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "definition/sampled_base.hpp"
+#include "derivation/parameters/base_parameters.hpp"
 #include "support/robot_models.hpp"
-#include "symbolic/parameters/base_parameters.hpp"
+#include "truth/definition/sampled_base.hpp"
 
 namespace flatdyn {
 namespace {

@@ -9,22 +9,22 @@
 #include <random>
 #include <span>
 
-#include "deviation/expected.hpp"
+#include "base/system/temporary_folder.hpp"
 #include "flatdyn/reference/closed_loops.hpp"
 #include "flatdyn/reference/kinematics.hpp"
+#include "functions/deviation/expected.hpp"
 #include "functions/exact_proof.hpp"
 #include "functions/function_table.hpp"
-#include "identify/measurement.hpp"
-#include "model/assembly.hpp"
-#include "model/states.hpp"
-#include "planning/formulations.hpp"
-#include "reference/graph_evaluator.hpp"
-#include "reference/reference_model.hpp"
+#include "functions/planning/formulations.hpp"
+#include "laboratory/identify/measurement.hpp"
+#include "laboratory/trajectory/closed_positions.hpp"
+#include "robot/model/assembly.hpp"
+#include "robot/model/states.hpp"
 #include "support/identified_arm.hpp"
 #include "support/spatial_loops.hpp"
 #include "support/written_model.hpp"
-#include "system/temporary_folder.hpp"
-#include "trajectory/closed_positions.hpp"
+#include "truth/reference/graph_evaluator.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

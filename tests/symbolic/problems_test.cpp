@@ -2,9 +2,9 @@
 // Problems of the textbook's chapter that are about formulas rather than a command: docs/problems/.
 #include <gtest/gtest.h>
 
-#include "planning/make_functions.hpp"
+#include "derivation/closed_form/closed_form.hpp"
+#include "functions/planning/make_functions.hpp"
 #include "support/robot_models.hpp"
-#include "symbolic/closed_form/closed_form.hpp"
 #include "symbolic/textbook_robots.hpp"
 
 namespace flatdyn {

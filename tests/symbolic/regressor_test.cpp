@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The regressor of the two-link planar arm in symbols: (7.84) for the eight parameters of (7.83), and the five of
 // Problem 7.4.
-#include "symbolic/parameters/regressor.hpp"
+#include "derivation/parameters/regressor.hpp"
 
 #include <gtest/gtest.h>
 
+#include "derivation/parameters/base_parameters.hpp"
+#include "functions/planning/formulations.hpp"
 #include "graph/evaluate.hpp"
-#include "planning/formulations.hpp"
-#include "symbolic/parameters/base_parameters.hpp"
 #include "symbolic/textbook_robots.hpp"
 
 namespace flatdyn {

@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "flatdyn/reference/closed_loops.hpp"
-#include "planning/formulations.hpp"
-#include "reference/graph_evaluator.hpp"
-#include "reference/reference_model.hpp"
+#include "functions/planning/formulations.hpp"
+#include "proof/verify/verify.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
-#include "verify/verify.hpp"
+#include "truth/reference/graph_evaluator.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

@@ -6,19 +6,19 @@
 
 #include <Eigen/Dense>
 
-#include "deviation/expected.hpp"
 #include "flatdyn/reference/kinematics.hpp"
+#include "functions/deviation/expected.hpp"
 #include "functions/exact_proof.hpp"
 #include "functions/function_table.hpp"
+#include "functions/planning/formulations.hpp"
+#include "functions/planning/make_functions.hpp"
 #include "graph/count.hpp"
-#include "model/spherical_joint.hpp"
-#include "model/states.hpp"
-#include "planning/formulations.hpp"
-#include "planning/make_functions.hpp"
-#include "reference/graph_evaluator.hpp"
-#include "reference/reference_point.hpp"
+#include "robot/model/spherical_joint.hpp"
+#include "robot/model/states.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
+#include "truth/reference/graph_evaluator.hpp"
+#include "truth/reference/reference_point.hpp"
 
 namespace flatdyn {
 namespace {

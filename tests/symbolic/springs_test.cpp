@@ -4,19 +4,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "definition/as_read.hpp"
-#include "deviation/expected.hpp"
+#include "derivation/parameters/parameters.hpp"
 #include "flatdyn/reference/kinematics.hpp"
+#include "functions/deviation/expected.hpp"
 #include "functions/exact_proof.hpp"
 #include "functions/function_table.hpp"
+#include "functions/planning/formulations.hpp"
 #include "functions/units.hpp"
-#include "model/states.hpp"
-#include "planning/formulations.hpp"
-#include "reference/graph_evaluator.hpp"
-#include "reference/reference_model.hpp"
+#include "robot/model/states.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
-#include "symbolic/parameters/parameters.hpp"
+#include "truth/definition/as_read.hpp"
+#include "truth/reference/graph_evaluator.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

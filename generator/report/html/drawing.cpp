@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "model/spherical_joint.hpp"
-#include "passes/passes.hpp"
-#include "symbolic/dynamics/derivation_context.hpp"
-#include "symbolic/dynamics/kinematics.hpp"
+#include "derivation/dynamics/derivation_context.hpp"
+#include "derivation/dynamics/kinematics.hpp"
+#include "graph/passes/passes.hpp"
+#include "robot/model/spherical_joint.hpp"
 
 namespace flatdyn {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "graph/function.hpp"
-#include "model/mechanism.hpp"
-#include "model/robot.hpp"
+#include "robot/model/mechanism.hpp"
+#include "robot/model/robot.hpp"
 
 namespace flatdyn {
 

@@ -8,16 +8,16 @@
 #include <map>
 #include <sstream>
 
-#include "diagnostics/version.hpp"
-#include "emit/page.hpp"
-#include "emit/writer.hpp"
-#include "languages/emit.hpp"
-#include "model/spherical_joint.hpp"
+#include "base/diagnostics/version.hpp"
+#include "code/emit/page.hpp"
+#include "code/emit/writer.hpp"
+#include "code/languages/emit.hpp"
+#include "derivation/notation/number_text.hpp"
 #include "report/describe.hpp"
 #include "report/html/regressor_map.hpp"
 #include "report/html/tables.hpp"
 #include "report/html/zero_map.hpp"
-#include "symbolic/notation/number_text.hpp"
+#include "robot/model/spherical_joint.hpp"
 #include "templates.hpp"
 
 namespace flatdyn {

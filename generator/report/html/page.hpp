@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "certify/certificate.hpp"
-#include "load/loaded_robot.hpp"
-#include "planning/optimised_function.hpp"
+#include "derivation/parameters/parameter_frames.hpp"
+#include "derivation/parameters/parameters.hpp"
+#include "functions/load/loaded_robot.hpp"
+#include "functions/planning/optimised_function.hpp"
+#include "proof/certify/certificate.hpp"
+#include "proof/verify/snap_effect.hpp"
 #include "report/html/drawing.hpp"
 #include "report/html/worst_states.hpp"
-#include "symbolic/parameters/parameter_frames.hpp"
-#include "symbolic/parameters/parameters.hpp"
-#include "verify/snap_effect.hpp"
 
 namespace flatdyn {
 

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "emit/page.hpp"
-#include "model/spherical_joint.hpp"
-#include "symbolic/parameters/parameters.hpp"
+#include "code/emit/page.hpp"
+#include "derivation/parameters/parameters.hpp"
+#include "robot/model/spherical_joint.hpp"
 
 namespace flatdyn {
 namespace {

@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "emit/page.hpp"
+#include "code/emit/page.hpp"
+#include "derivation/notation/combination_text.hpp"
+#include "derivation/notation/number_text.hpp"
+#include "derivation/parameters/base_parameters.hpp"
 #include "graph/count.hpp"
-#include "model/spherical_joint.hpp"
 #include "report/base_report.hpp"
 #include "report/describe.hpp"
-#include "symbolic/notation/combination_text.hpp"
-#include "symbolic/notation/number_text.hpp"
-#include "symbolic/parameters/base_parameters.hpp"
+#include "robot/model/spherical_joint.hpp"
 
 namespace flatdyn {
 namespace {

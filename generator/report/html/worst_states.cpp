@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "input/common/context.hpp"
+#include "robot/input/common/context.hpp"
 
 namespace flatdyn {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/diagnostics.hpp"
+#include "base/diagnostics/diagnostics.hpp"
 
 namespace flatdyn {
 

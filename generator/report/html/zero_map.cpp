@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "emit/page.hpp"
+#include "code/emit/page.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "bench/peers.hpp"
+#include "laboratory/bench/peers.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "model/random_robot.hpp"
+#include "robot/model/random_robot.hpp"
 
 namespace flatdyn::testing {
 namespace {

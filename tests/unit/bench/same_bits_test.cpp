@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "bench/same_bits.hpp"
+#include "laboratory/bench/same_bits.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/variants.hpp"
-#include "diagnostics/diagnostics.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "laboratory/bench/variants.hpp"
 
 namespace flatdyn::testing {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "bench/statistics.hpp"
+#include "laboratory/bench/statistics.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

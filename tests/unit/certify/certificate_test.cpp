@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // No observed error is larger than its bound, and the bound is about what the text executes.
-#include "certify/certificate.hpp"
+#include "proof/certify/certificate.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "diagnostics/diagnostics.hpp"
-#include "languages/emit.hpp"
-#include "languages/readers.hpp"
-#include "load/load_robot.hpp"
-#include "passes/passes.hpp"
-#include "readback/emitted_text.hpp"
-#include "readback/straight_line_values.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "code/languages/emit.hpp"
+#include "code/languages/readers.hpp"
+#include "code/readback/emitted_text.hpp"
+#include "code/readback/straight_line_values.hpp"
+#include "functions/load/load_robot.hpp"
+#include "graph/passes/passes.hpp"
+#include "proof/verify/compiled.hpp"
 #include "support/floating_robots.hpp"
 #include "support/limited_robots.hpp"
 #include "support/written_model.hpp"
-#include "verify/compiled.hpp"
 
 namespace flatdyn {
 namespace {

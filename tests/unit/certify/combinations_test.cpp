@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "certify/combinations.hpp"
+#include "proof/certify/combinations.hpp"
 
 #include <gtest/gtest.h>
 

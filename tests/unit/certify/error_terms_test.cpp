@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Error bounds that can be added up by hand, and Gappa's results for them.
-#include "certify/error_terms.hpp"
+#include "proof/certify/error_terms.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -10,8 +10,8 @@
 #include <cmath>
 #include <memory>
 
-#include "certify/gappa.hpp"
-#include "diagnostics/diagnostics.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "proof/certify/gappa.hpp"
 
 namespace flatdyn {
 namespace {

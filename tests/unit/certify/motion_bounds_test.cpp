@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Bounds of the motions of links, against observed values.
-#include "certify/motion_bounds.hpp"
+#include "proof/certify/motion_bounds.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Recognition of the operations of a text that are motions of links.
-#include "certify/motion_recogniser.hpp"
+#include "proof/certify/motion_recogniser.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "certify/error_terms.hpp"
-#include "certify/model_constants.hpp"
-#include "languages/emit.hpp"
-#include "languages/readers.hpp"
-#include "load/load_robot.hpp"
-#include "passes/passes.hpp"
-#include "readback/emitted_text.hpp"
-#include "readback/straight_line_values.hpp"
+#include "code/languages/emit.hpp"
+#include "code/languages/readers.hpp"
+#include "code/readback/emitted_text.hpp"
+#include "code/readback/straight_line_values.hpp"
+#include "functions/load/load_robot.hpp"
+#include "graph/passes/passes.hpp"
+#include "proof/certify/error_terms.hpp"
+#include "proof/certify/model_constants.hpp"
 #include "support/fast_states.hpp"
 #include "support/limited_robots.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Bounds of intermediate results that are known by hand.
-#include "certify/norms.hpp"
+#include "proof/certify/norms.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <limits>
 #include <tuple>
 
-#include "diagnostics/diagnostics.hpp"
-#include "model/rounded_up.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "robot/model/rounded_up.hpp"
 
 namespace flatdyn {
 namespace {

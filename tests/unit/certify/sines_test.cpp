@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "certify/sines.hpp"
+#include "proof/certify/sines.hpp"
 
 #include <gtest/gtest.h>
 
 #include <utility>
 
-#include "certify/gappa.hpp"
+#include "proof/certify/gappa.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Bounds of vectors, against observed values and against values known by hand.
-#include "certify/vector_bounds.hpp"
+#include "proof/certify/vector_bounds.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The mechanism is the robot as read, and any changed number of it is found.
-#include "definition/as_read.hpp"
+#include "truth/definition/as_read.hpp"
 
 #include <gmock/gmock.h>
 
 #include <functional>
 
-#include "model/random_robot.hpp"
+#include "proof/verify/proof.hpp"
+#include "robot/model/random_robot.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
 #include "support/spatial_loops.hpp"
 #include "support/written_model.hpp"
-#include "verify/proof.hpp"
 
 namespace flatdyn {
 namespace {

@@ -6,14 +6,14 @@
 
 #include <random>
 
-#include "definition/degree.hpp"
-#include "diagnostics/diagnostics.hpp"
+#include "base/diagnostics/diagnostics.hpp"
 #include "functions/function_table.hpp"
-#include "planning/formulations.hpp"
+#include "functions/planning/formulations.hpp"
 #include "support/mutants.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
 #include "support/spare_joints.hpp"
+#include "truth/definition/degree.hpp"
 
 namespace flatdyn {
 namespace {

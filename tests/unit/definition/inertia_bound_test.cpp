@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The proven bound of B beside its diagonal, against eigenvalues at random positions.
-#include "model/inertia_bound.hpp"
+#include "robot/model/inertia_bound.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 
-#include "definition/lagrangian.hpp"
 #include "graph/arithmetic.hpp"
-#include "model/joint_points.hpp"
-#include "model/random_robot.hpp"
-#include "model/states.hpp"
+#include "robot/model/joint_points.hpp"
+#include "robot/model/random_robot.hpp"
+#include "robot/model/states.hpp"
 #include "support/floating_robots.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
+#include "truth/definition/lagrangian.hpp"
 
 namespace flatdyn {
 namespace {

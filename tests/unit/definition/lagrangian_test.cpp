@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "definition/lagrangian.hpp"
 #include "graph/arithmetic.hpp"
 #include "graph/mod_p.hpp"
 #include "support/robots.hpp"
+#include "truth/definition/lagrangian.hpp"
 
 namespace flatdyn {
 namespace {

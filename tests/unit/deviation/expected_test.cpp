@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "deviation/expected.hpp"
+#include "functions/deviation/expected.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "model/states.hpp"
+#include "robot/model/states.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn::testing {

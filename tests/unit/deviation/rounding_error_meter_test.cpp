@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "deviation/rounding_error_meter.hpp"
+#include "functions/deviation/rounding_error_meter.hpp"
 
 #include <gtest/gtest.h>
 

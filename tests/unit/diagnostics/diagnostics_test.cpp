@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "diagnostics/diagnostics.hpp"
+#include "base/diagnostics/diagnostics.hpp"
 
 #include <gtest/gtest.h>
 

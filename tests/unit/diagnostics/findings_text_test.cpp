@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "diagnostics/findings_text.hpp"
+#include "base/diagnostics/findings_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "diagnostics/progress.hpp"
+#include "base/diagnostics/progress.hpp"
 
 #include <gtest/gtest.h>
 #include <pty.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "diagnostics/utf8.hpp"
+#include "base/diagnostics/utf8.hpp"
 
 #include <gtest/gtest.h>
 

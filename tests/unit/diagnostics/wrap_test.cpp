@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "diagnostics/wrap.hpp"
+#include "base/diagnostics/wrap.hpp"
 
 #include <gtest/gtest.h>
 

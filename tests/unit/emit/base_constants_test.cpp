@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "emit/base_constants.hpp"
+#include "code/emit/base_constants.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "languages/emit.hpp"
-#include "planning/formulations.hpp"
+#include "code/languages/emit.hpp"
+#include "functions/planning/formulations.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "emit/dialect.hpp"
+#include "code/emit/dialect.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "diagnostics/diagnostics.hpp"
-#include "languages/c/dialect.hpp"
-#include "languages/c/lanes_dialect.hpp"
-#include "languages/cpp/dialect.hpp"
-#include "languages/emit.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "code/languages/c/dialect.hpp"
+#include "code/languages/c/lanes_dialect.hpp"
+#include "code/languages/cpp/dialect.hpp"
+#include "code/languages/emit.hpp"
 #include "unit/emit/hand_made.hpp"
 
 namespace flatdyn {

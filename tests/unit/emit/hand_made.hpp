@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "graph/function.hpp"
-#include "model/mechanism.hpp"
+#include "robot/model/mechanism.hpp"
 
 namespace flatdyn::testing {
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <sstream>
 
-#include "diagnostics/diagnostics.hpp"
-#include "languages/emit.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "code/languages/emit.hpp"
 #include "unit/emit/compiled.hpp"
 #include "unit/emit/hand_made.hpp"
 
@@ -143,7 +143,7 @@ TEST(Header, HasAGuardOfItsOwn) {
         options.input_hash = hash;
         const Mechanism mechanism = testing::two_link_mechanism({"m1"});
         const std::string text = language == "c" ? emit_c(mechanism, all_functions(), options).header
-                                                         : emit_cpp(mechanism, all_functions(), options);
+                                                 : emit_cpp(mechanism, all_functions(), options);
         const std::string owner = std::string(name) + hash + (language == "c" ? ".h" : ".hpp");
         EXPECT_TRUE(owners.emplace(guard_in(text), owner).second) << owner << " and " << owners[guard_in(text)];
         EXPECT_THAT(text, HasSubstr("#define " + guard_in(text) + "\n"));

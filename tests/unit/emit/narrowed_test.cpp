@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "emit/narrowed.hpp"
+#include "code/emit/narrowed.hpp"
 
 #include <gtest/gtest.h>
 

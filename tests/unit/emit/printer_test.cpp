@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Code as it is printed: parentheses, signs, and what languages write in a way of their own.
-#include "emit/printer.hpp"
+#include "code/emit/printer.hpp"
 
 #include <gtest/gtest.h>
 
-#include "languages/c/dialect.hpp"
-#include "languages/cpp/dialect.hpp"
-#include "languages/javascript/dialect.hpp"
+#include "code/languages/c/dialect.hpp"
+#include "code/languages/cpp/dialect.hpp"
+#include "code/languages/javascript/dialect.hpp"
 
 namespace flatdyn {
 namespace {

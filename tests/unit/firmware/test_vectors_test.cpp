@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The vectors of a self test on a target: the bounds are those of the certificate, and the search finds worse states
 // than the random ones.
-#include "firmware/test_vectors.hpp"
+#include "delivery/firmware/test_vectors.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "certify/certificate.hpp"
-#include "deviation/expected.hpp"
-#include "languages/emit.hpp"
-#include "languages/readers.hpp"
-#include "planning/make_functions.hpp"
-#include "readback/emitted_text.hpp"
-#include "readback/straight_line_values.hpp"
+#include "code/languages/emit.hpp"
+#include "code/languages/readers.hpp"
+#include "code/readback/emitted_text.hpp"
+#include "code/readback/straight_line_values.hpp"
+#include "functions/deviation/expected.hpp"
+#include "functions/planning/make_functions.hpp"
+#include "proof/certify/certificate.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn {

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <set>
 
-#include "diagnostics/diagnostics.hpp"
+#include "base/diagnostics/diagnostics.hpp"
 #include "functions/exact_proof.hpp"
+#include "functions/planning/formulations.hpp"
 #include "functions/units.hpp"
-#include "planning/formulations.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn {

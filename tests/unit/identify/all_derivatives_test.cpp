@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "identify/identification.hpp"
+#include "laboratory/identify/identification.hpp"
 #include "support/robot_models.hpp"
 #include "support/simulated_log.hpp"
 

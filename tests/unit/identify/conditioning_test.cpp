@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "identify/conditioning.hpp"
+#include "laboratory/identify/conditioning.hpp"
 
 #include <gtest/gtest.h>
 

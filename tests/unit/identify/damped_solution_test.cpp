@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "identify/damped_solution.hpp"
+#include "laboratory/identify/damped_solution.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "identify/excitation.hpp"
+#include "laboratory/identify/excitation.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <random>
 
-#include "identify/excitation_log.hpp"
-#include "identify/excitation_objective.hpp"
+#include "laboratory/identify/excitation_log.hpp"
+#include "laboratory/identify/excitation_objective.hpp"
 #include "support/gradient.hpp"
 #include "support/identified_arm.hpp"
 #include "support/robot_models.hpp"

@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "identify/base_coordinates.hpp"
-#include "identify/excitation.hpp"
-#include "identify/excitation_objective.hpp"
-#include "identify/fit_quality.hpp"
-#include "identify/identification.hpp"
-#include "identify/part_file.hpp"
-#include "load/load_robot.hpp"
+#include "functions/load/load_robot.hpp"
+#include "laboratory/identify/base_coordinates.hpp"
+#include "laboratory/identify/excitation.hpp"
+#include "laboratory/identify/excitation_objective.hpp"
+#include "laboratory/identify/fit_quality.hpp"
+#include "laboratory/identify/identification.hpp"
+#include "laboratory/identify/part_file.hpp"
 #include "report/excitation_report.hpp"
 #include "report/identification_report.hpp"
 #include "support/floating_log.hpp"

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "identify/torque_equations.hpp"
-#include "identify/wrist.hpp"
-#include "load/load_robot.hpp"
+#include "functions/load/load_robot.hpp"
+#include "laboratory/identify/torque_equations.hpp"
+#include "laboratory/identify/wrist.hpp"
 #include "report/payload_report.hpp"
 #include "support/floating_log.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "identify/fourier_trajectory.hpp"
+#include "laboratory/identify/fourier_trajectory.hpp"
 
 #include <gtest/gtest.h>
 

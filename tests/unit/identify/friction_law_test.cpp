@@ -2,8 +2,8 @@
 // Friction that is more than F_v q̇ + F_s sgn q̇, in noisy logs.
 #include <gtest/gtest.h>
 
-#include "identify/friction_search.hpp"
-#include "identify/identification.hpp"
+#include "laboratory/identify/friction_search.hpp"
+#include "laboratory/identify/identification.hpp"
 #include "support/practical_bench.hpp"
 
 namespace flatdyn {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "identify/instrumental_variables.hpp"
+#include "laboratory/identify/instrumental_variables.hpp"
 
 #include <gtest/gtest.h>
 
-#include "identify/identification.hpp"
+#include "laboratory/identify/identification.hpp"
 #include "support/practical_bench.hpp"
 
 namespace flatdyn {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Logs that are not what they say: each is noticed, and its reason named.
-#include "identify/identification.hpp"
+#include "laboratory/identify/identification.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Base parameters from simulated motion with known truth.
-#include "identify/least_squares.hpp"
+#include "laboratory/identify/least_squares.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Logs as people write them, with typical mistakes: each one is reported with its line.
-#include "identify/log_reader.hpp"
+#include "laboratory/identify/log_reader.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -10,7 +10,7 @@
 #include <functional>
 #include <numbers>
 
-#include "identify/motion_stream.hpp"
+#include "laboratory/identify/motion_stream.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn {

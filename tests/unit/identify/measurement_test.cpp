@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // From logs to observations: derivatives, gaps, and parts that make up the whole.
-#include "identify/measurement.hpp"
+#include "laboratory/identify/measurement.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
-#include "identify/least_squares.hpp"
-#include "identify/part_file.hpp"
+#include "laboratory/identify/least_squares.hpp"
+#include "laboratory/identify/part_file.hpp"
 #include "support/robot_models.hpp"
 #include "support/simulated_log.hpp"
 

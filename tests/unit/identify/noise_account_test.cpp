@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Logs in which the encoder's noise is not small against the motion, and joints that hardly move: what is told holds
 // within its intervals, and the rest is not told.
-#include "identify/noise_account.hpp"
+#include "laboratory/identify/noise_account.hpp"
 
 #include <gmock/gmock.h>
 

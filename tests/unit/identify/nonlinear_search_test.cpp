@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Gravity's direction, delays and speeds of friction, found together with all other parameters in noisy logs.
-#include "identify/nonlinear_search.hpp"
+#include "laboratory/identify/nonlinear_search.hpp"
 
 #include <gtest/gtest.h>
 
-#include "identify/gravity_search.hpp"
-#include "identify/identification.hpp"
-#include "identify/row_sample.hpp"
+#include "laboratory/identify/gravity_search.hpp"
+#include "laboratory/identify/identification.hpp"
+#include "laboratory/identify/row_sample.hpp"
 #include "support/practical_bench.hpp"
 
 namespace flatdyn {

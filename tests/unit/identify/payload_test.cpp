@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A known payload, found from torques and from a sensor at the wrist.
-#include "identify/payload.hpp"
+#include "laboratory/identify/payload.hpp"
 
 #include <gtest/gtest.h>
 
-#include "identify/fit_quality.hpp"
-#include "identify/wrist.hpp"
+#include "laboratory/identify/fit_quality.hpp"
+#include "laboratory/identify/wrist.hpp"
 #include "support/observed.hpp"
 #include "support/practical_bench.hpp"
 #include "support/robot_models.hpp"

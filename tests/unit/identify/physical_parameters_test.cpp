@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "identify/physical_parameters.hpp"
+#include "laboratory/identify/physical_parameters.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "identify/link_shape.hpp"
+#include "laboratory/identify/link_shape.hpp"
 #include "support/identified_arm.hpp"
 #include "support/names.hpp"
 

@@ -2,7 +2,7 @@
 // The further parameters that go with links that a body can have.
 #include <gtest/gtest.h>
 
-#include "identify/identification.hpp"
+#include "laboratory/identify/identification.hpp"
 
 namespace flatdyn {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <numbers>
 
-#include "identify/gravity_search.hpp"
-#include "identify/identification.hpp"
+#include "laboratory/identify/gravity_search.hpp"
+#include "laboratory/identify/identification.hpp"
 #include "support/names.hpp"
 #include "support/robot_models.hpp"
 #include "support/simulated_log.hpp"

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "identify/fit_quality.hpp"
-#include "identify/identification.hpp"
-#include "identify/payload.hpp"
+#include "laboratory/identify/fit_quality.hpp"
+#include "laboratory/identify/identification.hpp"
+#include "laboratory/identify/payload.hpp"
 #include "support/robot_models.hpp"
 #include "support/simulated_log.hpp"
 

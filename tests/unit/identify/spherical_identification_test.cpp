@@ -4,12 +4,12 @@
 #include <unistd.h>
 
 #include "flatdyn/reference/newton_euler.hpp"
-#include "identify/excitation.hpp"
-#include "identify/identification.hpp"
-#include "load/load_robot.hpp"
-#include "model/spherical_joint.hpp"
+#include "functions/load/load_robot.hpp"
+#include "laboratory/identify/excitation.hpp"
+#include "laboratory/identify/identification.hpp"
 #include "report/excitation_report.hpp"
 #include "report/identified_robot.hpp"
+#include "robot/model/spherical_joint.hpp"
 #include "support/floating_log.hpp"
 
 namespace flatdyn {

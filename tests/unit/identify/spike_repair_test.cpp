@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Wrong readings of an encoder: they are repaired, and they hide nothing of the noise.
-#include "identify/spike_repair.hpp"
+#include "laboratory/identify/spike_repair.hpp"
 
 #include <gmock/gmock.h>
 

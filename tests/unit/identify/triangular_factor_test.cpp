@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "identify/triangular_factor.hpp"
+#include "laboratory/identify/triangular_factor.hpp"
 
 #include <gtest/gtest.h>
 

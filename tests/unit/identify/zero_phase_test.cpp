@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "identify/zero_phase.hpp"
+#include "laboratory/identify/zero_phase.hpp"
 
 #include <gtest/gtest.h>
 

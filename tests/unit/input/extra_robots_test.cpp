@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "input/reader.hpp"
-#include "model/coupling.hpp"
+#include "robot/input/reader.hpp"
+#include "robot/model/coupling.hpp"
 
 namespace flatdyn {
 namespace {

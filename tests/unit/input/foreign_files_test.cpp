@@ -2,7 +2,7 @@
 // Files that are no robot's, or not there: each is named as what it is.
 #include <gmock/gmock.h>
 
-#include "input/csv/text.hpp"
+#include "robot/input/csv/text.hpp"
 #include "unit/input/robot_file.hpp"
 
 namespace flatdyn {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "input/reader.hpp"
+#include "robot/input/reader.hpp"
 
 namespace flatdyn {
 

@@ -9,10 +9,10 @@
 #include <set>
 
 #include "flatdyn/reference/newton_euler.hpp"
-#include "input/reader.hpp"
-#include "model/coupling.hpp"
-#include "model/mechanism.hpp"
-#include "reference/reference_model.hpp"
+#include "robot/input/reader.hpp"
+#include "robot/model/coupling.hpp"
+#include "robot/model/mechanism.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The generator asks the table of languages, a dialect or a reader for what it needs, and never which language it is.
-// The languages themselves are in the folders of generator/languages/, and one list there has them all.
+// The languages themselves are in the folders of generator/code/languages/, and one list there has them all.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -32,9 +32,9 @@ std::vector<std::string> questions(const std::vector<SourceFile>& files) {
 TEST(Layout, OnlyLanguagesKnowWhichTheyAre) {
   std::set<std::string> asking;
   for (const SourceFile& file : source_files("generator")) {
-    if (!file.folder.starts_with("languages/") && !questions({file}).empty()) asking.insert(file.name);
+    if (!file.folder.starts_with("code/languages/") && !questions({file}).empty()) asking.insert(file.name);
   }
-  EXPECT_EQ(asking, (std::set<std::string>{"emit/emit_options.hpp"}));  // the default
+  EXPECT_EQ(asking, (std::set<std::string>{"code/emit/emit_options.hpp"}));  // the default
 }
 
 TEST(Layout, AQuestionForTheLanguageIsFound) {

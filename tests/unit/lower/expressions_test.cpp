@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "lower/expressions.hpp"
+#include "code/lower/expressions.hpp"
 
 #include <gtest/gtest.h>
 
-#include "emit/printer.hpp"
-#include "languages/cpp/dialect.hpp"
+#include "code/emit/printer.hpp"
+#include "code/languages/cpp/dialect.hpp"
 #include "unit/emit/hand_made.hpp"
 
 namespace flatdyn {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "lower/kernel_parts.hpp"
+#include "code/lower/kernel_parts.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "diagnostics/diagnostics.hpp"
-#include "emit/packed_places.hpp"
-#include "lower/schedule.hpp"
-#include "planning/kernel_columns.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "code/emit/packed_places.hpp"
+#include "code/lower/schedule.hpp"
+#include "functions/planning/kernel_columns.hpp"
+#include "proof/verify/kernel_proof.hpp"
 #include "support/printed_code.hpp"
 #include "support/robot_models.hpp"
-#include "verify/kernel_proof.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Limbs that are computed together: which they are, that mirrored ones are alike, and that compilers agree.
-#include "lower/limbs.hpp"
+#include "code/lower/limbs.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "emit/function_text.hpp"
-#include "languages/cpp/dialect.hpp"
-#include "lower/limb_plan.hpp"
+#include "code/emit/function_text.hpp"
+#include "code/languages/cpp/dialect.hpp"
+#include "code/lower/limb_plan.hpp"
 #include "support/printed_code.hpp"
 #include "support/robot_models.hpp"
 #include "unit/emit/compiled.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Functions in parts: no function is too long, no storage is wasted, and the bits are the same.
-#include "lower/parts.hpp"
+#include "code/lower/parts.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <sstream>
 
-#include "emit/printer.hpp"
-#include "languages/cpp/dialect.hpp"
-#include "languages/emit.hpp"
-#include "planning/make_functions.hpp"
+#include "code/emit/printer.hpp"
+#include "code/languages/cpp/dialect.hpp"
+#include "code/languages/emit.hpp"
+#include "functions/planning/make_functions.hpp"
 #include "support/robot_models.hpp"
 #include "unit/emit/compiled.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "lower/schedule.hpp"
+#include "code/lower/schedule.hpp"
 
 #include <gtest/gtest.h>
 
-#include "emit/function_text.hpp"
-#include "languages/cpp/dialect.hpp"
+#include "code/emit/function_text.hpp"
+#include "code/languages/cpp/dialect.hpp"
 #include "unit/emit/hand_made.hpp"
 
 namespace flatdyn {

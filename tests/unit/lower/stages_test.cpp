@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Fusing functions and cutting the whole into stages changes no value, by comparison in GF(p) on random trees with
 // rotors.
-#include "lower/stages.hpp"
+#include "code/lower/stages.hpp"
 
 #include <gtest/gtest.h>
 
+#include "functions/planning/formulations.hpp"
 #include "graph/count.hpp"
 #include "graph/evaluate.hpp"
 #include "graph/mod_p.hpp"
-#include "passes/passes.hpp"
-#include "planning/formulations.hpp"
+#include "graph/passes/passes.hpp"
 #include "support/robots.hpp"
 
 namespace flatdyn {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "lower/statement_order.hpp"
+#include "code/lower/statement_order.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "manipulability/ellipsoid.hpp"
+#include "laboratory/manipulability/ellipsoid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "flatdyn/reference/kinematics.hpp"
-#include "reference/reference_model.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

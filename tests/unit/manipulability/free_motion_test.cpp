@@ -6,10 +6,10 @@
 #include <filesystem>
 
 #include "flatdyn/reference/kinematics.hpp"
-#include "manipulability/ellipsoid.hpp"
-#include "reference/reference_model.hpp"
+#include "laboratory/manipulability/ellipsoid.hpp"
 #include "support/floating_robots.hpp"
 #include "support/written_model.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

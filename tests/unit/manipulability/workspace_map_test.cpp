@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "manipulability/workspace_map.hpp"
+#include "laboratory/manipulability/workspace_map.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "model/equivalents.hpp"
+#include "robot/model/equivalents.hpp"
 
 #include <gtest/gtest.h>
 
 #include "functions/exact_proof.hpp"
-#include "planning/formulations.hpp"
+#include "functions/planning/formulations.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn {

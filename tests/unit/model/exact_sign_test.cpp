@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "model/exact_sign.hpp"
+#include "robot/model/exact_sign.hpp"
 
 #include <gtest/gtest.h>
 
-#include "diagnostics/diagnostics.hpp"
-#include "model/physical_inertia.hpp"
-#include "model/rational_rotation.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "robot/model/physical_inertia.hpp"
+#include "robot/model/rational_rotation.hpp"
 
 namespace flatdyn {
 namespace {

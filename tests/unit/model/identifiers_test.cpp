@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "model/identifiers.hpp"
+#include "robot/model/identifiers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "model/mechanism.hpp"
+#include "robot/model/mechanism.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "model/rational_rotation.hpp"
+#include "robot/model/rational_rotation.hpp"
 #include "support/robots.hpp"
 
 namespace flatdyn {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "model/number.hpp"
+#include "robot/model/number.hpp"
 
 #include <gtest/gtest.h>
 
-#include "model/field_mechanism.hpp"
+#include "robot/model/field_mechanism.hpp"
 
 namespace flatdyn {
 namespace {

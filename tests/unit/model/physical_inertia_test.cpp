@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "model/physical_inertia.hpp"
+#include "robot/model/physical_inertia.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "model/random_robot.hpp"
+#include "robot/model/random_robot.hpp"
 
 #include <gtest/gtest.h>
 
-#include "model/mechanism.hpp"
-#include "model/validate.hpp"
+#include "robot/model/mechanism.hpp"
+#include "robot/model/validate.hpp"
 
 namespace flatdyn::testing {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "model/rational_rotation.hpp"
+#include "robot/model/rational_rotation.hpp"
 
 #include <gtest/gtest.h>
 

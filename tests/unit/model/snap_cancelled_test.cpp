@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "model/snap_cancelled.hpp"
+#include "robot/model/snap_cancelled.hpp"
 
 #include <gtest/gtest.h>
 

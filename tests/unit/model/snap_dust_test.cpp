@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Each kind of dust, on both sides of its threshold.
-#include "model/snap_dust.hpp"
+#include "robot/model/snap_dust.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "model/states.hpp"
+#include "robot/model/states.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "reference/reference_model.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

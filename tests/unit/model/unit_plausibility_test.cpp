@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The numbers that cause a question about units, on both sides of each threshold.
-#include "model/unit_plausibility.hpp"
+#include "robot/model/unit_plausibility.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "passes/coefficients.hpp"
+#include "graph/passes/coefficients.hpp"
 
 #include <gtest/gtest.h>
 

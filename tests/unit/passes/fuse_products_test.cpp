@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "passes/fuse_products.hpp"
+#include "graph/passes/fuse_products.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Each pass on the smallest graph to which it applies. tests/property tests that values stay the same.
-#include "passes/passes.hpp"
+#include "graph/passes/passes.hpp"
 
 #include <gtest/gtest.h>
 
 #include "graph/mod_p.hpp"
+#include "graph/passes/draft.hpp"
+#include "graph/passes/like_terms.hpp"
+#include "graph/passes/quotients.hpp"
+#include "graph/passes/rescale.hpp"
+#include "graph/passes/share_products.hpp"
+#include "graph/passes/share_sums.hpp"
+#include "graph/passes/trigonometric.hpp"
 #include "graph/well_formed.hpp"
-#include "passes/draft.hpp"
-#include "passes/like_terms.hpp"
-#include "passes/quotients.hpp"
-#include "passes/rescale.hpp"
-#include "passes/share_products.hpp"
-#include "passes/share_sums.hpp"
-#include "passes/trigonometric.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "planning/function_bytes.hpp"
+#include "functions/planning/function_bytes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
+#include "base/system/apart.hpp"
+#include "functions/planning/make_functions.hpp"
+#include "graph/passes/sharing_memo.hpp"
 #include "graph/text.hpp"
-#include "passes/sharing_memo.hpp"
-#include "planning/make_functions.hpp"
 #include "support/robot_models.hpp"
-#include "system/apart.hpp"
 
 namespace flatdyn::testing {
 namespace {

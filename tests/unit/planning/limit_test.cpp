@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "planning/limit.hpp"
+#include "functions/planning/limit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,15 +5,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "definition/pivot_ratio.hpp"
-#include "model/states.hpp"
-#include "planning/make_functions.hpp"
-#include "reference/graph_evaluator.hpp"
+#include "functions/planning/make_functions.hpp"
+#include "proof/verify/compiled.hpp"
+#include "proof/verify/verify.hpp"
+#include "robot/model/states.hpp"
 #include "support/printed_code.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
-#include "verify/compiled.hpp"
-#include "verify/verify.hpp"
+#include "truth/definition/pivot_ratio.hpp"
+#include "truth/reference/graph_evaluator.hpp"
 
 namespace flatdyn {
 namespace {

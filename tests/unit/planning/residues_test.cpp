@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "emit/narrowed.hpp"
-#include "planning/make_functions.hpp"
+#include "code/emit/narrowed.hpp"
+#include "functions/planning/make_functions.hpp"
 #include "support/written_model.hpp"
 
 namespace flatdyn {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "planning/search.hpp"
+#include "functions/planning/search.hpp"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 
 #include "functions/exact_proof.hpp"
-#include "passes/draft.hpp"
-#include "passes/passes.hpp"
-#include "planning/formulations.hpp"
+#include "functions/planning/formulations.hpp"
+#include "graph/passes/draft.hpp"
+#include "graph/passes/passes.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
 

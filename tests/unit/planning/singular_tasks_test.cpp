@@ -8,13 +8,13 @@
 #include <optional>
 #include <tuple>
 
+#include "functions/planning/formulations.hpp"
 #include "graph/tape.hpp"
-#include "model/states.hpp"
-#include "planning/formulations.hpp"
-#include "reference/graph_evaluator.hpp"
+#include "proof/verify/compiled.hpp"
+#include "robot/model/states.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
-#include "verify/compiled.hpp"
+#include "truth/reference/graph_evaluator.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "plot/label_layout.hpp"
+#include "report/plot/label_layout.hpp"
 
 #include <gtest/gtest.h>
 

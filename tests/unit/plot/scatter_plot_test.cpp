@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "plot/scatter_plot.hpp"
+#include "report/plot/scatter_plot.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

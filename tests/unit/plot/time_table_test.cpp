@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "plot/time_table.hpp"
+#include "report/plot/time_table.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,10 +2,10 @@
 // The CUDA form: what is printed is proven, and one change anywhere is refused.
 #include <gtest/gtest.h>
 
-#include "diagnostics/diagnostics.hpp"
-#include "lower/kernel_parts.hpp"
-#include "planning/kernel_columns.hpp"
-#include "readback/tokens.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "code/lower/kernel_parts.hpp"
+#include "code/readback/tokens.hpp"
+#include "functions/planning/kernel_columns.hpp"
 #include "support/printed_code.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"

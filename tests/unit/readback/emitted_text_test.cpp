@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The emitted text, read back: everything printed is found again, and every slip of the printer would be noticed.
-#include "readback/emitted_text.hpp"
+#include "code/readback/emitted_text.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -8,9 +8,9 @@
 
 #include <random>
 
-#include "diagnostics/diagnostics.hpp"
-#include "emit/writer.hpp"
-#include "languages/readers.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "code/emit/writer.hpp"
+#include "code/languages/readers.hpp"
 #include "support/printed_code.hpp"
 #include "support/robot_models.hpp"
 

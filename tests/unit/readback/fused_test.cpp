@@ -2,9 +2,9 @@
 // Text with fused multiply-adds: it is proven, it is executed with one rounding, and no change of it holds.
 #include <gtest/gtest.h>
 
-#include "diagnostics/diagnostics.hpp"
-#include "passes/fuse_products.hpp"
-#include "readback/straight_line_values.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "code/readback/straight_line_values.hpp"
+#include "graph/passes/fuse_products.hpp"
 #include "support/printed_code.hpp"
 #include "support/robot_models.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <random>
 
-#include "diagnostics/diagnostics.hpp"
-#include "languages/readers.hpp"
-#include "readback/straight_line_values.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "code/languages/readers.hpp"
+#include "code/readback/straight_line_values.hpp"
 #include "support/printed_code.hpp"
 #include "support/robot_models.hpp"
 

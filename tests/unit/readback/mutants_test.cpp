@@ -7,8 +7,8 @@
 #include <map>
 #include <memory>
 
-#include "diagnostics/diagnostics.hpp"
-#include "emit/writer.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "code/emit/writer.hpp"
 #include "support/printed_code.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"

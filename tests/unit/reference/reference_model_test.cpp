@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The data of a robot file must reach the reference: frames of inertias, their reference points, unnormalised axes, the
 // order of joints, motors, symbols.
-#include "reference/reference_model.hpp"
+#include "truth/reference/reference_model.hpp"
 
 #include <gtest/gtest.h>
 

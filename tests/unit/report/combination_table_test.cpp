@@ -6,7 +6,7 @@
 
 #include <sstream>
 
-#include "diagnostics/table.hpp"
+#include "base/diagnostics/table.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn {

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "model/physical_inertia.hpp"
+#include "robot/model/physical_inertia.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
 

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The error of an abbreviated function stays below its bound, and the bound below the budget.
-#include "scene/abbreviate.hpp"
+#include "functions/scene/abbreviate.hpp"
 
 #include <gtest/gtest.h>
 
 #include "functions/exact_proof.hpp"
+#include "functions/planning/formulations.hpp"
 #include "graph/count.hpp"
-#include "model/states.hpp"
-#include "passes/passes.hpp"
-#include "planning/formulations.hpp"
-#include "reference/graph_evaluator.hpp"
+#include "graph/passes/passes.hpp"
+#include "proof/verify/torque_deviation.hpp"
+#include "robot/model/states.hpp"
 #include "support/floating_robots.hpp"
 #include "support/limited_robots.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
 #include "support/written_model.hpp"
-#include "verify/torque_deviation.hpp"
+#include "truth/reference/graph_evaluator.hpp"
 
 namespace flatdyn {
 namespace {

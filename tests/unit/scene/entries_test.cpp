@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "scene/entries.hpp"
+#include "functions/scene/entries.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "diagnostics/diagnostics.hpp"
+#include "base/diagnostics/diagnostics.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "scene/specialise.hpp"
+#include "functions/scene/specialise.hpp"
 
 #include <gtest/gtest.h>
 
 #include "functions/exact_proof.hpp"
 #include "functions/function_table.hpp"
+#include "functions/planning/formulations.hpp"
 #include "graph/count.hpp"
 #include "graph/well_formed.hpp"
-#include "planning/formulations.hpp"
 #include "support/robots.hpp"
 #include "support/spare_joints.hpp"
 

@@ -8,11 +8,11 @@
 
 #include "flatdyn/reference/closed_loops.hpp"
 #include "flatdyn/reference/newton_euler.hpp"
-#include "reference/reference_model.hpp"
-#include "simulate/simulator.hpp"
+#include "laboratory/simulate/simulator.hpp"
+#include "laboratory/trajectory/torque_terms.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
-#include "trajectory/torque_terms.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "simulate/contact.hpp"
+#include "laboratory/simulate/contact.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "simulate/simulator.hpp"
+#include "laboratory/simulate/simulator.hpp"
 #include "support/floating_robots.hpp"
 #include "support/written_model.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Simulated motion against motions known in closed form.
-#include "simulate/simulator.hpp"
+#include "laboratory/simulate/simulator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <numbers>
 
 #include "flatdyn/reference/newton_euler.hpp"
-#include "reference/reference_model.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "simulate/simulator.hpp"
+#include "laboratory/simulate/simulator.hpp"
 #include "support/written_model.hpp"
 
 namespace flatdyn {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "stress/worst_state.hpp"
+#include "laboratory/stress/worst_state.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "deviation/extreme_states.hpp"
+#include "functions/deviation/extreme_states.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn::testing {

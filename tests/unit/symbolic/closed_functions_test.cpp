@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "symbolic/closed_functions.hpp"
+#include "derivation/closed_functions.hpp"
 
 #include <gtest/gtest.h>
 
 #include "functions/exact_proof.hpp"
 #include "functions/function_table.hpp"
+#include "functions/planning/formulations.hpp"
+#include "functions/planning/make_functions.hpp"
 #include "graph/count.hpp"
-#include "planning/formulations.hpp"
-#include "planning/make_functions.hpp"
 
 namespace flatdyn {
 namespace {

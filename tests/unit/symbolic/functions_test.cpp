@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Identities between the functions of one robot, exact, at random points of a prime field.
-#include "planning/formulations.hpp"
+#include "functions/planning/formulations.hpp"
 
 #include <gtest/gtest.h>
 
+#include "derivation/kernel/regroup.hpp"
 #include "graph/mod_p.hpp"
 #include "support/robots.hpp"
-#include "symbolic/kernel/regroup.hpp"
 
 namespace flatdyn {
 namespace {

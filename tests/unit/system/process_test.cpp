@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "system/process.hpp"
+#include "base/system/process.hpp"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
 
-#include "diagnostics/diagnostics.hpp"
-#include "system/temporary_folder.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "base/system/temporary_folder.hpp"
 
 namespace flatdyn::testing {
 namespace {

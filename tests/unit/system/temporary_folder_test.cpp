@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "system/temporary_folder.hpp"
+#include "base/system/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "diagnostics/diagnostics.hpp"
-#include "system/interrupt.hpp"
-#include "system/process.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "base/system/interrupt.hpp"
+#include "base/system/process.hpp"
 
 namespace flatdyn::testing {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "trajectory/interpolation.hpp"
+#include "laboratory/trajectory/interpolation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "trajectory/pace_interval.hpp"
+#include "laboratory/trajectory/pace_interval.hpp"
 
 #include <gtest/gtest.h>
 

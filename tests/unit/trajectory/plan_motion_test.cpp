@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Planned motions: the tip's places, and consistency of positions, rates and accelerations.
-#include "trajectory/plan_motion.hpp"
+#include "laboratory/trajectory/plan_motion.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
+#include "laboratory/trajectory/tip_line.hpp"
 #include "support/robot_models.hpp"
-#include "trajectory/tip_line.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Positions that may be in degrees, in trajectories and in simulations, which ask in the same words.
-#include "trajectory/plan_reader.hpp"
+#include "laboratory/trajectory/plan_reader.hpp"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 #include <numbers>
 
-#include "simulate/simulation.hpp"
+#include "base/system/temporary_folder.hpp"
+#include "laboratory/simulate/simulation.hpp"
 #include "support/written_model.hpp"
-#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {

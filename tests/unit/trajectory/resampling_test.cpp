@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "trajectory/resampling.hpp"
+#include "laboratory/trajectory/resampling.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "laboratory/trajectory/plan_motion.hpp"
+#include "laboratory/trajectory/time_optimal.hpp"
 #include "support/sprung_puma.hpp"
-#include "trajectory/plan_motion.hpp"
-#include "trajectory/time_optimal.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "trajectory/tip_kinematics.hpp"
+#include "laboratory/trajectory/tip_kinematics.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <filesystem>
 
-#include "load/load_robot.hpp"
+#include "functions/load/load_robot.hpp"
 
 namespace flatdyn {
 namespace {

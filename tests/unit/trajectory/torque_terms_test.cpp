@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The contributions add up to the recursive reference's torques, for arms, trees, motors and friction.
-#include "trajectory/torque_terms.hpp"
+#include "laboratory/trajectory/torque_terms.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <random>
 
 #include "flatdyn/reference/newton_euler.hpp"
-#include "reference/reference_model.hpp"
 #include "support/sprung_puma.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "trajectory/velocity_profile.hpp"
+#include "laboratory/trajectory/velocity_profile.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

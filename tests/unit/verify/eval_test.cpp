@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "verify/eval.hpp"
+#include "proof/verify/eval.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "planning/formulations.hpp"
-#include "reference/reference_model.hpp"
+#include "functions/planning/formulations.hpp"
 #include "support/robots.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

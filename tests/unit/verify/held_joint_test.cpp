@@ -2,10 +2,10 @@
 // A robot with a held joint equals the robot with that joint fixed in place: axes in any direction, all types.
 #include <gtest/gtest.h>
 
-#include "planning/formulations.hpp"
-#include "reference/dynamics_references.hpp"
-#include "reference/graph_evaluator.hpp"
+#include "functions/planning/formulations.hpp"
 #include "support/robots.hpp"
+#include "truth/reference/dynamics_references.hpp"
+#include "truth/reference/graph_evaluator.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The proof that generate makes before it writes: right functions pass, and a mistake after any pass is caught.
-#include "verify/proof.hpp"
-#include "planning/make_functions.hpp"
+#include "proof/verify/proof.hpp"
+#include "functions/planning/make_functions.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "diagnostics/diagnostics.hpp"
-#include "planning/formulations.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "functions/planning/formulations.hpp"
 #include "support/mutants.hpp"
 #include "support/robot_models.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "verify/rounded_angles.hpp"
+#include "proof/verify/rounded_angles.hpp"
 
 #include <gmock/gmock.h>
 

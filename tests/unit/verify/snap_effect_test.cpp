@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "verify/snap_effect.hpp"
+#include "proof/verify/snap_effect.hpp"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "load/load_robot.hpp"
+#include "base/system/temporary_folder.hpp"
+#include "functions/load/load_robot.hpp"
 #include "support/robot_models.hpp"
-#include "system/temporary_folder.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Differences of two texts, statement by statement.
-#include "verify/text_difference.hpp"
+#include "proof/verify/text_difference.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The proven bound of how far torques of two robots differ, against the reference at random motions within the limits.
-#include "verify/torque_difference.hpp"
+#include "proof/verify/torque_difference.hpp"
 
 #include <gtest/gtest.h>
 
 #include "flatdyn/reference/newton_euler.hpp"
-#include "model/states.hpp"
+#include "robot/model/states.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Verification must detect errors: right functions pass, and each way of spoiling one is caught.
-#include "verify/verify.hpp"
+#include "proof/verify/verify.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 #include <cstdlib>
 
 #include "functions/function_table.hpp"
-#include "planning/formulations.hpp"
-#include "reference/graph_evaluator.hpp"
+#include "functions/planning/formulations.hpp"
+#include "proof/verify/compiled.hpp"
+#include "proof/verify/properties.hpp"
 #include "support/robots.hpp"
 #include "support/spare_joints.hpp"
-#include "verify/compiled.hpp"
-#include "verify/properties.hpp"
+#include "truth/reference/graph_evaluator.hpp"
 
 namespace flatdyn {
 namespace {

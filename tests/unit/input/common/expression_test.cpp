@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "input/common/expression.hpp"
+#include "robot/input/common/expression.hpp"
 
 #include <gtest/gtest.h>
 

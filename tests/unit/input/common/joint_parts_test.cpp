@@ -3,8 +3,8 @@
 // same mechanism, exactly.
 #include <gmock/gmock.h>
 
-#include "input/mjcf/orientation.hpp"
-#include "model/mechanism.hpp"
+#include "robot/input/mjcf/orientation.hpp"
+#include "robot/model/mechanism.hpp"
 #include "unit/input/robot_file.hpp"
 #include "unit/input/sdf/sdf_text.hpp"
 

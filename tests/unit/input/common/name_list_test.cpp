@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "input/common/name_list.hpp"
+#include "robot/input/common/name_list.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

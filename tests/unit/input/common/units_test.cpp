@@ -3,7 +3,7 @@
 // asked.
 #include <gmock/gmock.h>
 
-#include "model/mechanism.hpp"
+#include "robot/model/mechanism.hpp"
 #include "unit/input/robot_file.hpp"
 
 namespace flatdyn {

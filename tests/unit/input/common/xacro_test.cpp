@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Templates, by a program called xacro that stands in for the one of ROS.
-#include "input/common/xacro.hpp"
+#include "robot/input/common/xacro.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,10 +8,10 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "input/common/content_hash.hpp"
-#include "input/reader.hpp"
-#include "system/process.hpp"
-#include "system/temporary_folder.hpp"
+#include "base/system/process.hpp"
+#include "base/system/temporary_folder.hpp"
+#include "robot/input/common/content_hash.hpp"
+#include "robot/input/reader.hpp"
 
 namespace flatdyn {
 namespace {

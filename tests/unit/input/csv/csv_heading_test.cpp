@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Headings as people and their tools write them: which column is which joint's, and what is not clear.
-#include "input/csv/heading.hpp"
+#include "robot/input/csv/heading.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "input/csv/text.hpp"
+#include "robot/input/csv/text.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn {

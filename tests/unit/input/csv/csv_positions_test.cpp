@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "input/csv/positions.hpp"
+#include "robot/input/csv/positions.hpp"
 
 #include <gmock/gmock.h>
 

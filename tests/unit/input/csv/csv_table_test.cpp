@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "input/csv/table.hpp"
+#include "robot/input/csv/table.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

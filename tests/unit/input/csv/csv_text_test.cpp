@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "input/csv/text.hpp"
+#include "robot/input/csv/text.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "diagnostics/characters.hpp"
-#include "input/csv/units.hpp"
+#include "base/diagnostics/characters.hpp"
+#include "robot/input/csv/units.hpp"
 
 namespace flatdyn {
 namespace {

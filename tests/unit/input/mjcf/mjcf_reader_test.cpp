@@ -3,7 +3,7 @@
 // compares whole robots with MuJoCo.
 #include <gmock/gmock.h>
 
-#include "model/coupling.hpp"
+#include "robot/model/coupling.hpp"
 #include "unit/input/robot_file.hpp"
 
 namespace flatdyn {

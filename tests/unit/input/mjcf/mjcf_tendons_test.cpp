@@ -2,8 +2,8 @@
 // Fixed tendons of MJCF files: lengths, forces, what drives them, and equalities of them.
 #include <gmock/gmock.h>
 
-#include "model/coupling.hpp"
-#include "model/mechanism.hpp"
+#include "robot/model/coupling.hpp"
+#include "robot/model/mechanism.hpp"
 #include "unit/input/robot_file.hpp"
 
 namespace flatdyn {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
-#include "model/mechanism.hpp"
+#include "robot/model/mechanism.hpp"
 #include "unit/input/robot_file.hpp"
 #include "unit/input/sdf/sdf_text.hpp"
 

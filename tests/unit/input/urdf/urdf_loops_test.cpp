@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "flatdyn/reference/newton_euler.hpp"
-#include "model/coupling.hpp"
-#include "model/mechanism.hpp"
-#include "reference/reference_model.hpp"
+#include "robot/model/coupling.hpp"
+#include "robot/model/mechanism.hpp"
+#include "truth/reference/reference_model.hpp"
 #include "unit/input/robot_file.hpp"
 
 namespace flatdyn {

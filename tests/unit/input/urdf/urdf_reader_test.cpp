@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "model/angles.hpp"
-#include "model/coupling.hpp"
+#include "robot/model/angles.hpp"
+#include "robot/model/coupling.hpp"
 #include "unit/input/robot_file.hpp"
 
 namespace flatdyn {

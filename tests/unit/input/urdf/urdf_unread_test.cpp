@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "model/coupling.hpp"
+#include "robot/model/coupling.hpp"
 #include "unit/input/robot_file.hpp"
 
 namespace flatdyn {

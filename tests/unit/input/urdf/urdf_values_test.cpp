@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "model/mechanism.hpp"
-#include "model/states.hpp"
+#include "robot/model/mechanism.hpp"
+#include "robot/model/states.hpp"
 #include "unit/input/robot_file.hpp"
 
 namespace flatdyn {

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "model/floating_base.hpp"
-#include "reference/graph_evaluator.hpp"
-#include "reference/reference_model.hpp"
+#include "robot/model/floating_base.hpp"
 #include "support/robot_models.hpp"
+#include "truth/reference/graph_evaluator.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {

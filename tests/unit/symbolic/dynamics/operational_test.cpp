@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The functions of the operational space against the textbook's statements on them, in 50 digits.
-#include "symbolic/dynamics/operational.hpp"
+#include "derivation/dynamics/operational.hpp"
 
 #include <gtest/gtest.h>
 
+#include "derivation/dynamics/task_rows.hpp"
 #include "flatdyn/reference/operational.hpp"
 #include "functions/exact_proof.hpp"
-#include "planning/formulations.hpp"
-#include "reference/graph_evaluator.hpp"
-#include "reference/operational_values.hpp"
+#include "functions/planning/formulations.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
-#include "symbolic/dynamics/task_rows.hpp"
+#include "truth/reference/graph_evaluator.hpp"
+#include "truth/reference/operational_values.hpp"
 
 namespace flatdyn {
 namespace {

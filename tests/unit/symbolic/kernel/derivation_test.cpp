@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "symbolic/kernel/derivation.hpp"
+#include "derivation/kernel/derivation.hpp"
 
 #include <gtest/gtest.h>
 
-#include "diagnostics/diagnostics.hpp"
+#include "base/diagnostics/diagnostics.hpp"
 
 namespace flatdyn {
 namespace {

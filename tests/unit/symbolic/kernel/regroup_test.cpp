@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "symbolic/kernel/regroup.hpp"
+#include "derivation/kernel/regroup.hpp"
 
 #include <gtest/gtest.h>
 
-#include "model/mechanism.hpp"
+#include "robot/model/mechanism.hpp"
 #include "support/robots.hpp"
 
 namespace flatdyn::testing {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "symbolic/notation/combination_text.hpp"
+#include "derivation/notation/combination_text.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "derivation/parameters/unidentifiable.hpp"
 #include "report/base_report.hpp"
 #include "support/robot_models.hpp"
-#include "symbolic/parameters/unidentifiable.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The number of base parameters and their choice, and that link-by-link regrouping and sampling agree on every entry of
 // K.
-#include "symbolic/parameters/base_parameters.hpp"
+#include "derivation/parameters/base_parameters.hpp"
 
 #include <gtest/gtest.h>
 
-#include "definition/sampled_base.hpp"
-#include "model/field_mechanism.hpp"
+#include "robot/model/field_mechanism.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
+#include "truth/definition/sampled_base.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Base parameters as combinations of the file's parameters: their printed coefficients times the file's numbers are the
 // values, exactly.
-#include "symbolic/parameters/file_parameters.hpp"
+#include "derivation/parameters/file_parameters.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,12 +10,12 @@
 #include <map>
 #include <set>
 
-#include "model/rational_rotation.hpp"
+#include "derivation/notation/combination_text.hpp"
 #include "report/base_report.hpp"
+#include "robot/model/rational_rotation.hpp"
 #include "support/names.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
-#include "symbolic/notation/combination_text.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The functions of base parameters against the others, exactly, and their cost.
-#include "symbolic/parameters/regressor_functions.hpp"
+#include "derivation/parameters/regressor_functions.hpp"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <map>
 
+#include "derivation/dynamics/centres.hpp"
+#include "derivation/dynamics/derivation_context.hpp"
+#include "derivation/parameters/base_parameters.hpp"
+#include "functions/planning/formulations.hpp"
 #include "graph/count.hpp"
 #include "graph/mod_p.hpp"
-#include "model/field_mechanism.hpp"
-#include "passes/passes.hpp"
-#include "planning/formulations.hpp"
+#include "graph/passes/passes.hpp"
+#include "robot/model/field_mechanism.hpp"
 #include "support/floating_robots.hpp"
 #include "support/robot_models.hpp"
 #include "support/robots.hpp"
 #include "support/written_model.hpp"
-#include "symbolic/dynamics/centres.hpp"
-#include "symbolic/dynamics/derivation_context.hpp"
-#include "symbolic/parameters/base_parameters.hpp"
 
 namespace flatdyn {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "symbolic/parameters/regressor.hpp"
+#include "derivation/parameters/regressor.hpp"
 
 #include <gtest/gtest.h>
 
-#include "diagnostics/diagnostics.hpp"
+#include "base/diagnostics/diagnostics.hpp"
+#include "functions/planning/formulations.hpp"
 #include "graph/mod_p.hpp"
-#include "model/field_mechanism.hpp"
-#include "planning/formulations.hpp"
+#include "robot/model/field_mechanism.hpp"
 #include "support/robots.hpp"
 
 namespace flatdyn {

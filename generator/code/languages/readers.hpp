@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The readers of all languages.
+#pragma once
+
+#include "code/emit/emit_options.hpp"
+#include "code/languages/c/read.hpp"
+#include "code/languages/cpp/read.hpp"
+#include "code/languages/cuda/read.hpp"
+#include "code/languages/javascript/read.hpp"
+
+namespace flatdyn {
+
+// The reader of text that is written with these options.
+AnyLanguageReader reader_of(const EmitOptions& options);
+
+}  // namespace flatdyn

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The arguments of emitted functions: names, lengths, meanings.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "code/lower/scope.hpp"
+#include "graph/function.hpp"
+#include "robot/model/mechanism.hpp"
+
+namespace flatdyn {
+
+struct InputArgument {
+  std::string name;     // "qd"
+  int length = 0;       // entries
+  std::string meaning;  // "joint velocities, rad/s or m/s"
+};
+
+// The length of q̇, q̈ and τ, and the length of q, which is longer if loops are closed or joints are spherical.
+struct JointCounts {
+  int joints, positions;
+  bool floating_base = false;
+  bool spherical = false;  // whether there are spherical joints
+
+  JointCounts(int n) : joints(n), positions(n) {}  // NOLINT(google-explicit-constructor): most robots have one number
+  explicit JointCounts(const Mechanism& mechanism)
+      : joints(mechanism.size()),
+        positions(mechanism.position_count()),
+        floating_base(mechanism.floating_base),
+        spherical(mechanism.has_spherical_joints()) {}
+};
+
+JointCounts counts_of(const Scope& scope);
+
+// The argument for a kind of input. `counts`: lengths of q and q̇; `base_parameters`: length of pi_b. Throws
+// std::logic_error for parameters, which are passed in one struct, and for stored values.
+InputArgument input_argument(InputKind kind, JointCounts counts, int base_parameters = 0);
+
+// An argument of a function, with the name of its link where it is one of a link.
+InputArgument input_argument(InputKind kind, JointCounts counts, const Function& function);
+
+// The local variable that an input is read into: "qd_2" for qd[1]; for a parameter, the name of its member.
+std::string variable_of_input(const Input& input, const std::vector<std::string>& parameters);
+
+// Whether the function returns its value: it has one scalar output and cannot fail.
+bool returns_value(const Function& function);
+
+}  // namespace flatdyn

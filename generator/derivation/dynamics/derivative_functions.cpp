@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "derivation/dynamics/derivative_functions.hpp"
+
+#include "base/diagnostics/diagnostics.hpp"
+#include "derivation/dynamics/accelerations.hpp"
+#include "derivation/dynamics/composite.hpp"
+#include "derivation/dynamics/derivatives.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr std::size_t kDirections = 3;
+
+Output derivative_output(DerivationContext& context, const std::string& name, const Rows& rows,
+                         const std::string& meaning) {
+  return matrix_output(name, context.size(), context.size(), context.nodes(rows), meaning);
+}
+
+TorqueDerivatives derivatives_at_coordinates(DerivationContext& context, const Motion& motion,
+                                             BaseColumns base_columns) {
+  const TorqueDerivatives tau = torque_derivatives(context.frames, motion, base_columns);
+  const auto folded = [&context](const Rows& rows, const std::string& name) {
+    return at_coordinates(context.mechanism, context.derivation, rows, Shape::general, name);
+  };
+  return {folded(tau.dq, "dtau"), folded(tau.dqd, "dtaud")};
+}
+
+// The accelerations A q̈ of all bodies' joints.
+std::vector<Number> accelerations_of_joints(DerivationContext& context, const Factorisation& B) {
+  const std::vector<Number> qdd = accelerations(context, B);
+  return joint_motion(context.mechanism, context.derivation, qdd, "qdd_j");
+}
+
+// -B⁻¹ times a matrix.
+Rows solved(DerivationContext& context, const Factorisation& B, const Rows& matrix, const std::string& name) {
+  Rows result = matrix;
+  for (std::size_t k = 0; k < matrix.size(); ++k) {
+    std::vector<Number> column;
+    for (const std::vector<Number>& row : matrix) column.push_back(-row[k]);
+    column = B.solve(column, name + "_" + label(static_cast<int>(k), context.mechanism.base_bodies()));
+    for (std::size_t i = 0; i < matrix.size(); ++i) result[i][k] = column[i];
+  }
+  return result;
+}
+
+Function torque_derivatives_function(DerivationContext& context) {
+  const Motion motion{context.joint_motion(InputKind::qd), context.joint_motion(InputKind::qdd), context.gravity(),
+                      true};
+  const TorqueDerivatives tau = derivatives_at_coordinates(context, motion, BaseColumns::derivatives);
+  return finished(context, {derivative_output(context, "dtau_dq", tau.dq, "row i, column k: of tau[i] by q[k]"),
+                            derivative_output(context, "dtau_dqd", tau.dqd, "row i, column k: of tau[i] by qd[k]")});
+}
+
+// Gravity and the base's velocity v accelerate the whole robot alike: τ depends on v, v̇ and g_b by the acceleration of
+// the base's origin p̈ = v̇ + ω × v - g_b only. While the other rows are those of p̈, v̇ is p̈ - ω × v + g_b.
+void add_rates_of_base_axes(DerivationContext& context, const Motion& motion, Rows& dq, Rows& dqd) {
+  if (!context.mechanism.floating_base) return;
+  Derivation& d = context.derivation;
+  const auto& qd = motion.qd;
+  const Mat3 of_v = skew({qd[0], qd[1], qd[2]}), of_omega = skew({qd[3], qd[4], qd[5]}), of_g = skew(motion.gravity);
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    for (std::size_t j = 0; j < kDirections; ++j) {
+      const std::string n = "_b_" + std::to_string(i) + std::to_string(j);
+      Number &by_turn = dq[i][j + kDirections], &by_v = dqd[i][j], &by_omega = dqd[i][j + kDirections];
+      by_turn = d.named(by_turn + of_g[i][j], "da_turn" + n);     // g_b × e_j
+      by_v = d.named(by_v - of_omega[i][j], "da_v" + n);          // -ω × e_j
+      by_omega = d.named(by_omega + of_v[i][j], "da_omega" + n);  // -e_j × v
+    }
+  }
+}
+
+// Differentiates B q̈ + n(q, q̇) = τ: B ∂q̈ = -∂(B q̈ + n) at this q̈.
+Function acceleration_derivatives_function(DerivationContext& context) {
+  const Factorisation B(context.frames, context.inertia());
+  const Motion motion{context.joint_motion(InputKind::qd), accelerations_of_joints(context, B), context.gravity(),
+                      true};
+  const TorqueDerivatives tau = derivatives_at_coordinates(context, motion, BaseColumns::at_origin_acceleration);
+  Rows dq = solved(context, B, tau.dq, "dqdd"), dqd = solved(context, B, tau.dqd, "dqddd");
+  add_rates_of_base_axes(context, motion, dq, dqd);
+  const Rows dtau = B.inverse("a");
+  Conditions conditions = conditions_of(context, B);
+  return finished(context,
+                  {derivative_output(context, "dqdd_dq", dq, "row i, column k: of qdd[i] by q[k]"),
+                   derivative_output(context, "dqdd_dqd", dqd, "row i, column k: of qdd[i] by qd[k]"),
+                   derivative_output(context, "dqdd_dtau", dtau, "the inverse of B")},
+                  std::move(conditions));
+}
+
+// B⁻¹ as it is stored.
+Rows stored_inverse(DerivationContext& context, const std::vector<int>& entries) {
+  const auto n = static_cast<std::size_t>(context.size());
+  Rows inverse(n, std::vector<Number>(n, 0));
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    if (entries[k] >= 0) inverse[k / n][k % n] = context.derivation.input(InputKind::stored, entries[k]);
+  }
+  return inverse;
+}
+
+// -B⁻¹ times a matrix, whose entries are named.
+Rows less_product(DerivationContext& context, const Rows& inverse, const Rows& matrix, const std::string& name) {
+  Derivation& d = context.derivation;
+  Rows result(matrix.size(), std::vector<Number>(matrix.size(), 0));
+  for (std::size_t k = 0; k < matrix.size(); ++k) {
+    std::vector<Number> column;
+    for (std::size_t j = 0; j < matrix.size(); ++j) {
+      column.push_back(d.named(matrix[j][k], name + "_" + std::to_string(j + 1) + "_" + std::to_string(k + 1)));
+    }
+    for (std::size_t i = 0; i < matrix.size(); ++i) result[i][k] = -sum_of(inverse[i], column);
+  }
+  return result;
+}
+
+// As acceleration_derivatives_function(), with q̈ = B⁻¹ (τ - n) and the columns by products.
+Function derivatives_from_inverse(DerivationContext& context, const std::vector<int>& entries) {
+  const Rows inverse = stored_inverse(context, entries);
+  const std::vector<Number> tau = context.all(InputKind::tau), bias = bias_torques(context);
+  std::vector<Number> moving, qdd;
+  for (std::size_t i = 0; i < tau.size(); ++i) {
+    moving.push_back(context.derivation.named(tau[i] - bias[i], "y_" + context.frames.label(static_cast<int>(i))));
+  }
+  for (std::size_t i = 0; i < tau.size(); ++i) {
+    const std::string name = "qdd_" + context.frames.label(static_cast<int>(i));
+    qdd.push_back(context.derivation.named(sum_of(inverse[i], moving), name));
+  }
+  const Motion motion{context.joint_motion(InputKind::qd),
+                      joint_motion(context.mechanism, context.derivation, qdd, "qdd_j"), context.gravity(), true};
+  const TorqueDerivatives torques = derivatives_at_coordinates(context, motion, BaseColumns::at_origin_acceleration);
+  Rows dq = less_product(context, inverse, torques.dq, "dtau"),
+       dqd = less_product(context, inverse, torques.dqd, "dtaud");
+  add_rates_of_base_axes(context, motion, dq, dqd);
+  return finished(context,
+                  {derivative_output(context, "dqdd_dq", dq, ""), derivative_output(context, "dqdd_dqd", dqd, "")});
+}
+
+void refuse_loops(const Mechanism& mechanism, const std::string& name) {
+  if (!mechanism.has_loops()) return;
+  throw Failure(ExitCode::unsupported, name + ": derivatives of robots with closed loops are not supported yet",
+                "leave this function out");
+}
+
+}  // namespace
+
+Function derive_inverse_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices) {
+  refuse_loops(mechanism, "inverse_dynamics_derivatives");
+  return derived(mechanism, choices, torque_derivatives_function);
+}
+
+Function derive_forward_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices) {
+  refuse_loops(mechanism, "forward_dynamics_derivatives");
+  return derived(mechanism, choices, acceleration_derivatives_function);
+}
+
+Function derive_acceleration_derivatives_from_inverse(const Mechanism& mechanism, const Choices& choices,
+                                                      const std::vector<int>& inverse) {
+  return derived(mechanism, choices,
+                 [&inverse](DerivationContext& context) { return derivatives_from_inverse(context, inverse); });
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Derivatives of inverse and forward dynamics as functions, from the mechanism's parameters as they are.
+#pragma once
+
+#include "derivation/dynamics/derivation_context.hpp"
+
+namespace flatdyn {
+
+// Both throw Failure(unsupported) for robots with closed loops.
+
+// The derivatives ∂τ/∂q, ∂τ/∂q̇.
+Function derive_inverse_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices);
+
+// The derivatives ∂q̈/∂q, ∂q̈/∂q̇, ∂q̈/∂τ = B⁻¹.
+Function derive_forward_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices);
+
+// ∂q̈/∂q, ∂q̈/∂q̇ where B⁻¹ is known, by entry of it (n × n, row by row): the entry k that has its value, read as the
+// input of kind `stored` of index k; -1 if it is zero.
+Function derive_acceleration_derivatives_from_inverse(const Mechanism& mechanism, const Choices& choices,
+                                                      const std::vector<int>& inverse);
+
+}  // namespace flatdyn

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "derivation/dynamics/kinematics_functions.hpp"
+
+#include "derivation/dynamics/kinematics.hpp"
+
+namespace flatdyn {
+
+Function derive_forward_kinematics(const Mechanism& mechanism, const LinkFrame& link) {
+  DerivationContext context(mechanism);
+  const SymbolicPose result = pose(context.frames, link);
+  std::vector<NodeId> R, p;
+  for (const Vec3& row : result.R) {
+    for (const Number& entry : row) R.push_back(context.node(entry));
+  }
+  for (const Number& entry : result.p) p.push_back(context.node(entry));
+  return finished(context, {matrix_output("R", 3, 3, R, "rotation matrix of the frame in the base frame"),
+                            vector_output("p", p, "position of the frame's origin in the base frame, m")});
+}
+
+Function derive_jacobian(const Mechanism& mechanism, const LinkFrame& link) {
+  DerivationContext context(mechanism);
+  const std::vector<JacobianColumn> columns =
+      at_coordinates(mechanism, context.derivation, jacobian(context.frames, link));
+  std::vector<NodeId> entries;
+  for (std::size_t row = 0; row < 6; ++row) {
+    for (const JacobianColumn& column : columns) {
+      entries.push_back(context.node(row < 3 ? column.linear[row] : column.angular[row - 3]));
+    }
+  }
+  return finished(context, {matrix_output("J", 6, mechanism.size(), entries,
+                                          "geometric Jacobian in base axes: linear rows, then angular")});
+}
+
+Function derive_jacobian_dot_qd(const Mechanism& mechanism, const LinkFrame& link) {
+  DerivationContext context(mechanism);
+  const JacobianColumn a = jacobian_dot_qd(context.frames, link);
+  std::vector<Number> entries(a.linear.begin(), a.linear.end());
+  entries.insert(entries.end(), a.angular.begin(), a.angular.end());
+  return finished(context, {vector_output("a", context.nodes(entries),
+                                          "(dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2")});
+}
+
+}  // namespace flatdyn

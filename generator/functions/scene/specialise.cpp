@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "functions/scene/specialise.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "functions/function_table.hpp"
+#include "functions/scene/entries.hpp"
+#include "graph/passes/draft.hpp"
+
+namespace flatdyn {
+namespace {
+
+std::size_t slot(NodeId id) { return static_cast<std::size_t>(id); }
+
+// The graph with 0 for each velocity, rebuilt in normal form, so that nodes that become 0 or equal are so at once.
+Graph without_velocities(const Graph& graph, std::vector<NodeId>& image) {
+  Graph result;
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const Node& node = graph[id];
+    const bool is_zero = node.op == Op::input && is_velocity(node.input.kind);
+    image[slot(id)] = is_zero ? result.constant(0) : unfolded_node(result, node, image);
+    copy_name(graph, id, result, image[slot(id)]);
+  }
+  return result;
+}
+
+void leave_out(const std::vector<std::vector<bool>>& wanted, Function& function) {
+  const NodeId zero = function.graph.constant(0);
+  for (std::size_t k = 0; k < function.outputs.size(); ++k) {
+    Output& output = function.outputs[k];
+    if (std::find(wanted[k].begin(), wanted[k].end(), false) == wanted[k].end()) continue;
+    output.left_out.resize(output.entries.size());
+    for (std::size_t e = 0; e < output.entries.size(); ++e) {
+      output.left_out[e] = !wanted[k][e];
+      if (output.left_out[e]) output.entries[e] = zero;
+    }
+  }
+}
+
+}  // namespace
+
+Function at_rest(const Function& function) {
+  const std::vector<InputKind>& inputs = function.inputs;
+  if (std::none_of(inputs.begin(), inputs.end(), is_velocity)) return function;
+  std::vector<NodeId> image(slot(function.graph.size()));
+  Graph still = without_velocities(function.graph, image);
+  Function result = with_graph(function, std::move(still), image);
+  result.at_rest = true;
+  return without_dead_code(result);
+}
+
+Function with_outputs(const Function& function, const Mechanism& mechanism, const SceneOutputs& wanted,
+                      Diagnostics& diagnostics) {
+  if (row_of(function).traits.is_all_or_nothing) {
+    diagnostics.unsupported(wanted.function.place, "outputs: " + function.name + " cannot be made in part",
+                            "ask for the function in `functions`");
+    return function;
+  }
+  std::vector<std::vector<bool>> is_wanted;
+  for (const Output& output : function.outputs) is_wanted.emplace_back(output.entries.size(), false);
+  for (const Reference& text : wanted.entries) {
+    try {
+      const EntrySelection selection = selected_entries(function, mechanism, text.name);
+      for (const std::size_t entry : selection.entries) is_wanted[selection.output][entry] = true;
+    } catch (const Failure& failure) {
+      diagnostics.error(text.place, "outputs, " + function.name + ", \"" + text.name + "\": " + failure.what(),
+                        failure.hint());
+    }
+  }
+  Function result = function;
+  leave_out(is_wanted, result);
+  return without_dead_code(result);
+}
+
+Function specialised(const Function& function, const Mechanism& mechanism, const Scene& scene,
+                     Diagnostics& diagnostics) {
+  Function result = scene.at_rest ? at_rest(function) : function;
+  for (const SceneOutputs& wanted : scene.outputs) {
+    if (wanted.function.name == function.name) result = with_outputs(result, mechanism, wanted, diagnostics);
+  }
+  return result;
+}
+
+}  // namespace flatdyn

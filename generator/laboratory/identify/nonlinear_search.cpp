@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "laboratory/identify/nonlinear_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "laboratory/identify/friction_search.hpp"
+#include "laboratory/identify/gravity_search.hpp"
+#include "laboratory/identify/identification.hpp"
+#include "laboratory/identify/row_sample.hpp"
+
+namespace flatdyn {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+// The place of a parameter by its name; -1 if there is none.
+Index place_of(const TorqueEquations& equations, const std::string& name) {
+  const auto at = std::find(equations.names().begin(), equations.names().end(), name);
+  return at == equations.names().end() ? -1 : at - equations.names().begin();
+}
+
+// The places of the corrections of gravity.
+std::vector<Index> places_of_gravity(const TorqueEquations& equations) {
+  std::vector<Index> places;
+  for (int k = 0; equations.further().gravity && k < equations.further().gravity->size(); ++k) {
+    places.push_back(place_of(equations, fmt::format("gravity{}", k + 1)));
+  }
+  return places;
+}
+
+class NonlinearSearch {
+ public:
+  NonlinearSearch(LoadedRobot robot, ParameterSet set, const NonlinearOptions& options, const NonlinearAccess& logs,
+                  Progress& progress)
+      : set_(set), options_(options), logs_(logs), progress_(progress) {
+    fit_.robot = std::move(robot);
+    load_model();
+    fit_.further.law = options.law;
+    fit_.further.offsets = options.offsets;
+    fit_.further.springs = options.springs;
+  }
+
+  NonlinearFit run() {
+    if (options_.gravity) start_gravity();
+    if (options_.delay) start_delay();
+    if (has_speed(options_.law)) start_speeds();
+    progress_.step("improving all of them together");
+    correct();
+    return std::move(fit_);
+  }
+
+ private:
+  // The equations without corrections; with Coulomb friction while the law has no speeds yet.
+  FurtherParameters plain() const {
+    FurtherParameters further{.law = fit_.further.law,
+                              .speeds = fit_.further.speeds,
+                              .offsets = options_.offsets,
+                              .springs = options_.springs};
+    if (has_speed(further.law) && further.speeds.empty()) further.law = FrictionLaw::coulomb;
+    return further;
+  }
+
+  Measurement measured(const TorqueEquations& equations) const {
+    return logs_.measured(equations, fit_.unknowns.delay);
+  }
+
+  RowSample sample(const TorqueEquations& equations, const Measurement& measurement) const {
+    const VectorXd values = estimate_of(equations, measurement, {}).values;
+    return {*fit_.model, measurement,
+            fit_quality(measurement.observations, measurement.logs, values, equations.acceleration_rows())};
+  }
+
+  void load_model() { fit_.model = std::make_unique<TorqueModel>(fit_.robot, set_, progress_); }
+
+  void set_gravity(const Vector3d& gravity) {
+    if ((fit_.unknowns.gravity->gravity - gravity).isZero()) return;
+    fit_.unknowns.gravity->gravity = gravity;
+    fit_.robot = logs_.robot_with(gravity);
+    load_model();
+  }
+
+  void start_gravity() {
+    const Vec3& file = fit_.robot.mechanism.gravity;
+    fit_.unknowns.gravity =
+        FoundGravity{Vector3d(nearest_double(file[0]), nearest_double(file[1]), nearest_double(file[2]))};
+    const TorqueEquations equations(*fit_.model, plain());
+    const Measurement measurement = measured(equations);
+    progress_.step("finding gravity's direction");
+    const GravityFit found = gravity_direction(*fit_.model, fit_.robot, sample(equations, measurement));
+    fit_.unknowns.gravity->told = found.told;
+    set_gravity(found.gravity);
+  }
+
+  void start_delay() {
+    const TorqueEquations equations(*fit_.model, plain());
+    const Measurement measurement = measured(equations);
+    if (measurement.logs.front().filter.band == 0) {
+      throw Failure(ExitCode::usage, "--delay needs the filter: the log has all derivatives, and is used as it is",
+                    "give --band HZ");
+    }
+    progress_.step("finding the delay");
+    sample(equations, measurement).cost_with_delay(fit_.unknowns.delay);
+  }
+
+  void start_speeds() {
+    const TorqueEquations linear(*fit_.model, plain());
+    const TorqueEquations equations(*fit_.model, {.law = options_.law,
+                                                  .offsets = options_.offsets,
+                                                  .dictionary = friction_dictionary(linear, measured(linear)),
+                                                  .springs = options_.springs});
+    const Measurement measurement = measured(equations);
+    progress_.step("finding the speeds of the friction law");
+    FrictionSpeeds found = friction_speeds(equations, measurement);
+    fit_.further.speeds = first_speeds_ = found.speeds;
+    fit_.unknowns.friction_told = std::move(found.are_told);
+  }
+
+  void correct() {
+    constexpr int kMostRounds = 15;
+    const TorqueEquations start(*fit_.model, plain());
+    const Estimate first = estimate_of(start, measured(start), {});
+    VectorXd pi = whole(first);
+    set_speed_factors(start, first);
+    for (int round = 0; round < kMostRounds; ++round) {
+      set_columns(pi);
+      const TorqueEquations equations(*fit_.model, fit_.further);
+      fit_.unknowns.converged = equations.corrections() == 0;
+      if (fit_.unknowns.converged) return;
+      const Estimate found = estimate_of(equations, measured(equations), {});
+      fit_.unknowns.converged = are_small(equations, found);
+      if (fit_.unknowns.converged) {
+        fit_.unknowns.converged = is_possible(found);
+        return;
+      }
+      pi = whole(found);
+      set_speed_factors(equations, found);
+      apply(equations, found);
+    }
+  }
+
+  // π, by which gravity's columns are made; empty if there are none.
+  VectorXd whole(const Estimate& found) const {
+    return options_.gravity ? whole_parameters(*fit_.model, fit_.robot, found.values) : VectorXd();
+  }
+
+  // The columns of gravity and of the delay, about the parameters that were found last.
+  void set_columns(const VectorXd& pi) {
+    fit_.further.delay = options_.delay;
+    if (!options_.gravity) return;
+    const auto& [gravity, told, covariance] = *fit_.unknowns.gravity;
+    fit_.further.gravity =
+        std::make_shared<GravityColumns>(*fit_.model, fit_.robot, pi, turns_of_gravity(gravity, told));
+  }
+
+  // Sets the factors of the law's term, with which a change of the speed acts on the torques. A speed that the log does
+  // not tell keeps its first value; its column stays, so that the intervals of others have its uncertainty in them.
+  void set_speed_factors(const TorqueEquations& equations, const Estimate& found) {
+    constexpr double kMostUnsure = 0.5;  // standard deviation of v, a share of v
+    if (!has_speed(options_.law)) return;
+    std::vector<double> factors;
+    for (std::size_t i = 0; i < fit_.further.speeds.size(); ++i) {
+      const auto equation = static_cast<int>(i);
+      const char* const of_law = options_.law == FrictionLaw::smooth ? "Fs" : "Fb";
+      const Index term = place_of(equations, equations.name_of(of_law, equation)),
+                  speed = place_of(equations, equations.name_of("v", equation));
+      if (speed >= 0 && found.standard_deviations[speed] > kMostUnsure * fit_.further.speeds[i]) {
+        fit_.unknowns.friction_told[i] = false;
+      }
+      const bool is_told = fit_.unknowns.friction_told[i];
+      factors.push_back(term < 0 ? 0 : is_told ? found.values[term] : 1);
+      if (!is_told) fit_.further.speeds[i] = first_speeds_[i];
+    }
+    fit_.further.speed_factors = std::move(factors);
+  }
+
+  // Whether the log does not tell the speed that a parameter corrects.
+  bool is_open_speed(const TorqueEquations& equations, const std::string& name) const {
+    for (std::size_t i = 0; i < fit_.unknowns.friction_told.size(); ++i) {
+      if (!fit_.unknowns.friction_told[i] && name == equations.name_of("v", static_cast<int>(i))) return true;
+    }
+    return false;
+  }
+
+  // Whether all corrections are small parts of their standard deviations, or of what counts in practice.
+  bool are_small(const TorqueEquations& equations, const Estimate& found) const {
+    constexpr double kShare = 0.1, kLeast = 1e-6;  // of a standard deviation; s, rad, rad/s or m/s
+    for (Index k = equations.parameters() - equations.corrections(); k < equations.parameters(); ++k) {
+      if (is_open_speed(equations, equations.names()[static_cast<std::size_t>(k)])) continue;
+      if (std::abs(found.values[k]) > std::max(kShare * found.standard_deviations[k], kLeast)) return false;
+    }
+    return true;
+  }
+
+  // Whether the parameters are those of a robot: a component of gravity that comes out as good as zero makes masses
+  // without bound.
+  bool is_possible(const Estimate& found) const {
+    constexpr double kFar = 1000;  // times the largest base parameter of the robot file
+    const std::vector<double>& file = fit_.model->file_values();
+    const Eigen::Map<const VectorXd> of_file(file.data(), static_cast<Index>(file.size()));
+    const double largest = found.values.head(of_file.size()).cwiseAbs().maxCoeff();
+    return !options_.gravity || largest <= kFar * of_file.cwiseAbs().maxCoeff();
+  }
+
+  // Corrects the unknowns, each by no more than its derivative is good for.
+  void apply(const TorqueEquations& equations, const Estimate& found) {
+    constexpr double kMostDelay = 0.02, kMostTurn = 0.3, kMostOfSpeed = 0.4;  // s, rad, share
+    for (std::size_t i = 0; i < fit_.further.speed_factors.size(); ++i) {
+      const Index place = place_of(equations, equations.name_of("v", static_cast<int>(i)));
+      if (place < 0 || !fit_.unknowns.friction_told[i]) continue;
+      const double most = kMostOfSpeed * fit_.further.speeds[i];
+      fit_.further.speeds[i] += std::clamp(found.values[place], -most, most);
+    }
+    if (options_.delay) {
+      fit_.unknowns.delay += std::clamp(found.values[place_of(equations, "delay")], -kMostDelay, kMostDelay);
+    }
+    const std::vector<Index> places = places_of_gravity(equations);
+    if (places.empty()) return;
+    const VectorXd angles = found.values(places);
+    const double much = std::max(1.0, angles.norm() / kMostTurn);
+    set_gravity(turned_gravity(fit_.unknowns.gravity->gravity, fit_.unknowns.gravity->told, angles / much));
+  }
+
+  ParameterSet set_;
+  NonlinearOptions options_;
+  const NonlinearAccess& logs_;
+  Progress& progress_;
+  NonlinearFit fit_;
+  std::vector<double> first_speeds_;
+};
+
+}  // namespace
+
+NonlinearFit nonlinear_fit(LoadedRobot robot, ParameterSet set, const NonlinearOptions& options,
+                           const NonlinearAccess& logs, Progress& progress) {
+  return NonlinearSearch(std::move(robot), set, options, logs, progress).run();
+}
+
+void set_deviations(NonlinearUnknowns& unknowns, const TorqueEquations& equations, const Estimate& estimate) {
+  const Index delay = place_of(equations, "delay");
+  if (delay >= 0) unknowns.delay_deviation = std::sqrt(estimate.covariance(delay, delay));
+  unknowns.speed_deviations.clear();
+  for (std::size_t i = 0; i < equations.further().speeds.size(); ++i) {
+    const Index speed = place_of(equations, equations.name_of("v", static_cast<int>(i)));
+    const bool is_told = i < unknowns.friction_told.size() && unknowns.friction_told[i];
+    unknowns.speed_deviations.push_back(speed >= 0 && is_told ? std::sqrt(estimate.covariance(speed, speed))
+                                                              : std::numeric_limits<double>::quiet_NaN());
+  }
+  const std::vector<Index> places = places_of_gravity(equations);
+  if (!unknowns.gravity) return;
+  const Eigen::MatrixXd angles = estimate.covariance(places, places);
+  unknowns.gravity->covariance.setConstant(places.empty() ? std::numeric_limits<double>::quiet_NaN() : 0);
+  for (std::size_t j = 0; j < places.size(); ++j) {
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      unknowns.gravity->covariance += angles(static_cast<Index>(j), static_cast<Index>(k)) *
+                                      equations.further().gravity->slopes()[j] *
+                                      equations.further().gravity->slopes()[k].transpose();
+    }
+  }
+}
+
+void leave_friction_open(Estimate& estimate, const NonlinearUnknowns& unknowns, const TorqueEquations& equations) {
+  for (std::size_t i = 0; i < unknowns.friction_told.size(); ++i) {
+    if (unknowns.friction_told[i]) continue;
+    for (const char* stem : {"Fv", "Fs", "Fb"}) {
+      const Index place = place_of(equations, equations.name_of(stem, static_cast<int>(i)));
+      if (place >= 0) estimate.standard_deviations[place] = std::numeric_limits<double>::infinity();
+    }
+  }
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Unknowns in which the torques are not linear: the direction of gravity, the time by which torques are late, and the
+// speeds of friction laws. Each has a first value of a search of its own. Then all are corrected together with all
+// other parameters by the method of Gauss and Newton: their derivatives are columns of the equations, so that the
+// parameters' covariance has their uncertainty in it.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "base/diagnostics/progress.hpp"
+#include "laboratory/identify/least_squares.hpp"
+#include "laboratory/identify/measurement.hpp"
+#include "laboratory/identify/torque_equations.hpp"
+
+namespace flatdyn {
+
+struct NonlinearOptions {
+  bool gravity = false, delay = false;
+  FrictionLaw law = FrictionLaw::coulomb;  // its speeds are unknown, if it has some
+  bool offsets = false;
+  bool springs = false;
+
+  bool any() const { return gravity || delay || has_speed(law); }
+};
+
+// How the search reads the logs, and changes the robot.
+struct NonlinearAccess {
+  // delay: by which torques are late, s.
+  std::function<Measurement(const TorqueEquations& equations, double delay)> measured;
+  // g_0 in the base frame, m/s².
+  std::function<LoadedRobot(const Eigen::Vector3d& gravity)> robot_with;
+};
+
+// Gravity that was found.
+struct FoundGravity {
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();         // in the base frame, m/s²
+  Eigen::Matrix3Xd told = Eigen::Matrix3Xd::Identity(3, 3);  // GravityFit::told
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();      // (m/s²)²; NaN where it counts as exact
+};
+
+struct NonlinearUnknowns {
+  std::optional<FoundGravity> gravity{};
+  double delay = 0;                                                   // s
+  double delay_deviation = std::numeric_limits<double>::quiet_NaN();  // s; NaN where the delay counts as exact
+  std::vector<double> speed_deviations{};  // by joint, rad/s or m/s; NaN where a speed counts as exact
+  std::vector<bool> friction_told{};       // by joint, FrictionSpeeds::are_told; empty if the law has no speeds
+  bool converged = true;                   // whether the corrections became small
+};
+
+struct NonlinearFit {
+  LoadedRobot robot;                   // with the gravity that was found
+  std::unique_ptr<TorqueModel> model;  // of this robot
+  FurtherParameters further{};         // with the columns of the corrections, which have become small
+  NonlinearUnknowns unknowns{};
+};
+
+// Finds the unknowns. `robot` has closed loops only if gravity is not among them. Throws Failure(usage) for a delay of
+// logs that have all derivatives, and are used as they are.
+NonlinearFit nonlinear_fit(LoadedRobot robot, ParameterSet set, const NonlinearOptions& options,
+                           const NonlinearAccess& logs, Progress& progress);
+
+// Sets the standard deviations from the estimate of the equations.
+void set_deviations(NonlinearUnknowns& unknowns, const TorqueEquations& equations, const Estimate& estimate);
+
+// Marks the parameters of friction that the unknowns do not tell as not told: infinite standard deviations.
+void leave_friction_open(Estimate& estimate, const NonlinearUnknowns& unknowns, const TorqueEquations& equations);
+
+}  // namespace flatdyn

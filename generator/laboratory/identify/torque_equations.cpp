@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "laboratory/identify/torque_equations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace flatdyn {
+
+TorqueEquations::TorqueEquations(const TorqueModel& model, FurtherParameters further)
+    : model_(model),
+      further_(std::move(further)),
+      terms_(static_cast<std::size_t>(model.equations())),
+      y_(static_cast<std::size_t>(model.equations() * model.parameters())) {
+  for (const int index : model.base().columns) names_.push_back(parameter_name(index, model.first_joint()));
+  for (int i = 0; i < model.equations(); ++i) add_joint(i);
+  for (int i = model.first_joint(); i < model.equations() && further_.offsets; ++i) {
+    terms_[static_cast<std::size_t>(i)].push_back({add_name(name_of("offset", i)), Term::Kind::constant});
+  }
+  for (int i = model.first_joint(); i < model.equations() && further_.springs; ++i) add_spring(i);
+  const auto before = static_cast<int>(names_.size());
+  add_corrections();
+  parameters_ = static_cast<int>(names_.size());
+  corrections_ = parameters_ - before;
+  place_terms();
+}
+
+std::string TorqueEquations::name_of(const char* stem, int equation) const {
+  return fmt::format("{}{}", stem, equation - model_.first_joint() + 1);
+}
+
+int TorqueEquations::add_name(std::string name) {
+  names_.push_back(std::move(name));
+  return static_cast<int>(names_.size()) - 1;
+}
+
+void TorqueEquations::add_friction(int joint, int column, FrictionEntry::Law law, double factor) {
+  const double speed = further_.speeds.empty() ? 1 : further_.speeds[static_cast<std::size_t>(joint)];
+  terms_[static_cast<std::size_t>(joint)].push_back({column, Term::Kind::friction, {0, joint, law, speed, factor}});
+}
+
+void TorqueEquations::add_joint(int joint) {
+  // With loops or coupled joints, an equation also has the friction of joints whose speeds are functions of others.
+  const bool is_open = !model_.mechanism().has_loops() && !model_.mechanism().is_coupled();
+  const bool is_smooth = further_.law == FrictionLaw::smooth && further_.dictionary.empty();
+  has_friction_.push_back(false);
+  bool has_coulomb = false;
+  for (const int column : model_.columns_of(joint)) {
+    const Parameter parameter = parameter_of(model_.base().columns[static_cast<std::size_t>(column)]);
+    const bool is_coulomb = parameter == Parameter::Fs, is_friction = is_coulomb || parameter == Parameter::Fv;
+    has_friction_.back() = has_friction_.back() || is_friction;
+    has_coulomb = has_coulomb || is_coulomb;
+    if (is_friction && is_open) {
+      add_friction(joint, column,
+                   !is_coulomb ? FrictionEntry::Law::viscous
+                   : is_smooth ? FrictionEntry::Law::smooth
+                               : FrictionEntry::Law::coulomb);
+    } else {
+      terms_[static_cast<std::size_t>(joint)].push_back({column});
+    }
+  }
+  if (has_coulomb && is_open) add_law(joint);
+}
+
+void TorqueEquations::add_law(int joint) {
+  if (!further_.dictionary.empty()) {
+    const auto law = further_.law == FrictionLaw::smooth ? FrictionEntry::Law::smooth : FrictionEntry::Law::stribeck;
+    for (const double each : further_.dictionary[static_cast<std::size_t>(joint)]) {
+      add_friction(joint, add_name(fmt::format("{}({})", name_of("F", joint), each)), law);
+      terms_[static_cast<std::size_t>(joint)].back().friction.speed = each;
+    }
+  } else if (further_.law == FrictionLaw::asymmetric) {
+    add_friction(joint, add_name(name_of("Fa", joint)), FrictionEntry::Law::asymmetry);
+  } else if (further_.law == FrictionLaw::stribeck) {
+    add_friction(joint, add_name(name_of("Fb", joint)), FrictionEntry::Law::stribeck);
+  }
+}
+
+// k q - k q_0, linear in k and k q_0.
+void TorqueEquations::add_spring(int joint) {
+  std::vector<Term>& terms = terms_[static_cast<std::size_t>(joint)];
+  terms.push_back({add_name(name_of("k", joint)), Term::Kind::position});
+  terms.push_back({add_name(name_of("kq", joint)), Term::Kind::relaxed});
+}
+
+int TorqueEquations::static_parameters() const {
+  return further_.springs ? 2 * model_.joints() : further_.offsets ? model_.joints() : 0;
+}
+
+void TorqueEquations::add_corrections() {
+  const auto law =
+      further_.law == FrictionLaw::smooth ? FrictionEntry::Law::smooth_slope : FrictionEntry::Law::stribeck_slope;
+  for (std::size_t i = 0; i < further_.speed_factors.size(); ++i) {
+    const double factor = further_.speed_factors[i];
+    if (factor != 0) add_friction(static_cast<int>(i), add_name(name_of("v", static_cast<int>(i))), law, factor);
+  }
+  for (int k = 0; further_.gravity && k < further_.gravity->size(); ++k) {
+    const int column = add_name(fmt::format("gravity{}", k + 1));
+    for (std::vector<Term>& terms : terms_) terms.push_back({column, Term::Kind::gravity, {}, k});
+  }
+  if (!further_.delay) return;
+  const int column = add_name("delay");
+  for (std::vector<Term>& terms : terms_) terms.push_back({column, Term::Kind::rate});
+}
+
+// Columns and entries, from the terms.
+void TorqueEquations::place_terms() {
+  int entry = 0;
+  for (const std::vector<Term>& terms : terms_) {
+    columns_.emplace_back();
+    for (const Term& term : terms) {
+      columns_.back().push_back(term.column);
+      if (term.kind == Term::Kind::friction) {
+        friction_.push_back(term.friction);
+        friction_.back().entry = entry;
+      }
+      if (term.kind == Term::Kind::rate) rate_entries_.push_back(entry);
+      ++entry;
+    }
+  }
+}
+
+Eigen::VectorXd TorqueEquations::file_values() const {
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(parameters());
+  std::copy(model_.file_values().begin(), model_.file_values().end(), values.begin());
+  if (!further_.springs) return values;
+  Eigen::Index next = parameters() - corrections() - static_parameters();
+  for (const Body& body : model_.mechanism().joints()) {
+    values(next++) = nearest_double(body.stiffness);
+    values(next++) = nearest_double(body.stiffness * body.spring_reference);
+  }
+  return values;
+}
+
+AccelerationRows TorqueEquations::acceleration_rows() const {
+  return [this](const EquationInstant& instant) {
+    std::vector<Eigen::MatrixXd> rows = model_.acceleration_rows(instant.q.data());
+    const int more = parameters() - model_.parameters();
+    if (more == 0) return rows;
+    for (Eigen::MatrixXd& each : rows) {
+      each.conservativeResize(Eigen::NoChange, parameters());
+      each.rightCols(more).setZero();
+    }
+    return rows;
+  };
+}
+
+void TorqueEquations::evaluate(const MeasuredMotion& motion, double* entries, double* known) const {
+  model_.regressor(motion.q, motion.qd, motion.qdd, y_.data());
+  const int positions = model_.mechanism().position_count();
+  Eigen::MatrixXd of_gravity;
+  if (further_.gravity) of_gravity = further_.gravity->at(Eigen::Map<const Eigen::VectorXd>(motion.q, positions));
+  const double* row = y_.data();
+  for (std::size_t i = 0; i < terms_.size(); ++i) {
+    for (const Term& term : terms_[i]) {
+      const bool is_of_model = term.column < model_.parameters();
+      *entries++ = is_of_model                         ? row[term.column]
+                   : term.kind == Term::Kind::gravity  ? of_gravity(static_cast<Eigen::Index>(i), term.slope)
+                   : term.kind == Term::Kind::position ? motion.q[model_.mechanism().position_of(static_cast<int>(i))]
+                   : term.kind == Term::Kind::relaxed  ? -1
+                                                       : 1;
+    }
+    row += model_.parameters();
+  }
+  if (motion.h_e != nullptr) {
+    model_.tip_torque(motion.q, motion.h_e, known);
+  } else {
+    std::fill(known, known + model_.equations(), 0.0);
+  }
+  if (!further_.springs) model_.add_springs(motion.q, known);
+}
+
+}  // namespace flatdyn

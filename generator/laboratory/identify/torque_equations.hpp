@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The equations of the joint torques in π_b, and in parameters that come behind it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "laboratory/identify/equation_model.hpp"
+#include "laboratory/identify/friction_law.hpp"
+#include "laboratory/identify/gravity_columns.hpp"
+#include "laboratory/identify/residual_noise.hpp"
+#include "laboratory/identify/torque_model.hpp"
+
+namespace flatdyn {
+
+// Parameters beside π_b, which come behind it.
+struct FurtherParameters {
+  FrictionLaw law = FrictionLaw::coulomb;
+  std::vector<double> speeds{};  // v by joint, rad/s or m/s, for laws that have it
+  bool offsets = false;          // a constant in each joint's torques
+  // By joint: columns exp(-(q̇/v)²) sgn q̇, or tanh(q̇/v), for many v, instead of the law; to find v by.
+  std::vector<std::vector<double>> dictionary{};
+
+  // Corrections of unknowns in which the torques are not linear, by columns of their derivatives.
+  // By joint: what exp(-(q̇/v)²) or tanh(q̇/v) is multiplied by, N m or N; 0 where v counts as exact. Empty: all do.
+  std::vector<double> speed_factors{};
+  std::shared_ptr<const GravityColumns> gravity{};  // null: gravity counts as exact
+  bool delay = false;                               // of the torques, s
+  bool springs = false;  // the stiffness k of each joint's spring and k q_0; not with offsets, which say the same
+};
+
+// Y_b(q, q̇, q̈) π_b + J_eᵀ h_e = τ, (7.81), with one equation per joint, after six of a floating base's force, which are
+// used where the log has it. Behind π_b come the law's further parameter of
+// each joint that has friction (F_a or F_b), or the dictionary's, then the offsets, or k and k q_0 of each joint's
+// spring, and then corrections: of v by joint (rad/s or m/s), of gravity's direction (GravityColumns), and of the delay
+// (s).
+class TorqueEquations : public EquationModel {
+ public:
+  explicit TorqueEquations(const TorqueModel& model, FurtherParameters further = {});
+
+  const TorqueModel& model() const { return model_; }
+  const FurtherParameters& further() const { return further_; }
+  // The names of all parameters: "I1zz", …, "Fa1", …, "offset1", …, "k1", "kq1", …, "v1", …, "gravity1", …, "delay"
+  const std::vector<std::string>& names() const { return names_; }
+  // The number of corrections, which are the last parameters.
+  int corrections() const { return corrections_; }
+  // The number of parameters between those of friction and the corrections: of offsets or springs.
+  int static_parameters() const;
+  // The file's π_b, its springs, and zeros elsewhere behind it.
+  Eigen::VectorXd file_values() const;
+  AccelerationRows acceleration_rows() const;
+  // The name of a further parameter of an equation: joints are counted from 1, as in parameter_name().
+  std::string name_of(const char* stem, int equation) const;
+
+  // Asks for the entries of Y along the slow motion.
+  void set_instruments() { has_instruments_ = true; }
+
+  void evaluate(const MeasuredMotion& motion, double* entries, double* known) const override;
+  int measured(const LogLayout& layout) const override { return layout.tau(); }
+  bool is_measured(const LogLayout& layout, int equation) const override {
+    return layout.has_base_force || equation >= layout.base;
+  }
+
+ private:
+  // An entry of an equation.
+  struct Term {
+    enum class Kind : std::uint8_t { regressor, constant, friction, gravity, rate, position, relaxed };
+    int column = 0;
+    Kind kind = Kind::regressor;
+    FrictionEntry friction{};
+    int slope = 0;  // of gravity
+  };
+
+  void add_joint(int joint);
+  void add_law(int joint);
+  void add_spring(int joint);
+  void add_corrections();
+  void add_friction(int joint, int column, FrictionEntry::Law law, double factor = 1);
+  int add_name(std::string name);
+  void place_terms();
+
+  const TorqueModel& model_;
+  FurtherParameters further_;
+  std::vector<std::string> names_;
+  int corrections_ = 0;
+  std::vector<std::vector<Term>> terms_;  // by joint
+  mutable std::vector<double> y_;
+};
+
+}  // namespace flatdyn

@@ -1,4 +1,0 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
-#include "reference/reference_instances.hpp"
-
-FLATDYN_REFERENCE_OVER(Real50, )

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Parts of TOML robot files that stand in several tables.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "robot/input/common/context.hpp"
+#include "robot/input/toml/table.hpp"
+#include "robot/model/robot.hpp"
+
+namespace flatdyn {
+
+// A name as messages show it.
+inline std::string quoted(const std::string& name) { return "\"" + name + "\""; }
+
+// The parts of a TOML file about the whole robot, which can be applied only when the tree is known.
+struct Attachments {
+  struct Payload {
+    std::optional<Reference> link;  // the tip's if it is not given
+    Inertial inertial;
+  };
+  std::optional<Reference> tip;
+  Pose tip_offset;
+  std::optional<Payload> payload;
+};
+
+// The text of a key that has few; empty where it is not there, or, with an error, where it is none of them.
+std::string read_choice(TomlTable& table, const std::string& key, const std::vector<std::string>& known,
+                        Diagnostics& diagnostics);
+
+// Whether the text is "fixed" or "floating", how a robot's base moves, which is then taken; else it is a name.
+bool read_motion_of_base(const std::string& text, Robot& robot);
+
+// `angles` and `lengths` at the top of a file: "rad" or "deg", "m" or "mm".
+Units read_units(TomlTable& table, Diagnostics& diagnostics);
+
+// The links that carry motors, as the file names them: they are looked up when all links are known.
+class MotorCarriers {
+ public:
+  void add(const std::string& joint, const Reference& link, const std::string& what);
+  void find_in(Robot& robot, Diagnostics& diagnostics) const;
+
+ private:
+  struct Carrier {
+    Reference link;
+    std::string what;
+  };
+  std::map<std::string, Carrier> carriers_;  // by the name of the joint
+};
+
+// mass, com, inertia, inertia_about of a [[link]] or of [payload]; nothing if none of them is there.
+std::optional<Inertial> read_inertial(TomlTable& table, Diagnostics& diagnostics);
+
+Limits read_limits(TomlTable& table, JointType type);
+
+// viscous, coulomb, armature, stiffness, spring_reference, limits, motor of a [[link]] or [[joint]]; what is not there
+// stays as it is.
+void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint, MotorCarriers& carriers);
+
+}  // namespace flatdyn

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "robot/input/urdf/actuators.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics/nearest.hpp"
+#include "robot/input/urdf/children.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+using tinyxml2::XMLElement;
+
+// The numbers of the rotor of one joint, wherever they stand.
+struct Reflected {
+  std::optional<Value> armature;
+  std::optional<Value> rotor_inertia;
+  std::string tag;  // of the rotor inertia
+  std::optional<Value> gear_ratio;
+  std::vector<UrdfText> reductions;
+  std::optional<Place> coupling;  // a transmission that ties this joint to others
+  std::optional<Place> rotor_of_coupling;
+};
+
+using ReflectedByJoint = std::map<std::string, Reflected>;
+
+// The names that programs have for the two numbers; Drake's have its namespace.
+constexpr std::array<const char*, 3> kRotorInertias = {"drake:rotor_inertia", "rotor_inertia", "motorInertia"};
+constexpr std::array<const char*, 2> kGearRatios = {"drake:gear_ratio", "gear_ratio"};
+constexpr std::array<const char*, 3> kReductions = {"mechanicalReduction", "mechanical_reduction", "reduction"};
+
+// The value of this name in an actuator, a joint or a transmission: of a child or, less usual, of an attribute.
+std::optional<UrdfText> rotor_text(const XMLElement& holder, const char* tag, const UrdfValues& values,
+                                   const std::string& what) {
+  const std::string where = what + ", " + tag;
+  if (const XMLElement* element = holder.FirstChildElement(tag)) {
+    const std::optional<UrdfText> text = values.text(*element, "value", where);
+    return text ? *text : UrdfText{"", {values.place(*element), where}};
+  }
+  const char* attribute = holder.Attribute(tag);
+  if (attribute == nullptr) return std::nullopt;
+  values.context().diagnostics.note(
+      values.place(holder), where + " is read from the attribute of <" + holder.Name() + ">",
+      std::string("write an element: <") + tag + ">...</" + tag + ">", "values read from unusual places");
+  return UrdfText{attribute, {values.place(holder), where}};
+}
+
+Value value_of_text(const UrdfText& text, Diagnostics& diagnostics) {
+  const std::vector<std::string> words = words_of(text.text);
+  const std::string number = words.size() == 1 ? words.front() : text.text;
+  return {checked_decimal(number, text.spot, diagnostics).value_or(0), text.spot.place};
+}
+
+// Two rotors may drive one joint, but then nobody knows whether they are two, or one that is written twice.
+void set_once(std::optional<Value>& value, const UrdfText& text, const UrdfValues& values, const std::string& tag,
+              const std::string& joint) {
+  const Value given = value_of_text(text, values.context().diagnostics);
+  if (value) {
+    values.context().diagnostics.error(given.place,
+                                       "joint \"" + joint + "\" has a second rotor, by <" + tag +
+                                           "> (the first is in line " + std::to_string(value->place.line) + ")",
+                                       "keep one; of two rotors, write the sum of their inertias");
+    return;
+  }
+  value = given;
+}
+
+void read_rotor(const XMLElement& parent, const UrdfValues& values, const std::string& what, const std::string& joint,
+                Reflected& reflected) {
+  for (const char* tag : kRotorInertias) {
+    const std::optional<UrdfText> text = rotor_text(parent, tag, values, what);
+    if (!text) continue;
+    if (!reflected.rotor_inertia) reflected.tag = tag;
+    set_once(reflected.rotor_inertia, *text, values, tag, joint);
+  }
+  for (const char* tag : kGearRatios) {
+    const std::optional<UrdfText> text = rotor_text(parent, tag, values, what);
+    if (text) set_once(reflected.gear_ratio, *text, values, tag, joint);
+  }
+}
+
+void read_reductions(const XMLElement& holder, const UrdfValues& values, const std::string& what,
+                     Reflected& reflected) {
+  for (const char* tag : kReductions) {
+    if (const std::optional<UrdfText> text = rotor_text(holder, tag, values, what))
+      reflected.reductions.push_back(*text);
+  }
+}
+
+// The first rotor inertia in an actuator, a joint or a transmission.
+std::optional<Place> place_of_rotor_in(const XMLElement& holder, const UrdfValues& values) {
+  for (const char* tag : kRotorInertias) {
+    if (const XMLElement* element = holder.FirstChildElement(tag)) return values.place(*element);
+    if (holder.Attribute(tag) != nullptr) return values.place(holder);
+  }
+  return std::nullopt;
+}
+
+using Elements = std::vector<const XMLElement*>;
+
+void read_joint(const XMLElement& element, const UrdfValues& values, ReflectedByJoint& all) {
+  const char* name = element.Attribute("name");
+  if (name == nullptr) return;  // said by the joint's reader
+  Reflected& reflected = all[name];
+  const std::string what = "joint \"" + std::string(name) + "\"";
+  Elements holders = elements_in(element, "actuator");
+  holders.insert(holders.begin(), &element);
+  for (const XMLElement* holder : holders) {
+    read_rotor(*holder, values, what, name, reflected);
+    read_reductions(*holder, values, what, reflected);
+  }
+  reflected.armature = values.dynamics(element, "armature", what);
+}
+
+bool is_simple(const XMLElement& transmission) {
+  if (elements_in(transmission, "joint").size() != 1) return false;
+  const XMLElement* element = transmission.FirstChildElement("type");
+  if (element == nullptr) element = transmission.FirstChildElement("plugin");  // of ros2_control
+  const char* type = element != nullptr ? element->GetText() : transmission.Attribute("type");
+  return type == nullptr || std::string_view(type).find("SimpleTransmission") != std::string_view::npos;
+}
+
+// Those that have a rotor, if any has one: the others' gears are none of it. Two are an error.
+Elements actuators_of(const XMLElement& transmission, const std::string& joint, const UrdfValues& values) {
+  const Elements all = elements_in(transmission, "actuator");
+  Elements with_rotor;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(with_rotor),
+               [&](const XMLElement* actuator) { return place_of_rotor_in(*actuator, values).has_value(); });
+  if (with_rotor.empty()) return all;
+  if (with_rotor.size() > 1) {
+    values.context().diagnostics.error(
+        values.place(*with_rotor[1]),
+        "joint \"" + joint + "\" is driven by two actuators with a rotor each (the first is in line " +
+            std::to_string(with_rotor[0]->GetLineNum()) + ")",
+        "keep one, or write the sum of gear_ratio^2 * rotor_inertia of both as <dynamics armature=...>");
+  }
+  return {with_rotor.front()};
+}
+
+// The actuators, the joints, and the transmission itself.
+Elements parts_of(const XMLElement& transmission, Elements actuators) {
+  const Elements joints = elements_in(transmission, "joint");
+  actuators.insert(actuators.end(), joints.begin(), joints.end());
+  actuators.push_back(&transmission);
+  return actuators;
+}
+
+std::optional<Place> first_rotor_of(const XMLElement& transmission, const UrdfValues& values) {
+  for (const XMLElement* part : parts_of(transmission, elements_in(transmission, "actuator"))) {
+    if (const std::optional<Place> rotor = place_of_rotor_in(*part, values)) return rotor;
+  }
+  return std::nullopt;
+}
+
+// The name of the joint that a transmission drives, which stands in its text in some files; "" if there is none.
+std::string name_of_driven(const XMLElement& joint) {
+  const char* name = joint.Attribute("name");
+  return name != nullptr ? name : trimmed_text_of(joint);
+}
+
+// Each of several motors drives each of several joints: one of them shows that it is so.
+void read_coupling(const XMLElement& transmission, const UrdfValues& values, ReflectedByJoint& all) {
+  const std::optional<Place> rotor = first_rotor_of(transmission, values);
+  for (const XMLElement* joint : elements_in(transmission, "joint")) {
+    Reflected& reflected = all[name_of_driven(*joint)];
+    reflected.coupling = values.place(transmission);
+    if (rotor) reflected.rotor_of_coupling = rotor;
+  }
+}
+
+void refuse_rotor_of_no_joint(const XMLElement& transmission, const UrdfValues& values) {
+  const std::optional<Place> rotor = first_rotor_of(transmission, values);
+  if (!rotor) return;
+  values.context().diagnostics.error(*rotor, named(transmission) + " has a rotor inertia and names no joint",
+                                     "write <joint name=\"...\"/> in it");
+}
+
+void read_transmission(const XMLElement& element, const UrdfValues& values, ReflectedByJoint& all) {
+  const Elements joints = elements_in(element, "joint");
+  const bool is_nameless =
+      std::any_of(joints.begin(), joints.end(), [](const XMLElement* each) { return name_of_driven(*each).empty(); });
+  if (joints.empty() || is_nameless) {
+    refuse_rotor_of_no_joint(element, values);
+    return;
+  }
+  if (!is_simple(element)) {
+    read_coupling(element, values, all);
+    return;
+  }
+  const std::string joint = name_of_driven(*joints.front()), what = "transmission of joint \"" + joint + "\"";
+  Reflected& reflected = all[joint];
+  for (const XMLElement* part : parts_of(element, actuators_of(element, joint, values))) {
+    read_rotor(*part, values, what, joint, reflected);
+    read_reductions(*part, values, what, reflected);
+  }
+}
+
+// A reduction counts only if there is a rotor inertia that it multiplies: only then it must be a number.
+Value gear_ratio_of(const Reflected& reflected, const UrdfValues& values, const std::string& what) {
+  if (reflected.gear_ratio) return *reflected.gear_ratio;
+  if (reflected.reductions.empty()) return {1, reflected.rotor_inertia->place};
+  Diagnostics& diagnostics = values.context().diagnostics;
+  const UrdfText& first = reflected.reductions.front();
+  const Value ratio = value_of_text(first, diagnostics);
+  for (const UrdfText& other : reflected.reductions) {
+    const Value another = &other == &first ? ratio : value_of_text(other, diagnostics);
+    if (another.number.is_equal(ratio.number)) continue;
+    diagnostics.error(another.place,
+                      what + " has a rotor inertia and two <mechanicalReduction> (the first is in line " +
+                          std::to_string(first.spot.place.line) + ")",
+                      "say which one is the rotor's: <drake:gear_ratio value=...>");
+  }
+  return ratio;
+}
+
+// A gear alone moves nothing: people expect the motor's inertia to count, and it does only if it is given.
+void note_idle_reduction(const Reflected& reflected, const UrdfValues& values, const std::string& what) {
+  if (reflected.reductions.empty() || are_equivalent_texts(reflected.reductions.back().text, "1")) return;
+  const UrdfText& ratio = reflected.reductions.back();
+  values.context().diagnostics.note(
+      ratio.spot.place, what + ": mechanicalReduction " + ratio.text + " has no effect without a rotor inertia",
+      "give one: <drake:rotor_inertia value=...>, or <dynamics armature=...>",
+      "gear ratios without a rotor inertia, which have no effect");
+}
+
+std::optional<Place> place_of_rotor(const Reflected& reflected) {
+  return reflected.rotor_inertia ? reflected.rotor_inertia->place : reflected.rotor_of_coupling;
+}
+
+void note_armature(const Joint& joint, const std::string& tag, Diagnostics& diagnostics) {
+  if (joint.type == JointType::fixed) return;
+  diagnostics.note(
+      joint.armature.place,
+      fmt::format("joint \"{}\": <{}> counts as armature, {:.6g} {}", joint.name, tag,
+                  nearest_double(joint.armature.number), joint.type == JointType::prismatic ? "kg" : "kg m^2"),
+      "armature = gear_ratio^2 * rotor_inertia", "rotor inertias counted as armature");
+}
+
+void set_armature(Joint& joint, const Reflected& reflected, const UrdfValues& values) {
+  Diagnostics& diagnostics = values.context().diagnostics;
+  const std::string what = "joint \"" + joint.name + "\"";
+  if (reflected.armature) joint.armature = *reflected.armature;
+  const std::optional<Place> rotor = place_of_rotor(reflected);
+  if (!rotor) {
+    if (!reflected.armature) note_idle_reduction(reflected, values, what);
+    return;
+  }
+  if (reflected.coupling) {
+    diagnostics.unsupported(*rotor,
+                            what + " has a rotor inertia and a transmission that couples joints (line " +
+                                std::to_string(reflected.coupling->line) + "): not supported yet",
+                            "give each motor to one joint, or write the reflected inertia as <dynamics armature=...>");
+    return;
+  }
+  if (reflected.armature) {
+    diagnostics.error(*rotor,
+                      what + " has both a rotor inertia and an armature (line " +
+                          std::to_string(reflected.armature->place.line) + "): they are the same thing twice",
+                      "delete one of them; armature = gear_ratio^2 * rotor_inertia");
+    return;
+  }
+  const std::size_t before = diagnostics.all().size();
+  const Value ratio = gear_ratio_of(reflected, values, what);
+  if (diagnostics.all().size() > before) return;
+  if (vanishes(ratio.number) && !vanishes(reflected.rotor_inertia->number)) {
+    diagnostics.error(ratio.place, what + ": the gear ratio of its rotor is zero",
+                      "it is motor speed / joint speed; 1 if direct");
+    return;
+  }
+  joint.armature = {ratio.number * ratio.number * reflected.rotor_inertia->number, *rotor};
+  values.context().rotor_joints.insert(joint.name);
+  if (!has_namespace(reflected.tag)) note_armature(joint, reflected.tag, diagnostics);
+}
+
+void report_rotors_of_nobody(const ReflectedByJoint& all, const UrdfValues& values, const Robot& robot) {
+  std::vector<std::string> known;
+  for (const Joint& joint : robot.joints) known.push_back(joint.name);
+  for (const auto& [name, reflected] : all) {
+    const std::optional<Place> rotor = place_of_rotor(reflected);
+    if (!rotor || std::find(known.begin(), known.end(), name) != known.end()) continue;
+    values.context().diagnostics.error(*rotor, "there is no joint \"" + name + "\" for this rotor inertia",
+                                       hint_for_unknown(name, known, "joints"));
+  }
+}
+
+}  // namespace
+
+std::vector<const XMLElement*> urdf_transmissions(const XMLElement& root) {
+  Elements transmissions = elements_in(root, "transmission");
+  for (const XMLElement* control : elements_in(root, "ros2_control")) {
+    const Elements more = elements_in(*control, "transmission");
+    transmissions.insert(transmissions.end(), more.begin(), more.end());
+  }
+  return transmissions;
+}
+
+void read_urdf_actuators(const XMLElement& root, const UrdfValues& values, Robot& robot) {
+  ReflectedByJoint all;
+  for (const XMLElement* element : elements_in(root, "joint")) read_joint(*element, values, all);
+  for (const XMLElement* element : urdf_transmissions(root)) read_transmission(*element, values, all);
+  report_rotors_of_nobody(all, values, robot);
+  for (Joint& joint : robot.joints) {
+    if (const auto found = all.find(joint.name); found != all.end()) {
+      set_armature(joint, found->second, values);
+    }
+  }
+}
+
+}  // namespace flatdyn

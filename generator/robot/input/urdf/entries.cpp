@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "robot/input/urdf/entries.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <sstream>
+
+#include "robot/model/number.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+using tinyxml2::XMLAttribute;
+using tinyxml2::XMLElement;
+using tinyxml2::XMLNode;
+using EntryForm = UrdfEntry::Form;
+
+const std::vector<UrdfKey> kOfDynamics = {{"damping", ""},          {"friction", ""},  {"armature", ""},
+                                          {"spring_stiffness", ""}, {"stiffness", ""}, {"spring_reference", ""}};
+const std::vector<std::string> kOfFranka = {"D", "K", "mu_coulomb", "mu_viscous"};
+const UrdfElement kOneValue = {{{"value", ""}}, {"value"}, "value", true, {}};  // <motorInertia>0.02</motorInertia>
+const UrdfElement kDrakesValue = {{{"value", ""}}, {"value"}, "value", false, {}};
+const UrdfElement kMimic = {
+    {{"joint", ""}, {"multiplier", ""}, {"offset", ""}}, {"joint", "multiplier", "offset"}, "", false, {}};
+
+const std::map<std::string_view, UrdfElement> kElements = {
+    {"origin", {{{"xyz", ""}, {"rpy", ""}, {"quat_xyzw", ""}, {"quat_wxyz", ""}}, {"xyz", "rpy"}, "", false, {}}},
+    {"axis", {{{"xyz", ""}}, {"xyz"}, "xyz", false, {}}},
+    {"parent", {{{"link", ""}}, {"link"}, "link", false, {}}},
+    {"child", {{{"link", ""}}, {"link"}, "link", false, {}}},
+    {"mass", {{{"value", ""}}, {"value"}, "value", false, {}}},
+    {"inertia",
+     {{{"ixx", ""}, {"iyy", ""}, {"izz", ""}, {"ixy", "iyx"}, {"ixz", "izx"}, {"iyz", "izy"}},
+      {"ixx", "iyy", "izz", "ixy", "ixz", "iyz"},
+      "",
+      false,
+      {}}},
+    {"mimic", kMimic},
+    {"drake:mimic", kMimic},
+    {"limit",
+     {{{"lower", "min"}, {"upper", "max"}, {"velocity", ""}, {"effort", ""}, {"acceleration", "drake:acceleration"}},
+      {},
+      "",
+      false,
+      {"deceleration", "jerk"}}},
+    {"dynamics", {kOfDynamics, {}, "", false, kOfFranka}},
+    {"joint_properties", {kOfDynamics, {}, "", false, kOfFranka}},
+    {"drake:rotor_inertia", kDrakesValue},
+    {"drake:gear_ratio", kDrakesValue},
+    {"rotor_inertia", kOneValue},
+    {"motorInertia", kOneValue},
+    {"gear_ratio", kOneValue},
+    {"mechanicalReduction", kOneValue},
+    {"mechanical_reduction", kOneValue},
+    {"reduction", kOneValue},
+};
+
+std::optional<Number> number_of(const std::string& word) {
+  try {
+    return exact_decimal(word);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+const UrdfElement* known_urdf_element(std::string_view tag) {
+  const auto found = kElements.find(tag);
+  return found == kElements.end() ? nullptr : &found->second;
+}
+
+std::string element_of_value(std::string_view name) {
+  for (const char* tag : {"origin", "inertia", "dynamics", "limit"}) {
+    if (has_key(*known_urdf_element(tag), name)) return tag;
+  }
+  return "";
+}
+
+std::vector<std::string> key_names_of(const UrdfElement& element) {
+  std::vector<std::string> names;
+  for (const UrdfKey& key : element.keys) names.push_back(key.name);
+  return names;
+}
+
+bool has_key(const UrdfElement& element, std::string_view name) {
+  return std::any_of(element.keys.begin(), element.keys.end(), [&](const UrdfKey& key) { return key.name == name; });
+}
+
+std::string key_of(const UrdfElement& element, const UrdfEntry& entry) {
+  if (entry.form == EntryForm::text) return element.key_of_text;
+  for (const UrdfKey& key : element.keys) {
+    if (entry.name == key.name || entry.name == key.other_name) return key.name;
+  }
+  return "";
+}
+
+std::string text_in(const XMLElement& element) {
+  std::string text;
+  for (const XMLNode* node = element.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    if (node->ToText() != nullptr) text += std::string(text.empty() ? "" : " ") + node->Value();
+  }
+  return text;
+}
+
+std::string value_of(const XMLElement& element) {
+  const char* value = element.Attribute("value");
+  const std::string text = text_in(element);
+  return value != nullptr && text.empty() ? value : text;
+}
+
+std::vector<UrdfEntry> entries_of(const XMLElement& element) {
+  std::vector<UrdfEntry> entries;
+  for (const XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
+    entries.push_back({a->Name(), a->Value(), element.GetLineNum(), EntryForm::attribute});
+  }
+  if (known_urdf_element(element.Name()) == nullptr) return entries;
+  for (const XMLElement* e = element.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+    entries.push_back({e->Name(), value_of(*e), e->GetLineNum(), EntryForm::child});
+  }
+  const std::string text = text_in(element);
+  if (!words_of(text).empty()) entries.push_back({"", text, element.GetLineNum(), EntryForm::text});
+  return entries;
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+bool are_equivalent_texts(const std::string& a, const std::string& b) {
+  const std::vector<std::string> first = words_of(a), second = words_of(b);
+  return std::equal(first.begin(), first.end(), second.begin(), second.end(),
+                    [](const std::string& x, const std::string& y) {
+                      const std::optional<Number> p = number_of(x), q = number_of(y);
+                      return x == y || (p && q && p->is_equal(*q));
+                    });
+}
+
+std::string single_word(const std::string& text) {
+  const std::vector<std::string> words = words_of(text);
+  return words.size() == 1 ? words[0] : text;
+}
+
+bool is_zero_text(const std::string& text) {
+  const std::vector<std::string> words = words_of(text);
+  return std::all_of(words.begin(), words.end(), [](const std::string& word) {
+    const std::optional<Number> number = number_of(word);
+    return number && vanishes(*number);
+  });
+}
+
+}  // namespace flatdyn

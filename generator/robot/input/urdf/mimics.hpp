@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "robot/input/urdf/values.hpp"
+
+namespace flatdyn {
+
+// Joints that follow one other joint, position = factor · position of the leader + offset, as people write that into
+// URDF files: <mimic> and <drake:mimic> in a joint; Gazebo's mimic plugins, in which <mimicJoint> follows <joint>;
+// <param name="mimic"> of ros2_control; <equality><joint> of an embedded <mujoco>. They become coupled joints.
+// Two that say the same of a joint are fine, two that differ are an error; forms that are not known are unsupported,
+// and so are those with `floating` joints, which have no single position.
+void read_urdf_mimics(const tinyxml2::XMLElement& root, const std::set<std::string>& floating, const UrdfValues& values,
+                      Robot& robot);
+
+// Couples a joint, unless it is coupled so already; an error if it is coupled otherwise. what: who says so.
+void couple_joint(Joint& joint, const Coupled& coupled, const std::string& what, Diagnostics& diagnostics);
+
+}  // namespace flatdyn

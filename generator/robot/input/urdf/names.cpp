@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "robot/input/urdf/names.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostics/nearest.hpp"
+#include "robot/input/urdf/actuators.hpp"
+#include "robot/input/urdf/children.hpp"
+#include "robot/input/urdf/spelling.hpp"
+#include "robot/input/urdf/unknown.hpp"
+#include "robot/input/urdf/unread.hpp"
+#include "robot/input/urdf/unsupported.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+using tinyxml2::XMLElement;
+using Names = std::vector<std::string>;
+
+const Names kOfRobot = {
+    "link",       "joint",    "transmission", "gazebo",     "mujoco",          "ros2_control",    "loop",
+    "loop_joint", "coupling", "plugin",       "constraint", "loop_constraint", "joint_constraint"};
+const Names kIrrelevantInRobot = {"material", "sensor", "frame", "drake:collision_filter_group",
+                                  "self_collision_checking"};
+const Names kOfLink = {"inertial"};
+const Names kIrrelevantInLink = {"visual",
+                                 "collision",
+                                 "contact",
+                                 "self_filter",
+                                 "sensor",
+                                 "material",
+                                 "self_collision_checking",
+                                 "collision_checking"};
+const Names kOfInertial = {"origin", "mass", "inertia"};
+const Names kOfEveryJoint = {"origin", "parent", "child"};
+const Names kOfJoint = {"origin", "axis",     "parent",           "child",
+                        "limit",  "dynamics", "joint_properties", "mimic"};  // of one that moves
+const Names kBesideThem = {"actuator", "drake:mimic"};
+const Names kIrrelevantInJoint = {"safety_controller", "calibration", "hardwareInterface", "sensor"};
+const Names kOfRotor = {"rotor_inertia",        "motorInertia", "gear_ratio",          "mechanicalReduction",
+                        "mechanical_reduction", "reduction",    "drake:rotor_inertia", "drake:gear_ratio"};
+const Names kOfTransmission = {"type", "joint", "actuator", "plugin"};
+// A torque constant maps current to torque.
+const Names kIrrelevantInActuator = {
+    "hardwareInterface",     "role",           "offset", "state_interface", "command_interface", "motorTorqueConstant",
+    "motor_torque_constant", "torque_constant"};
+
+Names both(Names names, const Names& more) {
+  names.insert(names.end(), more.begin(), more.end());
+  return names;
+}
+
+bool is_reduction(std::string_view name) { return words_of_name(name).back() == "reduction"; }
+
+// Whether an element or attribute is the inertia of a rotor.
+bool holds_rotor(const XMLElement& element) {
+  const auto is_rotor = [](const char* name) {
+    const std::vector<std::string> words = words_of_name(name);
+    return words == Names{"rotor", "inertia"} || words == Names{"motor", "inertia"};
+  };
+  if (is_rotor(element.Name())) return true;
+  for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
+    if (is_rotor(a->Name())) return true;
+  }
+  const std::vector<const XMLElement*> children = elements_in(element);
+  return std::any_of(children.begin(), children.end(), [](const XMLElement* child) { return holds_rotor(*child); });
+}
+
+class NameChecker {
+ public:
+  explicit NameChecker(const UrdfValues& values)
+      : values_(values), diagnostics_(values.context().diagnostics), unknown_(values), unread_(values) {}
+
+  void check_robot(const XMLElement& root) {
+    has_rotor_ = holds_rotor(root);
+    Names irrelevant = kIrrelevantInRobot;
+    for (const XMLElement* element : elements_in(root)) {
+      const std::string_view name = element->Name();
+      if (is_unsupported_element(name)) irrelevant.emplace_back(name);
+      if (name == "link") check_link(*element);
+      if (name == "joint") check_joint(*element);
+    }
+    unread_.check(root, "robot", {kOfRobot, irrelevant});
+    for (const XMLElement* transmission : urdf_transmissions(root)) check_transmission(*transmission);
+  }
+
+ private:
+  static std::string what(const XMLElement& element) {
+    const char* name = element.Attribute("name");
+    return std::string(element.Name()) + " \"" + (name == nullptr ? "" : name) + "\"";
+  }
+
+  void check_link(const XMLElement& element) {
+    const std::string link = what(element);
+    unread_.check(element, link, {kOfLink, kIrrelevantInLink});
+    check_once(element, link, kOfLink);
+    unknown_.check_misplaced(element, link);
+    for (const char* tag : {"visual", "collision"}) {
+      for (const XMLElement* shape : elements_in(element, tag)) unread_.check_bodies_in(*shape, link);
+    }
+    for (const XMLElement* contact : elements_in(element, "contact")) {
+      if (const XMLElement* scaling = contact->FirstChildElement("inertia_scaling")) unread_.note(*scaling, link);
+    }
+    const XMLElement* inertial = element.FirstChildElement("inertial");
+    if (inertial == nullptr) return;
+    unread_.check(*inertial, link + ", inertial", {kOfInertial, {}});
+    check_values(*inertial, link + ", inertial", kOfInertial);
+    unknown_.check_misplaced(*inertial, link + ", inertial");
+  }
+
+  // For a joint that does not move, the numbers of its motion do not matter.
+  void check_joint(const XMLElement& element) {
+    const std::string joint = what(element);
+    const char* type = element.Attribute("type");
+    if (type != nullptr && std::string_view(type) == "fixed") {
+      unread_.check_spelling(element, joint, kOfEveryJoint);
+      check_values(element, joint, kOfEveryJoint);
+      return;
+    }
+    const char* name = element.Attribute("name");
+    const bool moves = name == nullptr || !is_held(name, values_.context());
+    unread_.check(element, joint, {both(kOfJoint, both(kOfRotor, kBesideThem)), kIrrelevantInJoint, moves});
+    check_values(element, joint, both(kOfJoint, kOfRotor));
+    unknown_.check_misplaced(element, joint);
+    check_attributes_of_rotor(element, joint);
+    for (const XMLElement* actuator : elements_in(element, "actuator")) check_part(*actuator, joint + ", actuator");
+  }
+
+  void check_transmission(const XMLElement& element) {
+    unread_.check(element, what(element), {both(kOfTransmission, kOfRotor), kIrrelevantInActuator});
+    check_attributes_of_rotor(element, what(element));
+    check_values(element, what(element), kOfRotor);
+    for (const XMLElement* actuator : elements_in(element, "actuator"))
+      check_part(*actuator, what(element) + ", actuator");
+    for (const XMLElement* joint : elements_in(element, "joint")) check_part(*joint, what(element) + ", joint");
+  }
+
+  void check_part(const XMLElement& part, const std::string& what) {
+    const bool is_joint = part.Name() == std::string_view("joint");  // may be named by its text
+    unread_.check(part, what, {kOfRotor, kIrrelevantInActuator, true, is_joint});
+    check_attributes_of_rotor(part, what);
+    check_values(part, what, kOfRotor);
+  }
+
+  // A number of a rotor may stand in an attribute, under the name that an element has.
+  void check_attributes_of_rotor(const XMLElement& part, const std::string& what) {
+    for (const tinyxml2::XMLAttribute* a = part.FirstAttribute(); a != nullptr; a = a->Next()) {
+      const std::string name = a->Name();
+      if (std::find(kOfRotor.begin(), kOfRotor.end(), name) != kOfRotor.end()) continue;
+      const std::string hint = hint_for_unknown(name, kOfRotor, "attributes");
+      if (!is_rotor_name(name) && !hint.starts_with("did you mean")) continue;
+      diagnostics_.error(values_.place(part), what + ": unknown attribute \"" + name + "\"", hint);
+    }
+  }
+
+  // The children that are read, by their names: there once, with attributes that are known.
+  void check_values(const XMLElement& parent, const std::string& what, const Names& names) {
+    check_once(parent, what, names);
+    for (const std::string& name : names) {
+      const XMLElement* child = parent.FirstChildElement(name.c_str());
+      if (child != nullptr) unknown_.check(*child, what + ", " + name);
+    }
+  }
+
+  void check_once(const XMLElement& parent, const std::string& what, const Names& names) {
+    for (const std::string& name : names) {
+      const XMLElement* first = parent.FirstChildElement(name.c_str());
+      const XMLElement* second = first == nullptr ? nullptr : first->NextSiblingElement(name.c_str());
+      if (second == nullptr || (is_reduction(name) && !has_rotor_)) continue;
+      diagnostics_.error(values_.place(*second), what + " has two <" + name + "> elements", "keep one");
+    }
+  }
+
+  const UrdfValues& values_;
+  Diagnostics& diagnostics_;
+  bool has_rotor_ = false;  // without a rotor's inertia, gears are not read
+  UnknownEntries unknown_;
+  UnreadElements unread_;
+};
+
+}  // namespace
+
+void check_urdf_names(const XMLElement& root, const UrdfValues& values) { NameChecker(values).check_robot(root); }
+
+}  // namespace flatdyn

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "robot/input/urdf/reader.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "base/diagnostics/nearest.hpp"
+#include "robot/input/common/exchanged_limits.hpp"
+#include "robot/input/common/floating_joints.hpp"
+#include "robot/input/common/foreign_files.hpp"
+#include "robot/input/common/xacro.hpp"
+#include "robot/input/common/xml_document.hpp"
+#include "robot/input/urdf/actuators.hpp"
+#include "robot/input/urdf/couplings.hpp"
+#include "robot/input/urdf/loops.hpp"
+#include "robot/input/urdf/mimics.hpp"
+#include "robot/input/urdf/names.hpp"
+#include "robot/input/urdf/planar.hpp"
+#include "robot/input/urdf/simulators.hpp"
+#include "robot/input/urdf/springs.hpp"
+#include "robot/input/urdf/unsupported.hpp"
+#include "robot/input/urdf/values.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+using tinyxml2::XMLElement;
+
+constexpr const char* kFixHint = "hold it still: make it type=\"fixed\", or give the option --fix ";
+
+class UrdfReader {
+ public:
+  UrdfReader(const std::string& file, ReadContext& context, Robot& robot)
+      : values_(file, context), context_(context), diagnostics_(context.diagnostics), robot_(robot) {}
+
+  void read(const XMLElement& root) {
+    const char* name = root.Attribute("name");
+    if (name != nullptr && *name != '\0') robot_.name = values_.required_text(root, "name", "robot");
+    for (const XMLElement* e = root.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+      if (std::string_view(e->Name()) == "link") read_link(*e);
+    }
+    for (const XMLElement* e = root.FirstChildElement("joint"); e != nullptr; e = e->NextSiblingElement("joint")) {
+      read_joint(*e);
+    }
+    for (const int link : point_masses_) tell_of_point_mass(robot_.links[static_cast<std::size_t>(link)], moves(link));
+    // Couplings go by the marks, and by the joints that follow others already.
+    read_urdf_mimics(root, floating_names(), values_, robot_);
+    read_urdf_marks(root, values_, robot_);
+    read_urdf_couplings(root, values_, robot_);
+    read_urdf_loops(root, values_, robot_);
+    // The rest finds joints by their names in the file; the order is only that of the messages.
+    check_urdf_names(root, values_);
+    read_urdf_springs(root, values_, robot_);
+    refuse_unread_dynamics(root, values_, robot_);
+    check_urdf_simulators(root, values_, robot_);
+    read_urdf_actuators(root, values_, robot_);
+    // Floating and planar joints come last: joints that stand for them have other names.
+    read_floating_joints();
+    for (const std::string& joint : planar_) split_planar_joint(joint, context_, robot_);
+  }
+
+ private:
+  std::set<std::string> floating_names() const {
+    std::set<std::string> names;
+    for (const int joint : floating_) names.insert(robot_.joints[static_cast<std::size_t>(joint)].name);
+    return names;
+  }
+
+  void read_floating_joints() {
+    std::vector<int> of_base;
+    std::vector<std::string> in_tree;
+    for (std::size_t k = 0; k < floating_.size(); ++k) {
+      const Joint& joint = robot_.joints[static_cast<std::size_t>(floating_[k])];
+      if (!floats_in_tree(robot_, joint)) {
+        of_base.push_back(floating_[k]);
+        continue;
+      }
+      in_tree.push_back(joint.name);
+      refuse_of_parts(*floating_elements_[k], joint);
+    }
+    // Held still by --base fixed, the base's joint is a fixed one.
+    if (context_.options.floating_base.value_or(true)) take_floating_joints(of_base, context_, robot_);
+    for (const std::string& joint : in_tree) split_floating_joint(joint, robot_);
+  }
+
+  // The file does not say which coordinate of a joint that floats in the tree its friction and limits are meant for.
+  void refuse_of_parts(const XMLElement& element, const Joint& joint) {
+    for (const char* tag : {"dynamics", "limit"}) {
+      const XMLElement* found = element.FirstChildElement(tag);
+      if (found == nullptr) continue;
+      diagnostics_.unsupported(
+          values_.place(*found),
+          "joint \"" + joint.name + "\": <" + tag + "> of a joint that floats in the tree is not read",
+          "delete it, and give what it says in a TOML file over the URDF, of " + joint.name + ".x, " + joint.name +
+              ".y, " + joint.name + ".z and " + joint.name + ".turn");
+    }
+  }
+
+  void read_link(const XMLElement& element) {
+    Link link;
+    link.place = values_.place(element);
+    link.name = values_.required_text(element, "name", "link");
+    const std::string what = "link \"" + link.name + "\"";
+    const XMLElement* inertial = element.FirstChildElement("inertial");
+    if (inertial != nullptr) link.inertials.push_back(read_inertial(*inertial, what));
+    // The first of a name counts; the validation reports the others.
+    link_of_name_.emplace(link.name, static_cast<int>(robot_.links.size()));
+    robot_.links.push_back(std::move(link));
+  }
+
+  Inertial read_inertial(const XMLElement& element, const std::string& link) {
+    Inertial inertial;
+    inertial.place = values_.place(element);
+    inertial.frame = values_.origin(element, link + ", inertial");
+    const XMLElement* mass = element.FirstChildElement("mass");
+    if (mass == nullptr) {
+      diagnostics_.error(inertial.place, link + ": <inertial> has no <mass>", "write <mass value=\"...\"/> (kg)");
+    } else {
+      inertial.mass = values_.required_number(*mass, "value", link + ", mass");
+    }
+    const XMLElement* inertia = element.FirstChildElement("inertia");
+    if (inertia != nullptr) {
+      inertial.tensor = read_tensor(*inertia, link + ", inertia");
+    } else if (mass != nullptr) {
+      point_masses_.push_back(static_cast<int>(robot_.links.size()));
+    }
+    return inertial;
+  }
+
+  // Whether a joint moves it, or one that carries it. Trees are checked later: what goes round is not followed for
+  // ever.
+  bool moves(int link) const {
+    for (std::size_t step = 0; step < robot_.joints.size(); ++step) {
+      const auto above = std::find_if(robot_.joints.begin(), robot_.joints.end(),
+                                      [link](const Joint& joint) { return joint.child == link; });
+      if (above == robot_.joints.end() || above->parent < 0) return false;
+      if (above->type != JointType::fixed) return true;
+      link = above->parent;
+    }
+    return false;
+  }
+
+  void tell_of_point_mass(const Link& link, bool moves) {
+    const Place& place = link.inertials.front().place;
+    const std::string message = "link \"" + link.name + "\": <inertial> has no <inertia>: it counts as a point mass";
+    const char* hint = "write <inertia ixx= iyy= izz= ixy= ixz= iyz=/> (kg m^2); all 0 for a point mass";
+    if (moves) {
+      diagnostics_.warning(place, message, hint, "links with a mass and no inertia, which count as point masses");
+    } else {
+      diagnostics_.note(place, message + ", and does not move", hint, "links at rest with a mass and no inertia");
+    }
+  }
+
+  Mat3 read_tensor(const XMLElement& element, const std::string& what) {
+    const auto diagonal = [&](const char* key) { return values_.required_number(element, key, what).number; };
+    const auto product = [&](const char* key) {
+      return values_.number(element, key, what).value_or(Value{0, values_.place(element)}).number;
+    };
+    const Number xx = diagonal("ixx"), yy = diagonal("iyy"), zz = diagonal("izz");
+    const Number xy = product("ixy"), xz = product("ixz"), yz = product("iyz");
+    return {Vec3{xx, xy, xz}, Vec3{xy, yy, yz}, Vec3{xz, yz, zz}};
+  }
+
+  void read_joint(const XMLElement& element) {
+    Joint joint;
+    joint.place = values_.place(element);
+    joint.name = values_.required_text(element, "name", "joint");
+    const std::string what = "joint \"" + joint.name + "\"";
+    joint.type = read_type(element, joint);
+    joint.parent = read_link_name(element, "parent", what);
+    joint.child = read_link_name(element, "child", what);
+    joint.origin = values_.origin(element, what);
+    joint.viscous.place = joint.coulomb.place = joint.armature.place = joint.place;
+    if (joint.type != JointType::fixed) {
+      read_axis(element, what, joint);
+      read_limits(element, what, joint);
+      read_friction(element, what, joint);
+    } else if (joint.held) {
+      read_axis(element, what, joint);
+      read_limits(element, what, joint);
+    }
+    robot_.joints.push_back(std::move(joint));
+  }
+
+  // How a joint would move that is held is kept beside its type.
+  JointType read_type(const XMLElement& element, Joint& joint) {
+    static const std::map<std::string, JointType> kTypes = {{"fixed", JointType::fixed},
+                                                            {"revolute", JointType::revolute},
+                                                            {"continuous", JointType::continuous},
+                                                            {"prismatic", JointType::prismatic}};
+    const std::string what = "joint \"" + joint.name + "\"";
+    const std::string type = values_.required_text(element, "type", what);
+    const auto found = kTypes.find(type);
+    if (is_held(joint.name, context_) || type.empty()) {
+      if (found != kTypes.end() && found->second != JointType::fixed) joint.held = Held{found->second};
+      return JointType::fixed;
+    }
+    if (type == "floating") {
+      floating_.push_back(static_cast<int>(robot_.joints.size()));
+      floating_elements_.push_back(&element);
+      return JointType::fixed;
+    }
+    if (type == "planar") {
+      planar_.push_back(joint.name);
+      tell_of_limits(element, what);
+      return JointType::continuous;  // until all that speaks of it is read
+    }
+    if (found == kTypes.end()) {
+      report_type(element, what, joint.name, type);
+      return JointType::fixed;
+    }
+    return found->second;
+  }
+
+  void tell_of_limits(const XMLElement& element, const std::string& what) {
+    const XMLElement* limit = element.FirstChildElement("limit");
+    if (limit == nullptr) return;
+    diagnostics_.note(values_.place(*limit), what + ": limits of a planar joint are not read",
+                      "give them in a TOML file over the URDF, [[joint]] by [[joint]]", "limits of planar joints");
+  }
+
+  void report_type(const XMLElement& element, const std::string& what, const std::string& name,
+                   const std::string& type) {
+    static const std::vector<std::string> kNotYet = {"ball", "spherical", "universal", "screw"};
+    if (std::find(kNotYet.begin(), kNotYet.end(), type) != kNotYet.end()) {
+      diagnostics_.unsupported(values_.place(element), what + ": type \"" + type + "\" is not supported yet",
+                               kFixHint + name);
+    } else {
+      diagnostics_.error(values_.place(element), what + ": unknown type \"" + type + "\"",
+                         hint_for_unknown(type, {"fixed", "revolute", "continuous", "prismatic", "planar"}, "types"));
+    }
+  }
+
+  int read_link_name(const XMLElement& joint, const char* tag, const std::string& what) {
+    const XMLElement* element = joint.FirstChildElement(tag);
+    if (element == nullptr) {
+      diagnostics_.error(values_.place(joint), what + " has no <" + tag + ">",
+                         std::string("write <") + tag + " link=\"...\"/>");
+      return -1;
+    }
+    const std::string name = values_.required_text(*element, "link", what);
+    if (name.empty()) return -1;
+    const auto found = link_of_name_.find(name);
+    if (found != link_of_name_.end()) return found->second;
+    if (name == "world" && std::string_view(tag) == "parent") return add_world(*element, what);
+    std::vector<std::string> known;
+    for (const Link& link : robot_.links) known.push_back(link.name);
+    diagnostics_.error(values_.place(*element), what + ": there is no " + tag + " link \"" + name + "\"",
+                       hint_for_unknown(name, known, "links"));
+    return -1;
+  }
+
+  // Some programs know of a link "world" without being told.
+  int add_world(const XMLElement& parent, const std::string& what) {
+    const int index = static_cast<int>(robot_.links.size());
+    robot_.links.push_back({"world", {}, values_.place(parent)});
+    link_of_name_.emplace("world", index);
+    diagnostics_.note(values_.place(parent), what + ": there is no link \"world\": it is taken for the ground",
+                      "write <link name=\"world\"/> to say so");
+    return index;
+  }
+
+  void read_axis(const XMLElement& element, const std::string& what, Joint& joint) {
+    joint.axis = {1, 0, 0};  // URDF's default
+    if (const XMLElement* axis = element.FirstChildElement("axis")) {
+      joint.axis = values_.required_vector(*axis, "xyz", what + ", axis").value_or(joint.axis);
+    }
+  }
+
+  void read_limits(const XMLElement& element, const std::string& what, Joint& joint) {
+    const XMLElement* limit = element.FirstChildElement("limit");
+    if (limit == nullptr) return;
+    const std::string where = what + ", limit";
+    if (joint.type != JointType::continuous && !(joint.held && joint.held->type == JointType::continuous)) {
+      joint.limits.lower = values_.limit(*limit, "lower", Bound::lower, where);
+      joint.limits.upper = values_.limit(*limit, "upper", Bound::upper, where);
+    }
+    remove_exchanged_limits(joint, diagnostics_);
+    joint.limits.velocity = values_.limit(*limit, "velocity", Bound::magnitude, where);
+    joint.limits.effort = values_.limit(*limit, "effort", Bound::magnitude, where);
+    joint.limits.acceleration = values_.limit(*limit, "acceleration", Bound::magnitude, where);
+  }
+
+  void read_friction(const XMLElement& element, const std::string& what, Joint& joint) {
+    if (auto damping = values_.dynamics(element, "damping", what)) joint.viscous = *damping;
+    if (auto friction = values_.dynamics(element, "friction", what)) joint.coulomb = *friction;
+  }
+
+  UrdfValues values_;
+  ReadContext& context_;
+  Diagnostics& diagnostics_;
+  Robot& robot_;
+  std::map<std::string, int> link_of_name_;
+  std::vector<int> floating_;  // joints of that type, and their elements
+  std::vector<const XMLElement*> floating_elements_;
+  std::vector<std::string> planar_;
+  std::vector<int> point_masses_;  // links whose <inertial> has a mass and no inertia
+};
+
+void report_other_format(const XMLElement& root, const Place& place, Diagnostics& diagnostics) {
+  const std::string name = root.Name();
+  const std::string message = "the outermost element is <" + name + ">, not <robot>";
+  if (const std::optional<ForeignFile> foreign = foreign_by_element(name)) {
+    diagnostics.error(place, foreign->what, foreign->hint);
+  } else if (name == "mujocoinclude") {
+    diagnostics.unsupported(place, message + ": this format is not supported",
+                            "convert the model to URDF, or write a TOML file");
+  } else {
+    diagnostics.error(place, message, "a URDF file is <robot name=\"...\"> ... </robot>");
+  }
+}
+
+}  // namespace
+
+void read_urdf(const std::string& text, const std::string& file, ReadContext& context, Robot& robot) {
+  static const XmlForm kForm = {".urdf", "a URDF file is <robot name=\"...\"> ... </robot>"};
+  tinyxml2::XMLDocument document;
+  const XMLElement* root = parse_xml(text, file, kForm, context.diagnostics, document);
+  if (root == nullptr) return;
+  if (std::string_view(root->Name()) != "robot") {
+    report_other_format(*root, {file, root->GetLineNum()}, context.diagnostics);
+    return;
+  }
+  if (refuse_content_beside(*root, file, kForm, context.diagnostics)) return;
+  if (refuse_template(*root, file, context.diagnostics)) return;
+  UrdfReader(file, context, robot).read(*root);
+}
+
+}  // namespace flatdyn

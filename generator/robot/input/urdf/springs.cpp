@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "robot/input/urdf/springs.hpp"
+
+#include <algorithm>
+
+#include "robot/input/urdf/children.hpp"
+#include "robot/input/urdf/spelling.hpp"
+
+namespace flatdyn {
+
+namespace {
+
+using tinyxml2::XMLElement;
+
+class SpringReader {
+ public:
+  SpringReader(const UrdfValues& values, Robot& robot) : values_(values), robot_(robot) {}
+
+  void read_joint(const XMLElement& element) {
+    Joint* joint = moving_joint(element.Attribute("name"));
+    if (joint == nullptr) return;
+    const std::string what = "joint \"" + joint->name + "\"";
+    for (const char* key : {"spring_stiffness", "stiffness"}) {
+      if (const auto stiffness = values_.dynamics(element, key, what)) {
+        set(joint->stiffness, *stiffness, what + ", dynamics, " + key);
+      }
+    }
+    if (const auto reference = values_.dynamics(element, "spring_reference", what)) {
+      set(joint->spring_reference, *reference, what + ", dynamics, spring_reference");
+    }
+  }
+
+  void read_gazebo(const XMLElement& gazebo) {
+    Joint* joint = moving_joint(gazebo.Attribute("reference"));
+    if (joint == nullptr) return;
+    for (const XMLElement* part : elements_in(gazebo)) {
+      const SpringWord word = spring_word_of(part->Name());
+      if (word == SpringWord::none) continue;
+      const std::string what = "gazebo \"" + joint->name + "\", " + part->Name();
+      set(word == SpringWord::stiffness ? joint->stiffness : joint->spring_reference,
+          {values_.number_of_text(*part, what), values_.place(*part)}, what);
+    }
+  }
+
+ private:
+  Joint* moving_joint(const char* name) {
+    const auto found = std::find_if(robot_.joints.begin(), robot_.joints.end(), [name](const Joint& joint) {
+      return name != nullptr && joint.name == name && joint.type != JointType::fixed;
+    });
+    return found == robot_.joints.end() ? nullptr : &*found;
+  }
+
+  // A number that is given twice has to be the same. A place without a file: it has not been given.
+  void set(Value& value, const Value& given, const std::string& what) {
+    if (!value.place.file.empty() && !vanishes(value.number - given.number)) {
+      values_.context().diagnostics.error(
+          given.place, what + " is not what line " + std::to_string(value.place.line) + " says of the same spring",
+          "keep one of them");
+      return;
+    }
+    value = given;
+  }
+
+  const UrdfValues& values_;
+  Robot& robot_;
+};
+
+}  // namespace
+
+SpringWord spring_word_of(std::string_view name) {
+  const std::string joined = joined_name(name);
+  if (joined == "springstiffness" || joined == "stiffness") return SpringWord::stiffness;
+  return joined == "springreference" ? SpringWord::reference : SpringWord::none;
+}
+
+void read_urdf_springs(const XMLElement& root, const UrdfValues& values, Robot& robot) {
+  SpringReader reader(values, robot);
+  for (const XMLElement* joint : elements_in(root, "joint")) reader.read_joint(*joint);
+  for (const XMLElement* gazebo : elements_in(root, "gazebo")) reader.read_gazebo(*gazebo);
+}
+
+}  // namespace flatdyn

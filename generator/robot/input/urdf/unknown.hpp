@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Attributes and elements in an element of a URDF that are not read there. They are left out with a note, or refused
+// where something that is meant may be lost.
+#pragma once
+
+#include <tinyxml2.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "robot/input/urdf/values.hpp"
+
+namespace flatdyn {
+
+class UnknownEntries {
+ public:
+  explicit UnknownEntries(const UrdfValues& values) : values_(values), diagnostics_(values.context().diagnostics) {}
+
+  // Attributes, children and text of an element of which values are read.
+  void check(const tinyxml2::XMLElement& element, const std::string& what);
+
+  // Values that stand as attributes in `holder` itself and not in an element for them: <joint axis="0 0 1">.
+  void check_misplaced(const tinyxml2::XMLElement& holder, const std::string& what);
+
+ private:
+  struct Known;
+
+  bool refuse(const tinyxml2::XMLElement& element, const UrdfEntry& entry, const Known& known, const std::string& what);
+  void note_left_out(const tinyxml2::XMLElement& element, const std::vector<std::string>& names,
+                     const std::string& what);
+
+  const UrdfValues& values_;
+  Diagnostics& diagnostics_;
+  std::set<std::string> noted_;  // said once per file: where there is one such joint, all are so
+};
+
+}  // namespace flatdyn

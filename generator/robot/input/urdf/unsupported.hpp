@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Elements that change the dynamics and are not read: constraints, springs, cables, rotors in ros2_control. They are
+// refused, never skipped.
+#pragma once
+
+#include <string_view>
+
+#include "robot/input/urdf/values.hpp"
+
+namespace flatdyn {
+
+void refuse_unread_dynamics(const tinyxml2::XMLElement& root, const UrdfValues& values, const Robot& robot);
+
+// Whether an element of <robot> is refused by that: a constraint, or what exerts forces.
+bool is_unsupported_element(std::string_view name);
+
+inline constexpr const char* kLoopHint =
+    "write it as <loop name=\"...\" type=\"revolute\"> with <predecessor link=\"...\">, <successor link=\"...\">, an "
+    "<origin> in each, and <axis>";
+
+// `where` follows the element's name in the message: " in <gazebo>".
+void refuse_unsupported(const tinyxml2::XMLElement& element, const std::string& where, const char* hint,
+                        const UrdfValues& values);
+
+// A joint of this name that does not move: a spring there does nothing. nullptr is nobody's name.
+bool is_at_rest(const Robot& robot, const char* joint);
+
+}  // namespace flatdyn

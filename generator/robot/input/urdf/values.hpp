@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Values of URDF elements, each with its line. URDF has decimals only: no expressions, no symbols. A value is that of
+// an attribute, or stands in another place of the element where it can mean nothing else, and that is noted; where it
+// is given twice it must be the same.
+#pragma once
+
+#include <tinyxml2.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/input/common/context.hpp"
+#include "robot/input/urdf/entries.hpp"
+
+namespace flatdyn {
+
+struct UrdfText {
+  std::string text;
+  Spot spot;
+};
+
+class UrdfValues {
+ public:
+  UrdfValues(std::string file, ReadContext& context) : file_(std::move(file)), context_(context) {}
+
+  Place place(const tinyxml2::XMLElement& element) const { return {file_, element.GetLineNum()}; }
+
+  // The value's text, "" and an error if it is missing or empty; an error if it is not UTF-8.
+  std::string required_text(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
+
+  // The value's text as written, and where; nullopt if it is not there.
+  std::optional<UrdfText> text(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
+
+  // The number; nullopt if it is not there, 0 and an error if it is no number.
+  std::optional<Value> number(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
+  // The same, an error if it is not there.
+  Value required_number(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
+
+  // The angle of a decimal: snapped, and asked about where it may be in degrees.
+  Number angle_of(const Number& decimal, const std::string& written, const Spot& spot) const;
+
+  // An angle, 0 if it is not there; near a multiple of pi/12 it is that.
+  Number angle(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
+
+  // The same of a joint's <dynamics>, or of its <joint_properties>, which older files have.
+  std::optional<Value> dynamics(const tinyxml2::XMLElement& joint, const char* key, const std::string& what) const;
+
+  // The number that is the text of an element: <springStiffness>100</springStiffness>.
+  Number number_of_text(const tinyxml2::XMLElement& element, const std::string& what) const;
+
+  // A limit: infinite means none. So does a negative magnitude, which is noted.
+  std::optional<Value> limit(const tinyxml2::XMLElement& element, const char* key, Bound bound,
+                             const std::string& what) const;
+
+  // Three numbers; nullopt if they are not there, or an error.
+  std::optional<Vec3> vector(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
+  // The same, and an error if they are not there.
+  std::optional<Vec3> required_vector(const tinyxml2::XMLElement& element, const char* key,
+                                      const std::string& what) const;
+
+  // <origin xyz rpy> or <origin xyz quat_xyzw> of an element that may have one: xyz, then Rz(yaw) Ry(pitch) Rx(roll).
+  // tag: what else it is called.
+  Pose origin(const tinyxml2::XMLElement& parent, const std::string& what, const char* tag = "origin") const;
+
+  ReadContext& context() const { return context_; }
+
+ private:
+  using Holders = std::vector<const tinyxml2::XMLElement*>;
+
+  // The value of a key, wherever in the elements it stands; nullopt if it stands nowhere.
+  std::optional<UrdfEntry> written(const Holders& holders, const std::string& key, const std::string& what) const;
+  void note_unusual(const tinyxml2::XMLElement& holder, const UrdfEntry& entry, const std::string& key,
+                    const std::string& what) const;
+  void report_missing(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
+  Spot spot(const UrdfEntry& entry, const std::string& key, const std::string& what) const;
+  std::optional<Value> number(const Holders& holders, const char* key, const std::string& what) const;
+  std::optional<Vec3> vector(const UrdfEntry& entry, const Spot& spot) const;
+  template <std::size_t n>
+  std::optional<std::array<Number, n>> numbers(const UrdfEntry& entry, const Spot& spot) const;
+  bool check_length(const std::array<Number, 4>& quaternion, const Spot& spot) const;
+  // By rpy, or by quat_xyzw: roll, pitch, yaw.
+  Vec3 turn(const tinyxml2::XMLElement& element, const std::string& what) const;
+  Vec3 angles(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
+
+  std::string file_;
+  ReadContext& context_;
+};
+
+// The displacements of URDF's xyz and rpy; zero ones are left out.
+Pose pose_from_xyz_rpy(const Vec3& xyz, const Vec3& rpy, const Place& place);
+
+}  // namespace flatdyn

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "robot/model/joint_friction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/diagnostics/diagnostics.hpp"
+
+namespace flatdyn {
+namespace {
+
+// The coordinate that a body's joint follows, and its factor.
+struct Leader {
+  std::size_t coordinate;
+  double factor;
+};
+
+// Converts an entry of q, counted after the base's six, which stay, to the entry of q̇ from which it is integrated.
+// Throws Failure(unsupported) if a closed loop determines it.
+Leader rate_of(const Mechanism& mechanism, Leader leader, std::size_t body) {
+  const int base = mechanism.base_bodies();
+  if (!mechanism.has_loops() || static_cast<int>(leader.coordinate) < base) return leader;
+  const auto found =
+      std::find(mechanism.independent.begin(), mechanism.independent.end(), static_cast<int>(leader.coordinate) - base);
+  if (found != mechanism.independent.end()) {
+    return {static_cast<std::size_t>(base + (found - mechanism.independent.begin())), leader.factor};
+  }
+  throw Failure(ExitCode::unsupported,
+                fmt::format("friction of joint \"{}\", which a closed loop moves, is not supported here",
+                            mechanism.bodies[body].joint),
+                "leave it out (viscous = 0, coulomb = 0), or choose other dependent joints");
+}
+
+Leader leader_of(const Mechanism& mechanism, std::size_t body) {
+  if (!mechanism.is_coupled()) return {body, 1};
+  const std::vector<Number> row = mechanism.rate_coupling()[body];
+  std::vector<Leader> leaders;
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    if (!vanishes(row[k])) leaders.push_back({k, nearest_double(row[k])});
+  }
+  if (leaders.size() == 1) return rate_of(mechanism, leaders.front(), body);
+  if (mechanism.bodies[body].is_tendon) {
+    throw Failure(ExitCode::unsupported,
+                  fmt::format("friction of tendon \"{}\", which acts on several joints, is not supported here",
+                              mechanism.bodies[body].joint),
+                  "leave it out: viscous = 0 and coulomb = 0, or a scene with friction = false, which leaves out all");
+  }
+  throw Failure(ExitCode::unsupported,
+                fmt::format("friction of joint \"{}\", which follows several coordinates, is not supported here",
+                            mechanism.bodies[body].joint),
+                "leave it out (viscous = 0, coulomb = 0), or give the joint a coordinate of its own");
+}
+
+}  // namespace
+
+JointFriction joint_friction(const Mechanism& mechanism) {
+  const auto n = static_cast<std::size_t>(mechanism.size());
+  JointFriction friction{std::vector<double>(n, 0), std::vector<double>(n, 0)};
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    const Body& body = mechanism.bodies[i];
+    if (vanishes(body.viscous) && vanishes(body.coulomb)) continue;
+    const auto [k, factor] = leader_of(mechanism, i);
+    friction.viscous[k] += factor * factor * nearest_double(body.viscous);
+    friction.coulomb[k] += std::abs(factor) * nearest_double(body.coulomb);
+  }
+  return friction;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "truth/definition/kinematics_definitions.hpp"
+
+#include "truth/definition/rules.hpp"
+
+namespace flatdyn::definitions {
+namespace {
+
+template <class F>
+std::vector<F> position(const Pose3<F>& pose) {
+  return {pose.p.begin(), pose.p.end()};
+}
+
+template <class F>
+std::vector<F> rotation(const Pose3<F>& pose) {
+  std::vector<F> result;
+  for (const Vector3<F>& row : pose.R) result.insert(result.end(), row.begin(), row.end());
+  return result;
+}
+
+}  // namespace
+
+constinit const Definition forward_kinematics = defined_as([](auto& at, const Output& output) {
+  const auto pose = at.lagrangian.pose(at.frame());
+  return output.name == "p" ? position(pose) : rotation(pose);
+});
+
+constinit const Definition jacobian =
+    defined_as([](auto& at, const Output&) { return at.lagrangian.jacobian(at.frame()).entries(); });
+
+constinit const Definition jacobian_dot_qd =
+    defined_as([](auto& at, const Output&) { return at.jacobian_dot_qd(at.frame()); });
+
+constinit const Definition external_torque = defined_as(
+    [](auto& at, const Output&) { return at.lagrangian.torques_at(at.frame(), at.drawn(InputKind::h_e, 6)); });
+
+}  // namespace flatdyn::definitions

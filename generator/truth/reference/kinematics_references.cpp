@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "truth/reference/kinematics_references.hpp"
+
+#include "truth/reference/magnitude.hpp"
+#include "truth/reference/reference_point.hpp"
+
+namespace flatdyn::references {
+namespace {
+
+namespace ref = reference;
+using At = ReferencePoint<double>;
+
+template <class S>
+std::vector<S> pose_entries(const ReferencePoint<S>& at) {
+  const ref::Pose<S> pose = ref::tip_pose(at.robot, at.q);
+  std::vector<S> entries = row_by_row(pose.R);
+  entries.insert(entries.end(), pose.p.data(), pose.p.data() + 3);
+  return entries;
+}
+
+// Entries of rotations have magnitude 1; positions and moment arms have that of the path to the tip.
+std::vector<double> pose_magnitude(const At& at) {
+  std::vector<double> entries(9, 1.0);
+  entries.insert(entries.end(), 3, ref::reach(at.robot, at.q));
+  return entries;
+}
+
+std::vector<double> tip_acceleration(const At& at) {
+  const Eigen::Vector2d m = ref::tip_acceleration_magnitude(at.robot, at.q, at.qd);
+  return {m[0], m[0], m[0], m[1], m[1], m[1]};
+}
+
+template <class S>
+ref::VectorX<S> wrench(const ReferencePoint<S>& at) {
+  ref::VectorX<S> h(6);
+  h << at.h_e.f_e, at.h_e.mu_e;
+  return h;
+}
+
+template <class S>
+std::vector<S> torques_of_wrench(const ReferencePoint<S>& at) {
+  return row_by_row(ref::VectorX<S>(ref::jacobian(at.robot, at.q).transpose() * wrench(at)));
+}
+
+std::vector<double> wrench_magnitude(const At& at) {
+  const ref::VectorX<double> h = wrench(at).cwiseAbs();
+  return row_by_row(ref::VectorX<double>(ref::jacobian_magnitude(at.robot, at.q).transpose() * h));
+}
+
+}  // namespace
+
+constinit const NumericReference forward_kinematics =
+    computed_by([](const auto& at) { return pose_entries(at); }, [](const At& at) { return pose_magnitude(at); });
+
+constinit const NumericReference jacobian =
+    computed_by([](const auto& at) { return row_by_row(ref::jacobian(at.robot, at.q)); },
+                [](const At& at) { return row_by_row(ref::jacobian_magnitude(at.robot, at.q)); });
+
+constinit const NumericReference jacobian_dot_qd =
+    computed_by([](const auto& at) { return row_by_row(ref::jacobian_dot_qd(at.robot, at.q, at.qd)); },
+                [](const At& at) { return tip_acceleration(at); });
+
+constinit const NumericReference external_torque = computed_by([](const auto& at) { return torques_of_wrench(at); },
+                                                               [](const At& at) { return wrench_magnitude(at); });
+
+}  // namespace flatdyn::references
