@@ -36,7 +36,8 @@ Number decimal_option(const std::string& option, const std::string& text) {
     if (is_reasonable(GiNaC::ex_to<GiNaC::numeric>(number))) return number;
   } catch (const std::invalid_argument&) {
   }
-  throw Failure(ExitCode::usage, fmt::format("{}: \"{}\" is not a decimal number between 1e-30 and 1e30", option, text),
+  throw Failure(FailureKind::usage,
+                fmt::format("{}: \"{}\" is not a decimal number between 1e-30 and 1e30", option, text),
                 "write it with digits, as in 0.25 or 1e-4");
 }
 
@@ -45,7 +46,7 @@ Number snap_option(const std::string& text) {
   const Number tolerance = decimal_option("--snap", text);
   const GiNaC::numeric value = GiNaC::ex_to<GiNaC::numeric>(tolerance);
   if (value >= 0 && value <= GiNaC::numeric(65, 1000)) return tolerance;
-  throw Failure(ExitCode::usage, fmt::format("--snap: {} rad is no tolerance for angles", text),
+  throw Failure(FailureKind::usage, fmt::format("--snap: {} rad is no tolerance for angles", text),
                 "0 for none, at most 0.065");
 }
 
@@ -54,7 +55,7 @@ Vec3 vector_option(const std::string& option, const std::string& text) {
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) entries.push_back(decimal_option(option, part));
   if (entries.size() != 3 || text.back() == ',') {
-    throw Failure(ExitCode::usage, fmt::format("{}: \"{}\" is not three numbers", option, text),
+    throw Failure(FailureKind::usage, fmt::format("{}: \"{}\" is not three numbers", option, text),
                   "write it as 0,0,-9.81");
   }
   return {entries[0], entries[1], entries[2]};
@@ -71,9 +72,9 @@ Number expression_option(const std::string& option, const std::string& text) {
   try {
     const Number value = parse_expression(text, no_symbol);
     if (is_reasonable(GiNaC::ex_to<GiNaC::numeric>(value.evalf()))) return value;
-    throw Failure(ExitCode::usage, fmt::format("{}: \"{}\" is not between 1e-30 and 1e30", option, text));
+    throw Failure(FailureKind::usage, fmt::format("{}: \"{}\" is not between 1e-30 and 1e30", option, text));
   } catch (const ExpressionError& error) {
-    throw Failure(ExitCode::usage, fmt::format("{}: \"{}\": {}", option, text, error.what()),
+    throw Failure(FailureKind::usage, fmt::format("{}: \"{}\": {}", option, text, error.what()),
                   "write a number or an expression such as pi/2");
   }
 }
@@ -109,7 +110,7 @@ std::vector<JointPosition> fixed_options(const std::vector<std::string>& texts) 
       all.push_back(lock);
     } else if (!vanishes(before->position - lock.position) || before->in_degrees != lock.in_degrees) {
       throw Failure(
-          ExitCode::usage,
+          FailureKind::usage,
           fmt::format("--fix: joint \"{}\" is held at {} and at {}", lock.joint, before->written, lock.written),
           "give it one position");
     }
@@ -130,14 +131,14 @@ std::string position_text(const JointPosition& lock, const Robot& robot) {
 ErrorBudget error_budget_option(const std::string& text) {
   const std::optional<ErrorBudget> budget = error_budget(text);
   if (!budget) {
-    throw Failure(ExitCode::usage, fmt::format("--error-budget: \"{}\" is no error budget", text), kErrorBudgetHint);
+    throw Failure(FailureKind::usage, fmt::format("--error-budget: \"{}\" is no error budget", text), kErrorBudgetHint);
   }
   return *budget;
 }
 
 SearchLimit search_option(const std::string& text) {
   const std::optional<SearchLimit> limit = search_limit(text);
-  if (!limit) throw Failure(ExitCode::usage, fmt::format("--search: \"{}\" is no limit", text), kSearchLimitHint);
+  if (!limit) throw Failure(FailureKind::usage, fmt::format("--search: \"{}\" is no limit", text), kSearchLimitHint);
   return *limit;
 }
 
@@ -383,14 +384,14 @@ std::string RobotArguments::stamp_of_settings(const std::vector<OptimisedFunctio
 std::vector<std::string> RobotArguments::settings(const LoadedRobot& model) const {
   if (model.robot.file == kStandardInput || !xacro.empty() || !ignored.empty() || !model_name.empty() ||
       !keyframe.empty()) {
-    throw Failure(ExitCode::usage,
+    throw Failure(FailureKind::usage,
                   "a robot file cannot name a robot that comes from stdin, or with --xacro, --ignore, --model or "
                   "--keyframe",
                   "write the robot to a file first: xacro FILE NAME:=VALUE > robot.urdf");
   }
   const Scene& wanted = model.robot.scene;
   if (wanted.payload || !wanted.friction || !wanted.springs || !wanted.limits.empty()) {
-    throw Failure(ExitCode::unsupported,
+    throw Failure(FailureKind::unsupported,
                   "a robot file cannot repeat what the scene says of payload, friction, springs and limits",
                   "use a scene with gravity and [locked] only, or write these into the robot file");
   }
@@ -422,7 +423,7 @@ void RobotArguments::note_function_keys(const LoadedRobot& model) const {
 }
 
 void RobotArguments::report(const Diagnostics& found) const {
-  if (found.has_errors() || (warnings_are_errors && found.has_warnings())) throw BadInput(ExitCode::input, found);
+  if (found.has_errors() || (warnings_are_errors && found.has_warnings())) throw BadInput(FailureKind::input, found);
   print_diagnostics(found, *this);
 }
 

@@ -57,7 +57,7 @@ BenchReport bench_robot(const BenchArguments& arguments, const std::string& robo
   refuse_loops(model, "bench");
   print_diagnostics(model.diagnostics, arguments);
   if (model.robot.scene.at_rest || !model.robot.scene.outputs.empty()) {
-    throw Failure(ExitCode::unsupported, "bench compares whole functions in motion with peers",
+    throw Failure(FailureKind::unsupported, "bench compares whole functions in motion with peers",
                   "take static and [outputs] out of the scene");
   }
   Diagnostics findings;
@@ -146,7 +146,7 @@ void check_gpu_names(const std::vector<SourceFile>& sources) {
   std::set<std::filesystem::path> names;
   for (const SourceFile& source : sources) {
     if (names.insert(source.path).second) continue;
-    throw Failure(ExitCode::usage, fmt::format("bench --gpu: two robots would write {}", source.path.string()),
+    throw Failure(FailureKind::usage, fmt::format("bench --gpu: two robots would write {}", source.path.string()),
                   "measure them one by one");
   }
 }
@@ -176,25 +176,25 @@ ExitCode run_gpu(const BenchArguments& arguments) {
 
 void check_gpu(const BenchArguments& arguments) {
   if (arguments.prepare && arguments.folder.empty()) {
-    throw Failure(ExitCode::usage, "--prepare writes a folder, and none is named", "name one with -o");
+    throw Failure(FailureKind::usage, "--prepare writes a folder, and none is named", "name one with -o");
   }
 }
 
 void check_generator(const BenchArguments& arguments) {
   if (arguments.robots.size() == 1) return;
-  throw Failure(ExitCode::usage, "--generator measures one robot, as peak memory is that of the whole program",
+  throw Failure(FailureKind::usage, "--generator measures one robot, as peak memory is that of the whole program",
                 "name one robot file");
 }
 
 ExitCode run_bench(const BenchArguments& arguments) {
   if (arguments.growth && !arguments.robots.empty()) {
-    throw Failure(ExitCode::usage, "--growth makes its own robots", "leave out " + arguments.robots.front());
+    throw Failure(FailureKind::usage, "--growth makes its own robots", "leave out " + arguments.robots.front());
   }
   if (!arguments.growth && arguments.robots.empty()) {
-    throw Failure(ExitCode::usage, "no robot file is given", "name one, or ask for --growth");
+    throw Failure(FailureKind::usage, "no robot file is given", "name one, or ask for --growth");
   }
   if (arguments.growth && !arguments.search.empty()) {
-    throw Failure(ExitCode::usage, "--growth takes the usual choices", "leave out --search");
+    throw Failure(FailureKind::usage, "--growth takes the usual choices", "leave out --search");
   }
   if (arguments.generator) {
     check_generator(arguments);

@@ -117,7 +117,7 @@ void check_trigonometry(const CertifyOptions& options) {
   const double error = trigonometry_error(options);
   if (error <= kMost) return;
   throw Failure(
-      ExitCode::usage, fmt::format("--trigonometry-ulp: sines and cosines that are off by {:.2g}", error),
+      FailureKind::usage, fmt::format("--trigonometry-ulp: sines and cosines that are off by {:.2g}", error),
       fmt::format("give what they are off over 2^-{}: 1000 is {:.2g}", rounding_format(options.scalar).precision,
                   std::ldexp(1000.0, -rounding_format(options.scalar).precision)));
 }
@@ -133,7 +133,7 @@ ExitCode run_certify(const CertifyArguments& arguments) {
                               snap_effects(model, options.read)};
   if (is_refuted(result.certificate)) {
     if (!arguments.json) print_result(describe_certificate(result.certificate, arguments.enough / 100));
-    throw Failure(ExitCode::verification_failed, "a bound is wrong: Gappa refuses it, or a larger error was seen",
+    throw Failure(FailureKind::verification_failed, "a bound is wrong: Gappa refuses it, or a larger error was seen",
                   "nothing was written; this is a mistake of the program: report it, with the robot file");
   }
   if (!arguments.folder.empty()) write(arguments, result, about);

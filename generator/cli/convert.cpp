@@ -26,7 +26,7 @@ constexpr double kSameTorque = 1e-15;
 
 void check_round_trip(const Conversion& conversion, const RoundTrip& trip) {
   if (trip.is_exact || (!conversion.rounded.empty() && trip.largest < kSameTorque)) return;
-  throw Failure(ExitCode::unsupported,
+  throw Failure(FailureKind::unsupported,
                 fmt::format("the file would be read as another robot: {} differs, and torques by {:.2g} of the largest",
                             trip.where, trip.largest),
                 "numbers near to others are snapped when they are read: leave --snap out, or write a TOML file");
@@ -52,7 +52,7 @@ ExitCode convert(const ConvertArguments& arguments) {
   const std::string output_name = named_output(arguments);
   Diagnostics lost;
   const Conversion conversion = (is_toml(output_name) ? toml_of : urdf_of)(model.robot, lost);
-  if (lost.has_errors()) throw BadInput(ExitCode::unsupported, lost);
+  if (lost.has_errors()) throw BadInput(FailureKind::unsupported, lost);
   const RoundTrip trip = round_trip(conversion.text, output_name, model);
   check_round_trip(conversion, trip);
   note_rounded(conversion, trip, arguments);

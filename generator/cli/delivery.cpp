@@ -34,7 +34,8 @@ void compare(const std::vector<TextFile>& files) {
   for (const TextFile& file : files) {
     const std::string how = difference(file);
     if (how.empty()) continue;
-    throw Failure(ExitCode::outdated, fmt::format("{}: is not what this run would write: {}", file.path.string(), how),
+    throw Failure(FailureKind::outdated,
+                  fmt::format("{}: is not what this run would write: {}", file.path.string(), how),
                   "run it again without --check");
   }
 }

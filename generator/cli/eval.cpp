@@ -38,7 +38,7 @@ ExitCode run_eval(const EvalArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, options);
   print_diagnostics(model.diagnostics, arguments);
   if (model.abbreviation && arguments.options.reference) {
-    throw Failure(ExitCode::usage, "the reference knows the whole model only",
+    throw Failure(FailureKind::usage, "the reference knows the whole model only",
                   "leave out --reference, or the error budget");
   }
   std::vector<std::string> inputs = model.robot.files;
@@ -51,7 +51,7 @@ ExitCode run_eval(const EvalArguments& arguments) {
   }
   std::vector<double> times;
   if (!arguments.plot.empty()) times = times_to_draw(states, arguments.states, model.mechanism, found);
-  if (found.has_errors()) throw BadInput(ExitCode::input, found);
+  if (found.has_errors()) throw BadInput(FailureKind::input, found);
   Progress progress(arguments.quiet);
   const std::vector<Function> functions = functions_of(make_functions(model, options, progress, found));
   const CsvTable result =

@@ -49,7 +49,7 @@ ExitCode excite(const ExciteArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   refuse_loops(model, "excite");
   if ((arguments.no_base_force || !arguments.imu.empty()) && !model.mechanism.floating_base) {
-    throw Failure(ExitCode::usage, "--no-base-force and --imu are for robots with a floating base",
+    throw Failure(FailureKind::usage, "--no-base-force and --imu are for robots with a floating base",
                   "give --base floating");
   }
   print_diagnostics(model.diagnostics, arguments);
@@ -75,7 +75,7 @@ ExitCode excite(const ExciteArguments& arguments) {
        excitation_json(equations, excitation, logged, frames)},
       arguments);
   if (!Interruption::happened()) return ExitCode::ok;
-  throw Failure(ExitCode::interrupted, "interrupted before the search was at its end",
+  throw Failure(FailureKind::interrupted, "interrupted before the search was at its end",
                 "the best motion so far, which keeps the limits, is in " + csv);
 }
 

@@ -83,7 +83,7 @@ void choose_language(GenerateArguments& arguments, const char* option, bool Lang
   const bool is_given = arguments.language_given->count() > 0 && arguments.language != kPython;
   if (is_given && language_row(arguments.language).*what) return;
   if (is_given) {
-    throw Failure(ExitCode::usage, fmt::format("{}: its code is in {}", option, languages_text(what)),
+    throw Failure(FailureKind::usage, fmt::format("{}: its code is in {}", option, languages_text(what)),
                   "leave --language out");
   }
   arguments.language = language_with(what).option;
@@ -99,7 +99,7 @@ void choose_for_firmware(GenerateArguments& arguments) {
   if (arguments.firmware.empty()) return;
   choose_language(arguments, "--firmware", &LanguageRow::is_for_firmware);
   if (!arguments.fused.empty()) {
-    throw Failure(ExitCode::usage, "--firmware: fused functions have no self test", "leave --fuse out");
+    throw Failure(FailureKind::usage, "--firmware: fused functions have no self test", "leave --fuse out");
   }
   if (arguments.scalar_given->count() == 0) arguments.scalars = {firmware_target(arguments.firmware).scalar};
 }
@@ -108,10 +108,10 @@ void choose_for_firmware(GenerateArguments& arguments) {
 void check_form(const GenerateArguments& arguments) {
   const LanguageRow& language = language_row(arguments.language);
   if (arguments.form_given->count() > 0 && !language.has_pair) {
-    throw Failure(ExitCode::usage, fmt::format("--form: {} has one form only", language.name), "leave it out");
+    throw Failure(FailureKind::usage, fmt::format("--form: {} has one form only", language.name), "leave it out");
   }
   if (arguments.scalars.size() == 1 || arguments.is_pair()) return;
-  throw Failure(ExitCode::usage, "--scalar: one is enough here",
+  throw Failure(FailureKind::usage, "--scalar: one is enough here",
                 language.has_pair
                     ? "a header is a template over its scalar: name that of its constants; or use --form pair"
                     : "name one, and run it again with another --name and --namespace for the other");
@@ -122,17 +122,17 @@ void check_stdout(const GenerateArguments& arguments) {
   if (!arguments.is_to_stdout()) return;
   if (arguments.json) refuse_two_on_stdout();
   if (arguments.delivery.check || arguments.delivery.dry_run || !arguments.delivery.depfile.empty()) {
-    throw Failure(ExitCode::usage, "-o -: --check, --dry-run and --depfile are about files", "name a folder");
+    throw Failure(FailureKind::usage, "-o -: --check, --dry-run and --depfile are about files", "name a folder");
   }
   if (!language_row(arguments.language).is_one_file() || arguments.is_pair() || arguments.python) {
-    throw Failure(ExitCode::usage, "-o -: several files result, and stdout has room for one",
+    throw Failure(FailureKind::usage, "-o -: several files result, and stdout has room for one",
                   fmt::format("name a folder; {} is one file", languages_text(&LanguageRow::is_one_file)));
   }
   if (!arguments.conventions.empty()) {
-    throw Failure(ExitCode::usage, "-o -: --convention writes headers of its own", "name a folder");
+    throw Failure(FailureKind::usage, "-o -: --convention writes headers of its own", "name a folder");
   }
   if (!arguments.dumped_passes.empty()) {
-    throw Failure(ExitCode::usage, "-o -: --dump-after writes files of its own", "name a folder");
+    throw Failure(FailureKind::usage, "-o -: --dump-after writes files of its own", "name a folder");
   }
 }
 
@@ -141,14 +141,15 @@ void check_fma(const GenerateArguments& arguments) {
   if (!arguments.fuses) return;
   const LanguageRow& language = language_row(arguments.language);
   if (!language.has_fma || (arguments.python && !language.has_kernels)) {
-    throw Failure(ExitCode::usage,
+    throw Failure(FailureKind::usage,
                   arguments.python ? "--fma: the module for Python is without fused multiply-adds"
                                    : fmt::format("--fma: {} has no fused multiply-add", language.name),
                   "leave it out");
   }
   if (arguments.firmware.empty() || arguments.scalars.front() == "float") return;
   if (std::string(firmware_target(arguments.firmware).scalar) == "float") {
-    throw Failure(ExitCode::usage, fmt::format("--fma: {} has fused multiply-adds in float only", arguments.firmware),
+    throw Failure(FailureKind::usage,
+                  fmt::format("--fma: {} has fused multiply-adds in float only", arguments.firmware),
                   "use --scalar float, or leave --fma out");
   }
 }
@@ -157,11 +158,11 @@ void check_fma(const GenerateArguments& arguments) {
 void check_limbs(const GenerateArguments& arguments) {
   if (!arguments.has_lanes()) return;
   if (!language_row(arguments.language).has_lanes) {
-    throw Failure(ExitCode::usage, fmt::format("--limbs lanes: not in {}", language_row(arguments.language).name),
+    throw Failure(FailureKind::usage, fmt::format("--limbs lanes: not in {}", language_row(arguments.language).name),
                   "leave it out, or use " + languages_text(&LanguageRow::has_lanes));
   }
   if (arguments.fuses) {
-    throw Failure(ExitCode::usage, "--limbs lanes: not with fused multiply-adds", "leave it out, or --fma");
+    throw Failure(FailureKind::usage, "--limbs lanes: not with fused multiply-adds", "leave it out, or --fma");
   }
 }
 
@@ -170,10 +171,10 @@ void check_conventions(const GenerateArguments& arguments) {
   const std::vector<std::string>& names = arguments.conventions;
   for (auto name = names.begin(); name != names.end(); ++name) {
     if (std::find(names.begin(), name, *name) == name) continue;
-    throw Failure(ExitCode::usage, "--convention: \"" + *name + "\" is asked for twice", "name it once");
+    throw Failure(FailureKind::usage, "--convention: \"" + *name + "\" is asked for twice", "name it once");
   }
   if (arguments.conventions.empty() || language_row(arguments.language).has_conventions) return;
-  throw Failure(ExitCode::usage, fmt::format("--convention: not in {}", language_row(arguments.language).name),
+  throw Failure(FailureKind::usage, fmt::format("--convention: not in {}", language_row(arguments.language).name),
                 "leave it out, or use " + languages_text(&LanguageRow::has_conventions));
 }
 
@@ -185,25 +186,25 @@ void check_usage(const GenerateArguments& arguments) {
   check_limbs(arguments);
   check_pass_names(arguments.dumped_passes);
   if (arguments.fused.size() == 1) {
-    throw Failure(ExitCode::usage, "--fuse: one function is no set", "name two or more, separated by commas");
+    throw Failure(FailureKind::usage, "--fuse: one function is no set", "name two or more, separated by commas");
   }
   const LanguageRow& language = language_row(arguments.language);
   if (!language.has_parts && arguments.most_lines > 0) {
     throw Failure(
-        ExitCode::usage,
+        FailureKind::usage,
         fmt::format("--max-lines: functions of {} stay whole, as calls within a kernel are slow", language.name),
         "leave it out");
   }
   if (!language.has_stages && !arguments.staged.empty()) {
-    throw Failure(ExitCode::usage, fmt::format("--stages: there are none in {}", language.name),
+    throw Failure(FailureKind::usage, fmt::format("--stages: there are none in {}", language.name),
                   "--fuse computes several functions in one call");
   }
   if (!language.has_scalar && arguments.scalars.front() != "double") {
-    throw Failure(ExitCode::usage, fmt::format("--scalar: all numbers of {} are doubles", language.name),
+    throw Failure(FailureKind::usage, fmt::format("--scalar: all numbers of {} are doubles", language.name),
                   "leave it out");
   }
   if (!language.has_namespace && !arguments.name_space.empty()) {
-    throw Failure(ExitCode::usage, fmt::format("--namespace: a module of {} has none", language.name),
+    throw Failure(FailureKind::usage, fmt::format("--namespace: a module of {} has none", language.name),
                   "leave it out; --name names the file");
   }
 }

@@ -75,7 +75,7 @@ std::vector<std::string> words_of(const std::string& options) {
 std::string content_of(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
-    throw Failure(ExitCode::io, fmt::format("{}: cannot be read", file.string()), "--header names a file");
+    throw Failure(FailureKind::io, fmt::format("{}: cannot be read", file.string()), "--header names a file");
   }
   std::string text = content_of_file(file);
   for (std::size_t at = text.find("\r\n"); at != std::string::npos; at = text.find("\r\n", at)) text.erase(at, 1);
@@ -108,7 +108,7 @@ class HeldFiles {
     add(stamped_file(named));
     stamp_ = stamp_in(text_);
     if (stamp_.version.empty()) {
-      throw Failure(ExitCode::input, fmt::format("{}: its first comment has no stamp of flatdyn", header().string()),
+      throw Failure(FailureKind::input, fmt::format("{}: its first comment has no stamp of flatdyn", header().string()),
                     "name the file with the functions as it was generated, not one around it, such as a header of "
                     "--convention");
     }
@@ -159,7 +159,7 @@ GenerationOptions options_of(const HeldFiles& files, const OptionsGiven& given) 
   const Stamp& stamp = files.stamp();
   const Place place = files.place(stamp.line_of_options);
   const auto refuse = [&](const std::string& why) -> Failure {
-    return {ExitCode::input,
+    return {FailureKind::input,
             fmt::format("{}:{}: its stamp is not one of flatdyn {}: {}", place.file, place.line, kProgramVersion, why),
             fmt::format("verify it with flatdyn {}, which wrote it", stamp.version)};
   };
@@ -169,11 +169,11 @@ GenerationOptions options_of(const HeldFiles& files, const OptionsGiven& given) 
   } catch (const CLI::ParseError& error) {
     throw refuse(error.what());
   } catch (const Failure& failure) {
-    if (failure.code() == ExitCode::usage && place.line > 0) throw refuse(failure.what());
+    if (failure.kind() == FailureKind::usage && place.line > 0) throw refuse(failure.what());
     throw;
   }
   if (!stamp.scene.empty() && given.scene.empty()) {
-    throw Failure(ExitCode::usage,
+    throw Failure(FailureKind::usage,
                   fmt::format("{}: it was written for a scene: {}", files.header().string(), stamp.scene),
                   "add --scene FILE, with the scene's file");
   }

@@ -49,10 +49,10 @@ void read_part(const std::string& text, StreamOptions& options) {
   int part = 0, parts = 0, length = 0;
   const bool read = std::sscanf(text.c_str(), "%d/%d%n", &part, &parts, &length) == 2;
   if (!read || static_cast<std::size_t>(length) != text.size() || part < 1 || part > parts) {
-    throw Failure(ExitCode::usage, fmt::format("--part {}: write k/N with 1 <= k <= N, such as 2/8", text));
+    throw Failure(FailureKind::usage, fmt::format("--part {}: write k/N with 1 <= k <= N, such as 2/8", text));
   }
   if (parts > kMostParts) {
-    throw Failure(ExitCode::usage, fmt::format("--part {}: at most {} parts", text, kMostParts));
+    throw Failure(FailureKind::usage, fmt::format("--part {}: at most {} parts", text, kMostParts));
   }
   options.part = part;
   options.parts = parts;
@@ -60,56 +60,57 @@ void read_part(const std::string& text, StreamOptions& options) {
 
 void check_identify_usage(const IdentifyArguments& arguments) {
   if (arguments.logs.empty() == arguments.parts.empty()) {
-    throw Failure(ExitCode::usage, "identify needs --data LOG.csv, or --merge PART..., and not both");
+    throw Failure(FailureKind::usage, "identify needs --data LOG.csv, or --merge PART..., and not both");
   }
   if (!arguments.part.empty() && (arguments.output.empty() || arguments.logs.empty())) {
-    throw Failure(ExitCode::usage, "--part needs --data LOG.csv and -o FILE: the part is written to that file");
+    throw Failure(FailureKind::usage, "--part needs --data LOG.csv and -o FILE: the part is written to that file");
   }
   const bool reads_otherwise = arguments.stream.band || arguments.stream.decimate ||
                                !arguments.stream.rest_speed.empty() || !arguments.stream.imu.empty();
   if (!arguments.parts.empty() && reads_otherwise) {
-    throw Failure(ExitCode::usage, "--band, --decimate, --rest-speed and --imu have no effect with --merge",
+    throw Failure(FailureKind::usage, "--band, --decimate, --rest-speed and --imu have no effect with --merge",
                   "give them with --part, where the logs are read");
   }
   const bool reads_again = arguments.delay || arguments.gravity_direction || arguments.robust ||
                            !arguments.signals.empty() || has_speed(arguments.further.law) ||
                            arguments.estimator == "iv";
   if ((!arguments.part.empty() || !arguments.parts.empty()) && reads_again) {
-    throw Failure(ExitCode::usage,
+    throw Failure(FailureKind::usage,
                   "--delay, --gravity-direction, --robust, --signals, --estimator iv and friction with a speed read "
                   "the logs more than once",
                   "give them with --data, without --part");
   }
   if (!arguments.part.empty() && (!arguments.validation.empty() || !arguments.covariance.empty())) {
-    throw Failure(ExitCode::usage, "--validate and --covariance have no effect with --part", "give them with --merge");
+    throw Failure(FailureKind::usage, "--validate and --covariance have no effect with --part",
+                  "give them with --merge");
   }
   if (arguments.estimator == "iv" && arguments.robust) {
-    throw Failure(ExitCode::usage, "--estimator iv and --robust exclude each other");
+    throw Failure(FailureKind::usage, "--estimator iv and --robust exclude each other");
   }
   check_other_logs(arguments.logs, arguments.validation, "--validate");
   if (arguments.further.law == FrictionLaw::asymmetric && arguments.further.offsets) {
     throw Failure(
-        ExitCode::usage,
+        FailureKind::usage,
         "--friction asymmetric and --offsets cannot be told apart: while a joint moves, friction that is larger "
         "in one direction adds the same constant to its torques as an offset does",
         "give one of them");
   }
   if (arguments.further.springs && (arguments.further.law == FrictionLaw::asymmetric || arguments.further.offsets)) {
     throw Failure(
-        ExitCode::usage,
+        FailureKind::usage,
         "--springs cannot be told apart from --offsets and --friction asymmetric: where a spring is relaxed is "
         "a constant in its joint's torques",
         "give one of them");
   }
   if (arguments.parameters == "inertial" && arguments.friction != "coulomb") {
-    throw Failure(ExitCode::usage, "--friction has no effect with --parameters inertial, which has no friction",
+    throw Failure(FailureKind::usage, "--friction has no effect with --parameters inertial, which has no friction",
                   "give --parameters full");
   }
   if (!arguments.validation_plot.empty() && arguments.validation.empty()) {
-    throw Failure(ExitCode::usage, "--validation-plot needs --validate LOG.csv");
+    throw Failure(FailureKind::usage, "--validation-plot needs --validate LOG.csv");
   }
   if (!arguments.part.empty() && (!arguments.plot.empty() || arguments.identification.sequential)) {
-    throw Failure(ExitCode::usage, "--plot and --sequential have no effect with --part",
+    throw Failure(FailureKind::usage, "--plot and --sequential have no effect with --part",
                   "give them with --merge, where the parameters are estimated");
   }
 }
@@ -118,22 +119,23 @@ void check_identify_usage(const IdentifyArguments& arguments) {
 void check_options_for(const Mechanism& mechanism, const IdentifyArguments& arguments) {
   const Vec3& g = mechanism.gravity;
   if (arguments.gravity_direction && std::all_of(g.begin(), g.end(), vanishes)) {
-    throw Failure(ExitCode::usage, "--gravity-direction: the robot is without gravity, which has no direction then");
+    throw Failure(FailureKind::usage, "--gravity-direction: the robot is without gravity, which has no direction then");
   }
   if (mechanism.is_coupled() && arguments.further.springs) {
-    throw Failure(ExitCode::unsupported, "--springs is for robots without coupled joints and closed loops");
+    throw Failure(FailureKind::unsupported, "--springs is for robots without coupled joints and closed loops");
   }
   if (mechanism.floating_base && arguments.gravity_direction) {
-    throw Failure(ExitCode::unsupported,
+    throw Failure(FailureKind::unsupported,
                   "--gravity-direction is for robots with a fixed base: on a floating one gravity is part of what an "
                   "accelerometer shows, or its direction is that of the pose");
   }
   if (mechanism.has_spherical_joints() && arguments.gravity_direction) {
-    throw Failure(ExitCode::unsupported, "--gravity-direction is for robots without spherical joints");
+    throw Failure(FailureKind::unsupported, "--gravity-direction is for robots without spherical joints");
   }
   check_imu(mechanism, arguments.stream.imu);
   if (mechanism.has_loops() && (arguments.gravity_direction || arguments.estimator == "iv")) {
-    throw Failure(ExitCode::unsupported, "--gravity-direction and --estimator iv are for robots without closed loops");
+    throw Failure(FailureKind::unsupported,
+                  "--gravity-direction and --estimator iv are for robots without closed loops");
   }
 }
 
@@ -153,8 +155,8 @@ void require_filter(const Measurement& measurement) {
   const bool is_filtered =
       std::all_of(filters.begin(), filters.end(), [](const SampleFilter& filter) { return filter.band > 0; });
   if (is_filtered) return;
-  throw Failure(ExitCode::usage, "--estimator iv needs the filter: the log has all derivatives, and is used as it is",
-                "give --band HZ");
+  throw Failure(FailureKind::usage,
+                "--estimator iv needs the filter: the log has all derivatives, and is used as it is", "give --band HZ");
 }
 
 // The logs of a run. What is found in them is reported when they are read for the first time.

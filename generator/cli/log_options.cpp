@@ -36,7 +36,7 @@ void add_imu_option(CLI::App& command, std::string& imu) {
 
 void check_imu(const Mechanism& mechanism, const std::string& imu) {
   if (!mechanism.floating_base && !imu.empty()) {
-    throw Failure(ExitCode::usage, "--imu is for robots with a floating base", "give --base floating");
+    throw Failure(FailureKind::usage, "--imu is for robots with a floating base", "give --base floating");
   }
   base_sensors(mechanism, imu);
 }

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "base/diagnostics/exit_codes.hpp"
 #include "base/diagnostics/version.hpp"
 #include "cli/commands.hpp"
+#include "cli/exit_codes.hpp"
 #include "cli/help.hpp"
 #include "cli/usage.hpp"
 #include "code/languages/language_table.hpp"
@@ -20,7 +20,7 @@ namespace {
 // Checks that stdout has taken everything: printed text may wait in a buffer for a full disk or a closed pipe.
 void check_stdout_is_open() {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
-  throw Failure(ExitCode::io, std::string("standard output: cannot be written: ") + std::strerror(errno));
+  throw Failure(FailureKind::io, std::string("standard output: cannot be written: ") + std::strerror(errno));
 }
 
 // Runs a command. Exceptions that end the run pass through.
@@ -39,13 +39,13 @@ ExitCode run(const Run& command, const OutputStyle& style) {
   } catch (const Failure& failure) {
     return report_failure(failure, style);
   } catch (const std::filesystem::filesystem_error& error) {
-    return report_failure(Failure(ExitCode::io, error.what()), style);
+    return report_failure(Failure(FailureKind::io, error.what()), style);
   } catch (const std::system_error& error) {
-    return report_failure(Failure(ExitCode::io, std::string("standard output: ") + error.what()), {});
+    return report_failure(Failure(FailureKind::io, std::string("standard output: ") + error.what()), {});
   } catch (const std::exception& error) {
-    return report_failure(
-        Failure(ExitCode::bug, std::string("internal error: ") + error.what(), "please report it with the robot file"),
-        style);
+    return report_failure(Failure(FailureKind::bug, std::string("internal error: ") + error.what(),
+                                  "please report it with the robot file"),
+                          style);
   }
 }
 

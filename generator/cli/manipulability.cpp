@@ -124,7 +124,7 @@ void spread(const ManipulabilityArguments& arguments, const LoadedRobot& model, 
     Diagnostics found;
     found.error({arguments.states, positions.first_line}, "the map's start is beyond the joints' limits",
                 "start within them");
-    throw BadInput(ExitCode::input, found);
+    throw BadInput(FailureKind::input, found);
   }
   WorkspaceGrid grid{view_of(arguments.map).onto.transpose(), spacing, has_turns(task)};
   Robot held = model.robot;

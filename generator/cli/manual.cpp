@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "base/diagnostics/diagnostics.hpp"
-#include "base/diagnostics/exit_codes.hpp"
 #include "base/diagnostics/version.hpp"
 #include "cli/commands.hpp"
+#include "cli/exit_codes.hpp"
 #include "cli/markdown.hpp"
 #include "cli/option_list.hpp"
 #include "cli/output_file.hpp"
@@ -103,7 +103,7 @@ ExitCode print_page(const CLI::App& app, const ManArguments& arguments) {
 
 ExitCode write_pages(const CLI::App& app, const ManArguments& arguments) {
   if (!arguments.subcommand.empty() || arguments.is_markdown) {
-    throw Failure(ExitCode::usage, "-o FOLDER: it gets the manual pages of all subcommands",
+    throw Failure(FailureKind::usage, "-o FOLDER: it gets the manual pages of all subcommands",
                   "leave the other arguments out, or write -o - for one page on stdout");
   }
   const std::filesystem::path folder = arguments.folder;

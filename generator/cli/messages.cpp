@@ -59,19 +59,19 @@ void print_result(const std::string& text) {
 ExitCode report_failure(const Failure& failure, const OutputStyle& style) {
   print_failure(failure.what(), failure.hint());
   // An interrupted run has already printed its result.
-  if (style.json && failure.code() != ExitCode::interrupted) {
+  if (style.json && failure.kind() != FailureKind::interrupted) {
     Diagnostics errors;
     errors.error({}, failure.what(), failure.hint());
-    print_errors(errors, failure.code());
+    print_errors(errors, exit_code_of(failure.kind()));
   }
-  return failure.code();
+  return exit_code_of(failure.kind());
 }
 
 ExitCode report_failure(const BadInput& bad, const OutputStyle& style) {
   print_diagnostics(bad.diagnostics, style);
   if (!bad.diagnostics.has_errors()) print_failure("warnings are errors (-Werror)", "");
-  if (style.json) print_errors(bad.diagnostics, bad.code());
-  return bad.code();
+  if (style.json) print_errors(bad.diagnostics, exit_code_of(bad.kind()));
+  return exit_code_of(bad.kind());
 }
 
 }  // namespace flatdyn

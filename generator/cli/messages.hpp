@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/diagnostics/findings_text.hpp"
+#include "cli/exit_codes.hpp"
 #include "functions/load/bad_input.hpp"
 
 namespace flatdyn {

@@ -47,7 +47,7 @@ void check_length_of_name(const fs::path& path) {
   constexpr std::size_t kLongestName = 200;  // of 255; a temporary file beside it has a longer one
   const std::string name = path.filename().string();
   if (name.size() <= kLongestName) return;
-  throw Failure(ExitCode::input,
+  throw Failure(FailureKind::input,
                 fmt::format("{}...: a name of {} bytes is too long for a file", name.substr(0, 40), name.size()),
                 "generated files are called as the robot; --name gives a shorter name");
 }
@@ -66,7 +66,7 @@ void check_other_logs(const std::vector<std::string>& logs, const std::vector<st
   for (const std::string& other : others) {
     const bool is_one = std::any_of(logs.begin(), logs.end(), [&](const auto& log) { return is_one_file(log, other); });
     if (!is_one) continue;
-    throw Failure(ExitCode::usage, fmt::format("{} {}: that log is one of --data, too", option, other),
+    throw Failure(FailureKind::usage, fmt::format("{} {}: that log is one of --data, too", option, other),
                   "a log says nothing about itself: give another one");
   }
 }
@@ -77,12 +77,12 @@ void check_outputs(const std::vector<std::string>& outputs, const std::vector<st
     check_length_of_name(*output);
     for (const std::string& input : inputs) {
       if (!is_one_file(*output, input)) continue;
-      throw Failure(ExitCode::usage, fmt::format("{}: the output would replace the input {}", *output, input),
+      throw Failure(FailureKind::usage, fmt::format("{}: the output would replace the input {}", *output, input),
                     "write to another file");
     }
     for (auto other = outputs.begin(); other != output; ++other) {
       if (other->empty() || !is_one_file(*output, *other)) continue;
-      throw Failure(ExitCode::usage, fmt::format("{}: two outputs would go to this file", *output),
+      throw Failure(FailureKind::usage, fmt::format("{}: two outputs would go to this file", *output),
                     "give each a file of its own");
     }
   }
@@ -124,7 +124,7 @@ void write_and_print(const std::vector<TextFile>& files, const CommandOutput& ou
 }
 
 void refuse_two_on_stdout() {
-  throw Failure(ExitCode::usage, "-o - and --json would both write to stdout", "leave one of them out");
+  throw Failure(FailureKind::usage, "-o - and --json would both write to stdout", "leave one of them out");
 }
 
 }  // namespace flatdyn

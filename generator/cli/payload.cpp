@@ -23,7 +23,7 @@ struct PayloadArguments : RobotArguments {
 
 void check_payload_usage(const PayloadArguments& arguments, const LoadedRobot& robot) {
   if (arguments.wrist && !arguments.without.empty()) {
-    throw Failure(ExitCode::usage, "--wrist and --without exclude each other",
+    throw Failure(FailureKind::usage, "--wrist and --without exclude each other",
                   "a sensor at the wrist measures the payload alone");
   }
   check_imu(robot.mechanism, arguments.stream.imu);
@@ -33,7 +33,7 @@ void check_payload_usage(const PayloadArguments& arguments, const LoadedRobot& r
   check_outputs({arguments.output}, inputs);
   check_other_logs(arguments.logs, arguments.without, "--without");
   if (robot.robot.has_payload) {
-    throw Failure(ExitCode::unsupported, fmt::format("{}: the robot has a payload already", robot.robot.file),
+    throw Failure(FailureKind::unsupported, fmt::format("{}: the robot has a payload already", robot.robot.file),
                   "take it out of the file: the one that is found takes its place");
   }
 }

@@ -169,7 +169,7 @@ class Change {
 }  // namespace
 
 void cannot_write(const fs::path& path, const std::string& why) {
-  throw Failure(ExitCode::io, fmt::format("{}: cannot be written: {}", path.string(), why),
+  throw Failure(FailureKind::io, fmt::format("{}: cannot be written: {}", path.string(), why),
                 "check that its folder exists and may be written to, and that the disk is not full");
 }
 

@@ -58,7 +58,7 @@ std::vector<OptimisedFunction> allowed_functions(const LoadedRobot& model, Pipel
         functions.push_back(std::move(made));
       }
     } catch (const Failure& failure) {
-      if (failure.code() != ExitCode::unsupported) throw;
+      if (failure.kind() != FailureKind::unsupported) throw;
       findings.warning({model.robot.file, 0}, std::string("left out ") + failure.what(), failure.hint());
     }
   }
@@ -75,7 +75,7 @@ std::vector<OptimisedFunction> functions_for(const LoadedRobot& model, PipelineO
     for (const Diagnostic& each : found.all()) findings.add(each);
     return functions;
   } catch (const Failure& failure) {
-    if (failure.code() != ExitCode::unsupported) throw;
+    if (failure.kind() != FailureKind::unsupported) throw;
     return allowed_functions(model, options, progress, findings);
   }
 }
@@ -91,7 +91,7 @@ std::optional<WorstStates> worst_states(const std::string& file, const LoadedRob
   if (file.empty()) return std::nullopt;
   Diagnostics diagnostics;
   WorstStates states = read_worst_states(file, model.mechanism.name, diagnostics);
-  if (diagnostics.has_errors()) throw BadInput(ExitCode::input, diagnostics);
+  if (diagnostics.has_errors()) throw BadInput(FailureKind::input, diagnostics);
   return states;
 }
 
@@ -106,7 +106,7 @@ Certificate certificate_of(const LoadedRobot& model, const std::vector<Optimised
   prove_text(EmittedText(text, cpp_reader()), {model.mechanism, functions_of(torques), std::nullopt, {}});
   Certificate certificate = certify(model.mechanism, functions_of(torques), text, options, progress);
   if (!is_refuted(certificate)) return certificate;
-  throw Failure(ExitCode::verification_failed, "a bound is wrong: a larger error was seen",
+  throw Failure(FailureKind::verification_failed, "a bound is wrong: a larger error was seen",
                 "nothing was written; this is a mistake of the program: report it, with the robot file");
 }
 

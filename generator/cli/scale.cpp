@@ -31,13 +31,13 @@ struct ScaleArguments : RobotArguments {
 
 void check_scale_usage(const ScaleArguments& arguments) {
   if (arguments.grid && !arguments.time_optimal) {
-    throw Failure(ExitCode::usage, "--grid has no effect without --time-optimal");
+    throw Failure(FailureKind::usage, "--grid has no effect without --time-optimal");
   }
   if (arguments.grid && !is_plan(arguments.trajectory)) {
-    throw Failure(ExitCode::usage, "--grid has no effect on samples: they are the grid", "leave it out");
+    throw Failure(FailureKind::usage, "--grid has no effect on samples: they are the grid", "leave it out");
   }
   if (arguments.faster && arguments.time_optimal) {
-    throw Failure(ExitCode::usage, "--faster is for the linear law; --time-optimal is as fast as it can be anyway");
+    throw Failure(FailureKind::usage, "--faster is for the linear law; --time-optimal is as fast as it can be anyway");
   }
 }
 
@@ -48,12 +48,13 @@ std::vector<double> torque_limits_option(const std::string& text, std::size_t jo
   for (std::string part; std::getline(parts, part, ',');) {
     double value = 0;
     const bool read = CLI::detail::lexical_cast(part, value) && value > 0;
-    if (!read) throw Failure(ExitCode::usage, fmt::format("--torque-limits: \"{}\" is no number greater than 0", part));
+    if (!read)
+      throw Failure(FailureKind::usage, fmt::format("--torque-limits: \"{}\" is no number greater than 0", part));
     limits.push_back(value);
   }
   if (limits.size() == 1) limits.resize(joints, limits[0]);
   if (limits.size() == joints) return limits;
-  throw Failure(ExitCode::usage,
+  throw Failure(FailureKind::usage,
                 fmt::format("--torque-limits: {} numbers, but the robot has {} joints", limits.size(), joints),
                 "one for all joints, or one for each in the order of flatdyn inspect, inf for none");
 }
@@ -64,7 +65,7 @@ PaceLimits limits_of(const ScaleArguments& arguments, const LoadedRobot& model) 
     limits.torque = torque_limits_option(arguments.torque_limits, model.mechanism.joints().size());
   }
   if (limits.are_infinite()) {
-    throw Failure(ExitCode::unsupported, fmt::format("{}: no joint has a limit", model.robot.file),
+    throw Failure(FailureKind::unsupported, fmt::format("{}: no joint has a limit", model.robot.file),
                   "give --torque-limits, or limits in the robot file or a scene");
   }
   return limits;
@@ -86,7 +87,7 @@ PaceLimits limits_of(const ScaleArguments& arguments, const LoadedRobot& model) 
       arguments.faster || arguments.time_optimal
           ? "choose a path through other postures, or stronger motors"
           : "a faster one may (--faster), or choose a path through other postures");
-  throw BadInput(ExitCode::input, found);
+  throw BadInput(FailureKind::input, found);
 }
 
 // The fewest intervals of 1 / rate that take the duration, or longer. A rate at which the motion is over before the
@@ -96,14 +97,14 @@ int intervals_of(double duration, double rate) {
   const double wanted = duration * rate, nearest = std::round(wanted);
   const bool is_whole = std::abs(wanted - nearest) <= kWholeNumber * wanted;
   if (wanted < 1 && !is_whole) {
-    throw Failure(ExitCode::usage,
+    throw Failure(FailureKind::usage,
                   fmt::format("--rate {} has no sample within the motion, which takes {:.6g} s", rate, duration),
                   fmt::format("give --rate {:.3g} or more", std::ceil(kFewest / duration)));
   }
   const double intervals = is_whole ? nearest : std::ceil(wanted);
   if (intervals < kMostSamples) return static_cast<int>(intervals);
-  throw Failure(ExitCode::usage, fmt::format("--rate {} makes {:.0f} samples of {:.6g} s; at most {} are written", rate,
-                                             intervals + 1, duration, kMostSamples));
+  throw Failure(FailureKind::usage, fmt::format("--rate {} makes {:.0f} samples of {:.6g} s; at most {} are written",
+                                                rate, intervals + 1, duration, kMostSamples));
 }
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
@@ -130,7 +131,7 @@ class Scaling {
     if (arguments_.rate) sample_evenly(torques);
     motion_.tau_after = torques.torques(motion_.after);
     if (motion_.used.part > 1 + kLimitTolerance) {
-      throw Failure(ExitCode::bug, fmt::format("the scaled motion uses {:.12g} of a limit", motion_.used.part),
+      throw Failure(FailureKind::bug, fmt::format("the scaled motion uses {:.12g} of a limit", motion_.used.part),
                     "please report it with the robot file and the trajectory");
     }
     return std::move(motion_);

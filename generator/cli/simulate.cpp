@@ -29,7 +29,7 @@ Simulation read(const SimulateArguments& arguments, const LoadedRobot& model) {
   if (arguments.duration > 0) simulation.duration = arguments.duration;
   if (arguments.rate > 0) simulation.rate = arguments.rate;
   if (simulation.duration * simulation.rate > kMostRows) {
-    throw Failure(ExitCode::usage, fmt::format("{:g} rows are too many", simulation.duration * simulation.rate),
+    throw Failure(FailureKind::usage, fmt::format("{:g} rows are too many", simulation.duration * simulation.rate),
                   "a result has at most ten million: lower --rate or --duration");
   }
   simulation.method = arguments.method == "rk4" ? IntegrationMethod::rk4 : IntegrationMethod::adaptive;
@@ -42,7 +42,7 @@ Simulation read(const SimulateArguments& arguments, const LoadedRobot& model) {
 void check_method(const SimulateArguments& arguments) {
   const bool is_rk4 = arguments.method == "rk4";
   if ((is_rk4 ? arguments.tolerance_given : arguments.step_given)->count() == 0) return;
-  throw Failure(ExitCode::usage,
+  throw Failure(FailureKind::usage,
                 fmt::format("--{} has no effect with --method {}", is_rk4 ? "tolerance" : "step", arguments.method),
                 is_rk4 ? "give --step, or leave out --method rk4" : "give --tolerance, or --method rk4");
 }
@@ -75,7 +75,7 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
       files, {describe_simulation(model.mechanism, motion, seconds), simulation_json(model.mechanism, motion, seconds)},
       arguments);
   if (!motion.interrupted) return ExitCode::ok;
-  throw Failure(ExitCode::interrupted, fmt::format("interrupted at t = {} s", motion.end),
+  throw Failure(FailureKind::interrupted, fmt::format("interrupted at t = {} s", motion.end),
                 "what was done until then is in " + arguments.output);
 }
 

@@ -84,7 +84,7 @@ ExitCode run_robot(const StressArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, options);
   print_diagnostics(model.diagnostics, arguments);
   if (model.robot.scene.at_rest || !model.robot.scene.outputs.empty() || model.abbreviation) {
-    throw Failure(ExitCode::unsupported, "stress compares whole functions in motion",
+    throw Failure(FailureKind::unsupported, "stress compares whole functions in motion",
                   "take static, error_budget and [outputs] out of the scene");
   }
   Diagnostics findings;
@@ -103,7 +103,7 @@ ExitCode run_robot(const StressArguments& arguments) {
 
 ExitCode run_stress(const StressArguments& arguments) {
   if (arguments.robot.empty() == arguments.family.empty()) {
-    throw Failure(ExitCode::usage, "a robot file or --family is needed, and not both",
+    throw Failure(FailureKind::usage, "a robot file or --family is needed, and not both",
                   "flatdyn stress robots/panda.urdf, or flatdyn stress --family chains");
   }
   if (arguments.family.empty()) return run_robot(arguments);

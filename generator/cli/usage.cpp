@@ -38,14 +38,14 @@ std::string called(const CLI::App& app, const CLI::App& command) {
 
 Failure unknown_option(const CLI::App& app, const CLI::App& command, const std::string& word) {
   const std::string name = name_of_option(word);
-  return {ExitCode::usage, fmt::format("{} has no option {}", called(app, command), name),
+  return {FailureKind::usage, fmt::format("{} has no option {}", called(app, command), name),
           hint_for_unknown(name, option_names(command), "options")};
 }
 
 Failure unknown_subcommand(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* command : subcommands(app)) names.push_back(command->get_name());
-  return {ExitCode::usage, "there is no subcommand \"" + word + "\"", hint_for_unknown(word, names, "subcommands")};
+  return {FailureKind::usage, "there is no subcommand \"" + word + "\"", hint_for_unknown(word, names, "subcommands")};
 }
 
 // The message for the middle of a line; CLI11 begins messages with a capital letter or with the option's name.
@@ -83,14 +83,14 @@ Failure usage_failure(const CLI::App& app, const CLI::ParseError& error) {
   if (&command == &app && !left_over.empty()) return unknown_subcommand(app, left_over.front());
   const std::string hint = called(app, command) + " --help shows what it takes";
   if (!left_over.empty()) {
-    return {ExitCode::usage, fmt::format("{}: \"{}\" is more than it takes", called(app, command), left_over.front()),
+    return {FailureKind::usage, fmt::format("{}: \"{}\" is more than it takes", called(app, command), left_over.front()),
             hint};
   }
   if (const CLI::Option* repeated = given_too_often(command)) {
-    return {ExitCode::usage, fmt::format("{} is given {} times", repeated->get_name(), repeated->count()),
+    return {FailureKind::usage, fmt::format("{} is given {} times", repeated->get_name(), repeated->count()),
             "give it once; " + hint};
   }
-  return {ExitCode::usage, as_part_of_a_line(error.what()), hint};
+  return {FailureKind::usage, as_part_of_a_line(error.what()), hint};
 }
 
 OutputStyle output_style_of(const CLI::App& app) {

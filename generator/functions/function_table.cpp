@@ -467,7 +467,7 @@ std::string functions_of_links() {
 
 const FunctionRow& row_of(const Function& function) {
   const FunctionRow* row = find_row(function.name);
-  if (row == nullptr) throw Failure(ExitCode::bug, "no row for function \"" + function.name + "\"");
+  if (row == nullptr) throw Failure(FailureKind::bug, "no row for function \"" + function.name + "\"");
   return *row;
 }
 

@@ -65,7 +65,7 @@ void check_narrowed_constants(const GenerationOptions& options, GenerationResult
   if (!options.is_for_float()) return;
   warn_of_narrowed(narrowed_constants(functions_written(result)), {result.robot.robot.file, 0}, result.findings);
   if (options.warnings_are_errors && result.findings.has_warnings()) {
-    throw BadInput(ExitCode::input, result.findings);
+    throw BadInput(FailureKind::input, result.findings);
   }
 }
 
@@ -111,7 +111,7 @@ void check_conventions(const LoadedRobot& robot) {
   } catch (const Failure& failure) {
     Diagnostics found;
     found.unsupported({robot.robot.file, 0}, failure.what(), failure.hint());
-    throw BadInput(failure.code(), std::move(found));
+    throw BadInput(failure.kind(), std::move(found));
   }
 }
 

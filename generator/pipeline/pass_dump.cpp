@@ -27,7 +27,7 @@ void check_pass_names(const std::vector<std::string>& names) {
   for (const Pass& pass : pass_table()) known.emplace_back(pass.name);
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    throw Failure(ExitCode::usage, fmt::format("--dump-after: there is no pass \"{}\"", name),
+    throw Failure(FailureKind::usage, fmt::format("--dump-after: there is no pass \"{}\"", name),
                   hint_for_unknown(name, known, "passes"));
   }
 }

@@ -161,7 +161,7 @@ void doubt_mass(const Mechanism& mechanism, const FittedPayload& found, std::vec
 void require_told(const LoadedRobot& robot, const FittedPayload& found) {
   if (found.payload.untold.cols() < kInertialPerBody) return;
   throw Failure(
-      ExitCode::input, fmt::format("the logs tell nothing of what link \"{}\" carries", robot.mechanism.tip.link),
+      FailureKind::input, fmt::format("the logs tell nothing of what link \"{}\" carries", robot.mechanism.tip.link),
       fmt::format("--tip names the link that carries the payload; {}", reason_of_untold(robot.mechanism, found)));
 }
 

@@ -58,7 +58,7 @@ void carry_further(const Robot& robot) {
     // With loops, these may be open there, or singular.
     if (!mechanism.has_loops()) require_torques(robot, mechanism.size());
   } catch (const Failure& failure) {
-    if (failure.code() != ExitCode::unsupported) throw;
+    if (failure.kind() != FailureKind::unsupported) throw;
   }
 }
 
@@ -68,7 +68,7 @@ void read(const std::string& path, const ReadOptions& options) {
   try {
     robot = read_robot(path, options, diagnostics);
   } catch (const Failure& failure) {
-    if (failure.code() != ExitCode::io) throw;  // about a file that it names
+    if (failure.kind() != FailureKind::io) throw;  // about a file that it names
     return;
   }
   require(robot.has_value() == !diagnostics.has_errors(), "refused without an error, or accepted with one");

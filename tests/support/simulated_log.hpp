@@ -56,7 +56,8 @@ inline Eigen::VectorXd closed(const reference::Robot<double>& robot, const Eigen
   for (std::size_t i = 0; i < robot.independent.size(); ++i) {
     before[robot.independent[i]] = independent[static_cast<Eigen::Index>(i)];
   }
-  if (!reference::close_loops(robot, before, 1e-14)) throw Failure(ExitCode::bug, "the loops cannot be closed there");
+  if (!reference::close_loops(robot, before, 1e-14))
+    throw Failure(FailureKind::bug, "the loops cannot be closed there");
   return before;
 }
 

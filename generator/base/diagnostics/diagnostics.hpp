@@ -24,7 +24,7 @@ struct Diagnostic {
   Place place;
   std::string message;       // the problem, with the key and the value
   std::string hint;          // a remedy; may be empty
-  bool unsupported = false;  // an error of the program's abilities, not of the file (exit code 4)
+  bool unsupported = false;  // an error of the program's abilities, not of the file
   std::string kind = {};     // messages of one kind are printed together; empty: printed on its own
 };
 
@@ -55,29 +55,28 @@ class Diagnostics {
   std::vector<Diagnostic> all_;
 };
 
-// Exit codes of the program (documented in docs/exit-codes.md and in --help).
-enum class ExitCode : int {
-  ok = 0,
-  bug = 1,
-  usage = 2,
-  input = 3,
-  unsupported = 4,
-  verification_failed = 5,
-  io = 6,
-  outdated = 7,
-  interrupted = 130,  // by Ctrl-C, as shells count it
+// The reasons for which a run ends early. The program makes an exit code of each (cli/exit_codes.hpp).
+enum class FailureKind {
+  bug,                  // of the program
+  usage,                // of what was asked for
+  input,                // an error in a file
+  unsupported,          // a file that is right, and that the program cannot do
+  verification_failed,  // code that is not what it has to be
+  io,                   // files that cannot be read or written, programs that cannot be run
+  outdated,             // files that are not what would be written
+  interrupted,          // by the user
 };
 
-// An exception that ends the run with one of the documented exit codes.
+// An exception that ends the run.
 class Failure : public std::runtime_error {
  public:
-  Failure(ExitCode code, const std::string& message, std::string hint = {})
-      : std::runtime_error(message), code_(code), hint_(std::move(hint)) {}
-  ExitCode code() const { return code_; }
+  Failure(FailureKind kind, const std::string& message, std::string hint = {})
+      : std::runtime_error(message), kind_(kind), hint_(std::move(hint)) {}
+  FailureKind kind() const { return kind_; }
   const std::string& hint() const { return hint_; }
 
  private:
-  ExitCode code_;
+  FailureKind kind_;
   std::string hint_;
 };
 

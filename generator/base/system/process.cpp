@@ -38,7 +38,7 @@ void pin_to_last_core() {
 
 int run_command(const std::string& command, const fs::path& folder, bool pinned) {
   const pid_t child = ::fork();
-  if (child < 0) throw Failure(ExitCode::io, "no process can be started");
+  if (child < 0) throw Failure(FailureKind::io, "no process can be started");
   if (child == 0) {
     if (pinned) pin_to_last_core();
     if (::chdir(folder.c_str()) == 0) ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
@@ -47,11 +47,11 @@ int run_command(const std::string& command, const fs::path& folder, bool pinned)
   end_when_interrupted(child);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) throw Failure(ExitCode::io, "a process was lost");
+    if (errno != EINTR) throw Failure(FailureKind::io, "a process was lost");
   }
   forget_when_interrupted(child);
   // Ctrl-C goes to this program, too, which may get it a moment later than its child.
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) throw Failure(ExitCode::interrupted, "interrupted");
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) throw Failure(FailureKind::interrupted, "interrupted");
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
@@ -59,7 +59,7 @@ std::string machine_compiler() {
   const char* chosen = std::getenv("CXX");
   const std::string compiler = chosen != nullptr && *chosen != '\0' ? chosen : "c++";
   if (run_command(compiler + " --version > /dev/null 2>&1", temporary_root()) != 0) {
-    throw Failure(ExitCode::io, "no C++ compiler: " + compiler + " cannot be run", "install g++ or set CXX");
+    throw Failure(FailureKind::io, "no C++ compiler: " + compiler + " cannot be run", "install g++ or set CXX");
   }
   return compiler;
 }
@@ -81,7 +81,7 @@ void write_file(const fs::path& path, const std::string& text) {
   file << text;
   file.close();
   if (!file)
-    throw Failure(ExitCode::io, path.string() + ": cannot be written",
+    throw Failure(FailureKind::io, path.string() + ": cannot be written",
                   "check the permissions, and that the disk is not full");
 }
 

@@ -16,10 +16,11 @@ SharedLibrary::SharedLibrary(const std::filesystem::path& folder, const std::str
   if (run_command(command, folder) != 0) {
     const std::string messages = content_of_file(folder / (stem + ".log"));
     check_room(folder, messages);
-    throw Failure(ExitCode::bug, "emitted code does not compile:\n" + messages);
+    throw Failure(FailureKind::bug, "emitted code does not compile:\n" + messages);
   }
   handle_ = ::dlopen((folder / (stem + ".so")).c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (handle_ == nullptr) throw Failure(ExitCode::bug, fmt::format("emitted code cannot be loaded: {}", ::dlerror()));
+  if (handle_ == nullptr)
+    throw Failure(FailureKind::bug, fmt::format("emitted code cannot be loaded: {}", ::dlerror()));
 }
 
 SharedLibrary::~SharedLibrary() {
@@ -28,7 +29,7 @@ SharedLibrary::~SharedLibrary() {
 
 void* SharedLibrary::symbol(const std::string& name) const {
   void* const found = ::dlsym(handle_, name.c_str());
-  if (found == nullptr) throw Failure(ExitCode::bug, "emitted code has no function " + name);
+  if (found == nullptr) throw Failure(FailureKind::bug, "emitted code has no function " + name);
   return found;
 }
 

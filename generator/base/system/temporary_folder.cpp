@@ -20,7 +20,7 @@ fs::path temporary_root() {
   if (!error) return root;
   const char* chosen = std::getenv("TMPDIR");
   throw Failure(
-      ExitCode::io,
+      FailureKind::io,
       chosen == nullptr ? "/tmp is no folder" : "TMPDIR is \"" + std::string(chosen) + "\", which is no folder",
       "set TMPDIR to a folder for temporary files");
 }
@@ -44,14 +44,14 @@ void check_room(const fs::path& folder, const std::string& messages) {
   const bool is_said = messages.find(std::strerror(ENOSPC)) != std::string::npos ||
                        messages.find(std::strerror(EDQUOT)) != std::string::npos;
   if (!is_said && can_hold_a_mebibyte(folder)) return;
-  throw Failure(ExitCode::io, folder.string() + ": there is no room for temporary files",
+  throw Failure(FailureKind::io, folder.string() + ": there is no room for temporary files",
                 "make room, or set TMPDIR to a folder of another disk");
 }
 
 TemporaryFolder::TemporaryFolder() {
   std::string pattern = (temporary_root() / "flatdyn-XXXXXX").string();
   if (::mkdtemp(pattern.data()) == nullptr) {
-    throw Failure(ExitCode::io, pattern + ": no temporary folder can be made: " + std::strerror(errno),
+    throw Failure(FailureKind::io, pattern + ": no temporary folder can be made: " + std::strerror(errno),
                   "set TMPDIR to a folder that can be written to");
   }
   path_ = pattern;

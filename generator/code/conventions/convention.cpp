@@ -52,7 +52,7 @@ const Convention& convention_of(const std::string& name) {
   for (const Convention& convention : conventions()) {
     if (convention.name == name) return convention;
   }
-  throw Failure(ExitCode::bug, fmt::format("no convention \"{}\"", name));
+  throw Failure(FailureKind::bug, fmt::format("no convention \"{}\"", name));
 }
 
 }  // namespace flatdyn

@@ -129,7 +129,7 @@ std::string gravity_statement(const Vec3& gravity, const Dialect& dialect) {
   for (std::size_t k = 0; k < gravity.size(); ++k) {
     if (vanishes(gravity[k])) continue;
     if (!is_rational(gravity[k])) {
-      throw Failure(ExitCode::unsupported, "--convention: gravity is not a number", "give it by --gravity");
+      throw Failure(FailureKind::unsupported, "--convention: gravity is not a number", "give it by --gravity");
     }
     sum += fmt::format("{}R_[{}][k] * {}", sum.empty() ? "" : " + ", k, dialect.literal(to_rational(gravity[k])));
   }
@@ -224,7 +224,7 @@ class ConventionWriter {
     const auto add = [&](const Number& factor, const std::string& of) {
       if (vanishes(factor)) return;
       if (!is_rational(factor)) {
-        throw Failure(ExitCode::unsupported, "--convention: friction of the base is not a number",
+        throw Failure(FailureKind::unsupported, "--convention: friction of the base is not a number",
                       "give it a number in the file");
       }
       sum += fmt::format("{}{} * {}", sum.empty() ? "" : " + ", dialect.literal(to_rational(factor)), of);
@@ -293,7 +293,7 @@ class ConventionWriter {
 
 void check_conventions_apply(const Mechanism& mechanism) {
   if (!mechanism.has_quasi_velocities()) {
-    throw Failure(ExitCode::unsupported, "--convention: the robot has neither a floating base nor spherical joints",
+    throw Failure(FailureKind::unsupported, "--convention: the robot has neither a floating base nor spherical joints",
                   "leave it out, or use --base floating");
   }
 }

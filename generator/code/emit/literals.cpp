@@ -55,7 +55,7 @@ double nearest_double(const Rational& value) {
   const double mantissa = rounded_quotient(a, b, exponent).get_d();  // exact: at most 2^53
   const double magnitude = std::ldexp(mantissa, exponent);
   if (std::isinf(magnitude) || magnitude < std::numeric_limits<double>::denorm_min()) {
-    throw Failure(ExitCode::input,
+    throw Failure(FailureKind::input,
                   "a constant of the model is out of the range of double, about 2^" + std::to_string(floor_log2(a, b)),
                   "write the robot in units that keep its numbers between 1e-300 and 1e300");
   }
@@ -66,7 +66,7 @@ float float_of(const Rational& value) {
   const double exact = nearest_double(value);
   const auto rounded = static_cast<float>(exact);
   if (std::isinf(rounded)) {
-    throw Failure(ExitCode::input,
+    throw Failure(FailureKind::input,
                   "a constant of the code is " + decimal_literal(exact) + ", which is infinite in float",
                   "generate code in double, or write the robot in units in which masses, lengths and moments of "
                   "inertia are nearer to 1");

@@ -54,12 +54,13 @@ std::string namespace_of(const std::string& robot, const std::string& wanted) {
   }
   const std::vector<std::string> parts = parts_of_namespace(wanted);
   if (is_in_cmath(parts.front())) {
-    throw Failure(ExitCode::usage, fmt::format("\"{}\" is no namespace: <cmath> has a function of that name", wanted),
+    throw Failure(FailureKind::usage,
+                  fmt::format("\"{}\" is no namespace: <cmath> has a function of that name", wanted),
                   fmt::format("\"{}_\", or put it into a namespace of yours", wanted));
   }
   for (const std::string& part : parts) {
     if (part.empty() || cpp_identifier(part) != part || part == "std") {
-      throw Failure(ExitCode::usage, fmt::format("\"{}\" is no namespace for the generated code", wanted),
+      throw Failure(FailureKind::usage, fmt::format("\"{}\" is no namespace for the generated code", wanted),
                     "use C++ identifiers joined by ::, such as \"arm\" or \"acme::arm\"");
     }
   }

@@ -58,7 +58,7 @@ class PageWriter {
         scope_(dialect),
         content_{mechanism, functions, options, scope_, namespace_, file_name(mechanism, options)} {
     if (options.scalar != "double" && options.scalar != "float") {
-      throw Failure(ExitCode::usage, fmt::format("unknown scalar \"{}\"", options.scalar), "use double or float");
+      throw Failure(FailureKind::usage, fmt::format("unknown scalar \"{}\"", options.scalar), "use double or float");
     }
     fill_scope();
     for (std::size_t k = 0; k < functions.size(); ++k) {

@@ -430,7 +430,7 @@ class Memory {
   NodeId read(int place, const std::string& reader) const {
     const NodeId value = entries_.at(static_cast<std::size_t>(place));
     if (value != kNone) return value;
-    throw Failure(ExitCode::bug, fmt::format("{}: entry {} of its outputs is not written before", reader, place));
+    throw Failure(FailureKind::bug, fmt::format("{}: entry {} of its outputs is not written before", reader, place));
   }
 
   const Function& whole_;

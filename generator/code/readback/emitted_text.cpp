@@ -36,7 +36,7 @@ const ScannedCount& EmittedText::count_of_angles() const {
   for (const char* name : {"angle_count", "position_count", "joint_count"}) {
     if (const ScannedCount* found = count(name)) return *found;
   }
-  throw Failure(ExitCode::bug, "emitted text cannot be read back: no count of joints");
+  throw Failure(FailureKind::bug, "emitted text cannot be read back: no count of joints");
 }
 
 const std::vector<std::string>* EmittedText::fields(const std::string& structure) const {
@@ -45,7 +45,7 @@ const std::vector<std::string>* EmittedText::fields(const std::string& structure
 }
 
 void EmittedText::refuse(std::size_t token, const std::string& what) const {
-  if (tokens_.empty()) throw Failure(ExitCode::bug, "emitted text cannot be read back: it is empty");
+  if (tokens_.empty()) throw Failure(FailureKind::bug, "emitted text cannot be read back: it is empty");
   const Token& at = tokens_[std::min(token, tokens_.size() - 1)];
   throw UnreadableText(at.line, fmt::format("{} at \"{}\"", what, at.text));
 }

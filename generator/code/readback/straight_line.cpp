@@ -57,7 +57,7 @@ StraightLine with_constants_unshared(const StraightLine& lines, const std::funct
 namespace {
 
 [[noreturn]] void refuse(const char* what) {
-  throw Failure(ExitCode::bug, std::string("emitted text cannot be read back: ") + what);
+  throw Failure(FailureKind::bug, std::string("emitted text cannot be read back: ") + what);
 }
 
 // Throws if a node grows too large. Repeated squaring doubles powers, and the digits of constants, with every line, so

@@ -12,7 +12,8 @@ namespace flatdyn {
 class UnreadableText : public Failure {
  public:
   UnreadableText(int line, const std::string& what_is_wrong)
-      : Failure(ExitCode::bug, "emitted text cannot be read back: line " + std::to_string(line) + ": " + what_is_wrong),
+      : Failure(FailureKind::bug,
+                "emitted text cannot be read back: line " + std::to_string(line) + ": " + what_is_wrong),
         line_(line),
         what_is_wrong_(what_is_wrong) {}
   int line() const { return line_; }

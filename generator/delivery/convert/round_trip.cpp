@@ -104,9 +104,9 @@ Robot read_back(const std::string& text, const std::string& path) {
   if (robot) return *std::move(robot);
   for (const Diagnostic& each : diagnostics.all()) {
     if (each.severity != Severity::error) continue;
-    throw Failure(ExitCode::unsupported, "what would be written cannot be read: " + each.message, each.hint);
+    throw Failure(FailureKind::unsupported, "what would be written cannot be read: " + each.message, each.hint);
   }
-  throw Failure(ExitCode::bug, "what would be written cannot be read");
+  throw Failure(FailureKind::bug, "what would be written cannot be read");
 }
 
 // The symbols of one reading as those of the other.
@@ -158,7 +158,7 @@ RoundTrip round_trip(const std::string& text, const std::string& path, const Loa
   RoundTrip result;
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (i >= after.size() || before[i].name != after[i].name) {
-      throw Failure(ExitCode::unsupported,
+      throw Failure(FailureKind::unsupported,
                     "the file would be read as another mechanism, from " + before[i].name + " on",
                     "joints may come in another order, or names mean something else in that format");
     }
@@ -167,7 +167,7 @@ RoundTrip round_trip(const std::string& text, const std::string& path, const Loa
     result.where = before[i].name;
   }
   if (!result.is_exact && !model.robot.symbols.empty()) {
-    throw Failure(ExitCode::unsupported, "the file would be read as another robot: " + result.where + " differs",
+    throw Failure(FailureKind::unsupported, "the file would be read as another robot: " + result.where + " differs",
                   "give the symbols values in the file");
   }
   if (!result.is_exact) result.largest = difference_of_torques(model.robot, robot);

@@ -33,7 +33,7 @@ class FolderWriter {
         dialect_(dialect_of(mechanism, options)) {
     for (const Function& function : functions) {
       if (function.base_parameters > 0)
-        throw Failure(ExitCode::unsupported, "--firmware: no self test for " + function.name);
+        throw Failure(FailureKind::unsupported, "--firmware: no self test for " + function.name);
     }
     vectors_ = test_vectors(robot, mechanism, functions, options, progress);
   }

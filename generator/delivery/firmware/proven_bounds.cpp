@@ -55,7 +55,7 @@ ProvenBounds::ProvenBounds(const Mechanism& mechanism, const std::vector<Functio
   try {
     bounds_ = by_entry(functions[k], certify(mechanism, functions[k], lines_, without_gappa(scalar), progress));
   } catch (const Failure& failure) {
-    if (failure.code() != ExitCode::unsupported) throw;
+    if (failure.kind() != FailureKind::unsupported) throw;
     for (const Output& output : functions[k].outputs) bounds_.resize(bounds_.size() + output.entries.size(), kNothing);
   }
 }

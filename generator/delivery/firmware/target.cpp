@@ -49,7 +49,7 @@ const FirmwareTarget& firmware_target(const std::string& name) {
   for (const FirmwareTarget& target : kTargets) {
     if (name == target.name) return target;
   }
-  throw Failure(ExitCode::usage, "unknown processor \"" + name + "\"",
+  throw Failure(FailureKind::usage, "unknown processor \"" + name + "\"",
                 fmt::format("use one of {}", fmt::join(firmware_target_names(), ", ")));
 }
 

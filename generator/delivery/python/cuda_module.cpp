@@ -156,7 +156,7 @@ data limits_of_joints(const Mechanism& mechanism) {
 CudaPythonModule cuda_python_module(const Mechanism& mechanism, const std::vector<Function>& functions,
                                     const EmitOptions& options) {
   if (!mechanism.symbols.empty()) {
-    throw Failure(ExitCode::usage, "--python: in CUDA not for robots with free symbols",
+    throw Failure(FailureKind::usage, "--python: in CUDA not for robots with free symbols",
                   "give them values in the robot file");
   }
   const std::unique_ptr<const PageDialect> dialect = dialect_of(mechanism, options);

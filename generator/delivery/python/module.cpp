@@ -219,11 +219,11 @@ std::string module_name(const Mechanism& mechanism, const EmitOptions& options) 
   const std::string header = header_name(mechanism, options);
   const std::string name = header.substr(0, header.find_last_of('.'));
   if (cpp_identifier(name) != name || is_keyword_of_python(name)) {
-    throw Failure(ExitCode::usage, fmt::format("--python: \"{}\" is no name of a module", name),
+    throw Failure(FailureKind::usage, fmt::format("--python: \"{}\" is no name of a module", name),
                   "use letters, digits and _ for --name");
   }
   if (is_module_of_python(name)) {
-    throw Failure(ExitCode::usage,
+    throw Failure(FailureKind::usage,
                   fmt::format("--python: Python has a module \"{}\", in whose place this one would be imported", name),
                   fmt::format("choose another name, such as --name {}_robot", name));
   }

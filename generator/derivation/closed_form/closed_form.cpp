@@ -224,7 +224,8 @@ class Lagrange {
   void refuse_long_matrices() const {
     if (!mechanism_.has_quasi_velocities() || terms_ <= most_terms_) return;
     throw Failure(
-        ExitCode::unsupported, fmt::format("the closed form is too long: B alone has more than {} terms", most_terms_),
+        FailureKind::unsupported,
+        fmt::format("the closed form is too long: B alone has more than {} terms", most_terms_),
         "flatdyn generate makes code of such robots; with --base fixed, fewer joints or joints at right angles "
         "it is shorter");
   }

@@ -55,7 +55,7 @@ void require_independent(const Mechanism& mechanism) {
   const Contact& contact = contact_of_row(mechanism, static_cast<int>(first));
   const bool is_first = &contact == mechanism.contacts.data();
   throw Failure(
-      ExitCode::unsupported,
+      FailureKind::unsupported,
       fmt::format("contacts: their forces are not determined, because {}",
                   is_first ? fmt::format("\"{}\" holds more than the robot can move there", contact.name)
                            : fmt::format("what \"{}\" holds follows from the contacts before it", contact.name)),
@@ -67,7 +67,7 @@ void require_support(const Mechanism& mechanism) {
   std::vector<std::vector<FieldEntry>> columns = contact_columns(mechanism);
   columns.resize(kOfTwist);
   if (independent_columns(std::move(columns)).size() == kOfTwist) return;
-  throw Failure(ExitCode::unsupported,
+  throw Failure(FailureKind::unsupported,
                 "contact_inverse_dynamics: the contacts cannot carry the base, because their points are on one line",
                 "take a third point beside the line, or a surface");
 }

@@ -134,7 +134,7 @@ Function derivatives_from_inverse(DerivationContext& context, const std::vector<
 
 void refuse_loops(const Mechanism& mechanism, const std::string& name) {
   if (!mechanism.has_loops()) return;
-  throw Failure(ExitCode::unsupported, name + ": derivatives of robots with closed loops are not supported yet",
+  throw Failure(FailureKind::unsupported, name + ": derivatives of robots with closed loops are not supported yet",
                 "leave this function out");
 }
 

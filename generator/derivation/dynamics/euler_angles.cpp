@@ -19,7 +19,7 @@ Vec3 last_axis(DerivationContext& context, Orientation orientation) {
 
 void fail_without_angles(Orientation orientation) {
   const bool is_zyz = orientation == Orientation::zyz;
-  throw Failure(ExitCode::unsupported,
+  throw Failure(FailureKind::unsupported,
                 fmt::format("orientation: at every position of the robot the {} angles are singular",
                             is_zyz ? "ZYZ" : "roll, pitch and yaw"),
                 fmt::format("write `orientation = \"{}\"`, or leave it out and name rx, ry, rz in `task`",

@@ -12,7 +12,8 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 SingularInertia::SingularInertia(const Body& body)
-    : Failure(ExitCode::unsupported, fmt::format("B(q) is singular, because joint \"{}\" moves no inertia", body.joint),
+    : Failure(FailureKind::unsupported,
+              fmt::format("B(q) is singular, because joint \"{}\" moves no inertia", body.joint),
               "give the links that it moves their inertia, or its motor a rotor"),
       joint(body.joint) {}
 
@@ -34,7 +35,7 @@ Factorisation::Factorisation(Derivation& derivation, std::vector<int> parents, R
       prefix_(prefix),
       L_(std::move(matrix)),
       inverse_(L_.size()) {
-  factorise([&what](std::size_t) { throw Failure(ExitCode::unsupported, what + " is singular everywhere"); });
+  factorise([&what](std::size_t) { throw Failure(FailureKind::unsupported, what + " is singular everywhere"); });
 }
 
 void Factorisation::factorise(const std::function<void(std::size_t)>& fail_as_zero) {

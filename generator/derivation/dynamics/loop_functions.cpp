@@ -10,7 +10,7 @@ namespace {
 
 ClosedLoops loops_of(DerivationContext& context) {
   if (context.mechanism.has_loops()) return {context.mechanism, context.derivation};
-  throw Failure(ExitCode::unsupported, "the robot has no loops that have to be closed",
+  throw Failure(FailureKind::unsupported, "the robot has no loops that have to be closed",
                 "its joints are independent, or follow others linearly: q is all that there is to know");
 }
 

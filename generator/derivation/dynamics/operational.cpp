@@ -265,7 +265,7 @@ Function operational_bias_at(DerivationContext& context) {
 Function null_space_torque_at(DerivationContext& context) {
   const OperationalSpace space(context);
   if (static_cast<int>(space.size()) == context.size()) {
-    throw Failure(ExitCode::unsupported,
+    throw Failure(FailureKind::unsupported,
                   fmt::format("null_space_torque: the task {} takes all joints",
                               task_text(space.task().rows, space.task().orientation)),
                   "name fewer directions in the scene's `task`");

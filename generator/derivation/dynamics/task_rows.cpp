@@ -132,7 +132,7 @@ std::vector<int> task_rows(const Mechanism& mechanism) {
   const std::vector<int> wanted = task.empty() ? std::vector{0, 1, 2, 3, 4, 5} : task.rows;
   std::vector<int> rows = independent(mechanism, wanted);
   if (rows.empty() || (!task.empty() && rows != wanted)) {
-    throw Failure(ExitCode::unsupported,
+    throw Failure(FailureKind::unsupported,
                   fmt::format("operational space: the tip \"{}\" cannot move along {} independently",
                               mechanism.tip.link, task_text(wanted, task.orientation)),
                   rows.empty()

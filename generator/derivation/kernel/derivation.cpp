@@ -13,7 +13,7 @@ namespace {
 [[noreturn]] void cannot_import(const Number& expression) {
   std::ostringstream text;
   text << "expression cannot cross into the graph: " << expression;
-  throw Failure(ExitCode::unsupported, text.str(), "use rational expressions, sin and cos of the free symbols");
+  throw Failure(FailureKind::unsupported, text.str(), "use rational expressions, sin and cos of the free symbols");
 }
 
 // The text of an expression; it does not depend on the order in which GiNaC keeps operands.

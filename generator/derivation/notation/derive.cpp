@@ -23,7 +23,7 @@ constexpr int kLongestChain = 8;  // joints from base to tip: each one triples t
 
 void refuse_long_chains(const Mechanism& mechanism) {
   if (mechanism.has_loops()) {
-    throw Failure(ExitCode::unsupported, "with closed loops, the equations of motion have no closed form",
+    throw Failure(FailureKind::unsupported, "with closed loops, the equations of motion have no closed form",
                   "flatdyn generate makes code of them: of Phi_q, G with dq/dt = G qd, B, C and g");
   }
   std::vector<int> depth;
@@ -33,7 +33,7 @@ void refuse_long_chains(const Mechanism& mechanism) {
   }
   const int longest = depth.empty() ? 0 : *std::max_element(depth.begin(), depth.end());
   if (longest <= kLongestChain) return;
-  throw Failure(ExitCode::unsupported,
+  throw Failure(FailureKind::unsupported,
                 fmt::format("the closed form of a chain of {} joints has millions of terms", longest),
                 fmt::format("derive takes robots with at most {} joints in a row{}", kLongestChain,
                             mechanism.has_spherical_joints() ? ", of which a spherical one counts as three" : ""));

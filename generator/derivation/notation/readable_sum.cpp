@@ -198,7 +198,7 @@ void FactorNames::multiply(const Number& factor, int exponent, Monomial& monomia
     monomial[{entries_[k].kind, static_cast<int>(k), {}}] += exponent;
     return;
   }
-  throw Failure(ExitCode::unsupported, "the closed form has a factor that cannot be printed: " + plain_text(factor));
+  throw Failure(FailureKind::unsupported, "the closed form has a factor that cannot be printed: " + plain_text(factor));
 }
 
 ReadableSum FactorNames::readable(const Number& expression) const {

@@ -17,7 +17,7 @@ constexpr int kFirstInertia = static_cast<int>(Parameter::Ixx);
 Number driving_inertia(const Body& body) {
   if (!body.rotor) return body.armature;
   if (!vanishes(body.armature)) {
-    throw Failure(ExitCode::unsupported, "joint \"" + body.joint + "\" has both a motor and an armature",
+    throw Failure(FailureKind::unsupported, "joint \"" + body.joint + "\" has both a motor and an armature",
                   "give its rotor's inertia once: a regressor has one column for it");
   }
   return body.rotor->inertia;

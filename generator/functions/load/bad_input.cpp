@@ -3,13 +3,13 @@
 
 namespace flatdyn {
 
-ExitCode exit_code_of(const Diagnostics& errors) {
-  if (errors.only_on_command_line()) return ExitCode::usage;
-  return errors.only_unsupported() ? ExitCode::unsupported : ExitCode::input;
+FailureKind kind_of(const Diagnostics& errors) {
+  if (errors.only_on_command_line()) return FailureKind::usage;
+  return errors.only_unsupported() ? FailureKind::unsupported : FailureKind::input;
 }
 
 void refuse_errors(const Diagnostics& found) {
-  if (found.has_errors()) throw BadInput(exit_code_of(found), found);
+  if (found.has_errors()) throw BadInput(kind_of(found), found);
 }
 
 }  // namespace flatdyn

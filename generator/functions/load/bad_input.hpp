@@ -4,20 +4,19 @@
 #include <utility>
 
 #include "base/diagnostics/diagnostics.hpp"
-#include "base/diagnostics/exit_codes.hpp"
 
 namespace flatdyn {
 
 // Errors in the user's input: a robot file, a scene, or options. The caller that catches it prints the diagnostics.
 class BadInput : public Failure {
  public:
-  BadInput(ExitCode code, Diagnostics found)
-      : Failure(code, "the robot file has errors"), diagnostics(std::move(found)) {}
+  BadInput(FailureKind kind, Diagnostics found)
+      : Failure(kind, "the robot file has errors"), diagnostics(std::move(found)) {}
   Diagnostics diagnostics;
 };
 
-// The exit code for these errors: usage, unsupported or input.
-ExitCode exit_code_of(const Diagnostics& errors);
+// The kind of these errors: usage, unsupported or input.
+FailureKind kind_of(const Diagnostics& errors);
 
 // Throws BadInput if there are errors among the findings.
 void refuse_errors(const Diagnostics& found);

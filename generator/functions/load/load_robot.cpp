@@ -26,7 +26,7 @@ std::optional<Abbreviation> abbreviation_of(const Robot& robot, const Mechanism&
   try {
     return abbreviated(mechanism, *scene.error_budget, torque_scope_of(options, scene));
   } catch (const Failure& failure) {
-    throw Failure(failure.code(), robot.file + ": " + failure.what(), failure.hint());
+    throw Failure(failure.kind(), robot.file + ": " + failure.what(), failure.hint());
   }
 }
 
@@ -46,8 +46,8 @@ LoadedRobot load_robot(const std::filesystem::path& path, const LoadOptions& opt
   std::optional<Robot> robot = read_robot(path, options.read, diagnostics);
   const bool refused_warnings = options.warnings_are_errors && diagnostics.has_warnings();
   if (!robot || refused_warnings) {
-    const ExitCode code = exit_code_of(diagnostics);
-    throw BadInput(code, std::move(diagnostics));
+    const FailureKind kind = kind_of(diagnostics);
+    throw BadInput(kind, std::move(diagnostics));
   }
   Mechanism mechanism = snap_cancelled(dust_part(options.read), *robot);
   std::string hash = options.read.sources->hash(robot->files);

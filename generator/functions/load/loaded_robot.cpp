@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "base/diagnostics/exit_codes.hpp"
 #include "functions/load/bad_input.hpp"
 
 namespace flatdyn {
@@ -24,7 +23,7 @@ LoadedRobot without_scene_restrictions(LoadedRobot model) {
 
 void require_numbers(const Robot& robot, const std::string& what) {
   if (robot.symbols.empty()) return;
-  throw Failure(ExitCode::unsupported,
+  throw Failure(FailureKind::unsupported,
                 fmt::format("{}: the robot has free symbols ({}, ...): {} needs numbers", robot.file,
                             robot.symbols.front().name, what),
                 "write numbers for its lengths and masses; rough masses and inertias do");
@@ -32,7 +31,7 @@ void require_numbers(const Robot& robot, const std::string& what) {
 
 void refuse_loops(const LoadedRobot& model, const std::string& what) {
   if (!model.mechanism.has_loops()) return;
-  throw Failure(ExitCode::unsupported, what + ": robots with closed loops are not supported yet",
+  throw Failure(FailureKind::unsupported, what + ": robots with closed loops are not supported yet",
                 "inspect, generate, verify, stress, eval, simulate, torques, scale and identify know them; so do all "
                 "commands where "
                 "loops are parallelograms");
@@ -47,7 +46,7 @@ void refuse_spherical_joints(const LoadedRobot& model, const std::string& what) 
         fmt::format("{}: spherical joints are not supported yet, and joint \"{}\" is one", what, joint.name),
         "all commands but torques and scale know them, bench without --gpu; eval has the torques of a motion that its "
         "columns say");
-    throw BadInput(ExitCode::unsupported, std::move(found));
+    throw BadInput(FailureKind::unsupported, std::move(found));
   }
 }
 
@@ -59,14 +58,14 @@ void refuse_floating_base(const LoadedRobot& model, const std::string& what) {
                     "all commands but torques and scale know them; eval has the torques of a motion that its columns "
                     "say; "
                     "--base fixed holds the base still");
-  throw BadInput(ExitCode::unsupported, std::move(found));
+  throw BadInput(FailureKind::unsupported, std::move(found));
 }
 
 void refuse_springs(const LoadedRobot& model, const std::string& what, const std::string& remedy) {
   for (const Body& body : model.mechanism.bodies) {
     if (vanishes(body.stiffness)) continue;
     throw Failure(
-        ExitCode::unsupported,
+        FailureKind::unsupported,
         fmt::format("{}: springs are not supported yet, and {} \"{}\" has one", what,
                     body.is_tendon ? "tendon" : "joint", body.joint),
         remedy + "a scene with springs = false leaves them out: measured torques must then be without theirs");

@@ -22,7 +22,8 @@ const FunctionRow& known_row(const std::string& name) {
   if (const FunctionRow* row = find_row(name)) return *row;
   std::vector<std::string> known;
   for (const FunctionRow& row : function_table()) known.emplace_back(row.name);
-  throw Failure(ExitCode::usage, "unknown function \"" + name + "\"", hint_for_abbreviated(name, known, "functions"));
+  throw Failure(FailureKind::usage, "unknown function \"" + name + "\"",
+                hint_for_abbreviated(name, known, "functions"));
 }
 
 const LinkFrame& link_of(const Mechanism& mechanism, const std::string& name) {
@@ -31,7 +32,7 @@ const LinkFrame& link_of(const Mechanism& mechanism, const std::string& name) {
   if (found != mechanism.links.end()) return *found;
   std::vector<std::string> known;
   for (const LinkFrame& frame : mechanism.links) known.push_back(frame.link);
-  throw Failure(ExitCode::usage, "no link named \"" + name + "\"", hint_for_unknown(name, known, "links"));
+  throw Failure(FailureKind::usage, "no link named \"" + name + "\"", hint_for_unknown(name, known, "links"));
 }
 
 // The function that a name asks for: "jacobian", or "jacobian:hand" for a link.
@@ -45,28 +46,28 @@ Request parsed(const Mechanism& mechanism, const std::string& name) {
   Request request{&known_row(name.substr(0, colon)), nullptr};
   if (request.row->traits.needs_rates && mechanism.has_quasi_velocities()) {
     throw Failure(
-        ExitCode::unsupported,
+        FailureKind::unsupported,
         fmt::format("function \"{}\" needs velocities that are derivatives of coordinates; those of {} are not",
                     request.row->name, mechanism.floating_base ? "a floating base" : "spherical joints"),
         "leave it out of --functions; coriolis_matrix has C(q, v)");
   }
   if (request.row->traits.uses_task && mechanism.floating_base && mechanism.task.rates_are_of_angles()) {
-    throw Failure(ExitCode::unsupported, "a task in Euler angles is not supported for robots with a floating base",
+    throw Failure(FailureKind::unsupported, "a task in Euler angles is not supported for robots with a floating base",
                   "the base turns, too: take angular_velocity, in base axes");
   }
   if (request.row->traits.needs_floating_base && !mechanism.floating_base) {
-    throw Failure(ExitCode::usage,
+    throw Failure(FailureKind::usage,
                   fmt::format("function \"{}\" is one of robots with a floating base", request.row->name),
                   "let the base move: --base floating");
   }
   if (request.row->traits.needs_contacts && mechanism.contacts.empty()) {
-    throw Failure(ExitCode::usage,
+    throw Failure(FailureKind::usage,
                   fmt::format("function \"{}\" is about contacts, and there are none", request.row->name),
                   "name them in a scene: [[contact]] link = \"foot\" (docs/scene-format.md)");
   }
   if (colon == std::string::npos) return request;
   if (request.row->derivation.of_link == nullptr) {
-    throw Failure(ExitCode::usage, fmt::format("function \"{}\" is not one of a link", request.row->name),
+    throw Failure(FailureKind::usage, fmt::format("function \"{}\" is not one of a link", request.row->name),
                   "those of a link are " + functions_of_links());
   }
   request.link = &link_of(mechanism, name.substr(colon + 1));
@@ -212,7 +213,7 @@ void describe(const FunctionRow& row, const Mechanism& mechanism, Function& func
     return output.name == expected.name && output.layout == expected.layout;
   };
   if (!std::equal(function.outputs.begin(), function.outputs.end(), row.outputs.begin(), row.outputs.end(), is_same)) {
-    throw Failure(ExitCode::bug, fmt::format("{}: its derivation has other outputs than its row", row.name));
+    throw Failure(FailureKind::bug, fmt::format("{}: its derivation has other outputs than its row", row.name));
   }
   for (std::size_t k = 0; k < row.outputs.size(); ++k) {
     function.outputs[k].quantity = row.outputs[k].quantity;

@@ -28,11 +28,11 @@ void check_name(const LoadedRobot& model, const std::string& name) {
   try {
     check_function_name(model.mechanism, name);
   } catch (const Failure& failure) {
-    if (!model.mechanism.floating_base || failure.code() != ExitCode::unsupported) throw;
+    if (!model.mechanism.floating_base || failure.kind() != FailureKind::unsupported) throw;
     Diagnostics found;
     found.unsupported(model.robot.links[static_cast<std::size_t>(model.robot.root)].place, failure.what(),
                       failure.hint());
-    throw BadInput(ExitCode::unsupported, std::move(found));
+    throw BadInput(FailureKind::unsupported, std::move(found));
   }
 }
 
@@ -41,7 +41,7 @@ void check_names(const LoadedRobot& model, const std::vector<std::string>& names
   for (auto name = names.begin(); name != names.end(); ++name) {
     check_name(model, *name);
     if (std::find(names.begin(), name, *name) != name) {
-      throw Failure(ExitCode::usage, "function \"" + *name + "\" is asked for twice", "name it once");
+      throw Failure(FailureKind::usage, "function \"" + *name + "\" is asked for twice", "name it once");
     }
   }
 }
@@ -95,7 +95,7 @@ void refuse_division_by_zero(const Function& function) {
       continue;
     }
   }
-  throw Failure(ExitCode::unsupported, function.name + ": B(q) is singular at every position",
+  throw Failure(FailureKind::unsupported, function.name + ": B(q) is singular at every position",
                 "give the links between its joints their inertia");
 }
 
@@ -207,15 +207,15 @@ std::vector<OptimisedFunction> make_functions(const LoadedRobot& model, const Pi
                                           : checked_plan(model, name, progress));
     } catch (const SingularInertia& failure) {
       Diagnostics found = mending(model.robot, name, failure);
-      if (asked) throw BadInput(ExitCode::unsupported, std::move(found));
+      if (asked) throw BadInput(FailureKind::unsupported, std::move(found));
       for (const Diagnostic& each : found.all()) findings.warning(each.place, "left out " + each.message, each.hint);
     } catch (const Failure& failure) {
-      if (asked || failure.code() != ExitCode::unsupported) throw;
+      if (asked || failure.kind() != FailureKind::unsupported) throw;
       findings.warning({model.robot.file, 0}, std::string("left out ") + failure.what(), failure.hint());
     }
   }
   note_lost_pivots(model, plans, findings);
-  if (options.warnings_are_errors && findings.has_warnings()) throw BadInput(ExitCode::input, findings);
+  if (options.warnings_are_errors && findings.has_warnings()) throw BadInput(FailureKind::input, findings);
   if (options.search) {
     progress.step("searching for better choices");
     search_choices(model, *options.search, plans, findings);

@@ -31,7 +31,7 @@ double limit_of(const Mechanism& mechanism, int k, std::optional<Value> Limits::
   try {
     return required_limit(mechanism, k, limit);
   } catch (const Failure& failure) {
-    throw Failure(failure.code(), std::string("error budget: ") + failure.what(), failure.hint());
+    throw Failure(failure.kind(), std::string("error budget: ") + failure.what(), failure.hint());
   }
 }
 
@@ -39,7 +39,7 @@ double reach_of(const Body& body) {
   try {
     return required_reach(body);
   } catch (const Failure& failure) {
-    throw Failure(failure.code(), std::string("error budget: ") + failure.what(), failure.hint());
+    throw Failure(failure.kind(), std::string("error budget: ") + failure.what(), failure.hint());
   }
 }
 
@@ -322,11 +322,11 @@ std::vector<std::string> names_of_dropped(const Abbreviation& abbreviation) {
 
 Abbreviation abbreviated(const Mechanism& mechanism, const ErrorBudget& budget, const TorqueScope& scope) {
   if (!mechanism.symbols.empty()) {
-    throw Failure(ExitCode::unsupported, "error budget: the robot has free symbols", "give them numbers");
+    throw Failure(FailureKind::unsupported, "error budget: the robot has free symbols", "give them numbers");
   }
   if (mechanism.is_coupled()) {
     const char* what = mechanism.has_loops() ? "closed loops" : "coupled joints";
-    throw Failure(ExitCode::unsupported, fmt::format("error budget: {} are not supported yet", what),
+    throw Failure(FailureKind::unsupported, fmt::format("error budget: {} are not supported yet", what),
                   "leave the budget out");
   }
   const BaseParameters base = base_parameters(mechanism);

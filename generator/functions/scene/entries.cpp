@@ -15,7 +15,7 @@ namespace flatdyn {
 namespace {
 
 [[noreturn]] void refuse(const std::string& what, const std::string& hint) {
-  throw Failure(ExitCode::input, what, hint);
+  throw Failure(FailureKind::input, what, hint);
 }
 
 struct Range {

@@ -64,7 +64,7 @@ Abbreviations abbreviations(const LoadedRobot& model, const std::vector<Function
         result.made.push_back(std::move(made));
       }
     } catch (const Failure& failure) {
-      if (failure.code() != ExitCode::unsupported) throw;
+      if (failure.kind() != FailureKind::unsupported) throw;
       result.left_out.emplace_back(failure.what());  // "error budget: …": names no budget in particular
       break;
     }

@@ -61,15 +61,16 @@ void check_variants(const BenchOptions& options) {
   const std::vector<std::string> known = bench_variant_names();
   for (const std::string& name : options.variants) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    throw Failure(ExitCode::usage, "no variant named \"" + name + "\"", hint_for_unknown(name, known, "variants"));
+    throw Failure(FailureKind::usage, "no variant named \"" + name + "\"", hint_for_unknown(name, known, "variants"));
   }
 }
 
 void check_peer(const BenchCase& peer, const std::string& name, const BenchErrors& errors) {
   if (!peer.is_peer || errors.scaled.largest <= kPeerBound) return;
-  throw Failure(ExitCode::bug, fmt::format("{}: its numbers differ from the reference in 50 digits by {:.2g} units of "
-                                           "the last place: its model is another one",
-                                           name, errors.scaled.largest));
+  throw Failure(FailureKind::bug,
+                fmt::format("{}: its numbers differ from the reference in 50 digits by {:.2g} units of "
+                            "the last place: its model is another one",
+                            name, errors.scaled.largest));
 }
 
 // Compares the values of variants that have to compute the same bits.

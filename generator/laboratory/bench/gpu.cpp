@@ -103,11 +103,11 @@ std::string gpu_name(const Mechanism& mechanism) {
 
 void check_for_gpu(const Mechanism& mechanism) {
   if (!mechanism.symbols.empty()) {
-    throw Failure(ExitCode::unsupported, mechanism.name + ": bench --gpu has no values for its free symbols",
+    throw Failure(FailureKind::unsupported, mechanism.name + ": bench --gpu has no values for its free symbols",
                   "give them values in the robot file");
   }
   if (input_argument(InputKind::q, JointCounts(mechanism), 0).length > 0) return;
-  throw Failure(ExitCode::unsupported, mechanism.name + ": bench --gpu is for robots with joints",
+  throw Failure(FailureKind::unsupported, mechanism.name + ": bench --gpu is for robots with joints",
                 "call its functions from a program of yours: docs/cuda.md");
 }
 
@@ -151,7 +151,7 @@ void require_gpu() {
   constexpr const char* kElsewhere =
       "or prepare a folder for another machine: flatdyn bench ROBOT --gpu --prepare -o FOLDER";
   if (run_command(shell_word(compiler) + " --version > log 2>&1", folder.path()) != 0) {
-    throw Failure(ExitCode::io, fmt::format("bench --gpu needs nvcc, and \"{}\" cannot be run", compiler),
+    throw Failure(FailureKind::io, fmt::format("bench --gpu needs nvcc, and \"{}\" cannot be run", compiler),
                   fmt::format("install CUDA 12 or later and name its compiler in $NVCC, {}", kElsewhere));
   }
   write_file(folder.path() / "copy.cu", templates::gpu_copy_cu);
@@ -162,11 +162,11 @@ void require_gpu() {
     return line;
   };
   if (run_command(shell_word(compiler) + " -O3 -arch=native copy.cu -o copy > log 2>&1", folder.path()) != 0) {
-    throw Failure(ExitCode::io, fmt::format("bench --gpu: \"{}\" cannot compile: {}", compiler, first_line_of_log()),
+    throw Failure(FailureKind::io, fmt::format("bench --gpu: \"{}\" cannot compile: {}", compiler, first_line_of_log()),
                   "a compiler of the host that is too new for it is a common reason; name another nvcc in $NVCC");
   }
   if (run_command("./copy > log 2>&1", folder.path()) != 0) {
-    throw Failure(ExitCode::io,
+    throw Failure(FailureKind::io,
                   fmt::format("bench --gpu needs a device that CUDA can use, with 4 GB of memory that is free: {}",
                               first_line_of_log()),
                   fmt::format("run it where nvidia-smi shows one, {}", kElsewhere));

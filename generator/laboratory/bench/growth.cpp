@@ -56,7 +56,7 @@ GrowthRow measured(const LoadedRobot& model, const std::string& function, const 
   const BenchErrors errors =
       bench_errors(subject, expected, program.cases(), program.values(kCompared), kCompared).front();
   if (!(errors.scaled.largest <= kRoundingBound)) {
-    throw Failure(ExitCode::bug, fmt::format("{} of {} is wrong", function, model.mechanism.name));
+    throw Failure(FailureKind::bug, fmt::format("{} of {} is wrong", function, model.mechanism.name));
   }
   const CompilerUsage compiler = program.compilation();
   return {model.mechanism.size(),

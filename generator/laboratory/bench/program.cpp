@@ -18,7 +18,7 @@ void check(int status, const fs::path& folder) {
   if (status == 0) return;
   const std::string messages = content_of_file(folder / "log");
   check_room(folder, messages);
-  throw Failure(ExitCode::bug, fmt::format("the benchmark's program ended with {}\n{}", status, messages));
+  throw Failure(FailureKind::bug, fmt::format("the benchmark's program ended with {}\n{}", status, messages));
 }
 
 // The cases: the generated functions in all variants, then the peers'.
@@ -109,7 +109,8 @@ std::vector<std::vector<double>> BenchProgram::values(std::size_t states) const 
     bytes.copy(reinterpret_cast<char*>(values[k].data()), count * sizeof(double), offset);
     offset += count * sizeof(double);
   }
-  if (offset != bytes.size()) throw Failure(ExitCode::bug, "the benchmark's program wrote other values than expected");
+  if (offset != bytes.size())
+    throw Failure(FailureKind::bug, "the benchmark's program wrote other values than expected");
   return values;
 }
 

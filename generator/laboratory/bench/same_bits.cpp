@@ -19,7 +19,7 @@ void check_same_bits(const std::string& function, const VariantResult& a, const 
   bool are_all = a.holds == b.holds && a.values.size() == b.values.size();
   for (std::size_t k = 0; are_all && a.holds && k < a.values.size(); ++k) are_all = are_same(a.values[k], b.values[k]);
   if (are_all) return;
-  throw Failure(ExitCode::bug, fmt::format("{}: {} computes other bits than {}", function, b.variant, a.variant));
+  throw Failure(FailureKind::bug, fmt::format("{}: {} computes other bits than {}", function, b.variant, a.variant));
 }
 
 }  // namespace flatdyn

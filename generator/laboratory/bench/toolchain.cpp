@@ -21,7 +21,7 @@ void compiler_run(const std::string& command, const fs::path& folder, const std:
   if (run_command(fmt::format("export LC_ALL=C; {} > {} 2>&1", command, log), folder) == 0) return;
   const std::string messages = content_of_file(folder / log);
   check_room(folder, messages);
-  throw Failure(ExitCode::bug, fmt::format("{}\ndoes not compile:\n{}", command, messages));
+  throw Failure(FailureKind::bug, fmt::format("{}\ndoes not compile:\n{}", command, messages));
 }
 
 std::string compile_command(const Toolchain& toolchain, const CompileJob& job) {

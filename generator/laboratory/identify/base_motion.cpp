@@ -69,7 +69,7 @@ BaseSensors base_sensors(const Mechanism& mechanism, const std::string& imu) {
   const auto link = std::find_if(mechanism.links.begin(), mechanism.links.end(),
                                  [&](const LinkFrame& each) { return each.link == imu; });
   if (link == mechanism.links.end() || link->body != base) {
-    throw Failure(ExitCode::usage,
+    throw Failure(FailureKind::usage,
                   link == mechanism.links.end() ? fmt::format("--imu: the robot has no link \"{}\"", imu)
                                                 : fmt::format("--imu: link \"{}\" moves against the base link", imu),
                   "name a link that fixed joints hold to the base link; flatdyn inspect lists links");

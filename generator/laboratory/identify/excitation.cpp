@@ -96,25 +96,25 @@ int intervals_of(const ExcitationOptions& options, const MotionEquations& equati
   const int least = std::max(kSamplesPerPeriod * options.harmonics, 2 * equations.parameters());
   const double intervals = std::round(options.duration * options.rate);
   if (intervals > kMostIntervals) {
-    throw Failure(ExitCode::usage, fmt::format("--duration {} and --rate {} make {} samples; at most {} are planned",
-                                               options.duration, options.rate, intervals, kMostIntervals));
+    throw Failure(FailureKind::usage, fmt::format("--duration {} and --rate {} make {} samples; at most {} are planned",
+                                                  options.duration, options.rate, intervals, kMostIntervals));
   }
   if (intervals >= least) return static_cast<int>(intervals);
   throw Failure(
-      ExitCode::usage,
+      FailureKind::usage,
       fmt::format("--duration {} and --rate {} make {} samples; {} harmonics and {} parameters need {}",
                   options.duration, options.rate, intervals, options.harmonics, equations.parameters(), least));
 }
 
 void refuse_what_cannot_move(const MotionEquations& equations, const std::vector<JointLimits>& limits) {
   if (equations.parameters() == 0) {
-    throw Failure(ExitCode::unsupported, "no torque of the robot depends on any of its parameters");
+    throw Failure(FailureKind::unsupported, "no torque of the robot depends on any of its parameters");
   }
   const TorqueModel& model = equations.model();
   for (int i = 0; i < model.equations(); ++i) {
     const JointLimits& joint = limits[static_cast<std::size_t>(i)];
     if (joint.lower < joint.upper) continue;
-    throw Failure(ExitCode::unsupported, model.subject_of(i) + ": its position limits leave no room",
+    throw Failure(FailureKind::unsupported, model.subject_of(i) + ": its position limits leave no room",
                   fmt::format("hold it: --fix {}", model.name_of(i)));
   }
 }

@@ -18,7 +18,7 @@ namespace {
 
 void require_told(const VectorXd& values) {
   if (values.allFinite()) return;
-  throw Failure(ExitCode::input, "the instruments of --estimator iv tell too little of the parameters",
+  throw Failure(FailureKind::input, "the instruments of --estimator iv tell too little of the parameters",
                 "log a slower or a longer motion, or leave --estimator iv out");
 }
 

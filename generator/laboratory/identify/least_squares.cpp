@@ -89,7 +89,7 @@ void require_enough(const Observations& observations) {
   for (const JointObservations& joint : observations.joints) equations += joint.rows;
   if (equations > observations.parameters) return;
   throw Failure(
-      ExitCode::input,
+      FailureKind::input,
       fmt::format("{} equations for {} parameters: too few to tell noise by", equations, observations.parameters),
       "log longer runs");
 }

@@ -101,7 +101,7 @@ class NonlinearSearch {
     const TorqueEquations equations(*fit_.model, plain());
     const Measurement measurement = measured(equations);
     if (measurement.logs.front().filter.band == 0) {
-      throw Failure(ExitCode::usage, "--delay needs the filter: the log has all derivatives, and is used as it is",
+      throw Failure(FailureKind::usage, "--delay needs the filter: the log has all derivatives, and is used as it is",
                     "give --band HZ");
     }
     progress_.step("finding the delay");

@@ -129,7 +129,7 @@ ordered_json json_of(const std::filesystem::path& file) {
   if (!stream) {
     // If no file matches, a shell passes its pattern on as it is.
     const bool is_pattern = file.string().find_first_of("*?[") != std::string::npos;
-    throw Failure(ExitCode::io, fmt::format("{}: cannot be read", file.string()),
+    throw Failure(FailureKind::io, fmt::format("{}: cannot be read", file.string()),
                   is_pattern ? "no file has such a name: make the parts with --data LOG --part k/N -o FILE" : "");
   }
   const ordered_json json = ordered_json::parse(stream, nullptr, false);

@@ -89,7 +89,7 @@ std::size_t most_loaded(const std::vector<LimitUse>& use) {
   const std::size_t i = most_loaded(use);
   const auto equation = static_cast<int>(i);
   throw Failure(
-      ExitCode::unsupported,
+      FailureKind::unsupported,
       fmt::format(
           "{}: {} alone takes {:.4g} {} in the middle of the position limits, where motions begin; {:.4g} may be used",
           model.subject_of(equation),

@@ -33,7 +33,7 @@ LoadedRobot as_derived(const LoadedRobot& model) {
 // Regressors do not have them.
 void refuse_base_joint(const Mechanism& mechanism) {
   if (!has_base_joint(mechanism)) return;
-  throw Failure(ExitCode::unsupported,
+  throw Failure(FailureKind::unsupported,
                 "measured motion: a floating base with armature or friction of its own is not supported",
                 "a real base has neither: write <freejoint/>, or leave armature, viscous and coulomb out of [base]");
 }

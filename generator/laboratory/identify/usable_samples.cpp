@@ -19,18 +19,18 @@ Failure no_samples(const Measurement& measurement, int window, int decimate) {
   const bool are_far_apart = std::any_of(measurement.logs.begin(), measurement.logs.end(),
                                          [](const MeasuredLog& log) { return log.filter.dt >= kFarApart; });
   if (are_far_apart) {
-    return Failure(ExitCode::input, none + of_filter,
+    return Failure(FailureKind::input, none + of_filter,
                    "poses that are held need columns qd1, ... and qdd1, ... of zeros: then each line counts as it is");
   }
   if (count.gaps > 0) {
-    return Failure(ExitCode::input, fmt::format("{}{}, and there are {} gaps in time", none, of_filter, count.gaps),
+    return Failure(FailureKind::input, fmt::format("{}{}, and there are {} gaps in time", none, of_filter, count.gaps),
                    "log without gaps, or give a wider --band");
   }
   if (count.lines > window && decimate > 1) {
-    return Failure(ExitCode::input, fmt::format("{}--decimate {} leaves none of them", none, decimate),
+    return Failure(FailureKind::input, fmt::format("{}--decimate {} leaves none of them", none, decimate),
                    fmt::format("give --decimate a number far below {}", count.lines - window));
   }
-  return Failure(ExitCode::input, none + of_filter, "log longer runs, or give a wider --band");
+  return Failure(FailureKind::input, none + of_filter, "log longer runs, or give a wider --band");
 }
 
 // Why no joint counts as moving. `base`: the entries of q̇ of a floating base.
@@ -48,7 +48,7 @@ Failure no_motion(const Measurement& measurement, int base) {
                        [](double slowest, double qd) { return std::abs(qd) <= slowest; });
   });
   if (most > 0 || moves) {
-    return Failure(ExitCode::input,
+    return Failure(FailureKind::input,
                    fmt::format("every joint moves clearly faster than the noise of its position at few instants only, "
                                "at {} of {} at most, too few to tell their noise by; a joint counts as resting below "
                                "{:.2g} rad/s or m/s",
@@ -56,7 +56,7 @@ Failure no_motion(const Measurement& measurement, int base) {
                    "log a longer or faster motion (flatdyn excite finds one); or give a wider --band, which has more "
                    "instants, a lower one, which has less noise, or --rest-speed");
   }
-  return Failure(ExitCode::input,
+  return Failure(FailureKind::input,
                  fmt::format("no joint moves faster than the speed below which it counts as resting, {:.2g} rad/s or "
                              "m/s at most: at rest a joint's friction may be anything up to F_s, so that its torques "
                              "tell nothing",
@@ -81,7 +81,7 @@ bool base_moves(const Measurement& measurement) {
 }
 
 Failure no_equations() {
-  return Failure(ExitCode::input, "the robot has no joints, and the log no force on its base: there is no equation",
+  return Failure(FailureKind::input, "the robot has no joints, and the log no force on its base: there is no equation",
                  "log the force on the base, base_fx to base_nz");
 }
 

@@ -18,13 +18,13 @@ namespace {
 // The centre of an ellipsoid is how the robot falls: with such armature, its parts do not fall alike.
 void refuse_base_armature(const Mechanism& mechanism) {
   if (!mechanism.floating_base || vanishes(mechanism.bodies.front().armature)) return;
-  throw Failure(ExitCode::unsupported, "manipulability: a floating base with armature of its own is not supported",
+  throw Failure(FailureKind::unsupported, "manipulability: a floating base with armature of its own is not supported",
                 "a real base has none: write <freejoint/>, or leave armature out of [base]");
 }
 
 void refuse_angles(const Mechanism& mechanism) {
   if (!mechanism.task.has_angles()) return;
-  throw Failure(ExitCode::unsupported, "an ellipsoid has base axes, and the scene asks for Euler angles",
+  throw Failure(FailureKind::unsupported, "an ellipsoid has base axes, and the scene asks for Euler angles",
                 "take `orientation` out of the scene");
 }
 
@@ -36,7 +36,7 @@ void refuse_singular(const Eigen::MatrixXd& B, const std::vector<double>& q) {
   const Eigen::ArrayXd pivots = Eigen::MatrixXd(factor.matrixL()).diagonal().array().square();
   const bool is_positive = (pivots > kRounding * B.diagonal().array()).all();  // false for NaN
   if (factor.info() == Eigen::Success && is_positive) return;
-  throw Failure(ExitCode::input,
+  throw Failure(FailureKind::input,
                 fmt::format("the inertia matrix is not positive definite at q = {}", fmt::join(q, ", ")),
                 "leave such positions out; where it is so everywhere, give the last links inertia");
 }
@@ -65,7 +65,7 @@ Eigen::VectorXd torque_units(const Mechanism& mechanism, TorqueNorm norm) {
   const std::vector<double> limits = given_limits(mechanism).torque;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     if (std::isfinite(limits[i])) continue;
-    throw Failure(ExitCode::unsupported,
+    throw Failure(FailureKind::unsupported,
                   fmt::format("joint \"{}\" has no effort limit", joint_name(mechanism.joints()[i])),
                   "give one in the robot file or in the scene's [limits], or leave out --norm");
   }

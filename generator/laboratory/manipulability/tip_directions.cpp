@@ -36,7 +36,7 @@ ElementMatrix motion_of_free_base(ElementMatrix B, std::size_t base) {
   B.resize(base);
   const Echelon<Element> solved = reduced_echelon(std::move(B), is_zero);
   if (solved.pivots.size() < base || solved.pivots.back() != base - 1) {
-    throw Failure(ExitCode::unsupported, "forces or moments on the floating base move no inertia",
+    throw Failure(FailureKind::unsupported, "forces or moments on the floating base move no inertia",
                   "give the base link, or links on it, mass and moments of inertia about all axes");
   }
   ElementMatrix motion = solved.rows;
@@ -86,7 +86,7 @@ std::vector<int> moved_directions(const ElementMatrix& columns) {
 
 void refuse_dependent(const Mechanism& mechanism, const std::vector<int>& wanted, const std::vector<int>& found) {
   if (found == wanted) return;
-  throw Failure(ExitCode::unsupported,
+  throw Failure(FailureKind::unsupported,
                 fmt::format("joints cannot accelerate the tip \"{}\" along {} independently{}", mechanism.tip.link,
                             task_text(wanted), mechanism.floating_base ? " while the base floats" : ""),
                 found.empty() ? "no joint moves it: choose another with --tip"
@@ -100,7 +100,7 @@ TipDirections tip_directions(const Mechanism& mechanism, const Function& B, cons
   TipDirections directions{mechanism.task.rows};
   if (mechanism.task.empty()) directions.rows = moved_directions(columns);
   if (directions.rows.empty()) {
-    throw Failure(ExitCode::unsupported, "no joint moves the tip's origin",
+    throw Failure(FailureKind::unsupported, "no joint moves the tip's origin",
                   "name directions of rotation in the scene's `task`, or another link with --tip");
   }
   const std::vector<int> kept = independent(columns, directions.rows);

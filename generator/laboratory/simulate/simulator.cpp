@@ -165,7 +165,7 @@ class Simulator {
   }
 
   [[noreturn]] void refuse(const std::string& what) const {
-    throw Failure(ExitCode::input, fmt::format("the motion cannot be followed beyond t = {} s: {}", t_, what),
+    throw Failure(FailureKind::input, fmt::format("the motion cannot be followed beyond t = {} s: {}", t_, what),
                   "look at torques and gains, and at joints whose inertia is nearly zero");
   }
 

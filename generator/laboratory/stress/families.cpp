@@ -19,7 +19,7 @@ const FamilyEntry& entry_of(const std::string& family) {
     names.emplace_back(entry.name);
   }
   names.emplace_back(kRandomFamily);
-  throw Failure(ExitCode::usage, "no family named \"" + family + "\"", hint_for_unknown(family, names, "families"));
+  throw Failure(FailureKind::usage, "no family named \"" + family + "\"", hint_for_unknown(family, names, "families"));
 }
 
 // The functions that the robot can have: B cannot be inverted if a joint moves no mass.
@@ -33,10 +33,10 @@ std::vector<Function> functions_for(const LoadedRobot& model, const FamilyMember
     try {
       functions.push_back(functions_of(make_functions(model, one, progress, findings)).front());
     } catch (const BadInput& bad) {
-      if (bad.code() != ExitCode::unsupported) throw;
+      if (bad.kind() != FailureKind::unsupported) throw;
       report.left_out.push_back(fmt::format("{}: {}", member.label, bad.diagnostics.all().front().message));
     } catch (const Failure& failure) {
-      if (failure.code() != ExitCode::unsupported) throw;
+      if (failure.kind() != FailureKind::unsupported) throw;
       report.left_out.push_back(fmt::format("{}: {}", member.label, failure.what()));
     }
   }

@@ -73,7 +73,7 @@ OneRobot::OneRobot(const PlainRobot& robot, unsigned seed, bool is_usual, const 
       Function function = is_usual ? usual(model_, name) : drawn(model_, name, engine);
       functions_.push_back(options.corrupt ? options.corrupt(function) : std::move(function));
     } catch (const Failure& failure) {
-      if (failure.code() != ExitCode::unsupported) throw;
+      if (failure.kind() != FailureKind::unsupported) throw;
     }
   }
   EmitOptions emit;

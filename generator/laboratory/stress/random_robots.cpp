@@ -110,7 +110,7 @@ class RandomRobots {
       RobotGroup group(std::move(alone));
       return compiled_fault(*group.members().front().robot, group.entries(0), unused);
     } catch (const Failure& failure) {
-      if (failure.code() != ExitCode::input && failure.code() != ExitCode::unsupported) throw;
+      if (failure.kind() != FailureKind::input && failure.kind() != FailureKind::unsupported) throw;
       return std::nullopt;
     }
   }

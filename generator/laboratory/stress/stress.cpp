@@ -297,7 +297,7 @@ void check_variants(const std::vector<std::string>& wanted) {
   const std::vector<std::string> known = stress_variant_names();
   for (const std::string& name : wanted) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    throw Failure(ExitCode::usage, "no variant named \"" + name + "\"", hint_for_unknown(name, known, "variants"));
+    throw Failure(FailureKind::usage, "no variant named \"" + name + "\"", hint_for_unknown(name, known, "variants"));
   }
 }
 

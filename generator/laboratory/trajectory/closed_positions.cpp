@@ -44,7 +44,7 @@ ClosedPositions::ClosedPositions(const LoadedRobot& model) : independent_(model.
       reference::loop_regularity(*robot_, q_) > reference::kSingularLoop) {
     return;
   }
-  throw Failure(ExitCode::input,
+  throw Failure(FailureKind::input,
                 fmt::format("{}: the loops cannot be closed near q = {}, or are singular there", model.robot.file,
                             fmt::join(start, ", ")),
                 "say in the robot file near which positions they are closed: [assembly], JOINT = position");
@@ -72,7 +72,7 @@ std::span<const double> ClosedPositions::of(std::span<const double> q_a) {
     } else if (++halvings <= kMostHalvings && std::isfinite(distance)) {
       largest = std::min(largest, distance) / 2;
     } else {
-      throw Failure(ExitCode::input, "the loops cannot be closed beyond " + place_text(here), kAway);
+      throw Failure(FailureKind::input, "the loops cannot be closed beyond " + place_text(here), kAway);
     }
   }
   return {q_.data(), static_cast<std::size_t>(q_.size())};
@@ -84,7 +84,7 @@ std::span<const double> ClosedPositions::at(const TrajectoryPoint& point) {
 }
 
 void ClosedPositions::refuse_singular() const {
-  throw Failure(ExitCode::input, "the loops are singular at " + place_text(q_(independent_)), kAway);
+  throw Failure(FailureKind::input, "the loops are singular at " + place_text(q_(independent_)), kAway);
 }
 
 std::string ClosedPositions::place_text(const Eigen::VectorXd& q_a) const {

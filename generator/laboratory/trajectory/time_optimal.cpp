@@ -159,7 +159,7 @@ class PaceMaker {
       law.time.push_back(law.time.back() + 2 * delta(k) / pace);
     }
     if (std::isfinite(law.time.back()) && *std::max_element(law.x.begin(), law.x.end()) < kFastest) return;
-    throw Failure(ExitCode::unsupported, "nothing limits the pace of the motion",
+    throw Failure(FailureKind::unsupported, "nothing limits the pace of the motion",
                   "give limits of speed, acceleration or torque for every joint that moves");
   }
 
@@ -193,7 +193,7 @@ TrajectoryPoint at_pace(TrajectoryPoint point, double time, const Pace& pace, co
 TimeLaw time_optimal_law(const Trajectory& trajectory, const PathCoefficients& path, const PaceLimits& limits,
                          double c) {
   if (std::all_of(trajectory.points.begin(), trajectory.points.end(), rests)) {
-    throw Failure(ExitCode::unsupported, "no joint moves along the trajectory: there is no pace to choose",
+    throw Failure(FailureKind::unsupported, "no joint moves along the trajectory: there is no pace to choose",
                   "leave out --time-optimal");
   }
   return PaceMaker(trajectory, path, limits, c).law();

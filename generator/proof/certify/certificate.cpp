@@ -187,7 +187,8 @@ class Certifier {
 void refuse_divisions(const StraightLine& lines) {
   for (int k = 0; k < lines.size(); ++k) {
     if (lines[k].step != Step::divide) continue;
-    throw Failure(ExitCode::unsupported, "it divides", "certify bounds sums and products only: name other --functions");
+    throw Failure(FailureKind::unsupported, "it divides",
+                  "certify bounds sums and products only: name other --functions");
   }
 }
 
@@ -217,8 +218,8 @@ Certificate certify(const Mechanism& mechanism, const std::vector<Function>& fun
       refuse_divisions(lines);
       result.functions.push_back(certify(mechanism, functions[k], lines, options, progress));
     } catch (const Failure& failure) {
-      if (failure.code() != ExitCode::unsupported) throw;
-      throw Failure(failure.code(), fmt::format("{} cannot be certified: {}", functions[k].name, failure.what()),
+      if (failure.kind() != FailureKind::unsupported) throw;
+      throw Failure(failure.kind(), fmt::format("{} cannot be certified: {}", functions[k].name, failure.what()),
                     failure.hint());
     }
   }

@@ -14,14 +14,14 @@ namespace {
 // The largest component of gravity in the axes of a floating base: its length.
 double size_of_gravity(const Vec3& g) {
   if (std::any_of(g.begin(), g.end(), has_symbols)) {
-    throw Failure(ExitCode::unsupported, "gravity has free symbols", "give them numbers");
+    throw Failure(FailureKind::unsupported, "gravity has free symbols", "give them numbers");
   }
   return std::hypot(nearest_double(g[0]), nearest_double(g[1]), nearest_double(g[2]));
 }
 
 double limit_of(const Mechanism& mechanism, const Input& input) {
   const ArgumentRow& row = argument_row(input.kind);
-  if (row.is_reference) throw Failure(ExitCode::unsupported, "it reads inputs that have no limit");
+  if (row.is_reference) throw Failure(FailureKind::unsupported, "it reads inputs that have no limit");
   switch (row.quantity) {
     case ArgumentQuantity::position:
       if (mechanism.is_of_quaternion(input.index)) return 1;
@@ -35,11 +35,11 @@ double limit_of(const Mechanism& mechanism, const Input& input) {
     case ArgumentQuantity::gravity:
       return size_of_gravity(mechanism.gravity);
     case ArgumentQuantity::wrench:
-      throw Failure(ExitCode::unsupported, "it reads tip forces, which have no limit");
+      throw Failure(FailureKind::unsupported, "it reads tip forces, which have no limit");
     case ArgumentQuantity::symbol:
-      throw Failure(ExitCode::unsupported, "the robot has free symbols", "give them numbers");
+      throw Failure(FailureKind::unsupported, "the robot has free symbols", "give them numbers");
     default:
-      throw Failure(ExitCode::unsupported, "it reads inputs that have no limit");
+      throw Failure(FailureKind::unsupported, "it reads inputs that have no limit");
   }
 }
 

@@ -130,7 +130,7 @@ void Norms::bound(int k, Expansion& expansion) {
   const double by_form = norm(expansion.form) + expansion.slack;
   const double by_operation = k < executed_ ? std::min(by_form, largest_by_operands(k)) : by_form;
   const double size = rounded_up(std::min(by_operation, of_motion), kBoundDigits);
-  if (k < executed_ && !(size <= model_.format.most)) throw Failure(ExitCode::unsupported, kMayOverflow);
+  if (k < executed_ && !(size <= model_.format.most)) throw Failure(FailureKind::unsupported, kMayOverflow);
   if (is_rounded(k)) {
     expansion.before_rounding = size;
     expansion.own_error = model_.format.half_ulp(size);
@@ -188,7 +188,7 @@ Norms::Expansion Norms::unrounded(int k) {
     case Step::constant: {
       Expansion result;
       const double value = k < executed_ ? model_.format.rounded(operation.value) : operation.value;
-      if (!std::isfinite(value)) throw Failure(ExitCode::unsupported, kMayOverflow);
+      if (!std::isfinite(value)) throw Failure(FailureKind::unsupported, kMayOverflow);
       if (value != 0) result.form = {{Atoms::kOne, value}};
       if (k < executed_) result.own_error = model_.constant_error(operation.value);
       return result;
@@ -214,11 +214,11 @@ Norms::Expansion Norms::unrounded(int k) {
       return product(k);
     case Step::divide:
     case Step::sqrt:
-      throw Failure(ExitCode::unsupported, "it divides or takes a square root",
+      throw Failure(FailureKind::unsupported, "it divides or takes a square root",
                     "certify bounds sums and products only");
     case Step::sign:
       if (expansion(operation.a).slack > 0 || expansion(operation.a).has_all_errors) {
-        throw Failure(ExitCode::unsupported, "it takes the sign of a rounded value");
+        throw Failure(FailureKind::unsupported, "it takes the sign of a rounded value");
       }
       break;
     case Step::input:

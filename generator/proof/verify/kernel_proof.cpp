@@ -10,7 +10,7 @@ namespace flatdyn {
 void prove_parts(const Function& function, const std::vector<Function>& parts, std::uint64_t seed) {
   const ExactResult result = prove_equal(function, composed(function, parts), {seed, 1});
   if (result.equal) return;
-  throw Failure(ExitCode::verification_failed,
+  throw Failure(FailureKind::verification_failed,
                 "the parts of " + function.name + " are not the function: " + result.summary(),
                 "nothing was written; this is a mistake of the program: report it, with the robot file");
 }

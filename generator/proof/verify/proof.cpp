@@ -12,7 +12,7 @@ namespace {
 ExactOptions quick(std::uint64_t seed) { return {seed, 1}; }
 
 [[noreturn]] void refuse(const std::string& why) {
-  throw Failure(ExitCode::verification_failed, why,
+  throw Failure(FailureKind::verification_failed, why,
                 "nothing was written; this is a mistake of the program: report it, with the robot file");
 }
 
@@ -72,7 +72,7 @@ AsReadResult prove_robot(const Robot& robot, const Mechanism& mechanism) {
 void prove_text(const EmittedText& text, const WrittenCode& code, std::uint64_t seed) {
   const std::vector<Function> wanted = functions_in_text(code);
   if (text.functions().size() != wanted.size()) {
-    throw Failure(ExitCode::bug, "the emitted text has other functions than were made");
+    throw Failure(FailureKind::bug, "the emitted text has other functions than were made");
   }
   read_file(text, contents_of(code));
   for (std::size_t k = 0; k < wanted.size(); ++k) {

@@ -199,7 +199,7 @@ PageCode page_code(const PageContent& content) {
     const auto made = std::find_if(content.functions.begin(), content.functions.end(),
                                    [&name](const OptimisedFunction& each) { return each.function.name == name; });
     if (made == content.functions.end()) {
-      throw Failure(ExitCode::unsupported,
+      throw Failure(FailureKind::unsupported,
                     fmt::format("the page needs the function {}, which this robot has not", name),
                     "flatdyn generate writes those that it has");
     }

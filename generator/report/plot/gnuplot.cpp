@@ -27,14 +27,14 @@ std::string gnuplot_label(const std::string& what, const std::string& text, cons
 std::string gnuplot_picture(const std::function<std::string(const fs::path&)>& script) {
   const TemporaryFolder folder;
   if (run_command("gnuplot --version > /dev/null 2>&1", folder.path()) != 0) {
-    throw Failure(ExitCode::io, "no plot: gnuplot cannot be run", "install gnuplot-nox");
+    throw Failure(FailureKind::io, "no plot: gnuplot cannot be run", "install gnuplot-nox");
   }
   const fs::path output = folder.path() / "plot";
   write_file(folder.path() / "plot.gp", script(output));
   if (run_command("gnuplot plot.gp > /dev/null 2> log", folder.path()) != 0) {
     const std::string messages = content_of_file(folder.path() / "log");
     check_room(folder.path(), messages);
-    throw Failure(ExitCode::io, "gnuplot failed: " + messages);
+    throw Failure(FailureKind::io, "gnuplot failed: " + messages);
   }
   return content_of_file(output);
 }

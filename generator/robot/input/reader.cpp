@@ -139,18 +139,18 @@ Attachments read_text(FileKind kind, const std::string& text, const std::string&
 
 void check_model_option(const ReadContext& context) {
   if (!context.options.model || context.model_was_chosen || context.diagnostics.has_errors()) return;
-  throw Failure(ExitCode::usage, "--model " + *context.options.model + " has no effect: no SDF file is read",
+  throw Failure(FailureKind::usage, "--model " + *context.options.model + " has no effect: no SDF file is read",
                 "leave it out");
 }
 
 void check_ignored(const ReadContext& context) {
   if (context.options.ignored.empty() || context.mjcf_was_read || context.diagnostics.has_errors()) return;
-  throw Failure(ExitCode::usage, "--ignore has no effect: no MJCF file is read", "leave it out");
+  throw Failure(FailureKind::usage, "--ignore has no effect: no MJCF file is read", "leave it out");
 }
 
 void check_keyframe(const ReadContext& context) {
   if (!context.options.keyframe || context.mjcf_was_read || context.diagnostics.has_errors()) return;
-  throw Failure(ExitCode::usage, "--keyframe " + *context.options.keyframe + " has no effect: no MJCF file is read",
+  throw Failure(FailureKind::usage, "--keyframe " + *context.options.keyframe + " has no effect: no MJCF file is read",
                 "leave it out");
 }
 

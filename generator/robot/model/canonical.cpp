@@ -123,7 +123,7 @@ void add_motor(const RawTree& tree, const std::vector<Placement>& placements, in
   const Transform pose = final_pose(tree, placements, link);
   const int carrier = tree.body_of[static_cast<std::size_t>(link)];
   if (!carries(mechanism, carrier, body_index)) {
-    throw Failure(ExitCode::unsupported,
+    throw Failure(FailureKind::unsupported,
                   joint.motor->place.file + ":" + std::to_string(joint.motor->place.line) + ": motor of joint \"" +
                       joint.name + "\" is carried by link \"" + tree.robot.links[static_cast<std::size_t>(link)].name +
                       "\", which is not between the base and the joint",

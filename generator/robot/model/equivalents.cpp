@@ -16,7 +16,7 @@ void scale(InertialParameters& body, const Number& unit) {
 Mechanism with_frame_shifted(const Mechanism& mechanism, int i, const Number& axial_shift) {
   Mechanism result = mechanism;
   Body& body = result.bodies[static_cast<std::size_t>(i)];
-  if (body.prismatic) throw Failure(ExitCode::bug, "the frame of a prismatic joint cannot be raised");
+  if (body.prismatic) throw Failure(FailureKind::bug, "the frame of a prismatic joint cannot be raised");
   const Vec3 up = {0, 0, axial_shift};
   body.p = expanded(body.p + constant_rotation(body) * up);
   const auto lower = [&up](Vec3& point) { point = expanded(point - up); };

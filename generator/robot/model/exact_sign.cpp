@@ -25,7 +25,7 @@ constexpr std::size_t kMostTerms = 2000;  // of a polynomial that is squared
   std::ostringstream text;
   text << a;
   const std::string shown = text.str();
-  throw Failure(ExitCode::unsupported,
+  throw Failure(FailureKind::unsupported,
                 "whether this number is 0 is not decided, as it has too many roots: " + shown.substr(0, kShown) +
                     (shown.size() > kShown ? "..." : ""),
                 "write it with fewer roots, or as a decimal");

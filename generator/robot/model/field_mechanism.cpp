@@ -12,7 +12,7 @@ namespace flatdyn {
 void cannot_map(const Number& a) {
   std::ostringstream text;
   text << "not a rational expression in the free symbols, their sines and cosines: " << a;
-  throw Failure(ExitCode::unsupported, text.str());
+  throw Failure(FailureKind::unsupported, text.str());
 }
 
 namespace {
@@ -68,7 +68,7 @@ int index_of(const Number& symbol, const std::vector<FreeSymbol>& symbols) {
   }
   std::ostringstream text;
   text << "symbol " << symbol << " is none of the robot's";
-  throw Failure(ExitCode::bug, text.str());
+  throw Failure(FailureKind::bug, text.str());
 }
 
 NodeId linear_angle(const Number& angle, const std::vector<FreeSymbol>& symbols, Graph& graph) {

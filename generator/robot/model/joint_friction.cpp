@@ -27,7 +27,7 @@ Leader rate_of(const Mechanism& mechanism, Leader leader, std::size_t body) {
   if (found != mechanism.independent.end()) {
     return {static_cast<std::size_t>(base + (found - mechanism.independent.begin())), leader.factor};
   }
-  throw Failure(ExitCode::unsupported,
+  throw Failure(FailureKind::unsupported,
                 fmt::format("friction of joint \"{}\", which a closed loop moves, is not supported here",
                             mechanism.bodies[body].joint),
                 "leave it out (viscous = 0, coulomb = 0), or choose other dependent joints");
@@ -42,12 +42,12 @@ Leader leader_of(const Mechanism& mechanism, std::size_t body) {
   }
   if (leaders.size() == 1) return rate_of(mechanism, leaders.front(), body);
   if (mechanism.bodies[body].is_tendon) {
-    throw Failure(ExitCode::unsupported,
+    throw Failure(FailureKind::unsupported,
                   fmt::format("friction of tendon \"{}\", which acts on several joints, is not supported here",
                               mechanism.bodies[body].joint),
                   "leave it out: viscous = 0 and coulomb = 0, or a scene with friction = false, which leaves out all");
   }
-  throw Failure(ExitCode::unsupported,
+  throw Failure(FailureKind::unsupported,
                 fmt::format("friction of joint \"{}\", which follows several coordinates, is not supported here",
                             mechanism.bodies[body].joint),
                 "leave it out (viscous = 0, coulomb = 0), or give the joint a coordinate of its own");

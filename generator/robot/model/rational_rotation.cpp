@@ -234,7 +234,8 @@ ZxzAngles zxz_angles(const Mat3& R) {
     return angles;
   }
   if (has_symbols(x) || has_symbols(y) || has_symbols(z)) {
-    throw Failure(ExitCode::unsupported, "a symbolic angle makes two neighbouring joint axes skew in general position",
+    throw Failure(FailureKind::unsupported,
+                  "a symbolic angle makes two neighbouring joint axes skew in general position",
                   "keep angles numeric, or let only one of alpha and theta be a symbol");
   }
   angles.beta = direction_of(-y, x);

@@ -61,7 +61,7 @@ double magnitude_of_gravity(const Vec3& v) {
   const bool slides = body.prismatic;
   const std::string key =
       what == "effort" ? (slides ? "force" : "moment") : fmt::format("{}_{}", slides ? "linear" : "angular", what);
-  throw Failure(ExitCode::unsupported, fmt::format("the floating base has no limit `{}`", key),
+  throw Failure(FailureKind::unsupported, fmt::format("the floating base has no limit `{}`", key),
                 "give it in [base_limits] of the scene: the largest size of each component");
 }
 
@@ -125,14 +125,14 @@ double required_limit(const Mechanism& mechanism, int k, std::optional<Value> Li
                            : limit == &Limits::acceleration ? "acceleration"
                                                             : "effort";
   if (mechanism.is_of_base(k)) refuse_motion_of_base(body, what);
-  throw Failure(ExitCode::unsupported, fmt::format("joint \"{}\" has no limit of {}", body.joint, what),
+  throw Failure(FailureKind::unsupported, fmt::format("joint \"{}\" has no limit of {}", body.joint, what),
                 "give it in the robot file, or in [limits] of the scene");
 }
 
 double required_reach(const Body& body) {
   const std::optional<Value>&lower = body.limits.lower, &upper = body.limits.upper;
   if (!lower || !upper || has_symbols(lower->number) || has_symbols(upper->number)) {
-    throw Failure(ExitCode::unsupported, fmt::format("joint \"{}\" has no limit of position", body.joint),
+    throw Failure(FailureKind::unsupported, fmt::format("joint \"{}\" has no limit of position", body.joint),
                   "give it in the robot file, or in [limits] of the scene");
   }
   return std::max(std::abs(nearest_double(lower->number)), std::abs(nearest_double(upper->number)));

@@ -61,7 +61,7 @@ class DefinitionPoint {
     for (std::size_t k = 0; k < mechanism.links.size(); ++k) {
       if (mechanism.links[k].link == link) return lagrangian.mechanism().links[k];
     }
-    throw Failure(ExitCode::bug, "no link named \"" + link + "\"");
+    throw Failure(FailureKind::bug, "no link named \"" + link + "\"");
   }
 
   Values inverse_dynamics() { return torques_at(qdd()); }

@@ -54,7 +54,7 @@ void at_point(std::uint64_t seed, const std::vector<int>& quaternions, const Com
       continue;
     }
   }
-  throw Failure(ExitCode::unsupported, "the function divides by zero at every position",
+  throw Failure(FailureKind::unsupported, "the function divides by zero at every position",
                 "give the links between its joints their inertia");
 }
 
@@ -105,7 +105,7 @@ int compare_at(DefinitionPoint<ModPArithmetic<P>>& point, const Definition& defi
     const auto expected = definition.expected.over<P>()(point, output);
     const auto found = definition.found.over<P>()(point, output);
     if (expected.size() != found.size()) {
-      throw Failure(ExitCode::bug, "output " + output.name + " of " + function.name + " has the wrong shape");
+      throw Failure(FailureKind::bug, "output " + output.name + " of " + function.name + " has the wrong shape");
     }
     for (std::size_t e = 0; e < expected.size(); ++e) {
       if (output.leaves_out(e)) continue;

@@ -214,7 +214,7 @@ TEST(Certify, NeedsLimits) {
     certificate_of(mechanism, "double", {"inverse_dynamics"});
     FAIL() << "a limit is missing";
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::unsupported);
+    EXPECT_EQ(failure.kind(), FailureKind::unsupported);
     EXPECT_THAT(failure.what(), ::testing::HasSubstr("\"wrist_1_joint\""));
   }
   EXPECT_NO_THROW(certificate_of(mechanism, "double", {"gravity"}));

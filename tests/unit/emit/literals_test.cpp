@@ -76,7 +76,7 @@ TEST(Literals, RefuseWhatNoDoubleCanHold) {
     nearest_double(power_of_two(2000));
     FAIL();
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::input);
+    EXPECT_EQ(failure.kind(), FailureKind::input);
     EXPECT_STREQ(failure.what(), "a constant of the model is out of the range of double, about 2^2000");
   }
 }

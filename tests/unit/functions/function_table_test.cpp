@@ -53,7 +53,7 @@ TEST_P(RowsOf, SayTheShapesArgumentsAndUnitsOfDerivedFunctions) {
     try {
       function = derive_function(mechanism, row.name);
     } catch (const Failure& failure) {
-      EXPECT_EQ(failure.code(), ExitCode::unsupported) << row.name << ": " << failure.what();
+      EXPECT_EQ(failure.kind(), FailureKind::unsupported) << row.name << ": " << failure.what();
       continue;
     }
     for (const Input& input : inputs_read(*function)) {

@@ -154,7 +154,7 @@ TEST(Excitation, RefusesARobotThatCannotHoldItself) {
     make_excitation(MotionEquations(weak), options, progress);
     FAIL();
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::unsupported);
+    EXPECT_EQ(failure.kind(), FailureKind::unsupported);
     EXPECT_THAT(failure.what(), HasSubstr("joint \"theta_1\": gravity or friction alone takes 1030 N m"));
     EXPECT_THAT(failure.what(), HasSubstr("9 may be used"));
   }

@@ -87,7 +87,7 @@ class FloatingPayload : public ::testing::Test {
     const std::filesystem::path log = folder() / fmt::format("log{}.csv", ++logs_);
     testing::FloatingLogWriter(form, robot.mechanism).write(log, samples);
     Measurement measurement = measure(equations, robot.mechanism, {log}, options, progress_, found_);
-    if (found_.has_errors()) throw Failure(ExitCode::input, found_.all().front().message);
+    if (found_.has_errors()) throw Failure(FailureKind::input, found_.all().front().message);
     return measurement;
   }
 

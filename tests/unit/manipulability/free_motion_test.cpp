@@ -300,7 +300,7 @@ TEST(FreeManipulability, KnowsWhichDirectionsJointsReach) {
     Manipulability(two_arms({0, 1, 2}), {}, progress);
     FAIL();
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::unsupported);
+    EXPECT_EQ(failure.kind(), FailureKind::unsupported);
     EXPECT_EQ(std::string(failure.what()),
               "joints cannot accelerate the tip \"right_lower\" along x, y, z independently while the base floats");
     EXPECT_EQ(failure.hint(), "of the scene's `task` they can along x, y");
@@ -317,7 +317,7 @@ TEST(FreeManipulability, IsRefusedWhereTheBaseTurnsNothing) {
     ellipsoid_of(line, {0.1}, kGravity, {}, task);
     FAIL();
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::unsupported);
+    EXPECT_EQ(failure.kind(), FailureKind::unsupported);
     EXPECT_EQ(std::string(failure.what()), "forces or moments on the floating base move no inertia");
   }
 }

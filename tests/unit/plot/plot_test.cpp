@@ -94,7 +94,7 @@ TEST(SvgPlot, SaysWhatToInstallWithoutGnuplot) {
     svg_plot("plot", panels());
     ADD_FAILURE() << "drawn without gnuplot";
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::io);
+    EXPECT_EQ(failure.kind(), FailureKind::io);
     EXPECT_THAT(failure.hint(), HasSubstr("gnuplot-nox"));
   }
   ::setenv("PATH", path.c_str(), 1);

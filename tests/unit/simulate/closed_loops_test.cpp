@@ -136,7 +136,7 @@ TEST(ClosedPositions, EndWhereTheLoopsDo) {
     closed.of({&beyond, 1});
     FAIL() << "nothing thrown";
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::input);
+    EXPECT_EQ(failure.kind(), FailureKind::input);
     EXPECT_NE(std::string(failure.what()).find("the loops cannot be closed beyond x = 0.4"), std::string::npos)
         << failure.what();
   }

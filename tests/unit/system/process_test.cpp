@@ -24,7 +24,7 @@ TEST(RunCommand, EndsTheRunWhereCtrlCHasEndedIt) {
     run_command("kill -INT $$", folder.path());
     FAIL();
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::interrupted);
+    EXPECT_EQ(failure.kind(), FailureKind::interrupted);
   }
   std::signal(SIGINT, before);
 }

@@ -46,7 +46,7 @@ TEST(TemporaryFolder, SaysThatTmpdirIsNoFolder) {
     const TemporaryFolder folder;
     FAIL() << folder.path();
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::io);
+    EXPECT_EQ(failure.kind(), FailureKind::io);
     EXPECT_THAT(failure.what(), HasSubstr("TMPDIR is \"/nowhere/at/all\""));
   }
 }

@@ -231,7 +231,7 @@ TEST(TimeOptimal, NeedsALimit) {
     time_optimal_law(c.trajectory, c.grid, {none, none, none}, 1);
     ADD_FAILURE();
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::unsupported);
+    EXPECT_EQ(failure.kind(), FailureKind::unsupported);
   }
 }
 

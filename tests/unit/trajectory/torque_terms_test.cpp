@@ -109,7 +109,7 @@ TEST(TorqueTerms, NeedNumbers) {
     const TorqueTerms terms(model_of("planar_2r.toml"), false, quiet);
     ADD_FAILURE();
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::unsupported);
+    EXPECT_EQ(failure.kind(), FailureKind::unsupported);
   }
 }
 

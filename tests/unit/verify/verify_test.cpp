@@ -154,7 +154,7 @@ TEST_F(WithoutCompiler, SaysWhatIsMissing) {
     CompiledFunctions compiled(mechanism, {derive_function(mechanism, "gravity")});
     FAIL();
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::io);
+    EXPECT_EQ(failure.kind(), FailureKind::io);
     EXPECT_STREQ(failure.what(), "no C++ compiler: /no/such/compiler cannot be run");
   }
 }

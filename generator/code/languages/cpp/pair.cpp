@@ -17,10 +17,10 @@ std::vector<std::string> compiled_scalars(const EmitOptions& options) {
   std::vector<std::string> scalars = {options.scalar};
   for (const std::string& scalar : options.more_scalars) {
     if (scalar != "double" && scalar != "float") {
-      throw Failure(ExitCode::usage, fmt::format("unknown scalar \"{}\"", scalar), "use double or float");
+      throw Failure(FailureKind::usage, fmt::format("unknown scalar \"{}\"", scalar), "use double or float");
     }
     if (std::count(scalars.begin(), scalars.end(), scalar) > 0) {
-      throw Failure(ExitCode::usage, fmt::format("scalar \"{}\" is named twice", scalar), "name it once");
+      throw Failure(FailureKind::usage, fmt::format("scalar \"{}\" is named twice", scalar), "name it once");
     }
     scalars.push_back(scalar);
   }

@@ -79,7 +79,7 @@ void check_name_space(const std::string& name_space) {
       std::any_of(parts.begin(), parts.end(), [](const std::string& part) { return part.starts_with("FLATDYN_"); });
   if (!is_macro && !is_in_runtime(parts.front())) return;
   throw Failure(
-      ExitCode::usage,
+      FailureKind::usage,
       fmt::format("\"{}\" is no namespace for CUDA: {}", name_space,
                   is_macro ? "macros of the header begin with FLATDYN_" : "its runtime has something of that name"),
       fmt::format("another --namespace, such as \"{}_\"", is_macro ? "arm" : name_space));

@@ -233,15 +233,15 @@ bool check_fetched(std::string_view text, const std::string& path, Diagnostics& 
 std::optional<std::string> file_text(const std::string& path, Diagnostics& diagnostics) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) {
-    throw Failure(ExitCode::io, path + ": is a folder", "name a robot file (.urdf, .sdf, .xml, .xacro or .toml)");
+    throw Failure(FailureKind::io, path + ": is a folder", "name a robot file (.urdf, .sdf, .xml, .xacro or .toml)");
   }
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw Failure(ExitCode::io, path + ": cannot be read", "check the path and the permissions");
+  if (!stream) throw Failure(FailureKind::io, path + ": cannot be read", "check the path and the permissions");
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (!error && !check_size(size, path, diagnostics)) return std::nullopt;
   std::ostringstream text;
   text << stream.rdbuf();
-  if (stream.bad()) throw Failure(ExitCode::io, path + ": cannot be read to its end", "check the disk");
+  if (stream.bad()) throw Failure(FailureKind::io, path + ": cannot be read to its end", "check the disk");
   if (!check_fetched(text.view(), path, diagnostics)) return std::nullopt;
   return text.str();
 }

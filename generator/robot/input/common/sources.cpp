@@ -68,7 +68,7 @@ void Sources::check_arguments() const {
   for (const auto& [path, source] : kept_) {
     if (is_xacro(path)) return;
   }
-  throw Failure(ExitCode::usage, "--xacro " + xacro_arguments_.front() + " has no effect: no .xacro file is read",
+  throw Failure(FailureKind::usage, "--xacro " + xacro_arguments_.front() + " has no effect: no .xacro file is read",
                 "leave it out, or name the template");
 }
 

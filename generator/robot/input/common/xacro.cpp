@@ -93,7 +93,7 @@ bool is_xacro(const fs::path& path) { return path.extension() == ".xacro"; }
 std::optional<std::string> expanded_by_xacro(const std::string& file, const std::vector<std::string>& arguments,
                                              Diagnostics& diagnostics) {
   if (!is_on_path("xacro")) {
-    throw Failure(ExitCode::io, file + ": this is a xacro template, and there is no program xacro on the PATH",
+    throw Failure(FailureKind::io, file + ": this is a xacro template, and there is no program xacro on the PATH",
                   "install it (pip install xacro, or source setup.bash of a ROS that has it); or expand the file "
                   "elsewhere: xacro " +
                       fs::path(file).filename().string() + " > robot.urdf");

@@ -74,10 +74,11 @@ bool is_digits(std::string_view text) {
 LineReader::LineReader(const std::filesystem::path& path, Reading reading)
     : file_(path, std::ios::binary), buffer_(block_for(path)) {
   if (!file_ || std::filesystem::is_directory(path)) {
-    throw Failure(ExitCode::io, fmt::format("{}: cannot be read", path.string()), "check the path and the permissions");
+    throw Failure(FailureKind::io, fmt::format("{}: cannot be read", path.string()),
+                  "check the path and the permissions");
   }
   if (reading == Reading::again && !std::filesystem::is_regular_file(path)) {
-    throw Failure(ExitCode::io, fmt::format("{}: cannot be read: it is no regular file", path.string()),
+    throw Failure(FailureKind::io, fmt::format("{}: cannot be read: it is no regular file", path.string()),
                   "logs are read twice: write it to a file first");
   }
 }

@@ -75,7 +75,7 @@ TEST_F(Xacro, SaysHowToGetItWhereItIsNot) {
     read({});
     FAIL();
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::io);
+    EXPECT_EQ(failure.kind(), FailureKind::io);
     EXPECT_THAT(failure.hint(), HasSubstr("pip install xacro"));
     EXPECT_THAT(failure.hint(), HasSubstr("xacro arm.urdf.xacro > robot.urdf"));
   }

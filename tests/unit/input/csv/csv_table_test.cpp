@@ -120,7 +120,7 @@ TEST(CsvFile, ThatIsMissingIsAnInputOutputFailure) {
     read_csv("no/such/file.csv", diagnostics);
     FAIL();
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::io);
+    EXPECT_EQ(failure.kind(), FailureKind::io);
     EXPECT_STREQ(failure.what(), "no/such/file.csv: cannot be read");
   }
 }

@@ -390,7 +390,7 @@ TEST_F(UrdfReader, AMissingFileEndsWithIo) {
     read_robot(folder_ / "nothing.urdf", {}, diagnostics_);
     FAIL() << "no exception";
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::io);
+    EXPECT_EQ(failure.kind(), FailureKind::io);
   }
   EXPECT_THROW(read_robot(folder_, {}, diagnostics_), Failure);
 }
