@@ -101,7 +101,7 @@ std::filesystem::path stamped_file(const std::string& named) {
   return named;
 }
 
-// The held files: a header, and what its language has beside it; their texts follow one another.
+// The held files: a header, and what its language has in addition to it; their texts follow one another.
 class HeldFiles {
  public:
   explicit HeldFiles(const std::string& named) {

@@ -23,7 +23,7 @@ namespace {
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
-// Prefixes of hidden names beside a file, which belong to this process: of the new file, and of the previous one.
+// Prefixes of hidden names next to a file, which belong to this process: of the new file, and of the previous one.
 constexpr const char *kNew = "", *kOld = "old.";
 
 std::string prefix_beside(const fs::path& path, const char* kind) {
@@ -79,7 +79,7 @@ std::vector<std::unique_ptr<FolderLock>> locked(const std::vector<fs::path>& pla
   return locks;
 }
 
-// Removes the files that killed runs have left beside these. The caller must hold the folders' locks: no other run is
+// Removes the files that killed runs have left next to these. The caller must hold the folders' locks: no other run is
 // writing.
 void remove_remains(const std::vector<fs::path>& places) {
   std::error_code ignored;
@@ -98,9 +98,9 @@ void rename(const fs::path& from, const fs::path& to, const fs::path& wanted) {
   if (error) cannot_write(wanted, error.message());
 }
 
-// The replacement of the last run's files by this run's, which are first written beside their places. Whenever this run
-// is killed, no file of one run stands beside one of the other: the first file is replaced in one step, and the others
-// are absent meanwhile.
+// The replacement of the last run's files by this run's, which are first written next to their final places. Whenever
+// this run is killed, no file of one run is next to one of the other: the first file is replaced in one step, and the
+// others are absent meanwhile.
 class Change {
  public:
   // places: those of the files, followed by those of outdated files.

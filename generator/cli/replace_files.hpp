@@ -33,10 +33,10 @@ class NewFolders {
   std::vector<std::filesystem::path> made_;  // outer ones first
 };
 
-// Writes all files beside their places and renames them at the end, so that nobody sees an incomplete file; `outdated`
-// files are removed with those that are replaced. If a file cannot be renamed, those of the last run are restored. If
-// the run is killed, some or all files of one run are there. Several runs in one folder wait for each other. Throws
-// Failure(io).
+// Writes all files next to their final places and renames them at the end, so that nobody sees an incomplete file;
+// `outdated` files are removed with those that are replaced. If a file cannot be renamed, those of the last run are
+// restored. If the run is killed, some or all files of one run are there. Several runs in one folder wait for each
+// other. Throws Failure(io).
 void replace_files(const std::vector<TextFile>& files, const std::vector<std::filesystem::path>& outdated = {});
 
 }  // namespace flatdyn

@@ -93,7 +93,7 @@ PaceLimits limits_of(const ScaleArguments& arguments, const LoadedRobot& model) 
 // The fewest intervals of 1 / rate that take the duration, or longer. A rate at which the motion is over before the
 // second sample is refused.
 int intervals_of(double duration, double rate) {
-  constexpr double kFewest = 10;  // intervals in which a motion can be told
+  constexpr double kFewest = 10;  // intervals that suffice to recognise a motion
   const double wanted = duration * rate, nearest = std::round(wanted);
   const bool is_whole = std::abs(wanted - nearest) <= kWholeNumber * wanted;
   if (wanted < 1 && !is_whole) {

@@ -83,8 +83,8 @@ Failure usage_failure(const CLI::App& app, const CLI::ParseError& error) {
   if (&command == &app && !left_over.empty()) return unknown_subcommand(app, left_over.front());
   const std::string hint = called(app, command) + " --help shows what it takes";
   if (!left_over.empty()) {
-    return {FailureKind::usage, fmt::format("{}: \"{}\" is more than it takes", called(app, command), left_over.front()),
-            hint};
+    return {FailureKind::usage,
+            fmt::format("{}: \"{}\" is more than it takes", called(app, command), left_over.front()), hint};
   }
   if (const CLI::Option* repeated = given_too_often(command)) {
     return {FailureKind::usage, fmt::format("{} is given {} times", repeated->get_name(), repeated->count()),

@@ -14,7 +14,7 @@ Failure usage_failure(const CLI::App& app, const CLI::ParseError& error);
 // The subcommand of this name. Throws Failure(usage) if there is none.
 const CLI::App& subcommand_named(const CLI::App& app, const std::string& name);
 
-// The output style of the chosen subcommand, as far as the command line tells it before anything is parsed.
+// The output style of the chosen subcommand, as far as the command line shows it before anything is parsed.
 OutputStyle output_style_of(const CLI::App& app);
 OutputStyle output_style_of(int argc, const char* const* argv);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Tables of constants beside the functions of a file, before any language.
+// Tables of constants that a file has in addition to its functions, independent of the language.
 #pragma once
 
 #include <string>

@@ -37,7 +37,7 @@ struct ArgumentRow {
   ArgumentLength length;
   InputKind in_state;               // the kind of a state's numbers that it takes: qd for v
   InputKind with_quasi_velocities;  // the kind that robots with a floating base or spherical joints have instead
-  bool is_reference = false;        // of a motion beside the robot's own
+  bool is_reference = false;        // of a reference motion, not of the robot's own
   const char* meaning = "";         // for people, with units
   const char* meaning_with_base = nullptr;  // with a floating base, where that is another one
   const char* of_spherical_joints = "";     // added if there are some
@@ -161,7 +161,7 @@ inline constexpr auto kArgumentRows = std::to_array<ArgumentRow>({
 
 constexpr const ArgumentRow& argument_row(InputKind kind) { return kArgumentRows[static_cast<std::size_t>(kind)]; }
 
-// The row of an array of this name in generated code; nullptr: there is none.
+// The row of an array of this name in generated code; nullptr if there is no such array.
 constexpr const ArgumentRow* find_argument(const std::string& name) {
   for (const ArgumentRow& row : kArgumentRows) {
     const bool is_array = row.length != ArgumentLength::symbols && row.length != ArgumentLength::none;

@@ -9,7 +9,8 @@
 namespace flatdyn {
 
 // evaluate() computes the values of all nodes that `roots(function)` reach; the values of the others are
-// default-constructed. An Arithmetic tells it about the scalar type, which need not have real trigonometry:
+// default-constructed. An Arithmetic defines the scalar type and its operations, which need not include real
+// trigonometry:
 //   using Scalar
 //   Scalar constant(const Rational&)
 //   Scalar input(const Input&)

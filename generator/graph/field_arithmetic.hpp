@@ -26,7 +26,8 @@ inline std::uint64_t splitmix64(std::uint64_t seed, std::uint64_t value) {
   return z ^ (z >> 31);
 }
 
-// The operations that a field must offer beside + - * / == and construction from 0 and 1; specialise this struct:
+// The operations that a field must offer in addition to + - * / == and construction from 0 and 1; specialise this
+// struct:
 template <class F>
 struct FieldTraits;
 //   static F from(const Rational&)

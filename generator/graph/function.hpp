@@ -69,7 +69,7 @@ std::vector<NodeId> roots(const Function& function);
 // The same function over another graph, in which node k of the function's graph is image[k].
 Function with_graph(const Function& function, Graph graph, const std::vector<NodeId>& image);
 
-// Whether condition k is a pivot that rounding may cancel beside its scale.
+// Whether condition k is a pivot that rounding may cancel, so that it is compared with a scale.
 bool has_scale(const Function& function, std::size_t k);
 
 // Whether pivots of B or of another matrix are compared with scales.

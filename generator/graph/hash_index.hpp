@@ -19,7 +19,7 @@ inline std::uint64_t pair_key(std::int32_t a, std::int32_t b) {
 // The numbers of items by the hashes of the items, which are kept elsewhere: an open hash table of numbers >= 0.
 class HashIndex {
  public:
-  // The number with this hash for which is_same(number) holds. If there is none, `next`, which is added.
+  // The number with this hash for which is_same(number) holds; `next`, which is added, if there is no such number.
   template <class IsSame>
   std::int32_t find_or_add(std::uint64_t hash, std::int32_t next, const IsSame& is_same) {
     if (2 * (count_ + 1) > slots_.size()) grow();

@@ -15,8 +15,8 @@ namespace flatdyn {
 std::vector<std::string> base_warnings(const Mechanism& mechanism, const Observations& observations,
                                        bool are_of_torques = true);
 
-// A question that belongs behind the words that a model does not fit: whether the inertial measurement unit that tells
-// the base's motion is where it counts as being. Empty where no unit does.
+// A question that belongs behind the words that a model does not fit: whether the inertial measurement unit that
+// measures the base's motion is where it is assumed to be. Empty where no unit does.
 std::string imu_question(const std::vector<MeasuredLog>& logs);
 
 }  // namespace flatdyn

@@ -81,7 +81,8 @@ std::string text_of_loops(const Mechanism& mechanism) {
   return text;
 }
 
-// The armature and friction that the entries of a floating base have beside the robot's links; empty if it has none.
+// The armature and friction that the entries of a floating base have in addition to the robot's links; empty if it has
+// none.
 std::string base_joint_text(const Mechanism& mechanism, const NumberText& number) {
   if (!has_base_joint(mechanism)) return "";
   const Body& turning = mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)];

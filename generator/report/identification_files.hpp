@@ -9,7 +9,7 @@
 namespace flatdyn {
 
 // The covariance of the estimate: a heading with the names of the parameters, then one row per parameter, in SI units.
-// A parameter that the motion does not tell has no entries.
+// A parameter that the motion does not determine has no entries.
 std::string covariance_csv(const TorqueEquations& equations, const Estimate& estimate);
 
 // Collects the filtered signals of logs, one row per instant: log (counted from 1), t, q, q̇, q̈, then by joint the

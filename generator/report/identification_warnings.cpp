@@ -61,7 +61,8 @@ void warn_of_frozen(const TorqueModel& model, const Identification& found, std::
   }
 }
 
-// Parameters, told or not, of whose uncertainty the directions with so much noise of positions make more than a share.
+// Parameters, determined by the data (`told`) or not, of whose uncertainty more than a share comes from directions with
+// so much noise of positions.
 std::vector<std::string> parameters_in_noise(const TorqueModel& model, const Estimate& estimate, double least,
                                              bool told, double share) {
   std::vector<std::string> names;
@@ -86,7 +87,7 @@ std::string some_of(std::vector<std::string> names) {
   return fmt::format("{} and {} more", fmt::join(names, ", "), count - kMost);
 }
 
-// Reports parameters of which noise of positions is a considerable share of what the motion tells.
+// Reports parameters for which noise of positions is a considerable share of the motion's information on them.
 void warn_of_noise_in_q(const TorqueModel& model, const Estimate& estimate, std::vector<std::string>& warning_texts) {
   constexpr double kConsiderable = 0.25;
   constexpr const char* kRemedy = "a faster or larger motion tells more of them, and a lower --band may do so, too";
@@ -261,7 +262,7 @@ void warn_of_search(const PhysicalParameters& physical, std::vector<std::string>
 void warn_of_links(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
   constexpr double kLarger = 1.5, kRounding = 1e-6;  // factor on the residual; share of the largest torque
   const PhysicalParameters& physical = found.physical;
-  // Links have the friction that a joint can have, where the log does not tell it.
+  // Links have the friction that a joint can have, where the log does not determine it.
   const std::vector<bool>& told = found.unknowns.friction_told;
   if (std::find(told.begin(), told.end(), false) != told.end()) return;
   warn_of_misfit(model, physical, warning_texts);

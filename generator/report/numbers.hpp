@@ -15,7 +15,7 @@ inline constexpr int kJsonDigits = 17;  // digits of numbers inside texts: a dou
 
 inline std::vector<double> list(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
-// A standard deviation as text; infinite where the data do not tell.
+// A standard deviation as text; infinite where the data do not determine the value.
 inline std::string deviation_text(double deviation) {
   return std::isfinite(deviation) ? fmt::format("{:.2g}", deviation) : "not told";
 }

@@ -139,7 +139,7 @@ void doubt_fit(const Mechanism& mechanism, const FittedPayload& found, std::vect
       fmt::join(bad, ", "), question));
 }
 
-// Why the logs do not tell something of the payload, and what would.
+// The reason why the logs do not determine something of the payload, and what would.
 std::string reason_of_untold(const Mechanism& mechanism, const FittedPayload& found) {
   if (found.is_of_wrist()) return "the sensor's forces hardly change; move the tip faster, or turn it against gravity";
   const std::string lacking = logs_without_base_force(mechanism, found);
@@ -148,7 +148,7 @@ std::string reason_of_untold(const Mechanism& mechanism, const FittedPayload& fo
          " has the force on the base, base_fx to base_nz, which tells it: zeros, if nothing touches the robot";
 }
 
-// Reports a mass that is not told: a robot file has to have one.
+// Reports a mass that the logs do not determine: a robot file has to have one.
 void doubt_mass(const Mechanism& mechanism, const FittedPayload& found, std::vector<std::string>& warning_texts) {
   if (std::isfinite(found.payload.standard_deviations(0))) return;
   warning_texts.push_back(fmt::format(

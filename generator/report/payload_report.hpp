@@ -9,11 +9,11 @@
 
 namespace flatdyn {
 
-// Throws Failure(input) if the logs tell nothing of the payload.
+// Throws Failure(input) if the logs determine nothing of the payload.
 void require_told(const LoadedRobot& robot, const FittedPayload& found);
 
 // Sentences on estimates that no payload explains, on logs that a floating base can hardly have, and on a mass that is
-// not told; none for others. `hint`: a possible reason of a negative mass.
+// not determined; none for others. `hint`: a possible reason of a negative mass.
 std::vector<std::string> plausibility_warnings(const LoadedRobot& robot, const FittedPayload& found,
                                                const std::string& hint);
 

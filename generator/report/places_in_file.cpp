@@ -24,7 +24,7 @@ struct PartInFile {
   std::vector<NumberInFile> numbers;
 };
 
-// Attributes by which a number is written, in all formats: they tell elements of one line apart.
+// Attributes by which a number is written, in all formats: they distinguish elements in the same line.
 using Names = std::vector<std::string>;
 
 class NumbersOfPart {

@@ -80,7 +80,7 @@ std::string residual_plot(const TorqueModel& model, const Observations& observat
       if (is_used) add(residual, places[k], sample.right[at] - row.dot(joint.restricted(values)));
     }
   }
-  // The line of zero makes the residual's axis of time that of the torque beside it, whatever rows are used.
+  // The line of zero gives the residual the same time axis as the torque next to it, whatever rows are used.
   for (std::size_t at = 1; at < panels.size(); at += 2) {
     if (panels[at].series.front().x.empty()) continue;
     panels[at].series.push_back({"", {places.front(), places.back()}, {0, 0}, SeriesKind::guide});

@@ -9,7 +9,7 @@
 
 namespace flatdyn {
 
-// Facts on a time-optimal law, beside its motion.
+// Facts on a time-optimal law, in addition to its motion.
 struct OptimalPace {
   TimeLaw law;
   std::optional<LargestLimitUse> between;  // largest use between the grid's points, if it can be computed

@@ -27,7 +27,7 @@ const std::vector<Convention>& conventions();
 // The names of all conventions, in order.
 std::vector<std::string> convention_names();
 
-// Throws Failure(bug) if there is none of this name.
+// Throws Failure(bug) if there is no convention of this name.
 const Convention& convention_of(const std::string& name);
 
 }  // namespace flatdyn

@@ -21,7 +21,7 @@ bool depends_on_acceleration(const Output& output);
 // Whether the convention has the quaternions of the robot's spherical joints in another order than (w, x, y, z).
 bool has_other_quaternions(const Convention& convention, const Mechanism& mechanism);
 
-// Friction of a floating base by the velocity of its origin that flatdyn's functions are not told here: viscous
+// Friction of a floating base by the velocity of its origin that flatdyn's functions cannot compute here: viscous
 // friction where they are given no velocity of the origin, and Coulomb friction along the axes of the world.
 struct FrictionOfOrigin {
   Number viscous = 0, coulomb = 0;  // N s/m, N

@@ -9,7 +9,7 @@
 
 namespace flatdyn {
 
-// The definition of the function that fills the array of angles. Needed only if there are some beside those of q.
+// The definition of the function that fills the array of angles. Needed only if there are angles other than those of q.
 std::string angles_definition(const HeaderScope& scope);
 
 // Lines of comment that list these angles.

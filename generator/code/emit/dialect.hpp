@@ -38,10 +38,10 @@ class Dialect {
   std::string global(const std::string& name) const { return prefix_ + name; }
   // The name of a count: "joint_count", "PANDA_JOINT_COUNT".
   virtual std::string count_name(const std::string& name) const { return name; }
-  // Reserved words that variables must avoid beside those of C++.
+  // Reserved words that variables must avoid in addition to those of C++.
   virtual std::vector<std::string> reserved() const = 0;
 
-  // Words that the names of free symbols, as members of a structure, must avoid beside those of C++.
+  // Words that the names of free symbols, as members of a structure, must avoid in addition to those of C++.
   virtual std::vector<std::string> reserved_members() const { return {}; }
   // The columns by which statements are indented.
   virtual std::size_t indent() const { return kStatementIndent; }

@@ -31,9 +31,9 @@ struct EmitOptions {
   Sines sines = Sines::polynomials;
   bool fuses = false;                              // whether products and sums are fused multiply-adds, in C++ and C
   ParameterFrames frames = ParameterFrames::file;  // those to which the names of base parameters' parts refer
-  std::vector<std::string> more_scalars{};         // scalars beside `scalar` that the source of a pair is compiled for
+  std::vector<std::string> more_scalars{};         // other scalars that the source of a pair is compiled for, too
   bool limbs_in_lanes = false;                     // whether limbs alike are computed together, in C++
-  // In CUDA, by function: how many parts of it, in order, are behind the functions. Empty: there are none.
+  // In CUDA, by function: how many parts of it, in order, are behind the functions. Empty if there are no parts.
   std::vector<int> kernel_parts{};
   bool is_kernel_part(std::size_t function) const { return !kernel_parts.empty() && function >= kernel_parts.size(); }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Facts about a header's robot, beside the table of joints.
+// Facts about a header's robot, in addition to the table of joints.
 #pragma once
 
 #include <string>

@@ -46,10 +46,10 @@ class PageDialect : public Dialect {
   virtual bool has_known_answer() const { return false; }
   // A member of the parameters with its unit: "m_1;  // kg", in JavaScript "m_1 - kg".
   virtual std::string member(const std::string& name, const std::string& unit) const;
-  // Fills in what the language's templates need of a function, beside what all need.
+  // Fills in what the language's templates need of a function, in addition to what all need.
   virtual void write_function(kainjow::mustache::data& item, const Function& function,
                               const FunctionText& text) const = 0;
-  // Fills in what they need beside functions. It comes last.
+  // Fills in what they need in addition to functions. It comes last.
   virtual void write_page(kainjow::mustache::data& page, const CodeContent& content) const = 0;
 };
 

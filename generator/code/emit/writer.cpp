@@ -18,7 +18,8 @@ constexpr std::size_t kContinuationIndent = 4;
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
 // The position at which to break `text` so that its first line has at most `width` characters: a space after an
-// operator, of an outermost sum if possible, as late as possible, but not in the first third. npos: there is none.
+// operator, of an outermost sum if possible, as late as possible, but not in the first third. npos if there is no such
+// position.
 std::size_t break_position(std::string_view text, std::size_t width) {
   std::size_t best = std::string_view::npos;
   int best_rank = 0;

@@ -29,7 +29,7 @@ constexpr int kLongPart = 1000;  // lines of a part, unless fewer are asked for
 // Parts have no limbs in lanes, which save more than parts do: a function may be this many times as long for them.
 constexpr int kLongerWithLimbs = 4;
 
-// Names that parts share beside a function's own arguments and kKept.
+// Names that parts share in addition to a function's own arguments and kKept.
 constexpr const char *kPivots = "pivots", *kStored = "stored", *kResult = "result";
 
 using Role = code::Argument::Role;

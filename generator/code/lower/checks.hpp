@@ -14,7 +14,7 @@
 
 namespace flatdyn {
 
-// A value that must be positive, beside its scale if rounding may cancel it.
+// A value that must be positive, with the scale that it is compared with if rounding may cancel it.
 struct CheckedPivot {
   NodeId value = 0;
   std::optional<NodeId> scale;
@@ -23,8 +23,8 @@ struct CheckedPivot {
 // The conditions of the function that do not hold by themselves.
 std::vector<CheckedPivot> pivots_to_check(const Function& function);
 
-// The value that must be positive: D_1, or the excess of b_1_1 + D_1 / 64 over b_1_1, which is 0 if D_1 is lost beside
-// b_1_1.
+// The value that must be positive: D_1, or the excess of b_1_1 + D_1 / 64 over b_1_1, which is 0 if rounding loses D_1
+// in that sum.
 code::Expression checked(const CheckedPivot& pivot, const NodeExpressions& expressions);
 
 // All checks, and the return of the verdict. `outputs`: the arrays that hold the outputs.

@@ -98,7 +98,7 @@ std::vector<Term> readable_order(const Graph& graph, std::vector<Term> terms) {
 
 }  // namespace
 
-// The variable in place of a coefficient; empty: there is none.
+// The variable in place of a coefficient; empty if there is no such variable.
 std::string NodeExpressions::coefficient_of(NodeId user, NodeId id) const {
   if (given_ == nullptr) return "";
   const auto given = given_->coefficients.find({user, id});
@@ -155,7 +155,7 @@ bool NodeExpressions::is_multiplied_in_sums(const Summand& item) const {
   return abs(item.coefficient) != 1 || is_fused_[static_cast<std::size_t>(item.node)];
 }
 
-// The sum of the plain summands, or the smallest product if there are none, to which the others are added:
+// The sum of the plain summands, or the smallest product if there are no plain ones, to which the others are added:
 // fma(a, b, fma(c, d, x - y)).
 Expression NodeExpressions::fused_sum(NodeId user, std::vector<Summand> items) const {
   const auto products = std::stable_partition(items.begin(), items.end(),

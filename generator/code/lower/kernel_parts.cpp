@@ -25,7 +25,7 @@ constexpr long kPriceOfReading = 20;
 // The price of a kernel more, which reads inputs once more and is launched.
 constexpr long kPriceOfKernel = 100;
 
-// Numbers that fit into registers, beside addresses.
+// Numbers that fit into registers, in addition to addresses.
 constexpr int kDoublesInRegisters = 115, kFloatsInRegisters = 235;
 
 // The price of so many live values more than that, in operations. Fitted to kernels measured on an H100: twice as many

@@ -61,7 +61,7 @@ class Planner {
   }
   bool is_variable(NodeId id) const { return element(schedule_.is_variable, id); }
 
-  // A class becomes a vector if one of its members would become a variable, or is needed beside the limb.
+  // A class becomes a vector if one of its members would become a variable, or is needed outside the limb.
   void choose_vectors() {
     for (NodeId id = 0; id < graph_.size(); ++id) {
       if (!element(alive_, id) || is_given(id)) continue;

@@ -43,7 +43,7 @@ class SignConditions {
   std::map<std::size_t, Sign> known_;  // by the unknown that the condition determines
 };
 
-// Chooses the signs of one limb beside the first one of its set.
+// Chooses the signs of one limb other than the first one of its set.
 class Chooser {
  public:
   Chooser(const Graph& graph, LimbClasses& classes, int set, std::size_t limb)

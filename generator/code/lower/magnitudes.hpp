@@ -8,7 +8,7 @@
 namespace flatdyn {
 
 // Typical magnitudes of all nodes for an arm in motion (1 rad, 3 rad/s, 10 rad/s², 10 N m), with signs assumed
-// independent: accurate enough to tell small terms of a sum from large ones.
+// independent: accurate enough to distinguish small terms of a sum from large ones.
 std::vector<double> typical_magnitudes(const Graph& graph);
 
 }  // namespace flatdyn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Everything that lowering a function depends on beside the function: the robot, the names around it, and the
+// Everything that lowering a function depends on apart from the function: the robot, the names around it, and the
 // language's needs.
 #pragma once
 
@@ -29,7 +29,7 @@ struct LanguageTraits {
   bool fills_sines = false;  // whether a function fills these arrays
   bool reads_parts = false;  // whether stored values are entries of outputs, read wherever they are used
   bool has_lanes = false;    // whether there are vectors with a number of each limb
-  // The number of lines that a function may have before it is written in parts, and the number of its lines beside the
+  // The number of lines that a function may have before it is written in parts, and the number of its lines outside the
   // body. Compilers optimise best if they see as much as possible.
   int longest_function = 4000;
   int lines_around_body = 4, lines_per_argument = 0;

@@ -165,7 +165,7 @@ class FromTheBeginning {
     }
   }
 
-  // The one user that is left ends the value's life. There is none if the value is read at the end.
+  // The one user that is left ends the value's life. There is no such user if the value is read at the end.
   void credit_last_user(int value) {
     for (const int user : item(uses_.users, value)) {
       if (item(needs_left_, user) == kPlaced) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The statements of emitted functions: tokens → code, in the plain types that the printer prints, by a parser of its
-// own. Each language has a table of the statements that it may have; whatever is none of them is refused.
+// own. Each language has a table of the statements that it may have; any other statement is refused.
 //
 //   sum         [-] product {(+|-) product}
 //   product     factor {(*|/) factor}

@@ -61,12 +61,12 @@ class EmittedText {
   const std::vector<Token>& tokens() const { return tokens_; }
   // The parts that these functions call, by name.
   const std::map<std::string, ScannedFunction>& parts() const { return parts_; }
-  // The count "joint_count", "position_count" or "angle_count"; nullptr: there is none.
+  // The count "joint_count", "position_count" or "angle_count"; nullptr if there is none.
   const ScannedCount* count(const std::string& name) const;
 
   // The number of angles whose sines and cosines there are. Throws Failure(bug) if the text does not say it.
   const ScannedCount& count_of_angles() const;
-  // The fields of a struct of this name; nullptr: there is none.
+  // The fields of a struct of this name; nullptr if there is no such struct.
   const std::vector<std::string>* fields(const std::string& structure) const;
 
   // Throws UnreadableText with the line of the token, or of the last one.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The content that files of emitted code must have beside the statements of their functions, and its comparison with
-// the text: signatures, names, tables, helpers, structs, loops over functions. No token is left over.
+// The content that files of emitted code must have in addition to the statements of their functions, and its comparison
+// with the text: signatures, names, tables, helpers, structs, loops over functions. No token is left over.
 #pragma once
 
 #include <optional>

@@ -36,7 +36,7 @@ class FileReader : protected TokenCursor {
   bool follows(const std::string& pattern) const;
 
   const std::string& take();
-  // Takes a name that is `wanted`, or `wanted` with a number that tells it from another one.
+  // Takes a name that is `wanted`, or `wanted` with a number that distinguishes it from another one.
   std::string take_name_like(const std::string& wanted);
   void require_name_like(const std::string& wanted, const std::string& name) const;
   // Takes a text, a whole number or a real one, and compares it.

@@ -24,7 +24,8 @@ class LanguageReader {
   virtual std::string verdict(const ScannedText&) const { return "bool"; }
   // The type to which constants are rounded: "double" or "float".
   virtual std::string constants() const { return "double"; }
-  // Whether parameters tell inputs from outputs, and functions what they return. Otherwise both follow from the order.
+  // Whether types of parameters distinguish inputs from outputs, and functions declare what they return. Otherwise both
+  // follow from the order.
   virtual bool names_types() const { return true; }
 
   virtual std::unique_ptr<BodyParser> body_parser(const EmittedText& text) const = 0;

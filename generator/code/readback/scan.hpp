@@ -15,7 +15,7 @@ struct ScannedText {
   std::map<std::string, ScannedFunction> parts;            // parts that only these call, by name
   std::map<std::string, std::vector<std::string>> fields;  // fields of structs, by name
   std::map<std::string, ScannedCount> counts;              // by the names of EmittedText::count()
-  std::string lanes;                                       // in C: the type of vectors; empty: there is none
+  std::string lanes;                                       // in C: the type of vectors; empty if there is none
 };
 
 // Notes a count, if its name is "joint_count", "ARM_JOINT_COUNT" or the like.

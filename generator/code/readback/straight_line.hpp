@@ -68,7 +68,7 @@ class StraightLine {
 StraightLine with_constants_unshared(const StraightLine& lines, const std::function<bool(double)>& is_unshared);
 
 // The graph of what the text computes: the outputs, conditions and scales of `like`, exactly. Throws Failure(bug) if
-// there is none: for a division by zero, or powers and constants that grow too large.
+// there is no such graph: for a division by zero, or powers and constants that grow too large.
 Function graph_of(const StraightLine& lines, const Function& like);
 
 }  // namespace flatdyn

@@ -18,7 +18,7 @@ constexpr auto kOperators = std::to_array<std::string_view>(
     {"...", "&&=", "||=", "<<=", "::", "->", "++", "--", "<=", ">=", "==", "!=", "&&", "||", "&=", "|=",
      "^=",  "+=",  "-=",  "*=",  "/=", "%=", "=>", "<<", "??", "<%", "%>", "<:", ":>", "%:", "/*", "*/"});
 
-// Bytes that end a comment in JavaScript, beside a line's end: a carriage return and Unicode's separators.
+// Bytes that end a comment in JavaScript, in addition to a line's end: a carriage return and Unicode's separators.
 bool ends_comment_early(std::string_view comment) {
   return comment.find('\r') != std::string_view::npos || comment.find("\xE2\x80\xA8") != std::string_view::npos ||
          comment.find("\xE2\x80\xA9") != std::string_view::npos;
@@ -187,7 +187,7 @@ void append_character(int code, std::string& text) {
   append(0x80 | (code & 0x3F));
 }
 
-// Reads \uxxxx of JSON after its u, or two of them that make one character; false: it is none.
+// Reads \uxxxx of JSON after its u, or two of them that make one character; false if they are not a character.
 bool read_character(std::string_view from, std::size_t& at, std::string& text) {
   int code = code_at(from, at, 4, 16);
   if (code >= 0xD800 && code < 0xDC00 && from.substr(at, 2) == "\\u") {
@@ -212,7 +212,7 @@ bool read_braced_character(std::string_view from, std::size_t& at, std::string& 
   return true;
 }
 
-// Reads an escape after its backslash: \ooo of C, or what JSON and Rust have; false: it is none.
+// Reads an escape after its backslash: \ooo of C, or what JSON and Rust have; false if it is not an escape.
 bool read_escape(std::string_view from, std::size_t& at, std::string& text) {
   constexpr std::string_view kLetters = "bfnrt", kMeanings = "\b\f\n\r\t";
   const char c = at < from.size() ? from[at] : 'x';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The files of a folder that builds for a microcontroller as it is, beside a robot's C header and source: the self
-// test, its vectors, start-up code and a makefile.
+// The files of a folder that builds for a microcontroller as it is, in addition to a robot's C header and source: the
+// self test, its vectors, start-up code and a makefile.
 #pragma once
 
 #include <string>

@@ -176,7 +176,7 @@ Function derive_forward_dynamics(const Mechanism& mechanism, const Choices& choi
   });
 }
 
-// Forward dynamics without the diagonal entries b_kk, beside which a pivot could be seen to be lost.
+// Forward dynamics without the diagonal entries b_kk, so that pivots cannot be compared with them to detect lost ones.
 std::optional<Function> derive_forward_dynamics_by_articulated_bodies(const Mechanism& mechanism,
                                                                       const Choices& choices) {
   if (!has_articulated_form(mechanism) || choices.guard.compares) return std::nullopt;

@@ -23,9 +23,9 @@ std::vector<Number> contact_drift(DerivationContext& context);
 // The rows of the contacts in words: "left_foot (x, y, z), right_foot (x, y, z, rx, ry, rz)".
 std::string contact_text(const std::vector<Contact>& contacts);
 
-// How many times as large beside its scale a pivot of M has to be as one of B. A pivot that counts just so is right to
-// some hundredths, and so are forces and accelerations (docs/contacts.md): a tenth, as of B, would be too little where
-// a robot is meant to stand.
+// How many times as large, relative to its scale, a pivot of M has to be as one of B. A pivot that just passes is right
+// to some hundredths, and so are forces and accelerations (docs/contacts.md): a tenth, as of B, would be too little
+// where a robot is meant to stand.
 inline constexpr int kContactMargin = 32;
 
 class ContactSpace {

@@ -8,8 +8,8 @@ namespace {
 
 std::string names_of(int i, int k) { return "_" + label(i) + "_" + label(k); }
 
-// The matrix A, or A G with closed loops, beside the identity of a floating base: row i is the rate of body i's joint
-// per rate of each coordinate.
+// The matrix A, or A G with closed loops, next to the identity block of a floating base: row i is the rate of body i's
+// joint per rate of each coordinate.
 Rows factors_of(const Mechanism& mechanism, Derivation& derivation) {
   if (!mechanism.has_loops()) return mechanism.rate_coupling();
   const Rows G = ClosedLoops(mechanism, derivation).motion();

@@ -69,7 +69,7 @@ Number rounded_number(double bound) {
   return exact_decimal(fmt::format("{}", rounded_up(bound, kDigits)));
 }
 
-// The size of b_kk's terms: its bound, beside which b_kk counts too if it may exceed the bound, or b_kk alone.
+// The size of b_kk's terms: its bound, plus b_kk if b_kk may exceed it; b_kk alone if it is a number or has no bound.
 Number size_of(const std::vector<DiagonalBound>& bounds, std::size_t k, const Number& diagonal) {
   if (is_rational(diagonal) || bounds.empty() || !(bounds[k].largest > 0)) return diagonal;
   const Number largest = rounded_number(bounds[k].largest);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Momenta of composite bodies: beside mass, first moment and inertia, the quantities on which their velocity-dependent
-// torques depend.
+// Momenta of composite bodies: in addition to mass, first moment and inertia, the quantities on which their
+// velocity-dependent torques depend.
 #pragma once
 
 #include <vector>

@@ -25,7 +25,7 @@ std::vector<Number> those_of(const std::vector<std::size_t>& rows, const std::ve
 
 std::vector<Number> list_of(const Vec3& v) { return {v.begin(), v.end()}; }
 
-// ℓ^2r, with r rows of axes beside those of points.
+// ℓ^2r, where r is the number of rows of axes; 1 without rows of points.
 Number axes_factor(const LoopClosure& closure, const Number& scale) {
   Number factor = 1;
   if (closure.rows.front() >= LoopClosure::kOfPoints) return factor;
@@ -270,8 +270,8 @@ ClosedLoops::Reach ClosedLoops::reach_of(std::size_t l, int position) const {
   return {d_.named(column.count * column.squares, entry_name(name, at(position))), turns.count * turns.squares};
 }
 
-// ℓ², of a length like those by which joints that turn move the ends: of a loop whose axes meet, rows of points and
-// those of axes are compared by it. Of a spherical linkage there is none, and none is needed.
+// ℓ², of a length like those by which joints that turn move the ends: it makes rows of points and rows of axes
+// comparable in a loop whose axes meet. It is 0 for a spherical linkage, which does not need it.
 Number ClosedLoops::length_scale(std::size_t l) const {
   if (mechanism_.loops[l].rows.front() >= LoopClosure::kOfPoints) return 0;
   Number sum = 0;

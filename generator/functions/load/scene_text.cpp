@@ -64,7 +64,7 @@ class SceneText {
  private:
   void add(const std::string& key, const std::string& value) { items_.push_back(key + " = " + value); }
 
-  // Options give positions in rad also beside a scene in degrees.
+  // Options give positions in rad even if the scene is in degrees.
   std::string position_text(const JointPosition& lock) const {
     const bool is_of_option = lock.place.file.empty() && !lock.in_degrees && !vanishes(lock.position);
     return lock.written + (degrees_ && is_of_option ? " (rad, m)" : "");

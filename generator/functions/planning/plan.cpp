@@ -64,7 +64,7 @@ std::function<OptimisedFunction(const Choices&)> maker(const LoadedRobot& model,
 }
 
 // Makes sure that the function does not lose digits. Masses that balance first moments may cost digits if they are far
-// away or beside far lighter links. If they do, takes the cheapest formulation without such masses that loses none, or
+// away or next to far lighter links. If they do, takes the cheapest formulation without such masses that loses none, or
 // the one that loses least.
 void avoid_digit_loss(const LoadedRobot& model, const std::string& name, Plan& plan, Progress& progress) {
   if (!may_lose_digits(model, plan)) return;

@@ -62,7 +62,7 @@ RatioId CoefficientTable::new_ratio(CoefficientId above, CoefficientId below) {
   return found;
 }
 
-// The ratio modulo a prime, or 0 if it cannot be told.
+// The ratio modulo a prime, or 0 if it cannot be computed.
 std::uint64_t CoefficientTable::fingerprint(CoefficientId above, CoefficientId below) const {
   const Residue inverse = entry(below).inverse;
   if (entry(above).residue != Residue(0) && inverse != Residue(0)) return (entry(above).residue * inverse).value();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Benchmark of time against error: every function of a robot in every variant, beside peers.
+// Benchmark of time against error: every function of a robot in every variant, compared with peers.
 #pragma once
 
 #include <string>

@@ -48,7 +48,7 @@ struct GpuRow {
   int registers = 0;
   long local_bytes = 0;   // memory of a thread for registers that are put aside
   double throughput = 0;  // of inputs and outputs, GB/s
-  double error = 0;       // the largest, in last places of the scalar beside the output's largest entry
+  double error = 0;       // the largest, in last places of the scalar, relative to the output's largest entry
   int kernels = 0;
   double single = 0;  // time of one state by a graph, us
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The cost of the stages as a whole: making them, and all functions in them beside all functions one by one.
+// The cost of the stages as a whole: making them, and all functions in them, compared with all functions one by one.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Detects a floating base's twist that is in other units, or in the world's axes, as its pose tells.
+// Detects a floating base's twist that is in other units, or in the world's axes, by comparison with its pose.
 #pragma once
 
 #include <Eigen/Geometry>

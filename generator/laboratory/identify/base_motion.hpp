@@ -4,7 +4,7 @@
 // All parts of a robot fall alike, so torques and the base's force depend on the base's velocity v, on its derivative
 // and on gravity only by f = v̇ + ω × v - g_b, the specific force at the base frame's origin in base axes: what an
 // accelerometer there shows, 9.81 m/s² upwards at rest. So their equations are evaluated with v = 0, without gravity,
-// and with f in the place of v̇, and an inertial measurement unit tells all that they need.
+// and with f in the place of v̇, and an inertial measurement unit measures all that they need.
 #pragma once
 
 #include <Eigen/Core>

@@ -143,7 +143,7 @@ std::vector<double> factors_of(const std::vector<double>& torque, double margin)
 }
 
 // Searches on from `shape` in rounds and returns the best motion that keeps the limits. Each round begins with the best
-// so far, since beyond the limits nothing tells which joints have to move less. Torques that are too large between the
+// so far, since beyond the limits nothing shows which joints have to move less. Torques that are too large between the
 // criterion's few samples are lowered at these samples in the next round.
 FourierTrajectory within_limits(const MotionEquations& equations, const std::vector<JointLimits>& limits,
                                 const ExcitationOptions& options, std::vector<double> shape,
@@ -173,7 +173,7 @@ Excitation make_excitation(const MotionEquations& equations, const ExcitationOpt
   refuse_what_cannot_move(equations, limits);
   const int intervals = intervals_of(options, equations);
   ExcitationObjective objective(equations, within_margin(limits, options.margin), options.duration, options.harmonics);
-  // The logs as they count beside samples at the motion's rate, and beside those of the criterion.
+  // The logs' information, in proportion to samples at the motion's rate, and to those of the criterion.
   const Eigen::MatrixXd logged = std::sqrt(options.rate) * equations.information_on_columns(options.logged);
   objective.add_known(std::sqrt(static_cast<double>(objective.samples()) / intervals) * logged);
   std::mt19937_64 engine(options.seed);

@@ -409,7 +409,7 @@ class HypothesisSearch {
         0};
   }
 
-  // Whether gravity is told apart from the motion, and looked for: of a floating base, it is part of the acceleration.
+  // Whether gravity is separate from the motion, and looked for: with a floating base, it is part of the acceleration.
   bool has_own_gravity() const { return !model_.mechanism().has_loops() && !model_.mechanism().has_quasi_velocities(); }
 
   bool is_of_base(int equation) const { return equation < model_.first_joint(); }

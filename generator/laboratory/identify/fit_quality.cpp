@@ -90,7 +90,7 @@ std::optional<double> limit_of(const std::vector<EquationInstant>& instants, Ind
 }  // namespace
 
 // Rows of a log with all derivatives are not filtered: their noise is no larger in the fit than above any band, and the
-// filter's own error is a share of the torque. Between poses all torques change: nothing but the residuals tells noise.
+// filter's own error is a share of the torque. Between poses all torques change: only the residuals show the noise.
 std::vector<JointFit> fit_quality(const Observations& observations, const std::vector<MeasuredLog>& logs,
                                   const VectorXd& values, const AccelerationRows& rows) {
   constexpr double kFiltersError = 1e-4;

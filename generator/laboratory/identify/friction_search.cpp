@@ -223,7 +223,7 @@ double kept_rows(const Measurement& measurement) {
   return std::max(rows, 1.0);
 }
 
-// Whether all speeds that fit about as well as the best are alike, or tell the same of friction. A negative term is no
+// Whether all speeds that fit about as well as the best are alike, or give the same friction. A negative term is no
 // friction: it stands for something that the model lacks. The first place is the
 // one that was found. noise: the cost of one row.
 bool tell_the_same(const std::vector<FrictionAt>& places, double noise) {

@@ -13,9 +13,9 @@ std::vector<std::vector<double>> friction_dictionary(const TorqueEquations& equa
 
 struct FrictionSpeeds {
   std::vector<double> speeds;  // v by joint, rad/s or m/s
-  // By joint: whether the log tells F_v, F_s and the law's term. It does if the speeds that fit about as well (up to 9
-  // in the cost, three standard deviations) are alike, or give about the same parameters, and if the largest of the
-  // dictionary, beyond which friction may be anything, fits clearly worse (25, five of them). The term must
+  // By joint: whether the log determines F_v, F_s and the law's term. It does if the speeds that fit about as well (up
+  // to 9 in the cost, three standard deviations) are alike, or give about the same parameters, and if the largest of
+  // the dictionary, beyond which friction may be anything, fits clearly worse (25, five of them). The term must
   // not be negative.
   std::vector<bool> are_told;
 };

@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 // Y as an affine function of gravity: Y = still + Σ_d g_d of[d], by instant. It has a column for every index of a
-// parameter, also of those that there are none of.
+// parameter, also for those that no parameter has.
 struct AffineRows {
   std::vector<MatrixXd> still, of[3];
 
@@ -177,7 +177,7 @@ class DirectionSearch {
     return best;
   }
 
-  // An axis of the space that is told: one of the base frame, where that is possible.
+  // An axis of the space that is determined (`told_`): one of the base frame, where that is possible.
   Vector3d axis_of(Index k) const { return told_.cols() == 3 ? Vector3d(Vector3d::Unit(k)) : Vector3d(told_.col(k)); }
 
   // How like the robot file's masses and first moments those are that fit best: the sum of their cosines by link.
@@ -209,7 +209,7 @@ class DirectionSearch {
     return fit;
   }
 
-  // The turn that the rows tell least, of unit length, and its standard deviation, rad; 0 if there is none.
+  // The turn that the rows determine least, of unit length, and its standard deviation, rad; 0 if there is no turn.
   std::pair<Vector3d, double> least_told_turn(const GravityFit& fit) const {
     constexpr double kStep = 0.02;  // rad
     const std::vector<Vector3d> turns = turns_of_gravity(fit.gravity, told_);

@@ -13,8 +13,8 @@ struct GravityFit {
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // g_0 in the base frame, as long as the robot file's, m/s²
   double angle = 0;                                   // from the robot file's, rad
   double cost = 0;                                    // RowSample's
-  // The space in which rows tell gravity: 3 × 0 … 3, columns of unit length, across each other. Across it, gravity is
-  // the robot file's.
+  // The space in which rows determine gravity: 3 × 0 … 3, columns of unit length, across each other. Across it,
+  // gravity is the robot file's.
   Eigen::Matrix3Xd told = Eigen::Matrix3Xd::Identity(3, 3);
 };
 
@@ -27,14 +27,14 @@ GravityFit gravity_direction(const TorqueModel& model, const LoadedRobot& robot,
 // The cost without gravity. For open chains.
 double cost_without_gravity(const TorqueModel& model, const LoadedRobot& robot, const RowSample& rows);
 
-// How gravity changes when its direction turns within the space that is told: up to two vectors, m/s² per rad.
+// How gravity changes when its direction turns within the space `told`: up to two vectors, m/s² per rad.
 std::vector<Eigen::Vector3d> turns_of_gravity(const Eigen::Vector3d& gravity, const Eigen::Matrix3Xd& told);
 
 // Gravity turned by angles, rad, along turns_of_gravity(); its length, and its component across `told`, stay.
 Eigen::Vector3d turned_gravity(const Eigen::Vector3d& gravity, const Eigen::Matrix3Xd& told,
                                const Eigen::VectorXd& angles);
 
-// The directions in which `told` says nothing, of unit length.
+// The directions orthogonal to the columns of `told`, of unit length.
 std::vector<Eigen::Vector3d> untold_directions(const Eigen::Matrix3Xd& told);
 
 }  // namespace flatdyn

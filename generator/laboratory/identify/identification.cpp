@@ -62,7 +62,7 @@ Identification identification(const LoadedRobot& robot, const TorqueEquations& e
   found.estimate =
       options.other_estimate ? *options.other_estimate : estimate_of(equations, found.measurement, options.estimate);
   if (options.sequential) {
-    // The tip's own row tells too little of what is common to all joints.
+    // The tip's own row shows too little of what is common to all joints.
     const int parameters = equations.parameters() - equations.corrections();
     found.joint_by_joint = estimate_joint_by_joint(with_first(found.measurement.observations, parameters),
                                                    equations.file_values().head(parameters), model.first_of_joint());

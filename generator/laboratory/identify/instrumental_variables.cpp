@@ -60,8 +60,8 @@ void InstrumentSums::add(const FilteredEquations& each) {
   }
 }
 
-// In coordinates c along the directions that are told, π = π_ls + spread c. Least squares takes the noise of q for
-// noise of the torques here: it gives the directions and the weights, and its bias does not matter.
+// In coordinates c along the directions that are determined, π = π_ls + spread c. Least squares takes the noise of q
+// for noise of the torques here: it gives the directions and the weights, and its bias does not matter.
 Estimate InstrumentSums::estimate(const Observations& observations, const VectorXd& prior,
                                   const EstimateOptions& options) const {
   EstimateOptions plain = options;

@@ -18,9 +18,9 @@ class InstrumentSums {
 
   void add(const FilteredEquations& each);
 
-  // The solution in the directions that least squares tells, with its weights; elsewhere it stays near `prior`.
-  // observations: those of the same equations, with instruments. Throws Failure(input) if the instruments do not tell
-  // all of these directions.
+  // The solution in the directions that least squares determines, with its weights; elsewhere it stays near `prior`.
+  // observations: those of the same equations, with instruments. Throws Failure(input) if the instruments do not
+  // determine all of these directions.
   Estimate estimate(const Observations& observations, const Eigen::VectorXd& prior,
                     const EstimateOptions& options) const;
 

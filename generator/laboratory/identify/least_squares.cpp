@@ -19,7 +19,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // The factor R of all joints' rows, (b + 1)². Each row is divided by its σ_i, and by √c where noise is correlated: n
-// rows then tell no more than n / c independent ones.
+// rows then have no more information than n / c independent ones.
 MatrixXd weighted_factor(const Observations& observations, const VectorXd& deviations) {
   const Index size = observations.parameters + 1;
   Index rows = 0;

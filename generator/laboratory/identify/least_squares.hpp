@@ -26,7 +26,7 @@ struct Estimate {
   // r × b: |root_information (π_b - values)| is the distance from the estimate in standard deviations. Damped and
   // hidden directions have no row: a deviation along them costs nothing.
   Eigen::MatrixXd root_information;
-  Eigen::MatrixXd covariance;  // b²; finite also along directions that are not told
+  Eigen::MatrixXd covariance;  // b²; finite also along directions that are not determined
   int iterations = 0;
   bool converged = false;
 
@@ -53,9 +53,9 @@ Eigen::VectorXd shares_of_freedom(const Observations& observations, const Eigen:
 Eigen::MatrixXd root_information_of_first(const Estimate& estimate, int count);
 
 // The textbook's sequential procedure (7.4), for comparison: from the tips to the base, joint by joint, each from its
-// own row, with the known parameters moved to the right-hand side. Parameters that the motion does not tell are taken
-// from `prior`. Errors of the tips' parameters spread to all others. together: by equation, a number that consecutive
-// equations have in common that are solved as one; empty: each by itself.
+// own row, with the known parameters moved to the right-hand side. Parameters that the motion does not determine are
+// taken from `prior`. Errors of the tips' parameters spread to all others. together: by equation, a number that
+// consecutive equations have in common that are solved as one; empty: each by itself.
 Eigen::VectorXd estimate_joint_by_joint(const Observations& observations, const Eigen::VectorXd& prior,
                                         const std::vector<int>& together = {});
 

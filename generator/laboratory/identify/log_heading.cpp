@@ -93,7 +93,7 @@ class LayoutReader {
     layout.base_motion = BaseMotion::pose;
     if (found.readings.empty()) {
       found.readings = columns_.all_or_none(CsvQuantity::g_b);
-      found.place.clear();  // gravity in base axes does not tell where the world's axes are
+      found.place.clear();  // gravity in base axes does not determine the world's axes
       layout.base_motion = BaseMotion::gravity;
     }
     layout.has_twist = !found.twist.empty();

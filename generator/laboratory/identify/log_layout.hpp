@@ -13,7 +13,7 @@
 
 namespace flatdyn {
 
-// How a log tells the motion of a floating base.
+// How a log gives the motion of a floating base.
 enum class BaseMotion : std::uint8_t {
   none,     // the base is fixed
   imu,      // specific force and angular velocity, by an inertial measurement unit that is fixed to the base link
@@ -53,7 +53,7 @@ struct LogLayout {
   int qd() const { return tau() + (has_torques ? rates() : 0); }
   int qdd() const { return qd() + (has_rates ? joints : 0); }
   int h_e() const { return qdd() + (has_accelerations ? joints : 0); }
-  // The pose, the inertial measurement unit's readings or gravity: what the base's motion is told by.
+  // The pose, the inertial measurement unit's readings or gravity: what determines the base's motion.
   int base_reading() const { return h_e() + (has_tip_force ? kWrench : 0); }
   int base_readings() const {
     switch (base_motion) {

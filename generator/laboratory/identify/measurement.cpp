@@ -50,7 +50,8 @@ std::vector<PlannedLog> planned_logs(const EquationModel& equations, const Mecha
   return planned;
 }
 
-// The noise of a quaternion's four entries as that of the turns that they tell: half a turn's sine is in them.
+// The noise of a quaternion's four entries as that of the rotations that they describe: they contain the sine of half
+// the angle.
 ChannelNoise turning_noise(const StreamPlan& plan, int position) {
   double squares = 0;
   for (int k = 0; k < LogLayout::kQuaternion; ++k) squares += std::pow(plan.q_noise(position + k).deviation, 2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The equations that a planned motion gives, and the parameters that they tell. The motion has a coordinate for each
-// entry of q̇: the joints' positions, but roll, pitch and yaw of spherical joints and six coordinates of a floating base
-// (base_coordinates.hpp).
+// The equations that a planned motion gives, and the parameters that they determine. The motion has a coordinate for
+// each entry of q̇: the joints' positions, but roll, pitch and yaw of spherical joints and six coordinates of a
+// floating base (base_coordinates.hpp).
 #pragma once
 
 #include <Eigen/Core>

@@ -81,7 +81,7 @@ class Stream {
 
  private:
   // Whether the line belongs to the part, or to the filter's window about a line of the part, or to the time before it
-  // that tells whether a joint stands still.
+  // that shows whether a joint stands still.
   bool is_needed(long line) {
     return shares_.is_whole() || shares_.owns(line - half_window_) || shares_.owns(line + half_window_);
   }

@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 struct SplitInformation {
   VectorXd shares;      // ascending
   MatrixXd directions;  // orthonormal columns, in the coordinates of the solution
-  Index told = 0;       // the first so many directions are told
+  Index told = 0;       // how many directions, the first ones, the data determine
 
   MatrixXd told_directions() const { return directions.leftCols(told); }
   MatrixXd open_directions() const { return directions.rightCols(directions.cols() - told); }
@@ -42,8 +42,8 @@ VectorXd false_moment(const MatrixXd& false_information, const VectorXd& values)
   return false_information.topRows(values.size()) * with_known_part(values, false_information.cols());
 }
 
-// The coordinates along the told directions without what noise of positions makes of them. `fitted`: the values of
-// least squares.
+// The coordinates along the determined directions without what noise of positions makes of them. `fitted`: the values
+// of least squares.
 VectorXd told_coordinates(const Solution& solution, const SplitInformation& split, const MatrixXd& false_information,
                           const VectorXd& fitted) {
   const VectorXd bias = solution.spread.transpose() * false_moment(false_information, fitted);
@@ -51,7 +51,7 @@ VectorXd told_coordinates(const Solution& solution, const SplitInformation& spli
          split.gains().cwiseProduct(split.told_directions().transpose() * bias);
 }
 
-// The covariance of the told coordinates: that of the scores, and what the errors of the noise's variances make.
+// The covariance of the determined coordinates: that of the scores, and what the errors of the noise's variances make.
 MatrixXd told_covariance(const Solution& solution, const SplitInformation& split, const MatrixXd& scores,
                          const std::vector<MatrixXd>& of_joints, const ResidualNoise& noise) {
   const MatrixXd map = solution.spread * split.told_directions() * split.gains().asDiagonal();
@@ -65,7 +65,7 @@ MatrixXd told_covariance(const Solution& solution, const SplitInformation& split
   return covariance;
 }
 
-// Leaves only the told directions in the solution's coordinates, with a covariance of 1 again.
+// Leaves only the determined directions in the solution's coordinates, with a covariance of 1 again.
 void set_told(Solution& solution, const SplitInformation& split, const VectorXd& coordinates,
               const MatrixXd& covariance) {
   constexpr double kLeast = 1e-4;  // share of the variance of white noise

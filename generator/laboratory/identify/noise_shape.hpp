@@ -25,8 +25,8 @@ struct NoiseShape {
   // not known, as without a filter: rows may then lie far apart, and what changes from one to the next is motion.
   std::vector<double> measured_deviations{}, acceleration_deviations{};
 
-  // The correlation of the torque's noise, at least 1: this many rows tell as much about what is slow as one row with
-  // white noise of the same size.
+  // The correlation of the torque's noise, at least 1: this many rows have as much information on what is slow as one
+  // row with white noise of the same size.
   double correlation() const;
 
   static constexpr std::array<double, 3> kColours{0.5, 0.15, 0.05};

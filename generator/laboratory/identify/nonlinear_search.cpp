@@ -144,7 +144,7 @@ class NonlinearSearch {
     }
   }
 
-  // π, by which gravity's columns are made; empty if there are none.
+  // π, by which gravity's columns are made; empty if there are no such columns.
   VectorXd whole(const Estimate& found) const {
     return options_.gravity ? whole_parameters(*fit_.model, fit_.robot, found.values) : VectorXd();
   }
@@ -159,7 +159,8 @@ class NonlinearSearch {
   }
 
   // Sets the factors of the law's term, with which a change of the speed acts on the torques. A speed that the log does
-  // not tell keeps its first value; its column stays, so that the intervals of others have its uncertainty in them.
+  // not determine keeps its first value; its column stays, so that the intervals of others have its uncertainty in
+  // them.
   void set_speed_factors(const TorqueEquations& equations, const Estimate& found) {
     constexpr double kMostUnsure = 0.5;  // standard deviation of v, a share of v
     if (!has_speed(options_.law)) return;
@@ -179,7 +180,7 @@ class NonlinearSearch {
     fit_.further.speed_factors = std::move(factors);
   }
 
-  // Whether the log does not tell the speed that a parameter corrects.
+  // Whether the log does not determine the speed that a parameter corrects.
   bool is_open_speed(const TorqueEquations& equations, const std::string& name) const {
     for (std::size_t i = 0; i < fit_.unknowns.friction_told.size(); ++i) {
       if (!fit_.unknowns.friction_told[i] && name == equations.name_of("v", static_cast<int>(i))) return true;

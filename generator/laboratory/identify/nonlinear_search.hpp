@@ -65,7 +65,7 @@ NonlinearFit nonlinear_fit(LoadedRobot robot, ParameterSet set, const NonlinearO
 // Sets the standard deviations from the estimate of the equations.
 void set_deviations(NonlinearUnknowns& unknowns, const TorqueEquations& equations, const Estimate& estimate);
 
-// Marks the parameters of friction that the unknowns do not tell as not told: infinite standard deviations.
+// Gives infinite standard deviations to the friction parameters that are not determined (`friction_told`).
 void leave_friction_open(Estimate& estimate, const NonlinearUnknowns& unknowns, const TorqueEquations& equations);
 
 }  // namespace flatdyn

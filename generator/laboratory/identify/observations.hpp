@@ -82,7 +82,7 @@ class ObservationFolder {
 };
 
 // Leaves out the rows of equations that are used at few of `used` filtered instants. Such a joint hardly moves: its
-// rows lie next to rests, where friction is not sure, and are too few to tell their noise by.
+// rows lie next to rests, where friction is not sure, and are too few to estimate their noise.
 void leave_out_short_motions(Observations& observations, long used);
 
 // Joins observations of the same equations and the same logs.

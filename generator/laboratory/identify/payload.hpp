@@ -11,7 +11,7 @@ namespace flatdyn {
 // An estimate of a payload.
 struct PayloadEstimate {
   // The ten parameters m, m l (3), Î_xx, xy, xz, yy, yz, zz in the frame of the tip's link, about its origin, SI.
-  Eigen::VectorXd values, standard_deviations;  // infinite if the motion does not tell
+  Eigen::VectorXd values, standard_deviations;  // infinite if the motion does not determine them
   // The nearest parameters of a real body, in the metric of the estimate's information.
   Eigen::VectorXd body;
   double largest_misfit = 0;  // the largest distance of body from values, in standard deviations
@@ -28,8 +28,8 @@ struct PayloadProblem {
   Eigen::VectorXd prior;  // of all unknowns
 };
 
-// Motion with and without the payload. Both together decide the robot's own base parameters (`prior` where they do not
-// tell); the uncertainty of these enters that of the payload. The equations without payload come behind those with it.
+// Motion with and without the payload. Both together determine the robot's own base parameters (`prior` where they do
+// not); the uncertainty of these enters that of the payload. The equations without payload come behind those with it.
 PayloadProblem payload_problem(const TorqueModel& model, const Observations& with_payload,
                                const Observations& without_payload, const Eigen::VectorXd& prior);
 

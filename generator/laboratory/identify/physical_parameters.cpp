@@ -145,7 +145,7 @@ MatrixXd blunted(const MatrixXd& root_information, const VectorXd& values) {
 
 // The values from which the search starts with I_m, F_v and F_s that the file lacks, for every place in π: what π_b has
 // beyond the file's links in the base parameter that the missing one is a term of, at least a small share of that base
-// parameter, and no less than the motion shows. What the motion does not tell stays as good as zero.
+// parameter, and no less than the motion shows. A value that the motion does not determine stays as good as zero.
 VectorXd starts_of_missing(const MatrixXd& K, const VectorXd& file, const Estimate& estimate) {
   constexpr double kTiny = 1e-9, kShare = 0.01;
   const VectorXd& pi_b = estimate.values;

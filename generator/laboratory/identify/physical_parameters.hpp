@@ -16,7 +16,7 @@ namespace flatdyn {
 struct PhysicalParameters {
   std::vector<double> pi;  // 13 n, in the order of (7.77)
   Eigen::VectorXd pi_b;    // K π
-  // The largest distance of K π from π_b over all directions that the data tell, in standard deviations
+  // The largest distance of K π from π_b over all directions that the data determine, in standard deviations
   double largest_misfit = 0;
   // The divergence from the file, summed over links and joints: tr(A) - log det A - 4 with A = L⁻¹ P L⁻ᵀ, P_file = L
   // Lᵀ, and x - log x - 1 for each ratio x of I_m, F_v, F_s that the file has. A link that is twice as heavy
@@ -28,8 +28,8 @@ struct PhysicalParameters {
 // `mechanism` is the robot of the file. Links that are not real bodies there, or have no mass, start from a small
 // sphere, so that a missing inertia is no obstacle; a body that is too thin is made a hundredth of its length thick.
 // I_m, F_v and F_s that the file lacks start from the sizes that π_b leaves room for: from far below a real rotor's,
-// the search would hardly get there. Parameters that the data do not tell are the file's. The links without the rotors
-// that they carry are real bodies, too.
+// the search would hardly get there. Parameters that the data do not determine are the file's. The links without the
+// rotors that they carry are real bodies, too.
 PhysicalParameters physical_parameters(const Mechanism& mechanism, const BaseParameters& base,
                                        const Estimate& estimate);
 

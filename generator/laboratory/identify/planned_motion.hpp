@@ -40,7 +40,7 @@ FittedTrajectory fitted(const MotionEquations& equations, const std::vector<Join
                         const FourierTrajectory& trajectory, int intervals = 1);
 
 // The fitted() motion as it is sampled; lengths: those of the columns of Y_b, for conditioning(). known: rows of Y_b
-// that count beside those of the motion, or none.
+// that count in addition to those of the motion, or none.
 PlannedMotion planned(const MotionEquations& equations, const std::vector<JointLimits>& limits, double margin,
                       const FourierTrajectory& trajectory, int intervals, const Eigen::VectorXd& lengths,
                       const Eigen::MatrixXd& known = {});

@@ -6,7 +6,7 @@
 
 namespace flatdyn {
 
-// A quaternion that is smoothed entry by entry, so that its length is not quite 1, and its derivatives tell a rotation
+// A quaternion that is smoothed entry by entry, so that its length is not quite 1, and its derivatives give a rotation
 // R and, in the axes that R turns, the angular velocity ω and its derivative, rad/s, rad/s².
 struct QuaternionRates {
   Eigen::Quaterniond turn;  // of unit length

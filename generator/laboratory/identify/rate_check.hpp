@@ -38,9 +38,9 @@ class RateCheck {
   // Tells that the next sample does not follow the last one.
   void restart() { samples_ = 0; }
   // Rates that are 57.3 times too large or too small are errors; others that are far off are warnings. Poses that are
-  // far apart are not judged: their rates do not tell what happens between them.
+  // far apart are not judged: their rates do not show what happens between them.
   void finish(const Place& place, Diagnostics& diagnostics) const;
-  // The unit of time, "ms", "us" or "ns", that would agree with all rates; nullptr if there is none, or no motion.
+  // The unit of time, "ms", "us" or "ns", that would agree with all rates; nullptr if no unit does, or nothing moves.
   const char* unit_of_times() const;
 
  private:

@@ -84,7 +84,7 @@ FittedVariances with_known(const MatrixXd& H, const VectorXd& h, const VectorXd&
   return result;
 }
 
-// The same, without noise of accelerations (the last `joints` unknowns) where neither the log tells it nor the
+// The same, without noise of accelerations (the last `joints` unknowns) where neither the log gives it nor the
 // residuals show it, as with q̈ of its own: its uncertainty alone would widen all intervals.
 FittedVariances without_doubtful(const MatrixXd& H, const VectorXd& h, const VectorXd& known, Index optional,
                                  Index joints) {

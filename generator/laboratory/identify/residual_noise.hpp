@@ -5,7 +5,7 @@
 // Noise enters a log in the measured torques and in the positions (or rates), such as the rounding of an encoder. Both
 // are white above the band; in the band, torques of drives may have slower noise, too (NoiseShape::coloured). The
 // filter shapes both (NoiseShape). Noise of joint j's position enters all equations through column j of B(q), and is
-// strongest where it is fast, so that it hides little of what a slow motion tells: intervals that took it for white
+// strongest where it is fast, so that it hides little of what a slow motion shows: intervals that took it for white
 // would be several times too wide. The variances of both kinds come from the residuals.
 #pragma once
 

@@ -68,7 +68,7 @@ void RowSample::Normal::add(const Eigen::RowVectorXd& row, double tau, double we
   s += weight * tau * tau;
 }
 
-// The least cost, with columns scaled to unit length; directions that the rows do not tell stay at 0.
+// The least cost, with columns scaled to unit length; directions that the rows do not determine stay at 0.
 double RowSample::least(const Normal& normal, VectorXd* solution) {
   constexpr double kRidge = 1e-10;
   const VectorXd scale = normal.H.diagonal().cwiseSqrt().cwiseMax(1e-150).cwiseInverse();

@@ -27,8 +27,8 @@ class RowSample {
   double cost_with_exchanged_joints(int joint, int other) const;
   // Torques of joint i with a constant added, which is found, N m or N.
   double cost_with_torque_offset(int joint, double& offset) const;
-  // Torques of all joints that are late by a time, which is found, s. Rows for which the log's rows tell no torques at
-  // that time count like the others.
+  // Torques of all joints that are late by a time, which is found, s. Rows for which the log has no torques at that
+  // time count like the others.
   double cost_with_delay(double& delay) const { return cost_with_delay(delay, 0, model_.joints()); }
   // The same of joint i alone.
   double cost_with_delay_of(int joint, double& delay) const { return cost_with_delay(delay, joint, joint + 1); }

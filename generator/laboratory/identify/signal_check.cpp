@@ -11,7 +11,7 @@ namespace {
 
 constexpr long kLeastSamples = 20;
 constexpr double kLeastTime = 0.05;    // s
-constexpr double kOfNoise = 8;         // standard deviations of a jump that is none
+constexpr double kOfNoise = 8;         // standard deviations; a smaller jump counts as noise
 constexpr double kSpike = 12;          // standard deviations
 constexpr double kStepsOfMotion = 20;  // steps or standard deviations of a position that changes
 
@@ -40,7 +40,7 @@ SignalCheck::SignalCheck(const StreamPlan& plan) {
     add(layout.tau() + i, true, plan.tau_noise[static_cast<std::size_t>(i)],
         LogLayout::q() + layout.position_of[static_cast<std::size_t>(i)]);
   }
-  // The base's own force and motion are looked at as positions are: no joint tells when they must change.
+  // The base's own force and motion are looked at as positions are: no joint shows when they must change.
   const auto add_of_base = [&](int channel) {
     add_position(channel);
     signals_.back().may_spike = true;

@@ -56,7 +56,7 @@ double jitter_of(const std::vector<double>& steps, double dt) {
   return std::sqrt(sum / count) / dt;
 }
 
-// Reports a time between samples that is long for a log. If rates tell the unit, it is that one. Rates that agree with
+// Reports a time between samples that is long for a log. If rates show the unit, it is that one. Rates that agree with
 // no unit, or are all zero, belong to poses, which may be any time apart. Otherwise the size of the steps decides.
 void check_time(const RateCheck& rates, const StreamPlan& plan, const Place& place, Diagnostics& diagnostics) {
   const double dt = plan.filter.dt;

@@ -14,7 +14,7 @@
 
 namespace flatdyn {
 
-// Parameters beside π_b, which come behind it.
+// Parameters in addition to π_b, which come behind it.
 struct FurtherParameters {
   FrictionLaw law = FrictionLaw::coulomb;
   std::vector<double> speeds{};  // v by joint, rad/s or m/s, for laws that have it

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Whether a measurement has samples from which parameters can be told, and why not.
+// Whether a measurement has samples from which parameters can be determined, and why not.
 #pragma once
 
 #include <string>

@@ -102,7 +102,7 @@ bool MotionEquation::rescale_orientations(MotionState& x) const {
   return is_changed;
 }
 
-// From the base's block of B, which has m, and S(m r_C) beside it.
+// The centre of mass from the base's block of B, which contains m and S(m r_C).
 Eigen::Vector3d MotionEquation::centre_of_mass() const {
   const Eigen::MatrixXd& B = dynamics_.last().B;
   return Eigen::Vector3d(B(1, 5), B(2, 3), B(0, 4)) / mass();

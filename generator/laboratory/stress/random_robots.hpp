@@ -16,7 +16,7 @@
 
 namespace flatdyn {
 
-// The name of this family beside those of family_table().
+// The name of this family, in addition to those of family_table().
 inline constexpr const char* kRandomFamily = "random";
 
 // The values of a robot's functions at a state: entries of all outputs, one vector per function.

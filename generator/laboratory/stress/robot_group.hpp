@@ -21,7 +21,7 @@ class RobotGroup {
     std::unique_ptr<OneRobot> robot;
   };
 
-  // Starts the compiler, which runs beside this program; the members' exact numbers are not needed.
+  // Starts the compiler, which runs in parallel with this program; the members' exact numbers are not needed.
   explicit RobotGroup(std::vector<Member> members);
 
   const std::vector<Member>& members() const { return members_; }

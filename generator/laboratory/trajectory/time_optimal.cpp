@@ -45,7 +45,7 @@ class PaceMaker {
  private:
   double delta(std::size_t k) const { return points_[k + 1].time - points_[k].time; }
 
-  // The law with friction linearised about x̂ = about[k]; its times are empty if there is none.
+  // The law with friction linearised about x̂ = about[k]; its times are empty if there is no such law.
   TimeLaw law_of(const std::vector<double>& about) {
     TimeLaw law;
     law.x.resize(points_.size());

@@ -34,7 +34,7 @@ double ErrorAnalysis::Readers::allow() const {
   return std::max(sum * kRoundingMargin, Norms::kLeastSize);
 }
 
-// By operation: the derivative of the output by its result; -1: there is none.
+// By operation: the derivative of the output by its result; -1 if there is no derivative.
 std::vector<int> ErrorAnalysis::derivatives(int output) {
   std::vector<int> of(static_cast<std::size_t>(output) + 1, -1);
   of.back() = lines_.constant(1);

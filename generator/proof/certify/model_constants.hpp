@@ -21,8 +21,8 @@ class ModelConstants {
   double error(double literal, const RoundingFormat& format) const;
   // Whether the literal represents several numbers, whose errors differ.
   bool is_ambiguous(double literal) const;
-  // The absolute value of the number that the literal represents: the literal itself if there is none; nothing if there
-  // are several.
+  // The absolute value of the number that the literal represents: the literal itself if it represents none; nothing if
+  // it represents several.
   std::optional<Rational> exact_size(double literal) const;
   // The absolute values of all numbers that the literal represents.
   std::set<Rational> exact_sizes(double literal) const;

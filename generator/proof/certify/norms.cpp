@@ -123,7 +123,7 @@ const Norms::Expansion& Norms::expansion(int k) {
 
 // Bounds a result by its operation and by the motion that it computes. If the latter is much smaller, the result
 // becomes an atom: its terms can then no longer cancel with others. If neither a rounding nor a motion requires a
-// bound, there is none.
+// bound, none is set.
 void Norms::bound(int k, Expansion& expansion) {
   const double of_motion = largest_of_motion(k);
   if (k >= executed_ && !std::isfinite(of_motion)) return;

@@ -100,7 +100,7 @@ double Norms::norm(const Vector& v, int effort) {
   return (known.norm + static_cast<double>(v.of.cols()) * lost) * size * kRoundingMargin;
 }
 
-// The latest atom that can be replaced; -1: there is none.
+// The latest atom that can be replaced; -1 if there is no such atom.
 int Norms::latest(const Vector& v) const {
   int result = -1;
   for (const int atom : v.atoms) {

@@ -32,8 +32,8 @@ class Columns {
     if (sources_.count(InputKind::g_b) > 0) find_orientation(heading);
   }
 
-  // The columns of a floating base's quaternion, w, x, y and z, where they tell gravity in base axes instead of g_b's
-  // own columns; else none.
+  // The columns of a floating base's quaternion, w, x, y and z, where they determine gravity in base axes instead of
+  // g_b's own columns; else none.
   const std::vector<CsvSource>& orientation() const { return orientation_; }
   bool has(const Input& input) const { return find(input) || (input.kind == InputKind::g_b && !orientation_.empty()); }
 
@@ -173,7 +173,7 @@ class Evaluator {
     symbols_.assign(mechanism_.symbols.size(), 0);
     for (const Input& input : inputs) {
       const std::optional<CsvSource>& source = columns.find(input);
-      if (!source) continue;  // gravity, which the orientation tells
+      if (!source) continue;  // gravity, which the orientation determines
       const Number value = exact_decimal(entries[source->column]) * source->factor;
       const auto index = static_cast<std::size_t>(input.index);
       state.of(input.kind)[index] = to_scalar<S>(value, {});

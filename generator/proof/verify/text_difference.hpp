@@ -18,7 +18,7 @@ struct TextDifference {
   std::string held, own, held_word, own_word;
 };
 
-// The differences, in order. If there are more than can be told apart in reasonable time, only the first one, and
+// The differences, in order. If there are more than can be found in reasonable time, only the first one, and
 // `is_only_first` becomes true.
 std::vector<TextDifference> differences_of(const std::vector<Token>& held, const std::vector<Token>& own,
                                            bool& is_only_first);

@@ -26,7 +26,7 @@ MotionOfBase largest_motion_of_base(const Mechanism& mechanism);
 
 // A bound of |τ_a - τ_b| of every joint, N m or N, and of the force and the moment on a floating base, at any motion
 // within the limits, of two robots of the same structure whose numbers differ a little. It is an analysis of errors:
-// beside the size of every vector of the recursive Newton-Euler equations goes a bound of its difference, |R_a x_a -
+// every vector of the recursive Newton-Euler equations has a bound of its size and one of its difference, |R_a x_a -
 // R_b x_b| <= |R_a - R_b| |x| + |x_a - x_b| and so on; vectors are compared in the axes of their links. Joints must not
 // be coupled.
 double torque_difference_bound(const reference::Robot<Real50>& a, const reference::Robot<Real50>& b,

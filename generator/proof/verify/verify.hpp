@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Verification of generated functions in three ways: exactly (modulo primes, against the Lagrangian, which is compared
 // with that of the robot as read); in 50 digits (the graph against the recursive Newton–Euler reference); in double
-// (the compiled text against 50 digits, beside the reference's own rounding error).
+// (the compiled text against 50 digits, with the reference's own rounding error for comparison).
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -156,7 +156,7 @@ std::string numbers_text(int first, int count) {
   return count == 1 ? std::to_string(first) : fmt::format("{}–{}", first, first + count - 1);
 }
 
-// The joints of the model; the first bodies, of a floating base's motion, are none.
+// The joints of the model; the first bodies, which are a floating base's motion, are not joints.
 data joint_rows(const ordered_json& joints, const Mechanism& mechanism) {
   constexpr int kQuaternion = 4;
   data rows(data::type::list);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Limits that files have where there are none. Whoever draws or plans states within limits is to know.
+// Placeholder limits that files have where a joint has no limits. Whoever draws or plans states within limits has to
+// know.
 #pragma once
 
 #include "base/diagnostics/diagnostics.hpp"

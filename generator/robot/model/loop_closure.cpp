@@ -28,7 +28,7 @@ bool finds_its_joints(const Mechanism& tree, const LoopClosure& loop, const std:
   return true;
 }
 
-// The loops in an order in which each finds all that it depends on; without those for which there is none.
+// The loops in an order in which each comes after those that it depends on; loops without such an order are left out.
 std::vector<std::size_t> sorted(const Mechanism& tree, const std::vector<LoopClosure>& loops) {
   std::vector<std::size_t> order;
   std::vector<bool> unknown(index(tree.position_count()), false);

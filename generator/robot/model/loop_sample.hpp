@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One closed loop in the tree, its joints at a position like any other, in 50 digits: where what is zero for all
-// positions is told from what is not. Or at a position that is given.
+// One closed loop in the tree in 50 digits, with its joints at a generic position, where what is zero at all positions
+// can be distinguished from what is not, or at a given position.
 #pragma once
 
 #include <functional>

@@ -229,7 +229,7 @@ struct Mechanism {
   // The bodies that joints of one axis move, which may have springs.
   std::vector<int> bodies_on_one_axis() const;
   bool has_springs() const;
-  bool has_prismatic_joint() const;  // beside the motion of a floating base
+  bool has_prismatic_joint() const;  // not counting the motion of a floating base
   // Whether entries of q or q̇ are lengths, so that the unit of length is not free.
   bool has_lengths() const { return floating_base || has_prismatic_joint(); }
 

@@ -40,7 +40,7 @@ void add_lengths(const Pose& pose, Number& sum) {
   for (const Displacement& displacement : pose.displacements) add_lengths(displacement.translation, sum);
 }
 
-// The sum of the robot's numeric lengths: where some of them cancel, rounding residues are small beside it.
+// The sum of the robot's numeric lengths: where some of them cancel, rounding residues are small compared with it.
 Number reach_of(const Robot& robot) {
   Number reach = 0;
   for (const Joint& joint : robot.joints) {
@@ -151,9 +151,9 @@ class BodyWalk {
     return R;
   }
 
-  // R corrected by the nearest axis before prismatic joints to which the body's axis `fits`; nothing if there is none,
-  // or if the corrected angles are not rational. They are rational if all axes between lie in one plane, or if one
-  // prismatic joint is between two parallel axes.
+  // R corrected by the nearest axis before prismatic joints to which the body's axis `fits`; nothing if there is no
+  // such axis, or if the corrected angles are not rational. They are rational if all axes between lie in one plane, or
+  // if one prismatic joint is between two parallel axes.
   std::optional<Mat3> placed_past_slides(const Mat3& R, int parent, bool (*fits)(const Mat3&)) const {
     Mat3 way = identity_matrix();  // rotation from the parent to `body`
     for (int body = parent; body >= 0 && is_slide(body); body = tree_.parent[static_cast<std::size_t>(body)]) {

@@ -15,7 +15,7 @@ struct RawTree {
   explicit RawTree(const Robot& robot);
 
   const Robot& robot;                     // must outlive this object
-  Number reach;                           // the sum of its numeric lengths, m: rounding residues are small beside it
+  Number reach;                           // the sum of its numeric lengths, m; rounding residues are far smaller
   std::vector<LinearPosition> positions;  // by written joint
   std::vector<Transform> link_pose;       // by written link: its pose in its body's raw frame
   std::vector<int> body_of;               // by written link: its body; -1: the base

@@ -113,7 +113,7 @@ struct BaseJoint {
 struct Robot;
 
 // A number that was snapped to an exact one: an angle to a multiple of pi/12 (input/common/context.hpp), or a value
-// tiny beside its neighbours to zero (model/snap_dust.hpp).
+// tiny compared with its neighbours to zero (model/snap_dust.hpp).
 struct Snap {
   enum class Kind { angle, axis, length, product_of_inertia, first_moment, gravity };
   Place place;

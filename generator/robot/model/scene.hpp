@@ -85,7 +85,7 @@ struct Scene {
   bool friction = true;  // false: no joint has friction
   std::optional<ErrorBudget> error_budget;
   Task task;                         // the tip's task; no rows: all that are independent
-  std::vector<Reference> functions;  // empty: those of `outputs`; if there are none: the usual ones
+  std::vector<Reference> functions;  // empty: those of `outputs`; without outputs: the usual ones
   std::vector<SceneOutputs> outputs;
   bool springs = true;  // false: no joint has a spring
   std::optional<BaseLimits> base_limits;

@@ -45,7 +45,7 @@ struct AsReadResult {
   double degree_bound = 0, failure_log2 = 0;  // as of ExactResult
   bool has_loops = false;                     // what closes them is not compared
 
-  // The digits to which all numbers are equal; kMostDigits if no more can be told.
+  // The digits to which all numbers are equal, at most kMostDigits.
   static constexpr int kMostDigits = 90;
   int digits() const;
   // The result in words.

@@ -130,7 +130,7 @@ class NumberComparison {
     for (const Displacement& step : pose.displacements) reach_ += length_sum(vector_over(numbers_, step.translation));
   }
 
-  // The sum of all lengths as written, beside which rounding is small.
+  // The sum of all lengths as written, compared with which rounding is small.
   void find_reach() {
     add_lengths(robot_.tip_offset);
     for (const SceneContact& contact : robot_.scene.contacts) {
@@ -297,7 +297,7 @@ class NumberComparison {
     return mechanism_.is_coupled() ? numbers_.number(mechanism_.offsets[base_bodies() + body]) : Real(0);
   }
 
-  // The place of a joint's child link beside its parent link.
+  // Compares the place of a joint's child link relative to its parent link.
   void compare_place(std::size_t j) {
     const Joint& joint = robot_.joints[j];
     const RealPose before = composed(pose_of(place(joint.parent)), pose_over(numbers_, joint.origin)),

@@ -85,7 +85,7 @@ OperationalDefinition<Point> space_at(Point& point) {
   return OperationalDefinition<Point>(point);
 }
 
-// The factor by which Euler angles multiply degrees: up to seven entries of R beside one of J, and a root, see
+// The factor by which Euler angles multiply degrees: up to seven entries of R times one of J, and a root, see
 // root_factor().
 constexpr double kAngleFactor = 32;
 

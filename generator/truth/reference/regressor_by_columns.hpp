@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Regressors from the recursive Newton–Euler reference: column k is its torque for the written robot with all
-// parameters zero but π_k = 1. The mechanism only tells which frames the parameters refer to.
+// parameters zero but π_k = 1. The mechanism only determines which frames the parameters refer to.
 #pragma once
 
 #include <array>

@@ -12,7 +12,7 @@
 // flatdyn/states.hpp has the other layout, columns, and outputs without zeros. Arrays that begin at a multiple of 64
 // bytes are fastest: no access crosses cache lines.
 //
-// The results of a state do not depend on the states beside it. They differ from those of single calls only by the
+// The results of a state do not depend on the states next to it. They differ from those of single calls only by the
 // rounding of sines and cosines, and with flatdyn::AsWrittenSinCos (flatdyn/lanes.hpp) not at all, provided that the
 // compiler contracts products and sums alike in both.
 #pragma once

@@ -10,7 +10,7 @@
 namespace flatdyn {
 namespace {
 
-// The index that a token is; -1: it is none.
+// The index that a token is; -1 if it is not an index.
 int index_in(const std::string& token) {
   constexpr std::size_t kMostDigits = 8;
   const bool is_index =

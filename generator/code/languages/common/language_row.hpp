@@ -20,7 +20,7 @@ struct LanguageRow {
   AnyLanguageReader (*reader)(const EmitOptions& options) = nullptr;
   bool has_pair = false;             // header and source on request
   bool has_stages = false;           // structures that keep what functions have in common
-  bool has_scalar = false;           // float beside double
+  bool has_scalar = false;           // float in addition to double
   bool has_namespace = false;        // or a prefix of names
   bool has_fma = false;              // fused multiply-adds
   bool has_lanes = false;            // limbs in the lanes of vectors

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Reading JavaScript back. It does not tell which parameters are outputs, nor what a function returns.
+// Reading JavaScript back. It does not say which parameters are outputs, nor what a function returns.
 #pragma once
 
 #include <memory>

@@ -7,7 +7,7 @@
 
 namespace flatdyn {
 
-// The keywords of Rust, those of later editions too, beside those of C++.
+// The keywords of Rust, those of later editions too, in addition to those of C++.
 std::vector<std::string> rust_keywords();
 
 // The name of a crate for the name of its folder: an identifier that no other crate has by itself.

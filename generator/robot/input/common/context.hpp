@@ -65,7 +65,8 @@ std::string relative_place_text(const Place& here, const Place& place);
 std::optional<int> find_link(const Robot& robot, const Reference& link, const std::string& what,
                              Diagnostics& diagnostics);
 
-// The number of a decimal as written. nullopt and a diagnostic if it is none, not finite, too long, or out of range.
+// The number of a decimal as written. nullopt and a diagnostic if it is not a number, not finite, too long, or out of
+// range.
 std::optional<Number> checked_decimal(std::string_view text, const Spot& spot, Diagnostics& diagnostics);
 
 // A decimal angle: the exact multiple of pi/12 if it is within the tolerance of one, which is then recorded, else
@@ -89,7 +90,7 @@ enum class Bound { lower, upper, magnitude };
 bool is_infinite_limit(std::string_view written);
 void check_infinite_limit(std::string_view written, Bound bound, const Spot& spot, Diagnostics& diagnostics);
 
-// /dev/stdin, <(...) of a shell: what is there can be read once, and its name tells nothing.
+// /dev/stdin, <(...) of a shell: what is there can be read only once, and the name says nothing about it.
 bool is_pipe(const std::filesystem::path& path);
 
 FileKind kind_of(const std::filesystem::path& path);  // by its extension; .xacro is a URDF, .xml any XML

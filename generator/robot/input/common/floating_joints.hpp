@@ -10,7 +10,7 @@
 
 namespace flatdyn {
 
-// A joint that is held beside a floating base, and left out with what stands still there.
+// A held joint that does not belong to the floating robot, left out with all else that stands still.
 struct LeftOutJoint {
   HeldJoint held;
   JointType type;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Files beside those of robots, which are easily named instead of one.
+// Files of other kinds that often lie next to robot files and are easily named instead of one.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ struct ForeignFile {
   const char *what, *hint;
 };
 
-// A mesh, a drawing or another file beside a robot's, by its name; nothing of others.
+// A mesh, a drawing or another such file, recognised by its name; nullopt for other files.
 std::optional<ForeignFile> foreign_by_name(const std::filesystem::path& path);
 
 // The same of XML, by its outermost element.

@@ -13,7 +13,7 @@
 namespace flatdyn {
 namespace {
 
-// Behind a byte order mark and blanks, XML begins with "<"; in UTF-16 beside a zero.
+// Behind a byte order mark and blanks, XML begins with "<"; in UTF-16 with a zero byte next to it.
 FileKind kind_of_text(const std::string& text) {
   const std::size_t first = text.find_first_not_of(std::string("\xEF\xBB\xBF\xFF\xFE \t\r\n\0", 10));
   return first != std::string::npos && text[first] == '<' ? FileKind::urdf : FileKind::toml;

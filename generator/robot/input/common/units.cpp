@@ -15,7 +15,7 @@ namespace {
 constexpr double kLong = 20;    // m
 constexpr double kHeavy = 1e3;  // kg; robots of tons, such as cranes, may be long
 
-// The numbers beside the symbols of an expression.
+// The sum of the terms of an expression that have no symbols.
 Number constant_term(const Number& value) {
   const Number expanded = value.expand();
   if (!GiNaC::is_a<GiNaC::add>(expanded)) return has_symbols(expanded) ? Number(0) : expanded;

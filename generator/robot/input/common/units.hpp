@@ -34,7 +34,7 @@ Number rate_in_si(const Number& written, const Body& joint, const Units& units, 
 Number position_in_si(const Number& written, const Body& joint, const Units& units, const Spot& spot,
                       Diagnostics& diagnostics);
 
-// Remembers a length, m, that is long for a robot: whether it is odd depends on the masses beside it.
+// Remembers a length, m, that is long for a robot: whether it is odd depends on the robot's masses.
 void note_length(const Number& metres, const Spot& spot, const Units& units, ReadContext& context);
 
 // Warnings that ask about joints' limits; and, unless the robot weighs tons, about the lengths that were noted and

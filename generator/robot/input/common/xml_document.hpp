@@ -21,7 +21,7 @@ struct XmlForm {
 const tinyxml2::XMLElement* parse_xml(const std::string& text, const std::string& file, const XmlForm& form,
                                       Diagnostics& diagnostics, tinyxml2::XMLDocument& document);
 
-// True, and an error, if there is an element or text beside the outermost element: of two robots in one file it is not
+// True, and an error, if there is an element or text outside the outermost element: of two robots in one file it is not
 // clear which is meant.
 bool refuse_content_beside(const tinyxml2::XMLElement& root, const std::string& file, const XmlForm& form,
                            Diagnostics& diagnostics);

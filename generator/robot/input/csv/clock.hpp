@@ -17,7 +17,7 @@ struct ExactTime {
   std::int64_t whole = 0;
   std::int64_t fraction = 0;  // 1e-18, of the sign of the time
 
-  // nullopt for what is no plain decimal ("1e9" is none) or has more than 18 digits before its point, but for those
+  // nullopt for what is no plain decimal ("1e9" is not one) or has more than 18 digits before its point, but for those
   // that 64 bits hold.
   static std::optional<ExactTime> read(std::string_view text);
 
@@ -41,7 +41,7 @@ struct CsvClock {
 std::optional<ExactTime> joined_time(std::string_view seconds, std::string_view nanoseconds);
 
 // The unit, "s", "ms", "us" or "ns", in which a number is a time between 2001 and 2100 counted from 1970; nullptr if it
-// is none in any of them.
+// is not such a time in any of them.
 const char* unit_since_1970(std::string_view text);
 
 // Samples that are so far apart, s, are perhaps in another unit.

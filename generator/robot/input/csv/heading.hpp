@@ -38,17 +38,17 @@ struct CsvTime {
 class CsvHeading {
  public:
   // `entries` as the heading has them; `first_row`: those of the line below it (none in a file without rows), which
-  // tell clocks and names of joints. `place` is the heading's.
+  // show clocks and names of joints. `place` is the heading's.
   CsvHeading(const std::vector<std::string>& entries, std::vector<std::string> first_row, Place place,
              const Mechanism& mechanism, Diagnostics& diagnostics);
 
-  // The columns of a quantity's entries, in the robot's order; nullopt where there is none. Sets that are counted
+  // The columns of a quantity's entries, in the robot's order; nullopt where there is no column. Sets that are counted
   // neither from 0 nor from 1, columns that say the same, and unknown units are errors.
   std::vector<std::optional<CsvSource>> find(CsvQuantity quantity);
   std::vector<std::optional<CsvSource>> find(CsvQuantity quantity, int length);
   // Columns that are missing are errors too; `what` is "positions". After an error the result is empty.
   std::vector<CsvSource> require(CsvQuantity quantity, const std::string& what, CsvEntries entries = {});
-  // Empty if there is none. Columns that are missing beside others are errors.
+  // Empty if no column is there. It is an error if only some are there.
   std::vector<CsvSource> all_or_none(CsvQuantity quantity, CsvEntries entries = {});
   // Seconds; large times count from the first row's.
   std::optional<CsvTime> find_time();

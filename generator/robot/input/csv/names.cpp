@@ -57,7 +57,7 @@ std::optional<int> number_of(std::string_view digits) {
   return number;
 }
 
-// "q1 [deg]" → "q1", "deg"; also with round brackets. A number in brackets is none: q[0].
+// "q1 [deg]" → "q1", "deg"; also with round brackets. A number in brackets is not a unit: q[0].
 std::pair<std::string, std::string> split_unit(const std::string& text) {
   const auto open = text.find_last_of("[(");
   if (open == std::string::npos || (text.back() != ']' && text.back() != ')')) return {text, ""};

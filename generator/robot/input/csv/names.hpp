@@ -44,13 +44,13 @@ struct CsvName {
   std::string unit;  // as written in brackets
   std::optional<CsvQuantity> quantity{};
   CsvStyle style = CsvStyle::named;
-  // Which entry of the quantity: by its number as written, counted from 0 or from 1; or, where it is told by the name
-  // of a joint, a force's letter or a symbol, the entry itself, from 0.
+  // Which entry of the quantity: by its number as written, counted from 0 or from 1; or, where the name of a joint, a
+  // force's letter or a symbol says it, the entry itself, from 0.
   std::optional<int> number{}, entry{};
   std::string prefix{};  // of an array, what stands before "position"
 };
 
-// How many entries a quantity has for this robot; 0 for pi_b, whose number it does not tell.
+// How many entries a quantity has for this robot; 0 for pi_b, whose number does not follow from the robot alone.
 int length_of(CsvQuantity quantity, const Mechanism& mechanism);
 // The joint that entry k of a joint's quantity belongs to.
 const Body& joint_of(CsvQuantity quantity, int entry, const Mechanism& mechanism);

@@ -15,7 +15,7 @@
 namespace flatdyn {
 namespace {
 
-// The first row that is asked about. Doubles tell most rows apart from those that may be, quickly.
+// The first row whose position may be in degrees. Doubles quickly rule out most rows.
 std::optional<std::size_t> odd_row(const CsvTable& table, const CsvSource& source, const Body& joint) {
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     const double roughly = std::strtod(table.rows[row][source.column].c_str(), nullptr);

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kLargestBlock = 1 << 20;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-// A file of another kind is told by its first bytes.
+// A file of another kind is recognised by its first bytes.
 struct OtherFile {
   std::string_view beginning;
   const char *what, *hint;

@@ -25,7 +25,7 @@ enum class CsvDimension {
 };
 
 // The factor that converts a number in this unit to SI: deg is pi/180, exactly. Written as people do: "deg/s^2",
-// "°/s²", "N m", "Nm", "N*m". nullopt for what is none of the dimension's.
+// "°/s²", "N m", "Nm", "N*m". nullopt if it is not a unit of the dimension.
 std::optional<Number> unit_factor(const std::string& unit, CsvDimension dimension);
 
 // The units of the dimension, SI first.

@@ -165,7 +165,7 @@ class ActuatorReader {
 
   std::optional<Value> effort_of(const MjcfItem& item, const Number& gear) {
     std::optional<Value> force = mjcf_effort(item, "forcerange", "forcelimited", values_, model_.settings);
-    if (item.element->name == "motor") {  // its force is what it is told
+    if (item.element->name == "motor") {  // its force is its control signal
       const auto told = mjcf_effort(item, "ctrlrange", "ctrllimited", values_, model_.settings);
       if (told) force = force ? Value{smaller(force->number, told->number), told->place} : *told;
     }

@@ -8,7 +8,7 @@
 
 namespace flatdyn {
 
-// Sections of a root that <attach> adds to, beside worldbody. Defaults that come along are in the last one.
+// Sections of a root that <attach> adds to, in addition to worldbody. Defaults that come along are in the last one.
 inline constexpr const char* kMjcfAttachedDefaults = "attached_defaults";
 inline constexpr std::array kMjcfSections = {"asset",    "tendon",   "equality",
                                              "actuator", "keyframe", kMjcfAttachedDefaults};

@@ -79,7 +79,7 @@ class TreeReader {
     }
   }
 
-  // The path is relative to the main file; where there is none, to the file that includes it.
+  // The path is relative to the main file or, if no file is there, to the file that includes it.
   void include(const XMLElement& element, const std::string& file, MjcfElement& parent) {
     const Place place{file, element.GetLineNum()};
     const char* name = element.Attribute("file");

@@ -39,7 +39,7 @@ std::string name_in_messages(const MjcfElement& element);
 // added to the robot's files.
 MjcfElement mjcf_tree(const tinyxml2::XMLElement& root, const std::string& file, ReadContext& context, Robot& robot);
 
-// The tree of another file, whose includes are relative to it; nullopt, and an error, if it is none.
+// The tree of another file, whose includes are relative to it; nullopt, and an error, if it is not an MJCF file.
 std::optional<MjcfElement> mjcf_tree_of_file(const std::string& file, ReadContext& context, Robot& robot);
 
 }  // namespace flatdyn

@@ -68,7 +68,7 @@ class EqualityReader {
     return name;
   }
 
-  // The joint that an attribute names; nullptr, and an error, if there is none that moves.
+  // The joint that an attribute names; nullptr, and an error, if there is no such joint or it cannot move.
   Joint* joint_of(const MjcfItem& item, const char* key) {
     const MjcfAttribute* name = name_in(item, key);
     if (name == nullptr) return nullptr;
@@ -94,7 +94,7 @@ class EqualityReader {
     return std::nullopt;
   }
 
-  // The tendon that an attribute names; nullptr, and an error, if there is none with a length that is linear.
+  // The tendon that an attribute names; nullptr, and an error, if there is no such tendon or its length is not linear.
   const MjcfTendon* tendon_of(const MjcfItem& item, const char* key) {
     const MjcfAttribute* name = name_in(item, key);
     if (name == nullptr) return nullptr;

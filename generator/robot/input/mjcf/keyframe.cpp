@@ -15,7 +15,7 @@ std::vector<const MjcfElement*> keys_of(const MjcfElement& root) {
   return keys;
 }
 
-// nullptr, and an error, if there is none of this name.
+// The key of this name; nullptr, and an error, if there is none.
 const MjcfElement* find_key(const std::string& name, const MjcfModel& model) {
   std::vector<std::string> known;
   for (const MjcfElement* key : keys_of(model.root)) {

@@ -32,7 +32,7 @@ struct Scientific {
 // A float, exactly: of the base 2. nullopt if it is not finite.
 std::optional<Scientific> exact_float(float value);
 
-// A decimal as text: of the base 10. nullopt if it is none, or beyond 1e30, or has digits below 1e-60.
+// A decimal as text: of the base 10. nullopt if it is not a decimal, is beyond 1e30, or has digits below 1e-60.
 std::optional<Scientific> exact_scientific(std::string_view text);
 
 class MeshBuilder {

@@ -60,7 +60,7 @@ struct MjcfModel {
 // The joint of this name in the robot; nullptr if there is none.
 Joint* joint_in(Robot& robot, const std::string& name);
 
-// The name, or one like it that is none of those taken.
+// The name, or one like it that is not yet taken.
 std::string unused_name(const std::string& wanted, const std::vector<std::string>& taken);
 
 // A name for a link that has none in the file.

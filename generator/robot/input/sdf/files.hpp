@@ -10,7 +10,8 @@
 
 namespace flatdyn {
 
-// The outermost element <sdf> of a text that was read; nullptr and an error if it is none, or of another version.
+// The outermost element <sdf> of a text that was read; nullptr and an error if there is none, or one of another
+// version.
 const SdfFile* parse_sdf(const std::string& text, const std::string& file, ReadContext& context, SdfTree& tree);
 
 // The <sdf> of the file that an <include> names; nullptr and an error if it cannot be read. `stack`: the files that are

@@ -97,7 +97,7 @@ class JointReader {
     robot_.joints.push_back(std::move(joint));
   }
 
-  // How a joint would move that is held is kept beside its type.
+  // The type that a held joint would otherwise have is kept in joint.held.
   void set_type(JointType type, Joint& joint) {
     joint.type = is_held(joint.name, context_) ? JointType::fixed : type;
     if (joint.type != type) joint.held = Held{type};

@@ -26,7 +26,7 @@ struct Attachments {
   std::optional<Payload> payload;
 };
 
-// The text of a key that has few; empty where it is not there, or, with an error, where it is none of them.
+// The text of a key, one of those known; empty if the key is not there or, with an error, if it has another text.
 std::string read_choice(TomlTable& table, const std::string& key, const std::vector<std::string>& known,
                         Diagnostics& diagnostics);
 

@@ -18,7 +18,7 @@ std::string with_key(const std::string& what, std::string_view key) {
   return what.empty() ? std::string(key) : what + ", " + std::string(key);
 }
 
-// Checks the value, or each number that is a term or factor beside its symbols.
+// Checks the value or, if it has symbols, each number among its terms and factors.
 bool check_magnitudes(const Number& value, const std::string& shown, const Spot& spot, Diagnostics& diagnostics) {
   if (!has_symbols(value)) return check_magnitude(value, shown, spot, diagnostics);
   if (GiNaC::is_a<GiNaC::power>(value)) return check_magnitudes(value.op(0), shown, spot, diagnostics);

@@ -88,7 +88,7 @@ class TomlTable {
   std::optional<std::vector<Value>> numbers(std::string_view key);
 
   // Without symbols: `count` of them as a list, or one that stands for all. nullopt if the key is not there or, with an
-  // error, if it is none of these.
+  // error, if it is neither of these.
   std::optional<std::vector<Value>> numbers(std::string_view key, std::size_t count);
 
   // Angles in rad. Decimals are snapped; expressions are as they are.

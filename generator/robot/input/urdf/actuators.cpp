@@ -128,7 +128,7 @@ bool is_simple(const XMLElement& transmission) {
   return type == nullptr || std::string_view(type).find("SimpleTransmission") != std::string_view::npos;
 }
 
-// Those that have a rotor, if any has one: the others' gears are none of it. Two are an error.
+// The actuators that have a rotor, if any has one: the gears of the others do not act on it. Two rotors are an error.
 Elements actuators_of(const XMLElement& transmission, const std::string& joint, const UrdfValues& values) {
   const Elements all = elements_in(transmission, "actuator");
   Elements with_rotor;

@@ -20,11 +20,11 @@ std::string trimmed_text_of(const tinyxml2::XMLElement& element);
 // "plugin \"grip\"", or "plugin" where it has no name.
 std::string named(const tinyxml2::XMLElement& element);
 
-// An error for each attribute of the element that is none of these.
+// An error for each attribute of the element that is not one of these.
 void refuse_other_attributes(const tinyxml2::XMLElement& element, const std::string& what,
                              const std::vector<std::string>& known, const UrdfValues& values);
 
-// An error for each child of the element that is none of these, and for a text in it.
+// An error for each child of the element that is not one of these, and for a text in it.
 void refuse_children(const tinyxml2::XMLElement& element, const std::string& what,
                      const std::vector<std::string>& known, const UrdfValues& values);
 

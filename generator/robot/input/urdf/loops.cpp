@@ -136,7 +136,7 @@ class LoopReader {
     return false;
   }
 
-  // The point and the axes of an end: <origin> in it, or beside it.
+  // The point and the axes of an end: <origin> in it, or next to it.
   Pose frame_of(const XMLElement& element, const std::string& what, const EndTags& tags) {
     const XMLElement* end = element.FirstChildElement(tags.link.c_str());
     const XMLElement* beside = element.FirstChildElement(tags.origin.c_str());

@@ -183,7 +183,7 @@ class UrdfReader {
     robot_.joints.push_back(std::move(joint));
   }
 
-  // How a joint would move that is held is kept beside its type.
+  // The type that a held joint would otherwise have is kept in joint.held.
   JointType read_type(const XMLElement& element, Joint& joint) {
     static const std::map<std::string, JointType> kTypes = {{"fixed", JointType::fixed},
                                                             {"revolute", JointType::revolute},
@@ -251,7 +251,7 @@ class UrdfReader {
     return -1;
   }
 
-  // Some programs know of a link "world" without being told.
+  // Some programs assume a link "world" that the file does not declare.
   int add_world(const XMLElement& parent, const std::string& what) {
     const int index = static_cast<int>(robot_.links.size());
     robot_.links.push_back({"world", {}, values_.place(parent)});

@@ -68,7 +68,7 @@ bool is_reference(const XMLElement& element) {
   return false;
 }
 
-// The first element below this one by which the robot would be another one; nullptr if there is none.
+// The first element below this one that would change the robot; nullptr if there is none.
 const XMLElement* body_below(const XMLElement& element, const NameList& tags) {
   for (const XMLElement* child : elements_in(element)) {
     if (is_in_list(tags, child->Name()) && !is_reference(*child)) return child;

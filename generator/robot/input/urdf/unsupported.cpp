@@ -42,7 +42,7 @@ class Refuser {
   }
 
  private:
-  // Parameters go to drivers, which may be told gear ratios; an inertia there is one that the joint feels.
+  // Parameters go to drivers, which may need gear ratios; an inertia there is one that the joint feels.
   void check_controlled(const XMLElement& joint) {
     if (is_at_rest(robot_, joint.Attribute("name"))) return;
     for (const XMLElement* element : elements_in(joint)) {

@@ -325,8 +325,8 @@ MatrixX<S> stretched_lengths(const Robot<S>& robot, const Loop<S>& loop, const V
   return lengths;
 }
 
-// Where axes meet, the rows of points are divided by a length, so that they are comparable, and columns have 1 beside
-// what they have of it. `J`, `lengths`: by joint.
+// Where axes meet, the rows of points are divided by a length, so that they are comparable, and 1 is added to the
+// lengths of columns of joints that turn. `J`, `lengths`: by joint.
 template <class S>
 void compare_rows(const Robot<S>& robot, const Loop<S>& loop, MatrixX<S>& J, MatrixX<S>& lengths) {
   using std::max;

@@ -142,7 +142,7 @@ const VectorX<S>& of_joints(const Robot<S>& robot, const VectorX<S>& q, VectorX<
   return room;
 }
 
-// A matrix of the joints beside the identity of a floating base.
+// A matrix of the joints, extended by the identity block of a floating base.
 template <class S>
 MatrixX<S> beside_base(const Robot<S>& robot, const MatrixX<S>& of_joints) {
   if (!robot.floating_base) return of_joints;
@@ -191,7 +191,7 @@ Matrix3<S> rotation_of_quaternion(const S& w, const Vector3<S>& r) {
 
 // A state in which the orientations of spherical joints are those of the robot and not of q, and such a robot. q, with
 // a quaternion (w, x, y, z) of any length for each spherical joint, becomes positions of all moving joints, in order.
-// Without spherical joints, q stays; beside them, no joints may be coupled.
+// Without spherical joints, q stays; with them, no joints may be coupled.
 template <class S>
 void take_orientations(Robot<S>& robot, VectorX<S>& q) {
   if (!has_spherical_joints(robot)) return;
