@@ -10,8 +10,8 @@ namespace flatdyn::testing {
 
 struct SourceFile {
   std::filesystem::path path;      // absolute
-  std::string name;                // path below the given folder, "model/robot.hpp"
-  std::string folder;              // "model"
+  std::string name;                // path below the given folder, "robot/model/robot.hpp"
+  std::string folder;              // "robot/model"
   std::vector<std::string> lines;  // the first is line 1
 };
 

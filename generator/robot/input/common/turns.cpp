@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "robot/input/common/quaternion.hpp"
 #include "robot/model/exact_sign.hpp"
 #include "robot/model/pose_product.hpp"
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "robot/input/common/words.hpp"
 #include "robot/input/mjcf/defaults.hpp"
 #include "robot/input/mjcf/renaming.hpp"
-#include "robot/input/urdf/entries.hpp"
 
 namespace flatdyn {
 

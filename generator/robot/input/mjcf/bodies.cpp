@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
+#include "robot/input/common/poses.hpp"
+#include "robot/input/common/words.hpp"
 #include "robot/input/mjcf/inertials.hpp"
 #include "robot/input/mjcf/joints.hpp"
 #include "robot/input/mjcf/names.hpp"
-#include "robot/input/urdf/entries.hpp"
 
 namespace flatdyn {
 

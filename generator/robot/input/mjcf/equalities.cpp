@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "robot/input/common/poses.hpp"
 #include "robot/input/mjcf/names.hpp"
 #include "robot/input/mjcf/tendons.hpp"
 
@@ -264,10 +265,10 @@ class EqualityReader {
   }
 
   // A body's place where all joints are at their ref.
-  MjcfPlace place_in_world(int body) const {
-    MjcfPlace place;
+  ExactPlace place_in_world(int body) const {
+    ExactPlace place;
     for (; body != kWorld; body = model_.bodies[static_cast<std::size_t>(body)].parent) {
-      const MjcfPlace own = exact_place(model_.bodies[static_cast<std::size_t>(body)].pose);
+      const ExactPlace own = exact_place(model_.bodies[static_cast<std::size_t>(body)].pose);
       place = {own.R * place.R, own.R * place.p + own.p};
     }
     return place;
@@ -319,7 +320,7 @@ class EqualityReader {
     loop.points[0] = values_.length_vector(item, "anchor");
     loop.meets_at_zero = !has_references();
     if (loop.meets_at_zero) return true;
-    const MjcfPlace from = place_in_world(*first), to = place_in_world(*second);
+    const ExactPlace from = place_in_world(*first), to = place_in_world(*second);
     loop.points[1] = expanded(transpose(to.R) * (from.R * loop.points[0] + from.p - to.p));
     return true;
   }

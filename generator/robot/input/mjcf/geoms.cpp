@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "robot/input/common/exact_root.hpp"
+#include "robot/input/common/poses.hpp"
 #include "robot/input/mjcf/names.hpp"
 #include "robot/input/mjcf/solids.hpp"
 #include "robot/model/exact_sign.hpp"

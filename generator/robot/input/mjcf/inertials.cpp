@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "robot/input/mjcf/inertials.hpp"
 
+#include "robot/input/common/poses.hpp"
 #include "robot/input/mjcf/geoms.hpp"
 #include "robot/model/exact_sign.hpp"
 
@@ -100,7 +101,7 @@ class InertiaBounds {
     const Vec3 centre = centre_of_mass();
     Mat3 sum = zero_matrix();
     for (const Inertial& each : inertials_) {
-      const MjcfPlace place = exact_place(each.frame);
+      const ExactPlace place = exact_place(each.frame);
       sum = sum + place.R * each.tensor * transpose(place.R) + steiner(each.mass.number, place.p - centre);
     }
     return expanded(sum);

@@ -5,9 +5,10 @@
 #include <cstdlib>
 
 #include "robot/input/common/exact_root.hpp"
+#include "robot/input/common/poses.hpp"
 #include "robot/input/common/units.hpp"
+#include "robot/input/common/words.hpp"
 #include "robot/input/mjcf/names.hpp"
-#include "robot/input/urdf/entries.hpp"
 
 namespace flatdyn {
 
@@ -132,7 +133,7 @@ class JointReader {
   // A ball joint turns about its point, with the body's axes; velocities are along these.
   void read_ball() {
     joint_.type = JointType::spherical;
-    const MjcfPlace frame = exact_place(read_.frame);
+    const ExactPlace frame = exact_place(read_.frame);
     const Vec3 position = frame.R * values_.length_vector(item_, "pos") + frame.p;
     joint_.origin.place = joint_.link_offset.place = joint_.place;
     if (!vanishes(dot(position, position))) {
@@ -168,7 +169,7 @@ class JointReader {
   // The joint's frame is the body's, with the origin on the axis; `ref` is the position at which it does not move the
   // body.
   void read_axis() {
-    const MjcfPlace frame = exact_place(read_.frame);
+    const ExactPlace frame = exact_place(read_.frame);
     joint_.axis = frame.R * values_.vector(item_, "axis", {0, 0, 1});
     if (vanishes(dot(joint_.axis, joint_.axis))) {
       context_.diagnostics.error(joint_.place, item_.what + ": its axis is zero", "give the axis a direction");

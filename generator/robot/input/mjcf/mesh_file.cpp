@@ -7,7 +7,7 @@
 #include <cstring>
 #include <sstream>
 
-#include "robot/input/urdf/entries.hpp"
+#include "robot/input/common/words.hpp"
 
 namespace flatdyn {
 

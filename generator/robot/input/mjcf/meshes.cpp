@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <sstream>
 
+#include "robot/input/common/words.hpp"
 #include "robot/input/mjcf/convex_hull.hpp"
 #include "robot/input/mjcf/mesh_file.hpp"
 #include "robot/input/mjcf/names.hpp"
-#include "robot/input/urdf/entries.hpp"
 #include "robot/model/exact_sign.hpp"
 
 namespace flatdyn {

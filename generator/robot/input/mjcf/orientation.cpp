@@ -145,22 +145,4 @@ Pose mjcf_pose(const MjcfItem& item, const MjcfValues& values, const MjcfSetting
   return pose;
 }
 
-MjcfPlace exact_place(const Pose& pose) {
-  MjcfPlace place;
-  for (const Displacement& each : pose.displacements) {
-    if (each.kind == Displacement::Kind::translation) {
-      place.p = place.p + place.R * each.translation;
-    } else {
-      place.R = place.R * exact_rotation(each);
-    }
-  }
-  return {expanded(place.R), expanded(place.p)};
-}
-
-Pose joined(const Pose& first, const Pose& second) {
-  Pose pose = second;
-  pose.displacements.insert(pose.displacements.begin(), first.displacements.begin(), first.displacements.end());
-  return pose;
-}
-
 }  // namespace flatdyn

@@ -2,6 +2,7 @@
 // Places and orientations of MJCF elements: pos, and one of quat, axisangle, euler, xyaxes, zaxis.
 #pragma once
 
+#include "robot/input/common/poses.hpp"
 #include "robot/input/common/turns.hpp"
 #include "robot/input/mjcf/settings.hpp"
 
@@ -13,15 +14,5 @@ Pose mjcf_pose(const MjcfItem& item, const MjcfValues& values, const MjcfSetting
 // The displacements of the orientation alone.
 std::vector<Displacement> mjcf_orientation(const MjcfItem& item, const MjcfValues& values,
                                            const MjcfSettings& settings);
-
-// The rotation and the translation of a pose, in rational numbers where the file's are.
-struct MjcfPlace {
-  Mat3 R = identity_matrix();
-  Vec3 p = zero_vector();
-};
-MjcfPlace exact_place(const Pose& pose);
-
-// One pose after the other.
-Pose joined(const Pose& first, const Pose& second);
 
 }  // namespace flatdyn

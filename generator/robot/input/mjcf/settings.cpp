@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 
+#include "robot/input/common/words.hpp"
 #include "robot/input/mjcf/names.hpp"
-#include "robot/input/urdf/entries.hpp"
 #include "robot/model/exact_sign.hpp"
 
 namespace flatdyn {

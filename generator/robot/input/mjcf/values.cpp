@@ -5,7 +5,7 @@
 
 #include "base/diagnostics/nearest.hpp"
 #include "robot/input/common/units.hpp"
-#include "robot/input/urdf/entries.hpp"
+#include "robot/input/common/words.hpp"
 
 namespace flatdyn {
 

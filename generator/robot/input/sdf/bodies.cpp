@@ -3,7 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "robot/input/urdf/children.hpp"
+#include "robot/input/common/words.hpp"
+#include "robot/input/common/xml_elements.hpp"
 
 namespace flatdyn {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/diagnostics/nearest.hpp"
-#include "robot/input/urdf/children.hpp"
+#include "robot/input/common/xml_elements.hpp"
 
 namespace flatdyn {
 

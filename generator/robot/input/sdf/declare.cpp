@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/sdf/files.hpp"
-#include "robot/input/urdf/children.hpp"
 
 namespace flatdyn {
 

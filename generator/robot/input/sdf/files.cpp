@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "robot/input/common/words.hpp"
 #include "robot/input/common/xml_document.hpp"
-#include "robot/input/urdf/entries.hpp"
+#include "robot/input/common/xml_elements.hpp"
 
 namespace flatdyn {
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "robot/input/mjcf/orientation.hpp"
+#include "robot/input/common/coupling.hpp"
+#include "robot/input/common/poses.hpp"
 #include "robot/input/sdf/joint_axis.hpp"
 #include "robot/input/sdf/placing.hpp"
-#include "robot/input/urdf/mimics.hpp"
 #include "robot/model/exact_sign.hpp"
 
 namespace flatdyn {

@@ -2,7 +2,6 @@
 #include "robot/input/sdf/joint_axis.hpp"
 
 #include "robot/input/common/exchanged_limits.hpp"
-#include "robot/input/urdf/entries.hpp"
 
 namespace flatdyn {
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "robot/input/common/coupling.hpp"
+#include "robot/input/common/spelling.hpp"
+#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/sdf/joint_axis.hpp"
-#include "robot/input/urdf/children.hpp"
-#include "robot/input/urdf/mimics.hpp"
-#include "robot/input/urdf/spelling.hpp"
 
 namespace flatdyn {
 

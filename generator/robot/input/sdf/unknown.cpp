@@ -4,8 +4,9 @@
 #include <algorithm>
 
 #include "base/diagnostics/nearest.hpp"
-#include "robot/input/urdf/children.hpp"
-#include "robot/input/urdf/spelling.hpp"
+#include "robot/input/common/spelling.hpp"
+#include "robot/input/common/words.hpp"
+#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/unsupported.hpp"
 
 namespace flatdyn {

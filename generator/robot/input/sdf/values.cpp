@@ -6,10 +6,11 @@
 #include <algorithm>
 
 #include "base/diagnostics/utf8.hpp"
+#include "robot/input/common/poses.hpp"
+#include "robot/input/common/quaternion.hpp"
 #include "robot/input/common/units.hpp"
-#include "robot/input/urdf/entries.hpp"
-#include "robot/input/urdf/quaternion.hpp"
-#include "robot/input/urdf/values.hpp"
+#include "robot/input/common/words.hpp"
+#include "robot/input/common/xml_elements.hpp"
 #include "robot/model/exact_sign.hpp"
 #include "robot/model/unit_plausibility.hpp"
 

@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "base/diagnostics/nearest.hpp"
+#include "robot/input/common/poses.hpp"
 #include "robot/input/common/units.hpp"
 #include "robot/input/toml/held_joints.hpp"
 #include "robot/input/toml/joint_in_parts.hpp"
 #include "robot/input/toml/overlay.hpp"
 #include "robot/input/toml/parts.hpp"
-#include "robot/input/urdf/values.hpp"
 #include "robot/model/coupling.hpp"
 #include "robot/model/tendon.hpp"
 

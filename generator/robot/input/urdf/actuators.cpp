@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "base/diagnostics/nearest.hpp"
+#include "robot/input/common/words.hpp"
+#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/children.hpp"
 
 namespace flatdyn {

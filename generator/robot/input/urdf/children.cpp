@@ -5,42 +5,12 @@
 
 #include "base/diagnostics/characters.hpp"
 #include "base/diagnostics/nearest.hpp"
+#include "robot/input/common/words.hpp"
+#include "robot/input/common/xml_elements.hpp"
 
 namespace flatdyn {
 
-namespace {
-
 using tinyxml2::XMLElement;
-
-template <class Named>
-int index_called(const std::vector<Named>& all, const char* kind, const std::string& name, const Place& place,
-                 const std::string& what, Diagnostics& diagnostics) {
-  std::vector<std::string> known;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].name == name) return static_cast<int>(i);
-    known.push_back(all[i].name);
-  }
-  diagnostics.error(place, what + ": there is no " + kind + " \"" + name + "\"",
-                    hint_for_unknown(name, known, std::string(kind) + "s"));
-  return -1;
-}
-
-}  // namespace
-
-std::vector<const XMLElement*> elements_in(const XMLElement& parent, const char* name) {
-  std::vector<const XMLElement*> elements;
-  for (const XMLElement* e = parent.FirstChildElement(name); e != nullptr; e = e->NextSiblingElement(name)) {
-    elements.push_back(e);
-  }
-  return elements;
-}
-
-std::string trimmed_text_of(const XMLElement& element) { return std::string(trimmed(text_in(element))); }
-
-std::string named(const XMLElement& element) {
-  const char* name = element.Attribute("name");
-  return element.Name() + (name == nullptr ? std::string() : " \"" + std::string(name) + "\"");
-}
 
 void refuse_other_attributes(const XMLElement& element, const std::string& what, const std::vector<std::string>& known,
                              const UrdfValues& values) {
@@ -64,16 +34,6 @@ void refuse_children(const XMLElement& element, const std::string& what, const s
   if (words_of(text_in(element)).empty()) return;
   diagnostics.error(values.place(element), what + ": the text \"" + trimmed_text_of(element) + "\" is not read",
                     "write values as attributes");
-}
-
-int link_called(const std::string& name, const Place& place, const std::string& what, const Robot& robot,
-                Diagnostics& diagnostics) {
-  return index_called(robot.links, "link", name, place, what, diagnostics);
-}
-
-int joint_called(const std::string& name, const Place& place, const std::string& what, const Robot& robot,
-                 Diagnostics& diagnostics) {
-  return index_called(robot.joints, "joint", name, place, what, diagnostics);
 }
 
 }  // namespace flatdyn

@@ -5,6 +5,9 @@
 #include <map>
 
 #include "base/diagnostics/nearest.hpp"
+#include "robot/input/common/coupling.hpp"
+#include "robot/input/common/references.hpp"
+#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/children.hpp"
 #include "robot/input/urdf/mimics.hpp"
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 
+#include "robot/input/common/xml_elements.hpp"
 #include "robot/model/number.hpp"
 
 namespace flatdyn {
@@ -57,14 +58,6 @@ const std::map<std::string_view, UrdfElement> kElements = {
     {"reduction", kOneValue},
 };
 
-std::optional<Number> number_of(const std::string& word) {
-  try {
-    return exact_decimal(word);
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
-}
-
 }  // namespace
 
 const UrdfElement* known_urdf_element(std::string_view tag) {
@@ -97,20 +90,6 @@ std::string key_of(const UrdfElement& element, const UrdfEntry& entry) {
   return "";
 }
 
-std::string text_in(const XMLElement& element) {
-  std::string text;
-  for (const XMLNode* node = element.FirstChild(); node != nullptr; node = node->NextSibling()) {
-    if (node->ToText() != nullptr) text += std::string(text.empty() ? "" : " ") + node->Value();
-  }
-  return text;
-}
-
-std::string value_of(const XMLElement& element) {
-  const char* value = element.Attribute("value");
-  const std::string text = text_in(element);
-  return value != nullptr && text.empty() ? value : text;
-}
-
 std::vector<UrdfEntry> entries_of(const XMLElement& element) {
   std::vector<UrdfEntry> entries;
   for (const XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
@@ -123,35 +102,6 @@ std::vector<UrdfEntry> entries_of(const XMLElement& element) {
   const std::string text = text_in(element);
   if (!words_of(text).empty()) entries.push_back({"", text, element.GetLineNum(), EntryForm::text});
   return entries;
-}
-
-std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
-}
-
-bool are_equivalent_texts(const std::string& a, const std::string& b) {
-  const std::vector<std::string> first = words_of(a), second = words_of(b);
-  return std::equal(first.begin(), first.end(), second.begin(), second.end(),
-                    [](const std::string& x, const std::string& y) {
-                      const std::optional<Number> p = number_of(x), q = number_of(y);
-                      return x == y || (p && q && p->is_equal(*q));
-                    });
-}
-
-std::string single_word(const std::string& text) {
-  const std::vector<std::string> words = words_of(text);
-  return words.size() == 1 ? words[0] : text;
-}
-
-bool is_zero_text(const std::string& text) {
-  const std::vector<std::string> words = words_of(text);
-  return std::all_of(words.begin(), words.end(), [](const std::string& word) {
-    const std::optional<Number> number = number_of(word);
-    return number && vanishes(*number);
-  });
 }
 
 }  // namespace flatdyn

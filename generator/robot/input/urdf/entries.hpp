@@ -51,25 +51,8 @@ bool has_key(const UrdfElement& element, std::string_view name);
 // The name in URDF of the key that an entry gives; "" if it gives none.
 std::string key_of(const UrdfElement& element, const UrdfEntry& entry);
 
-// The texts directly in the element, before and behind its children.
-std::string text_in(const tinyxml2::XMLElement& element);
-
-// The value of an element that is one value itself: <damping>10</damping> or <damping value="10"/>.
-std::string value_of(const tinyxml2::XMLElement& element);
-
 // Attributes, children and text of the element, in this order; of elements that are not known, attributes only.
 std::vector<UrdfEntry> entries_of(const tinyxml2::XMLElement& element);
-
-// Whether two texts are the same words, or words for the same numbers: "0 0 1" and "0 0 1.0".
-bool are_equivalent_texts(const std::string& a, const std::string& b);
-
-// Whether the text is zeros only: "0 0.0 0".
-bool is_zero_text(const std::string& text);
-
-std::vector<std::string> words_of(const std::string& text);
-
-// The word without the blanks around it if the text is a single one, else the text as it is.
-std::string single_word(const std::string& text);
 
 // Whether the name is one of another program's: "drake:gear_ratio".
 inline bool has_namespace(std::string_view name) { return name.find(':') != std::string_view::npos; }

@@ -5,6 +5,9 @@
 #include <set>
 
 #include "base/diagnostics/nearest.hpp"
+#include "robot/input/common/references.hpp"
+#include "robot/input/common/words.hpp"
+#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/children.hpp"
 #include "robot/model/rational_rotation.hpp"
 

@@ -6,8 +6,12 @@
 #include <sstream>
 
 #include "base/diagnostics/nearest.hpp"
+#include "robot/input/common/coupling.hpp"
+#include "robot/input/common/references.hpp"
+#include "robot/input/common/spelling.hpp"
+#include "robot/input/common/words.hpp"
+#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/children.hpp"
-#include "robot/input/urdf/spelling.hpp"
 
 namespace flatdyn {
 
@@ -31,18 +35,6 @@ struct MimicWords {
   std::string leader;
   MimicNumber multiplier, offset;
 };
-
-bool says_same(const Coupled& a, const Coupled& b) {
-  const auto factors_of = [](const Coupled& coupled) {
-    std::map<std::string, Number> factors;
-    for (const Coupled::Term& term : coupled.terms) factors[term.joint.name] += term.factor;
-    return factors;
-  };
-  const auto first = factors_of(a), second = factors_of(b);
-  return vanishes(a.offset - b.offset) &&
-         std::equal(first.begin(), first.end(), second.begin(), second.end(),
-                    [](const auto& x, const auto& y) { return x.first == y.first && vanishes(x.second - y.second); });
-}
 
 bool says_mimic(const char* text) { return text != nullptr && folded_name(text).find("mimic") != std::string::npos; }
 
@@ -328,17 +320,6 @@ class MimicReader {
 };
 
 }  // namespace
-
-void couple_joint(Joint& joint, const Coupled& coupled, const std::string& what, Diagnostics& diagnostics) {
-  if (!joint.coupled) {
-    joint.coupled = coupled;
-  } else if (!says_same(*joint.coupled, coupled)) {
-    diagnostics.error(coupled.place,
-                      what + ": line " + std::to_string(joint.coupled->place.line) + " lets joint \"" + joint.name +
-                          "\" follow in another way",
-                      "make them agree, or delete one of them");
-  }
-}
 
 void read_urdf_mimics(const XMLElement& root, const std::set<std::string>& floating, const UrdfValues& values,
                       Robot& robot) {

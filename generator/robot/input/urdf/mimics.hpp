@@ -16,7 +16,4 @@ namespace flatdyn {
 void read_urdf_mimics(const tinyxml2::XMLElement& root, const std::set<std::string>& floating, const UrdfValues& values,
                       Robot& robot);
 
-// Couples a joint, unless it is coupled so already; an error if it is coupled otherwise. what: who says so.
-void couple_joint(Joint& joint, const Coupled& coupled, const std::string& what, Diagnostics& diagnostics);
-
 }  // namespace flatdyn

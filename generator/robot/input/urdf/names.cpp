@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "base/diagnostics/nearest.hpp"
+#include "robot/input/common/spelling.hpp"
+#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/actuators.hpp"
 #include "robot/input/urdf/children.hpp"
-#include "robot/input/urdf/spelling.hpp"
 #include "robot/input/urdf/unknown.hpp"
 #include "robot/input/urdf/unread.hpp"
 #include "robot/input/urdf/unsupported.hpp"

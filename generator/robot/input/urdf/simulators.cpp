@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "base/diagnostics/nearest.hpp"
+#include "robot/input/common/spelling.hpp"
+#include "robot/input/common/words.hpp"
+#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/children.hpp"
-#include "robot/input/urdf/spelling.hpp"
 #include "robot/input/urdf/springs.hpp"
 #include "robot/input/urdf/unsupported.hpp"
 

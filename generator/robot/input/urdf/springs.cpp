@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
+#include "robot/input/common/spelling.hpp"
+#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/children.hpp"
-#include "robot/input/urdf/spelling.hpp"
 
 namespace flatdyn {
 

@@ -6,7 +6,8 @@
 #include <string_view>
 
 #include "base/diagnostics/nearest.hpp"
-#include "robot/input/urdf/spelling.hpp"
+#include "robot/input/common/spelling.hpp"
+#include "robot/input/common/words.hpp"
 #include "robot/input/urdf/unread.hpp"
 
 namespace flatdyn {

@@ -6,8 +6,10 @@
 #include <optional>
 
 #include "base/diagnostics/nearest.hpp"
+#include "robot/input/common/spelling.hpp"
+#include "robot/input/common/words.hpp"
+#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/children.hpp"
-#include "robot/input/urdf/spelling.hpp"
 
 namespace flatdyn {
 

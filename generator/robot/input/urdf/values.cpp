@@ -5,8 +5,10 @@
 #include <array>
 
 #include "base/diagnostics/utf8.hpp"
+#include "robot/input/common/poses.hpp"
+#include "robot/input/common/quaternion.hpp"
 #include "robot/input/common/units.hpp"
-#include "robot/input/urdf/quaternion.hpp"
+#include "robot/input/common/words.hpp"
 #include "robot/model/exact_sign.hpp"
 #include "robot/model/unit_plausibility.hpp"
 
@@ -278,20 +280,6 @@ Pose UrdfValues::origin(const XMLElement& parent, const std::string& what, const
   for (const Number& length : xyz) note_length(length, {place(*element), where + ", xyz"}, {}, context_);
   const Vec3 rpy = turn(*element, where);
   return pose_from_xyz_rpy(xyz, rpy, place(*element));
-}
-
-Pose pose_from_xyz_rpy(const Vec3& xyz, const Vec3& rpy, const Place& place) {
-  using Kind = Displacement::Kind;
-  Pose pose{{}, place};
-  if (!xyz[0].is_zero() || !xyz[1].is_zero() || !xyz[2].is_zero()) {
-    pose.displacements.push_back({Kind::translation, xyz, 0});
-  }
-  const std::array<std::pair<Kind, Number>, 3> rotations = {
-      {{Kind::rotation_z, rpy[2]}, {Kind::rotation_y, rpy[1]}, {Kind::rotation_x, rpy[0]}}};
-  for (const auto& [kind, angle] : rotations) {
-    if (!angle.is_zero()) pose.displacements.push_back({kind, zero_vector(), angle});
-  }
-  return pose;
 }
 
 }  // namespace flatdyn

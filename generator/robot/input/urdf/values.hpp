@@ -88,7 +88,4 @@ class UrdfValues {
   ReadContext& context_;
 };
 
-// The displacements of URDF's xyz and rpy; zero ones are left out.
-Pose pose_from_xyz_rpy(const Vec3& xyz, const Vec3& rpy, const Place& place);
-
 }  // namespace flatdyn

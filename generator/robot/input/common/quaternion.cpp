@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "robot/input/urdf/quaternion.hpp"
+#include "robot/input/common/quaternion.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "robot/input/urdf/spelling.hpp"
+#include "robot/input/common/spelling.hpp"
 
 #include <algorithm>
 #include <set>
