@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/diagnostics/table.hpp"
+#include "report/cost_json.hpp"
+#include "report/fields.hpp"
 
 namespace flatdyn {
 namespace {
@@ -18,68 +19,37 @@ std::string nanoseconds(double time) {
 
 std::string quartiles_of(const Quartiles& time) { return nanoseconds(time.low) + " .. " + nanoseconds(time.high); }
 
-std::string table_of(const BenchFunction& function) {
-  std::vector<std::vector<std::string>> rows = {{"  variant", "operations", "ns", "quartiles", "ratio", "scaled: p99",
-                                                 "max", function.unit + ": p99", "max", "bytes", "front"}};
-  for (const BenchRow& row : function.rows) {
-    rows.push_back({"  " + row.variant, row.is_peer ? "" : std::to_string(row.operations.arithmetic()),
-                    nanoseconds(row.time.median), quartiles_of(row.time), fmt::format("{:.2f}", row.ratio),
-                    fmt::format("{:.2g}", row.scaled.percentile_99), fmt::format("{:.2g}", row.scaled.largest),
-                    fmt::format("{:.2g}", row.absolute.percentile_99), fmt::format("{:.2g}", row.absolute.largest),
-                    row.is_peer ? "" : std::to_string(row.bytes), row.on_front ? "*" : ""});
-  }
-  return fmt::format("{}: {}\n{}\n", function.name, to_string(function.operations), aligned_table(rows));
+// A peer's operations and bytes are not known.
+Fields<BenchRow> bench_fields(const std::string& unit) {
+  using Json = ordered_json;
+  return {{"  variant", "variant", &BenchRow::variant, "  {}"},
+          {"", "peer", &BenchRow::is_peer},
+          {"", "whole", &BenchRow::is_whole},
+          {"operations", "", [](auto& row) { return row.is_peer ? Json() : Json(row.operations.arithmetic()); }},
+          {"", "operations", [](auto& row) { return row.is_peer ? Json() : operations_json(row.operations); }},
+          {"ns", "", [](auto& row) { return nanoseconds(row.time.median); }},
+          {"quartiles", "", [](auto& row) { return quartiles_of(row.time); }},
+          {"", "ns", [](auto& row) { return quartiles_json(row.time); }},
+          {"", "rounds", &BenchRow::rounds},
+          {"ratio", "ratio", &BenchRow::ratio, "{:.2f}"},
+          {"scaled: p99", "scaled_error.p99", [](auto& row) { return row.scaled.percentile_99; }, "{:.2g}"},
+          {"max", "scaled_error.max", [](auto& row) { return row.scaled.largest; }, "{:.2g}"},
+          {unit + ": p99", "error.p99", [](auto& row) { return row.absolute.percentile_99; }, "{:.2g}"},
+          {"max", "error.max", [](auto& row) { return row.absolute.largest; }, "{:.2g}"},
+          {"", "states", &BenchRow::states},
+          {"bytes", "bytes", [](auto& row) { return row.is_peer ? Json() : Json(row.bytes); }},
+          {"front", "", [](auto& row) { return row.on_front ? "*" : ""; }},
+          {"", "front", &BenchRow::on_front}};
 }
 
-std::string table_of(const BenchStages& stages) {
-  std::vector<std::vector<std::string>> rows = {{"  step", "operations", "ns", "quartiles"}};
-  for (const BenchStep& step : stages.steps) {
-    rows.push_back({"  " + step.name, std::to_string(step.operations.arithmetic()), nanoseconds(step.time.median),
-                    quartiles_of(step.time)});
-  }
-  return fmt::format("stages of {}\n{}\n", fmt::join(stages.functions, ", "), aligned_table(rows));
-}
-
-ordered_json bench_json_of(const Quartiles& time) {
-  return {{"low", time.low}, {"median", time.median}, {"high", time.high}};
-}
-
-ordered_json bench_json_of(const OperationCount& count) {
-  return {{"mul", count.multiplications},
-          {"add", count.additions},
-          {"div", count.divisions},
-          {"sincos", count.trigonometric}};
-}
-
-ordered_json bench_json_of(const BenchRow& row) {
-  ordered_json json = {{"variant", row.variant}, {"peer", row.is_peer}, {"whole", row.is_whole}};
-  if (!row.is_peer) json["operations"] = bench_json_of(row.operations);
-  json["ns"] = bench_json_of(row.time);
-  json["rounds"] = row.rounds;
-  json["ratio"] = row.ratio;
-  json["scaled_error"] = {{"p99", row.scaled.percentile_99}, {"max", row.scaled.largest}};
-  json["error"] = {{"p99", row.absolute.percentile_99}, {"max", row.absolute.largest}};
-  json["states"] = row.states;
-  if (!row.is_peer) json["bytes"] = row.bytes;
-  json["front"] = row.on_front;
-  return json;
-}
-
-ordered_json bench_json_of(const BenchFunction& function) {
-  ordered_json json = {{"name", function.name}, {"unit", function.unit}};
-  json["operations"] = bench_json_of(function.operations);
-  json["variants"] = ordered_json::array();
-  for (const BenchRow& row : function.rows) json["variants"].push_back(bench_json_of(row));
-  return json;
-}
-
-ordered_json bench_json_of(const BenchStages& stages) {
-  ordered_json json = {{"functions", stages.functions}, {"steps", ordered_json::array()}};
-  for (const BenchStep& step : stages.steps) {
-    json["steps"].push_back(
-        {{"name", step.name}, {"operations", bench_json_of(step.operations)}, {"ns", bench_json_of(step.time)}});
-  }
-  return json;
+const Fields<BenchStep>& step_fields() {
+  static const Fields<BenchStep> all = {{"  step", "name", &BenchStep::name, "  {}"},
+                                        {"operations", "", [](auto& step) { return step.operations.arithmetic(); }},
+                                        {"", "operations", [](auto& step) { return operations_json(step.operations); }},
+                                        {"ns", "", [](auto& step) { return nanoseconds(step.time.median); }},
+                                        {"quartiles", "", [](auto& step) { return quartiles_of(step.time); }},
+                                        {"", "ns", [](auto& step) { return quartiles_json(step.time); }}};
+  return all;
 }
 
 // Explains the columns and lists what is missing.
@@ -103,8 +73,14 @@ std::string legend_of(const BenchReport& report) {
 
 std::string bench_text(const BenchReport& report) {
   std::string text = fmt::format("{}: {}, {}\n\n", report.robot, report.compiler, report.flags);
-  for (const BenchFunction& function : report.functions) text += table_of(function);
-  if (!report.stages.steps.empty()) text += table_of(report.stages);
+  for (const BenchFunction& function : report.functions) {
+    text += fmt::format("{}: {}\n{}\n", function.name, to_string(function.operations),
+                        table_of(bench_fields(function.unit), function.rows));
+  }
+  if (!report.stages.steps.empty()) {
+    text += fmt::format("stages of {}\n{}\n", fmt::join(report.stages.functions, ", "),
+                        table_of(step_fields(), report.stages.steps));
+  }
   return text + legend_of(report);
 }
 
@@ -115,8 +91,14 @@ ordered_json bench_json(const BenchReport& report) {
                        {"seconds", report.seconds},
                        {"left_out", report.left_out}};
   json["functions"] = ordered_json::array();
-  for (const BenchFunction& function : report.functions) json["functions"].push_back(bench_json_of(function));
-  if (!report.stages.steps.empty()) json["stages"] = bench_json_of(report.stages);
+  for (const BenchFunction& function : report.functions) {
+    json["functions"].push_back({{"name", function.name},
+                                 {"unit", function.unit},
+                                 {"operations", operations_json(function.operations)},
+                                 {"variants", objects_of(bench_fields(function.unit), function.rows)}});
+  }
+  if (report.stages.steps.empty()) return json;
+  json["stages"] = {{"functions", report.stages.functions}, {"steps", objects_of(step_fields(), report.stages.steps)}};
   return json;
 }
 

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "base/diagnostics/table.hpp"
 #include "base/diagnostics/version.hpp"
 #include "code/readback/file_reader.hpp"
+#include "report/fields.hpp"
 #include "report/snap_report.hpp"
 #include "robot/model/rounded_up.hpp"
 
@@ -38,24 +38,31 @@ const char* prover(const Certificate& certificate, const CertifiedOutput& output
 
 double ratio(const CertifiedOutput& output) { return output.observed > 0 ? output.bound / output.observed : 0; }
 
-std::string ratio_text(const CertifiedOutput& output) {
-  return output.observed > 0 ? fmt::format("{:.3g}", ratio(output)) : "-";
+const char* verdict_name(Verdict verdict) {
+  return verdict == Verdict::proven ? "proven" : verdict == Verdict::refused ? "refused" : "out of time";
 }
 
-std::string part_of_effort(const CertifiedOutput& output) {
-  return output.effort ? fmt::format("{:.2g} %", 100 * output.bound / *output.effort) : "";
-}
-
-using Cells = std::vector<std::vector<std::string>>;
-
-Cells rows_of(const Certificate& certificate, const std::vector<CertifiedOutput>& outputs) {
-  Cells rows = {{"output", "unit", "bound", "seen", "ratio", "of effort", "proven by"}};
-  for (const CertifiedOutput& output : outputs) {
-    rows.push_back({output.name, output.unit, fmt::format("{:.3e}", output.bound),  // all digits of the bound
-                    fmt::format("{:.2e}", rounded_down(output.observed, 3)), ratio_text(output), part_of_effort(output),
-                    prover(certificate, output)});
-  }
-  return rows;
+Fields<CertifiedOutput> output_fields(const Certificate& certificate) {
+  using Json = nlohmann::ordered_json;
+  const auto effort_used = [](const CertifiedOutput& each) {
+    return each.effort ? Json(100 * each.bound / *each.effort) : Json();
+  };
+  const auto gappa = [&certificate](const CertifiedOutput& each) {
+    return certificate.by_gappa ? Json(verdict_name(each.verdict)) : Json();
+  };
+  return {{"output", "output", &CertifiedOutput::name},
+          {"", "also", &CertifiedOutput::also},
+          {"", "result", &CertifiedOutput::result},
+          {"unit", "unit", &CertifiedOutput::unit},
+          {"bound", "bound", &CertifiedOutput::bound, "{:.3e}"},  // all digits of the bound
+          {"seen", "", [](auto& each) { return rounded_down(each.observed, 3); }, "{:.2e}"},
+          {"", "seen", &CertifiedOutput::observed},
+          {"ratio", "", [](auto& each) { return each.observed > 0 ? fmt::format("{:.3g}", ratio(each)) : "-"; }},
+          {"of effort", "", effort_used, "{:.2g} %"},
+          {"proven by", "", [&certificate](auto& each) { return prover(certificate, each); }},
+          {"", "errors", &CertifiedOutput::terms},
+          {"", "effort_limit", [](auto& each) { return each.effort ? Json(*each.effort) : Json(); }},
+          {"", "gappa", gappa}};
 }
 
 // The outputs with the largest bound, the largest ratio, and those that Gappa did not prove.
@@ -120,7 +127,7 @@ std::string quaternions_text(const FileContents& contents) {
          "same formulas give without rounding, and not how far that is from the model;\n";
 }
 
-std::string markdown_table(const Cells& rows) {
+std::string markdown_table(const std::vector<std::vector<std::string>>& rows) {
   std::string text;
   for (const auto& row : rows) {
     text += fmt::format("| {} |\n", fmt::join(row, " | "));
@@ -185,10 +192,6 @@ nlohmann::ordered_json arguments_json(const FileFunction& function, const FileCo
   return arguments;
 }
 
-const char* verdict_name(Verdict verdict) {
-  return verdict == Verdict::proven ? "proven" : verdict == Verdict::refused ? "refused" : "out of time";
-}
-
 }  // namespace
 
 std::string describe_certificate(const Certificate& certificate, double enough) {
@@ -199,7 +202,7 @@ std::string describe_certificate(const Certificate& certificate, double enough) 
     if (shown.size() < function.outputs.size()) {
       text += fmt::format("the largest bound and the largest ratio of {} outputs\n", function.outputs.size());
     }
-    text += "\n" + (shown.empty() ? kAllZero : aligned_table(rows_of(certificate, shown))) + "\n";
+    text += "\n" + (shown.empty() ? kAllZero : table_of(output_fields(certificate), shown)) + "\n";
   }
   text += fmt::format(
       "bound: of the absolute rounding error in {}, within the joints' limits, for {}\n"
@@ -233,7 +236,7 @@ std::string certificate_markdown(const Certificate& certificate, double enough, 
   for (const CertifiedFunction& function : certificate.functions) {
     const std::vector<CertifiedOutput>& outputs = function.outputs;
     text += fmt::format("\n## {}\n\n{}", function.name,
-                        outputs.empty() ? kAllZero : markdown_table(rows_of(certificate, outputs)));
+                        outputs.empty() ? kAllZero : markdown_table(cells_of(output_fields(certificate), outputs)));
   }
   text += fmt::format(
       "\nSeen: the largest error at {} states within the limits, half of them random, the others sought where "
@@ -260,19 +263,10 @@ nlohmann::ordered_json certificate_json(const Certificate& certificate, const Ce
   json["functions"] = nlohmann::ordered_json::array();
   for (std::size_t k = 0; k < certificate.functions.size(); ++k) {
     const CertifiedFunction& function = certificate.functions[k];
-    nlohmann::ordered_json outputs = nlohmann::ordered_json::array();
-    for (const CertifiedOutput& output : function.outputs) {
-      nlohmann::ordered_json row = {{"output", output.name}, {"also", output.also},   {"result", output.result},
-                                    {"unit", output.unit},   {"bound", output.bound}, {"seen", output.observed},
-                                    {"errors", output.terms}};
-      if (output.effort) row["effort_limit"] = *output.effort;
-      if (certificate.by_gappa) row["gappa"] = verdict_name(output.verdict);
-      outputs.push_back(row);
-    }
     json["functions"].push_back({{"name", function.name},
                                  {"arguments", arguments_json(header.contents.functions.at(k), header.contents)},
                                  {"leaves", leaves_json(function)},
-                                 {"outputs", outputs}});
+                                 {"outputs", objects_of(output_fields(certificate), function.outputs)}});
   }
   return json;
 }

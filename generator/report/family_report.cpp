@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "base/diagnostics/table.hpp"
+#include "report/fields.hpp"
 #include "report/plot/plot.hpp"
 
 namespace flatdyn {
@@ -14,11 +14,29 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string digits(double value) { return fmt::format("{:.2g}", value); }
-
 std::string verdict(const FamilyReport& report, const StressRow& row) {
   const std::string text = row.lost.ratio > report.options.ratio ? "LOST" : row.passed ? "ok" : "LARGE";
   return row.refused > 0 ? fmt::format("{} ({} of {} refused)", text, row.refused, row.tried) : text;
+}
+
+Fields<FamilyRow> family_fields(const FamilyReport& report) {
+  return {{"robot", "robot", &FamilyRow::label},
+          {"", "parameter", &FamilyRow::parameter},
+          {"joints", "joints", &FamilyRow::joints},
+          {"function", "function", [](auto& row) { return row.found.function; }},
+          {"scalar", "scalar", [](auto& row) { return row.found.scalar; }},
+          {"", "states", [](auto& row) { return row.found.states; }},
+          {"", "tried", [](auto& row) { return row.found.tried; }},
+          {"", "refused", [](auto& row) { return row.found.refused; }},
+          {"", "random.p99", [](auto& row) { return row.found.random.percentile_99; }},
+          {"random: max", "random.max", [](auto& row) { return row.found.random.largest; }, "{:.2g}"},
+          {"edge", "edge_max", [](auto& row) { return row.found.edge; }, "{:.2g}"},
+          {"worst", "worst", [](auto& row) { return row.found.worst.error.scaled; }, "{:.2g}"},
+          {"condition", "condition", [](auto& row) { return row.found.worst.error.condition; }, "{:.2g}"},
+          {"reference", "reference", [](auto& row) { return row.found.worst.reference; }, "{:.2g}"},
+          {"ratio", "ratio", [](auto& row) { return row.found.lost.ratio; }, "{:.2g}"},
+          {" ", "", [&report](auto& row) { return verdict(report, row.found); }},
+          {"", "passed", [](auto& row) { return row.found.passed; }}};
 }
 
 std::vector<std::string> series_names(const FamilyReport& report, const std::string& scalar) {
@@ -49,44 +67,17 @@ Series series_of(const FamilyReport& report, const std::string& function, const 
 }  // namespace
 
 std::string family_text(const FamilyReport& report) {
-  std::vector<std::vector<std::string>> rows = {
-      {"robot", "joints", "function", "scalar", "random: max", "edge", "worst", "condition", "reference", "ratio", ""}};
-  for (const FamilyRow& each : report.rows) {
-    const StressRow& row = each.found;
-    rows.push_back({each.label, std::to_string(each.joints), row.function, row.scalar, digits(row.random.largest),
-                    digits(row.edge), digits(row.worst.error.scaled), digits(row.worst.error.condition),
-                    digits(row.worst.reference), digits(row.lost.ratio), verdict(report, row)});
-  }
-  std::string text = fmt::format("{}\n\n{}\n", report.family, aligned_table(rows));
+  std::string text = fmt::format("{}\n\n{}\n", report.family, table_of(family_fields(report), report.rows));
   for (const std::string& line : report.left_out) text += "left out: " + line + "\n";
   return text;
 }
 
 ordered_json family_json(const FamilyReport& report) {
-  ordered_json json = {{"family", report.family},
-                       {"seed", report.options.seed},
-                       {"passed", report.passed()},
-                       {"left_out", report.left_out},
-                       {"rows", ordered_json::array()}};
-  for (const FamilyRow& each : report.rows) {
-    const StressRow& row = each.found;
-    json["rows"].push_back({{"robot", each.label},
-                            {"parameter", each.parameter},
-                            {"joints", each.joints},
-                            {"function", row.function},
-                            {"scalar", row.scalar},
-                            {"states", row.states},
-                            {"tried", row.tried},
-                            {"refused", row.refused},
-                            {"random", {{"p99", row.random.percentile_99}, {"max", row.random.largest}}},
-                            {"edge_max", row.edge},
-                            {"worst", row.worst.error.scaled},
-                            {"condition", row.worst.error.condition},
-                            {"reference", row.worst.reference},
-                            {"ratio", row.lost.ratio},
-                            {"passed", row.passed}});
-  }
-  return json;
+  return {{"family", report.family},
+          {"seed", report.options.seed},
+          {"passed", report.passed()},
+          {"left_out", report.left_out},
+          {"rows", objects_of(family_fields(report), report.rows)}};
 }
 
 std::string family_plot(const FamilyReport& report) {

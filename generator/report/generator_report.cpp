@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "base/diagnostics/table.hpp"
+#include "report/fields.hpp"
 
 namespace flatdyn {
 namespace {
@@ -52,50 +52,44 @@ Total total_of(const std::vector<Progress::Step>& steps) {
   return total;
 }
 
-std::string megabytes_text(long kilobytes) { return fmt::format("{:.0f}", static_cast<double>(kilobytes) / 1024); }
+double megabytes_of(long kilobytes) { return static_cast<double>(kilobytes) / 1024; }
+
+Fields<Progress::Step> stage_fields(const Total& total) {
+  const double all = std::max(total.seconds, 1e-9);
+  return {{"stage", "stage", &Progress::Step::what},
+          {"processor s", "processor_s", &Progress::Step::processor_seconds, "{:.3f}"},
+          {"share", "", [all](auto& step) { return 100 * step.processor_seconds / all; }, "{:.0f} %"},
+          {"peak MB so far", "", [](auto& step) { return megabytes_of(step.peak_kilobytes); }, "{:.0f}"},
+          {"", "peak_kilobytes", &Progress::Step::peak_kilobytes}};
+}
+
+Fields<OptimisedFunction> function_fields(const GeneratorCost& cost) {
+  const auto seconds_to = [&cost](const char* what) {
+    return [&cost, what](const OptimisedFunction& each) { return seconds_of(cost.steps, what + each.function.name); };
+  };
+  return {{"function", "function", [](auto& each) { return each.function.name; }},
+          {"derivation s", "derivation_s", seconds_to(kDeriving), "{:.3f}"},
+          {"passes s", "passes_s", seconds_to(kOptimising), "{:.3f}"},
+          {"mul", "mul", [](auto& each) { return count_operations(each.function).multiplications; }},
+          {"add", "add", [](auto& each) { return count_operations(each.function).additions; }}};
+}
 
 }  // namespace
 
 std::string generator_text(const GeneratorCost& cost) {
   const Total total = total_of(cost.steps);
-  std::vector<std::vector<std::string>> stages = {{"stage", "processor s", "share", "peak MB so far"}};
-  for (const Progress::Step& stage : stages_of_steps(cost.steps)) {
-    stages.push_back({stage.what, fmt::format("{:.3f}", stage.processor_seconds),
-                      fmt::format("{:.0f} %", 100 * stage.processor_seconds / std::max(total.seconds, 1e-9)),
-                      megabytes_text(stage.peak_kilobytes)});
-  }
-  std::vector<std::vector<std::string>> functions = {{"function", "derivation s", "passes s", "mul", "add"}};
-  for (const OptimisedFunction& each : cost.functions) {
-    const OperationCount count = count_operations(each.function);
-    functions.push_back({each.function.name,
-                         fmt::format("{:.3f}", seconds_of(cost.steps, kDeriving + each.function.name)),
-                         fmt::format("{:.3f}", seconds_of(cost.steps, kOptimising + each.function.name)),
-                         std::to_string(count.multiplications), std::to_string(count.additions)});
-  }
-  return fmt::format("{}: {:.2f} s of the processor, {} MB\n\n{}\n{}", cost.robot, total.seconds,
-                     megabytes_text(total.kilobytes), aligned_table(stages), aligned_table(functions));
+  return fmt::format("{}: {:.2f} s of the processor, {:.0f} MB\n\n{}\n{}", cost.robot, total.seconds,
+                     megabytes_of(total.kilobytes), table_of(stage_fields(total), stages_of_steps(cost.steps)),
+                     table_of(function_fields(cost), cost.functions));
 }
 
 ordered_json generator_json(const GeneratorCost& cost) {
   const Total total = total_of(cost.steps);
-  ordered_json json = {{"robot", cost.robot},
-                       {"processor_s", total.seconds},
-                       {"peak_kilobytes", total.kilobytes},
-                       {"stages", ordered_json::array()},
-                       {"functions", ordered_json::array()}};
-  for (const Progress::Step& stage : stages_of_steps(cost.steps)) {
-    json["stages"].push_back(
-        {{"stage", stage.what}, {"processor_s", stage.processor_seconds}, {"peak_kilobytes", stage.peak_kilobytes}});
-  }
-  for (const OptimisedFunction& each : cost.functions) {
-    const OperationCount count = count_operations(each.function);
-    json["functions"].push_back({{"function", each.function.name},
-                                 {"derivation_s", seconds_of(cost.steps, kDeriving + each.function.name)},
-                                 {"passes_s", seconds_of(cost.steps, kOptimising + each.function.name)},
-                                 {"mul", count.multiplications},
-                                 {"add", count.additions}});
-  }
-  return json;
+  return {{"robot", cost.robot},
+          {"processor_s", total.seconds},
+          {"peak_kilobytes", total.kilobytes},
+          {"stages", objects_of(stage_fields(total), stages_of_steps(cost.steps))},
+          {"functions", objects_of(function_fields(cost), cost.functions)}};
 }
 
 }  // namespace flatdyn

@@ -3,7 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "base/diagnostics/table.hpp"
+#include "report/cost_json.hpp"
+#include "report/fields.hpp"
 #include "report/plot/plot.hpp"
 
 namespace flatdyn {
@@ -12,6 +13,23 @@ namespace {
 using nlohmann::ordered_json;
 
 double megabytes(const GrowthRow& row) { return static_cast<double>(row.peak_kilobytes) / 1024; }
+
+const Fields<GrowthRow>& growth_fields() {
+  static const Fields<GrowthRow> all = {
+      {"  joints", "joints", &GrowthRow::joints, "  {}"},
+      {"mul", "mul", [](auto& row) { return row.operations.multiplications; }},
+      {"add", "add", [](auto& row) { return row.operations.additions; }},
+      {"sin/cos", "sincos", [](auto& row) { return row.operations.trigonometric; }},
+      {"ns", "", [](auto& row) { return row.time.median; }, "{:.4g}"},
+      {"quartiles", "", [](auto& row) { return fmt::format("{:.4g} .. {:.4g}", row.time.low, row.time.high); }},
+      {"", "ns", [](auto& row) { return quartiles_json(row.time); }},
+      {"scaled: max", "scaled_error", &GrowthRow::scaled_error, "{:.2g}"},
+      {"generated in s", "generation_s", &GrowthRow::generation, "{:.2g}"},
+      {"compiled in s", "compilation_s", &GrowthRow::compilation, "{:.2g}"},
+      {"compiler's MB", "", megabytes, "{:.0f}"},
+      {"", "compiler_kilobytes", &GrowthRow::peak_kilobytes}};
+  return all;
+}
 
 bool is_fitted(const GrowthCurve& curve) { return curve.rows.size() > 1; }
 
@@ -22,29 +40,8 @@ std::string exponents_of(const GrowthCurve& curve) {
 }
 
 std::string text_of(const GrowthCurve& curve) {
-  std::vector<std::vector<std::string>> rows = {{"  joints", "mul", "add", "sin/cos", "ns", "quartiles", "scaled: max",
-                                                 "generated in s", "compiled in s", "compiler's MB"}};
-  for (const GrowthRow& row : curve.rows) {
-    rows.push_back({fmt::format("  {}", row.joints), std::to_string(row.operations.multiplications),
-                    std::to_string(row.operations.additions), std::to_string(row.operations.trigonometric),
-                    fmt::format("{:.4g}", row.time.median),
-                    fmt::format("{:.4g} .. {:.4g}", row.time.low, row.time.high),
-                    fmt::format("{:.2g}", row.scaled_error), fmt::format("{:.2g}", row.generation),
-                    fmt::format("{:.2g}", row.compilation), fmt::format("{:.0f}", megabytes(row))});
-  }
-  return fmt::format("{}, {}: {}{}\n", curve.shape, curve.function, exponents_of(curve), aligned_table(rows));
-}
-
-ordered_json curve_json(const GrowthRow& row) {
-  return {{"joints", row.joints},
-          {"mul", row.operations.multiplications},
-          {"add", row.operations.additions},
-          {"sincos", row.operations.trigonometric},
-          {"ns", {{"low", row.time.low}, {"median", row.time.median}, {"high", row.time.high}}},
-          {"scaled_error", row.scaled_error},
-          {"generation_s", row.generation},
-          {"compilation_s", row.compilation},
-          {"compiler_kilobytes", row.peak_kilobytes}};
+  return fmt::format("{}, {}: {}{}\n", curve.shape, curve.function, exponents_of(curve),
+                     table_of(growth_fields(), curve.rows));
 }
 
 ordered_json curve_json(const GrowthCurve& curve) {
@@ -53,8 +50,7 @@ ordered_json curve_json(const GrowthCurve& curve) {
   json["fitted_from"] = is_fitted(curve) ? ordered_json(curve.fitted_from) : ordered_json();
   json["operation_exponent"] = exponent(curve.operation_exponent);
   json["time_exponent"] = exponent(curve.time_exponent);
-  json["sizes"] = ordered_json::array();
-  for (const GrowthRow& row : curve.rows) json["sizes"].push_back(curve_json(row));
+  json["sizes"] = objects_of(growth_fields(), curve.rows);
   return json;
 }
 

@@ -7,9 +7,9 @@
 #include <numeric>
 #include <tuple>
 
-#include "base/diagnostics/table.hpp"
 #include "laboratory/identify/gravity_search.hpp"
 #include "report/combination_table.hpp"
+#include "report/fields.hpp"
 #include "report/numbers.hpp"
 
 namespace flatdyn {
@@ -54,24 +54,69 @@ std::string data_text(const Measurement& measurement, const NonlinearUnknowns& u
   return text + "\n";
 }
 
-std::string torque_table(const TorqueModel& model, const Identification& found) {
-  std::vector<std::vector<std::string>> rows = {{"joint", "torque (rms)", "residual (rms)", "explained", "noise ratio",
-                                                 "correlation", "residual of the links", "rests below", "used"}};
-  const std::vector<double> rest_speeds = found.measurement.rest_speeds();
-  for (int i = first_equation(model, found.measurement.observations); i < model.equations(); ++i) {
-    const JointObservations& joint = found.measurement.observations.joints[static_cast<std::size_t>(i)];
-    const double torque = joint.rms_torque(), residual = joint.rms_residual(found.estimate.values);
+// How the parameters do in one equation of some logs.
+struct EquationFit {
+  std::string name;
+  double torque, residual, residual_of_links;  // rms, N m or N
+  JointFit fit;
+  long rows;
+  double share;                      // rows by all samples that are used
+  double rest_speed = 0, sigma = 0;  // rad/s or m/s, N m or N: of the logs that the parameters come from
+
+  double explained() const {
     const double part = torque > 0 ? residual / torque : 0;
-    const JointFit& fit = found.fits[static_cast<std::size_t>(i)];
-    rows.push_back({model.name_of(i), fmt::format("{:.4g}", torque), fmt::format("{:.3g}", residual),
-                    fmt::format("{:.4g} %", 100 * (1 - part * part)), fmt::format("{:.3g}", fit.ratio),
-                    fmt::format("{:.2f}", fit.correlation),
-                    fmt::format("{:.3g}", joint.rms_residual(found.physical_values())),
-                    fmt::format("{:.2g}", rest_speeds[static_cast<std::size_t>(i)]),
-                    fmt::format("{:.3g} %", 100.0 * static_cast<double>(joint.rows) /
-                                                static_cast<double>(found.measurement.count.used))});
+    return 1 - part * part;
   }
-  return aligned_table(rows) +
+};
+
+std::vector<EquationFit> fits_in(const Measurement& measurement, const std::vector<JointFit>& fits,
+                                 const TorqueModel& model, const Identification& found) {
+  const Eigen::VectorXd of_links = found.physical_values();
+  std::vector<EquationFit> all;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const JointObservations& joint = measurement.observations.joints[i];
+    all.push_back({model.name_of(static_cast<int>(i)), joint.rms_torque(), joint.rms_residual(found.estimate.values),
+                   joint.rms_residual(of_links), fits[i], joint.rows,
+                   static_cast<double>(joint.rows) / static_cast<double>(measurement.count.used)});
+  }
+  return all;
+}
+
+std::vector<EquationFit> fits_of_estimate(const TorqueModel& model, const Identification& found) {
+  std::vector<EquationFit> all = fits_in(found.measurement, found.fits, model, found);
+  const std::vector<double> rest_speeds = found.measurement.rest_speeds();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].rest_speed = rest_speeds[i];
+    all[i].sigma = found.estimate.torque_deviations(static_cast<Eigen::Index>(i));
+  }
+  return all;
+}
+
+// The fields of the logs that the parameters come from, or of those that they are judged by.
+Fields<EquationFit> equation_fields(bool is_validation) {
+  return {{is_validation ? "validation" : "joint", "name", &EquationFit::name},
+          {"torque (rms)", "rms_torque", &EquationFit::torque, "{:.4g}"},
+          {"residual (rms)", "rms_residual", &EquationFit::residual, "{:.3g}"},
+          {"explained", "", [](auto& each) { return 100 * each.explained(); }, "{:.4g} %"},
+          {"noise ratio", "noise_ratio", [](auto& each) { return each.fit.ratio; }, "{:.3g}"},
+          {"correlation", "residual_correlation", [](auto& each) { return each.fit.correlation; }, "{:.2f}"},
+          {is_validation ? "of the links" : "residual of the links", "rms_residual_of_links",
+           &EquationFit::residual_of_links, "{:.3g}"},
+          {is_validation ? "" : "rests below", "", &EquationFit::rest_speed, "{:.2g}"},
+          {"used", "", [](auto& each) { return 100 * each.share; }, "{:.3g} %"},
+          {"", "rows", &EquationFit::rows},
+          {"", is_validation ? "" : "sigma", &EquationFit::sigma}};
+}
+
+// Without the equations of a floating base's force where the logs lack it.
+std::string fit_table(const TorqueModel& model, const Measurement& measurement, std::vector<EquationFit> fits,
+                      bool is_validation) {
+  fits.erase(fits.begin(), fits.begin() + first_equation(model, measurement.observations));
+  return table_of(equation_fields(is_validation), fits);
+}
+
+std::string fit_text(const TorqueModel& model, const Identification& found) {
+  return fit_table(model, found.measurement, fits_of_estimate(model, found), false) +
          "noise ratio: residual to what the noise above the filter's band leaves; correlation: of residuals one row "
          "apart.\nSound: a ratio below 1.5, or below 4 with a correlation below 0.5. Rests below: rad/s or m/s. Used: "
          "share of rows.\n";
@@ -251,22 +296,9 @@ std::string verdict_text(const TorqueModel& model, const Identification& found) 
 // How the parameters do on other logs, in a table and a sentence.
 std::string validation_text(const TorqueModel& model, const Identification& found) {
   if (!found.validation) return "";
-  std::vector<std::vector<std::string>> rows = {{"validation", "torque (rms)", "residual (rms)", "explained",
-                                                 "noise ratio", "correlation", "of the links", "used"}};
-  for (auto i = static_cast<std::size_t>(first_equation(model, found.validation->observations));
-       i < found.validation_fits.size(); ++i) {
-    const JointObservations& joint = found.validation->observations.joints[i];
-    const double torque = joint.rms_torque(), residual = joint.rms_residual(found.estimate.values);
-    const double part = torque > 0 ? residual / torque : 0;
-    rows.push_back({model.name_of(static_cast<int>(i)), fmt::format("{:.4g}", torque), fmt::format("{:.3g}", residual),
-                    fmt::format("{:.4g} %", 100 * (1 - part * part)),
-                    fmt::format("{:.3g}", found.validation_fits[i].ratio),
-                    fmt::format("{:.2f}", found.validation_fits[i].correlation),
-                    fmt::format("{:.3g}", joint.rms_residual(found.physical_values())),
-                    fmt::format("{:.3g} %", 100.0 * static_cast<double>(joint.rows) /
-                                                static_cast<double>(found.validation->count.used))});
-  }
-  return "\n" + aligned_table(rows) + verdict_text(model, found);
+  const Measurement& judged = *found.validation;
+  return "\n" + fit_table(model, judged, fits_in(judged, found.validation_fits, model, found), true) +
+         verdict_text(model, found);
 }
 
 }  // namespace
@@ -275,30 +307,13 @@ std::string describe_identification(const TorqueEquations& equations, const Iden
                                     ParameterFrames frames) {
   const TorqueModel& model = equations.model();
   const Estimate& estimate = found.estimate;
-  return data_text(found.measurement, found.unknowns) + "\n" + torque_table(model, found) + "\n" +
+  return data_text(found.measurement, found.unknowns) + "\n" + fit_text(model, found) + "\n" +
          parameter_table(equations, found, frames) + conditioning_text(estimate) +
          untold_text(equations, estimate, first_equation(model, found.measurement.observations) > 0) +
          physical_text(found.physical) + further_of_links_text(equations, found) + validation_text(model, found);
 }
 
 namespace {
-
-// How the parameters do on some logs, by joint.
-nlohmann::ordered_json joints_json(const TorqueModel& model, const Observations& observations,
-                                   const std::vector<JointFit>& fits, const Identification& found) {
-  nlohmann::ordered_json list;
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    const JointObservations& joint = observations.joints[i];
-    list.push_back({{"name", model.name_of(static_cast<int>(i))},
-                    {"rms_torque", joint.rms_torque()},
-                    {"rms_residual", joint.rms_residual(found.estimate.values)},
-                    {"rms_residual_of_links", joint.rms_residual(found.physical_values())},
-                    {"rows", joint.rows},
-                    {"noise_ratio", fits[i].ratio},
-                    {"residual_correlation", fits[i].correlation}});
-  }
-  return list;
-}
 
 // Without the entries of a floating base.
 std::vector<double> of_joints(const TorqueModel& model, const std::vector<double>& by_equation) {
@@ -361,10 +376,7 @@ nlohmann::ordered_json identification_json(const TorqueEquations& equations, con
                             {"decimation", log.filter.decimate},
                             {"rest_speed", log.rest_speed}});
   }
-  json["joints"] = joints_json(model, found.measurement.observations, found.fits, found);
-  for (std::size_t i = 0; i < json["joints"].size(); ++i) {
-    json["joints"][i]["sigma"] = estimate.torque_deviations(static_cast<Eigen::Index>(i));
-  }
+  json["joints"] = objects_of(equation_fields(false), fits_of_estimate(model, found));
   add_parameters(equations, found, frames, json);
   json["singular_values"] = list(estimate.singular_values);
   json["condition_number"] = estimate.condition();
@@ -377,7 +389,8 @@ nlohmann::ordered_json identification_json(const TorqueEquations& equations, con
     json["hypothesis"] = {{"text", found.hypothesis->text}, {"explained", found.hypothesis->explained}};
   }
   if (found.validation) {
-    json["validation"] = joints_json(model, found.validation->observations, found.validation_fits, found);
+    json["validation"] =
+        objects_of(equation_fields(true), fits_in(*found.validation, found.validation_fits, model, found));
   }
   json["doubts"] = found.warning_texts;
   json["damped"] = json["hidden"] = nlohmann::ordered_json::array();

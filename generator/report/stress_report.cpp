@@ -6,34 +6,21 @@
 
 #include <cmath>
 
-#include "base/diagnostics/table.hpp"
+#include "report/fields.hpp"
 
 namespace flatdyn {
 namespace {
 
 using nlohmann::ordered_json;
 
-std::string two_digits(double value) { return fmt::format("{:.2g}", value); }
-
-std::vector<std::string> table_row(const StressReport& report, const StressRow& row) {
+std::string verdict_text(const StressReport& report, const StressRow& row) {
   const bool is_lost = row.lost.ratio > report.options.ratio;
   const bool is_large = row.worst.error.scaled > report.options.bound;
   const std::string verdict = is_lost ? "LOST" : is_large ? "LARGE" : "ok";
-  return {row.function,
-          row.scalar,
-          two_digits(row.random.percentile_99),
-          two_digits(row.random.largest),
-          two_digits(row.edge),
-          two_digits(row.worst.error.scaled),
-          row.worst.where,
-          row.worst.variant,
-          two_digits(row.worst.error.condition),
-          two_digits(row.worst.reference),
-          two_digits(row.lost.ratio),
-          row.refused > 0 ? fmt::format("{} ({} of {} refused)", verdict, row.refused, row.tried) : verdict};
+  return row.refused > 0 ? fmt::format("{} ({} of {} refused)", verdict, row.refused, row.tried) : verdict;
 }
 
-ordered_json stress_row_json(const StressReport& report, const StressRow& row, const StressFinding& finding) {
+ordered_json finding_json(const StressReport& report, const StressRow& row, const StressFinding& finding) {
   return {{"found", finding.where},
           {"variant", finding.variant},
           {"scaled_error", finding.error.scaled},
@@ -45,18 +32,33 @@ ordered_json stress_row_json(const StressReport& report, const StressRow& row, c
           {"state", state_csv(report, row, finding.state)}};
 }
 
-ordered_json stress_row_json(const StressReport& report, const StressRow& row) {
-  ordered_json json = {
-      {"function", row.function}, {"scalar", row.scalar},
-      {"states", row.states},     {"tried", row.tried},
-      {"refused", row.refused},   {"random", {{"p99", row.random.percentile_99}, {"max", row.random.largest}}},
-      {"edge_max", row.edge}};
-  for (const auto& [name, largest] : row.variants) json["variants"][name] = largest;
-  json["worst"] = stress_row_json(report, row, row.worst);
-  json["lost"] = stress_row_json(report, row, row.lost);
-  json["histogram"] = row.histogram;
-  json["passed"] = row.passed;
+ordered_json variants_json(const StressRow& row) {
+  ordered_json json;
+  for (const auto& [name, largest] : row.variants) json[name] = largest;
   return json;
+}
+
+Fields<StressRow> stress_fields(const StressReport& report) {
+  return {{"function", "function", &StressRow::function},
+          {"scalar", "scalar", &StressRow::scalar},
+          {"", "states", &StressRow::states},
+          {"", "tried", &StressRow::tried},
+          {"", "refused", &StressRow::refused},
+          {"random: p99", "random.p99", [](auto& row) { return row.random.percentile_99; }, "{:.2g}"},
+          {"max", "random.max", [](auto& row) { return row.random.largest; }, "{:.2g}"},
+          {"edge", "edge_max", &StressRow::edge, "{:.2g}"},
+          {"", "variants", variants_json},
+          {"worst", "", [](auto& row) { return row.worst.error.scaled; }, "{:.2g}"},
+          {"found", "", [](auto& row) { return row.worst.where; }},
+          {"variant", "", [](auto& row) { return row.worst.variant; }},
+          {"condition", "", [](auto& row) { return row.worst.error.condition; }, "{:.2g}"},
+          {"reference", "", [](auto& row) { return row.worst.reference; }, "{:.2g}"},
+          {"ratio", "", [](auto& row) { return row.lost.ratio; }, "{:.2g}"},
+          {" ", "", [&report](auto& row) { return verdict_text(report, row); }},
+          {"", "worst", [&report](auto& row) { return finding_json(report, row, row.worst); }},
+          {"", "lost", [&report](auto& row) { return finding_json(report, row, row.lost); }},
+          {"", "histogram", &StressRow::histogram},
+          {"", "passed", &StressRow::passed}};
 }
 
 // The rows for `eval` to repeat: those that did not pass; of the others, the worst in double.
@@ -101,14 +103,10 @@ std::string state_csv(const StressReport& report, const StressRow& row, const St
 }
 
 std::string stress_text(const StressReport& report) {
-  std::vector<std::vector<std::string>> rows = {{"function", "scalar", "random: p99", "max", "edge", "worst", "found",
-                                                 "variant", "condition", "reference", "ratio", ""}};
   std::size_t states = 0;
-  for (const StressRow& row : report.rows) {
-    rows.push_back(table_row(report, row));
-    states = std::max(states, row.states);
-  }
-  std::string text = fmt::format("{}: up to {} random states each\n\n{}\n", report.robot, states, aligned_table(rows));
+  for (const StressRow& row : report.rows) states = std::max(states, row.states);
+  std::string text = fmt::format("{}: up to {} random states each\n\n{}\n", report.robot, states,
+                                 table_of(stress_fields(report), report.rows));
   text += fmt::format(
       "errors: scaled, in units of the last place of the scalar, of the size of the entry's own terms; every source "
       "of\n"
@@ -123,11 +121,13 @@ std::string stress_text(const StressReport& report) {
 }
 
 ordered_json stress_json(const StressReport& report) {
-  ordered_json json = {{"robot", report.robot},         {"seed", report.options.seed}, {"bound", report.options.bound},
-                       {"ratio", report.options.ratio}, {"passed", report.passed()},   {"left_out", report.left_out}};
-  json["rows"] = ordered_json::array();
-  for (const StressRow& row : report.rows) json["rows"].push_back(stress_row_json(report, row));
-  return json;
+  return {{"robot", report.robot},
+          {"seed", report.options.seed},
+          {"bound", report.options.bound},
+          {"ratio", report.options.ratio},
+          {"passed", report.passed()},
+          {"left_out", report.left_out},
+          {"rows", objects_of(stress_fields(report), report.rows)}};
 }
 
 }  // namespace flatdyn

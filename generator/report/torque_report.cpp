@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "base/diagnostics/table.hpp"
+#include "report/fields.hpp"
 
 namespace flatdyn {
 namespace {
@@ -64,6 +65,45 @@ std::size_t peak(const std::vector<double>& values) {
   return static_cast<std::size_t>(
       std::max_element(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
       values.begin());
+}
+
+// The largest torque of a joint along the trajectory, and the largest of each group of contributions by itself.
+struct JointPeak {
+  std::string joint, unit;
+  double torque, time;                       // N m or N, s
+  std::vector<std::optional<double>> parts;  // by group
+};
+
+std::vector<JointPeak> peaks_of(const Mechanism& mechanism, const Trajectory& trajectory,
+                                const TorqueHistory& history) {
+  std::vector<JointPeak> peaks;
+  for (int i = 0; i < mechanism.size(); ++i) {
+    const Body& body = mechanism.joints()[static_cast<std::size_t>(i)];
+    const std::vector<double> tau = torques_of(history, i);
+    const std::size_t at = peak(tau);
+    JointPeak& each =
+        peaks.emplace_back(JointPeak{body.joint, torque_unit(body), tau[at], trajectory.points[at].time, {}});
+    for (const TermGroup& group : groups()) {
+      const std::vector<double> sums = sum_of(group, history, i);
+      each.parts.push_back(occurs(group, history, i) ? std::optional(sums[peak(sums)]) : std::nullopt);
+    }
+  }
+  return peaks;
+}
+
+Fields<JointPeak> peak_fields(const TorqueHistory& history) {
+  using Json = nlohmann::ordered_json;
+  Fields<JointPeak> fields = {{"joint", "joint", &JointPeak::joint},
+                              {"unit", "unit", &JointPeak::unit},
+                              {"torque", "torque", &JointPeak::torque, "{:.4g}"},
+                              {"at", "at", &JointPeak::time, "{:.4g} s"}};
+  for (std::size_t k = 0; k < groups().size(); ++k) {
+    if (!occurs(groups()[k], history)) continue;
+    fields.push_back({groups()[k].name, "", [k](auto& each) { return each.parts[k].value_or(0); }, "{:.4g}"});
+    fields.push_back({"", std::string("contributions.") + groups()[k].key,
+                      [k](auto& each) { return each.parts[k] ? Json(*each.parts[k]) : Json(); }});
+  }
+  return fields;
 }
 
 std::string term_label(const TorqueTerm& term) {
@@ -152,47 +192,18 @@ TimeTable torque_table(const Trajectory& trajectory, const ByPoint& q, const Tor
 }
 
 std::string describe_torques(const Mechanism& mechanism, const Trajectory& trajectory, const TorqueHistory& history) {
-  std::vector<std::vector<std::string>> rows = {{"joint", "unit", "torque", "at"}};
-  for (const TermGroup& group : groups()) {
-    if (occurs(group, history)) rows[0].emplace_back(group.name);
-  }
-  for (int i = 0; i < mechanism.size(); ++i) {
-    const Body& body = mechanism.joints()[static_cast<std::size_t>(i)];
-    const std::vector<double> tau = torques_of(history, i);
-    const std::size_t at = peak(tau);
-    std::vector<std::string> row = {body.joint, torque_unit(body), fmt::format("{:.4g}", tau[at]),
-                                    fmt::format("{:.4g} s", trajectory.points[at].time)};
-    for (const TermGroup& group : groups()) {
-      if (!occurs(group, history)) continue;
-      const std::vector<double> sums = sum_of(group, history, i);
-      row.push_back(occurs(group, history, i) ? fmt::format("{:.4g}", sums[peak(sums)]) : "0");
-    }
-    rows.push_back(row);
-  }
   return fmt::format("{:.6g} s, {} samples; largest torques, and largest of each contribution by itself:\n\n{}",
-                     trajectory.duration(), trajectory.points.size(), aligned_table(rows));
+                     trajectory.duration(), trajectory.points.size(),
+                     table_of(peak_fields(history), peaks_of(mechanism, trajectory, history)));
 }
 
 nlohmann::ordered_json torques_json(const Mechanism& mechanism, const Trajectory& trajectory,
                                     const TorqueHistory& history) {
-  nlohmann::ordered_json json = {{"robot", mechanism.name},
-                                 {"duration", trajectory.duration()},
-                                 {"samples", trajectory.points.size()},
-                                 {"disagreement", history.disagreement}};
-  for (int i = 0; i < mechanism.size(); ++i) {
-    const Body& body = mechanism.joints()[static_cast<std::size_t>(i)];
-    const std::vector<double> tau = torques_of(history, i);
-    const std::size_t at = peak(tau);
-    nlohmann::ordered_json joint = {
-        {"joint", body.joint}, {"unit", torque_unit(body)}, {"torque", tau[at]}, {"at", trajectory.points[at].time}};
-    for (const TermGroup& group : groups()) {
-      if (!occurs(group, history, i)) continue;
-      const std::vector<double> sums = sum_of(group, history, i);
-      joint["contributions"][group.key] = sums[peak(sums)];
-    }
-    json["joints"].push_back(joint);
-  }
-  return json;
+  return {{"robot", mechanism.name},
+          {"duration", trajectory.duration()},
+          {"samples", trajectory.points.size()},
+          {"disagreement", history.disagreement},
+          {"joints", objects_of(peak_fields(history), peaks_of(mechanism, trajectory, history))}};
 }
 
 std::vector<PanelColumns> motion_panels(const Mechanism& mechanism, bool tip_force) {
