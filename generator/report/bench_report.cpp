@@ -20,7 +20,7 @@ std::string nanoseconds(double time) {
 std::string quartiles_of(const Quartiles& time) { return nanoseconds(time.low) + " .. " + nanoseconds(time.high); }
 
 // A peer's operations and bytes are not known.
-Fields<BenchRow> bench_fields(const std::string& unit) {
+ReportFields<BenchRow> bench_fields(const std::string& unit) {
   using Json = ordered_json;
   return {{"  variant", "variant", &BenchRow::variant, "  {}"},
           {"", "peer", &BenchRow::is_peer},
@@ -42,13 +42,14 @@ Fields<BenchRow> bench_fields(const std::string& unit) {
           {"", "front", &BenchRow::on_front}};
 }
 
-const Fields<BenchStep>& step_fields() {
-  static const Fields<BenchStep> all = {{"  step", "name", &BenchStep::name, "  {}"},
-                                        {"operations", "", [](auto& step) { return step.operations.arithmetic(); }},
-                                        {"", "operations", [](auto& step) { return operations_json(step.operations); }},
-                                        {"ns", "", [](auto& step) { return nanoseconds(step.time.median); }},
-                                        {"quartiles", "", [](auto& step) { return quartiles_of(step.time); }},
-                                        {"", "ns", [](auto& step) { return quartiles_json(step.time); }}};
+const ReportFields<BenchStep>& step_fields() {
+  static const ReportFields<BenchStep> all = {
+      {"  step", "name", &BenchStep::name, "  {}"},
+      {"operations", "", [](auto& step) { return step.operations.arithmetic(); }},
+      {"", "operations", [](auto& step) { return operations_json(step.operations); }},
+      {"ns", "", [](auto& step) { return nanoseconds(step.time.median); }},
+      {"quartiles", "", [](auto& step) { return quartiles_of(step.time); }},
+      {"", "ns", [](auto& step) { return quartiles_json(step.time); }}};
   return all;
 }
 

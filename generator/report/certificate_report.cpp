@@ -42,7 +42,7 @@ const char* verdict_name(Verdict verdict) {
   return verdict == Verdict::proven ? "proven" : verdict == Verdict::refused ? "refused" : "out of time";
 }
 
-Fields<CertifiedOutput> output_fields(const Certificate& certificate) {
+ReportFields<CertifiedOutput> output_fields(const Certificate& certificate) {
   using Json = nlohmann::ordered_json;
   const auto effort_used = [](const CertifiedOutput& each) {
     return each.effort ? Json(100 * each.bound / *each.effort) : Json();

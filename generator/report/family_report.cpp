@@ -19,7 +19,7 @@ std::string verdict(const FamilyReport& report, const StressRow& row) {
   return row.refused > 0 ? fmt::format("{} ({} of {} refused)", text, row.refused, row.tried) : text;
 }
 
-Fields<FamilyRow> family_fields(const FamilyReport& report) {
+ReportFields<FamilyRow> family_fields(const FamilyReport& report) {
   return {{"robot", "robot", &FamilyRow::label},
           {"", "parameter", &FamilyRow::parameter},
           {"joints", "joints", &FamilyRow::joints},

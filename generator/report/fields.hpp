@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a report says of each thing, once: a row of Fields is a column of the table that people read, a key of the
+// What a report says of each thing, once: a row of ReportFields is a column of the table that people read, a key of the
 // JSON that programs read, or both.
 #pragma once
 
@@ -13,7 +13,7 @@
 namespace flatdyn {
 
 template <class Thing>
-struct Field {
+struct ReportField {
   std::string heading;  // the column's, in the table, " " if it has none; "": the table has no such column
   std::string key;      // in JSON, "ns.low" for low in the object ns; "": the JSON has no such key
   std::function<nlohmann::ordered_json(const Thing&)> value;  // null: an empty cell, and no key
@@ -21,7 +21,7 @@ struct Field {
 };
 
 template <class Thing>
-using Fields = std::vector<Field<Thing>>;
+using ReportFields = std::vector<ReportField<Thing>>;
 
 // A value as a cell of a table.
 std::string cell_of(const nlohmann::ordered_json& value, const std::string& format);
@@ -31,9 +31,9 @@ void put_value(nlohmann::ordered_json& object, const std::string& key, nlohmann:
 
 // The cells of a table: the headings, and a row for each thing.
 template <class Thing>
-std::vector<std::vector<std::string>> cells_of(const Fields<Thing>& fields, const std::vector<Thing>& things) {
+std::vector<std::vector<std::string>> cells_of(const ReportFields<Thing>& fields, const std::vector<Thing>& things) {
   std::vector<std::vector<std::string>> rows(1 + things.size());
-  for (const Field<Thing>& field : fields) {
+  for (const ReportField<Thing>& field : fields) {
     if (field.heading.empty()) continue;
     rows[0].push_back(field.heading);
     for (std::size_t k = 0; k < things.size(); ++k) {
@@ -44,14 +44,14 @@ std::vector<std::vector<std::string>> cells_of(const Fields<Thing>& fields, cons
 }
 
 template <class Thing>
-std::string table_of(const Fields<Thing>& fields, const std::vector<Thing>& things) {
+std::string table_of(const ReportFields<Thing>& fields, const std::vector<Thing>& things) {
   return aligned_table(cells_of(fields, things));
 }
 
 template <class Thing>
-nlohmann::ordered_json object_of(const Fields<Thing>& fields, const Thing& thing) {
+nlohmann::ordered_json object_of(const ReportFields<Thing>& fields, const Thing& thing) {
   nlohmann::ordered_json object = nlohmann::ordered_json::object();
-  for (const Field<Thing>& field : fields) {
+  for (const ReportField<Thing>& field : fields) {
     if (!field.key.empty()) put_value(object, field.key, field.value(thing));
   }
   return object;
@@ -59,7 +59,7 @@ nlohmann::ordered_json object_of(const Fields<Thing>& fields, const Thing& thing
 
 // A list of objects, one for each thing; [] if there is none.
 template <class Thing>
-nlohmann::ordered_json objects_of(const Fields<Thing>& fields, const std::vector<Thing>& things) {
+nlohmann::ordered_json objects_of(const ReportFields<Thing>& fields, const std::vector<Thing>& things) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Thing& thing : things) list.push_back(object_of(fields, thing));
   return list;

@@ -54,7 +54,7 @@ Total total_of(const std::vector<Progress::Step>& steps) {
 
 double megabytes_of(long kilobytes) { return static_cast<double>(kilobytes) / 1024; }
 
-Fields<Progress::Step> stage_fields(const Total& total) {
+ReportFields<Progress::Step> stage_fields(const Total& total) {
   const double all = std::max(total.seconds, 1e-9);
   return {{"stage", "stage", &Progress::Step::what},
           {"processor s", "processor_s", &Progress::Step::processor_seconds, "{:.3f}"},
@@ -63,7 +63,7 @@ Fields<Progress::Step> stage_fields(const Total& total) {
           {"", "peak_kilobytes", &Progress::Step::peak_kilobytes}};
 }
 
-Fields<OptimisedFunction> function_fields(const GeneratorCost& cost) {
+ReportFields<OptimisedFunction> function_fields(const GeneratorCost& cost) {
   const auto seconds_to = [&cost](const char* what) {
     return [&cost, what](const OptimisedFunction& each) { return seconds_of(cost.steps, what + each.function.name); };
   };

@@ -8,18 +8,18 @@
 namespace flatdyn {
 namespace {
 
-const Fields<GpuRow>& gpu_fields() {
-  static const Fields<GpuRow> all = {{"robot", "robot", &GpuRow::robot},
-                                     {"function", "function", &GpuRow::function},
-                                     {"layout", "layout", &GpuRow::layout},
-                                     {"scalar", "scalar", &GpuRow::scalar},
-                                     {"ns a state", "ns_per_state", &GpuRow::time, "{:.4f}"},
-                                     {"registers", "registers", &GpuRow::registers},
-                                     {"local bytes", "local_bytes", &GpuRow::local_bytes},
-                                     {"GB/s", "gb_per_s", &GpuRow::throughput, "{:.0f}"},
-                                     {"error, ulp", "error_ulp", &GpuRow::error, "{:.1f}"},
-                                     {"kernels", "kernels", &GpuRow::kernels},
-                                     {"one state, us", "single_state_us", &GpuRow::single, "{:.1f}"}};
+const ReportFields<GpuRow>& gpu_fields() {
+  static const ReportFields<GpuRow> all = {{"robot", "robot", &GpuRow::robot},
+                                           {"function", "function", &GpuRow::function},
+                                           {"layout", "layout", &GpuRow::layout},
+                                           {"scalar", "scalar", &GpuRow::scalar},
+                                           {"ns a state", "ns_per_state", &GpuRow::time, "{:.4f}"},
+                                           {"registers", "registers", &GpuRow::registers},
+                                           {"local bytes", "local_bytes", &GpuRow::local_bytes},
+                                           {"GB/s", "gb_per_s", &GpuRow::throughput, "{:.0f}"},
+                                           {"error, ulp", "error_ulp", &GpuRow::error, "{:.1f}"},
+                                           {"kernels", "kernels", &GpuRow::kernels},
+                                           {"one state, us", "single_state_us", &GpuRow::single, "{:.1f}"}};
   return all;
 }
 

@@ -14,8 +14,8 @@ using nlohmann::ordered_json;
 
 double megabytes(const GrowthRow& row) { return static_cast<double>(row.peak_kilobytes) / 1024; }
 
-const Fields<GrowthRow>& growth_fields() {
-  static const Fields<GrowthRow> all = {
+const ReportFields<GrowthRow>& growth_fields() {
+  static const ReportFields<GrowthRow> all = {
       {"  joints", "joints", &GrowthRow::joints, "  {}"},
       {"mul", "mul", [](auto& row) { return row.operations.multiplications; }},
       {"add", "add", [](auto& row) { return row.operations.additions; }},

@@ -93,7 +93,7 @@ std::vector<EquationFit> fits_of_estimate(const TorqueModel& model, const Identi
 }
 
 // The fields of the logs that the parameters come from, or of those that they are judged by.
-Fields<EquationFit> equation_fields(bool is_validation) {
+ReportFields<EquationFit> equation_fields(bool is_validation) {
   return {{is_validation ? "validation" : "joint", "name", &EquationFit::name},
           {"torque (rms)", "rms_torque", &EquationFit::torque, "{:.4g}"},
           {"residual (rms)", "rms_residual", &EquationFit::residual, "{:.3g}"},
@@ -109,14 +109,14 @@ Fields<EquationFit> equation_fields(bool is_validation) {
 }
 
 // Without the equations of a floating base's force where the logs lack it.
-std::string fit_table(const TorqueModel& model, const Measurement& measurement, std::vector<EquationFit> fits,
-                      bool is_validation) {
+std::string equation_table(const TorqueModel& model, const Measurement& measurement, std::vector<EquationFit> fits,
+                           bool is_validation) {
   fits.erase(fits.begin(), fits.begin() + first_equation(model, measurement.observations));
   return table_of(equation_fields(is_validation), fits);
 }
 
 std::string fit_text(const TorqueModel& model, const Identification& found) {
-  return fit_table(model, found.measurement, fits_of_estimate(model, found), false) +
+  return equation_table(model, found.measurement, fits_of_estimate(model, found), false) +
          "noise ratio: residual to what the noise above the filter's band leaves; correlation: of residuals one row "
          "apart.\nSound: a ratio below 1.5, or below 4 with a correlation below 0.5. Rests below: rad/s or m/s. Used: "
          "share of rows.\n";
@@ -297,7 +297,7 @@ std::string verdict_text(const TorqueModel& model, const Identification& found) 
 std::string validation_text(const TorqueModel& model, const Identification& found) {
   if (!found.validation) return "";
   const Measurement& judged = *found.validation;
-  return "\n" + fit_table(model, judged, fits_in(judged, found.validation_fits, model, found), true) +
+  return "\n" + equation_table(model, judged, fits_in(judged, found.validation_fits, model, found), true) +
          verdict_text(model, found);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string verdict_text(const StressReport& report, const StressRow& row) {
+std::string stress_verdict(const StressReport& report, const StressRow& row) {
   const bool is_lost = row.lost.ratio > report.options.ratio;
   const bool is_large = row.worst.error.scaled > report.options.bound;
   const std::string verdict = is_lost ? "LOST" : is_large ? "LARGE" : "ok";
@@ -38,7 +38,7 @@ ordered_json variants_json(const StressRow& row) {
   return json;
 }
 
-Fields<StressRow> stress_fields(const StressReport& report) {
+ReportFields<StressRow> stress_fields(const StressReport& report) {
   return {{"function", "function", &StressRow::function},
           {"scalar", "scalar", &StressRow::scalar},
           {"", "states", &StressRow::states},
@@ -54,7 +54,7 @@ Fields<StressRow> stress_fields(const StressReport& report) {
           {"condition", "", [](auto& row) { return row.worst.error.condition; }, "{:.2g}"},
           {"reference", "", [](auto& row) { return row.worst.reference; }, "{:.2g}"},
           {"ratio", "", [](auto& row) { return row.lost.ratio; }, "{:.2g}"},
-          {" ", "", [&report](auto& row) { return verdict_text(report, row); }},
+          {" ", "", [&report](auto& row) { return stress_verdict(report, row); }},
           {"", "worst", [&report](auto& row) { return finding_json(report, row, row.worst); }},
           {"", "lost", [&report](auto& row) { return finding_json(report, row, row.lost); }},
           {"", "histogram", &StressRow::histogram},

@@ -91,12 +91,12 @@ std::vector<JointPeak> peaks_of(const Mechanism& mechanism, const Trajectory& tr
   return peaks;
 }
 
-Fields<JointPeak> peak_fields(const TorqueHistory& history) {
+ReportFields<JointPeak> peak_fields(const TorqueHistory& history) {
   using Json = nlohmann::ordered_json;
-  Fields<JointPeak> fields = {{"joint", "joint", &JointPeak::joint},
-                              {"unit", "unit", &JointPeak::unit},
-                              {"torque", "torque", &JointPeak::torque, "{:.4g}"},
-                              {"at", "at", &JointPeak::time, "{:.4g} s"}};
+  ReportFields<JointPeak> fields = {{"joint", "joint", &JointPeak::joint},
+                                    {"unit", "unit", &JointPeak::unit},
+                                    {"torque", "torque", &JointPeak::torque, "{:.4g}"},
+                                    {"at", "at", &JointPeak::time, "{:.4g} s"}};
   for (std::size_t k = 0; k < groups().size(); ++k) {
     if (!occurs(groups()[k], history)) continue;
     fields.push_back({groups()[k].name, "", [k](auto& each) { return each.parts[k].value_or(0); }, "{:.4g}"});

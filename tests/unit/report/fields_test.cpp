@@ -19,7 +19,7 @@ struct Motor {
 
 const std::vector<Motor> kMotors = {{"α", 4, 0.25, 12.5}, {"hip", 12, std::numeric_limits<double>::infinity(), {}}};
 
-Fields<Motor> motor_fields() {
+ReportFields<Motor> motor_fields() {
   using Json = nlohmann::ordered_json;
   return {{"motor", "name", &Motor::name},
           {"poles", "", &Motor::poles, "{:03}"},
