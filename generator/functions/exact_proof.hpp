@@ -5,8 +5,8 @@
 
 namespace flatdyn {
 
-// Compares every output entry with the definition of the function's row (definition/exact.hpp). Throws Failure(bug) for
-// a function without a row.
+// Compares every output entry with the definition of the function's row (truth/definition/exact.hpp). Throws
+// Failure(bug) for a function without a row.
 ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, const ExactOptions& options = {});
 
 }  // namespace flatdyn

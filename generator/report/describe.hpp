@@ -12,8 +12,8 @@
 
 namespace flatdyn {
 
-// Joints, merged links, and snapped numbers with their effects (verify/snap_effect.hpp). JSON also has the canonical
-// frames and the inertial parameters in them: numbers, or the text of an expression in the free symbols.
+// Joints, merged links, and snapped numbers with their effects (proof/verify/snap_effect.hpp). JSON also has the
+// canonical frames and the inertial parameters in them: numbers, or the text of an expression in the free symbols.
 std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_effects, SnapDetail detail);
 nlohmann::ordered_json model_json(const LoadedRobot& model, const SnapEffects& snap_effects);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers of the robot file that were snapped to exact ones, with the effect of each (verify/snap_effect.hpp).
+// Numbers of the robot file that were snapped to exact ones, with the effect of each (proof/verify/snap_effect.hpp).
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -69,7 +69,7 @@ TEST(HowToAdd, AFunctionThatTheProgramThenVerifies) {
   std::string rows = content(table);
   for (const Block& block : blocks_of(content(FLATDYN_SOURCE_DIR "/docs/how-to-add.md"))) {
     if (block.code.starts_with("// SPDX")) write(folder / block.file, block.code);
-    if (block.code.starts_with("#include")) insert_before(rows, "#include \"diagnostics/", block.code);
+    if (block.code.starts_with("#include")) insert_before(rows, "#include \"base/diagnostics/", block.code);
     if (block.code.starts_with("    {.name")) insert_before(rows, "};\n\n}  // namespace", block.code);
   }
   write(table, rows);

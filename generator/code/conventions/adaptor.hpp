@@ -28,7 +28,7 @@ struct Adaptor {
   ShapedFunction shape;
 };
 
-// The adaptor of a function that the convention has (conventions/coverage.hpp).
+// The adaptor of a function that the convention has (code/conventions/coverage.hpp).
 Adaptor adaptor(const AdaptedCode& code, std::size_t function);
 
 }  // namespace flatdyn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The text about the angles whose sines and cosines emitted functions need (lower/angles.hpp).
+// The text about the angles whose sines and cosines emitted functions need (code/lower/angles.hpp).
 #pragma once
 
 #include <string>

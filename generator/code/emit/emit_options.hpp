@@ -25,7 +25,7 @@ struct EmitOptions {
   std::string scene_stamp;        // the content of the scene file
   std::string scene_facts;        // sentences about what a scene has fixed
   int most_lines = 0;             // limit of lines per function; 0: only that of compilers
-  std::string language = "c++";   // the value of --language, a row of languages/language_table.hpp
+  std::string language = "c++";   // the value of --language, a row of code/languages/language_table.hpp
   std::string file_name{};        // name of header and source without extension; empty: the robot's name
   Form form = Form::header;
   Sines sines = Sines::polynomials;

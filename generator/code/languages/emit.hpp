@@ -64,7 +64,7 @@ std::vector<StraightCall> straight_calls(const Mechanism& mechanism, const std::
 
 // The same functions over arrays of states, several states at a time in the lanes of SIMD registers: a source in GNU C
 // for the C form's header. It has the same statements, and computes the same bits up to sines and cosines. The place
-// for the hash of all texts of the library is marked by kHashPlaceholder (emit/text_hash.hpp).
+// for the hash of all texts of the library is marked by kHashPlaceholder (code/emit/text_hash.hpp).
 std::string emit_c_batch(const Mechanism& mechanism, const std::vector<Function>& functions,
                          const EmitOptions& options);
 

@@ -30,8 +30,8 @@ struct Schedule {
 // Between them the order is depth-first from the outputs, operands nearest to the inputs first, or one in which fewer
 // values are live at once (statement_order.hpp). Ids break ties.
 //
-// `is_fused`: by node, which products are written in every sum that uses them (passes/fuse_products.hpp), never as
-// variables. Lives::fewest: for targets where values beyond the registers cost more than waiting for one another.
+// `is_fused`: by node, which products are written in every sum that uses them (graph/passes/fuse_products.hpp), never
+// as variables. Lives::fewest: for targets where values beyond the registers cost more than waiting for one another.
 enum class Lives { short_ones, fewest };
 Schedule make_schedule(const Function& function, const std::vector<bool>& is_fused, Lives lives = Lives::short_ones);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The failure of reading a text that the emitter cannot have written. Of text that was just emitted it is a bug; of a
-// text that a user holds (verify/held_code.hpp) it is a finding at a line.
+// text that a user holds (proof/verify/held_code.hpp) it is a finding at a line.
 #pragma once
 
 #include <string>

@@ -2,7 +2,7 @@
 // The motion of a mechanism's bodies in the form that a regressor needs. Terms quadratic in the joint rates are kept as
 // a symmetric bilinear form of two rates, q̇ and a reference q̇_r. So B q̈_r + C(q, q̇) q̇_r has the C of the
 // Christoffel symbols, (7.44), because they are symmetric: c_ijk = c_ikj. With q̇_r = q̇ it is the motion itself. For
-// velocities of floating bases and spherical joints, C is as said in model/quasi_velocities.hpp.
+// velocities of floating bases and spherical joints, C is as said in robot/model/quasi_velocities.hpp.
 #pragma once
 
 #include <vector>

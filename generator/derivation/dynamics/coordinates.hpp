@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Conversion between the coordinates and the joints of the tree: the joints move by q_joint = A q, and torques τ at the
 // joints are Aᵀ τ at the coordinates. If no joint is coupled, both are the same. With closed loops, A G replaces A for
-// rates and torques, with q̇ = G q̇_a (symbolic/loops/loops.hpp), and accelerations have the drift of A G. The motion
+// rates and torques, with q̇ = G q̇_a (derivation/loops/loops.hpp), and accelerations have the drift of A G. The motion
 // of a floating base has its own coordinates, in addition to these.
 #pragma once
 

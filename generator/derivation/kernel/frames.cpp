@@ -87,7 +87,7 @@ Frames::Turn Frames::turn_by_joint(int i) {
   return turn;
 }
 
-// Sets the rotation of a spherical joint, which is that of the quaternion (model/spherical_joint.hpp).
+// Sets the rotation of a spherical joint, which is that of the quaternion (robot/model/spherical_joint.hpp).
 void Frames::turn_freely(int i, Turn& turn) {
   Derivation& d = derivation_;
   const std::string n = label(i);

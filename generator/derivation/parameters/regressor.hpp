@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The regressor of (7.80), (7.81): τ = Y(q, q̇, q̈) π, with π as in symbolic/parameters/parameters.hpp. Column k of Y
+// The regressor of (7.80), (7.81): τ = Y(q, q̇, q̈) π, with π as in derivation/parameters/parameters.hpp. Column k of Y
 // is the torque of the mechanism whose parameters are all zero but for π_k = 1. Entry (i, k) is zero unless joint i
 // moves the joint that π_k belongs to: Y is block upper triangular for a chain, and sparse by branch for a tree. A
 // rotor's column also has entries in the rows of the joints before its carrier, (7.30), which are all before its own.

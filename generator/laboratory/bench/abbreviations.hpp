@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A robot's functions abbreviated by the error budgets that the benchmark compares (scene/abbreviate.hpp).
+// A robot's functions abbreviated by the error budgets that the benchmark compares (functions/scene/abbreviate.hpp).
 #pragma once
 
 #include <string>

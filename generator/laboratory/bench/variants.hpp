@@ -8,9 +8,9 @@
 
 namespace flatdyn {
 
-// How a generated function is called: one state per call; as a member of a stage (emit/stages.hpp) that is already
-// made; over SIMD lanes, with all states in one call; or in the CUDA form, compiled for the processor, with the states
-// of a block one after the other (flatdyn/cuda_batch.cuh).
+// How a generated function is called: one state per call; as a member of a stage (code/lower/stages.hpp) that is
+// already made; over SIMD lanes, with all states in one call; or in the CUDA form, compiled for the processor, with the
+// states of a block one after the other (flatdyn/cuda_batch.cuh).
 enum class CallMode { single, staged, batch, kernel };
 
 // The source of sines and cosines, the last argument of generated functions: their own, which is the default; the

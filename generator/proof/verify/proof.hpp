@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Proofs about emitted functions before they are written: each equals its definition by the Lagrangian, and equals
-// itself before the passes, conditions included. They use exact arithmetic (definition/exact.hpp). The mechanism whose
-// Lagrangian that is, is the robot as read (definition/as_read.hpp).
+// itself before the passes, conditions included. They use exact arithmetic (truth/definition/exact.hpp). The mechanism
+// whose Lagrangian that is, is the robot as read (truth/definition/as_read.hpp).
 #pragma once
 
 #include <cstdint>

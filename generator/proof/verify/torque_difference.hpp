@@ -15,7 +15,7 @@ struct MotionLimits {
   double position = 0, speed = 0, acceleration = 0;
 };
 
-// The limits of every moving joint (model/states.hpp: MotionRange), in the order of q.
+// The limits of every moving joint (robot/model/states.hpp: MotionRange), in the order of q.
 std::vector<MotionLimits> largest_motion(const Mechanism& mechanism);
 
 // The largest lengths of ω, ω̇ and v̇ + ω × v of the base; zeros if it is fixed.

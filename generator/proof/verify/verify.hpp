@@ -21,7 +21,7 @@ struct VerifyOptions {
   double bound = 16;  // largest scaled error allowed at random states
 };
 
-// Scaled errors: abs(x - exact) / (ε · magnitude), reference/magnitude.hpp.
+// Scaled errors: abs(x - exact) / (ε · magnitude), truth/reference/magnitude.hpp.
 struct FunctionReport {
   std::string function;
   bool proven = false;      // equal to the Lagrangian at random points of prime fields

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Applies a scene to a robot that was read. Held joints: input/toml/held_joints.hpp.
+// Applies a scene to a robot that was read. Held joints: robot/input/toml/held_joints.hpp.
 #pragma once
 
 #include "base/diagnostics/diagnostics.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Closed loops over any field, by their definition: the closure Φ of each loop (model/mechanism.hpp) from the poses of
-// the bodies in the base frame, and G from Φ_q G = 0, so that q̇ = G q̇_a with q̇_a of the independent joints.
+// Closed loops over any field, by their definition: the closure Φ of each loop (robot/model/mechanism.hpp) from the
+// poses of the bodies in the base frame, and G from Φ_q G = 0, so that q̇ = G q̇_a with q̇_a of the independent joints.
 #pragma once
 
 #include <utility>

@@ -43,7 +43,7 @@ struct Rotor {
 
 // Body i, moved by joint i. Its frame in frame parent: displacement p, then Rz(beta) Rx(alpha) Rz(theta + q) for a
 // revolute joint; p, then Rz(beta) Rx(alpha) Rz(theta), then q along z for a prismatic one. A spherical joint is three
-// bodies (model/spherical_joint.hpp).
+// bodies (robot/model/spherical_joint.hpp).
 struct Body {
   std::string joint;  // the joint's name, as written
   std::string link;   // the name of the link that it moves, as written
@@ -64,7 +64,7 @@ struct Body {
   Number spring_reference = 0;
   // 1, 2, 3: the body is the first, second or last one of a spherical joint, and turns about its x, y or z. 0: not so.
   int spherical = 0;
-  bool is_tendon = false;  // joint i is the length of a tendon (model/tendon.hpp): the body has no inertia
+  bool is_tendon = false;  // joint i is the length of a tendon (robot/model/tendon.hpp): the body has no inertia
 };
 
 // The unit of the joint's torque or force.
@@ -159,11 +159,11 @@ struct Mechanism {
   std::vector<int> independent;  // entries of q; empty: all
 
   // With a floating base, bodies 0 to 5 are its motion, and the last of them is the base link
-  // (model/floating_base.hpp). q has no entries of theirs; the first six of q̇, q̈ and τ are the base's.
+  // (robot/model/floating_base.hpp). q has no entries of theirs; the first six of q̇, q̈ and τ are the base's.
   bool floating_base = false;
 
-  // The first of the three bodies of each spherical joint (model/spherical_joint.hpp), in order. q has four entries of
-  // such a joint, q̇, q̈ and τ have three.
+  // The first of the three bodies of each spherical joint (robot/model/spherical_joint.hpp), in order. q has four
+  // entries of such a joint, q̇, q̈ and τ have three.
   std::vector<int> spherical;
 
   // The scene's contacts, and λ of the matrix J B^-1 J^T + λ² 1 that their forces are found with.

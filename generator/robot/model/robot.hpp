@@ -32,7 +32,7 @@ struct Motor {
   Place place;
 };
 
-// spherical: turns in all directions (model/spherical_joint.hpp).
+// spherical: turns in all directions (robot/model/spherical_joint.hpp).
 enum class JointType { fixed, revolute, continuous, prismatic, spherical };
 
 // The type of motion of a joint that is held still, and the position where it is held.
@@ -75,7 +75,7 @@ struct Joint {
   Place place;
   Value stiffness;         // k of a spring at the joint, N m/rad or N/m
   Value spring_reference;  // q_0, the joint's position where the spring exerts nothing, rad or m
-  bool is_tendon = false;  // a tendon's length (model/tendon.hpp)
+  bool is_tendon = false;  // a tendon's length (robot/model/tendon.hpp)
 };
 
 // A closed chain, cut at the joint that closes it: a point of one link coincides with a point of another, and if there
@@ -112,8 +112,8 @@ struct BaseJoint {
 
 struct Robot;
 
-// A number that was snapped to an exact one: an angle to a multiple of pi/12 (input/common/context.hpp), or a value
-// tiny compared with its neighbours to zero (model/snap_dust.hpp).
+// A number that was snapped to an exact one: an angle to a multiple of pi/12 (robot/input/common/context.hpp), or a
+// value tiny compared with its neighbours to zero (robot/model/snap_dust.hpp).
 struct Snap {
   enum class Kind { angle, axis, length, product_of_inertia, first_moment, gravity };
   Place place;

@@ -2,8 +2,8 @@
 // A scene: a user's choices for one use of a robot, such as joints held still, gravity, payload, limits and the results
 // needed. They come from a scene file (docs/scene-format.md) and from --gravity and --fix, which take precedence. Where
 // each is applied: gravity, locked, payload, friction, springs and limits when the robot is read
-// (input/scene_application.hpp); at_rest and outputs to each function (scene/specialise.hpp); the error budget to the
-// mechanism that functions are derived from (scene/abbreviate.hpp).
+// (robot/input/scene_application.hpp); at_rest and outputs to each function (functions/scene/specialise.hpp); the error
+// budget to the mechanism that functions are derived from (functions/scene/abbreviate.hpp).
 #pragma once
 
 #include <optional>

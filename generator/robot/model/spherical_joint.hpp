@@ -7,7 +7,7 @@
 //
 // In a mechanism the joint is a chain of three bodies at one point: the first turns about x of the joint, the second
 // about y, the last about z. These are coordinates x around the present pose, where they are all zero, with ω = A(x) ẋ
-// and A(0) = 1, as those of a floating base (model/floating_base.hpp). So Lagrange's equations hold in them, with
+// and A(0) = 1, as those of a floating base (robot/model/floating_base.hpp). So Lagrange's equations hold in them, with
 // ẍ = ω̇ - Ȧ ω at zero, and their generalised forces are the moment. Only the last body has inertia, and its axes are
 // those of the joint's child. The quaternion's rotation R comes before the first body's: its frame in its parent's is
 // p, then Rz(beta) Rx(alpha) Rz(theta), R, and a constant rotation that puts z on x, so that the rows of R are only

@@ -38,7 +38,7 @@ struct Definition {
   // The function's own values in the form in which they are compared, for example multiplied by B, so that they have no
   // denominators.
   Rules found;
-  // The degree of the comparison relative to the Lagrangian's (see definition/degree.hpp).
+  // The degree of the comparison relative to the Lagrangian's (see truth/definition/degree.hpp).
   double (*degree_factor)(const Mechanism&, const Function&);
   bool is_over_parameters = false;  // whether the comparison is linear in the parameters, as that of a regressor
 };

@@ -67,7 +67,7 @@ class DefinitionPoint {
   Values inverse_dynamics() { return torques_at(qdd()); }
 
   // The accelerations of the coordinates in which Lagrange's equations hold, from those of the function's: ẍ = ν̇ - Ȧ ν
-  // with a floating base or spherical joints (model/quasi_velocities.hpp).
+  // with a floating base or spherical joints (robot/model/quasi_velocities.hpp).
   Values accelerations_of_coordinates(Values accelerations) const {
     if (!mechanism.has_quasi_velocities()) return accelerations;
     const Values drift = velocity_drift(mechanism, qd());
@@ -94,7 +94,7 @@ class DefinitionPoint {
   }
 
   // C with C q̇ the Coriolis and centrifugal torques: that of the Christoffel symbols, (7.44), for joints; for other
-  // velocities it is transformed as said in model/quasi_velocities.hpp.
+  // velocities it is transformed as said in robot/model/quasi_velocities.hpp.
   Matrix<F> coriolis_matrix() {
     Matrix<F> C = lagrangian.coriolis_matrix(qd());
     const Matrix<F>& B = lagrangian.inertia();

@@ -50,7 +50,7 @@ struct MechanismDegrees {
 MechanismDegrees lagrangian_degrees(const Mechanism& mechanism);
 
 // The degree in the values drawn of the difference between the energies of the robot as read and of the Lagrangian
-// (definition/as_read.hpp). `mechanism`: without loops.
+// (truth/definition/as_read.hpp). `mechanism`: without loops.
 double energy_degree(const Robot& robot, const Mechanism& mechanism);
 
 // The degree in the values drawn, t for each angle: a term of degree d in c and s has the common denominator Π (1 +

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The motion of the links of a tree of revolute joints over any field: (7.94)-(7.96), each in its own frame. The base
-// is at rest, or its six bodies (model/floating_base.hpp) all have its motion.
+// is at rest, or its six bodies (robot/model/floating_base.hpp) all have its motion.
 #pragma once
 
 #include <vector>

@@ -32,7 +32,8 @@ using Preparation = ReferenceFunction<S> (*)(const ReferenceModel<S>&, const Fun
 struct NumericReference {
   Preparation<double> in_double;
   Preparation<Real50> exact;
-  Preparation<double> magnitude;  // by entry: the sum of the absolute values of its terms (reference/magnitude.hpp)
+  Preparation<double>
+      magnitude;  // by entry: the sum of the absolute values of its terms (truth/reference/magnitude.hpp)
   // Whether one state needs many recursions: Christoffel symbols by polarisation need n², regressors one per column.
   bool needs_many_recursions = false;
 

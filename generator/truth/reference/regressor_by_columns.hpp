@@ -40,7 +40,7 @@ class RegressorReference {
   std::vector<int> only_rows_;  // by column: the only row that is not zero, -1: all may be other than zero
 };
 
-// By entry of the matrices: the sum of the absolute values of its terms (reference/magnitude.hpp). First
+// By entry of the matrices: the sum of the absolute values of its terms (truth/reference/magnitude.hpp). First
 // moments are pairs of point masses of ±1/2 kg at 1 m, which may count twice.
 reference::MatrixX<double> magnitudes(const RegressorReference<double>& of, const State& state);
 reference::MatrixX<double> adaptive_magnitudes(const RegressorReference<double>& of, const State& state);

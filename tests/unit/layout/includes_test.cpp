@@ -24,7 +24,7 @@ std::map<std::string, int> folders_in_order() {
   return order;
 }
 
-// "model" for `#include "robot/model/robot.hpp"`; nullopt for other lines, and for headers of folders outside the
+// "robot/model" for `#include "robot/model/robot.hpp"`; nullopt for other lines, and for headers of folders outside the
 // table.
 std::optional<std::string> included_folder(const std::string& line, const std::map<std::string, int>& order) {
   static const std::regex kInclude("^#include \"(.*)/[^/]+\"$");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The call of every function at the known state (emit/known_answer.hpp) in Rust, where arrays have known lengths.
+// The call of every function at the known state (code/emit/known_answer.hpp) in Rust, where arrays have known lengths.
 #pragma once
 
 #include <cstddef>

@@ -35,7 +35,7 @@ struct HeldJoint : JointPosition {
   Units units = {};
 };
 
-// A length that is perhaps in millimetres (input/common/units.hpp).
+// A length that is perhaps in millimetres (robot/input/common/units.hpp).
 struct LongLength {
   Number metres;
   Spot spot;

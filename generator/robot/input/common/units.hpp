@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Numbers of files that are written in degrees and millimetres, exactly: 90 is pi/2, 180.7 is 1807/10000. And of those
-// that are not, but perhaps should say so (model/unit_plausibility.hpp).
+// that are not, but perhaps should say so (robot/model/unit_plausibility.hpp).
 #pragma once
 
 #include "robot/input/common/context.hpp"
@@ -20,7 +20,7 @@ Number in_metres(const Number& written, const Units& units, const Spot& spot, Di
 // An angle in rad. In degrees an expression with pi is an error; a symbol is in rad whatever the file's unit.
 Number in_radians(const Number& written, const Units& units, const Spot& spot, Diagnostics& diagnostics);
 
-// The angle of a decimal, snapped (input/common/context.hpp).
+// The angle of a decimal, snapped (robot/input/common/context.hpp).
 Number decimal_angle(const Number& decimal, std::string_view written, const Units& units, const Spot& spot,
                      ReadContext& context);
 

@@ -6,10 +6,11 @@
 
 namespace flatdyn {
 
-// Warnings of them. Angles: a question (model/unit_plausibility.hpp), once for each joint that turns and whose column
-// has no unit. A joint without limits counts as one that turns without end: states are not always those of a robot that
-// moves. `q`: the columns, by entries of q; what is not there is passed over. Entries have to be decimals. Quaternions:
-// one warning for each spherical joint, of the row whose norm is farthest from 1, if that is by more than 1e-6.
+// Warnings of them. Angles: a question (robot/model/unit_plausibility.hpp), once for each joint that turns and whose
+// column has no unit. A joint without limits counts as one that turns without end: states are not always those of a
+// robot that moves. `q`: the columns, by entries of q; what is not there is passed over. Entries have to be decimals.
+// Quaternions: one warning for each spherical joint, of the row whose norm is farthest from 1, if that is by more than
+// 1e-6.
 void warn_of_positions(const CsvTable& table, const std::vector<std::optional<CsvSource>>& q,
                        const Mechanism& mechanism, const std::string& file, Diagnostics& diagnostics);
 
