@@ -22,7 +22,4 @@ std::string functions_of_links();
 // The row of a function. Throws Failure(bug) if there is none.
 const FunctionRow& row_of(const Function& function);
 
-// The number of rows or columns for a function of this robot.
-int extent_of(Extent extent, const Mechanism& mechanism, const Function& function);
-
 }  // namespace flatdyn

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/diagnostics/diagnostics.hpp"
+#include "derivation/parameters/base_parameters.hpp"
 #include "functions/exact_proof.hpp"
 #include "functions/planning/formulations.hpp"
 #include "functions/units.hpp"
@@ -16,6 +17,43 @@
 
 namespace flatdyn {
 namespace {
+
+// The number of rows or columns for a function of this robot.
+int extent_of(Extent extent, const Mechanism& mechanism, const Function& function) {
+  const int n = mechanism.size();
+  switch (extent) {
+    case Extent::one:
+      return 1;
+    case Extent::three:
+      return 3;
+    case Extent::six:
+      return 6;
+    case Extent::joints:
+      return n;
+    case Extent::joint_pairs:
+      return n * (n + 1) / 2;
+    case Extent::positions:
+      return mechanism.position_count();
+    case Extent::loop_equations: {
+      std::size_t rows = 0;
+      for (const LoopClosure& loop : mechanism.loops) rows += loop.rows.size();
+      return static_cast<int>(rows);
+    }
+    case Extent::task_rows:
+      return static_cast<int>(function.task.rows.size());
+    case Extent::parameters:
+      return static_cast<int>(parameter_indices(mechanism).size());
+    case Extent::base_parameters:
+      return base_parameters(mechanism).size();
+    case Extent::contact_rows:
+      return mechanism.contact_rows();
+    case Extent::contact_points:
+      return 3 * static_cast<int>(mechanism.contacts.size());
+    case Extent::springs:
+      return 2 * static_cast<int>(mechanism.bodies_on_one_axis().size());
+  }
+  return 0;
+}
 
 Mechanism mechanism_of(const std::string& robot) {
   return load_robot(FLATDYN_SOURCE_DIR "/robots/" + robot, {}).mechanism;
