@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a report says of each thing, once: a row of ReportFields is a column of the table that people read, a key of the
-// JSON that programs read, or both.
+// A report says each thing once: a row of ReportFields is a column of the table that people read, a key of the JSON
+// that programs read, or both.
 #pragma once
 
 #include <functional>

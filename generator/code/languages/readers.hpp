@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The readers of all languages.
+// The reader of the language that options name, and those of languages that some code writes whatever options say.
 #pragma once
 
 #include "code/emit/emit_options.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a language of emitted code is to everything outside of its folder: what it has, its dialect and its reader.
+// A row says of a language all that code outside of its folder asks for: what it has, its dialect and its reader.
 #pragma once
 
 #include <memory>

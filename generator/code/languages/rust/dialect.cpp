@@ -101,12 +101,6 @@ std::vector<std::string> RustDialect::reserved() const {
                            "joint_names",
                            "black_box",
                            "x",
-                           "Math",
-                           "sin",
-                           "cos",
-                           "Float64Array",
-                           "Scalar",
-                           "detail",
                            "std"}) {
     words.emplace_back(name);
   }
