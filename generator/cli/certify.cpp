@@ -71,14 +71,14 @@ Certified certified(const CertifyArguments& arguments, const LoadedRobot& model,
   emit.fuses = arguments.fuses;
   Certified result;
   result.header = header_name(model.mechanism, emit);
-  result.text = emit_cpp(model.mechanism, functions_of(functions), emit);
+  result.text = emit_header(model.mechanism, functions_of(functions), emit);
   progress.step("proving");
   const std::uint64_t seed = proof_seed({model.input_hash, result.text});
   prove(effective_mechanism(model), functions, std::nullopt, std::nullopt, seed);
   result.functions = functions_of(functions);
   const std::optional<Stages> no_stages;
   const WrittenCode code{model.mechanism, result.functions, no_stages, emit};
-  prove_text(EmittedText(result.text, cpp_reader()), code, seed);
+  prove_text(EmittedText(result.text, header_reader()), code, seed);
   result.contents = contents_of(code);
   result.certificate = certify(model.mechanism, result.functions, result.text, arguments.options, progress);
   const auto asks_sines = [](const OptimisedFunction& each) {

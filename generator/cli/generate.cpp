@@ -7,7 +7,7 @@
 #include "cli/commands.hpp"
 #include "cli/delivery.hpp"
 #include "cli/held_header.hpp"
-#include "code/conventions/convention_header.hpp"
+#include "code/conventions/convention.hpp"
 #include "code/emit/page_writer.hpp"
 #include "code/languages/language_table.hpp"
 #include "delivery/firmware/folder.hpp"
@@ -173,7 +173,7 @@ void check_conventions(const GenerateArguments& arguments) {
     if (std::find(names.begin(), name, *name) == name) continue;
     throw Failure(FailureKind::usage, "--convention: \"" + *name + "\" is asked for twice", "name it once");
   }
-  if (arguments.conventions.empty() || language_row(arguments.language).has_conventions) return;
+  if (arguments.conventions.empty() || language_row(arguments.language).has_conventions()) return;
   throw Failure(FailureKind::usage, fmt::format("--convention: not in {}", language_row(arguments.language).name),
                 "leave it out, or use " + languages_text(&LanguageRow::has_conventions));
 }
@@ -253,7 +253,7 @@ nlohmann::ordered_json manifest_of(const GenerationResult& result, const SnapEff
   nlohmann::ordered_json manifest = {
       {"flatdyn", kProgramVersion}, {"options", result.form.options_stamp}, {"header", files[0].name}};
   manifest.update(model_json(robot, effects));
-  manifest["functions"] = functions_json(result.functions, symbol_names(robot.mechanism), result.form.fuses);
+  manifest["functions"] = functions_json(result.functions, robot.mechanism, result.form.fuses);
   if (result.torque_deviation) manifest["error_budget"] = abbreviation_json(robot, *result.torque_deviation);
   if (result.stages) manifest["stages"] = stages_json(*result.stages, result.form.fuses);
   manifest["proof"] = proofs_json(result.proofs);
@@ -283,9 +283,9 @@ std::vector<GeneratedFile> companions(GenerationResult& result, const GenerateAr
       files.push_back({file.name, file.text});
     }
   }
-  if (language_row(result.form.language).has_types_apart) {
-    files.push_back({file_name(robot.mechanism, result.form) + ".d.ts",
-                     emit_javascript_types(robot.mechanism, functions, result.form)});
+  if (language_row(result.form.language).types != nullptr) {
+    files.push_back(
+        {file_name(robot.mechanism, result.form) + ".d.ts", emit_types(robot.mechanism, functions, result.form)});
   }
   const std::string name = arguments.python ? module_name(robot.mechanism, result.form) : "";
   if (arguments.python && language_row(arguments.language).has_kernels) {
@@ -306,7 +306,8 @@ std::vector<GeneratedFile> convention_headers(GenerationResult& result, const Ge
   std::vector<GeneratedFile> files;
   for (const std::string& name : arguments.conventions) {
     ConventionHeader header =
-        convention_header(result.robot.mechanism, functions_of(result), result.form, convention_of(name));
+        language_row(result.form.language)
+            .convention_header(result.robot.mechanism, functions_of(result), result.form, convention_of(name));
     files.push_back(std::move(header.file));
     for (const std::string& each : header.left_out) {
       result.findings.note({result.robot.robot.file, 0}, "--convention: " + each, "");

@@ -102,8 +102,8 @@ Certificate certificate_of(const LoadedRobot& model, const std::vector<Optimised
   CertifyOptions options;
   options.observed.states = 100'000;
   options.time_limit = 0;
-  const std::string text = emit_cpp(model.mechanism, functions_of(torques), {});
-  prove_text(EmittedText(text, cpp_reader()), {model.mechanism, functions_of(torques), std::nullopt, {}});
+  const std::string text = emit_header(model.mechanism, functions_of(torques), {});
+  prove_text(EmittedText(text, header_reader()), {model.mechanism, functions_of(torques), std::nullopt, {}});
   Certificate certificate = certify(model.mechanism, functions_of(torques), text, options, progress);
   if (!is_refuted(certificate)) return certificate;
   throw Failure(FailureKind::verification_failed, "a bound is wrong: a larger error was seen",
@@ -146,13 +146,12 @@ ExitCode report(const ReportArguments& arguments) {
   content.worst_states = worst;
   const PageCode code = page_code(content);
   if (!arguments.with.empty()) content.certificate = certificate_of(model, code.functions, progress);
-  EmitOptions form;
-  form.language = language_with(&LanguageRow::runs_in_pages).option;
-  prove_text(EmittedText(code.text, javascript_reader()),
+  const EmitOptions form = page_script_options();
+  prove_text(EmittedText(code.text, reader_of(form)),
              {model.mechanism, functions_of(code.functions), std::nullopt, form, false}, proof_seed({code.text}));
   print_diagnostics(model.diagnostics, arguments);
   nlohmann::ordered_json json = model_json(model, content.snap_effects);
-  json["functions"] = functions_json(content.functions, symbol_names(model.mechanism));
+  json["functions"] = functions_json(content.functions, model.mechanism);
   write_and_print({{arguments.file, report_page(content, code)}}, {"", json}, arguments);
   return ExitCode::ok;
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "code/conventions/convention_header.hpp"
+#include "code/conventions/coverage.hpp"
 #include "code/emit/narrowed.hpp"
 #include "code/languages/language_table.hpp"
 #include "code/languages/readers.hpp"

@@ -38,8 +38,8 @@ std::vector<StagePiece> stage_pieces(const Stages& stages);
 std::string describe_stages(const Stages& stages, bool fuses = false);
 nlohmann::ordered_json stages_json(const Stages& stages, bool fuses = false);
 
-nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& functions,
-                                      const std::vector<std::string>& symbols, bool fuses = false);
+nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& functions, const Mechanism& mechanism,
+                                      bool fuses = false);
 
 std::vector<std::string> symbol_names(const Mechanism& mechanism);
 

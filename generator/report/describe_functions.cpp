@@ -6,7 +6,7 @@
 
 #include "base/diagnostics/table.hpp"
 #include "code/emit/argument_text.hpp"
-#include "code/languages/cpp/dialect.hpp"
+#include "code/languages/emit.hpp"
 #include "code/lower/arguments.hpp"
 #include "derivation/notation/number_text.hpp"
 #include "graph/passes/fuse_products.hpp"
@@ -157,14 +157,16 @@ nlohmann::ordered_json stages_json(const Stages& stages, bool fuses) {
   return json;
 }
 
-nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& functions,
-                                      const std::vector<std::string>& symbols, bool fuses) {
+nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& functions, const Mechanism& mechanism,
+                                      bool fuses) {
+  const std::vector<std::string> symbols = symbol_names(mechanism);
+  const std::unique_ptr<const PageDialect> dialect = dialect_of(mechanism, {});
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const OptimisedFunction& each : functions) {
     nlohmann::ordered_json item = count_json(each.function.name, each.function, fuses);
     item["operations_as_derived"] = count_operations(each.derived).arithmetic();
     item["structural_zeros"] = structural_zeros(each.function);
-    item["reads"] = list_of_inputs(inputs_read(each.function), symbols, CppDialect());
+    item["reads"] = list_of_inputs(inputs_read(each.function), symbols, *dialect);
     if (each.function.proven_pivot_share > 0) {
       item["pivots"] = {{"proven_share", each.function.proven_pivot_share}};
     } else if (compares_pivots(each.function)) {

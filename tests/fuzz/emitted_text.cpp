@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "code/readback/emitted_text.hpp"
 #include "base/diagnostics/diagnostics.hpp"
-#include "code/languages/readers.hpp"
+#include "code/languages/c/read.hpp"
+#include "code/languages/cpp/read.hpp"
+#include "code/languages/javascript/read.hpp"
 #include "fuzz/readers.hpp"
 
 namespace flatdyn::testing {

@@ -10,11 +10,11 @@
 #include <cctype>
 #include <cstdlib>
 
-#include "code/languages/emit.hpp"
 #include "code/lower/arguments.hpp"
 #include "functions/planning/make_functions.hpp"
 #include "golden/golden.hpp"
 #include "robot/model/identifiers.hpp"
+#include "support/emitted_forms.hpp"
 #include "support/given_sines.hpp"
 #include "support/robot_models.hpp"
 
@@ -129,7 +129,7 @@ std::string differences_of(const std::string& robot, int most_lines) {
   const std::vector<Function> functions = functions_to_compare(model);
   const TemporaryFolder folder;
   std::string headers[2], sources;
-  write(folder.path() / "whole.hpp", emit_cpp(model.mechanism, functions, options_of("double", "c++", 0)));
+  write(folder.path() / "whole.hpp", emit_header(model.mechanism, functions, options_of("double", "c++", 0)));
   for (int s = 0; s < 2; ++s) {
     const std::string name = fmt::format("in_{}", kScalars[s]),
                       own = header_name(model.mechanism, options_of("", "c", 0));

@@ -8,8 +8,8 @@
 #include <fstream>
 
 #include "base/system/temporary_folder.hpp"
-#include "code/languages/emit.hpp"
 #include "golden/golden.hpp"
+#include "support/emitted_forms.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn::testing {
@@ -62,7 +62,7 @@ class CloseLoops : public ::testing::Test {
 };
 
 TEST_F(CloseLoops, InCpp) {
-  write("robot.hpp", emit_cpp(model_.mechanism, functions(), {}, std::nullopt));
+  write("robot.hpp", emit_header(model_.mechanism, functions(), {}, std::nullopt));
   write("main.cpp", std::string("#include \"robot.hpp\"\n#include <cmath>\nusing namespace std;\n"
                                 "#define CLOSE slider_crank::close_loops\n#define MOTION slider_crank::loop_motion\n"
                                 "int main() {") +
@@ -90,7 +90,7 @@ TEST_F(CloseLoops, InC) {
 
 TEST_F(CloseLoops, InJavascript) {
   if (std::system("node --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no node";
-  write("robot.mjs", emit_javascript(model_.mechanism, functions(), {}));
+  write("robot.mjs", emit_javascript(model_.mechanism, functions()));
   write("main.mjs", R"(import {close_loops, loop_motion} from './robot.mjs';
 for (let k = 0; k < 24; ++k) {
   const theta = 0.3 * k, height = 0.15 * Math.sin(theta), root = Math.sqrt(0.09 - height * height);

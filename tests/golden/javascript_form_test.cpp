@@ -7,11 +7,11 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "code/languages/emit.hpp"
 #include "code/lower/arguments.hpp"
 #include "functions/deviation/expected.hpp"
 #include "functions/planning/make_functions.hpp"
 #include "golden/golden.hpp"
+#include "support/emitted_forms.hpp"
 #include "support/robot_models.hpp"
 #include "truth/reference/graph_evaluator.hpp"
 

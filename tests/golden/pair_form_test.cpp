@@ -9,11 +9,11 @@
 #include <cstdlib>
 
 #include "code/emit/writer.hpp"
-#include "code/languages/emit.hpp"
 #include "code/lower/arguments.hpp"
 #include "functions/planning/make_functions.hpp"
 #include "golden/golden.hpp"
 #include "robot/model/identifiers.hpp"
+#include "support/emitted_forms.hpp"
 #include "support/given_sines.hpp"
 #include "support/robot_models.hpp"
 
@@ -50,10 +50,10 @@ Forms forms_of(const std::string& robot, int most_lines) {
   EmitOptions options;
   options.most_lines = most_lines;
   options.name_space = "whole";
-  forms.header = emit_cpp(forms.model.mechanism, forms.functions, options, stages);
+  forms.header = emit_header(forms.model.mechanism, forms.functions, options, stages);
   options.name_space = options.file_name = "apart";
   options.more_scalars = {"float"};
-  forms.pair = emit_cpp_pair(forms.model.mechanism, forms.functions, options, stages);
+  forms.pair = emit_pair(forms.model.mechanism, forms.functions, options, stages);
   return forms;
 }
 

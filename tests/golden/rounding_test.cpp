@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "code/languages/emit.hpp"
 #include "functions/planning/make_functions.hpp"
 #include "golden/golden.hpp"
+#include "support/emitted_forms.hpp"
 #include "support/robot_models.hpp"
 
 namespace flatdyn::testing {
@@ -172,7 +172,7 @@ TEST_P(RoundingIsAsWritten, WithFusedMultiplyAddsOfTheText) {
   Progress quiet(true);
   Diagnostics left_out;
   const std::vector<Function> functions = functions_of(make_functions(model, pipeline, quiet, left_out));
-  write(folder.path() / "ur5.hpp", emit_cpp(model.mechanism, functions, options));
+  write(folder.path() / "ur5.hpp", emit_header(model.mechanism, functions, options));
   options.language = "c";
   const HeaderAndSource in_c = emit_c(model.mechanism, functions, options);
   write(folder.path() / "ur5.h", in_c.header);
@@ -205,7 +205,7 @@ TEST(FusedMultiplyAdds, KeepTheDerivativesOfScalarsThatConvertToDouble) {
   Progress quiet(true);
   Diagnostics left_out;
   write(folder.path() / "arm.hpp",
-        emit_cpp(model.mechanism, functions_of(make_functions(model, pipeline, quiet, left_out)), options));
+        emit_header(model.mechanism, functions_of(make_functions(model, pipeline, quiet, left_out)), options));
   write(folder.path() / "main.cpp", R"(
 #include <cmath>
 #include <cstdio>

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "code/languages/emit.hpp"
 #include "code/languages/readers.hpp"
 #include "functions/planning/make_functions.hpp"
 #include "proof/verify/held_code.hpp"
 #include "proof/verify/proof.hpp"
+#include "support/emitted_forms.hpp"
 
 namespace flatdyn::testing {
 
@@ -52,7 +52,7 @@ class PrintedCode {
 
   // The C form's header, and the functions over arrays of states.
   std::string text_over_states(const EmitOptions& options) const {
-    return emit_c(model_.mechanism, functions_, options).header + emit_c_batch(model_.mechanism, functions_, options);
+    return emit_c(model_.mechanism, functions_, options).header + emit_batch(model_.mechanism, functions_, options);
   }
 
   void prove_over_states(const std::string& text, const EmitOptions& options) const {

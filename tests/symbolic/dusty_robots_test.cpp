@@ -59,7 +59,7 @@ class DustyRobots : public ::testing::Test {
   }
   std::string code_of(const std::string& urdf) const {
     const Derived derived = effective_mechanism(urdf);
-    return emit_cpp(derived.mechanism, derived.functions, EmitOptions{}, std::nullopt);
+    return emit_header(derived.mechanism, derived.functions, EmitOptions{}, std::nullopt);
   }
   std::vector<OperationCount> counts_of(const std::string& urdf) const {
     std::vector<OperationCount> counts;

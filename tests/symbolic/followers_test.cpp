@@ -242,7 +242,7 @@ TEST(FollowerByAFraction, AsksForTheSineOfTheFraction) {
   const LoadedRobot model = testing::model_of_toml(kFraction);
   EXPECT_THAT(derive_text(model.mechanism), ::testing::HasSubstr("cos(2/3 q_1)"));
   EXPECT_THAT(derive_text(model.mechanism), ::testing::HasSubstr("cos(5/3 q_1)"));
-  const std::string header = emit_cpp(model.mechanism, {derive_function(model.mechanism, "gravity")}, {});
+  const std::string header = emit_header(model.mechanism, {derive_function(model.mechanism, "gravity")}, {});
   EXPECT_THAT(header, ::testing::HasSubstr("and then of 2/3 q[0],\n// by which coupled joints turn."));
   EXPECT_THAT(header, ::testing::HasSubstr("angle[1] = Scalar(0.6666666666666666) * q[0];"));
 }
@@ -308,7 +308,7 @@ TEST(FollowerByAFraction, HasItsAnglesInPartsWhereFunctionsAreShort) {
   EmitOptions options;
   options.most_lines = kMostLines;
   const Function function = derive_function(mechanism, "gravity");
-  const std::string header = emit_cpp(mechanism, {function}, options);
+  const std::string header = emit_header(mechanism, {function}, options);
   int functions = 0;
   for (std::size_t at = header.find("void angles"); at != std::string::npos; at = header.find("void angles", at + 1)) {
     const std::string body = header.substr(at, header.find("\n}", at) + 2 - at);
@@ -316,7 +316,7 @@ TEST(FollowerByAFraction, HasItsAnglesInPartsWhereFunctionsAreShort) {
     ++functions;
   }
   EXPECT_EQ(functions, 3);
-  EXPECT_EQ(EmittedText(header, cpp_reader()).operations(0, function).outputs.size(), 1U);
+  EXPECT_EQ(EmittedText(header, header_reader()).operations(0, function).outputs.size(), 1U);
 }
 
 // The reference loses as much: the angle itself is rounded.

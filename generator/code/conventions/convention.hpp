@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "code/emit/generated_file.hpp"
+
 namespace flatdyn {
 
 // In every convention q is position and quaternion of the base, then joints; a is the derivative of the entries of v,
@@ -26,6 +28,12 @@ const std::vector<Convention>& conventions();
 
 // The names of all conventions, in order.
 std::vector<std::string> convention_names();
+
+// The functions of a robot in a convention, over those of its code.
+struct ConventionHeader {
+  GeneratedFile file;                 // "quadruped12_mujoco.hpp"
+  std::vector<std::string> left_out;  // a sentence per function that has no adaptor
+};
 
 // Throws Failure(bug) if there is no convention of this name.
 const Convention& convention_of(const std::string& name);

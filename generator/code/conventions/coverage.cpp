@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/diagnostics/diagnostics.hpp"
 #include "functions/function_table.hpp"
 
 namespace flatdyn {
@@ -64,6 +65,13 @@ bool takes(const Function& function, InputKind kind) {
 }
 
 }  // namespace
+
+void check_conventions_apply(const Mechanism& mechanism) {
+  if (!mechanism.has_quasi_velocities()) {
+    throw Failure(FailureKind::unsupported, "--convention: the robot has neither a floating base nor spherical joints",
+                  "leave it out, or use --base floating");
+  }
+}
 
 bool is_of_inertia(const Function& function) {
   return function.outputs.size() == 1 && function.outputs[0].quantity == OutputQuantity::joint_inertia;

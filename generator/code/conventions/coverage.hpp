@@ -11,6 +11,9 @@
 
 namespace flatdyn {
 
+// Throws Failure(unsupported) for a robot with neither a floating base nor spherical joints.
+void check_conventions_apply(const Mechanism& mechanism);
+
 // Whether the only output is B, or C.
 bool is_of_inertia(const Function& function);
 bool is_coriolis(const Function& function);

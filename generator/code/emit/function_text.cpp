@@ -196,6 +196,11 @@ class FunctionWriter {
 
 }  // namespace
 
+bool can_be_launched(const FunctionText& text) {
+  return std::all_of(text.outputs.begin(), text.outputs.end(),
+                     [](const ArrayArgument& each) { return each.length > 0; });
+}
+
 FunctionText function_text(const Function& function, const std::string& name, const HeaderScope& scope,
                            const std::string& sin_cos_variant_name) {
   return FunctionWriter(function, name, scope).text(sin_cos_variant_name);

@@ -68,6 +68,9 @@ struct FunctionText {
   bool uses_trigonometry = false;  // in C++ it then has a template parameter SinCos and an argument of that type
 };
 
+// Whether a kernel can be launched over arrays of its results: its outputs have entries.
+bool can_be_launched(const FunctionText& text);
+
 // `sin_cos_variant_name`: see UndeclaredFunction.
 FunctionText function_text(const Function& function, const std::string& name, const HeaderScope& scope,
                            const std::string& sin_cos_variant_name = "");

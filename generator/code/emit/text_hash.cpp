@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "code/emit/text_hash.hpp"
 
-#include <vector>
-
 #include "code/emit/writer.hpp"
 #include "robot/input/common/content_hash.hpp"
 
 namespace flatdyn {
 
-void fill_in_hash(std::initializer_list<std::string*> texts) {
+void fill_in_hash(const std::vector<std::string*>& texts) {
   constexpr std::size_t kShort = 8;
   std::vector<std::string> contents;
   for (const std::string* text : texts) contents.push_back(*text);

@@ -2,8 +2,8 @@
 // Texts that contain their own hash. The hash is taken while a placeholder stands in its place.
 #pragma once
 
-#include <initializer_list>
 #include <string>
+#include <vector>
 
 namespace flatdyn {
 
@@ -11,6 +11,6 @@ namespace flatdyn {
 inline constexpr const char *kHashPlaceholder = "\x01", *kShortHashPlaceholder = "\x02";
 
 // Fills the hash of all these texts, which belong together, into each.
-void fill_in_hash(std::initializer_list<std::string *> texts);
+void fill_in_hash(const std::vector<std::string *> &texts);
 
 }  // namespace flatdyn

@@ -3,10 +3,6 @@
 
 #include "code/emit/name_space.hpp"
 #include "code/emit/page_writer.hpp"
-#include "code/languages/c/dialect.hpp"
-#include "code/languages/c/lanes_dialect.hpp"
-#include "code/languages/cpp/dialect.hpp"
-#include "code/languages/cpp/pair.hpp"
 #include "code/languages/known_answers.hpp"
 #include "code/languages/language_table.hpp"
 #include "code/languages/readers.hpp"
@@ -14,19 +10,24 @@
 namespace flatdyn {
 namespace {
 
-HeaderAndSource two_files(const std::vector<std::string>& texts) { return {texts.at(0), texts.at(1)}; }
-
 // The texts with their known answers, if the dialect has any; they are computed from the text as it is read.
 std::vector<std::string> with_answers(const PageDialect& dialect, const AnyLanguageReader& reader,
                                       const Mechanism& mechanism, const std::vector<Function>& functions,
-                                      const EmitOptions& options, const std::optional<Stages>& stages = std::nullopt) {
+                                      const EmitOptions& options, const std::optional<Stages>& stages) {
   std::vector<std::string> texts = emitted(dialect, mechanism, functions, options, stages);
   if (dialect.has_known_answer()) fill_in_known_answers(mechanism, functions, reader, texts);
   return texts;
 }
 
-CDialect c_dialect_of(const Mechanism& mechanism, const EmitOptions& options) {
-  return {options.scalar, namespace_of(mechanism.name, options.name_space)};
+std::string emitted_by(DialectOf* dialect, const Mechanism& mechanism, const std::vector<Function>& functions,
+                       const EmitOptions& options) {
+  return emitted(*dialect(mechanism, options), mechanism, functions, options).front();
+}
+
+EmitOptions in_header(EmitOptions options) {
+  options.language = EmitOptions().language;
+  options.form = Form::header;
+  return options;
 }
 
 }  // namespace
@@ -54,26 +55,40 @@ std::string header_name(const Mechanism& mechanism, const EmitOptions& options) 
   return file_name(mechanism, options) + dialect_of(mechanism, options)->files().front().ending;
 }
 
-std::string emit_cpp(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
-                     const std::optional<Stages>& stages) {
-  return with_answers(CppDialect(), cpp_reader(), mechanism, functions, options, stages).front();
+std::string emit_header(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options,
+                        const std::optional<Stages>& stages) {
+  return emit_code(mechanism, functions, in_header(options), stages).front().text;
 }
 
-HeaderAndSource emit_cpp_pair(const Mechanism& mechanism, const std::vector<Function>& functions,
-                              const EmitOptions& options, const std::optional<Stages>& stages) {
-  return two_files(
-      with_answers(CppDialect(compiled_scalars(options)), cpp_reader(), mechanism, functions, options, stages));
+AnyLanguageReader header_reader() { return reader_of({}); }
+
+AnyLanguageReader batch_reader(const EmitOptions& options) {
+  return language_row(options.language).batch_reader(options);
 }
 
-HeaderAndSource emit_c(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options) {
-  return two_files(
-      with_answers(c_dialect_of(mechanism, options), c_reader(options.scalar), mechanism, functions, options));
+std::string emit_types(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options) {
+  return emitted_by(language_row(options.language).types, mechanism, functions, options);
+}
+
+std::string emit_batch(const Mechanism& mechanism, const std::vector<Function>& functions, const EmitOptions& options) {
+  return emitted_by(language_row(options.language).batch, mechanism, functions, options);
+}
+
+EmitOptions page_script_options() {
+  EmitOptions options;
+  options.language = language_with([](const LanguageRow& row) { return row.page_script != nullptr; }).option;
+  return options;
+}
+
+std::string emit_page_script(const Mechanism& mechanism, const std::vector<Function>& functions) {
+  const EmitOptions options = page_script_options();
+  return emitted_by(language_row(options.language).page_script, mechanism, functions, options);
 }
 
 std::vector<StraightCall> straight_calls(const Mechanism& mechanism, const std::vector<Function>& functions,
                                          const EmitOptions& options) {
   std::vector<StraightCall> calls;
-  for (const FunctionText& text : function_texts(c_dialect_of(mechanism, options), mechanism, functions, options)) {
+  for (const FunctionText& text : function_texts(*dialect_of(mechanism, options), mechanism, functions, options)) {
     if (text.sin_cos_variant) {
       calls.push_back({text.sin_cos_variant->name, text.sin_cos_variant->arguments});
       continue;
@@ -86,22 +101,6 @@ std::vector<StraightCall> straight_calls(const Mechanism& mechanism, const std::
     calls.push_back(std::move(call));
   }
   return calls;
-}
-
-std::string emit_c_batch(const Mechanism& mechanism, const std::vector<Function>& functions,
-                         const EmitOptions& options) {
-  const LanesDialect lanes(options.scalar, namespace_of(mechanism.name, options.name_space));
-  return emitted(lanes, mechanism, functions, options).front();
-}
-
-std::string emit_javascript_types(const Mechanism& mechanism, const std::vector<Function>& functions,
-                                  const EmitOptions& options) {
-  return emitted(JavascriptDialect(JavascriptForm::types, options.sines), mechanism, functions, options).front();
-}
-
-std::string emit_javascript(const Mechanism& mechanism, const std::vector<Function>& functions,
-                            const EmitOptions& options, JavascriptForm form) {
-  return emitted(JavascriptDialect(form, options.sines), mechanism, functions, options).front();
 }
 
 }  // namespace flatdyn

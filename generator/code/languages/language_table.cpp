@@ -53,9 +53,9 @@ std::vector<std::string> language_options() {
   return options;
 }
 
-const LanguageRow& language_with(bool LanguageRow::*what) {
+const LanguageRow& language_with(const LanguageQuestion& is_meant) {
   const std::vector<LanguageRow>& all = language_rows();
-  return *std::find_if(all.begin(), all.end(), [what](const LanguageRow& each) { return each.*what; });
+  return *std::find_if(all.begin(), all.end(), is_meant);
 }
 
 std::string languages_text(const LanguageQuestion& is_meant) {

@@ -18,14 +18,14 @@ const std::vector<LanguageRow>& language_rows();
 const LanguageRow& language_row(const std::string& option);
 std::vector<std::string> language_options();  // "c++", "c", ...
 
-// The first language that has this.
-const LanguageRow& language_with(bool LanguageRow::*what);
-
 // The names of all languages, "C++, C, CUDA, JavaScript, Rust or Python", or of those that are meant: the question may
 // be a member of LanguageRow.
 using LanguageQuestion = std::function<bool(const LanguageRow&)>;
 std::string languages_text();
 std::string languages_text(const LanguageQuestion& is_meant);
+
+// The first of these languages.
+const LanguageRow& language_with(const LanguageQuestion& is_meant);
 
 // "a C++17 header, a C99 header and source in one scalar, …"
 std::string descriptions_of_languages();

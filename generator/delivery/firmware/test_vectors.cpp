@@ -70,7 +70,7 @@ EmittedText text_of(const Mechanism& mechanism, const std::vector<Function>& fun
   EmitOptions options;
   options.scalar = form.scalar;
   options.fuses = form.fuses;
-  return EmittedText(emit_cpp(mechanism, functions, options), cpp_reader());
+  return EmittedText(emit_header(mechanism, functions, options), header_reader());
 }
 
 class VectorMaker {

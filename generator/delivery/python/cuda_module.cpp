@@ -17,7 +17,7 @@
 #include "code/emit/sections.hpp"
 #include "code/emit/text_hash.hpp"
 #include "code/emit/writer.hpp"
-#include "code/languages/cuda/dialect.hpp"
+#include "code/languages/emit.hpp"
 #include "code/lower/arguments.hpp"
 #include "delivery/python/module.hpp"
 #include "derivation/notation/coupled_text.hpp"

@@ -71,7 +71,7 @@ class ModuleWriter {
 
   PythonModule written() const {
     const data page = filled();
-    return {rendered(templates::python_module_py, page), emit_c_batch(mechanism_, functions_, options_)};
+    return {rendered(templates::python_module_py, page), emit_batch(mechanism_, functions_, options_)};
   }
 
  private:
@@ -233,9 +233,12 @@ std::string module_name(const Mechanism& mechanism, const EmitOptions& options) 
 PythonModule python_module(const Mechanism& mechanism, const std::vector<Function>& functions,
                            const EmitOptions& options) {
   PythonModule texts = ModuleWriter(mechanism, functions, options).written();
-  HeaderAndSource c_form = emit_c(mechanism, functions, options);
-  prove_batch(c_form.header, texts.batch, {mechanism, functions, std::nullopt, options});
-  fill_in_hash({&c_form.header, &c_form.source, &texts.module, &texts.batch});
+  std::vector<GeneratedFile> called = emit_code(mechanism, functions, options);
+  prove_batch(called.front().text, texts.batch, {mechanism, functions, std::nullopt, options});
+  std::vector<std::string*> hashed;
+  for (GeneratedFile& file : called) hashed.push_back(&file.text);
+  hashed.insert(hashed.end(), {&texts.module, &texts.batch});
+  fill_in_hash(hashed);
   return texts;
 }
 

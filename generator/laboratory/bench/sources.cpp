@@ -214,28 +214,29 @@ std::vector<SourceFile> bench_sources(const BenchSubject& subject) {
   EmitOptions emit;
   emit.name_space = kBenchNamespace;
   const data main = main_page(subject), robot = robot_page(subject);
-  std::vector<SourceFile> files = {{"robot.hpp", emit_cpp(subject.mechanism, subject.functions, emit, subject.stages)},
-                                   {"cases.hpp", rendered(templates::bench_cases_hpp, main)},
-                                   {"main.cpp", rendered(templates::bench_main_cpp, main)},
-                                   {"robot.cpp", rendered(templates::bench_robot_cpp, robot)},
-                                   {"usage.cpp", templates::bench_usage_cpp},
-                                   {"sizes.cpp", rendered(templates::bench_sizes_cpp, robot)},
-                                   {"mechanism.hpp", mechanism_numbers(subject.mechanism, subject.symbols)},
-                                   {"states", states_text(subject.states)}};
+  std::vector<SourceFile> files = {
+      {"robot.hpp", emit_header(subject.mechanism, subject.functions, emit, subject.stages)},
+      {"cases.hpp", rendered(templates::bench_cases_hpp, main)},
+      {"main.cpp", rendered(templates::bench_main_cpp, main)},
+      {"robot.cpp", rendered(templates::bench_robot_cpp, robot)},
+      {"usage.cpp", templates::bench_usage_cpp},
+      {"sizes.cpp", rendered(templates::bench_sizes_cpp, robot)},
+      {"mechanism.hpp", mechanism_numbers(subject.mechanism, subject.symbols)},
+      {"states", states_text(subject.states)}};
   for (const AbbreviatedFunctions& each : subject.abbreviated) {
     emit.name_space = name_space_of_budget(each.budget);
-    files.push_back({header_of(each), emit_cpp(subject.mechanism, each.functions, emit)});
+    files.push_back({header_of(each), emit_header(subject.mechanism, each.functions, emit)});
   }
   if (has_any(subject, &BenchVariant::has_lanes)) {
     emit.name_space = kLimbsNamespace;
     emit.limbs_in_lanes = true;
-    files.push_back({kLimbsHeader, emit_cpp(subject.mechanism, subject.functions, emit)});
+    files.push_back({kLimbsHeader, emit_header(subject.mechanism, subject.functions, emit)});
     emit.limbs_in_lanes = false;
   }
   if (has_any(subject, &BenchVariant::fuses)) {
     emit.name_space = kFusedNamespace;
     emit.fuses = true;
-    files.push_back({kFusedHeader, emit_cpp(subject.mechanism, subject.functions, emit)});
+    files.push_back({kFusedHeader, emit_header(subject.mechanism, subject.functions, emit)});
   }
   if (has_kernels(subject)) files.push_back({kKernelsHeader, kernels_header(subject.mechanism, subject.functions)});
   for (const templates::Header& header : templates::headers) files.push_back({header.path, header.text});

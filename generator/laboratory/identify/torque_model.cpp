@@ -89,7 +89,7 @@ TorqueModel::TorqueModel(const LoadedRobot& model, ParameterSet set, Progress& p
   }
   progress.step("compiling the regressor");
   compiled_ = std::make_unique<CompiledFunctions>(derived.mechanism, functions);
-  fingerprint_ = content_hash({emit_cpp(derived.mechanism, functions, {})});
+  fingerprint_ = content_hash({emit_header(derived.mechanism, functions, {})});
 }
 
 TorqueModel::~TorqueModel() = default;

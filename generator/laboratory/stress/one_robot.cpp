@@ -12,7 +12,9 @@
 #include "code/readback/emitted_text.hpp"
 #include "code/readback/straight_line_values.hpp"
 #include "functions/function_table.hpp"
+#include "functions/load/load_robot.hpp"
 #include "functions/planning/formulations.hpp"
+#include "functions/planning/make_functions.hpp"
 #include "graph/passes/passes.hpp"
 
 namespace flatdyn {
@@ -78,8 +80,8 @@ OneRobot::OneRobot(const PlainRobot& robot, unsigned seed, bool is_usual, const 
   }
   EmitOptions emit;
   emit.name_space = name_space_;
-  header_ = emit_cpp(model_.mechanism, functions_, emit);
-  const EmittedText text(header_, cpp_reader());
+  header_ = emit_header(model_.mechanism, functions_, emit);
+  const EmittedText text(header_, header_reader());
   for (std::size_t k = 0; k < functions_.size(); ++k) {
     lines_.push_back(text.operations(k, functions_[k]));
     expected_.push_back(reference_->of(functions_[k]));

@@ -104,10 +104,10 @@ StressProgram::StressProgram(const Mechanism& mechanism, const std::vector<Funct
                                        : std::vector<std::string>{});
   EmitOptions emit;
   emit.name_space = kBenchNamespace;
-  write_file(folder_.path() / "robot.hpp", emit_cpp(mechanism, functions, emit));
+  write_file(folder_.path() / "robot.hpp", emit_header(mechanism, functions, emit));
   emit.name_space = kFusedNamespace;
   emit.fuses = true;
-  write_file(folder_.path() / kFusedHeader, emit_cpp(mechanism, functions, emit));
+  write_file(folder_.path() / kFusedHeader, emit_header(mechanism, functions, emit));
   if (has_kernels) write_file(folder_.path() / kKernelsHeader, kernels_header(mechanism, functions));
   for (const templates::Header& header : templates::headers) {
     const std::filesystem::path path = folder_.path() / header.path;

@@ -210,7 +210,7 @@ CertifiedFunction certify(const Mechanism& mechanism, const Function& function, 
 
 Certificate certify(const Mechanism& mechanism, const std::vector<Function>& functions, const std::string& header,
                     const CertifyOptions& options, Progress& progress) {
-  const EmittedText text(header, cpp_reader());
+  const EmittedText text(header, header_reader());
   Certificate result{mechanism.name, options.scalar, asks_gappa(options), options, {}};
   for (std::size_t k = 0; k < functions.size(); ++k) {
     try {

@@ -69,7 +69,7 @@ class CompiledFunctions::Library {
     EmitOptions options;
     options.sines = sines;
     options.name_space = kNamespace;
-    write_file(folder_.path() / "robot.hpp", emit_cpp(mechanism, functions, options));
+    write_file(folder_.path() / "robot.hpp", emit_header(mechanism, functions, options));
     std::string driver = "#include \"robot.hpp\"\n";
     for (std::size_t k = 0; k < functions.size(); ++k) {
       driver += plain_entry_text(mechanism, functions[k], kNamespace, fmt::format("entry_{}", k));

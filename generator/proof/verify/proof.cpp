@@ -83,7 +83,7 @@ void prove_text(const EmittedText& text, const WrittenCode& code, std::uint64_t 
 }
 
 void prove_batch(const std::string& header, const std::string& batch, WrittenCode code, std::uint64_t seed) {
-  prove_text(EmittedText(header + batch, lanes_reader(code.options.scalar)), code, seed);
+  prove_text(EmittedText(header + batch, batch_reader(code.options)), code, seed);
 }
 
 }  // namespace flatdyn

@@ -206,7 +206,7 @@ PageCode page_code(const PageContent& content) {
     code.functions.push_back(*made);
   }
   code.functions.push_back({content.drawing.function, content.drawing.function, {}, {}});
-  code.text = emit_javascript(content.model.mechanism, functions_of(code.functions), {}, JavascriptForm::function_body);
+  code.text = emit_page_script(content.model.mechanism, functions_of(code.functions));
   return code;
 }
 

@@ -34,7 +34,7 @@ Certificate certificate_of(const Mechanism& mechanism, const std::string& scalar
   options.time_limit = 0;
   Progress quiet(true);
   const std::vector<Function> functions = functions_to_certify(mechanism, names);
-  return certify(mechanism, functions, emit_cpp(mechanism, functions, {}), options, quiet);
+  return certify(mechanism, functions, emit_header(mechanism, functions, {}), options, quiet);
 }
 
 class Certificates : public ::testing::TestWithParam<std::tuple<const char*, const char*>> {};
@@ -162,7 +162,7 @@ TEST(StraightLine, IsWhatTheCompiledTextDoes) {
   const Mechanism mechanism = testing::limited_robot("puma560.toml");
   const std::vector<Function> functions = functions_to_certify(mechanism, {"inverse_dynamics", "forward_dynamics"});
   const CompiledFunctions compiled(mechanism, functions, Sines::library);
-  const EmittedText text(emit_cpp(mechanism, functions, {}), cpp_reader());
+  const EmittedText text(emit_header(mechanism, functions, {}), header_reader());
   for (std::size_t f = 0; f < functions.size(); ++f) {
     const StraightLine lines = text.operations(f, functions[f]);
     for (const State& state : random_states(mechanism, 50, 1)) {
@@ -178,7 +178,8 @@ TEST(StraightLine, IsWhatTheCompiledTextDoes) {
 TEST(Norms, AreAboveResultsAndDerivatives) {
   const Mechanism mechanism = testing::limited_robot("rx90.toml");
   const std::vector<Function> functions = functions_to_certify(mechanism, {"inverse_dynamics"});
-  const StraightLine text = EmittedText(emit_cpp(mechanism, functions, {}), cpp_reader()).operations(0, functions[0]);
+  const StraightLine text =
+      EmittedText(emit_header(mechanism, functions, {}), header_reader()).operations(0, functions[0]);
   const RoundingModel model{rounding_format("double"), 0x1p-53, [](double) { return 1e-16; }};
   ErrorAnalysis analysis(text, model, input_limits(mechanism));
   analysis.error_of(text.outputs[0][1]);

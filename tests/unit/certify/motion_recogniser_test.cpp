@@ -30,7 +30,7 @@ class ReadMotions {
       : mechanism_(mechanism),
         function_(run_passes(derive_function(mechanism, "inverse_dynamics"))),
         constants_(function_),
-        text_(EmittedText(emit_cpp(mechanism, {function_}, {}), cpp_reader()).operations(0, function_)) {}
+        text_(EmittedText(emit_header(mechanism, {function_}, {}), header_reader()).operations(0, function_)) {}
 
   std::unique_ptr<MotionRecogniser> motions() const {
     return std::make_unique<MotionRecogniser>(mechanism_, input_limits(mechanism_),

@@ -19,7 +19,7 @@ std::string header(const std::string& robot, const std::string& function,
   const Mechanism mechanism = testing::model_of(robot).mechanism;
   EmitOptions options;
   options.frames = frames;
-  return emit_cpp(mechanism, {derive_function(mechanism, function)}, options);
+  return emit_header(mechanism, {derive_function(mechanism, function)}, options);
 }
 
 TEST(BaseConstants, AreNamesCombinationsAndValues) {

@@ -8,7 +8,8 @@
 #include "code/languages/c/dialect.hpp"
 #include "code/languages/c/lanes_dialect.hpp"
 #include "code/languages/cpp/dialect.hpp"
-#include "code/languages/emit.hpp"
+#include "code/languages/javascript/dialect.hpp"
+#include "support/emitted_forms.hpp"
 #include "unit/emit/hand_made.hpp"
 
 namespace flatdyn {
@@ -69,8 +70,8 @@ EmitOptions in_c() {
 }
 
 TEST(CText, AsksTheLibraryInOnePlace) {
-  const HeaderAndSource text =
-      emit_c(testing::two_link_mechanism({"m1"}), {testing::two_link_inertia_matrix()}, in_c());
+  const testing::HeaderAndSource text =
+      testing::emit_c(testing::two_link_mechanism({"m1"}), {testing::two_link_inertia_matrix()}, in_c());
   EXPECT_THAT(text.header, HasSubstr("void two_link_arm_inertia_matrix(const two_link_arm_parameters* parameters,"));
   EXPECT_THAT(text.header, HasSubstr("// The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, "
                                      "k = 1.\n"));
@@ -85,7 +86,7 @@ TEST(CText, NamesNeverCollide) {
   Function gravity = testing::pendulum_gravity(), other = gravity;
   gravity.name = "gravity";
   other.name = "gravity:given";
-  const HeaderAndSource text = emit_c(testing::two_link_mechanism({"m1"}), {gravity, other}, in_c());
+  const testing::HeaderAndSource text = testing::emit_c(testing::two_link_mechanism({"m1"}), {gravity, other}, in_c());
   EXPECT_THAT(text.header, HasSubstr("two_link_arm_gravity_given("));
   EXPECT_THAT(text.header, HasSubstr("two_link_arm_gravity_given_2("));
   EXPECT_THAT(text.header, HasSubstr("two_link_arm_gravity_given_2_given("));

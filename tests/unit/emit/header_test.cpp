@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "base/diagnostics/diagnostics.hpp"
-#include "code/languages/emit.hpp"
+#include "support/emitted_forms.hpp"
 #include "unit/emit/compiled.hpp"
 #include "unit/emit/hand_made.hpp"
 
@@ -23,7 +23,7 @@ std::vector<Function> all_functions() {
           testing::two_link_forward_dynamics(), testing::pendulum_gravity()};
 }
 
-std::string header() { return emit_cpp(testing::two_link_mechanism({"m1"}), all_functions(), {}); }
+std::string header() { return emit_header(testing::two_link_mechanism({"m1"}), all_functions(), {}); }
 
 // A program that prints all outputs at the state of testing::values_of, in the order of all_functions().
 std::string driver(const std::string& scalar) {
@@ -105,7 +105,7 @@ TEST(Header, FloatConstantsAndOtherNamespaceCompile) {
   EmitOptions options;
   options.scalar = "float";
   options.name_space = "acme::arm";
-  const std::string text = emit_cpp(testing::two_link_mechanism({"m1"}), all_functions(), options);
+  const std::string text = emit_header(testing::two_link_mechanism({"m1"}), all_functions(), options);
   EXPECT_THAT(text, HasSubstr("namespace acme::arm {"));
   EXPECT_THAT(text, HasSubstr("#ifndef FLATDYN_ACME_ARM_HPP_"));
   const char* main = R"(#include "robot.hpp"
@@ -142,8 +142,8 @@ TEST(Header, HasAGuardOfItsOwn) {
         options.language = language;
         options.input_hash = hash;
         const Mechanism mechanism = testing::two_link_mechanism({"m1"});
-        const std::string text = language == "c" ? emit_c(mechanism, all_functions(), options).header
-                                                 : emit_cpp(mechanism, all_functions(), options);
+        const std::string text = language == "c" ? testing::emit_c(mechanism, all_functions(), options).header
+                                                 : emit_header(mechanism, all_functions(), options);
         const std::string owner = std::string(name) + hash + (language == "c" ? ".h" : ".hpp");
         EXPECT_TRUE(owners.emplace(guard_in(text), owner).second) << owner << " and " << owners[guard_in(text)];
         EXPECT_THAT(text, HasSubstr("#define " + guard_in(text) + "\n"));
@@ -167,8 +167,8 @@ int main() {
   return a[0] - b[0] > 0 || a[0] - b[0] < 0 ? 1 : 0;
 }
 )";
-  const testing::Run run = testing::build_and_run("g++", {{"nested.hpp", emit_cpp(mechanism, functions, nested)},
-                                                          {"flat.hpp", emit_cpp(mechanism, functions, flat)},
+  const testing::Run run = testing::build_and_run("g++", {{"nested.hpp", emit_header(mechanism, functions, nested)},
+                                                          {"flat.hpp", emit_header(mechanism, functions, flat)},
                                                           {"main.cpp", main}});
   EXPECT_TRUE(run.built) << run.output;
   EXPECT_EQ(run.output, "");
@@ -176,7 +176,7 @@ int main() {
 
 TEST(Header, TellsAdaptersTheShapes) {
   const EmitOptions options = in_namespace("acme::arm");
-  EXPECT_THAT(emit_cpp(testing::two_link_mechanism({"m1"}), all_functions(), options), HasSubstr(R"(
+  EXPECT_THAT(emit_header(testing::two_link_mechanism({"m1"}), all_functions(), options), HasSubstr(R"(
 struct inertia_matrix {
   template <class Scalar>
   using Shape = void(const Parameters<Scalar>&, const Scalar (&q)[2], Scalar (&B)[2][2],
@@ -189,14 +189,14 @@ struct inertia_matrix {
 )"));
   Function few = testing::two_link_inverse_dynamics();
   few.outputs[0].left_out = {true, false};
-  EXPECT_THAT(emit_cpp(testing::two_link_mechanism({"m1"}), {few}, options),
+  EXPECT_THAT(emit_header(testing::two_link_mechanism({"m1"}), {few}, options),
               HasSubstr("  static constexpr bool leaves_out = true;"));
 }
 
 TEST(Header, IsTheSameEveryTime) { EXPECT_EQ(header(), header()); }
 
 TEST(Header, HasOnlyWhatIsNeeded) {
-  const std::string text = emit_cpp(testing::two_link_mechanism(), {testing::two_link_inertia_matrix()}, {});
+  const std::string text = emit_header(testing::two_link_mechanism(), {testing::two_link_inertia_matrix()}, {});
   EXPECT_THAT(text, Not(HasSubstr("Parameters {")));
   EXPECT_THAT(text, Not(HasSubstr("Scalar sign(")));
   EXPECT_THAT(text, Not(HasSubstr("velocity_limit")));
@@ -233,7 +233,7 @@ TEST(Header, SurvivesHostileNames) {
   mechanism.bodies[1].joint = "?\?/\n";
   mechanism.bodies[1].link = "{{robot}} <&> \\";
   mechanism.tip.link = "tip\\";
-  const std::string text = emit_cpp(mechanism, {testing::two_link_inertia_matrix()}, {});
+  const std::string text = emit_header(mechanism, {testing::two_link_inertia_matrix()}, {});
   EXPECT_THAT(text, HasSubstr("{{robot}} <&> /"));
   const testing::Run run =
       testing::build_and_run("g++", {{"robot.hpp", text}, {"main.cpp", "#include \"robot.hpp\"\nint main() {}\n"}});
@@ -249,7 +249,7 @@ TEST(Header, NamesNeverCollide) {
   Function function = testing::two_link_inverse_dynamics();
   function.outputs[0].entries = {b.times({x, y, z, w}), b.times({x, x})};
   function.graph = b.graph;
-  const std::string text = emit_cpp(testing::two_link_mechanism(), {function}, {});
+  const std::string text = emit_header(testing::two_link_mechanism(), {function}, {});
   for (const char* line : {"const Scalar q_1_2 = q_1 + qd_1;", "const Scalar class_ = q_2 + qd_2;",
                            "const Scalar tau_2 = q_1 + qd_2;", "const Scalar joint_count_2 = q_2 + qd_1;"}) {
     EXPECT_THAT(text, HasSubstr(line));
@@ -263,11 +263,11 @@ TEST(Header, RefusesWrongOptions) {
   for (const char* name : {"2arm", "a b", "a::", "std", "class"}) {
     EmitOptions options;
     options.name_space = name;
-    EXPECT_THROW(emit_cpp(testing::two_link_mechanism(), {}, options), Failure) << name;
+    EXPECT_THROW(emit_header(testing::two_link_mechanism(), {}, options), Failure) << name;
   }
   EmitOptions options;
   options.scalar = "long double";
-  EXPECT_THROW(emit_cpp(testing::two_link_mechanism(), {}, options), Failure);
+  EXPECT_THROW(emit_header(testing::two_link_mechanism(), {}, options), Failure);
 }
 
 TEST(Header, IsNamedAfterTheRobot) { EXPECT_EQ(header_name(testing::two_link_mechanism(), {}), "two_link_arm.hpp"); }

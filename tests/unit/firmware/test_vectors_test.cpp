@@ -42,7 +42,7 @@ Made made(const char* robot, const std::vector<std::string>& names, const std::s
   EmitOptions emit;
   emit.scalar = scalar;
   emit.fuses = fuses;
-  result.header = emit_cpp(result.model.mechanism, result.functions, emit);
+  result.header = emit_header(result.model.mechanism, result.functions, emit);
   result.vectors = test_vectors(result.model.robot, result.model.mechanism, result.functions, emit, quiet);
   return result;
 }
@@ -88,7 +88,7 @@ double largest_error(const Made& of, std::size_t begin, std::size_t end) {
   const ExpectedValues values(of.model.robot, of.model.mechanism, 1);
   const Function& function = of.functions.front();
   const Expected expected = values.of(function);
-  const StraightLine lines = EmittedText(of.header, cpp_reader()).operations(0, function);
+  const StraightLine lines = EmittedText(of.header, header_reader()).operations(0, function);
   double largest = 0;
   for (std::size_t k = begin; k < end; ++k) {
     const State& state = of.vectors.states[k];

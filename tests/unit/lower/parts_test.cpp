@@ -40,7 +40,7 @@ class PartsOf {
     EmitOptions emit;
     emit.name_space = most_lines == 0 ? "whole" : "cut";
     emit.most_lines = most_lines;
-    return emit_cpp(model_.mechanism, functions_, emit, stages_);
+    return emit_header(model_.mechanism, functions_, emit, stages_);
   }
 
  private:

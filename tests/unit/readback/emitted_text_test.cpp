@@ -48,7 +48,7 @@ TEST(EmittedText, IsWhatWasPrinted) {
 }
 
 TEST(EmittedText, HasTheFunctionsInOrder) {
-  const EmittedText text(printed("scara.toml", kNames, 40).header, cpp_reader());
+  const EmittedText text(printed("scara.toml", kNames, 40).header, header_reader());
   std::vector<std::string> names;
   for (const ScannedFunction& function : text.functions()) names.push_back(function.member_of + ":" + function.name);
   EXPECT_THAT(names,
@@ -228,7 +228,7 @@ void read_body(const std::string& body, const std::string& before = "") {
   const std::string function = "template <class Scalar>\nvoid f(const Scalar* q, Scalar* g) {\n" + body + "}\n";
   Function like;
   like.outputs.emplace_back().entries = {like.graph.constant(0)};
-  EmittedText(before + "namespace r {\n" + function + "}\n", cpp_reader()).read(0, like);
+  EmittedText(before + "namespace r {\n" + function + "}\n", header_reader()).read(0, like);
 }
 
 std::string squares(const std::string& of) {

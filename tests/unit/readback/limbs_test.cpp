@@ -51,7 +51,7 @@ State some_state(int joints, unsigned seed) {
 }
 
 std::vector<double> executed(const PrintedCode& code, const EmitOptions& options, const State& state) {
-  const EmittedText text(code.text(options), cpp_reader());
+  const EmittedText text(code.text(options), header_reader());
   return outputs_of(text.operations(0, code.functions().front()), state);
 }
 

@@ -2,7 +2,7 @@
 #include "code/languages/c/language.hpp"
 
 #include "code/emit/name_space.hpp"
-#include "code/languages/c/dialect.hpp"
+#include "code/languages/c/lanes_dialect.hpp"
 #include "code/languages/c/read.hpp"
 
 namespace flatdyn {
@@ -17,7 +17,11 @@ LanguageRow c_language() {
   row.dialect = [](const Mechanism& mechanism, const EmitOptions& options) -> std::unique_ptr<const PageDialect> {
     return std::make_unique<CDialect>(options.scalar, namespace_of(mechanism.name, options.name_space));
   };
+  row.batch = [](const Mechanism& mechanism, const EmitOptions& options) -> std::unique_ptr<const PageDialect> {
+    return std::make_unique<LanesDialect>(options.scalar, namespace_of(mechanism.name, options.name_space));
+  };
   row.reader = [](const EmitOptions& options) { return c_reader(options.scalar); };
+  row.batch_reader = [](const EmitOptions& options) { return lanes_reader(options.scalar); };
   return row;
 }
 

@@ -55,6 +55,10 @@ void write_refusals(data& page, const CodeContent& content) {
 
 }  // namespace
 
+CppDialect::CppDialect(const EmitOptions& options) : CppDialect() {
+  if (options.form == Form::pair) compiled_ = compiled_scalars(options);
+}
+
 std::vector<std::string> CppDialect::reserved() const {
   return {"Scalar",           "Real",        "Parameters",    "SinCos",      "Joints",        "LibrarySinCos",
           "PolynomialSinCos", "GivenSinCos", "DefaultSinCos", "at",          "Configuration", "Motion",

@@ -12,9 +12,10 @@ namespace flatdyn {
 
 class CppDialect : public PageDialect {
  public:
-  // `compiled`: the scalars that the source is compiled for; empty: all is in the header.
-  explicit CppDialect(std::vector<std::string> compiled = {})
-      : PageDialect("Scalar", ""), compiled_(std::move(compiled)) {}
+  // All in one header.
+  CppDialect() : PageDialect("Scalar", "") {}
+  // In the form of the options. Throws what compiled_scalars() throws.
+  explicit CppDialect(const EmitOptions& options);
 
   std::vector<std::string> reserved() const override;
   LanguageTraits traits() const override { return {.fills_sines = true, .has_lanes = true}; }
@@ -58,7 +59,7 @@ class CppDialect : public PageDialect {
   void write_known_answer(kainjow::mustache::data& page, const CodeContent& content) const;
   void write_instances(kainjow::mustache::data& page, const CodeContent& content) const;
 
-  std::vector<std::string> compiled_;
+  std::vector<std::string> compiled_;  // the scalars that the source is compiled for; empty: all is in the header
 };
 
 }  // namespace flatdyn

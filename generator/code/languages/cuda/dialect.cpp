@@ -234,11 +234,6 @@ std::vector<std::string> batch_example_of(const CodeContent& content) {
 
 }  // namespace
 
-bool can_be_launched(const FunctionText& text) {
-  return std::all_of(text.outputs.begin(), text.outputs.end(),
-                     [](const ArrayArgument& each) { return each.length > 0; });
-}
-
 std::vector<std::string> CudaDialect::reserved() const {
   std::vector<std::string> words = CppDialect::reserved();
   constexpr int kMostArrays = 16;

@@ -11,9 +11,6 @@
 
 namespace flatdyn {
 
-// Whether flatdyn/cuda_batch.cuh can launch the function: its outputs have entries.
-bool can_be_launched(const FunctionText& text);
-
 class CudaDialect : public CppDialect {
  public:
   std::vector<std::string> reserved() const override;

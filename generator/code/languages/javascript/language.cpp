@@ -5,16 +5,23 @@
 #include "code/languages/javascript/read.hpp"
 
 namespace flatdyn {
+namespace {
+
+template <JavascriptForm form>
+std::unique_ptr<const PageDialect> made(const Mechanism&, const EmitOptions& options) {
+  return std::make_unique<JavascriptDialect>(form, options.sines);
+}
+
+}  // namespace
 
 LanguageRow javascript_language() {
   LanguageRow row{.option = "javascript", .name = "JavaScript"};
   row.description = "a JavaScript module";
   row.endings = {".js"};
   row.more_endings = {".d.ts"};
-  row.has_types_apart = row.runs_in_pages = true;
-  row.dialect = [](const Mechanism&, const EmitOptions& options) -> std::unique_ptr<const PageDialect> {
-    return std::make_unique<JavascriptDialect>(JavascriptForm::module, options.sines);
-  };
+  row.dialect = made<JavascriptForm::module>;
+  row.types = made<JavascriptForm::types>;
+  row.page_script = made<JavascriptForm::function_body>;
   row.reader = [](const EmitOptions&) { return javascript_reader(); };
   return row;
 }

@@ -5,17 +5,11 @@
 #include <vector>
 
 #include "code/conventions/convention.hpp"
-#include "code/languages/emit.hpp"
+#include "code/emit/emit_options.hpp"
+#include "graph/function.hpp"
+#include "robot/model/mechanism.hpp"
 
 namespace flatdyn {
-
-struct ConventionHeader {
-  GeneratedFile file;                 // "quadruped12_mujoco.hpp"
-  std::vector<std::string> left_out;  // a sentence per function that has no adaptor
-};
-
-// Throws Failure(unsupported) for a robot with neither a floating base nor spherical joints.
-void check_conventions_apply(const Mechanism& mechanism);
 
 // For a robot with a floating base or spherical joints. `functions`: those of the C++ code that was emitted with these
 // options. Throws what check_conventions_apply() throws, and Failure(unsupported) if gravity is not a number.

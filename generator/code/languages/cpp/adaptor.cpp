@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "code/conventions/adaptor.hpp"
+#include "code/languages/cpp/adaptor.hpp"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,12 @@
 
 #include "code/conventions/coverage.hpp"
 #include "code/conventions/meanings.hpp"
-#include "code/conventions/steps.hpp"
 #include "code/emit/argument_text.hpp"
 #include "code/emit/sections.hpp"
 #include "code/emit/writer.hpp"
 #include "code/languages/cpp/dialect.hpp"
 #include "code/languages/cpp/function.hpp"
+#include "code/languages/cpp/steps.hpp"
 #include "code/lower/arguments.hpp"
 
 namespace flatdyn {

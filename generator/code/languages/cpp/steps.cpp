@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "code/conventions/steps.hpp"
+#include "code/languages/cpp/steps.hpp"
 
 #include <fmt/format.h>
 

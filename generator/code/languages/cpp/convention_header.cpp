@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "code/conventions/convention_header.hpp"
+#include "code/languages/cpp/convention_header.hpp"
 
 #include <fmt/format.h>
 
@@ -8,18 +8,18 @@
 #include "base/diagnostics/diagnostics.hpp"
 #include "base/diagnostics/table.hpp"
 #include "base/diagnostics/version.hpp"
-#include "code/conventions/adaptor.hpp"
 #include "code/conventions/coverage.hpp"
 #include "code/conventions/meanings.hpp"
-#include "code/conventions/steps.hpp"
 #include "code/emit/licence.hpp"
 #include "code/emit/name_space.hpp"
 #include "code/emit/page.hpp"
 #include "code/emit/page_writer.hpp"
 #include "code/emit/sections.hpp"
 #include "code/emit/writer.hpp"
+#include "code/languages/cpp/adaptor.hpp"
 #include "code/languages/cpp/dialect.hpp"
 #include "code/languages/cpp/function.hpp"
+#include "code/languages/cpp/steps.hpp"
 #include "robot/model/field_mechanism.hpp"
 #include "templates.hpp"
 
@@ -143,7 +143,7 @@ class ConventionWriter {
       : mechanism_(mechanism),
         options_(options),
         convention_(convention),
-        texts_(function_texts(*dialect_of(mechanism, options), mechanism, functions, options)),
+        texts_(function_texts(CppDialect(options), mechanism, functions, options)),
         core_(namespace_of(mechanism.name, options.name_space)),
         code_{mechanism, convention, core_, functions, texts_} {}
 
@@ -290,13 +290,6 @@ class ConventionWriter {
 };
 
 }  // namespace
-
-void check_conventions_apply(const Mechanism& mechanism) {
-  if (!mechanism.has_quasi_velocities()) {
-    throw Failure(FailureKind::unsupported, "--convention: the robot has neither a floating base nor spherical joints",
-                  "leave it out, or use --base floating");
-  }
-}
 
 ConventionHeader convention_header(const Mechanism& mechanism, const std::vector<Function>& functions,
                                    const EmitOptions& options, const Convention& convention) {
