@@ -220,8 +220,8 @@ std::vector<Number> closed_inverse_dynamics(ClosedModel& model) {
 std::vector<Number> closed_kinetic_energy(ClosedModel& model) { return {model.kinetic_energy()}; }
 
 std::optional<Function> closed_variant(const Mechanism& mechanism, const Function& recursive, ClosedEntries entries) {
-  const bool is_coupled = mechanism.has_loops() || mechanism.has_spherical_joints() || !mechanism.angles.empty() ||
-                          has_coupled_forces(mechanism);
+  const bool is_coupled =
+      mechanism.has_longer_positions() || !mechanism.angles.empty() || has_coupled_forces(mechanism);
   if (entries == nullptr || mechanism.size() > kMostJoints || is_coupled) return std::nullopt;
   ClosedModel model(mechanism);
   Function closed = recursive;

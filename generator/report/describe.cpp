@@ -65,16 +65,10 @@ class LimitText {
   const NumberText& number_;
 };
 
-std::vector<std::string> independent_names(const Mechanism& mechanism) {
-  std::vector<std::string> names;
-  for (const Body& body : mechanism.joints()) names.push_back(body.joint);
-  return names;
-}
-
 std::string text_of_loops(const Mechanism& mechanism) {
   std::string text = fmt::format("\nclosed loops, {} of {}:\n",
                                  mechanism.floating_base ? "v, a and tau, after the base's entries," : "qd and tau",
-                                 fmt::join(independent_names(mechanism), ", "));
+                                 fmt::join(mechanism.joint_names(), ", "));
   for (const LoopClosure& loop : mechanism.loops) {
     text += fmt::format("  {} follow from the others\n", fmt::join(dependent_joint_names(mechanism, loop), ", "));
   }
@@ -85,7 +79,7 @@ std::string text_of_loops(const Mechanism& mechanism) {
 // none.
 std::string base_joint_text(const Mechanism& mechanism, const NumberText& number) {
   if (!has_base_joint(mechanism)) return "";
-  const Body& turning = mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)];
+  const Body& turning = mechanism.base_link();
   std::string parts;
   const auto add = [&](const char* name, const Number& value, const char* units) {
     if (vanishes(value)) return;
@@ -151,7 +145,7 @@ std::string describe_model(const LoadedRobot& model, const SnapEffects& snap_eff
     text += fmt::format(
         "\nfloating base, link {}: v, a and tau begin with six entries of the base, in its axes: linear, then "
         "angular\n",
-        mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)].link);
+        mechanism.base_link().link);
     text += base_joint_text(mechanism, number);
   }
   if (mechanism.has_spherical_joints()) {
@@ -215,7 +209,7 @@ std::string describe_canonical_bodies(const Mechanism& mechanism, const NumberTe
       "links in the frames of their parameters, which flatdyn chooses so that most constants are 0 or 1: z along the "
       "joint's axis\n";
   if (mechanism.floating_base) {
-    const Body& base = mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)];
+    const Body& base = mechanism.base_link();
     text += fmt::format("base ({}), in its own frame\n", base.link) + inertia_about_origin(base.inertia, number);
   }
   for (int i = mechanism.base_bodies(); i < mechanism.body_count(); ++i) {
@@ -318,7 +312,7 @@ nlohmann::ordered_json model_json(const LoadedRobot& model, const SnapEffects& s
     }
   }
   if (mechanism.has_loops()) {
-    json["independent"] = independent_names(mechanism);
+    json["independent"] = mechanism.joint_names();
     json["loops"] = nlohmann::ordered_json::array();
     for (const LoopClosure& loop : mechanism.loops) {
       json["loops"].push_back({{"dependent", dependent_joint_names(mechanism, loop)}});

@@ -111,9 +111,7 @@ std::string simulation_plot(const Mechanism& mechanism, const TimeTable& table, 
   const auto of_joints = [&](const char* stem) {
     return place(fmt::format("{}{}", stem, mechanism.base_bodies() + 1));
   };
-  std::vector<std::string> joints, positions;
-  for (const Body& body : mechanism.joints()) joints.push_back(body.joint);
-  for (int p = 0; p < mechanism.position_count(); ++p) positions.push_back(mechanism.position_name(p));
+  const std::vector<std::string> joints = mechanism.joint_names(), positions = mechanism.position_names();
   const auto columns = [](std::size_t first, std::size_t count) {
     std::vector<std::size_t> all(count);
     std::iota(all.begin(), all.end(), first);

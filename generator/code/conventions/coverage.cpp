@@ -96,7 +96,7 @@ bool depends_on_acceleration(const Output& output) {
 
 FrictionOfOrigin friction_of_origin(const Mechanism& mechanism, const Convention& convention) {
   if (!mechanism.floating_base) return {};
-  const Body& turning = mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)];
+  const Body& turning = mechanism.base_link();
   return {convention.linear_in_world ? turning.viscous : Number(0), turning.coulomb};
 }
 

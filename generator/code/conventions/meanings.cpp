@@ -33,19 +33,19 @@ std::string meaning_of_pose(const Convention& convention, JointCounts counts) {
   const std::string order = quaternion_order(convention);
   std::string joints = "rad or m";
   if (counts.spherical) joints += fmt::format(", spherical ones a unit quaternion ({})", order);
-  if (!counts.floating_base) return "joint positions: " + joints;
+  if (!counts.has_base()) return "joint positions: " + joints;
   return fmt::format("base: position (world axes, m), quaternion ({}); joints: {}", order, joints);
 }
 
 std::string meaning_of_velocity(const Convention& convention, JointCounts counts) {
-  if (!counts.floating_base) return input_argument(InputKind::v, counts).meaning;
+  if (!counts.has_base()) return input_argument(InputKind::v, counts).meaning;
   return meaning_of_base(
       convention, "linear", "m/s", "angular", "rad/s",
       std::string("rad/s or m/s") + (counts.spherical ? ", spherical ones angular velocity in the child's axes" : ""));
 }
 
 std::string meaning_of_force(const Convention& convention, JointCounts counts) {
-  if (!counts.floating_base) return input_argument(InputKind::tau, counts).meaning;
+  if (!counts.has_base()) return input_argument(InputKind::tau, counts).meaning;
   return meaning_of_base(
       convention, "force", "N", "moment", "N m",
       std::string("N m or N") + (counts.spherical ? ", spherical ones moment in the child's axes" : ""));
@@ -55,7 +55,7 @@ std::string meaning_of_input(InputKind kind, const Convention& convention, Joint
                              const Function& function) {
   if (kind == InputKind::q) return meaning_of_pose(convention, counts);
   const std::string own = input_argument(kind, counts, function).meaning;
-  if (!counts.floating_base) return own;
+  if (!counts.has_base()) return own;
   switch (kind) {
     case InputKind::v:
       return meaning_of_velocity(convention, counts);

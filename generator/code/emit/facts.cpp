@@ -57,7 +57,7 @@ std::string floating_base_text(const Mechanism& mechanism) {
       "the link's angular velocity (v[3] to v[5], rad/s), both in the link's axes; the joints' rates follow. a has the "
       "derivatives of these numbers: the acceleration of the origin is (a[0], a[1], a[2]) + omega x v. tau begins with "
       "the force on the link (N) and its moment about the link's origin (N m), in the link's axes.",
-      mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)].link);
+      mechanism.base_link().link);
   if (!mechanism.has_base_gravity()) return text + " There is no gravity.";
   return text + " g_b is gravity in the link's axes, m/s^2: R^T g_0 with R from these axes to the world's.";
 }

@@ -86,7 +86,7 @@ class FunctionWriter {
       list.push_back({Argument::Kind::parameters, "parameters", reads(InputKind::parameter)});
     }
     for (InputKind kind : function_.inputs) {
-      const InputArgument argument = input_argument(kind, counts_of(scope_), function_);
+      const InputArgument argument = input_argument(kind, scope_.counts, function_);
       list.push_back({Argument::Kind::input, argument.name, reads(kind), static_cast<std::size_t>(argument.length)});
     }
     const std::set<int> read = scope_.stored.empty() ? outputs_read(function_) : std::set<int>();
@@ -116,7 +116,7 @@ class FunctionWriter {
   std::vector<ArrayArgument> input_arrays() const {
     std::vector<ArrayArgument> arrays;
     for (InputKind kind : function_.inputs) {
-      const InputArgument argument = input_argument(kind, counts_of(scope_), function_);
+      const InputArgument argument = input_argument(kind, scope_.counts, function_);
       arrays.push_back({argument.name, static_cast<std::size_t>(argument.length)});
     }
     return arrays;
@@ -134,7 +134,7 @@ class FunctionWriter {
   std::vector<std::array<std::string, 3>> argument_rows() const {
     std::vector<std::array<std::string, 3>> rows;
     for (InputKind kind : function_.inputs) {
-      const InputArgument argument = input_argument(kind, counts_of(scope_), function_);
+      const InputArgument argument = input_argument(kind, scope_.counts, function_);
       rows.push_back({fmt::format("{}[{}]", argument.name, argument.length), "in", argument.meaning});
     }
     for (std::size_t k = 0; k < function_.outputs.size() && !returns_value(function_) && !makes_stage(); ++k) {

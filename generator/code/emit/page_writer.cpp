@@ -96,10 +96,7 @@ class PageWriter {
  private:
   // Fills the scope that functions use.
   void fill_scope() {
-    scope_.joints = mechanism_.size();
-    scope_.positions = mechanism_.position_count();
-    scope_.floating_base = mechanism_.floating_base;
-    scope_.spherical = mechanism_.has_spherical_joints();
+    scope_.counts = JointCounts(mechanism_);
     scope_.angles = multiples_of_positions(mechanism_);
     scope_.fuses = options_.fuses;
     scope_.most_lines = options_.most_lines;
@@ -144,7 +141,7 @@ class PageWriter {
     content_.exports.emplace_back("joint_count");
     header["joint_count"] = std::to_string(mechanism_.joints().size());
     data constants(data::type::list);
-    const bool has_positions = mechanism_.has_loops() || mechanism_.has_spherical_joints();
+    const bool has_positions = mechanism_.has_longer_positions();
     header["positions?"] = has_positions;
     header["floating?"] = mechanism_.floating_base;
     header["springs?"] = mechanism_.has_springs();
@@ -192,8 +189,8 @@ class PageWriter {
   void write_position_constants(data& header, data& constants) {
     header["position_count"] = std::to_string(mechanism_.position_count());
     header["positions"] = dialect_.count_name("position_count");
-    std::vector<code::TableEntry> joints;
-    for (int p = 0; p < mechanism_.position_count(); ++p) joints.emplace_back(mechanism_.position_name(p));
+    const std::vector<std::string> names = mechanism_.position_names();
+    const std::vector<code::TableEntry> joints(names.begin(), names.end());
     const std::vector<code::TableEntry> entries(mechanism_.independent.begin(), mechanism_.independent.end());
     content_.exports.emplace_back("position_count");
     content_.exports.emplace_back("position_names");

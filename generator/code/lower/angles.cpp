@@ -30,15 +30,15 @@ int angle_index(const Graph& graph, NodeId id, const Scope& scope) {
   for (std::size_t k = 0; k < scope.angles.size() && input.kind == InputKind::q; ++k) {
     const MultipleOfPosition& other = scope.angles[k];
     if (other.position == input.index && other.factor == angle.coefficient)
-      return scope.positions + static_cast<int>(k);
+      return scope.counts.positions + static_cast<int>(k);
   }
   throw std::logic_error("sine or cosine of what is no joint's position");
 }
 
 code::Expression angle_of_index(int index, const Scope& scope) {
   const std::string q = input_argument(InputKind::q, 0).name;
-  if (index < scope.positions) return code::Element{q, index};
-  const MultipleOfPosition& angle = scope.angles[static_cast<std::size_t>(index - scope.positions)];
+  if (index < scope.counts.positions) return code::Element{q, index};
+  const MultipleOfPosition& angle = scope.angles[static_cast<std::size_t>(index - scope.counts.positions)];
   return code::Product{{code::Literal{angle.factor}, code::Element{q, angle.position}}};
 }
 
@@ -47,7 +47,7 @@ std::string angle_array(const Scope& scope) {
 }
 
 std::vector<code::Argument> arguments_of_angles(const Scope& scope) {
-  const InputArgument q = input_argument(InputKind::q, counts_of(scope));
+  const InputArgument q = input_argument(InputKind::q, scope.counts);
   return {{code::Argument::Role::input, q.name, static_cast<std::size_t>(q.length)},
           {code::Argument::Role::output, kAngles, scope.angle_count()}};
 }
@@ -76,8 +76,8 @@ std::vector<code::Part> parts_of_angles(const std::string& name, const Scope& sc
 
 std::string angle_count_name(const Scope& scope) {
   if (!scope.angles.empty()) return "angle_count";
-  const int of_base = scope.floating_base ? 6 : 0;
-  return of_base + scope.positions == scope.joints ? "joint_count" : "position_count";
+  const int of_base = scope.counts.base;
+  return of_base + scope.counts.positions == scope.counts.joints ? "joint_count" : "position_count";
 }
 
 code::Statements filling_sines(const std::set<int>& angles, const std::string& function, const Scope& scope) {

@@ -8,14 +8,6 @@
 
 namespace flatdyn {
 
-JointCounts counts_of(const Scope& scope) {
-  JointCounts counts(scope.joints);
-  counts.positions = scope.positions;
-  counts.floating_base = scope.floating_base;
-  counts.spherical = scope.spherical;
-  return counts;
-}
-
 namespace {
 
 int length_of(ArgumentLength length, const JointCounts& counts, int base_parameters) {
@@ -41,7 +33,7 @@ int length_of(ArgumentLength length, const JointCounts& counts, int base_paramet
 
 InputArgument input_argument(InputKind kind, JointCounts counts, int base_parameters) {
   const ArgumentRow& row = argument_row(kind);
-  const bool has_another = counts.floating_base && row.meaning_with_base != nullptr;
+  const bool has_another = counts.has_base() && row.meaning_with_base != nullptr;
   std::string meaning = has_another ? row.meaning_with_base : row.meaning;
   if (counts.spherical) meaning += row.of_spherical_joints;
   return {row.name, length_of(row.length, counts, base_parameters), std::move(meaning)};

@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "code/lower/scope.hpp"
+#include "code/lower/joint_counts.hpp"
 #include "graph/function.hpp"
-#include "robot/model/mechanism.hpp"
 
 namespace flatdyn {
 
@@ -16,22 +15,6 @@ struct InputArgument {
   int length = 0;       // entries
   std::string meaning;  // "joint velocities, rad/s or m/s"
 };
-
-// The length of q̇, q̈ and τ, and the length of q, which is longer if loops are closed or joints are spherical.
-struct JointCounts {
-  int joints, positions;
-  bool floating_base = false;
-  bool spherical = false;  // whether there are spherical joints
-
-  JointCounts(int n) : joints(n), positions(n) {}  // NOLINT(google-explicit-constructor): most robots have one number
-  explicit JointCounts(const Mechanism& mechanism)
-      : joints(mechanism.size()),
-        positions(mechanism.position_count()),
-        floating_base(mechanism.floating_base),
-        spherical(mechanism.has_spherical_joints()) {}
-};
-
-JointCounts counts_of(const Scope& scope);
 
 // The argument for a kind of input. `counts`: lengths of q and q̇; `base_parameters`: length of pi_b. Throws
 // std::logic_error for parameters, which are passed in one struct, and for stored values.

@@ -215,7 +215,7 @@ class BodyMaker {
       list.push_back({Role::stage, kStored, 0, stage});
     }
     for (InputKind kind : function_.inputs) {
-      const InputArgument input = input_argument(kind, counts_of(scope_), function_);
+      const InputArgument input = input_argument(kind, scope_.counts, function_);
       list.push_back({Role::input, input.name, static_cast<std::size_t>(input.length)});
     }
     for (const char* name : {kSines, kCosines}) list.push_back({Role::input, name, scope_.angle_count()});

@@ -66,8 +66,7 @@ int Limbs::lanes() const {
 
 std::vector<Limbs> limbs_of(const Mechanism& mechanism) {
   std::vector<Limbs> sets;
-  if (mechanism.has_spherical_joints()) return sets;
-  if (!mechanism.is_coupled() && !mechanism.has_loops()) Tree(mechanism).add_sets(mechanism.base_bodies() - 1, sets);
+  if (mechanism.is_joint_by_joint()) Tree(mechanism).add_sets(mechanism.base_bodies() - 1, sets);
   return sets;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "code/lower/joint_counts.hpp"
 #include "code/lower/limbs.hpp"
 #include "code/lower/schedule.hpp"
 #include "code/statement.hpp"
@@ -46,11 +47,8 @@ class TextLength {
 
 struct Scope {
   LanguageTraits language;
-  int joints = 0;                          // length of qd, or of v
-  int positions = 0;                       // length of q
+  JointCounts counts = 0;
   std::vector<MultipleOfPosition> angles;  // angles beyond those of q whose sines and cosines are needed
-  bool floating_base = false;              // whether the length of v is velocity_count
-  bool spherical = false;                  // whether there are spherical joints
   bool fuses = false;                      // whether products and sums are fused multiply-adds
   int most_lines = 0;                      // limit of lines per function; 0: only that of compilers
   std::string proven_positions;            // where pivots are proven not to be lost: "at every position"
@@ -62,7 +60,7 @@ struct Scope {
   std::vector<std::string> fields;         // and the names of its fields
   std::vector<Limbs> limbs;                // that are computed together, a limb in each lane; empty: each by itself
 
-  std::size_t angle_count() const { return static_cast<std::size_t>(positions) + angles.size(); }
+  std::size_t angle_count() const { return static_cast<std::size_t>(counts.positions) + angles.size(); }
 };
 
 }  // namespace flatdyn

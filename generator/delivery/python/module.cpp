@@ -93,12 +93,9 @@ class ModuleWriter {
     page["joints"] = has_rates ? fmt::format("{} joints", mechanism_.size()) : joints_text(mechanism_);
     page["velocities?"] = !has_rates;
     page["velocities"] = list_of(wrapped_words(velocities_text(mechanism_), kPythonWidth));
-    std::vector<std::string> joints, positions;
-    for (const Body& body : mechanism_.joints()) joints.push_back(body.joint);
-    for (int p = 0; p < mechanism_.position_count(); ++p) positions.push_back(mechanism_.position_name(p));
-    page["joint_names"] = names_line("joint_names", joints);
-    page["has_position_names?"] = mechanism_.has_loops() || mechanism_.has_spherical_joints();
-    page["position_names"] = names_line("position_names", positions);
+    page["joint_names"] = names_line("joint_names", mechanism_.joint_names());
+    page["has_position_names?"] = mechanism_.has_longer_positions();
+    page["position_names"] = names_line("position_names", mechanism_.position_names());
     page["parameters?"] = has_parameters();
     data symbols(data::type::list);
     for (const FreeSymbol& symbol : mechanism_.symbols) {

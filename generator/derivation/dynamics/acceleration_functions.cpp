@@ -191,7 +191,7 @@ std::optional<Function> derive_forward_dynamics_by_articulated_bodies(const Mech
 // The bias is computed from the composite bodies that B is made from.
 std::optional<Function> derive_forward_dynamics_by_composite_bodies(const Mechanism& mechanism,
                                                                     const Choices& choices) {
-  if (mechanism.has_prismatic_joint() || mechanism.has_loops() || mechanism.has_spherical_joints()) return std::nullopt;
+  if (mechanism.has_prismatic_joint() || mechanism.has_longer_positions()) return std::nullopt;
   return derived(mechanism, choices, [](DerivationContext& context) {
     const Factorisation B(context.frames, context.inertia());
     const Motion motion{context.joint_motion(InputKind::qd), context.joint_drift(), context.gravity(), true};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "derivation/dynamics/coordinates.hpp"
 
+#include <optional>
+
 #include "derivation/loops/loops.hpp"
 
 namespace flatdyn {
@@ -8,10 +10,8 @@ namespace {
 
 std::string names_of(int i, int k) { return "_" + label(i) + "_" + label(k); }
 
-// The matrix A, or A G with closed loops, next to the identity block of a floating base: row i is the rate of body i's
-// joint per rate of each coordinate.
-Rows factors_of(const Mechanism& mechanism, Derivation& derivation) {
-  if (!mechanism.has_loops()) return mechanism.rate_coupling();
+// The matrix A G of closed loops next to the identity block of a floating base.
+Rows factors_of_loops(const Mechanism& mechanism, Derivation& derivation) {
   const Rows G = ClosedLoops(mechanism, derivation).motion();
   const int base = mechanism.base_bodies();
   Rows result;
@@ -27,6 +27,13 @@ Rows factors_of(const Mechanism& mechanism, Derivation& derivation) {
     }
   }
   return result;
+}
+
+// The matrix A, or A G with closed loops: row i is the rate of body i's joint per rate of each coordinate. nullopt
+// where coordinates and joints are the same.
+std::optional<Rows> factors_of(const Mechanism& mechanism, Derivation& derivation) {
+  if (!mechanism.is_coupled()) return std::nullopt;
+  return mechanism.has_loops() ? factors_of_loops(mechanism, derivation) : mechanism.rate_coupling();
 }
 
 std::vector<Number> column_of(const Rows& rows, int k) {
@@ -70,11 +77,11 @@ std::vector<Number> drift_along(const Mechanism& mechanism, Derivation& derivati
 
 std::vector<Number> joint_motion(const Mechanism& mechanism, Derivation& derivation,
                                  const std::vector<Number>& coordinates, const std::string& name) {
-  if (!mechanism.is_coupled()) return coordinates;
-  const Rows factors = factors_of(mechanism, derivation);
+  const std::optional<Rows> factors = factors_of(mechanism, derivation);
+  if (!factors) return coordinates;
   std::vector<Number> result;
   for (int i = 0; i < mechanism.body_count(); ++i) {
-    result.push_back(derivation.named(sum_of(factors[static_cast<std::size_t>(i)], coordinates), name + label(i)));
+    result.push_back(derivation.named(sum_of((*factors)[static_cast<std::size_t>(i)], coordinates), name + label(i)));
   }
   return result;
 }
@@ -86,12 +93,12 @@ std::vector<Number> joint_drift(const Mechanism& mechanism, Derivation& derivati
 }
 
 std::vector<Number> joint_curvature(const Mechanism& mechanism, Derivation& derivation, int j, int k) {
-  const Rows factors = factors_of(mechanism, derivation);
+  const Rows factors = factors_of_loops(mechanism, derivation);
   return drift_along(mechanism, derivation, column_of(factors, j), column_of(factors, k), "H" + names_of(j, k));
 }
 
 Rows joint_motion_rate(const Mechanism& mechanism, Derivation& derivation) {
-  const Rows factors = factors_of(mechanism, derivation);
+  const Rows factors = factors_of_loops(mechanism, derivation);
   const std::vector<Number> rates = rates_of(mechanism, derivation, InputKind::qd);
   Rows result(factors.size(), std::vector<Number>(static_cast<std::size_t>(mechanism.size()), 0));
   for (int k = mechanism.base_bodies(); k < mechanism.size(); ++k) {
@@ -117,12 +124,12 @@ std::vector<Number> joint_motion(const Mechanism& mechanism, Derivation& derivat
 
 std::vector<Number> at_coordinates(const Mechanism& mechanism, Derivation& derivation, const std::vector<Number>& tau,
                                    const std::string& name) {
-  if (!mechanism.is_coupled()) return tau;
-  const Rows factors = factors_of(mechanism, derivation);
+  const std::optional<Rows> factors = factors_of(mechanism, derivation);
+  if (!factors) return tau;
   std::vector<Number> result;
   for (int k = 0; k < mechanism.size(); ++k) {
     Number sum = 0;
-    for (const auto& [i, factor] : moved_by(factors, k)) sum += factor * tau[static_cast<std::size_t>(i)];
+    for (const auto& [i, factor] : moved_by(*factors, k)) sum += factor * tau[static_cast<std::size_t>(i)];
     result.push_back(derivation.named(sum, name + "_q" + label(k)));
   }
   return result;
@@ -130,14 +137,14 @@ std::vector<Number> at_coordinates(const Mechanism& mechanism, Derivation& deriv
 
 Rows rows_at_coordinates(const Mechanism& mechanism, Derivation& derivation, const Rows& matrix,
                          const std::string& name) {
-  if (!mechanism.is_coupled()) return matrix;
-  const Rows factors = factors_of(mechanism, derivation);
+  const std::optional<Rows> factors = factors_of(mechanism, derivation);
+  if (!factors) return matrix;
   Rows result;
   for (int k = 0; k < mechanism.size(); ++k) {
     result.emplace_back(matrix.front().size(), 0);
     for (std::size_t column = 0; column < matrix.front().size(); ++column) {
       Number sum = 0;
-      for (const auto& [i, factor] : moved_by(factors, k)) sum += factor * matrix[static_cast<std::size_t>(i)][column];
+      for (const auto& [i, factor] : moved_by(*factors, k)) sum += factor * matrix[static_cast<std::size_t>(i)][column];
       result.back()[column] = derivation.named(sum, name + names_of(k, static_cast<int>(column)) + "h");
     }
   }
@@ -146,14 +153,14 @@ Rows rows_at_coordinates(const Mechanism& mechanism, Derivation& derivation, con
 
 Rows at_coordinates(const Mechanism& mechanism, Derivation& derivation, const Rows& matrix, Shape shape,
                     const std::string& name) {
-  if (!mechanism.is_coupled()) return matrix;
-  const Rows half = rows_at_coordinates(mechanism, derivation, matrix, name),
-             factors = factors_of(mechanism, derivation);
+  const std::optional<Rows> factors = factors_of(mechanism, derivation);
+  if (!factors) return matrix;
+  const Rows half = rows_at_coordinates(mechanism, derivation, matrix, name);
   Rows result(half.size(), std::vector<Number>(half.size(), 0));
   for (int k = 0; k < mechanism.size(); ++k) {
     for (int l = shape == Shape::symmetric ? k : 0; l < mechanism.size(); ++l) {
       Number sum = 0;
-      for (const auto& [i, factor] : moved_by(factors, l)) {
+      for (const auto& [i, factor] : moved_by(*factors, l)) {
         sum += factor * half[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
       }
       Number& entry = result[static_cast<std::size_t>(k)][static_cast<std::size_t>(l)];
@@ -165,9 +172,9 @@ Rows at_coordinates(const Mechanism& mechanism, Derivation& derivation, const Ro
 }
 
 ChristoffelSymbols at_coordinates(const Mechanism& mechanism, Derivation& derivation, const ChristoffelSymbols& c) {
-  if (!mechanism.is_coupled()) return c;
-  const Rows factors = factors_of(mechanism, derivation);
-  const auto row = [&](int i) -> const std::vector<Number>& { return factors[static_cast<std::size_t>(i)]; };
+  const std::optional<Rows> factors = factors_of(mechanism, derivation);
+  if (!factors) return c;
+  const auto row = [&](int i) -> const std::vector<Number>& { return (*factors)[static_cast<std::size_t>(i)]; };
   ChristoffelSymbols sums;
   const auto add = [&](int r, int s, int t, const Number& value) {
     for (int i = 0; i < mechanism.size(); ++i) {
@@ -195,12 +202,12 @@ ChristoffelSymbols at_coordinates(const Mechanism& mechanism, Derivation& deriva
 
 std::vector<JacobianColumn> at_coordinates(const Mechanism& mechanism, Derivation& derivation,
                                            const std::vector<JacobianColumn>& columns) {
-  if (!mechanism.is_coupled()) return columns;
-  const Rows factors = factors_of(mechanism, derivation);
+  const std::optional<Rows> factors = factors_of(mechanism, derivation);
+  if (!factors) return columns;
   std::vector<JacobianColumn> result;
   for (int k = 0; k < mechanism.size(); ++k) {
     JacobianColumn sum;
-    for (const auto& [i, factor] : moved_by(factors, k)) {
+    for (const auto& [i, factor] : moved_by(*factors, k)) {
       const JacobianColumn& column = columns[static_cast<std::size_t>(i)];
       sum.linear = sum.linear + factor * column.linear;
       sum.angular = sum.angular + factor * column.angular;

@@ -307,12 +307,9 @@ class Deriver {
     std::vector<std::pair<std::string, Number>> terms;
     std::vector<Number> stiffness(at(n()), 0);
     Number rest = 0;
-    const Rows A = mechanism_.rate_coupling();
-    for (std::size_t r = 0; r < mechanism_.bodies.size(); ++r) {
-      const Body& body = mechanism_.bodies[r];
-      const auto factor = [&](int k) -> Number {
-        return mechanism_.is_coupled() ? A[r][at(k)] : Number(static_cast<int>(r) == k ? 1 : 0);
-      };
+    for (int r = 0; r < mechanism_.body_count(); ++r) {
+      const Body& body = mechanism_.body(r);
+      const auto factor = [&](int k) { return mechanism_.rate_factor(r, k); };
       for (int k = 0; k < n(); ++k) stiffness[at(k)] += factor(i) * factor(k) * body.stiffness;
       rest -= factor(i) * body.stiffness * body.spring_reference;
     }

@@ -124,7 +124,7 @@ std::vector<std::string> conventions_of_base(const Mechanism& mechanism, const s
   const int linear = 0, angular = kAxisCount;
   const auto list = [&](std::string EntryNames::*name, int first) { return listed(names, name, first, kAxisCount); };
   std::vector<std::string> lines = {
-      "the base floats: " + mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)].link,
+      "the base floats: " + mechanism.base_link().link,
       list(&EntryNames::velocity, linear) + ": velocity of the base frame's origin, in base axes, m/s",
       list(&EntryNames::velocity, angular) + ": angular velocity of the base, in base axes, rad/s",
       fmt::format("{}, {}: derivatives of these numbers, m/s^2 and rad/s^2; the origin's acceleration is "

@@ -41,7 +41,7 @@ void TorqueEquations::add_friction(int joint, int column, FrictionEntry::Law law
 
 void TorqueEquations::add_joint(int joint) {
   // With loops or coupled joints, an equation also has the friction of joints whose speeds are functions of others.
-  const bool is_open = !model_.mechanism().has_loops() && !model_.mechanism().is_coupled();
+  const bool is_open = !model_.mechanism().is_coupled();
   const bool is_smooth = further_.law == FrictionLaw::smooth && further_.dictionary.empty();
   has_friction_.push_back(false);
   bool has_coulomb = false;

@@ -54,9 +54,7 @@ std::vector<std::vector<int>> nonzero_columns(const Function& regressor) {
 Eigen::VectorXd coordinate_factors(const Mechanism& mechanism, int body, int coordinates) {
   Eigen::VectorXd factors = Eigen::VectorXd::Zero(coordinates);
   for (int k = 0; k < coordinates; ++k) {
-    factors(k) = !mechanism.is_coupled()
-                     ? static_cast<double>(k == body - mechanism.base_bodies())
-                     : nearest_double(mechanism.coupling[static_cast<std::size_t>(body)][static_cast<std::size_t>(k)]);
+    factors(k) = nearest_double(mechanism.rate_factor(body, mechanism.base_bodies() + k));
   }
   return factors;
 }

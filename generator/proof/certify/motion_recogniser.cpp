@@ -21,8 +21,7 @@ constexpr int kMore = 10;  // samples beyond those that a combination needs: one
 constexpr int kSamples = MotionBasis::kSize + kMore;
 
 bool has_only_revolute_joints(const Mechanism& mechanism) {
-  return !mechanism.has_prismatic_joint() && !mechanism.has_spherical_joints() && !mechanism.is_coupled() &&
-         !mechanism.has_loops() && mechanism.symbols.empty();
+  return !mechanism.has_prismatic_joint() && mechanism.is_joint_by_joint() && mechanism.symbols.empty();
 }
 
 }  // namespace

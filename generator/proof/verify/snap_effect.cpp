@@ -45,7 +45,7 @@ class SnapComparison {
   SnapComparison(const LoadedRobot& model, const ReadOptions& options)
       : model_(model), options_(options), states_(closed_states(model)) {
     const Mechanism& mechanism = model.mechanism;
-    if (!mechanism.is_coupled() && !mechanism.has_loops() && mechanism.symbols.empty()) {
+    if (!mechanism.is_coupled() && mechanism.symbols.empty()) {
       limits_ = largest_motion(mechanism);
       base_ = largest_motion_of_base(mechanism);
     }

@@ -54,11 +54,11 @@ std::vector<FileTable> tables_of(const Mechanism& mechanism) {
   std::vector<FileTable> tables;
   if (mechanism.joints().size() > 0) {
     tables.push_back({"const char*", "joint_names", "joint_count"});
-    for (const Body& body : mechanism.joints()) tables.back().texts.push_back(body.joint);
+    tables.back().texts = mechanism.joint_names();
   }
-  if (mechanism.has_loops() || mechanism.has_spherical_joints()) {
+  if (mechanism.has_longer_positions()) {
     tables.push_back({"const char*", "position_names", "position_count"});
-    for (int p = 0; p < mechanism.position_count(); ++p) tables.back().texts.push_back(mechanism.position_name(p));
+    tables.back().texts = mechanism.position_names();
   }
   if (mechanism.has_loops()) {
     tables.push_back({"int", "independent_positions", "joint_count"});
@@ -187,7 +187,7 @@ FileContents contents_of(const WrittenCode& code) {
   if (mechanism.floating_base) contents.velocities = mechanism.size();
   contents.positions = mechanism.position_count();
   contents.angles = mechanism.angle_count();
-  contents.has_positions = mechanism.has_loops() || mechanism.has_spherical_joints();
+  contents.has_positions = mechanism.has_longer_positions();
   contents.tables = tables_of(mechanism);
   if (std::any_of(code.functions.begin(), code.functions.end(), takes_base_parameters)) add_base(mechanism, contents);
   for (const FreeSymbol& symbol : mechanism.symbols) contents.parameters.push_back(cpp_identifier(symbol.name));

@@ -52,18 +52,13 @@ std::string joints_text(const Mechanism& mechanism) {
   return fmt::format("{}, {}", joints, fmt::join(kinds, ", "));
 }
 
-// The last of the bodies that are the motion of a floating base.
-const Body& base_link(const Mechanism& mechanism) {
-  return mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)];
-}
-
 std::string facts_text(const LoadedRobot& model) {
   const Mechanism& mechanism = model.mechanism;
   const NumberText number(mechanism);
   std::string text = fmt::format("Gravity is {} m/s² in {}.", number(mechanism.gravity),
                                  mechanism.floating_base ? "world axes" : "the base frame");
   if (mechanism.floating_base) {
-    const Body& base = base_link(mechanism);
+    const Body& base = mechanism.base_link();
     text +=
         fmt::format(" The base is link {}, {} kg with everything fixed to it.", base.link, number(base.inertia.mass));
   }
@@ -264,7 +259,7 @@ std::string report_page(const PageContent& content, const PageCode& code) {
   page["summary"] = joints_text(model.mechanism);
   page["floating"] = model.mechanism.floating_base;
   page["spherical"] = model.mechanism.has_spherical_joints();
-  if (model.mechanism.floating_base) page["base_link"] = base_link(model.mechanism).link;
+  if (model.mechanism.floating_base) page["base_link"] = model.mechanism.base_link().link;
   page["facts"] = facts_text(model);
   page["maps"] = maps(content.functions);
   write_regressor(page, content.functions, model.mechanism);

@@ -91,7 +91,7 @@ bool has_base_armature(const Mechanism& mechanism) {
 
 bool has_base_friction(const Mechanism& mechanism) {
   if (!mechanism.floating_base) return false;
-  const Body& turning = mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)];
+  const Body& turning = mechanism.base_link();
   return !vanishes(turning.viscous) || !vanishes(turning.coulomb);
 }
 

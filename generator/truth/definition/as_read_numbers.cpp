@@ -4,17 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "graph/field_arithmetic.hpp"
 #include "truth/definition/as_read.hpp"
-#include "truth/definition/quadratic_form.hpp"
+#include "truth/definition/as_read_bodies.hpp"
 
 namespace flatdyn {
 namespace {
 
 using Real = Digits100;
-using RealForm = QuadraticForm<Real>;
 using RealPose = Pose3<Real>;
 
 Real length_sum(const Vector3<Real>& v) { return abs(v[0]) + abs(v[1]) + abs(v[2]); }
@@ -47,7 +45,6 @@ class NumberComparison {
         mechanism_(mechanism),
         arithmetic_(drawn_reals(seed)),
         numbers_(robot, arithmetic_),
-        map_(mechanism.symbols, arithmetic_),
         found_(mechanism_over(mechanism, arithmetic_)),
         moving_(moving_joints(robot)) {
     std::size_t count = base_bodies();
@@ -66,7 +63,7 @@ class NumberComparison {
     compare_couplings();
     for (std::size_t j = 0; j < robot_.joints.size(); ++j) compare_place(j);
     for (std::size_t i = 0; i < moving_.size(); ++i) compare_joint(i);
-    compare_bodies();
+    compare_bodies({robot_, mechanism_, numbers_, arithmetic_, found_, moving_, last_bodies_, reach_}, differences_);
     return std::move(differences_);
   }
 
@@ -294,7 +291,7 @@ class NumberComparison {
   }
 
   Real offset_of(std::size_t body) const {
-    return mechanism_.is_coupled() ? numbers_.number(mechanism_.offsets[base_bodies() + body]) : Real(0);
+    return numbers_.number(mechanism_.offset_of(static_cast<int>(base_bodies() + body)));
   }
 
   // Compares the place of a joint's child link relative to its parent link.
@@ -330,8 +327,7 @@ class NumberComparison {
     if (joint.type == JointType::spherical) return compare_rotation(subject, child, before, after);
     const bool slides = joint.type == JointType::prismatic;
     const Vector3<Real> axis = numbers_.unit(joint.axis);
-    const JointPoint<Real> offset =
-        mechanism_.is_coupled() ? point_at(mechanism_.offsets[body], slides) : JointPoint<Real>{1, 0, 0};
+    const JointPoint<Real> offset = point_at(mechanism_.offset_of(child.body), slides);
     const RealPose held{found_.bodies[body].R, found_.bodies[body].p};
     using Point = JointPoint<Real>;
     for (const Point& q : {Point{0, 0, 0}, Point{1, 0, 0}, Point{0, 1, 1}}) {
@@ -401,99 +397,10 @@ class NumberComparison {
             subject);
   }
 
-  // The sum of the forms of all that moves with a body, or is fixed to one link, and the scales of its rounding.
-  struct Sum {
-    RealForm form = {};
-    Real mass = 0, inertia = 0;
-  };
-
-  void add(const RealPose& frame, const WrittenBody<Real>& body, Sum& sum) const {
-    WrittenBody<Real> placed = body;
-    placed.frame = composed(frame, body.frame);
-    add_body(placed, sum.form);
-    sum.mass += abs(body.mass);
-    for (const Vector3<Real>& row : body.tensor) sum.inertia += length_sum(row);
-  }
-
-  WrittenBody<Real> body_of(const Inertial& inertial) const {
-    WrittenBody<Real> body{pose_over(numbers_, inertial.frame), numbers_.number(inertial.mass.number),
-                           vector_over(numbers_, inertial.centre_of_mass), matrix_over(numbers_, inertial.tensor)};
-    if (inertial.about == Inertial::About::frame_origin) return body;
-    body.frame.p = plus(body.frame.p, times(body.frame.R, body.centre));
-    body.centre = {0, 0, 0};
-    return body;
-  }
-
-  // A rotor held still: I_t 1 + (I_m - I_t) z zᵀ about its centre of mass.
-  WrittenBody<Real> body_of(const Motor& motor) const {
-    const Vector3<Real> z = numbers_.unit(motor.axis);
-    const Real across = numbers_.number(motor.inertia_transverse.number),
-               along = numbers_.number(motor.inertia_axial.number);
-    WrittenBody<Real> body{identity_pose<Real>(), numbers_.number(motor.mass.number), {0, 0, 0}, {}};
-    body.frame.p = vector_over(numbers_, motor.position);
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) body.tensor[i][j] = (along - across) * z[i] * z[j];
-      body.tensor[i][i] += across;
-    }
-    return body;
-  }
-
-  void compare_bodies() {
-    std::map<int, Sum> bodies;  // by body, -1: the base
-    std::vector<Sum> links(robot_.links.size());
-    bodies[base_body()] = {};
-    const auto add_to_link = [&](int link, const WrittenBody<Real>& body) {
-      add(identity_pose<Real>(), body, links[static_cast<std::size_t>(link)]);
-      add(pose_of(place(link)), body, bodies[place(link).body]);
-    };
-    for (std::size_t l = 0; l < robot_.links.size(); ++l) {
-      for (const Inertial& inertial : robot_.links[l].inertials) add_to_link(static_cast<int>(l), body_of(inertial));
-    }
-    for (const int j : moving_) {
-      const Joint& joint = robot_.joints[static_cast<std::size_t>(j)];
-      if (joint.motor) add_to_link(carrier_of(joint), body_of(*joint.motor));
-    }
-    compare_form("the base: its", base_bodies() > 0 ? found_.bodies[base_bodies() - 1].inertia : found_.base,
-                 bodies[base_body()]);
-    for (std::size_t i = 0; i < moving_.size(); ++i) {
-      compare_form("what joint \"" + written(i).name + "\" moves: its", found_.bodies[body_of(i)].inertia,
-                   bodies[static_cast<int>(body_of(i))]);
-    }
-    for (std::size_t l = 0; l < links.size(); ++l) {
-      const InertialParameters& own = mechanism_.links[l].inertia;
-      const auto vector = [this](const Vec3& v) { return Vector3<Real>{map_(v[0]), map_(v[1]), map_(v[2])}; };
-      compare_form("link \"" + robot_.links[l].name + "\": its",
-                   {map_(own.mass),
-                    vector(own.first_moment),
-                    {vector(own.inertia[0]), vector(own.inertia[1]), vector(own.inertia[2])}},
-                   links[l]);
-    }
-  }
-
-  void compare_form(const std::string& subject, const FieldInertia<Real>& found, const Sum& expected) {
-    RealForm form = {};
-    add_body({identity_pose<Real>(), found.mass, {0, 0, 0}, found.inertia}, form);
-    const Vector3<Real>& h = found.first_moment;
-    const Matrix3<Real> S = {Vector3<Real>{0, -h[2], h[1]}, Vector3<Real>{h[2], 0, -h[0]},
-                             Vector3<Real>{-h[1], h[0], 0}};
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) form[i][j + 3] = form[j + 3][i] = -S[i][j];
-    }
-    const Real scales[] = {expected.mass, expected.mass * reach_, expected.mass * reach_ * reach_ + expected.inertia};
-    static const char* const kNames[] = {" mass", " first moment", " inertia"};
-    for (std::size_t i = 0; i < 6; ++i) {
-      for (std::size_t j = 0; j < 6; ++j) {
-        const std::size_t kind = i / 3 + j / 3;
-        differences_.compare(subject + kNames[kind], form[i][j], expected.form[i][j], scales[kind]);
-      }
-    }
-  }
-
   const Robot& robot_;
   const Mechanism& mechanism_;
   RealArithmetic<Real> arithmetic_;
   RealNumbers numbers_;
-  NumberMap<RealArithmetic<Real>> map_;
   MechanismOver<Real> found_;
   std::vector<int> moving_;
   std::vector<std::size_t> last_bodies_;  // by moving joint

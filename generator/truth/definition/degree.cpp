@@ -143,10 +143,9 @@ std::vector<JointPoint<Degree>> joint_degrees(const Mechanism& mechanism) {
       degrees.emplace_back();
       continue;
     }
-    double turns = mechanism.is_coupled() ? 0 : 1;
-    for (int k = 0; k < mechanism.position_count() && mechanism.is_coupled(); ++k) {
-      turns += std::ceil(
-          std::abs(nearest_double(mechanism.coupling[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)])));
+    double turns = 0;
+    for (int p = 0; p < mechanism.position_count(); ++p) {
+      turns += std::ceil(std::abs(nearest_double(mechanism.position_factor(i, p))));
     }
     degrees.push_back({Degree::of(turns), Degree::of(turns), Degree::of(1)});
   }

@@ -120,7 +120,7 @@ TEST(CodeOfLimbs, ReadsInputsBeforeItWrites) {
   const Function function = torques(b, values);
   const CppDialect dialect;
   HeaderScope scope(dialect);
-  scope.joints = scope.positions = 2;
+  scope.counts = 2;
   scope.limbs = two_slides();
   const std::string text = function_text(function, "f", scope).body;
   EXPECT_NE(text.find("const Limbs2 "), std::string::npos);

@@ -22,7 +22,7 @@ class Schedules : public ::testing::Test {
     function.outputs = {{"y", Layout::vector, rows, 1, std::move(entries), ""}};
     const CppDialect dialect;
     HeaderScope scope(dialect);
-    scope.joints = scope.positions = 9;
+    scope.counts = 9;
     return function_text(function, "f", scope).body;
   }
 

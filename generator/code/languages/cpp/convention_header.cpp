@@ -51,7 +51,7 @@ std::vector<std::string> paragraphs_of(const Mechanism& mechanism, const Convent
                     "length, and has the digits of double.",
                     convention.scalar_first ? "" : ", which take quaternions as (w, x, y, z)", kStretchedJoint)};
   }
-  const std::string base = comment_text(mechanism.bodies[static_cast<std::size_t>(mechanism.base_bodies() - 1)].link);
+  const std::string base = comment_text(mechanism.base_link().link);
   return {
       fmt::format("Base axes are those of link \"{}\", and its linear velocity is that of its origin, about which the "
                   "moment is. The quaternion turns base axes into world axes: R(quaternion) x is in world axes what x "
