@@ -5,6 +5,14 @@
 #include "laboratory/identify/base_motion.hpp"
 
 namespace flatdyn {
+namespace {
+
+ClockChoice clock_choice(const std::string& how) {
+  if (how == "auto") return ClockChoice::automatic;
+  return how == "stamps" ? ClockChoice::stamped : ClockChoice::counted;
+}
+
+}  // namespace
 
 void add_stream_options(CLI::App& command, StreamOptions& options) {
   command
@@ -24,6 +32,17 @@ void add_stream_options(CLI::App& command, StreamOptions& options) {
       ->delimiter(',')
       ->check(number_between(0, 1e6))
       ->type_name("V[,V...]");
+  command
+      .add_option_function<std::string>(
+          "--resample", [&options](const std::string& how) { options.clock = clock_choice(how); },
+          "whether samples are interpolated at their stamps onto even steps: auto (where their times differ by more "
+          "than 2 % and positions are smoother so; the default), stamps (always), or off")
+      ->check(CLI::IsMember({"auto", "stamps", "off"}))
+      ->type_name("HOW");
+  command
+      .add_option("--rate", options.rate, "the samples a second of a log without times; a column of times is not used")
+      ->check(positive_number())
+      ->type_name("HZ");
 }
 
 void add_imu_option(CLI::App& command, std::string& imu) {

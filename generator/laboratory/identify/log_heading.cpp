@@ -17,7 +17,7 @@ class LayoutReader {
     set_sizes(torques);
     LogLayout& layout = heading_.layout;
     const CsvEntries joints{layout.base};
-    const std::optional<CsvTime> time = columns_.require_time();
+    const std::optional<CsvTime> time = find_time();
     const std::vector<CsvSource> q = columns_.require(CsvQuantity::q, "positions");
     std::vector<CsvSource> tau;
     if (torques) {
@@ -34,7 +34,7 @@ class LayoutReader {
     const BaseColumns base = layout.base > 0 ? base_columns(torques) : BaseColumns{};
     columns_.finish();
     if (diagnostics_.has_errors()) return;
-    place_time(*time);
+    if (time) place_time(*time);
     place(q, LogLayout::q());
     place(base.force, layout.tau());
     place(tau, layout.tau() + layout.base);
@@ -53,6 +53,16 @@ class LayoutReader {
   }
 
  private:
+  // The column of times; none where the rate is given.
+  std::optional<CsvTime> find_time() {
+    if (heading_.rate == 0) return columns_.require_time();
+    if (columns_.find_time()) {
+      diagnostics_.note(place_, "the column of times is not used, as --rate gives them", {},
+                        "headings with columns that are not used");
+    }
+    return std::nullopt;
+  }
+
   // The columns about a floating base.
   struct BaseColumns {
     std::vector<CsvSource> force, place, readings, twist, twist_rates;
@@ -153,8 +163,9 @@ std::vector<std::string> LogHeading::channel_names() const {
 }
 
 LogHeading read_heading(const std::string& line, const std::string& first_row, const Place& place,
-                        const Mechanism& mechanism, bool torques, Diagnostics& diagnostics) {
+                        const Mechanism& mechanism, bool torques, double rate, Diagnostics& diagnostics) {
   LogHeading heading;
+  heading.rate = rate;
   heading.separator = separator_of(line);
   const std::vector<std::string> names = csv_entries(line, heading.separator);
   std::vector<std::string> entries = csv_entries(first_row, heading.separator);

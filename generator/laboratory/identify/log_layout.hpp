@@ -119,6 +119,7 @@ struct LogHeading {
   char separator = ',';
   CsvClock clock{};
   bool has_nanoseconds = false;  // nanoseconds have a column of their own
+  double rate = 0;               // samples a second, where it is given: no column has times then; else 0
 
   // Whether times are read as text, with the first one subtracted from them.
   bool has_exact_time() const { return has_nanoseconds || clock.origin; }
@@ -128,8 +129,8 @@ struct LogHeading {
 
 // Reads a heading such as "t, q1 [deg], q_elbow, tau1, …" (docs/csv.md); `first_row` is the line below it. Errors (a
 // column missing or twice, an unknown unit) go into `diagnostics`, and so do notes on columns that are not used. If
-// `torques` is false, torques may be missing and are not read.
+// `torques` is false, torques may be missing and are not read. `rate`: LogHeading::rate.
 LogHeading read_heading(const std::string& line, const std::string& first_row, const Place& place,
-                        const Mechanism& mechanism, bool torques, Diagnostics& diagnostics);
+                        const Mechanism& mechanism, bool torques, double rate, Diagnostics& diagnostics);
 
 }  // namespace flatdyn

@@ -41,7 +41,7 @@ const char* read_number(const char* at, const char* end, double& value) {
 }  // namespace
 
 LogReader::LogReader(const std::filesystem::path& path, const Mechanism& mechanism, bool torques,
-                     Diagnostics& diagnostics)
+                     Diagnostics& diagnostics, double rate)
     : path_(path.string()), lines_(path, LineReader::Reading::again), diagnostics_(diagnostics) {
   std::string_view line;
   if (!lines_.next_row(line)) {
@@ -54,7 +54,7 @@ LogReader::LogReader(const std::filesystem::path& path, const Mechanism& mechani
   std::string_view first_row;
   again.next_row(first_row);
   if (!again.next_row(first_row)) first_row = {};
-  heading_ = read_heading(heading, std::string(first_row), place(), mechanism, torques, diagnostics);
+  heading_ = read_heading(heading, std::string(first_row), place(), mechanism, torques, rate, diagnostics);
   marks_ = DecimalMarks(heading_.separator);
   find_quaternions();
 }
@@ -84,6 +84,7 @@ long LogReader::skip(long count) {
   std::string_view line;
   long done = 0;
   while (done < count && lines_.next_row(line)) ++done;
+  rows_ += done;
   return done;
 }
 
@@ -172,6 +173,10 @@ const char* LogReader::parse_entry(const LogColumn& column, const char* at, cons
 bool LogReader::set_time(double* channels) {
   const CsvClock& clock = heading_.clock;
   double& time = channels[LogLayout::time()];
+  if (heading_.rate > 0) {
+    time = static_cast<double>(rows_++) / heading_.rate;
+    return true;
+  }
   if (!heading_.has_exact_time()) {
     time /= clock.per_second;
     return true;

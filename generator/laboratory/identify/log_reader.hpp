@@ -16,9 +16,10 @@ namespace flatdyn {
 
 class LogReader {
  public:
-  // Reads the heading, which must have torques if `torques` is true. Throws Failure(io); errors of the heading go into
-  // `diagnostics`.
-  LogReader(const std::filesystem::path& path, const Mechanism& mechanism, bool torques, Diagnostics& diagnostics);
+  // Reads the heading, which must have torques if `torques` is true. rate: LogHeading::rate. Throws Failure(io); errors
+  // of the heading go into `diagnostics`.
+  LogReader(const std::filesystem::path& path, const Mechanism& mechanism, bool torques, Diagnostics& diagnostics,
+            double rate = 0);
   // Opens the log again with a heading that was read before.
   LogReader(const std::filesystem::path& path, LogHeading heading, Diagnostics& diagnostics);
 
@@ -55,6 +56,7 @@ class LogReader {
   DecimalMarks marks_{','};
   std::string time_, nanoseconds_;  // texts of the current line, where the clock is read as text
   int errors_ = 0;
+  long rows_ = 0;  // that were read or skipped, where they give the time
   double last_time_ = -std::numeric_limits<double>::infinity();
   std::vector<int> quaternions_;  // LogLayout::quaternions()
   std::vector<Eigen::Vector4d> last_quaternions_;

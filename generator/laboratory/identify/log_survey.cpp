@@ -14,9 +14,11 @@ constexpr int kRuns = 64, kSamplesPerRun = 256;
 
 class Surveyor {
  public:
-  Surveyor(const LogLayout& layout, double dt)
+  Surveyor(const LogLayout& layout, const SampleClock& clock)
       : layout_(layout),
-        dt_(dt),
+        clock_(clock),
+        dt_(clock.dt),
+        repeats_(clock, layout.channels()),
         sample_(static_cast<std::size_t>(layout.channels())),
         all_(sample_.size()),
         runs_(sample_.size()),
@@ -28,19 +30,20 @@ class Surveyor {
   // Reads a run; returns false if the log ended before it did.
   bool read_run(LogReader& reader) {
     std::vector<std::vector<double>> run(sample_.size());
-    for (ChannelNoiseMeter& meter : all_) meter.restart();
+    restart();
     double last = 0;
     int count = 0;
     bool has_gap = false;
-    for (; count < kSamplesPerRun && reader.next(sample_.data()); ++count) {
-      const bool is_gap = count > 0 && sample_[0] - last > 1.5 * dt_;
+    for (; count < kSamplesPerRun && next(reader); ++count) {
+      const bool is_gap = count > 0 && sample_[0] - last > longest_step();
       has_gap |= is_gap;
       last = sample_[0];
       if (is_first_) first_time_ = last;
       is_first_ = false;
+      if (is_gap) restart();
+      stamps_.add(last);
       for (std::size_t c = 0; c < sample_.size(); ++c) {
-        if (is_gap) all_[c].restart();
-        all_[c].add(sample_[c]);
+        clock_.is_interpolated() ? all_[c].add(sample_[c], stamps_) : all_[c].add(sample_[c]);
         run[c].push_back(sample_[c]);
       }
       result_.moves |= (layout_.has_rates && changes(layout_.qd(), layout_.joints)) ||
@@ -49,10 +52,12 @@ class Surveyor {
     const bool is_whole = count == kSamplesPerRun;
     result_.duration = std::max(result_.duration, last - first_time_);
     for (std::size_t i = 0; i < bends_.size() && !has_gap; ++i) {
-      bends_[i].add(run[static_cast<std::size_t>(positions_[i])], lag());
+      bends_[i].add(evenly(run, positions_[i]), lag());
     }
     if (!is_whole && !runs_.front().empty()) return is_whole;
-    for (std::size_t c = 0; c < run.size(); ++c) runs_[c].push_back(typical_noise(std::move(run[c])));
+    for (std::size_t c = 0; c < run.size(); ++c) {
+      runs_[c].push_back(clock_.is_interpolated() ? typical_noise(run[c], run[0]) : typical_noise(run[c]));
+    }
     return is_whole;
   }
 
@@ -97,6 +102,38 @@ class Surveyor {
     }
   };
 
+  void restart() {
+    for (ChannelNoiseMeter& meter : all_) meter.restart();
+    stamps_.restart();
+  }
+
+  // The next sample that does not repeat the one before.
+  bool next(LogReader& reader) {
+    while (reader.next(sample_.data())) {
+      if (!repeats_.is_repeat(sample_.data())) return true;
+    }
+    return false;
+  }
+
+  double longest_step() const {
+    constexpr double kEven = 1.5, kUneven = 3;  // times dt
+    return (clock_.is_interpolated() ? kUneven : kEven) * dt_;
+  }
+
+  // A channel of a run, dt apart.
+  std::vector<double> evenly(const std::vector<std::vector<double>>& run, int channel) const {
+    const std::vector<double>&times = run[0], &values = run[static_cast<std::size_t>(channel)];
+    if (!clock_.is_interpolated() || times.size() < 2) return values;
+    std::vector<double> even;
+    std::size_t k = 1;
+    for (double t = times.front(); t <= times.back(); t += dt_) {
+      while (k + 1 < times.size() && times[k] < t) ++k;
+      const double part = (t - times[k - 1]) / (times[k] - times[k - 1]);
+      even.push_back(values[k - 1] + part * (values[k] - values[k - 1]));
+    }
+    return even;
+  }
+
   bool changes(int first, int count) const {
     const auto rates = sample_.begin() + first;
     return std::any_of(rates, rates + count, [](double rate) { return rate != 0; });
@@ -108,7 +145,10 @@ class Surveyor {
   }
 
   const LogLayout& layout_;
+  const SampleClock& clock_;
   double dt_;
+  RepeatFilter repeats_;
+  StampDifferences stamps_;
   std::vector<double> sample_;
   std::vector<ChannelNoiseMeter> all_;
   std::vector<std::vector<ChannelNoise>> runs_;
@@ -122,10 +162,10 @@ class Surveyor {
 }  // namespace
 
 // A log that ends within the first runs is read whole; of a longer one, runs at even places of the file are.
-LogSurvey survey(const std::filesystem::path& log, const LogHeading& heading, double dt) {
+LogSurvey survey(const std::filesystem::path& log, const LogHeading& heading, const SampleClock& clock) {
   Diagnostics unheard;
   LogReader reader(log, heading, unheard);
-  Surveyor surveyor(heading.layout, dt);
+  Surveyor surveyor(heading.layout, clock);
   for (int run = 0; run < kRuns; ++run) {
     if (!surveyor.read_run(reader)) return surveyor.result();
   }

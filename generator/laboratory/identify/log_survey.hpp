@@ -8,6 +8,7 @@
 
 #include "laboratory/identify/channel_noise.hpp"
 #include "laboratory/identify/log_layout.hpp"
+#include "laboratory/identify/sample_clock.hpp"
 
 namespace flatdyn {
 
@@ -27,7 +28,7 @@ struct LogSurvey {
   double duration = 0;  // from the first to the last sample looked at, s
 };
 
-// dt: the usual time between samples, s. Samples that cannot be read are left out.
-LogSurvey survey(const std::filesystem::path& log, const LogHeading& heading, double dt);
+// Samples that cannot be read are left out.
+LogSurvey survey(const std::filesystem::path& log, const LogHeading& heading, const SampleClock& clock);
 
 }  // namespace flatdyn

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "laboratory/identify/base_check.hpp"
+#include "laboratory/identify/even_samples.hpp"
 #include "laboratory/identify/log_reader.hpp"
 #include "laboratory/identify/position_check.hpp"
 #include "laboratory/identify/rate_check.hpp"
@@ -15,7 +16,11 @@
 namespace flatdyn {
 namespace {
 
-constexpr int kMostMissing = 3;
+// The lines of the log that as many even samples take, at most.
+int lines_of(const StreamPlan& plan, int samples) {
+  const double share = plan.clock.is_interpolated() ? 1 + 2 * plan.clock.drift : 1;
+  return static_cast<int>(std::ceil(samples * share * plan.clock.held));
+}
 
 // Checks the rates of samples on their way.
 class RateChecked : public SampleReceiver {
@@ -52,12 +57,15 @@ class Stream {
         signals_(plan),
         base_(plan.heading, plan.filter.dt),
         plan_(plan),
-        half_window_(std::min(plan.filter.half_window() + SpikeRepair::kReach + plan.filter.standing_samples(),
+        half_window_(std::min(lines_of(plan, plan.filter.half_window() + SpikeRepair::kReach + EvenSamples::kReach +
+                                                 plan.filter.standing_samples()),
                               static_cast<int>(kBlock / 2))),
         shares_(shares),
         rate_checked_(log.string(), rates_, receiver, diagnostics),
         spikes_(plan, rate_checked_),
         receiver_(plan.filter.band > 0 ? static_cast<SampleReceiver&>(spikes_) : rate_checked_),
+        even_(plan, receiver_),
+        repeats_(plan.clock, plan.layout().channels()),
         sample_(static_cast<std::size_t>(plan.layout().channels())) {}
 
   StreamCount run() {
@@ -74,6 +82,7 @@ class Stream {
         return count_;
       }
       if (shares_.owns(line)) ++count_.lines;
+      if (plan_.filter.band > 0 && repeats_.is_repeat(sample_.data())) continue;
       base_.add(sample_.data());
       pass_on(line);
     }
@@ -87,6 +96,7 @@ class Stream {
   }
 
   void finish() {
+    even_.restart();
     spikes_.flush();
     rates_.finish(first_, diagnostics_);
     spikes_.finish(first_.file, diagnostics_);
@@ -108,72 +118,25 @@ class Stream {
   }
 
   void restart() {
+    even_.restart();
     receiver_.restart();
     signals_.restart();
     base_.restart();
-    contiguous_ = 0;
   }
 
-  bool jitters() const {
-    constexpr double kFew = 0.05;  // share of dt
-    return plan_.jitter > kFew;
-  }
-
-  // Whether no sample is missing within a step, s.
-  bool is_next(double step) const {
-    constexpr double kMost = 0.5, kMostWithJitter = 0.9;  // shares of dt
-    const double dt = plan_.filter.dt;
-    return std::abs(step - dt) <= (jitters() ? kMostWithJitter : kMost) * dt;
-  }
-
-  // The time since the last sample, s. Where the clock jitters, it is that since the time at which the last sample was
-  // due; steps that are too long and too short by turns are no gaps.
-  double step_to_new() {
-    constexpr double kFollows = 0.1;  // of the difference, at every sample
-    const double dt = plan_.filter.dt;
-    if (contiguous_ == 0) due_ = sample_[0] - dt;
-    const double step = sample_[0] - (contiguous_ > 0 && !jitters() ? last_[0] : due_);
-    due_ += is_next(step) ? dt : dt * std::max(1.0, std::round(step / dt));
-    due_ += kFollows * (sample_[0] - due_);
-    return step;
-  }
-
-  // Passes the new sample on, after those that are missing before it. Without a filter times may be any.
   void pass_on(long line) {
-    const double dt = plan_.filter.dt, step = step_to_new();
-    if (plan_.filter.band > 0 && !is_next(step)) {
-      const auto missing = static_cast<int>(std::lround(step / dt)) - 1;
-      const bool is_late = missing >= 1 && missing <= kMostMissing && std::abs(step - (missing + 1) * dt) < dt / 2;
-      const bool owned = shares_.owns(line);
-      if (is_late) {
-        for (int k = 1; k <= missing; ++k) put_in(static_cast<double>(k) / (missing + 1), line);
-        if (owned) count_.interpolated += missing;
-      } else {
-        restart();
-        if (owned) ++count_.gaps;
-      }
+    const EvenSamples::Step step = even_.step_to(sample_[0]);
+    const bool owned = shares_.owns(line);
+    if (step.is_gap) {
+      restart();
+      even_.step_to(sample_[0]);
+      if (owned) ++count_.gaps;
+    } else if (owned) {
+      count_.interpolated += step.missing;
     }
     if (plan_.filter.band > 0) signals_.add(sample_.data(), reader_.line());
-    before_last_.swap(last_);
-    last_ = sample_;
-    ++contiguous_;
-    receiver_.sample({sample_.data(), line, index_of(sample_[0]), reader_.line()});
+    even_.add({sample_.data(), line, 0, reader_.line()}, step.is_gap ? 0 : step.missing);
   }
-
-  // Passes a sample on that lies at `part` of the way from the last one to the new one, on the parabola through these
-  // and the one before them.
-  void put_in(double part, long line) {
-    between_ = sample_;
-    const double r = contiguous_ > 1 ? (last_[0] - before_last_[0]) / (sample_[0] - last_[0]) : 0;
-    for (std::size_t c = 0; c < between_.size(); ++c) {
-      const double slope = sample_[c] - last_[c];
-      const double bend = r > 0 ? (slope - (last_[c] - before_last_[c]) / r) / (1 + r) : 0;
-      between_[c] = last_[c] + part * slope + part * (part - 1) * bend;
-    }
-    receiver_.sample({between_.data(), line, index_of(between_[0]), reader_.line()});
-  }
-
-  long index_of(double time) const { return std::lround((time - plan_.start) / plan_.filter.dt); }
 
   LogReader reader_;
   Diagnostics& diagnostics_;
@@ -187,11 +150,11 @@ class Stream {
   RateChecked rate_checked_;
   SpikeRepair spikes_;
   SampleReceiver& receiver_;  // of all samples: the spikes' with a filter
-  std::vector<double> sample_, last_, before_last_, between_;
+  EvenSamples even_;
+  RepeatFilter repeats_;
+  std::vector<double> sample_;
   StreamCount count_;
-  Place first_;          // place of the first sample that is read
-  long contiguous_ = 0;  // samples since the restart, without those that were put in
-  double due_ = 0;       // the time at which the last sample was due, s
+  Place first_;  // place of the first sample that is read
 };
 
 class ChannelReceiver : public SampleReceiver {

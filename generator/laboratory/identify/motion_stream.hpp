@@ -12,6 +12,7 @@
 #include "laboratory/identify/block_partition.hpp"
 #include "laboratory/identify/channel_noise.hpp"
 #include "laboratory/identify/log_layout.hpp"
+#include "laboratory/identify/sample_clock.hpp"
 #include "laboratory/identify/sample_filter.hpp"
 
 namespace flatdyn {
@@ -29,6 +30,9 @@ struct StreamOptions {
   double delay = 0;
   // Whether the log must have torques. If false, they are not read.
   bool torques = true;
+  ClockChoice clock = ClockChoice::automatic;
+  // Samples a second of a log without times; 0: its times are read.
+  double rate = 0;
   // The link of a floating base whose frame is that of the inertial measurement unit; empty: the base's.
   std::string imu{};
   // The part k of N, k = 1 … N, whose lines are used.
@@ -38,8 +42,8 @@ struct StreamOptions {
 // The way to read a log, decided from its heading, its first lines and some lines of the rest.
 struct StreamPlan {
   LogHeading heading;
-  double jitter = 0;  // standard deviation of the time between samples, divided by dt
-  double start = 0;   // time of the first sample, s
+  SampleClock clock;
+  double start = 0;  // time of the first sample, s
   SampleFilter filter;
   double delay = 0;   // StreamOptions::delay
   bool moves = true;  // false for logs of poses: all rates are zero
@@ -90,9 +94,9 @@ class SampleReceiver {
 StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamOptions& options,
                        Diagnostics& diagnostics);
 
-// Passes the samples to `receiver` that the lines of a part and the filter's window about them need. Up to three
-// samples that are missing in a row are interpolated, and so are up to three positions in a row that are far from their
-// neighbours, where there is a filter; a longer gap restarts. Wrong units are detected over all samples
+// Passes the samples to `receiver` that the lines of a part and the filter's window about them need. Where there is a
+// filter they are made even (EvenSamples), and up to three positions in a row that are far from their neighbours are
+// interpolated; a gap that is too long to be bridged restarts. Wrong units are detected over all samples
 // read: by q against the joint limits, by speeds that no robot has, and by q̇ and q̈ against the change of q. They are
 // errors, or warnings if they may be right. A position far outside the limits ends the reading. The count has no `used`
 // yet.

@@ -47,6 +47,8 @@ ordered_json settings(const StreamOptions& options, const FurtherParameters& fur
   json["rest_speed"] = options.rest_speed;
   json["decimate"] = options.decimate ? ordered_json(*options.decimate) : ordered_json();
   json["imu"] = options.imu;
+  json["clock"] = static_cast<int>(options.clock);
+  json["rate"] = options.rate;
   return json;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "laboratory/identify/residual_noise.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flatdyn {
 namespace {
@@ -40,14 +42,14 @@ std::vector<MatrixXd> inertias(const Observations& observations, const VectorXd&
   return result;
 }
 
-// The x without negative entries that minimises xᵀ H x / 2 - hᵀ x, by coordinates.
-VectorXd nonnegative_minimum(const MatrixXd& H, const VectorXd& h) {
+// The x from 0 to `most` that minimises xᵀ H x / 2 - hᵀ x, by coordinates.
+VectorXd bounded_minimum(const MatrixXd& H, const VectorXd& h, const VectorXd& most) {
   constexpr int kRounds = 500;
   VectorXd x = VectorXd::Zero(h.size());
   for (int round = 0; round < kRounds; ++round) {
     for (Index k = 0; k < h.size(); ++k) {
       if (H(k, k) <= 0) continue;
-      x[k] = std::max(0.0, x[k] + (h[k] - H.row(k).dot(x)) / H(k, k));
+      x[k] = std::clamp(x[k] + (h[k] - H.row(k).dot(x)) / H(k, k), 0.0, most[k]);
     }
   }
   return x;
@@ -55,9 +57,15 @@ VectorXd nonnegative_minimum(const MatrixXd& H, const VectorXd& h) {
 
 // The variances x that minimise xᵀ H x / 2 - hᵀ x, where known ones are measurements, too. These are sure to a share of
 // the variance itself: where the residuals are far larger than they say, they hardly count. Of the `optional` ones,
-// which come first, those that are zero count as absent in the covariance.
-FittedVariances with_known(const MatrixXd& H, const VectorXd& h, const VectorXd& known, Index optional) {
+// which come first, those that are zero count as absent in the covariance. The last ones, `bounded` in number, are
+// noise of positions, which is hardly more than they show above the band: the rest is misfit of the torques.
+FittedVariances with_known(const MatrixXd& H, const VectorXd& h, const VectorXd& known, Index optional, Index bounded) {
   constexpr int kRounds = 6;
+  constexpr double kMostOfKnown = 1.5;  // of the variance, whose estimate from the log is not exact
+  VectorXd most = VectorXd::Constant(known.size(), std::numeric_limits<double>::infinity());
+  for (Index k = known.size() - bounded; k < known.size(); ++k) {
+    if (known[k] > 0) most[k] = kMostOfKnown * known[k];
+  }
   FittedVariances result;
   for (int round = 0; round < kRounds; ++round) {
     MatrixXd all = H;
@@ -72,7 +80,8 @@ FittedVariances with_known(const MatrixXd& H, const VectorXd& h, const VectorXd&
     const VectorXd diagonal = all.diagonal();
     const VectorXd units = (diagonal.array() > 0).select(diagonal.cwiseSqrt().cwiseInverse(), 0);
     MatrixXd scaled = units.asDiagonal() * all * units.asDiagonal();
-    result.values = units.cwiseProduct(nonnegative_minimum(scaled, units.cwiseProduct(right)));
+    const VectorXd most_scaled = (units.array() > 0).select(most.cwiseQuotient(units), most);
+    result.values = units.cwiseProduct(bounded_minimum(scaled, units.cwiseProduct(right), most_scaled));
     for (Index k = 0; k < optional; ++k) {
       if (result.values[k] > 0) continue;
       scaled.row(k).setZero();
@@ -88,14 +97,14 @@ FittedVariances with_known(const MatrixXd& H, const VectorXd& h, const VectorXd&
 // residuals show it, as with q̈ of its own: its uncertainty alone would widen all intervals.
 FittedVariances without_doubtful(const MatrixXd& H, const VectorXd& h, const VectorXd& known, Index optional,
                                  Index joints) {
-  const FittedVariances all = with_known(H, h, known, optional);
+  const FittedVariances all = with_known(H, h, known, optional, joints);
   if (joints == 0 || (known.tail(joints).array() > 0).any()) return all;
   MatrixXd fewer = H;
   fewer.rightCols(joints).setZero();
   fewer.bottomRows(joints).setZero();
   VectorXd right = h;
   right.tail(joints).setZero();
-  const FittedVariances without = with_known(fewer, right, known, optional);
+  const FittedVariances without = with_known(fewer, right, known, optional, joints);
   const auto misfit = [&](const VectorXd& x) { return x.dot(H * x) - 2 * h.dot(x); };
   // Chance explains about one per joint at most.
   const double explained = misfit(without.values) - misfit(all.values);

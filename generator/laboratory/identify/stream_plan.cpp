@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "laboratory/identify/even_samples.hpp"
 #include "laboratory/identify/log_reader.hpp"
 #include "laboratory/identify/log_survey.hpp"
 #include "laboratory/identify/motion_stream.hpp"
@@ -28,32 +29,6 @@ std::vector<SurveyedSample> first_samples(LogReader& reader) {
   std::vector<double> channels(static_cast<std::size_t>(reader.layout().channels()));
   while (samples.size() < kSurveyed && reader.next(channels.data())) samples.push_back({channels, reader.place()});
   return samples;
-}
-
-std::vector<double> time_steps(const std::vector<SurveyedSample>& samples) {
-  std::vector<double> steps;
-  for (std::size_t k = 1; k < samples.size(); ++k) {
-    steps.push_back(samples[k].channels[0] - samples[k - 1].channels[0]);
-  }
-  return steps;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-// The jitter of the steps that are not gaps, divided by dt.
-double jitter_of(const std::vector<double>& steps, double dt) {
-  double sum = 0;
-  int count = 0;
-  for (const double step : steps) {
-    if (std::abs(step - dt) > dt / 2) continue;
-    sum += (step - dt) * (step - dt);
-    ++count;
-  }
-  return std::sqrt(sum / count) / dt;
 }
 
 // Reports a time between samples that is long for a log. If rates show the unit, it is that one. Rates that agree with
@@ -113,9 +88,18 @@ double default_band(const StreamPlan& plan, const LogSurvey& log) {
   return std::min(band, std::round(10 * std::max(wanted, lowest)) / 10);
 }
 
+void tell_of_clock(const StreamPlan& plan, const Place& place, Diagnostics& diagnostics) {
+  const std::string text = clock_text(plan.clock, longest_bridge(plan.filter), plan.filter.band);
+  if (text.empty()) return;
+  if (plan.clock.kind == SampleClock::Kind::counted) {
+    diagnostics.warning(place, text, "positions are smoother so; --resample stamps takes samples at their stamps");
+  } else {
+    diagnostics.note(place, text, "--resample off takes samples as evenly apart", "clocks that are not even");
+  }
+}
+
 void choose_filter(StreamPlan& plan, const StreamOptions& options, const LogSurvey& log, const Place& place,
                    Diagnostics& diagnostics) {
-  constexpr double kUnevenTime = 0.02;
   auto& [dt, band, decimate] = plan.filter;
   const double rate = 1 / dt;
   const bool derivatives_missing = !plan.layout().has_all_derivatives();
@@ -130,11 +114,7 @@ void choose_filter(StreamPlan& plan, const StreamOptions& options, const LogSurv
     return;
   }
   decimate = options.decimate.value_or(default_decimation(band, rate));
-  if (band > 0 && plan.jitter > kUnevenTime) {
-    diagnostics.warning(place,
-                        fmt::format("time is not even: steps differ by {:.1f} % of {:.4g} s", 100 * plan.jitter, dt),
-                        "the filter and the derivatives assume that it is");
-  }
+  if (band > 0) tell_of_clock(plan, place, diagnostics);
   const int half_window = plan.filter.half_window();
   if (half_window >= kBlock / 2) {
     diagnostics.error(
@@ -193,7 +173,7 @@ void set_rest_speeds(StreamPlan& plan, const LogSurvey& log, const Mechanism& me
 
 StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamOptions& options,
                        Diagnostics& diagnostics) {
-  LogReader reader(log, mechanism, options.torques, diagnostics);
+  LogReader reader(log, mechanism, options.torques, diagnostics, options.rate);
   StreamPlan plan;
   if (diagnostics.has_errors()) return plan;
   plan.heading = reader.heading();
@@ -209,15 +189,16 @@ StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechan
                       "a line for each instant, below the heading");
     return plan;
   }
-  const std::vector<double> steps = time_steps(samples);
-  plan.filter.dt = median(steps);
-  plan.jitter = jitter_of(steps, plan.filter.dt);
+  std::vector<std::vector<double>> channels;
+  for (const SurveyedSample& sample : samples) channels.push_back(sample.channels);
+  plan.clock = sample_clock(plan.layout(), channels, options.clock);
+  plan.filter.dt = plan.clock.dt;
   plan.delay = options.delay;
   plan.start = samples.front().channels.front();
   const Place heading{log.string(), 1};
   check_units(mechanism, plan, samples, heading, diagnostics);
   if (diagnostics.has_errors()) return plan;
-  const LogSurvey found = survey(log, plan.heading, plan.filter.dt);
+  const LogSurvey found = survey(log, plan.heading, plan.clock);
   choose_filter(plan, options, found, heading, diagnostics);
   if (diagnostics.has_errors()) return plan;
   plan.moves = found.moves;
