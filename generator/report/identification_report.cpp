@@ -268,27 +268,45 @@ double validation_ratio(const Identification& found, std::size_t i) {
   return is_alike ? ratio : std::min(ratio, found.validation_fits[i].ratio / found.fits[i].ratio);
 }
 
+// The equation whose residuals grow most on other logs, and by how much; those of which nothing can be said, and
+// whether the log that the parameters come from lacks them.
+struct Verdict {
+  double worst = 0;
+  std::size_t equation = 0;
+  std::vector<std::string> not_judged;
+};
+
+Verdict verdict_of(const TorqueModel& model, const Identification& found) {
+  Verdict verdict;
+  for (std::size_t i = 0; i < found.validation_fits.size(); ++i) {
+    const bool is_in_both =
+        found.validation->observations.joints[i].rows > 0 && found.measurement.observations.joints[i].rows > 0;
+    if (is_in_both) {
+      const double ratio = validation_ratio(found, i);
+      if (ratio > verdict.worst) std::tie(verdict.worst, verdict.equation) = std::pair(ratio, i);
+    } else if (static_cast<int>(i) >= first_equation(model, found.validation->observations)) {
+      verdict.not_judged.push_back(model.name_of(static_cast<int>(i)));
+    }
+  }
+  return verdict;
+}
+
 std::string verdict_text(const TorqueModel& model, const Identification& found) {
   constexpr double kMuch = 1.5;
-  double worst = 0;
-  auto of_joint = static_cast<std::size_t>(model.first_joint());
-  std::vector<std::string> new_ones;
-  for (std::size_t i = 0; i < found.validation_fits.size(); ++i) {
-    const bool has_rows = found.validation->observations.joints[i].rows > 0;
-    if (has_rows && found.measurement.observations.joints[i].rows == 0 && i < of_joint) {
-      new_ones.push_back(model.name_of(static_cast<int>(i)));
-    }
-    const double ratio = validation_ratio(found, i);
-    if (ratio > worst) std::tie(worst, of_joint) = std::pair(ratio, i);
+  const Verdict verdict = verdict_of(model, found);
+  const auto equation = static_cast<int>(verdict.equation);
+  std::string text;
+  if (found.is_starved() || !(verdict.worst > 0)) {
+    text = "Nothing can be said of whether the parameters hold for this motion: there are too few equations.\n";
+  } else {
+    text = fmt::format("{} {:.2g} times those of the log that the parameters come from ({}{}).\n",
+                       verdict.worst < kMuch ? "The parameters hold for other motions: residuals are at most"
+                                             : "The parameters do not hold for this motion: residuals are up to",
+                       verdict.worst, equation < model.first_joint() ? "" : "joint ", model.name_of(equation));
   }
-  const auto equation = static_cast<int>(of_joint);
-  std::string text = fmt::format(
-      "{}: residuals are at most {:.2g} times those of the log that the parameters come from ({}{}).\n",
-      worst < kMuch ? "The parameters hold for other motions" : "The parameters do not hold for this motion", worst,
-      equation < model.first_joint() ? "" : "joint ", model.name_of(equation));
-  if (!new_ones.empty()) {
-    text += fmt::format("The log that the parameters come from has no {}: nothing is said of what is left of them.\n",
-                        fmt::join(new_ones, ", "));
+  if (!verdict.not_judged.empty()) {
+    text +=
+        fmt::format("Not judged, as one of the logs has no rows of them: {}.\n", fmt::join(verdict.not_judged, ", "));
   }
   return text;
 }

@@ -282,6 +282,12 @@ void warn_of_links(const TorqueModel& model, const Identification& found, std::v
 }  // namespace
 
 std::vector<std::string> plausibility_warnings(const TorqueModel& model, const Identification& found) {
+  if (found.is_starved()) {
+    return {
+        fmt::format("{} equations for {} parameters are too few: parameters and intervals hardly mean anything, and "
+                    "nothing is said about whether the model fits; log a longer motion, without gaps",
+                    found.equations(), found.estimate.values.size())};
+  }
   std::vector<std::string> warning_texts = base_warnings(model.mechanism(), found.measurement.observations);
   warn_of_fit(model, found, warning_texts);
   const std::size_t count_of_fit = warning_texts.size();

@@ -15,7 +15,7 @@ constexpr std::size_t kNodes = 4;
 }  // namespace
 
 double longest_bridge(const SampleFilter& filter) {
-  constexpr double kOff = 1e-3;  // share of a sine's amplitude: 3/128 (2 pi f h)^4 for a cubic through samples h apart
+  constexpr double kOff = 5e-3;  // share of a sine's amplitude: 3/128 (2 pi f h)^4 for a cubic through samples h apart
   const double bridged = filter.band > 0 ? std::pow(kOff * 128 / 3, 0.25) / (2 * M_PI * filter.band) : 0;
   return std::max((kMostMissing + 1.5) * filter.dt, bridged);
 }

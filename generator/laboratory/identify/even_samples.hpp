@@ -11,7 +11,7 @@
 namespace flatdyn {
 
 // The longest time between two samples that is bridged, s: three samples may be missing, and more where a cubic is off
-// by no more than a thousandth of a signal at the edge of the band.
+// by no more than 0.5 % of a signal at the edge of the band.
 double longest_bridge(const SampleFilter& filter);
 
 class EvenSamples {

@@ -38,6 +38,12 @@ Estimate estimate_of(const TorqueEquations& equations, const Measurement& measur
   return estimate(measurement.observations, equations.file_values(), options);
 }
 
+long Identification::equations() const {
+  long count = 0;
+  for (const JointObservations& joint : measurement.observations.joints) count += joint.rows;
+  return count;
+}
+
 // Where an offset and a mass cannot be told apart, links may have another mass: the offset then is another one, too.
 // Corrections stay: they hold for small steps alone, and nothing that is written has them.
 Eigen::VectorXd Identification::physical_values() const {
@@ -75,7 +81,7 @@ Identification identification(const LoadedRobot& robot, const TorqueEquations& e
   found.fits = fit_quality(found.measurement.observations, found.measurement.logs, found.estimate.values,
                            equations.acceleration_rows());
   // Readings that were lost are a reason, and would be taken for others.
-  if (found.measurement.count.lost > 0) return found;
+  if (found.measurement.count.lost > 0 || found.is_starved()) return found;
   progress.step("looking for a reason why the model may not fit");
   found.hypothesis = best_hypothesis(model, robot, found.measurement, found.fits);
   return found;

@@ -32,6 +32,14 @@ struct Identification {
   std::vector<std::string> warning_texts{};  // sentences on results that are hardly right
   int corrections = 0;                       // the last values of the estimate: they have become small, and stay
 
+  // The equations that the parameters come from, and whether they are so few that residuals tell nothing: a fit with
+  // little more equations than parameters leaves none of its noise.
+  long equations() const;
+  bool is_starved() const {
+    return static_cast<double>(equations()) < kEnough * static_cast<double>(estimate.values.size());
+  }
+  static constexpr double kEnough = 5;  // equations per parameter
+
   // The physical parameters' π_b, and behind it the further parameters that fit the log best with these links.
   Eigen::VectorXd physical_values() const;
 };

@@ -46,13 +46,13 @@ std::vector<double> steps_of(const Samples& samples) {
   return steps;
 }
 
-bool is_near(double step, double dt) { return step < 2 * dt; }
+bool is_no_gap(double step, double dt) { return step < 2 * dt; }
 
 double jitter_of(const std::vector<double>& steps, double dt) {
   double sum = 0;
   int count = 0;
   for (const double step : steps) {
-    if (!is_near(step, dt)) continue;
+    if (!is_no_gap(step, dt)) continue;
     sum += (step - dt) * (step - dt);
     ++count;
   }
@@ -63,7 +63,7 @@ double mean_of(const std::vector<double>& steps, double median) {
   double sum = 0;
   int count = 0;
   for (const double step : steps) {
-    if (!is_near(step, median)) continue;
+    if (!is_no_gap(step, median)) continue;
     sum += step;
     ++count;
   }
@@ -74,7 +74,7 @@ double drift_of(const std::vector<double>& steps, double dt) {
   double largest = 0, sum = 0;
   int count = 0;
   for (const double step : steps) {
-    if (!is_near(step, dt)) continue;
+    if (!is_no_gap(step, dt)) continue;
     sum += step;
     if (++count * dt < 1) continue;
     largest = std::max(largest, std::abs(sum / count - dt) / dt);
@@ -92,7 +92,7 @@ double roughness(const Samples& samples, int channel, bool at_stamps, double dt)
   const std::vector<double> even = difference_weights(times);
   std::vector<double> sizes;
   for (std::size_t k = 0; k + kNodes <= samples.size(); ++k) {
-    if (!is_near((samples[k + kNodes - 1][0] - samples[k][0]) / (kNodes - 1), dt)) continue;
+    if (!is_no_gap((samples[k + kNodes - 1][0] - samples[k][0]) / (kNodes - 1), dt)) continue;
     for (std::size_t j = 0; j < kNodes; ++j) times[j] = samples[k + j][0];
     const std::vector<double> weights = at_stamps ? difference_weights(times) : even;
     double difference = 0;
