@@ -9,6 +9,12 @@
 
 namespace flatdyn {
 
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 namespace {
 
 // The variance of white noise in a difference of an order, (2m over m), divided by that of the noise.
@@ -124,9 +130,7 @@ double deviation_by_median(const std::vector<double>& numbers) {
   constexpr double kNormal = 1.4826;  // standard deviation of a normal number whose magnitude has median 1
   std::vector<double> sizes;
   for (const double number : numbers) sizes.push_back(std::abs(number));
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return kNormal * *middle;
+  return kNormal * median(std::move(sizes));
 }
 
 constexpr int kLowestOfRun = 3;

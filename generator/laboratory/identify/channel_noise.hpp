@@ -15,6 +15,9 @@ struct ChannelNoise {
   auto operator<=>(const ChannelNoise&) const = default;
 };
 
+// The middle one of some values, at least one.
+double median(std::vector<double> values);
+
 // The weights of the last samples in their differences of each order, for samples that are not evenly apart.
 class StampDifferences {
  public:

@@ -21,20 +21,20 @@ ExpectedSquares expected_squares(const Observations& observations, const std::ve
   const std::vector<EquationInstant>& instants = observations.instants;
   VectorXd counts = VectorXd::Zero(left.cols());
   ExpectedSquares sums{counts, counts};
+  const std::vector<MatrixXd> B = inertias(observations, values, rows);
   for (std::size_t t = 0; t < instants.size(); ++t) {
     const MeasuredLog& log = logs[static_cast<std::size_t>(instants[t].log)];
     if (is_held(log)) continue;
     const NoiseShape& shape = observations.shapes[static_cast<std::size_t>(instants[t].log)];
-    const std::vector<MatrixXd> of_joints = rows(instants[t]);
     for (Index i = 0; i < left.cols(); ++i) {
       if (std::isnan(left(static_cast<Index>(t), i))) continue;
       const Index place = i - instants[t].first;
       const auto at = static_cast<std::size_t>(place);
       sums.of_torques[i] += shape.measured[0] * std::pow(log.tau_noise[at].deviation, 2);
-      for (std::size_t j = 0; j < of_joints.size(); ++j) {
-        if (log.q_noise[j].deviation == 0) continue;
-        const double column = of_joints[j].row(place).dot(with_known_part(values, of_joints[j].cols()));
-        sums.of_positions[i] += shape.acceleration[j][0] * std::pow(column * log.q_noise[j].deviation, 2);
+      for (Index j = 0; j < B[t].cols(); ++j) {
+        const auto joint = static_cast<std::size_t>(j);
+        const double torque = B[t](place, j) * log.q_noise[joint].deviation;
+        sums.of_positions[i] += shape.acceleration[joint][0] * torque * torque;
       }
       counts[i] += 1;
     }

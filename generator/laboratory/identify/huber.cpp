@@ -18,10 +18,7 @@ Eigen::VectorXd robust_deviations(const Eigen::MatrixXd& left) {
     for (const double residual : left.col(i)) {
       if (!std::isnan(residual)) sizes.push_back(std::abs(residual));
     }
-    if (sizes.empty()) continue;
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    deviations[i] = kNormal * *middle;
+    if (!sizes.empty()) deviations[i] = kNormal * median(std::move(sizes));
   }
   return deviations;
 }

@@ -43,6 +43,19 @@ struct EquationInstant {
   int run = 1;                             // NoiseShape::run of its log
 };
 
+// Calls visit(equation, place, entries) for the equations of an instant: `place` is that among its own, `entries` the
+// row of the equation's columns.
+template <class Visit>
+void for_equations(const EquationInstant& instant, const std::vector<JointObservations>& joints, const Visit& visit) {
+  const double* entries = instant.entries.data();
+  for (std::size_t place = 0; place < instant.used.size(); ++place) {
+    const std::size_t equation = static_cast<std::size_t>(instant.first) + place;
+    const auto count = static_cast<Eigen::Index>(joints[equation].columns.size());
+    visit(equation, place, Eigen::Map<const Eigen::RowVectorXd>(entries, count));
+    entries += count;
+  }
+}
+
 struct Observations {
   int parameters = 0;  // b
   std::vector<JointObservations> joints;

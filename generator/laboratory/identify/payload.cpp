@@ -71,16 +71,13 @@ EquationInstant changed(const EquationInstant& instant, const Observations& of, 
                         const VectorXd& origin) {
   EquationInstant result = instant;
   result.entries.clear();
-  const double* entries = instant.entries.data();
-  for (std::size_t i = 0; i < instant.used.size(); ++i) {
-    const std::vector<int>& columns = of.joints[i].columns;
-    const Eigen::Map<const Eigen::RowVectorXd> row(entries, static_cast<Index>(columns.size()));
+  for_equations(instant, of.joints, [&](std::size_t equation, std::size_t place, const auto& row) {
+    const std::vector<int>& columns = of.joints[equation].columns;
     const Eigen::RowVectorXd moved = row * change(columns, Eigen::all);
     result.entries.insert(result.entries.end(), moved.begin(), moved.end());
     if (keeps) result.entries.insert(result.entries.end(), row.begin(), row.end());
-    result.right[i] -= row * origin(columns);
-    entries += columns.size();
-  }
+    result.right[place] -= row * origin(columns);
+  });
   return result;
 }
 

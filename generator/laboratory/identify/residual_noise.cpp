@@ -27,21 +27,6 @@ bool follows(const EquationInstant& a, const EquationInstant& b, long lag) {
   return a.log == b.log && b.index - a.index == lag;
 }
 
-// B(q) of every instant: one row per equation, one column per joint.
-std::vector<MatrixXd> inertias(const Observations& observations, const VectorXd& values, const AccelerationRows& rows) {
-  std::vector<MatrixXd> result;
-  if (!rows) return result;
-  for (const EquationInstant& instant : observations.instants) {
-    const std::vector<MatrixXd> of_joints = rows(instant);
-    MatrixXd B(of_joints.front().rows(), static_cast<Index>(of_joints.size()));
-    for (std::size_t j = 0; j < of_joints.size(); ++j) {
-      B.col(static_cast<Index>(j)) = of_joints[j] * with_known_part(values, of_joints[j].cols());
-    }
-    result.push_back(std::move(B));
-  }
-  return result;
-}
-
 // The x from 0 to `most` that minimises xᵀ H x / 2 - hᵀ x, by coordinates.
 VectorXd bounded_minimum(const MatrixXd& H, const VectorXd& h, const VectorXd& most) {
   constexpr int kRounds = 500;
@@ -189,13 +174,9 @@ MatrixXd rows_of(const Observations& observations, Index i) {
   MatrixXd rows = MatrixXd::Zero(static_cast<Index>(observations.instants.size()), count);
   for (Index t = 0; t < rows.rows(); ++t) {
     const EquationInstant& instant = observations.instants[static_cast<std::size_t>(t)];
-    const Index place = i - instant.first;
-    if (place < 0 || place >= static_cast<Index>(instant.used.size())) continue;
-    if (instant.used[static_cast<std::size_t>(place)] == 0) continue;
-    const double* entries = instant.entries.data();
-    for (Index k = instant.first; k < i; ++k)
-      entries += observations.joints[static_cast<std::size_t>(k)].columns.size();
-    rows.row(t) = Eigen::Map<const Eigen::RowVectorXd>(entries, count);
+    for_equations(instant, observations.joints, [&](std::size_t equation, std::size_t place, const auto& row) {
+      if (static_cast<Index>(equation) == i && instant.used[place] != 0) rows.row(t) = row;
+    });
   }
   return rows;
 }
@@ -245,21 +226,29 @@ VectorXd with_known_part(const VectorXd& values, Index columns) {
   return result;
 }
 
+std::vector<MatrixXd> inertias(const Observations& observations, const VectorXd& values, const AccelerationRows& rows) {
+  std::vector<MatrixXd> result;
+  if (!rows) return result;
+  for (const EquationInstant& instant : observations.instants) {
+    const std::vector<MatrixXd> of_joints = rows(instant);
+    MatrixXd B(of_joints.front().rows(), static_cast<Index>(of_joints.size()));
+    for (std::size_t j = 0; j < of_joints.size(); ++j) {
+      B.col(static_cast<Index>(j)) = of_joints[j] * with_known_part(values, of_joints[j].cols());
+    }
+    result.push_back(std::move(B));
+  }
+  return result;
+}
+
 MatrixXd residuals(const Observations& observations, const VectorXd& values) {
   const auto n = static_cast<Index>(observations.joints.size());
   MatrixXd result = MatrixXd::Constant(static_cast<Index>(observations.instants.size()), n, std::nan(""));
   for (Index t = 0; t < result.rows(); ++t) {
     const EquationInstant& instant = observations.instants[static_cast<std::size_t>(t)];
-    const double* entries = instant.entries.data();
-    for (std::size_t i = 0; i < instant.used.size(); ++i) {
-      const JointObservations& joint = observations.joints[static_cast<std::size_t>(instant.first) + i];
-      const auto count = static_cast<Index>(joint.columns.size());
-      if (instant.used[i] != 0) {
-        const double fitted = Eigen::Map<const VectorXd>(entries, count).dot(joint.restricted(values));
-        result(t, instant.first + static_cast<Index>(i)) = instant.right[i] - fitted;
-      }
-      entries += count;
-    }
+    for_equations(instant, observations.joints, [&](std::size_t i, std::size_t place, const auto& row) {
+      if (instant.used[place] == 0) return;
+      result(t, static_cast<Index>(i)) = instant.right[place] - row * observations.joints[i].restricted(values);
+    });
   }
   return result;
 }

@@ -23,6 +23,10 @@ using AccelerationRows = std::function<std::vector<Eigen::MatrixXd>(const Equati
 // `values` as `columns` numbers: with 1 behind them for the known part of acceleration rows, if they have one.
 Eigen::VectorXd with_known_part(const Eigen::VectorXd& values, Eigen::Index columns);
 
+// B(q) of every instant: one row per equation of the instant, one column per joint. Empty if `rows` is null.
+std::vector<Eigen::MatrixXd> inertias(const Observations& observations, const Eigen::VectorXd& values,
+                                      const AccelerationRows& rows);
+
 // Residuals of all equations at the instants, NaN where an equation is not used: instants × equations.
 Eigen::MatrixXd residuals(const Observations& observations, const Eigen::VectorXd& values);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "laboratory/identify/channel_noise.hpp"
 #include "laboratory/identify/stamp_weights.hpp"
 
 namespace flatdyn {
@@ -14,12 +15,6 @@ namespace {
 using Samples = std::vector<std::vector<double>>;
 
 constexpr double kUneven = 0.02;  // jitter, divided by dt
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 bool repeats(const std::vector<double>& sample, const std::vector<double>& before) {
   return std::equal(sample.begin() + 1, sample.end(), before.begin() + 1);
@@ -59,11 +54,11 @@ double jitter_of(const std::vector<double>& steps, double dt) {
   return std::sqrt(sum / count) / dt;
 }
 
-double mean_of(const std::vector<double>& steps, double median) {
+double mean_of(const std::vector<double>& steps, double dt) {
   double sum = 0;
   int count = 0;
   for (const double step : steps) {
-    if (!is_no_gap(step, median)) continue;
+    if (!is_no_gap(step, dt)) continue;
     sum += step;
     ++count;
   }
@@ -101,7 +96,7 @@ double roughness(const Samples& samples, int channel, bool at_stamps, double dt)
     }
     sizes.push_back(std::abs(difference));
   }
-  return sizes.empty() ? 0 : median_of(std::move(sizes));
+  return sizes.empty() ? 0 : median(std::move(sizes));
 }
 
 // Whether positions are clearly smoother at the stamps than at even times. Channels that do not move tell nothing.
@@ -129,7 +124,7 @@ SampleClock sample_clock(const LogLayout& layout, const std::vector<std::vector<
       distinct.push_back(sample);
   }
   const std::vector<double> steps = steps_of(distinct);
-  clock.dt = median_of(steps);
+  clock.dt = median(steps);
   clock.jitter = jitter_of(steps, clock.dt);
   if (choice != ClockChoice::stamped && clock.jitter <= kUneven) return clock;
   const bool is_stamped = choice == ClockChoice::automatic ? is_smoother_at_stamps(layout, distinct, clock.dt)
