@@ -21,8 +21,8 @@ struct FrictionSpeeds {
 };
 
 // The speeds with which the law fits best, together with all other parameters. `measurement` is that of equations with
-// a dictionary. Columns between those of the dictionary are interpolated; Ceres finds the speeds (Levenberg and
-// Marquardt). A joint whose friction shows no such speed keeps the best of the dictionary.
+// a dictionary; columns between those of the dictionary are interpolated. A joint whose friction shows no such speed
+// keeps the best of the dictionary.
 FrictionSpeeds friction_speeds(const TorqueEquations& equations, const Measurement& measurement);
 
 }  // namespace flatdyn

@@ -7,7 +7,6 @@ namespace flatdyn {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 VectorXd whole_parameters(const TorqueModel& model, const LoadedRobot& robot, const VectorXd& pi_b) {
@@ -23,8 +22,8 @@ VectorXd whole_parameters(const TorqueModel& model, const LoadedRobot& robot, co
 
 // Only masses and first moments have a weight.
 GravityColumns::GravityColumns(const TorqueModel& model, const LoadedRobot& robot, const VectorXd& pi,
-                               std::vector<Vector3d> slopes)
-    : slopes_(std::move(slopes)), joints_(model.equations()), units_(slopes_.size()) {
+                               Eigen::Matrix3Xd slopes)
+    : slopes_(std::move(slopes)), joints_(model.equations()), units_(static_cast<std::size_t>(slopes_.cols())) {
   const RegressorReference<double> reference(model.mechanism(), reference_robot<double>(robot.robot, {}), {},
                                              RegressorColumns::all);
   for (std::size_t k = 0; k < reference.units().size(); ++k) {
@@ -32,9 +31,9 @@ GravityColumns::GravityColumns(const TorqueModel& model, const LoadedRobot& robo
     const double value = pi[index];
     if (parameter_of(index) > Parameter::mlz || value == 0) continue;
     values_.push_back(value);
-    for (std::size_t s = 0; s < slopes_.size(); ++s) {
+    for (std::size_t s = 0; s < units_.size(); ++s) {
       units_[s].push_back(reference.units()[k]);
-      units_[s].back().gravity = slopes_[s];
+      units_[s].back().gravity = slopes_.col(static_cast<Index>(s));
     }
   }
 }

@@ -17,17 +17,17 @@ Eigen::VectorXd whole_parameters(const TorqueModel& model, const LoadedRobot& ro
 
 class GravityColumns {
  public:
-  // pi: 13 n numbers. slopes: how g_0 changes by each unknown, such as m/s² per rad.
+  // pi: 13 n numbers. slopes: by column, how g_0 changes by an unknown, such as m/s² per rad.
   GravityColumns(const TorqueModel& model, const LoadedRobot& robot, const Eigen::VectorXd& pi,
-                 std::vector<Eigen::Vector3d> slopes);
+                 Eigen::Matrix3Xd slopes);
 
-  int size() const { return static_cast<int>(slopes_.size()); }
-  const std::vector<Eigen::Vector3d>& slopes() const { return slopes_; }
+  int size() const { return static_cast<int>(slopes_.cols()); }
+  const Eigen::Matrix3Xd& slopes() const { return slopes_; }
   // The change of the joints' torques by each unknown, n × size(), N m or N, at q.
   Eigen::MatrixXd at(const Eigen::VectorXd& q) const;
 
  private:
-  std::vector<Eigen::Vector3d> slopes_;
+  Eigen::Matrix3Xd slopes_;
   int joints_;
   std::vector<std::vector<reference::Robot<double>>> units_;  // by unknown: bodies with one parameter, in that gravity
   std::vector<double> values_;                                // of these parameters

@@ -19,46 +19,47 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Y as an affine function of gravity: Y = still + Σ_d g_d of[d], by instant. It has a column for every index of a
-// parameter, also for those that no parameter has.
+// Rows as an affine function of gravity: A = still + Σ_d g_d of[d]. There is a column for every index of a parameter,
+// also for those that no parameter has.
 struct AffineRows {
-  std::vector<MatrixXd> still, of[3];
+  MatrixXd still, of[3];
+  VectorXd b;
 
-  std::vector<MatrixXd> at(const Vector3d& g) const {
-    std::vector<MatrixXd> rows = still;
-    for (std::size_t t = 0; t < rows.size(); ++t) {
-      for (int d = 0; d < 3; ++d) rows[t] += g[d] * of[d][t];
-    }
-    return rows;
-  }
+  WeightedEquations at(const Vector3d& g) const { return {still + g[0] * of[0] + g[1] * of[1] + g[2] * of[2], b}; }
 };
 
-// directions: how many of `of` are needed.
-AffineRows affine_rows(const TorqueModel& model, const LoadedRobot& robot, const RowSample& rows, int directions) {
-  const RegressorReference<double> reference(model.mechanism(), reference_robot<double>(robot.robot, {}), {},
-                                             RegressorColumns::all);
-  std::vector<reference::Robot<double>> units = reference.units();
-  AffineRows result;
-  for (const RowSample::Instant& instant : rows.instants()) {
-    const VectorXd zero = VectorXd::Zero(instant.qd.size());
-    for (int d = -1; d < directions; ++d) {
-      const Index more = instant.Y.cols() - model.parameters();
-      MatrixXd Y = MatrixXd::Zero(instant.qd.size(), kParametersPerJoint * model.mechanism().body_count() + more);
-      for (std::size_t k = 0; k < units.size(); ++k) {
-        units[k].gravity = d < 0 ? Vector3d::Zero().eval() : Vector3d::Unit(d).eval();
-        Y.col(reference.indices()[k]) = reference::inverse_dynamics<double>(
-            units[k], instant.q, d < 0 ? instant.qd : zero, d < 0 ? instant.qdd : zero);
-      }
-      if (d < 0) {
-        for (int k = 0; k < model.parameters(); ++k) {
-          const int index = model.base().columns[static_cast<std::size_t>(k)];
-          const Parameter parameter = parameter_of(index);
-          if (parameter == Parameter::Fv || parameter == Parameter::Fs) Y.col(index) = instant.Y.col(k);
-        }
-        Y.rightCols(more) = instant.Y.rightCols(more);
-      }
-      (d < 0 ? result.still : result.of[d]).push_back(std::move(Y));
+// The rows of bodies with one parameter each, in a gravity of 1 m/s² along an axis, at rest; or, with axis < 0, without
+// gravity, where further columns and friction are the sample's.
+WeightedEquations rows_of_units(std::vector<reference::Robot<double>> units, const std::vector<int>& indices,
+                                const RowSample& sample, int axis) {
+  const TorqueModel& model = sample.model();
+  for (auto& unit : units) unit.gravity = axis < 0 ? Vector3d::Zero().eval() : Vector3d::Unit(axis).eval();
+  return sample.rows([&](RowSample::Instant& t) {
+    const MatrixXd of_sample = std::move(t.Y);
+    const Index more = of_sample.cols() - model.parameters();
+    t.Y = MatrixXd::Zero(of_sample.rows(), kParametersPerJoint * model.mechanism().body_count() + more);
+    if (axis >= 0) t.qd.setZero(), t.qdd.setZero();
+    for (std::size_t k = 0; k < units.size(); ++k) {
+      t.Y.col(indices[k]) = reference::inverse_dynamics<double>(units[k], t.q, t.qd, t.qdd);
     }
+    if (axis >= 0) return;
+    for (int k = 0; k < model.parameters(); ++k) {
+      const int index = model.base().columns[static_cast<std::size_t>(k)];
+      const Parameter parameter = parameter_of(index);
+      if (parameter == Parameter::Fv || parameter == Parameter::Fs) t.Y.col(index) = of_sample.col(k);
+    }
+    t.Y.rightCols(more) = of_sample.rightCols(more);
+  });
+}
+
+// With `is_still`, without the parts of gravity.
+AffineRows affine_rows(const LoadedRobot& robot, const RowSample& sample, bool is_still) {
+  const RegressorReference<double> reference(sample.model().mechanism(), reference_robot<double>(robot.robot, {}), {},
+                                             RegressorColumns::all);
+  auto [still, b] = rows_of_units(reference.units(), reference.indices(), sample, -1);
+  AffineRows result{std::move(still), {}, std::move(b)};
+  for (int axis = 0; axis < 3 && !is_still; ++axis) {
+    result.of[axis] = rows_of_units(reference.units(), reference.indices(), sample, axis).A;
   }
   return result;
 }
@@ -87,11 +88,9 @@ std::vector<Vector3d> directions_around(const Vector3d& file) {
 // The space of the directions along which gravity makes torques in some row.
 Matrix3Xd directions_that_act(const AffineRows& affine) {
   constexpr double kRounding = 1e-12;  // share of the largest square
-  Matrix3d squares = Matrix3d::Zero();
-  for (std::size_t t = 0; t < affine.still.size(); ++t) {
-    for (int d = 0; d < 3; ++d) {
-      for (int e = 0; e < 3; ++e) squares(d, e) += affine.of[d][t].cwiseProduct(affine.of[e][t]).sum();
-    }
+  Matrix3d squares;
+  for (int d = 0; d < 3; ++d) {
+    for (int e = 0; e < 3; ++e) squares(d, e) = affine.of[d].cwiseProduct(affine.of[e]).sum();
   }
   const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(squares);
   Index first = 0;
@@ -108,10 +107,18 @@ Matrix3Xd across(const Matrix3Xd& space, const Vector3d& direction) {
   return space * eigen.eigenvectors().leftCols(size - 1);
 }
 
+// Gravity whose component within `told` points along a direction, and is as long as before.
+Vector3d pointed(const Vector3d& gravity, const Matrix3Xd& told, const Vector3d& direction) {
+  const Vector3d inside = told * (told.transpose() * gravity), along = told * (told.transpose() * direction);
+  return along.norm() > 0 ? Vector3d(gravity - inside + inside.norm() * along.normalized()) : gravity;
+}
+
+// The fit that says most for itself of those that are about as good: masses may come out negative, so that gravity the
+// other way round fits nearly as well, or a little better.
 class DirectionSearch {
  public:
-  // masses: the robot file's parameters, all 13 of each joint.
-  DirectionSearch(AffineRows affine, const RowSample& rows, const Vector3d& file, VectorXd masses)
+  // masses: the robot file's parameters, all 13 of each joint. rows: how many there are.
+  DirectionSearch(AffineRows affine, double rows, const Vector3d& file, VectorXd masses)
       : affine_(std::move(affine)),
         rows_(rows),
         file_(file),
@@ -124,55 +131,62 @@ class DirectionSearch {
   GravityFit run() {
     constexpr double kUntold = 0.25;  // rad, a standard deviation
     for (;;) {
-      const GravityFit best = best_within();
+      const Direction best = best_within();
       const auto [turn, deviation] = least_told_turn(best);
-      if (deviation < kUntold) return best;
+      if (deviation < kUntold) return {best.gravity, 0, best.cost, told_};
       // The same turn of the file's gravity, which stays; the best one may be anywhere along the turn.
-      const Matrix3Xd ways = across(told_, told_ * (told_.transpose() * file_));
+      const Matrix3Xd ways = across(told_, file_);
       const Vector3d of_file = ways * (ways.transpose() * turn);
       told_ = across(told_, of_file.isZero(1e-3) ? turn : of_file);
     }
   }
 
  private:
-  // Gravity with a component within `told_` that points along `direction`.
-  Vector3d gravity_along(const Vector3d& direction) const {
-    const Vector3d inside = told_ * (told_.transpose() * file_), toward = told_ * (told_.transpose() * direction);
-    return file_ - inside + (toward.norm() > 0 ? Vector3d(inside.norm() * toward.normalized()) : inside);
+  struct Direction {
+    Vector3d gravity;
+    double cost = 0;
+    double likeness = 0;  // how like the robot file's masses and first moments are to these: the sum of cosines by link
+  };
+
+  // Gravity that is turned from where it is by unknown angles along turns_of_gravity().
+  Hypothesis turned_from(const Vector3d& gravity) const {
+    return {std::vector<Unknown>(static_cast<std::size_t>(turns_of_gravity(gravity, told_).cols())),
+            [this, gravity](const VectorXd& angles) { return affine_.at(turned_gravity(gravity, told_, angles)); }};
   }
 
-  GravityFit fit_at(const Vector3d& gravity) const { return {gravity, 0, rows_.cost_of(affine_.at(gravity)), told_}; }
+  // The best direction in the valley of one.
+  Direction improved(const Vector3d& gravity) const {
+    const Hypothesis turned = turned_from(gravity);
+    const HypothesisFit fit = fit_near(turned, VectorXd::Zero(static_cast<Index>(turned.unknowns.size())));
+    return {turned_gravity(gravity, told_, fit.x), fit.cost, likeness_of(fit.pi)};
+  }
 
-  GravityFit best_within() const {
+  Direction best_within() const {
     constexpr double kClearly = 0.5;  // share of the cost
-    GravityFit best = improved(fit_at(file_));
-    GravityFit around = best;
+    const Direction near = improved(file_);
+    Vector3d start = near.gravity;
+    double least = near.cost;
     for (const Vector3d& direction : directions_around(file_)) {
-      const GravityFit next = fit_at(gravity_along(direction));
-      if (next.cost < around.cost) around = next;
+      const Vector3d gravity = pointed(file_, told_, direction);
+      const double cost = fit_of(affine_.at(gravity)).cost;
+      if (cost < least) std::tie(start, least) = std::pair(gravity, cost);
     }
-    around = improved(around);
-    // Masses may come out negative, so that the opposite direction fits nearly as well, or a little better.
-    const bool is_better = around.cost < best.cost - kAlike &&
-                           likeness_of_masses(around.gravity) > likeness_of_masses(best.gravity) - kLikeness;
-    return with_positive_masses(is_better || around.cost < kClearly * best.cost ? around : best);
+    const Direction around = improved(start);
+    const bool is_better = around.cost < near.cost - kAlike && around.likeness > near.likeness - kLikeness;
+    return with_positive_masses(is_better || around.cost < kClearly * near.cost ? around : near);
   }
 
   // Where gravity and masses can be reversed together, in some of gravity's components, positive masses are right.
-  GravityFit with_positive_masses(const GravityFit& fit) const {
-    GravityFit best = fit;
-    double likeness = likeness_of_masses(fit.gravity);
+  Direction with_positive_masses(const Direction& found) const {
+    Direction best = found;
     for (int signs = 1; signs < 1 << told_.cols(); ++signs) {
-      Vector3d mirrored = fit.gravity;
+      Vector3d mirrored = found.gravity;
       for (Index k = 0; k < told_.cols(); ++k) {
         const Vector3d axis = axis_of(k);
-        if ((signs >> k & 1) != 0) mirrored -= 2 * axis.dot(fit.gravity) * axis;
+        if ((signs >> k & 1) != 0) mirrored -= 2 * axis.dot(found.gravity) * axis;
       }
-      const GravityFit next = improved(fit_at(mirrored));
-      const double next_likeness = likeness_of_masses(next.gravity);
-      if (next.cost > fit.cost + kAlike || next_likeness < likeness + kLikeness) continue;
-      best = next;
-      likeness = next_likeness;
+      const Direction next = improved(mirrored);
+      if (next.cost <= found.cost + kAlike && next.likeness >= best.likeness + kLikeness) best = next;
     }
     return best;
   }
@@ -180,11 +194,8 @@ class DirectionSearch {
   // An axis of the space that is determined (`told_`): one of the base frame, where that is possible.
   Vector3d axis_of(Index k) const { return told_.cols() == 3 ? Vector3d(Vector3d::Unit(k)) : Vector3d(told_.col(k)); }
 
-  // How like the robot file's masses and first moments those are that fit best: the sum of their cosines by link.
-  double likeness_of_masses(const Vector3d& gravity) const {
+  double likeness_of(const VectorXd& found) const {
     constexpr Index kOfMass = 4;  // m, mlx, mly, mlz
-    VectorXd found;
-    rows_.cost_of(affine_.at(gravity), &found);
     double sum = 0;
     for (Index at = 0; at < masses_.size(); at += kParametersPerJoint) {
       const double sizes = masses_.segment(at, kOfMass).norm() * found.segment(at, kOfMass).norm();
@@ -193,52 +204,20 @@ class DirectionSearch {
     return sum;
   }
 
-  // Improves a direction by turns, half as large whenever none helps.
-  GravityFit improved(GravityFit fit) const {
-    for (double step = kFirstStep; step > kLastStep;) {
-      const auto turns = static_cast<Index>(turns_of_gravity(fit.gravity, told_).size());
-      bool is_better = false;
-      for (Index k = 0; k < 2 * turns && !is_better; ++k) {
-        const VectorXd angles = (k % 2 == 0 ? step : -step) * VectorXd::Unit(turns, k / 2);
-        const GravityFit next = fit_at(turned_gravity(fit.gravity, told_, angles));
-        is_better = next.cost < fit.cost;
-        if (is_better) fit = next;
-      }
-      if (!is_better) step /= 2;
-    }
-    return fit;
-  }
-
   // The turn that the rows determine least, of unit length, and its standard deviation, rad; 0 if there is no turn.
-  std::pair<Vector3d, double> least_told_turn(const GravityFit& fit) const {
-    constexpr double kStep = 0.02;  // rad
-    const std::vector<Vector3d> turns = turns_of_gravity(fit.gravity, told_);
-    const auto size = static_cast<Index>(turns.size());
-    if (size == 0) return {Vector3d::Zero(), 0};
-    const auto cost_at = [&](const VectorXd& angles) {
-      return fit_at(turned_gravity(fit.gravity, told_, angles)).cost;
-    };
-    const auto curvature = [&](const VectorXd& way) {
-      return (cost_at(kStep * way) + cost_at(-kStep * way) - 2 * fit.cost) / (kStep * kStep);
-    };
-    MatrixXd curvatures = MatrixXd::Zero(size, size);
-    for (Index k = 0; k < size; ++k) curvatures(k, k) = curvature(VectorXd::Unit(size, k));
-    if (size == 2) {
-      curvatures(0, 1) = (curvature(VectorXd::Ones(2)) - curvatures.trace()) / 2;
-      curvatures(1, 0) = curvatures(0, 1);
-    }
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(curvatures);
-    const double least = std::max(eigen.eigenvalues()[0], 1e-9), scatter = std::max(1.0, fit.cost / rows_.count());
-    Vector3d turn = Vector3d::Zero();
-    for (Index k = 0; k < size; ++k) turn += eigen.eigenvectors()(k, 0) * turns[static_cast<std::size_t>(k)];
-    return {turn.normalized(), std::sqrt(2 * scatter / least)};
+  std::pair<Vector3d, double> least_told_turn(const Direction& fit) const {
+    const Matrix3Xd turns = turns_of_gravity(fit.gravity, told_);
+    if (turns.cols() == 0) return {Vector3d::Zero(), 0};
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(
+        information_on_unknowns(turned_from(fit.gravity), VectorXd::Zero(turns.cols())));
+    const double least = std::max(eigen.eigenvalues()[0], 1e-9), scatter = std::max(1.0, fit.cost / rows_);
+    return {(turns * eigen.eigenvectors().col(0)).normalized(), std::sqrt(scatter / least)};
   }
 
   static constexpr double kAlike = 20, kLikeness = 0.3;  // differences that count for nothing, of cost and of likeness
-  static constexpr double kFirstStep = 0.2, kLastStep = 1e-4;  // rad
 
   AffineRows affine_;
-  const RowSample& rows_;
+  double rows_;
   Vector3d file_;
   VectorXd masses_;
   Matrix3Xd told_;
@@ -246,41 +225,39 @@ class DirectionSearch {
 
 }  // namespace
 
-GravityFit gravity_direction(const TorqueModel& model, const LoadedRobot& robot, const RowSample& rows) {
+GravityFit gravity_direction(const LoadedRobot& robot, const RowSample& sample) {
   constexpr double kRounding = 1e-5;
-  const Vec3& file = model.mechanism().gravity;
+  const Mechanism& mechanism = sample.model().mechanism();
+  const Vec3& file = mechanism.gravity;
   const Vector3d nominal(nearest_double(file[0]), nearest_double(file[1]), nearest_double(file[2]));
-  if (nominal.isZero()) return {nominal, 0, rows.cost()};
-  const std::vector<Number> file_masses = dynamic_parameters(model.mechanism());
+  if (nominal.isZero()) {
+    return {nominal, 0, fit_of(sample.rows()).cost};
+  }
+  const std::vector<Number> file_masses = dynamic_parameters(mechanism);
   VectorXd masses(static_cast<Index>(file_masses.size()));
   std::transform(file_masses.begin(), file_masses.end(), masses.begin(),
                  [](const Number& value) { return nearest_double(value); });
-  GravityFit best = DirectionSearch(affine_rows(model, robot, rows, 3), rows, nominal, std::move(masses)).run();
+  GravityFit best =
+      DirectionSearch(affine_rows(robot, sample, false), sample.count(), nominal, std::move(masses)).run();
   const double size = nominal.norm();
   best.gravity = (best.gravity.array().abs() > kRounding * size).select(best.gravity, 0);
   best.angle = std::acos(std::clamp(best.gravity.dot(nominal) / (size * size), -1.0, 1.0));
   return best;
 }
 
-double cost_without_gravity(const TorqueModel& model, const LoadedRobot& robot, const RowSample& rows) {
-  return rows.cost_of(affine_rows(model, robot, rows, 0).still);
+double cost_without_gravity(const LoadedRobot& robot, const RowSample& sample) {
+  const AffineRows affine = affine_rows(robot, sample, true);
+  return fit_of({affine.still, affine.b}).cost;
 }
 
-std::vector<Vector3d> turns_of_gravity(const Vector3d& gravity, const Matrix3Xd& told) {
-  const Vector3d inside = told * (told.transpose() * gravity);
-  std::vector<Vector3d> turns;
-  if (inside.norm() == 0) return turns;
-  const Matrix3Xd ways = across(told, inside);
-  for (Index k = 0; k < ways.cols(); ++k) turns.emplace_back(inside.norm() * ways.col(k));
-  return turns;
+Matrix3Xd turns_of_gravity(const Vector3d& gravity, const Matrix3Xd& told) {
+  const double size = (told.transpose() * gravity).norm();
+  return size == 0 ? Matrix3Xd(3, 0) : Matrix3Xd(size * across(told, gravity));
 }
 
 Vector3d turned_gravity(const Vector3d& gravity, const Matrix3Xd& told, const VectorXd& angles) {
   const Vector3d inside = told * (told.transpose() * gravity);
-  Vector3d turned = inside;
-  const std::vector<Vector3d> turns = turns_of_gravity(gravity, told);
-  for (Index k = 0; k < angles.size(); ++k) turned += angles[k] * turns[static_cast<std::size_t>(k)];
-  return gravity - inside + (turned.norm() > 0 ? Vector3d(inside.norm() * turned.normalized()) : inside);
+  return pointed(gravity, told, inside + turns_of_gravity(gravity, told) * angles);
 }
 
 std::vector<Vector3d> untold_directions(const Matrix3Xd& told) {

@@ -12,23 +12,23 @@ namespace flatdyn {
 struct GravityFit {
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // g_0 in the base frame, as long as the robot file's, m/s²
   double angle = 0;                                   // from the robot file's, rad
-  double cost = 0;                                    // RowSample's
+  double cost = 0;                                    // of the sample's rows
   // The space in which rows determine gravity: 3 × 0 … 3, columns of unit length, across each other. Across it,
   // gravity is the robot file's.
   Eigen::Matrix3Xd told = Eigen::Matrix3Xd::Identity(3, 3);
 };
 
-// Tries directions about the robot file's, then all around, and finer ones about the best. All 13 parameters of each
-// joint are free: with another direction, other combinations of them act. The component along axes that all joints
+// Seeks from the robot file's direction, and from the best one of all around. All 13 parameters of each joint are free:
+// with another direction, other combinations of them act. The component along axes that all joints
 // share is left as it is, since no torque depends on it, and so is one that turns the direction in a way that noise
 // hides (a standard deviation above 0.25 rad). For open chains.
-GravityFit gravity_direction(const TorqueModel& model, const LoadedRobot& robot, const RowSample& rows);
+GravityFit gravity_direction(const LoadedRobot& robot, const RowSample& sample);
 
 // The cost without gravity. For open chains.
-double cost_without_gravity(const TorqueModel& model, const LoadedRobot& robot, const RowSample& rows);
+double cost_without_gravity(const LoadedRobot& robot, const RowSample& sample);
 
-// How gravity changes when its direction turns within the space `told`: up to two vectors, m/s² per rad.
-std::vector<Eigen::Vector3d> turns_of_gravity(const Eigen::Vector3d& gravity, const Eigen::Matrix3Xd& told);
+// How gravity changes when its direction turns within the space `told`: 3 × 0 … 2, m/s² per rad.
+Eigen::Matrix3Xd turns_of_gravity(const Eigen::Vector3d& gravity, const Eigen::Matrix3Xd& told);
 
 // Gravity turned by angles, rad, along turns_of_gravity(); its length, and its component across `told`, stay.
 Eigen::Vector3d turned_gravity(const Eigen::Vector3d& gravity, const Eigen::Matrix3Xd& told,

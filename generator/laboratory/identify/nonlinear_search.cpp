@@ -10,7 +10,7 @@
 #include "laboratory/identify/friction_search.hpp"
 #include "laboratory/identify/gravity_search.hpp"
 #include "laboratory/identify/identification.hpp"
-#include "laboratory/identify/row_sample.hpp"
+#include "laboratory/identify/log_hypotheses.hpp"
 
 namespace flatdyn {
 namespace {
@@ -25,13 +25,10 @@ Index place_of(const TorqueEquations& equations, const std::string& name) {
   return at == equations.names().end() ? -1 : at - equations.names().begin();
 }
 
-// The places of the corrections of gravity.
-std::vector<Index> places_of_gravity(const TorqueEquations& equations) {
-  std::vector<Index> places;
-  for (int k = 0; equations.further().gravity && k < equations.further().gravity->size(); ++k) {
-    places.push_back(place_of(equations, fmt::format("gravity{}", k + 1)));
-  }
-  return places;
+// Whether the log does not determine the speed that is corrected.
+bool is_open(const NonlinearUnknowns& unknowns, const Correction& correction) {
+  const auto index = static_cast<std::size_t>(correction.index);
+  return correction.kind == Correction::Kind::speed && !unknowns.friction_told[index];
 }
 
 class NonlinearSearch {
@@ -56,24 +53,15 @@ class NonlinearSearch {
   }
 
  private:
-  // The equations without corrections; with Coulomb friction while the law has no speeds yet.
+  // With Coulomb friction while the law has no speeds yet.
   FurtherParameters plain() const {
-    FurtherParameters further{.law = fit_.further.law,
-                              .speeds = fit_.further.speeds,
-                              .offsets = options_.offsets,
-                              .springs = options_.springs};
+    FurtherParameters further = fit_.further;
     if (has_speed(further.law) && further.speeds.empty()) further.law = FrictionLaw::coulomb;
     return further;
   }
 
   Measurement measured(const TorqueEquations& equations) const {
     return logs_.measured(equations, fit_.unknowns.delay);
-  }
-
-  RowSample sample(const TorqueEquations& equations, const Measurement& measurement) const {
-    const VectorXd values = estimate_of(equations, measurement, {}).values;
-    return {*fit_.model, measurement,
-            fit_quality(measurement.observations, measurement.logs, values, equations.acceleration_rows())};
   }
 
   void load_model() { fit_.model = std::make_unique<TorqueModel>(fit_.robot, set_, progress_); }
@@ -92,7 +80,7 @@ class NonlinearSearch {
     const TorqueEquations equations(*fit_.model, plain());
     const Measurement measurement = measured(equations);
     progress_.step("finding gravity's direction");
-    const GravityFit found = gravity_direction(*fit_.model, fit_.robot, sample(equations, measurement));
+    const GravityFit found = gravity_direction(fit_.robot, sample_of(equations, measurement));
     fit_.unknowns.gravity->told = found.told;
     set_gravity(found.gravity);
   }
@@ -105,15 +93,15 @@ class NonlinearSearch {
                     "give --band HZ");
     }
     progress_.step("finding the delay");
-    sample(equations, measurement).cost_with_delay(fit_.unknowns.delay);
+    const RowSample sample = sample_of(equations, measurement);
+    fit_.unknowns.delay = best_fit(delay_hypothesis(sample, 0, equations.equations())).x[0];
   }
 
   void start_speeds() {
     const TorqueEquations linear(*fit_.model, plain());
-    const TorqueEquations equations(*fit_.model, {.law = options_.law,
-                                                  .offsets = options_.offsets,
-                                                  .dictionary = friction_dictionary(linear, measured(linear)),
-                                                  .springs = options_.springs});
+    FurtherParameters further = fit_.further;
+    further.dictionary = friction_dictionary(linear, measured(linear));
+    const TorqueEquations equations(*fit_.model, std::move(further));
     const Measurement measurement = measured(equations);
     progress_.step("finding the speeds of the friction law");
     FrictionSpeeds found = friction_speeds(equations, measurement);
@@ -164,15 +152,16 @@ class NonlinearSearch {
   void set_speed_factors(const TorqueEquations& equations, const Estimate& found) {
     constexpr double kMostUnsure = 0.5;  // standard deviation of v, a share of v
     if (!has_speed(options_.law)) return;
+    for (const Correction& each : equations.corrected()) {
+      if (each.kind != Correction::Kind::speed) continue;
+      const auto i = static_cast<std::size_t>(each.index);
+      const bool is_unsure = found.standard_deviations[each.column] > kMostUnsure * fit_.further.speeds[i];
+      if (is_unsure) fit_.unknowns.friction_told[i] = false;
+    }
     std::vector<double> factors;
     for (std::size_t i = 0; i < fit_.further.speeds.size(); ++i) {
-      const auto equation = static_cast<int>(i);
       const char* const of_law = options_.law == FrictionLaw::smooth ? "Fs" : "Fb";
-      const Index term = place_of(equations, equations.name_of(of_law, equation)),
-                  speed = place_of(equations, equations.name_of("v", equation));
-      if (speed >= 0 && found.standard_deviations[speed] > kMostUnsure * fit_.further.speeds[i]) {
-        fit_.unknowns.friction_told[i] = false;
-      }
+      const Index term = place_of(equations, equations.name_of(of_law, static_cast<int>(i)));
       const bool is_told = fit_.unknowns.friction_told[i];
       factors.push_back(term < 0 ? 0 : is_told ? found.values[term] : 1);
       if (!is_told) fit_.further.speeds[i] = first_speeds_[i];
@@ -180,22 +169,13 @@ class NonlinearSearch {
     fit_.further.speed_factors = std::move(factors);
   }
 
-  // Whether the log does not determine the speed that a parameter corrects.
-  bool is_open_speed(const TorqueEquations& equations, const std::string& name) const {
-    for (std::size_t i = 0; i < fit_.unknowns.friction_told.size(); ++i) {
-      if (!fit_.unknowns.friction_told[i] && name == equations.name_of("v", static_cast<int>(i))) return true;
-    }
-    return false;
-  }
-
   // Whether all corrections are small parts of their standard deviations, or of what counts in practice.
   bool are_small(const TorqueEquations& equations, const Estimate& found) const {
     constexpr double kShare = 0.1, kLeast = 1e-6;  // of a standard deviation; s, rad, rad/s or m/s
-    for (Index k = equations.parameters() - equations.corrections(); k < equations.parameters(); ++k) {
-      if (is_open_speed(equations, equations.names()[static_cast<std::size_t>(k)])) continue;
-      if (std::abs(found.values[k]) > std::max(kShare * found.standard_deviations[k], kLeast)) return false;
-    }
-    return true;
+    return std::ranges::all_of(equations.corrected(), [&](const Correction& each) {
+      const double size = std::abs(found.values[each.column]), deviation = found.standard_deviations[each.column];
+      return is_open(fit_.unknowns, each) || size <= std::max(kShare * deviation, kLeast);
+    });
   }
 
   // Whether the parameters are those of a robot: a component of gravity that comes out as good as zero makes masses
@@ -211,18 +191,16 @@ class NonlinearSearch {
   // Corrects the unknowns, each by no more than its derivative is good for.
   void apply(const TorqueEquations& equations, const Estimate& found) {
     constexpr double kMostDelay = 0.02, kMostTurn = 0.3, kMostOfSpeed = 0.4;  // s, rad, share
-    for (std::size_t i = 0; i < fit_.further.speed_factors.size(); ++i) {
-      const Index place = place_of(equations, equations.name_of("v", static_cast<int>(i)));
-      if (place < 0 || !fit_.unknowns.friction_told[i]) continue;
-      const double most = kMostOfSpeed * fit_.further.speeds[i];
-      fit_.further.speeds[i] += std::clamp(found.values[place], -most, most);
+    VectorXd angles(options_.gravity ? equations.further().gravity->size() : 0);
+    for (const Correction& each : equations.corrected()) {
+      const double value = found.values[each.column];
+      if (each.kind == Correction::Kind::gravity) angles[each.index] = value;
+      if (each.kind == Correction::Kind::delay) fit_.unknowns.delay += std::clamp(value, -kMostDelay, kMostDelay);
+      if (each.kind != Correction::Kind::speed || is_open(fit_.unknowns, each)) continue;
+      double& speed = fit_.further.speeds[static_cast<std::size_t>(each.index)];
+      speed += std::clamp(value, -kMostOfSpeed * speed, kMostOfSpeed * speed);
     }
-    if (options_.delay) {
-      fit_.unknowns.delay += std::clamp(found.values[place_of(equations, "delay")], -kMostDelay, kMostDelay);
-    }
-    const std::vector<Index> places = places_of_gravity(equations);
-    if (places.empty()) return;
-    const VectorXd angles = found.values(places);
+    if (angles.size() == 0) return;
     const double much = std::max(1.0, angles.norm() / kMostTurn);
     set_gravity(turned_gravity(fit_.unknowns.gravity->gravity, fit_.unknowns.gravity->told, angles / much));
   }
@@ -243,26 +221,21 @@ NonlinearFit nonlinear_fit(LoadedRobot robot, ParameterSet set, const NonlinearO
 }
 
 void set_deviations(NonlinearUnknowns& unknowns, const TorqueEquations& equations, const Estimate& estimate) {
-  const Index delay = place_of(equations, "delay");
-  if (delay >= 0) unknowns.delay_deviation = std::sqrt(estimate.covariance(delay, delay));
-  unknowns.speed_deviations.clear();
-  for (std::size_t i = 0; i < equations.further().speeds.size(); ++i) {
-    const Index speed = place_of(equations, equations.name_of("v", static_cast<int>(i)));
-    const bool is_told = i < unknowns.friction_told.size() && unknowns.friction_told[i];
-    unknowns.speed_deviations.push_back(speed >= 0 && is_told ? std::sqrt(estimate.covariance(speed, speed))
-                                                              : std::numeric_limits<double>::quiet_NaN());
+  constexpr double kExact = std::numeric_limits<double>::quiet_NaN();
+  unknowns.speed_deviations.assign(equations.further().speeds.size(), kExact);
+  std::vector<int> turns;
+  for (const Correction& each : equations.corrected()) {
+    const double deviation = std::sqrt(estimate.covariance(each.column, each.column));
+    if (each.kind == Correction::Kind::gravity) turns.push_back(each.column);
+    if (each.kind == Correction::Kind::delay) unknowns.delay_deviation = deviation;
+    if (each.kind != Correction::Kind::speed || is_open(unknowns, each)) continue;
+    unknowns.speed_deviations[static_cast<std::size_t>(each.index)] = deviation;
   }
-  const std::vector<Index> places = places_of_gravity(equations);
   if (!unknowns.gravity) return;
-  const Eigen::MatrixXd angles = estimate.covariance(places, places);
-  unknowns.gravity->covariance.setConstant(places.empty() ? std::numeric_limits<double>::quiet_NaN() : 0);
-  for (std::size_t j = 0; j < places.size(); ++j) {
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      unknowns.gravity->covariance += angles(static_cast<Index>(j), static_cast<Index>(k)) *
-                                      equations.further().gravity->slopes()[j] *
-                                      equations.further().gravity->slopes()[k].transpose();
-    }
-  }
+  unknowns.gravity->covariance.setConstant(kExact);
+  if (turns.empty()) return;
+  const Eigen::Matrix3Xd& slopes = equations.further().gravity->slopes();
+  unknowns.gravity->covariance = slopes * estimate.covariance(turns, turns) * slopes.transpose();
 }
 
 void leave_friction_open(Estimate& estimate, const NonlinearUnknowns& unknowns, const TorqueEquations& equations) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Unknowns in which the torques are not linear: the direction of gravity, the time by which torques are late, and the
-// speeds of friction laws. Each has a first value of a search of its own. Then all are corrected together with all
-// other parameters by the method of Gauss and Newton: their derivatives are columns of the equations, so that the
-// parameters' covariance has their uncertainty in it.
+// speeds of friction laws. Each has a first value by a hypothesis on a sample of rows (hypothesis.hpp). Then all are
+// corrected together with all other parameters over all rows, by the method of Gauss and Newton: their derivatives are
+// columns of the equations, so that the parameters' covariance has their uncertainty in it.
 #pragma once
 
 #include <functional>

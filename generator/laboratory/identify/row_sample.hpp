@@ -1,64 +1,58 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Some rows of a log, weighted by its noise, with which other readings of the log can be tried quickly. Each cost is
-// the least Σ ((Y_i π - τ_i) / σ_i)² over all parameters π; of a sound log it is near count().
+// Some rows of a log, weighted by its noise, with which other readings of the log can be tried quickly: hypotheses say
+// how the rows change. The least cost of a sound log is near count().
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 
 #include "laboratory/identify/fit_quality.hpp"
-#include "laboratory/identify/torque_model.hpp"
+#include "laboratory/identify/hypothesis.hpp"
+#include "laboratory/identify/torque_equations.hpp"
 
 namespace flatdyn {
 
 class RowSample {
  public:
-  RowSample(const TorqueModel& model, const Measurement& measurement, const std::vector<JointFit>& fits);
+  static constexpr std::size_t kFew = 256;  // instants that tell enough of whatever is common to all of them
 
-  double cost(Eigen::VectorXd* parameters = nullptr) const;
-  const std::vector<double>& weights() const { return weights_; }  // by joint, 1/σ_i²
-  double count() const;
-  // Torques of joint i that are `gain` times the right ones; noise is not part of the gain.
-  double cost_with_gain(int joint, double gain, Eigen::VectorXd* parameters = nullptr) const;
-  double cost_with_exchanged_torques(int joint, int other) const;
-  // The force on a floating base, and its moment, with the other sign.
-  double cost_with_reaction() const;
-  // All columns of two joints exchanged: positions and torques. Joints are counted from 0, without a floating base.
-  double cost_with_exchanged_joints(int joint, int other) const;
-  // Torques of joint i with a constant added, which is found, N m or N.
-  double cost_with_torque_offset(int joint, double& offset) const;
-  // Torques of all joints that are late by a time, which is found, s. Rows for which the log has no torques at that
-  // time count like the others.
-  double cost_with_delay(double& delay) const { return cost_with_delay(delay, 0, model_.joints()); }
-  // The same of joint i alone.
-  double cost_with_delay_of(int joint, double& delay) const { return cost_with_delay(delay, joint, joint + 1); }
-  // q, q̇ and q̈ of the joints changed alike by a linear map.
-  using JointMap = std::function<void(Eigen::Ref<Eigen::VectorXd> of_joints)>;
-  double cost_with_positions(const JointMap& change) const;
-  double cost_with_offset(int joint, double offset) const;
-  // The base's entries of q̇ and q̈ changed, (0, ω) and (f, ω̇).
-  double cost_with_base(const std::function<void(Eigen::VectorXd& qd, Eigen::VectorXd& qdd)>& change) const;
+  RowSample(const TorqueModel& model, const Measurement& measurement, const std::vector<JointFit>& fits,
+            std::size_t most_instants = kFew);
 
+  // By equation, but for q.
   struct Instant {
-    Eigen::VectorXd q, qd, qdd, tau;
-    Eigen::VectorXd tau_rate;  // dτ/dt
-    Eigen::MatrixXd Y;         // n × all parameters, filtered
-    std::vector<bool> used{};  // by joint
+    double time = 0;
+    std::size_t reading = 0;  // place among all readings
+    Eigen::VectorXd q, qd, qdd;
+    Eigen::VectorXd viscous, coulomb;  // the joint's columns of F_v and F_s, filtered
+    Eigen::VectorXd tau;
+    Eigen::VectorXd weights;  // 1/σ_i; 0 where the equation is not used
+    Eigen::MatrixXd Y;        // n × all parameters, filtered
+
+    // All that is by joint, and belongs to the motion.
+    std::array<Eigen::VectorXd*, 5> motion() { return {&q, &qd, &qdd, &viscous, &coulomb}; }
   };
+  const TorqueModel& model() const { return model_; }
   const std::vector<Instant>& instants() const { return instants_; }
-  // The least cost with other rows, one matrix (n × columns) per instant.
-  double cost_of(const std::vector<Eigen::MatrixXd>& Y, Eigen::VectorXd* parameters = nullptr) const;
-  // With further columns behind those there are, n × any number.
-  double cost_with_more(const std::function<Eigen::MatrixXd(const Instant&)>& columns) const;
+  // The number of rows.
+  double count() const;
+  // Whether the equation has rows: those of a floating base's force have none where the log lacks it.
+  bool has_rows(int equation) const;
+
+  // Whether the log says how fast torques change.
+  bool has_rates() const;
+
+  // The rows, each instant changed.
+  using Change = std::function<void(Instant&)>;
+  WeightedEquations rows(const Change& change = [](Instant&) {}) const;
+  // Sets Y to that of the motion.
+  void follow_motion(Instant& instant) const;
+  // Takes torques of the equations `first` up to `end` as late by a time, s. An instant at which the log has no torques
+  // at the later time gets no weight.
+  void undo_delay(Instant& instant, double delay, int first, int end) const;
 
  private:
-  // Normal equations of one joint or of several: |Y π - τ|², weighted.
-  struct Normal {
-    Eigen::MatrixXd H;
-    Eigen::VectorXd h;
-    double s = 0;
-    void add(const Eigen::RowVectorXd& row, double tau, double weight);
-  };
   // The torques of one row of the log, and their rates.
   struct Reading {
     int log = 0;
@@ -67,24 +61,17 @@ class RowSample {
     Eigen::VectorXd tau, rate;
   };
   // The torques at another time, from the readings on both sides; none where there is one on one side alone.
-  std::optional<Reading> reading_at(std::size_t place, double time) const;
-  // With torques that are late of the joints `first` up to `end`.
-  double cost_with_delay(double& delay, int first, int end) const;
-  static double least(const Normal& normal, Eigen::VectorXd* solution = nullptr);
-  Normal joint_normal(int joint, int torques_of) const;
-  Normal sum_without(int joint, int other = -1) const;
-  std::vector<Eigen::MatrixXd> changed_rows(const std::function<void(Instant&)>& change, const JointMap& map) const;
-  // The cost of rows whose torques are those of the joints `of`.
-  double cost_of(const std::vector<Eigen::MatrixXd>& Y, const std::vector<int>& of,
-                 Eigen::VectorXd* parameters = nullptr) const;
+  std::optional<Eigen::VectorXd> torques_at(std::size_t place, double time) const;
+  Instant instant_of(const EquationInstant& from, const Observations& observations) const;
 
   const TorqueModel& model_;
-  int parameters_;  // with those behind π_b
+  Eigen::VectorXd roots_;  // by equation, 1/σ_i
   std::vector<Instant> instants_;
-  std::size_t step_ = 1;           // instants_ are every step_-th row of
   std::vector<Reading> readings_;  // in the order of logs and times
-  std::vector<double> weights_;    // 1/σ_i²
-  std::vector<Normal> normals_;    // by joint
 };
+
+// Weighted by the noise about the least-squares fit of the equations.
+RowSample sample_of(const TorqueEquations& equations, const Measurement& measurement,
+                    std::size_t most_instants = RowSample::kFew);
 
 }  // namespace flatdyn

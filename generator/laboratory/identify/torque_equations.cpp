@@ -18,10 +18,8 @@ TorqueEquations::TorqueEquations(const TorqueModel& model, FurtherParameters fur
     terms_[static_cast<std::size_t>(i)].push_back({add_name(name_of("offset", i)), Term::Kind::constant});
   }
   for (int i = model.first_joint(); i < model.equations() && further_.springs; ++i) add_spring(i);
-  const auto before = static_cast<int>(names_.size());
   add_corrections();
   parameters_ = static_cast<int>(names_.size());
-  corrections_ = parameters_ - before;
   place_terms();
 }
 
@@ -87,19 +85,24 @@ int TorqueEquations::static_parameters() const {
   return further_.springs ? 2 * model_.joints() : further_.offsets ? model_.joints() : 0;
 }
 
+int TorqueEquations::add_correction(Correction::Kind kind, int index, std::string name) {
+  corrections_.push_back({kind, index, add_name(std::move(name))});
+  return corrections_.back().column;
+}
+
 void TorqueEquations::add_corrections() {
   const auto law =
       further_.law == FrictionLaw::smooth ? FrictionEntry::Law::smooth_slope : FrictionEntry::Law::stribeck_slope;
-  for (std::size_t i = 0; i < further_.speed_factors.size(); ++i) {
-    const double factor = further_.speed_factors[i];
-    if (factor != 0) add_friction(static_cast<int>(i), add_name(name_of("v", static_cast<int>(i))), law, factor);
+  for (int i = 0; i < static_cast<int>(further_.speed_factors.size()); ++i) {
+    const double factor = further_.speed_factors[static_cast<std::size_t>(i)];
+    if (factor != 0) add_friction(i, add_correction(Correction::Kind::speed, i, name_of("v", i)), law, factor);
   }
   for (int k = 0; further_.gravity && k < further_.gravity->size(); ++k) {
-    const int column = add_name(fmt::format("gravity{}", k + 1));
+    const int column = add_correction(Correction::Kind::gravity, k, fmt::format("gravity{}", k + 1));
     for (std::vector<Term>& terms : terms_) terms.push_back({column, Term::Kind::gravity, {}, k});
   }
   if (!further_.delay) return;
-  const int column = add_name("delay");
+  const int column = add_correction(Correction::Kind::delay, 0, "delay");
   for (std::vector<Term>& terms : terms_) terms.push_back({column, Term::Kind::rate});
 }
 

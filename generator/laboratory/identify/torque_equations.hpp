@@ -30,6 +30,14 @@ struct FurtherParameters {
   bool springs = false;  // the stiffness k of each joint's spring and k q_0; not with offsets, which say the same
 };
 
+// A column by which such an unknown is corrected.
+struct Correction {
+  enum class Kind : std::uint8_t { speed, gravity, delay };
+  Kind kind = Kind::delay;
+  int index = 0;  // the equation whose friction has the speed, or the turn of gravity
+  int column = 0;
+};
+
 // Y_b(q, q̇, q̈) π_b + J_eᵀ h_e = τ, (7.81), with one equation per joint, after six of a floating base's force, which are
 // used where the log has it. Behind π_b come the law's further parameter of
 // each joint that has friction (F_a or F_b), or the dictionary's, then the offsets, or k and k q_0 of each joint's
@@ -43,8 +51,9 @@ class TorqueEquations : public EquationModel {
   const FurtherParameters& further() const { return further_; }
   // The names of all parameters: "I1zz", …, "Fa1", …, "offset1", …, "k1", "kq1", …, "v1", …, "gravity1", …, "delay"
   const std::vector<std::string>& names() const { return names_; }
-  // The number of corrections, which are the last parameters.
-  int corrections() const { return corrections_; }
+  // The corrections, which are the last parameters, and their number.
+  const std::vector<Correction>& corrected() const { return corrections_; }
+  int corrections() const { return static_cast<int>(corrections_.size()); }
   // The number of parameters between those of friction and the corrections: of offsets or springs.
   int static_parameters() const;
   // The file's π_b, its springs, and zeros elsewhere behind it.
@@ -76,6 +85,7 @@ class TorqueEquations : public EquationModel {
   void add_law(int joint);
   void add_spring(int joint);
   void add_corrections();
+  int add_correction(Correction::Kind kind, int index, std::string name);
   void add_friction(int joint, int column, FrictionEntry::Law law, double factor = 1);
   int add_name(std::string name);
   void place_terms();
@@ -83,7 +93,7 @@ class TorqueEquations : public EquationModel {
   const TorqueModel& model_;
   FurtherParameters further_;
   std::vector<std::string> names_;
-  int corrections_ = 0;
+  std::vector<Correction> corrections_;
   std::vector<std::vector<Term>> terms_;  // by joint
   mutable std::vector<double> y_;
 };

@@ -149,11 +149,7 @@ GravityFit gravity_found_by(LoadedRobot robot, const Vec3& gravity) {
   Diagnostics diagnostics;
   const Measurement measurement = measure(equations, robot.mechanism, {path}, {}, quiet, diagnostics);
   std::filesystem::remove(path);
-  const Eigen::VectorXd values = estimate_of(equations, measurement, {}).values;
-  return gravity_direction(
-      model, robot,
-      RowSample(model, measurement,
-                fit_quality(measurement.observations, measurement.logs, values, equations.acceleration_rows())));
+  return gravity_direction(robot, sample_of(equations, measurement));
 }
 
 // All axes point along z, and so does a part of gravity, which no torque depends on.

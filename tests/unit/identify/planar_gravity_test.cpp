@@ -99,7 +99,7 @@ TEST(PlanarGravity, HasThePlainSignWhereMassesCouldBeNegative) {
     const LoadedRobot real = under(reader.robot, {exact(tilt.x()), exact(tilt.y()), exact(tilt.z())});
     const Measurement measurement = reader.measured(testing::simulated(real, {.samples = 1500, .noise = 0.05}));
     const RowSample rows(reader.model, measurement, reader.fits_of(measurement));
-    const GravityFit fit = gravity_direction(reader.model, reader.robot, rows);
+    const GravityFit fit = gravity_direction(reader.robot, rows);
     EXPECT_LT((fit.gravity.normalized() - tilt.normalized()).norm(), 0.02) << tilt.transpose();
   }
 }
@@ -110,7 +110,7 @@ TEST(PlanarGravity, ThatActsOnNoJointInTheFileIsFoundAndNamed) {
   const std::vector<SimulatedSample> samples = testing::simulated(real, {.samples = 1500, .noise = 0.05});
   const Measurement measurement = reader.measured(samples);
   const RowSample rows(reader.model, measurement, reader.fits_of(measurement));
-  const GravityFit fit = gravity_direction(reader.model, reader.robot, rows);
+  const GravityFit fit = gravity_direction(reader.robot, rows);
   EXPECT_NEAR(fit.gravity.x(), 2.899, 0.05);
   EXPECT_NEAR(fit.gravity.z(), -9.3719, 0.02);
   const std::optional<FitHypothesis> reason = reader.reason_of(samples);
