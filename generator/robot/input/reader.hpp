@@ -11,7 +11,7 @@
 
 namespace flatdyn {
 
-// Reads a URDF or an SDF (tinyxml2), a xacro template, or a TOML (toml++) file, as its extension and its outermost
+// Reads a URDF, SDF or MJCF (tinyxml2), a xacro template, or a TOML (toml++) file, as its extension and its outermost
 // element say, or, from stdin ("-"), as its content does; checks it (validate.hpp) and orders nothing. All findings
 // go to `diagnostics`; nullopt if any of them is an error.
 std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOptions& options,

@@ -12,24 +12,10 @@ namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLElement;
-
-bool is_default(const XMLElement& element) { return std::string_view(element.Name()) == "default"; }
-
-// The class whose defaults an element of an MJCF file gives; nullopt of all others.
-std::optional<std::string> class_around(const XMLElement& element) {
-  const tinyxml2::XMLNode* parent = element.Parent();
-  const XMLElement* around = parent == nullptr ? nullptr : parent->ToElement();
-  if (around == nullptr || !is_default(*around) || is_default(element)) return std::nullopt;
-  const char* name = around->Attribute("class");
-  return name == nullptr ? "main" : name;
-}
-
-const XMLElement* next_of(const XMLElement& element) {
-  if (const XMLElement* child = element.FirstChildElement()) return child;
-  const tinyxml2::XMLNode* node = &element;
-  while (node != nullptr && node->NextSiblingElement() == nullptr) node = node->Parent();
-  return node == nullptr ? nullptr : node->NextSiblingElement();
+// The class whose defaults an element of an MJCF file gives; nullopt of all others. around: nullptr of the root.
+std::optional<std::string> class_around(const FileNode& element, const FileNode* around) {
+  if (around == nullptr || around->name != "default" || element.name == "default") return std::nullopt;
+  return around->has("class") ? around->value("class") : "main";
 }
 
 }  // namespace
@@ -39,23 +25,25 @@ std::string name_in_messages(const ElementOfFile& element) {
   return "<" + element.name + (element.own_name.empty() ? "" : " name=\"" + element.own_name + "\"") + ">";
 }
 
+void ElementsOfFiles::add(const FileNode& element, const FileNode* around, std::vector<Element>& elements) {
+  Element found{
+      {element.name, element.value("name"), class_around(element, around)}, element.place.line, element.place.line, {}};
+  for (const FileAttribute& attribute : element.attributes) {
+    found.attributes.push_back(attribute.name);
+    found.last_line = std::max(found.last_line, attribute.place.line);
+  }
+  elements.push_back(found);
+  for (const FileNode& child : element.children) add(child, &element, elements);
+}
+
 std::vector<ElementsOfFiles::Element> ElementsOfFiles::elements_of(const std::string& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return {};
   Diagnostics none;
-  tinyxml2::XMLDocument document;
   const std::optional<std::string> text = file_text(file, none);
+  const std::optional<XmlDocument> document = text ? parse_xml(*text, file, {}, none) : std::nullopt;
   std::vector<Element> elements;
-  const XMLElement* element = text ? parse_xml(*text, file, {}, none, document) : nullptr;
-  for (; element != nullptr; element = next_of(*element)) {
-    Element found{{element->Name(), "", class_around(*element)}, element->GetLineNum(), element->GetLineNum(), {}};
-    if (const char* name = element->Attribute("name")) found.element.own_name = name;
-    for (const tinyxml2::XMLAttribute* a = element->FirstAttribute(); a != nullptr; a = a->Next()) {
-      found.attributes.push_back(a->Name());
-      found.last_line = std::max(found.last_line, a->GetLineNum());
-    }
-    elements.push_back(found);
-  }
+  if (document) add(document->root, nullptr, elements);
   return elements;
 }
 

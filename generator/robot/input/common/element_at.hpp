@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/diagnostics/diagnostics.hpp"
+#include "robot/input/common/file_node.hpp"
 
 namespace flatdyn {
 
@@ -35,6 +35,7 @@ class ElementsOfFiles {
     std::vector<std::string> attributes;
   };
   static std::vector<Element> elements_of(const std::string& file);
+  static void add(const FileNode& element, const FileNode* around, std::vector<Element>& elements);
 
   std::map<std::string, std::vector<Element>> files_;
 };

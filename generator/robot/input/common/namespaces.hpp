@@ -3,12 +3,12 @@
 // that are meant.
 #pragma once
 
-#include <tinyxml2.h>
+#include "robot/input/common/file_node.hpp"
 
 namespace flatdyn {
 
 // Gives elements and attributes the prefixes that the readers know for their namespaces' addresses ("drake:",
 // "xacro:"), and none where the namespace is that of the outermost element.
-void give_usual_prefixes(tinyxml2::XMLElement& root);
+void give_usual_prefixes(FileNode& root);
 
 }  // namespace flatdyn

@@ -17,7 +17,6 @@ namespace flatdyn {
 namespace {
 
 namespace fs = std::filesystem;
-using tinyxml2::XMLElement;
 
 bool is_on_path(const std::string& program) {
   const char* path = std::getenv("PATH");
@@ -42,28 +41,24 @@ std::string indented(std::string text) {
 constexpr std::array<std::string_view, 6> kOfOthers = {"gazebo", "transmission", "ros2_control",
                                                        "mujoco", "plugin",       "sensor"};
 
-bool is_of_others(const XMLElement& element) {
-  return std::find(kOfOthers.begin(), kOfOthers.end(), element.Name()) != kOfOthers.end();
+bool is_of_others(const FileNode& element) {
+  return std::find(kOfOthers.begin(), kOfOthers.end(), element.name) != kOfOthers.end();
 }
 
 // Before 2015 xacro took its elements without a prefix.
-bool is_old_xacro(const XMLElement& element) {
-  const std::string_view name = element.Name();
-  const auto has = [&element](const char* attribute) { return element.Attribute(attribute) != nullptr; };
-  return (name == "macro" && has("name")) || (name == "property" && has("name")) ||
-         (name == "include" && has("filename"));
+bool is_old_xacro(const FileNode& element) {
+  const bool defines = element.name == "macro" || element.name == "property";
+  return (defines && element.has("name")) || (element.name == "include" && element.has("filename"));
 }
 
 // "" if nothing in the element itself is xacro's.
-std::string sign_of_template(const XMLElement& element, bool is_inside_others) {
-  const std::string_view name = element.Name();
-  if (name.starts_with("xacro:") || (!is_inside_others && is_old_xacro(element))) return "<" + std::string(name) + ">";
+std::string sign_of_template(const FileNode& element, bool is_inside_others) {
+  const bool is_own = element.name.starts_with("xacro:") || (!is_inside_others && is_old_xacro(element));
+  if (is_own) return "<" + element.name + ">";
   if (is_inside_others) return "";
   for (const char* attribute : {"name", "link"}) {
-    const char* value = element.Attribute(attribute);
-    if (value == nullptr) continue;
-    const std::string_view text = value;
-    if (text.find("${") != text.npos || text.find("$(") != text.npos) return "\"" + std::string(text) + "\"";
+    const std::string text = element.value(attribute);
+    if (text.find("${") != text.npos || text.find("$(") != text.npos) return "\"" + text + "\"";
   }
   return "";
 }
@@ -71,19 +66,17 @@ std::string sign_of_template(const XMLElement& element, bool is_inside_others) {
 // The first sign of each element, in the order of the file.
 struct Signs {
   std::string first;
-  int line = 0;
+  Place place;
   int count = 0;
 };
 
-void look_for_signs(const XMLElement& element, bool is_inside_others, Signs& signs) {
+void look_for_signs(const FileNode& element, bool is_inside_others, Signs& signs) {
   const std::string sign = sign_of_template(element, is_inside_others);
   if (!sign.empty() && signs.count++ == 0) {
     signs.first = sign;
-    signs.line = element.GetLineNum();
+    signs.place = element.place;
   }
-  for (const XMLElement* e = element.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
-    look_for_signs(*e, is_inside_others || is_of_others(*e), signs);
-  }
+  for (const FileNode& child : element.children) look_for_signs(child, is_inside_others || is_of_others(child), signs);
 }
 
 }  // namespace
@@ -110,12 +103,12 @@ std::optional<std::string> expanded_by_xacro(const std::string& file, const std:
   return std::nullopt;
 }
 
-bool refuse_template(const XMLElement& root, const std::string& file, Diagnostics& diagnostics) {
+bool refuse_template(const FileNode& root, Diagnostics& diagnostics) {
   Signs signs;
   look_for_signs(root, false, signs);
   if (signs.count == 0) return false;
   const std::string places = signs.count == 1 ? "" : " (" + std::to_string(signs.count) + " places in all)";
-  diagnostics.error({file, signs.line}, signs.first + ": this is a xacro template, not a URDF" + places,
+  diagnostics.error(signs.place, signs.first + ": this is a xacro template, not a URDF" + places,
                     "expand it first: xacro FILE > robot.urdf; a file that is called .xacro is expanded as it is read");
   return true;
 }

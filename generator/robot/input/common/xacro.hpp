@@ -2,14 +2,12 @@
 // Templates of URDF files, for the program xacro of ROS.
 #pragma once
 
-#include <tinyxml2.h>
-
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "base/diagnostics/diagnostics.hpp"
+#include "robot/input/common/file_node.hpp"
 
 namespace flatdyn {
 
@@ -22,6 +20,6 @@ std::optional<std::string> expanded_by_xacro(const std::string& file, const std:
 
 // An error for a document that is a template still: elements of xacro, also the old ones without a prefix, and ${} in
 // the names of links and joints. True if it is one.
-bool refuse_template(const tinyxml2::XMLElement& root, const std::string& file, Diagnostics& diagnostics);
+bool refuse_template(const FileNode& root, Diagnostics& diagnostics);
 
 }  // namespace flatdyn

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "robot/input/common/xml_document.hpp"
 
+#include <tinyxml2.h>
+
 #include <string_view>
 
 #include "robot/input/common/namespaces.hpp"
@@ -50,41 +52,66 @@ const tinyxml2::XMLNode* doctype_with_declarations(const tinyxml2::XMLDocument& 
   return nullptr;
 }
 
+// The texts directly in the element, one behind the other.
+std::string text_in(const tinyxml2::XMLElement& element) {
+  std::string text;
+  for (const tinyxml2::XMLNode* node = element.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    if (node->ToText() != nullptr) text += std::string(text.empty() ? "" : " ") + node->Value();
+  }
+  return text;
+}
+
+FileNode node_of(const tinyxml2::XMLElement& element, const std::string& file) {
+  FileNode node{element.Name(), {}, {}, {file, element.GetLineNum()}, text_in(element)};
+  for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
+    node.attributes.push_back({a->Name(), a->Value(), {file, a->GetLineNum()}});
+  }
+  for (const tinyxml2::XMLElement* e = element.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+    node.children.push_back(node_of(*e, file));
+  }
+  return node;
+}
+
+std::optional<Place> place_beside(const tinyxml2::XMLElement& root, const std::string& file) {
+  for (const tinyxml2::XMLNode* node = root.GetDocument()->FirstChild(); node != nullptr; node = node->NextSibling()) {
+    if (node != &root && (node->ToElement() != nullptr || node->ToText() != nullptr))
+      return Place{file, node->GetLineNum()};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-const tinyxml2::XMLElement* parse_xml(const std::string& text, const std::string& file, const XmlForm& form,
-                                      Diagnostics& diagnostics, tinyxml2::XMLDocument& document) {
+std::optional<XmlDocument> parse_xml(const std::string& text, const std::string& file, const XmlForm& form,
+                                     Diagnostics& diagnostics) {
   // The parser resolves no entities of its own but the five of XML; nesting is bounded (100).
+  tinyxml2::XMLDocument document;
   const std::string plain = without_instructions(text);
   if (document.Parse(plain.data(), plain.size()) != tinyxml2::XML_SUCCESS) {
     diagnostics.error({file, document.ErrorLineNum()}, "not well-formed XML: " + readable(document.ErrorName()),
                       "check the tags and quotes near this line");
-    return nullptr;
+    return std::nullopt;
   }
   if (const tinyxml2::XMLNode* doctype = doctype_with_declarations(document)) {
     diagnostics.error({file, doctype->GetLineNum()}, "a <!DOCTYPE ...> with declarations of its own is not read",
                       "put in what it declares: xmllint --noent --dropdtd FILE > robot" + form.extension);
-    return nullptr;
+    return std::nullopt;
   }
-  tinyxml2::XMLElement* root = document.RootElement();
+  const tinyxml2::XMLElement* root = document.RootElement();
   if (root == nullptr) {
     diagnostics.error({file, 0}, "there is no element in this file", form.outline);
-    return nullptr;
+    return std::nullopt;
   }
-  give_usual_prefixes(*root);
-  return root;
+  XmlDocument read{node_of(*root, file), place_beside(*root, file)};
+  give_usual_prefixes(read.root);
+  return read;
 }
 
-bool refuse_content_beside(const tinyxml2::XMLElement& root, const std::string& file, const XmlForm& form,
-                           Diagnostics& diagnostics) {
-  for (const tinyxml2::XMLNode* node = root.GetDocument()->FirstChild(); node != nullptr; node = node->NextSibling()) {
-    if (node == &root || (node->ToElement() == nullptr && node->ToText() == nullptr)) continue;
-    diagnostics.error({file, node->GetLineNum()},
-                      "there is something else beside <" + std::string(root.Name()) + ">, the outermost element",
-                      form.outline);
-    return true;
-  }
-  return false;
+bool refuse_content_beside(const XmlDocument& document, const XmlForm& form, Diagnostics& diagnostics) {
+  if (!document.beside) return false;
+  diagnostics.error(*document.beside,
+                    "there is something else beside <" + document.root.name + ">, the outermost element", form.outline);
+  return true;
 }
 
 std::string outermost_element(const std::string& text) {

@@ -21,20 +21,20 @@ class ActuatorReader {
   explicit ActuatorReader(MjcfModel& model) : model_(model), values_(model.values) {}
 
   void read() {
-    for (const MjcfElement* section : model_.root.elements("actuator")) {
-      for (const MjcfElement& actuator : section->children) read_actuator(actuator);
+    for (const FileNode* section : model_.root.elements("actuator")) {
+      for (const FileNode& actuator : section->children) read_actuator(actuator);
     }
     for (const auto& [joint, efforts] : efforts_) limit(joint, efforts);
   }
 
  private:
-  void read_actuator(const MjcfElement& actuator) {
+  void read_actuator(const FileNode& actuator) {
     const MjcfItem item = values_.item(actuator, kMainClass, "actuator");
     if (refuse_muscle(item)) return;
-    const MjcfAttribute* joint = actuator.attribute("joint");
+    const FileAttribute* joint = actuator.attribute("joint");
     if (joint == nullptr) joint = actuator.attribute("jointinparent");
     if (joint == nullptr) {
-      if (const MjcfAttribute* tendon = actuator.attribute("tendon")) {
+      if (const FileAttribute* tendon = actuator.attribute("tendon")) {
         read_on_tendon(item, *tendon);
       } else {
         tell_of_transmission(item);
@@ -84,7 +84,7 @@ class ActuatorReader {
   }
 
   // A joint that is held or of a type that is not supported has been spoken of.
-  void report_unknown(const MjcfAttribute& joint, const MjcfItem& item) {
+  void report_unknown(const FileAttribute& joint, const MjcfItem& item) {
     const auto& names = model_.names_of_joints;
     if (std::find(names.begin(), names.end(), joint.text) != names.end()) return;
     report_missing_name(joint, item.what, "joint", joint_names(model_.robot), model_.diagnostics());
@@ -100,7 +100,7 @@ class ActuatorReader {
   }
 
   // Its force drives all joints that the tendon runs over, and is no torque of one of them.
-  void read_on_tendon(const MjcfItem& item, const MjcfAttribute& name) {
+  void read_on_tendon(const MjcfItem& item, const FileAttribute& name) {
     MjcfTendon* tendon = mjcf_tendon(name, item.what, model_);
     if (tendon == nullptr) return;
     if (!tendon->is_fixed) {

@@ -16,7 +16,7 @@ inline constexpr std::array kMjcfSections = {"asset",    "tendon",   "equality",
 // Makes an <attach> a <frame> of the other model's body or frame that it names, or of all that is in its world, with
 // what acts on that in the root's sections. Names of elements and classes have the prefix, as in MuJoCo. folder: of the
 // other model's meshes.
-void attach_mjcf(MjcfElement& attach, const MjcfElement& other, const std::string& folder, MjcfElement& root,
+void attach_mjcf(FileNode& attach, const FileNode& other, const std::string& folder, FileNode& root,
                  Diagnostics& diagnostics);
 
 }  // namespace flatdyn

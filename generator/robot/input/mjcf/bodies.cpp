@@ -22,7 +22,7 @@ struct Surroundings {
 // The elements that a body has in itself and in its frames.
 struct Contents {
   struct Child {
-    const MjcfElement* element;
+    const FileNode* element;
     Surroundings around;
   };
   std::vector<MjcfJoint> joints;
@@ -30,10 +30,10 @@ struct Contents {
   std::vector<Child> inertials, sites, bodies;
 };
 
-void collect_names(const MjcfElement& element, const std::string& of, std::vector<std::string>& names) {
-  for (const MjcfElement& child : element.children) {
+void collect_names(const FileNode& element, const std::string& of, std::vector<std::string>& names) {
+  for (const FileNode& child : element.children) {
     const bool is_one = child.name == of || (of == "joint" && child.name == "freejoint");
-    if (is_one && !child.text("name").empty()) names.push_back(child.text("name"));
+    if (is_one && !child.value("name").empty()) names.push_back(child.value("name"));
     collect_names(child, of, names);
   }
 }
@@ -45,27 +45,27 @@ class BodyReader {
   void read() {
     robot_.links.push_back({"world", {}, model_.root.place});
     model_.names_of_bodies.push_back("world");
-    for (const MjcfElement* world : model_.root.elements("worldbody")) {
+    for (const FileNode* world : model_.root.elements("worldbody")) {
       collect_names(*world, "joint", model_.names_of_joints);
       collect_names(*world, "body", model_.names_of_bodies);
     }
-    for (const MjcfElement* world : model_.root.elements("worldbody")) {
+    for (const FileNode* world : model_.root.elements("worldbody")) {
       robot_.links[0].place = world->place;
       read_contents(*world, -1, class_for_children(*world, kMainClass));
     }
   }
 
  private:
-  std::string class_for_children(const MjcfElement& element, const std::string& around) const {
-    const MjcfAttribute* own = element.attribute("childclass");
+  std::string class_for_children(const FileNode& element, const std::string& around) const {
+    const FileAttribute* own = element.attribute("childclass");
     if (own == nullptr) return around;
     if (values_.defaults().has_class(own->text)) return own->text;
     report_missing_name(*own, name_in_messages(element), "class", values_.defaults().names(), model_.diagnostics());
     return around;
   }
 
-  void collect(const MjcfElement& element, const Surroundings& around, Contents& contents) {
-    for (const MjcfElement& child : element.children) {
+  void collect(const FileNode& element, const Surroundings& around, Contents& contents) {
+    for (const FileNode& child : element.children) {
       if (child.name == "joint" || child.name == "freejoint") {
         contents.joints.push_back({&child, around.class_name, around.frame});
       } else if (child.name == "geom") {
@@ -88,13 +88,13 @@ class BodyReader {
   }
 
   // Copy k is turned by k times the angles of euler. It stands one offset, in the axes of the copy before, from that.
-  void collect_copies(const MjcfElement& replicate, const Surroundings& around, Contents& contents) {
+  void collect_copies(const FileNode& replicate, const Surroundings& around, Contents& contents) {
     const MjcfItem item = MjcfValues::plain(replicate);
     const Vec3 offset = values_.length_vector(item, "offset");
     const Pose turn{mjcf_orientation(item, values_, model_.settings), replicate.place};
     Vec3 position = zero_vector();
     int number = 0;
-    for (const MjcfElement& copy : replicate.children) {
+    for (const FileNode& copy : replicate.children) {
       Pose turned = turn;
       for (Displacement& each : turned.displacements) each.angle *= number;
       const Pose pose = joined({{translation(position)}, replicate.place}, turned);
@@ -104,7 +104,7 @@ class BodyReader {
     }
   }
 
-  void refuse_kind(const MjcfElement& element) {
+  void refuse_kind(const FileNode& element) {
     for (const char* kind : {"composite", "flexcomp", "plugin"}) {
       if (element.name != kind) continue;
       refuse_mjcf(element.place, "<" + element.name + "> is not supported", kind, values_);
@@ -112,7 +112,7 @@ class BodyReader {
   }
 
   void read_body(const Contents::Child& child, int parent) {
-    const MjcfElement& element = *child.element;
+    const FileNode& element = *child.element;
     MjcfBody body;
     body.element = &element;
     body.parent = parent;
@@ -123,12 +123,12 @@ class BodyReader {
                   class_for_children(element, child.around.class_name));
   }
 
-  void tell_of_forces(const MjcfElement& element) {
-    if (element.text("mocap") == "true") {
+  void tell_of_forces(const FileNode& element) {
+    if (element.value("mocap") == "true") {
       model_.diagnostics().note(element.place, name_in_messages(element) + ": mocap is not read: the body stands still",
                                 "a joint moves a body", "bodies that motion capture moves");
     }
-    const MjcfAttribute* gravcomp = element.attribute("gravcomp");
+    const FileAttribute* gravcomp = element.attribute("gravcomp");
     const bool is_weightless = vanishes(dot(robot_.gravity, robot_.gravity));
     if (gravcomp == nullptr || is_zero_text(gravcomp->text) || is_weightless) return;
     model_.diagnostics().note(
@@ -140,13 +140,13 @@ class BodyReader {
         "bodies whose weight gravcomp carries");
   }
 
-  std::string name_of_body(const MjcfElement& element) {
-    const std::string name = element.text("name");
+  std::string name_of_body(const FileNode& element) {
+    const std::string name = element.value("name");
     return name.empty() ? new_body_name("body" + std::to_string(model_.bodies.size()), model_) : name;
   }
 
   // body: its index, or -1 of the world.
-  void read_contents(const MjcfElement& element, int body, const std::string& class_name) {
+  void read_contents(const FileNode& element, int body, const std::string& class_name) {
     Contents contents;
     collect(element, {class_name, {}}, contents);
     const bool is_world = body < 0;
@@ -162,7 +162,7 @@ class BodyReader {
     for (const Contents::Child& child : contents.bodies) read_body(child, body);
   }
 
-  void read_joints(const MjcfElement& element, const Contents& contents, int index) {
+  void read_joints(const FileNode& element, const Contents& contents, int index) {
     MjcfBody body = model_.bodies[at(index)];
     const std::string name = name_of_body(element);
     const int parent = body.parent;
@@ -184,7 +184,7 @@ class BodyReader {
   }
 
   void read_site(const Contents::Child& site, int link) {
-    const std::string name = site.element->text("name");
+    const std::string name = site.element->value("name");
     if (name.empty()) return;
     const MjcfItem item = values_.item(*site.element, site.around.class_name);
     model_.sites[name] = {link, joined(site.around.frame, mjcf_pose(item, values_, model_.settings))};

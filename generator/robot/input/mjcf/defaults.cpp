@@ -23,23 +23,23 @@ std::string default_kind_of(const std::string& element, const std::string& secti
   return is_actuator(element) ? "general" : element;
 }
 
-MjcfDefaults::MjcfDefaults(const MjcfElement& root, Diagnostics& diagnostics) {
+MjcfDefaults::MjcfDefaults(const FileNode& root, Diagnostics& diagnostics) {
   classes_[kMainClass];
-  for (const MjcfElement* defaults : root.elements("default")) {
-    const std::string name = defaults->text("class");
+  for (const FileNode* defaults : root.elements("default")) {
+    const std::string name = defaults->value("class");
     if (!name.empty() && name != kMainClass) {
       diagnostics.error(defaults->place, "default: the outermost class is called \"main\", not \"" + name + "\"",
                         "leave its name out, or put the class into another <default>");
     }
     read_content(*defaults, kMainClass, diagnostics);
   }
-  for (const MjcfElement* attached : root.elements(kMjcfAttachedDefaults)) {
-    for (const MjcfElement& defaults : attached->children) read(defaults, "", diagnostics);
+  for (const FileNode* attached : root.elements(kMjcfAttachedDefaults)) {
+    for (const FileNode& defaults : attached->children) read(defaults, "", diagnostics);
   }
 }
 
-void MjcfDefaults::read(const MjcfElement& element, const std::string& parent, Diagnostics& diagnostics) {
-  const std::string name = element.text("class");
+void MjcfDefaults::read(const FileNode& element, const std::string& parent, Diagnostics& diagnostics) {
+  const std::string name = element.value("class");
   if (name.empty()) {
     diagnostics.error(element.place, "default: a class inside another one has no name",
                       "write <default class=\"...\">");
@@ -53,11 +53,11 @@ void MjcfDefaults::read(const MjcfElement& element, const std::string& parent, D
   read_content(element, name, diagnostics);
 }
 
-void MjcfDefaults::read_content(const MjcfElement& element, const std::string& name, Diagnostics& diagnostics) {
-  for (const MjcfElement& child : element.children) {
+void MjcfDefaults::read_content(const FileNode& element, const std::string& name, Diagnostics& diagnostics) {
+  for (const FileNode& child : element.children) {
     if (child.name != "default") classes_[name].elements.push_back(child);
   }
-  for (const MjcfElement* child : element.elements("default")) read(*child, name, diagnostics);
+  for (const FileNode* child : element.elements("default")) read(*child, name, diagnostics);
 }
 
 std::vector<std::string> MjcfDefaults::names() const {
@@ -66,22 +66,22 @@ std::vector<std::string> MjcfDefaults::names() const {
   return all;
 }
 
-std::vector<const MjcfAttribute*> MjcfDefaults::find_all(const std::string& name, const std::string& kind,
+std::vector<const FileAttribute*> MjcfDefaults::find_all(const std::string& name, const std::string& kind,
                                                          const std::string& attribute) const {
-  std::vector<const MjcfAttribute*> all;
+  std::vector<const FileAttribute*> all;
   for (auto found = classes_.find(name); found != classes_.end(); found = classes_.find(found->second.parent)) {
-    const std::vector<MjcfElement>& elements = found->second.elements;
+    const std::vector<FileNode>& elements = found->second.elements;
     for (auto element = elements.rbegin(); element != elements.rend(); ++element) {
-      const MjcfAttribute* known = element->attribute(attribute);
+      const FileAttribute* known = element->attribute(attribute);
       if (known != nullptr && default_kind_of(element->name, "") == kind) all.push_back(known);
     }
   }
   return all;
 }
 
-const MjcfAttribute* MjcfDefaults::find(const std::string& name, const std::string& kind,
+const FileAttribute* MjcfDefaults::find(const std::string& name, const std::string& kind,
                                         const std::string& attribute) const {
-  const std::vector<const MjcfAttribute*> all = find_all(name, kind, attribute);
+  const std::vector<const FileAttribute*> all = find_all(name, kind, attribute);
   return all.empty() ? nullptr : all.front();
 }
 

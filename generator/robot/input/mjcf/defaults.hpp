@@ -13,27 +13,27 @@ inline constexpr const char* kMainClass = "main";
 
 class MjcfDefaults {
  public:
-  MjcfDefaults(const MjcfElement& root, Diagnostics& diagnostics);
+  MjcfDefaults(const FileNode& root, Diagnostics& diagnostics);
 
   bool has_class(const std::string& name) const { return classes_.count(name) > 0; }
   std::vector<std::string> names() const;
 
   // The attribute that elements of this kind have in this class, or in the nearest one around it; nullptr if none has.
   // All actuators are of the kind "general", all equalities of the kind "equality".
-  const MjcfAttribute* find(const std::string& name, const std::string& kind, const std::string& attribute) const;
+  const FileAttribute* find(const std::string& name, const std::string& kind, const std::string& attribute) const;
   // All of them, the nearest one first.
-  std::vector<const MjcfAttribute*> find_all(const std::string& name, const std::string& kind,
+  std::vector<const FileAttribute*> find_all(const std::string& name, const std::string& kind,
                                              const std::string& attribute) const;
 
  private:
   struct Class {
     std::string parent;
-    std::vector<MjcfElement> elements;  // in an order in which the last one counts
+    std::vector<FileNode> elements;  // in an order in which the last one counts
   };
 
   // parent: "" of an outermost class.
-  void read(const MjcfElement& element, const std::string& parent, Diagnostics& diagnostics);
-  void read_content(const MjcfElement& element, const std::string& name, Diagnostics& diagnostics);
+  void read(const FileNode& element, const std::string& parent, Diagnostics& diagnostics);
+  void read_content(const FileNode& element, const std::string& name, Diagnostics& diagnostics);
 
   std::map<std::string, Class> classes_;
 };

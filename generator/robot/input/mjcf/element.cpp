@@ -5,23 +5,18 @@
 #include <filesystem>
 #include <map>
 
-#include "robot/input/common/xml_document.hpp"
-
 namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLElement;
-
 class TreeReader {
  public:
   TreeReader(const std::string& file, ReadContext& context, Robot& robot)
-      : folder_(std::filesystem::path(file).parent_path()), context_(context), robot_(robot) {}
+      : folder_(std::filesystem::path(file).parent_path()), context_(context), robot_(robot), files_({file}) {}
 
-  MjcfElement read(const XMLElement& root, const std::string& file) {
-    files_.push_back(file);
-    MjcfElement tree = element_of(root, file);
-    read_children(root, file, tree);
+  FileNode read(const FileNode& root) {
+    FileNode tree = without_children(root);
+    add_children(root, tree);
     return tree;
   }
 
@@ -56,50 +51,44 @@ class TreeReader {
     return true;
   }
 
-  MjcfElement element_of(const XMLElement& read, const std::string& file) {
-    MjcfElement element;
-    element.name = read.Name();
-    element.place = {file, read.GetLineNum()};
-    for (const tinyxml2::XMLAttribute* a = read.FirstAttribute(); a != nullptr; a = a->Next()) {
-      const Place place{file, a->GetLineNum()};
-      if (!is_ignored(a->Name(), place)) element.attributes.push_back({a->Name(), a->Value(), place});
+  FileNode without_children(const FileNode& read) {
+    FileNode element{read.name, {}, {}, read.place, read.text};
+    for (const FileAttribute& each : read.attributes) {
+      if (!is_ignored(each.name, each.place)) element.attributes.push_back(each);
     }
     return element;
   }
 
-  void read_children(const XMLElement& read, const std::string& file, MjcfElement& element) {
-    for (const XMLElement* child = read.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
-      const std::string name = child->Name();
-      if (name == "include") {
-        include(*child, file, element);
-      } else if (!is_ignored(name, {file, child->GetLineNum()})) {
-        element.children.push_back(element_of(*child, file));
-        read_children(*child, file, element.children.back());
+  void add_children(const FileNode& read, FileNode& element) {
+    for (const FileNode& child : read.children) {
+      if (child.name == "include") {
+        include(child, element);
+      } else if (!is_ignored(child.name, child.place)) {
+        element.children.push_back(without_children(child));
+        add_children(child, element.children.back());
       }
     }
   }
 
   // The path is relative to the main file or, if no file is there, to the file that includes it.
-  void include(const XMLElement& element, const std::string& file, MjcfElement& parent) {
-    const Place place{file, element.GetLineNum()};
-    const char* name = element.Attribute("file");
-    if (name == nullptr || *name == '\0') {
-      context_.diagnostics.error(place, "<include> names no file", "write <include file=\"...\"/>");
+  void include(const FileNode& element, FileNode& parent) {
+    const std::string name = element.value("file");
+    if (name.empty()) {
+      context_.diagnostics.error(element.place, "<include> names no file", "write <include file=\"...\"/>");
       return;
     }
     std::error_code error;
-    const std::filesystem::path beside = std::filesystem::path(file).parent_path() / name;
+    const std::filesystem::path beside = std::filesystem::path(element.place.file).parent_path() / name;
     const bool is_beside =
         !std::filesystem::is_regular_file(folder_ / name, error) && std::filesystem::is_regular_file(beside, error);
     const std::string path = (is_beside ? beside : folder_ / name).string();
-    if (!can_be_included(path, place)) return;
+    if (!can_be_included(path, element.place)) return;
     const std::optional<std::string> text = file_text(path, context_.diagnostics);
     if (!text) return;
     robot_.files.push_back(path);
     files_.push_back(path);
-    tinyxml2::XMLDocument document;
-    const XMLElement* included = parse_xml(*text, path, kMjcfForm, context_.diagnostics, document);
-    if (included != nullptr) read_children(*included, path, parent);
+    const std::optional<XmlDocument> included = parse_xml(*text, path, kMjcfForm, context_.diagnostics);
+    if (included) add_children(included->root, parent);
   }
 
   bool can_be_included(const std::string& path, const Place& place) {
@@ -128,52 +117,25 @@ class TreeReader {
 
 }  // namespace
 
-const MjcfAttribute* MjcfElement::attribute(std::string_view attribute_name) const {
-  for (const MjcfAttribute& each : attributes) {
-    if (each.name == attribute_name) return &each;
-  }
-  return nullptr;
-}
-
-std::string MjcfElement::text(std::string_view attribute_name) const {
-  const MjcfAttribute* found = attribute(attribute_name);
-  return found == nullptr ? "" : found->text;
-}
-
-std::vector<const MjcfElement*> MjcfElement::elements(std::string_view element_name) const {
-  std::vector<const MjcfElement*> found;
-  for (const MjcfElement& child : children) {
-    if (child.name == element_name) found.push_back(&child);
-  }
-  return found;
-}
-
-std::string name_in_messages(const MjcfElement& element) {
-  const std::string name = element.text("name");
-  return element.name + (name.empty() ? "" : " \"" + name + "\"");
-}
-
-MjcfElement mjcf_tree(const XMLElement& root, const std::string& file, ReadContext& context, Robot& robot) {
-  TreeReader reader(file, context, robot);
-  MjcfElement tree = reader.read(root, file);
+FileNode mjcf_tree(const FileNode& root, ReadContext& context, Robot& robot) {
+  TreeReader reader(root.place.file, context, robot);
+  FileNode tree = reader.read(root);
   reader.tell_of_ignored();
   return tree;
 }
 
-std::optional<MjcfElement> mjcf_tree_of_file(const std::string& file, ReadContext& context, Robot& robot) {
+std::optional<FileNode> mjcf_tree_of_file(const std::string& file, ReadContext& context, Robot& robot) {
   const std::optional<std::string> text = file_text(file, context.diagnostics);
   if (!text) return std::nullopt;
   robot.files.push_back(file);
-  tinyxml2::XMLDocument document;
-  const XMLElement* root = parse_xml(*text, file, kMjcfForm, context.diagnostics, document);
-  if (root == nullptr || refuse_content_beside(*root, file, kMjcfForm, context.diagnostics)) return std::nullopt;
-  if (std::string_view(root->Name()) != "mujoco") {
-    context.diagnostics.error({file, root->GetLineNum()},
-                              "the model is not an MJCF file, but <" + std::string(root->Name()) + ">",
+  const std::optional<XmlDocument> document = parse_xml(*text, file, kMjcfForm, context.diagnostics);
+  if (!document || refuse_content_beside(*document, kMjcfForm, context.diagnostics)) return std::nullopt;
+  if (document->root.name != "mujoco") {
+    context.diagnostics.error(document->root.place, "the model is not an MJCF file, but <" + document->root.name + ">",
                               "name an MJCF file");
     return std::nullopt;
   }
-  return TreeReader(file, context, robot).read(*root, file);
+  return TreeReader(file, context, robot).read(document->root);
 }
 
 }  // namespace flatdyn

@@ -21,8 +21,8 @@ class EqualityReader {
   // Those that hold a joint come first, and those of tendons last: their joints may follow by the others.
   void read() {
     for (const Pass pass : {Pass::holds, Pass::joints, Pass::tendons}) {
-      for (const MjcfElement* section : model_.root.elements("equality")) {
-        for (const MjcfElement& element : section->children) {
+      for (const FileNode* section : model_.root.elements("equality")) {
+        for (const FileNode& element : section->children) {
           if (pass_of(element) == pass) read_equality(element);
         }
       }
@@ -32,12 +32,12 @@ class EqualityReader {
  private:
   enum class Pass { holds, joints, tendons };
 
-  static Pass pass_of(const MjcfElement& element) {
+  static Pass pass_of(const FileNode& element) {
     if (element.name == "tendon") return Pass::tendons;
     return element.name == "joint" && element.attribute("joint2") != nullptr ? Pass::joints : Pass::holds;
   }
 
-  void read_equality(const MjcfElement& element) {
+  void read_equality(const FileNode& element) {
     MjcfItem item = values_.item(element, kMainClass, "equality");
     item.what = "equality, " + item.what;
     if (!values_.flag(item, "active", true)) {
@@ -61,8 +61,8 @@ class EqualityReader {
   }
 
   // The attribute that names a joint or tendon; nullptr, and an error, if it is missing.
-  const MjcfAttribute* name_in(const MjcfItem& item, const char* key) {
-    const MjcfAttribute* name = item.element->attribute(key);
+  const FileAttribute* name_in(const MjcfItem& item, const char* key) {
+    const FileAttribute* name = item.element->attribute(key);
     if (name == nullptr) {
       diagnostics_.error(item.element->place, item.what + " has no " + key, std::string("write ") + key + "=\"...\"");
     }
@@ -71,7 +71,7 @@ class EqualityReader {
 
   // The joint that an attribute names; nullptr, and an error, if there is no such joint or it cannot move.
   Joint* joint_of(const MjcfItem& item, const char* key) {
-    const MjcfAttribute* name = name_in(item, key);
+    const FileAttribute* name = name_in(item, key);
     if (name == nullptr) return nullptr;
     Joint* joint = joint_in(model_.robot, name->text);
     if (joint != nullptr && joint->type == JointType::spherical) {
@@ -97,7 +97,7 @@ class EqualityReader {
 
   // The tendon that an attribute names; nullptr, and an error, if there is no such tendon or its length is not linear.
   const MjcfTendon* tendon_of(const MjcfItem& item, const char* key) {
-    const MjcfAttribute* name = name_in(item, key);
+    const FileAttribute* name = name_in(item, key);
     if (name == nullptr) return nullptr;
     const MjcfTendon* tendon = mjcf_tendon(*name, item.what, model_);
     if (tendon == nullptr || tendon->is_fixed) return tendon;
@@ -250,7 +250,7 @@ class EqualityReader {
   }
 
   std::optional<int> body_of(const MjcfItem& item, const char* key) {
-    const MjcfAttribute* name = item.element->attribute(key);
+    const FileAttribute* name = item.element->attribute(key);
     if (name == nullptr || name->text == "world") return kWorld;
     const auto found = model_.body_of_name.find(name->text);
     if (found != model_.body_of_name.end()) return found->second;
@@ -282,7 +282,7 @@ class EqualityReader {
   void read_connect(const MjcfItem& item) {
     Loop loop;
     loop.place = item.element->place;
-    loop.name = item.element->text("name");
+    loop.name = item.element->value("name");
     loop.is_marked = true;
     if (item.element->attribute("site1") != nullptr ? connect_sites(item, loop) : connect_bodies(item, loop)) {
       model_.robot.loops.push_back(loop);
@@ -293,10 +293,10 @@ class EqualityReader {
     bool complete = true;
     for (std::size_t end = 0; end < 2; ++end) {
       const char* key = end == 0 ? "site1" : "site2";
-      const MjcfAttribute* name = item.element->attribute(key);
+      const FileAttribute* name = item.element->attribute(key);
       const auto site = model_.sites.find(name == nullptr ? "" : name->text);
       if (site == model_.sites.end()) {
-        report_missing_name(name == nullptr ? MjcfAttribute{key, "", loop.place} : *name, item.what, "site", {},
+        report_missing_name(name == nullptr ? FileAttribute{key, "", loop.place} : *name, item.what, "site", {},
                             diagnostics_);
         complete = false;
         continue;
@@ -327,7 +327,7 @@ class EqualityReader {
 
   // A body that its own joints move against what stands still, welded to the world: these are held.
   void read_weld(const MjcfItem& item) {
-    const MjcfAttribute* pose = item.element->attribute("relpose");
+    const FileAttribute* pose = item.element->attribute("relpose");
     if (item.element->attribute("site1") != nullptr || pose != nullptr) {
       refuse(item, "of sites, or with relpose, is not supported");
       return;

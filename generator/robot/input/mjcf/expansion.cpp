@@ -18,12 +18,12 @@ namespace fs = std::filesystem;
 
 // Another model, which <asset> names.
 struct OtherModel {
-  MjcfElement root;
+  FileNode root;
   std::string mesh_folder;
 };
 
-MjcfSettings settings_of(MjcfElement root, ReadContext& context) {
-  std::erase_if(root.children, [](const MjcfElement& child) { return child.name == "option"; });
+MjcfSettings settings_of(FileNode root, ReadContext& context) {
+  std::erase_if(root.children, [](const FileNode& child) { return child.name == "option"; });
   const MjcfDefaults defaults(root, context.diagnostics);
   Robot none;
   return mjcf_settings(root, MjcfValues(defaults, context), none);
@@ -32,7 +32,7 @@ MjcfSettings settings_of(MjcfElement root, ReadContext& context) {
 class Expander {
  public:
   // around: the files that attach this one.
-  Expander(MjcfElement& root, const std::string& file, ReadContext& context, Robot& robot,
+  Expander(FileNode& root, const std::string& file, ReadContext& context, Robot& robot,
            const std::vector<std::string>& around)
       : root_(root), file_(file), context_(context), robot_(robot), files_(around) {
     files_.push_back(file);
@@ -42,14 +42,14 @@ class Expander {
     for (const char* section : kMjcfSections) {
       if (root_.elements(section).empty()) root_.children.push_back({section, {}, {}, root_.place});
     }
-    for (MjcfElement& child : root_.children) {
+    for (FileNode& child : root_.children) {
       if (child.name == "worldbody") expand(child);
     }
   }
 
  private:
-  void expand(MjcfElement& element) {
-    for (MjcfElement& child : element.children) {
+  void expand(FileNode& element) {
+    for (FileNode& child : element.children) {
       if (child.name == "attach") {
         attach(child);
       } else {
@@ -59,8 +59,8 @@ class Expander {
     if (element.name == "replicate") replicate_mjcf(element, root_, context_.diagnostics, copied_);
   }
 
-  void attach(MjcfElement& element) {
-    const MjcfAttribute* model = element.attribute("model");
+  void attach(FileNode& element) {
+    const FileAttribute* model = element.attribute("model");
     if (model == nullptr) {
       context_.diagnostics.unsupported(element.place, "<attach> of a part of the model itself is not supported",
                                        "name a model of <asset>: model=\"...\"");
@@ -75,14 +75,14 @@ class Expander {
   }
 
   // The model of this name in <asset>; nullptr, and an error, if there is none that can be attached.
-  const OtherModel* find_model(const MjcfAttribute& name) {
-    for (const MjcfElement* assets : root_.elements("asset")) {
-      for (const MjcfElement* asset : assets->elements("model")) {
-        const MjcfAttribute* own_name = asset->attribute("name");
+  const OtherModel* find_model(const FileAttribute& name) {
+    for (const FileNode* assets : root_.elements("asset")) {
+      for (const FileNode* asset : assets->elements("model")) {
+        const FileAttribute* own_name = asset->attribute("name");
         if (own_name != nullptr && own_name->text != name.text) continue;
         const OtherModel* model = load(*asset);
         if (model == nullptr) return nullptr;
-        if (own_name != nullptr || model->root.text("model") == name.text) return model;
+        if (own_name != nullptr || model->root.value("model") == name.text) return model;
       }
     }
     context_.diagnostics.error(name.place, "<attach>: there is no model \"" + name.text + "\"",
@@ -90,8 +90,8 @@ class Expander {
     return nullptr;
   }
 
-  const OtherModel* load(const MjcfElement& asset) {
-    const MjcfAttribute* written = asset.attribute("file");
+  const OtherModel* load(const FileNode& asset) {
+    const FileAttribute* written = asset.attribute("file");
     if (written == nullptr || written->text.empty()) {
       context_.diagnostics.error(asset.place, name_in_messages(asset) + " names no file", "write file=\"...\"");
       return nullptr;
@@ -104,7 +104,7 @@ class Expander {
     return model ? &*model : nullptr;
   }
 
-  std::optional<OtherModel> read(const std::string& path, const MjcfAttribute& written) {
+  std::optional<OtherModel> read(const std::string& path, const FileAttribute& written) {
     const std::string what = "model \"" + written.text + "\"";
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
@@ -117,7 +117,7 @@ class Expander {
       context_.diagnostics.error(written.place, what + ": a model cannot attach itself", "name another file");
       return std::nullopt;
     }
-    std::optional<MjcfElement> root = mjcf_tree_of_file(path, context_, robot_);
+    std::optional<FileNode> root = mjcf_tree_of_file(path, context_, robot_);
     if (!root) return std::nullopt;
     check_mjcf_names(*root, context_.diagnostics);
     const MjcfSettings settings = settings_of(*root, context_);
@@ -141,7 +141,7 @@ class Expander {
     return false;
   }
 
-  MjcfElement& root_;
+  FileNode& root_;
   std::string file_;
   ReadContext& context_;
   Robot& robot_;
@@ -153,7 +153,7 @@ class Expander {
 
 }  // namespace
 
-void expand_mjcf(MjcfElement& root, const std::string& file, ReadContext& context, Robot& robot) {
+void expand_mjcf(FileNode& root, const std::string& file, ReadContext& context, Robot& robot) {
   Expander(root, file, context, robot, {}).expand();
 }
 

@@ -9,6 +9,6 @@ namespace flatdyn {
 // In the end, a <replicate> holds a <copy> for each copy, whose elements have names of their own; an <attach> is a
 // <frame> with the other model's elements, their classes are <attached_default>s of the root, and what acts on them is
 // in the root's sections. What cannot be copied or attached is refused.
-void expand_mjcf(MjcfElement& root, const std::string& file, ReadContext& context, Robot& robot);
+void expand_mjcf(FileNode& root, const std::string& file, ReadContext& context, Robot& robot);
 
 }  // namespace flatdyn

@@ -34,7 +34,7 @@ class GeomReader {
                             "sphere");
     if (!counts()) return std::nullopt;
     if (type_ == "plane" || type_ == "hfield") return std::nullopt;
-    const MjcfAttribute* mesh = values_.find(item_, "mesh");
+    const FileAttribute* mesh = values_.find(item_, "mesh");
     if (type_ == "mesh") return inertial_of_mesh(mesh);
     if (type_ == "sdf" || mesh != nullptr) return refuse_mesh();
     if (values_.flag(item_, "shellinertia", false)) {
@@ -70,7 +70,7 @@ class GeomReader {
     return std::nullopt;
   }
 
-  std::optional<Inertial> inertial_of_mesh(const MjcfAttribute* mesh) {
+  std::optional<Inertial> inertial_of_mesh(const FileAttribute* mesh) {
     if (is_left_out("mesh")) return std::nullopt;
     if (mesh == nullptr) {
       values_.diagnostics().error(geom_.element->place, item_.what + " names no mesh", "write mesh=\"...\"");
@@ -124,8 +124,8 @@ class GeomReader {
   }
 
   void fill_from_classes(std::vector<Number>& found) const {
-    for (const MjcfAttribute* layer : values_.defaults().find_all(item_.class_name, item_.kind, "size")) {
-      MjcfElement holder{geom_.element->name, {*layer}, {}, layer->place};
+    for (const FileAttribute* layer : values_.defaults().find_all(item_.class_name, item_.kind, "size")) {
+      FileNode holder{geom_.element->name, {*layer}, {}, layer->place};
       const auto wider = values_.numbers({&holder, "", "", item_.what}, "size", 1, 3);
       for (std::size_t i = found.size(); wider && i < wider->numbers.size(); ++i) found.push_back(wider->numbers[i]);
     }

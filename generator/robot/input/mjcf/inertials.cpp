@@ -148,7 +148,7 @@ void scale_to_total(const Number& total, Robot& robot) {
 
 }  // namespace
 
-Inertial mjcf_inertial(const MjcfElement& element, const Pose& frame, const std::string& body, bool moves,
+Inertial mjcf_inertial(const FileNode& element, const Pose& frame, const std::string& body, bool moves,
                        const MjcfModel& model) {
   MjcfItem item = MjcfValues::plain(element);
   item.what = "body \"" + body + "\", inertial";

@@ -7,7 +7,7 @@
 namespace flatdyn {
 
 // An <inertial>. frame: the frames around it, in the body's. moves: whether the body does.
-Inertial mjcf_inertial(const MjcfElement& element, const Pose& frame, const std::string& body, bool moves,
+Inertial mjcf_inertial(const FileNode& element, const Pose& frame, const std::string& body, bool moves,
                        const MjcfModel& model);
 
 // Gives all bodies' links their inertia, from <inertial> or from geoms, within the bounds of <compiler>.

@@ -88,7 +88,7 @@ class JointReader {
   // Those that MuJoCo adds to the six entries of the joint. Most of them come from defaults that are meant for others.
   void read_forces_of_base() {
     for (const char* name : {"stiffness", "springdamper"}) {
-      const MjcfAttribute* found = values_.find(item_, name);
+      const FileAttribute* found = values_.find(item_, name);
       if (found == nullptr || is_zero_text(found->text)) continue;
       values_.diagnostics().unsupported(found->place,
                                         values_.spot(item_, *found).what + ": not supported for a free joint",
@@ -225,7 +225,7 @@ class JointReader {
     joint_.viscous = mjcf_linear(item_, "damping", values_);
     joint_.stiffness = mjcf_linear(item_, "stiffness", values_);
     if (!vanishes(joint_.stiffness.number)) joint_.spring_reference = relaxed_position();
-    const MjcfAttribute* found = values_.find(item_, "springdamper");
+    const FileAttribute* found = values_.find(item_, "springdamper");
     if (found == nullptr || is_zero_text(found->text)) return;
     refuse_mjcf(found->place,
                 values_.spot(item_, *found).what + ": a spring that is given by its motion is not supported",
@@ -265,9 +265,9 @@ int add_link(const std::string& name, const Place& place, Robot& robot) {
   return static_cast<int>(robot.links.size()) - 1;
 }
 
-bool has_body(const MjcfElement& element) {
+bool has_body(const FileNode& element) {
   return std::any_of(element.children.begin(), element.children.end(),
-                     [](const MjcfElement& child) { return child.name == "body" || has_body(child); });
+                     [](const FileNode& child) { return child.name == "body" || has_body(child); });
 }
 
 // MuJoCo refuses a body whose ball joint is followed by a joint that turns.
@@ -279,7 +279,7 @@ bool turns_after_ball(const std::vector<Joint>& before, const Joint& joint) {
 
 std::string joint_name(const MjcfJoint& joint, const std::string& body, const std::vector<Joint>& others,
                        const MjcfModel& model) {
-  const std::string name = joint.element->text("name");
+  const std::string name = joint.element->value("name");
   return name.empty() ? new_joint_name(body + "_joint", others, model) : name;
 }
 
@@ -288,7 +288,7 @@ std::string joint_name(const MjcfJoint& joint, const std::string& body, const st
 bool mjcf_is_limited(const MjcfItem& item, const char* range, const char* limited, const MjcfValues& values,
                      const MjcfSettings& settings) {
   const std::string word = values.keyword(item, limited, {"true", "false", "auto"}, "auto");
-  const MjcfAttribute* found = values.find(item, range);
+  const FileAttribute* found = values.find(item, range);
   if (word == "false" || (found == nullptr && word == "auto")) return false;
   Diagnostics& diagnostics = values.diagnostics();
   if (found == nullptr) {

@@ -7,7 +7,7 @@
 namespace flatdyn {
 
 struct MjcfJoint {
-  const MjcfElement* element = nullptr;
+  const FileNode* element = nullptr;
   std::string class_name;
   Pose frame;  // of the <frame> that holds it, in the body's frame
 };

@@ -7,20 +7,20 @@ namespace flatdyn {
 
 namespace {
 
-std::vector<const MjcfElement*> keys_of(const MjcfElement& root) {
-  std::vector<const MjcfElement*> keys;
-  for (const MjcfElement* section : root.elements("keyframe")) {
-    for (const MjcfElement* key : section->elements("key")) keys.push_back(key);
+std::vector<const FileNode*> keys_of(const FileNode& root) {
+  std::vector<const FileNode*> keys;
+  for (const FileNode* section : root.elements("keyframe")) {
+    for (const FileNode* key : section->elements("key")) keys.push_back(key);
   }
   return keys;
 }
 
 // The key of this name; nullptr, and an error, if there is none.
-const MjcfElement* find_key(const std::string& name, const MjcfModel& model) {
+const FileNode* find_key(const std::string& name, const MjcfModel& model) {
   std::vector<std::string> known;
-  for (const MjcfElement* key : keys_of(model.root)) {
-    if (key->text("name") == name) return key;
-    if (!key->text("name").empty()) known.push_back(key->text("name"));
+  for (const FileNode* key : keys_of(model.root)) {
+    if (key->value("name") == name) return key;
+    if (!key->value("name").empty()) known.push_back(key->value("name"));
   }
   model.diagnostics().error(
       {}, "--keyframe: there is no keyframe \"" + name + "\"",
@@ -56,7 +56,7 @@ void take_positions(const MjcfValues::Numbers& positions, const MjcfModel& model
 }
 
 // The positions of an attached model; other joints are where `ref` puts them.
-void take_positions_by_joint(const MjcfElement& key, const MjcfModel& model) {
+void take_positions_by_joint(const FileNode& key, const MjcfModel& model) {
   for (const Joint& joint : model.robot.joints) {
     if (joint.type == JointType::fixed || joint.coupled || is_held(joint.name, model.values.context())) continue;
     const auto reference = model.reference.find(joint.name);
@@ -64,8 +64,8 @@ void take_positions_by_joint(const MjcfElement& key, const MjcfModel& model) {
     position.joint = joint.name;
     position.place = key.place;
     position.position = reference == model.reference.end() ? Number(0) : reference->second;
-    for (const MjcfElement& written : key.children) {
-      if (written.text("name") == joint.name)
+    for (const FileNode& written : key.children) {
+      if (written.value("name") == joint.name)
         position.position = model.values.number_or(MjcfValues::plain(written), "qpos", 0).number;
     }
     model.robot.assembly.push_back(position);
@@ -77,7 +77,7 @@ void take_positions_by_joint(const MjcfElement& key, const MjcfModel& model) {
 void read_mjcf_keyframe(const MjcfModel& model) {
   const std::optional<std::string>& name = model.values.context().options.keyframe;
   if (!name) return;
-  const MjcfElement* key = find_key(*name, model);
+  const FileNode* key = find_key(*name, model);
   if (key == nullptr) return;
   if (model.robot.loops.empty()) {
     model.diagnostics().note({}, "--keyframe " + *name + " has no effect: the robot has no closed loops",

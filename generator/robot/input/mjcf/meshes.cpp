@@ -19,22 +19,22 @@ namespace fs = std::filesystem;
 
 constexpr const char* kGiveInertial = "write an <inertial> of the body";
 
-std::string name_of_mesh(const MjcfElement& mesh) {
-  const std::string name = mesh.text("name");
-  return name.empty() ? fs::path(mesh.text("file")).stem().string() : name;
+std::string name_of_mesh(const FileNode& mesh) {
+  const std::string name = mesh.value("name");
+  return name.empty() ? fs::path(mesh.value("file")).stem().string() : name;
 }
 
-std::vector<const MjcfElement*> meshes_of(const MjcfElement& root) {
-  std::vector<const MjcfElement*> meshes;
-  for (const MjcfElement* assets : root.elements("asset")) {
-    for (const MjcfElement* mesh : assets->elements("mesh")) meshes.push_back(mesh);
+std::vector<const FileNode*> meshes_of(const FileNode& root) {
+  std::vector<const FileNode*> meshes;
+  for (const FileNode* assets : root.elements("asset")) {
+    for (const FileNode* mesh : assets->elements("mesh")) meshes.push_back(mesh);
   }
   return meshes;
 }
 
 class SolidReader {
  public:
-  SolidReader(const MjcfElement& mesh, const std::string& what, const MjcfModel& model)
+  SolidReader(const FileNode& mesh, const std::string& what, const MjcfModel& model)
       : model_(model), values_(model.values), diagnostics_(model.diagnostics()), item_(values_.item(mesh)) {
     item_.what = what + ", mesh \"" + name_of_mesh(mesh) + "\"";
   }
@@ -73,7 +73,7 @@ class SolidReader {
     if (word == "exact") return MeshVolume::exact;
     if (word == "legacy") return MeshVolume::legacy;
     if (word == "shell") return MeshVolume::shell;
-    const MjcfAttribute* fewer = values_.find(item_, "maxhullvert");
+    const FileAttribute* fewer = values_.find(item_, "maxhullvert");
     if (fewer == nullptr || fewer->text == "-1") return MeshVolume::convex;
     diagnostics_.unsupported(fewer->place, item_.what + ": inertia=\"convex\" with maxhullvert is not supported",
                              std::string("leave maxhullvert out, or ") + kGiveInertial);
@@ -102,7 +102,7 @@ class SolidReader {
   }
 
   std::optional<TriangleMesh> of_file() {
-    const MjcfAttribute& file = *item_.element->attribute("file");
+    const FileAttribute& file = *item_.element->attribute("file");
     const fs::path folder = fs::path(model_.robot.file).parent_path() / model_.settings.mesh_folder;
     const std::string path =
         (folder / (model_.settings.strips_path ? fs::path(file.text).filename().string() : file.text)).string();
@@ -120,8 +120,8 @@ class SolidReader {
 
   // Corners and triangles that are in the file itself. Corners without triangles stand for their convex hull.
   std::optional<TriangleMesh> of_numbers() {
-    const MjcfAttribute* points = item_.element->attribute("vertex");
-    const MjcfAttribute* faces = item_.element->attribute("face");
+    const FileAttribute* points = item_.element->attribute("vertex");
+    const FileAttribute* faces = item_.element->attribute("face");
     if (points == nullptr) {
       diagnostics_.unsupported(item_.element->place, item_.what + " has neither a file nor points",
                                std::string("name a file, or ") + kGiveInertial);
@@ -152,7 +152,7 @@ class SolidReader {
     return faces == nullptr ? convex_hull(builder.mesh()) : builder.mesh();
   }
 
-  std::optional<TriangleMesh> wrong_number(const MjcfAttribute& attribute, const std::string& word) {
+  std::optional<TriangleMesh> wrong_number(const FileAttribute& attribute, const std::string& word) {
     diagnostics_.error(attribute.place,
                        item_.what + ", " + attribute.name + ": \"" + word.substr(0, 40) +
                            (attribute.name == "face" ? "\" is no point that is there" : "\" is not a number"),
@@ -184,7 +184,7 @@ class SolidReader {
   bool place(const Vec3& scale, MjcfMeshes::Solid& solid) {
     const Vec3 reference = values_.vector(item_, "refpos", zero_vector());
     for (std::size_t k = 0; k < 3; ++k) solid.moments.centre[k] -= scale[k] * reference[k];
-    const MjcfAttribute* turn = values_.find(item_, "refquat");
+    const FileAttribute* turn = values_.find(item_, "refquat");
     if (turn == nullptr) return true;
     const bool is_uniform = vanishes(scale[0] - scale[1]) && vanishes(scale[0] - scale[2]);
     if (!is_uniform) {
@@ -192,7 +192,7 @@ class SolidReader {
                                std::string("scale the mesh in its file, or ") + kGiveInertial);
       return false;
     }
-    MjcfElement holder{"mesh", {{"quat", turn->text, turn->place}}, {}, turn->place};
+    FileNode holder{"mesh", {{"quat", turn->text, turn->place}}, {}, turn->place};
     MjcfItem orientation = MjcfValues::plain(holder);
     orientation.what = item_.what + ", refquat";
     std::vector<Displacement> turns = mjcf_orientation(orientation, values_, model_.settings);
@@ -210,12 +210,12 @@ class SolidReader {
 
 }  // namespace
 
-const MjcfMeshes::Solid* MjcfMeshes::find(const MjcfAttribute& geom, const std::string& what) {
+const MjcfMeshes::Solid* MjcfMeshes::find(const FileAttribute& geom, const std::string& what) {
   const auto known = known_.find(geom.text);
   if (known != known_.end()) return known->second ? &*known->second : nullptr;
   std::optional<Solid>& solid = known_[geom.text];
   std::vector<std::string> names;
-  for (const MjcfElement* mesh : meshes_of(model_.root)) {
+  for (const FileNode* mesh : meshes_of(model_.root)) {
     names.push_back(name_of_mesh(*mesh));
     if (names.back() != geom.text) continue;
     solid = SolidReader(*mesh, what, model_).read();

@@ -18,7 +18,7 @@ class MjcfMeshes {
   };
   // nullptr, and an error, if there is no such mesh or no file of it, or if its inertia is not supported. geom: the
   // attribute that names it. what: the geom in messages.
-  const Solid* find(const MjcfAttribute& geom, const std::string& what);
+  const Solid* find(const FileAttribute& geom, const std::string& what);
 
  private:
   const MjcfModel& model_;

@@ -25,7 +25,7 @@ std::string new_body_name(const std::string& wanted, const MjcfModel& model) {
   return unused_name(wanted, taken);
 }
 
-void report_missing_name(const MjcfAttribute& attribute, const std::string& what, const std::string& kind,
+void report_missing_name(const FileAttribute& attribute, const std::string& what, const std::string& kind,
                          const std::vector<std::string>& known, Diagnostics& diagnostics) {
   diagnostics.error(attribute.place, what + ": there is no " + kind + " \"" + attribute.text + "\"",
                     known.empty() ? "check the name" : hint_for_unknown(attribute.text, known, "names"));

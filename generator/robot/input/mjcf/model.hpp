@@ -15,13 +15,13 @@ struct MjcfSite {
 
 // The geoms of a body, whose inertia is computed once all bodies are known.
 struct MjcfGeom {
-  const MjcfElement* element = nullptr;
+  const FileNode* element = nullptr;
   std::string class_name;
   Pose frame;  // of the <frame> that holds it, in the body's frame
 };
 
 struct MjcfBody {
-  const MjcfElement* element = nullptr;
+  const FileNode* element = nullptr;
   int link = -1;
   int parent = -1;          // index of a body; -1: the world
   Pose pose;                // in the parent body's frame, with all joints at their ref
@@ -41,7 +41,7 @@ struct MjcfTendon {
 };
 
 struct MjcfModel {
-  const MjcfElement& root;
+  const FileNode& root;
   const MjcfValues& values;
   const MjcfSettings& settings;
   Robot& robot;
@@ -67,7 +67,7 @@ std::string unused_name(const std::string& wanted, const std::vector<std::string
 std::string new_body_name(const std::string& wanted, const MjcfModel& model);
 
 // An error for a name that nothing has.
-void report_missing_name(const MjcfAttribute& attribute, const std::string& what, const std::string& kind,
+void report_missing_name(const FileAttribute& attribute, const std::string& what, const std::string& kind,
                          const std::vector<std::string>& known, Diagnostics& diagnostics);
 
 std::vector<std::string> joint_names(const Robot& robot);

@@ -131,10 +131,10 @@ class NameChecker {
  public:
   explicit NameChecker(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
-  void check(const MjcfElement& element, const std::string& section) {
+  void check(const FileNode& element, const std::string& section) {
     const KnownElement* known = known_as(element, section);
     if (known == nullptr) return;
-    for (const MjcfAttribute& attribute : element.attributes) {
+    for (const FileAttribute& attribute : element.attributes) {
       const Words& names = known->attributes;
       if (std::find(names.begin(), names.end(), attribute.name) != names.end()) continue;
       if (attribute.name.find(':') != std::string::npos) continue;
@@ -142,7 +142,7 @@ class NameChecker {
                          names.empty() ? "delete it" : hint_for_unknown(attribute.name, names, "attributes"));
     }
     if (!known->children) return;
-    for (const MjcfElement& child : element.children) {
+    for (const FileNode& child : element.children) {
       const Words& names = *known->children;
       if (std::find(names.begin(), names.end(), child.name) != names.end()) {
         check(child, element.name);
@@ -154,7 +154,7 @@ class NameChecker {
   }
 
  private:
-  static const KnownElement* known_as(const MjcfElement& element, const std::string& section) {
+  static const KnownElement* known_as(const FileNode& element, const std::string& section) {
     static const KnownElement kActuator = {kOfActuator, std::nullopt};
     if (section == "actuator") return &kActuator;
     const auto inside = known_in_sections().find(section + "/" + element.name);
@@ -170,8 +170,8 @@ class NameChecker {
 };
 
 // Attributes of defaults, of the elements that are read with them.
-void check_default_names(const MjcfElement& defaults, Diagnostics& diagnostics) {
-  for (const MjcfElement& child : defaults.children) {
+void check_default_names(const FileNode& defaults, Diagnostics& diagnostics) {
+  for (const FileNode& child : defaults.children) {
     if (child.name == "default") {
       check_default_names(child, diagnostics);
     } else if (default_kind_of(child.name, "") == "general") {
@@ -184,9 +184,9 @@ void check_default_names(const MjcfElement& defaults, Diagnostics& diagnostics) 
 
 }  // namespace
 
-void check_mjcf_names(const MjcfElement& root, Diagnostics& diagnostics) {
+void check_mjcf_names(const FileNode& root, Diagnostics& diagnostics) {
   NameChecker(diagnostics).check(root, "");
-  for (const MjcfElement* defaults : root.elements("default")) check_default_names(*defaults, diagnostics);
+  for (const FileNode* defaults : root.elements("default")) check_default_names(*defaults, diagnostics);
 }
 
 void refuse_mjcf(const Place& place, const std::string& message, const std::string& name, const MjcfValues& values) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "robot/input/common/xml_document.hpp"
 #include "robot/input/mjcf/actuators.hpp"
 #include "robot/input/mjcf/bodies.hpp"
 #include "robot/input/mjcf/equalities.hpp"
@@ -26,11 +25,10 @@ std::ptrdiff_t error_count(const Diagnostics& diagnostics) {
 }  // namespace
 
 void read_mjcf(const std::string& text, const std::string& file, ReadContext& context, Robot& robot) {
-  tinyxml2::XMLDocument document;
-  const tinyxml2::XMLElement* root = parse_xml(text, file, kMjcfForm, context.diagnostics, document);
-  if (root == nullptr || refuse_content_beside(*root, file, kMjcfForm, context.diagnostics)) return;
+  const std::optional<XmlDocument> document = parse_xml(text, file, kMjcfForm, context.diagnostics);
+  if (!document || refuse_content_beside(*document, kMjcfForm, context.diagnostics)) return;
   context.mjcf_was_read = true;
-  MjcfElement tree = mjcf_tree(*root, file, context, robot);
+  FileNode tree = mjcf_tree(document->root, context, robot);
   check_mjcf_names(tree, context.diagnostics);
   const std::ptrdiff_t errors = error_count(context.diagnostics);
   expand_mjcf(tree, file, context, robot);
@@ -39,7 +37,7 @@ void read_mjcf(const std::string& text, const std::string& file, ReadContext& co
   const MjcfValues values(defaults, context);
   const MjcfSettings settings = mjcf_settings(tree, values, robot);
   MjcfModel model{tree, values, settings, robot};
-  robot.name = tree.text("model");
+  robot.name = tree.value("model");
   robot.in_degrees = robot.in_degrees || settings.angles.degrees;
   read_mjcf_bodies(model);
   add_mjcf_inertias(model);

@@ -14,7 +14,7 @@ namespace flatdyn {
 using MjcfNames = std::map<std::string, std::set<std::string>>;
 
 // The names of all elements in one. Free joints are joints.
-MjcfNames mjcf_names_in(const MjcfElement& element);
+MjcfNames mjcf_names_in(const FileNode& element);
 
 // The kind of what an attribute refers to: "joint" of joint1; "" of one that names nothing of the above.
 std::string mjcf_reference_kind(const std::string& attribute);
@@ -23,11 +23,11 @@ std::string mjcf_reference_kind(const std::string& attribute);
 struct MjcfReferences {
   int inside = 0, outside = 0;
 };
-MjcfReferences mjcf_references(const MjcfElement& element, const MjcfNames& names);
+MjcfReferences mjcf_references(const FileNode& element, const MjcfNames& names);
 
 using MjcfRenaming = std::function<std::string(const std::string&)>;
 
 // Renames elements, the element itself and all in it. references: also what it refers to, other than the world.
-void rename_mjcf(MjcfElement& element, const MjcfRenaming& renaming, bool references);
+void rename_mjcf(FileNode& element, const MjcfRenaming& renaming, bool references);
 
 }  // namespace flatdyn

@@ -11,15 +11,15 @@ namespace {
 
 constexpr std::size_t kMostElements = 10000;
 
-std::size_t element_count(const MjcfElement& element) {
+std::size_t element_count(const FileNode& element) {
   std::size_t count = 1;
-  for (const MjcfElement& child : element.children) count += element_count(child);
+  for (const FileNode& child : element.children) count += element_count(child);
   return count;
 }
 
 class Replicator {
  public:
-  Replicator(MjcfElement& replicate, MjcfElement& root, Diagnostics& diagnostics)
+  Replicator(FileNode& replicate, FileNode& root, Diagnostics& diagnostics)
       : replicate_(replicate), root_(root), diagnostics_(diagnostics) {}
 
   void apply(std::size_t& elements) {
@@ -27,7 +27,7 @@ class Replicator {
     if (!count || refuse_direct_children() || refuse_many(*count, elements)) return replicate_.children.clear();
     MjcfNames names = mjcf_names_in(replicate_);
     for (const char* section : {"tendon", "equality", "actuator"}) {
-      for (MjcfElement& holder : root_.children) {
+      for (FileNode& holder : root_.children) {
         if (holder.name == section) copy_references(holder, names, *count);
       }
     }
@@ -36,7 +36,7 @@ class Replicator {
 
  private:
   std::optional<std::size_t> count() {
-    const MjcfAttribute* written = replicate_.attribute("count");
+    const FileAttribute* written = replicate_.attribute("count");
     const std::string text = written == nullptr ? "" : written->text;
     std::size_t count = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
@@ -49,7 +49,7 @@ class Replicator {
   }
 
   bool refuse_direct_children() {
-    for (const MjcfElement& child : replicate_.children) {
+    for (const FileNode& child : replicate_.children) {
       if (child.name != "joint" && child.name != "freejoint" && child.name != "inertial") continue;
       diagnostics_.error(child.place, "a <replicate> has a <" + child.name + "> of its own",
                          "write it in a <body> in the <replicate>");
@@ -71,10 +71,10 @@ class Replicator {
 
   std::string suffix(std::size_t copy, std::size_t count) const {
     const std::string number = std::to_string(copy);
-    return replicate_.text("sep") + std::string(std::to_string(count).size() - number.size(), '0') + number;
+    return replicate_.value("sep") + std::string(std::to_string(count).size() - number.size(), '0') + number;
   }
 
-  MjcfElement renamed(MjcfElement element, std::size_t copy, std::size_t count, bool references) const {
+  FileNode renamed(FileNode element, std::size_t copy, std::size_t count, bool references) const {
     const std::string end = suffix(copy, count);
     rename_mjcf(
         element, [&end](const std::string& name) { return name.empty() ? name : name + end; }, references);
@@ -82,9 +82,9 @@ class Replicator {
   }
 
   // Instead of what acts on the replicated elements, a copy that acts on each of theirs. Names of tendons are added.
-  void copy_references(MjcfElement& section, MjcfNames& names, std::size_t count) {
-    std::vector<MjcfElement> children;
-    for (const MjcfElement& child : section.children) {
+  void copy_references(FileNode& section, MjcfNames& names, std::size_t count) {
+    std::vector<FileNode> children;
+    for (const FileNode& child : section.children) {
       const MjcfReferences found = mjcf_references(child, names);
       if (found.inside > 0 && found.outside > 0) {
         diagnostics_.error(
@@ -97,27 +97,27 @@ class Replicator {
         children.push_back(child);
         continue;
       }
-      if (section.name == "tendon" && !child.text("name").empty()) names["tendon"].insert(child.text("name"));
+      if (section.name == "tendon" && !child.value("name").empty()) names["tendon"].insert(child.value("name"));
       for (std::size_t copy = 0; copy < count; ++copy) children.push_back(renamed(child, copy, count, true));
     }
     section.children = children;
   }
 
   void copy_children(std::size_t count) {
-    MjcfElement original{"copy", {}, {}, replicate_.place};
+    FileNode original{"copy", {}, {}, replicate_.place};
     original.children.swap(replicate_.children);
     for (std::size_t copy = 0; copy < count; ++copy)
       replicate_.children.push_back(renamed(original, copy, count, false));
   }
 
-  MjcfElement& replicate_;
-  MjcfElement& root_;
+  FileNode& replicate_;
+  FileNode& root_;
   Diagnostics& diagnostics_;
 };
 
 }  // namespace
 
-void replicate_mjcf(MjcfElement& replicate, MjcfElement& root, Diagnostics& diagnostics, std::size_t& elements) {
+void replicate_mjcf(FileNode& replicate, FileNode& root, Diagnostics& diagnostics, std::size_t& elements) {
   Replicator(replicate, root, diagnostics).apply(elements);
 }
 

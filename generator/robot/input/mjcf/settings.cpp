@@ -13,12 +13,12 @@ namespace flatdyn {
 namespace {
 
 // All elements of this name as one: of an attribute that several give, the last one counts.
-MjcfElement merged(const MjcfElement& root, const std::string& name) {
-  MjcfElement whole{name, {}, {}, root.place};
-  for (const MjcfElement* element : root.elements(name)) {
+FileNode merged(const FileNode& root, const std::string& name) {
+  FileNode whole{name, {}, {}, root.place};
+  for (const FileNode* element : root.elements(name)) {
     whole.place = element->place;
-    for (const MjcfAttribute& attribute : element->attributes) {
-      std::erase_if(whole.attributes, [&](const MjcfAttribute& each) { return each.name == attribute.name; });
+    for (const FileAttribute& attribute : element->attributes) {
+      std::erase_if(whole.attributes, [&](const FileAttribute& each) { return each.name == attribute.name; });
       whole.attributes.push_back(attribute);
     }
     whole.children.insert(whole.children.end(), element->children.begin(), element->children.end());
@@ -53,8 +53,8 @@ void read_groups(const MjcfItem& compiler, const MjcfValues& values, MjcfSetting
   for (std::size_t i = 0; i < 2; ++i) settings.inertia_groups[i] = nearest_double(groups->numbers[i]);
 }
 
-void read_compiler(const MjcfElement& root, const MjcfValues& values, MjcfSettings& settings) {
-  const MjcfElement merged_compiler = merged(root, "compiler");
+void read_compiler(const FileNode& root, const MjcfValues& values, MjcfSettings& settings) {
+  const FileNode merged_compiler = merged(root, "compiler");
   const MjcfItem compiler = MjcfValues::plain(merged_compiler);
   if (values.keyword(compiler, "coordinate", {"local", "global"}, "local") == "global") {
     values.diagnostics().unsupported(values.find(compiler, "coordinate")->place,
@@ -79,18 +79,18 @@ void read_compiler(const MjcfElement& root, const MjcfValues& values, MjcfSettin
 // Air and water, which brake bodies by their shapes.
 void refuse_medium(const MjcfItem& option, const MjcfValues& values) {
   for (const char* name : {"density", "viscosity"}) {
-    const MjcfAttribute* found = values.find(option, name);
+    const FileAttribute* found = values.find(option, name);
     if (found == nullptr || is_zero_text(found->text)) continue;
     refuse_mjcf(found->place, std::string("option, ") + name + ": forces of a medium are not supported", name, values);
   }
 }
 
-void read_option(const MjcfElement& root, const MjcfValues& values, Robot& robot) {
-  const MjcfElement merged_option = merged(root, "option");
+void read_option(const FileNode& root, const MjcfValues& values, Robot& robot) {
+  const FileNode merged_option = merged(root, "option");
   const MjcfItem option = MjcfValues::plain(merged_option);
   robot.gravity = values.vector(option, "gravity", robot.gravity);
   refuse_medium(option, values);
-  for (const MjcfElement* flag : merged_option.elements("flag")) {
+  for (const FileNode* flag : merged_option.elements("flag")) {
     if (values.keyword(MjcfValues::plain(*flag), "gravity", {"enable", "disable"}, "enable") == "disable")
       robot.gravity = zero_vector();
   }
@@ -101,10 +101,10 @@ struct SwitchedParts {
   bool equalities = false, friction = false, springs = false, dampers = false;
 };
 
-SwitchedParts parts_of(const MjcfElement& root, const MjcfValues& values, const Robot& robot) {
+SwitchedParts parts_of(const FileNode& root, const MjcfValues& values, const Robot& robot) {
   SwitchedParts parts;
-  for (const MjcfElement* section : root.elements("equality")) {
-    for (const MjcfElement& equality : section->children) {
+  for (const FileNode* section : root.elements("equality")) {
+    for (const FileNode& equality : section->children) {
       parts.equalities |= values.flag(values.item(equality, kMainClass, "equality"), "active", true);
     }
   }
@@ -136,7 +136,7 @@ std::string mjcf_difference(const MjcfSettings& a, const MjcfSettings& b) {
   return a.balances_inertia != b.balances_inertia ? "balanceinertia" : "";
 }
 
-void refuse_mjcf_flags(const MjcfElement& root, const MjcfValues& values, const Robot& robot) {
+void refuse_mjcf_flags(const FileNode& root, const MjcfValues& values, const Robot& robot) {
   const SwitchedParts parts = parts_of(root, values, robot);
   struct Flag {
     const char* name;
@@ -149,10 +149,10 @@ void refuse_mjcf_flags(const MjcfElement& root, const MjcfValues& values, const 
                         {"spring", parts.springs, " --ignore stiffness"},
                         {"damper", parts.dampers, " --ignore damping"},
                         {"passive", parts.springs || parts.dampers, " --ignore stiffness --ignore damping"}};
-  const MjcfElement option = merged(root, "option");
-  for (const MjcfElement* element : option.elements("flag")) {
+  const FileNode option = merged(root, "option");
+  for (const FileNode* element : option.elements("flag")) {
     for (const Flag& flag : flags) {
-      const MjcfAttribute* found = element->attribute(flag.name);
+      const FileAttribute* found = element->attribute(flag.name);
       if (found == nullptr || found->text == "enable" || !flag.turns_off) continue;
       values.diagnostics().unsupported(
           found->place,
@@ -163,7 +163,7 @@ void refuse_mjcf_flags(const MjcfElement& root, const MjcfValues& values, const 
   }
 }
 
-MjcfSettings mjcf_settings(const MjcfElement& root, const MjcfValues& values, Robot& robot) {
+MjcfSettings mjcf_settings(const FileNode& root, const MjcfValues& values, Robot& robot) {
   MjcfSettings settings;
   read_compiler(root, values, settings);
   read_option(root, values, robot);

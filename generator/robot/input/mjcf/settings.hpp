@@ -24,10 +24,10 @@ struct MjcfSettings {
 };
 
 // Reads them, and gravity into the robot. Forces of a medium are refused.
-MjcfSettings mjcf_settings(const MjcfElement& root, const MjcfValues& values, Robot& robot);
+MjcfSettings mjcf_settings(const FileNode& root, const MjcfValues& values, Robot& robot);
 
 // Refuses flags that turn off what the robot has, once it is read.
-void refuse_mjcf_flags(const MjcfElement& root, const MjcfValues& values, const Robot& robot);
+void refuse_mjcf_flags(const FileNode& root, const MjcfValues& values, const Robot& robot);
 
 // The attribute of <compiler> in which two models differ; "" if there is none. Folders may differ.
 std::string mjcf_difference(const MjcfSettings& a, const MjcfSettings& b);

@@ -16,21 +16,21 @@ class TendonReader {
   explicit TendonReader(MjcfModel& model) : model_(model), values_(model.values) {}
 
   void read() {
-    for (const MjcfElement* section : model_.root.elements("tendon")) {
-      for (const MjcfElement& element : section->children) read_tendon(element);
+    for (const FileNode* section : model_.root.elements("tendon")) {
+      for (const FileNode& element : section->children) read_tendon(element);
     }
-    for (const MjcfElement* section : model_.root.elements("deformable")) {
-      for (const MjcfElement* flex : section->elements("flex")) {
+    for (const FileNode* section : model_.root.elements("deformable")) {
+      for (const FileNode* flex : section->elements("flex")) {
         refuse_mjcf(flex->place, name_in_messages(*flex) + ": what bends is not supported", "flex", values_);
       }
     }
   }
 
  private:
-  void read_tendon(const MjcfElement& element) {
+  void read_tendon(const FileNode& element) {
     MjcfItem item = values_.item(element, kMainClass, "tendon");
-    item.what = "tendon" + (element.text("name").empty() ? "" : " \"" + element.text("name") + "\"");
-    const std::string name = element.text("name");
+    item.what = "tendon" + (element.value("name").empty() ? "" : " \"" + element.value("name") + "\"");
+    const std::string name = element.value("name");
     const bool is_second = std::any_of(model_.tendons.begin(), model_.tendons.end(), [&name](const MjcfTendon& each) {
       return !name.empty() && each.length.name == name;
     });
@@ -40,7 +40,7 @@ class TendonReader {
     MjcfTendon tendon;
     tendon.is_fixed = element.name == "fixed";
     tendon.what = item.what;
-    tendon.length.name = element.text("name");
+    tendon.length.name = element.value("name");
     tendon.length.place = element.place;
     if (tendon.is_fixed) {
       read_length(item, tendon);
@@ -77,8 +77,8 @@ class TendonReader {
   void read_length(const MjcfItem& item, MjcfTendon& tendon) {
     Coupled length;
     length.place = item.element->place;
-    for (const MjcfElement& path : item.element->children) {
-      const MjcfAttribute* name = path.attribute("joint");
+    for (const FileNode& path : item.element->children) {
+      const FileAttribute* name = path.attribute("joint");
       const auto coefficient = values_.number(MjcfValues::plain(path), "coef");
       if (name == nullptr || !coefficient) {
         model_.diagnostics().error(path.place, item.what + ": a <joint> without joint and coef",
@@ -176,7 +176,7 @@ std::vector<std::string> tendon_names(const MjcfModel& model) {
 
 void read_mjcf_tendons(MjcfModel& model) { TendonReader(model).read(); }
 
-MjcfTendon* mjcf_tendon(const MjcfAttribute& name, const std::string& what, MjcfModel& model) {
+MjcfTendon* mjcf_tendon(const FileAttribute& name, const std::string& what, MjcfModel& model) {
   const auto found = std::find_if(model.tendons.begin(), model.tendons.end(),
                                   [&name](const MjcfTendon& tendon) { return tendon.length.name == name.text; });
   if (found != model.tendons.end()) return &*found;

@@ -11,7 +11,7 @@ namespace flatdyn {
 void read_mjcf_tendons(MjcfModel& model);
 
 // The tendon of this name; nullptr, and an error, if there is none. what: who names it.
-MjcfTendon* mjcf_tendon(const MjcfAttribute& name, const std::string& what, MjcfModel& model);
+MjcfTendon* mjcf_tendon(const FileAttribute& name, const std::string& what, MjcfModel& model);
 
 // Adds tendons to the robot, whose tree must be as it stays. Those without a force have no effect.
 void add_mjcf_tendons(const MjcfModel& model);

@@ -21,9 +21,9 @@ std::string count_text(std::size_t least, std::size_t most) {
 
 Vec3 as_vector(const std::vector<Number>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
-MjcfItem MjcfValues::item(const MjcfElement& element, const std::string& class_name, const std::string& section) const {
+MjcfItem MjcfValues::item(const FileNode& element, const std::string& class_name, const std::string& section) const {
   MjcfItem found{&element, default_kind_of(element.name, section), class_name, name_in_messages(element)};
-  const MjcfAttribute* own = element.attribute("class");
+  const FileAttribute* own = element.attribute("class");
   if (own == nullptr) return found;
   if (defaults_.has_class(own->text)) {
     found.class_name = own->text;
@@ -34,25 +34,25 @@ MjcfItem MjcfValues::item(const MjcfElement& element, const std::string& class_n
   return found;
 }
 
-MjcfItem MjcfValues::plain(const MjcfElement& element) { return {&element, "", "", name_in_messages(element)}; }
+MjcfItem MjcfValues::plain(const FileNode& element) { return {&element, "", "", name_in_messages(element)}; }
 
-const MjcfAttribute* MjcfValues::find(const MjcfItem& item, const char* name) const {
-  if (const MjcfAttribute* own = item.element->attribute(name)) return own;
+const FileAttribute* MjcfValues::find(const MjcfItem& item, const char* name) const {
+  if (const FileAttribute* own = item.element->attribute(name)) return own;
   return item.class_name.empty() ? nullptr : defaults_.find(item.class_name, item.kind, name);
 }
 
-Spot MjcfValues::spot(const MjcfItem& item, const MjcfAttribute& attribute) const {
+Spot MjcfValues::spot(const MjcfItem& item, const FileAttribute& attribute) const {
   return {attribute.place, item.what + ", " + attribute.name};
 }
 
 std::string MjcfValues::text(const MjcfItem& item, const char* name, const std::string& fallback) const {
-  const MjcfAttribute* found = find(item, name);
+  const FileAttribute* found = find(item, name);
   return found == nullptr ? fallback : found->text;
 }
 
 std::string MjcfValues::keyword(const MjcfItem& item, const char* name, const std::vector<std::string>& words,
                                 const std::string& fallback) const {
-  const MjcfAttribute* found = find(item, name);
+  const FileAttribute* found = find(item, name);
   if (found == nullptr) return fallback;
   if (std::find(words.begin(), words.end(), found->text) != words.end()) return found->text;
   diagnostics().error(found->place, item.what + ": unknown " + name + " \"" + found->text + "\"",
@@ -66,7 +66,7 @@ bool MjcfValues::flag(const MjcfItem& item, const char* name, bool fallback) con
 
 std::optional<MjcfValues::Numbers> MjcfValues::numbers(const MjcfItem& item, const char* name, std::size_t least,
                                                        std::size_t most) const {
-  const MjcfAttribute* found = find(item, name);
+  const FileAttribute* found = find(item, name);
   if (found == nullptr) return std::nullopt;
   Numbers values{{}, words_of(found->text), spot(item, *found)};
   if (values.written.size() < least || values.written.size() > most) {
@@ -106,7 +106,7 @@ Vec3 MjcfValues::length_vector(const MjcfItem& item, const char* name) const {
 }
 
 std::optional<std::array<std::optional<Value>, 2>> MjcfValues::range(const MjcfItem& item, const char* name) const {
-  const MjcfAttribute* found = find(item, name);
+  const FileAttribute* found = find(item, name);
   if (found == nullptr) return std::nullopt;
   const Spot where = spot(item, *found);
   const std::vector<std::string> words = words_of(found->text);

@@ -8,7 +8,7 @@ namespace flatdyn {
 
 // An element under its class, and its name in messages.
 struct MjcfItem {
-  const MjcfElement* element = nullptr;
+  const FileNode* element = nullptr;
   std::string kind;        // of defaults: "joint"
   std::string class_name;  // "" if it has no defaults
   std::string what;        // joint "elbow"
@@ -19,13 +19,13 @@ class MjcfValues {
   MjcfValues(const MjcfDefaults& defaults, ReadContext& context) : defaults_(defaults), context_(context) {}
 
   // The element with its own class, or else with this one. section: see default_kind_of().
-  MjcfItem item(const MjcfElement& element, const std::string& class_name = kMainClass,
+  MjcfItem item(const FileNode& element, const std::string& class_name = kMainClass,
                 const std::string& section = "") const;
   // An element that has no defaults.
-  static MjcfItem plain(const MjcfElement& element);
+  static MjcfItem plain(const FileNode& element);
 
   // nullptr if neither the element nor its class has it.
-  const MjcfAttribute* find(const MjcfItem& item, const char* name) const;
+  const FileAttribute* find(const MjcfItem& item, const char* name) const;
   bool is_own(const MjcfItem& item, const char* name) const { return item.element->attribute(name) != nullptr; }
 
   std::string text(const MjcfItem& item, const char* name, const std::string& fallback = "") const;
@@ -49,7 +49,7 @@ class MjcfValues {
   // Two limits, infinite ones left out. nullopt if they are not there.
   std::optional<std::array<std::optional<Value>, 2>> range(const MjcfItem& item, const char* name) const;
 
-  Spot spot(const MjcfItem& item, const MjcfAttribute& attribute) const;
+  Spot spot(const MjcfItem& item, const FileAttribute& attribute) const;
   ReadContext& context() const { return context_; }
   Diagnostics& diagnostics() const { return context_.diagnostics; }
   const MjcfDefaults& defaults() const { return defaults_; }

@@ -4,13 +4,10 @@
 #include <fmt/format.h>
 
 #include "robot/input/common/words.hpp"
-#include "robot/input/common/xml_elements.hpp"
 
 namespace flatdyn {
 
 namespace {
-
-using tinyxml2::XMLElement;
 
 const SdfNames kOfLink = {
     {"pose", "inertial", "gravity", "kinematic", "velocity_decay"},
@@ -31,7 +28,7 @@ class BodyReader {
         what_(name_of(frame)) {}
 
   Link read(const std::string& name) {
-    Link link{name, {}, values_.place(element_)};
+    Link link{name, {}, element_.place};
     unknown_.check(element_, what_, kOfLink, values_);
     link.inertials.push_back(read_inertial());
     check_motion();
@@ -40,16 +37,16 @@ class BodyReader {
 
  private:
   Inertial read_inertial() {
-    const XMLElement* element = values_.child(element_, "inertial", what_);
+    const FileNode* element = values_.child(element_, "inertial", what_);
     if (element == nullptr) {
       note_default(element_, "<inertial>", "1 kg, and 1 kg m^2 about each axis");
-      return {{1, values_.place(element_)}, {}, zero_vector(), identity_matrix(), {}, values_.place(element_)};
+      return {{1, element_.place}, {}, zero_vector(), identity_matrix(), {}, element_.place};
     }
     const std::string what = what_ + ", inertial";
     unknown_.check(*element, what, kOfInertial, values_);
     refuse_other_inertias(*element, what);
     Inertial inertial;
-    inertial.place = values_.place(*element);
+    inertial.place = element->place;
     const std::optional<Value> mass = values_.number(*element, "mass", what);
     if (!mass) note_default(*element, "<mass>", "1 kg");
     inertial.mass = mass.value_or(Value{1, inertial.place});
@@ -63,8 +60,8 @@ class BodyReader {
     return inertial;
   }
 
-  Mat3 read_tensor(const XMLElement& inertial, const std::string& what) {
-    const XMLElement* element = values_.child(inertial, "inertia", what);
+  Mat3 read_tensor(const FileNode& inertial, const std::string& what) {
+    const FileNode* element = values_.child(inertial, "inertia", what);
     if (element == nullptr) {
       note_default(inertial, "<inertia>", "1 kg m^2 about each axis");
       return identity_matrix();
@@ -85,46 +82,46 @@ class BodyReader {
     return {Vec3{xx, xy, xz}, Vec3{xy, yy, yz}, Vec3{xz, yz, zz}};
   }
 
-  void note_default(const XMLElement& element, const std::string& tag, const std::string& value) {
-    diagnostics_.note(values_.place(element), what_ + " has no " + tag + ": it counts as " + value,
+  void note_default(const FileNode& element, const std::string& tag, const std::string& value) {
+    diagnostics_.note(element.place, what_ + " has no " + tag + ": it counts as " + value,
                       "that is SDF's default; write what the link has", "links with a default mass or inertia");
   }
 
-  void refuse_other_inertias(const XMLElement& element, const std::string& what) {
+  void refuse_other_inertias(const FileNode& element, const std::string& what) {
     if (values_.flag_attribute(element, "auto", what)) {
-      diagnostics_.unsupported(values_.place(element), what + ": inertia from collision shapes is not supported yet",
+      diagnostics_.unsupported(element.place, what + ": inertia from collision shapes is not supported yet",
                                "write <mass> and <inertia>, and delete auto=\"true\"");
     }
-    if (const XMLElement* entry = first_number_in("fluid_added_mass", element)) {
-      diagnostics_.unsupported(values_.place(*entry), what + ": the mass of a fluid that moves is not supported yet",
+    if (const FileNode* entry = first_number_in("fluid_added_mass", element)) {
+      diagnostics_.unsupported(entry->place, what + ": the mass of a fluid that moves is not supported yet",
                                "delete <fluid_added_mass>");
     }
   }
 
   void check_motion() {
     if (values_.flag(element_, "kinematic", false, what_)) {
-      diagnostics_.unsupported(values_.place(element_), what_ + ": it is kinematic, so no force moves it",
+      diagnostics_.unsupported(element_.place, what_ + ": it is kinematic, so no force moves it",
                                "delete <kinematic>, or fix its joint");
     }
-    if (const XMLElement* entry = first_number_in("velocity_decay", element_)) {
-      diagnostics_.note(values_.place(*entry), what_ + ": <velocity_decay> is not read",
+    if (const FileNode* entry = first_number_in("velocity_decay", element_)) {
+      diagnostics_.note(entry->place, what_ + ": <velocity_decay> is not read",
                         "it is a number of simulators; write <damping> of a joint",
                         "decays of velocities that are not read");
     }
   }
 
   // The first entry that is not 0 in children of this name, of which there may be several; nullptr if there is none.
-  static const XMLElement* first_number_in(const char* tag, const XMLElement& parent) {
-    for (const XMLElement* holder : elements_in(parent, tag)) {
-      for (const XMLElement* entry : elements_in(*holder)) {
-        if (!is_zero_text(text_in(*entry))) return entry;
+  static const FileNode* first_number_in(const char* tag, const FileNode& parent) {
+    for (const FileNode* holder : parent.elements(tag)) {
+      for (const FileNode& entry : holder->children) {
+        if (!is_zero_text(entry.text)) return &entry;
       }
     }
     return nullptr;
   }
 
   const SdfValues& values_;
-  const XMLElement& element_;
+  const FileNode& element_;
   Diagnostics& diagnostics_;
   SdfUnknown& unknown_;
   std::string what_;
@@ -141,7 +138,7 @@ void apply_sdf_gravity_flags(const SdfTree& tree, Diagnostics& diagnostics, Robo
     (frame.values->flag(*frame.element, "gravity", true, name_of(frame)) ? on : off) = &frame;
   }
   if (off == nullptr) return;
-  const Place place = off->values->place(*off->element);
+  const Place place = off->element->place;
   if (on == nullptr) {
     robot.gravity = zero_vector();
     diagnostics.note(place, "gravity acts on no link: there is none", "delete <gravity>false</gravity> if there is");

@@ -6,20 +6,17 @@
 #include <algorithm>
 
 #include "base/diagnostics/nearest.hpp"
-#include "robot/input/common/xml_elements.hpp"
 
 namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLElement;
-
 class Chooser {
  public:
   Chooser(const SdfFile& file, SdfTree& tree, Robot& robot)
       : values_(file.values), diagnostics_(file.values.context().diagnostics), tree_(tree), robot_(robot) {
-    collect(*file.document->RootElement(), nullptr);
-    for (const XMLElement* world : elements_in(*file.document->RootElement(), "world")) collect(*world, world);
+    collect(file.root, nullptr);
+    for (const FileNode* world : file.root.elements("world")) collect(*world, world);
   }
 
   std::optional<SdfChoice> choose() {
@@ -30,13 +27,13 @@ class Chooser {
 
  private:
   struct Included {
-    const XMLElement* include;
-    const XMLElement* world;
+    const FileNode* include;
+    const FileNode* world;
   };
 
-  void collect(const XMLElement& holder, const XMLElement* world) {
-    for (const XMLElement* model : elements_in(holder, "model")) choices_.push_back({{model, &values_}, world});
-    for (const XMLElement* include : elements_in(holder, "include")) includes_.push_back({include, world});
+  void collect(const FileNode& holder, const FileNode* world) {
+    for (const FileNode* model : holder.elements("model")) choices_.push_back({{model, &values_}, world});
+    for (const FileNode* include : holder.elements("include")) includes_.push_back({include, world});
   }
 
   // Files that an <include> names are read only as far as they are needed: a world's ground and sun are often not
@@ -60,7 +57,7 @@ class Chooser {
   }
 
   // Whether the last part of the URI is the name.
-  bool is_called(const XMLElement& include, const std::string& name) const {
+  bool is_called(const FileNode& include, const std::string& name) const {
     const std::optional<Reference> uri = values_.name(include, "uri", "include");
     return uri && uri->name.ends_with(name);
   }
@@ -101,7 +98,7 @@ class Chooser {
   void tell_of_own(const std::vector<SdfChoice>& own) {
     if (own.empty()) return;
     diagnostics_.note(
-        values_.place(*own.front().model.element),
+        own.front().model.element->place,
         fmt::format("this file itself has the {} {}", own.size() == 1 ? "model" : "models", name_list(own)),
         "--model NAME reads one model, without what is included beside it");
   }
@@ -114,7 +111,7 @@ class Chooser {
 
   void note_static(const SdfChoice& choice) {
     if (choices_.size() == 1) return;
-    diagnostics_.note(values_.place(*choice.model.element),
+    diagnostics_.note(choice.model.element->place,
                       fmt::format("the robot is model \"{}\"; {} static ones beside it are left out",
                                   name_of(choice.model), choices_.size() - 1),
                       "--model NAME chooses another one");
@@ -126,7 +123,7 @@ class Chooser {
                          "an SDF file of a robot is <sdf version=\"1.9\"> <model name=\"...\"> ... </model> </sdf>");
       return;
     }
-    diagnostics_.error(values_.place(*all[1].model.element),
+    diagnostics_.error(all[1].model.element->place,
                        fmt::format("there are {} models in this file: {}", all.size(), name_list(all)),
                        "choose one by --model NAME");
   }

@@ -8,7 +8,7 @@ namespace flatdyn {
 
 struct SdfChoice {
   SdfModel model;
-  const tinyxml2::XMLElement* world = nullptr;  // nullptr: the model stands directly in <sdf>
+  const FileNode* world = nullptr;  // nullptr: the model stands directly in <sdf>
 };
 
 // The one that --model names, else the only one that is not static; nullopt and an error if that is not clear.

@@ -3,14 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/sdf/files.hpp"
 
 namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLElement;
 using Kind = SdfFrame::Kind;
 
 constexpr std::size_t kMostFrames = 20000;
@@ -27,14 +25,14 @@ const SdfNames kOfInclude = {{"uri", "name", "pose", "static", "placement_frame"
 
 }  // namespace
 
-std::optional<SdfModel> model_of_include(const XMLElement& include, const SdfValues& values,
+std::optional<SdfModel> model_of_include(const FileNode& include, const SdfValues& values,
                                          const std::vector<std::string>& stack, SdfTree& tree, Robot& robot) {
   const SdfFile* file = include_sdf(include, values, stack, tree, robot);
   if (file == nullptr) return std::nullopt;
-  const std::vector<const XMLElement*> models = elements_in(*file->document->RootElement(), "model");
+  const std::vector<const FileNode*> models = file->root.elements("model");
   if (models.size() == 1) return SdfModel{models.front(), &file->values, &include, &values};
   values.context().diagnostics.error(
-      values.place(include), fmt::format("include: there are {} models in {}", models.size(), file->values.file()),
+      include.place, fmt::format("include: there are {} models in {}", models.size(), file->values.file()),
       "a file that is included has one <model>, directly in <sdf>");
   return std::nullopt;
 }
@@ -53,11 +51,11 @@ bool is_static(const SdfModel& model) {
   return model.include == nullptr ? own : model.include_values->flag(*model.include, "static", own, "include");
 }
 
-bool SdfDeclarer::has_room(const SdfValues& values, const XMLElement& element) {
+bool SdfDeclarer::has_room(const SdfValues& values, const FileNode& element) {
   if (tree_.frames.size() < kMostFrames) return true;
   if (!is_full_) {
     values.context().diagnostics.unsupported(
-        values.place(element), fmt::format("there are more than {} links, joints and frames", kMostFrames),
+        element.place, fmt::format("there are more than {} links, joints and frames", kMostFrames),
         "leave out what does not move");
   }
   is_full_ = true;
@@ -74,16 +72,16 @@ void SdfDeclarer::add_name(const std::string& name, int frame, int scope, const 
   if (first.kind == second.kind && (first.kind == Kind::link || first.kind == Kind::joint)) return;
   if (values.version() >= 7 || second.kind == Kind::frame || second.kind == Kind::model) {
     values.context().diagnostics.error(
-        values.place(*second.element),
-        fmt::format("{} has the name of {} (line {})", name_of(second), name_of(first), first.element->GetLineNum()),
+        second.element->place,
+        fmt::format("{} has the name of {} (line {})", name_of(second), name_of(first), first.element->place.line),
         "names must differ: rename one of them");
   }
   if (second.kind == Kind::link) found->second = frame;
 }
 
-int SdfDeclarer::add_frame(Kind kind, const XMLElement& element, const SdfValues& values, int scope) {
+int SdfDeclarer::add_frame(Kind kind, const FileNode& element, const SdfValues& values, int scope) {
   if (!has_room(values, element)) return -1;
-  const std::string name = values.required_attribute(element, "name", element.Name());
+  const std::string name = values.required_attribute(element, "name", element.name);
   const int index = static_cast<int>(tree_.frames.size());
   const std::string& prefix = tree_.scopes[static_cast<std::size_t>(scope)].prefix;
   tree_.frames.push_back({kind, name.empty() ? name : prefix + name, &element, &values, scope});
@@ -91,18 +89,18 @@ int SdfDeclarer::add_frame(Kind kind, const XMLElement& element, const SdfValues
   return index;
 }
 
-void SdfDeclarer::declare_world(const XMLElement* world, const SdfValues& values, const std::string& model) {
+void SdfDeclarer::declare_world(const FileNode* world, const SdfValues& values, const std::string& model) {
   stack_ = {values.file()};
   tree_.frames.push_back({Kind::world, "world", world, &values});
   tree_.scopes.push_back({"", -1, 0, {{"world", 0}}});
   if (world == nullptr) return;
   unknown_.check(*world, "world", kOfWorld, values);
-  for (const XMLElement* e : elements_in(*world, "frame")) {
-    unknown_.check(*e, named(*e), kOfFrame, values);
+  for (const FileNode* e : world->elements("frame")) {
+    unknown_.check(*e, name_in_messages(*e), kOfFrame, values);
     add_frame(Kind::frame, *e, values, 0);
   }
-  for (const XMLElement* e : elements_in(*world, "joint")) {
-    const std::optional<Reference> child = values.name(*e, "child", named(*e));
+  for (const FileNode* e : world->elements("joint")) {
+    const std::optional<Reference> child = values.name(*e, "child", name_in_messages(*e));
     if (child && (child->name == model || child->name.starts_with(model + "::"))) {
       add_frame(Kind::joint, *e, values, 0);
     }
@@ -147,24 +145,24 @@ void SdfDeclarer::declare_model(const SdfModel& model, int parent, const std::st
 void SdfDeclarer::declare_children(const SdfModel& model, int scope) {
   const SdfValues& values = *model.values;
   const std::string prefix = prefix_of(scope);
-  for (const XMLElement* e : elements_in(*model.element)) {
-    const std::string_view tag = e->Name();
+  for (const FileNode& e : model.element->children) {
+    const std::string& tag = e.name;
     if (tag == "link") {
-      add_frame(Kind::link, *e, values, scope);
+      add_frame(Kind::link, e, values, scope);
     } else if (tag == "joint") {
-      add_frame(Kind::joint, *e, values, scope);
+      add_frame(Kind::joint, e, values, scope);
     } else if (tag == "frame") {
-      unknown_.check(*e, named(*e), kOfFrame, values);
-      add_frame(Kind::frame, *e, values, scope);
+      unknown_.check(e, name_in_messages(e), kOfFrame, values);
+      add_frame(Kind::frame, e, values, scope);
     } else if (tag == "model") {
-      declare_model({e, &values}, scope, prefix, false);
+      declare_model({&e, &values}, scope, prefix, false);
     } else if (tag == "include") {
-      declare_include(*e, values, scope);
+      declare_include(e, values, scope);
     }
   }
 }
 
-void SdfDeclarer::declare_include(const XMLElement& include, const SdfValues& values, int scope) {
+void SdfDeclarer::declare_include(const FileNode& include, const SdfValues& values, int scope) {
   unknown_.check(include, "include", kOfInclude, values);
   const std::optional<SdfModel> model = model_of_include(include, values, stack_, tree_, robot_);
   if (!model) return;

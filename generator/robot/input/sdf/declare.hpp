@@ -12,14 +12,14 @@ namespace flatdyn {
 // A model, and the <include> by which it comes into another file, if any: it can replace name, pose and whether the
 // model is static.
 struct SdfModel {
-  const tinyxml2::XMLElement* element = nullptr;
+  const FileNode* element = nullptr;
   const SdfValues* values = nullptr;
-  const tinyxml2::XMLElement* include = nullptr;
+  const FileNode* include = nullptr;
   const SdfValues* include_values = nullptr;
 };
 
 // The only model of a file; nullopt and an error if there is none, or several.
-std::optional<SdfModel> model_of_include(const tinyxml2::XMLElement& include, const SdfValues& values,
+std::optional<SdfModel> model_of_include(const FileNode& include, const SdfValues& values,
                                          const std::vector<std::string>& stack, SdfTree& tree, Robot& robot);
 
 // As the include calls it, or as it is called itself.
@@ -31,7 +31,7 @@ class SdfDeclarer {
   SdfDeclarer(SdfTree& tree, SdfUnknown& unknown, Robot& robot) : tree_(tree), unknown_(unknown), robot_(robot) {}
 
   // The world, with its frames, and with those joints whose child is in the model. nullptr: a model without a world.
-  void declare_world(const tinyxml2::XMLElement* world, const SdfValues& values, const std::string& model);
+  void declare_world(const FileNode* world, const SdfValues& values, const std::string& model);
 
   // The model that the robot is made of: names in it have no prefix.
   void declare_robot(const SdfModel& model);
@@ -39,13 +39,13 @@ class SdfDeclarer {
  private:
   void declare_model(const SdfModel& model, int parent, const std::string& prefix, bool merge);
   void declare_children(const SdfModel& model, int scope);
-  void declare_include(const tinyxml2::XMLElement& include, const SdfValues& values, int scope);
+  void declare_include(const FileNode& include, const SdfValues& values, int scope);
   // A copy, as scopes are added while it is in use.
   std::string prefix_of(int scope) const { return tree_.scopes[static_cast<std::size_t>(scope)].prefix; }
   int add_scope(const SdfModel& model, int parent, const std::string& prefix, bool merge);
-  int add_frame(SdfFrame::Kind kind, const tinyxml2::XMLElement& element, const SdfValues& values, int scope);
+  int add_frame(SdfFrame::Kind kind, const FileNode& element, const SdfValues& values, int scope);
   void add_name(const std::string& name, int frame, int scope, const SdfValues& values);
-  bool has_room(const SdfValues& values, const tinyxml2::XMLElement& element);
+  bool has_room(const SdfValues& values, const FileNode& element);
 
   SdfTree& tree_;
   SdfUnknown& unknown_;

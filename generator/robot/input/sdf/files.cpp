@@ -8,13 +8,10 @@
 
 #include "robot/input/common/words.hpp"
 #include "robot/input/common/xml_document.hpp"
-#include "robot/input/common/xml_elements.hpp"
 
 namespace flatdyn {
 
 namespace {
-
-using tinyxml2::XMLElement;
 
 namespace fs = std::filesystem;
 
@@ -34,17 +31,17 @@ int minor_version(const std::string& text) {
   return is_number ? std::stoi(minor) : -1;
 }
 
-std::optional<int> read_version(const XMLElement& root, const std::string& file, Diagnostics& diagnostics) {
-  const Place place{file, root.GetLineNum()};
-  const char* version = root.Attribute("version");
+std::optional<int> read_version(const FileNode& root, Diagnostics& diagnostics) {
+  const FileAttribute* version = root.attribute("version");
   if (version == nullptr) {
-    diagnostics.error(place, "<sdf> has no version: what poses and axes are relative to depends on it",
+    diagnostics.error(root.place, "<sdf> has no version: what poses and axes are relative to depends on it",
                       "write <sdf version=\"1.9\"> or whatever version the file is in");
     return std::nullopt;
   }
-  const int minor = minor_version(version);
+  const int minor = minor_version(version->text);
   if (minor >= kOldestMinor && minor <= kNewestMinor) return minor;
-  diagnostics.unsupported(place, fmt::format("SDF of version \"{}\" is not supported: 1.4 to 1.11 are", version),
+  diagnostics.unsupported(root.place,
+                          fmt::format("SDF of version \"{}\" is not supported: 1.4 to 1.11 are", version->text),
                           "convert the file (gz sdf -p FILE), or write a version that says the same");
   return std::nullopt;
 }
@@ -54,18 +51,16 @@ std::optional<fs::path> file_of_folder(const fs::path& folder, const Place& plac
   const fs::path config = folder / "model.config";
   const std::optional<std::string> text = file_text(config.string(), context.diagnostics);
   if (!text) return std::nullopt;
-  tinyxml2::XMLDocument document;
   static const XmlForm kConfigForm = {".config", "a model.config is <model> <sdf version=\"...\">FILE</sdf> </model>"};
-  const XMLElement* root = parse_xml(*text, config.string(), kConfigForm, context.diagnostics, document);
-  if (root == nullptr) return std::nullopt;
+  const std::optional<XmlDocument> document = parse_xml(*text, config.string(), kConfigForm, context.diagnostics);
+  if (!document) return std::nullopt;
   std::string newest;
   int newest_minor = -1;
-  for (const XMLElement* e = root->FirstChildElement("sdf"); e != nullptr; e = e->NextSiblingElement("sdf")) {
-    const char* version = e->Attribute("version");
-    const int minor = version == nullptr ? 0 : minor_version(version);
+  for (const FileNode* e : document->root.elements("sdf")) {
+    const int minor = e->has("version") ? minor_version(e->value("version")) : 0;
     if (minor <= newest_minor || minor > kNewestMinor) continue;
     newest_minor = minor;
-    newest = single_word(text_in(*e));
+    newest = single_word(e->text);
   }
   if (!newest.empty()) return folder / newest;
   context.diagnostics.error(place, "include: " + config.string() + " names no file in a version up to 1.11",
@@ -109,28 +104,27 @@ std::optional<fs::path> place_of_uri(const Reference& uri, const fs::path& here,
 }  // namespace
 
 const SdfFile* parse_sdf(const std::string& text, const std::string& file, ReadContext& context, SdfTree& tree) {
-  auto document = std::make_unique<tinyxml2::XMLDocument>();
-  const XMLElement* root = parse_xml(text, file, kSdfForm, context.diagnostics, *document);
-  if (root == nullptr) return nullptr;
-  if (std::string_view(root->Name()) != "sdf") {
-    context.diagnostics.error({file, root->GetLineNum()},
-                              "the outermost element is <" + std::string(root->Name()) + ">, not <sdf>",
+  std::optional<XmlDocument> document = parse_xml(text, file, kSdfForm, context.diagnostics);
+  if (!document) return nullptr;
+  if (document->root.name != "sdf") {
+    context.diagnostics.error(document->root.place, "the outermost element is <" + document->root.name + ">, not <sdf>",
                               kSdfForm.outline);
     return nullptr;
   }
-  if (refuse_content_beside(*root, file, kSdfForm, context.diagnostics)) return nullptr;
-  const std::optional<int> version = read_version(*root, file, context.diagnostics);
+  if (refuse_content_beside(*document, kSdfForm, context.diagnostics)) return nullptr;
+  const std::optional<int> version = read_version(document->root, context.diagnostics);
   if (!version) return nullptr;
-  tree.files.push_back(std::make_unique<SdfFile>(SdfFile{std::move(document), SdfValues(file, *version, context)}));
+  tree.files.push_back(
+      std::make_unique<SdfFile>(SdfFile{std::move(document->root), SdfValues(file, *version, context)}));
   return tree.files.back().get();
 }
 
-const SdfFile* include_sdf(const XMLElement& include, const SdfValues& values, const std::vector<std::string>& stack,
+const SdfFile* include_sdf(const FileNode& include, const SdfValues& values, const std::vector<std::string>& stack,
                            SdfTree& tree, Robot& robot) {
   ReadContext& context = values.context();
   const std::optional<Reference> uri = values.name(include, "uri", "include");
   if (!uri) {
-    context.diagnostics.error(values.place(include), "include: it has no <uri>", kIncludeHint);
+    context.diagnostics.error(include.place, "include: it has no <uri>", kIncludeHint);
     return nullptr;
   }
   std::optional<fs::path> path = place_of_uri(*uri, fs::path(values.file()).parent_path(), context.diagnostics);

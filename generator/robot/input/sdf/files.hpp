@@ -16,7 +16,7 @@ const SdfFile* parse_sdf(const std::string& text, const std::string& file, ReadC
 
 // The <sdf> of the file that an <include> names; nullptr and an error if it cannot be read. `stack`: the files that are
 // being read, from the outermost.
-const SdfFile* include_sdf(const tinyxml2::XMLElement& include, const SdfValues& values,
-                           const std::vector<std::string>& stack, SdfTree& tree, Robot& robot);
+const SdfFile* include_sdf(const FileNode& include, const SdfValues& values, const std::vector<std::string>& stack,
+                           SdfTree& tree, Robot& robot);
 
 }  // namespace flatdyn

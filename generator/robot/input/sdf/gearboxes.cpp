@@ -13,8 +13,6 @@ namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLElement;
-
 class GearboxReader {
  public:
   GearboxReader(const SdfTree& tree, int gearbox, const std::vector<int>& links, SdfUnknown& unknown,
@@ -27,14 +25,13 @@ class GearboxReader {
         context_(context),
         robot_(robot),
         what_(name_of(frame_)),
-        place_(frame_.values->place(*frame_.element)) {}
+        place_(frame_.element->place) {}
 
   void read() {
     const auto ratio = frame_.values->number(*frame_.element, "gearbox_ratio", what_);
     const auto reference = frame_.values->name(*frame_.element, "gearbox_reference_body", what_);
     if (!reference) {
-      if (frame_.element->FirstChildElement("gearbox_reference_body") == nullptr)
-        report_missing("gearbox_reference_body");
+      if (frame_.element->child("gearbox_reference_body") == nullptr) report_missing("gearbox_reference_body");
       return;
     }
     const int found =
@@ -64,7 +61,7 @@ class GearboxReader {
   }
 
   std::optional<Turning> turning(const char* tag, int body) {
-    const XMLElement* axis = frame_.values->child(*frame_.element, tag, what_);
+    const FileNode* axis = frame_.values->child(*frame_.element, tag, what_);
     if (axis == nullptr) {
       report_missing(tag);
       return std::nullopt;
@@ -106,7 +103,7 @@ class GearboxReader {
   }
 
   // The axis in the reference body's frame, with all joints at 0.
-  Vec3 direction_of(const XMLElement& axis) {
+  Vec3 direction_of(const FileNode& axis) {
     Joint joint;
     joint.name = frame_.name;
     joint.type = JointType::revolute;

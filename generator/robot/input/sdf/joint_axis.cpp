@@ -7,8 +7,6 @@ namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLElement;
-
 const SdfNames kOfAxis = {{"xyz", "dynamics", "limit", "mimic", "use_parent_model_frame"}, {"initial_position"}, {}};
 const SdfNames kOfXyz = {{}, {}, {"expressed_in"}};
 const SdfNames kOfDynamics = {{"damping", "friction", "spring_reference", "spring_stiffness"}, {}, {}};
@@ -27,28 +25,28 @@ class AxisReader {
         joint_(joint),
         what_("joint \"" + joint.name + "\"") {}
 
-  void read(const XMLElement& axis) {
+  void read(const FileNode& axis) {
     unknown_.check(axis, what_ + ", axis", kOfAxis, values_);
     read_direction(axis);
     const bool is_held = joint_.type == JointType::fixed;
-    if (const XMLElement* limit = values_.child(axis, "limit", what_)) read_limits(*limit);
+    if (const FileNode* limit = values_.child(axis, "limit", what_)) read_limits(*limit);
     if (is_held) return;
-    if (const XMLElement* dynamics = values_.child(axis, "dynamics", what_)) read_dynamics(*dynamics);
-    if (const XMLElement* mimic = values_.child(axis, "mimic", what_)) read_mimic(*mimic);
+    if (const FileNode* dynamics = values_.child(axis, "dynamics", what_)) read_dynamics(*dynamics);
+    if (const FileNode* mimic = values_.child(axis, "mimic", what_)) read_mimic(*mimic);
   }
 
  private:
-  void read_direction(const XMLElement& axis) {
-    const XMLElement* xyz = values_.child(axis, "xyz", what_ + ", axis");
+  void read_direction(const FileNode& axis) {
+    const FileNode* xyz = values_.child(axis, "xyz", what_ + ", axis");
     if (xyz == nullptr) {
-      context_.diagnostics.error(values_.place(axis), what_ + ", axis: it has no <xyz>", "write <xyz>0 0 1</xyz>");
+      context_.diagnostics.error(axis.place, what_ + ", axis: it has no <xyz>", "write <xyz>0 0 1</xyz>");
       return;
     }
     unknown_.check(*xyz, what_ + ", axis, xyz", kOfXyz, values_);
     joint_.axis = values_.vector(*xyz, what_ + ", axis, xyz").value_or(joint_.axis);
   }
 
-  void read_limits(const XMLElement& limit) {
+  void read_limits(const FileNode& limit) {
     const std::string what = what_ + ", limit";
     unknown_.check(limit, what, kOfLimit, values_);
     const JointType motion = joint_.held ? joint_.held->type : joint_.type;
@@ -62,7 +60,7 @@ class AxisReader {
     joint_.limits.acceleration = values_.limit(limit, "drake:acceleration", Bound::magnitude, what);
   }
 
-  void read_dynamics(const XMLElement& dynamics) {
+  void read_dynamics(const FileNode& dynamics) {
     const std::string what = what_ + ", dynamics";
     unknown_.check(dynamics, what, kOfDynamics, values_);
     if (const auto damping = values_.number(dynamics, "damping", what)) joint_.viscous = *damping;
@@ -72,12 +70,11 @@ class AxisReader {
   }
 
   // The position is multiplier · (that of the leader - reference) + offset.
-  void read_mimic(const XMLElement& mimic) {
+  void read_mimic(const FileNode& mimic) {
     const std::string what = what_ + ", mimic";
     unknown_.check(mimic, what, kOfMimic, values_);
-    const Reference name{values_.required_attribute(mimic, "joint", what), values_.place(mimic)};
+    const Reference name{values_.required_attribute(mimic, "joint", what), mimic.place};
     if (name.name.empty()) return;
-    const char* axis = mimic.Attribute("axis");
     const int leader = find_sdf_frame(tree_, frame_.scope, name, what, context_.diagnostics);
     if (leader < 0) return;
     const SdfFrame& other = tree_.frames[static_cast<std::size_t>(leader)];
@@ -85,14 +82,14 @@ class AxisReader {
       context_.diagnostics.error(name.place, what + ": " + name_of(other) + " is no joint", "name a joint");
       return;
     }
-    const std::string followed = name_of_axis(other, axis == nullptr ? "axis" : axis);
+    const std::string followed = name_of_axis(other, mimic.has("axis") ? mimic.value("axis") : "axis");
     const auto number = [&](const char* tag, const Number& otherwise) {
       const std::optional<Value> value = values_.number(mimic, tag, what);
       return value ? value->number : otherwise;
     };
     const Number factor = number("multiplier", 0), reference = number("reference", 0), offset = number("offset", 0);
     joint_.coupled =
-        Coupled{{{{followed, name.place}, factor}}, Number(offset - factor * reference).expand(), values_.place(mimic)};
+        Coupled{{{{followed, name.place}, factor}}, Number(offset - factor * reference).expand(), mimic.place};
   }
 
   const SdfTree& tree_;
@@ -106,22 +103,21 @@ class AxisReader {
 
 }  // namespace
 
-int frame_of_axis(const SdfTree& tree, int joint, const XMLElement& axis, Diagnostics& diagnostics) {
+int frame_of_axis(const SdfTree& tree, int joint, const FileNode& axis, Diagnostics& diagnostics) {
   const SdfFrame& frame = tree.frames[static_cast<std::size_t>(joint)];
   const SdfValues& values = *frame.values;
   const std::string what = name_of(frame) + ", axis";
-  const XMLElement* xyz = axis.FirstChildElement("xyz");
-  const char* name = xyz == nullptr ? nullptr : xyz->Attribute("expressed_in");
+  const FileNode* xyz = axis.child("xyz");
+  const std::string name = xyz == nullptr ? "" : xyz->value("expressed_in");
   const bool is_of_model = values.flag(axis, "use_parent_model_frame", values.version() <= 4, what);
-  if (name != nullptr && *name != '\0') {
-    const int found =
-        find_sdf_frame(tree, frame.scope, {name, values.place(*xyz)}, what + ", expressed_in", diagnostics);
+  if (!name.empty()) {
+    const int found = find_sdf_frame(tree, frame.scope, {name, xyz->place}, what + ", expressed_in", diagnostics);
     return found < 0 ? joint : found;
   }
   return is_of_model ? tree.scopes[static_cast<std::size_t>(frame.scope)].frame : joint;
 }
 
-void read_sdf_axis(const SdfTree& tree, const SdfFrame& frame, const XMLElement& axis, SdfUnknown& unknown,
+void read_sdf_axis(const SdfTree& tree, const SdfFrame& frame, const FileNode& axis, SdfUnknown& unknown,
                    ReadContext& context, Joint& joint) {
   AxisReader(tree, frame, unknown, context, joint).read(axis);
 }
@@ -135,9 +131,9 @@ void read_drake_words(const SdfTree& tree, const SdfFrame& frame, Diagnostics& d
     joint.armature = {Number(ratio * ratio * rotor->number).expand(), rotor->place};
     values.context().rotor_joints.insert(joint.name);
   }
-  const XMLElement* mimic = values.child(*frame.element, "drake:mimic", what);
+  const FileNode* mimic = values.child(*frame.element, "drake:mimic", what);
   if (mimic == nullptr) return;
-  const Reference name{values.required_attribute(*mimic, "joint", what + ", drake:mimic"), values.place(*mimic)};
+  const Reference name{values.required_attribute(*mimic, "joint", what + ", drake:mimic"), mimic->place};
   if (name.name.empty()) return;
   const int leader = find_sdf_frame(tree, frame.scope, name, what + ", drake:mimic", diagnostics);
   if (leader < 0) return;
@@ -149,8 +145,8 @@ void read_drake_words(const SdfTree& tree, const SdfFrame& frame, Diagnostics& d
 }
 
 bool has_two_axes(const SdfFrame& joint) {
-  const char* type = joint.element->Attribute("type");
-  return type != nullptr && (std::string_view(type) == "universal" || std::string_view(type) == "revolute2");
+  const std::string type = joint.element->value("type");
+  return type == "universal" || type == "revolute2";
 }
 
 std::string name_of_axis(const SdfFrame& joint, const std::string& axis) {

@@ -10,10 +10,10 @@ namespace flatdyn {
 
 // The frame in which the axis is written: that of the joint, unless the file names one, or is so old that it is that of
 // the model.
-int frame_of_axis(const SdfTree& tree, int joint, const tinyxml2::XMLElement& axis, Diagnostics& diagnostics);
+int frame_of_axis(const SdfTree& tree, int joint, const FileNode& axis, Diagnostics& diagnostics);
 
 // Direction, friction, spring, limits, and the coupling to another joint; the joint's type and name are known.
-void read_sdf_axis(const SdfTree& tree, const SdfFrame& frame, const tinyxml2::XMLElement& axis, SdfUnknown& unknown,
+void read_sdf_axis(const SdfTree& tree, const SdfFrame& frame, const FileNode& axis, SdfUnknown& unknown,
                    ReadContext& context, Joint& joint);
 
 // Drake's rotor inertia and gear ratio, which count as armature, and its words for a coupling.

@@ -13,8 +13,6 @@ namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLElement;
-
 const SdfNames kOfJoint = {
     {"parent", "child", "pose", "axis", "axis2", "thread_pitch", "screw_thread_pitch", "drake:rotor_inertia",
      "drake:gear_ratio", "drake:mimic", "gearbox_ratio", "gearbox_reference_body"},
@@ -51,7 +49,7 @@ class JointReader {
       return;
     }
     Joint joint;
-    joint.place = frame.values->place(*frame.element);
+    joint.place = frame.element->place;
     joint.viscous.place = joint.coulomb.place = joint.armature.place = joint.place;
     joint.name = frame.name;
     const int parent = frame_of_joint(tree_, frame, "parent", diagnostics_);
@@ -73,7 +71,7 @@ class JointReader {
     if (body == 0 && std::string_view(tag) == "parent") return world();
     const int link = links_[static_cast<std::size_t>(body)];
     if (link < 0) {
-      diagnostics_.error(joint.values->place(*joint.element), name_of(joint) + ": its " + tag + " moves with no link",
+      diagnostics_.error(joint.element->place, name_of(joint) + ": its " + tag + " moves with no link",
                          "name a link, or a frame that is attached to one");
     }
     return link;
@@ -90,7 +88,7 @@ class JointReader {
     const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(link)];
     Joint joint;
     joint.name = "world to " + frame.name;
-    joint.place = frame.values->place(*frame.element);
+    joint.place = frame.element->place;
     joint.parent = world();
     joint.child = links_[static_cast<std::size_t>(link)];
     joint.origin = {relative_pose(tree_, 0, link), joint.place};
@@ -117,7 +115,7 @@ class JointReader {
       return;
     }
     set_type(motion->second, joint);
-    const XMLElement* axis = axis_of(frame, "axis");
+    const FileNode* axis = axis_of(frame, "axis");
     if (axis == nullptr) return;
     const Displacements turn = turn_of(index, *axis);
     joint.origin = {product(relative_pose(tree_, parent, index), turn), joint.place};
@@ -132,12 +130,12 @@ class JointReader {
     joint.type = JointType::spherical;
     joint.origin = {relative_pose(tree_, parent, index), joint.place};
     joint.link_offset = {relative_pose(tree_, index, child), joint.place};
-    if (frame.element->FirstChildElement("axis") != nullptr) {
+    if (frame.element->child("axis") != nullptr) {
       diagnostics_.warning(joint.place, name_of(frame) + " is a ball joint: its <axis> has no effect",
                            "delete it; friction and limits in it are not read", "ball joints with an <axis>");
     }
     for (const char* tag : {"drake:rotor_inertia", "drake:mimic"}) {
-      if (frame.element->FirstChildElement(tag) == nullptr) continue;
+      if (frame.element->child(tag) == nullptr) continue;
       diagnostics_.unsupported(joint.place,
                                name_of(frame) + " is a ball joint, which has no axis for its <" + tag + ">",
                                std::string("delete <") + tag + ">");
@@ -147,7 +145,7 @@ class JointReader {
 
   void add_screw(int index, int parent, int child, const Joint& screw) {
     const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(index)];
-    const XMLElement* axis = axis_of(frame, "axis");
+    const FileNode* axis = axis_of(frame, "axis");
     const std::optional<Number> travel = travel_of(frame);
     if (axis == nullptr || !travel) return;
     std::vector<Joint> parts = screw_parts(screw, *travel);
@@ -173,7 +171,7 @@ class JointReader {
       return pitch->number / (2 * GiNaC::Pi);
     const auto thread = frame.values->number(*frame.element, "thread_pitch", what);
     if (thread && !vanishes(thread->number)) return -1 / thread->number;
-    diagnostics_.error(frame.values->place(*frame.element),
+    diagnostics_.error(frame.element->place,
                        what + (thread ? ", thread_pitch: 0 has no meaning" : ": a screw without a pitch"),
                        "write <screw_thread_pitch>, m per turn");
     return std::nullopt;
@@ -181,9 +179,9 @@ class JointReader {
 
   void add_two(int index, int parent, int child, const Joint& both) {
     const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(index)];
-    const std::array<const XMLElement*, 2> axes = {axis_of(frame, "axis"), axis_of(frame, "axis2")};
+    const std::array<const FileNode*, 2> axes = {axis_of(frame, "axis"), axis_of(frame, "axis2")};
     if (axes[0] == nullptr || axes[1] == nullptr) return;
-    if (frame.element->FirstChildElement("drake:rotor_inertia") != nullptr) {
+    if (frame.element->child("drake:rotor_inertia") != nullptr) {
       diagnostics_.unsupported(both.place, name_of(frame) + " has two axes: whose rotor is meant is not clear",
                                "delete <drake:rotor_inertia>");
     }
@@ -201,14 +199,14 @@ class JointReader {
   }
 
   // The rotation from the joint's frame to the one that its axis is written in, so that the axis keeps its decimals.
-  Displacements turn_of(int joint, const XMLElement& axis) {
+  Displacements turn_of(int joint, const FileNode& axis) {
     return rotations_in(relative_pose(tree_, joint, frame_of_axis(tree_, joint, axis, diagnostics_)));
   }
 
-  const XMLElement* axis_of(const SdfFrame& frame, const char* tag) {
-    const XMLElement* axis = frame.values->child(*frame.element, tag, name_of(frame));
+  const FileNode* axis_of(const SdfFrame& frame, const char* tag) {
+    const FileNode* axis = frame.values->child(*frame.element, tag, name_of(frame));
     if (axis == nullptr) {
-      diagnostics_.error(frame.values->place(*frame.element), name_of(frame) + " has no <" + tag + ">",
+      diagnostics_.error(frame.element->place, name_of(frame) + " has no <" + tag + ">",
                          std::string("write <") + tag + "> <xyz>0 0 1</xyz> </" + tag + ">");
     }
     return axis;
@@ -217,7 +215,7 @@ class JointReader {
   // The one place where types are refused that the model does not have yet.
   void refuse_type(const SdfFrame& frame, const std::string& type) {
     static const std::vector<std::string> kNotYet = {"piston", "planar", "floating"};
-    const Place place = frame.values->place(*frame.element);
+    const Place place = frame.element->place;
     if (std::find(kNotYet.begin(), kNotYet.end(), type) != kNotYet.end()) {
       diagnostics_.unsupported(place, name_of(frame) + ": type \"" + type + "\" is not supported yet",
                                "hold it still: make it type=\"fixed\", or give the option --fix " + frame.name);

@@ -5,18 +5,14 @@
 
 #include "robot/input/common/coupling.hpp"
 #include "robot/input/common/spelling.hpp"
-#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/sdf/joint_axis.hpp"
 
 namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLElement;
-
-bool is_called_mimic(const XMLElement& plugin, const char* attribute) {
-  const char* text = plugin.Attribute(attribute);
-  return text != nullptr && folded_name(text).find("mimic") != std::string::npos;
+bool is_called_mimic(const FileNode& plugin, const char* attribute) {
+  return folded_name(plugin.value(attribute)).find("mimic") != std::string::npos;
 }
 
 class MimicPluginReader {
@@ -28,30 +24,28 @@ class MimicPluginReader {
     for (const SdfFrame& frame : tree_.frames) {
       const bool is_model = frame.kind == SdfFrame::Kind::model && frame.element != nullptr && frame.own_scope >= 0;
       if (!is_model || tree_.scopes[static_cast<std::size_t>(frame.own_scope)].is_static) continue;
-      for (const XMLElement* plugin : elements_in(*frame.element, "plugin")) read_plugin(*plugin, frame);
+      for (const FileNode* plugin : frame.element->elements("plugin")) read_plugin(*plugin, frame);
     }
   }
 
  private:
-  void read_plugin(const XMLElement& plugin, const SdfFrame& model) {
-    const char* name = plugin.Attribute("name");
-    const std::string what = name_of(model) + ", plugin" + (name == nullptr ? "" : std::string(" \"") + name + "\"");
-    const auto followers = elements_in(plugin, "mimicJoint"), leaders = elements_in(plugin, "joint");
+  void read_plugin(const FileNode& plugin, const SdfFrame& model) {
+    const std::string what = name_of(model) + ", " + name_in_messages(plugin);
+    const auto followers = plugin.elements("mimicJoint"), leaders = plugin.elements("joint");
     if (followers.size() == 1 && leaders.size() == 1) {
       follow(plugin, model, what);
     } else if (!followers.empty() || is_called_mimic(plugin, "name") || is_called_mimic(plugin, "filename")) {
-      diagnostics_.unsupported(model.values->place(plugin),
-                               what + ": it lets joints follow others in a form that is not known",
+      diagnostics_.unsupported(plugin.place, what + ": it lets joints follow others in a form that is not known",
                                "write <mimic joint=\"...\"> in the axis of the joint that follows");
     }
   }
 
-  void follow(const XMLElement& plugin, const SdfFrame& model, const std::string& what) {
+  void follow(const FileNode& plugin, const SdfFrame& model, const std::string& what) {
     const SdfFrame* follower = joint_named(plugin, "mimicJoint", model, what);
     const SdfFrame* leader = joint_named(plugin, "joint", model, what);
     if (follower == nullptr || leader == nullptr) return;
     const SdfValues& values = *model.values;
-    const Place place = values.place(plugin);
+    const Place place = plugin.place;
     const Number factor = values.number(plugin, "multiplier", what).value_or(Value{1, place}).number;
     const Number offset = values.number(plugin, "offset", what).value_or(Value{0, place}).number;
     const std::string name = name_of_axis(*follower, "axis");
@@ -63,8 +57,7 @@ class MimicPluginReader {
   }
 
   // nullptr, and an error, if the model has none of this name.
-  const SdfFrame* joint_named(const XMLElement& plugin, const char* tag, const SdfFrame& model,
-                              const std::string& what) {
+  const SdfFrame* joint_named(const FileNode& plugin, const char* tag, const SdfFrame& model, const std::string& what) {
     const std::optional<Reference> name = model.values->name(plugin, tag, what);
     if (!name) return nullptr;
     const int found = find_sdf_frame(tree_, model.own_scope, *name, what + ", " + tag, diagnostics_);

@@ -45,8 +45,7 @@ class Placer {
   }
 
   int named_frame(const SdfFrame& frame, const char* attribute, int scope, int otherwise) {
-    const char* name = frame.element->Attribute(attribute);
-    const Reference reference{name == nullptr ? "" : name, frame.values->place(*frame.element)};
+    const Reference reference{frame.element->value(attribute), frame.element->place};
     return named_frame(reference, scope, otherwise, name_of(frame) + ", " + attribute);
   }
 
@@ -85,10 +84,9 @@ class Placer {
 
   void place(SdfFrame& frame) {
     const bool is_model = frame.kind == Kind::model;
-    const tinyxml2::XMLElement* holder = frame.element;
+    const FileNode* holder = frame.element;
     const SdfValues* values = frame.values;
-    if (is_model && own_scope(frame).include != nullptr &&
-        own_scope(frame).include->FirstChildElement("pose") != nullptr) {
+    if (is_model && own_scope(frame).include != nullptr && own_scope(frame).include->child("pose") != nullptr) {
       holder = own_scope(frame).include;
       values = own_scope(frame).include_values;
     }
@@ -127,8 +125,7 @@ class Placer {
 
   bool report_circle(int index, const char* what) {
     const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(index)];
-    diagnostics_.error(frame.values->place(*frame.element),
-                       name_of(frame) + ": frames go round by " + what + ", and so are nowhere",
+    diagnostics_.error(frame.element->place, name_of(frame) + ": frames go round by " + what + ", and so are nowhere",
                        "let one of them be relative to __model__");
     return false;
   }
@@ -143,7 +140,7 @@ int frame_of_joint(const SdfTree& tree, const SdfFrame& joint, const char* tag, 
   const std::string what = name_of(joint);
   const std::optional<Reference> name = joint.values->name(*joint.element, tag, what);
   if (!name) {
-    diagnostics.error(joint.values->place(*joint.element), what + " has no <" + tag + ">",
+    diagnostics.error(joint.element->place, what + " has no <" + tag + ">",
                       std::string("write <") + tag + ">LINK</" + tag + ">");
     return -1;
   }

@@ -14,8 +14,6 @@ namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLElement;
-
 const SdfNames kOfSdf = {{"model", "world"}, {"actor", "light"}, {"version"}};
 
 class SdfReader {
@@ -26,7 +24,7 @@ class SdfReader {
   void read(const std::string& text, const std::string& file) {
     const SdfFile* sdf = parse_sdf(text, file, context_, tree_);
     if (sdf == nullptr) return;
-    unknown_.check(*sdf->document->RootElement(), "sdf", kOfSdf, sdf->values);
+    unknown_.check(sdf->root, "sdf", kOfSdf, sdf->values);
     const std::optional<SdfChoice> choice = choose_sdf_model(*sdf, tree_, robot_);
     if (!choice) return;
     robot_.name = name_of(choice->model);
@@ -50,9 +48,9 @@ class SdfReader {
   }
 
   // Up to 1.5, gravity was in <physics>.
-  void read_gravity(const XMLElement& world, const SdfValues& values) {
-    const XMLElement* holder = values.version() <= 5 ? world.FirstChildElement("physics") : nullptr;
-    const XMLElement* gravity = values.child(world, "gravity", "world");
+  void read_gravity(const FileNode& world, const SdfValues& values) {
+    const FileNode* holder = values.version() <= 5 ? world.child("physics") : nullptr;
+    const FileNode* gravity = values.child(world, "gravity", "world");
     if (gravity == nullptr && holder != nullptr) gravity = values.child(*holder, "gravity", "physics");
     const Vec3 usual = {0, 0, exact_decimal("-9.8")};  // SDF's default, of worlds
     robot_.gravity = gravity == nullptr ? usual : values.vector(*gravity, "world, gravity").value_or(usual);
@@ -73,7 +71,7 @@ class SdfReader {
     if (free.empty()) return;
     if (has_world || free.size() > 1) {
       const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(free[has_world ? 0 : 1])];
-      diagnostics_.unsupported(frame.values->place(*frame.element),
+      diagnostics_.unsupported(frame.element->place,
                                name_of(frame) + " is joined to nothing: bodies that move freely are not supported yet",
                                "join it by a joint (type=\"fixed\" if it does not move), or delete it");
       robot_.links.clear();
@@ -86,7 +84,7 @@ class SdfReader {
   // Gravity is that of the world: a base that is turned in it needs the world as the root.
   void fix_base(int frame_of_link) {
     const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(frame_of_link)];
-    const Place place = frame.values->place(*frame.element);
+    const Place place = frame.element->place;
     if (!context_.options.floating_base.value_or(false)) {
       diagnostics_.note(place, name_of(frame) + " is joined to nothing: it is taken for a base that does not move",
                         "write a joint of type=\"fixed\" with <parent>world</parent> to say so");

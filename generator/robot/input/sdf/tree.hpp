@@ -3,8 +3,6 @@
 // another one, and the link that it moves with.
 #pragma once
 
-#include <tinyxml2.h>
-
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,7 +14,7 @@
 namespace flatdyn {
 
 struct SdfFile {
-  std::unique_ptr<tinyxml2::XMLDocument> document;
+  FileNode root;
   SdfValues values;
 };
 
@@ -25,7 +23,7 @@ struct SdfFrame {
 
   Kind kind = Kind::frame;
   std::string name;  // with those of its models: "arm::hand::palm"
-  const tinyxml2::XMLElement* element = nullptr;
+  const FileNode* element = nullptr;
   const SdfValues* values = nullptr;
   int scope = 0;            // where names that it mentions are looked up; of a model, that around it
   int own_scope = -1;       // of a model
@@ -43,7 +41,7 @@ struct SdfScope {
   std::map<std::string, int> models = {};  // scopes
   int merged_into = -1;                    // the scope that has its names, of <include merge="true">
   bool is_static = false;
-  const tinyxml2::XMLElement* include = nullptr;  // by which the model comes into another file
+  const FileNode* include = nullptr;  // by which the model comes into another file
   const SdfValues* include_values = nullptr;
 };
 

@@ -3,8 +3,6 @@
 // meant may be another one than is read without them.
 #pragma once
 
-#include <tinyxml2.h>
-
 #include <set>
 #include <string>
 #include <vector>
@@ -23,13 +21,11 @@ struct SdfNames {
 class SdfUnknown {
  public:
   // Children, attributes and stray text of an element.
-  void check(const tinyxml2::XMLElement& holder, const std::string& what, const SdfNames& names,
-             const SdfValues& values);
+  void check(const FileNode& holder, const std::string& what, const SdfNames& names, const SdfValues& values);
 
  private:
-  void check_child(const tinyxml2::XMLElement& child, const std::string& what, const SdfNames& names,
-                   const SdfValues& values);
-  void check_attributes(const tinyxml2::XMLElement& holder, const std::string& what, const SdfNames& names,
+  void check_child(const FileNode& child, const std::string& what, const SdfNames& names, const SdfValues& values);
+  void check_attributes(const FileNode& holder, const std::string& what, const SdfNames& names,
                         const SdfValues& values);
 
   std::set<std::string> noted_;  // once per name

@@ -10,7 +10,6 @@
 #include "robot/input/common/quaternion.hpp"
 #include "robot/input/common/units.hpp"
 #include "robot/input/common/words.hpp"
-#include "robot/input/common/xml_elements.hpp"
 #include "robot/model/exact_sign.hpp"
 #include "robot/model/unit_plausibility.hpp"
 
@@ -18,17 +17,13 @@ namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLElement;
-
 constexpr std::size_t kOfPosition = 3, kOfEuler = 6, kOfQuaternion = 7;
 
 std::string joined_words(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
-bool says_the_same(const XMLElement& a, const XMLElement& b) {
-  const auto is_text = [](const XMLElement& e) {
-    return e.FirstChildElement() == nullptr && e.FirstAttribute() == nullptr;
-  };
-  return is_text(a) && is_text(b) && are_equivalent_texts(text_in(a), text_in(b));
+bool says_the_same(const FileNode& a, const FileNode& b) {
+  const auto is_text = [](const FileNode& e) { return e.children.empty() && e.attributes.empty(); };
+  return is_text(a) && is_text(b) && are_equivalent_texts(a.text, b.text);
 }
 
 // SDF's default for a position without a limit.
@@ -39,58 +34,57 @@ bool is_default_limit(const Number& limit) {
 
 }  // namespace
 
-const XMLElement* SdfValues::child(const XMLElement& parent, const char* tag, const std::string& what) const {
-  const XMLElement* first = parent.FirstChildElement(tag);
-  if (first == nullptr) return nullptr;
-  for (const XMLElement* second = first->NextSiblingElement(tag); second != nullptr;
-       second = second->NextSiblingElement(tag)) {
-    if (says_the_same(*first, *second)) continue;
+const FileNode* SdfValues::child(const FileNode& parent, const char* tag, const std::string& what) const {
+  const std::vector<const FileNode*> all = parent.elements(tag);
+  if (all.empty()) return nullptr;
+  const FileNode* first = all.front();
+  for (const FileNode* second : all) {
+    if (second == first || says_the_same(*first, *second)) continue;
     context_.diagnostics.error(
-        place(*second),
-        fmt::format("{}: <{}> is there twice (the first is in line {})", what, tag, first->GetLineNum()),
+        second->place, fmt::format("{}: <{}> is there twice (the first is in line {})", what, tag, first->place.line),
         "delete one of them");
     break;
   }
   return first;
 }
 
-std::string SdfValues::required_attribute(const XMLElement& element, const char* key, const std::string& what) const {
-  const char* text = element.Attribute(key);
-  if (text == nullptr || *text == '\0') {
-    context_.diagnostics.error(place(element), fmt::format("{} has no {}", what, key),
-                               fmt::format("write <{} {}=\"...\">", element.Name(), key));
+std::string SdfValues::required_attribute(const FileNode& element, const char* key, const std::string& what) const {
+  const std::string text = element.value(key);
+  if (text.empty()) {
+    context_.diagnostics.error(element.place, fmt::format("{} has no {}", what, key),
+                               fmt::format("write <{} {}=\"...\">", element.name, key));
     return "";
   }
   if (is_utf8(text)) return text;
-  context_.diagnostics.error(place(element), fmt::format("{}: the {} is not UTF-8", what, key),
+  context_.diagnostics.error(element.place, fmt::format("{}: the {} is not UTF-8", what, key),
                              "save the file as UTF-8");
   return "";
 }
 
-std::optional<Reference> SdfValues::name(const XMLElement& parent, const char* tag, const std::string& what) const {
-  const XMLElement* element = child(parent, tag, what);
+std::optional<Reference> SdfValues::name(const FileNode& parent, const char* tag, const std::string& what) const {
+  const FileNode* element = child(parent, tag, what);
   if (element == nullptr) return std::nullopt;
   // Before 1.3 the name was an attribute; a text is all that counts since.
-  const std::string text = joined_words(words_of(text_in(*element)));
+  const std::string text = joined_words(words_of(element->text));
   if (text.empty()) {
-    context_.diagnostics.error(place(*element), fmt::format("{}: <{}> is empty", what, tag),
+    context_.diagnostics.error(element->place, fmt::format("{}: <{}> is empty", what, tag),
                                fmt::format("write <{}>NAME</{}>", tag, tag));
   }
-  return Reference{text, place(*element)};
+  return Reference{text, element->place};
 }
 
-std::optional<Value> SdfValues::number(const XMLElement& parent, const char* tag, const std::string& what) const {
-  const XMLElement* element = child(parent, tag, what);
+std::optional<Value> SdfValues::number(const FileNode& parent, const char* tag, const std::string& what) const {
+  const FileNode* element = child(parent, tag, what);
   if (element == nullptr) return std::nullopt;
-  const Spot spot{place(*element), what + ", " + tag};
-  return Value{checked_decimal(single_word(text_in(*element)), spot, context_.diagnostics).value_or(0), spot.place};
+  const Spot spot{element->place, what + ", " + tag};
+  return Value{checked_decimal(single_word(element->text), spot, context_.diagnostics).value_or(0), spot.place};
 }
 
-std::optional<Value> SdfValues::attribute(const XMLElement& element, const char* key, const std::string& what) const {
-  const char* text = element.Attribute(key);
-  if (text == nullptr) return std::nullopt;
-  const Spot spot{place(element), what + ", " + key};
-  return Value{checked_decimal(single_word(text), spot, context_.diagnostics).value_or(0), spot.place};
+std::optional<Value> SdfValues::attribute(const FileNode& element, const char* key, const std::string& what) const {
+  const FileAttribute* found = element.attribute(key);
+  if (found == nullptr) return std::nullopt;
+  const Spot spot{element.place, what + ", " + key};
+  return Value{checked_decimal(single_word(found->text), spot, context_.diagnostics).value_or(0), spot.place};
 }
 
 bool SdfValues::is_true(const std::string& text, bool otherwise, const Spot& spot) const {
@@ -103,14 +97,14 @@ bool SdfValues::is_true(const std::string& text, bool otherwise, const Spot& spo
   return otherwise;
 }
 
-bool SdfValues::flag(const XMLElement& parent, const char* tag, bool otherwise, const std::string& what) const {
-  const XMLElement* element = child(parent, tag, what);
-  return element == nullptr ? otherwise : is_true(text_in(*element), otherwise, {place(*element), what + ", " + tag});
+bool SdfValues::flag(const FileNode& parent, const char* tag, bool otherwise, const std::string& what) const {
+  const FileNode* element = child(parent, tag, what);
+  return element == nullptr ? otherwise : is_true(element->text, otherwise, {element->place, what + ", " + tag});
 }
 
-bool SdfValues::flag_attribute(const XMLElement& element, const char* key, const std::string& what) const {
-  const char* text = element.Attribute(key);
-  return text != nullptr && is_true(text, false, {place(element), what + ", " + key});
+bool SdfValues::flag_attribute(const FileNode& element, const char* key, const std::string& what) const {
+  const FileAttribute* found = element.attribute(key);
+  return found != nullptr && is_true(found->text, false, {element.place, what + ", " + key});
 }
 
 std::optional<std::vector<Number>> SdfValues::numbers(const std::vector<std::string>& words, const Spot& spot) const {
@@ -123,9 +117,9 @@ std::optional<std::vector<Number>> SdfValues::numbers(const std::vector<std::str
   return all;
 }
 
-std::optional<Vec3> SdfValues::vector(const XMLElement& element, const std::string& what) const {
-  const std::vector<std::string> words = words_of(text_in(element));
-  const Spot spot{place(element), what};
+std::optional<Vec3> SdfValues::vector(const FileNode& element, const std::string& what) const {
+  const std::vector<std::string> words = words_of(element.text);
+  const Spot spot{element.place, what};
   if (words.size() != kOfPosition) {
     context_.diagnostics.error(spot.place,
                                fmt::format("{}: three numbers are expected, not \"{}\"", what, joined_words(words)),
@@ -137,12 +131,12 @@ std::optional<Vec3> SdfValues::vector(const XMLElement& element, const std::stri
   return Vec3{(*values)[0], (*values)[1], (*values)[2]};
 }
 
-std::optional<Value> SdfValues::limit(const XMLElement& parent, const char* tag, Bound bound,
+std::optional<Value> SdfValues::limit(const FileNode& parent, const char* tag, Bound bound,
                                       const std::string& what) const {
-  const XMLElement* element = child(parent, tag, what);
+  const FileNode* element = child(parent, tag, what);
   if (element == nullptr) return std::nullopt;
-  const std::string text = single_word(text_in(*element));
-  const Spot spot{place(*element), what + ", " + tag};
+  const std::string text = single_word(element->text);
+  const Spot spot{element->place, what + ", " + tag};
   const bool is_none = bound == Bound::magnitude && text.starts_with('-');
   if (!is_infinite_limit(text)) {
     const std::optional<Number> value = checked_decimal(text, spot, context_.diagnostics);
@@ -181,20 +175,19 @@ Vec3 SdfValues::angles_of_quaternion(const std::vector<std::string>& words, cons
   return rpy;
 }
 
-SdfPose SdfValues::pose(const XMLElement& parent, const std::string& what) const {
-  const XMLElement* element = child(parent, "pose", what);
-  if (element == nullptr) return {{}, {"", place(parent)}};
-  const Spot spot{place(*element), what + ", pose"};
-  const char* frame = element->Attribute("relative_to");
+SdfPose SdfValues::pose(const FileNode& parent, const std::string& what) const {
+  const FileNode* element = child(parent, "pose", what);
+  if (element == nullptr) return {{}, {"", parent.place}};
+  const Spot spot{element->place, what + ", pose"};
   // Versions up to 1.6 called it so.
-  if (frame == nullptr && version_ <= 6) frame = element->Attribute("frame");
-  SdfPose pose{{}, {frame == nullptr ? "" : frame, spot.place}};
-  const std::vector<std::string> words = words_of(text_in(*element));
+  const bool is_older = version_ <= 6 && !element->has("relative_to");
+  SdfPose pose{{}, {element->value(is_older ? "frame" : "relative_to"), spot.place}};
+  const std::vector<std::string> words = words_of(element->text);
   if (words.empty()) return pose;
-  const char* format = element->Attribute("rotation_format");
-  const bool is_quaternion = format != nullptr && std::string_view(format) == "quat_xyzw";
-  if (format != nullptr && !is_quaternion && std::string_view(format) != "euler_rpy") {
-    context_.diagnostics.error(spot.place, fmt::format("{}: unknown rotation_format \"{}\"", spot.what, format),
+  const FileAttribute* format = element->attribute("rotation_format");
+  const bool is_quaternion = format != nullptr && format->text == "quat_xyzw";
+  if (format != nullptr && !is_quaternion && format->text != "euler_rpy") {
+    context_.diagnostics.error(spot.place, fmt::format("{}: unknown rotation_format \"{}\"", spot.what, format->text),
                                "write euler_rpy or quat_xyzw");
     return pose;
   }

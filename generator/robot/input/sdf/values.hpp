@@ -3,13 +3,12 @@
 // twice in different ways is an error: it is not clear which one counts.
 #pragma once
 
-#include <tinyxml2.h>
-
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "robot/input/common/context.hpp"
+#include "robot/input/common/file_node.hpp"
 #include "robot/model/pose_product.hpp"
 
 namespace flatdyn {
@@ -26,39 +25,37 @@ class SdfValues {
   SdfValues(std::string file, int version, ReadContext& context)
       : file_(std::move(file)), version_(version), context_(context) {}
 
-  Place place(const tinyxml2::XMLElement& element) const { return {file_, element.GetLineNum()}; }
   const std::string& file() const { return file_; }
   int version() const { return version_; }
   ReadContext& context() const { return context_; }
 
   // The child of this name, nullptr if there is none.
-  const tinyxml2::XMLElement* child(const tinyxml2::XMLElement& parent, const char* tag, const std::string& what) const;
+  const FileNode* child(const FileNode& parent, const char* tag, const std::string& what) const;
 
   // The attribute, "" and an error if it is missing, empty or not UTF-8.
-  std::string required_attribute(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
+  std::string required_attribute(const FileNode& element, const char* key, const std::string& what) const;
 
   // The text of a child without the blanks around it, as a name; nullopt if there is no such child.
-  std::optional<Reference> name(const tinyxml2::XMLElement& parent, const char* tag, const std::string& what) const;
+  std::optional<Reference> name(const FileNode& parent, const char* tag, const std::string& what) const;
 
   // The number that is the text of a child; nullopt if it is not there, 0 and an error if it is no number.
-  std::optional<Value> number(const tinyxml2::XMLElement& parent, const char* tag, const std::string& what) const;
+  std::optional<Value> number(const FileNode& parent, const char* tag, const std::string& what) const;
 
   // The number of an attribute.
-  std::optional<Value> attribute(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
+  std::optional<Value> attribute(const FileNode& element, const char* key, const std::string& what) const;
 
   // true, 1, false or 0, in any letters; `otherwise` where there is nothing, and with an error for other words.
-  bool flag(const tinyxml2::XMLElement& parent, const char* tag, bool otherwise, const std::string& what) const;
-  bool flag_attribute(const tinyxml2::XMLElement& element, const char* key, const std::string& what) const;
+  bool flag(const FileNode& parent, const char* tag, bool otherwise, const std::string& what) const;
+  bool flag_attribute(const FileNode& element, const char* key, const std::string& what) const;
 
   // The three numbers of an element; nullopt and an error if it has others.
-  std::optional<Vec3> vector(const tinyxml2::XMLElement& element, const std::string& what) const;
+  std::optional<Vec3> vector(const FileNode& element, const std::string& what) const;
 
   // A limit: infinite, 1e16 as SDF's defaults, or a negative magnitude, means none.
-  std::optional<Value> limit(const tinyxml2::XMLElement& parent, const char* tag, Bound bound,
-                             const std::string& what) const;
+  std::optional<Value> limit(const FileNode& parent, const char* tag, Bound bound, const std::string& what) const;
 
   // The pose of an element by its <pose>, by default none: x y z, then Rz(yaw) Ry(pitch) Rx(roll) or a quaternion.
-  SdfPose pose(const tinyxml2::XMLElement& parent, const std::string& what) const;
+  SdfPose pose(const FileNode& parent, const std::string& what) const;
 
  private:
   std::optional<std::vector<Number>> numbers(const std::vector<std::string>& words, const Spot& spot) const;

@@ -12,14 +12,11 @@
 
 #include "base/diagnostics/nearest.hpp"
 #include "robot/input/common/words.hpp"
-#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/children.hpp"
 
 namespace flatdyn {
 
 namespace {
-
-using tinyxml2::XMLElement;
 
 // The numbers of the rotor of one joint, wherever they stand.
 struct Reflected {
@@ -40,19 +37,18 @@ constexpr std::array<const char*, 2> kGearRatios = {"drake:gear_ratio", "gear_ra
 constexpr std::array<const char*, 3> kReductions = {"mechanicalReduction", "mechanical_reduction", "reduction"};
 
 // The value of this name in an actuator, a joint or a transmission: of a child or, less usual, of an attribute.
-std::optional<UrdfText> rotor_text(const XMLElement& holder, const char* tag, const UrdfValues& values,
+std::optional<UrdfText> rotor_text(const FileNode& holder, const char* tag, const UrdfValues& values,
                                    const std::string& what) {
   const std::string where = what + ", " + tag;
-  if (const XMLElement* element = holder.FirstChildElement(tag)) {
+  if (const FileNode* element = holder.child(tag)) {
     const std::optional<UrdfText> text = values.text(*element, "value", where);
-    return text ? *text : UrdfText{"", {values.place(*element), where}};
+    return text ? *text : UrdfText{"", {element->place, where}};
   }
-  const char* attribute = holder.Attribute(tag);
-  if (attribute == nullptr) return std::nullopt;
-  values.context().diagnostics.note(
-      values.place(holder), where + " is read from the attribute of <" + holder.Name() + ">",
-      std::string("write an element: <") + tag + ">...</" + tag + ">", "values read from unusual places");
-  return UrdfText{attribute, {values.place(holder), where}};
+  if (!holder.has(tag)) return std::nullopt;
+  values.context().diagnostics.note(holder.place, where + " is read from the attribute of <" + holder.name + ">",
+                                    std::string("write an element: <") + tag + ">...</" + tag + ">",
+                                    "values read from unusual places");
+  return UrdfText{holder.value(tag), {holder.place, where}};
 }
 
 Value value_of_text(const UrdfText& text, Diagnostics& diagnostics) {
@@ -75,7 +71,7 @@ void set_once(std::optional<Value>& value, const UrdfText& text, const UrdfValue
   value = given;
 }
 
-void read_rotor(const XMLElement& parent, const UrdfValues& values, const std::string& what, const std::string& joint,
+void read_rotor(const FileNode& parent, const UrdfValues& values, const std::string& what, const std::string& joint,
                 Reflected& reflected) {
   for (const char* tag : kRotorInertias) {
     const std::optional<UrdfText> text = rotor_text(parent, tag, values, what);
@@ -89,8 +85,7 @@ void read_rotor(const XMLElement& parent, const UrdfValues& values, const std::s
   }
 }
 
-void read_reductions(const XMLElement& holder, const UrdfValues& values, const std::string& what,
-                     Reflected& reflected) {
+void read_reductions(const FileNode& holder, const UrdfValues& values, const std::string& what, Reflected& reflected) {
   for (const char* tag : kReductions) {
     if (const std::optional<UrdfText> text = rotor_text(holder, tag, values, what))
       reflected.reductions.push_back(*text);
@@ -98,108 +93,107 @@ void read_reductions(const XMLElement& holder, const UrdfValues& values, const s
 }
 
 // The first rotor inertia in an actuator, a joint or a transmission.
-std::optional<Place> place_of_rotor_in(const XMLElement& holder, const UrdfValues& values) {
+std::optional<Place> place_of_rotor_in(const FileNode& holder) {
   for (const char* tag : kRotorInertias) {
-    if (const XMLElement* element = holder.FirstChildElement(tag)) return values.place(*element);
-    if (holder.Attribute(tag) != nullptr) return values.place(holder);
+    if (const FileNode* element = holder.child(tag)) return element->place;
+    if (holder.has(tag)) return holder.place;
   }
   return std::nullopt;
 }
 
-using Elements = std::vector<const XMLElement*>;
+using Elements = std::vector<const FileNode*>;
 
-void read_joint(const XMLElement& element, const UrdfValues& values, ReflectedByJoint& all) {
-  const char* name = element.Attribute("name");
-  if (name == nullptr) return;  // said by the joint's reader
+void read_joint(const FileNode& element, const UrdfValues& values, ReflectedByJoint& all) {
+  if (!element.has("name")) return;  // said by the joint's reader
+  const std::string name = element.value("name");
   Reflected& reflected = all[name];
-  const std::string what = "joint \"" + std::string(name) + "\"";
-  Elements holders = elements_in(element, "actuator");
+  const std::string what = "joint \"" + name + "\"";
+  Elements holders = element.elements("actuator");
   holders.insert(holders.begin(), &element);
-  for (const XMLElement* holder : holders) {
+  for (const FileNode* holder : holders) {
     read_rotor(*holder, values, what, name, reflected);
     read_reductions(*holder, values, what, reflected);
   }
   reflected.armature = values.dynamics(element, "armature", what);
 }
 
-bool is_simple(const XMLElement& transmission) {
-  if (elements_in(transmission, "joint").size() != 1) return false;
-  const XMLElement* element = transmission.FirstChildElement("type");
-  if (element == nullptr) element = transmission.FirstChildElement("plugin");  // of ros2_control
-  const char* type = element != nullptr ? element->GetText() : transmission.Attribute("type");
-  return type == nullptr || std::string_view(type).find("SimpleTransmission") != std::string_view::npos;
+bool is_simple(const FileNode& transmission) {
+  if (transmission.elements("joint").size() != 1) return false;
+  const FileNode* element = transmission.child("type");
+  if (element == nullptr) element = transmission.child("plugin");  // of ros2_control
+  const std::string type = element != nullptr ? element->text : transmission.value("type");
+  return type.empty() || type.find("SimpleTransmission") != std::string::npos;
 }
 
 // The actuators that have a rotor, if any has one: the gears of the others do not act on it. Two rotors are an error.
-Elements actuators_of(const XMLElement& transmission, const std::string& joint, const UrdfValues& values) {
-  const Elements all = elements_in(transmission, "actuator");
+Elements actuators_of(const FileNode& transmission, const std::string& joint, const UrdfValues& values) {
+  const Elements all = transmission.elements("actuator");
   Elements with_rotor;
   std::copy_if(all.begin(), all.end(), std::back_inserter(with_rotor),
-               [&](const XMLElement* actuator) { return place_of_rotor_in(*actuator, values).has_value(); });
+               [&](const FileNode* actuator) { return place_of_rotor_in(*actuator).has_value(); });
   if (with_rotor.empty()) return all;
   if (with_rotor.size() > 1) {
     values.context().diagnostics.error(
-        values.place(*with_rotor[1]),
+        with_rotor[1]->place,
         "joint \"" + joint + "\" is driven by two actuators with a rotor each (the first is in line " +
-            std::to_string(with_rotor[0]->GetLineNum()) + ")",
+            std::to_string(with_rotor[0]->place.line) + ")",
         "keep one, or write the sum of gear_ratio^2 * rotor_inertia of both as <dynamics armature=...>");
   }
   return {with_rotor.front()};
 }
 
 // The actuators, the joints, and the transmission itself.
-Elements parts_of(const XMLElement& transmission, Elements actuators) {
-  const Elements joints = elements_in(transmission, "joint");
+Elements parts_of(const FileNode& transmission, Elements actuators) {
+  const Elements joints = transmission.elements("joint");
   actuators.insert(actuators.end(), joints.begin(), joints.end());
   actuators.push_back(&transmission);
   return actuators;
 }
 
-std::optional<Place> first_rotor_of(const XMLElement& transmission, const UrdfValues& values) {
-  for (const XMLElement* part : parts_of(transmission, elements_in(transmission, "actuator"))) {
-    if (const std::optional<Place> rotor = place_of_rotor_in(*part, values)) return rotor;
+std::optional<Place> first_rotor_of(const FileNode& transmission) {
+  for (const FileNode* part : parts_of(transmission, transmission.elements("actuator"))) {
+    if (const std::optional<Place> rotor = place_of_rotor_in(*part)) return rotor;
   }
   return std::nullopt;
 }
 
 // The name of the joint that a transmission drives, which stands in its text in some files; "" if there is none.
-std::string name_of_driven(const XMLElement& joint) {
-  const char* name = joint.Attribute("name");
-  return name != nullptr ? name : trimmed_text_of(joint);
+std::string name_of_driven(const FileNode& joint) {
+  return joint.has("name") ? joint.value("name") : trimmed_text_of(joint);
 }
 
 // Each of several motors drives each of several joints: one of them shows that it is so.
-void read_coupling(const XMLElement& transmission, const UrdfValues& values, ReflectedByJoint& all) {
-  const std::optional<Place> rotor = first_rotor_of(transmission, values);
-  for (const XMLElement* joint : elements_in(transmission, "joint")) {
+void read_coupling(const FileNode& transmission, ReflectedByJoint& all) {
+  const std::optional<Place> rotor = first_rotor_of(transmission);
+  for (const FileNode* joint : transmission.elements("joint")) {
     Reflected& reflected = all[name_of_driven(*joint)];
-    reflected.coupling = values.place(transmission);
+    reflected.coupling = transmission.place;
     if (rotor) reflected.rotor_of_coupling = rotor;
   }
 }
 
-void refuse_rotor_of_no_joint(const XMLElement& transmission, const UrdfValues& values) {
-  const std::optional<Place> rotor = first_rotor_of(transmission, values);
+void refuse_rotor_of_no_joint(const FileNode& transmission, const UrdfValues& values) {
+  const std::optional<Place> rotor = first_rotor_of(transmission);
   if (!rotor) return;
-  values.context().diagnostics.error(*rotor, named(transmission) + " has a rotor inertia and names no joint",
+  values.context().diagnostics.error(*rotor, name_in_messages(transmission) + " has a rotor inertia and names no joint",
                                      "write <joint name=\"...\"/> in it");
 }
 
-void read_transmission(const XMLElement& element, const UrdfValues& values, ReflectedByJoint& all) {
-  const Elements joints = elements_in(element, "joint");
+void read_transmission(const FileNode& element, const UrdfValues& values, ReflectedByJoint& all) {
+  const Elements joints = element.elements("joint");
   const bool is_nameless =
-      std::any_of(joints.begin(), joints.end(), [](const XMLElement* each) { return name_of_driven(*each).empty(); });
+      std::any_of(joints.begin(), joints.end(), [](const FileNode* each) { return name_of_driven(*each).empty(); });
   if (joints.empty() || is_nameless) {
     refuse_rotor_of_no_joint(element, values);
     return;
   }
   if (!is_simple(element)) {
-    read_coupling(element, values, all);
+    read_coupling(element, all);
     return;
   }
   const std::string joint = name_of_driven(*joints.front()), what = "transmission of joint \"" + joint + "\"";
   Reflected& reflected = all[joint];
-  for (const XMLElement* part : parts_of(element, actuators_of(element, joint, values))) {
+  for (const FileNode* part : parts_of(element, actuators_of(element, joint, values))) {
     read_rotor(*part, values, what, joint, reflected);
     read_reductions(*part, values, what, reflected);
   }
@@ -295,19 +289,19 @@ void report_rotors_of_nobody(const ReflectedByJoint& all, const UrdfValues& valu
 
 }  // namespace
 
-std::vector<const XMLElement*> urdf_transmissions(const XMLElement& root) {
-  Elements transmissions = elements_in(root, "transmission");
-  for (const XMLElement* control : elements_in(root, "ros2_control")) {
-    const Elements more = elements_in(*control, "transmission");
+std::vector<const FileNode*> urdf_transmissions(const FileNode& root) {
+  Elements transmissions = root.elements("transmission");
+  for (const FileNode* control : root.elements("ros2_control")) {
+    const Elements more = control->elements("transmission");
     transmissions.insert(transmissions.end(), more.begin(), more.end());
   }
   return transmissions;
 }
 
-void read_urdf_actuators(const XMLElement& root, const UrdfValues& values, Robot& robot) {
+void read_urdf_actuators(const FileNode& root, const UrdfValues& values, Robot& robot) {
   ReflectedByJoint all;
-  for (const XMLElement* element : elements_in(root, "joint")) read_joint(*element, values, all);
-  for (const XMLElement* element : urdf_transmissions(root)) read_transmission(*element, values, all);
+  for (const FileNode* element : root.elements("joint")) read_joint(*element, values, all);
+  for (const FileNode* element : urdf_transmissions(root)) read_transmission(*element, values, all);
   report_rotors_of_nobody(all, values, robot);
   for (Joint& joint : robot.joints) {
     if (const auto found = all.find(joint.name); found != all.end()) {

@@ -2,8 +2,6 @@
 // Elements of a URDF that have nothing but what is known of them.
 #pragma once
 
-#include <tinyxml2.h>
-
 #include <string>
 #include <vector>
 
@@ -12,11 +10,11 @@
 namespace flatdyn {
 
 // An error for each attribute of the element that is not one of these.
-void refuse_other_attributes(const tinyxml2::XMLElement& element, const std::string& what,
-                             const std::vector<std::string>& known, const UrdfValues& values);
+void refuse_other_attributes(const FileNode& element, const std::string& what, const std::vector<std::string>& known,
+                             const UrdfValues& values);
 
 // An error for each child of the element that is not one of these, and for a text in it.
-void refuse_children(const tinyxml2::XMLElement& element, const std::string& what,
-                     const std::vector<std::string>& known, const UrdfValues& values);
+void refuse_children(const FileNode& element, const std::string& what, const std::vector<std::string>& known,
+                     const UrdfValues& values);
 
 }  // namespace flatdyn

@@ -7,15 +7,12 @@
 #include "base/diagnostics/nearest.hpp"
 #include "robot/input/common/coupling.hpp"
 #include "robot/input/common/references.hpp"
-#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/children.hpp"
 #include "robot/input/urdf/mimics.hpp"
 
 namespace flatdyn {
 
 namespace {
-
-using tinyxml2::XMLElement;
 
 // Σ factor · position = 0, by the joints' indices.
 struct CouplingEquation {
@@ -46,17 +43,17 @@ class CouplingReader {
       joint_above_.emplace(robot.joints[j].child, static_cast<int>(j));
   }
 
-  void read(const XMLElement& root) {
+  void read(const FileNode& root) {
     for (const CouplingTags& tags : kCouplings) {
-      for (const XMLElement* element : elements_in(root, tags.element)) read_coupling(*element, tags);
+      for (const FileNode* element : root.elements(tags.element)) read_coupling(*element, tags);
     }
     for (CouplingEquation& equation : equations_) solve(equation);
     for (const auto& [joint, equation] : solved_) couple(joint, equation);
   }
 
  private:
-  void read_coupling(const XMLElement& element, const CouplingTags& tags) {
-    const std::string what = named(element);
+  void read_coupling(const FileNode& element, const CouplingTags& tags) {
+    const std::string what = name_in_messages(element);
     refuse_other_attributes(element, what, {"name", "type"}, values_);
     refuse_children(element, what, {tags.predecessor, tags.successor, tags.ratio}, values_);
     for (const char* tag : {tags.predecessor, tags.successor, tags.ratio}) check_once(element, what, tag);
@@ -74,7 +71,7 @@ class CouplingReader {
       refuse_path(element, what, before.empty() ? tags.predecessor : tags.successor);
       return;
     }
-    CouplingEquation equation{what, values_.place(element), {}, {}};
+    CouplingEquation equation{what, element.place, {}, {}};
     for (const int j : before) equation.factors[j] = *ratio;
     for (const int j : after) equation.factors[j] = -1;
     equation.preferred.assign(after.rbegin(), after.rend());
@@ -82,16 +79,16 @@ class CouplingReader {
     equations_.push_back(equation);
   }
 
-  void check_once(const XMLElement& element, const std::string& what, const char* tag) {
-    const std::vector<const XMLElement*> all = elements_in(element, tag);
+  void check_once(const FileNode& element, const std::string& what, const char* tag) {
+    const std::vector<const FileNode*> all = element.elements(tag);
     if (all.size() < 2) return;
-    diagnostics_.error(values_.place(*all[1]), what + " has two <" + tag + "> elements", "keep one");
+    diagnostics_.error(all[1]->place, what + " has two <" + tag + "> elements", "keep one");
   }
 
-  std::optional<int> link_of(const XMLElement& element, const char* tag, const std::string& what) {
-    const XMLElement* end = element.FirstChildElement(tag);
+  std::optional<int> link_of(const FileNode& element, const char* tag, const std::string& what) {
+    const FileNode* end = element.child(tag);
     if (end == nullptr) {
-      diagnostics_.error(values_.place(element), what + " has no <" + tag + ">",
+      diagnostics_.error(element.place, what + " has no <" + tag + ">",
                          std::string("write <") + tag + " link=\"...\"/>");
       return std::nullopt;
     }
@@ -99,12 +96,12 @@ class CouplingReader {
     refuse_children(*end, what + ", " + tag, {}, values_);
     const std::string name = values_.required_text(*end, "link", what + ", " + tag);
     if (name.empty()) return std::nullopt;
-    const int link = link_called(name, values_.place(*end), what + ", " + tag, robot_, diagnostics_);
+    const int link = link_called(name, end->place, what + ", " + tag, robot_, diagnostics_);
     return link < 0 ? std::nullopt : std::optional<int>(link);
   }
 
-  std::optional<Number> ratio_of(const XMLElement& element, const CouplingTags& tags, const std::string& what) {
-    const XMLElement* ratio = element.FirstChildElement(tags.ratio);
+  std::optional<Number> ratio_of(const FileNode& element, const CouplingTags& tags, const std::string& what) {
+    const FileNode* ratio = element.child(tags.ratio);
     if (ratio == nullptr) return 1;
     refuse_other_attributes(*ratio, what + ", " + tags.ratio, {"value"}, values_);
     refuse_children(*ratio, what + ", " + tags.ratio, {}, values_);
@@ -129,8 +126,8 @@ class CouplingReader {
     return way;
   }
 
-  void refuse_path(const XMLElement& element, const std::string& what, const std::string& tag) {
-    diagnostics_.error(values_.place(element),
+  void refuse_path(const FileNode& element, const std::string& what, const std::string& tag) {
+    diagnostics_.error(element.place,
                        what + ": there is no joint between its " + tag +
                            " and the nearest link that carries both links, and so no position that the ratio is about",
                        "name links of two branches; where a joint follows one below it, write <mimic joint=\"...\" "
@@ -231,28 +228,28 @@ std::optional<bool> mark_of(const std::string& text) {
 
 }  // namespace
 
-void read_urdf_marks(const XMLElement& root, const UrdfValues& values, Robot& robot) {
+void read_urdf_marks(const FileNode& root, const UrdfValues& values, Robot& robot) {
   std::size_t j = 0;
-  for (const XMLElement* element : elements_in(root, "joint")) {
+  for (const FileNode* element : root.elements("joint")) {
     Joint& joint = robot.joints[j++];
-    for (const tinyxml2::XMLAttribute* a = element->FirstAttribute(); a != nullptr; a = a->Next()) {
+    for (const FileAttribute& a : element->attributes) {
       const std::string what = "joint \"" + joint.name + "\"";
-      const std::string name = a->Name();
+      const std::string name = a.name;
       if (name == "independent") {
-        joint.independent = mark_of(a->Value());
+        joint.independent = mark_of(a.text);
         if (joint.independent) continue;
-        values.context().diagnostics.error(values.place(*element),
-                                           what + ", independent: \"" + a->Value() + "\" is neither true nor false",
+        values.context().diagnostics.error(element->place,
+                                           what + ", independent: \"" + a.text + "\" is neither true nor false",
                                            "write independent=\"false\" if it follows other joints");
       } else if (const std::string hint = hint_for_unknown(name, {"independent"}, "attributes");
                  hint.starts_with("did you mean")) {
-        values.context().diagnostics.error(values.place(*element), what + ": unknown attribute \"" + name + "\"", hint);
+        values.context().diagnostics.error(element->place, what + ": unknown attribute \"" + name + "\"", hint);
       }
     }
   }
 }
 
-void read_urdf_couplings(const XMLElement& root, const UrdfValues& values, Robot& robot) {
+void read_urdf_couplings(const FileNode& root, const UrdfValues& values, Robot& robot) {
   CouplingReader(values, robot).read(root);
 }
 

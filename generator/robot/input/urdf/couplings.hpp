@@ -7,7 +7,7 @@
 namespace flatdyn {
 
 // The attribute `independent` of joints, Joint::independent.
-void read_urdf_marks(const tinyxml2::XMLElement& root, const UrdfValues& values, Robot& robot);
+void read_urdf_marks(const FileNode& root, const UrdfValues& values, Robot& robot);
 
 // <coupling> with <predecessor>, <successor> and <ratio>, 1 if it is left out: of the joints from the nearest common
 // ancestor to each of the two links,
@@ -15,6 +15,6 @@ void read_urdf_marks(const tinyxml2::XMLElement& root, const UrdfValues& values,
 // <joint_constraint> with <parent>, <child>, <gear_ratio> is what it was called before. All of them together are solved
 // for as many joints, which become coupled joints: those that are marked as not independent, else the last ones towards
 // the successor, which is noted. After read_urdf_marks() and read_urdf_mimics().
-void read_urdf_couplings(const tinyxml2::XMLElement& root, const UrdfValues& values, Robot& robot);
+void read_urdf_couplings(const FileNode& root, const UrdfValues& values, Robot& robot);
 
 }  // namespace flatdyn

@@ -3,19 +3,13 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
-#include <sstream>
 
-#include "robot/input/common/xml_elements.hpp"
-#include "robot/model/number.hpp"
+#include "robot/input/common/words.hpp"
 
 namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLAttribute;
-using tinyxml2::XMLElement;
-using tinyxml2::XMLNode;
 using EntryForm = UrdfEntry::Form;
 
 const std::vector<UrdfKey> kOfDynamics = {{"damping", ""},          {"friction", ""},  {"armature", ""},
@@ -90,17 +84,14 @@ std::string key_of(const UrdfElement& element, const UrdfEntry& entry) {
   return "";
 }
 
-std::vector<UrdfEntry> entries_of(const XMLElement& element) {
+std::vector<UrdfEntry> entries_of(const FileNode& element) {
   std::vector<UrdfEntry> entries;
-  for (const XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
-    entries.push_back({a->Name(), a->Value(), element.GetLineNum(), EntryForm::attribute});
+  for (const FileAttribute& a : element.attributes) {
+    entries.push_back({a.name, a.text, element.place, EntryForm::attribute});
   }
-  if (known_urdf_element(element.Name()) == nullptr) return entries;
-  for (const XMLElement* e = element.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
-    entries.push_back({e->Name(), value_of(*e), e->GetLineNum(), EntryForm::child});
-  }
-  const std::string text = text_in(element);
-  if (!words_of(text).empty()) entries.push_back({"", text, element.GetLineNum(), EntryForm::text});
+  if (known_urdf_element(element.name) == nullptr) return entries;
+  for (const FileNode& e : element.children) entries.push_back({e.name, value_of(e), e.place, EntryForm::child});
+  if (!words_of(element.text).empty()) entries.push_back({"", element.text, element.place, EntryForm::text});
   return entries;
 }
 

@@ -3,11 +3,11 @@
 // and people write it, <axis><xyz>0 1 0</xyz></axis> and <axis>0 1 0</axis>.
 #pragma once
 
-#include <tinyxml2.h>
-
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "robot/input/common/file_node.hpp"
 
 namespace flatdyn {
 
@@ -17,7 +17,7 @@ struct UrdfEntry {
 
   std::string name;  // "" of the element's text
   std::string text;
-  int line = 0;
+  Place place = {};
   Form form = Form::attribute;
 };
 
@@ -52,7 +52,7 @@ bool has_key(const UrdfElement& element, std::string_view name);
 std::string key_of(const UrdfElement& element, const UrdfEntry& entry);
 
 // Attributes, children and text of the element, in this order; of elements that are not known, attributes only.
-std::vector<UrdfEntry> entries_of(const tinyxml2::XMLElement& element);
+std::vector<UrdfEntry> entries_of(const FileNode& element);
 
 // Whether the name is one of another program's: "drake:gear_ratio".
 inline bool has_namespace(std::string_view name) { return name.find(':') != std::string_view::npos; }

@@ -7,15 +7,12 @@
 #include "base/diagnostics/nearest.hpp"
 #include "robot/input/common/references.hpp"
 #include "robot/input/common/words.hpp"
-#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/children.hpp"
 #include "robot/model/rational_rotation.hpp"
 
 namespace flatdyn {
 
 namespace {
-
-using tinyxml2::XMLElement;
 
 enum class Cut { point, axis, unsupported, unknown };
 
@@ -58,28 +55,28 @@ class LoopReader {
   LoopReader(const UrdfValues& values, Robot& robot)
       : values_(values), diagnostics_(values.context().diagnostics), robot_(robot) {}
 
-  void read(const XMLElement& root) {
-    for (const XMLElement* element : elements_in(root)) {
-      const std::string_view name = element->Name();
-      if (name == "loop" || name == "loop_joint" || name == "constraint") read_typed(*element);
-      if (name == "loop_constraint") read_loop(*element, Cut::point);
+  void read(const FileNode& root) {
+    for (const FileNode& element : root.children) {
+      const std::string& name = element.name;
+      if (name == "loop" || name == "loop_joint" || name == "constraint") read_typed(element);
+      if (name == "loop_constraint") read_loop(element, Cut::point);
       if (name == "mujoco") {
-        for (const XMLElement* equality : elements_in(*element, "equality")) read_equality(*equality);
+        for (const FileNode* equality : element.elements("equality")) read_equality(*equality);
       }
     }
   }
 
  private:
-  void read_typed(const XMLElement& element) {
-    const std::string what = named(element);
+  void read_typed(const FileNode& element) {
+    const std::string what = name_in_messages(element);
     const std::string type = values_.required_text(element, "type", what);
     if (type.empty()) return;
     const Cut cut = cut_of(type);
     if (cut == Cut::unknown) {
-      diagnostics_.error(values_.place(element), what + ": unknown type \"" + type + "\"",
+      diagnostics_.error(element.place, what + ": unknown type \"" + type + "\"",
                          hint_for_unknown(type, {"revolute", "continuous", "spherical", "ball"}, "types"));
     } else if (cut == Cut::unsupported) {
-      diagnostics_.unsupported(values_.place(element), what + ": type \"" + type + "\" is not supported yet",
+      diagnostics_.unsupported(element.place, what + ": type \"" + type + "\" is not supported yet",
                                "cut the loop at a joint of type \"revolute\" or \"spherical\"");
     } else {
       read_loop(element, cut);
@@ -87,9 +84,9 @@ class LoopReader {
   }
 
   // <loop_joint> is Drake's, with the point of each end in <link1 link xyz rpy> and <link2>.
-  static std::array<EndTags, 2> tags_of(const XMLElement& element) {
-    const std::string_view name = element.Name();
-    const auto has = [&element](const char* tag) { return element.FirstChildElement(tag) != nullptr; };
+  static std::array<EndTags, 2> tags_of(const FileNode& element) {
+    const std::string& name = element.name;
+    const auto has = [&element](const char* tag) { return element.child(tag) != nullptr; };
     if (name == "loop_joint" && !has("predecessor") && !has("parent")) return {EndTags("link1"), EndTags("link2")};
     const bool is_plus = name == "loop" || has("predecessor");
     return {EndTags(is_plus ? "predecessor" : "parent"), EndTags(is_plus ? "successor" : "child")};
@@ -98,27 +95,27 @@ class LoopReader {
   static bool has_point_in_link(const EndTags& tags) { return tags.link.starts_with("link"); }
 
   // The axis of both ends and that of one of them are the same thing twice.
-  void check_axes(const XMLElement& element, const std::string& what, const std::array<EndTags, 2>& tags) {
-    const XMLElement* common = element.FirstChildElement("axis");
+  void check_axes(const FileNode& element, const std::string& what, const std::array<EndTags, 2>& tags) {
+    const FileNode* common = element.child("axis");
     for (const EndTags& end : tags) {
-      const XMLElement* own = element.FirstChildElement(end.axis.c_str());
+      const FileNode* own = element.child(end.axis);
       if (common == nullptr || own == nullptr) continue;
       const auto axis = values_.text(*common, "xyz", what), other = values_.text(*own, "xyz", what);
       if (axis && other && are_equivalent_texts(axis->text, other->text)) continue;
-      diagnostics_.error(values_.place(*own), what + " has both <axis> and <" + end.axis + ">, which differ",
+      diagnostics_.error(own->place, what + " has both <axis> and <" + end.axis + ">, which differ",
                          "keep the one that is right");
     }
   }
 
-  void read_loop(const XMLElement& element, Cut cut) {
+  void read_loop(const FileNode& element, Cut cut) {
     const std::array<EndTags, 2> tags = tags_of(element);
-    const std::string what = named(element);
+    const std::string what = name_in_messages(element);
     refuse_other_attributes(element, what, {"name", "type"}, values_);
     check_children(element, what, tags);
     check_axes(element, what, tags);
     Loop loop;
-    loop.place = values_.place(element);
-    if (const char* name = element.Attribute("name")) loop.name = name;
+    loop.place = element.place;
+    loop.name = element.value("name");
     loop.is_marked = true;
     std::array<Vec3, 2> axes;
     bool complete = true;
@@ -140,29 +137,29 @@ class LoopReader {
   }
 
   // The point and the axes of an end: <origin> in it, or next to it.
-  Pose frame_of(const XMLElement& element, const std::string& what, const EndTags& tags) {
-    const XMLElement* end = element.FirstChildElement(tags.link.c_str());
-    const XMLElement* beside = element.FirstChildElement(tags.origin.c_str());
-    if (end != nullptr && has_point_in_link(tags)) return values_.origin(element, what, tags.link.c_str());
-    if (end != nullptr && end->FirstChildElement("origin") != nullptr) {
+  Pose frame_of(const FileNode& element, const std::string& what, const EndTags& tags) {
+    const FileNode* end = element.child(tags.link);
+    const FileNode* beside = element.child(tags.origin);
+    if (end != nullptr && has_point_in_link(tags)) return values_.origin(element, what, tags.link);
+    if (end != nullptr && end->child("origin") != nullptr) {
       if (beside != nullptr) {
-        diagnostics_.error(values_.place(*beside),
+        diagnostics_.error(beside->place,
                            what + " has both <" + tags.origin + "> and an <origin> in <" + tags.link + ">", "keep one");
       }
-      refuse_other_attributes(*end->FirstChildElement("origin"), what + ", " + tags.link + ", origin",
-                              {"xyz", "rpy", "quat_xyzw"}, values_);
+      refuse_other_attributes(*end->child("origin"), what + ", " + tags.link + ", origin", {"xyz", "rpy", "quat_xyzw"},
+                              values_);
       return values_.origin(*end, what + ", " + tags.link);
     }
     if (beside != nullptr) {
       refuse_other_attributes(*beside, what + ", " + tags.origin, {"xyz", "rpy", "quat_xyzw"}, values_);
     }
-    return values_.origin(element, what, tags.origin.c_str());
+    return values_.origin(element, what, tags.origin);
   }
 
   // The first of these elements that is there; URDF's default of axes is 1 0 0.
-  Vec3 axis_of(const XMLElement& element, const std::string& what, const std::vector<std::string>& tags) {
+  Vec3 axis_of(const FileNode& element, const std::string& what, const std::vector<std::string>& tags) {
     for (const std::string& tag : tags) {
-      const XMLElement* axis = element.FirstChildElement(tag.c_str());
+      const FileNode* axis = element.child(tag);
       if (axis == nullptr) continue;
       refuse_other_attributes(*axis, what + ", " + tag, {"xyz"}, values_);
       values_.required_text(*axis, "xyz", what + ", " + tag);
@@ -171,52 +168,52 @@ class LoopReader {
     return {1, 0, 0};
   }
 
-  bool read_end(const XMLElement& element, const std::string& what, const EndTags& tags, Reference& link) {
-    const XMLElement* end = element.FirstChildElement(tags.link.c_str());
+  bool read_end(const FileNode& element, const std::string& what, const EndTags& tags, Reference& link) {
+    const FileNode* end = element.child(tags.link);
     if (end == nullptr) {
-      diagnostics_.error(values_.place(element), what + " has no <" + tags.link + ">",
+      diagnostics_.error(element.place, what + " has no <" + tags.link + ">",
                          "write <" + tags.link + " link=\"...\"/>");
       return false;
     }
     const std::string where = what + ", " + tags.link;
     const bool has_point = has_point_in_link(tags);
     refuse_children(*end, where, has_point ? std::vector<std::string>{} : std::vector<std::string>{"origin"}, values_);
-    if (elements_in(*end, "origin").size() > 1) {
-      diagnostics_.error(values_.place(*end), where + " has two <origin> elements", "keep one");
+    if (end->elements("origin").size() > 1) {
+      diagnostics_.error(end->place, where + " has two <origin> elements", "keep one");
     }
     refuse_other_attributes(
         *end, where,
         has_point ? std::vector<std::string>{"link", "xyz", "rpy", "quat_xyzw"} : std::vector<std::string>{"link"},
         values_);
-    link = {values_.required_text(*end, "link", where), values_.place(*end)};
+    link = {values_.required_text(*end, "link", where), end->place};
     return !link.name.empty() && link_called(link.name, link.place, where, robot_, diagnostics_) >= 0;
   }
 
-  void check_children(const XMLElement& element, const std::string& what, const std::array<EndTags, 2>& tags) {
+  void check_children(const FileNode& element, const std::string& what, const std::array<EndTags, 2>& tags) {
     std::vector<std::string> known = {"axis"};
     for (const EndTags& end : tags) known.insert(known.end(), {end.link, end.origin, end.axis});
-    for (const XMLElement* child : elements_in(element)) {
-      const std::string_view name = child->Name();
+    for (const FileNode& child : element.children) {
+      const std::string& name = child.name;
       if (name == "dynamics") {
-        refuse_friction(*child, what);
+        refuse_friction(child, what);
       } else if (name != "limit") {  // of the joint that is cut: nothing follows from them
-        refuse_unless_known(*child, what, known);
+        refuse_unless_known(child, what, known);
       }
     }
     for (const std::string& tag : known) {
-      const std::vector<const XMLElement*> all = elements_in(element, tag.c_str());
+      const std::vector<const FileNode*> all = element.elements(tag);
       if (all.size() < 2) continue;
-      diagnostics_.error(values_.place(*all[1]), what + " has two <" + tag + "> elements", "keep one");
+      diagnostics_.error(all[1]->place, what + " has two <" + tag + "> elements", "keep one");
     }
   }
 
-  void refuse_unless_known(const XMLElement& child, const std::string& what, const std::vector<std::string>& known) {
-    if (std::find(known.begin(), known.end(), child.Name()) != known.end()) return;
-    diagnostics_.error(values_.place(child), what + ": unknown element <" + child.Name() + ">",
-                       hint_for_unknown(child.Name(), known, "elements"));
+  void refuse_unless_known(const FileNode& child, const std::string& what, const std::vector<std::string>& known) {
+    if (std::find(known.begin(), known.end(), child.name) != known.end()) return;
+    diagnostics_.error(child.place, what + ": unknown element <" + child.name + ">",
+                       hint_for_unknown(child.name, known, "elements"));
   }
 
-  void refuse_friction(const XMLElement& dynamics, const std::string& what) {
+  void refuse_friction(const FileNode& dynamics, const std::string& what) {
     for (const std::string& key : key_names_of(*known_urdf_element("dynamics"))) {
       const auto value = values_.number(dynamics, key.c_str(), what + ", dynamics");
       if (!value || vanishes(value->number)) continue;
@@ -227,33 +224,30 @@ class LoopReader {
     }
   }
 
-  void read_equality(const XMLElement& equality) {
-    for (const XMLElement* element : elements_in(equality)) {
-      const std::string_view name = element->Name();
-      const char* active = element->Attribute("active");
-      if (name == "joint" || (active != nullptr && std::string_view(active) == "false")) continue;
-      if (name == "connect" && element->Attribute("body1") != nullptr) {
-        read_connect(*element);
+  void read_equality(const FileNode& equality) {
+    for (const FileNode& element : equality.children) {
+      const std::string& name = element.name;
+      if (name == "joint" || element.value("active") == "false") continue;
+      if (name == "connect" && element.has("body1")) {
+        read_connect(element);
       } else {
-        diagnostics_.unsupported(values_.place(*element),
-                                 "mujoco, equality: <" + std::string(name) + "> is not supported yet",
+        diagnostics_.unsupported(element.place, "mujoco, equality: <" + std::string(name) + "> is not supported yet",
                                  "supported: <joint> with a linear polycoef, <connect body1 body2 anchor>");
       }
     }
   }
 
   // The second body is the world if it is left out.
-  void read_connect(const XMLElement& element) {
-    const std::string what = "mujoco, equality, " + named(element);
+  void read_connect(const FileNode& element) {
+    const std::string what = "mujoco, equality, " + name_in_messages(element);
     refuse_other_attributes(element, what, {"name", "class", "active", "body1", "body2", "anchor", "solref", "solimp"},
                             values_);
     Loop loop;
-    loop.place = values_.place(element);
-    if (const char* name = element.Attribute("name")) loop.name = name;
+    loop.place = element.place;
+    loop.name = element.value("name");
     loop.is_marked = loop.meets_at_zero = true;
-    const char* second = element.Attribute("body2");
-    loop.links = {Reference{element.Attribute("body1"), loop.place},
-                  Reference{second == nullptr ? root_link() : second, loop.place}};
+    loop.links = {Reference{element.value("body1"), loop.place},
+                  Reference{element.has("body2") ? element.value("body2") : root_link(), loop.place}};
     values_.required_text(element, "anchor", what);
     loop.points[0] = values_.vector(element, "anchor", what).value_or(zero_vector());
     for (const Reference& link : loop.links) {
@@ -278,7 +272,7 @@ class LoopReader {
 
 }  // namespace
 
-void read_urdf_loops(const XMLElement& root, const UrdfValues& values, Robot& robot) {
+void read_urdf_loops(const FileNode& root, const UrdfValues& values, Robot& robot) {
   LoopReader(values, robot).read(root);
 }
 

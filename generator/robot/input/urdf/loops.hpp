@@ -10,6 +10,6 @@ namespace flatdyn {
 // ball joint; <equality><connect> of an embedded <mujoco>, closed where the joints are at 0. Types: a point on a point
 // (spherical, ball, position), an axis on an axis (revolute, continuous). Others are unsupported. Which joints follow
 // from the others is found from their marks, see robot/model/dependent_joints.hpp.
-void read_urdf_loops(const tinyxml2::XMLElement& root, const UrdfValues& values, Robot& robot);
+void read_urdf_loops(const FileNode& root, const UrdfValues& values, Robot& robot);
 
 }  // namespace flatdyn

@@ -10,14 +10,11 @@
 #include "robot/input/common/references.hpp"
 #include "robot/input/common/spelling.hpp"
 #include "robot/input/common/words.hpp"
-#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/children.hpp"
 
 namespace flatdyn {
 
 namespace {
-
-using tinyxml2::XMLElement;
 
 constexpr const char* kMimicHint =
     "write <mimic joint=\"...\" multiplier=\"...\" offset=\"...\"/> in the joint that follows";
@@ -36,16 +33,14 @@ struct MimicWords {
   MimicNumber multiplier, offset;
 };
 
-bool says_mimic(const char* text) { return text != nullptr && folded_name(text).find("mimic") != std::string::npos; }
+bool says_mimic(const std::string& text) { return folded_name(text).find("mimic") != std::string::npos; }
 
 // By its name or file, or by what it has instead of <mimicJoint>: <mimic_joint>, <follow joint="...">.
-bool is_called_mimic(const XMLElement& plugin) {
-  const std::vector<const XMLElement*> children = elements_in(plugin);
-  return says_mimic(plugin.Attribute("name")) || says_mimic(plugin.Attribute("filename")) ||
-         std::any_of(children.begin(), children.end(), [](const XMLElement* child) {
-           const std::string name = joined_name(child->Name());
-           return name.find("mimic") != std::string::npos ||
-                  (name.starts_with("follow") && child->Attribute("joint") != nullptr);
+bool is_called_mimic(const FileNode& plugin) {
+  return says_mimic(plugin.value("name")) || says_mimic(plugin.value("filename")) ||
+         std::any_of(plugin.children.begin(), plugin.children.end(), [](const FileNode& child) {
+           const std::string name = joined_name(child.name);
+           return name.find("mimic") != std::string::npos || (name.starts_with("follow") && child.has("joint"));
          });
 }
 
@@ -66,34 +61,34 @@ class MimicReader {
   MimicReader(const std::set<std::string>& floating, const UrdfValues& values, Robot& robot)
       : floating_(floating), values_(values), diagnostics_(values.context().diagnostics), robot_(robot) {}
 
-  void read(const XMLElement& root) {
+  void read(const FileNode& root) {
     std::size_t j = 0;
-    for (const XMLElement* joint : elements_in(root, "joint")) read_joint(*joint, robot_.joints[j++]);
-    for (const XMLElement* element : elements_in(root)) {
-      const std::string_view name = element->Name();
-      if (name == "gazebo") read_gazebo(*element);
-      if (name == "plugin") read_plugin(*element);
-      if (name == "mujoco") read_mujoco(*element);
+    for (const FileNode* joint : root.elements("joint")) read_joint(*joint, robot_.joints[j++]);
+    for (const FileNode& element : root.children) {
+      const std::string& name = element.name;
+      if (name == "gazebo") read_gazebo(element);
+      if (name == "plugin") read_plugin(element);
+      if (name == "mujoco") read_mujoco(element);
     }
-    for (const XMLElement* control : elements_in(root, "ros2_control")) {
-      for (const XMLElement* joint : elements_in(*control, "joint")) read_controlled(*joint);
+    for (const FileNode* control : root.elements("ros2_control")) {
+      for (const FileNode* joint : control->elements("joint")) read_controlled(*joint);
     }
   }
 
  private:
   // Drake writes its own tag where other readers of the file are not to see the coupling.
-  void read_joint(const XMLElement& element, Joint& joint) {
+  void read_joint(const FileNode& element, Joint& joint) {
     for (const char* tag : {"mimic", "drake:mimic"}) {
-      const XMLElement* mimic = element.FirstChildElement(tag);
+      const FileNode* mimic = element.child(tag);
       if (mimic == nullptr) continue;
       if (joint.type == JointType::fixed) {
-        note_still(joint, {"joint \"" + joint.name + "\", " + tag, values_.place(*mimic), "", {}, {}});
+        note_still(joint, {"joint \"" + joint.name + "\", " + tag, mimic->place, "", {}, {}});
         continue;
       }
       const std::string where = "joint \"" + joint.name + "\", " + tag;
       const std::string leader = values_.required_text(*mimic, "joint", where);
       if (!leader.empty())
-        follow(joint, {where, values_.place(*mimic), leader, attribute(*mimic, "multiplier", where),
+        follow(joint, {where, mimic->place, leader, attribute(*mimic, "multiplier", where),
                        attribute(*mimic, "offset", where)});
     }
   }
@@ -112,24 +107,24 @@ class MimicReader {
                       "give it the type by which it moves, or delete the mimic", "mimics of joints that are fixed");
   }
 
-  MimicNumber attribute(const XMLElement& element, const char* name, const std::string& where) const {
+  MimicNumber attribute(const FileNode& element, const char* name, const std::string& where) const {
     const std::optional<UrdfText> written = values_.text(element, name, where);
     return written ? MimicNumber{written->text, written->spot} : MimicNumber{};
   }
 
   // The text of a child.
-  MimicNumber child(const XMLElement& parent, const char* name, const std::string& where) const {
-    const XMLElement* element = parent.FirstChildElement(name);
+  MimicNumber child(const FileNode& parent, const char* name, const std::string& where) const {
+    const FileNode* element = parent.child(name);
     if (element == nullptr) return {};
-    for (const XMLElement* other : elements_in(parent, name)) check_same(*element, *other, where + ", " + name);
+    for (const FileNode* other : parent.elements(name)) check_same(*element, *other, where + ", " + name);
     refuse_other_attributes(*element, where + ", " + name, {}, values_);
-    return {element->GetText() == nullptr ? "" : element->GetText(), {values_.place(*element), where + ", " + name}};
+    return {element->text, {element->place, where + ", " + name}};
   }
 
-  void check_same(const XMLElement& first, const XMLElement& other, const std::string& what) const {
+  void check_same(const FileNode& first, const FileNode& other, const std::string& what) const {
     const std::string text = trimmed_text_of(first), another = trimmed_text_of(other);
     if (are_equivalent_texts(text, another)) return;
-    diagnostics_.error(values_.place(other), what + " is given twice, as " + text + " and as " + another,
+    diagnostics_.error(other.place, what + " is given twice, as " + text + " and as " + another,
                        "keep the one that is right");
   }
 
@@ -169,71 +164,69 @@ class MimicReader {
     }
   }
 
-  void read_gazebo(const XMLElement& gazebo) {
-    for (const XMLElement* plugin : elements_in(gazebo, "plugin")) read_plugin(*plugin);
-    const XMLElement* axis = gazebo.FirstChildElement("axis");
-    const XMLElement* mimic = axis != nullptr ? axis->FirstChildElement("mimic") : gazebo.FirstChildElement("mimic");
+  void read_gazebo(const FileNode& gazebo) {
+    for (const FileNode* plugin : gazebo.elements("plugin")) read_plugin(*plugin);
+    const FileNode* axis = gazebo.child("axis");
+    const FileNode* mimic = axis != nullptr ? axis->child("mimic") : gazebo.child("mimic");
     if (mimic != nullptr) refuse_form(*mimic, "mimic in <gazebo>");
-    for (const XMLElement* model : elements_in(gazebo, "model")) read_gazebo(*model);
+    for (const FileNode* model : gazebo.elements("model")) read_gazebo(*model);
   }
 
-  void read_plugin(const XMLElement& plugin) {
-    const std::string what = named(plugin) + " in <gazebo>";
-    const std::vector<const XMLElement*> followers = elements_in(plugin, "mimicJoint");
-    const XMLElement* leader = plugin.FirstChildElement("joint");
-    if (leader == nullptr) leader = plugin.FirstChildElement("jointName");
-    if (followers.size() == 1 && followers[0]->FirstChildElement() == nullptr && leader != nullptr) {
+  void read_plugin(const FileNode& plugin) {
+    const std::string what = name_in_messages(plugin) + " in <gazebo>";
+    const std::vector<const FileNode*> followers = plugin.elements("mimicJoint");
+    const FileNode* leader = plugin.child("joint");
+    if (leader == nullptr) leader = plugin.child("jointName");
+    if (followers.size() == 1 && followers[0]->children.empty() && leader != nullptr) {
       check_words_of_plugin(plugin, what);
       follow_by_name(trimmed_text_of(*followers[0]),
-                     {what, values_.place(*followers[0]), trimmed_text_of(*leader), child(plugin, "multiplier", what),
+                     {what, followers[0]->place, trimmed_text_of(*leader), child(plugin, "multiplier", what),
                       child(plugin, "offset", what)});
-    } else if (!followers.empty() || (is_called_mimic(plugin) && plugin.FirstChildElement() != nullptr)) {
+    } else if (!followers.empty() || (is_called_mimic(plugin) && !plugin.children.empty())) {
       refuse_form(plugin, what);
     }
   }
 
-  void check_words_of_plugin(const XMLElement& plugin, const std::string& what) {
-    for (const XMLElement* child : elements_in(plugin)) {
-      const std::string name = child->Name();
+  void check_words_of_plugin(const FileNode& plugin, const std::string& what) {
+    for (const FileNode& child : plugin.children) {
+      const std::string& name = child.name;
       if (may_be_number_of_mimic(name)) {
-        diagnostics_.error(values_.place(*child), what + ": unknown element <" + name + ">",
+        diagnostics_.error(child.place, what + ": unknown element <" + name + ">",
                            hint_for_unknown(name, kNumbersOfMimics, "elements"));
       }
       if (name == "joint" || name == "jointName" || name == "mimicJoint") {
-        refuse_other_attributes(*child, what + ", " + name, {}, values_);
+        refuse_other_attributes(child, what + ", " + name, {}, values_);
       }
     }
   }
 
-  void refuse_form(const XMLElement& element, const std::string& what) {
-    diagnostics_.unsupported(values_.place(element),
-                             what + ": it lets joints follow others in a form that is not known", kMimicHint);
+  void refuse_form(const FileNode& element, const std::string& what) {
+    diagnostics_.unsupported(element.place, what + ": it lets joints follow others in a form that is not known",
+                             kMimicHint);
   }
 
   // <param name="mimic">leader</param>. The attribute `mimic` says whether <mimic> in the joint counts.
-  void read_controlled(const XMLElement& element) {
-    const std::string follower = element.Attribute("name") == nullptr ? "" : element.Attribute("name");
+  void read_controlled(const FileNode& element) {
+    const std::string follower = element.value("name");
     const std::string what = "ros2_control, joint \"" + follower + "\"";
-    std::map<std::string, const XMLElement*> parameters;
-    for (const XMLElement* parameter : elements_in(element, "param")) {
-      const char* name = parameter->Attribute("name");
-      if (name == nullptr) continue;
-      const XMLElement* first = parameters.emplace(name, parameter).first->second;
+    std::map<std::string, const FileNode*> parameters;
+    for (const FileNode* parameter : element.elements("param")) {
+      if (!parameter->has("name")) continue;
+      const std::string name = parameter->value("name");
+      const FileNode* first = parameters.emplace(name, parameter).first->second;
       if (is_word_of_mimic(name)) check_same(*first, *parameter, what + ", " + name);
     }
     check_parameters(parameters, what);
     for (const char* tag : {"mimic", "drake:mimic"}) {
-      if (const XMLElement* mimic = element.FirstChildElement(tag)) refuse_form(*mimic, what + ", <mimic>");
+      if (const FileNode* mimic = element.child(tag)) refuse_form(*mimic, what + ", <mimic>");
     }
     const auto number = [&](const char* name) {
       const auto found = parameters.find(name);
-      return found == parameters.end()
-                 ? MimicNumber()
-                 : MimicNumber{found->second->GetText() == nullptr ? "" : found->second->GetText(),
-                               {values_.place(*found->second), what + ", " + name}};
+      return found == parameters.end() ? MimicNumber()
+                                       : MimicNumber{found->second->text, {found->second->place, what + ", " + name}};
     };
     if (const auto mimic = parameters.find("mimic"); mimic != parameters.end()) {
-      follow_by_name(follower, {what + ", mimic", values_.place(*mimic->second), trimmed_text_of(*mimic->second),
+      follow_by_name(follower, {what + ", mimic", mimic->second->place, trimmed_text_of(*mimic->second),
                                 number("multiplier"), number("offset")});
     }
     note_mark(element, follower, what);
@@ -244,56 +237,53 @@ class MimicReader {
   }
 
   // Names that may be meant for those that are read; drivers have parameters called offset and ratio of their own.
-  void check_parameters(const std::map<std::string, const XMLElement*>& parameters, const std::string& what) {
+  void check_parameters(const std::map<std::string, const FileNode*>& parameters, const std::string& what) {
     const bool mimics = parameters.contains("mimic");
     for (const auto& [name, parameter] : parameters) {
       if (is_word_of_mimic(name)) continue;
       const std::string hint = hint_for_unknown(name, {"mimic", "multiplier", "offset"}, "parameters");
       const bool is_mimic = joined_name(name).starts_with("mimic") || hint == "did you mean \"mimic\"?";
       if (!is_mimic && !(mimics && may_be_number_of_mimic(name))) continue;
-      diagnostics_.error(values_.place(*parameter), what + ": unknown parameter \"" + name + "\"", hint);
+      diagnostics_.error(parameter->place, what + ": unknown parameter \"" + name + "\"", hint);
     }
   }
 
-  void note_mark(const XMLElement& element, const std::string& follower, const std::string& what) {
-    const char* mark = element.Attribute("mimic");
+  void note_mark(const FileNode& element, const std::string& follower, const std::string& what) {
+    const std::string mark = element.value("mimic");
     const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(),
                                     [&follower](const Joint& each) { return each.name == follower; });
-    if (mark == nullptr || joint == robot_.joints.end() || joint->type == JointType::fixed) return;
-    if (std::string_view(mark) == "true" && !joint->coupled) {
-      diagnostics_.error(values_.place(element), what + ": mimic=\"true\", and nothing says which joint it follows",
-                         kMimicHint);
-    } else if (std::string_view(mark) == "false" && joint->coupled) {
-      diagnostics_.note(values_.place(element),
+    if (mark.empty() || joint == robot_.joints.end() || joint->type == JointType::fixed) return;
+    if (mark == "true" && !joint->coupled) {
+      diagnostics_.error(element.place, what + ": mimic=\"true\", and nothing says which joint it follows", kMimicHint);
+    } else if (mark == "false" && joint->coupled) {
+      diagnostics_.note(element.place,
                         what + ": mimic=\"false\" is left out: the joint follows \"" +
                             joint->coupled->terms.front().joint.name + "\"",
                         "delete what couples the joint if it moves by itself", "marks of ros2_control left out");
     }
   }
 
-  void read_mujoco(const XMLElement& mujoco) {
-    for (const XMLElement* equality : elements_in(mujoco, "equality")) {
-      for (const XMLElement* joint : elements_in(*equality, "joint")) {
-        const char* active = joint->Attribute("active");
-        if (active == nullptr || std::string_view(active) != "false") read_equality(*joint);
+  void read_mujoco(const FileNode& mujoco) {
+    for (const FileNode* equality : mujoco.elements("equality")) {
+      for (const FileNode* joint : equality->elements("joint")) {
+        if (joint->value("active") != "false") read_equality(*joint);
       }
     }
   }
 
   // joint1 = a0 + a1 joint2 + a2 joint2² + ..., of positions that are 0 where the model starts.
-  void read_equality(const XMLElement& element) {
-    const std::string what = "mujoco, equality, " + named(element);
-    const Place place = values_.place(element);
+  void read_equality(const FileNode& element) {
+    const std::string what = "mujoco, equality, " + name_in_messages(element);
+    const Place place = element.place;
     refuse_other_attributes(element, what,
                             {"name", "class", "active", "joint1", "joint2", "polycoef", "solref", "solimp"}, values_);
     const std::string follower = values_.required_text(element, "joint1", what);
-    const char* leader = element.Attribute("joint2");
-    if (leader == nullptr) {
+    if (!element.has("joint2")) {
       diagnostics_.unsupported(place, what + ": it holds \"" + follower + "\" still, which is not supported here",
                                "make the joint type=\"fixed\", or give the option --fix " + follower);
       return;
     }
-    std::istringstream stream(element.Attribute("polycoef") == nullptr ? "" : element.Attribute("polycoef"));
+    std::istringstream stream(element.value("polycoef"));
     std::vector<std::string> coefficients = {"0", "1"};
     std::string word;
     for (std::size_t k = 0; stream >> word; ++k) {
@@ -310,7 +300,7 @@ class MimicReader {
           "write polycoef=\"A B 0 0 0\", or leave it out and the joint as it is");
       return;
     }
-    follow_by_name(follower, {what, place, leader, {coefficients[1].c_str(), spot}, {coefficients[0].c_str(), spot}});
+    follow_by_name(follower, {what, place, element.value("joint2"), {coefficients[1], spot}, {coefficients[0], spot}});
   }
 
   const std::set<std::string>& floating_;
@@ -321,7 +311,7 @@ class MimicReader {
 
 }  // namespace
 
-void read_urdf_mimics(const XMLElement& root, const std::set<std::string>& floating, const UrdfValues& values,
+void read_urdf_mimics(const FileNode& root, const std::set<std::string>& floating, const UrdfValues& values,
                       Robot& robot) {
   MimicReader(floating, values, robot).read(root);
 }

@@ -13,7 +13,7 @@ namespace flatdyn {
 // <param name="mimic"> of ros2_control; <equality><joint> of an embedded <mujoco>. They become coupled joints.
 // Two that say the same of a joint are fine, two that differ are an error; forms that are not known are unsupported,
 // and so are those with `floating` joints, which have no single position.
-void read_urdf_mimics(const tinyxml2::XMLElement& root, const std::set<std::string>& floating, const UrdfValues& values,
+void read_urdf_mimics(const FileNode& root, const std::set<std::string>& floating, const UrdfValues& values,
                       Robot& robot);
 
 }  // namespace flatdyn

@@ -8,7 +8,6 @@
 
 #include "base/diagnostics/nearest.hpp"
 #include "robot/input/common/spelling.hpp"
-#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/actuators.hpp"
 #include "robot/input/urdf/children.hpp"
 #include "robot/input/urdf/unknown.hpp"
@@ -19,7 +18,6 @@ namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLElement;
 using Names = std::vector<std::string>;
 
 const Names kOfRobot = {
@@ -58,17 +56,16 @@ Names both(Names names, const Names& more) {
 bool is_reduction(std::string_view name) { return words_of_name(name).back() == "reduction"; }
 
 // Whether an element or attribute is the inertia of a rotor.
-bool holds_rotor(const XMLElement& element) {
-  const auto is_rotor = [](const char* name) {
+bool holds_rotor(const FileNode& element) {
+  const auto is_rotor = [](const std::string& name) {
     const std::vector<std::string> words = words_of_name(name);
     return words == Names{"rotor", "inertia"} || words == Names{"motor", "inertia"};
   };
-  if (is_rotor(element.Name())) return true;
-  for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
-    if (is_rotor(a->Name())) return true;
+  if (is_rotor(element.name)) return true;
+  for (const FileAttribute& a : element.attributes) {
+    if (is_rotor(a.name)) return true;
   }
-  const std::vector<const XMLElement*> children = elements_in(element);
-  return std::any_of(children.begin(), children.end(), [](const XMLElement* child) { return holds_rotor(*child); });
+  return std::any_of(element.children.begin(), element.children.end(), holds_rotor);
 }
 
 class NameChecker {
@@ -76,37 +73,34 @@ class NameChecker {
   explicit NameChecker(const UrdfValues& values)
       : values_(values), diagnostics_(values.context().diagnostics), unknown_(values), unread_(values) {}
 
-  void check_robot(const XMLElement& root) {
+  void check_robot(const FileNode& root) {
     has_rotor_ = holds_rotor(root);
     Names irrelevant = kIrrelevantInRobot;
-    for (const XMLElement* element : elements_in(root)) {
-      const std::string_view name = element->Name();
+    for (const FileNode& element : root.children) {
+      const std::string& name = element.name;
       if (is_unsupported_element(name)) irrelevant.emplace_back(name);
-      if (name == "link") check_link(*element);
-      if (name == "joint") check_joint(*element);
+      if (name == "link") check_link(element);
+      if (name == "joint") check_joint(element);
     }
     unread_.check(root, "robot", {kOfRobot, irrelevant});
-    for (const XMLElement* transmission : urdf_transmissions(root)) check_transmission(*transmission);
+    for (const FileNode* transmission : urdf_transmissions(root)) check_transmission(*transmission);
   }
 
  private:
-  static std::string what(const XMLElement& element) {
-    const char* name = element.Attribute("name");
-    return std::string(element.Name()) + " \"" + (name == nullptr ? "" : name) + "\"";
-  }
+  static std::string what(const FileNode& element) { return element.name + " \"" + element.value("name") + "\""; }
 
-  void check_link(const XMLElement& element) {
+  void check_link(const FileNode& element) {
     const std::string link = what(element);
     unread_.check(element, link, {kOfLink, kIrrelevantInLink});
     check_once(element, link, kOfLink);
     unknown_.check_misplaced(element, link);
     for (const char* tag : {"visual", "collision"}) {
-      for (const XMLElement* shape : elements_in(element, tag)) unread_.check_bodies_in(*shape, link);
+      for (const FileNode* shape : element.elements(tag)) unread_.check_bodies_in(*shape, link);
     }
-    for (const XMLElement* contact : elements_in(element, "contact")) {
-      if (const XMLElement* scaling = contact->FirstChildElement("inertia_scaling")) unread_.note(*scaling, link);
+    for (const FileNode* contact : element.elements("contact")) {
+      if (const FileNode* scaling = contact->child("inertia_scaling")) unread_.note(*scaling, link);
     }
-    const XMLElement* inertial = element.FirstChildElement("inertial");
+    const FileNode* inertial = element.child("inertial");
     if (inertial == nullptr) return;
     unread_.check(*inertial, link + ", inertial", {kOfInertial, {}});
     check_values(*inertial, link + ", inertial", kOfInertial);
@@ -114,65 +108,61 @@ class NameChecker {
   }
 
   // For a joint that does not move, the numbers of its motion do not matter.
-  void check_joint(const XMLElement& element) {
+  void check_joint(const FileNode& element) {
     const std::string joint = what(element);
-    const char* type = element.Attribute("type");
-    if (type != nullptr && std::string_view(type) == "fixed") {
+    if (element.value("type") == "fixed") {
       unread_.check_spelling(element, joint, kOfEveryJoint);
       check_values(element, joint, kOfEveryJoint);
       return;
     }
-    const char* name = element.Attribute("name");
-    const bool moves = name == nullptr || !is_held(name, values_.context());
+    const bool moves = !is_held(element.value("name"), values_.context());
     unread_.check(element, joint, {both(kOfJoint, both(kOfRotor, kBesideThem)), kIrrelevantInJoint, moves});
     check_values(element, joint, both(kOfJoint, kOfRotor));
     unknown_.check_misplaced(element, joint);
     check_attributes_of_rotor(element, joint);
-    for (const XMLElement* actuator : elements_in(element, "actuator")) check_part(*actuator, joint + ", actuator");
+    for (const FileNode* actuator : element.elements("actuator")) check_part(*actuator, joint + ", actuator");
   }
 
-  void check_transmission(const XMLElement& element) {
+  void check_transmission(const FileNode& element) {
     unread_.check(element, what(element), {both(kOfTransmission, kOfRotor), kIrrelevantInActuator});
     check_attributes_of_rotor(element, what(element));
     check_values(element, what(element), kOfRotor);
-    for (const XMLElement* actuator : elements_in(element, "actuator"))
-      check_part(*actuator, what(element) + ", actuator");
-    for (const XMLElement* joint : elements_in(element, "joint")) check_part(*joint, what(element) + ", joint");
+    for (const FileNode* actuator : element.elements("actuator")) check_part(*actuator, what(element) + ", actuator");
+    for (const FileNode* joint : element.elements("joint")) check_part(*joint, what(element) + ", joint");
   }
 
-  void check_part(const XMLElement& part, const std::string& what) {
-    const bool is_joint = part.Name() == std::string_view("joint");  // may be named by its text
+  void check_part(const FileNode& part, const std::string& what) {
+    const bool is_joint = part.name == std::string_view("joint");  // may be named by its text
     unread_.check(part, what, {kOfRotor, kIrrelevantInActuator, true, is_joint});
     check_attributes_of_rotor(part, what);
     check_values(part, what, kOfRotor);
   }
 
   // A number of a rotor may stand in an attribute, under the name that an element has.
-  void check_attributes_of_rotor(const XMLElement& part, const std::string& what) {
-    for (const tinyxml2::XMLAttribute* a = part.FirstAttribute(); a != nullptr; a = a->Next()) {
-      const std::string name = a->Name();
+  void check_attributes_of_rotor(const FileNode& part, const std::string& what) {
+    for (const FileAttribute& a : part.attributes) {
+      const std::string name = a.name;
       if (std::find(kOfRotor.begin(), kOfRotor.end(), name) != kOfRotor.end()) continue;
       const std::string hint = hint_for_unknown(name, kOfRotor, "attributes");
       if (!is_rotor_name(name) && !hint.starts_with("did you mean")) continue;
-      diagnostics_.error(values_.place(part), what + ": unknown attribute \"" + name + "\"", hint);
+      diagnostics_.error(part.place, what + ": unknown attribute \"" + name + "\"", hint);
     }
   }
 
   // The children that are read, by their names: there once, with attributes that are known.
-  void check_values(const XMLElement& parent, const std::string& what, const Names& names) {
+  void check_values(const FileNode& parent, const std::string& what, const Names& names) {
     check_once(parent, what, names);
     for (const std::string& name : names) {
-      const XMLElement* child = parent.FirstChildElement(name.c_str());
+      const FileNode* child = parent.child(name);
       if (child != nullptr) unknown_.check(*child, what + ", " + name);
     }
   }
 
-  void check_once(const XMLElement& parent, const std::string& what, const Names& names) {
+  void check_once(const FileNode& parent, const std::string& what, const Names& names) {
     for (const std::string& name : names) {
-      const XMLElement* first = parent.FirstChildElement(name.c_str());
-      const XMLElement* second = first == nullptr ? nullptr : first->NextSiblingElement(name.c_str());
-      if (second == nullptr || (is_reduction(name) && !has_rotor_)) continue;
-      diagnostics_.error(values_.place(*second), what + " has two <" + name + "> elements", "keep one");
+      const std::vector<const FileNode*> all = parent.elements(name);
+      if (all.size() < 2 || (is_reduction(name) && !has_rotor_)) continue;
+      diagnostics_.error(all[1]->place, what + " has two <" + name + "> elements", "keep one");
     }
   }
 
@@ -185,6 +175,6 @@ class NameChecker {
 
 }  // namespace
 
-void check_urdf_names(const XMLElement& root, const UrdfValues& values) { NameChecker(values).check_robot(root); }
+void check_urdf_names(const FileNode& root, const UrdfValues& values) { NameChecker(values).check_robot(root); }
 
 }  // namespace flatdyn

@@ -8,6 +8,6 @@ namespace flatdyn {
 // The names of elements and attributes that the dynamics are read from. A misspelt one would be skipped and leave
 // another robot than is meant: unknown attributes of these elements, unknown elements that are called almost like one
 // of them, and elements that are there twice are errors. Names with a namespace (drake:, mujoco:) belong to others.
-void check_urdf_names(const tinyxml2::XMLElement& root, const UrdfValues& values);
+void check_urdf_names(const FileNode& root, const UrdfValues& values);
 
 }  // namespace flatdyn

@@ -25,24 +25,18 @@ namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLElement;
-
 constexpr const char* kFixHint = "hold it still: make it type=\"fixed\", or give the option --fix ";
 
 class UrdfReader {
  public:
-  UrdfReader(const std::string& file, ReadContext& context, Robot& robot)
-      : values_(file, context), context_(context), diagnostics_(context.diagnostics), robot_(robot) {}
+  UrdfReader(const FileNode& root, ReadContext& context, Robot& robot)
+      : values_(root, context), context_(context), diagnostics_(context.diagnostics), robot_(robot) {}
 
-  void read(const XMLElement& root) {
-    const char* name = root.Attribute("name");
-    if (name != nullptr && *name != '\0') robot_.name = values_.required_text(root, "name", "robot");
-    for (const XMLElement* e = root.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
-      if (std::string_view(e->Name()) == "link") read_link(*e);
-    }
-    for (const XMLElement* e = root.FirstChildElement("joint"); e != nullptr; e = e->NextSiblingElement("joint")) {
-      read_joint(*e);
-    }
+  void read() {
+    const FileNode& root = values_.root();
+    if (!root.value("name").empty()) robot_.name = values_.required_text(root, "name", "robot");
+    for (const FileNode* e : root.elements("link")) read_link(*e);
+    for (const FileNode* e : root.elements("joint")) read_joint(*e);
     for (const int link : point_masses_) tell_of_point_mass(robot_.links[static_cast<std::size_t>(link)], moves(link));
     // Couplings go by the marks, and by the joints that follow others already.
     read_urdf_mimics(root, floating_names(), values_, robot_);
@@ -85,41 +79,40 @@ class UrdfReader {
   }
 
   // The file does not say which coordinate of a joint that floats in the tree its friction and limits are meant for.
-  void refuse_of_parts(const XMLElement& element, const Joint& joint) {
+  void refuse_of_parts(const FileNode& element, const Joint& joint) {
     for (const char* tag : {"dynamics", "limit"}) {
-      const XMLElement* found = element.FirstChildElement(tag);
+      const FileNode* found = element.child(tag);
       if (found == nullptr) continue;
       diagnostics_.unsupported(
-          values_.place(*found),
-          "joint \"" + joint.name + "\": <" + tag + "> of a joint that floats in the tree is not read",
+          found->place, "joint \"" + joint.name + "\": <" + tag + "> of a joint that floats in the tree is not read",
           "delete it, and give what it says in a TOML file over the URDF, of " + joint.name + ".x, " + joint.name +
               ".y, " + joint.name + ".z and " + joint.name + ".turn");
     }
   }
 
-  void read_link(const XMLElement& element) {
+  void read_link(const FileNode& element) {
     Link link;
-    link.place = values_.place(element);
+    link.place = element.place;
     link.name = values_.required_text(element, "name", "link");
     const std::string what = "link \"" + link.name + "\"";
-    const XMLElement* inertial = element.FirstChildElement("inertial");
+    const FileNode* inertial = element.child("inertial");
     if (inertial != nullptr) link.inertials.push_back(read_inertial(*inertial, what));
     // The first of a name counts; the validation reports the others.
     link_of_name_.emplace(link.name, static_cast<int>(robot_.links.size()));
     robot_.links.push_back(std::move(link));
   }
 
-  Inertial read_inertial(const XMLElement& element, const std::string& link) {
+  Inertial read_inertial(const FileNode& element, const std::string& link) {
     Inertial inertial;
-    inertial.place = values_.place(element);
+    inertial.place = element.place;
     inertial.frame = values_.origin(element, link + ", inertial");
-    const XMLElement* mass = element.FirstChildElement("mass");
+    const FileNode* mass = element.child("mass");
     if (mass == nullptr) {
       diagnostics_.error(inertial.place, link + ": <inertial> has no <mass>", "write <mass value=\"...\"/> (kg)");
     } else {
       inertial.mass = values_.required_number(*mass, "value", link + ", mass");
     }
-    const XMLElement* inertia = element.FirstChildElement("inertia");
+    const FileNode* inertia = element.child("inertia");
     if (inertia != nullptr) {
       inertial.tensor = read_tensor(*inertia, link + ", inertia");
     } else if (mass != nullptr) {
@@ -152,19 +145,19 @@ class UrdfReader {
     }
   }
 
-  Mat3 read_tensor(const XMLElement& element, const std::string& what) {
+  Mat3 read_tensor(const FileNode& element, const std::string& what) {
     const auto diagonal = [&](const char* key) { return values_.required_number(element, key, what).number; };
     const auto product = [&](const char* key) {
-      return values_.number(element, key, what).value_or(Value{0, values_.place(element)}).number;
+      return values_.number(element, key, what).value_or(Value{0, element.place}).number;
     };
     const Number xx = diagonal("ixx"), yy = diagonal("iyy"), zz = diagonal("izz");
     const Number xy = product("ixy"), xz = product("ixz"), yz = product("iyz");
     return {Vec3{xx, xy, xz}, Vec3{xy, yy, yz}, Vec3{xz, yz, zz}};
   }
 
-  void read_joint(const XMLElement& element) {
+  void read_joint(const FileNode& element) {
     Joint joint;
-    joint.place = values_.place(element);
+    joint.place = element.place;
     joint.name = values_.required_text(element, "name", "joint");
     const std::string what = "joint \"" + joint.name + "\"";
     joint.type = read_type(element, joint);
@@ -184,7 +177,7 @@ class UrdfReader {
   }
 
   // The type that a held joint would otherwise have is kept in joint.held.
-  JointType read_type(const XMLElement& element, Joint& joint) {
+  JointType read_type(const FileNode& element, Joint& joint) {
     static const std::map<std::string, JointType> kTypes = {{"fixed", JointType::fixed},
                                                             {"revolute", JointType::revolute},
                                                             {"continuous", JointType::continuous},
@@ -213,30 +206,27 @@ class UrdfReader {
     return found->second;
   }
 
-  void tell_of_limits(const XMLElement& element, const std::string& what) {
-    const XMLElement* limit = element.FirstChildElement("limit");
+  void tell_of_limits(const FileNode& element, const std::string& what) {
+    const FileNode* limit = element.child("limit");
     if (limit == nullptr) return;
-    diagnostics_.note(values_.place(*limit), what + ": limits of a planar joint are not read",
+    diagnostics_.note(limit->place, what + ": limits of a planar joint are not read",
                       "give them in a TOML file over the URDF, [[joint]] by [[joint]]", "limits of planar joints");
   }
 
-  void report_type(const XMLElement& element, const std::string& what, const std::string& name,
-                   const std::string& type) {
+  void report_type(const FileNode& element, const std::string& what, const std::string& name, const std::string& type) {
     static const std::vector<std::string> kNotYet = {"ball", "spherical", "universal", "screw"};
     if (std::find(kNotYet.begin(), kNotYet.end(), type) != kNotYet.end()) {
-      diagnostics_.unsupported(values_.place(element), what + ": type \"" + type + "\" is not supported yet",
-                               kFixHint + name);
+      diagnostics_.unsupported(element.place, what + ": type \"" + type + "\" is not supported yet", kFixHint + name);
     } else {
-      diagnostics_.error(values_.place(element), what + ": unknown type \"" + type + "\"",
+      diagnostics_.error(element.place, what + ": unknown type \"" + type + "\"",
                          hint_for_unknown(type, {"fixed", "revolute", "continuous", "prismatic", "planar"}, "types"));
     }
   }
 
-  int read_link_name(const XMLElement& joint, const char* tag, const std::string& what) {
-    const XMLElement* element = joint.FirstChildElement(tag);
+  int read_link_name(const FileNode& joint, const char* tag, const std::string& what) {
+    const FileNode* element = joint.child(tag);
     if (element == nullptr) {
-      diagnostics_.error(values_.place(joint), what + " has no <" + tag + ">",
-                         std::string("write <") + tag + " link=\"...\"/>");
+      diagnostics_.error(joint.place, what + " has no <" + tag + ">", std::string("write <") + tag + " link=\"...\"/>");
       return -1;
     }
     const std::string name = values_.required_text(*element, "link", what);
@@ -246,30 +236,30 @@ class UrdfReader {
     if (name == "world" && std::string_view(tag) == "parent") return add_world(*element, what);
     std::vector<std::string> known;
     for (const Link& link : robot_.links) known.push_back(link.name);
-    diagnostics_.error(values_.place(*element), what + ": there is no " + tag + " link \"" + name + "\"",
+    diagnostics_.error(element->place, what + ": there is no " + tag + " link \"" + name + "\"",
                        hint_for_unknown(name, known, "links"));
     return -1;
   }
 
   // Some programs assume a link "world" that the file does not declare.
-  int add_world(const XMLElement& parent, const std::string& what) {
+  int add_world(const FileNode& parent, const std::string& what) {
     const int index = static_cast<int>(robot_.links.size());
-    robot_.links.push_back({"world", {}, values_.place(parent)});
+    robot_.links.push_back({"world", {}, parent.place});
     link_of_name_.emplace("world", index);
-    diagnostics_.note(values_.place(parent), what + ": there is no link \"world\": it is taken for the ground",
+    diagnostics_.note(parent.place, what + ": there is no link \"world\": it is taken for the ground",
                       "write <link name=\"world\"/> to say so");
     return index;
   }
 
-  void read_axis(const XMLElement& element, const std::string& what, Joint& joint) {
+  void read_axis(const FileNode& element, const std::string& what, Joint& joint) {
     joint.axis = {1, 0, 0};  // URDF's default
-    if (const XMLElement* axis = element.FirstChildElement("axis")) {
+    if (const FileNode* axis = element.child("axis")) {
       joint.axis = values_.required_vector(*axis, "xyz", what + ", axis").value_or(joint.axis);
     }
   }
 
-  void read_limits(const XMLElement& element, const std::string& what, Joint& joint) {
-    const XMLElement* limit = element.FirstChildElement("limit");
+  void read_limits(const FileNode& element, const std::string& what, Joint& joint) {
+    const FileNode* limit = element.child("limit");
     if (limit == nullptr) return;
     const std::string where = what + ", limit";
     if (joint.type != JointType::continuous && !(joint.held && joint.held->type == JointType::continuous)) {
@@ -282,7 +272,7 @@ class UrdfReader {
     joint.limits.acceleration = values_.limit(*limit, "acceleration", Bound::magnitude, where);
   }
 
-  void read_friction(const XMLElement& element, const std::string& what, Joint& joint) {
+  void read_friction(const FileNode& element, const std::string& what, Joint& joint) {
     if (auto damping = values_.dynamics(element, "damping", what)) joint.viscous = *damping;
     if (auto friction = values_.dynamics(element, "friction", what)) joint.coulomb = *friction;
   }
@@ -293,21 +283,21 @@ class UrdfReader {
   Robot& robot_;
   std::map<std::string, int> link_of_name_;
   std::vector<int> floating_;  // joints of that type, and their elements
-  std::vector<const XMLElement*> floating_elements_;
+  std::vector<const FileNode*> floating_elements_;
   std::vector<std::string> planar_;
   std::vector<int> point_masses_;  // links whose <inertial> has a mass and no inertia
 };
 
-void report_other_format(const XMLElement& root, const Place& place, Diagnostics& diagnostics) {
-  const std::string name = root.Name();
+void report_other_format(const FileNode& root, Diagnostics& diagnostics) {
+  const std::string& name = root.name;
   const std::string message = "the outermost element is <" + name + ">, not <robot>";
   if (const std::optional<ForeignFile> foreign = foreign_by_element(name)) {
-    diagnostics.error(place, foreign->what, foreign->hint);
+    diagnostics.error(root.place, foreign->what, foreign->hint);
   } else if (name == "mujocoinclude") {
-    diagnostics.unsupported(place, message + ": this format is not supported",
+    diagnostics.unsupported(root.place, message + ": this format is not supported",
                             "convert the model to URDF, or write a TOML file");
   } else {
-    diagnostics.error(place, message, "a URDF file is <robot name=\"...\"> ... </robot>");
+    diagnostics.error(root.place, message, "a URDF file is <robot name=\"...\"> ... </robot>");
   }
 }
 
@@ -315,16 +305,15 @@ void report_other_format(const XMLElement& root, const Place& place, Diagnostics
 
 void read_urdf(const std::string& text, const std::string& file, ReadContext& context, Robot& robot) {
   static const XmlForm kForm = {".urdf", "a URDF file is <robot name=\"...\"> ... </robot>"};
-  tinyxml2::XMLDocument document;
-  const XMLElement* root = parse_xml(text, file, kForm, context.diagnostics, document);
-  if (root == nullptr) return;
-  if (std::string_view(root->Name()) != "robot") {
-    report_other_format(*root, {file, root->GetLineNum()}, context.diagnostics);
+  const std::optional<XmlDocument> document = parse_xml(text, file, kForm, context.diagnostics);
+  if (!document) return;
+  if (document->root.name != "robot") {
+    report_other_format(document->root, context.diagnostics);
     return;
   }
-  if (refuse_content_beside(*root, file, kForm, context.diagnostics)) return;
-  if (refuse_template(*root, file, context.diagnostics)) return;
-  UrdfReader(file, context, robot).read(*root);
+  if (refuse_content_beside(*document, kForm, context.diagnostics)) return;
+  if (refuse_template(document->root, context.diagnostics)) return;
+  UrdfReader(document->root, context, robot).read();
 }
 
 }  // namespace flatdyn

@@ -9,7 +9,6 @@
 #include "base/diagnostics/nearest.hpp"
 #include "robot/input/common/spelling.hpp"
 #include "robot/input/common/words.hpp"
-#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/children.hpp"
 #include "robot/input/urdf/springs.hpp"
 #include "robot/input/urdf/unsupported.hpp"
@@ -17,8 +16,6 @@
 namespace flatdyn {
 
 namespace {
-
-using tinyxml2::XMLElement;
 
 constexpr const char* kSimulatorHint =
     "gravity is given by --gravity or in TOML; damping, friction and armature in <dynamics>; masses in <inertial>";
@@ -32,90 +29,85 @@ bool is_false(const std::string& text) { return text == "0" || folded_name(text)
 
 bool says_true(const std::string& text) { return text == "1" || folded_name(text) == "true"; }
 
-std::string attribute_of(const XMLElement& element, const char* name) {
-  return element.Attribute(name) == nullptr ? "" : element.Attribute(name);
-}
-
 class SimulatorChecker {
  public:
   SimulatorChecker(const UrdfValues& values, const Robot& robot)
       : values_(values), diagnostics_(values.context().diagnostics), robot_(robot) {}
 
-  void check_gazebo(const XMLElement& gazebo) {
-    const std::string reference = attribute_of(gazebo, "reference");
+  void check_gazebo(const FileNode& gazebo) {
+    const std::string reference = gazebo.value("reference");
     const bool is_of_joint = std::any_of(robot_.joints.begin(), robot_.joints.end(),
                                          [&reference](const Joint& joint) { return joint.name == reference; });
     const std::string what = "gazebo" + (reference.empty() ? "" : " \"" + reference + "\"");
     const bool is_unknown = !reference.empty() && !is_of_joint;
     if (is_unknown) refuse_springs_of(reference, gazebo, what);
-    check_parts(gazebo, what, is_at_rest(robot_, gazebo.Attribute("reference")), is_of_joint || is_unknown);
+    check_parts(gazebo, what, is_at_rest(robot_, reference), is_of_joint || is_unknown);
   }
 
-  void check_mujoco(const XMLElement& mujoco) {
-    for (const XMLElement* option : elements_in(mujoco, "option")) {
-      const std::string gravity = attribute_of(*option, "gravity");
+  void check_mujoco(const FileNode& mujoco) {
+    for (const FileNode* option : mujoco.elements("option")) {
+      const std::string gravity = option->value("gravity");
       if (!gravity.empty() && !are_equivalent_texts(gravity, "0 0 -9.81"))
         note(*option, "mujoco, option gravity", gravity);
     }
-    for (const XMLElement* compiler : elements_in(mujoco, "compiler")) check_compiler(*compiler);
-    for (const XMLElement* defaults : elements_in(mujoco, "default")) check_defaults(*defaults);
+    for (const FileNode* compiler : mujoco.elements("compiler")) check_compiler(*compiler);
+    for (const FileNode* defaults : mujoco.elements("default")) check_defaults(*defaults);
     for (const char* tag : {"worldbody", "tendon"}) {
-      const XMLElement* element = mujoco.FirstChildElement(tag);
-      if (element != nullptr && element->FirstChildElement() != nullptr)
-        note(*element, "mujoco, " + named(*element), "");
+      const FileNode* element = mujoco.child(tag);
+      if (element != nullptr && !element->children.empty()) note(*element, "mujoco, " + name_in_messages(*element), "");
     }
   }
 
  private:
-  void refuse_spring(const XMLElement& element, const std::string& what, const std::string& value) {
+  void refuse_spring(const FileNode& element, const std::string& what, const std::string& value) {
     if (is_zero_text(value)) return;
-    diagnostics_.unsupported(values_.place(element), what + ": springs are not read here",
+    diagnostics_.unsupported(element.place, what + ": springs are not read here",
                              "write <springStiffness> and <springReference> in <gazebo reference=\"JOINT\">");
   }
 
   // Refuses springs among the children of an element whose reference names no joint.
-  void refuse_springs_of(const std::string& reference, const XMLElement& gazebo, const std::string& what) {
+  void refuse_springs_of(const std::string& reference, const FileNode& gazebo, const std::string& what) {
     std::vector<std::string> joints;
     for (const Joint& joint : robot_.joints) joints.push_back(joint.name);
-    for (const XMLElement* part : elements_in(gazebo)) {
-      if (spring_word_of(part->Name()) != SpringWord::stiffness || is_zero_text(value_of(*part))) continue;
-      diagnostics_.error(values_.place(*part),
-                         what + ", " + part->Name() + ": there is no joint \"" + reference + "\" for this spring",
+    for (const FileNode& part : gazebo.children) {
+      if (spring_word_of(part.name) != SpringWord::stiffness || is_zero_text(value_of(part))) continue;
+      diagnostics_.error(part.place,
+                         what + ", " + part.name + ": there is no joint \"" + reference + "\" for this spring",
                          hint_for_unknown(reference, joints, "joints"));
     }
   }
 
-  void note(const XMLElement& element, const std::string& what, const std::string& value) {
-    diagnostics_.note(values_.place(element), what + (value.empty() ? "" : " (" + value + ")") + " is not read",
-                      kSimulatorHint, "settings of simulators that are not read");
+  void note(const FileNode& element, const std::string& what, const std::string& value) {
+    diagnostics_.note(element.place, what + (value.empty() ? "" : " (" + value + ")") + " is not read", kSimulatorHint,
+                      "settings of simulators that are not read");
   }
 
   // Elements about contact, sight or measurement, or that are read elsewhere, are left aside.
   // `reads_springs`: springs among the children are read by springs.hpp.
-  void check_parts(const XMLElement& holder, const std::string& what, bool is_still, bool reads_springs = false) {
+  void check_parts(const FileNode& holder, const std::string& what, bool is_still, bool reads_springs = false) {
     static constexpr auto kAside = std::to_array<std::string_view>(
         {"plugin", "sensor", "visual", "collision", "surface", "material", "physics", "mimic"});
-    for (const XMLElement* part : elements_in(holder)) {
-      if (is_one_of(part->Name(), kAside)) continue;
-      const SpringWord spring = spring_word_of(part->Name());
-      if (spring == SpringWord::none) check_part(*part, what + ", " + part->Name(), is_still);
+    for (const FileNode& part : holder.children) {
+      if (is_one_of(part.name, kAside)) continue;
+      const SpringWord spring = spring_word_of(part.name);
+      if (spring == SpringWord::none) check_part(part, what + ", " + part.name, is_still);
       if (spring == SpringWord::stiffness && !is_still && !reads_springs) {
-        refuse_spring(*part, what + ", " + part->Name(), value_of(*part));
+        refuse_spring(part, what + ", " + part.name, value_of(part));
       }
     }
   }
 
-  void check_part(const XMLElement& part, const std::string& what, bool is_still) {
+  void check_part(const FileNode& part, const std::string& what, bool is_still) {
     static constexpr auto kLoops = std::to_array<std::string_view>(
         {"loop", "loopjoint", "loopconstraint", "jointconstraint", "constraint", "coupling", "mimicjoint"});
-    const std::string name = joined_name(part.Name());
-    const bool joins = part.FirstChildElement("parent") != nullptr || part.FirstChildElement("child") != nullptr;
-    const bool is_model = name == "mujoco" && part.FirstChildElement("equality") != nullptr;
+    const std::string name = joined_name(part.name);
+    const bool joins = part.child("parent") != nullptr || part.child("child") != nullptr;
+    const bool is_model = name == "mujoco" && part.child("equality") != nullptr;
     if ((name == "joint" && joins) || is_one_of(name, kLoops) || is_model) {
       refuse_unsupported(part, " in <gazebo>", kLoopHint, values_);
     } else if (name == "mujoco") {
       check_mujoco(part);
-    } else if (part.FirstChildElement() == nullptr) {
+    } else if (part.children.empty()) {
       check_number(part, name, what, is_still);
     } else {
       check_parts(part, what, is_still);
@@ -123,7 +115,7 @@ class SimulatorChecker {
     if (name == "dynamics") check_dynamics(part, what, is_still);
   }
 
-  void check_number(const XMLElement& part, const std::string& name, const std::string& what, bool is_still) {
+  void check_number(const FileNode& part, const std::string& name, const std::string& what, bool is_still) {
     static constexpr auto kOfJoints =
         std::to_array<std::string_view>({"dampingfactor", "damping", "friction", "armature", "velocitydecay"});
     static constexpr auto kOfBodies =
@@ -135,38 +127,38 @@ class SimulatorChecker {
   }
 
   // Values as attributes, as URDF has them.
-  void check_dynamics(const XMLElement& dynamics, const std::string& what, bool is_still) {
+  void check_dynamics(const FileNode& dynamics, const std::string& what, bool is_still) {
     if (is_still) return;
     for (const char* key : {"spring_stiffness", "stiffness"}) {
-      if (dynamics.Attribute(key) != nullptr) refuse_spring(dynamics, what + ", " + key, attribute_of(dynamics, key));
+      if (dynamics.has(key)) refuse_spring(dynamics, what + ", " + key, dynamics.value(key));
     }
     for (const char* key : {"damping", "friction", "armature"}) {
-      const std::string value = attribute_of(dynamics, key);
+      const std::string value = dynamics.value(key);
       if (!is_zero_text(value)) note(dynamics, what + ", " + key, value);
     }
   }
 
-  void check_compiler(const XMLElement& compiler) {
+  void check_compiler(const FileNode& compiler) {
     for (const char* key : {"settotalmass", "boundmass", "boundinertia"}) {
-      const std::string value = attribute_of(compiler, key);
+      const std::string value = compiler.value(key);
       if (!is_zero_text(value) && !value.starts_with('-'))
         note(compiler, std::string("mujoco, compiler ") + key, value);
     }
     for (const char* key : {"inertiafromgeom", "balanceinertia"}) {
-      const std::string value = attribute_of(compiler, key);
+      const std::string value = compiler.value(key);
       if (says_true(value)) note(compiler, std::string("mujoco, compiler ") + key, value);
     }
   }
 
   // Defaults of joints, also in classes within classes.
-  void check_defaults(const XMLElement& defaults) {
-    for (const XMLElement* joint : elements_in(defaults, "joint")) {
+  void check_defaults(const FileNode& defaults) {
+    for (const FileNode* joint : defaults.elements("joint")) {
       for (const char* key : {"armature", "damping", "frictionloss", "stiffness"}) {
-        const std::string value = attribute_of(*joint, key);
+        const std::string value = joint->value(key);
         if (!is_zero_text(value)) note(*joint, std::string("mujoco, default joint ") + key, value);
       }
     }
-    for (const XMLElement* nested : elements_in(defaults, "default")) check_defaults(*nested);
+    for (const FileNode* nested : defaults.elements("default")) check_defaults(*nested);
   }
 
   const UrdfValues& values_;
@@ -176,10 +168,10 @@ class SimulatorChecker {
 
 }  // namespace
 
-void check_urdf_simulators(const XMLElement& root, const UrdfValues& values, const Robot& robot) {
+void check_urdf_simulators(const FileNode& root, const UrdfValues& values, const Robot& robot) {
   SimulatorChecker checker(values, robot);
-  for (const XMLElement* gazebo : elements_in(root, "gazebo")) checker.check_gazebo(*gazebo);
-  for (const XMLElement* mujoco : elements_in(root, "mujoco")) checker.check_mujoco(*mujoco);
+  for (const FileNode* gazebo : root.elements("gazebo")) checker.check_gazebo(*gazebo);
+  for (const FileNode* mujoco : root.elements("mujoco")) checker.check_mujoco(*mujoco);
 }
 
 }  // namespace flatdyn

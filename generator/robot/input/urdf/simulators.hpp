@@ -7,6 +7,6 @@
 
 namespace flatdyn {
 
-void check_urdf_simulators(const tinyxml2::XMLElement& root, const UrdfValues& values, const Robot& robot);
+void check_urdf_simulators(const FileNode& root, const UrdfValues& values, const Robot& robot);
 
 }  // namespace flatdyn

@@ -4,21 +4,18 @@
 #include <algorithm>
 
 #include "robot/input/common/spelling.hpp"
-#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/children.hpp"
 
 namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLElement;
-
 class SpringReader {
  public:
   SpringReader(const UrdfValues& values, Robot& robot) : values_(values), robot_(robot) {}
 
-  void read_joint(const XMLElement& element) {
-    Joint* joint = moving_joint(element.Attribute("name"));
+  void read_joint(const FileNode& element) {
+    Joint* joint = moving_joint(element.value("name"));
     if (joint == nullptr) return;
     const std::string what = "joint \"" + joint->name + "\"";
     for (const char* key : {"spring_stiffness", "stiffness"}) {
@@ -31,22 +28,22 @@ class SpringReader {
     }
   }
 
-  void read_gazebo(const XMLElement& gazebo) {
-    Joint* joint = moving_joint(gazebo.Attribute("reference"));
+  void read_gazebo(const FileNode& gazebo) {
+    Joint* joint = moving_joint(gazebo.value("reference"));
     if (joint == nullptr) return;
-    for (const XMLElement* part : elements_in(gazebo)) {
-      const SpringWord word = spring_word_of(part->Name());
+    for (const FileNode& part : gazebo.children) {
+      const SpringWord word = spring_word_of(part.name);
       if (word == SpringWord::none) continue;
-      const std::string what = "gazebo \"" + joint->name + "\", " + part->Name();
+      const std::string what = "gazebo \"" + joint->name + "\", " + part.name;
       set(word == SpringWord::stiffness ? joint->stiffness : joint->spring_reference,
-          {values_.number_of_text(*part, what), values_.place(*part)}, what);
+          {values_.number_of_text(part, what), part.place}, what);
     }
   }
 
  private:
-  Joint* moving_joint(const char* name) {
-    const auto found = std::find_if(robot_.joints.begin(), robot_.joints.end(), [name](const Joint& joint) {
-      return name != nullptr && joint.name == name && joint.type != JointType::fixed;
+  Joint* moving_joint(const std::string& name) {
+    const auto found = std::find_if(robot_.joints.begin(), robot_.joints.end(), [&name](const Joint& joint) {
+      return joint.name == name && joint.type != JointType::fixed;
     });
     return found == robot_.joints.end() ? nullptr : &*found;
   }
@@ -74,10 +71,10 @@ SpringWord spring_word_of(std::string_view name) {
   return joined == "springreference" ? SpringWord::reference : SpringWord::none;
 }
 
-void read_urdf_springs(const XMLElement& root, const UrdfValues& values, Robot& robot) {
+void read_urdf_springs(const FileNode& root, const UrdfValues& values, Robot& robot) {
   SpringReader reader(values, robot);
-  for (const XMLElement* joint : elements_in(root, "joint")) reader.read_joint(*joint);
-  for (const XMLElement* gazebo : elements_in(root, "gazebo")) reader.read_gazebo(*gazebo);
+  for (const FileNode* joint : root.elements("joint")) reader.read_joint(*joint);
+  for (const FileNode* gazebo : root.elements("gazebo")) reader.read_gazebo(*gazebo);
 }
 
 }  // namespace flatdyn

@@ -9,7 +9,7 @@
 namespace flatdyn {
 
 // Adds the stiffness and reference of every joint's spring. Springs that are given twice in different ways are errors.
-void read_urdf_springs(const tinyxml2::XMLElement& root, const UrdfValues& values, Robot& robot);
+void read_urdf_springs(const FileNode& root, const UrdfValues& values, Robot& robot);
 
 // The part of a joint's spring that an element in <gazebo> of this name gives.
 enum class SpringWord { none, stiffness, reference };

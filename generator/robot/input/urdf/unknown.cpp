@@ -14,7 +14,6 @@ namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLElement;
 using EntryForm = UrdfEntry::Form;
 using Names = std::vector<std::string>;
 
@@ -71,26 +70,25 @@ struct UnknownEntries::Known {
 };
 
 // True if the entry is an error.
-bool UnknownEntries::refuse(const XMLElement& element, const UrdfEntry& entry, const Known& known,
+bool UnknownEntries::refuse(const FileNode& element, const UrdfEntry& entry, const Known& known,
                             const std::string& what) {
-  const Place place{values_.place(element).file, entry.line};
   if ((entry.name == "unit" || entry.name == "units") && !is_si_unit(entry.text)) {
-    diagnostics_.error(place, what + ": the unit \"" + entry.text + "\" is not read",
+    diagnostics_.error(entry.place, what + ": the unit \"" + entry.text + "\" is not read",
                        "convert the value to SI units (m, rad, kg, s, N), and delete the unit");
     return true;
   }
   if (const std::string meant = known_spelling_of(entry.name, key_names_of(known.element)); !meant.empty()) {
-    diagnostics_.error(place, what + ": unknown " + called(entry), "did you mean \"" + meant + "\"?");
+    diagnostics_.error(entry.place, what + ": unknown " + called(entry), "did you mean \"" + meant + "\"?");
     return true;
   }
   if (const std::string home = parent_of_element(entry.name); entry.form == EntryForm::child && !home.empty()) {
-    diagnostics_.error(place, what + ": <" + entry.name + "> has no effect here",
+    diagnostics_.error(entry.place, what + ": <" + entry.name + "> has no effect here",
                        "it is read from <" + home + ">: write it there, or delete it");
     return true;
   }
   const std::string home = element_of_value(entry.name);
-  if (!home.empty() && home != element.Name() && !is_zero_text(entry.text)) {
-    diagnostics_.error(place, what + ": " + shown(entry) + " has no effect here",
+  if (!home.empty() && home != element.name && !is_zero_text(entry.text)) {
+    diagnostics_.error(entry.place, what + ": " + shown(entry) + " has no effect here",
                        "it is read from <" + home + ">: write it there, or delete it");
     return true;
   }
@@ -98,23 +96,23 @@ bool UnknownEntries::refuse(const XMLElement& element, const UrdfEntry& entry, c
   const std::string hint =
       is_rotor ? "write armature, which is gear_ratio^2 * rotor_inertia" : known.hint_for(entry.name);
   if (hint.empty()) return false;
-  diagnostics_.error(place, what + ": unknown " + called(entry), hint);
+  diagnostics_.error(entry.place, what + ": unknown " + called(entry), hint);
   return true;
 }
 
-void UnknownEntries::note_left_out(const XMLElement& element, const Names& names, const std::string& what) {
+void UnknownEntries::note_left_out(const FileNode& element, const Names& names, const std::string& what) {
   Names first;
   for (const std::string& name : names) {
-    if (noted_.insert(std::string(element.Name()) + " " + name).second) first.push_back(name);
+    if (noted_.insert(element.name + " " + name).second) first.push_back(name);
   }
   if (first.empty()) return;
-  diagnostics_.note(
-      values_.place(element), what + ": left out here and in every <" + element.Name() + ">: " + list_of(first),
-      "what is read: " + list_of(key_names_of(*known_urdf_element(element.Name()))), "unknown attributes left out");
+  diagnostics_.note(element.place, what + ": left out here and in every <" + element.name + ">: " + list_of(first),
+                    "what is read: " + list_of(key_names_of(*known_urdf_element(element.name))),
+                    "unknown attributes left out");
 }
 
-void UnknownEntries::check(const XMLElement& element, const std::string& what) {
-  const UrdfElement* element_known = known_urdf_element(element.Name());
+void UnknownEntries::check(const FileNode& element, const std::string& what) {
+  const UrdfElement* element_known = known_urdf_element(element.name);
   if (element_known == nullptr) return;
   const std::vector<UrdfEntry> entries = entries_of(element);
   const Known known(*element_known, entries);
@@ -124,8 +122,8 @@ void UnknownEntries::check(const XMLElement& element, const std::string& what) {
     const bool is_meant = !known_spelling_of(entry.name, key_names_of(known.element)).empty();
     if (has_namespace(entry.name) && !is_meant) continue;
     if (entry.form == EntryForm::text) {
-      diagnostics_.error(values_.place(element),
-                         what + ": it is not clear what the text \"" + entry.text + "\" in <" + element.Name() + "> is",
+      diagnostics_.error(element.place,
+                         what + ": it is not clear what the text \"" + entry.text + "\" in <" + element.name + "> is",
                          "write it as attributes: " + list_of(key_names_of(known.element)));
     } else if (is_among(known.element.of_others, entry.name) || !refuse(element, entry, known, what)) {
       left_out.push_back(entry.name);
@@ -134,13 +132,13 @@ void UnknownEntries::check(const XMLElement& element, const std::string& what) {
   note_left_out(element, left_out, what);
 }
 
-void UnknownEntries::check_misplaced(const XMLElement& holder, const std::string& what) {
-  for (const tinyxml2::XMLAttribute* a = holder.FirstAttribute(); a != nullptr; a = a->Next()) {
-    const UrdfEntry entry{a->Name(), a->Value(), holder.GetLineNum(), EntryForm::attribute};
+void UnknownEntries::check_misplaced(const FileNode& holder, const std::string& what) {
+  for (const FileAttribute& a : holder.attributes) {
+    const UrdfEntry entry{a.name, a.text, holder.place, EntryForm::attribute};
     const std::string home = element_of_value(entry.name);
     const bool is_element = known_urdf_element(entry.name) != nullptr;
     if ((home.empty() && !is_element) || has_namespace(entry.name) || is_zero_text(entry.text)) continue;
-    diagnostics_.error(values_.place(holder), what + ": " + shown(entry) + " has no effect here",
+    diagnostics_.error(holder.place, what + ": " + shown(entry) + " has no effect here",
                        is_element ? "write an element: <" + entry.name + " .../>"
                                   : "it is read from <" + home + ">: write it there, or delete it");
   }

@@ -3,8 +3,6 @@
 // where something that is meant may be lost.
 #pragma once
 
-#include <tinyxml2.h>
-
 #include <set>
 #include <string>
 #include <vector>
@@ -18,17 +16,16 @@ class UnknownEntries {
   explicit UnknownEntries(const UrdfValues& values) : values_(values), diagnostics_(values.context().diagnostics) {}
 
   // Attributes, children and text of an element of which values are read.
-  void check(const tinyxml2::XMLElement& element, const std::string& what);
+  void check(const FileNode& element, const std::string& what);
 
   // Values that stand as attributes in `holder` itself and not in an element for them: <joint axis="0 0 1">.
-  void check_misplaced(const tinyxml2::XMLElement& holder, const std::string& what);
+  void check_misplaced(const FileNode& holder, const std::string& what);
 
  private:
   struct Known;
 
-  bool refuse(const tinyxml2::XMLElement& element, const UrdfEntry& entry, const Known& known, const std::string& what);
-  void note_left_out(const tinyxml2::XMLElement& element, const std::vector<std::string>& names,
-                     const std::string& what);
+  bool refuse(const FileNode& element, const UrdfEntry& entry, const Known& known, const std::string& what);
+  void note_left_out(const FileNode& element, const std::vector<std::string>& names, const std::string& what);
 
   const UrdfValues& values_;
   Diagnostics& diagnostics_;

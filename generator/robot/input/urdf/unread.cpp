@@ -8,32 +8,28 @@
 #include "base/diagnostics/nearest.hpp"
 #include "robot/input/common/spelling.hpp"
 #include "robot/input/common/words.hpp"
-#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/children.hpp"
 
 namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLElement;
 using NameList = std::vector<std::string>;
 
 bool is_in_list(const NameList& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::string tag_of(const XMLElement& element) { return "<" + std::string(element.Name()) + ">"; }
+std::string tag_of(const FileNode& element) { return "<" + element.name + ">"; }
 
 bool is_all_zero(const std::string& text) { return words_of(text).empty() || is_zero_text(text); }
 
 // Whether there is nothing in an element but its name, or zeros.
-bool is_nothing(const XMLElement& element) {
-  for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
-    if (!is_all_zero(a->Value())) return false;
+bool is_nothing(const FileNode& element) {
+  for (const FileAttribute& a : element.attributes) {
+    if (!is_all_zero(a.text)) return false;
   }
-  const std::vector<const XMLElement*> children = elements_in(element);
-  return is_all_zero(text_in(element)) &&
-         std::all_of(children.begin(), children.end(), [](const XMLElement* child) { return is_nothing(*child); });
+  return is_all_zero(element.text) && std::all_of(element.children.begin(), element.children.end(), is_nothing);
 }
 
 // Elements by which programs other than URDF's say where a body or its centre of mass is.
@@ -56,35 +52,22 @@ bool brings_in_files(std::string_view name) {
 }
 
 // A link or joint that is there already is named, not defined: <group><link name="arm"/></group>.
-bool is_reference(const XMLElement& element) {
-  const std::string_view tag = element.Name();
-  if ((tag != "link" && tag != "joint") || element.FirstChildElement() != nullptr) return false;
-  const char* name = element.Attribute("name");
-  if (name == nullptr) return true;
-  const XMLElement* root = element.GetDocument()->RootElement();
-  const NameList tags = {std::string(tag)};
-  for (const XMLElement* each : elements_in(*root, tags.front().c_str())) {
-    const char* other = each->Attribute("name");
-    if (other != nullptr && std::string_view(other) == name) return true;
-  }
-  return false;
+bool is_reference(const FileNode& element, const FileNode& robot) {
+  if ((element.name != "link" && element.name != "joint") || !element.children.empty()) return false;
+  if (!element.has("name")) return true;
+  const std::vector<const FileNode*> all = robot.elements(element.name);
+  return std::any_of(all.begin(), all.end(), [&element](const FileNode* each) {
+    return each->has("name") && each->value("name") == element.value("name");
+  });
 }
 
 // The first element below this one that would change the robot; nullptr if there is none.
-const XMLElement* body_below(const XMLElement& element, const NameList& tags) {
-  for (const XMLElement* child : elements_in(element)) {
-    if (is_in_list(tags, child->Name()) && !is_reference(*child)) return child;
-    if (const XMLElement* found = body_below(*child, tags)) return found;
+const FileNode* body_below(const FileNode& element, const NameList& tags, const FileNode& robot) {
+  for (const FileNode& child : element.children) {
+    if (is_in_list(tags, child.name) && !is_reference(child, robot)) return &child;
+    if (const FileNode* found = body_below(child, tags, robot)) return found;
   }
   return nullptr;
-}
-
-// Whether values of URDF's elements may be meant where the element stands: in a link, its <inertial>, or a joint.
-bool holds_values(const XMLElement& element) {
-  const std::string_view holder = element.Parent()->Value();
-  const tinyxml2::XMLNode* above = element.Parent()->Parent();
-  return holder == "link" || holder == "inertial" ||
-         (holder == "joint" && above != nullptr && std::string_view(above->Value()) == "robot");
 }
 
 // How Gazebo's switches of a link stand where they change nothing.
@@ -132,86 +115,84 @@ std::string parent_of_element(std::string_view name) {
   return found == kHomes.end() ? "" : found->second;
 }
 
-void UnreadElements::note(const Element& element, const std::string& what) {
-  if (!noted_.insert(element.Name()).second) return;
-  diagnostics_.note(values_.place(element),
-                    what + ": unknown element " + tag_of(element) + ": not read, here and elsewhere",
+void UnreadElements::note(const FileNode& element, const std::string& what) {
+  if (!noted_.insert(element.name).second) return;
+  diagnostics_.note(element.place, what + ": unknown element " + tag_of(element) + ": not read, here and elsewhere",
                     "delete it if it is meant to change how the robot moves, or write it in URDF's words",
                     "unknown elements not read");
 }
 
-bool UnreadElements::refuse_spelling(const Element& element, const std::string& what, const NameList& read) {
-  const std::string_view name = element.Name();
+bool UnreadElements::refuse_spelling(const FileNode& element, const std::string& what, const NameList& read) {
+  const std::string& name = element.name;
   const std::string message = what + ": unknown element " + tag_of(element);
   if (const std::string meant = known_spelling_of(name, read); !meant.empty()) {
-    diagnostics_.error(values_.place(element), message,
+    diagnostics_.error(element.place, message,
                        "names in URDF are told apart by case and prefix: write <" + meant + ">");
     return true;
   }
   const std::string hint = hint_for_unknown(name, read, "elements");
   if (!hint.starts_with("did you mean")) return false;
-  diagnostics_.error(values_.place(element), message, hint);
+  diagnostics_.error(element.place, message, hint);
   return true;
 }
 
-bool UnreadElements::refuse_words_of_sdf(const Element& element, const std::string& what) {
-  const char* form = form_in_urdf(element.Name());
+bool UnreadElements::refuse_words_of_sdf(const FileNode& element, const std::string& what) {
+  const char* form = form_in_urdf(element.name);
   if (form == nullptr || is_nothing(element)) return false;
-  diagnostics_.error(values_.place(element), what + ": " + tag_of(element) + " is not read from a URDF", form);
+  diagnostics_.error(element.place, what + ": " + tag_of(element) + " is not read from a URDF", form);
   return true;
 }
 
-bool UnreadElements::refuse_place(const Element& element, const std::string& what) {
-  const std::string of_element = parent_of_element(element.Name()), of_value = element_of_value(element.Name());
-  const std::string& home = of_element.empty() && holds_values(element) ? of_value : of_element;
+bool UnreadElements::refuse_place(const FileNode& element, const std::string& what) {
+  const std::string of_element = parent_of_element(element.name), of_value = element_of_value(element.name);
+  const std::string& home = of_element.empty() && values_.holds_values(element) ? of_value : of_element;
   if (home.empty()) return false;
-  if ((of_element.empty() || known_urdf_element(element.Name()) != nullptr) && is_nothing(element)) return true;
-  diagnostics_.error(values_.place(element), what + ": " + tag_of(element) + " has no effect here",
+  if ((of_element.empty() || known_urdf_element(element.name) != nullptr) && is_nothing(element)) return true;
+  diagnostics_.error(element.place, what + ": " + tag_of(element) + " has no effect here",
                      "it is read from <" + home + ">: write it there, or delete it");
   return true;
 }
 
-bool UnreadElements::refuse_contents(const Element& element, const std::string& what) {
+bool UnreadElements::refuse_contents(const FileNode& element, const std::string& what) {
   static const NameList kBodies = {"link",  "joint", "inertial", "mass",       "inertia",       "dynamics",
                                    "mimic", "loop",  "coupling", "loop_joint", "rotor_inertia", "motorInertia"};
-  const XMLElement* body = body_below(element, kBodies);
+  const FileNode* body = body_below(element, kBodies, values_.root());
   if (body == nullptr) return false;
-  diagnostics_.error(values_.place(*body), what + ": <" + body->Name() + "> in " + tag_of(element) + " is not read",
+  diagnostics_.error(body->place, what + ": <" + body->name + "> in " + tag_of(element) + " is not read",
                      "write it where URDF has it: links and joints stand directly in <robot>");
   return true;
 }
 
 // True of a switch of Gazebo in a link, whether or not it is refused.
-bool UnreadElements::check_switch(const Element& element, const std::string& what) {
-  const std::optional<bool> usual = usual_state(element.Name());
-  if (!usual || std::string_view(element.Parent()->Value()) != "link") return false;
+bool UnreadElements::check_switch(const FileNode& element, const std::string& what) {
+  const std::optional<bool> usual = usual_state(element.name);
+  if (!usual || !values_.is_in(element, "link")) return false;
   const std::string text = value_of(element);
   if (says(text, *usual) || words_of(text).empty()) return true;
   const bool is_known = says(text, !*usual);
   const std::string said = what + ": " + tag_of(element) + " is \"" + single_word(text) + "\"";
   if (!is_known) {
-    diagnostics_.error(values_.place(element), said + ", neither true nor false", "write 1 or 0, or delete it");
-  } else if (joined_name(element.Name()).find("gravity") != std::string::npos) {
-    diagnostics_.unsupported(values_.place(element), said + ": links on which gravity does not act are not supported",
+    diagnostics_.error(element.place, said + ", neither true nor false", "write 1 or 0, or delete it");
+  } else if (joined_name(element.name).find("gravity") != std::string::npos) {
+    diagnostics_.unsupported(element.place, said + ": links on which gravity does not act are not supported",
                              "delete it; for robots whose weight is balanced, --gravity off leaves out all of it");
   } else {
-    diagnostics_.unsupported(values_.place(element), said + ", so no force moves it", "delete it, or fix its joint");
+    diagnostics_.unsupported(element.place, said + ", so no force moves it", "delete it, or fix its joint");
   }
   return true;
 }
 
-void UnreadElements::check_one(const Element& element, const std::string& what, const ChildNames& names) {
-  const std::string_view name = element.Name();
+void UnreadElements::check_one(const FileNode& element, const std::string& what, const ChildNames& names) {
+  const std::string& name = element.name;
   if (check_switch(element, what) || refuse_spelling(element, what, names.read)) return;
   if (brings_in_files(name)) {
-    diagnostics_.error(values_.place(element),
-                       what + ": " + tag_of(element) + " is not read, nor the file that it names",
+    diagnostics_.error(element.place, what + ": " + tag_of(element) + " is not read, nor the file that it names",
                        "put in the file that it names; xacro does that for <xacro:include>");
     return;
   }
   if (refuse_words_of_sdf(element, what) || refuse_place(element, what)) return;
   if (names.holder_moves && is_dynamics_name(name) && !is_nothing(element)) {
-    diagnostics_.unsupported(values_.place(element),
+    diagnostics_.unsupported(element.place,
                              what + ": " + tag_of(element) +
                                  " is not known, and by its name it "
                                  "changes how the robot moves",
@@ -221,33 +202,33 @@ void UnreadElements::check_one(const Element& element, const std::string& what, 
   if (!refuse_contents(element, what)) note(element, what);
 }
 
-void UnreadElements::check(const Element& holder, const std::string& what, const ChildNames& names) {
-  for (const Element* child : elements_in(holder)) {
-    if (is_in_list(names.read, child->Name()) || is_in_list(names.irrelevant, child->Name())) continue;
-    check_one(*child, what, names);
+void UnreadElements::check(const FileNode& holder, const std::string& what, const ChildNames& names) {
+  for (const FileNode& child : holder.children) {
+    if (is_in_list(names.read, child.name) || is_in_list(names.irrelevant, child.name)) continue;
+    check_one(child, what, names);
   }
   if (names.reads_text) return;
   std::string text;
-  for (const std::string& word : words_of(text_in(holder))) text += (text.empty() ? "" : " ") + word;
+  for (const std::string& word : words_of(holder.text)) text += (text.empty() ? "" : " ") + word;
   if (text.empty()) return;
-  if (!noted_.insert("text of " + std::string(holder.Name())).second) return;
-  diagnostics_.note(values_.place(holder), what + ": the text \"" + text + "\" is not read",
-                    "a comment is <!-- ... -->", "unknown elements not read");
+  if (!noted_.insert("text of " + holder.name).second) return;
+  diagnostics_.note(holder.place, what + ": the text \"" + text + "\" is not read", "a comment is <!-- ... -->",
+                    "unknown elements not read");
 }
 
-void UnreadElements::check_spelling(const Element& holder, const std::string& what, const NameList& read) {
-  for (const Element* child : elements_in(holder)) {
-    if (is_in_list(read, child->Name())) continue;
-    if (!refuse_spelling(*child, what, read)) refuse_words_of_sdf(*child, what);
+void UnreadElements::check_spelling(const FileNode& holder, const std::string& what, const NameList& read) {
+  for (const FileNode& child : holder.children) {
+    if (is_in_list(read, child.name)) continue;
+    if (!refuse_spelling(child, what, read)) refuse_words_of_sdf(child, what);
   }
 }
 
-void UnreadElements::check_bodies_in(const Element& element, const std::string& what) {
+void UnreadElements::check_bodies_in(const FileNode& element, const std::string& what) {
   static const NameList kBodies = {"inertial", "mass", "inertia", "dynamics"};
-  const XMLElement* body = body_below(element, kBodies);
+  const FileNode* body = body_below(element, kBodies, values_.root());
   if (body == nullptr || is_nothing(*body)) return;
-  diagnostics_.error(values_.place(*body), what + ": <" + body->Name() + "> in " + tag_of(element) + " has no effect",
-                     "write it in <" + parent_of_element(body->Name()) + ">, or delete it");
+  diagnostics_.error(body->place, what + ": <" + body->name + "> in " + tag_of(element) + " has no effect",
+                     "write it in <" + parent_of_element(body->name) + ">, or delete it");
 }
 
 }  // namespace flatdyn

@@ -3,8 +3,6 @@
 // another one than is read without them.
 #pragma once
 
-#include <tinyxml2.h>
-
 #include <set>
 #include <string>
 #include <vector>
@@ -26,26 +24,23 @@ class UnreadElements {
   explicit UnreadElements(const UrdfValues& values) : values_(values), diagnostics_(values.context().diagnostics) {}
 
   // Children of `holder`, and its text.
-  void check(const tinyxml2::XMLElement& holder, const std::string& what, const ChildNames& names);
+  void check(const FileNode& holder, const std::string& what, const ChildNames& names);
 
   // The same where the holder does not move: what is spelt almost like what is read of it.
-  void check_spelling(const tinyxml2::XMLElement& holder, const std::string& what,
-                      const std::vector<std::string>& read);
+  void check_spelling(const FileNode& holder, const std::string& what, const std::vector<std::string>& read);
 
   // Elements with a mass in an element that has nothing to do with dynamics: <visual><inertial>.
-  void check_bodies_in(const tinyxml2::XMLElement& element, const std::string& what);
+  void check_bodies_in(const FileNode& element, const std::string& what);
 
-  void note(const tinyxml2::XMLElement& element, const std::string& what);
+  void note(const FileNode& element, const std::string& what);
 
  private:
-  using Element = tinyxml2::XMLElement;
-
-  bool refuse_spelling(const Element& element, const std::string& what, const std::vector<std::string>& read);
-  bool refuse_place(const Element& element, const std::string& what);
-  bool refuse_words_of_sdf(const Element& element, const std::string& what);
-  bool check_switch(const Element& element, const std::string& what);
-  bool refuse_contents(const Element& element, const std::string& what);
-  void check_one(const Element& element, const std::string& what, const ChildNames& names);
+  bool refuse_spelling(const FileNode& element, const std::string& what, const std::vector<std::string>& read);
+  bool refuse_place(const FileNode& element, const std::string& what);
+  bool refuse_words_of_sdf(const FileNode& element, const std::string& what);
+  bool check_switch(const FileNode& element, const std::string& what);
+  bool refuse_contents(const FileNode& element, const std::string& what);
+  void check_one(const FileNode& element, const std::string& what, const ChildNames& names);
 
   const UrdfValues& values_;
   Diagnostics& diagnostics_;

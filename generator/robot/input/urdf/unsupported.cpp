@@ -5,14 +5,11 @@
 
 #include "robot/input/common/spelling.hpp"
 #include "robot/input/common/words.hpp"
-#include "robot/input/common/xml_elements.hpp"
 #include "robot/input/urdf/children.hpp"
 
 namespace flatdyn {
 
 namespace {
-
-using tinyxml2::XMLElement;
 
 constexpr const char* kJointHint = "supported joints: revolute, continuous, prismatic, fixed, in a tree";
 constexpr const char* kConstraintHint = "supported: <loop> of type revolute or spherical, <coupling>, <mimic>";
@@ -34,40 +31,40 @@ class Refuser {
   Refuser(const UrdfValues& values, const Robot& robot)
       : values_(values), diagnostics_(values.context().diagnostics), robot_(robot) {}
 
-  void check(const XMLElement& element) {
-    const std::string_view name = element.Name();
+  void check(const FileNode& element) {
+    const std::string& name = element.name;
     if (const char* hint = hint_instead_of(name)) {
       refuse_unsupported(element, "", hint, values_);
     } else if (name == "ros2_control") {
-      for (const XMLElement* joint : elements_in(element, "joint")) check_controlled(*joint);
+      for (const FileNode* joint : element.elements("joint")) check_controlled(*joint);
     }
   }
 
  private:
   // Parameters go to drivers, which may need gear ratios; an inertia there is one that the joint feels.
-  void check_controlled(const XMLElement& joint) {
-    if (is_at_rest(robot_, joint.Attribute("name"))) return;
-    for (const XMLElement* element : elements_in(joint)) {
-      const std::string_view tag = element->Name();
+  void check_controlled(const FileNode& joint) {
+    if (is_at_rest(robot_, joint.value("name"))) return;
+    for (const FileNode& element : joint.children) {
+      const std::string& tag = element.name;
       if (tag != "param" && is_dynamics_name(tag) && tag.find("mimic") == std::string_view::npos) {
-        refuse_unsupported(*element, " in <ros2_control>", "write it in the joint itself, or delete it", values_);
+        refuse_unsupported(element, " in <ros2_control>", "write it in the joint itself, or delete it", values_);
       }
     }
-    for (const XMLElement* parameter : elements_in(joint)) {
-      const char* name = parameter->Attribute("name");
-      if (name == nullptr || std::string_view(parameter->Name()) != "param" || is_zero_text(value_of(*parameter)))
-        continue;
+    for (const FileNode& parameter : joint.children) {
+      const std::string name = parameter.value("name");
+      if (name.empty() || parameter.name != "param" || is_zero_text(value_of(parameter))) continue;
       const std::vector<std::string> words = words_of_name(name);
       const auto has = [&words](const char* word) {
         return std::find(words.begin(), words.end(), word) != words.end();
       };
       if (has("inertia") || has("armature") || (has("rotor") && has("mass"))) {
-        refuse_unsupported(*parameter, " in <ros2_control>", kArmatureHint, values_);
+        refuse_unsupported(parameter, " in <ros2_control>", kArmatureHint, values_);
       } else if (is_dynamics_name(name) && !has("mimic")) {
-        diagnostics_.note(values_.place(*parameter),
-                          "ros2_control, " + named(joint) + ": " + named(*parameter) + " is not read",
-                          "friction and armature of a joint are read from its <dynamics>",
-                          "parameters of ros2_control that are not read");
+        diagnostics_.note(
+            parameter.place,
+            "ros2_control, " + name_in_messages(joint) + ": " + name_in_messages(parameter) + " is not read",
+            "friction and armature of a joint are read from its <dynamics>",
+            "parameters of ros2_control that are not read");
       }
     }
   }
@@ -81,25 +78,22 @@ class Refuser {
 
 bool is_unsupported_element(std::string_view name) { return hint_instead_of(name) != nullptr; }
 
-void refuse_unsupported(const XMLElement& element, const std::string& where, const char* hint,
-                        const UrdfValues& values) {
-  const char* name = element.Attribute("name");
-  values.context().diagnostics.unsupported(values.place(element),
-                                           "<" + std::string(element.Name()) +
-                                               (name == nullptr ? "" : " name=\"" + std::string(name) + "\"") + ">" +
-                                               where + " is not supported yet",
-                                           hint);
+void refuse_unsupported(const FileNode& element, const std::string& where, const char* hint, const UrdfValues& values) {
+  const std::string name = element.value("name");
+  values.context().diagnostics.unsupported(
+      element.place,
+      "<" + element.name + (name.empty() ? "" : " name=\"" + name + "\"") + ">" + where + " is not supported yet",
+      hint);
 }
 
-bool is_at_rest(const Robot& robot, const char* joint) {
-  return joint != nullptr && std::any_of(robot.joints.begin(), robot.joints.end(), [&](const Joint& each) {
-           return each.name == joint && each.type == JointType::fixed;
-         });
+bool is_at_rest(const Robot& robot, const std::string& joint) {
+  return std::any_of(robot.joints.begin(), robot.joints.end(),
+                     [&](const Joint& each) { return each.name == joint && each.type == JointType::fixed; });
 }
 
-void refuse_unread_dynamics(const XMLElement& root, const UrdfValues& values, const Robot& robot) {
+void refuse_unread_dynamics(const FileNode& root, const UrdfValues& values, const Robot& robot) {
   Refuser refuser(values, robot);
-  for (const XMLElement* element : elements_in(root)) refuser.check(*element);
+  for (const FileNode& element : root.children) refuser.check(element);
 }
 
 }  // namespace flatdyn

@@ -9,7 +9,7 @@
 
 namespace flatdyn {
 
-void refuse_unread_dynamics(const tinyxml2::XMLElement& root, const UrdfValues& values, const Robot& robot);
+void refuse_unread_dynamics(const FileNode& root, const UrdfValues& values, const Robot& robot);
 
 // Whether an element of <robot> is refused by that: a constraint, or what exerts forces.
 bool is_unsupported_element(std::string_view name);
@@ -19,10 +19,9 @@ inline constexpr const char* kLoopHint =
     "<origin> in each, and <axis>";
 
 // `where` follows the element's name in the message: " in <gazebo>".
-void refuse_unsupported(const tinyxml2::XMLElement& element, const std::string& where, const char* hint,
-                        const UrdfValues& values);
+void refuse_unsupported(const FileNode& element, const std::string& where, const char* hint, const UrdfValues& values);
 
-// A joint of this name that does not move: a spring there does nothing. nullptr is nobody's name.
-bool is_at_rest(const Robot& robot, const char* joint);
+// A joint of this name that does not move: a spring there does nothing.
+bool is_at_rest(const Robot& robot, const std::string& joint);
 
 }  // namespace flatdyn

@@ -16,34 +16,17 @@ namespace flatdyn {
 
 namespace {
 
-using tinyxml2::XMLElement;
-
 // Where URDF writes the value of a key.
-bool is_usual(const XMLElement& holder, const UrdfEntry& entry, const std::string& key) {
-  const UrdfElement* known = known_urdf_element(holder.Name());
+bool is_usual(const FileNode& holder, const UrdfEntry& entry, const std::string& key) {
+  const UrdfElement* known = known_urdf_element(holder.name);
   if (known == nullptr || has_namespace(entry.name)) return true;
-  if (std::string_view(holder.Name()) == "joint_properties") return false;
+  if (holder.name == "joint_properties") return false;
   return entry.form == UrdfEntry::Form::text ? known->text_is_usual
                                              : entry.form == UrdfEntry::Form::attribute && entry.name == key;
 }
 
-bool is_in(const tinyxml2::XMLNode* node, std::string_view tag) {
-  const tinyxml2::XMLNode* parent = node == nullptr ? nullptr : node->Parent();
-  return parent != nullptr && parent->ToElement() != nullptr && parent->Value() == tag;
-}
-
-// Whether the check of names has an error for something in the element that may be meant for what is missing.
-bool is_refused_by_names(const XMLElement& element, const UrdfElement& known) {
-  const bool is_checked = is_in(&element, "inertial") || (is_in(&element, "joint") && is_in(element.Parent(), "robot"));
-  if (!is_checked) return false;
-  const std::vector<UrdfEntry> entries = entries_of(element);
-  return std::any_of(entries.begin(), entries.end(), [&](const UrdfEntry& entry) {
-    return key_of(known, entry).empty() && !has_namespace(entry.name);
-  });
-}
-
-std::string words_for_place(const XMLElement& holder, const UrdfEntry& entry) {
-  const std::string tag = "<" + std::string(holder.Name()) + ">";
+std::string words_for_place(const FileNode& holder, const UrdfEntry& entry) {
+  const std::string tag = "<" + holder.name + ">";
   if (entry.form == UrdfEntry::Form::text) return "the text of " + tag;
   if (entry.form == UrdfEntry::Form::child) return "<" + entry.name + "> in " + tag;
   return "\"" + entry.name + "\" of " + tag;
@@ -51,16 +34,46 @@ std::string words_for_place(const XMLElement& holder, const UrdfEntry& entry) {
 
 }  // namespace
 
+UrdfValues::UrdfValues(const FileNode& root, ReadContext& context) : root_(root), context_(context) {
+  add_holders(root);
+}
+
+void UrdfValues::add_holders(const FileNode& holder) {
+  for (const FileNode& child : holder.children) {
+    holders_[&child] = &holder;
+    add_holders(child);
+  }
+}
+
+bool UrdfValues::is_in(const FileNode& element, std::string_view holder) const {
+  const auto found = holders_.find(&element);
+  return found != holders_.end() && found->second->name == holder;
+}
+
+bool UrdfValues::holds_values(const FileNode& element) const {
+  return is_in(element, "link") || is_in(element, "inertial") ||
+         (is_in(element, "joint") && is_in(*holders_.at(&element), "robot"));
+}
+
+// Whether the check of names has an error for something in the element that may be meant for what is missing.
+bool UrdfValues::is_refused_by_names(const FileNode& element, const UrdfElement& known) const {
+  if (!holds_values(element)) return false;
+  const std::vector<UrdfEntry> entries = entries_of(element);
+  return std::any_of(entries.begin(), entries.end(), [&](const UrdfEntry& entry) {
+    return key_of(known, entry).empty() && !has_namespace(entry.name);
+  });
+}
+
 std::optional<UrdfEntry> UrdfValues::written(const Holders& holders, const std::string& key,
                                              const std::string& what) const {
   std::optional<UrdfEntry> found;
-  const XMLElement* holder_of_found = nullptr;
-  for (const XMLElement* holder : holders) {
-    const UrdfElement* known = known_urdf_element(holder->Name());
+  const FileNode* holder_of_found = nullptr;
+  for (const FileNode* holder : holders) {
+    const UrdfElement* known = known_urdf_element(holder->name);
     for (const UrdfEntry& entry : entries_of(*holder)) {
       if ((known == nullptr ? entry.name : key_of(*known, entry)) != key) continue;
       if (found && !are_equivalent_texts(found->text, entry.text)) {
-        context_.diagnostics.error({file_, entry.line},
+        context_.diagnostics.error(entry.place,
                                    what + ": " + key + " is given twice, as \"" + found->text + "\" in " +
                                        words_for_place(*holder_of_found, *found) + " and as \"" + entry.text +
                                        "\" in " + words_for_place(*holder, entry),
@@ -75,44 +88,44 @@ std::optional<UrdfEntry> UrdfValues::written(const Holders& holders, const std::
   return found;
 }
 
-void UrdfValues::note_unusual(const XMLElement& holder, const UrdfEntry& entry, const std::string& key,
+void UrdfValues::note_unusual(const FileNode& holder, const UrdfEntry& entry, const std::string& key,
                               const std::string& what) const {
-  const std::string tag = std::string_view(holder.Name()) == "joint_properties" ? "dynamics" : holder.Name();
-  context_.diagnostics.note({file_, entry.line}, what + ": " + key + " is read from " + words_for_place(holder, entry),
+  const std::string tag = holder.name == "joint_properties" ? "dynamics" : holder.name;
+  context_.diagnostics.note(entry.place, what + ": " + key + " is read from " + words_for_place(holder, entry),
                             "URDF has it as <" + tag + " " + key + "=\"...\"/>", "values read from unusual places");
 }
 
 Spot UrdfValues::spot(const UrdfEntry& entry, const std::string& key, const std::string& what) const {
-  return {{file_, entry.line}, entry.form == UrdfEntry::Form::text ? what : what + ", " + key};
+  return {entry.place, entry.form == UrdfEntry::Form::text ? what : what + ", " + key};
 }
 
-void UrdfValues::report_missing(const XMLElement& element, const char* key, const std::string& what) const {
-  const std::string tag = element.Name();
+void UrdfValues::report_missing(const FileNode& element, const char* key, const std::string& what) const {
+  const std::string tag = element.name;
   const UrdfElement* known = known_urdf_element(tag);
   if (known != nullptr && is_refused_by_names(element, *known)) return;
   if (known != nullptr && known->text_is_usual) {
-    context_.diagnostics.error(place(element), what + ": <" + tag + "> is empty",
+    context_.diagnostics.error(element.place, what + ": <" + tag + "> is empty",
                                "write <" + tag + ">...</" + tag + ">");
   } else {
-    context_.diagnostics.error(place(element), what + ": <" + tag + "> has no attribute \"" + key + "\"",
+    context_.diagnostics.error(element.place, what + ": <" + tag + "> has no attribute \"" + key + "\"",
                                "write <" + tag + " " + key + "=\"...\">");
   }
 }
 
-std::string UrdfValues::required_text(const XMLElement& element, const char* key, const std::string& what) const {
+std::string UrdfValues::required_text(const FileNode& element, const char* key, const std::string& what) const {
   const std::optional<UrdfEntry> entry = written({&element}, key, what);
   if (!entry || entry->text.empty()) {
     report_missing(element, key, what);
     return "";
   }
   if (!is_utf8(entry->text)) {
-    context_.diagnostics.error(place(element), what + ": " + key + " is not UTF-8",
+    context_.diagnostics.error(element.place, what + ": " + key + " is not UTF-8",
                                "save the file as UTF-8 (iconv -t UTF-8), or write the name in ASCII");
   }
   return entry->form == UrdfEntry::Form::attribute ? entry->text : single_word(entry->text);
 }
 
-std::optional<UrdfText> UrdfValues::text(const XMLElement& element, const char* key, const std::string& what) const {
+std::optional<UrdfText> UrdfValues::text(const FileNode& element, const char* key, const std::string& what) const {
   const std::optional<UrdfEntry> entry = written({&element}, key, what);
   if (!entry) return std::nullopt;
   return UrdfText{entry->text, spot(*entry, key, what)};
@@ -125,25 +138,25 @@ std::optional<Value> UrdfValues::number(const Holders& holders, const char* key,
   return Value{checked_decimal(single_word(entry->text), where, context_.diagnostics).value_or(0), where.place};
 }
 
-std::optional<Value> UrdfValues::number(const XMLElement& element, const char* key, const std::string& what) const {
+std::optional<Value> UrdfValues::number(const FileNode& element, const char* key, const std::string& what) const {
   return number(Holders{&element}, key, what);
 }
 
-std::optional<Value> UrdfValues::dynamics(const XMLElement& joint, const char* key, const std::string& what) const {
+std::optional<Value> UrdfValues::dynamics(const FileNode& joint, const char* key, const std::string& what) const {
   Holders holders;
   for (const char* tag : {"dynamics", "joint_properties"}) {
-    if (const XMLElement* element = joint.FirstChildElement(tag)) holders.push_back(element);
+    if (const FileNode* element = joint.child(tag)) holders.push_back(element);
   }
   return number(holders, key, what + ", dynamics");
 }
 
-Value UrdfValues::required_number(const XMLElement& element, const char* key, const std::string& what) const {
+Value UrdfValues::required_number(const FileNode& element, const char* key, const std::string& what) const {
   if (const std::optional<Value> value = number(element, key, what)) return *value;
   report_missing(element, key, what);
-  return {0, place(element)};
+  return {0, element.place};
 }
 
-Number UrdfValues::angle(const XMLElement& element, const char* key, const std::string& what) const {
+Number UrdfValues::angle(const FileNode& element, const char* key, const std::string& what) const {
   const std::optional<UrdfEntry> entry = written({&element}, key, what);
   if (!entry) return 0;
   const Spot where = spot(*entry, key, what);
@@ -152,13 +165,11 @@ Number UrdfValues::angle(const XMLElement& element, const char* key, const std::
   return value ? angle_of(*value, text, where) : Number(0);
 }
 
-Number UrdfValues::number_of_text(const XMLElement& element, const std::string& what) const {
-  const char* text = element.GetText();
-  return checked_decimal(text == nullptr ? "" : single_word(text), {place(element), what}, context_.diagnostics)
-      .value_or(0);
+Number UrdfValues::number_of_text(const FileNode& element, const std::string& what) const {
+  return checked_decimal(single_word(element.text), {element.place, what}, context_.diagnostics).value_or(0);
 }
 
-std::optional<Value> UrdfValues::limit(const XMLElement& element, const char* key, Bound bound,
+std::optional<Value> UrdfValues::limit(const FileNode& element, const char* key, Bound bound,
                                        const std::string& what) const {
   const std::optional<UrdfEntry> entry = written({&element}, key, what);
   if (!entry) return std::nullopt;
@@ -202,19 +213,19 @@ std::optional<Vec3> UrdfValues::vector(const UrdfEntry& entry, const Spot& spot)
   return numbers<3>(entry, spot);
 }
 
-std::optional<Vec3> UrdfValues::vector(const XMLElement& element, const char* key, const std::string& what) const {
+std::optional<Vec3> UrdfValues::vector(const FileNode& element, const char* key, const std::string& what) const {
   const std::optional<UrdfEntry> entry = written({&element}, key, what);
   return entry ? vector(*entry, spot(*entry, key, what)) : std::nullopt;
 }
 
-std::optional<Vec3> UrdfValues::required_vector(const XMLElement& element, const char* key,
+std::optional<Vec3> UrdfValues::required_vector(const FileNode& element, const char* key,
                                                 const std::string& what) const {
   const std::optional<UrdfEntry> entry = written({&element}, key, what);
   if (!entry) report_missing(element, key, what);
   return entry ? vector(*entry, spot(*entry, key, what)) : std::nullopt;
 }
 
-Vec3 UrdfValues::angles(const XMLElement& element, const char* key, const std::string& what) const {
+Vec3 UrdfValues::angles(const FileNode& element, const char* key, const std::string& what) const {
   const std::optional<UrdfEntry> entry = written({&element}, key, what);
   if (!entry) return zero_vector();
   const Spot where = spot(*entry, key, what);
@@ -226,7 +237,7 @@ Vec3 UrdfValues::angles(const XMLElement& element, const char* key, const std::s
   return values;
 }
 
-Vec3 UrdfValues::turn(const XMLElement& element, const std::string& what) const {
+Vec3 UrdfValues::turn(const FileNode& element, const std::string& what) const {
   const Vec3 rpy = angles(element, "rpy", what);
   const std::optional<UrdfEntry> entry = written({&element}, "quat_xyzw", what);
   if (!entry) return rpy;
@@ -266,20 +277,20 @@ Number UrdfValues::angle_of(const Number& decimal, const std::string& written, c
   return angle;
 }
 
-Pose UrdfValues::origin(const XMLElement& parent, const std::string& what, const char* tag) const {
-  const XMLElement* element = parent.FirstChildElement(tag);
-  if (element == nullptr) return {{}, place(parent)};
+Pose UrdfValues::origin(const FileNode& parent, const std::string& what, const std::string& tag) const {
+  const FileNode* element = parent.child(tag);
+  if (element == nullptr) return {{}, parent.place};
   const std::string where = what + ", " + tag;
   if (written({element}, "quat_wxyz", where)) {
-    context_.diagnostics.unsupported(place(*element), where + ": quat_wxyz is not supported",
+    context_.diagnostics.unsupported(element->place, where + ": quat_wxyz is not supported",
                                      "write quat_xyzw, with the real part last, or rpy");
   }
   // One after the other: compilers differ in the order in which they evaluate arguments, and diagnostics would with
   // them.
   const Vec3 xyz = vector(*element, "xyz", where).value_or(zero_vector());
-  for (const Number& length : xyz) note_length(length, {place(*element), where + ", xyz"}, {}, context_);
+  for (const Number& length : xyz) note_length(length, {element->place, where + ", xyz"}, {}, context_);
   const Vec3 rpy = turn(*element, where);
-  return pose_from_xyz_rpy(xyz, rpy, place(*element));
+  return pose_from_xyz_rpy(xyz, rpy, element->place);
 }
 
 }  // namespace flatdyn

@@ -11,6 +11,7 @@
 #include "base/system/process.hpp"
 #include "base/system/temporary_folder.hpp"
 #include "robot/input/common/content_hash.hpp"
+#include "robot/input/common/xml_document.hpp"
 #include "robot/input/reader.hpp"
 
 namespace flatdyn {
@@ -90,10 +91,9 @@ TEST_F(Xacro, ArgumentsWithoutATemplateAreRefused) {
 
 // The message of the first and only error, or nothing.
 std::string refused(const std::string& elements) {
-  tinyxml2::XMLDocument document;
-  document.Parse(("<robot>\n" + elements + "\n</robot>").c_str());
   Diagnostics found;
-  refuse_template(*document.RootElement(), "f", found);
+  const std::optional<XmlDocument> document = parse_xml("<robot>\n" + elements + "\n</robot>", "f", {}, found);
+  if (document) refuse_template(document->root, found);
   return found.all().empty() ? "" : to_string(found.all()[0]).substr(0, to_string(found.all()[0]).find('\n'));
 }
 
