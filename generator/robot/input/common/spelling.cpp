@@ -86,6 +86,14 @@ bool is_dynamics_name(std::string_view name) {
   return has_word_among(words, kWords) || joined_name(name) == "forceelement";
 }
 
+bool is_force_or_constraint_name(std::string_view name) {
+  if (name == "force_element" || name == "cable" || name == "drake:joint") return true;
+  static const std::vector<std::string_view> kOfDrake = {"constraint", "spring", "bushing", "cable"};
+  return name.starts_with("drake:") && std::any_of(kOfDrake.begin(), kOfDrake.end(), [name](std::string_view part) {
+           return name.find(part) != std::string_view::npos;
+         });
+}
+
 bool is_rotor_name(std::string_view name) {
   static const WordSet kWords = {"rotor", "inertia", "inerta", "armature", "gear", "ratio", "reduction", "reflected"};
   const std::vector<std::string> words = words_of_name(name);

@@ -27,6 +27,12 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
+std::string joined_words(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
 std::string single_word(const std::string& text) {
   const std::vector<std::string> words = words_of(text);
   return words.size() == 1 ? words[0] : text;

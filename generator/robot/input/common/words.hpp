@@ -8,6 +8,8 @@
 namespace flatdyn {
 
 std::vector<std::string> words_of(const std::string& text);
+// With a blank between two.
+std::string joined_words(const std::vector<std::string>& words);
 
 // The word without the blanks around it if the text is a single one, else the text as it is.
 std::string single_word(const std::string& text);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "robot/input/common/units.hpp"
+#include "robot/input/common/words.hpp"
 #include "robot/model/pose_product.hpp"
 #include "robot/model/rational_rotation.hpp"
 #include "robot/model/unit_plausibility.hpp"
@@ -16,12 +17,6 @@ bool is_zero(const Vec3& vector) { return vanishes(dot(vector, vector)); }
 
 void report_zero(const Spot& spot, Diagnostics& diagnostics) {
   diagnostics.error(spot.place, spot.what + " has no direction", "write numbers that are not all 0");
-}
-
-std::string joined_words(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
 }
 
 class OrientationReader {

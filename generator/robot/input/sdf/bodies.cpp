@@ -9,27 +9,16 @@ namespace flatdyn {
 
 namespace {
 
-const SdfNames kOfLink = {
-    {"pose", "inertial", "gravity", "kinematic", "velocity_decay"},
-    {"enable_wind", "self_collide", "must_be_base_link", "collision", "visual", "sensor", "projector", "audio_sink",
-     "audio_source", "battery", "light", "particle_emitter", "frame", "plugin"},
-    {"name"}};
-const SdfNames kOfInertial = {
-    {"mass", "pose", "inertia", "fluid_added_mass"}, {"density", "auto_inertia_params", "frame"}, {"auto"}};
-const SdfNames kOfInertia = {{"ixx", "iyy", "izz", "ixy", "ixz", "iyz"}, {}, {}};
-
 class BodyReader {
  public:
-  BodyReader(const SdfFrame& frame, SdfUnknown& unknown)
+  explicit BodyReader(const SdfFrame& frame)
       : values_(*frame.values),
         element_(*frame.element),
         diagnostics_(values_.context().diagnostics),
-        unknown_(unknown),
         what_(name_of(frame)) {}
 
   Link read(const std::string& name) {
     Link link{name, {}, element_.place};
-    unknown_.check(element_, what_, kOfLink, values_);
     link.inertials.push_back(read_inertial());
     check_motion();
     return link;
@@ -43,7 +32,6 @@ class BodyReader {
       return {{1, element_.place}, {}, zero_vector(), identity_matrix(), {}, element_.place};
     }
     const std::string what = what_ + ", inertial";
-    unknown_.check(*element, what, kOfInertial, values_);
     refuse_other_inertias(*element, what);
     Inertial inertial;
     inertial.place = element->place;
@@ -67,7 +55,6 @@ class BodyReader {
       return identity_matrix();
     }
     const std::string where = what + ", inertia";
-    unknown_.check(*element, where, kOfInertia, values_);
     const auto diagonal = [&](const char* tag) {
       const std::optional<Value> value = values_.number(*element, tag, where);
       if (!value) note_default(*element, "<" + std::string(tag) + ">", "1 kg m^2");
@@ -123,13 +110,12 @@ class BodyReader {
   const SdfValues& values_;
   const FileNode& element_;
   Diagnostics& diagnostics_;
-  SdfUnknown& unknown_;
   std::string what_;
 };
 
 }  // namespace
 
-Link read_sdf_link(const SdfFrame& frame, SdfUnknown& unknown) { return BodyReader(frame, unknown).read(frame.name); }
+Link read_sdf_link(const SdfFrame& frame) { return BodyReader(frame).read(frame.name); }
 
 void apply_sdf_gravity_flags(const SdfTree& tree, Diagnostics& diagnostics, Robot& robot) {
   const SdfFrame *off = nullptr, *on = nullptr;

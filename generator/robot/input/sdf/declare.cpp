@@ -13,16 +13,6 @@ using Kind = SdfFrame::Kind;
 
 constexpr std::size_t kMostFrames = 20000;
 
-const SdfNames kOfWorld = {{"model", "include", "gravity", "frame", "joint"},
-                           {"physics", "light", "scene", "gui", "plugin", "actor", "road", "state", "population",
-                            "audio", "wind", "magnetic_field", "atmosphere", "spherical_coordinates"},
-                           {"name"}};
-const SdfNames kOfModel = {{"link", "joint", "frame", "model", "include", "pose", "static"},
-                           {"self_collide", "allow_auto_disable", "gripper", "enable_wind", "plugin"},
-                           {"name", "canonical_link", "placement_frame"}};
-const SdfNames kOfFrame = {{"pose"}, {}, {"name", "attached_to"}};
-const SdfNames kOfInclude = {{"uri", "name", "pose", "static", "placement_frame"}, {"plugin"}, {"merge"}};
-
 }  // namespace
 
 std::optional<SdfModel> model_of_include(const FileNode& include, const SdfValues& values,
@@ -94,14 +84,12 @@ void SdfDeclarer::declare_world(const FileNode* world, const SdfValues& values, 
   tree_.frames.push_back({Kind::world, "world", world, &values});
   tree_.scopes.push_back({"", -1, 0, {{"world", 0}}});
   if (world == nullptr) return;
-  unknown_.check(*world, "world", kOfWorld, values);
-  for (const FileNode* e : world->elements("frame")) {
-    unknown_.check(*e, name_in_messages(*e), kOfFrame, values);
-    add_frame(Kind::frame, *e, values, 0);
-  }
+  unknown_.check(*world, "world");
+  for (const FileNode* e : world->elements("frame")) add_frame(Kind::frame, *e, values, 0);
   for (const FileNode* e : world->elements("joint")) {
     const std::optional<Reference> child = values.name(*e, "child", name_in_messages(*e));
     if (child && (child->name == model || child->name.starts_with(model + "::"))) {
+      unknown_.check(*e, name_in_messages(*e));
       add_frame(Kind::joint, *e, values, 0);
     }
   }
@@ -138,7 +126,8 @@ void SdfDeclarer::declare_model(const SdfModel& model, int parent, const std::st
     add_name(name, frame, parent, *model.values);
     tree_.scopes[static_cast<std::size_t>(scope_of_names(tree_, parent))].models.emplace(name, scope);
   }
-  unknown_.check(*model.element, name_of(tree_.frames[static_cast<std::size_t>(frame)]), kOfModel, *model.values);
+  unknown_.check_model(*model.element, name_of(tree_.frames[static_cast<std::size_t>(frame)]), inner,
+                       tree_.scopes[static_cast<std::size_t>(scope)].is_static);
   declare_children(model, scope);
 }
 
@@ -152,7 +141,6 @@ void SdfDeclarer::declare_children(const SdfModel& model, int scope) {
     } else if (tag == "joint") {
       add_frame(Kind::joint, e, values, scope);
     } else if (tag == "frame") {
-      unknown_.check(e, name_in_messages(e), kOfFrame, values);
       add_frame(Kind::frame, e, values, scope);
     } else if (tag == "model") {
       declare_model({&e, &values}, scope, prefix, false);
@@ -163,7 +151,7 @@ void SdfDeclarer::declare_children(const SdfModel& model, int scope) {
 }
 
 void SdfDeclarer::declare_include(const FileNode& include, const SdfValues& values, int scope) {
-  unknown_.check(include, "include", kOfInclude, values);
+  unknown_.check(include, "include");
   const std::optional<SdfModel> model = model_of_include(include, values, stack_, tree_, robot_);
   if (!model) return;
   stack_.push_back(model->values->file());

@@ -15,13 +15,11 @@ namespace {
 
 class GearboxReader {
  public:
-  GearboxReader(const SdfTree& tree, int gearbox, const std::vector<int>& links, SdfUnknown& unknown,
-                ReadContext& context, Robot& robot)
+  GearboxReader(const SdfTree& tree, int gearbox, const std::vector<int>& links, ReadContext& context, Robot& robot)
       : tree_(tree),
         gearbox_(gearbox),
         frame_(tree.frames[static_cast<std::size_t>(gearbox)]),
         links_(links),
-        unknown_(unknown),
         context_(context),
         robot_(robot),
         what_(name_of(frame_)),
@@ -107,7 +105,7 @@ class GearboxReader {
     Joint joint;
     joint.name = frame_.name;
     joint.type = JointType::revolute;
-    read_sdf_axis(tree_, frame_, axis, unknown_, context_, joint);
+    read_sdf_axis(tree_, frame_, axis, context_, joint);
     const bool has_forces = !vanishes(joint.viscous.number) || !vanishes(joint.coulomb.number) ||
                             !vanishes(joint.stiffness.number) || joint.coupled;
     if (has_forces) refuse("it has friction, a spring or a mimic");
@@ -124,7 +122,6 @@ class GearboxReader {
   int gearbox_;
   const SdfFrame& frame_;
   const std::vector<int>& links_;
-  SdfUnknown& unknown_;
   ReadContext& context_;
   Robot& robot_;
   std::string what_;
@@ -134,9 +131,9 @@ class GearboxReader {
 
 }  // namespace
 
-void read_sdf_gearbox(const SdfTree& tree, int gearbox, const std::vector<int>& links, SdfUnknown& unknown,
-                      ReadContext& context, Robot& robot) {
-  GearboxReader(tree, gearbox, links, unknown, context, robot).read();
+void read_sdf_gearbox(const SdfTree& tree, int gearbox, const std::vector<int>& links, ReadContext& context,
+                      Robot& robot) {
+  GearboxReader(tree, gearbox, links, context, robot).read();
 }
 
 }  // namespace flatdyn

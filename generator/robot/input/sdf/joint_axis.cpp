@@ -7,26 +7,17 @@ namespace flatdyn {
 
 namespace {
 
-const SdfNames kOfAxis = {{"xyz", "dynamics", "limit", "mimic", "use_parent_model_frame"}, {"initial_position"}, {}};
-const SdfNames kOfXyz = {{}, {}, {"expressed_in"}};
-const SdfNames kOfDynamics = {{"damping", "friction", "spring_reference", "spring_stiffness"}, {}, {}};
-const SdfNames kOfLimit = {
-    {"lower", "upper", "velocity", "effort", "drake:acceleration"}, {"stiffness", "dissipation"}, {}};
-const SdfNames kOfMimic = {{"multiplier", "offset", "reference"}, {}, {"joint", "axis"}};
-
 class AxisReader {
  public:
-  AxisReader(const SdfTree& tree, const SdfFrame& frame, SdfUnknown& unknown, ReadContext& context, Joint& joint)
+  AxisReader(const SdfTree& tree, const SdfFrame& frame, ReadContext& context, Joint& joint)
       : tree_(tree),
         frame_(frame),
         values_(*frame.values),
-        unknown_(unknown),
         context_(context),
         joint_(joint),
         what_("joint \"" + joint.name + "\"") {}
 
   void read(const FileNode& axis) {
-    unknown_.check(axis, what_ + ", axis", kOfAxis, values_);
     read_direction(axis);
     const bool is_held = joint_.type == JointType::fixed;
     if (const FileNode* limit = values_.child(axis, "limit", what_)) read_limits(*limit);
@@ -42,13 +33,11 @@ class AxisReader {
       context_.diagnostics.error(axis.place, what_ + ", axis: it has no <xyz>", "write <xyz>0 0 1</xyz>");
       return;
     }
-    unknown_.check(*xyz, what_ + ", axis, xyz", kOfXyz, values_);
     joint_.axis = values_.vector(*xyz, what_ + ", axis, xyz").value_or(joint_.axis);
   }
 
   void read_limits(const FileNode& limit) {
     const std::string what = what_ + ", limit";
-    unknown_.check(limit, what, kOfLimit, values_);
     const JointType motion = joint_.held ? joint_.held->type : joint_.type;
     if (motion != JointType::continuous) {
       joint_.limits.lower = values_.limit(limit, "lower", Bound::lower, what);
@@ -62,7 +51,6 @@ class AxisReader {
 
   void read_dynamics(const FileNode& dynamics) {
     const std::string what = what_ + ", dynamics";
-    unknown_.check(dynamics, what, kOfDynamics, values_);
     if (const auto damping = values_.number(dynamics, "damping", what)) joint_.viscous = *damping;
     if (const auto friction = values_.number(dynamics, "friction", what)) joint_.coulomb = *friction;
     if (const auto stiffness = values_.number(dynamics, "spring_stiffness", what)) joint_.stiffness = *stiffness;
@@ -72,7 +60,6 @@ class AxisReader {
   // The position is multiplier · (that of the leader - reference) + offset.
   void read_mimic(const FileNode& mimic) {
     const std::string what = what_ + ", mimic";
-    unknown_.check(mimic, what, kOfMimic, values_);
     const Reference name{values_.required_attribute(mimic, "joint", what), mimic.place};
     if (name.name.empty()) return;
     const int leader = find_sdf_frame(tree_, frame_.scope, name, what, context_.diagnostics);
@@ -95,7 +82,6 @@ class AxisReader {
   const SdfTree& tree_;
   const SdfFrame& frame_;
   const SdfValues& values_;
-  SdfUnknown& unknown_;
   ReadContext& context_;
   Joint& joint_;
   std::string what_;
@@ -117,9 +103,9 @@ int frame_of_axis(const SdfTree& tree, int joint, const FileNode& axis, Diagnost
   return is_of_model ? tree.scopes[static_cast<std::size_t>(frame.scope)].frame : joint;
 }
 
-void read_sdf_axis(const SdfTree& tree, const SdfFrame& frame, const FileNode& axis, SdfUnknown& unknown,
-                   ReadContext& context, Joint& joint) {
-  AxisReader(tree, frame, unknown, context, joint).read(axis);
+void read_sdf_axis(const SdfTree& tree, const SdfFrame& frame, const FileNode& axis, ReadContext& context,
+                   Joint& joint) {
+  AxisReader(tree, frame, context, joint).read(axis);
 }
 
 void read_drake_words(const SdfTree& tree, const SdfFrame& frame, Diagnostics& diagnostics, Joint& joint) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "robot/input/sdf/tree.hpp"
-#include "robot/input/sdf/unknown.hpp"
 #include "robot/model/robot.hpp"
 
 namespace flatdyn {
@@ -13,8 +12,8 @@ namespace flatdyn {
 int frame_of_axis(const SdfTree& tree, int joint, const FileNode& axis, Diagnostics& diagnostics);
 
 // Direction, friction, spring, limits, and the coupling to another joint; the joint's type and name are known.
-void read_sdf_axis(const SdfTree& tree, const SdfFrame& frame, const FileNode& axis, SdfUnknown& unknown,
-                   ReadContext& context, Joint& joint);
+void read_sdf_axis(const SdfTree& tree, const SdfFrame& frame, const FileNode& axis, ReadContext& context,
+                   Joint& joint);
 
 // Drake's rotor inertia and gear ratio, which count as armature, and its words for a coupling.
 void read_drake_words(const SdfTree& tree, const SdfFrame& frame, Diagnostics& diagnostics, Joint& joint);

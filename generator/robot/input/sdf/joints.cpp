@@ -13,21 +13,10 @@ namespace flatdyn {
 
 namespace {
 
-const SdfNames kOfJoint = {
-    {"parent", "child", "pose", "axis", "axis2", "thread_pitch", "screw_thread_pitch", "drake:rotor_inertia",
-     "drake:gear_ratio", "drake:mimic", "gearbox_ratio", "gearbox_reference_body"},
-    {"sensor", "physics", "frame", "plugin"},
-    {"name", "type"}};
-
 class JointReader {
  public:
-  JointReader(const SdfTree& tree, std::vector<int> links, SdfUnknown& unknown, ReadContext& context, Robot& robot)
-      : tree_(tree),
-        links_(std::move(links)),
-        unknown_(unknown),
-        context_(context),
-        diagnostics_(context.diagnostics),
-        robot_(robot) {}
+  JointReader(const SdfTree& tree, std::vector<int> links, ReadContext& context, Robot& robot)
+      : tree_(tree), links_(std::move(links)), context_(context), diagnostics_(context.diagnostics), robot_(robot) {}
 
   void read() {
     for (std::size_t i = 1; i < tree_.frames.size(); ++i) {
@@ -36,13 +25,12 @@ class JointReader {
       if (frame.kind == SdfFrame::Kind::joint && !is_static) read_joint(static_cast<int>(i));
       if (frame.kind == SdfFrame::Kind::link && is_static) fix_to_world(static_cast<int>(i));
     }
-    for (const int gearbox : gearboxes_) read_sdf_gearbox(tree_, gearbox, links_, unknown_, context_, robot_);
+    for (const int gearbox : gearboxes_) read_sdf_gearbox(tree_, gearbox, links_, context_, robot_);
   }
 
  private:
   void read_joint(int index) {
     const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(index)];
-    unknown_.check(*frame.element, name_of(frame), kOfJoint, *frame.values);
     const std::string type = frame.values->required_attribute(*frame.element, "type", name_of(frame));
     if (type == "gearbox" && !is_held(frame.name, context_)) {
       gearboxes_.push_back(index);
@@ -120,7 +108,7 @@ class JointReader {
     const Displacements turn = turn_of(index, *axis);
     joint.origin = {product(relative_pose(tree_, parent, index), turn), joint.place};
     joint.link_offset = {product(inverse(turn), relative_pose(tree_, index, child)), joint.place};
-    read_sdf_axis(tree_, frame, *axis, unknown_, context_, joint);
+    read_sdf_axis(tree_, frame, *axis, context_, joint);
     if (joint.type != JointType::fixed) read_drake_words(tree_, frame, diagnostics_, joint);
     robot_.joints.push_back(joint);
   }
@@ -152,7 +140,7 @@ class JointReader {
     const Displacements turn = turn_of(index, *axis);
     parts[0].origin.displacements = turn;
     parts[1].link_offset.displacements = inverse(turn);
-    read_sdf_axis(tree_, frame, *axis, unknown_, context_, parts[0]);
+    read_sdf_axis(tree_, frame, *axis, context_, parts[0]);
     read_drake_words(tree_, frame, diagnostics_, parts[0]);
     parts[1].axis = parts[0].axis;
     add_parts(index, parent, child, screw, parts);
@@ -193,7 +181,7 @@ class JointReader {
       const Displacements turn = turn_of(index, *axes[k]);
       parts[k].origin.displacements = turn;
       parts[k].link_offset.displacements = inverse(turn);
-      read_sdf_axis(tree_, frame, *axes[k], unknown_, context_, parts[k]);
+      read_sdf_axis(tree_, frame, *axes[k], context_, parts[k]);
     }
     add_parts(index, parent, child, both, parts);
   }
@@ -229,7 +217,6 @@ class JointReader {
 
   const SdfTree& tree_;
   std::vector<int> links_;
-  SdfUnknown& unknown_;
   ReadContext& context_;
   Diagnostics& diagnostics_;
   Robot& robot_;
@@ -239,9 +226,8 @@ class JointReader {
 
 }  // namespace
 
-void read_sdf_joints(const SdfTree& tree, std::vector<int> links, SdfUnknown& unknown, ReadContext& context,
-                     Robot& robot) {
-  JointReader(tree, std::move(links), unknown, context, robot).read();
+void read_sdf_joints(const SdfTree& tree, std::vector<int> links, ReadContext& context, Robot& robot) {
+  JointReader(tree, std::move(links), context, robot).read();
 }
 
 }  // namespace flatdyn

@@ -14,17 +14,19 @@ namespace flatdyn {
 
 namespace {
 
-const SdfNames kOfSdf = {{"model", "world"}, {"actor", "light"}, {"version"}};
-
 class SdfReader {
  public:
   SdfReader(ReadContext& context, Robot& robot)
-      : context_(context), diagnostics_(context.diagnostics), robot_(robot), declarer_(tree_, unknown_, robot) {}
+      : context_(context),
+        diagnostics_(context.diagnostics),
+        robot_(robot),
+        unknown_(context),
+        declarer_(tree_, unknown_, robot) {}
 
   void read(const std::string& text, const std::string& file) {
     const SdfFile* sdf = parse_sdf(text, file, context_, tree_);
     if (sdf == nullptr) return;
-    unknown_.check(sdf->root, "sdf", kOfSdf, sdf->values);
+    unknown_.check(sdf->root, "sdf");
     const std::optional<SdfChoice> choice = choose_sdf_model(*sdf, tree_, robot_);
     if (!choice) return;
     robot_.name = name_of(choice->model);
@@ -34,7 +36,7 @@ class SdfReader {
     if (choice->world != nullptr) read_gravity(*choice->world, sdf->values);
     read_links();
     apply_sdf_gravity_flags(tree_, diagnostics_, robot_);
-    read_sdf_joints(tree_, links_, unknown_, context_, robot_);
+    read_sdf_joints(tree_, links_, context_, robot_);
     read_sdf_mimic_plugins(tree_, diagnostics_, robot_);
     if (!diagnostics_.has_errors()) stand_on_ground();
   }
@@ -43,7 +45,7 @@ class SdfReader {
   void read_links() {
     for (const SdfFrame& frame : tree_.frames) {
       links_.push_back(frame.kind == SdfFrame::Kind::link ? static_cast<int>(robot_.links.size()) : -1);
-      if (frame.kind == SdfFrame::Kind::link) robot_.links.push_back(read_sdf_link(frame, unknown_));
+      if (frame.kind == SdfFrame::Kind::link) robot_.links.push_back(read_sdf_link(frame));
     }
   }
 

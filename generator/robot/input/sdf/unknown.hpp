@@ -3,32 +3,26 @@
 // meant may be another one than is read without them.
 #pragma once
 
-#include <set>
-#include <string>
-#include <vector>
-
-#include "robot/input/sdf/values.hpp"
+#include "robot/input/common/context.hpp"
+#include "robot/input/common/unknown_names.hpp"
 
 namespace flatdyn {
 
-// The names that an element may have in it.
-struct SdfNames {
-  std::vector<std::string> read;
-  std::vector<std::string> irrelevant;  // elements that have nothing to do with dynamics
-  std::vector<std::string> attributes;
-};
-
-class SdfUnknown {
+class SdfUnknown : public UnknownNames {
  public:
-  // Children, attributes and stray text of an element.
-  void check(const FileNode& holder, const std::string& what, const SdfNames& names, const SdfValues& values);
+  explicit SdfUnknown(const ReadContext& context);
+
+  // A model whose names have this prefix in messages, "arm::"; models that are nested in it are checked by themselves.
+  void check_model(const FileNode& model, const std::string& what, const std::string& prefix, bool is_static);
 
  private:
-  void check_child(const FileNode& child, const std::string& what, const SdfNames& names, const SdfValues& values);
-  void check_attributes(const FileNode& holder, const std::string& what, const SdfNames& names,
-                        const SdfValues& values);
+  bool goes_into(const FileNode& element, const FileNode& holder) const override;
+  std::string name_in(const std::string& holder, const FileNode& element) const override;
+  bool refuse_by_format(const FileNode& element, const std::string& what) override;
 
-  std::set<std::string> noted_;  // once per name
+  const ReadContext& context_;
+  std::string prefix_;
+  bool is_static_ = false;
 };
 
 }  // namespace flatdyn

@@ -19,8 +19,6 @@ namespace {
 
 constexpr std::size_t kOfPosition = 3, kOfEuler = 6, kOfQuaternion = 7;
 
-std::string joined_words(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
-
 bool says_the_same(const FileNode& a, const FileNode& b) {
   const auto is_text = [](const FileNode& e) { return e.children.empty() && e.attributes.empty(); };
   return is_text(a) && is_text(b) && are_equivalent_texts(a.text, b.text);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/diagnostics/nearest.hpp"
+#include "robot/input/common/spelling.hpp"
 #include "robot/input/common/words.hpp"
 #include "robot/input/urdf/children.hpp"
 

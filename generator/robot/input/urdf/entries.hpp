@@ -54,7 +54,4 @@ std::string key_of(const UrdfElement& element, const UrdfEntry& entry);
 // Attributes, children and text of the element, in this order; of elements that are not known, attributes only.
 std::vector<UrdfEntry> entries_of(const FileNode& element);
 
-// Whether the name is one of another program's: "drake:gear_ratio".
-inline bool has_namespace(std::string_view name) { return name.find(':') != std::string_view::npos; }
-
 }  // namespace flatdyn

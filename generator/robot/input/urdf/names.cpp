@@ -8,11 +8,11 @@
 
 #include "base/diagnostics/nearest.hpp"
 #include "robot/input/common/spelling.hpp"
+#include "robot/input/common/words.hpp"
 #include "robot/input/urdf/actuators.hpp"
-#include "robot/input/urdf/children.hpp"
+#include "robot/input/urdf/schema.hpp"
 #include "robot/input/urdf/unknown.hpp"
 #include "robot/input/urdf/unread.hpp"
-#include "robot/input/urdf/unsupported.hpp"
 
 namespace flatdyn {
 
@@ -20,37 +20,13 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-const Names kOfRobot = {
-    "link",       "joint",    "transmission", "gazebo",     "mujoco",          "ros2_control",    "loop",
-    "loop_joint", "coupling", "plugin",       "constraint", "loop_constraint", "joint_constraint"};
-const Names kIrrelevantInRobot = {"material", "sensor", "frame", "drake:collision_filter_group",
-                                  "self_collision_checking"};
-const Names kOfLink = {"inertial"};
-const Names kIrrelevantInLink = {"visual",
-                                 "collision",
-                                 "contact",
-                                 "self_filter",
-                                 "sensor",
-                                 "material",
-                                 "self_collision_checking",
-                                 "collision_checking"};
 const Names kOfInertial = {"origin", "mass", "inertia"};
-const Names kOfEveryJoint = {"origin", "parent", "child"};
-const Names kOfJoint = {"origin", "axis",     "parent",           "child",
-                        "limit",  "dynamics", "joint_properties", "mimic"};  // of one that moves
-const Names kBesideThem = {"actuator", "drake:mimic"};
-const Names kIrrelevantInJoint = {"safety_controller", "calibration", "hardwareInterface", "sensor"};
-const Names kOfRotor = {"rotor_inertia",        "motorInertia", "gear_ratio",          "mechanicalReduction",
-                        "mechanical_reduction", "reduction",    "drake:rotor_inertia", "drake:gear_ratio"};
-const Names kOfTransmission = {"type", "joint", "actuator", "plugin"};
-// A torque constant maps current to torque.
-const Names kIrrelevantInActuator = {
-    "hardwareInterface",     "role",           "offset", "state_interface", "command_interface", "motorTorqueConstant",
-    "motor_torque_constant", "torque_constant"};
+const Names kOfFixedJoint = {"origin", "parent", "child"};
+const Names kOfJoint = {"origin", "axis", "parent", "child", "limit", "dynamics", "joint_properties", "mimic"};
 
-Names both(Names names, const Names& more) {
-  names.insert(names.end(), more.begin(), more.end());
-  return names;
+const Names& names_of_rotor() {
+  static const Names kNames = words_of(kUrdfRotorNames);
+  return kNames;
 }
 
 bool is_reduction(std::string_view name) { return words_of_name(name).back() == "reduction"; }
@@ -75,14 +51,12 @@ class NameChecker {
 
   void check_robot(const FileNode& root) {
     has_rotor_ = holds_rotor(root);
-    Names irrelevant = kIrrelevantInRobot;
     for (const FileNode& element : root.children) {
       const std::string& name = element.name;
-      if (is_unsupported_element(name)) irrelevant.emplace_back(name);
       if (name == "link") check_link(element);
       if (name == "joint") check_joint(element);
     }
-    unread_.check(root, "robot", {kOfRobot, irrelevant});
+    unread_.check(root, "robot");
     for (const FileNode* transmission : urdf_transmissions(root)) check_transmission(*transmission);
   }
 
@@ -91,8 +65,8 @@ class NameChecker {
 
   void check_link(const FileNode& element) {
     const std::string link = what(element);
-    unread_.check(element, link, {kOfLink, kIrrelevantInLink});
-    check_once(element, link, kOfLink);
+    unread_.check(element, link);
+    check_once(element, link, {"inertial"});
     unknown_.check_misplaced(element, link);
     for (const char* tag : {"visual", "collision"}) {
       for (const FileNode* shape : element.elements(tag)) unread_.check_bodies_in(*shape, link);
@@ -102,7 +76,7 @@ class NameChecker {
     }
     const FileNode* inertial = element.child("inertial");
     if (inertial == nullptr) return;
-    unread_.check(*inertial, link + ", inertial", {kOfInertial, {}});
+    unread_.check(*inertial, link + ", inertial");
     check_values(*inertial, link + ", inertial", kOfInertial);
     unknown_.check_misplaced(*inertial, link + ", inertial");
   }
@@ -111,39 +85,39 @@ class NameChecker {
   void check_joint(const FileNode& element) {
     const std::string joint = what(element);
     if (element.value("type") == "fixed") {
-      unread_.check_spelling(element, joint, kOfEveryJoint);
-      check_values(element, joint, kOfEveryJoint);
+      unread_.check_spelling(element, joint);
+      check_values(element, joint, kOfFixedJoint);
       return;
     }
     const bool moves = !is_held(element.value("name"), values_.context());
-    unread_.check(element, joint, {both(kOfJoint, both(kOfRotor, kBesideThem)), kIrrelevantInJoint, moves});
-    check_values(element, joint, both(kOfJoint, kOfRotor));
+    moves ? unread_.check(element, joint) : unread_.check_still(element, joint);
+    check_values(element, joint, kOfJoint);
+    check_values(element, joint, names_of_rotor());
     unknown_.check_misplaced(element, joint);
     check_attributes_of_rotor(element, joint);
     for (const FileNode* actuator : element.elements("actuator")) check_part(*actuator, joint + ", actuator");
   }
 
   void check_transmission(const FileNode& element) {
-    unread_.check(element, what(element), {both(kOfTransmission, kOfRotor), kIrrelevantInActuator});
+    unread_.check(element, what(element));
     check_attributes_of_rotor(element, what(element));
-    check_values(element, what(element), kOfRotor);
+    check_values(element, what(element), names_of_rotor());
     for (const FileNode* actuator : element.elements("actuator")) check_part(*actuator, what(element) + ", actuator");
     for (const FileNode* joint : element.elements("joint")) check_part(*joint, what(element) + ", joint");
   }
 
   void check_part(const FileNode& part, const std::string& what) {
-    const bool is_joint = part.name == std::string_view("joint");  // may be named by its text
-    unread_.check(part, what, {kOfRotor, kIrrelevantInActuator, true, is_joint});
+    unread_.check(part, what, "transmission");
     check_attributes_of_rotor(part, what);
-    check_values(part, what, kOfRotor);
+    check_values(part, what, names_of_rotor());
   }
 
   // A number of a rotor may stand in an attribute, under the name that an element has.
   void check_attributes_of_rotor(const FileNode& part, const std::string& what) {
     for (const FileAttribute& a : part.attributes) {
       const std::string name = a.name;
-      if (std::find(kOfRotor.begin(), kOfRotor.end(), name) != kOfRotor.end()) continue;
-      const std::string hint = hint_for_unknown(name, kOfRotor, "attributes");
+      if (std::find(names_of_rotor().begin(), names_of_rotor().end(), name) != names_of_rotor().end()) continue;
+      const std::string hint = hint_for_unknown(name, names_of_rotor(), "attributes");
       if (!is_rotor_name(name) && !hint.starts_with("did you mean")) continue;
       diagnostics_.error(part.place, what + ": unknown attribute \"" + name + "\"", hint);
     }

@@ -5,10 +5,9 @@
 #include <map>
 #include <optional>
 
-#include "base/diagnostics/nearest.hpp"
 #include "robot/input/common/spelling.hpp"
 #include "robot/input/common/words.hpp"
-#include "robot/input/urdf/children.hpp"
+#include "robot/input/urdf/schema.hpp"
 
 namespace flatdyn {
 
@@ -115,31 +114,16 @@ std::string parent_of_element(std::string_view name) {
   return found == kHomes.end() ? "" : found->second;
 }
 
-void UnreadElements::note(const FileNode& element, const std::string& what) {
-  if (!noted_.insert(element.name).second) return;
-  diagnostics_.note(element.place, what + ": unknown element " + tag_of(element) + ": not read, here and elsewhere",
-                    "delete it if it is meant to change how the robot moves, or write it in URDF's words",
-                    "unknown elements not read");
-}
+UnreadElements::UnreadElements(const UrdfValues& values)
+    : UnknownNames(urdf_schema(), {"URDF", "docs/robot-format/urdf.md", false, true}, values.context().diagnostics),
+      values_(values) {}
 
-bool UnreadElements::refuse_spelling(const FileNode& element, const std::string& what, const NameList& read) {
-  const std::string& name = element.name;
-  const std::string message = what + ": unknown element " + tag_of(element);
-  if (const std::string meant = known_spelling_of(name, read); !meant.empty()) {
-    diagnostics_.error(element.place, message,
-                       "names in URDF are told apart by case and prefix: write <" + meant + ">");
-    return true;
-  }
-  const std::string hint = hint_for_unknown(name, read, "elements");
-  if (!hint.starts_with("did you mean")) return false;
-  diagnostics_.error(element.place, message, hint);
-  return true;
-}
+bool UnreadElements::says_nothing(const FileNode& element) const { return !moves_ || is_nothing(element); }
 
 bool UnreadElements::refuse_words_of_sdf(const FileNode& element, const std::string& what) {
   const char* form = form_in_urdf(element.name);
   if (form == nullptr || is_nothing(element)) return false;
-  diagnostics_.error(element.place, what + ": " + tag_of(element) + " is not read from a URDF", form);
+  diagnostics().error(element.place, what + ": " + tag_of(element) + " is not read from a URDF", form);
   return true;
 }
 
@@ -148,8 +132,8 @@ bool UnreadElements::refuse_place(const FileNode& element, const std::string& wh
   const std::string& home = of_element.empty() && values_.holds_values(element) ? of_value : of_element;
   if (home.empty()) return false;
   if ((of_element.empty() || known_urdf_element(element.name) != nullptr) && is_nothing(element)) return true;
-  diagnostics_.error(element.place, what + ": " + tag_of(element) + " has no effect here",
-                     "it is read from <" + home + ">: write it there, or delete it");
+  diagnostics().error(element.place, what + ": " + tag_of(element) + " has no effect here",
+                      "it is read from <" + home + ">: write it there, or delete it");
   return true;
 }
 
@@ -158,8 +142,8 @@ bool UnreadElements::refuse_contents(const FileNode& element, const std::string&
                                    "mimic", "loop",  "coupling", "loop_joint", "rotor_inertia", "motorInertia"};
   const FileNode* body = body_below(element, kBodies, values_.root());
   if (body == nullptr) return false;
-  diagnostics_.error(body->place, what + ": <" + body->name + "> in " + tag_of(element) + " is not read",
-                     "write it where URDF has it: links and joints stand directly in <robot>");
+  diagnostics().error(body->place, what + ": <" + body->name + "> in " + tag_of(element) + " is not read",
+                      "write it where URDF has it: links and joints stand directly in <robot>");
   return true;
 }
 
@@ -172,54 +156,41 @@ bool UnreadElements::check_switch(const FileNode& element, const std::string& wh
   const bool is_known = says(text, !*usual);
   const std::string said = what + ": " + tag_of(element) + " is \"" + single_word(text) + "\"";
   if (!is_known) {
-    diagnostics_.error(element.place, said + ", neither true nor false", "write 1 or 0, or delete it");
+    diagnostics().error(element.place, said + ", neither true nor false", "write 1 or 0, or delete it");
   } else if (joined_name(element.name).find("gravity") != std::string::npos) {
-    diagnostics_.unsupported(element.place, said + ": links on which gravity does not act are not supported",
-                             "delete it; for robots whose weight is balanced, --gravity off leaves out all of it");
+    diagnostics().unsupported(element.place, said + ": links on which gravity does not act are not supported",
+                              "delete it; for robots whose weight is balanced, --gravity off leaves out all of it");
   } else {
-    diagnostics_.unsupported(element.place, said + ", so no force moves it", "delete it, or fix its joint");
+    diagnostics().unsupported(element.place, said + ", so no force moves it", "delete it, or fix its joint");
   }
   return true;
 }
 
-void UnreadElements::check_one(const FileNode& element, const std::string& what, const ChildNames& names) {
-  const std::string& name = element.name;
-  if (check_switch(element, what) || refuse_spelling(element, what, names.read)) return;
-  if (brings_in_files(name)) {
-    diagnostics_.error(element.place, what + ": " + tag_of(element) + " is not read, nor the file that it names",
-                       "put in the file that it names; xacro does that for <xacro:include>");
-    return;
-  }
-  if (refuse_words_of_sdf(element, what) || refuse_place(element, what)) return;
-  if (names.holder_moves && is_dynamics_name(name) && !is_nothing(element)) {
-    diagnostics_.unsupported(element.place,
-                             what + ": " + tag_of(element) +
-                                 " is not known, and by its name it "
-                                 "changes how the robot moves",
-                             "write it in the words of docs/robot-format/urdf.md, or delete it");
-    return;
-  }
-  if (!refuse_contents(element, what)) note(element, what);
+bool UnreadElements::refuse_files(const FileNode& element, const std::string& what) {
+  if (!brings_in_files(element.name)) return false;
+  diagnostics().error(element.place, what + ": " + tag_of(element) + " is not read, nor the file that it names",
+                      "put in the file that it names; xacro does that for <xacro:include>");
+  return true;
 }
 
-void UnreadElements::check(const FileNode& holder, const std::string& what, const ChildNames& names) {
-  for (const FileNode& child : holder.children) {
-    if (is_in_list(names.read, child.name) || is_in_list(names.irrelevant, child.name)) continue;
-    check_one(child, what, names);
-  }
-  if (names.reads_text) return;
-  std::string text;
-  for (const std::string& word : words_of(holder.text)) text += (text.empty() ? "" : " ") + word;
-  if (text.empty()) return;
-  if (!noted_.insert("text of " + holder.name).second) return;
-  diagnostics_.note(holder.place, what + ": the text \"" + text + "\" is not read", "a comment is <!-- ... -->",
-                    "unknown elements not read");
+// Forces and constraints are refused by unsupported.hpp.
+bool UnreadElements::refuse_by_format(const FileNode& element, const std::string& what) {
+  return (values_.is_in(element, "robot") && is_force_or_constraint_name(element.name)) ||
+         check_switch(element, what) || refuse_files(element, what) || refuse_words_of_sdf(element, what) ||
+         refuse_place(element, what) || (!is_refused_by_name(element) && refuse_contents(element, what));
 }
 
-void UnreadElements::check_spelling(const FileNode& holder, const std::string& what, const NameList& read) {
-  for (const FileNode& child : holder.children) {
-    if (is_in_list(read, child.name)) continue;
-    if (!refuse_spelling(child, what, read)) refuse_words_of_sdf(child, what);
+void UnreadElements::check_still(const FileNode& element, const std::string& what) {
+  moves_ = false;
+  check(element, what);
+  moves_ = true;
+}
+
+void UnreadElements::check_spelling(const FileNode& fixed_joint, const std::string& what) {
+  const SchemaNames& names = schema().find("joint", "fixed")->children;
+  for (const FileNode& child : fixed_joint.children) {
+    if (names.know(child.name) || refuse_spelling(child, what, names)) continue;
+    refuse_words_of_sdf(child, what);
   }
 }
 
@@ -227,8 +198,8 @@ void UnreadElements::check_bodies_in(const FileNode& element, const std::string&
   static const NameList kBodies = {"inertial", "mass", "inertia", "dynamics"};
   const FileNode* body = body_below(element, kBodies, values_.root());
   if (body == nullptr || is_nothing(*body)) return;
-  diagnostics_.error(body->place, what + ": <" + body->name + "> in " + tag_of(element) + " has no effect",
-                     "write it in <" + parent_of_element(body->name) + ">, or delete it");
+  diagnostics().error(body->place, what + ": <" + body->name + "> in " + tag_of(element) + " has no effect",
+                      "write it in <" + parent_of_element(body->name) + ">, or delete it");
 }
 
 }  // namespace flatdyn

@@ -3,48 +3,41 @@
 // another one than is read without them.
 #pragma once
 
-#include <set>
 #include <string>
 #include <vector>
 
+#include "robot/input/common/unknown_names.hpp"
 #include "robot/input/urdf/values.hpp"
 
 namespace flatdyn {
 
-// The children that an element may have: those that are read, and those that have nothing to do with dynamics.
-struct ChildNames {
-  std::vector<std::string> read;
-  std::vector<std::string> irrelevant;
-  bool holder_moves = true;  // what does not move is not changed by springs, friction, and gears
-  bool reads_text = false;   // the text between the children is read as well
-};
-
-class UnreadElements {
+class UnreadElements : public UnknownNames {
  public:
-  explicit UnreadElements(const UrdfValues& values) : values_(values), diagnostics_(values.context().diagnostics) {}
+  explicit UnreadElements(const UrdfValues& values);
 
-  // Children of `holder`, and its text.
-  void check(const FileNode& holder, const std::string& what, const ChildNames& names);
+  // The same of an element in which springs, friction and gears would change nothing, as it does not move.
+  void check_still(const FileNode& element, const std::string& what);
 
-  // The same where the holder does not move: what is spelt almost like what is read of it.
-  void check_spelling(const FileNode& holder, const std::string& what, const std::vector<std::string>& read);
+  // Errors for what is spelt almost like what is read of a fixed joint.
+  void check_spelling(const FileNode& fixed_joint, const std::string& what);
 
   // Elements with a mass in an element that has nothing to do with dynamics: <visual><inertial>.
   void check_bodies_in(const FileNode& element, const std::string& what);
 
-  void note(const FileNode& element, const std::string& what);
+  using UnknownNames::note;
 
  private:
-  bool refuse_spelling(const FileNode& element, const std::string& what, const std::vector<std::string>& read);
+  bool goes_into(const FileNode&, const FileNode&) const override { return false; }
+  bool says_nothing(const FileNode& element) const override;
+  bool refuse_by_format(const FileNode& element, const std::string& what) override;
   bool refuse_place(const FileNode& element, const std::string& what);
   bool refuse_words_of_sdf(const FileNode& element, const std::string& what);
+  bool refuse_files(const FileNode& element, const std::string& what);
   bool check_switch(const FileNode& element, const std::string& what);
   bool refuse_contents(const FileNode& element, const std::string& what);
-  void check_one(const FileNode& element, const std::string& what, const ChildNames& names);
 
   const UrdfValues& values_;
-  Diagnostics& diagnostics_;
-  std::set<std::string> noted_;  // once per file and name
+  bool moves_ = true;
 };
 
 // Where an element of this name is read from: "joint"; "" if no values are read from such elements.

@@ -18,12 +18,9 @@ constexpr const char* kArmatureHint = "write the reflected inertia as <dynamics 
 
 // The hint for a constraint or force element; nullptr for all other elements.
 const char* hint_instead_of(std::string_view name) {
-  const auto has = [name](std::string_view part) { return name.find(part) != std::string_view::npos; };
-  if (name == "force_element" || name == "cable") return kForceHint;
-  if (!name.starts_with("drake:")) return nullptr;
+  if (!is_force_or_constraint_name(name)) return nullptr;
   if (name == "drake:joint") return kJointHint;
-  if (has("constraint")) return kConstraintHint;
-  return has("spring") || has("bushing") || has("cable") ? kForceHint : nullptr;
+  return name.find("constraint") != std::string_view::npos ? kConstraintHint : kForceHint;
 }
 
 class Refuser {
@@ -75,8 +72,6 @@ class Refuser {
 };
 
 }  // namespace
-
-bool is_unsupported_element(std::string_view name) { return hint_instead_of(name) != nullptr; }
 
 void refuse_unsupported(const FileNode& element, const std::string& where, const char* hint, const UrdfValues& values) {
   const std::string name = element.value("name");

@@ -11,9 +11,6 @@ namespace flatdyn {
 
 void refuse_unread_dynamics(const FileNode& root, const UrdfValues& values, const Robot& robot);
 
-// Whether an element of <robot> is refused by that: a constraint, or what exerts forces.
-bool is_unsupported_element(std::string_view name);
-
 inline constexpr const char* kLoopHint =
     "write it as <loop name=\"...\" type=\"revolute\"> with <predecessor link=\"...\">, <successor link=\"...\">, an "
     "<origin> in each, and <axis>";

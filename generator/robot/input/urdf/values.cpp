@@ -7,6 +7,7 @@
 #include "base/diagnostics/utf8.hpp"
 #include "robot/input/common/poses.hpp"
 #include "robot/input/common/quaternion.hpp"
+#include "robot/input/common/spelling.hpp"
 #include "robot/input/common/units.hpp"
 #include "robot/input/common/words.hpp"
 #include "robot/model/exact_sign.hpp"
