@@ -75,7 +75,7 @@ const Schema& mjcf_schema() {
       {"tendon/spatial", kOfTendon, {"site geom pulley"}},
       {"fixed/*", kAnything, kAnything},
       {"spatial/*", kAnything, kAnything},
-      {"deformable", {}, {"flex skin"}},
+      {"deformable", {}, {"flex", "skin"}},
   };
   return kSchema;
 }
