@@ -151,7 +151,7 @@ class GeomReader {
   }
 
   // From one end to the other: the first size is that across, and no orientation counts.
-  std::optional<MjcfSolid> between(const MjcfValues::Numbers& ends, Pose& pose) {
+  std::optional<MjcfSolid> between(const FileNumbers& ends, Pose& pose) {
     const Vec3 from = as_vector(ends.numbers), to = {ends.numbers[3], ends.numbers[4], ends.numbers[5]};
     const Vec3 direction = to - from;
     const Vec3 position = values_.length_vector(item_, "pos");

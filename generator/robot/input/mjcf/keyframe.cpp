@@ -36,7 +36,7 @@ std::size_t position_count(const MjcfModel& model) {
   return count;
 }
 
-void take_positions(const MjcfValues::Numbers& positions, const MjcfModel& model) {
+void take_positions(const FileNumbers& positions, const MjcfModel& model) {
   std::size_t next = 0;
   for (const MjcfBody& body : model.bodies) {
     for (std::size_t k = 0; k < body.position_counts.size(); ++k) {

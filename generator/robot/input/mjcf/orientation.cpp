@@ -62,7 +62,7 @@ class OrientationReader {
     return found;
   }
 
-  Displacements by_quaternion(const MjcfValues::Numbers& q) {
+  Displacements by_quaternion(const FileNumbers& q) {
     const Vec3 v = {q.numbers[1], q.numbers[2], q.numbers[3]};
     if (is_zero(v) && vanishes(q.numbers[0])) {
       report_zero(q.spot, context_.diagnostics);
@@ -71,7 +71,7 @@ class OrientationReader {
     return displacements_of(turned_axes(q.numbers[0], v), q.spot, joined_words(q.written), context_);
   }
 
-  Number angle(const MjcfValues::Numbers& found, std::size_t i) {
+  Number angle(const FileNumbers& found, std::size_t i) {
     const Number angle = decimal_angle(found.numbers[i], found.written[i], settings_.angles, found.spot, context_);
     if (!settings_.angles.degrees && may_be_degrees(angle)) {
       warn_of_degrees(angle, found.spot, "if so, write <compiler angle=\"degree\"/>", context_.diagnostics);
@@ -79,7 +79,7 @@ class OrientationReader {
     return angle;
   }
 
-  Displacements by_axis_and_angle(const MjcfValues::Numbers& found) {
+  Displacements by_axis_and_angle(const FileNumbers& found) {
     const Vec3 axis = as_vector(found.numbers);
     if (is_zero(axis)) {
       report_zero(found.spot, context_.diagnostics);
@@ -88,7 +88,7 @@ class OrientationReader {
     return turn_about(axis, angle(found, 3), found.spot, joined_words(found.written), context_);
   }
 
-  Displacements by_euler(const MjcfValues::Numbers& found) {
+  Displacements by_euler(const FileNumbers& found) {
     using Kind = Displacement::Kind;
     Displacements turns;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -102,7 +102,7 @@ class OrientationReader {
   }
 
   // The second axis is made perpendicular to the first.
-  Displacements by_axes(const MjcfValues::Numbers& found) {
+  Displacements by_axes(const FileNumbers& found) {
     const Vec3 x = as_vector(found.numbers), other = {found.numbers[3], found.numbers[4], found.numbers[5]};
     if (is_zero(cross(x, other))) {
       report_zero(found.spot, context_.diagnostics);
@@ -112,7 +112,7 @@ class OrientationReader {
     return displacements_of({x, y}, found.spot, joined_words(found.written), context_);
   }
 
-  Displacements by_z(const MjcfValues::Numbers& found) {
+  Displacements by_z(const FileNumbers& found) {
     const Vec3 z = as_vector(found.numbers);
     if (!is_zero(z)) return turn_from_z(z, found.spot, joined_words(found.written), context_);
     report_zero(found.spot, context_.diagnostics);

@@ -9,18 +9,6 @@
 
 namespace flatdyn {
 
-namespace {
-
-std::string count_text(std::size_t least, std::size_t most) {
-  const std::string count = std::to_string(least);
-  return least == most ? count + (most == 1 ? " number is" : " numbers are")
-                       : count + " to " + std::to_string(most) + " numbers are";
-}
-
-}  // namespace
-
-Vec3 as_vector(const std::vector<Number>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
-
 MjcfItem MjcfValues::item(const FileNode& element, const std::string& class_name, const std::string& section) const {
   MjcfItem found{&element, default_kind_of(element.name, section), class_name, name_in_messages(element)};
   const FileAttribute* own = element.attribute("class");
@@ -64,27 +52,14 @@ bool MjcfValues::flag(const MjcfItem& item, const char* name, bool fallback) con
   return keyword(item, name, {"true", "false"}, fallback ? "true" : "false") == "true";
 }
 
-std::optional<MjcfValues::Numbers> MjcfValues::numbers(const MjcfItem& item, const char* name, std::size_t least,
-                                                       std::size_t most) const {
+std::optional<FileNumbers> MjcfValues::numbers(const MjcfItem& item, const char* name, std::size_t least,
+                                               std::size_t most) const {
   const FileAttribute* found = find(item, name);
-  if (found == nullptr) return std::nullopt;
-  Numbers values{{}, words_of(found->text), spot(item, *found)};
-  if (values.written.size() < least || values.written.size() > most) {
-    diagnostics().error(found->place,
-                        values.spot.what + ": " + count_text(least, most) + " expected, not \"" + found->text + "\"",
-                        "separate them by blanks");
-    return std::nullopt;
-  }
-  for (const std::string& word : values.written) {
-    const std::optional<Number> value = checked_decimal(word, values.spot, diagnostics());
-    if (!value) return std::nullopt;
-    values.numbers.push_back(*value);
-  }
-  return values;
+  return found == nullptr ? std::nullopt : numbers_in({found->text, spot(item, *found)}, least, most, diagnostics());
 }
 
 std::optional<Value> MjcfValues::number(const MjcfItem& item, const char* name) const {
-  const std::optional<Numbers> found = numbers(item, name, 1, 1);
+  const std::optional<FileNumbers> found = numbers(item, name, 1, 1);
   if (!found) return std::nullopt;
   return Value{found->numbers[0], found->spot.place};
 }
@@ -94,12 +69,12 @@ Value MjcfValues::number_or(const MjcfItem& item, const char* name, const Number
 }
 
 Vec3 MjcfValues::vector(const MjcfItem& item, const char* name, const Vec3& fallback) const {
-  const std::optional<Numbers> found = numbers(item, name, 3, 3);
+  const std::optional<FileNumbers> found = numbers(item, name, 3, 3);
   return found ? as_vector(found->numbers) : fallback;
 }
 
 Vec3 MjcfValues::length_vector(const MjcfItem& item, const char* name) const {
-  const std::optional<Numbers> found = numbers(item, name, 3, 3);
+  const std::optional<FileNumbers> found = numbers(item, name, 3, 3);
   if (!found) return zero_vector();
   for (const Number& length : found->numbers) note_length(length, found->spot, {}, context_);
   return as_vector(found->numbers);
@@ -111,19 +86,11 @@ std::optional<std::array<std::optional<Value>, 2>> MjcfValues::range(const MjcfI
   const Spot where = spot(item, *found);
   const std::vector<std::string> words = words_of(found->text);
   if (words.size() != 2) {
-    diagnostics().error(found->place, where.what + ": 2 numbers are expected, not \"" + found->text + "\"",
-                        "separate them by blanks");
+    numbers_in({found->text, where}, 2, 2, diagnostics(), "write the lower and the upper limit");
     return std::nullopt;
   }
-  std::array<std::optional<Value>, 2> limits;
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (is_infinite_limit(words[i])) {
-      check_infinite_limit(words[i], i == 0 ? Bound::lower : Bound::upper, where, diagnostics());
-    } else if (const auto value = checked_decimal(words[i], where, diagnostics())) {
-      limits[i] = Value{*value, where.place};
-    }
-  }
-  return limits;
+  return std::array{limit_in({words[0], where}, Bound::lower, diagnostics()),
+                    limit_in({words[1], where}, Bound::upper, diagnostics())};
 }
 
 }  // namespace flatdyn

@@ -2,6 +2,7 @@
 // Values of MJCF elements, each with its place: an element's own, or those of its class of defaults.
 #pragma once
 
+#include "robot/input/common/values.hpp"
 #include "robot/input/mjcf/defaults.hpp"
 
 namespace flatdyn {
@@ -37,12 +38,7 @@ class MjcfValues {
   std::optional<Value> number(const MjcfItem& item, const char* name) const;
   Value number_or(const MjcfItem& item, const char* name, const Number& fallback) const;
   // As many numbers as this, with their texts; nullopt, and perhaps an error, if they are not there.
-  struct Numbers {
-    std::vector<Number> numbers;
-    std::vector<std::string> written;
-    Spot spot;
-  };
-  std::optional<Numbers> numbers(const MjcfItem& item, const char* name, std::size_t least, std::size_t most) const;
+  std::optional<FileNumbers> numbers(const MjcfItem& item, const char* name, std::size_t least, std::size_t most) const;
   Vec3 vector(const MjcfItem& item, const char* name, const Vec3& fallback) const;
   Vec3 length_vector(const MjcfItem& item, const char* name) const;  // m; asked about where it is long
 
@@ -58,7 +54,5 @@ class MjcfValues {
   const MjcfDefaults& defaults_;
   ReadContext& context_;
 };
-
-Vec3 as_vector(const std::vector<Number>& numbers);
 
 }  // namespace flatdyn

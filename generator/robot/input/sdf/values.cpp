@@ -7,7 +7,6 @@
 
 #include "base/diagnostics/utf8.hpp"
 #include "robot/input/common/poses.hpp"
-#include "robot/input/common/quaternion.hpp"
 #include "robot/input/common/units.hpp"
 #include "robot/input/common/words.hpp"
 #include "robot/model/exact_sign.hpp"
@@ -71,106 +70,63 @@ std::optional<Reference> SdfValues::name(const FileNode& parent, const char* tag
   return Reference{text, element->place};
 }
 
-std::optional<Value> SdfValues::number(const FileNode& parent, const char* tag, const std::string& what) const {
+std::optional<FileText> SdfValues::text(const FileNode& parent, const char* tag, const std::string& what) const {
   const FileNode* element = child(parent, tag, what);
   if (element == nullptr) return std::nullopt;
-  const Spot spot{element->place, what + ", " + tag};
-  return Value{checked_decimal(single_word(element->text), spot, context_.diagnostics).value_or(0), spot.place};
+  return FileText{element->text, {element->place, what + ", " + tag}};
+}
+
+std::optional<Value> SdfValues::number(const FileNode& parent, const char* tag, const std::string& what) const {
+  const std::optional<FileText> found = text(parent, tag, what);
+  return found ? std::optional(value_in(*found, context_.diagnostics)) : std::nullopt;
 }
 
 std::optional<Value> SdfValues::attribute(const FileNode& element, const char* key, const std::string& what) const {
-  const FileAttribute* found = element.attribute(key);
-  if (found == nullptr) return std::nullopt;
-  const Spot spot{element.place, what + ", " + key};
-  return Value{checked_decimal(single_word(found->text), spot, context_.diagnostics).value_or(0), spot.place};
-}
-
-bool SdfValues::is_true(const std::string& text, bool otherwise, const Spot& spot) const {
-  std::string small = single_word(text);
-  for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
-  if (small == "true" || small == "1") return true;
-  if (small == "false" || small == "0") return false;
-  context_.diagnostics.error(spot.place, fmt::format("{}: \"{}\" is neither true nor false", spot.what, text),
-                             "write true or false");
-  return otherwise;
+  if (!element.has(key)) return std::nullopt;
+  return value_in({element.value(key), {element.place, what + ", " + key}}, context_.diagnostics);
 }
 
 bool SdfValues::flag(const FileNode& parent, const char* tag, bool otherwise, const std::string& what) const {
-  const FileNode* element = child(parent, tag, what);
-  return element == nullptr ? otherwise : is_true(element->text, otherwise, {element->place, what + ", " + tag});
+  const std::optional<FileText> found = text(parent, tag, what);
+  return found ? flag_in(*found, context_.diagnostics).value_or(otherwise) : otherwise;
 }
 
 bool SdfValues::flag_attribute(const FileNode& element, const char* key, const std::string& what) const {
-  const FileAttribute* found = element.attribute(key);
-  return found != nullptr && is_true(found->text, false, {element.place, what + ", " + key});
-}
-
-std::optional<std::vector<Number>> SdfValues::numbers(const std::vector<std::string>& words, const Spot& spot) const {
-  std::vector<Number> all;
-  for (const std::string& word : words) {
-    const std::optional<Number> number = checked_decimal(word, spot, context_.diagnostics);
-    if (!number) return std::nullopt;
-    all.push_back(*number);
-  }
-  return all;
+  const FileText text{element.value(key), {element.place, what + ", " + key}};
+  return element.has(key) && flag_in(text, context_.diagnostics).value_or(false);
 }
 
 std::optional<Vec3> SdfValues::vector(const FileNode& element, const std::string& what) const {
-  const std::vector<std::string> words = words_of(element.text);
-  const Spot spot{element.place, what};
-  if (words.size() != kOfPosition) {
-    context_.diagnostics.error(spot.place,
-                               fmt::format("{}: three numbers are expected, not \"{}\"", what, joined_words(words)),
-                               "separate them by blanks: 0 0 1");
-    return std::nullopt;
-  }
-  const std::optional<std::vector<Number>> values = numbers(words, spot);
-  if (!values) return std::nullopt;
-  return Vec3{(*values)[0], (*values)[1], (*values)[2]};
+  return vector_in({element.text, {element.place, what}}, context_.diagnostics);
 }
 
 std::optional<Value> SdfValues::limit(const FileNode& parent, const char* tag, Bound bound,
                                       const std::string& what) const {
-  const FileNode* element = child(parent, tag, what);
-  if (element == nullptr) return std::nullopt;
-  const std::string text = single_word(element->text);
-  const Spot spot{element->place, what + ", " + tag};
-  const bool is_none = bound == Bound::magnitude && text.starts_with('-');
-  if (!is_infinite_limit(text)) {
-    const std::optional<Number> value = checked_decimal(text, spot, context_.diagnostics);
-    if (!value || is_none) return std::nullopt;
-    if (!is_default_limit(*value)) return Value{*value, spot.place};
-  }
-  if (!is_none) check_infinite_limit(text, bound, spot, context_.diagnostics);
+  const std::optional<FileText> found = text(parent, tag, what);
+  if (!found) return std::nullopt;
+  const bool is_none = bound == Bound::magnitude && single_word(found->text).starts_with('-');
+  const std::optional<Value> limit = limit_in(*found, is_none ? Bound::lower : bound, context_.diagnostics);
+  if (!limit || !is_default_limit(limit->number)) return is_none ? std::nullopt : limit;
+  if (!is_none) check_infinite_limit(single_word(found->text), bound, found->spot, context_.diagnostics);
   return std::nullopt;
 }
 
-Vec3 SdfValues::angles(const std::vector<std::string>& words, const std::vector<Number>& numbers, bool degrees,
-                       const Spot& spot) const {
+Vec3 SdfValues::angles(const FileNumbers& pose, bool degrees) const {
   Vec3 all;
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::string& written = words[i + kOfPosition];
-    all[i] = decimal_angle(numbers[i + kOfPosition], written, {degrees, false, false}, spot, context_);
+    const std::size_t k = i + kOfPosition;
+    all[i] = decimal_angle(pose.numbers[k], pose.written[k], {degrees, false, false}, pose.spot, context_);
     if (degrees || !may_be_degrees(all[i])) continue;
-    warn_of_degrees(all[i], spot, "if so, write <pose degrees=\"true\">", context_.diagnostics);
+    warn_of_degrees(all[i], pose.spot, "if so, write <pose degrees=\"true\">", context_.diagnostics);
   }
   return all;
 }
 
-Vec3 SdfValues::angles_of_quaternion(const std::vector<std::string>& words, const std::vector<Number>& numbers,
-                                     const Spot& spot) const {
-  const Quaternion q = {numbers[3], numbers[4], numbers[5], numbers[6]};
-  if (magnitude(squared_norm(q) - 1) > magnitude(exact_decimal("1e-2"))) {
-    context_.diagnostics.error(spot.place, spot.what + ": this is not a unit quaternion",
-                               "write x y z w with a sum of squares of 1 behind the position: 0 0 0 1 turns nothing");
-    return zero_vector();
-  }
-  // A pitch that is so near to a quarter turn is snapped to it.
-  const bool snaps = !context_.options.snap_tolerance.is_zero();
-  Vec3 rpy = rpy_of(q, snaps ? exact_decimal("1e-12") : Number(0));
-  const std::string written = joined_words({words.begin() + kOfPosition, words.end()});
-  for (Number& angle : rpy) angle = snapped_angle(angle, written, spot, context_);
-  return rpy;
+Vec3 SdfValues::rpy_behind_position(const FileNumbers& pose) const {
+  const std::string written = joined_words({pose.written.begin() + kOfPosition, pose.written.end()});
+  return rpy_in({pose.numbers.begin() + kOfPosition, pose.numbers.end()}, {written, pose.spot}, context_,
+                " behind the position")
+      .value_or(zero_vector());
 }
 
 SdfPose SdfValues::pose(const FileNode& parent, const std::string& what) const {
@@ -180,8 +136,7 @@ SdfPose SdfValues::pose(const FileNode& parent, const std::string& what) const {
   // Versions up to 1.6 called it so.
   const bool is_older = version_ <= 6 && !element->has("relative_to");
   SdfPose pose{{}, {element->value(is_older ? "frame" : "relative_to"), spot.place}};
-  const std::vector<std::string> words = words_of(element->text);
-  if (words.empty()) return pose;
+  if (words_of(element->text).empty()) return pose;
   const FileAttribute* format = element->attribute("rotation_format");
   const bool is_quaternion = format != nullptr && format->text == "quat_xyzw";
   if (format != nullptr && !is_quaternion && format->text != "euler_rpy") {
@@ -189,19 +144,15 @@ SdfPose SdfValues::pose(const FileNode& parent, const std::string& what) const {
                                "write euler_rpy or quat_xyzw");
     return pose;
   }
-  const std::size_t expected = is_quaternion ? kOfQuaternion : kOfEuler;
-  if (words.size() != expected) {
-    context_.diagnostics.error(
-        spot.place, fmt::format("{}: {} numbers are expected, not \"{}\"", spot.what, expected, joined_words(words)),
-        is_quaternion ? "write x y z, and the quaternion x y z w" : "write x y z roll pitch yaw");
-    return pose;
-  }
-  const std::optional<std::vector<Number>> values = numbers(words, spot);
+  const std::size_t count = is_quaternion ? kOfQuaternion : kOfEuler;
+  const std::optional<FileNumbers> values =
+      numbers_in({element->text, spot}, count, count, context_.diagnostics,
+                 is_quaternion ? "write x y z, and the quaternion x y z w" : "write x y z roll pitch yaw");
   if (!values) return pose;
-  const Vec3 xyz = {(*values)[0], (*values)[1], (*values)[2]};
+  const Vec3 xyz = as_vector(values->numbers);
   for (const Number& length : xyz) note_length(length, spot, {}, context_);
-  const Vec3 rpy = is_quaternion ? angles_of_quaternion(words, *values, spot)
-                                 : angles(words, *values, flag_attribute(*element, "degrees", spot.what), spot);
+  const Vec3 rpy =
+      is_quaternion ? rpy_behind_position(*values) : angles(*values, flag_attribute(*element, "degrees", spot.what));
   pose.displacements = pose_from_xyz_rpy(xyz, rpy, spot.place).displacements;
   return pose;
 }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "robot/input/common/context.hpp"
 #include "robot/input/common/file_node.hpp"
+#include "robot/input/common/values.hpp"
 #include "robot/model/pose_product.hpp"
 
 namespace flatdyn {
@@ -58,12 +58,9 @@ class SdfValues {
   SdfPose pose(const FileNode& parent, const std::string& what) const;
 
  private:
-  std::optional<std::vector<Number>> numbers(const std::vector<std::string>& words, const Spot& spot) const;
-  Vec3 angles(const std::vector<std::string>& words, const std::vector<Number>& numbers, bool degrees,
-              const Spot& spot) const;
-  Vec3 angles_of_quaternion(const std::vector<std::string>& words, const std::vector<Number>& numbers,
-                            const Spot& spot) const;
-  bool is_true(const std::string& text, bool otherwise, const Spot& spot) const;
+  std::optional<FileText> text(const FileNode& parent, const char* tag, const std::string& what) const;
+  Vec3 angles(const FileNumbers& pose, bool degrees) const;
+  Vec3 rpy_behind_position(const FileNumbers& pose) const;
 
   std::string file_;
   int version_;

@@ -25,7 +25,7 @@ struct Reflected {
   std::optional<Value> rotor_inertia;
   std::string tag;  // of the rotor inertia
   std::optional<Value> gear_ratio;
-  std::vector<UrdfText> reductions;
+  std::vector<FileText> reductions;
   std::optional<Place> coupling;  // a transmission that ties this joint to others
   std::optional<Place> rotor_of_coupling;
 };
@@ -38,30 +38,24 @@ constexpr std::array<const char*, 2> kGearRatios = {"drake:gear_ratio", "gear_ra
 constexpr std::array<const char*, 3> kReductions = {"mechanicalReduction", "mechanical_reduction", "reduction"};
 
 // The value of this name in an actuator, a joint or a transmission: of a child or, less usual, of an attribute.
-std::optional<UrdfText> rotor_text(const FileNode& holder, const char* tag, const UrdfValues& values,
+std::optional<FileText> rotor_text(const FileNode& holder, const char* tag, const UrdfValues& values,
                                    const std::string& what) {
   const std::string where = what + ", " + tag;
   if (const FileNode* element = holder.child(tag)) {
-    const std::optional<UrdfText> text = values.text(*element, "value", where);
-    return text ? *text : UrdfText{"", {element->place, where}};
+    const std::optional<FileText> text = values.text(*element, "value", where);
+    return text ? *text : FileText{"", {element->place, where}};
   }
   if (!holder.has(tag)) return std::nullopt;
   values.context().diagnostics.note(holder.place, where + " is read from the attribute of <" + holder.name + ">",
                                     std::string("write an element: <") + tag + ">...</" + tag + ">",
                                     "values read from unusual places");
-  return UrdfText{holder.value(tag), {holder.place, where}};
-}
-
-Value value_of_text(const UrdfText& text, Diagnostics& diagnostics) {
-  const std::vector<std::string> words = words_of(text.text);
-  const std::string number = words.size() == 1 ? words.front() : text.text;
-  return {checked_decimal(number, text.spot, diagnostics).value_or(0), text.spot.place};
+  return FileText{holder.value(tag), {holder.place, where}};
 }
 
 // Two rotors may drive one joint, but then nobody knows whether they are two, or one that is written twice.
-void set_once(std::optional<Value>& value, const UrdfText& text, const UrdfValues& values, const std::string& tag,
+void set_once(std::optional<Value>& value, const FileText& text, const UrdfValues& values, const std::string& tag,
               const std::string& joint) {
-  const Value given = value_of_text(text, values.context().diagnostics);
+  const Value given = value_in(text, values.context().diagnostics);
   if (value) {
     values.context().diagnostics.error(given.place,
                                        "joint \"" + joint + "\" has a second rotor, by <" + tag +
@@ -75,20 +69,20 @@ void set_once(std::optional<Value>& value, const UrdfText& text, const UrdfValue
 void read_rotor(const FileNode& parent, const UrdfValues& values, const std::string& what, const std::string& joint,
                 Reflected& reflected) {
   for (const char* tag : kRotorInertias) {
-    const std::optional<UrdfText> text = rotor_text(parent, tag, values, what);
+    const std::optional<FileText> text = rotor_text(parent, tag, values, what);
     if (!text) continue;
     if (!reflected.rotor_inertia) reflected.tag = tag;
     set_once(reflected.rotor_inertia, *text, values, tag, joint);
   }
   for (const char* tag : kGearRatios) {
-    const std::optional<UrdfText> text = rotor_text(parent, tag, values, what);
+    const std::optional<FileText> text = rotor_text(parent, tag, values, what);
     if (text) set_once(reflected.gear_ratio, *text, values, tag, joint);
   }
 }
 
 void read_reductions(const FileNode& holder, const UrdfValues& values, const std::string& what, Reflected& reflected) {
   for (const char* tag : kReductions) {
-    if (const std::optional<UrdfText> text = rotor_text(holder, tag, values, what))
+    if (const std::optional<FileText> text = rotor_text(holder, tag, values, what))
       reflected.reductions.push_back(*text);
   }
 }
@@ -205,10 +199,10 @@ Value gear_ratio_of(const Reflected& reflected, const UrdfValues& values, const 
   if (reflected.gear_ratio) return *reflected.gear_ratio;
   if (reflected.reductions.empty()) return {1, reflected.rotor_inertia->place};
   Diagnostics& diagnostics = values.context().diagnostics;
-  const UrdfText& first = reflected.reductions.front();
-  const Value ratio = value_of_text(first, diagnostics);
-  for (const UrdfText& other : reflected.reductions) {
-    const Value another = &other == &first ? ratio : value_of_text(other, diagnostics);
+  const FileText& first = reflected.reductions.front();
+  const Value ratio = value_in(first, diagnostics);
+  for (const FileText& other : reflected.reductions) {
+    const Value another = &other == &first ? ratio : value_in(other, diagnostics);
     if (another.number.is_equal(ratio.number)) continue;
     diagnostics.error(another.place,
                       what + " has a rotor inertia and two <mechanicalReduction> (the first is in line " +
@@ -221,7 +215,7 @@ Value gear_ratio_of(const Reflected& reflected, const UrdfValues& values, const 
 // A gear alone moves nothing: people expect the motor's inertia to count, and it does only if it is given.
 void note_idle_reduction(const Reflected& reflected, const UrdfValues& values, const std::string& what) {
   if (reflected.reductions.empty() || are_equivalent_texts(reflected.reductions.back().text, "1")) return;
-  const UrdfText& ratio = reflected.reductions.back();
+  const FileText& ratio = reflected.reductions.back();
   values.context().diagnostics.note(
       ratio.spot.place, what + ": mechanicalReduction " + ratio.text + " has no effect without a rotor inertia",
       "give one: <drake:rotor_inertia value=...>, or <dynamics armature=...>",

@@ -216,16 +216,6 @@ class CouplingReader {
   std::map<int, CouplingEquation> solved_;  // by the joint that follows
 };
 
-std::optional<bool> mark_of(const std::string& text) {
-  for (const char* yes : {"true", "True", "TRUE", "1"}) {
-    if (text == yes) return true;
-  }
-  for (const char* no : {"false", "False", "FALSE", "0"}) {
-    if (text == no) return false;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 void read_urdf_marks(const FileNode& root, const UrdfValues& values, Robot& robot) {
@@ -236,11 +226,8 @@ void read_urdf_marks(const FileNode& root, const UrdfValues& values, Robot& robo
       const std::string what = "joint \"" + joint.name + "\"";
       const std::string name = a.name;
       if (name == "independent") {
-        joint.independent = mark_of(a.text);
-        if (joint.independent) continue;
-        values.context().diagnostics.error(element->place,
-                                           what + ", independent: \"" + a.text + "\" is neither true nor false",
-                                           "write independent=\"false\" if it follows other joints");
+        joint.independent = flag_in({a.text, {element->place, what + ", independent"}}, values.context().diagnostics,
+                                    "write independent=\"false\" if it follows other joints");
       } else if (const std::string hint = hint_for_unknown(name, {"independent"}, "attributes");
                  hint.starts_with("did you mean")) {
         values.context().diagnostics.error(element->place, what + ": unknown attribute \"" + name + "\"", hint);

@@ -19,18 +19,12 @@ namespace {
 constexpr const char* kMimicHint =
     "write <mimic joint=\"...\" multiplier=\"...\" offset=\"...\"/> in the joint that follows";
 
-// A number, and where it stands; no text where it is left out.
-struct MimicNumber {
-  std::optional<std::string> text;
-  Spot spot;
-};
-
 // One element says this of one follower.
 struct MimicWords {
   std::string what;  // who says it
   Place place;
   std::string leader;
-  MimicNumber multiplier, offset;
+  std::optional<FileText> multiplier, offset;  // nullopt where they are left out
 };
 
 bool says_mimic(const std::string& text) { return folded_name(text).find("mimic") != std::string::npos; }
@@ -88,8 +82,8 @@ class MimicReader {
       const std::string where = "joint \"" + joint.name + "\", " + tag;
       const std::string leader = values_.required_text(*mimic, "joint", where);
       if (!leader.empty())
-        follow(joint, {where, mimic->place, leader, attribute(*mimic, "multiplier", where),
-                       attribute(*mimic, "offset", where)});
+        follow(joint, {where, mimic->place, leader, values_.text(*mimic, "multiplier", where),
+                       values_.text(*mimic, "offset", where)});
     }
   }
 
@@ -107,18 +101,13 @@ class MimicReader {
                       "give it the type by which it moves, or delete the mimic", "mimics of joints that are fixed");
   }
 
-  MimicNumber attribute(const FileNode& element, const char* name, const std::string& where) const {
-    const std::optional<UrdfText> written = values_.text(element, name, where);
-    return written ? MimicNumber{written->text, written->spot} : MimicNumber{};
-  }
-
   // The text of a child.
-  MimicNumber child(const FileNode& parent, const char* name, const std::string& where) const {
+  std::optional<FileText> child(const FileNode& parent, const char* name, const std::string& where) const {
     const FileNode* element = parent.child(name);
     if (element == nullptr) return {};
     for (const FileNode* other : parent.elements(name)) check_same(*element, *other, where + ", " + name);
     refuse_other_attributes(*element, where + ", " + name, {}, values_);
-    return {element->text, {element->place, where + ", " + name}};
+    return FileText{element->text, {element->place, where + ", " + name}};
   }
 
   void check_same(const FileNode& first, const FileNode& other, const std::string& what) const {
@@ -128,17 +117,16 @@ class MimicReader {
                        "keep the one that is right");
   }
 
-  std::optional<Number> number_of(const MimicNumber& number, int if_left_out) {
-    if (!number.text) return if_left_out;
-    return checked_decimal(single_word(*number.text), number.spot, diagnostics_);
+  std::optional<Number> number_of(const std::optional<FileText>& number, int if_left_out) {
+    return number ? decimal_in(*number, diagnostics_) : Number(if_left_out);
   }
 
   void follow(Joint& joint, const MimicWords& words) {
     const std::optional<Number> factor = number_of(words.multiplier, 1);
     std::optional<Number> offset = number_of(words.offset, 0);
     if (!factor || !offset) return;
-    if (joint.type != JointType::prismatic && words.offset.text) {
-      offset = values_.angle_of(*offset, single_word(*words.offset.text), words.offset.spot);
+    if (joint.type != JointType::prismatic && words.offset) {
+      offset = values_.angle_of(*offset, single_word(words.offset->text), words.offset->spot);
     }
     if (is_refused_as_floating(words.leader, words)) return;
     if (words.leader == joint.name) {
@@ -222,8 +210,8 @@ class MimicReader {
     }
     const auto number = [&](const char* name) {
       const auto found = parameters.find(name);
-      return found == parameters.end() ? MimicNumber()
-                                       : MimicNumber{found->second->text, {found->second->place, what + ", " + name}};
+      return found == parameters.end() ? std::optional<FileText>()
+                                       : FileText{found->second->text, {found->second->place, what + ", " + name}};
     };
     if (const auto mimic = parameters.find("mimic"); mimic != parameters.end()) {
       follow_by_name(follower, {what + ", mimic", mimic->second->place, trimmed_text_of(*mimic->second),
@@ -300,7 +288,8 @@ class MimicReader {
           "write polycoef=\"A B 0 0 0\", or leave it out and the joint as it is");
       return;
     }
-    follow_by_name(follower, {what, place, element.value("joint2"), {coefficients[1], spot}, {coefficients[0], spot}});
+    follow_by_name(follower, {what, place, element.value("joint2"), FileText{coefficients[1], spot},
+                              FileText{coefficients[0], spot}});
   }
 
   const std::set<std::string>& floating_;

@@ -36,7 +36,7 @@ class SpringReader {
       if (word == SpringWord::none) continue;
       const std::string what = "gazebo \"" + joint->name + "\", " + part.name;
       set(word == SpringWord::stiffness ? joint->stiffness : joint->spring_reference,
-          {values_.number_of_text(part, what), part.place}, what);
+          value_in({part.text, {part.place, what}}, values_.context().diagnostics), what);
     }
   }
 

@@ -96,10 +96,6 @@ void UrdfValues::note_unusual(const FileNode& holder, const UrdfEntry& entry, co
                             "URDF has it as <" + tag + " " + key + "=\"...\"/>", "values read from unusual places");
 }
 
-Spot UrdfValues::spot(const UrdfEntry& entry, const std::string& key, const std::string& what) const {
-  return {entry.place, entry.form == UrdfEntry::Form::text ? what : what + ", " + key};
-}
-
 void UrdfValues::report_missing(const FileNode& element, const char* key, const std::string& what) const {
   const std::string tag = element.name;
   const UrdfElement* known = known_urdf_element(tag);
@@ -126,21 +122,19 @@ std::string UrdfValues::required_text(const FileNode& element, const char* key, 
   return entry->form == UrdfEntry::Form::attribute ? entry->text : single_word(entry->text);
 }
 
-std::optional<UrdfText> UrdfValues::text(const FileNode& element, const char* key, const std::string& what) const {
-  const std::optional<UrdfEntry> entry = written({&element}, key, what);
-  if (!entry) return std::nullopt;
-  return UrdfText{entry->text, spot(*entry, key, what)};
-}
-
-std::optional<Value> UrdfValues::number(const Holders& holders, const char* key, const std::string& what) const {
+std::optional<FileText> UrdfValues::text(const Holders& holders, const char* key, const std::string& what) const {
   const std::optional<UrdfEntry> entry = written(holders, key, what);
   if (!entry) return std::nullopt;
-  const Spot where = spot(*entry, key, what);
-  return Value{checked_decimal(single_word(entry->text), where, context_.diagnostics).value_or(0), where.place};
+  return FileText{entry->text, {entry->place, entry->form == UrdfEntry::Form::text ? what : what + ", " + key}};
+}
+
+std::optional<FileText> UrdfValues::text(const FileNode& element, const char* key, const std::string& what) const {
+  return text(Holders{&element}, key, what);
 }
 
 std::optional<Value> UrdfValues::number(const FileNode& element, const char* key, const std::string& what) const {
-  return number(Holders{&element}, key, what);
+  const std::optional<FileText> found = text(element, key, what);
+  return found ? std::optional(value_in(*found, context_.diagnostics)) : std::nullopt;
 }
 
 std::optional<Value> UrdfValues::dynamics(const FileNode& joint, const char* key, const std::string& what) const {
@@ -148,7 +142,8 @@ std::optional<Value> UrdfValues::dynamics(const FileNode& joint, const char* key
   for (const char* tag : {"dynamics", "joint_properties"}) {
     if (const FileNode* element = joint.child(tag)) holders.push_back(element);
   }
-  return number(holders, key, what + ", dynamics");
+  const std::optional<FileText> found = text(holders, key, what + ", dynamics");
+  return found ? std::optional(value_in(*found, context_.diagnostics)) : std::nullopt;
 }
 
 Value UrdfValues::required_number(const FileNode& element, const char* key, const std::string& what) const {
@@ -157,116 +152,52 @@ Value UrdfValues::required_number(const FileNode& element, const char* key, cons
   return {0, element.place};
 }
 
-Number UrdfValues::angle(const FileNode& element, const char* key, const std::string& what) const {
-  const std::optional<UrdfEntry> entry = written({&element}, key, what);
-  if (!entry) return 0;
-  const Spot where = spot(*entry, key, what);
-  const std::string text = single_word(entry->text);
-  const std::optional<Number> value = checked_decimal(text, where, context_.diagnostics);
-  return value ? angle_of(*value, text, where) : Number(0);
-}
-
-Number UrdfValues::number_of_text(const FileNode& element, const std::string& what) const {
-  return checked_decimal(single_word(element.text), {element.place, what}, context_.diagnostics).value_or(0);
-}
-
 std::optional<Value> UrdfValues::limit(const FileNode& element, const char* key, Bound bound,
                                        const std::string& what) const {
-  const std::optional<UrdfEntry> entry = written({&element}, key, what);
-  if (!entry) return std::nullopt;
-  const Spot where = spot(*entry, key, what);
-  const std::string text = single_word(entry->text);
-  if (is_infinite_limit(text)) {
-    check_infinite_limit(text, bound, where, context_.diagnostics);
-    return std::nullopt;
-  }
-  const std::optional<Number> value = checked_decimal(text, where, context_.diagnostics);
-  if (!value) return std::nullopt;
-  if (bound == Bound::magnitude && is_negative(*value)) {
-    context_.diagnostics.note(where.place, where.what + ": \"" + text + "\" is taken as not given",
-                              "a limit is a magnitude; leave it out where there is none",
-                              "negative limits taken as not given");
-    return std::nullopt;
-  }
-  return Value{*value, where.place};
-}
-
-template <std::size_t n>
-std::optional<std::array<Number, n>> UrdfValues::numbers(const UrdfEntry& entry, const Spot& spot) const {
-  const std::vector<std::string> words = words_of(entry.text);
-  if (words.size() != n) {
-    context_.diagnostics.error(
-        spot.place,
-        spot.what + ": " + (n == 3 ? "three" : "four") + " numbers are expected, not \"" + entry.text + "\"",
-        std::string("separate them by blanks: ") + (n == 3 ? "\"0 0 0.5\"" : "\"0 0 0 1\", the real part last"));
-    return std::nullopt;
-  }
-  std::array<Number, n> values;
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::optional<Number> value = checked_decimal(words[i], spot, context_.diagnostics);
-    if (!value) return std::nullopt;
-    values[i] = *value;
-  }
-  return values;
-}
-
-std::optional<Vec3> UrdfValues::vector(const UrdfEntry& entry, const Spot& spot) const {
-  return numbers<3>(entry, spot);
+  const std::optional<FileText> found = text(element, key, what);
+  const std::optional<Value> limit = found ? limit_in(*found, bound, context_.diagnostics) : std::nullopt;
+  if (!limit || bound != Bound::magnitude || !is_negative(limit->number)) return limit;
+  context_.diagnostics.note(
+      found->spot.place, found->spot.what + ": \"" + single_word(found->text) + "\" is taken as not given",
+      "a limit is a magnitude; leave it out where there is none", "negative limits taken as not given");
+  return std::nullopt;
 }
 
 std::optional<Vec3> UrdfValues::vector(const FileNode& element, const char* key, const std::string& what) const {
-  const std::optional<UrdfEntry> entry = written({&element}, key, what);
-  return entry ? vector(*entry, spot(*entry, key, what)) : std::nullopt;
+  const std::optional<FileText> found = text(element, key, what);
+  return found ? vector_in(*found, context_.diagnostics) : std::nullopt;
 }
 
 std::optional<Vec3> UrdfValues::required_vector(const FileNode& element, const char* key,
                                                 const std::string& what) const {
-  const std::optional<UrdfEntry> entry = written({&element}, key, what);
-  if (!entry) report_missing(element, key, what);
-  return entry ? vector(*entry, spot(*entry, key, what)) : std::nullopt;
+  const std::optional<FileText> found = text(element, key, what);
+  if (!found) report_missing(element, key, what);
+  return found ? vector_in(*found, context_.diagnostics) : std::nullopt;
 }
 
 Vec3 UrdfValues::angles(const FileNode& element, const char* key, const std::string& what) const {
-  const std::optional<UrdfEntry> entry = written({&element}, key, what);
-  if (!entry) return zero_vector();
-  const Spot where = spot(*entry, key, what);
-  const std::optional<Vec3> decimals = vector(*entry, where);
+  const std::optional<FileText> found = text(element, key, what);
+  const auto decimals = found ? numbers_in(*found, 3, 3, context_.diagnostics) : std::nullopt;
   if (!decimals) return zero_vector();
-  const std::vector<std::string> words = words_of(entry->text);
   Vec3 values;
-  for (std::size_t i = 0; i < 3; ++i) values[i] = angle_of((*decimals)[i], words[i], where);
+  for (std::size_t i = 0; i < 3; ++i) values[i] = angle_of(decimals->numbers[i], decimals->written[i], found->spot);
   return values;
 }
 
 Vec3 UrdfValues::turn(const FileNode& element, const std::string& what) const {
   const Vec3 rpy = angles(element, "rpy", what);
-  const std::optional<UrdfEntry> entry = written({&element}, "quat_xyzw", what);
-  if (!entry) return rpy;
-  const Spot where = spot(*entry, "quat_xyzw", what);
-  const std::optional<Quaternion> q = numbers<4>(*entry, where);
-  if (!q || !check_length(*q, where)) return rpy;
-  if (written({&element}, "rpy", what)) {
-    if (!is_rotation(*q, rpy)) {
-      context_.diagnostics.error(where.place, where.what + " and rpy are not the same rotation",
-                                 "keep the one that is right");
-    }
-    return rpy;
+  const std::optional<FileText> found = text(element, "quat_xyzw", what);
+  const auto xyzw =
+      found ? numbers_in(*found, 4, 4, context_.diagnostics, "separate them by blanks: \"0 0 0 1\", the real part last")
+            : std::nullopt;
+  if (!xyzw) return rpy;
+  if (!text(element, "rpy", what)) return rpy_in(xyzw->numbers, *found, context_).value_or(rpy);
+  const Quaternion q = {xyzw->numbers[0], xyzw->numbers[1], xyzw->numbers[2], xyzw->numbers[3]};
+  if (!is_rotation(q, rpy)) {
+    context_.diagnostics.error(found->spot.place, found->spot.what + " and rpy are not the same rotation",
+                               "keep the one that is right");
   }
-  // A pitch that is so near to a quarter turn is snapped to it.
-  const bool snaps = !context_.options.snap_tolerance.is_zero();
-  const Vec3 angles = rpy_of(*q, snaps ? exact_decimal("1e-12") : Number(0));
-  Vec3 snapped;
-  for (std::size_t i = 0; i < 3; ++i) snapped[i] = snapped_angle(angles[i], entry->text, where, context_);
-  return snapped;
-}
-
-// Files have units to as many digits as are printed; what is much longer or shorter is no rotation that is meant.
-bool UrdfValues::check_length(const std::array<Number, 4>& quaternion, const Spot& spot) const {
-  const GiNaC::numeric off = magnitude(squared_norm(quaternion) - 1);
-  if (off <= magnitude(exact_decimal("1e-2"))) return true;
-  context_.diagnostics.error(spot.place, spot.what + " is not a unit quaternion",
-                             "write x y z w with a sum of squares of 1: 0 0 0 1 turns nothing");
-  return false;
+  return rpy;
 }
 
 Number UrdfValues::angle_of(const Number& decimal, const std::string& written, const Spot& spot) const {
@@ -282,7 +213,7 @@ Pose UrdfValues::origin(const FileNode& parent, const std::string& what, const s
   const FileNode* element = parent.child(tag);
   if (element == nullptr) return {{}, parent.place};
   const std::string where = what + ", " + tag;
-  if (written({element}, "quat_wxyz", where)) {
+  if (text(*element, "quat_wxyz", where)) {
     context_.diagnostics.unsupported(element->place, where + ": quat_wxyz is not supported",
                                      "write quat_xyzw, with the real part last, or rpy");
   }

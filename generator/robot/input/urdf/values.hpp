@@ -4,22 +4,16 @@
 // is given twice it must be the same.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
-#include "robot/input/common/context.hpp"
+#include "robot/input/common/values.hpp"
 #include "robot/input/urdf/entries.hpp"
 
 namespace flatdyn {
-
-struct UrdfText {
-  std::string text;
-  Spot spot;
-};
 
 class UrdfValues {
  public:
@@ -36,7 +30,7 @@ class UrdfValues {
   std::string required_text(const FileNode& element, const char* key, const std::string& what) const;
 
   // The value's text as written, and where; nullopt if it is not there.
-  std::optional<UrdfText> text(const FileNode& element, const char* key, const std::string& what) const;
+  std::optional<FileText> text(const FileNode& element, const char* key, const std::string& what) const;
 
   // The number; nullopt if it is not there, 0 and an error if it is no number.
   std::optional<Value> number(const FileNode& element, const char* key, const std::string& what) const;
@@ -46,14 +40,8 @@ class UrdfValues {
   // The angle of a decimal: snapped, and asked about where it may be in degrees.
   Number angle_of(const Number& decimal, const std::string& written, const Spot& spot) const;
 
-  // An angle, 0 if it is not there; near a multiple of pi/12 it is that.
-  Number angle(const FileNode& element, const char* key, const std::string& what) const;
-
   // The same of a joint's <dynamics>, or of its <joint_properties>, which older files have.
   std::optional<Value> dynamics(const FileNode& joint, const char* key, const std::string& what) const;
-
-  // The number that is the text of an element: <springStiffness>100</springStiffness>.
-  Number number_of_text(const FileNode& element, const std::string& what) const;
 
   // A limit: infinite means none. So does a negative magnitude, which is noted.
   std::optional<Value> limit(const FileNode& element, const char* key, Bound bound, const std::string& what) const;
@@ -79,12 +67,7 @@ class UrdfValues {
   void note_unusual(const FileNode& holder, const UrdfEntry& entry, const std::string& key,
                     const std::string& what) const;
   void report_missing(const FileNode& element, const char* key, const std::string& what) const;
-  Spot spot(const UrdfEntry& entry, const std::string& key, const std::string& what) const;
-  std::optional<Value> number(const Holders& holders, const char* key, const std::string& what) const;
-  std::optional<Vec3> vector(const UrdfEntry& entry, const Spot& spot) const;
-  template <std::size_t n>
-  std::optional<std::array<Number, n>> numbers(const UrdfEntry& entry, const Spot& spot) const;
-  bool check_length(const std::array<Number, 4>& quaternion, const Spot& spot) const;
+  std::optional<FileText> text(const Holders& holders, const char* key, const std::string& what) const;
   // By rpy, or by quat_xyzw: roll, pitch, yaw.
   Vec3 turn(const FileNode& element, const std::string& what) const;
   Vec3 angles(const FileNode& element, const char* key, const std::string& what) const;
