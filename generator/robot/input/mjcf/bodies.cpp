@@ -43,7 +43,7 @@ class BodyReader {
   explicit BodyReader(MjcfModel& model) : model_(model), values_(model.values), robot_(model.robot) {}
 
   void read() {
-    robot_.links.push_back({"world", {}, model_.root.place});
+    model_.builder.world(model_.root.place);
     model_.names_of_bodies.push_back("world");
     for (const FileNode* world : model_.root.elements("worldbody")) {
       collect_names(*world, "joint", model_.names_of_joints);

@@ -260,11 +260,6 @@ std::string new_joint_name(const std::string& wanted, const std::vector<Joint>& 
   return unused_name(wanted, taken);
 }
 
-int add_link(const std::string& name, const Place& place, Robot& robot) {
-  robot.links.push_back({name, {}, place});
-  return static_cast<int>(robot.links.size()) - 1;
-}
-
 bool has_body(const FileNode& element) {
   return std::any_of(element.children.begin(), element.children.end(),
                      [](const FileNode& child) { return child.name == "body" || has_body(child); });
@@ -385,7 +380,7 @@ void add_mjcf_joints(const std::vector<MjcfJoint>& joints, const std::string& bo
     const bool is_last = k + 1 == moving.size();
     moving[k].parent = parent_link;
     const std::string link = is_last ? body : new_body_name(body + "_" + std::to_string(k + 1), model);
-    moving[k].child = parent_link = add_link(link, added.element->place, robot);
+    moving[k].child = parent_link = model.builder.add_link({link, {}, added.element->place});
     added.joints.push_back(static_cast<int>(robot.joints.size()));
     if (is_free[k]) added.free_joints.push_back(added.joints.back());
     robot.joints.push_back(moving[k]);

@@ -7,12 +7,6 @@
 
 namespace flatdyn {
 
-Joint* joint_in(Robot& robot, const std::string& name) {
-  const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
-                                  [&name](const Joint& joint) { return joint.name == name; });
-  return found == robot.joints.end() ? nullptr : &*found;
-}
-
 std::string unused_name(const std::string& wanted, const std::vector<std::string>& taken) {
   std::string name = wanted;
   while (std::find(taken.begin(), taken.end(), name) != taken.end()) name += "_";

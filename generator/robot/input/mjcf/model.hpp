@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "robot/input/common/robot_builder.hpp"
 #include "robot/input/mjcf/orientation.hpp"
 
 namespace flatdyn {
@@ -45,6 +46,7 @@ struct MjcfModel {
   const MjcfValues& values;
   const MjcfSettings& settings;
   Robot& robot;
+  RobotBuilder builder;
   std::vector<MjcfBody> bodies = {};  // depth first, without the world
   std::map<std::string, int> body_of_name = {};
   std::map<std::string, MjcfSite> sites = {};
@@ -56,9 +58,6 @@ struct MjcfModel {
 
   Diagnostics& diagnostics() const { return values.diagnostics(); }
 };
-
-// The joint of this name in the robot; nullptr if there is none.
-Joint* joint_in(Robot& robot, const std::string& name);
 
 // The name, or one like it that is not yet taken.
 std::string unused_name(const std::string& wanted, const std::vector<std::string>& taken);

@@ -36,7 +36,7 @@ void read_mjcf(const std::string& text, const std::string& file, ReadContext& co
   const MjcfDefaults defaults(tree, context.diagnostics);
   const MjcfValues values(defaults, context);
   const MjcfSettings settings = mjcf_settings(tree, values, robot);
-  MjcfModel model{tree, values, settings, robot};
+  MjcfModel model{tree, values, settings, robot, RobotBuilder(context, robot)};
   robot.name = tree.value("model");
   robot.in_degrees = robot.in_degrees || settings.angles.degrees;
   read_mjcf_bodies(model);

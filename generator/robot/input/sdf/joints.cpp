@@ -5,6 +5,7 @@
 
 #include "base/diagnostics/nearest.hpp"
 #include "robot/input/common/joint_parts.hpp"
+#include "robot/input/common/robot_builder.hpp"
 #include "robot/input/sdf/gearboxes.hpp"
 #include "robot/input/sdf/joint_axis.hpp"
 #include "robot/input/sdf/placing.hpp"
@@ -16,14 +17,19 @@ namespace {
 class JointReader {
  public:
   JointReader(const SdfTree& tree, std::vector<int> links, ReadContext& context, Robot& robot)
-      : tree_(tree), links_(std::move(links)), context_(context), diagnostics_(context.diagnostics), robot_(robot) {}
+      : tree_(tree),
+        links_(std::move(links)),
+        context_(context),
+        diagnostics_(context.diagnostics),
+        robot_(robot),
+        builder_(context, robot) {}
 
   void read() {
     for (std::size_t i = 1; i < tree_.frames.size(); ++i) {
       const SdfFrame& frame = tree_.frames[i];
       const bool is_static = tree_.scopes[static_cast<std::size_t>(frame.scope)].is_static;
       if (frame.kind == SdfFrame::Kind::joint && !is_static) read_joint(static_cast<int>(i));
-      if (frame.kind == SdfFrame::Kind::link && is_static) fix_to_world(static_cast<int>(i));
+      if (frame.kind == SdfFrame::Kind::link && is_static) fix_to_world(i);
     }
     for (const int gearbox : gearboxes_) read_sdf_gearbox(tree_, gearbox, links_, context_, robot_);
   }
@@ -36,10 +42,7 @@ class JointReader {
       gearboxes_.push_back(index);
       return;
     }
-    Joint joint;
-    joint.place = frame.element->place;
-    joint.viscous.place = joint.coulomb.place = joint.armature.place = joint.place;
-    joint.name = frame.name;
+    Joint joint = RobotBuilder::new_joint(frame.name, frame.element->place);
     const int parent = frame_of_joint(tree_, frame, "parent", diagnostics_);
     const int parent_body = body_of(tree_, parent), child_body = body_of(tree_, frame.attached_to);
     joint.parent = link_of(parent_body, frame, "parent");
@@ -65,29 +68,13 @@ class JointReader {
     return link;
   }
 
-  int world() {
-    if (world_ >= 0) return world_;
-    world_ = static_cast<int>(robot_.links.size());
-    robot_.links.push_back({"world", {}, {robot_.file, 1}});
-    return world_;
+  void fix_to_world(std::size_t frame) {
+    world();
+    builder_.fix_to_world(links_[frame], relative_pose(tree_, 0, static_cast<int>(frame)),
+                          tree_.frames[frame].element->place);
   }
 
-  void fix_to_world(int link) {
-    const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(link)];
-    Joint joint;
-    joint.name = "world to " + frame.name;
-    joint.place = frame.element->place;
-    joint.parent = world();
-    joint.child = links_[static_cast<std::size_t>(link)];
-    joint.origin = {relative_pose(tree_, 0, link), joint.place};
-    robot_.joints.push_back(std::move(joint));
-  }
-
-  // The type that a held joint would otherwise have is kept in joint.held.
-  void set_type(JointType type, Joint& joint) {
-    joint.type = is_held(joint.name, context_) ? JointType::fixed : type;
-    if (joint.type != type) joint.held = Held{type};
-  }
+  int world() { return builder_.world({robot_.file, 1}); }
 
   void add_one(int index, const std::string& type, int parent, int child, Joint& joint) {
     const SdfFrame& frame = tree_.frames[static_cast<std::size_t>(index)];
@@ -102,7 +89,7 @@ class JointReader {
       robot_.joints.push_back(joint);
       return;
     }
-    set_type(motion->second, joint);
+    builder_.set_type(motion->second, joint);
     const FileNode* axis = axis_of(frame, "axis");
     if (axis == nullptr) return;
     const Displacements turn = turn_of(index, *axis);
@@ -177,7 +164,7 @@ class JointReader {
                                 part_of_joint(both, ".axis2", JointType::revolute)};
     hold_parts(both.name, parts, context_);
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      set_type(JointType::revolute, parts[k]);
+      builder_.set_type(JointType::revolute, parts[k]);
       const Displacements turn = turn_of(index, *axes[k]);
       parts[k].origin.displacements = turn;
       parts[k].link_offset.displacements = inverse(turn);
@@ -220,7 +207,7 @@ class JointReader {
   ReadContext& context_;
   Diagnostics& diagnostics_;
   Robot& robot_;
-  int world_ = -1;
+  RobotBuilder builder_;
   std::vector<int> gearboxes_;  // frames
 };
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "robot/input/sdf/mimic_plugins.hpp"
 
-#include <algorithm>
-
 #include "robot/input/common/coupling.hpp"
+#include "robot/input/common/robot_builder.hpp"
 #include "robot/input/common/spelling.hpp"
 #include "robot/input/sdf/joint_axis.hpp"
 
@@ -49,9 +48,8 @@ class MimicPluginReader {
     const Number factor = values.number(plugin, "multiplier", what).value_or(Value{1, place}).number;
     const Number offset = values.number(plugin, "offset", what).value_or(Value{0, place}).number;
     const std::string name = name_of_axis(*follower, "axis");
-    const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(),
-                                    [&name](const Joint& each) { return each.name == name; });
-    if (joint == robot_.joints.end() || joint->type == JointType::fixed) return;
+    Joint* joint = joint_in(robot_, name);
+    if (joint == nullptr || joint->type == JointType::fixed) return;
     couple_joint(*joint, Coupled{{{{name_of_axis(*leader, "axis"), place}, factor}}, offset, place}, what,
                  diagnostics_);
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "robot/input/common/robot_builder.hpp"
 #include "robot/input/sdf/bodies.hpp"
 #include "robot/input/sdf/choice.hpp"
 #include "robot/input/sdf/files.hpp"
@@ -93,14 +94,7 @@ class SdfReader {
     }
     const Displacements pose = relative_pose(tree_, 0, frame_of_link);
     if (rotations_in(pose).empty()) return;
-    Joint joint;
-    joint.name = "world to " + frame.name;
-    joint.place = place;
-    joint.parent = static_cast<int>(robot_.links.size());
-    joint.child = links_[static_cast<std::size_t>(frame_of_link)];
-    joint.origin = {pose, place};
-    robot_.links.push_back({"world", {}, place});
-    robot_.joints.push_back(std::move(joint));
+    RobotBuilder(context_, robot_).fix_to_world(links_[static_cast<std::size_t>(frame_of_link)], pose, place);
   }
 
   ReadContext& context_;

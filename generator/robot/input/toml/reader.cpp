@@ -10,6 +10,7 @@
 
 #include "base/diagnostics/nearest.hpp"
 #include "robot/input/common/poses.hpp"
+#include "robot/input/common/robot_builder.hpp"
 #include "robot/input/common/units.hpp"
 #include "robot/input/toml/held_joints.hpp"
 #include "robot/input/toml/joint_in_parts.hpp"
@@ -159,9 +160,7 @@ class TomlReader {
   }
 
   void read_row(TomlTable& row, std::size_t number) {
-    Joint joint;
-    joint.place = row.place();
-    joint.name = row.text("joint").value_or("joint" + std::to_string(number));
+    Joint joint = RobotBuilder::new_joint(row.text("joint").value_or("joint" + std::to_string(number)), row.place());
     joint.child = static_cast<int>(number);
     joint.parent = static_cast<int>(number) - 1;
     if (joint.name.empty())
@@ -173,7 +172,6 @@ class TomlReader {
     if (!is_joint_in_parts(type)) joint.type = read_type(row);
     place_joint(row, joint);
     if (auto inertial = read_inertial(row, diagnostics_)) robot_.links[number].inertials.push_back(*inertial);
-    joint.viscous.place = joint.coulomb.place = joint.armature.place = joint.place;
     if (is_joint_in_parts(type)) {
       read_joint_in_parts(row, type, joint, context_, carriers_, robot_);
       row.reject_unknown_keys();

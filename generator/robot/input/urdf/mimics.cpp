@@ -8,6 +8,7 @@
 #include "base/diagnostics/nearest.hpp"
 #include "robot/input/common/coupling.hpp"
 #include "robot/input/common/references.hpp"
+#include "robot/input/common/robot_builder.hpp"
 #include "robot/input/common/spelling.hpp"
 #include "robot/input/common/words.hpp"
 #include "robot/input/urdf/children.hpp"
@@ -238,9 +239,8 @@ class MimicReader {
 
   void note_mark(const FileNode& element, const std::string& follower, const std::string& what) {
     const std::string mark = element.value("mimic");
-    const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(),
-                                    [&follower](const Joint& each) { return each.name == follower; });
-    if (mark.empty() || joint == robot_.joints.end() || joint->type == JointType::fixed) return;
+    const Joint* joint = joint_in(robot_, follower);
+    if (mark.empty() || joint == nullptr || joint->type == JointType::fixed) return;
     if (mark == "true" && !joint->coupled) {
       diagnostics_.error(element.place, what + ": mimic=\"true\", and nothing says which joint it follows", kMimicHint);
     } else if (mark == "false" && joint->coupled) {

@@ -8,6 +8,7 @@
 #include "robot/input/common/exchanged_limits.hpp"
 #include "robot/input/common/floating_joints.hpp"
 #include "robot/input/common/foreign_files.hpp"
+#include "robot/input/common/robot_builder.hpp"
 #include "robot/input/common/xacro.hpp"
 #include "robot/input/common/xml_document.hpp"
 #include "robot/input/urdf/actuators.hpp"
@@ -30,7 +31,11 @@ constexpr const char* kFixHint = "hold it still: make it type=\"fixed\", or give
 class UrdfReader {
  public:
   UrdfReader(const FileNode& root, ReadContext& context, Robot& robot)
-      : values_(root, context), context_(context), diagnostics_(context.diagnostics), robot_(robot) {}
+      : values_(root, context),
+        context_(context),
+        diagnostics_(context.diagnostics),
+        robot_(robot),
+        builder_(context, robot) {}
 
   void read() {
     const FileNode& root = values_.root();
@@ -97,9 +102,7 @@ class UrdfReader {
     const std::string what = "link \"" + link.name + "\"";
     const FileNode* inertial = element.child("inertial");
     if (inertial != nullptr) link.inertials.push_back(read_inertial(*inertial, what));
-    // The first of a name counts; the validation reports the others.
-    link_of_name_.emplace(link.name, static_cast<int>(robot_.links.size()));
-    robot_.links.push_back(std::move(link));
+    builder_.add_link(std::move(link));
   }
 
   Inertial read_inertial(const FileNode& element, const std::string& link) {
@@ -156,15 +159,12 @@ class UrdfReader {
   }
 
   void read_joint(const FileNode& element) {
-    Joint joint;
-    joint.place = element.place;
-    joint.name = values_.required_text(element, "name", "joint");
+    Joint joint = RobotBuilder::new_joint(values_.required_text(element, "name", "joint"), element.place);
     const std::string what = "joint \"" + joint.name + "\"";
     joint.type = read_type(element, joint);
     joint.parent = read_link_name(element, "parent", what);
     joint.child = read_link_name(element, "child", what);
     joint.origin = values_.origin(element, what);
-    joint.viscous.place = joint.coulomb.place = joint.armature.place = joint.place;
     if (joint.type != JointType::fixed) {
       read_axis(element, what, joint);
       read_limits(element, what, joint);
@@ -173,7 +173,7 @@ class UrdfReader {
       read_axis(element, what, joint);
       read_limits(element, what, joint);
     }
-    robot_.joints.push_back(std::move(joint));
+    builder_.add_joint(std::move(joint));
   }
 
   // The type that a held joint would otherwise have is kept in joint.held.
@@ -231,24 +231,16 @@ class UrdfReader {
     }
     const std::string name = values_.required_text(*element, "link", what);
     if (name.empty()) return -1;
-    const auto found = link_of_name_.find(name);
-    if (found != link_of_name_.end()) return found->second;
-    if (name == "world" && std::string_view(tag) == "parent") return add_world(*element, what);
-    std::vector<std::string> known;
-    for (const Link& link : robot_.links) known.push_back(link.name);
-    diagnostics_.error(element->place, what + ": there is no " + tag + " link \"" + name + "\"",
-                       hint_for_unknown(name, known, "links"));
-    return -1;
+    const bool is_ground = name == "world" && std::string_view(tag) == "parent" && !builder_.has_link(name);
+    return is_ground ? add_world(*element, what)
+                     : builder_.link({name, element->place}, what, std::string(tag) + " link");
   }
 
   // Some programs assume a link "world" that the file does not declare.
   int add_world(const FileNode& parent, const std::string& what) {
-    const int index = static_cast<int>(robot_.links.size());
-    robot_.links.push_back({"world", {}, parent.place});
-    link_of_name_.emplace("world", index);
     diagnostics_.note(parent.place, what + ": there is no link \"world\": it is taken for the ground",
                       "write <link name=\"world\"/> to say so");
-    return index;
+    return builder_.world(parent.place);
   }
 
   void read_axis(const FileNode& element, const std::string& what, Joint& joint) {
@@ -281,7 +273,7 @@ class UrdfReader {
   ReadContext& context_;
   Diagnostics& diagnostics_;
   Robot& robot_;
-  std::map<std::string, int> link_of_name_;
+  RobotBuilder builder_;
   std::vector<int> floating_;  // joints of that type, and their elements
   std::vector<const FileNode*> floating_elements_;
   std::vector<std::string> planar_;

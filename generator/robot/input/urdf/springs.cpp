@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "robot/input/common/robot_builder.hpp"
 #include "robot/input/common/spelling.hpp"
 #include "robot/input/urdf/children.hpp"
 
@@ -42,10 +43,8 @@ class SpringReader {
 
  private:
   Joint* moving_joint(const std::string& name) {
-    const auto found = std::find_if(robot_.joints.begin(), robot_.joints.end(), [&name](const Joint& joint) {
-      return joint.name == name && joint.type != JointType::fixed;
-    });
-    return found == robot_.joints.end() ? nullptr : &*found;
+    Joint* joint = joint_in(robot_, name);
+    return joint == nullptr || joint->type == JointType::fixed ? nullptr : joint;
   }
 
   // A number that is given twice has to be the same. A place without a file: it has not been given.
