@@ -124,16 +124,15 @@ std::optional<std::string> as_utf8(const Source& source, Diagnostics& diagnostic
   return text;
 }
 
+FormatReader reader_of(FileKind kind) {
+  if (kind == FileKind::sdf) return read_sdf;
+  return kind == FileKind::mjcf ? read_mjcf : read_urdf;
+}
+
 Attachments read_text(FileKind kind, const std::string& text, const std::string& name, ReadContext& context,
                       Robot& robot) {
   if (kind == FileKind::toml) return read_toml(text, name, context, robot);
-  if (kind == FileKind::sdf) {
-    read_sdf(text, name, context, robot);
-  } else if (kind == FileKind::mjcf) {
-    read_mjcf(text, name, context, robot);
-  } else {
-    read_urdf(text, name, context, robot);
-  }
+  reader_of(kind)(text, name, context, robot);
   return {};
 }
 
@@ -205,6 +204,7 @@ std::optional<Robot> read_robot(const std::filesystem::path& path, const ReadOpt
                                 Diagnostics& diagnostics) {
   Diagnostics found;
   ReadContext context{options, found, SymbolTable(options.scene_file), {}, 0, {}, {}};
+  context.reader_of = reader_of;
   Robot robot;
   robot.file = path == "-" ? kStandardInput : path.string();
   robot.scene = options.scene;

@@ -42,6 +42,9 @@ struct LongLength {
   bool has_key = false;  // its file may say lengths = "mm"
 };
 
+struct ReadContext;
+using FormatReader = void (*)(const std::string& text, const std::string& file, ReadContext& context, Robot& robot);
+
 struct ReadContext {
   const ReadOptions& options;
   Diagnostics& diagnostics;
@@ -54,6 +57,7 @@ struct ReadContext {
   std::vector<Snap> rounded_angles = {};  // multiples of pi/12 to a few digits
   bool model_was_chosen = false;          // among those of an SDF
   bool mjcf_was_read = false;
+  FormatReader (*reader_of)(FileKind) = nullptr;  // of every format but TOML, whose files may stand over one
 };
 
 bool is_held(const std::string& joint, const ReadContext& context);

@@ -7,10 +7,7 @@
 
 #include "base/diagnostics/nearest.hpp"
 #include "robot/input/common/foreign_files.hpp"
-#include "robot/input/mjcf/reader.hpp"
-#include "robot/input/sdf/reader.hpp"
 #include "robot/input/toml/reader.hpp"
-#include "robot/input/urdf/reader.hpp"
 
 namespace flatdyn {
 
@@ -76,14 +73,8 @@ class OverlayReader {
     if (!source) return {};
     robot_.files.push_back(path.string());
     if (kind == FileKind::toml) return read_toml(source->text, source->name, context_, robot_);
-    const auto read = reader_of(kind_by_text(kind, source->text));
-    read(source->text, source->name, context_, robot_);
+    context_.reader_of(kind_by_text(kind, source->text))(source->text, source->name, context_, robot_);
     return {};
-  }
-
-  static void (*reader_of(FileKind kind))(const std::string&, const std::string&, ReadContext&, Robot&) {
-    if (kind == FileKind::sdf) return read_sdf;
-    return kind == FileKind::mjcf ? read_mjcf : read_urdf;
   }
 
   bool can_be_read(const fs::path& path, const std::string& key, const Place& place) {
