@@ -8,6 +8,7 @@
 
 #include "base/diagnostics/nearest.hpp"
 #include "robot/input/common/held_position.hpp"
+#include "robot/input/common/robot_builder.hpp"
 #include "robot/input/common/units.hpp"
 #include "robot/model/coupling.hpp"
 #include "robot/model/exact_sign.hpp"
@@ -180,12 +181,11 @@ void hold_joints(ReadContext& context, Robot& robot) {
   std::set<std::string> done;
   for (const HeldJoint& lock : context.held_joints) {
     if (!done.insert(lock.joint).second) continue;
-    const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
-                                    [&lock](const Joint& joint) { return joint.name == lock.joint; });
-    if (found != robot.joints.end() && found->is_tendon) {
+    Joint* found = joint_in(robot, lock.joint);
+    if (found != nullptr && found->is_tendon) {
       context.diagnostics.error(lock.place, "\"" + lock.joint + "\" is a tendon, which cannot be fixed",
                                 "fix the joints that it runs over, or leave out its forces");
-    } else if (found != robot.joints.end()) {
+    } else if (found != nullptr) {
       hold(lock, *found, context, robot);
     } else if (!robot.joints.empty()) {
       context.diagnostics.error(lock.place, "there is no joint \"" + lock.joint + "\" to be fixed",

@@ -33,4 +33,10 @@ void refuse_children(const FileNode& element, const std::string& what, const std
                     "write values as attributes");
 }
 
+void refuse_second(const FileNode& element, const std::string& what, const std::string& tag, const UrdfValues& values) {
+  const std::vector<const FileNode*> all = element.elements(tag);
+  if (all.size() < 2) return;
+  values.context().diagnostics.error(all[1]->place, what + " has two <" + tag + "> elements", "keep one");
+}
+
 }  // namespace flatdyn

@@ -17,4 +17,7 @@ void refuse_other_attributes(const FileNode& element, const std::string& what, c
 void refuse_children(const FileNode& element, const std::string& what, const std::vector<std::string>& known,
                      const UrdfValues& values);
 
+// An error for the second child of this name.
+void refuse_second(const FileNode& element, const std::string& what, const std::string& tag, const UrdfValues& values);
+
 }  // namespace flatdyn

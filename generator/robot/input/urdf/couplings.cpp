@@ -56,7 +56,7 @@ class CouplingReader {
     const std::string what = name_in_messages(element);
     refuse_other_attributes(element, what, {"name", "type"}, values_);
     refuse_children(element, what, {tags.predecessor, tags.successor, tags.ratio}, values_);
-    for (const char* tag : {tags.predecessor, tags.successor, tags.ratio}) check_once(element, what, tag);
+    for (const char* tag : {tags.predecessor, tags.successor, tags.ratio}) refuse_second(element, what, tag, values_);
     const std::optional<int> predecessor = link_of(element, tags.predecessor, what);
     const std::optional<int> successor = link_of(element, tags.successor, what);
     const std::optional<Number> ratio = ratio_of(element, tags, what);
@@ -77,12 +77,6 @@ class CouplingReader {
     equation.preferred.assign(after.rbegin(), after.rend());
     equation.preferred.insert(equation.preferred.end(), before.rbegin(), before.rend());
     equations_.push_back(equation);
-  }
-
-  void check_once(const FileNode& element, const std::string& what, const char* tag) {
-    const std::vector<const FileNode*> all = element.elements(tag);
-    if (all.size() < 2) return;
-    diagnostics_.error(all[1]->place, what + " has two <" + tag + "> elements", "keep one");
   }
 
   std::optional<int> link_of(const FileNode& element, const char* tag, const std::string& what) {

@@ -200,11 +200,7 @@ class LoopReader {
         refuse_unless_known(child, what, known);
       }
     }
-    for (const std::string& tag : known) {
-      const std::vector<const FileNode*> all = element.elements(tag);
-      if (all.size() < 2) continue;
-      diagnostics_.error(all[1]->place, what + " has two <" + tag + "> elements", "keep one");
-    }
+    for (const std::string& tag : known) refuse_second(element, what, tag, values_);
   }
 
   void refuse_unless_known(const FileNode& child, const std::string& what, const std::vector<std::string>& known) {

@@ -10,6 +10,7 @@
 #include "robot/input/common/spelling.hpp"
 #include "robot/input/common/words.hpp"
 #include "robot/input/urdf/actuators.hpp"
+#include "robot/input/urdf/children.hpp"
 #include "robot/input/urdf/schema.hpp"
 #include "robot/input/urdf/unknown.hpp"
 #include "robot/input/urdf/unread.hpp"
@@ -20,8 +21,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-const Names kOfInertial = {"origin", "mass", "inertia"};
-const Names kOfFixedJoint = {"origin", "parent", "child"};
 const Names kOfJoint = {"origin", "axis", "parent", "child", "limit", "dynamics", "joint_properties", "mimic"};
 
 const Names& names_of_rotor() {
@@ -77,7 +76,7 @@ class NameChecker {
     const FileNode* inertial = element.child("inertial");
     if (inertial == nullptr) return;
     unread_.check(*inertial, link + ", inertial");
-    check_values(*inertial, link + ", inertial", kOfInertial);
+    check_values(*inertial, link + ", inertial", urdf_schema().find("inertial")->children.read());
     unknown_.check_misplaced(*inertial, link + ", inertial");
   }
 
@@ -86,7 +85,7 @@ class NameChecker {
     const std::string joint = what(element);
     if (element.value("type") == "fixed") {
       unread_.check_spelling(element, joint);
-      check_values(element, joint, kOfFixedJoint);
+      check_values(element, joint, urdf_schema().find("joint", "fixed")->children.read());
       return;
     }
     const bool moves = !is_held(element.value("name"), values_.context());
@@ -134,15 +133,14 @@ class NameChecker {
 
   void check_once(const FileNode& parent, const std::string& what, const Names& names) {
     for (const std::string& name : names) {
-      const std::vector<const FileNode*> all = parent.elements(name);
-      if (all.size() < 2 || (is_reduction(name) && !has_rotor_)) continue;
-      diagnostics_.error(all[1]->place, what + " has two <" + name + "> elements", "keep one");
+      // Without a rotor's inertia, gears are not read.
+      if (has_rotor_ || !is_reduction(name)) refuse_second(parent, what, name, values_);
     }
   }
 
   const UrdfValues& values_;
   Diagnostics& diagnostics_;
-  bool has_rotor_ = false;  // without a rotor's inertia, gears are not read
+  bool has_rotor_ = false;
   UnknownEntries unknown_;
   UnreadElements unread_;
 };

@@ -40,7 +40,7 @@ class UrdfValues {
   // The angle of a decimal: snapped, and asked about where it may be in degrees.
   Number angle_of(const Number& decimal, const std::string& written, const Spot& spot) const;
 
-  // The same of a joint's <dynamics>, or of its <joint_properties>, which older files have.
+  // The number of a joint's <dynamics>, or of its <joint_properties>, which older files have.
   std::optional<Value> dynamics(const FileNode& joint, const char* key, const std::string& what) const;
 
   // A limit: infinite means none. So does a negative magnitude, which is noted.
