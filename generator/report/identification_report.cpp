@@ -270,14 +270,14 @@ double validation_ratio(const Identification& found, std::size_t i) {
 
 // The equation whose residuals grow most on other logs, and by how much; those of which nothing can be said, and
 // whether the log that the parameters come from lacks them.
-struct Verdict {
+struct ValidationVerdict {
   double worst = 0;
   std::size_t equation = 0;
   std::vector<std::string> not_judged;
 };
 
-Verdict verdict_of(const TorqueModel& model, const Identification& found) {
-  Verdict verdict;
+ValidationVerdict verdict_of(const TorqueModel& model, const Identification& found) {
+  ValidationVerdict verdict;
   for (std::size_t i = 0; i < found.validation_fits.size(); ++i) {
     const bool is_in_both =
         found.validation->observations.joints[i].rows > 0 && found.measurement.observations.joints[i].rows > 0;
@@ -293,7 +293,7 @@ Verdict verdict_of(const TorqueModel& model, const Identification& found) {
 
 std::string verdict_text(const TorqueModel& model, const Identification& found) {
   constexpr double kMuch = 1.5;
-  const Verdict verdict = verdict_of(model, found);
+  const ValidationVerdict verdict = verdict_of(model, found);
   const auto equation = static_cast<int>(verdict.equation);
   std::string text;
   if (found.is_starved() || !(verdict.worst > 0)) {

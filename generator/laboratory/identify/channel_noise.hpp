@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <compare>
 #include <vector>
 
@@ -11,6 +12,9 @@ namespace flatdyn {
 struct ChannelNoise {
   double step = 0;       // smallest change from one sample to the next; of an encoder, its resolution
   double deviation = 0;  // standard deviation of white noise, the encoder's rounding included
+
+  // Whether it is mostly the rounding to steps, which is not white: a slow signal has more of it in a low band.
+  bool is_of_steps() const { return deviation < 1.5 * step / std::sqrt(12.0); }
 
   auto operator<=>(const ChannelNoise&) const = default;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "robot/input/common/content_hash.hpp"
 
@@ -97,6 +98,13 @@ class WeightedRows {
   std::vector<double> entries_, right_;
 };
 
+// The variance that noise of positions has at most: little more than they show above the band, which is an estimate.
+double most_of_noise(const ChannelNoise& noise) {
+  constexpr double kMore = 1.5;
+  const bool is_bounded = noise.deviation > 0 && !noise.is_of_steps();
+  return is_bounded ? kMore * noise.deviation * noise.deviation : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 std::vector<SampleFilter> Measurement::filters() const {
@@ -123,7 +131,10 @@ void set_shapes(Measurement& measurement) {
     for (const ChannelNoise& each : log.tau_noise) {
       if (log.filter.band > 0) shape.measured_deviations.push_back(each.deviation);
     }
-    for (const ChannelNoise& each : log.q_noise) shape.acceleration_deviations.push_back(each.deviation);
+    for (const ChannelNoise& each : log.q_noise) {
+      shape.acceleration_deviations.push_back(each.deviation);
+      shape.most_of_accelerations.push_back(most_of_noise(each));
+    }
     measurement.observations.shapes.push_back(std::move(shape));
     correlation = std::max(correlation, measurement.observations.shapes.back().correlation());
   }

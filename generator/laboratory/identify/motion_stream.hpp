@@ -31,8 +31,8 @@ struct StreamOptions {
   // Whether the log must have torques. If false, they are not read.
   bool torques = true;
   ClockChoice clock = ClockChoice::automatic;
-  // Samples a second of a log without times; 0: its times are read.
-  double rate = 0;
+  // Samples a second of a log without times. None: its times are read.
+  std::optional<double> rate = std::nullopt;
   // The link of a floating base whose frame is that of the inertial measurement unit; empty: the base's.
   std::string imu{};
   // The part k of N, k = 1 … N, whose lines are used.

@@ -48,7 +48,7 @@ ordered_json settings(const StreamOptions& options, const FurtherParameters& fur
   json["decimate"] = options.decimate ? ordered_json(*options.decimate) : ordered_json();
   json["imu"] = options.imu;
   json["clock"] = static_cast<int>(options.clock);
-  json["rate"] = options.rate;
+  json["rate"] = options.rate ? ordered_json(*options.rate) : ordered_json();
   return json;
 }
 

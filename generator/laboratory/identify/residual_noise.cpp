@@ -42,15 +42,11 @@ VectorXd bounded_minimum(const MatrixXd& H, const VectorXd& h, const VectorXd& m
 
 // The variances x that minimise xᵀ H x / 2 - hᵀ x, where known ones are measurements, too. These are sure to a share of
 // the variance itself: where the residuals are far larger than they say, they hardly count. Of the `optional` ones,
-// which come first, those that are zero count as absent in the covariance. The last ones, `bounded` in number, are
-// noise of positions, which is hardly more than they show above the band: the rest is misfit of the torques.
-FittedVariances with_known(const MatrixXd& H, const VectorXd& h, const VectorXd& known, Index optional, Index bounded) {
+// which come first, those that are zero count as absent in the covariance. `most`: the largest values that they may
+// have.
+FittedVariances with_known(const MatrixXd& H, const VectorXd& h, const VectorXd& known, const VectorXd& most,
+                           Index optional) {
   constexpr int kRounds = 6;
-  constexpr double kMostOfKnown = 1.5;  // of the variance, whose estimate from the log is not exact
-  VectorXd most = VectorXd::Constant(known.size(), std::numeric_limits<double>::infinity());
-  for (Index k = known.size() - bounded; k < known.size(); ++k) {
-    if (known[k] > 0) most[k] = kMostOfKnown * known[k];
-  }
   FittedVariances result;
   for (int round = 0; round < kRounds; ++round) {
     MatrixXd all = H;
@@ -80,16 +76,16 @@ FittedVariances with_known(const MatrixXd& H, const VectorXd& h, const VectorXd&
 
 // The same, without noise of accelerations (the last `joints` unknowns) where neither the log gives it nor the
 // residuals show it, as with q̈ of its own: its uncertainty alone would widen all intervals.
-FittedVariances without_doubtful(const MatrixXd& H, const VectorXd& h, const VectorXd& known, Index optional,
-                                 Index joints) {
-  const FittedVariances all = with_known(H, h, known, optional, joints);
+FittedVariances without_doubtful(const MatrixXd& H, const VectorXd& h, const VectorXd& known, const VectorXd& most,
+                                 Index optional, Index joints) {
+  const FittedVariances all = with_known(H, h, known, most, optional);
   if (joints == 0 || (known.tail(joints).array() > 0).any()) return all;
   MatrixXd fewer = H;
   fewer.rightCols(joints).setZero();
   fewer.bottomRows(joints).setZero();
   VectorXd right = h;
   right.tail(joints).setZero();
-  const FittedVariances without = with_known(fewer, right, known, optional, joints);
+  const FittedVariances without = with_known(fewer, right, known, most, optional);
   const auto misfit = [&](const VectorXd& x) { return x.dot(H * x) - 2 * h.dot(x); };
   // Chance explains about one per joint at most.
   const double explained = misfit(without.values) - misfit(all.values);
@@ -202,6 +198,20 @@ VectorXd known_variances(const Observations& observations, Index joints) {
   return sums.cwiseQuotient(counts.cwiseMax(1));
 }
 
+// By joint: the largest variance that its noise may have in any of the logs.
+VectorXd most_of_accelerations(const Observations& observations, Index joints) {
+  VectorXd most = VectorXd::Zero(joints);
+  for (const NoiseShape& shape : observations.shapes) {
+    for (Index j = 0; j < joints; ++j) {
+      const bool is_known = j < static_cast<Index>(shape.most_of_accelerations.size());
+      const double own =
+          is_known ? shape.most_of_accelerations[static_cast<std::size_t>(j)] : std::numeric_limits<double>::infinity();
+      most[j] = std::max(most[j], own);
+    }
+  }
+  return most;
+}
+
 Index joints_of(const std::vector<MatrixXd>& B) { return B.empty() ? 0 : B.front().cols(); }
 
 // The unknowns in one vector: coloured noise by equation and colour, white noise by equation, then noise of
@@ -277,6 +287,9 @@ ResidualNoise residual_noise(const Observations& observations, const VectorXd& v
   const Unknowns unknowns{n, joints};
   VectorXd known = VectorXd::Zero(unknowns.all());
   known.tail(n + joints) = known_variances(observations, joints);
+  // What is more than positions show above the band is misfit of the torques, and no noise of positions.
+  VectorXd most = VectorXd::Constant(unknowns.all(), std::numeric_limits<double>::infinity());
+  most.tail(joints) = most_of_accelerations(observations, joints);
   MatrixXd H = MatrixXd::Zero(unknowns.all(), unknowns.all());
   VectorXd h = VectorXd::Zero(unknowns.all()), sizes = known_squares(observations);
   for (Index i = 0; i < n; ++i) {
@@ -302,7 +315,7 @@ ResidualNoise residual_noise(const Observations& observations, const VectorXd& v
       }
     }
   }
-  auto [variances, covariance] = without_doubtful(H, h, known, unknowns.optional(), joints);
+  auto [variances, covariance] = without_doubtful(H, h, known, most, unknowns.optional(), joints);
   return {unknowns.measured(variances), Eigen::Map<const MatrixXd>(variances.data(), kColours, n).transpose(),
           unknowns.accelerations(variances), covariance.bottomRightCorner(joints, joints)};
 }

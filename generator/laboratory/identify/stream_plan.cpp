@@ -173,7 +173,7 @@ void set_rest_speeds(StreamPlan& plan, const LogSurvey& log, const Mechanism& me
 
 StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamOptions& options,
                        Diagnostics& diagnostics) {
-  LogReader reader(log, mechanism, options.torques, diagnostics, options.rate);
+  LogReader reader(log, mechanism, options.torques, diagnostics, options.rate.value_or(0));
   StreamPlan plan;
   if (diagnostics.has_errors()) return plan;
   plan.heading = reader.heading();
