@@ -27,19 +27,12 @@ void write(const fs::path& file, const std::string& text) {
   std::ofstream(file) << text;
 }
 
-// A fenced block of a page, and the file that the line before it names.
-struct Block {
-  std::string file, code;
-};
-
-std::vector<Block> blocks_of(const std::string& page) {
-  static const std::regex kBlock("([^\\n]*)\\n\\n```cpp\\n([^`]*)```");
-  static const std::regex kFile("`([^`]*[.][ch]pp)`");
-  std::vector<Block> blocks;
+// The fenced blocks of a page.
+std::vector<std::string> blocks_of(const std::string& page) {
+  static const std::regex kBlock("```cpp\\n([^`]*)```");
+  std::vector<std::string> blocks;
   for (std::sregex_iterator block(page.begin(), page.end(), kBlock), end; block != end; ++block) {
-    const std::string before = (*block)[1];
-    std::smatch file;
-    blocks.push_back({std::regex_search(before, file, kFile) ? file[1].str() : "", (*block)[2]});
+    blocks.push_back((*block)[1]);
   }
   return blocks;
 }
@@ -67,10 +60,11 @@ TEST(HowToAdd, AFunctionThatTheProgramThenVerifies) {
   copy_sources(folder);
   const fs::path table = folder / "generator/functions/function_table.cpp";
   std::string rows = content(table);
-  for (const Block& block : blocks_of(content(FLATDYN_SOURCE_DIR "/docs/how-to-add.md"))) {
-    if (block.code.starts_with("// SPDX")) write(folder / block.file, block.code);
-    if (block.code.starts_with("#include")) insert_before(rows, "#include \"base/diagnostics/", block.code);
-    if (block.code.starts_with("    {.name")) insert_before(rows, "};\n\n}  // namespace", block.code);
+  fs::copy(fs::path(FLATDYN_SOURCE_DIR) / "docs/examples/inertial_torque/generator", folder / "generator",
+           fs::copy_options::recursive);
+  for (const std::string& block : blocks_of(content(FLATDYN_SOURCE_DIR "/docs/how-to-add.md"))) {
+    if (block.starts_with("#include")) insert_before(rows, "#include \"base/diagnostics/", block);
+    if (block.starts_with("    {.name")) insert_before(rows, "};\n\n}  // namespace", block);
   }
   write(table, rows);
   const std::string commands =
