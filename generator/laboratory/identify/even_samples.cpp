@@ -20,14 +20,10 @@ double longest_bridge(const SampleFilter& filter) {
   return std::max((kMostMissing + 1.5) * filter.dt, bridged);
 }
 
-EvenSamples::EvenSamples(const StreamPlan& plan, SampleReceiver& receiver)
-    : plan_(plan),
-      receiver_(receiver),
-      dt_(plan.filter.dt),
-      longest_(longest_bridge(plan.filter)),
-      quaternions_(plan.layout().quaternions()) {}
+StepCheck::StepCheck(const StreamPlan& plan)
+    : plan_(plan), dt_(plan.filter.dt), longest_(longest_bridge(plan.filter)) {}
 
-bool EvenSamples::is_next(double step) const {
+bool StepCheck::is_next(double step) const {
   constexpr double kMost = 0.5, kMostWithJitter = 0.9;  // shares of dt
   const bool is_counted = plan_.clock.kind == SampleClock::Kind::counted;
   return std::abs(step - dt_) <= (is_counted ? kMostWithJitter : kMost) * dt_;
@@ -35,7 +31,7 @@ bool EvenSamples::is_next(double step) const {
 
 // Where stamps are not those of samples, the step is that from the time at which the last sample was due: steps that
 // are too long and too short by turns are no gaps.
-EvenSamples::Step EvenSamples::step_to(double time) {
+StepCheck::Step StepCheck::step_to(double time) {
   constexpr double kFollows = 0.1;  // of the difference, at every sample
   const bool is_counted = plan_.clock.kind == SampleClock::Kind::counted;
   if (!has_last_) due_ = time - dt_;
@@ -48,16 +44,25 @@ EvenSamples::Step EvenSamples::step_to(double time) {
   if (plan_.filter.band == 0 || !had_last) return {};
   const int missing = std::max(0, static_cast<int>(std::lround(step / dt_)) - 1);
   if (plan_.clock.is_interpolated()) return {step > longest_, missing};
-  if (is_next(step)) return {};
+  // Stamps of arrival are early where samples that were held up come all at once.
+  if (is_next(step) || (is_counted && step < dt_)) return {};
   return {missing < 1 || step > longest_, missing};
 }
 
-void EvenSamples::add(const RawSample& sample, int missing) {
-  if (plan_.filter.band == 0) {
-    RawSample raw = sample;
-    raw.index = index_of(sample.channels[0]);
-    return receiver_.sample(raw);
-  }
+EvenSamples::EvenSamples(const StreamPlan& plan, SampleReceiver& receiver)
+    : plan_(plan), receiver_(receiver), dt_(plan.filter.dt), quaternions_(plan.layout().quaternions()) {}
+
+bool EvenSamples::join(const RawSample& raw) {
+  constexpr double kClose = 0.3;  // times dt
+  if (!plan_.clock.is_interpolated() || held_.empty()) return false;
+  std::vector<double>& last = held_.back().channels;
+  if (raw.channels[0] - last[0] > kClose * dt_) return false;
+  for (std::size_t c = 0; c < last.size(); ++c) last[c] = (last[c] + raw.channels[c]) / 2;
+  return true;
+}
+
+void EvenSamples::sample(const RawSample& raw) {
+  if (join(raw)) return;
   const auto channels = static_cast<std::size_t>(plan_.layout().channels());
   if (held_.size() == kNodes) {
     held_.push_back(std::move(held_.front()));  // its memory
@@ -66,24 +71,23 @@ void EvenSamples::add(const RawSample& sample, int missing) {
     held_.emplace_back();
   }
   Held& newest = held_.back();
-  newest.channels.assign(sample.channels, sample.channels + channels);
-  newest.sample = sample;
-  newest.missing = missing;
+  newest.channels.assign(raw.channels, raw.channels + channels);
+  newest.sample = raw;
   if (held_.size() >= 2) pass_on(held_.size() - 2);
 }
 
 void EvenSamples::restart() {
   if (!held_.empty()) pass_on(held_.size() - 1);
   held_.clear();
-  has_last_ = false;
+  receiver_.restart();
 }
 
 void EvenSamples::pass_on(std::size_t at) {
   if (plan_.clock.is_interpolated()) return pass_on_grid(at);
   Held& next = held_[at];
-  for (int k = 1; k <= next.missing && at > 0; ++k) {
+  for (int k = 1; k <= next.sample.missing && at > 0; ++k) {
     const double before = held_[at - 1].channels[0];
-    const double t = before + (next.channels[0] - before) * k / (next.missing + 1);
+    const double t = before + (next.channels[0] - before) * k / (next.sample.missing + 1);
     interpolate(t, index_of(t), next);
   }
   RawSample raw = next.sample;

@@ -156,6 +156,7 @@ class LayoutReader {
 
 std::vector<std::string> LogHeading::channel_names() const {
   std::vector<std::string> names(static_cast<std::size_t>(layout.channels()));
+  if (rate > 0) names[static_cast<std::size_t>(LogLayout::time())] = "--rate";
   for (const LogColumn& column : columns) {
     if (column.channel >= 0) names[static_cast<std::size_t>(column.channel)] = column.name;
   }

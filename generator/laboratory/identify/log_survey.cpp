@@ -11,6 +11,7 @@ namespace flatdyn {
 namespace {
 
 constexpr int kRuns = 64, kSamplesPerRun = 256;
+constexpr double kLongestRepeat = 8;  // times dt
 
 class Surveyor {
  public:
@@ -18,7 +19,7 @@ class Surveyor {
       : layout_(layout),
         clock_(clock),
         dt_(clock.dt),
-        repeats_(clock, layout.channels()),
+        repeats_(clock, layout.channels(), kLongestRepeat * clock.dt),
         sample_(static_cast<std::size_t>(layout.channels())),
         all_(sample_.size()),
         runs_(sample_.size()),
@@ -29,13 +30,14 @@ class Surveyor {
 
   // Reads a run; returns false if the log ended before it did.
   bool read_run(LogReader& reader) {
+    repeats_.restart();
     std::vector<std::vector<double>> run(sample_.size());
     restart();
     double last = 0;
     int count = 0;
     bool has_gap = false;
     for (; count < kSamplesPerRun && next(reader); ++count) {
-      const bool is_gap = count > 0 && sample_[0] - last > longest_step();
+      const bool is_gap = count > 0 && (sample_[0] <= last || sample_[0] - last > longest_step());
       has_gap |= is_gap;
       last = sample_[0];
       if (is_first_) first_time_ = last;
@@ -117,7 +119,7 @@ class Surveyor {
 
   double longest_step() const {
     constexpr double kEven = 1.5, kUneven = 3;  // times dt
-    return (clock_.is_interpolated() ? kUneven : kEven) * dt_;
+    return (clock_.kind == SampleClock::Kind::even ? kEven : kUneven) * dt_;
   }
 
   // A channel of a run, dt apart.

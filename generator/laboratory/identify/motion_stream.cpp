@@ -16,12 +16,6 @@
 namespace flatdyn {
 namespace {
 
-// The lines of the log that as many even samples take, at most.
-int lines_of(const StreamPlan& plan, int samples) {
-  const double share = plan.clock.is_interpolated() ? 1 + 2 * plan.clock.drift : 1;
-  return static_cast<int>(std::ceil(samples * share * plan.clock.held));
-}
-
 // Checks the rates of samples on their way.
 class RateChecked : public SampleReceiver {
  public:
@@ -57,15 +51,16 @@ class Stream {
         signals_(plan),
         base_(plan.heading, plan.filter.dt),
         plan_(plan),
-        half_window_(std::min(lines_of(plan, plan.filter.half_window() + SpikeRepair::kReach + EvenSamples::kReach +
-                                                 plan.filter.standing_samples()),
+        half_window_(std::min(plan.lines_of(plan.filter.half_window() + SpikeRepair::kReach + EvenSamples::kReach +
+                                            plan.filter.standing_samples()),
                               static_cast<int>(kBlock / 2))),
         shares_(shares),
         rate_checked_(log.string(), rates_, receiver, diagnostics),
-        spikes_(plan, rate_checked_),
+        even_(plan, rate_checked_),
+        spikes_(plan, even_),
         receiver_(plan.filter.band > 0 ? static_cast<SampleReceiver&>(spikes_) : rate_checked_),
-        even_(plan, receiver_),
-        repeats_(plan.clock, plan.layout().channels()),
+        steps_(plan),
+        repeats_(plan.clock, plan.layout().channels(), longest_bridge(plan.filter) - 1.5 * plan.filter.dt),
         sample_(static_cast<std::size_t>(plan.layout().channels())) {}
 
   StreamCount run() {
@@ -82,7 +77,10 @@ class Stream {
         return count_;
       }
       if (shares_.owns(line)) ++count_.lines;
-      if (plan_.filter.band > 0 && repeats_.is_repeat(sample_.data())) continue;
+      if (plan_.filter.band > 0 && repeats_.is_repeat(sample_.data())) {
+        if (shares_.owns(line)) ++count_.repeated;
+        continue;
+      }
       base_.add(sample_.data());
       pass_on(line);
     }
@@ -96,8 +94,7 @@ class Stream {
   }
 
   void finish() {
-    even_.restart();
-    spikes_.flush();
+    receiver_.restart();
     rates_.finish(first_, diagnostics_);
     spikes_.finish(first_.file, diagnostics_);
     signals_.finish(first_.file, diagnostics_);
@@ -118,24 +115,25 @@ class Stream {
   }
 
   void restart() {
-    even_.restart();
     receiver_.restart();
+    steps_.restart();
     signals_.restart();
     base_.restart();
   }
 
   void pass_on(long line) {
-    const EvenSamples::Step step = even_.step_to(sample_[0]);
+    const StepCheck::Step step = steps_.step_to(sample_[0]);
     const bool owned = shares_.owns(line);
     if (step.is_gap) {
       restart();
-      even_.step_to(sample_[0]);
+      steps_.step_to(sample_[0]);
       if (owned) ++count_.gaps;
     } else if (owned) {
       count_.interpolated += step.missing;
     }
     if (plan_.filter.band > 0) signals_.add(sample_.data(), reader_.line());
-    even_.add({sample_.data(), line, 0, reader_.line()}, step.is_gap ? 0 : step.missing);
+    const long index = std::lround((sample_[0] - plan_.start) / plan_.filter.dt);
+    receiver_.sample({sample_.data(), line, index, reader_.line(), step.is_gap ? 0 : step.missing});
   }
 
   LogReader reader_;
@@ -148,9 +146,10 @@ class Stream {
   int half_window_;
   BlockPartition& shares_;
   RateChecked rate_checked_;
+  EvenSamples even_;
   SpikeRepair spikes_;
   SampleReceiver& receiver_;  // of all samples: the spikes' with a filter
-  EvenSamples even_;
+  StepCheck steps_;
   RepeatFilter repeats_;
   std::vector<double> sample_;
   StreamCount count_;

@@ -2,6 +2,7 @@
 // From log to motion: the samples of a log in order, checked, without gaps in time between restarts.
 #pragma once
 
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -55,6 +56,11 @@ struct StreamPlan {
   BaseSensors sensors{};                // of a floating base
 
   const LogLayout& layout() const { return heading.layout; }
+  // The lines of the log that so many even samples take, at most.
+  int lines_of(int samples) const {
+    const double share = clock.is_interpolated() ? 1 + 2 * clock.drift : 1;
+    return static_cast<int>(std::ceil(samples * share * clock.held));
+  }
   const ChannelNoise& q_noise(int position) const { return noise[static_cast<std::size_t>(LogLayout::q() + position)]; }
 };
 
@@ -63,6 +69,7 @@ struct StreamCount {
   long lines = 0, used = 0, gaps = 0;
   long interpolated = 0;  // dropped samples that were put in
   long lost = 0;          // blocks of readings that are frozen or zero, SignalCheck
+  long repeated = 0;      // lines that repeat the one before, and were left out
 
   void add(const StreamCount& other) {
     lines += other.lines;
@@ -70,6 +77,7 @@ struct StreamCount {
     gaps += other.gaps;
     interpolated += other.interpolated;
     lost += other.lost;
+    repeated += other.repeated;
   }
 };
 
@@ -79,6 +87,7 @@ struct RawSample {
   const double* channels = nullptr;
   long line = 0, index = 0;
   int file_line = 0;  // of the file, counted from 1, for messages
+  int missing = 0;    // samples that are missing before it
 };
 
 // Receives the samples of a log. Between two restarts they are dt apart.

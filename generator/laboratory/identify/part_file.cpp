@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* kKind = "part of an identification";
 // The version of the file's format: it rises whenever the contents or their meaning change.
-constexpr int kVersion = 5;
+constexpr int kVersion = 6;
 
 ordered_json numbers(const Eigen::MatrixXd& upper) {
   ordered_json list = ordered_json::array();
@@ -120,7 +120,8 @@ Measurement measurement_of(const ordered_json& json, const TorqueEquations& equa
     result.observations.instants.push_back(std::move(instant));
   }
   result.observations.stride = json.at("stride");
-  result.count = {json.at("lines"), json.at("used"), json.at("gaps"), json.at("interpolated"), json.at("lost")};
+  result.count = {json.at("lines"),        json.at("used"), json.at("gaps"),
+                  json.at("interpolated"), json.at("lost"), json.at("repeated")};
   result.logs = logs_from(json.at("logs"));
   set_shapes(result);
   return result;
@@ -193,7 +194,7 @@ void check_complete(const std::vector<Part>& parts, Diagnostics& diagnostics) {
     const Place place{part.file.string(), 0};
     if (part.settings != first.settings) {
       diagnostics.error(place, fmt::format("made with other options than {}", first.file.string()),
-                        "the same N, --band, --decimate and --imu for all parts");
+                        "the same N, --band, --decimate, --rest-speed, --resample, --rate and --imu for all parts");
     } else if (part.measurement.logs != first.measurement.logs) {
       diagnostics.error(place,
                         fmt::format("made from other logs than {}: {} instead of {}", first.file.string(),
@@ -230,6 +231,7 @@ std::string part_text(const Measurement& measurement, const TorqueEquations& equ
                        {"used", measurement.count.used},
                        {"gaps", measurement.count.gaps},
                        {"interpolated", measurement.count.interpolated},
+                       {"repeated", measurement.count.repeated},
                        {"lost", measurement.count.lost}};
   for (const JointObservations& joint : measurement.observations.joints) {
     json["joints"].push_back({{"rows", joint.rows}, {"R", numbers(joint.R)}});

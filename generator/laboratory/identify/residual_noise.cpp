@@ -287,7 +287,7 @@ ResidualNoise residual_noise(const Observations& observations, const VectorXd& v
   const Unknowns unknowns{n, joints};
   VectorXd known = VectorXd::Zero(unknowns.all());
   known.tail(n + joints) = known_variances(observations, joints);
-  // What is more than positions show above the band is misfit of the torques, and no noise of positions.
+  // Residuals that positions do not explain by what they show above the band are misfit of the torques.
   VectorXd most = VectorXd::Constant(unknowns.all(), std::numeric_limits<double>::infinity());
   most.tail(joints) = most_of_accelerations(observations, joints);
   MatrixXd H = MatrixXd::Zero(unknowns.all(), unknowns.all());

@@ -12,126 +12,196 @@
 namespace flatdyn {
 namespace {
 
-using Samples = std::vector<std::vector<double>>;
-
 constexpr double kUneven = 0.02;  // jitter, divided by dt
+constexpr double kPairs = 1.4;    // mean by median of the steps of samples that come in pairs, at least
 
 bool repeats(const std::vector<double>& sample, const std::vector<double>& before) {
   return std::equal(sample.begin() + 1, sample.end(), before.begin() + 1);
 }
 
-// The number of lines over which readings stay the same, if nearly all changes are more than a line apart.
-double lines_held(const Samples& samples) {
-  constexpr double kMost = 0.8;  // share of the changes
+// The number of lines over which readings stay the same, if nearly all changes are about as many lines apart, or a
+// multiple of that where an update was missed. Readings that change now and then, as at rest, are not so regular.
+double lines_held(const std::vector<SampleRun>& runs) {
+  constexpr double kMost = 0.9;  // share of the changes
   constexpr std::size_t kLeastChanges = 100;
-  std::size_t changes = 0, long_ones = 0, last = 0;
-  for (std::size_t k = 1; k < samples.size(); ++k) {
-    if (repeats(samples[k], samples[k - 1])) continue;
-    ++changes;
-    if (k - last > 1) ++long_ones;
-    last = k;
+  constexpr int kMissed = 3;
+  std::vector<double> intervals;
+  for (const SampleRun& run : runs) {
+    std::size_t last = 0;
+    for (std::size_t k = 1; k < run.size(); ++k) {
+      if (repeats(run[k], run[k - 1])) continue;
+      if (last > 0) intervals.push_back(static_cast<double>(k - last));
+      last = k;
+    }
   }
-  if (changes < kLeastChanges || static_cast<double>(long_ones) < kMost * static_cast<double>(changes)) return 1;
-  return static_cast<double>(last) / static_cast<double>(changes);
+  if (intervals.size() < kLeastChanges) return 1;
+  const double usual = median(intervals);
+  if (usual < 2) return 1;
+  double regular = 0, sum = 0, updates = 0;
+  for (const double interval : intervals) {
+    const double times = std::clamp(std::round(interval / usual), 1.0, static_cast<double>(kMissed));
+    if (std::abs(interval - times * usual) > 1) continue;
+    ++regular;
+    sum += interval;
+    updates += times;
+  }
+  return regular < kMost * static_cast<double>(intervals.size()) ? 1 : sum / updates;
 }
 
-std::vector<double> steps_of(const Samples& samples) {
-  std::vector<double> steps;
-  for (std::size_t k = 1; k < samples.size(); ++k) steps.push_back(samples[k][0] - samples[k - 1][0]);
+// The runs without lines that repeat the one before.
+std::vector<SampleRun> without_repeats(const std::vector<SampleRun>& runs) {
+  std::vector<SampleRun> distinct;
+  for (const SampleRun& run : runs) {
+    distinct.emplace_back();
+    for (const std::vector<double>& sample : run) {
+      if (distinct.back().empty() || !repeats(sample, distinct.back().back())) distinct.back().push_back(sample);
+    }
+  }
+  return distinct;
+}
+
+// The times from one sample to the next, run by run.
+std::vector<std::vector<double>> steps_of(const std::vector<SampleRun>& runs) {
+  std::vector<std::vector<double>> steps;
+  for (const SampleRun& run : runs) {
+    steps.emplace_back();
+    for (std::size_t k = 1; k < run.size(); ++k) steps.back().push_back(run[k][0] - run[k - 1][0]);
+  }
   return steps;
 }
 
-bool is_no_gap(double step, double dt) { return step < 2 * dt; }
+std::vector<double> all_of(const std::vector<std::vector<double>>& lists) {
+  std::vector<double> all;
+  for (const std::vector<double>& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
 
+bool is_no_gap(double step, double dt) { return step > 0 && step < 3 * dt; }
+
+// The mean of the steps that are no gaps. Of samples that come in pairs, half of the steps are near 0, and the median
+// may be one of these: then gaps are longer than the mean of all but the longest steps.
+double mean_of(const std::vector<double>& steps, double dt) {
+  constexpr int kRounds = 3;
+  constexpr double kMost = 0.99;  // share of the steps
+  std::vector<double> most = steps;
+  std::sort(most.begin(), most.end());
+  most.resize(static_cast<std::size_t>(std::ceil(kMost * static_cast<double>(most.size()))));
+  double sum = 0;
+  for (const double step : most) sum += step;
+  dt = std::max(dt, sum / static_cast<double>(most.size()));
+  for (int round = 0; round < kRounds; ++round) {
+    sum = 0;
+    int count = 0;
+    for (const double step : steps) {
+      if (!is_no_gap(step, dt)) continue;
+      sum += step;
+      ++count;
+    }
+    dt = sum / std::max(count, 1);
+  }
+  return dt;
+}
+
+// How far steps are from whole numbers of dt, one at least, as a standard deviation divided by dt: samples that are
+// missing make no jitter.
 double jitter_of(const std::vector<double>& steps, double dt) {
   double sum = 0;
-  int count = 0;
-  for (const double step : steps) {
-    if (!is_no_gap(step, dt)) continue;
-    sum += (step - dt) * (step - dt);
-    ++count;
-  }
-  return std::sqrt(sum / count) / dt;
+  for (const double step : steps) sum += std::pow(step / dt - std::max(1.0, std::round(step / dt)), 2);
+  return std::sqrt(sum / static_cast<double>(steps.size()));
 }
 
-double mean_of(const std::vector<double>& steps, double dt) {
-  double sum = 0;
-  int count = 0;
-  for (const double step : steps) {
-    if (!is_no_gap(step, dt)) continue;
-    sum += step;
-    ++count;
-  }
-  return sum / count;
-}
-
-double drift_of(const std::vector<double>& steps, double dt) {
-  double largest = 0, sum = 0;
-  int count = 0;
-  for (const double step : steps) {
-    if (!is_no_gap(step, dt)) continue;
-    sum += step;
-    if (++count * dt < 1) continue;
-    largest = std::max(largest, std::abs(sum / count - dt) / dt);
-    sum = 0;
-    count = 0;
+// How far the mean of the steps of a second is from dt, at most, divided by dt.
+double drift_of(const std::vector<std::vector<double>>& runs, double dt) {
+  double largest = 0;
+  for (const std::vector<double>& steps : runs) {
+    double sum = 0;
+    int count = 0;
+    for (const double step : steps) {
+      if (!is_no_gap(step, dt)) continue;
+      sum += step;
+      if (++count * dt < 1) continue;
+      largest = std::max(largest, std::abs(sum / count - dt) / dt);
+      sum = 0;
+      count = 0;
+    }
   }
   return largest;
 }
 
 // The median size of a channel's differences of fourth order, which a smooth motion does not have: at the stamps, or at
 // even times.
-double roughness(const Samples& samples, int channel, bool at_stamps, double dt) {
+double roughness(const std::vector<SampleRun>& runs, int channel, bool at_stamps, double dt) {
   constexpr std::size_t kNodes = 5;
   double times[kNodes] = {0, 1, 2, 3, 4};
   const std::vector<double> even = difference_weights(times);
   std::vector<double> sizes;
-  for (std::size_t k = 0; k + kNodes <= samples.size(); ++k) {
-    if (!is_no_gap((samples[k + kNodes - 1][0] - samples[k][0]) / (kNodes - 1), dt)) continue;
-    for (std::size_t j = 0; j < kNodes; ++j) times[j] = samples[k + j][0];
-    const std::vector<double> weights = at_stamps ? difference_weights(times) : even;
-    double difference = 0;
-    for (std::size_t j = 0; j < kNodes; ++j) {
-      difference += weights[j] * samples[k + j][static_cast<std::size_t>(channel)];
+  for (const SampleRun& run : runs) {
+    for (std::size_t k = 0; k + kNodes <= run.size(); ++k) {
+      bool is_whole = true;
+      for (std::size_t j = 1; j < kNodes; ++j) is_whole &= is_no_gap(run[k + j][0] - run[k + j - 1][0], dt);
+      if (!is_whole) continue;
+      for (std::size_t j = 0; j < kNodes; ++j) times[j] = run[k + j][0];
+      const std::vector<double> weights = at_stamps ? difference_weights(times) : even;
+      double difference = 0;
+      for (std::size_t j = 0; j < kNodes; ++j) {
+        difference += weights[j] * run[k + j][static_cast<std::size_t>(channel)];
+      }
+      sizes.push_back(std::abs(difference));
     }
-    sizes.push_back(std::abs(difference));
   }
   return sizes.empty() ? 0 : median(std::move(sizes));
 }
 
-// Whether positions are clearly smoother at the stamps than at even times. Channels that do not move tell nothing.
-bool is_smoother_at_stamps(const LogLayout& layout, const Samples& samples, double dt) {
-  constexpr double kClearly = 0.9;
-  double product = 0;
-  int count = 0;
-  for (const int channel : layout.positions_of_all()) {
-    const double stamped = roughness(samples, channel, true, dt), counted = roughness(samples, channel, false, dt);
-    if (!(stamped > 0 && counted > 0)) continue;
-    product += std::log(stamped / counted);
-    ++count;
+// The run in which a channel moves most, by itself, and how far.
+std::pair<std::vector<SampleRun>, double> liveliest(const std::vector<SampleRun>& runs, int channel) {
+  std::pair<std::vector<SampleRun>, double> found;
+  for (const SampleRun& run : runs) {
+    if (run.empty()) continue;
+    const auto at = static_cast<std::size_t>(channel);
+    const auto [least, most] =
+        std::minmax_element(run.begin(), run.end(), [at](const auto& a, const auto& b) { return a[at] < b[at]; });
+    const double size = ((*most)[at] - (*least)[at]) / static_cast<double>(run.size());
+    if (size > found.second) found = {{run}, size};
   }
-  return count > 0 && product / count < std::log(kClearly);
+  return found;
+}
+
+// Whether the position that tells it most clearly is smoother at the stamps than at even times. Those that do not move
+// tell nothing.
+bool is_smoother_at_stamps(const LogLayout& layout, const std::vector<SampleRun>& runs, double dt) {
+  constexpr double kClearly = 0.9;
+  double clearest = 0;
+  for (const int channel : layout.positions_of_all()) {
+    const auto [run, size] = liveliest(runs, channel);
+    if (!(size > 0)) continue;
+    const double stamped = roughness(run, channel, true, dt), counted = roughness(run, channel, false, dt);
+    if (!(stamped > 0 && counted > 0)) continue;
+    const double ratio = std::log(stamped / counted);
+    if (std::abs(ratio) > std::abs(clearest)) clearest = ratio;
+  }
+  return clearest < std::log(kClearly);
 }
 
 }  // namespace
 
-SampleClock sample_clock(const LogLayout& layout, const std::vector<std::vector<double>>& samples, ClockChoice choice) {
+SampleClock sample_clock(const LogLayout& layout, const std::vector<SampleRun>& runs, ClockChoice choice) {
   SampleClock clock;
-  clock.held = lines_held(samples);
-  Samples distinct;
-  for (const std::vector<double>& sample : samples) {
-    if (!clock.leaves_out_repeats() || distinct.empty() || !repeats(sample, distinct.back()))
-      distinct.push_back(sample);
-  }
-  const std::vector<double> steps = steps_of(distinct);
-  clock.dt = median(steps);
+  clock.held = lines_held(runs);
+  const std::vector<SampleRun> distinct = clock.leaves_out_repeats() ? without_repeats(runs) : runs;
+  const std::vector<std::vector<double>> by_run = steps_of(distinct);
+  const std::vector<double> steps = all_of(by_run);
+  clock.dt = median(by_run.front());
   clock.jitter = jitter_of(steps, clock.dt);
-  if (choice != ClockChoice::stamped && clock.jitter <= kUneven) return clock;
-  const bool is_stamped = choice == ClockChoice::automatic ? is_smoother_at_stamps(layout, distinct, clock.dt)
-                                                           : choice == ClockChoice::stamped;
+  const double mean = mean_of(steps, clock.dt);
+  const bool is_even = clock.jitter <= kUneven && mean < kPairs * clock.dt;
+  if (choice != ClockChoice::stamped && is_even) return clock;
+  clock.dt = mean;
+  clock.drift = drift_of(by_run, mean);
+  // Times of arrival do not drift away from those of samples.
+  const bool is_stamped = choice == ClockChoice::automatic
+                              ? clock.drift > kUneven || is_smoother_at_stamps(layout, distinct, clock.dt)
+                              : choice == ClockChoice::stamped;
   clock.kind = is_stamped ? SampleClock::Kind::stamped : SampleClock::Kind::counted;
-  if (is_stamped) clock.dt = mean_of(steps, clock.dt);
-  clock.drift = drift_of(steps, mean_of(steps, clock.dt));
   return clock;
 }
 
@@ -158,10 +228,10 @@ std::string clock_text(const SampleClock& clock, double longest, double band) {
 }
 
 bool RepeatFilter::is_repeat(const double* channels) {
-  constexpr double kLongest = 1.5;  // times dt
   if (!clock_.leaves_out_repeats()) return false;
-  const bool is_same = has_last_ && channels[0] - last_[0] < kLongest * clock_.dt &&
-                       std::equal(last_.begin() + 1, last_.end(), channels + 1);
+  const double since = channels[0] - last_[0];
+  const bool is_same =
+      has_last_ && since >= 0 && since < longest_ && std::equal(last_.begin() + 1, last_.end(), channels + 1);
   if (is_same) return true;
   last_.assign(channels, channels + last_.size());
   has_last_ = true;

@@ -17,7 +17,7 @@ struct SampleClock {
     stamped,  // samples were taken at their stamps, which are not even: they are interpolated
   };
   Kind kind = Kind::even;
-  double dt = 0;      // time between samples, s: the median, and the mean where they are interpolated
+  double dt = 0;      // time between samples, s: the median of an even clock, else the mean
   double jitter = 0;  // standard deviation of the time between stamps, divided by dt; gaps do not count
   double drift = 0;   // how far the mean time between stamps of a second is from that of all of them, divided by dt
   double held = 1;    // lines over which all readings stay the same, on average; 1: they change at every line
@@ -30,8 +30,11 @@ struct SampleClock {
 // The kind to take; `automatic`: that in which positions are smoother, where stamps are uneven by more than 2 %.
 enum class ClockChoice : std::uint8_t { automatic, stamped, counted };
 
-// `samples`: channels of the first samples of a log, two at least, in the order of the file.
-SampleClock sample_clock(const LogLayout& layout, const std::vector<std::vector<double>>& samples,
+// Consecutive samples of a log: the channels of each.
+using SampleRun = std::vector<std::vector<double>>;
+
+// `runs`: some runs of a log, the first of which has two samples at least.
+SampleClock sample_clock(const LogLayout& layout, const std::vector<SampleRun>& runs,
                          ClockChoice choice = ClockChoice::automatic);
 
 // A sentence on what the clock is like and what is done about it; empty for one that is even. longest: the longest time
@@ -41,13 +44,17 @@ std::string clock_text(const SampleClock& clock, double longest, double band);
 // Tells lines that repeat all readings of the one before, where a clock leaves them out.
 class RepeatFilter {
  public:
-  RepeatFilter(const SampleClock& clock, int channels) : clock_(clock), last_(static_cast<std::size_t>(channels)) {}
+  // longest: lines are left out for no longer than this, s; readings that stay the same for longer do not change.
+  RepeatFilter(const SampleClock& clock, int channels, double longest)
+      : clock_(clock), longest_(longest), last_(static_cast<std::size_t>(channels)) {}
 
-  // Whether the sample is to be left out. A reading that stays the same for longer is one that does not change.
+  // Whether the sample is to be left out.
   bool is_repeat(const double* channels);
+  void restart() { has_last_ = false; }
 
  private:
   const SampleClock& clock_;
+  double longest_;
   std::vector<double> last_;  // the last sample that was not left out
   bool has_last_ = false;
 };

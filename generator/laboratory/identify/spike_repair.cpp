@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "laboratory/identify/stamp_weights.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -30,7 +32,9 @@ double cubic(const double (&values)[4], double gap, double at) {
 }  // namespace
 
 SpikeRepair::SpikeRepair(const StreamPlan& plan, SampleReceiver& receiver)
-    : receiver_(receiver), channels_(static_cast<std::size_t>(plan.layout().channels())) {
+    : receiver_(receiver),
+      channels_(static_cast<std::size_t>(plan.layout().channels())),
+      is_stamped_(plan.clock.is_interpolated()) {
   const std::vector<std::string> names = plan.heading.channel_names();
   for (const int channel : plan.layout().positions_of_all()) {
     const auto at = static_cast<std::size_t>(channel);
@@ -74,6 +78,16 @@ double& SpikeRepair::reading(int at, std::size_t position) {
   return held_[static_cast<std::size_t>(at)].channels[found_[position].channel];
 }
 
+// The same where stamps are not even: at the time of a sample that is held.
+double SpikeRepair::at_stamps(const double (&neighbours)[4], int wrong, int at) const {
+  const auto time = [this](int place) { return held_[static_cast<std::size_t>(place)].channels[LogLayout::time()]; };
+  const double times[4] = {time(0), time(1), time(wrong + 2), time(wrong + 3)};
+  const std::vector<double> weights = interpolation_weights(times, time(at));
+  double sum = 0;
+  for (std::size_t k = 0; k < weights.size(); ++k) sum += weights[k] * neighbours[k];
+  return sum;
+}
+
 // Spikes are far from the curve through the two neighbours on either side, which agree with each other: behind a jump
 // they do not.
 bool SpikeRepair::repair(std::size_t position, int wrong) {
@@ -89,7 +103,7 @@ bool SpikeRepair::repair(std::size_t position, int wrong) {
       std::max(kFarFromNoise * found.noise + kMotion * (std::abs(slope) + std::abs(bend)), disagreement / kAgreeing);
   double curve[kMost] = {};
   for (int k = 0; k < wrong; ++k) {
-    curve[k] = cubic(neighbours, gap, k + 1);
+    curve[k] = is_stamped_ ? at_stamps(neighbours, wrong, k + 2) : cubic(neighbours, gap, k + 1);
     if (!(std::abs(reading(k + 2, position) - curve[k]) > least)) return false;
   }
   if (found.count == 0) {

@@ -44,12 +44,14 @@ class SpikeRepair : public SampleReceiver {
   };
 
   double& reading(int at, std::size_t position);
+  double at_stamps(const double (&neighbours)[4], int wrong, int at) const;
   // Interpolates so many readings from the third sample that is held on, if they are spikes.
   bool repair(std::size_t position, int wrong);
   void pass_on();
 
   SampleReceiver& receiver_;
   std::size_t channels_;
+  bool is_stamped_;            // whether stamps are not even, and right
   std::vector<Spikes> found_;  // by position, those of a floating base's pose among them
   std::deque<Held> held_;
   Held spare_;  // memory for the next one

@@ -88,13 +88,32 @@ double default_band(const StreamPlan& plan, const LogSurvey& log) {
   return std::min(band, std::round(10 * std::max(wanted, lowest)) / 10);
 }
 
+// The first samples, and runs from all over the log: a robot often rests first.
+std::vector<SampleRun> runs_of(const std::filesystem::path& log, const LogHeading& heading,
+                               const std::vector<SurveyedSample>& first) {
+  constexpr int kFurther = 16, kLength = 1024;
+  std::vector<SampleRun> runs(1);
+  for (const SurveyedSample& sample : first) runs.front().push_back(sample.channels);
+  if (first.size() < kSurveyed) return runs;
+  Diagnostics unheard;
+  LogReader reader(log, heading, unheard);
+  std::vector<double> channels(first.front().channels.size());
+  for (int run = 1; run < kFurther; ++run) {
+    reader.jump(static_cast<double>(run) / kFurther);
+    runs.emplace_back();
+    for (int k = 0; k < kLength && reader.next(channels.data()); ++k) runs.back().push_back(channels);
+  }
+  return runs;
+}
+
 void tell_of_clock(const StreamPlan& plan, const Place& place, Diagnostics& diagnostics) {
   const std::string text = clock_text(plan.clock, longest_bridge(plan.filter), plan.filter.band);
   if (text.empty()) return;
   if (plan.clock.kind == SampleClock::Kind::counted) {
-    diagnostics.warning(place, text, "positions are smoother so; --resample stamps takes samples at their stamps");
+    diagnostics.warning(place, text, "--resample stamps takes them at their stamps");
   } else {
-    diagnostics.note(place, text, "--resample off takes samples as evenly apart", "clocks that are not even");
+    const char* const hint = plan.clock.is_interpolated() ? "--resample off takes samples as evenly apart" : "";
+    diagnostics.note(place, text, hint, "clocks that are not even");
   }
 }
 
@@ -116,7 +135,7 @@ void choose_filter(StreamPlan& plan, const StreamOptions& options, const LogSurv
   decimate = options.decimate.value_or(default_decimation(band, rate));
   if (band > 0) tell_of_clock(plan, place, diagnostics);
   const int half_window = plan.filter.half_window();
-  if (half_window >= kBlock / 2) {
+  if (plan.lines_of(half_window) >= kBlock / 2) {
     diagnostics.error(
         place,
         fmt::format("a band of {} Hz needs a window of {} samples that are {:.4g} s apart", band, 2 * half_window + 1,
@@ -189,9 +208,7 @@ StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechan
                       "a line for each instant, below the heading");
     return plan;
   }
-  std::vector<std::vector<double>> channels;
-  for (const SurveyedSample& sample : samples) channels.push_back(sample.channels);
-  plan.clock = sample_clock(plan.layout(), channels, options.clock);
+  plan.clock = sample_clock(plan.layout(), runs_of(log, plan.heading, samples), options.clock);
   plan.filter.dt = plan.clock.dt;
   plan.delay = options.delay;
   plan.start = samples.front().channels.front();

@@ -95,7 +95,7 @@ void check_used_samples(const Measurement& measurement, const std::string& log, 
     decimate = std::max(decimate, filter.decimate);
   }
   if (count.used == 0) throw no_samples(measurement, window, decimate);
-  if (count.gaps == 0 || 2 * count.used * decimate > count.lines) return;
+  if (count.gaps == 0 || 2 * count.used * decimate > count.lines - count.repeated) return;
   found.warning({log, 0},
                 fmt::format("{} gaps in time take most of {} samples: each costs the filter's window, {} samples",
                             count.gaps, count.lines, window),

@@ -315,9 +315,9 @@ TEST_F(PartsTest, OfOtherLogsAreRefused) {
 
 TEST_F(PartsTest, OfAnotherVersionAreRefused) {
   const std::string text = part_text(measured({log(simulated(arm(), {.samples = 50}))}), equations(), {});
-  const std::string version = "\"version\":5,";
+  const std::string version = "\"version\":6,";
   ASSERT_NE(text.find(version), std::string::npos);
-  for (const std::string other : {"", "\"version\":4,", "\"version\":\"5\","}) {
+  for (const std::string other : {"", "\"version\":5,", "\"version\":\"6\","}) {
     found = {};
     std::ofstream(folder / "part.json") << std::string(text).replace(text.find(version), version.size(), other);
     merge_parts({folder / "part.json"}, equations(), found);
