@@ -46,7 +46,10 @@ bool holds_rotor(const FileNode& element) {
 class NameChecker {
  public:
   explicit NameChecker(const UrdfValues& values)
-      : values_(values), diagnostics_(values.context().diagnostics), unknown_(values), unread_(values) {}
+      : values_(values),
+        diagnostics_(values.context().diagnostics),
+        unknown_(values.context().diagnostics),
+        unread_(values) {}
 
   void check_robot(const FileNode& root) {
     has_rotor_ = holds_rotor(root);

@@ -13,7 +13,7 @@ namespace flatdyn {
 
 class UnknownEntries {
  public:
-  explicit UnknownEntries(const UrdfValues& values) : values_(values), diagnostics_(values.context().diagnostics) {}
+  explicit UnknownEntries(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
   // Attributes, children and text of an element of which values are read.
   void check(const FileNode& element, const std::string& what);
@@ -27,7 +27,6 @@ class UnknownEntries {
   bool refuse(const FileNode& element, const UrdfEntry& entry, const Known& known, const std::string& what);
   void note_left_out(const FileNode& element, const std::vector<std::string>& names, const std::string& what);
 
-  const UrdfValues& values_;
   Diagnostics& diagnostics_;
   std::set<std::string> noted_;  // said once per file: where there is one such joint, all are so
 };
