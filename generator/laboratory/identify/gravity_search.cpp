@@ -257,6 +257,7 @@ Matrix3Xd turns_of_gravity(const Vector3d& gravity, const Matrix3Xd& told) {
 
 Vector3d turned_gravity(const Vector3d& gravity, const Matrix3Xd& told, const VectorXd& angles) {
   const Vector3d inside = told * (told.transpose() * gravity);
+  if (angles.size() == 0) return pointed(gravity, told, inside);  // a pendulum tells no turn
   return pointed(gravity, told, inside + turns_of_gravity(gravity, told) * angles);
 }
 
