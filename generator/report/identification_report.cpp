@@ -42,7 +42,7 @@ std::string data_text(const Measurement& measurement, const NonlinearUnknowns& u
     if (!is_one || filter.band > 0) text += (is_one ? "; " : "; of some logs ") + filter_text(filter);
   }
   if (measurement.count.interpolated > 0) {
-    text += fmt::format("; {} dropped samples interpolated", measurement.count.interpolated);
+    text += fmt::format("; {} missing samples interpolated", measurement.count.interpolated);
   }
   if (unknowns.delay != 0) {
     text += fmt::format("; torques taken {:.2f} ms later than the positions", 1000 * unknowns.delay);

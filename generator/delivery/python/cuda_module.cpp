@@ -124,11 +124,7 @@ class Launcher {
   std::size_t inputs_ = 0, empty_ = 0;
 };
 
-std::string names_of_joints(const Mechanism& mechanism) {
-  nlohmann::json names = nlohmann::json::array();
-  for (const Body& body : mechanism.joints()) names.push_back(body.joint);
-  return names.dump();
-}
+std::string names_of_joints(const Mechanism& mechanism) { return nlohmann::json(mechanism.joint_names()).dump(); }
 
 // A limit as Python writes it.
 std::string limit_text(const code::TableEntry& entry) {

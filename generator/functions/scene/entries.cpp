@@ -49,14 +49,8 @@ Extent counted(const Function& function, const Output& output, std::size_t dimen
 
 // The names of the joints that an index counts; none where it counts something else.
 std::vector<std::string> names_counted(const Mechanism& mechanism, Extent extent) {
-  std::vector<std::string> names;
-  if (extent == Extent::joints) {
-    for (const Body& body : mechanism.joints()) names.push_back(body.joint);
-  }
-  for (int k = 0; extent == Extent::positions && k < mechanism.position_count(); ++k) {
-    names.push_back(mechanism.position_name(k));
-  }
-  return names;
+  if (extent == Extent::joints) return mechanism.joint_names();
+  return extent == Extent::positions ? mechanism.position_names() : std::vector<std::string>();
 }
 
 std::size_t place_of(const Output& output, const std::vector<int>& indices) {

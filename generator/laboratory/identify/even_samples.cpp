@@ -15,8 +15,8 @@ constexpr std::size_t kNodes = 4;
 }  // namespace
 
 double longest_bridge(const SampleFilter& filter) {
-  constexpr double kOff = 5e-3;  // share of a sine's amplitude: 3/128 (2 pi f h)^4 for a cubic through samples h apart
-  const double bridged = filter.band > 0 ? std::pow(kOff * 128 / 3, 0.25) / (2 * M_PI * filter.band) : 0;
+  constexpr double kOff = 5e-3;
+  const double bridged = filter.band > 0 ? step_of_cubic(kOff, filter.band) : 0;
   return std::max((kMostMissing + 1.5) * filter.dt, bridged);
 }
 
@@ -88,12 +88,10 @@ void EvenSamples::pass_on(std::size_t at) {
   for (int k = 1; k <= next.sample.missing && at > 0; ++k) {
     const double before = held_[at - 1].channels[0];
     const double t = before + (next.channels[0] - before) * k / (next.sample.missing + 1);
-    interpolate(t, index_of(t), next);
+    interpolate(t, plan_.index_of(t), next);
   }
-  RawSample raw = next.sample;
-  raw.channels = next.channels.data();
-  raw.index = index_of(next.channels[0]);
-  receiver_.sample(raw);
+  next.sample.channels = next.channels.data();
+  receiver_.sample(next.sample);
 }
 
 // The points of the grid behind the sample before, up to this one.
@@ -124,7 +122,5 @@ void EvenSamples::interpolate(double t, long index, const Held& next) {
   }
   receiver_.sample({between_.data(), next.sample.line, index, next.sample.file_line});
 }
-
-long EvenSamples::index_of(double time) const { return std::lround((time - plan_.start) / dt_); }
 
 }  // namespace flatdyn

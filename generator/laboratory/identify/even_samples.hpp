@@ -42,7 +42,7 @@ class EvenSamples : public SampleReceiver {
   // A sample depends on no more samples than these before and behind it.
   static constexpr int kReach = 2;
 
-  // Passes samples on late, by one of those that it takes. Without a filter it passes them on as they are.
+  // Passes samples on late, by one of those that it takes.
   EvenSamples(const StreamPlan& plan, SampleReceiver& receiver);
 
   // The sample, before which RawSample::missing are missing.
@@ -63,7 +63,6 @@ class EvenSamples : public SampleReceiver {
   void pass_on_grid(std::size_t at);
   // The sample at time t, from all that are held; its line is that of `next`.
   void interpolate(double t, long index, const Held& next);
-  long index_of(double time) const;
 
   const StreamPlan& plan_;
   SampleReceiver& receiver_;

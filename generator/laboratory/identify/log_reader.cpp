@@ -89,6 +89,8 @@ long LogReader::skip(long count) {
 }
 
 void LogReader::jump(double share) {
+  const double here = lines_.share();
+  if (here > 0) rows_ = std::lround(static_cast<double>(rows_) * share / here);
   lines_.jump(share);
   last_time_ = -std::numeric_limits<double>::infinity();
 }

@@ -34,7 +34,8 @@ class LogReader {
   bool next(double* channels);
   // Skips up to `count` samples without reading their numbers; returns how many there were.
   long skip(long count);
-  // Goes to the sample behind a place in the file, 0 … 1 of its bytes; place() is meaningless from there on.
+  // Goes to the sample behind a place in the file, 0 … 1 of its bytes; place() is meaningless from there on, and times
+  // by LogHeading::rate are those of rows that are as long as the ones before.
   void jump(double share);
 
  private:

@@ -45,7 +45,11 @@ class Surveyor {
       if (is_gap) restart();
       stamps_.add(last);
       for (std::size_t c = 0; c < sample_.size(); ++c) {
-        clock_.is_interpolated() ? all_[c].add(sample_[c], stamps_) : all_[c].add(sample_[c]);
+        if (clock_.is_interpolated()) {
+          all_[c].add(sample_[c], stamps_);
+        } else {
+          all_[c].add(sample_[c]);
+        }
         run[c].push_back(sample_[c]);
       }
       result_.moves |= (layout_.has_rates && changes(layout_.qd(), layout_.joints)) ||

@@ -132,8 +132,8 @@ class Stream {
       count_.interpolated += step.missing;
     }
     if (plan_.filter.band > 0) signals_.add(sample_.data(), reader_.line());
-    const long index = std::lround((sample_[0] - plan_.start) / plan_.filter.dt);
-    receiver_.sample({sample_.data(), line, index, reader_.line(), step.is_gap ? 0 : step.missing});
+    receiver_.sample(
+        {sample_.data(), line, plan_.index_of(sample_[0]), reader_.line(), step.is_gap ? 0 : step.missing});
   }
 
   LogReader reader_;

@@ -56,6 +56,8 @@ struct StreamPlan {
   BaseSensors sensors{};                // of a floating base
 
   const LogLayout& layout() const { return heading.layout; }
+  // A time in steps of dt since the first sample, rounded.
+  long index_of(double time) const { return std::lround((time - start) / filter.dt); }
   // The lines of the log that so many even samples take, at most.
   int lines_of(int samples) const {
     const double share = clock.is_interpolated() ? 1 + 2 * clock.drift : 1;
@@ -67,7 +69,7 @@ struct StreamPlan {
 // Counts of what was read, without the samples of other parts.
 struct StreamCount {
   long lines = 0, used = 0, gaps = 0;
-  long interpolated = 0;  // dropped samples that were put in
+  long interpolated = 0;  // missing samples that were put in
   long lost = 0;          // blocks of readings that are frozen or zero, SignalCheck
   long repeated = 0;      // lines that repeat the one before, and were left out
 

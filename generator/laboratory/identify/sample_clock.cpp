@@ -19,8 +19,8 @@ bool repeats(const std::vector<double>& sample, const std::vector<double>& befor
   return std::equal(sample.begin() + 1, sample.end(), before.begin() + 1);
 }
 
-// The number of lines over which readings stay the same, if nearly all changes are about as many lines apart, or a
-// multiple of that where an update was missed. Readings that change now and then, as at rest, are not so regular.
+// How many lines readings stay the same for, if nearly all changes are about as many lines apart, or a multiple of that
+// where an update was missed; else 1. Readings that change now and then, as at rest, are not so regular.
 double lines_held(const std::vector<SampleRun>& runs) {
   constexpr double kMost = 0.9;  // share of the changes
   constexpr std::size_t kLeastChanges = 100;
@@ -78,8 +78,8 @@ std::vector<double> all_of(const std::vector<std::vector<double>>& lists) {
 
 bool is_no_gap(double step, double dt) { return step > 0 && step < 3 * dt; }
 
-// The mean of the steps that are no gaps. Of samples that come in pairs, half of the steps are near 0, and the median
-// may be one of these: then gaps are longer than the mean of all but the longest steps.
+// The mean of the steps that are no gaps. Where samples come in pairs, half of the steps are near 0, and so may be
+// their median, `dt`: what is a gap is judged by the mean of all but the longest steps.
 double mean_of(const std::vector<double>& steps, double dt) {
   constexpr int kRounds = 3;
   constexpr double kMost = 0.99;  // share of the steps
@@ -130,38 +130,36 @@ double drift_of(const std::vector<std::vector<double>>& runs, double dt) {
 
 // The median size of a channel's differences of fourth order, which a smooth motion does not have: at the stamps, or at
 // even times.
-double roughness(const std::vector<SampleRun>& runs, int channel, bool at_stamps, double dt) {
+double roughness(const SampleRun& run, std::size_t channel, bool at_stamps, double dt) {
   constexpr std::size_t kNodes = 5;
   double times[kNodes] = {0, 1, 2, 3, 4};
   const std::vector<double> even = difference_weights(times);
   std::vector<double> sizes;
-  for (const SampleRun& run : runs) {
-    for (std::size_t k = 0; k + kNodes <= run.size(); ++k) {
-      bool is_whole = true;
-      for (std::size_t j = 1; j < kNodes; ++j) is_whole &= is_no_gap(run[k + j][0] - run[k + j - 1][0], dt);
-      if (!is_whole) continue;
-      for (std::size_t j = 0; j < kNodes; ++j) times[j] = run[k + j][0];
-      const std::vector<double> weights = at_stamps ? difference_weights(times) : even;
-      double difference = 0;
-      for (std::size_t j = 0; j < kNodes; ++j) {
-        difference += weights[j] * run[k + j][static_cast<std::size_t>(channel)];
-      }
-      sizes.push_back(std::abs(difference));
-    }
+  for (std::size_t k = 0; k + kNodes <= run.size(); ++k) {
+    bool is_whole = true;
+    for (std::size_t j = 1; j < kNodes; ++j) is_whole &= is_no_gap(run[k + j][0] - run[k + j - 1][0], dt);
+    if (!is_whole) continue;
+    for (std::size_t j = 0; j < kNodes; ++j) times[j] = run[k + j][0];
+    const std::vector<double> weights = at_stamps ? difference_weights(times) : even;
+    double difference = 0;
+    for (std::size_t j = 0; j < kNodes; ++j) difference += weights[j] * run[k + j][channel];
+    sizes.push_back(std::abs(difference));
   }
   return sizes.empty() ? 0 : median(std::move(sizes));
 }
 
-// The run in which a channel moves most, by itself, and how far.
-std::pair<std::vector<SampleRun>, double> liveliest(const std::vector<SampleRun>& runs, int channel) {
-  std::pair<std::vector<SampleRun>, double> found;
+// The run in which a channel moves most for its length; nullptr if it moves in none.
+const SampleRun* liveliest(const std::vector<SampleRun>& runs, std::size_t channel) {
+  const SampleRun* found = nullptr;
+  double largest = 0;
   for (const SampleRun& run : runs) {
     if (run.empty()) continue;
-    const auto at = static_cast<std::size_t>(channel);
-    const auto [least, most] =
-        std::minmax_element(run.begin(), run.end(), [at](const auto& a, const auto& b) { return a[at] < b[at]; });
-    const double size = ((*most)[at] - (*least)[at]) / static_cast<double>(run.size());
-    if (size > found.second) found = {{run}, size};
+    const auto [least, most] = std::minmax_element(
+        run.begin(), run.end(), [channel](const auto& a, const auto& b) { return a[channel] < b[channel]; });
+    const double size = ((*most)[channel] - (*least)[channel]) / static_cast<double>(run.size());
+    if (size <= largest) continue;
+    largest = size;
+    found = &run;
   }
   return found;
 }
@@ -171,10 +169,11 @@ std::pair<std::vector<SampleRun>, double> liveliest(const std::vector<SampleRun>
 bool is_smoother_at_stamps(const LogLayout& layout, const std::vector<SampleRun>& runs, double dt) {
   constexpr double kClearly = 0.9;
   double clearest = 0;
-  for (const int channel : layout.positions_of_all()) {
-    const auto [run, size] = liveliest(runs, channel);
-    if (!(size > 0)) continue;
-    const double stamped = roughness(run, channel, true, dt), counted = roughness(run, channel, false, dt);
+  for (const int position : layout.positions_of_all()) {
+    const auto channel = static_cast<std::size_t>(position);
+    const SampleRun* const run = liveliest(runs, channel);
+    if (run == nullptr) continue;
+    const double stamped = roughness(*run, channel, true, dt), counted = roughness(*run, channel, false, dt);
     if (!(stamped > 0 && counted > 0)) continue;
     const double ratio = std::log(stamped / counted);
     if (std::abs(ratio) > std::abs(clearest)) clearest = ratio;
@@ -218,13 +217,11 @@ std::string clock_text(const SampleClock& clock, double longest, double band) {
   if (clock.kind == SampleClock::Kind::counted) {
     return text + "; samples count as taken evenly, whatever their stamps";
   }
-  // The error of a cubic through four samples h apart, in the middle, for a sine of this frequency.
-  const auto error = [band](double h) { return 3.0 / 128 * std::pow(2 * M_PI * band * h, 4); };
   return text + fmt::format(
                     "; samples are interpolated at their stamps by cubics onto steps of {:.4g} s. A signal at "
                     "the edge of the band is off by {:.1g} of its size then, and by {:.1g} where {:.2g} s are "
                     "bridged",
-                    clock.dt, error(clock.dt), error(longest), longest);
+                    clock.dt, error_of_cubic(clock.dt, band), error_of_cubic(longest, band), longest);
 }
 
 bool RepeatFilter::is_repeat(const double* channels) {

@@ -19,8 +19,8 @@ struct SampleClock {
   Kind kind = Kind::even;
   double dt = 0;      // time between samples, s: the median of an even clock, else the mean
   double jitter = 0;  // standard deviation of the time between stamps, divided by dt; gaps do not count
-  double drift = 0;   // how far the mean time between stamps of a second is from that of all of them, divided by dt
-  double held = 1;    // lines over which all readings stay the same, on average; 1: they change at every line
+  double drift = 0;   // the largest change of the time between stamps, as the mean of a second, divided by dt
+  double held = 1;    // how many lines all readings stay the same for, on average; 1: they change at every line
 
   bool is_interpolated() const { return kind == Kind::stamped; }
   // Whether lines that repeat the one before are left out.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "laboratory/identify/stamp_weights.hpp"
@@ -13,21 +14,6 @@ namespace flatdyn {
 namespace {
 
 constexpr double kFarFromNoise = 12;  // standard deviations
-
-// The value at `at` of the cubic through four values; `gap` is from the second to the third, the others are 1 apart,
-// and the second is at 0.
-double cubic(const double (&values)[4], double gap, double at) {
-  const double places[4] = {-1, 0, gap, gap + 1};
-  double sum = 0;
-  for (int k = 0; k < 4; ++k) {
-    double share = values[k];
-    for (int l = 0; l < 4; ++l) {
-      if (l != k) share *= (at - places[l]) / (places[k] - places[l]);
-    }
-    sum += share;
-  }
-  return sum;
-}
 
 }  // namespace
 
@@ -78,14 +64,15 @@ double& SpikeRepair::reading(int at, std::size_t position) {
   return held_[static_cast<std::size_t>(at)].channels[found_[position].channel];
 }
 
-// The same where stamps are not even: at the time of a sample that is held.
-double SpikeRepair::at_stamps(const double (&neighbours)[4], int wrong, int at) const {
-  const auto time = [this](int place) { return held_[static_cast<std::size_t>(place)].channels[LogLayout::time()]; };
+// The reading of a sample that is held by the cubic through its neighbours. Where stamps are not those of samples,
+// these are counted.
+double SpikeRepair::curve_at(int at, const double (&neighbours)[4], int wrong) const {
+  const auto time = [this](int place) {
+    return is_stamped_ ? held_[static_cast<std::size_t>(place)].channels[LogLayout::time()] : place;
+  };
   const double times[4] = {time(0), time(1), time(wrong + 2), time(wrong + 3)};
   const std::vector<double> weights = interpolation_weights(times, time(at));
-  double sum = 0;
-  for (std::size_t k = 0; k < weights.size(); ++k) sum += weights[k] * neighbours[k];
-  return sum;
+  return std::inner_product(weights.begin(), weights.end(), neighbours, 0.0);
 }
 
 // Spikes are far from the curve through the two neighbours on either side, which agree with each other: behind a jump
@@ -103,7 +90,7 @@ bool SpikeRepair::repair(std::size_t position, int wrong) {
       std::max(kFarFromNoise * found.noise + kMotion * (std::abs(slope) + std::abs(bend)), disagreement / kAgreeing);
   double curve[kMost] = {};
   for (int k = 0; k < wrong; ++k) {
-    curve[k] = is_stamped_ ? at_stamps(neighbours, wrong, k + 2) : cubic(neighbours, gap, k + 1);
+    curve[k] = curve_at(k + 2, neighbours, wrong);
     if (!(std::abs(reading(k + 2, position) - curve[k]) > least)) return false;
   }
   if (found.count == 0) {

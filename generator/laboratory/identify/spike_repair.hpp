@@ -44,7 +44,7 @@ class SpikeRepair : public SampleReceiver {
   };
 
   double& reading(int at, std::size_t position);
-  double at_stamps(const double (&neighbours)[4], int wrong, int at) const;
+  double curve_at(int at, const double (&neighbours)[4], int wrong) const;
   // Interpolates so many readings from the third sample that is held on, if they are spikes.
   bool repair(std::size_t position, int wrong);
   void pass_on();

@@ -2,8 +2,18 @@
 #include "laboratory/identify/stamp_weights.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace flatdyn {
+namespace {
+
+constexpr double kOfCubic = 3.0 / 128, kTurn = 2 * std::numbers::pi;
+
+}  // namespace
+
+double error_of_cubic(double step, double frequency) { return kOfCubic * std::pow(kTurn * frequency * step, 4); }
+
+double step_of_cubic(double error, double frequency) { return std::pow(error / kOfCubic, 0.25) / (kTurn * frequency); }
 
 std::vector<double> interpolation_weights(std::span<const double> times, double at) {
   std::vector<double> weights(times.size(), 1);

@@ -34,7 +34,7 @@ double reach(const reference::Robot<double>& robot) {
 
 ClosedPositions::ClosedPositions(const LoadedRobot& model) : independent_(model.mechanism.independent) {
   if (!model.mechanism.has_loops()) return;
-  for (const Body& body : model.mechanism.joints()) joints_.push_back(body.joint);
+  joints_ = model.mechanism.joint_names();
   require_numbers(model.robot, "closing loops");
   robot_.emplace(reference_robot<double>(model.robot, {}));
   tolerance_ = kClosed * reach(*robot_);

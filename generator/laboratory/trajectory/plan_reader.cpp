@@ -97,8 +97,7 @@ class PlanReader {
   }
 
   void by_name(TomlTable table, const std::string& key, JointPosture& values) {
-    std::vector<std::string> names;
-    for (const Body& body : mechanism_.joints()) names.push_back(body.joint);
+    const std::vector<std::string> names = mechanism_.joint_names();
     for (const std::string& joint : table.keys()) {
       const auto found = std::find(names.begin(), names.end(), joint);
       if (found == names.end()) {

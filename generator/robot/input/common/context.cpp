@@ -97,14 +97,14 @@ std::string relative_place_text(const Place& here, const Place& place) {
 }
 
 std::optional<int> find_link(const Robot& robot, const Reference& link, const std::string& what,
-                             Diagnostics& diagnostics) {
+                             Diagnostics& diagnostics, const std::string& kind) {
   std::vector<std::string> known;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     if (is_of_tendon(robot, static_cast<int>(i))) continue;
     if (robot.links[i].name == link.name) return static_cast<int>(i);
     known.push_back(robot.links[i].name);
   }
-  diagnostics.error(link.place, what + ": there is no link \"" + link.name + "\"",
+  diagnostics.error(link.place, what + ": there is no " + kind + " \"" + link.name + "\"",
                     hint_for_unknown(link.name, known, "links"));
   return std::nullopt;
 }

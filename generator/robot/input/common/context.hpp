@@ -65,9 +65,10 @@ bool is_held(const std::string& joint, const ReadContext& context);
 // "line 3", or "arm.urdf:3" where the place is in another file than the message is about.
 std::string relative_place_text(const Place& here, const Place& place);
 
-// Index of the link of this name, or nullopt and a diagnostic; `what` says who refers to it.
+// Index of the link of this name, or nullopt and a diagnostic; `what` says who refers to it, and `kind` what it is to
+// it, such as "parent link".
 std::optional<int> find_link(const Robot& robot, const Reference& link, const std::string& what,
-                             Diagnostics& diagnostics);
+                             Diagnostics& diagnostics, const std::string& kind = "link");
 
 // The number of a decimal as written. nullopt and a diagnostic if it is not a number, not finite, too long, or out of
 // range.

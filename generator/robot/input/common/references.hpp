@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Names by which a file refers to its links and joints.
 #pragma once
 
 #include <string>
@@ -9,9 +8,8 @@
 
 namespace flatdyn {
 
-// The index of the link or joint of this name; -1 and an error if there is no such one. `what` says who refers to it.
-int link_called(const std::string& name, const Place& place, const std::string& what, const Robot& robot,
-                Diagnostics& diagnostics);
+// The index of the joint of this name; -1 and an error if there is no such one. `what` says who refers to it. Links:
+// find_link() of context.hpp.
 int joint_called(const std::string& name, const Place& place, const std::string& what, const Robot& robot,
                  Diagnostics& diagnostics);
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "base/diagnostics/nearest.hpp"
-
 namespace flatdyn {
 
 int RobotBuilder::add_link(Link link) {
@@ -22,11 +20,7 @@ int RobotBuilder::world(const Place& place) {
 int RobotBuilder::link(const Reference& name, const std::string& what, const std::string& kind) const {
   const auto found = links_.find(name.name);
   if (found != links_.end()) return found->second;
-  std::vector<std::string> known;
-  for (const Link& each : robot_.links) known.push_back(each.name);
-  context_.diagnostics.error(name.place, what + ": there is no " + kind + " \"" + name.name + "\"",
-                             hint_for_unknown(name.name, known, "links"));
-  return -1;
+  return find_link(robot_, name, what, context_.diagnostics, kind).value_or(-1);
 }
 
 Joint RobotBuilder::new_joint(const std::string& name, const Place& place) {

@@ -342,8 +342,7 @@ void CsvHeading::finish() {
                          "give a column to each joint, or name columns by joint");
   }
   if (!in_file_order_.empty()) {
-    std::vector<std::string> joints;
-    for (const Body& body : mechanism_.joints()) joints.push_back(body.joint);
+    const std::vector<std::string> joints = mechanism_.joint_names();
     diagnostics_.warning(place_,
                          fmt::format("no column tells which joints {} belong to: they are taken in the robot's order",
                                      names_of(in_file_order_)),

@@ -53,11 +53,16 @@ bool has_outside_quotes(std::string_view text, char wanted) {
   });
 }
 
-// A small file needs no more than its size.
-std::size_t block_for(const std::filesystem::path& path) {
+// The bytes of a file; 0 of a pipe.
+std::uintmax_t size_of(const std::filesystem::path& path) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  return error ? kLargestBlock : static_cast<std::size_t>(std::clamp<std::uintmax_t>(size + 1, 64, kLargestBlock));
+  return error ? 0 : size;
+}
+
+// A small file needs no more than its size.
+std::size_t block_for(std::uintmax_t size) {
+  return size == 0 ? kLargestBlock : static_cast<std::size_t>(std::clamp<std::uintmax_t>(size + 1, 64, kLargestBlock));
 }
 
 // The entry is a number, whatever its decimal mark is.
@@ -72,7 +77,7 @@ bool is_digits(std::string_view text) {
 }
 
 LineReader::LineReader(const std::filesystem::path& path, Reading reading)
-    : file_(path, std::ios::binary), buffer_(block_for(path)) {
+    : file_(path, std::ios::binary), buffer_(block_for(size_of(path))), size_(static_cast<double>(size_of(path))) {
   if (!file_ || std::filesystem::is_directory(path)) {
     throw Failure(FailureKind::io, fmt::format("{}: cannot be read", path.string()),
                   "check the path and the permissions");
@@ -92,6 +97,7 @@ bool LineReader::refill() {
   file_.read(buffer_.data() + end_, static_cast<std::streamsize>(buffer_.size() - end_));
   const auto count = static_cast<std::size_t>(file_.gcount());
   end_ += count;
+  read_ += static_cast<double>(count);
   return count > 0;
 }
 
@@ -120,11 +126,15 @@ bool LineReader::next(std::string_view& line) {
 void LineReader::jump(double share) {
   file_.clear();
   file_.seekg(0, std::ios::end);
-  file_.seekg(static_cast<std::streamoff>(share * static_cast<double>(file_.tellg())));
+  const auto place = static_cast<std::streamoff>(share * static_cast<double>(file_.tellg()));
+  file_.seekg(place);
+  read_ = static_cast<double>(place);
   begin_ = end_ = 0;
   std::string_view rest;
   next(rest);
 }
+
+double LineReader::share() const { return size_ > 0 ? (read_ - static_cast<double>(end_ - begin_)) / size_ : 0; }
 
 bool LineReader::next_row(std::string_view& line) {
   constexpr std::string_view kBag = "#ROSBAG";       // no comment

@@ -28,6 +28,8 @@ class LineReader {
   int number() const { return number_; }
   // Goes to the line that begins behind a place in the file, 0 … 1 of its bytes; numbers of lines are lost.
   void jump(double share);
+  // The place behind the line last read, 0 … 1 of the bytes.
+  double share() const;
 
  private:
   bool refill();
@@ -36,6 +38,7 @@ class LineReader {
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;
   int number_ = 0;
+  double size_ = 0, read_ = 0;  // bytes of the file, and up to the end of the buffer
 };
 
 // The heading is text that can be read, and not the beginning of another kind of file (compressed, UTF-16, a

@@ -22,10 +22,9 @@ const SchemaNames kOfActuator = {
     "name class ctrlrange ctrllimited forcelimited forcerange gear damping armature joint tendon slidersite cranksite "
     "jointinparent site refsite body dyntype gaintype biastype range",
     "group nsample interp delay user actlimited actrange lengthrange cranklength actdim input velrange ffrange "
-    "posrange "
-    "dynprm gainprm biasprm actearly kp kv dampratio timeconst ki imax slewmax inheritrange area diameter bias "
-    "tausmooth force scale lmin lmax vmax fpmax fvmax gain motorconst resistance nominal saturation inductance cogging "
-    "controller thermal lugre plugin instance"};
+    "posrange dynprm gainprm biasprm actearly kp kv dampratio timeconst ki imax slewmax inheritrange area diameter "
+    "bias tausmooth force scale lmin lmax vmax fpmax fvmax gain motorconst resistance nominal saturation inductance "
+    "cogging controller thermal lugre plugin instance"};
 
 }  // namespace
 

@@ -6,7 +6,6 @@
 
 #include "base/diagnostics/nearest.hpp"
 #include "robot/input/common/coupling.hpp"
-#include "robot/input/common/references.hpp"
 #include "robot/input/urdf/children.hpp"
 #include "robot/input/urdf/mimics.hpp"
 
@@ -90,8 +89,7 @@ class CouplingReader {
     refuse_children(*end, what + ", " + tag, {}, values_);
     const std::string name = values_.required_text(*end, "link", what + ", " + tag);
     if (name.empty()) return std::nullopt;
-    const int link = link_called(name, end->place, what + ", " + tag, robot_, diagnostics_);
-    return link < 0 ? std::nullopt : std::optional<int>(link);
+    return find_link(robot_, {name, end->place}, what + ", " + tag, diagnostics_);
   }
 
   std::optional<Number> ratio_of(const FileNode& element, const CouplingTags& tags, const std::string& what) {

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "base/diagnostics/nearest.hpp"
-#include "robot/input/common/references.hpp"
 #include "robot/input/common/words.hpp"
 #include "robot/input/urdf/children.hpp"
 #include "robot/model/rational_rotation.hpp"
@@ -186,7 +185,7 @@ class LoopReader {
         has_point ? std::vector<std::string>{"link", "xyz", "rpy", "quat_xyzw"} : std::vector<std::string>{"link"},
         values_);
     link = {values_.required_text(*end, "link", where), end->place};
-    return !link.name.empty() && link_called(link.name, link.place, where, robot_, diagnostics_) >= 0;
+    return !link.name.empty() && find_link(robot_, link, where, diagnostics_);
   }
 
   void check_children(const FileNode& element, const std::string& what, const std::array<EndTags, 2>& tags) {
@@ -247,7 +246,7 @@ class LoopReader {
     values_.required_text(element, "anchor", what);
     loop.points[0] = values_.vector(element, "anchor", what).value_or(zero_vector());
     for (const Reference& link : loop.links) {
-      if (link_called(link.name, link.place, what, robot_, diagnostics_) < 0) return;
+      if (!find_link(robot_, link, what, diagnostics_)) return;
     }
     robot_.loops.push_back(std::move(loop));
   }
