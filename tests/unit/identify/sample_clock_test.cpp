@@ -181,7 +181,7 @@ int feed(const StreamPlan& plan, const std::vector<double>& times, Kept& kept) {
       steps.restart();
       step = steps.step_to(sample[0]);
     }
-    even.sample({sample.data(), 0, 0, 0, step.missing});
+    even.sample({sample.data(), 0, plan.index_of(sample[0]), 0, step.missing});
   }
   even.restart();
   return gaps;
