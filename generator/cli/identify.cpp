@@ -87,6 +87,9 @@ void check_identify_usage(const IdentifyArguments& arguments) {
   if (arguments.estimator == "iv" && arguments.robust) {
     throw Failure(FailureKind::usage, "--estimator iv and --robust exclude each other");
   }
+  if (arguments.estimator == "iv" && !arguments.identification.estimate.compensates) {
+    throw Failure(FailureKind::usage, "--no-bias-compensation has no effect with --estimator iv, which has no bias");
+  }
   check_other_logs(arguments.logs, arguments.validation, "--validate");
   if (arguments.further.law == FrictionLaw::asymmetric && arguments.further.offsets) {
     throw Failure(
@@ -386,6 +389,9 @@ void add_estimation_options(CLI::App& command, IdentifyArguments& arguments) {
                   "motion, smoothed far more; iv reads the logs again")
       ->check(CLI::IsMember({"ls", "iv"}))
       ->capture_default_str();
+  command.add_flag_callback(
+      "--no-bias-compensation", [&arguments] { arguments.identification.estimate.compensates = false; },
+      "keep what noise of positions adds to the parameters: it then counts in their deviations alone");
   command.add_flag("--robust", arguments.robust, "Huber's weights: outliers count less; reads the logs again");
   command.add_flag("--gravity-direction", arguments.gravity_direction,
                    "also the direction of gravity, which is then written into the robot file; reads the logs again");

@@ -15,6 +15,8 @@
 namespace flatdyn {
 namespace {
 
+constexpr double kRepeated = 1.05;  // times that a motion is logged: more than once
+
 // The parameters that make up nearly all of a unit direction, largest first.
 std::string main_parameters(const TorqueEquations& equations, const Eigen::VectorXd& components) {
   constexpr double kShown = 0.2;
@@ -52,6 +54,46 @@ std::string data_text(const Measurement& measurement, const NonlinearUnknowns& u
   }
   if (measurement.count.gaps > 0) text += fmt::format("; {} gaps in time", measurement.count.gaps);
   return text + "\n";
+}
+
+// The parameter that compensation for noise of positions changes most, and by how many standard deviations.
+struct LargestCompensation {
+  Eigen::Index parameter = 0;
+  double deviations = 0;
+};
+
+std::optional<LargestCompensation> largest_compensation(const Estimate& estimate) {
+  if (estimate.compensation.size() == 0) return std::nullopt;
+  LargestCompensation result;
+  for (Eigen::Index k = 0; k < estimate.compensation.size(); ++k) {
+    const double own = std::abs(estimate.compensation[k]) / estimate.standard_deviations[k];
+    if (own > result.deviations) result = {k, own};
+  }
+  return result;
+}
+
+std::string compensation_text(const TorqueEquations& equations, const Estimate& estimate, bool compensates) {
+  const std::optional<LargestCompensation> largest = largest_compensation(estimate);
+  if (!largest) return "";
+  const std::string most = fmt::format("{:.2g} standard deviations at most ({})", largest->deviations,
+                                       equations.names()[static_cast<std::size_t>(largest->parameter)]);
+  return compensates
+             ? fmt::format("Noise of positions is compensated; without that, parameters would differ by {}.\n", most)
+             : fmt::format("Noise of positions is not compensated; that would change parameters by {}.\n", most);
+}
+
+// What the model lacks repeats with the motion.
+std::string repetition_text(const Measurement& measurement, const Estimate& estimate) {
+  std::string text;
+  for (const RepeatedMotion& motion : estimate.motions) {
+    if (motion.count < kRepeated) continue;
+    const SampleFilter& filter = measurement.logs[static_cast<std::size_t>(motion.log)].filter;
+    text += fmt::format(
+        "A motion of {:.3g} s is logged {:.3g} times: what repeats with it does not average out, and counts "
+        "so in the standard deviations.\n",
+        motion.period * filter.dt * filter.decimate, motion.count);
+  }
+  return text;
 }
 
 // How the parameters do in one equation of some logs.
@@ -325,8 +367,9 @@ std::string describe_identification(const TorqueEquations& equations, const Iden
                                     ParameterFrames frames) {
   const TorqueModel& model = equations.model();
   const Estimate& estimate = found.estimate;
-  return data_text(found.measurement, found.unknowns) + "\n" + fit_text(model, found) + "\n" +
-         parameter_table(equations, found, frames) + conditioning_text(estimate) +
+  return data_text(found.measurement, found.unknowns) + "\n" + fit_text(model, found) +
+         repetition_text(found.measurement, estimate) + compensation_text(equations, estimate, found.is_compensated) +
+         "\n" + parameter_table(equations, found, frames) + conditioning_text(estimate) +
          untold_text(equations, estimate, first_equation(model, found.measurement.observations) > 0) +
          physical_text(found.physical) + further_of_links_text(equations, found) + validation_text(model, found);
 }
@@ -396,6 +439,16 @@ nlohmann::ordered_json identification_json(const TorqueEquations& equations, con
   }
   json["joints"] = objects_of(equation_fields(false), fits_of_estimate(model, found));
   add_parameters(equations, found, frames, json);
+  if (const std::optional<LargestCompensation> largest = largest_compensation(estimate)) {
+    json["compensation"] = {{"used", found.is_compensated},
+                            {"parameter", equations.names()[static_cast<std::size_t>(largest->parameter)]},
+                            {"standard_deviations", largest->deviations}};
+  }
+  json["motions"] = nlohmann::ordered_json::array();
+  for (const RepeatedMotion& motion : estimate.motions) {
+    const SampleFilter& filter = found.measurement.logs[static_cast<std::size_t>(motion.log)].filter;
+    json["motions"].push_back({{"seconds", motion.period * filter.dt * filter.decimate}, {"count", motion.count}});
+  }
   json["singular_values"] = list(estimate.singular_values);
   json["condition_number"] = estimate.condition();
   json["weights"] = {{"stable", estimate.converged}, {"iterations", estimate.iterations}};

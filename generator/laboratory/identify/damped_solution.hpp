@@ -6,6 +6,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "laboratory/identify/repetition.hpp"
+
 namespace flatdyn {
 
 // A damped combination of parameters; of unit length when every parameter is scaled by the norm of its column.
@@ -43,7 +45,9 @@ struct Solution {
   std::vector<DampedDirection> damped;
   std::vector<HiddenDirection> hidden;
   std::vector<NoisyDirection> noisy;  // all directions of the information, by ascending share
-  Eigen::MatrixXd open;               // directions of which the data are mostly noise of positions: one column each
+  Eigen::VectorXd compensation;       // what is taken off the values for noise of positions, or would be
+  std::vector<RepeatedMotion> motions;
+  Eigen::MatrixXd open;  // directions of which the data are mostly noise of positions: one column each
 };
 
 // factor: the upper triangular factor of [A b], (b + 1)². Where a relative singular value of the column-scaled A is

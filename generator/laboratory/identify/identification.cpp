@@ -64,6 +64,7 @@ Identification identification(const LoadedRobot& robot, const TorqueEquations& e
   Identification found;
   found.measurement = std::move(measurement);
   found.corrections = equations.corrections();
+  found.is_compensated = options.estimate.compensates;
   progress.step("estimating");
   found.estimate =
       options.other_estimate ? *options.other_estimate : estimate_of(equations, found.measurement, options.estimate);

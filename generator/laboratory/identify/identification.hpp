@@ -30,6 +30,7 @@ struct Identification {
   std::vector<JointFit> validation_fits{};   // by joint
   NonlinearUnknowns unknowns{};              // those that were searched
   std::vector<std::string> warning_texts{};  // sentences on results that are hardly right
+  bool is_compensated = true;                // for noise of positions
   int corrections = 0;                       // the last values of the estimate: they have become small, and stay
 
   // The equations that the parameters come from, and whether they are so few that residuals tell nothing: a fit with

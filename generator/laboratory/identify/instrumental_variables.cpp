@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/diagnostics/diagnostics.hpp"
+#include "laboratory/identify/noise_scores.hpp"
 
 namespace flatdyn {
 
@@ -85,8 +86,11 @@ Estimate InstrumentSums::estimate(const Observations& observations, const Vector
   Observations of_instruments = observations;
   for (EquationInstant& instant : of_instruments.instants) instant.entries = instant.instruments;
   const VectorXd freedom = shares_of_freedom(observations, spread, result.torque_deviations);
-  const ResidualNoise noise = residual_noise(observations, result.values, freedom, options.acceleration_rows);
-  const MatrixXd scores = score_covariance(of_instruments, result.values, weights, noise, options.acceleration_rows);
+  const NoiseStructure structure(observations);
+  const ResidualNoise noise =
+      NoiseSearch(structure, {spread, weights, freedom}, options.acceleration_rows).noise_of(result.values);
+  const MatrixXd scores =
+      score_covariance(NoiseStructure(of_instruments), result.values, weights, noise, options.acceleration_rows);
   set_covariance(result, spread, inverse * (spread.transpose() * scores * spread) * inverse.transpose());
   return result;
 }

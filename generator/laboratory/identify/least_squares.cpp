@@ -39,13 +39,13 @@ MatrixXd weighted_factor(const Observations& observations, const VectorXd& devia
 
 // Takes account of the noise that is left in the equations.
 void set_noise(Solution& solution, const Observations& observations, const VectorXd& deviations,
-               const AccelerationRows& rows) {
+               const EstimateOptions& options) {
   VectorXd weights = deviations.cwiseAbs2().cwiseInverse();
   for (Index i = 0; i < weights.size(); ++i) {
     weights(i) /= observations.joints[static_cast<std::size_t>(i)].correlation;
   }
-  take_account_of_noise(solution, observations, weights, shares_of_freedom(observations, solution.spread, deviations),
-                        rows);
+  const VectorXd freedom = shares_of_freedom(observations, solution.spread, deviations);
+  take_account_of_noise(solution, observations, weights, freedom, options.acceleration_rows, options.compensates);
 }
 
 // σ_i from the residual of joint i and its remaining degrees of freedom, and from the noise above the band. A residual
@@ -122,7 +122,7 @@ Estimate estimate(const Observations& observations, const VectorXd& prior, const
     result.converged = ((updated - deviations).cwiseAbs().array() <= kStable * deviations.array()).all();
     deviations = updated;
   }
-  set_noise(solution, observations, deviations, options.acceleration_rows);
+  set_noise(solution, observations, deviations, options);
   const double plausible = prior.cwiseAbs().maxCoeff();
   if (plausible > 0) damp_hidden_directions(solution, plausible);
   leave_open(solution, plausible);
@@ -137,6 +137,8 @@ Estimate estimate(const Observations& observations, const VectorXd& prior, const
   result.damped = std::move(solution.damped);
   result.hidden = std::move(solution.hidden);
   result.noisy = std::move(solution.noisy);
+  result.compensation = std::move(solution.compensation);
+  result.motions = std::move(solution.motions);
   result.torque_deviations = deviations;
   result.root_information = std::move(solution.root_information);
   return result;

@@ -12,6 +12,8 @@ struct EstimateOptions {
   double damping = 1e-8;
   // ∂Y/∂q̈. Null: noise of positions counts as noise of torques.
   AccelerationRows acceleration_rows = nullptr;
+  // Takes off the values what noise of positions adds to them; else it counts in their deviations alone.
+  bool compensates = true;
 };
 
 struct Estimate {
@@ -22,7 +24,9 @@ struct Estimate {
   std::vector<DampedDirection> damped;
   std::vector<HiddenDirection> hidden;
   std::vector<NoisyDirection> noisy;
-  Eigen::VectorXd torque_deviations;  // σ_i of the torque of joint i, from the residuals; the weights are 1/σ_i
+  Eigen::VectorXd compensation;         // what is taken off for noise of positions, or would be; empty without account
+  std::vector<RepeatedMotion> motions;  // of the logs; empty without instants
+  Eigen::VectorXd torque_deviations;    // σ_i of the torque of joint i, from the residuals; the weights are 1/σ_i
   // r × b: |root_information (π_b - values)| is the distance from the estimate in standard deviations. Damped and
   // hidden directions have no row: a deviation along them costs nothing.
   Eigen::MatrixXd root_information;

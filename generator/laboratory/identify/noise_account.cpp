@@ -3,6 +3,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "laboratory/identify/noise_scores.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -87,28 +89,40 @@ void set_told(Solution& solution, const SplitInformation& split, const VectorXd&
 }  // namespace
 
 void take_account_of_noise(Solution& solution, const Observations& observations, const VectorXd& weights,
-                           const VectorXd& freedom, const AccelerationRows& rows) {
+                           const VectorXd& freedom, const AccelerationRows& rows, bool compensates) {
   constexpr int kRounds = 3;  // the noise depends on the inertia, and so on the values
   if (observations.instants.empty() || solution.coordinates.size() == 0) return;
-  const std::vector<MatrixXd> of_joints = false_information(observations, weights, rows);
+  const NoiseStructure structure(observations);
+  const std::vector<MatrixXd> of_joints = false_information(structure, weights, rows);
   const VectorXd fitted = solution.values;
   const VectorXd origin = fitted - solution.spread * solution.coordinates;
   const Index all = solution.coordinates.size();
-  SplitInformation parts{VectorXd::Zero(all), MatrixXd::Identity(all, all), all};
+  const SplitInformation whole{VectorXd::Zero(all), MatrixXd::Identity(all, all), all};
+  SplitInformation parts = whole;
   VectorXd coordinates = solution.coordinates;
-  ResidualNoise noise = residual_noise(observations, fitted, freedom, rows);
+  const NoiseSearch search(structure, {solution.spread, weights, freedom}, rows);
+  ResidualNoise noise = search.noise_of(fitted);
   for (int round = 0; round < kRounds && !of_joints.empty(); ++round) {
     const MatrixXd of_noise = weighted_sum(of_joints, noise.acceleration);
     parts = split(solution, of_noise);
     coordinates = told_coordinates(solution, parts, of_noise, fitted);
     solution.values = origin + solution.spread * (parts.told_directions() * coordinates);
-    noise = residual_noise(observations, solution.values, freedom, rows);
+    noise = search.noise_of(solution.values);
   }
   for (Index k = 0; k < all; ++k) {
     solution.noisy.push_back({parts.shares[k], solution.spread * parts.directions.col(k)});
   }
-  const MatrixXd scores = score_covariance(observations, solution.values, weights, noise, rows);
-  set_told(solution, parts, coordinates, told_covariance(solution, parts, scores, of_joints, noise));
+  if (!of_joints.empty()) solution.compensation = fitted - solution.values;
+  solution.motions = structure.motions();
+  if (!compensates) {
+    solution.values = fitted;
+    coordinates = solution.coordinates;
+    parts = whole;
+    noise = search.noise_of(fitted);
+  }
+  const MatrixXd scores = score_covariance(structure, solution.values, weights, noise, rows);
+  const std::vector<MatrixXd> compensated = compensates ? of_joints : std::vector<MatrixXd>();
+  set_told(solution, parts, coordinates, told_covariance(solution, parts, scores, compensated, noise));
 }
 
 }  // namespace flatdyn

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr int kLags = 16, kRun = 32;
+constexpr int kLags = 32, kRun = 64;
 
 VectorXd vector_of_numbers(const std::vector<double>& weights) {
   return Eigen::Map<const VectorXd>(weights.data(), static_cast<Index>(weights.size()));

@@ -31,7 +31,7 @@ struct NoiseShape {
   // row with white noise of the same size.
   double correlation() const;
 
-  static constexpr std::array<double, 3> kColours{0.5, 0.15, 0.05};
+  static constexpr std::array<double, 4> kColours{0.5, 0.15, 0.05, 0.015};
 };
 
 // How often the readings are differentiated that the entries of q̈ are made of: 2 of positions, 1 of rates, 0 of

@@ -11,7 +11,7 @@
 
 #include <functional>
 
-#include "laboratory/identify/observations.hpp"
+#include "laboratory/identify/noise_structure.hpp"
 
 namespace flatdyn {
 
@@ -31,8 +31,7 @@ std::vector<Eigen::MatrixXd> inertias(const Observations& observations, const Ei
 Eigen::MatrixXd residuals(const Observations& observations, const Eigen::VectorXd& values);
 
 struct ResidualNoise {
-  Eigen::VectorXd measured;                 // by equation: variance of the torque's noise in one sample, (N m)² or N²
-  Eigen::MatrixXd coloured;                 // by equation and colour: variance of slower noise, at one stride
+  Eigen::MatrixXd torques;                  // by equation and NoiseStructure::kinds(): variance, (N m)² or N²
   Eigen::VectorXd acceleration;             // by joint: variance of the noise of q, q̇ or q̈ in one sample
   Eigen::MatrixXd acceleration_covariance;  // of the errors of `acceleration`
 };
@@ -43,20 +42,53 @@ constexpr double kRowsOfKnownNoise = 8;
 // By equation: the mean square of what the torque's noise above the band leaves in a row; 0 if it is not known.
 Eigen::VectorXd known_squares(const Observations& observations);
 
-// The variances that explain best the residuals of `values` at lags 0 … 3 of all pairs of equations and at lags 0 … 11
-// of each by itself, and the noise above the band; none is negative. `freedom`: by equation, the share of its rows that
-// the fit leaves. `rows` may be null: noise of positions then counts as noise of torques.
-ResidualNoise residual_noise(const Observations& observations, const Eigen::VectorXd& values,
-                             const Eigen::VectorXd& freedom, const AccelerationRows& rows);
+// How a fit makes parameters of the equations.
+struct FitGain {
+  Eigen::MatrixXd spread;   // Solution::spread
+  Eigen::VectorXd weights;  // by equation, of the squares of residuals
+  Eigen::VectorXd freedom;  // by equation, the share of its rows that the fit leaves of white noise
+};
 
-// The covariance of Σ Y_iᵀ w_i e_i over all equations i and rows, where e is such noise and w_i the weights: b².
-Eigen::MatrixXd score_covariance(const Observations& observations, const Eigen::VectorXd& values,
-                                 const Eigen::VectorXd& weights, const ResidualNoise& noise,
-                                 const AccelerationRows& rows);
+// The variances that explain best the residuals of `values` at lags 0 … 3 of all pairs of equations, at lags 0 … 23 of
+// each by itself and of repetitions of a motion, and the noise above the band; none is negative. What a fit takes away
+// of each kind of noise is taken account of. `rows` may be null: noise of positions then counts as noise of torques.
+class NoiseSearch {
+ public:
+  NoiseSearch(const NoiseStructure& structure, const FitGain& gain, const AccelerationRows& rows);
 
-// Noise of positions is in Y, too, where least squares takes it for motion: E[ΔYᵀ W ΔY] by joint, b² each, of noise
-// with variance 1 in every sample, and as many columns more as acceleration rows have. Empty if `rows` is null.
-std::vector<Eigen::MatrixXd> false_information(const Observations& observations, const Eigen::VectorXd& weights,
-                                               const AccelerationRows& rows);
+  ResidualNoise noise_of(const Eigen::VectorXd& values) const;
+
+ private:
+  // The products of an equation's residuals at one lag, summed: what noise of each kind makes of them.
+  struct OwnProduct {
+    Eigen::Index equation = 0;
+    long lag = 0;
+    bool is_of_repetitions = false;
+    long count = 0;
+    Eigen::VectorXd of_kinds{};
+  };
+  struct Residuals;
+  struct Sums;
+  struct LaggedProduct;
+
+  void add_own(Eigen::Index equation, const FitGain& gain, const std::vector<Eigen::MatrixXd>& information);
+  Eigen::VectorXd mean_squares(const Eigen::MatrixXd& left) const;
+  LaggedProduct lagged_product(const Residuals& residuals, Eigen::Index i, Eigen::Index k, long lag) const;
+  void add_own_products(const Residuals& residuals, Sums& sums) const;
+  void add_common_products(const Residuals& residuals, Sums& sums) const;
+
+  // The unknowns in one vector: all kinds of noise of torques but the white one by equation, the white one by equation,
+  // then noise of accelerations by joint.
+  Eigen::Index place_of(Eigen::Index equation, Eigen::Index kind) const {
+    const auto equations = freedom_.size(), others = kind_count() - 1;
+    return kind == 0 ? equations * others + equation : equation * others + kind - 1;
+  }
+  Eigen::Index kind_count() const { return static_cast<Eigen::Index>(structure_.kinds().size()); }
+
+  const NoiseStructure& structure_;
+  const AccelerationRows& rows_;
+  Eigen::VectorXd freedom_;  // by equation
+  std::vector<OwnProduct> own_;
+};
 
 }  // namespace flatdyn

@@ -208,42 +208,6 @@ TEST(PracticalLog, IntervalsHoldTheTruthWhereNoiseIsSlow) {
   EXPECT_LT(coverages.at("all").share(), 0.985);
 }
 
-// The errors of an estimate's torques on a motion without noise: root mean squares, divided by the arm's noise.
-double error_on(const Measurement& other, const Bench& bench, const Estimate& found) {
-  double sum = 0;
-  for (std::size_t i = 0; i < other.observations.joints.size(); ++i) {
-    sum += std::pow(other.observations.joints[i].rms_residual(found.values) / bench.arm().noise[i], 2);
-  }
-  return std::sqrt(sum);
-}
-
-// Torques that the model lacks are not taken for noise of the positions: the log tells all parameters with them, too,
-// and these are as good on another motion as those of plain weighted least squares. The torques are like the ripple of
-// gears, but at another time, so that they have nothing to do with the motion.
-TEST(PracticalLog, MisfitIsNotTakenForNoiseOfPositions) {
-  constexpr double kTimes = 3, kRipples = 17;  // standard deviations of the arm's noise; in a turn
-  constexpr std::size_t kShift = 7000;         // samples
-  for (Bench* bench : {&ur5(), &panda()}) {
-    const std::vector<double>& noise = bench->arm().noise;
-    const Measurement other = bench->measured(bench->motion({.motion = 11}), 0, 0);
-    for (unsigned motion = 1; motion <= 4; ++motion) {
-      std::vector<SimulatedSample> samples = bench->motion({.motion = motion});
-      for (std::size_t k = 0; k < samples.size(); ++k) {
-        const Eigen::VectorXd& q = samples[(k + kShift) % samples.size()].q;
-        for (std::size_t i = 0; i < noise.size(); ++i) {
-          const auto joint = static_cast<Eigen::Index>(i);
-          samples[k].tau(joint) += kTimes * noise[i] * std::sin(kRipples * q(joint));
-        }
-      }
-      const Measurement measurement = bench->measured(samples, 3e-5, 0.3, motion);
-      const Estimate found = bench->estimated(measurement),
-                     plain = estimate(measurement.observations, bench->equations().file_values());
-      EXPECT_TRUE(found.standard_deviations.allFinite()) << bench->arm().file << ", motion " << motion;
-      EXPECT_LT(error_on(other, *bench, found), 1.1 * error_on(other, *bench, plain)) << bench->arm().file;
-    }
-  }
-}
-
 // While a joint turns around it is slow, but not at rest: its acceleration counts in the equations of the others. The
 // band is lower than that of finer encoders.
 TEST(PracticalLog, IntervalsHoldTheTruthWhereStepsAreCoarse) {
