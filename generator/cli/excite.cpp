@@ -4,6 +4,7 @@
 #include "base/system/interrupt.hpp"
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
+#include "report/controller_file.hpp"
 #include "report/excitation_report.hpp"
 #include "robot/model/identifiers.hpp"
 
@@ -20,6 +21,12 @@ struct ExciteArguments : RobotArguments {
   std::optional<double> time;
   bool no_base_force = false;
   std::string imu;
+  std::string controller;
+  std::optional<double> rate;
+
+  const ControllerRow* controller_row() const {
+    return controller.empty() ? nullptr : &flatdyn::controller_row(controller);
+  }
 };
 
 // The plan of the options. If the number of evaluations is given, the same motion is wanted on every machine, so the
@@ -31,6 +38,9 @@ ExcitationOptions plan_of(const ExciteArguments& arguments) {
     plan.time.reset();
   }
   if (arguments.time) plan.time = arguments.time;
+  const ControllerRow* controller = arguments.controller_row();
+  if (controller != nullptr) plan.rate = controller->rate.value_or(plan.rate);
+  if (arguments.rate) plan.rate = *arguments.rate;
   return plan;
 }
 
@@ -45,6 +55,22 @@ std::optional<LoggedInformation> logged_already(const ExciteArguments& arguments
   return logged;
 }
 
+void check_controller(const ExciteArguments& arguments, const Mechanism& mechanism) {
+  const ControllerRow* row = arguments.controller_row();
+  if (row == nullptr) return;
+  const bool is_plain = !mechanism.floating_base && mechanism.position_count() == mechanism.size();
+  if (!is_plain || (row->joints && mechanism.size() != *row->joints)) {
+    throw Failure(FailureKind::unsupported,
+                  fmt::format("--controller {} is for robots with a fixed base and {} joints that move by themselves",
+                              row->name, row->joints ? std::to_string(*row->joints) : "only"),
+                  "hold other joints with --fix");
+  }
+  if (row->rate && arguments.rate && *row->rate != *arguments.rate) {
+    throw Failure(FailureKind::usage, fmt::format("--controller {} takes {} samples a second", row->name, *row->rate),
+                  "leave --rate out");
+  }
+}
+
 ExitCode excite(const ExciteArguments& arguments) {
   const LoadedRobot model = load_robot(arguments.robot, arguments.options_without_error_budget());
   refuse_loops(model, "excite");
@@ -56,10 +82,13 @@ ExitCode excite(const ExciteArguments& arguments) {
   arguments.note_function_keys(model);
   const std::string name = cpp_identifier(model.mechanism.name);  // as for a generated header
   const std::filesystem::path stem = std::filesystem::path(arguments.folder) / (name + "_excitation");
-  const std::string csv = stem.string() + ".csv", svg = stem.string() + ".svg";
+  const ControllerRow* controller = arguments.controller_row();
+  const std::string csv = stem.string() + ".csv", svg = stem.string() + ".svg",
+                    program = controller != nullptr ? stem.string() + controller->suffix : "";
+  check_controller(arguments, model.mechanism);
   std::vector<std::string> inputs = model.robot.files;
   inputs.insert(inputs.end(), arguments.logs.begin(), arguments.logs.end());
-  check_outputs({csv, svg}, inputs);
+  check_outputs({csv, svg, program}, inputs);
   const Interruption interruption;  // Ctrl-C ends the search and not the program: the best motion so far is written
   Progress progress(arguments.quiet);
   const TorqueModel torques(model, parameter_set(arguments.parameters), progress);
@@ -69,11 +98,13 @@ ExitCode excite(const ExciteArguments& arguments) {
   if (logged) plan.logged = logged->root;
   const Excitation excitation = make_excitation(equations, plan, progress, Interruption::happened);
   const ParameterFrames frames = parameter_frames(arguments.frames);
-  write_and_print(
-      {{csv, excitation_csv(equations, excitation.motion)}, {svg, excitation_plot(equations, excitation.motion)}},
-      {describe_excitation(equations, excitation, logged, frames) + "\n",
-       excitation_json(equations, excitation, logged, frames)},
-      arguments);
+  std::vector<TextFile> files = {{csv, excitation_csv(equations, excitation.motion)},
+                                 {svg, excitation_plot(equations, excitation.motion)}};
+  if (controller != nullptr) files.push_back({program, controller_text(*controller, equations, excitation.motion)});
+  write_and_print(files,
+                  {describe_excitation(equations, excitation, logged, frames) + "\n",
+                   excitation_json(equations, excitation, logged, frames)},
+                  arguments);
   if (!Interruption::happened()) return ExitCode::ok;
   throw Failure(FailureKind::interrupted, "interrupted before the search was at its end",
                 "the best motion so far, which keeps the limits, is in " + csv);
@@ -85,8 +116,7 @@ void add_plan_options(CLI::App& command, ExciteArguments& arguments) {
       ->capture_default_str()
       ->type_name("S")
       ->check(number_between(0.1, 3600.0));
-  command.add_option("--rate", plan.rate, "samples per second")
-      ->capture_default_str()
+  command.add_option("--rate", arguments.rate, "samples per second; default: those of --controller, or 100")
       ->type_name("HZ")
       ->check(number_between(1.0, 10000.0));
   command.add_option("--harmonics", plan.harmonics, "of every joint's Fourier series")
@@ -133,6 +163,11 @@ Run add_excite(CLI::App& app) {
       ->type_name("LOG.csv");
   command->add_option("--imu", arguments->imu, "the link whose frame is that of the measurement unit in these logs")
       ->type_name("LINK");
+  command
+      ->add_option("--controller", arguments->controller,
+                   "also a file that a controller takes: URScript with servoj() at 500 Hz (ur), positions at 1 kHz as "
+                   "CSV (franka), or trajectory_msgs/JointTrajectory as JSON, which is YAML, too (ros)")
+      ->check(CLI::IsMember({"ur", "franka", "ros"}));
   command->add_flag("--no-base-force", arguments->no_base_force,
                     "the force on a floating base will not be measured: parameters that it alone tells do not count");
   add_plan_options(*command, *arguments);

@@ -38,7 +38,7 @@ struct IdentifyArguments : RobotArguments {
   bool delay = false, gravity_direction = false;
   bool robust = false;
   std::vector<std::string> validation;
-  std::string plot, validation_plot, covariance, signals;
+  std::string plot, validation_plot, covariance, signals, module;
 
   // The file that is read first.
   const std::string& source() const { return logs.empty() ? parts.front() : logs.front(); }
@@ -80,8 +80,9 @@ void check_identify_usage(const IdentifyArguments& arguments) {
                   "the logs more than once",
                   "give them with --data, without --part");
   }
-  if (!arguments.part.empty() && (!arguments.validation.empty() || !arguments.covariance.empty())) {
-    throw Failure(FailureKind::usage, "--validate and --covariance have no effect with --part",
+  if (!arguments.part.empty() &&
+      (!arguments.validation.empty() || !arguments.covariance.empty() || !arguments.module.empty())) {
+    throw Failure(FailureKind::usage, "--validate, --covariance and --module have no effect with --part",
                   "give them with --merge");
   }
   if (arguments.estimator == "iv" && arguments.robust) {
@@ -148,7 +149,8 @@ void check_files(const IdentifyArguments& arguments, const Robot& robot) {
   inputs.insert(inputs.end(), arguments.logs.begin(), arguments.logs.end());
   inputs.insert(inputs.end(), arguments.parts.begin(), arguments.parts.end());
   inputs.insert(inputs.end(), arguments.validation.begin(), arguments.validation.end());
-  check_outputs({arguments.output, arguments.plot, arguments.validation_plot, arguments.covariance, arguments.signals},
+  check_outputs({arguments.output, arguments.plot, arguments.validation_plot, arguments.covariance, arguments.signals,
+                 arguments.module},
                 inputs);
 }
 
@@ -281,6 +283,9 @@ std::vector<TextFile> result_files(const IdentifyArguments& arguments, const Loa
   if (!arguments.plot.empty()) plot_of(found.measurement, arguments.plot);
   if (!arguments.validation_plot.empty()) plot_of(*found.validation, arguments.validation_plot);
   if (!arguments.covariance.empty()) files.push_back({arguments.covariance, covariance_csv(equations, found.estimate)});
+  if (!arguments.module.empty()) {
+    files.push_back({arguments.module, results_module(equations, found, parameter_frames(arguments.frames))});
+  }
   if (!arguments.signals.empty()) {
     SignalTable table(equations, values);
     logs.measured(equations, nullptr, [&](const FilteredEquations& each, int log) { table.add(each, log); });
@@ -423,6 +428,11 @@ Run add_identify(CLI::App& app) {
   command->add_option("--covariance", arguments->covariance, "the covariance of the parameters, as CSV")
       ->check(kNotEmpty)
       ->type_name("FILE.csv");
+  command
+      ->add_option("--module", arguments->module,
+                   "the parameters as a Python module: names, values, deviations, covariance, and arrays() of NumPy")
+      ->check(kNotEmpty)
+      ->type_name("FILE.py");
   command
       ->add_option("--signals", arguments->signals,
                    "filtered q, qd, qdd and torques, the model's torques, and which rows were used, as CSV")

@@ -74,7 +74,7 @@ std::optional<LargestCompensation> largest_compensation(const Estimate& estimate
 
 std::string compensation_text(const TorqueEquations& equations, const Estimate& estimate, bool compensates) {
   const std::optional<LargestCompensation> largest = largest_compensation(estimate);
-  if (!largest) return "";
+  if (!largest || largest->deviations == 0) return "";
   const std::string most = fmt::format("{:.2g} standard deviations at most ({})", largest->deviations,
                                        equations.names()[static_cast<std::size_t>(largest->parameter)]);
   return compensates
@@ -82,7 +82,7 @@ std::string compensation_text(const TorqueEquations& equations, const Estimate& 
              : fmt::format("Noise of positions is not compensated; that would change parameters by {}.\n", most);
 }
 
-// What the model lacks repeats with the motion.
+// The sentence on motions that are logged more than once: what the model lacks repeats with them.
 std::string repetition_text(const Measurement& measurement, const Estimate& estimate) {
   std::string text;
   for (const RepeatedMotion& motion : estimate.motions) {

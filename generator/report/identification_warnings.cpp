@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "laboratory/identify/gravity_search.hpp"
+#include "laboratory/identify/residual_lines.hpp"
 #include "report/base_warnings.hpp"
 #include "report/identification_report.hpp"
 #include "robot/model/spherical_joint.hpp"
@@ -279,6 +280,59 @@ void warn_of_links(const TorqueModel& model, const Identification& found, std::v
   }
 }
 
+// Names what a joint's residuals repeat with, where they are more than noise.
+void warn_of_lines(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
+  const Observations& observations = found.measurement.observations;
+  const Eigen::MatrixXd left = residuals(observations, found.estimate.values);
+  std::vector<double> bands;
+  for (const MeasuredLog& log : found.measurement.logs) bands.push_back(log.filter.band);
+  for (int i = model.first_joint(); i < model.equations(); ++i) {
+    const Body& body = model.mechanism().joint(i);
+    if (found.fits[static_cast<std::size_t>(i)].is_sound() || body.spherical != 0) continue;
+    const auto line = residual_line(observations, left.col(i), model.mechanism().position_of(i), body.prismatic, bands);
+    if (!line) continue;
+    const std::string sine = fmt::format("{}: {:.2g} of its residuals' squares are a sine of {:.3g} {}",
+                                         model.subject_of(i), line->share, line->amplitude, model.unit_of(i));
+    warning_texts.push_back(
+        line->is_of_turns
+            ? fmt::format("{} that repeats {:.4g} times {}, which the model lacks: ripple of its gears or its motor",
+                          sine, line->rate, body.prismatic ? "in a metre" : "in a turn")
+            : fmt::format("{} at {:.3g} Hz, which the model lacks: a resonance of a flexible joint, or vibration", sine,
+                          line->rate));
+  }
+}
+
+// The estimate of a joint's friction; 0 where it is no parameter.
+double friction_of(const TorqueModel& model, const Identification& found, int joint, Parameter kind) {
+  const std::vector<int>& columns = model.base().columns;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (joint_of(columns[k]) == joint && parameter_of(columns[k]) == kind) {
+      return found.estimate.values(static_cast<Eigen::Index>(k));
+    }
+  }
+  return 0;
+}
+
+// Reports friction that changes during the logs.
+void warn_of_warmth(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
+  constexpr double kLeast = 1e-3;  // friction by the joint's torque
+  const Observations& observations = found.measurement.observations;
+  const Eigen::MatrixXd left = residuals(observations, found.estimate.values);
+  for (int i = model.first_joint(); i < model.equations(); ++i) {
+    const JointObservations& joint = observations.joints[static_cast<std::size_t>(i)];
+    if (joint.rows == 0 || model.mechanism().joint(i).spherical != 0) continue;
+    const auto change =
+        friction_change(observations, left.col(i), i, friction_of(model, found, i, Parameter::Fv),
+                        friction_of(model, found, i, Parameter::Fs), kLeast * joint.rms_torque(), joint.correlation);
+    if (!change) continue;
+    warning_texts.push_back(fmt::format(
+        "{}: its friction {} by {:.2g} % from the first half of each log to the second ({:+.2g} of F_v, {:+.2g} of "
+        "F_s){}",
+        model.subject_of(i), change->share < 0 ? "falls" : "grows", 100 * std::abs(change->share), change->viscous,
+        change->coulomb, change->share < 0 ? "; it warms up: let it move before the log begins" : ""));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> plausibility_warnings(const TorqueModel& model, const Identification& found) {
@@ -290,6 +344,8 @@ std::vector<std::string> plausibility_warnings(const TorqueModel& model, const I
   }
   std::vector<std::string> warning_texts = base_warnings(model.mechanism(), found.measurement.observations);
   warn_of_fit(model, found, warning_texts);
+  warn_of_lines(model, found, warning_texts);
+  warn_of_warmth(model, found, warning_texts);
   const std::size_t count_of_fit = warning_texts.size();
   warn_of_frozen(model, found, warning_texts);
   if (!found.hypothesis) warn_of_joints(model, found, warning_texts);

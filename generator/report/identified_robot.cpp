@@ -125,6 +125,7 @@ class RobotText {
     } else {
       add(Parameter::Im, "armature", body.armature);
     }
+    if (body.current_to_torque) values += fmt::format("current_to_torque = {}\n", number(*body.current_to_torque));
     if (!about.springs.empty())
       values += spring_text(about.springs[static_cast<std::size_t>(i - model_.mechanism.base_bodies())]);
     if (!values.empty()) text_ += "\n[[joint]]\nname = " + toml_string(body.joint) + "\n" + values;

@@ -134,9 +134,19 @@ void doubt_fit(const Mechanism& mechanism, const FittedPayload& found, std::vect
   }
   warning_texts.push_back(fmt::format(
       "the model does not fit: residuals to the noise of the log: {}; friction or rotors that the robot file lacks "
-      "(--parameters full), masses of the file that are not right (--without), or a log that is not what it says "
-      "(flatdyn identify names reasons){}",
-      fmt::join(bad, ", "), question));
+      "(--parameters full), {}or a log that is not what it says (flatdyn identify names reasons){}",
+      fmt::join(bad, ", "), found.is_by_file ? "masses of the file that are not right (--without), " : "", question));
+  if (!found.is_by_file) return;
+  warning_texts.emplace_back(
+      "no standard deviations are given: the robot file's numbers count as exact, but do not fit the log. Those of a "
+      "maker are seldom identified ones: compare with --without, a log of the same arm without the payload");
+}
+
+// The sentence on the file's numbers, which the logs do not tell.
+std::string file_text(const FittedPayload& found) {
+  if (!found.is_by_file) return "";
+  return "\nThe robot file's numbers count as exact; a log of the same arm without payload takes their place "
+         "(--without).\n";
 }
 
 // The reason why the logs do not determine something of the payload, and what would.
@@ -191,24 +201,26 @@ std::string describe_payload(const LoadedRobot& robot, const FittedPayload& foun
   for (Eigen::Index k = 0; k < payload.values.size(); ++k) {
     const bool is_told = std::isfinite(payload.standard_deviations(k));
     rows.push_back({kNames[k], is_told ? fmt::format("{:.6g}", payload.values(k)) : "",
-                    deviation_text(payload.standard_deviations(k)), fmt::format("{:.6g}", payload.body(k)), kUnits[k]});
+                    !is_told || found.has_deviations() ? deviation_text(payload.standard_deviations(k)) : "?",
+                    fmt::format("{:.6g}", payload.body(k)), kUnits[k]});
   }
   return fmt::format(
       "on link {}, in its frame, about its origin\n\n{}\nthe nearest that a body can have is {:.2g} standard "
-      "deviations from the estimate at most\n{}{}",
-      robot.mechanism.tip.link, aligned_table(rows), payload.largest_misfit, untold_sums_text(robot.mechanism, found),
-      fit_table(robot.mechanism, found));
+      "deviations from the estimate at most\n{}{}{}",
+      robot.mechanism.tip.link, aligned_table(rows), payload.largest_misfit, file_text(found),
+      untold_sums_text(robot.mechanism, found), fit_table(robot.mechanism, found));
 }
 
 nlohmann::ordered_json payload_json(const LoadedRobot& robot, const FittedPayload& found) {
   const PayloadEstimate& payload = found.payload;
   nlohmann::ordered_json json = {{"link", robot.mechanism.tip.link}};
   for (Eigen::Index k = 0; k < payload.values.size(); ++k) {
-    json["parameters"].push_back({{"name", kNames[k]},
-                                  {"unit", kUnits[k]},
-                                  {"value", payload.values(k)},
-                                  {"standard_deviation", payload.standard_deviations(k)},
-                                  {"nearest_body", payload.body(k)}});
+    json["parameters"].push_back(
+        {{"name", kNames[k]},
+         {"unit", kUnits[k]},
+         {"value", payload.values(k)},
+         {"standard_deviation", found.has_deviations() ? payload.standard_deviations(k) : std::nan("")},
+         {"nearest_body", payload.body(k)}});
   }
   json["largest_misfit"] = payload.largest_misfit;
   json["untold"] = nlohmann::ordered_json::array();

@@ -36,8 +36,7 @@ TEST(Examples, ThePlanarArmIsIdentifiedFromExample72sMotion) {
   const Scratch scratch;
   ASSERT_EQ(run_example("identify_planar_arm.sh", scratch.path()).code, 0) << scratch.read("err");
   EXPECT_THAT(scratch.read("out"), HasSubstr("2002 samples, 2002 used"));
-  // Rows of docs/identification.md.
-  for (const char* row : {"m1lx  79.9961       0.0063   0.0079 %   79.9936", "I1zz  177.513       0.0057   0.0032 %",
+  for (const char* row : {"m1lx  79.9961       0.0065   0.0082 %   79.9936", "I1zz  177.513       0.0059   0.0033 %",
                           "Im2   0.0100002     5.2e-07  0.0052 %"}) {
     EXPECT_THAT(scratch.read("out"), HasSubstr(row));
   }

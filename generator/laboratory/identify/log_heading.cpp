@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <utility>
 
 #include "laboratory/identify/log_layout.hpp"
@@ -31,6 +32,9 @@ class LayoutReader {
     layout.has_rates = !qd.empty() || layout.joints == 0;
     layout.has_accelerations = !qdd.empty() || layout.joints == 0;
     layout.has_tip_force = !h_e.empty();
+    const auto currents = std::count_if(tau.begin(), tau.end(), [](const CsvSource& each) { return each.is_current; });
+    layout.has_currents = currents > 0 && currents == static_cast<std::ptrdiff_t>(tau.size());
+    layout.has_mixed_currents = currents > 0 && !layout.has_currents;
     const BaseColumns base = layout.base > 0 ? base_columns(torques) : BaseColumns{};
     columns_.finish();
     if (diagnostics_.has_errors()) return;

@@ -34,6 +34,8 @@ struct LogLayout {
   // The entries of q̇ with which those of spherical joints begin, and the entries of q with which their quaternions do.
   std::vector<int> spherical{}, spherical_positions{};
   bool has_torques = true;
+  // Whether all torques of joints come from currents, by the gains of the drives; whether some do and some do not.
+  bool has_currents = false, has_mixed_currents = false;
   bool has_rates = false, has_accelerations = false, has_tip_force = false;
   BaseMotion base_motion = BaseMotion::none;
   bool has_base_force = false, has_twist = false, has_twist_rates = false;

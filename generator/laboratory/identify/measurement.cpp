@@ -98,11 +98,13 @@ class WeightedRows {
   std::vector<double> entries_, right_;
 };
 
-// The variance that noise of positions has at most: little more than they show above the band, which is an estimate.
-double most_of_noise(const ChannelNoise& noise) {
+// The variance that noise of positions has at most: little more than they show above the band, which is an estimate. A
+// slow motion may have all noise of an encoder's steps in the band.
+double most_of_noise(const ChannelNoise& noise, const SampleFilter& filter) {
   constexpr double kMore = 1.5;
-  const bool is_bounded = noise.deviation > 0 && !noise.is_of_steps();
-  return is_bounded ? kMore * noise.deviation * noise.deviation : std::numeric_limits<double>::infinity();
+  if (noise.deviation == 0 || filter.band == 0) return std::numeric_limits<double>::infinity();
+  const double in_band = 1 / (2 * filter.band * filter.dt);
+  return noise.deviation * noise.deviation * (noise.is_of_steps() ? std::max(kMore, in_band) : kMore);
 }
 
 }  // namespace
@@ -133,7 +135,7 @@ void set_shapes(Measurement& measurement) {
     }
     for (const ChannelNoise& each : log.q_noise) {
       shape.acceleration_deviations.push_back(each.deviation);
-      shape.most_of_accelerations.push_back(most_of_noise(each));
+      shape.most_of_accelerations.push_back(most_of_noise(each, log.filter));
     }
     measurement.observations.shapes.push_back(std::move(shape));
     correlation = std::max(correlation, measurement.observations.shapes.back().correlation());
@@ -168,8 +170,9 @@ Measurement measure(const EquationModel& equations, const Mechanism& mechanism,
     const StreamCount count = stream(log.path, mechanism, plan, shares, filter, diagnostics);
     if (diagnostics.has_errors()) return result;
     result.count.add(count);
-    result.logs.push_back(
-        {std::move(log.identity), plan.filter, orders, plan.rest_speed, noise_of_motion(plan, orders), plan.tau_noise});
+    result.logs.push_back({std::move(log.identity), plan.filter, orders, plan.rest_speed, noise_of_motion(plan, orders),
+                           plan.tau_noise, plan.layout().has_currents, plan.layout().has_mixed_currents,
+                           plan.layout().has_tip_force});
   }
   result.observations = folder.observations();
   instants.move_to(result.observations);

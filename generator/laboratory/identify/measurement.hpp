@@ -31,6 +31,9 @@ struct MeasuredLog {
   // By entry of q̈: the noise of the readings that it is made of; zero if not known.
   std::vector<ChannelNoise> q_noise{};
   std::vector<ChannelNoise> tau_noise{};  // by entry of τ
+  bool has_currents = false;              // LogLayout::has_currents
+  bool has_mixed_currents = false;        // LogLayout::has_mixed_currents
+  bool has_tip_force = false;             // LogLayout::has_tip_force
 
   auto operator<=>(const MeasuredLog&) const = default;
 };

@@ -24,7 +24,7 @@ struct NoiseShape {
   // Standard deviations of the noise above the band, in one sample, by equation and by entry of q̈; empty, or zero, if
   // not known, as without a filter: rows may then lie far apart, and what changes from one to the next is motion.
   std::vector<double> measured_deviations{}, acceleration_deviations{};
-  // The variances that the noise by entry of q̈ has at most, if it is not that of an encoder's steps; infinite if it is.
+  // The variances that the noise by entry of q̈ has at most; infinite if nothing bounds it.
   std::vector<double> most_of_accelerations{};
 
   // The correlation of the torque's noise, at least 1: this many rows have as much information on what is slow as one

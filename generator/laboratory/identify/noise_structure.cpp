@@ -59,6 +59,7 @@ NoiseStructure::NoiseStructure(const Observations& observations)
       const long phase = std::lround(repetition_.phase_of[t]);
       const std::size_t at =
           first_phase_.back() + static_cast<std::size_t>(motion.begins_anew ? phase % all : phase - least);
+      if (phases_[at].instants.empty()) phases_[at].row = occupied_++;
       phases_[at].instants.push_back(t);
       phases_[at].log = observations_.instants[t].log;
       phase_of_.resize(observations_.instants.size());
@@ -119,9 +120,10 @@ MatrixXd NoiseStructure::correlated(const MatrixXd& rows, const std::vector<Vect
 // All rows of a phase have the same noise. Where not all instants are kept, the mean stands for those of its phase that
 // are not.
 MatrixXd NoiseStructure::repeated(const MatrixXd& rows, Index equation, const std::vector<VectorXd>& by_log) const {
-  MatrixXd sums = MatrixXd::Zero(static_cast<Index>(phases_.size()), rows.cols());
+  MatrixXd sums = MatrixXd::Zero(occupied_, rows.cols());
   for (std::size_t phase = 0; phase < phases_.size(); ++phase) {
-    auto sum = sums.row(static_cast<Index>(phase));
+    if (phases_[phase].instants.empty()) continue;
+    auto sum = sums.row(phases_[phase].row);
     double count = 0;
     for (const std::size_t t : phases_[phase].instants) {
       if (!uses(t, equation)) continue;
@@ -137,8 +139,8 @@ MatrixXd NoiseStructure::repeated(const MatrixXd& rows, Index equation, const st
     const VectorXd& correlation = by_log[static_cast<std::size_t>(phases_[phase_of_[t]].log)];
     for (long lag = 1 - correlation.size(); lag < correlation.size(); ++lag) {
       const std::optional<std::size_t> other = phase_behind(phase_of_[t], lag);
-      if (!other) continue;
-      result.row(static_cast<Index>(t)) += correlation[std::abs(lag)] * sums.row(static_cast<Index>(*other));
+      if (!other || phases_[*other].instants.empty()) continue;
+      result.row(static_cast<Index>(t)) += correlation[std::abs(lag)] * sums.row(phases_[*other].row);
     }
   }
   return result;

@@ -49,6 +49,7 @@ class NoiseStructure {
     std::size_t motion = 0;
     int log = 0;
     std::vector<std::size_t> instants{};
+    Eigen::Index row = 0;  // among those that have instants
   };
   // The phase `lag` rows behind one; nullopt where the motion ends before.
   std::optional<std::size_t> phase_behind(std::size_t phase, long lag) const;
@@ -59,6 +60,7 @@ class NoiseStructure {
   std::vector<NoiseKind> kinds_;
   Eigen::VectorXd row_ratios_;
   std::vector<Phase> phases_;
+  Eigen::Index occupied_ = 0;                           // phases that have instants
   std::vector<std::size_t> first_phase_, phase_count_;  // by motion
   std::vector<std::size_t> phase_of_;                   // by instant
 };

@@ -2,6 +2,7 @@
 #include "laboratory/identify/observations.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <tuple>
 
 namespace flatdyn {
@@ -21,8 +22,20 @@ void Observations::set_correlation(double correlation) {
 
 namespace {
 
+// Whether a run of instants is kept, one of `stride`, a power of two. Runs are kept at irregular places, so that of all
+// logs some are, and at all distances from each other; those of a larger stride are among those of a smaller one.
+bool is_kept(int log, long run, long stride) {
+  // The finaliser of SplitMix64 (Steele, Lea, Flood 2014) mixes all bits into the low ones.
+  std::uint64_t mixed = (static_cast<std::uint64_t>(log) << 40U) + static_cast<std::uint64_t>(run);
+  mixed = (mixed ^ (mixed >> 30U)) * 0xbf58476d1ce4e5b9U;
+  mixed = (mixed ^ (mixed >> 27U)) * 0x94d049bb133111ebU;
+  return ((mixed ^ (mixed >> 31U)) & static_cast<std::uint64_t>(stride - 1)) == 0;
+}
+
 void keep_every(long stride, std::vector<EquationInstant>& instants) {
-  const auto dropped = [stride](const EquationInstant& each) { return each.index / each.run % stride != 0; };
+  const auto dropped = [stride](const EquationInstant& each) {
+    return !is_kept(each.log, each.index / each.run, stride);
+  };
   instants.erase(std::remove_if(instants.begin(), instants.end(), dropped), instants.end());
 }
 
@@ -36,7 +49,7 @@ long thin_out(std::vector<EquationInstant>& instants, long stride) {
 
 void InstantSample::offer(const FilteredEquations& equations, const EquationModel& model, int log,
                           const NoiseShape& shape) {
-  if (equations.index / shape.run % stride_ != 0) return;
+  if (!is_kept(log, equations.index / shape.run, stride_)) return;
   const auto numbers = [](const double* from, std::size_t count) { return std::vector<double>(from, from + count); };
   const auto n = static_cast<std::size_t>(model.equations());
   EquationInstant instant{log, equations.index, equations.motion.time};

@@ -60,14 +60,15 @@ struct Observations {
   int parameters = 0;  // b
   std::vector<JointObservations> joints;
   std::vector<EquationInstant> instants{};  // some of all, in the order of logs and times
-  long stride = 1;                          // every stride-th run of instants is kept
+  long stride = 1;                          // about one of so many runs of instants is kept: a power of two
   std::vector<NoiseShape> shapes{};         // by log
 
   void set_correlation(double correlation);  // sets it for all joints
 };
 
-// Keeps at most kMost instants, in runs of consecutive ones (NoiseShape::run) that are spread evenly: where there are
-// more, every other run is dropped. Which are kept depends on their indices alone, and not on the part that has them.
+// Keeps at most kMost instants, in runs of consecutive ones (NoiseShape::run) that are spread over all logs: where
+// there are more, about every other run is dropped. Which are kept depends on their logs and indices alone, and not on
+// the part that has them.
 class InstantSample {
  public:
   static constexpr std::size_t kMost = 1024;

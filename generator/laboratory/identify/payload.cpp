@@ -223,6 +223,7 @@ FittedPayload fitted_payload(const TorqueModel& model, const LoadedRobot& robot,
   FittedPayload found{estimate_payload(problem), {}, {}, {}};
   found.fits = fit_quality(problem.observations, logs, found.payload.unknowns, problem.acceleration_rows);
   found.observations = std::move(problem.observations);
+  found.is_by_file = measurements.size() == 1;
   found.measurements = std::move(measurements);
   return found;
 }

@@ -2,6 +2,8 @@
 // The payload of the tip: ten inertial parameters, identified as a change of the last link (7.4).
 #pragma once
 
+#include <algorithm>
+
 #include "laboratory/identify/fit_quality.hpp"
 #include "laboratory/identify/least_squares.hpp"
 #include "laboratory/identify/torque_model.hpp"
@@ -46,7 +48,13 @@ struct FittedPayload {
   std::vector<JointFit> fits;
   Observations observations;
   std::vector<Measurement> measurements;  // with the payload, then without it
+  // Whether the robot file's numbers count as exact, as there is but the log with the payload.
+  bool is_by_file = false;
 
+  // Deviations count noise alone: where a file does not fit, they would pretend.
+  bool has_deviations() const {
+    return !is_by_file || std::all_of(fits.begin(), fits.end(), [](const JointFit& each) { return each.is_sound(); });
+  }
   bool is_of_wrist() const { return fits.empty(); }
 };
 

@@ -8,6 +8,7 @@ namespace flatdyn {
 namespace {
 
 constexpr double kAlike = 0.01, kUnlike = 0.25;  // mean squares of differences, divided by those of other motions
+constexpr long kMostRows = 30000;                // of a period, and of logs that are compared
 constexpr double kSameInterval = 1e-3;           // relative difference of the intervals of rows
 
 // The instants of a log.
@@ -17,41 +18,12 @@ struct LoggedMotion {
   std::vector<const EquationInstant*> at;  // from index `first` on; nullptr where the instant is not kept
   std::vector<long> kept;                  // where it is: index - first
 
+  double q_variance = 0, qd_variance = 0;  // sums over all entries
+
   long rows() const { return static_cast<long>(at.size()); }
   // Seconds from a row to the next one.
   double interval() const { return (at.back()->time - at.front()->time) / static_cast<double>(rows() - 1); }
 };
-
-std::vector<LoggedMotion> logged_motions(const Observations& observations) {
-  std::vector<LoggedMotion> result;
-  for (const EquationInstant& each : observations.instants) {
-    if (result.empty() || result.back().log != each.log) result.push_back({each.log, each.index, {}, {}});
-    LoggedMotion& motion = result.back();
-    motion.at.resize(static_cast<std::size_t>(each.index - motion.first) + 1, nullptr);
-    motion.at.back() = &each;
-    motion.kept.push_back(each.index - motion.first);
-  }
-  return result;
-}
-
-// How positions and rates vary: the sum of all entries' variances.
-struct Variation {
-  double q = 0, qd = 0;
-};
-
-double variance_of(const std::vector<EquationInstant>& instants, std::vector<double> EquationInstant::*entries) {
-  double result = 0;
-  for (std::size_t k = 0; k < (instants.front().*entries).size(); ++k) {
-    double sum = 0, squares = 0;
-    for (const EquationInstant& each : instants) {
-      sum += (each.*entries)[k];
-      squares += std::pow((each.*entries)[k], 2);
-    }
-    const auto count = static_cast<double>(instants.size());
-    result += squares / count - std::pow(sum / count, 2);
-  }
-  return result;
-}
 
 double squared_distance(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
@@ -59,65 +31,88 @@ double squared_distance(const std::vector<double>& a, const std::vector<double>&
   return sum;
 }
 
-// Compares motions, one of them `lag` rows later.
-class Comparison {
- public:
-  explicit Comparison(const Observations& observations)
-      : variation_{variance_of(observations.instants, &EquationInstant::q),
-                   variance_of(observations.instants, &EquationInstant::qd)} {}
-
-  // The mean square of the differences, 1 for motions that have nothing in common; infinite where too few instants of
-  // both are there.
-  double difference(const LoggedMotion& a, const LoggedMotion& b, long lag) const {
-    constexpr double kLeast = 32, kShare = 0.1;
-    double count = 0, sum = 0;
-    for (const long k : a.kept) {
-      if (k + lag < 0 || k + lag >= b.rows()) continue;
-      const EquationInstant& one = *a.at[static_cast<std::size_t>(k)];
-      const EquationInstant* other = b.at[static_cast<std::size_t>(k + lag)];
-      if (other == nullptr) continue;
-      sum += squared_distance(one.q, other->q) / variation_.q + squared_distance(one.qd, other->qd) / variation_.qd;
-      if (++count >= kLeast && sum > 4 * count) break;  // another motion
-    }
-    const bool is_enough =
-        count >= std::max(kLeast, kShare * static_cast<double>(std::min(a.kept.size(), b.kept.size())));
-    return is_enough ? sum / (4 * count) : std::numeric_limits<double>::infinity();
+double variance_of(const LoggedMotion& motion, std::vector<double> EquationInstant::*entries) {
+  const std::size_t size = (motion.at.front()->*entries).size();
+  std::vector<double> mean(size, 0);
+  const auto count = static_cast<double>(motion.kept.size());
+  for (const long k : motion.kept) {
+    for (std::size_t i = 0; i < size; ++i) mean[i] += (motion.at[static_cast<std::size_t>(k)]->*entries)[i] / count;
   }
-
-  // The lag from `from` to `to` with the least difference.
-  long best(const LoggedMotion& a, const LoggedMotion& b, long from, long to) const {
-    long result = from;
-    double least = std::numeric_limits<double>::infinity();
-    for (long lag = from; lag <= to; ++lag) {
-      const double own = difference(a, b, lag);
-      if (own < least) result = lag;
-      least = std::min(least, own);
-    }
-    return result;
+  double result = 0;
+  for (const long k : motion.kept) {
+    result += squared_distance(motion.at[static_cast<std::size_t>(k)]->*entries, mean) / count;
   }
+  return result;
+}
 
-  bool can_compare() const { return variation_.q > 0 && variation_.qd > 0; }
+double squares_of(const std::vector<double>& numbers) {
+  double sum = 0;
+  for (const double each : numbers) sum += each * each;
+  return sum;
+}
 
- private:
-  Variation variation_;
-};
+std::vector<LoggedMotion> logged_motions(const Observations& observations) {
+  std::vector<LoggedMotion> result;
+  for (const EquationInstant& each : observations.instants) {
+    if (result.empty() || result.back().log != each.log) result.push_back({each.log, each.index, {}, {}, 0, 0});
+    LoggedMotion& motion = result.back();
+    motion.at.resize(static_cast<std::size_t>(each.index - motion.first) + 1, nullptr);
+    motion.at.back() = &each;
+    motion.kept.push_back(each.index - motion.first);
+  }
+  for (LoggedMotion& each : result) {
+    each.q_variance = variance_of(each, &EquationInstant::q);
+    each.qd_variance = variance_of(each, &EquationInstant::qd);
+  }
+  return result;
+}
 
-// The rows after which a motion begins anew; nullopt if it does not.
-std::optional<double> period_of(const LoggedMotion& motion, const Comparison& comparison) {
+// The mean square of the differences of motion b, `lag` rows later, from motion a: 1 where they have nothing in common;
+// infinite where too few instants of both are there, or where the robot hardly moves in them.
+double difference(const LoggedMotion& a, const LoggedMotion& b, long lag) {
+  constexpr double kLeast = 32, kShare = 0.03, kMoving = 0.25;
+  const double q = std::min(a.q_variance, b.q_variance), qd = std::min(a.qd_variance, b.qd_variance);
+  double count = 0, sum = 0, speed = 0;
+  for (const long k : a.kept) {
+    if (k + lag < 0 || k + lag >= b.rows()) continue;
+    const EquationInstant& one = *a.at[static_cast<std::size_t>(k)];
+    const EquationInstant* other = b.at[static_cast<std::size_t>(k + lag)];
+    if (other == nullptr) continue;
+    sum += squared_distance(one.q, other->q) / q + squared_distance(one.qd, other->qd) / qd;
+    speed += squares_of(one.qd);
+    if (++count >= kLeast && sum > 4 * count) break;  // another motion
+  }
+  const double enough = std::max(kLeast, kShare * static_cast<double>(std::min(a.kept.size(), b.kept.size())));
+  return count >= enough && speed > kMoving * qd * count ? sum / (4 * count) : std::numeric_limits<double>::infinity();
+}
+
+// The lag from `from` to `to` with the least difference.
+long best_lag(const LoggedMotion& a, const LoggedMotion& b, long from, long to) {
+  long result = from;
+  double least = std::numeric_limits<double>::infinity();
+  for (long lag = from; lag <= to; ++lag) {
+    const double own = difference(a, b, lag);
+    if (own < least) result = lag;
+    least = std::min(least, own);
+  }
+  return result;
+}
+
+// The rows after which a motion begins anew; nullopt if it does not. Far repetitions tell them more exactly.
+std::optional<double> period_of(const LoggedMotion& motion) {
+  constexpr long kNear = 12;  // rows from the first lag that is alike to the one that is most alike
   bool was_unlike = false;
-  for (long lag = 1; lag < motion.rows(); ++lag) {
-    const double own = comparison.difference(motion, motion, lag);
+  for (long lag = 1; lag < std::min(motion.rows(), kMostRows); ++lag) {
+    const double own = difference(motion, motion, lag);
     was_unlike = was_unlike || (own > kUnlike && std::isfinite(own));
     if (!was_unlike || own > kAlike) continue;
-    long period = lag;
-    while (comparison.difference(motion, motion, period + 1) < comparison.difference(motion, motion, period)) ++period;
-    // Far repetitions tell the period more exactly.
-    double exact = static_cast<double>(period);
+    double exact = static_cast<double>(best_lag(motion, motion, lag, lag + kNear));
     for (long count = 2; static_cast<double>(count) * exact < 0.75 * static_cast<double>(motion.rows()); ++count) {
       const long near = std::lround(static_cast<double>(count) * exact);
-      const long far = comparison.best(motion, motion, near - 1, near + 1);
-      if (comparison.difference(motion, motion, far) > kAlike) break;
-      exact = static_cast<double>(far) / static_cast<double>(count);
+      const long far = best_lag(motion, motion, near - 2, near + 2);
+      const double unlike = difference(motion, motion, far);
+      if (unlike <= kAlike) exact = static_cast<double>(far) / static_cast<double>(count);
+      if (std::isfinite(unlike) && unlike > kAlike) break;
     }
     return exact;
   }
@@ -125,9 +120,10 @@ std::optional<double> period_of(const LoggedMotion& motion, const Comparison& co
 }
 
 // The lag at which motion b is like a; nullopt if it never is.
-std::optional<long> lag_between(const LoggedMotion& a, const LoggedMotion& b, const Comparison& comparison) {
-  const long lag = comparison.best(a, b, -a.rows(), b.rows());
-  return comparison.difference(a, b, lag) <= kAlike ? std::optional(lag) : std::nullopt;
+std::optional<long> lag_between(const LoggedMotion& a, const LoggedMotion& b) {
+  if (std::max(a.rows(), b.rows()) > kMostRows) return std::nullopt;
+  const long lag = best_lag(a, b, -a.rows(), b.rows());
+  return difference(a, b, lag) <= kAlike ? std::optional(lag) : std::nullopt;
 }
 
 // A log as a part of a motion: index `start` is the motion's beginning.
@@ -153,22 +149,22 @@ Repetition repetition_of(const Observations& observations) {
   Repetition result;
   if (observations.instants.empty()) return result;
   const std::vector<LoggedMotion> logged = logged_motions(observations);
-  const Comparison comparison(observations);
   std::vector<std::size_t> first_of;  // by motion, the log that shows it first
   for (std::size_t k = 0; k < logged.size(); ++k) {
     const LoggedMotion& own = logged[k];
     const NoiseShape& shape = observations.shapes[static_cast<std::size_t>(own.log)];
-    const bool can_repeat = shape.run > 1 && comparison.can_compare();  // else rows may lie far apart
+    // Without a filter rows may lie far apart.
+    const bool can_repeat = shape.run > 1 && own.q_variance > 0 && own.qd_variance > 0;
     std::optional<Placed> placed;
     for (std::size_t m = 0; m < first_of.size() && !placed && can_repeat; ++m) {
       const LoggedMotion& other = logged[first_of[m]];
       if (!(std::abs(other.interval() / own.interval() - 1) < kSameInterval)) continue;
-      const std::optional<long> lag = lag_between(other, own, comparison);
+      const std::optional<long> lag = lag_between(other, own);
       if (lag) placed = {m, static_cast<double>(own.first + *lag)};
     }
     const auto rows = static_cast<double>(own.rows());
     if (!placed) {
-      const std::optional<double> period = can_repeat ? period_of(own, comparison) : std::nullopt;
+      const std::optional<double> period = can_repeat ? period_of(own) : std::nullopt;
       placed = {result.motions.size(), static_cast<double>(own.first)};
       result.motions.push_back({own.log, period.value_or(rows), period.has_value()});
       first_of.push_back(k);

@@ -79,7 +79,7 @@ struct NoiseSearch::Sums {
     H += scale * scale * row * row.transpose();
     h += scale * scale * right * row;
   }
-  // Of the first unknowns, only what is more than chance explains counts.
+  // The first unknowns count only for what is more than chance explains.
   void leave_chance(Index first) {
     constexpr double kDeviations = 2;
     h.head(first) -= kDeviations * H.diagonal().head(first).cwiseSqrt();

@@ -10,10 +10,10 @@ namespace flatdyn {
 namespace {
 
 constexpr long kLeastSamples = 20;
-constexpr double kLeastTime = 0.05;    // s
-constexpr double kOfNoise = 8;         // standard deviations; a smaller jump counts as noise
-constexpr double kSpike = 12;          // standard deviations
-constexpr double kStepsOfMotion = 20;  // steps or standard deviations of a position that changes
+constexpr double kLeastTime = 0.05;         // s
+constexpr double kOfNoise = 8;              // standard deviations; a smaller jump counts as noise
+constexpr double kSpike = 12, kLarge = 36;  // standard deviations
+constexpr double kStepsOfMotion = 20;       // steps or standard deviations of a position that changes
 
 }  // namespace
 
@@ -86,9 +86,41 @@ void SignalCheck::Signal::follow_spikes(double reading) {
   const double middle = last - (before + reading) / 2, bend_before = before - (second_before + last) / 2;
   if (count > 2 && bend_before * middle >= 0) return;
   if (noise == 0 || std::abs(middle) < kSpike * noise || std::abs(reading - before) > std::abs(middle) / 2) return;
-  if (spikes++ > 0) return;
-  first_spike = last_time;
-  spike_line = last_line;
+  (std::abs(middle) < kLarge * noise ? small : large).add(last_time, last_line);
+}
+
+void SignalCheck::Spikes::add(double at, int file_line) {
+  if (count++ > 0) return;
+  time = at;
+  line = file_line;
+}
+
+bool SignalCheck::Signal::has_tails() const {
+  constexpr long kSeveral = 5;
+  return small.count >= kSeveral;
+}
+
+SignalCheck::Spikes SignalCheck::Signal::spikes() const {
+  if (has_tails() || small.count == 0) return large;
+  Spikes all = large.count == 0 || small.line < large.line ? small : large;
+  all.count = small.count + large.count;
+  return all;
+}
+
+void SignalCheck::report_tails(const std::string& file, Diagnostics& diagnostics) const {
+  std::vector<std::string> names;
+  long count = 0;
+  for (const Signal& signal : signals_) {
+    if (!signal.has_tails()) continue;
+    names.push_back(signal.name);
+    count += signal.small.count;
+  }
+  if (names.empty()) return;
+  diagnostics.note({file, 1},
+                   fmt::format("{}: {} readings in all lie {} to {} standard deviations of the noise from their "
+                               "neighbours; that many count as noise",
+                               fmt::join(names, ", "), count, kSpike, kLarge),
+                   {}, "logs whose noise has readings that are far off");
 }
 
 // A block ends with a jump, and goes on from there: what changes step by step, or slowly, only rests. A torque whose
@@ -168,11 +200,12 @@ long SignalCheck::lost_blocks() const {
 
 void SignalCheck::finish(const std::string& file, Diagnostics& diagnostics) const {
   report_held(file, diagnostics);
+  report_tails(file, diagnostics);
   for (const Signal& signal : signals_) {
-    if (signal.spikes > 0) {
-      diagnostics.warning({file, signal.spike_line},
-                          fmt::format("{}: {} {}, the first at {:.6g} s", signal.name, signal.spikes,
-                                      signal.spikes == 1 ? "spike" : "spikes", signal.first_spike),
+    if (const Spikes spikes = signal.spikes(); spikes.count > 0) {
+      diagnostics.warning({file, spikes.line},
+                          fmt::format("{}: {} {}, the first at {:.6g} s", signal.name, spikes.count,
+                                      spikes.count == 1 ? "spike" : "spikes", spikes.time),
                           "single readings far from their neighbours: repair them, or give --robust");
     }
     if (signal.blocks > 0) {

@@ -26,6 +26,14 @@ class SignalCheck {
   long lost_blocks() const;
 
  private:
+  struct Spikes {
+    long count = 0;
+    double time = 0;  // of the first
+    int line = 0;
+
+    void add(double at, int file_line);
+  };
+
   // One channel. `noise`: the standard deviation of its noise; `step`: the least change of its reading.
   struct Signal {
     int channel = 0;
@@ -46,9 +54,11 @@ class SignalCheck {
     int from_line = 0;
     bool was_zero = false;
 
-    long spikes = 0, blocks = 0;
-    double first_spike = 0, first_from = 0, first_to = 0;
-    int spike_line = 0, block_line = 0;  // of the first
+    // Readings far from both neighbours, by how far.
+    Spikes small, large;
+    long blocks = 0;
+    double first_from = 0, first_to = 0;
+    int block_line = 0;  // of the first
     bool first_is_zero = false;
     // How often a reading changed after 1, 2, … samples.
     static constexpr std::size_t kMostHeld = 64;
@@ -57,11 +67,16 @@ class SignalCheck {
     void add(double time, double reading, double joint, int file_line);
     void follow_block(double time, double reading, double joint, int file_line);
     void follow_spikes(double reading);
+    // Small spikes are noise if there are several: noise often has some readings that are far off.
+    bool has_tails() const;
+    Spikes spikes() const;
     // The number of samples over which readings are held; 1 if they are not.
     int held_over() const;
   };
 
   void report_held(const std::string& file, Diagnostics& diagnostics) const;
+  // One note for all channels.
+  void report_tails(const std::string& file, Diagnostics& diagnostics) const;
 
   std::vector<Signal> signals_;
   double first_time_ = 0, last_time_ = 0;

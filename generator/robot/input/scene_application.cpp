@@ -7,6 +7,7 @@
 #include <array>
 
 #include "base/diagnostics/nearest.hpp"
+#include "robot/input/common/robot_builder.hpp"
 #include "robot/input/common/units.hpp"
 #include "robot/model/exact_sign.hpp"
 
@@ -51,15 +52,15 @@ void replace_limits(const SceneLimits& wanted, const Units& units, Joint& joint,
   }
 }
 
-void apply_limits(const SceneLimits& wanted, const Units& units, Diagnostics& diagnostics, Robot& robot) {
+// The joint that a table of the scene names; nullptr and an error if there is none.
+Joint* joint_of_table(const std::string& table, const Reference& wanted, Diagnostics& diagnostics, Robot& robot) {
+  Joint* found = joint_in(robot, wanted.name);
+  if (found != nullptr || robot.joints.empty()) return found;  // the robot file could not be read: said there
   std::vector<std::string> known;
-  for (Joint& joint : robot.joints) {
-    known.push_back(joint.name);
-    if (joint.name == wanted.joint.name) return replace_limits(wanted, units, joint, diagnostics);
-  }
-  if (robot.joints.empty()) return;  // the robot file could not be read: said there
-  diagnostics.error(wanted.joint.place, "limits: there is no joint \"" + wanted.joint.name + "\"",
-                    hint_for_unknown(wanted.joint.name, known, "joints"));
+  for (const Joint& joint : robot.joints) known.push_back(joint.name);
+  diagnostics.error(wanted.place, table + ": there is no joint \"" + wanted.name + "\"",
+                    hint_for_unknown(wanted.name, known, "joints"));
+  return nullptr;
 }
 
 }  // namespace
@@ -80,7 +81,14 @@ void add_scene(Scene file, Scene& scene) {
 
 void apply_to_joints(const Scene& scene, Diagnostics& diagnostics, Robot& robot) {
   const Units units{scene.degrees, false, true};
-  for (const SceneLimits& wanted : scene.limits) apply_limits(wanted, units, diagnostics, robot);
+  for (const SceneLimits& wanted : scene.limits) {
+    Joint* joint = joint_of_table("limits", wanted.joint, diagnostics, robot);
+    if (joint != nullptr) replace_limits(wanted, units, *joint, diagnostics);
+  }
+  for (const SceneGain& wanted : scene.gains) {
+    Joint* joint = joint_of_table("current_to_torque", wanted.joint, diagnostics, robot);
+    if (joint != nullptr) joint->current_to_torque = wanted.current_to_torque;
+  }
   for (Joint& joint : robot.joints) {
     if (!scene.friction) joint.viscous.number = joint.coulomb.number = 0;
     if (!scene.springs) joint.stiffness.number = 0;

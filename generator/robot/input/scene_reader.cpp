@@ -48,6 +48,15 @@ std::vector<SceneLimits> read_all_limits(TomlTable table, const Units& units) {
   return all;
 }
 
+std::vector<SceneGain> read_gains(TomlTable table, Diagnostics& diagnostics) {
+  std::vector<SceneGain> all;
+  for (const std::string& joint : table.keys()) {
+    const std::optional<Value> gain = read_gain(table, joint, diagnostics);
+    if (gain) all.push_back({{joint, table.place_of(joint)}, *gain});
+  }
+  return all;
+}
+
 // Limits of a floating base, each of which must be positive.
 std::optional<BaseLimits> read_base_limits(TomlTable& table, Diagnostics& diagnostics) {
   std::optional<TomlTable> given = table.table("base_limits");
@@ -214,6 +223,9 @@ Scene read_scene(const std::string& file, ReadContext& context) {
   if (const std::optional<TomlTable> locked = table.table("locked")) scene.locked = read_locked(*locked);
   scene.payload = read_payload(table, diagnostics);
   if (const std::optional<TomlTable> limits = table.table("limits")) scene.limits = read_all_limits(*limits, units);
+  if (const std::optional<TomlTable> gains = table.table("current_to_torque")) {
+    scene.gains = read_gains(*gains, diagnostics);
+  }
   scene.base_limits = read_base_limits(table, diagnostics);
   scene.at_rest = table.boolean("static").value_or(false);
   scene.friction = table.boolean("friction").value_or(true);

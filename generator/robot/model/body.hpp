@@ -61,6 +61,7 @@ struct Body {
   // 1, 2, 3: the body is the first, second or last one of a spherical joint, and turns about its x, y or z. 0: not so.
   int spherical = 0;
   bool is_tendon = false;  // joint i is the length of a tendon (robot/model/tendon.hpp): the body has no inertia
+  std::optional<Number> current_to_torque{};  // of the drive of joint i, N m/A or N/A
 };
 
 // The unit of the joint's torque or force.

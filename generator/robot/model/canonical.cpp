@@ -73,6 +73,7 @@ Body make_body(const RawTree& tree, const std::vector<Placement>& placements, st
   body.viscous = rationalised(joint.viscous.number);
   body.coulomb = rationalised(joint.coulomb.number);
   body.limits = joint.limits;
+  if (joint.current_to_torque) body.current_to_torque = rationalised(joint.current_to_torque->number);
   body.stiffness = rationalised(joint.stiffness.number);
   if (!vanishes(body.stiffness)) {
     const LinearPosition& position = tree.positions[static_cast<std::size_t>(tree.joint_of[i])];

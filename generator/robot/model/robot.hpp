@@ -73,9 +73,10 @@ struct Joint {
   bool driven = false;              // whether an actuator of MJCF moves it: in loops it keeps its coordinate if it can
   Limits limits;
   Place place;
-  Value stiffness;         // k of a spring at the joint, N m/rad or N/m
-  Value spring_reference;  // q_0, the joint's position where the spring exerts nothing, rad or m
-  bool is_tendon = false;  // a tendon's length (robot/model/tendon.hpp)
+  Value stiffness;                           // k of a spring at the joint, N m/rad or N/m
+  Value spring_reference;                    // q_0, the joint's position where the spring exerts nothing, rad or m
+  bool is_tendon = false;                    // a tendon's length (robot/model/tendon.hpp)
+  std::optional<Value> current_to_torque{};  // the drive's gain, N m/A or N/A; logs may have its current
 };
 
 // A closed chain, cut at the joint that closes it: a point of one link coincides with a point of another, and if there

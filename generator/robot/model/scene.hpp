@@ -36,6 +36,12 @@ struct SceneLimits {
   Limits limits;
 };
 
+// The gain of a joint's drive, N m/A or N/A; it replaces the robot's.
+struct SceneGain {
+  Reference joint;
+  Value current_to_torque;
+};
+
 // Limits of a floating base: the largest size of each component, in base axes, of its velocity (m/s, rad/s), of the
 // derivatives of these (m/s^2, rad/s^2), and of the force and moment on it (N, N m); and how far a planned motion may
 // bring it from where it begins, along each axis and by roll, pitch and yaw (m, rad).
@@ -81,6 +87,7 @@ struct Scene {
   std::vector<JointPosition> locked;  // of two entries for one joint the first counts
   std::optional<ScenePayload> payload;
   std::vector<SceneLimits> limits;
+  std::vector<SceneGain> gains;
   bool at_rest = false;  // joint velocities are 0
   bool friction = true;  // false: no joint has friction
   std::optional<ErrorBudget> error_budget;

@@ -11,18 +11,19 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr int kTimes = 40;
+constexpr int kInstants = 40;
 constexpr double kRate = 0.7;
 
-VectorXd decay(double rate) { return (VectorXd::LinSpaced(kTimes, 0, 5) * -rate).array().exp(); }
+VectorXd decay(double rate) { return (VectorXd::LinSpaced(kInstants, 0, 5) * -rate).array().exp(); }
 
 // Decay at an unknown rate. noise: added to the right side, from row to row with another sign.
 Hypothesis decay_with(double noise, Unknown rate = {}) {
   return {{rate},
           [noise](const VectorXd& x) {
-            WeightedEquations rows{Eigen::MatrixXd::Ones(kTimes, 2), 3 * decay(kRate) + VectorXd::Constant(kTimes, 2)};
+            WeightedEquations rows{Eigen::MatrixXd::Ones(kInstants, 2),
+                                   3 * decay(kRate) + VectorXd::Constant(kInstants, 2)};
             rows.A.col(0) = decay(x[0]);
-            for (int k = 0; k < kTimes; ++k) rows.b[k] += k % 2 == 0 ? noise : -noise;
+            for (int k = 0; k < kInstants; ++k) rows.b[k] += k % 2 == 0 ? noise : -noise;
             return rows;
           },
           {VectorXd::Constant(1, 0.1), VectorXd::Constant(1, 4)}};
@@ -41,7 +42,7 @@ TEST(Hypothesis, StaysWithinItsBounds) { EXPECT_NEAR(best_fit(decay_with(0, {.lo
 TEST(Hypothesis, KeepsTheNoiseAsItsCost) {
   const HypothesisFit fit = best_fit(decay_with(0.1));
   EXPECT_NEAR(fit.x[0], kRate, 0.05);
-  EXPECT_NEAR(fit.cost, kTimes * 0.01, 0.05 * kTimes * 0.01);
+  EXPECT_NEAR(fit.cost, kInstants * 0.01, 0.05 * kInstants * 0.01);
 }
 
 // The cost grows as the information says, with all other parameters free.
@@ -54,12 +55,12 @@ TEST(Hypothesis, HasTheInformationOfItsUnknown) {
 }
 
 TEST(Hypothesis, LeavesParametersThatNoRowShowsAtZero) {
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(kTimes, 2);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(kInstants, 2);
   A.col(0).setOnes();
-  const HypothesisFit fit = fit_of({A, VectorXd::Constant(kTimes, 5)});
+  const HypothesisFit fit = fit_of({A, VectorXd::Constant(kInstants, 5)});
   EXPECT_NEAR(fit.pi[0], 5, 1e-8);
   EXPECT_EQ(fit.pi[1], 0);
-  EXPECT_NEAR(fit.deviations[0], 1 / std::sqrt(kTimes), 1e-8);
+  EXPECT_NEAR(fit.deviations[0], 1 / std::sqrt(kInstants), 1e-8);
 }
 
 }  // namespace

@@ -234,6 +234,15 @@ TEST_F(LackOfFit, ByReadingsThatAreLostIsNoticed) {
   };
   EXPECT_THAT(warnings_of(spikes), ::testing::Contains("tau3: 10 spikes, the first at 1 s"));
   EXPECT_THAT(bench.warning_lines, ::testing::Contains(1002));
+  // Many that are small are noise, and do not bury the one that is not.
+  const auto one_among_small = [](auto& all) {
+    for (std::size_t k = 500; k < 11000; k += 250) all[k].tau(2) += 0.8;
+    all[7100].tau(2) += 30;
+  };
+  EXPECT_THAT(warnings_of(one_among_small),
+              ::testing::IsSupersetOf({"tau3: 1 spike, the first at 7.1 s",
+                                       "tau3: 42 readings in all lie 12 to 36 standard deviations of the noise from "
+                                       "their neighbours; that many count as noise"}));
 }
 
 // The last reading may be near the next one: a torque with noise does not stay the same while its joint moves.

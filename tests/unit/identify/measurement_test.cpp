@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <set>
 
 #include "laboratory/identify/least_squares.hpp"
 #include "laboratory/identify/part_file.hpp"
@@ -149,6 +150,20 @@ double largest_difference(const Observations& a, const Observations& b) {
     worst = std::max(worst, (x - y).norm() / x.norm());
   }
   return worst;
+}
+
+// More logs than there are runs of instants to keep.
+TEST_F(MeasurementTest, KeepsInstantsOfManyLogs) {
+  std::vector<std::filesystem::path> logs;
+  for (unsigned k = 1; k <= 60; ++k) {
+    logs.push_back(log(simulated(arm(), {.samples = 1200, .rate = 250, .seed = k}), LogDerivatives::none));
+  }
+  const std::vector<EquationInstant> instants = measured(logs).observations.instants;
+  EXPECT_LE(instants.size(), InstantSample::kMost);
+  EXPECT_GT(instants.size(), InstantSample::kMost / 8);
+  std::set<int> kept;
+  for (const EquationInstant& each : instants) kept.insert(each.log);
+  EXPECT_GT(kept.size(), 5U);
 }
 
 class PartsTest : public MeasurementTest {

@@ -22,7 +22,7 @@ double error_on(const Measurement& other, const Bench& bench, const Estimate& fo
   return std::sqrt(sum);
 }
 
-// What a joint lacks at a position and a rate, 1 at most.
+// A torque that the model lacks, by position and rate of its joint, 1 at most.
 double ripple(double q, double) { return std::sin(17 * q); }
 double friction_near_rest(double, double qd) { return std::tanh(qd / 0.1) - std::tanh(qd / 0.5); }
 using Misfit = double (*)(double q, double qd);

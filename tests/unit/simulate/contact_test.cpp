@@ -11,13 +11,13 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-VectorXd vector(const std::vector<double>& values) {
+VectorXd state_vector(const std::vector<double>& values) {
   return Eigen::Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
 MatrixXd pair() {
   MatrixXd B = MatrixXd::Constant(2, 2, 1);
-  B.diagonal() = vector({2, 3});
+  B.diagonal() = state_vector({2, 3});
   return B;
 }
 
@@ -42,7 +42,7 @@ TEST(Contact, HoldsAJointUpToItsDryFriction) {
 
 // The other joint's motion drags a joint that its own torque would not move.
 TEST(Contact, DecidesUponCoupledJointsTogether) {
-  const VectorXd coulomb = vector({0.5, 0}), r = vector({0, 6});
+  const VectorXd coulomb = state_vector({0.5, 0}), r = state_vector({0, 6});
   const Contacts contacts = decided_contacts(pair(), r, coulomb, VectorXd::Zero(2), {0, 0});
   EXPECT_FALSE(contacts[0].held);
   EXPECT_EQ(contacts[0].sliding, -1);
@@ -59,7 +59,7 @@ TEST(Contact, AStopPushesAndNeverPulls) {
 }
 
 TEST(Contact, AnImpactTakesTheSpeedThatGoesThroughTheStopAndSharesTheRest) {
-  const VectorXd before = vector({-1, 0}), after = speeds_after_impact(pair(), before, {-1, 0});
+  const VectorXd before = state_vector({-1, 0}), after = speeds_after_impact(pair(), before, {-1, 0});
   EXPECT_EQ(after(0), 0);
   EXPECT_NEAR(after(1), -1.0 / 3, 1e-15);  // B q̇ is kept along the other joint: 1·(−1) = 3·q̇_2
   EXPECT_EQ(speeds_after_impact(pair(), -before, {-1, 0}), -before);

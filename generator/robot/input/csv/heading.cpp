@@ -108,7 +108,7 @@ std::vector<std::optional<CsvSource>> CsvHeading::find(CsvQuantity quantity, int
     std::optional<CsvSource>& source = found[static_cast<std::size_t>(entry)];
     used_.insert(column);
     if (!source) {
-      source = CsvSource{column, factor_of(column, quantity, entry)};
+      source = source_of(column, quantity, entry);
       continue;
     }
     const std::string &first = name(source->column), &second = name(column);
@@ -262,17 +262,34 @@ void CsvHeading::place_by_joint_names(CsvQuantity quantity, const std::vector<st
   }
 }
 
-Number CsvHeading::factor_of(std::size_t column, CsvQuantity quantity, int entry) {
+CsvSource CsvHeading::source_of(std::size_t column, CsvQuantity quantity, int entry) {
   const CsvName& written = columns_[column];
-  if (written.unit.empty()) return 1;
+  if (written.unit.empty()) return {column};
   const CsvDimension dimension = dimension_of(quantity, entry, mechanism_);
-  if (const std::optional<Number> factor = unit_factor(written.unit, dimension)) return *factor;
-  const std::vector<std::string> known = known_units(dimension);
+  if (const std::optional<Number> factor = unit_factor(written.unit, dimension)) return {column, *factor};
+  const bool may_be_current = quantity == CsvQuantity::tau && !mechanism_.is_of_base(entry);
+  const std::optional<Number> amperes = unit_factor(written.unit, CsvDimension::current);
+  if (may_be_current && amperes) return source_of_current(column, entry, *amperes);
+  std::vector<std::string> known = known_units(dimension);
+  if (may_be_current) known.push_back(known_units(CsvDimension::current).front());
   diagnostics_.error(place_, fmt::format("column \"{}\": unknown unit \"{}\"", written.name, written.unit),
                      known.empty() ? "leave the unit out: it has the robot file's"
                                    : fmt::format("known units: {}", fmt::join(known, ", ")));
   wrong_.insert(quantity);
-  return 1;
+  return {column};
+}
+
+CsvSource CsvHeading::source_of_current(std::size_t column, int entry, const Number& amperes) {
+  const Body& body = joint_of(CsvQuantity::tau, entry, mechanism_);
+  if (body.current_to_torque) return {column, amperes * *body.current_to_torque, true};
+  diagnostics_.error(place_,
+                     fmt::format("column \"{}\" is a current, but the robot has no gain of the drive of joint \"{}\"",
+                                 columns_[column].name, body.joint),
+                     fmt::format("give current_to_torque, {}/A, in the robot file or under [current_to_torque] of a "
+                                 "scene; flatdyn payload --known-mass estimates it",
+                                 torque_unit(body)));
+  wrong_.insert(CsvQuantity::tau);
+  return {column};
 }
 
 // "tau2", and "base_fx" of a floating base.

@@ -15,10 +15,11 @@
 
 namespace flatdyn {
 
-// A column, and what makes its numbers SI (pi/180 of degrees).
+// A column, and what makes its numbers SI (pi/180 of degrees, the gain of the joint's drive of a current).
 struct CsvSource {
   std::size_t column = 0;
   Number factor = 1;
+  bool is_current = false;
 };
 
 // Some entries of a quantity, as the base's six of q̇, q̈ and τ, or those of the joints behind them.
@@ -78,7 +79,8 @@ class CsvHeading {
   void place_by_joint_names(CsvQuantity quantity, const std::vector<std::size_t>& columns, Entries& entries);
   bool has_joint_names(const std::vector<std::size_t>& columns) const;
   std::optional<std::size_t> joint_name_of(std::size_t column) const;
-  Number factor_of(std::size_t column, CsvQuantity quantity, int entry);
+  CsvSource source_of(std::size_t column, CsvQuantity quantity, int entry);
+  CsvSource source_of_current(std::size_t column, int entry, const Number& amperes);
   std::string number_name(CsvQuantity quantity, int entry) const;
   Sources part_of(CsvQuantity quantity, CsvEntries entries);
   bool is_missing_some(CsvQuantity quantity, const Sources& found, int first, const std::string& message,

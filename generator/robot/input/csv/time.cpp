@@ -57,7 +57,7 @@ CsvTime CsvHeading::time_of(std::size_t column) {
   CsvTime time{column};
   std::string explanation;
   if (!written.unit.empty()) {
-    time.clock.per_second = nearest_double(1 / factor_of(column, CsvQuantity::time, 0));
+    time.clock.per_second = nearest_double(1 / source_of(column, CsvQuantity::time, 0).factor);
   } else if (is_of_bag(written) && is_digits(first_text(column))) {
     time.clock.per_second = per_second("ns");
     explanation = "nanoseconds, as ROS writes them";

@@ -47,6 +47,8 @@ std::vector<Unit> units_of(CsvDimension dimension) {
       return {{"N", 1}, {"kN", 1000}, {"mN", tenth_to_the(3)}};
     case CsvDimension::moment:
       return {{"Nm", 1}, {"kNm", 1000}, {"mNm", tenth_to_the(3)}, {"Nmm", tenth_to_the(3)}};
+    case CsvDimension::current:
+      return {{"A", 1}, {"mA", tenth_to_the(3)}};
   }
   return {};
 }

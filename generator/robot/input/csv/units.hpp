@@ -21,7 +21,8 @@ enum class CsvDimension {
   length_rate,
   length_acceleration,
   force,
-  moment
+  moment,
+  current
 };
 
 // The factor that converts a number in this unit to SI: deg is pi/180, exactly. Written as people do: "deg/s^2",

@@ -59,7 +59,8 @@ Motor motor_with_defaults(const Place& place) {
 void check_fixed(const TomlTable& table, const ReadContext& context, Joint& joint) {
   if (joint.type != JointType::fixed || is_held(joint.name, context)) return;
   if (context.diagnostics.only_unsupported()) return;  // it is fixed only because its type is not supported
-  for (const char* key : {"viscous", "coulomb", "armature", "stiffness", "spring_reference", "position"}) {
+  for (const char* key :
+       {"viscous", "coulomb", "armature", "stiffness", "spring_reference", "position", "current_to_torque"}) {
     if (!table.has(key)) continue;
     context.diagnostics.error(table.place_of(key), table.what() + ": " + key + " has no effect on a fixed joint",
                               "leave it out, or give the joint the type it has");
@@ -162,6 +163,16 @@ Limits read_limits(TomlTable& table, JointType type) {
   return limits;
 }
 
+std::optional<Value> read_gain(TomlTable& table, std::string_view key, Diagnostics& diagnostics) {
+  const std::optional<Value> gain = table.number(key, Quantity::other);
+  if (!gain || (!has_symbols(gain->number) && !vanishes(gain->number))) return gain;
+  diagnostics.error(
+      gain->place,
+      fmt::format("{}{}: a drive's gain is a number but 0", table.what().empty() ? "" : table.what() + ", ", key),
+      "write N m/A (N/A where the joint slides); it is negative where the current counts backwards");
+  return std::nullopt;
+}
+
 void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint, MotorCarriers& carriers) {
   std::optional<Reference> carrier;
   if (auto coupled = table.linear_position("position", joint.type)) joint.coupled = *coupled;
@@ -170,6 +181,7 @@ void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint,
   const Quantity reflected = joint.type == JointType::prismatic ? Quantity::mass : Quantity::inertia;
   if (auto armature = table.number("armature", reflected)) joint.armature = *armature;
   read_spring(table, context, joint);
+  replace_if_given(joint.current_to_torque, read_gain(table, "current_to_torque", context.diagnostics));
   if (std::optional<TomlTable> motor = table.table("motor")) {
     joint.motor = read_motor(*motor, joint.motor.value_or(motor_with_defaults(motor->place())), carrier);
   }

@@ -55,6 +55,10 @@ std::optional<Inertial> read_inertial(TomlTable& table, Diagnostics& diagnostics
 
 Limits read_limits(TomlTable& table, JointType type);
 
+// A drive's gain, N m/A or N/A, by the key `joint`: a number but 0. nullopt if the key is not there or, with an error,
+// has no such number.
+std::optional<Value> read_gain(TomlTable& table, std::string_view key, Diagnostics& diagnostics);
+
 // viscous, coulomb, armature, stiffness, spring_reference, limits, motor of a [[link]] or [[joint]]; what is not there
 // stays as it is.
 void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint, MotorCarriers& carriers);

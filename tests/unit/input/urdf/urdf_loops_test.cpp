@@ -47,12 +47,12 @@ std::string arm_and_hand(const std::string& mimic, const std::string& more) {
                joint("k", {"arm", "hand", "0.3 0 0", "1 0 0", mimic}) + more);
 }
 
-struct Dialect {
+struct LoopDialect {
   const char* name;
   const char* text;
 };
 
-class MimicDialects : public RobotFiles, public ::testing::WithParamInterface<Dialect> {};
+class MimicDialects : public RobotFiles, public ::testing::WithParamInterface<LoopDialect> {};
 
 TEST_P(MimicDialects, SayWhatMimicSays) {
   const Robot wanted = read("m.urdf", arm_and_hand(R"(<mimic joint="j" multiplier="-2" offset="0.1"/>)", ""));
@@ -64,7 +64,7 @@ TEST_P(MimicDialects, SayWhatMimicSays) {
   EXPECT_EQ(make_mechanism(found).size(), 1);
 }
 
-const Dialect kDialects[] = {
+const LoopDialect kDialects[] = {
     {"Gazebo", R"(<gazebo><plugin name="grip" filename="libroboticsgroup_gazebo_mimic_joint_plugin.so"><joint>j</joint>
       <mimicJoint> k </mimicJoint><multiplier>-2</multiplier><offset>0.1</offset><maxEffort>5</maxEffort></plugin></gazebo>)"},
     {"Care_O_bot", R"(<gazebo><plugin name="m"><jointName>j</jointName><mimicJoint>k</mimicJoint>
@@ -76,13 +76,13 @@ const Dialect kDialects[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(All, MimicDialects, ::testing::ValuesIn(kDialects),
-                         [](const ::testing::TestParamInfo<Dialect>& dialect) {
+                         [](const ::testing::TestParamInfo<LoopDialect>& dialect) {
                            return std::string(dialect.param.name);
                          });
 
 TEST_F(UrdfLoops, MimicsThatAgreeAreOne) {
   std::string all;
-  for (const Dialect& dialect : kDialects) all += dialect.text;
+  for (const LoopDialect& dialect : kDialects) all += dialect.text;
   const Robot found = read("r.urdf", arm_and_hand(R"(<mimic joint="j" multiplier="-2.00" offset="0.1"/>)", all));
   EXPECT_EQ(make_mechanism(found).size(), 1);
 }

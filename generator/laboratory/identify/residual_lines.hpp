@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What residuals repeat with: the turns of a joint, as the ripple of gears and motors does, or the time, as a resonance
+// does; and whether friction changes during the logs, as it does while a robot warms up.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "laboratory/identify/observations.hpp"
+
+namespace flatdyn {
+
+// A sine in an equation's residuals.
+struct ResidualLine {
+  bool is_of_turns = false;  // of the joint's position; else of time
+  double rate = 0;           // periods in a turn (in a metre where the joint slides), or Hz
+  double amplitude = 0;      // N m or N
+  double share = 0;          // of the residuals' squares
+};
+
+// The line that makes up most of the residuals of an equation, more than chance does; nullopt if none does. `residual`:
+// by instant, NaN where the equation is not used. `position`: the entry of q of the equation's joint. Turns count from
+// 8 periods on, as fewer may be errors of masses. `bands`: of the filter by log, Hz; only what is slower is looked for.
+std::optional<ResidualLine> residual_line(const Observations& observations, const Eigen::VectorXd& residual,
+                                          Eigen::Index position, bool slides, const std::vector<double>& bands);
+
+// Friction of an equation's joint in the second half of each log, less that in the first half.
+struct FrictionChange {
+  double viscous = 0, coulomb = 0;
+  double share = 0;  // of the joint's torque of friction, with its sign: rms
+};
+
+// nullopt if chance explains the change, if it is less than a twentieth, or if the friction is less than `least`, N m
+// or N (rms). `rate`: the entry of q̇ of the joint. `viscous` and `coulomb`: the estimates for the whole logs.
+// `correlation`: NoiseShape::correlation().
+std::optional<FrictionChange> friction_change(const Observations& observations, const Eigen::VectorXd& residual,
+                                              Eigen::Index rate, double viscous, double coulomb, double least,
+                                              double correlation);
+
+}  // namespace flatdyn
