@@ -5,6 +5,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "support/practical_bench.hpp"
 
 namespace flatdyn {
@@ -76,6 +79,33 @@ TEST_F(NoiseAccount, FindsNoNoiseWorthTheNameInASoundLog) {
   const Estimate found = bench.estimated(bench.measured(bench.motion({.seconds = 12}), kEncoderStep, 1));
   EXPECT_LT(found.noisy.back().share, 0.05);
   EXPECT_TRUE(found.standard_deviations.allFinite());
+}
+
+// Torques that look like noise of a joint's acceleration are misfit where its positions have no such noise.
+TEST_F(NoiseAccount, IsNoMoreThanPositionsShowAboveTheBand) {
+  constexpr Eigen::Index kJoint = 2;
+  Observations observations = bench.measured(bench.motion({.seconds = 12}), 1e-5, 1).observations;
+  Eigen::VectorXd values(bench.model().parameters());
+  for (int k = 0; k < values.size(); ++k) values[k] = bench.truth(k);
+  const AccelerationRows rows = bench.acceleration_rows();
+  const std::vector<Eigen::MatrixXd> B = inertias(observations, values, rows);
+  testing::Uniform draw(4);
+  for (std::size_t t = 0; t < B.size(); ++t) {
+    const double error = 3 * draw.normal();
+    for (Eigen::Index i = 0; i < B[t].rows(); ++i) {
+      observations.instants[t].right[static_cast<std::size_t>(i)] += B[t](i, kJoint) * error;
+    }
+  }
+  const auto n = static_cast<Eigen::Index>(observations.joints.size());
+  const FitGain nothing{Eigen::MatrixXd::Zero(values.size(), 0), Eigen::VectorXd::Ones(n), Eigen::VectorXd::Ones(n)};
+  const auto variance = [&] {
+    return NoiseSearch(NoiseStructure(observations), nothing, rows).noise_of(values).acceleration[kJoint];
+  };
+  std::vector<double>& most = observations.shapes[0].most_of_accelerations;
+  const double bounded = variance();
+  EXPECT_LE(bounded, most[kJoint] * (1 + 1e-9));
+  std::fill(most.begin(), most.end(), std::numeric_limits<double>::infinity());
+  EXPECT_GT(variance(), 10 * bounded);
 }
 
 }  // namespace
