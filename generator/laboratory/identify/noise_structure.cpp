@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace flatdyn {
 
@@ -24,47 +25,49 @@ std::vector<NoiseKind> kinds_of(const std::vector<NoiseShape>& shapes, bool has_
   return kinds;
 }
 
-}  // namespace
-
-NoiseStructure::NoiseStructure(const Observations& observations)
-    : observations_(observations),
-      repetition_(repetition_of(observations)),
-      kinds_(kinds_of(observations.shapes, repetition_.any())),
-      row_ratios_(VectorXd::Zero(static_cast<Index>(observations.joints.size()))) {
-  VectorXd kept = row_ratios_;
-  for (const EquationInstant& instant : observations_.instants) {
+VectorXd ratios_of(const Observations& observations) {
+  VectorXd result = VectorXd::Zero(static_cast<Index>(observations.joints.size())), kept = result;
+  for (const EquationInstant& instant : observations.instants) {
     for (std::size_t i = 0; i < instant.used.size(); ++i) {
       if (instant.used[i] != 0) kept[instant.first + static_cast<Index>(i)] += 1;
     }
   }
   for (Index i = 0; i < kept.size(); ++i) {
     const auto rows = static_cast<double>(observations.joints[static_cast<std::size_t>(i)].rows);
-    if (kept[i] > 0) row_ratios_[i] = rows / kept[i];
+    if (kept[i] > 0) result[i] = rows / kept[i];
   }
+  return result;
+}
+
+}  // namespace
+
+NoiseStructure::NoiseStructure(const Observations& observations)
+    : observations_(observations),
+      repetition_(repetition_of(observations)),
+      kinds_(kinds_of(observations.shapes, repetition_.any())),
+      row_ratios_(ratios_of(observations)) {
   if (!repetition_.any()) return;
-  for (std::size_t m = 0; m < repetition_.motions.size(); ++m) {
-    const RepeatedMotion& motion = repetition_.motions[m];
-    long least = std::numeric_limits<long>::max(), most = std::numeric_limits<long>::min();
-    for (std::size_t t = 0; t < observations_.instants.size(); ++t) {
-      if (repetition_.motion_of[t] != m) continue;
-      least = std::min(least, std::lround(repetition_.phase_of[t]));
-      most = std::max(most, std::lround(repetition_.phase_of[t]));
-    }
-    const long all = motion.begins_anew ? std::lround(motion.period) : most - least + 1;
-    first_phase_.push_back(phases_.size());
-    phase_count_.push_back(static_cast<std::size_t>(all));
-    phases_.resize(phases_.size() + static_cast<std::size_t>(all), {m});
-    for (std::size_t t = 0; t < observations_.instants.size(); ++t) {
-      if (repetition_.motion_of[t] != m) continue;
-      const long phase = std::lround(repetition_.phase_of[t]);
-      const std::size_t at =
-          first_phase_.back() + static_cast<std::size_t>(motion.begins_anew ? phase % all : phase - least);
-      if (phases_[at].instants.empty()) phases_[at].row = occupied_++;
-      phases_[at].instants.push_back(t);
-      phases_[at].log = observations_.instants[t].log;
-      phase_of_.resize(observations_.instants.size());
-      phase_of_[t] = at;
-    }
+  phase_of_.resize(observations.instants.size());
+  for (std::size_t motion = 0; motion < repetition_.motions.size(); ++motion) add_phases(motion);
+}
+
+void NoiseStructure::add_phases(std::size_t motion) {
+  const RepeatedMotion& repeated = repetition_.motions[motion];
+  std::map<long, std::vector<std::size_t>> instants;  // by phase, to a row
+  const long period = std::lround(repeated.period);
+  for (std::size_t t = 0; t < observations_.instants.size(); ++t) {
+    const long phase = std::lround(repetition_.phase_of[t]);
+    if (repetition_.motion_of[t] == motion) instants[repeated.begins_anew ? phase % period : phase].push_back(t);
+  }
+  const long first = repeated.begins_anew ? 0 : instants.begin()->first;
+  const long all = repeated.begins_anew ? period : instants.rbegin()->first - first + 1;
+  first_phase_.push_back(phases_.size());
+  phase_count_.push_back(static_cast<std::size_t>(all));
+  phases_.resize(phases_.size() + static_cast<std::size_t>(all), {motion});
+  for (auto& [phase, own] : instants) {
+    const std::size_t at = first_phase_.back() + static_cast<std::size_t>(phase - first);
+    for (const std::size_t t : own) phase_of_[t] = at;
+    phases_[at] = {motion, observations_.instants[own.back()].log, std::move(own), occupied_++};
   }
 }
 

@@ -51,6 +51,7 @@ class NoiseStructure {
     std::vector<std::size_t> instants{};
     Eigen::Index row = 0;  // among those that have instants
   };
+  void add_phases(std::size_t motion);
   // The phase `lag` rows behind one; nullopt where the motion ends before.
   std::optional<std::size_t> phase_behind(std::size_t phase, long lag) const;
   bool uses(std::size_t instant, Eigen::Index equation) const;
