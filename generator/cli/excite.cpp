@@ -167,7 +167,7 @@ Run add_excite(CLI::App& app) {
       ->add_option("--controller", arguments->controller,
                    "also a file that a controller takes: URScript with servoj() at 500 Hz (ur), positions at 1 kHz as "
                    "CSV (franka), or trajectory_msgs/JointTrajectory as JSON, which is YAML, too (ros)")
-      ->check(CLI::IsMember({"ur", "franka", "ros"}));
+      ->check(CLI::IsMember(controller_names()));
   command->add_flag("--no-base-force", arguments->no_base_force,
                     "the force on a floating base will not be measured: parameters that it alone tells do not count");
   add_plan_options(*command, *arguments);

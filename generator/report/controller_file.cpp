@@ -70,6 +70,12 @@ nlohmann::ordered_json ros_trajectory(const MotionEquations& equations, const Pl
 
 }  // namespace
 
+std::vector<std::string> controller_names() {
+  std::vector<std::string> names;
+  for (const ControllerRow& each : kControllers) names.emplace_back(each.name);
+  return names;
+}
+
 const ControllerRow& controller_row(const std::string& name) {
   return *std::find_if(kControllers.begin(), kControllers.end(),
                        [&](const ControllerRow& each) { return each.name == name; });

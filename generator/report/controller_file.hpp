@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "laboratory/identify/planned_motion.hpp"
 
@@ -24,7 +25,8 @@ struct ControllerRow {
   std::optional<double> rate;  // samples a second that the controller takes; none: any
 };
 
-const ControllerRow& controller_row(const std::string& name);
+std::vector<std::string> controller_names();
+const ControllerRow& controller_row(const std::string& name);  // of one of these names
 
 // The file for a robot with a fixed base whose joints all have one coordinate.
 std::string controller_text(const ControllerRow& row, const MotionEquations& equations, const PlannedMotion& motion);

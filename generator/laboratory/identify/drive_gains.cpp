@@ -173,12 +173,6 @@ class GainProblem {
   double mass_;
 };
 
-std::vector<MeasuredLog> all_logs(const std::vector<Measurement>& measurements) {
-  std::vector<MeasuredLog> logs;
-  for (const Measurement& each : measurements) logs.insert(logs.end(), each.logs.begin(), each.logs.end());
-  return logs;
-}
-
 // The payload of an estimate whose unknowns lack its mass.
 PayloadEstimate payload_with(const Estimate& estimate, double mass) {
   constexpr double kExact = 1e-9;  // relative deviation of a mass that counts as exact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the noise that is left in the equations does to the parameters.
+// The effect on the parameters of the noise that is left in the equations.
 #pragma once
 
 #include "laboratory/identify/residual_noise.hpp"

@@ -71,8 +71,8 @@ void NoiseStructure::add_phases(std::size_t motion) {
   }
 }
 
-bool NoiseStructure::uses(std::size_t instant, Index equation) const {
-  const EquationInstant& at = observations_.instants[instant];
+bool NoiseStructure::uses(Index instant, Index equation) const {
+  const EquationInstant& at = observations_.instants[static_cast<std::size_t>(instant)];
   const Index place = equation - at.first;
   return place >= 0 && place < static_cast<Index>(at.used.size()) && at.used[static_cast<std::size_t>(place)] != 0;
 }
@@ -129,7 +129,7 @@ MatrixXd NoiseStructure::repeated(const MatrixXd& rows, Index equation, const st
     auto sum = sums.row(phases_[phase].row);
     double count = 0;
     for (const std::size_t t : phases_[phase].instants) {
-      if (!uses(t, equation)) continue;
+      if (!uses(static_cast<Index>(t), equation)) continue;
       sum += rows.row(static_cast<Index>(t));
       ++count;
     }
@@ -138,7 +138,7 @@ MatrixXd NoiseStructure::repeated(const MatrixXd& rows, Index equation, const st
   }
   MatrixXd result = MatrixXd::Zero(rows.rows(), rows.cols());
   for (std::size_t t = 0; t < observations_.instants.size(); ++t) {
-    if (!uses(t, equation)) continue;
+    if (!uses(static_cast<Index>(t), equation)) continue;
     const VectorXd& correlation = by_log[static_cast<std::size_t>(phases_[phase_of_[t]].log)];
     for (long lag = 1 - correlation.size(); lag < correlation.size(); ++lag) {
       const std::optional<std::size_t> other = phase_behind(phase_of_[t], lag);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "laboratory/identify/repetition.hpp"
 
@@ -28,6 +29,7 @@ class NoiseStructure {
   // By equation: rows of all instants per row of those that are kept.
   const Eigen::VectorXd& row_ratios() const { return row_ratios_; }
 
+  bool uses(Eigen::Index instant, Eigen::Index equation) const;
   // The rows of an equation at all instants, zero where it is not used: instants × columns.
   Eigen::MatrixXd rows_of(Eigen::Index equation) const;
   // C rows for the correlation C of a kind: instants × columns.
@@ -54,7 +56,6 @@ class NoiseStructure {
   void add_phases(std::size_t motion);
   // The phase `lag` rows behind one; nullopt where the motion ends before.
   std::optional<std::size_t> phase_behind(std::size_t phase, long lag) const;
-  bool uses(std::size_t instant, Eigen::Index equation) const;
 
   const Observations& observations_;
   Repetition repetition_;

@@ -212,16 +212,21 @@ PayloadEstimate estimate_payload(const PayloadProblem& problem) {
   return payload_of(estimate(problem.observations, problem.prior, options));
 }
 
+std::vector<MeasuredLog> all_logs(const std::vector<Measurement>& measurements) {
+  std::vector<MeasuredLog> logs;
+  for (const Measurement& each : measurements) logs.insert(logs.end(), each.logs.begin(), each.logs.end());
+  return logs;
+}
+
 FittedPayload fitted_payload(const TorqueModel& model, const LoadedRobot& robot,
                              std::vector<Measurement> measurements) {
   const Observations& with = measurements.front().observations;
   PayloadProblem problem = measurements.size() == 1 ? payload_problem(model, robot, with)
                                                     : payload_problem(model, with, measurements.back().observations,
                                                                       TorqueEquations(model).file_values());
-  std::vector<MeasuredLog> logs;
-  for (const Measurement& each : measurements) logs.insert(logs.end(), each.logs.begin(), each.logs.end());
   FittedPayload found{estimate_payload(problem), {}, {}, {}};
-  found.fits = fit_quality(problem.observations, logs, found.payload.unknowns, problem.acceleration_rows);
+  found.fits =
+      fit_quality(problem.observations, all_logs(measurements), found.payload.unknowns, problem.acceleration_rows);
   found.observations = std::move(problem.observations);
   found.is_by_file = measurements.size() == 1;
   found.measurements = std::move(measurements);

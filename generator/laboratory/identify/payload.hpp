@@ -62,6 +62,9 @@ struct FittedPayload {
 // one measurement. All are made with the equations of `model`.
 FittedPayload fitted_payload(const TorqueModel& model, const LoadedRobot& robot, std::vector<Measurement> measurements);
 
+// The logs of all measurements, one behind the other.
+std::vector<MeasuredLog> all_logs(const std::vector<Measurement>& measurements);
+
 // The first ten parameters of an estimate, and the nearest ones of a real body.
 PayloadEstimate payload_of(const Estimate& estimate);
 

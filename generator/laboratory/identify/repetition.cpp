@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace flatdyn {
 namespace {
@@ -133,13 +135,6 @@ struct Placed {
 };
 
 }  // namespace
-
-std::optional<double> Repetition::distance(std::size_t a, std::size_t b) const {
-  if (motion_of[a] != motion_of[b]) return std::nullopt;
-  const RepeatedMotion& motion = motions[motion_of[a]];
-  const double rows = phase_of[b] - phase_of[a];
-  return motion.begins_anew ? std::remainder(rows, motion.period) : rows;
-}
 
 bool Repetition::any() const {
   return std::any_of(motions.begin(), motions.end(), [](const RepeatedMotion& each) { return each.count > 1; });

@@ -3,7 +3,6 @@
 // repeated with them: it does not average out, and tells itself from noise by that.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "laboratory/identify/observations.hpp"
@@ -23,8 +22,6 @@ struct Repetition {
   std::vector<std::size_t> motion_of;  // by instant, index into `motions`
   std::vector<double> phase_of;        // by instant: rows since the motion began
 
-  // Rows from instant a to b in the motion, by the shorter way round; nullopt if they are of different motions.
-  std::optional<double> distance(std::size_t a, std::size_t b) const;
   bool any() const;  // whether a motion is logged more than once
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What residuals repeat with: the turns of a joint, as the ripple of gears and motors does, or the time, as a resonance
-// does; and whether friction changes during the logs, as it does while a robot warms up.
+// Residuals that repeat: with the turns of a joint, as the ripple of gears and motors does, or with time, as a
+// resonance does. And friction that changes during the logs, as it does while a robot warms up.
 #pragma once
 
 #include <optional>

@@ -194,16 +194,10 @@ void NoiseSearch::add_own(Index equation, const FitGain& gain, const std::vector
     taken.push_back(weight * structure_.correlated(U, equation, structure_.kinds()[k]));
     added.push_back(U * (weight * (basis.transpose() * information[k] * basis)));
   }
-  const auto is_used = [&](Index t) {
-    const EquationInstant& instant = structure_.observations().instants[static_cast<std::size_t>(t)];
-    const Index place = equation - instant.first;
-    return place >= 0 && place < static_cast<Index>(instant.used.size()) &&
-           instant.used[static_cast<std::size_t>(place)] != 0;
-  };
   const auto add = [&](long lag, bool is_of_repetitions) {
     OwnProduct own{equation, lag, is_of_repetitions, 0, VectorXd::Zero(static_cast<Index>(taken.size()))};
     const auto visit = [&](Index a, Index b) {
-      if (!is_used(a) || !is_used(b)) return;
+      if (!structure_.uses(a, equation) || !structure_.uses(b, equation)) return;
       ++own.count;
       const auto log = static_cast<std::size_t>(structure_.observations().instants[static_cast<std::size_t>(a)].log);
       for (std::size_t k = 0; k < taken.size(); ++k) {
