@@ -10,6 +10,7 @@
 
 #include "base/diagnostics/version.hpp"
 #include "report/numbers.hpp"
+#include "robot/model/identifiers.hpp"
 
 namespace flatdyn {
 namespace {
@@ -23,10 +24,9 @@ PlannedState state_at(const MotionEquations& equations, const PlannedMotion& mot
   return equations.state(at.q.data(), at.qd.data(), at.qdd.data());
 }
 
-template <class Numbers>
-std::string positions_text(const Numbers& numbers) {
+std::string positions_text(const Eigen::VectorXd& q) {
   std::vector<std::string> texts;
-  for (const double each : numbers) texts.push_back(fmt::format("{:.9f}", each));
+  for (const double each : q) texts.push_back(fmt::format("{:.9f}", each));
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
@@ -36,7 +36,7 @@ std::string ur_script(const MotionEquations& equations, const PlannedMotion& mot
       "# An excitation of {} by flatdyn {}: {:.6g} s, a point every {:.6g} s, from rest to rest.\n"
       "# Clear the room around the arm, and log t, q and torques or currents while it runs.\n"
       "def excitation():\n  movej([{}], a=0.5, v=0.3)  # to where the motion begins\n  sleep(1.0)\n",
-      equations.model().mechanism().name, kProgramVersion, motion.trajectory.duration(), step,
+      cpp_identifier(equations.model().mechanism().name), kProgramVersion, motion.trajectory.duration(), step,
       positions_text(state_at(equations, motion, 0).q));
   for (std::size_t k = 1; k < motion.samples.size(); ++k) {
     text +=
