@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
@@ -13,6 +15,7 @@
 namespace flatdyn::testing {
 namespace {
 
+using nlohmann::json;
 using ::testing::HasSubstr;
 
 class IdentifyFiles : public ::testing::Test {
@@ -166,6 +169,88 @@ TEST_F(IdentifyFiles, AWristTakesPosesThatAreFarApart) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("note: columns counted from 0: q0 to q1, qd0 to qd1, qdd0 to qdd1"));
   EXPECT_THAT(outcome.err, ::testing::Not(HasSubstr("s pass")));
+}
+
+constexpr const char* kArmOfCurrents = "robots/planar_2r_example_7_2.toml";
+constexpr const char* kJointsOfCurrents[] = {"theta_1", "theta_2"};
+
+// A motion of the planar arm, and the same log with its torques named as currents.
+class Drive : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const Outcome outcome = run_flatdyn(
+        fmt::format("excite {} -o {} --controller ros --evaluations 20 --duration 6", kArmOfCurrents, scratch.path()));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    std::string text = scratch.read("planar_2r_example_7_2_excitation.csv");
+    const std::string heading = text.substr(0, text.find('\n'));
+    EXPECT_EQ(heading, "t,q1,q2,qd1,qd2,qdd1,qdd2,tau1,tau2");
+    text.replace(0, heading.size(), "t,q1,q2,qd1,qd2,qdd1,qdd2,tau1 [A],tau2 [A]");
+    scratch.write("currents.csv", text);
+  }
+
+  Scratch scratch;
+};
+
+TEST_F(Drive, CurrentsNeedTheGainsOfTheDrives) {
+  const std::string command = fmt::format("identify {} --data {}", kArmOfCurrents, scratch.path("currents.csv"));
+  const Outcome without = run_flatdyn(command);
+  EXPECT_NE(without.code, 0);
+  EXPECT_THAT(without.err, HasSubstr("column \"tau1\" is a current, but the robot has no gain of the drive of joint "
+                                     "\"theta_1\""));
+  scratch.write("gains.toml", "[current_to_torque]\ntheta_1 = 2\ntheta_2 = -0.5\n");
+  const Outcome found = run_flatdyn(command + " --json --scene " + scratch.path("gains.toml"));
+  ASSERT_EQ(found.code, 0) << found.err;
+  const json fitted = json::parse(found.out),
+             plain = json::parse(run_flatdyn(fmt::format("identify {} --json --data {}", kArmOfCurrents,
+                                                         scratch.path("planar_2r_example_7_2_excitation.csv")))
+                                     .out);
+  const double factors[] = {2, 0.5};
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(fitted["joints"][i]["name"], kJointsOfCurrents[i]);
+    const double torque = fitted["joints"][i]["rms_torque"], as_written = plain["joints"][i]["rms_torque"];
+    EXPECT_NEAR(torque, factors[i] * as_written, 1e-9 * torque);
+  }
+  scratch.write("zero.toml", "[current_to_torque]\ntheta_1 = 0\n");
+  EXPECT_THAT(run_flatdyn(command + " --scene " + scratch.path("zero.toml")).err,
+              HasSubstr("a drive's gain is a number but 0"));
+}
+
+TEST_F(Drive, ResultsAreAPythonModule) {
+  const Outcome outcome =
+      run_flatdyn(fmt::format("identify {} --data {} --module {}", kArmOfCurrents,
+                              scratch.path("planar_2r_example_7_2_excitation.csv"), scratch.path("found.py")));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string check =
+      "import found as f; n = len(f.NAMES); assert n > 4 and f.NAMES[0] == 'm1lx'; "
+      "assert all(len(x) == n for x in (f.VALUES, f.STANDARD_DEVIATIONS, f.FILE_VALUES, f.COMBINATIONS, "
+      "f.COVARIANCE)); "
+      "assert all(len(row) == n for row in f.COVARIANCE); assert abs(f.VALUES[0] - f.FILE_VALUES[0]) < 1e-6";
+  EXPECT_EQ(std::system(fmt::format("cd {} && python3 -c \"{}\"", scratch.path(), check).c_str()), 0)
+      << scratch.read("found.py");
+}
+
+TEST_F(Drive, MotionsAreForControllers) {
+  const json trajectory = json::parse(scratch.read("planar_2r_example_7_2_excitation_trajectory.json"));
+  EXPECT_EQ(trajectory["joint_names"], json(kJointsOfCurrents));
+  ASSERT_EQ(trajectory["points"].size(), 601U);
+  const json& last = trajectory["points"].back();
+  EXPECT_EQ(last["time_from_start"], json({{"sec", 6}, {"nanosec", 0}}));
+  for (const char* key : {"positions", "velocities", "accelerations"}) EXPECT_EQ(last[key].size(), 2U) << key;
+  EXPECT_NEAR(last["velocities"][0], 0, 1e-9);
+  const Outcome six = run_flatdyn(fmt::format("excite {} -o {} --controller ur", kArmOfCurrents, scratch.path()));
+  EXPECT_NE(six.code, 0);
+  EXPECT_THAT(six.err, HasSubstr("--controller ur is for robots with a fixed base and 6 joints"));
+  const Outcome ur =
+      run_flatdyn(fmt::format("excite robots/ur5.urdf -o {} --controller ur --evaluations 10 "
+                              "--duration 2",
+                              scratch.path()));
+  ASSERT_EQ(ur.code, 0) << ur.err;
+  const std::string script = scratch.read("ur5_excitation.script");
+  std::size_t count = 0;
+  for (std::size_t at = script.find("  servoj(["); at != std::string::npos; at = script.find("  servoj([", at + 1))
+    ++count;
+  EXPECT_EQ(count, 1000U);  // at 500 Hz
+  EXPECT_THAT(script, HasSubstr(", 0, 0, 0.002, 0.1, 300)\n  stopj(1.0)\nend\nexcitation()\n"));
 }
 
 }  // namespace
