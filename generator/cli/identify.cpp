@@ -11,6 +11,7 @@
 #include "laboratory/identify/huber.hpp"
 #include "laboratory/identify/instrumental_variables.hpp"
 #include "laboratory/identify/part_file.hpp"
+#include "laboratory/identify/rest_search.hpp"
 #include "laboratory/identify/usable_samples.hpp"
 #include "report/identification_files.hpp"
 #include "report/identification_report.hpp"
@@ -24,7 +25,8 @@ namespace {
 const std::map<std::string, FrictionLaw> kFrictionLaws = {{"coulomb", FrictionLaw::coulomb},
                                                           {"asymmetric", FrictionLaw::asymmetric},
                                                           {"stribeck", FrictionLaw::stribeck},
-                                                          {"smooth", FrictionLaw::smooth}};
+                                                          {"smooth", FrictionLaw::smooth},
+                                                          {"load", FrictionLaw::load}};
 
 struct IdentifyArguments : RobotArguments {
   std::vector<std::string> logs, parts;
@@ -72,12 +74,12 @@ void check_identify_usage(const IdentifyArguments& arguments) {
                   "give them with --part, where the logs are read");
   }
   const bool reads_again = arguments.delay || arguments.gravity_direction || arguments.robust ||
-                           !arguments.signals.empty() || has_speed(arguments.further.law) ||
+                           !arguments.signals.empty() || !is_linear(arguments.further.law) ||
                            arguments.estimator == "iv";
   if ((!arguments.part.empty() || !arguments.parts.empty()) && reads_again) {
     throw Failure(FailureKind::usage,
-                  "--delay, --gravity-direction, --robust, --signals, --estimator iv and friction with a speed read "
-                  "the logs more than once",
+                  "--delay, --gravity-direction, --robust, --signals, --estimator iv and friction with a speed or a "
+                  "load read the logs more than once",
                   "give them with --data, without --part");
   }
   if (!arguments.part.empty() &&
@@ -106,8 +108,9 @@ void check_identify_usage(const IdentifyArguments& arguments) {
         "a constant in its joint's torques",
         "give one of them");
   }
-  if (arguments.parameters == "inertial" && arguments.friction != "coulomb") {
-    throw Failure(FailureKind::usage, "--friction has no effect with --parameters inertial, which has no friction",
+  if (arguments.parameters == "inertial" && (arguments.friction != "coulomb" || arguments.further.temperature)) {
+    throw Failure(FailureKind::usage,
+                  "--friction and --temperature have no effect with --parameters inertial, which has no friction",
                   "give --parameters full");
   }
   if (!arguments.validation_plot.empty() && arguments.validation.empty()) {
@@ -127,6 +130,13 @@ void check_options_for(const Mechanism& mechanism, const IdentifyArguments& argu
   }
   if (mechanism.is_coupled() && arguments.further.springs) {
     throw Failure(FailureKind::unsupported, "--springs is for robots without coupled joints and closed loops");
+  }
+  if (mechanism.is_coupled() && (arguments.further.law == FrictionLaw::load || arguments.further.temperature)) {
+    throw Failure(FailureKind::unsupported,
+                  "--friction load and --temperature are for robots without coupled joints and closed loops");
+  }
+  if (mechanism.has_spherical_joints() && arguments.further.temperature) {
+    throw Failure(FailureKind::unsupported, "--temperature is for robots without spherical joints");
   }
   if (mechanism.floating_base && arguments.gravity_direction) {
     throw Failure(FailureKind::unsupported,
@@ -171,6 +181,8 @@ class Logs {
       : arguments_(arguments), options_(std::move(options)), progress_(progress) {}
 
   void set_delay(double delay) { options_.delay = delay; }
+  void set_rest_speeds(std::vector<double> speeds) { options_.rest_speed = std::move(speeds); }
+  bool has_rest_speeds() const { return !options_.rest_speed.empty(); }
 
   Measurement measured(const TorqueEquations& equations, const RowWeight& weight = nullptr,
                        const LogSink& also = nullptr) {
@@ -296,8 +308,8 @@ std::vector<TextFile> result_files(const IdentifyArguments& arguments, const Loa
 
 // Finds unknowns in which the torques are not linear, or loads the model if there are none.
 NonlinearFit fit_of_unknowns(IdentifyArguments& arguments, LoadedRobot robot, Logs& logs, Progress& progress) {
-  const NonlinearOptions options{arguments.gravity_direction, arguments.delay, arguments.further.law,
-                                 arguments.further.offsets, arguments.further.springs};
+  const NonlinearOptions options{arguments.gravity_direction, arguments.delay,           arguments.further.law,
+                                 arguments.further.offsets,   arguments.further.springs, arguments.further.temperature};
   if (!options.any()) {
     auto model = std::make_unique<TorqueModel>(robot, arguments.identification.set, progress);
     return {std::move(robot), std::move(model), arguments.further};
@@ -321,10 +333,39 @@ NonlinearFit fit_of_unknowns(IdentifyArguments& arguments, LoadedRobot robot, Lo
   return fit;
 }
 
+void tell_of_creep(const TorqueModel& model, const std::vector<double>& before, const std::vector<double>& speeds,
+                   const IdentifyArguments& arguments) {
+  std::vector<std::string> names;
+  for (int i = model.first_joint(); i < model.equations(); ++i) {
+    const double speed = speeds[static_cast<std::size_t>(i - model.first_joint())];
+    if (speed > before[static_cast<std::size_t>(i)]) names.push_back(fmt::format("{} {:.2g}", model.name_of(i), speed));
+  }
+  Diagnostics said;
+  said.note({arguments.source()},
+            fmt::format("rows of slow joints fit worse than others, as joints creep, stick and slip there: those below "
+                        "these speeds are left out (rad/s, m/s): {}",
+                        fmt::join(names, ", ")),
+            "--rest-speed decides otherwise");
+  arguments.report(said);
+}
+
+// Reads the logs again without rows in which joints creep, where these fit worse than others.
+Measurement with_better_rest_speeds(const TorqueEquations& equations, Measurement measurement,
+                                    const IdentifyArguments& arguments, Logs& logs) {
+  if (has_speed(arguments.further.law)) return measurement;
+  const Eigen::VectorXd values = estimate_of(equations, measurement, arguments.identification.estimate).values;
+  std::vector<double> speeds = better_rest_speeds(equations, measurement, values);
+  if (speeds.empty()) return measurement;
+  tell_of_creep(equations.model(), measurement.rest_speeds(), speeds, arguments);
+  logs.set_rest_speeds(std::move(speeds));
+  return logs.measured(equations);
+}
+
 ExitCode identify(IdentifyArguments arguments) {
   arguments.further.law = kFrictionLaws.at(arguments.friction);
   check_identify_usage(arguments);
   StreamOptions stream = arguments.stream;
+  stream.temperatures = arguments.further.temperature.has_value();
   if (!arguments.part.empty()) read_part(arguments.part, stream);
   LoadedRobot robot = load_robot(arguments.robot, arguments.options());
   if (!arguments.further.springs) {
@@ -349,6 +390,9 @@ ExitCode identify(IdentifyArguments arguments) {
     fmt::print("wrote {}: part {} of {}, {} samples\n", arguments.output, stream.part, stream.parts,
                measurement.count.used);
     return ExitCode::ok;
+  }
+  if (!logs.has_rest_speeds() && arguments.parts.empty()) {
+    measurement = with_better_rest_speeds(equations, std::move(measurement), arguments, logs);
   }
   if (arguments.robust) measurement = logs.with_robust_weights(equations, std::move(measurement));
   if (arguments.estimator == "iv") {
@@ -381,9 +425,15 @@ void add_estimation_options(CLI::App& command, IdentifyArguments& arguments) {
       .add_option(
           "--friction", arguments.friction,
           "the law: F_v qd + F_s sgn qd (coulomb); with other Coulomb friction backwards (asymmetric); with more "
-          "friction near rest (stribeck); or F_v qd + F_s tanh(qd/v) (smooth)")
-      ->check(CLI::IsMember({"coulomb", "asymmetric", "stribeck", "smooth"}))
+          "friction near rest (stribeck); F_v qd + F_s tanh(qd/v) (smooth); or with c |tau_l| sgn qd, where tau_l is "
+          "the torque that the drive carries (load)")
+      ->check(CLI::IsMember({"coulomb", "asymmetric", "stribeck", "smooth", "load"}))
       ->capture_default_str();
+  command
+      .add_option("--temperature", arguments.further.temperature,
+                  "also how F_v and F_s change with the temperatures of the joints, columns temperature1...; the F_v "
+                  "and F_s that are written are those at this temperature, in degrees Celsius")
+      ->type_name("DEGREES");
   command.add_flag("--offsets", arguments.further.offsets, "also a constant offset of each joint's torques");
   command.add_flag("--springs", arguments.further.springs,
                    "also the stiffness k of each joint's spring, and k q_0, which says where it is relaxed");

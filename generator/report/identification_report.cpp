@@ -9,6 +9,7 @@
 
 #include "laboratory/identify/gravity_search.hpp"
 #include "report/combination_table.hpp"
+#include "report/estimate_text.hpp"
 #include "report/fields.hpp"
 #include "report/numbers.hpp"
 
@@ -16,20 +17,6 @@ namespace flatdyn {
 namespace {
 
 constexpr double kRepeated = 1.05;  // times that a motion is logged: more than once
-
-// The parameters that make up nearly all of a unit direction, largest first.
-std::string main_parameters(const TorqueEquations& equations, const Eigen::VectorXd& components) {
-  constexpr double kShown = 0.2;
-  std::vector<int> indices;
-  for (Eigen::Index k = 0; k < components.size(); ++k) {
-    if (std::abs(components(k)) > kShown) indices.push_back(static_cast<int>(k));
-  }
-  std::stable_sort(indices.begin(), indices.end(),
-                   [&](int a, int b) { return std::abs(components(a)) > std::abs(components(b)); });
-  std::string names;
-  for (const int k : indices) names += " " + equations.names()[static_cast<std::size_t>(k)];
-  return names;
-}
 
 std::string filter_text(const SampleFilter& filter) {
   if (filter.band == 0) return "no filter";
@@ -72,14 +59,19 @@ std::optional<LargestCompensation> largest_compensation(const Estimate& estimate
   return result;
 }
 
-std::string compensation_text(const TorqueEquations& equations, const Estimate& estimate, bool compensates) {
+std::string compensation_text(const TorqueEquations& equations, const Estimate& estimate) {
   const std::optional<LargestCompensation> largest = largest_compensation(estimate);
   if (!largest || largest->deviations == 0) return "";
   const std::string most = fmt::format("{:.2g} standard deviations at most ({})", largest->deviations,
                                        equations.names()[static_cast<std::size_t>(largest->parameter)]);
-  return compensates
-             ? fmt::format("Noise of positions is compensated; without that, parameters would differ by {}.\n", most)
-             : fmt::format("Noise of positions is not compensated; that would change parameters by {}.\n", most);
+  if (estimate.is_compensated) {
+    return fmt::format("Noise of positions is compensated; without that, parameters would differ by {}.\n", most);
+  }
+  const std::string reason =
+      estimate.growth > 1
+          ? fmt::format(", and make residuals up to {:.2g} times as large, so that it is no noise", estimate.growth)
+          : "";
+  return fmt::format("Noise of positions is not compensated; that would change parameters by {}{}.\n", most, reason);
 }
 
 // The sentence on motions that are logged more than once: what the model lacks repeats with them.
@@ -105,9 +97,10 @@ struct EquationFit {
   double share;                      // rows by all samples that are used
   double rest_speed = 0, sigma = 0;  // rad/s or m/s, N m or N: of the logs that the parameters come from
 
-  double explained() const {
+  // Null without rows.
+  nlohmann::ordered_json percent_explained() const {
     const double part = torque > 0 ? residual / torque : 0;
-    return 1 - part * part;
+    return rows > 0 ? nlohmann::ordered_json(100 * (1 - part * part)) : nlohmann::ordered_json();
   }
 };
 
@@ -139,7 +132,7 @@ ReportFields<EquationFit> equation_fields(bool is_validation) {
   return {{is_validation ? "validation" : "joint", "name", &EquationFit::name},
           {"torque (rms)", "rms_torque", &EquationFit::torque, "{:.4g}"},
           {"residual (rms)", "rms_residual", &EquationFit::residual, "{:.3g}"},
-          {"explained", "", [](auto& each) { return 100 * each.explained(); }, "{:.4g} %"},
+          {"explained", "", &EquationFit::percent_explained, "{:.4g} %"},
           {"noise ratio", "noise_ratio", [](auto& each) { return each.fit.ratio; }, "{:.3g}"},
           {"correlation", "residual_correlation", [](auto& each) { return each.fit.correlation; }, "{:.2f}"},
           {is_validation ? "of the links" : "residual of the links", "rms_residual_of_links",
@@ -157,11 +150,25 @@ std::string equation_table(const TorqueModel& model, const Measurement& measurem
   return table_of(equation_fields(is_validation), fits);
 }
 
+// Ripple that does no harm.
+std::string ripple_text(const TorqueModel& model, const Identification& found) {
+  std::string text;
+  for (const auto& [equation, line] : found.fast_ripples) {
+    text += fmt::format(
+        "{} {}: {:.2g} of it are a sine of {:.3g} {} that repeats {:.4g} times in a {}\n",
+        text.empty() ? "Ripple that is faster than the band, and does no harm, by what the filter takes away:\n " : " ",
+        model.name_of(equation), line.share, line.amplitude, model.unit_of(equation), line.rate,
+        model.mechanism().joint(equation).prismatic ? "metre" : "turn");
+  }
+  return text;
+}
+
 std::string fit_text(const TorqueModel& model, const Identification& found) {
   return equation_table(model, found.measurement, fits_of_estimate(model, found), false) +
          "noise ratio: residual to what the noise above the filter's band leaves; correlation: of residuals one row "
          "apart.\nSound: a ratio below 1.5, or below 4 with a correlation below 0.5. Rests below: rad/s or m/s. Used: "
-         "share of rows.\n";
+         "share of rows.\n" +
+         ripple_text(model, found);
 }
 
 // The meaning of a parameter behind π_b.
@@ -169,6 +176,9 @@ std::string meaning_of(const TorqueEquations& equations, const std::string& name
   const char* const of_law = equations.further().law == FrictionLaw::asymmetric
                                  ? "half of what Coulomb friction forwards has more than backwards"
                                  : "what friction near rest has more than F_s";
+  if (name.starts_with("FvT")) return "change of F_v per kelvin";
+  if (name.starts_with("FsT")) return "change of F_s per kelvin";
+  if (name.front() == 'c') return "friction of a load, as a share of it";
   if (name.starts_with("kq")) return "stiffness of the joint's spring times the position where it is relaxed";
   if (name.front() == 'k') return "stiffness of the joint's spring";
   return name.front() == 'o' ? "added to all torques of the joint" : of_law;
@@ -189,6 +199,11 @@ std::string speeds_text(const TorqueEquations& equations, const NonlinearUnknown
     }
   }
   return text + "\n";
+}
+
+std::string temperature_text(const FurtherParameters& further) {
+  return further.temperature ? fmt::format("F_v and F_s are those at {:.6g} degrees Celsius\n", *further.temperature)
+                             : "";
 }
 
 Eigen::Vector3d deviations_of(const FoundGravity& gravity) { return gravity.covariance.diagonal().cwiseSqrt(); }
@@ -235,44 +250,7 @@ std::string parameter_table(const TorqueEquations& equations, const Identificati
   const Combinations combinations(model.mechanism(), model.base(), frames);
   return combination_table(heading, rows, combinations) + note_on_frames(model.mechanism(), frames) +
          note_on_names(model.mechanism(), frames) + speeds_text(equations, found.unknowns) +
-         gravity_text(found.unknowns);
-}
-
-std::string untold_text(const TorqueEquations& equations, const Estimate& estimate, bool lacks_base_force) {
-  std::string text;
-  if (lacks_base_force) {
-    text +=
-        "\nno log has the force on the base, base_fx to base_nz: the base's own ten parameters keep the robot file's\n"
-        "values\n";
-  }
-  if (!estimate.damped.empty()) {
-    text +=
-        "\ndirections that this motion does not tell; along them nothing leaves the robot file's values (damped least\n"
-        "squares), but their parameters may lie in others, too. Relative singular value and parameters of each:\n";
-  }
-  for (const auto& [singular_value, components] : estimate.damped) {
-    text += fmt::format("  {:8.1e} {}\n", singular_value, main_parameters(equations, components));
-  }
-  if (!estimate.hidden.empty()) {
-    text +=
-        "\ndirections that noise hides: it could make more of them than the robot file has of anything; along them\n"
-        "values stay near the file's. Standard deviation without that, and parameters of each:\n";
-  }
-  for (const auto& [deviation, components] : estimate.hidden) {
-    text += fmt::format("  {:8.1e} {}\n", deviation, main_parameters(equations, components));
-  }
-  return text;
-}
-
-std::string conditioning_text(const Estimate& estimate) {
-  constexpr Eigen::Index kInALine = 10;
-  std::string text = fmt::format("\ncondition number {:.4g}; weights {} after {} iterations\n", estimate.condition(),
-                                 estimate.converged ? "stable" : "not stable", estimate.iterations);
-  text += "singular values (rows weighted, columns scaled to unit norm):";
-  for (Eigen::Index k = 0; k < estimate.singular_values.size(); ++k) {
-    text += fmt::format("{}{:.3g}", k % kInALine == 0 ? "\n  " : " ", estimate.singular_values(k));
-  }
-  return text + "\n";
+         temperature_text(equations.further()) + gravity_text(found.unknowns);
 }
 
 std::string physical_text(const PhysicalParameters& physical) {
@@ -311,12 +289,20 @@ double validation_ratio(const Identification& found, std::size_t i) {
 }
 
 // The equation whose residuals grow most on other logs, and by how much; those of which nothing can be said, and
-// whether the log that the parameters come from lacks them.
+// whether the log that the parameters come from lacks them. Residuals that are a small part of the torque do not count.
 struct ValidationVerdict {
+  static constexpr double kMuch = 1.5;  // times
   double worst = 0;
+  bool has_small = false;  // whether some residuals grow by more, but are a small part of the torque
   std::size_t equation = 0;
   std::vector<std::string> not_judged;
 };
+
+constexpr double kSmallPart = 0.02;  // of a joint's torque (rms)
+
+bool is_small_part(const JointObservations& joint, const Eigen::VectorXd& values) {
+  return joint.rms_residual(values) < kSmallPart * joint.rms_torque();
+}
 
 ValidationVerdict verdict_of(const TorqueModel& model, const Identification& found) {
   ValidationVerdict verdict;
@@ -325,6 +311,9 @@ ValidationVerdict verdict_of(const TorqueModel& model, const Identification& fou
         found.validation->observations.joints[i].rows > 0 && found.measurement.observations.joints[i].rows > 0;
     if (is_in_both) {
       const double ratio = validation_ratio(found, i);
+      const bool is_small = is_small_part(found.validation->observations.joints[i], found.estimate.values);
+      verdict.has_small |= is_small && ratio >= ValidationVerdict::kMuch;
+      if (is_small && ratio >= ValidationVerdict::kMuch) continue;
       if (ratio > verdict.worst) std::tie(verdict.worst, verdict.equation) = std::pair(ratio, i);
     } else if (static_cast<int>(i) >= first_equation(model, found.validation->observations)) {
       verdict.not_judged.push_back(model.name_of(static_cast<int>(i)));
@@ -334,17 +323,21 @@ ValidationVerdict verdict_of(const TorqueModel& model, const Identification& fou
 }
 
 std::string verdict_text(const TorqueModel& model, const Identification& found) {
-  constexpr double kMuch = 1.5;
   const ValidationVerdict verdict = verdict_of(model, found);
   const auto equation = static_cast<int>(verdict.equation);
   std::string text;
-  if (found.is_starved() || !(verdict.worst > 0)) {
+  if (found.is_starved() || (!(verdict.worst > 0) && !verdict.has_small)) {
     text = "Nothing can be said of whether the parameters hold for this motion: there are too few equations.\n";
+  } else if (!(verdict.worst > 0)) {
+    text = fmt::format("The parameters hold for other motions: residuals are at most {:.2g} % of the torque.\n",
+                       100 * kSmallPart);
   } else {
-    text = fmt::format("{} {:.2g} times those of the log that the parameters come from ({}{}).\n",
-                       verdict.worst < kMuch ? "The parameters hold for other motions: residuals are at most"
-                                             : "The parameters do not hold for this motion: residuals are up to",
-                       verdict.worst, equation < model.first_joint() ? "" : "joint ", model.name_of(equation));
+    text = fmt::format("{} {:.2g} times those of the log that the parameters come from ({}{}){}.\n",
+                       verdict.worst < ValidationVerdict::kMuch
+                           ? "The parameters hold for other motions: residuals are at most"
+                           : "The parameters do not hold for this motion: residuals are up to",
+                       verdict.worst, equation < model.first_joint() ? "" : "joint ", model.name_of(equation),
+                       verdict.has_small ? fmt::format(", or {:.2g} % of the torque", 100 * kSmallPart) : "");
   }
   if (!verdict.not_judged.empty()) {
     text +=
@@ -368,8 +361,8 @@ std::string describe_identification(const TorqueEquations& equations, const Iden
   const TorqueModel& model = equations.model();
   const Estimate& estimate = found.estimate;
   return data_text(found.measurement, found.unknowns) + "\n" + fit_text(model, found) +
-         repetition_text(found.measurement, estimate) + compensation_text(equations, estimate, found.is_compensated) +
-         "\n" + parameter_table(equations, found, frames) + conditioning_text(estimate) +
+         repetition_text(found.measurement, estimate) + compensation_text(equations, estimate) + "\n" +
+         parameter_table(equations, found, frames) + conditioning_text(estimate) +
          untold_text(equations, estimate, first_equation(model, found.measurement.observations) > 0) +
          physical_text(found.physical) + further_of_links_text(equations, found) + validation_text(model, found);
 }
@@ -410,6 +403,8 @@ void add_parameters(const TorqueEquations& equations, const Identification& foun
   const NonlinearUnknowns& unknowns = found.unknowns;
   json["friction_speeds"] = of_joints(model, equations.further().speeds);
   json["friction_speed_deviations"] = of_joints(model, unknowns.speed_deviations);
+  json["temperature"] = equations.further().temperature ? nlohmann::ordered_json(*equations.further().temperature)
+                                                        : nlohmann::ordered_json();
   json["delay"] = unknowns.delay;
   json["delay_deviation"] = unknowns.delay_deviation;
   if (!unknowns.gravity) return;
@@ -440,9 +435,16 @@ nlohmann::ordered_json identification_json(const TorqueEquations& equations, con
   json["joints"] = objects_of(equation_fields(false), fits_of_estimate(model, found));
   add_parameters(equations, found, frames, json);
   if (const std::optional<LargestCompensation> largest = largest_compensation(estimate)) {
-    json["compensation"] = {{"used", found.is_compensated},
+    json["compensation"] = {{"used", estimate.is_compensated},
                             {"parameter", equations.names()[static_cast<std::size_t>(largest->parameter)]},
                             {"standard_deviations", largest->deviations}};
+  }
+  json["fast_ripple"] = nlohmann::ordered_json::array();
+  for (const auto& [equation, line] : found.fast_ripples) {
+    json["fast_ripple"].push_back({{"joint", model.name_of(equation)},
+                                   {"amplitude", line.amplitude},
+                                   {"periods", line.rate},
+                                   {"share", line.share}});
   }
   json["motions"] = nlohmann::ordered_json::array();
   for (const RepeatedMotion& motion : estimate.motions) {

@@ -142,8 +142,9 @@ void warn_of_fit(const TorqueModel& model, const Identification& found, std::vec
                       ? ""
                       : "; the model may lack friction or rotors (--parameters full), another law of friction "
                         "(--friction), ripple or flexibility; the torques may have noise or vibration that is slower "
-                        "than the band, which intervals take account of; or columns, units or times of the log are "
-                        "not what they say",
+                        "than the band, which intervals take account of; the log may have been filtered before, which "
+                        "takes the noise away that residuals are compared with; or columns, units or times of the log "
+                        "are not what they say",
                   found.hypothesis ? "" : imu_question(found.measurement.logs)));
 }
 
@@ -259,29 +260,39 @@ void warn_of_search(const PhysicalParameters& physical, std::vector<std::string>
                   physical.largest_misfit));
 }
 
-// Reports links that are far from the estimate, and joints of whose torque they leave more than π_b does.
-void warn_of_links(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
-  constexpr double kLarger = 1.5, kRounding = 1e-6;  // factor on the residual; share of the largest torque
-  const PhysicalParameters& physical = found.physical;
-  // Links have the friction that a joint can have, where the log does not determine it.
-  const std::vector<bool>& told = found.unknowns.friction_told;
-  if (std::find(told.begin(), told.end(), false) != told.end()) return;
-  warn_of_misfit(model, physical, warning_texts);
+// Reports joints whose residuals with the links are so many times those with π_b, and this share of the torque.
+void warn_of_links_residuals(const TorqueModel& model, const Identification& found, double times, double share,
+                             std::vector<std::string>& warning_texts) {
+  constexpr double kRounding = 1e-6;  // share of the largest torque
   const double negligible = kRounding * largest_rms_torque(found);
   for (std::size_t i = 0; i < found.fits.size(); ++i) {
     const JointObservations& joint = found.measurement.observations.joints[i];
     if (joint.rows == 0) continue;
     const double residual = joint.rms_residual(found.estimate.values),
                  of_links = joint.rms_residual(found.physical_values());
-    if (of_links < std::max(kLarger * residual, negligible)) continue;
+    if (of_links < std::max({times * residual, share * joint.rms_torque(), negligible})) continue;
     const auto equation = static_cast<int>(i);
     warning_texts.push_back(fmt::format("{}: the links leave {:.3g} {} (rms), where pi_b leaves {:.3g}",
                                         model.subject_of(equation), of_links, model.unit_of(equation), residual));
   }
 }
 
+// Reports links that are far from the estimate. Those of a robot cannot be near parameters that are not those of one
+// (`is_doubtful`), and then only count where they are clearly worse.
+void warn_of_links(const TorqueModel& model, const Identification& found, bool is_doubtful,
+                   std::vector<std::string>& warning_texts) {
+  constexpr double kLarger = 1.5, kMuchLarger = 3, kShare = 0.1;
+  // Links have the friction that a joint can have, where the log does not determine it.
+  const std::vector<bool>& told = found.unknowns.friction_told;
+  if (std::find(told.begin(), told.end(), false) != told.end()) return;
+  if (!is_doubtful) warn_of_misfit(model, found.physical, warning_texts);
+  warn_of_links_residuals(model, found, is_doubtful ? kMuchLarger : kLarger, is_doubtful ? kShare : 0, warning_texts);
+}
+
 // Names what a joint's residuals repeat with, where they are more than noise.
 void warn_of_lines(const TorqueModel& model, const Identification& found, std::vector<std::string>& warning_texts) {
+  constexpr double kMost = 0.5;  // explained by another reason, which makes lines, too
+  if (found.hypothesis && found.hypothesis->explained > kMost) return;
   const Observations& observations = found.measurement.observations;
   const Eigen::MatrixXd left = residuals(observations, found.estimate.values);
   std::vector<double> bands;
@@ -329,7 +340,9 @@ void warn_of_warmth(const TorqueModel& model, const Identification& found, std::
         "{}: its friction {} by {:.2g} % from the first half of each log to the second ({:+.2g} of F_v, {:+.2g} of "
         "F_s){}",
         model.subject_of(i), change->share < 0 ? "falls" : "grows", 100 * std::abs(change->share), change->viscous,
-        change->coulomb, change->share < 0 ? "; it warms up: let it move before the log begins" : ""));
+        change->coulomb,
+        change->share < 0 ? "; it warms up: let it move before the log begins, or log temperatures (--temperature)"
+                          : ""));
   }
 }
 
@@ -337,10 +350,11 @@ void warn_of_warmth(const TorqueModel& model, const Identification& found, std::
 
 std::vector<std::string> plausibility_warnings(const TorqueModel& model, const Identification& found) {
   if (found.is_starved()) {
-    return {
-        fmt::format("{} equations for {} parameters are too few: parameters and intervals hardly mean anything, and "
-                    "nothing is said about whether the model fits; log a longer motion, without gaps",
-                    found.equations(), found.estimate.values.size())};
+    return {fmt::format(
+        "{} equations for {} parameters are too few: parameters and intervals hardly mean anything, and "
+        "nothing is said about whether the model fits; log a longer motion, without gaps; where rows are left "
+        "out, a wider --band or a lower --rest-speed keeps more of them",
+        found.equations(), found.estimate.values.size())};
   }
   std::vector<std::string> warning_texts = base_warnings(model.mechanism(), found.measurement.observations);
   warn_of_fit(model, found, warning_texts);
@@ -353,8 +367,7 @@ std::vector<std::string> plausibility_warnings(const TorqueModel& model, const I
   warn_of_scale(model, found.estimate, warning_texts);
   warn_of_sizes(model, found.estimate, warning_texts);
   warn_of_search(found.physical, warning_texts);
-  // Links cannot be near parameters that are those of no robot.
-  if (warning_texts.size() <= (is_gross(found) ? 0 : count_of_fit)) warn_of_links(model, found, warning_texts);
+  warn_of_links(model, found, warning_texts.size() > (is_gross(found) ? 0 : count_of_fit), warning_texts);
   warn_of_coarse_steps(model, found, warning_texts);
   warn_of_noise_in_q(model, found.estimate, warning_texts);
   return warning_texts;
@@ -378,7 +391,7 @@ std::vector<std::string> search_warnings(const NonlinearUnknowns& unknowns, cons
   }
   if (unknowns.converged) return warning_texts;
   warning_texts.emplace_back(
-      "the search for gravity's direction, the delay or the speeds of friction did not come to rest: the parameters "
+      "the search for gravity's direction, the delay or friction did not come to rest: the parameters "
       "may be off by more than their intervals say");
   return warning_texts;
 }

@@ -88,7 +88,8 @@ TEST(Identify, RefusesOptionsWithoutAnEffect) {
                     identify = "identify robots/planar_2r_example_7_2.toml --data " + log;
   for (const auto& [options, message] :
        {std::pair<std::string, const char*>{" --validate " + log, "that log is one of --data, too"},
-        {" --parameters inertial --friction stribeck", "--friction has no effect with --parameters inertial"},
+        {" --parameters inertial --friction stribeck",
+         "--friction and --temperature have no effect with --parameters inertial"},
         {" --gravity off --gravity-direction", "the robot is without gravity"},
         {" --springs --offsets", "--springs cannot be told apart from --offsets"},
         {" --friction asymmetric --offsets", "--friction asymmetric and --offsets cannot be told apart"},

@@ -57,7 +57,7 @@ Samples read_table(const std::string& file) {
 Samples read_log(const std::string& file) {
   Diagnostics found;
   Samples rows;
-  LogReader reader(file, arm(), false, found);
+  LogReader reader(file, arm(), {.torques = false}, found);
   require_messages(found);
   if (found.has_errors()) return rows;
   std::vector<double> channels(static_cast<std::size_t>(reader.layout().channels()));

@@ -46,6 +46,8 @@ struct Solution {
   std::vector<HiddenDirection> hidden;
   std::vector<NoisyDirection> noisy;  // all directions of the information, by ascending share
   Eigen::VectorXd compensation;       // what is taken off the values for noise of positions, or would be
+  bool is_compensated = false;        // whether it is taken off
+  double growth = 1;                  // the most by which it makes the residual (rms) of a joint grow, times
   std::vector<RepeatedMotion> motions;
   Eigen::MatrixXd open;  // directions of which the data are mostly noise of positions: one column each
 };

@@ -75,6 +75,7 @@ EquationFilter::EquationFilter(const StreamPlan& plan, const EquationModel& mode
       anchors_(n_),
       entries_(model.entries()),
       right_(model.equations()),
+      fast_(model.equations()),
       rates_(model.equations()),
       motion_(motions()),
       speeds_(n_),
@@ -104,7 +105,7 @@ void EquationFilter::sample(const RawSample& sample) {
   GridMotion motion;
   motion.index = middle;
   motion.time = raw_.sample(motion_half_)[LogLayout::time()];
-  motion_filter_.filter(raw_, motion.q, motion.qd, motion.qdd, motion.h_e);
+  motion_filter_.filter(raw_, motion);
   motion.rests.assign(static_cast<std::size_t>(n_), 0);
   motion.stands.assign(static_cast<std::size_t>(n_), 0);
   pending_.push_back(std::move(motion));
@@ -162,9 +163,14 @@ void EquationFilter::push_row(GridMotion motion) {
   for (int j = 0; j < n_ && plan_.filter.band > 0; ++j) {
     if (motion.stands[static_cast<std::size_t>(j)] != 0) motion.qd[j] = motion.qdd[j] = 0;
   }
-  const MeasuredMotion measured{motion.time, motion.q.data(), motion.qd.data(), motion.qdd.data(),
-                                layout_.has_tip_force ? motion.h_e.data() : nullptr};
+  const MeasuredMotion measured{motion.time,
+                                motion.q.data(),
+                                motion.qd.data(),
+                                motion.qdd.data(),
+                                layout_.has_tip_force ? motion.h_e.data() : nullptr,
+                                layout_.has_temperatures ? motion.temperatures.data() : nullptr};
   model_.evaluate(measured, entries_.data(), right_.data());
+  motion.factors = friction_of(entries_);
   auto row = rows_.push();
   row.head(known()) = entries_.transpose();
   row.segment(known(), model_.equations()) = right_.transpose();
@@ -222,8 +228,18 @@ void EquationFilter::push_sample(const GridMotion& from, const GridMotion& to, i
   }
   for (std::size_t k = 0; k < model_.friction().size(); ++k) {
     const FrictionEntry& each = model_.friction()[k];
-    sample[friction_at() + static_cast<int>(k)] = each.value(speeds_[each.joint]);
+    const auto at = static_cast<Eigen::Index>(k);
+    const double factor = from.factors[at] + share * (to.factors[at] - from.factors[at]);
+    sample[friction_at() + static_cast<int>(k)] = factor * each.value(speeds_[each.joint]);
   }
+}
+
+VectorXd EquationFilter::friction_of(const VectorXd& entries) const {
+  VectorXd result(static_cast<Eigen::Index>(model_.friction().size()));
+  for (Eigen::Index k = 0; k < result.size(); ++k) {
+    result[k] = entries[model_.friction()[static_cast<std::size_t>(k)].entry];
+  }
+  return result;
 }
 
 void EquationFilter::pass_on(long index) {
@@ -233,6 +249,8 @@ void EquationFilter::pass_on(long index) {
   entries_.noalias() = rows_.block(rows_back, rows, 0, model_.entries()).transpose() * row_weights_;
   right_.noalias() =
       samples_window_.block(samples_back, samples, measured_at(), model_.equations()).transpose() * measured_weights_;
+  const auto middle = samples_window_.sample(row_half_ * stride_);
+  fast_ = middle.segment(measured_at(), model_.equations()).transpose() - right_;
   right_.noalias() -= rows_.block(rows_back, rows, known(), model_.equations()).transpose() * row_weights_;
   const auto laws = static_cast<int>(model_.friction().size());
   const VectorXd friction =
@@ -251,7 +269,6 @@ void EquationFilter::pass_on(long index) {
     entries_[model_.rate_entries()[i]] = -rates_[static_cast<Eigen::Index>(i)];
   }
   FilteredEquations equations;
-  const auto middle = samples_window_.sample(row_half_ * stride_);
   equations.motion = {middle[time_at()], motion_.data(), motion_.data() + layout_.positions,
                       motion_.data() + layout_.positions + n_, nullptr};
   equations.positions = static_cast<std::size_t>(layout_.positions);
@@ -261,6 +278,7 @@ void EquationFilter::pass_on(long index) {
   equations.entries = entries_.data();
   equations.right = right_.data();
   equations.measured_rates = rates_.data();
+  if (plan_.filter.band > 0 && plan_.delay == 0) equations.fast = fast_.data();
   equations.used = used_.data();
   if (model_.has_instruments()) {
     set_instruments(rows_back, middle[time_at()]);
@@ -269,19 +287,23 @@ void EquationFilter::pass_on(long index) {
   sink_(equations);
 }
 
-// Friction jumps, and is filtered as that of Y is, with the speed that the slow motion has about this instant.
+// Friction jumps, and is filtered as that of Y is, with the speed that the slow motion has about this instant. Drives
+// warm up slowly, so that the newest temperatures serve.
 void EquationFilter::set_instruments(int rows_back, double time) {
   const auto rows = static_cast<int>(slow_weights_.size());
   const int middle = rows / 2;
   slow_motion_.noalias() = rows_.block(rows_back, rows, motion_at(), motions()).transpose() * slow_weights_;
   const double *qd = slow_motion_.data() + layout_.positions, *qdd = qd + n_;
-  model_.evaluate({time, slow_motion_.data(), qd, qdd, nullptr}, instruments_.data(), known_of_slow_.data());
+  const double* temperatures = layout_.has_temperatures ? before_->temperatures.data() : nullptr;
+  model_.evaluate({time, slow_motion_.data(), qd, qdd, nullptr, temperatures}, instruments_.data(),
+                  known_of_slow_.data());
   const double step = plan_.filter.dt * stride_;
   for (const FrictionEntry& each : model_.friction()) {
-    double& entry = instruments_[each.entry] = 0;
+    double value = 0;
     for (int k = 0; k < rows; ++k) {
-      entry += row_weights_[k] * each.value(qd[each.joint] + qdd[each.joint] * step * (k - middle));
+      value += row_weights_[k] * each.value(qd[each.joint] + qdd[each.joint] * step * (k - middle));
     }
+    instruments_[each.entry] *= value;
   }
 }
 

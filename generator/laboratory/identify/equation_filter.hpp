@@ -24,7 +24,9 @@ struct FilteredEquations {
   const double* entries = nullptr;  // of Y, filtered
   const double* right = nullptr;    // what is measured less what is known, filtered
   const double* measured_rates = nullptr;  // of what is measured, by time; zeros without a filter
-  const std::uint8_t* used = nullptr;      // by equation
+  // The part of what is measured that is faster than the band; null without a filter or with a delay.
+  const double* fast = nullptr;
+  const std::uint8_t* used = nullptr;  // by equation
   // The entries of Y along the same motion, smoothed by a Gaussian whose standard deviation is 1 / band: almost none of
   // the noise in q is left. Null unless the equations want them.
   const double* instruments = nullptr;
@@ -39,11 +41,11 @@ class EquationFilter : public SampleReceiver {
   void sample(const RawSample& sample) override;
 
  private:
-  // q, q̇, q̈ at a stride, which joints rest, and which have done so for long.
-  struct GridMotion {
+  // The motion at a stride, which joints rest, and which have done so for long.
+  struct GridMotion : SmoothedMotion {
     double time = 0;
     long index = 0;
-    Eigen::VectorXd q, qd, qdd, h_e;
+    Eigen::VectorXd factors{};  // by friction entry: what its value is multiplied by
     std::vector<std::uint8_t> rests, stands;
   };
 
@@ -51,6 +53,8 @@ class EquationFilter : public SampleReceiver {
   void mark_standing();
   void push_row(GridMotion motion);
   void push_sample(const GridMotion& from, const GridMotion& to, int part);
+  // The entries of Y that are friction.
+  Eigen::VectorXd friction_of(const Eigen::VectorXd& entries) const;
   bool sticks(int joint, int back, double speed) const;
   void pass_on(long index);
   void set_instruments(int rows_back, double time);
@@ -85,7 +89,7 @@ class EquationFilter : public SampleReceiver {
   Eigen::VectorXd anchors_;           // this position
   long samples_ = 0, motions_ = 0;    // since the restart
   long first_index_ = 0;              // RawSample::index of the first sample since the restart
-  Eigen::VectorXd entries_, right_, rates_, motion_, speeds_, slow_motion_, instruments_, known_of_slow_;
+  Eigen::VectorXd entries_, right_, fast_, rates_, motion_, speeds_, slow_motion_, instruments_, known_of_slow_;
   std::vector<std::uint8_t> used_;
 };
 

@@ -10,13 +10,14 @@
 namespace flatdyn {
 
 // A motion in SI units, valid during a call: q of all joints, q̇ and q̈ of the independent ones, after (0, ω) and (f, ω̇)
-// of a floating base (base_motion.hpp); h_e has 6 numbers, null if the log has none.
+// of a floating base (base_motion.hpp); h_e has 6 numbers, null if the log has none; temperatures in °C, one for each
+// entry of q̇ behind a floating base's, null if they are not used.
 struct MeasuredMotion {
   double time = 0;
-  const double *q = nullptr, *qd = nullptr, *qdd = nullptr, *h_e = nullptr;
+  const double *q = nullptr, *qd = nullptr, *qdd = nullptr, *h_e = nullptr, *temperatures = nullptr;
 };
 
-// An entry of Y that is a function of a joint's speed.
+// An entry of Y that is a function of a joint's speed, times one that changes slowly, such as the load of its drive.
 struct FrictionEntry {
   enum class Law : std::uint8_t {
     viscous,         // q̇, times F_v
@@ -59,7 +60,8 @@ class EquationModel {
     return static_cast<int>(count);
   }
 
-  // Writes the entries of Y, without friction() and rate_entries(), and what is known of each equation.
+  // Writes the entries of Y and what is known of each equation. Entries of friction() are what the caller multiplies by
+  // FrictionEntry::value, mostly 1; rate_entries() are left to the caller.
   virtual void evaluate(const MeasuredMotion& motion, double* entries, double* known) const = 0;
   // Whether the entries of Y along the slow motion, FilteredEquations::instruments, are wanted.
   bool has_instruments() const { return has_instruments_; }

@@ -59,7 +59,7 @@ double correlation_of_neighbours(const std::vector<EquationInstant>& instants, c
 
 // Where the torques of a joint look cut off. A signal passes through the upper and the lower part of its range: there
 // are about as many readings in one interval as in the next one. One that is cut off stays at the limit. Instants at
-// which the robot stands still do not count.
+// which the joint or the robot stands still do not count.
 std::optional<double> limit_of(const std::vector<EquationInstant>& instants, Index equation, double noise) {
   constexpr double kShare = 0.05;  // of the time, at least
   constexpr double kHalf = 5;      // half the width of an interval, in units of the noise
@@ -69,6 +69,7 @@ std::optional<double> limit_of(const std::vector<EquationInstant>& instants, Ind
     const bool moves = std::any_of(instant.qd.begin(), instant.qd.end(), [](double qd) { return std::abs(qd) > 1e-6; });
     const Index place = equation - instant.first;
     if (!moves || place < 0 || place >= static_cast<Index>(instant.right.size())) continue;
+    if (instant.used[static_cast<std::size_t>(place)] == 0) continue;
     torques.push_back(instant.right[static_cast<std::size_t>(place)]);
   }
   std::sort(torques.begin(), torques.end());

@@ -15,11 +15,12 @@ enum class FrictionLaw : std::uint8_t {
   asymmetric,  // and F_a |sgn q̇|: F_s + F_a forwards, F_s - F_a backwards
   stribeck,    // and F_b exp(-(q̇/v)²) sgn q̇: F_s + F_b near rest
   smooth,      // F_v q̇ + F_s tanh(q̇/v)
+  load,        // and c |τ_l| sgn q̇, where τ_l is the torque that the drive carries: τ without friction and rotors
 };
 
 // Whether the law has a speed v for each joint, in which it is not linear.
 constexpr bool has_speed(FrictionLaw law) { return law == FrictionLaw::stribeck || law == FrictionLaw::smooth; }
-// Whether the law has one more parameter for each joint than F_v and F_s, in which it is linear.
-constexpr bool has_more(FrictionLaw law) { return law == FrictionLaw::asymmetric || law == FrictionLaw::stribeck; }
+// Whether all parameters of the law are in π, so that the logs are read once.
+constexpr bool is_linear(FrictionLaw law) { return !has_speed(law) && law != FrictionLaw::load; }
 
 }  // namespace flatdyn

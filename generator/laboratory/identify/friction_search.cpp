@@ -52,7 +52,7 @@ std::vector<Dictionary> dictionaries_of(const TorqueEquations& equations) {
     const auto joint = static_cast<std::size_t>(j);
     Dictionary next{j, {}, equations.further().dictionary[joint]};
     for (const int column : equations.columns()[joint]) {
-      if (column >= equations.model().parameters() && column < behind) next.columns.push_back(column);
+      if (column >= equations.first_of_law() && column < behind) next.columns.push_back(column);
     }
     if (!next.columns.empty()) result.push_back(std::move(next));
   }

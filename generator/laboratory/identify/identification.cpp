@@ -58,13 +58,33 @@ Eigen::VectorXd Identification::physical_values() const {
   return values;
 }
 
+namespace {
+
+std::vector<FastRipple> fast_ripples_of(const TorqueModel& model, const Measurement& measurement) {
+  std::vector<double> bands, sampled;
+  for (const MeasuredLog& log : measurement.logs) {
+    bands.push_back(log.filter.band);
+    sampled.push_back(1 / log.filter.dt);
+  }
+  std::vector<FastRipple> found;
+  for (int i = model.first_joint(); i < model.equations(); ++i) {
+    const Body& body = model.mechanism().joint(i);
+    if (body.spherical != 0) continue;
+    const int position = model.mechanism().position_of(i);
+    const auto line = fast_ripple(measurement.observations, i, position, body.prismatic, bands, sampled);
+    if (line) found.push_back({i, *line});
+  }
+  return found;
+}
+
+}  // namespace
+
 Identification identification(const LoadedRobot& robot, const TorqueEquations& equations, Measurement measurement,
                               const IdentificationOptions& options, Progress& progress) {
   const TorqueModel& model = equations.model();
   Identification found;
   found.measurement = std::move(measurement);
   found.corrections = equations.corrections();
-  found.is_compensated = options.estimate.compensates;
   progress.step("estimating");
   found.estimate =
       options.other_estimate ? *options.other_estimate : estimate_of(equations, found.measurement, options.estimate);
@@ -81,6 +101,7 @@ Identification identification(const LoadedRobot& robot, const TorqueEquations& e
                                        without_offsets(found.estimate, model.parameters()));
   found.fits = fit_quality(found.measurement.observations, found.measurement.logs, found.estimate.values,
                            equations.acceleration_rows());
+  found.fast_ripples = fast_ripples_of(model, found.measurement);
   // Readings that were lost are a reason, and would be taken for others.
   if (found.measurement.count.lost > 0 || found.is_starved()) return found;
   progress.step("looking for a reason why the model may not fit");

@@ -7,6 +7,7 @@
 #include "laboratory/identify/fit_hypotheses.hpp"
 #include "laboratory/identify/nonlinear_search.hpp"
 #include "laboratory/identify/physical_parameters.hpp"
+#include "laboratory/identify/residual_lines.hpp"
 #include "laboratory/identify/torque_equations.hpp"
 
 namespace flatdyn {
@@ -19,6 +20,12 @@ struct IdentificationOptions {
 };
 
 // The results of one run.
+// Ripple of an equation's torques.
+struct FastRipple {
+  int equation = 0;
+  ResidualLine line{};
+};
+
 struct Identification {
   Measurement measurement;
   Estimate estimate;  // π_b, and then the offsets of the torques, where they are estimated
@@ -29,8 +36,8 @@ struct Identification {
   std::optional<Measurement> validation{};   // of other logs, which had no part in the estimate
   std::vector<JointFit> validation_fits{};   // by joint
   NonlinearUnknowns unknowns{};              // those that were searched
+  std::vector<FastRipple> fast_ripples{};    // that the filter takes away
   std::vector<std::string> warning_texts{};  // sentences on results that are hardly right
-  bool is_compensated = true;                // for noise of positions
   int corrections = 0;                       // the last values of the estimate: they have become small, and stay
 
   // The equations that the parameters come from, and whether they are so few that residuals tell nothing: a fit with

@@ -84,6 +84,19 @@ VectorXd shortest_solution(const MatrixXd& A, const VectorXd& b) {
   return svd.V * (inverse.asDiagonal() * (svd.U.transpose() * R.topRightCorner(cols, 1)));
 }
 
+// The largest size that parameters can have: that of the prior, or of one that the data tell. A file's masses may be
+// far too small.
+double plausible_size(const Solution& solution, const VectorXd& prior) {
+  constexpr double kClearly = 10;  // standard deviations
+  const VectorXd deviations = solution.spread.rowwise().norm();
+  double largest = prior.cwiseAbs().maxCoeff();
+  for (Index k = 0; k < deviations.size() && largest > 0; ++k) {
+    const double value = std::abs(solution.values[k]);
+    if (value > kClearly * deviations[k] && deviations[k] > 0) largest = std::max(largest, value);
+  }
+  return largest;
+}
+
 void require_enough(const Observations& observations) {
   long equations = 0;
   for (const JointObservations& joint : observations.joints) equations += joint.rows;
@@ -123,7 +136,7 @@ Estimate estimate(const Observations& observations, const VectorXd& prior, const
     deviations = updated;
   }
   set_noise(solution, observations, deviations, options);
-  const double plausible = prior.cwiseAbs().maxCoeff();
+  const double plausible = plausible_size(solution, prior);
   if (plausible > 0) damp_hidden_directions(solution, plausible);
   leave_open(solution, plausible);
   result.values = solution.values;
@@ -137,6 +150,8 @@ Estimate estimate(const Observations& observations, const VectorXd& prior, const
   result.damped = std::move(solution.damped);
   result.hidden = std::move(solution.hidden);
   result.noisy = std::move(solution.noisy);
+  result.is_compensated = solution.is_compensated;
+  result.growth = solution.growth;
   result.compensation = std::move(solution.compensation);
   result.motions = std::move(solution.motions);
   result.torque_deviations = deviations;

@@ -24,6 +24,8 @@ struct Estimate {
   std::vector<DampedDirection> damped;
   std::vector<HiddenDirection> hidden;
   std::vector<NoisyDirection> noisy;
+  bool is_compensated = false;          // for noise of positions
+  double growth = 1;                    // Solution::growth
   Eigen::VectorXd compensation;         // what is taken off for noise of positions, or would be; empty without account
   std::vector<RepeatedMotion> motions;  // of the logs; empty without instants
   Eigen::VectorXd torque_deviations;    // σ_i of the torque of joint i, from the residuals; the weights are 1/σ_i

@@ -14,7 +14,8 @@ class LayoutReader {
   LayoutReader(CsvHeading& columns, const Mechanism& mechanism, Place place, LogHeading& heading, Diagnostics& found)
       : columns_(columns), mechanism_(mechanism), place_(std::move(place)), heading_(heading), diagnostics_(found) {}
 
-  void read(bool torques) {
+  void read(const LogNeeds& needs) {
+    const bool torques = needs.torques;
     set_sizes(torques);
     LogLayout& layout = heading_.layout;
     const CsvEntries joints{layout.base};
@@ -35,6 +36,9 @@ class LayoutReader {
     const auto currents = std::count_if(tau.begin(), tau.end(), [](const CsvSource& each) { return each.is_current; });
     layout.has_currents = currents > 0 && currents == static_cast<std::ptrdiff_t>(tau.size());
     layout.has_mixed_currents = currents > 0 && !layout.has_currents;
+    std::vector<CsvSource> temperatures;
+    if (needs.temperatures) temperatures = columns_.require(CsvQuantity::temperature, "temperatures", joints);
+    layout.has_temperatures = needs.temperatures;
     const BaseColumns base = layout.base > 0 ? base_columns(torques) : BaseColumns{};
     columns_.finish();
     if (diagnostics_.has_errors()) return;
@@ -50,6 +54,7 @@ class LayoutReader {
     place(base.readings, layout.base_reading() + (is_pose ? LogLayout::kQuaternionInPose : 0));
     place(base.twist, layout.twist());
     place(base.twist_rates, layout.twist_rates());
+    place(temperatures, layout.temperatures());
     for (const auto& [column, text] : columns_.fixed_texts()) {
       heading_.columns[column].role = LogColumn::Role::fixed_text;
       heading_.columns[column].text = text;
@@ -168,7 +173,7 @@ std::vector<std::string> LogHeading::channel_names() const {
 }
 
 LogHeading read_heading(const std::string& line, const std::string& first_row, const Place& place,
-                        const Mechanism& mechanism, bool torques, double rate, Diagnostics& diagnostics) {
+                        const Mechanism& mechanism, const LogNeeds& needs, double rate, Diagnostics& diagnostics) {
   LogHeading heading;
   heading.rate = rate;
   heading.separator = separator_of(line);
@@ -178,7 +183,7 @@ LogHeading read_heading(const std::string& line, const std::string& first_row, c
   Diagnostics found;
   CsvHeading columns(names, std::move(entries), place, mechanism, found);
   for (std::size_t c = 0; c < names.size(); ++c) heading.columns.push_back({.name = columns.name(c)});
-  LayoutReader(columns, mechanism, place, heading, found).read(torques);
+  LayoutReader(columns, mechanism, place, heading, found).read(needs);
   for (const Diagnostic& each : found.all()) diagnostics.add(each);
   return heading;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "laboratory/identify/gravity_search.hpp"
@@ -150,7 +151,7 @@ class HypothesisTable {
     }
   }
 
-  // Friction and rotors that the model lacks, or friction that is larger near rest.
+  // Friction and rotors that the model lacks, or friction that is larger near rest or with a load.
   void friction() {
     std::vector<int> without, with;
     const std::vector<int>& columns = model_.base().columns;
@@ -167,7 +168,9 @@ class HypothesisTable {
       }
     };
     if (!without.empty()) add(lacking, "friction, perhaps rotors, look left out (--parameters full estimates them)");
-    if (!with.empty()) friction_near_rest(with);
+    if (with.empty()) return;
+    friction_near_rest(with);
+    friction_of_loads(with);
   }
 
   // Friction that is larger below a speed, a share of each joint's largest one, whose logarithm is unknown.
@@ -185,6 +188,31 @@ class HypothesisTable {
     add(changed_by(shares, near_rest), [](const HypothesisFit&) {
       return "friction looks larger near rest (--friction stribeck estimates by how much)";
     });
+  }
+
+  // Friction that grows with what a drive carries: the measured torque less the friction of the fit.
+  void friction_of_loads(const std::vector<int>& joints) {
+    const auto with_loads = [joints, &model = model_, pi = fit_of(sample_.rows()).pi](Instant& t) {
+      const std::vector<int>& columns = model.base().columns;
+      VectorXd carried = t.tau;
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        const auto column = static_cast<Index>(k);
+        const Parameter kind = parameter_of(columns[k]);
+        if (kind == Parameter::Fv || kind == Parameter::Fs) carried -= pi[column] * t.Y.col(column);
+      }
+      for (const int i : joints) {
+        add_columns(t, std::abs(carried[i]) * smeared_sign(t, i) * VectorXd::Unit(t.Y.rows(), i));
+      }
+    };
+    const auto count = static_cast<Index>(joints.size());
+    rows_.push_back({[hypothesis = changed(with_loads), count] {
+                       HypothesisFit fit = best_fit(hypothesis);
+                       if (fit.pi.tail(count).maxCoeff() <= 0) fit.cost = std::numeric_limits<double>::infinity();
+                       return fit;
+                     },
+                     [](const HypothesisFit&) {
+                       return "friction looks larger where drives carry more (--friction load estimates by how much)";
+                     }});
   }
 
   // Another motion of the joints: q, q̇, q̈ and friction changed alike.

@@ -21,7 +21,8 @@ enum class BaseMotion : std::uint8_t {
   gravity,  // twist, and gravity in base axes
 };
 
-// The channels of a sample: time, q, and, where the log has them, τ, q̇, q̈, the tip force and the motion of the base.
+// The channels of a sample: time, q, and, where the log has them, τ, q̇, q̈, the tip force, the motion of the base and
+// temperatures of the joints.
 // With closed loops, q has more entries than the others: q̇_i is the rate of q[position_of[i]]. A spherical joint has
 // four entries in q, a unit quaternion w, x, y, z, and three in the others. q̇ and q̈ have no channels of a floating
 // base, whose first six entries of τ are zeros where the log lacks them.
@@ -39,6 +40,7 @@ struct LogLayout {
   bool has_rates = false, has_accelerations = false, has_tip_force = false;
   BaseMotion base_motion = BaseMotion::none;
   bool has_base_force = false, has_twist = false, has_twist_rates = false;
+  bool has_temperatures = false;
   bool has_place = false;  // whether the log has the position of a pose; zeros stand for it where it has a twist
 
   static constexpr int kWrench = 6, kTwist = 6, kPose = 7, kQuaternionInPose = 3, kGravity = 3;
@@ -72,7 +74,9 @@ struct LogLayout {
   }
   int twist() const { return base_reading() + base_readings(); }
   int twist_rates() const { return twist() + (has_twist ? kTwist : 0); }
-  int channels() const { return twist_rates() + (has_twist_rates ? kTwist : 0); }
+  // One of each joint, °C.
+  int temperatures() const { return twist_rates() + (has_twist_rates ? kTwist : 0); }
+  int channels() const { return temperatures() + (has_temperatures ? joints : 0); }
   // The spherical joint that an entry of q̇ is of, by its place in `spherical`; none of other joints.
   std::optional<std::size_t> spherical_of(int rate) const {
     for (std::size_t k = 0; k < spherical.size(); ++k) {
@@ -129,10 +133,15 @@ struct LogHeading {
   std::vector<std::string> channel_names() const;
 };
 
+// A log must have these besides positions, and others are not read.
+struct LogNeeds {
+  bool torques = true, temperatures = false;
+};
+
 // Reads a heading such as "t, q1 [deg], q_elbow, tau1, …" (docs/csv.md); `first_row` is the line below it. Errors (a
-// column missing or twice, an unknown unit) go into `diagnostics`, and so do notes on columns that are not used. If
-// `torques` is false, torques may be missing and are not read. `rate`: LogHeading::rate.
+// column missing or twice, an unknown unit) go into `diagnostics`, and so do notes on columns that are not used.
+// `rate`: LogHeading::rate.
 LogHeading read_heading(const std::string& line, const std::string& first_row, const Place& place,
-                        const Mechanism& mechanism, bool torques, double rate, Diagnostics& diagnostics);
+                        const Mechanism& mechanism, const LogNeeds& needs, double rate, Diagnostics& diagnostics);
 
 }  // namespace flatdyn

@@ -40,7 +40,7 @@ const char* read_number(const char* at, const char* end, double& value) {
 
 }  // namespace
 
-LogReader::LogReader(const std::filesystem::path& path, const Mechanism& mechanism, bool torques,
+LogReader::LogReader(const std::filesystem::path& path, const Mechanism& mechanism, const LogNeeds& needs,
                      Diagnostics& diagnostics, double rate)
     : path_(path.string()), lines_(path, LineReader::Reading::again), diagnostics_(diagnostics) {
   std::string_view line;
@@ -54,7 +54,7 @@ LogReader::LogReader(const std::filesystem::path& path, const Mechanism& mechani
   std::string_view first_row;
   again.next_row(first_row);
   if (!again.next_row(first_row)) first_row = {};
-  heading_ = read_heading(heading, std::string(first_row), place(), mechanism, torques, rate, diagnostics);
+  heading_ = read_heading(heading, std::string(first_row), place(), mechanism, needs, rate, diagnostics);
   marks_ = DecimalMarks(heading_.separator);
   find_quaternions();
 }

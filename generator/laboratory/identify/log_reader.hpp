@@ -16,10 +16,10 @@ namespace flatdyn {
 
 class LogReader {
  public:
-  // Reads the heading, which must have torques if `torques` is true. rate: LogHeading::rate. Throws Failure(io); errors
+  // Reads the heading, which must have what is needed. rate: LogHeading::rate. Throws Failure(io); errors
   // of the heading go into `diagnostics`.
-  LogReader(const std::filesystem::path& path, const Mechanism& mechanism, bool torques, Diagnostics& diagnostics,
-            double rate = 0);
+  LogReader(const std::filesystem::path& path, const Mechanism& mechanism, const LogNeeds& needs,
+            Diagnostics& diagnostics, double rate = 0);
   // Opens the log again with a heading that was read before.
   LogReader(const std::filesystem::path& path, LogHeading heading, Diagnostics& diagnostics);
 

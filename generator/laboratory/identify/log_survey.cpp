@@ -79,7 +79,8 @@ class Surveyor {
     for (std::size_t i = 0; i < bends_.size(); ++i) {
       const double noise = result_.all[static_cast<std::size_t>(positions_[i])].deviation;
       result_.ranges.push_back({positions_[i], std::max(0.0, bends_[i].largest - bends_[i].least),
-                                bends_[i].acceleration_square(noise, lag() * dt_)});
+                                bends_[i].acceleration_square(noise, lag() * dt_),
+                                bends_[i].speed_square(noise, lag() * dt_)});
     }
     return result_;
   }
@@ -88,8 +89,8 @@ class Surveyor {
   // How a position changes: second differences of samples that are a lag apart.
   struct Bends {
     double least = std::numeric_limits<double>::infinity(), largest = -least;
-    double squares = 0;
-    long count = 0;
+    double squares = 0, steps = 0;
+    long count = 0, steps_count = 0;
 
     void add(const std::vector<double>& run, int lag) {
       for (const double value : run) {
@@ -97,10 +98,19 @@ class Surveyor {
         largest = std::max(largest, value);
       }
       const auto step = static_cast<std::size_t>(lag);
+      for (std::size_t k = step; k < run.size(); ++k) {
+        const double change = run[k] - run[k - step];
+        steps += change * change;
+        ++steps_count;
+      }
       for (std::size_t k = 2 * step; k < run.size(); ++k) {
         squares += std::pow(run[k] - 2 * run[k - step] + run[k - 2 * step], 2);
         ++count;
       }
+    }
+    double speed_square(double noise, double time) const {
+      if (steps_count == 0) return 0;
+      return std::max(0.0, steps / static_cast<double>(steps_count) - 2 * noise * noise) / (time * time);
     }
     double acceleration_square(double noise, double time) const {
       if (count == 0) return 0;

@@ -13,11 +13,11 @@
 namespace flatdyn {
 
 // How a channel changes that is differentiated twice, LogLayout::positions_of_all(): the distance from the least to the
-// largest, and the mean square of the acceleration over 0.1 s (as much as a run has) without what noise makes of it, 0
-// at least; rad or m, and seconds.
+// largest, and the mean squares of acceleration and speed over 0.1 s (as much as a run has) without what noise makes of
+// them, 0 at least; rad or m, and seconds.
 struct PositionRange {
   int channel = 0;
-  double size = 0, acceleration_square = 0;
+  double size = 0, acceleration_square = 0, speed_square = 0;
 };
 
 struct LogSurvey {

@@ -37,8 +37,9 @@ MotionFilter::MotionFilter(const StreamPlan& plan) : layout_(plan.layout()), sen
   }
 }
 
-void MotionFilter::filter(const SampleWindow& window, VectorXd& q, VectorXd& qd, VectorXd& qdd, VectorXd& h_e) const {
-  const auto channels = [&](int first, int count, int order) {
+void MotionFilter::filter(const SampleWindow& window, SmoothedMotion& motion) const {
+  auto& [q, qd, qdd, h_e, temperatures] = motion;
+  const auto channels = [this, &window](int first, int count, int order) {
     VectorXd result(count);
     weigh(window, first, weights_[order], result);
     return result;
@@ -54,6 +55,7 @@ void MotionFilter::filter(const SampleWindow& window, VectorXd& q, VectorXd& qd,
                                           : weighed_positions(window, layout_, weights_[2]);
   for (std::size_t k = 0; k < layout_.spherical.size(); ++k) set_spherical(k, channels, q, qd, qdd);
   if (layout_.has_tip_force) h_e = channels(layout_.h_e(), LogLayout::kWrench, 0);
+  if (layout_.has_temperatures) temperatures = channels(layout_.temperatures(), n, 0);
 }
 
 // The rates of a spherical joint are no derivatives of entries of its quaternion, which is of unit length again here.

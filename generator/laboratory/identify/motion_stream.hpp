@@ -29,8 +29,8 @@ struct StreamOptions {
   std::vector<double> rest_speed{};
   // The torques are those of this time before, s: they are late.
   double delay = 0;
-  // Whether the log must have torques. If false, they are not read.
-  bool torques = true;
+  // Whether the log must have torques, and temperatures of the joints. If false, they are not read.
+  bool torques = true, temperatures = false;
   ClockChoice clock = ClockChoice::automatic;
   // Samples a second of a log without times. None: its times are read.
   std::optional<double> rate = std::nullopt;

@@ -2,6 +2,7 @@
 #include "laboratory/identify/noise_account.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 
 #include "laboratory/identify/noise_scores.hpp"
 
@@ -86,6 +87,19 @@ void set_told(Solution& solution, const SplitInformation& split, const VectorXd&
   solution.root_information = turned * split.told_directions().transpose() * solution.root_information;
 }
 
+// Whether the values leave far more than least squares do, whose values are `fitted`. Where noise of positions is a
+// share of what the data say, the residuals grow by about half of that share when it is taken off, and it is less than
+// NoisyDirection::kMost: much more shows that what looks like noise is motion.
+bool is_of_motion(Solution& solution, const Observations& observations, const VectorXd& fitted) {
+  constexpr double kMost = 1.1;
+  for (const JointObservations& joint : observations.joints) {
+    const double least = joint.rms_residual(fitted);
+    if (joint.rows == 0 || !(least > 0)) continue;
+    solution.growth = std::max(solution.growth, joint.rms_residual(solution.values) / least);
+  }
+  return solution.growth > kMost;
+}
+
 }  // namespace
 
 void take_account_of_noise(Solution& solution, const Observations& observations, const VectorXd& weights,
@@ -114,14 +128,17 @@ void take_account_of_noise(Solution& solution, const Observations& observations,
   }
   if (!of_joints.empty()) solution.compensation = fitted - solution.values;
   solution.motions = structure.motions();
-  if (!compensates) {
+  const bool is_kept = compensates && !of_joints.empty() && !is_of_motion(solution, observations, fitted);
+  solution.is_compensated = is_kept;
+  if (compensates && !is_kept) solution.noisy.clear();
+  if (!is_kept) {
     solution.values = fitted;
     coordinates = solution.coordinates;
     parts = whole;
     noise = search.noise_of(fitted);
   }
   const MatrixXd scores = score_covariance(structure, solution.values, weights, noise, rows);
-  const std::vector<MatrixXd> compensated = compensates ? of_joints : std::vector<MatrixXd>();
+  const std::vector<MatrixXd> compensated = is_kept ? of_joints : std::vector<MatrixXd>();
   set_told(solution, parts, coordinates, told_covariance(solution, parts, scores, compensated, noise));
 }
 

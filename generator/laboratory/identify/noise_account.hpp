@@ -14,7 +14,8 @@ namespace flatdyn {
 
 // `weights`: by equation, of the squares of residuals. `freedom`: by equation, the share of its rows that the fit
 // leaves. Sets the values, their covariance, Solution::noisy and ::compensation. Without instants nothing is changed;
-// unless it `compensates`, the values stay, and noise of positions counts in their covariance alone.
+// unless it `compensates`, the values stay, and noise of positions counts in their covariance alone. They stay, too,
+// where the residuals without it are so much larger that it is no noise (Solution::growth).
 void take_account_of_noise(Solution& solution, const Observations& observations, const Eigen::VectorXd& weights,
                            const Eigen::VectorXd& freedom, const AccelerationRows& rows, bool compensates = true);
 

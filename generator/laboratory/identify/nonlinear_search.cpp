@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "laboratory/identify/friction_search.hpp"
 #include "laboratory/identify/gravity_search.hpp"
@@ -41,6 +43,7 @@ class NonlinearSearch {
     fit_.further.law = options.law;
     fit_.further.offsets = options.offsets;
     fit_.further.springs = options.springs;
+    fit_.further.temperature = options.temperature;
   }
 
   NonlinearFit run() {
@@ -115,13 +118,15 @@ class NonlinearSearch {
     const Estimate first = estimate_of(start, measured(start), {});
     VectorXd pi = whole(first);
     set_speed_factors(start, first);
+    set_carried(start, first);
     for (int round = 0; round < kMostRounds; ++round) {
       set_columns(pi);
       const TorqueEquations equations(*fit_.model, fit_.further);
-      fit_.unknowns.converged = equations.corrections() == 0;
+      fit_.unknowns.converged = equations.corrections() == 0 && options_.law != FrictionLaw::load;
       if (fit_.unknowns.converged) return;
       const Estimate found = estimate_of(equations, measured(equations), {});
-      fit_.unknowns.converged = are_small(equations, found);
+      const bool has_same_load = set_carried(equations, found);
+      fit_.unknowns.converged = has_same_load && are_small(equations, found);
       if (fit_.unknowns.converged) {
         fit_.unknowns.converged = is_possible(found);
         return;
@@ -167,6 +172,22 @@ class NonlinearSearch {
       if (!is_told) fit_.further.speeds[i] = first_speeds_[i];
     }
     fit_.further.speed_factors = std::move(factors);
+  }
+
+  // Sets the parameters that make the torques which drives carry; returns whether they hardly change.
+  bool set_carried(const TorqueEquations& equations, const Estimate& found) {
+    constexpr double kShare = 0.1;  // of a standard deviation
+    if (options_.law != FrictionLaw::load) return true;
+    const std::map<std::string, double> before = std::exchange(fit_.further.carried, {});
+    bool is_same = true;
+    for (Index k = 0; k < found.values.size(); ++k) {
+      const std::string& name = equations.names()[static_cast<std::size_t>(k)];
+      const double value = fit_.further.carried[name] = found.values[k];
+      const auto last = before.find(name);
+      const double change = last == before.end() ? std::numeric_limits<double>::infinity() : value - last->second;
+      is_same &= std::abs(change) <= std::max(kShare * std::sqrt(found.covariance(k, k)), 1e-9 * std::abs(value));
+    }
+    return is_same;
   }
 
   // Whether all corrections are small parts of their standard deviations, or of what counts in practice.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Unknowns in which the torques are not linear: the direction of gravity, the time by which torques are late, and the
-// speeds of friction laws. Each has a first value by a hypothesis on a sample of rows (hypothesis.hpp). Then all are
-// corrected together with all other parameters over all rows, by the method of Gauss and Newton: their derivatives are
-// columns of the equations, so that the parameters' covariance has their uncertainty in it.
+// Unknowns in which the torques are not linear: the direction of gravity, the time by which torques are late, the
+// speeds of friction laws, and the torques that drives carry, which friction may depend on. Each has a first value by a
+// hypothesis on a sample of rows (hypothesis.hpp). Then all are corrected together with all other parameters over all
+// rows, by the method of Gauss and Newton: their derivatives are columns of the equations, so that the parameters'
+// covariance has their uncertainty in it. The carried torques are made anew from the parameters in each round; their
+// uncertainty counts as none beside that of c.
 #pragma once
 
 #include <functional>
@@ -23,7 +25,9 @@ struct NonlinearOptions {
   bool offsets = false;
   bool springs = false;
 
-  bool any() const { return gravity || delay || has_speed(law); }
+  std::optional<double> temperature{};  // FurtherParameters::temperature
+
+  bool any() const { return gravity || delay || !is_linear(law); }
 };
 
 // How the search reads the logs, and changes the robot.

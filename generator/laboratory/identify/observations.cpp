@@ -59,6 +59,7 @@ void InstantSample::offer(const FilteredEquations& equations, const EquationMode
   instant.entries = numbers(equations.entries, static_cast<std::size_t>(model.entries()));
   instant.right = numbers(equations.right, n);
   instant.measured_rates = numbers(equations.measured_rates, n);
+  if (equations.fast != nullptr) instant.fast = numbers(equations.fast, n);
   instant.used.assign(equations.used, equations.used + n);
   instant.run = shape.run;
   if (equations.instruments != nullptr) {

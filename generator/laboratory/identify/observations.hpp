@@ -38,6 +38,7 @@ struct EquationInstant {
   int first = 0;  // the first equation; those before it and behind the last one have no rows at this instant
   std::vector<double> entries{}, right{};  // of each equation its columns, one equation behind the other
   std::vector<double> measured_rates{};    // by equation, dτ/dt
+  std::vector<double> fast{};              // by equation, FilteredEquations::fast; empty if there is none
   std::vector<std::uint8_t> used{};        // by equation
   std::vector<double> instruments{};       // like entries; empty if there are none
   int run = 1;                             // NoiseShape::run of its log

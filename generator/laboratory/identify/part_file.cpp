@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* kKind = "part of an identification";
 // The version of the file's format: it rises whenever the contents or their meaning change.
-constexpr int kVersion = 6;
+constexpr int kVersion = 7;
 
 ordered_json numbers(const Eigen::MatrixXd& upper) {
   ordered_json list = ordered_json::array();
@@ -43,6 +43,7 @@ ordered_json settings(const StreamOptions& options, const FurtherParameters& fur
                        {"offsets", further.offsets},
                        {"springs", further.springs},
                        {"friction", static_cast<int>(further.law)}};
+  json["temperature"] = further.temperature ? ordered_json(*further.temperature) : ordered_json();
   json["band"] = options.band ? ordered_json(*options.band) : ordered_json();
   json["rest_speed"] = options.rest_speed;
   json["decimate"] = options.decimate ? ordered_json(*options.decimate) : ordered_json();
@@ -117,6 +118,7 @@ Measurement measurement_of(const ordered_json& json, const TorqueEquations& equa
     instant.used = each.at(8).get<std::vector<std::uint8_t>>();
     instant.run = each.at(9);
     instant.measured_rates = each.at(10).get<std::vector<double>>();
+    instant.fast = each.at(11).get<std::vector<double>>();
     result.observations.instants.push_back(std::move(instant));
   }
   result.observations.stride = json.at("stride");
@@ -240,7 +242,7 @@ std::string part_text(const Measurement& measurement, const TorqueEquations& equ
   json["instants"] = ordered_json::array();
   for (const EquationInstant& each : measurement.observations.instants) {
     json["instants"].push_back({each.log, each.index, each.time, each.q, each.qd, each.qdd, each.entries, each.right,
-                                each.used, each.run, each.measured_rates});
+                                each.used, each.run, each.measured_rates, each.fast});
   }
   return json.dump() + "\n";
 }

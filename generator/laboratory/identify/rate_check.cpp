@@ -54,18 +54,27 @@ const char* RateCheck::unit_of_times() const {
 
 void RateCheck::RatePair::finish(const Place& place, Diagnostics& diagnostics) const {
   constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
-  if (squares == 0) return;
+  constexpr double kAlike = 0.5;  // squared correlation
+  if (squares == 0 || is_near(slope(), 1)) return;
+  const bool is_alike = likeness() > kAlike;
+  if (!is_alike && is_held()) return;
   const std::string what =
       fmt::format("{0} is not the rate of change of {1}: {1} changes {2:.3g} times as fast", rate_name, name, slope());
   const auto in_degrees = [](const std::string& column) {
     return fmt::format("is {} in degrees? Write its unit into the heading", column);
   };
-  if (is_near(slope(), kDegreesPerRadian)) {
+  if (is_alike && is_near(slope(), kDegreesPerRadian)) {
     diagnostics.error(place, what, in_degrees(name));
-  } else if (is_near(slope(), 1 / kDegreesPerRadian)) {
+  } else if (is_alike && is_near(slope(), 1 / kDegreesPerRadian)) {
     diagnostics.error(place, what, in_degrees(rate_name));
-  } else if (!is_near(slope(), 1)) {
+  } else if (is_alike) {
     diagnostics.warning(place, what, "check units, signs and delays of the columns");
+  } else {
+    diagnostics.warning(place, what,
+                        fmt::format("the two are hardly alike: check units, signs and delays of the columns; where {0} "
+                                    "is mostly noise, leave out all columns of its kind, which are then made from the "
+                                    "positions or velocities",
+                                    rate_name));
   }
 }
 

@@ -37,7 +37,8 @@ class RateCheck {
   }
   // Tells that the next sample does not follow the last one.
   void restart() { samples_ = 0; }
-  // Rates that are 57.3 times too large or too small are errors; others that are far off are warnings. Poses that are
+  // Rates that are 57.3 times too large or too small are errors; others that are far off are warnings, and so are those
+  // that noise hides. Joints that are held are not judged. Poses that are
   // far apart are not judged: their rates do not show what happens between them.
   void finish(const Place& place, Diagnostics& diagnostics) const;
   // The unit of time, "ms", "us" or "ns", that would agree with all rates; nullptr if no unit does, or nothing moves.
@@ -51,13 +52,21 @@ class RateCheck {
   struct RatePair {
     int channel, rate;
     std::string name, rate_name;
-    double products = 0, squares = 0;
+    double products = 0, squares = 0, changes = 0, rates = 0, count = 0;
 
     void add(const double* before, const double* after) {
-      const double expected = (after[rate] + before[rate]) / 2 * (after[0] - before[0]);
-      products += (after[channel] - before[channel]) * expected;
+      const double mean = (after[rate] + before[rate]) / 2, expected = mean * (after[0] - before[0]);
+      const double change = after[channel] - before[channel];
+      products += change * expected;
       squares += expected * expected;
+      changes += change * change;
+      rates += mean * mean;
+      ++count;
     }
+    // The squared correlation of the channel's differences with the mean of its rate.
+    double likeness() const { return changes > 0 ? products * products / (squares * changes) : 0; }
+    // Whether the rate is hardly more than the flicker of a reading that is held, 1e-3 rad/s or m/s.
+    bool is_held() const { return rates < 1e-6 * count; }
     // The slope of a channel's differences against the mean of its rate: 1 if that is its derivative.
     double slope() const { return products / squares; }
     void finish(const Place& place, Diagnostics& diagnostics) const;

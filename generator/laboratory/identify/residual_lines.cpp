@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -17,14 +18,13 @@ using Complex = std::complex<double>;
 
 constexpr double kFullTurn = 2 * std::numbers::pi;
 
-// A residual, where it is in the cycle that is looked at, and how fast that goes.
+// A residual, where it is in the cycle that is looked at, how fast that goes, and between which frequencies lines show.
 struct Reading {
-  double residual, place, speed, band;
+  double residual, place, speed, lowest, highest;  // Hz
 };
 
 // The best of the lines with rates from `from` to `to`, in steps.
 std::optional<ResidualLine> best_line(const std::vector<Reading>& readings, double from, double to, double step) {
-  constexpr double kInBand = 0.7;  // share of the filter's band
   constexpr double kLeastShare = 0.2, kChance = 40;
   constexpr double kLeastReadings = 100;
   std::vector<Complex> turned, by_step;
@@ -38,7 +38,7 @@ std::optional<ResidualLine> best_line(const std::vector<Reading>& readings, doub
     double squares = 0, count = 0;
     for (std::size_t k = 0; k < readings.size(); ++k) {
       const Reading& each = readings[k];
-      if (rate * each.speed < kInBand * each.band) {
+      if (rate * each.speed >= each.lowest && rate * each.speed < each.highest) {
         sum += turned[k];
         squares += each.residual * each.residual;
         ++count;
@@ -82,7 +82,9 @@ std::vector<bool> second_halves(const std::vector<EquationInstant>& instants) {
 std::optional<ResidualLine> residual_line(const Observations& observations, const VectorXd& residual, Index position,
                                           bool slides, const std::vector<double>& bands) {
   constexpr double kFewestTurns = 8, kMostTurns = 400, kStepOfTurns = 0.1;
+  constexpr double kInBand = 0.7;   // share of the filter's band
   constexpr double kLowest = 0.15;  // Hz by the band: what is slower may follow the motion
+  constexpr double kSlowest = 2;    // Hz: and so may this
   constexpr double kLongest = 300;  // s that are looked at
   std::vector<Reading> by_turns, by_time;
   const int longest = longest_log(observations);
@@ -92,25 +94,50 @@ std::optional<ResidualLine> residual_line(const Observations& observations, cons
     const auto at = static_cast<std::size_t>(position);
     if (std::isnan(residual[t])) continue;
     const double unit = slides ? 1 : kFullTurn, own = bands[static_cast<std::size_t>(instant.log)];
-    by_turns.push_back({residual[t], instant.q[at] / unit, std::abs(instant.qd[at]) / unit, own});
+    by_turns.push_back({residual[t], instant.q[at] / unit, std::abs(instant.qd[at]) / unit, 0, kInBand * own});
     if (instant.log != longest) continue;
     if (by_time.empty()) start = instant.time;
     if (instant.time - start > kLongest) continue;
-    by_time.push_back({residual[t], instant.time - start, 1, own});
+    by_time.push_back({residual[t], instant.time - start, 1, 0, kInBand * own});
     span = instant.time - start;
     band = own;
   }
   if (band <= 0 || span <= 0) return std::nullopt;
   std::optional<ResidualLine> of_turns = best_line(by_turns, kFewestTurns, kMostTurns, kStepOfTurns);
-  const std::optional<ResidualLine> of_time = best_line(by_time, kLowest * band, band, 1 / (4 * span));
+  const std::optional<ResidualLine> of_time = best_line(by_time, std::max(kLowest * band, kSlowest), band, 1 / (4 * span));
   if (of_turns) of_turns->is_of_turns = true;
   if (!of_turns || (of_time && of_time->share > of_turns->share)) return of_time;
   return of_turns;
 }
 
+std::optional<ResidualLine> fast_ripple(const Observations& observations, Index equation, Index position, bool slides,
+                                        const std::vector<double>& bands, const std::vector<double>& sampled) {
+  constexpr double kFewestTurns = 8, kMostTurns = 1500, kStepOfRange = 0.25;
+  constexpr double kBehindBand = 1.6, kBelowSampling = 0.45;  // of the band; of the samples a second
+  const auto at = static_cast<std::size_t>(position), row = static_cast<std::size_t>(equation);
+  const double unit = slides ? 1 : kFullTurn;
+  std::vector<Reading> readings;
+  double least = std::numeric_limits<double>::infinity(), largest = -least;
+  for (const EquationInstant& instant : observations.instants) {
+    if (instant.fast.empty()) continue;
+    const auto log = static_cast<std::size_t>(instant.log);
+    const double place = instant.q[at] / unit;
+    readings.push_back({instant.fast[row], place, std::abs(instant.qd[row]) / unit, kBehindBand * bands[log],
+                        kBelowSampling * sampled[log]});
+    least = std::min(least, place);
+    largest = std::max(largest, place);
+  }
+  if (!(largest > least)) return std::nullopt;
+  std::optional<ResidualLine> line =
+      best_line(readings, kFewestTurns, kMostTurns, std::min(1.0, kStepOfRange / (largest - least)));
+  if (line) line->is_of_turns = true;
+  return line;
+}
+
 std::optional<FrictionChange> friction_change(const Observations& observations, const VectorXd& residual, Index rate,
                                               double viscous, double coulomb, double least, double correlation) {
   constexpr double kLeastShare = 0.05, kClearly = 40;  // of the friction; of the fit's squares
+  constexpr double kAlike = 0.8;                       // cosine between the change and the friction
   const std::vector<bool> is_later = second_halves(observations.instants);
   Eigen::Matrix2d halves[2] = {Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Zero()};
   Eigen::Vector2d right[2] = {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
@@ -136,6 +163,7 @@ std::optional<FrictionChange> friction_change(const Observations& observations, 
   const double size = std::sqrt(change.dot(all * change) / friction);
   if (size < kLeastShare || change.dot(covariance.inverse() * change) < kClearly) return std::nullopt;
   const double direction = change.dot(all * Eigen::Vector2d(viscous, coulomb));
+  if (size > 1 || std::abs(direction) < kAlike * size * friction) return std::nullopt;
   return FrictionChange{change[0], change[1], direction < 0 ? -size : size};
 }
 

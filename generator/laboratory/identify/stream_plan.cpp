@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "laboratory/identify/even_samples.hpp"
 #include "laboratory/identify/log_reader.hpp"
@@ -66,15 +67,32 @@ int default_decimation(double band, double rate) {
   return stride * std::max(1, static_cast<int>(rate / (kRowsPerBand * band * stride)));
 }
 
+// The frequency of a sine whose acceleration and speed have the ratio that a joint's have, Hz: the median of all that
+// move.
+double typical_frequency(const LogSurvey& log) {
+  std::vector<double> all;
+  for (const PositionRange& each : log.ranges) {
+    if (each.speed_square > 0 && each.acceleration_square > 0) {
+      all.push_back(std::sqrt(each.acceleration_square / each.speed_square) / (2 * std::numbers::pi));
+    }
+  }
+  if (all.empty()) return 0;
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::nth_element(all.begin(), middle, all.end());
+  return *middle;
+}
+
 // The band where --band is not given, Hz. An encoder's noise grows in accelerations with the band's fifth power, and
 // that of coarse steps is not white, so that nothing takes it off exactly. Where it would be a considerable share of a
-// joint's acceleration, the band is so low that it is a small one, unless its edges then took too much of the log. The
-// share of a joint that moves little counts for nothing: it would take the band from the others.
+// joint's acceleration, the band is so low that it is a small one, unless its edges then took too much of the log, or
+// it cut the motion off. The share of a joint that moves little counts for nothing: it would take the band from the
+// others.
 double default_band(const StreamPlan& plan, const LogSurvey& log) {
   constexpr double kDefault = 10, kLeast = 1, kHighest = 0.125;  // Hz; Hz; of the sampling rate
   constexpr double kConsiderable = 2e-3, kSmall = 2e-4;          // shares of noise, squared
   constexpr double kMoves = 1000;                                // standard deviations of noise
   constexpr double kEdges = 40;                                  // periods of the band that a log has, at least
+  constexpr double kTimesMotion = 6;                             // the motion's frequency
   const double dt = plan.filter.dt, band = std::min(kDefault, kHighest / dt);
   if (plan.layout().has_rates || log.duration <= 0) return band;
   const double power = noise_shape({dt, band, default_decimation(band, 1 / dt)}, {2}).acceleration[0][0];
@@ -84,7 +102,8 @@ double default_band(const StreamPlan& plan, const LogSurvey& log) {
     if (each.size > kMoves * noise) share = std::max(share, power * noise * noise / each.acceleration_square);
   }
   if (!(share > kConsiderable)) return band;
-  const double lowest = std::max(kLeast, kEdges / log.duration), wanted = band * std::pow(kSmall / share, 0.2);
+  const double lowest = std::max({kLeast, kEdges / log.duration, kTimesMotion * typical_frequency(log)}),
+               wanted = band * std::pow(kSmall / share, 0.2);
   return std::min(band, std::round(10 * std::max(wanted, lowest)) / 10);
 }
 
@@ -155,7 +174,7 @@ double norm(const std::vector<double>& weights) {
 // an encoder that creeps is no white noise: steps that follow each other slower than the filter's edge pass it.
 double rest_speed_of(const StreamPlan& plan, const LogSurvey& log, int position, int joint) {
   constexpr double kDeviations = 5;
-  constexpr double kLeast = 1e-8;  // rad/s or m/s: rounding of doubles, in derivatives
+  constexpr double kLeast = 2e-4;  // rad/s or m/s: nothing is told by so slow a motion
   const LogLayout& layout = plan.layout();
   const auto at = [](int channel) { return static_cast<std::size_t>(channel); };
   const double band = plan.filter.band;
@@ -192,7 +211,7 @@ void set_rest_speeds(StreamPlan& plan, const LogSurvey& log, const Mechanism& me
 
 StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechanism, const StreamOptions& options,
                        Diagnostics& diagnostics) {
-  LogReader reader(log, mechanism, options.torques, diagnostics, options.rate.value_or(0));
+  LogReader reader(log, mechanism, {options.torques, options.temperatures}, diagnostics, options.rate.value_or(0));
   StreamPlan plan;
   if (diagnostics.has_errors()) return plan;
   plan.heading = reader.heading();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace flatdyn {
 
@@ -14,10 +15,14 @@ TorqueEquations::TorqueEquations(const TorqueModel& model, FurtherParameters fur
       y_(static_cast<std::size_t>(model.equations() * model.parameters())) {
   for (const int index : model.base().columns) names_.push_back(parameter_name(index, model.first_joint()));
   for (int i = 0; i < model.equations(); ++i) add_joint(i);
+  for (int i = 0; i < model.equations() && further_.temperature; ++i) add_warmth(i);
+  first_of_law_ = static_cast<int>(names_.size());
+  for (int i = 0; i < model.equations(); ++i) add_law(i);
   for (int i = model.first_joint(); i < model.equations() && further_.offsets; ++i) {
     terms_[static_cast<std::size_t>(i)].push_back({add_name(name_of("offset", i)), Term::Kind::constant});
   }
   for (int i = model.first_joint(); i < model.equations() && further_.springs; ++i) add_spring(i);
+  set_carried();
   add_corrections();
   parameters_ = static_cast<int>(names_.size());
   place_terms();
@@ -42,12 +47,10 @@ void TorqueEquations::add_joint(int joint) {
   const bool is_open = !model_.mechanism().is_coupled();
   const bool is_smooth = further_.law == FrictionLaw::smooth && further_.dictionary.empty();
   has_friction_.push_back(false);
-  bool has_coulomb = false;
   for (const int column : model_.columns_of(joint)) {
     const Parameter parameter = parameter_of(model_.base().columns[static_cast<std::size_t>(column)]);
     const bool is_coulomb = parameter == Parameter::Fs, is_friction = is_coulomb || parameter == Parameter::Fv;
     has_friction_.back() = has_friction_.back() || is_friction;
-    has_coulomb = has_coulomb || is_coulomb;
     if (is_friction && is_open) {
       add_friction(joint, column,
                    !is_coulomb ? FrictionEntry::Law::viscous
@@ -57,10 +60,29 @@ void TorqueEquations::add_joint(int joint) {
       terms_[static_cast<std::size_t>(joint)].push_back({column});
     }
   }
-  if (has_coulomb && is_open) add_law(joint);
 }
 
+// (T - T_0) times what F_v and F_s are multiplied by.
+void TorqueEquations::add_warmth(int joint) {
+  std::vector<Term>& terms = terms_[static_cast<std::size_t>(joint)];
+  const std::size_t count = terms.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    if (terms[k].kind != Term::Kind::friction) continue;
+    Term changed = terms[k];
+    const bool is_viscous = changed.friction.law == FrictionEntry::Law::viscous;
+    changed.column = add_name(name_of(is_viscous ? "FvT" : "FsT", joint));
+    changed.factor = Term::Factor::temperature;
+    terms.push_back(changed);
+  }
+}
+
+// The law's further term, for a joint that has Coulomb friction.
 void TorqueEquations::add_law(int joint) {
+  const auto is_coulomb = [this](const Term& term) {
+    return term.kind == Term::Kind::friction && term.friction.law != FrictionEntry::Law::viscous &&
+           term.column < model_.parameters();
+  };
+  if (std::ranges::none_of(terms_[static_cast<std::size_t>(joint)], is_coulomb)) return;
   if (!further_.dictionary.empty()) {
     const auto law = further_.law == FrictionLaw::smooth ? FrictionEntry::Law::smooth : FrictionEntry::Law::stribeck;
     for (const double each : further_.dictionary[static_cast<std::size_t>(joint)]) {
@@ -71,6 +93,22 @@ void TorqueEquations::add_law(int joint) {
     add_friction(joint, add_name(name_of("Fa", joint)), FrictionEntry::Law::asymmetry);
   } else if (further_.law == FrictionLaw::stribeck) {
     add_friction(joint, add_name(name_of("Fb", joint)), FrictionEntry::Law::stribeck);
+  } else if (further_.law == FrictionLaw::load && !further_.carried.empty()) {
+    add_friction(joint, add_name(name_of("c", joint)), FrictionEntry::Law::coulomb);
+    terms_[static_cast<std::size_t>(joint)].back().factor = Term::Factor::load;
+  }
+}
+
+void TorqueEquations::set_carried() {
+  for (std::vector<Term>& terms : terms_) {
+    for (Term& term : terms) {
+      const auto place = static_cast<std::size_t>(term.column);
+      const bool is_rotor =
+          term.column < model_.parameters() && parameter_of(model_.base().columns[place]) == Parameter::Im;
+      const auto found = further_.carried.find(names_[place]);
+      const bool is_carried = term.kind != Term::Kind::friction && term.kind != Term::Kind::constant && !is_rotor;
+      if (is_carried && found != further_.carried.end()) term.carried = found->second;
+    }
   }
 }
 
@@ -148,29 +186,50 @@ AccelerationRows TorqueEquations::acceleration_rows() const {
   };
 }
 
+double TorqueEquations::entry_of(const Term& term, int equation, const MeasuredMotion& motion) const {
+  switch (term.kind) {
+    case Term::Kind::regressor:
+      return y_[static_cast<std::size_t>(equation * model_.parameters() + term.column)];
+    case Term::Kind::gravity:
+      return of_gravity_(equation, term.slope);
+    case Term::Kind::position:
+      return motion.q[model_.mechanism().position_of(equation)];
+    case Term::Kind::relaxed:
+      return -1;
+    case Term::Kind::constant:
+    case Term::Kind::friction:
+    case Term::Kind::rate:
+      break;
+  }
+  return 1;
+}
+
+double TorqueEquations::factor_of(const Term& term, int equation, const MeasuredMotion& motion, double load) const {
+  if (term.factor == Term::Factor::load) return std::abs(load);
+  if (term.factor == Term::Factor::one || motion.temperatures == nullptr) return 1;
+  return motion.temperatures[equation - model_.first_joint()] - *further_.temperature;
+}
+
 void TorqueEquations::evaluate(const MeasuredMotion& motion, double* entries, double* known) const {
   model_.regressor(motion.q, motion.qd, motion.qdd, y_.data());
   const int positions = model_.mechanism().position_count();
-  Eigen::MatrixXd of_gravity;
-  if (further_.gravity) of_gravity = further_.gravity->at(Eigen::Map<const Eigen::VectorXd>(motion.q, positions));
-  const double* row = y_.data();
-  for (std::size_t i = 0; i < terms_.size(); ++i) {
-    for (const Term& term : terms_[i]) {
-      const bool is_of_model = term.column < model_.parameters();
-      *entries++ = is_of_model                         ? row[term.column]
-                   : term.kind == Term::Kind::gravity  ? of_gravity(static_cast<Eigen::Index>(i), term.slope)
-                   : term.kind == Term::Kind::position ? motion.q[model_.mechanism().position_of(static_cast<int>(i))]
-                   : term.kind == Term::Kind::relaxed  ? -1
-                                                       : 1;
-    }
-    row += model_.parameters();
-  }
+  if (further_.gravity) of_gravity_ = further_.gravity->at(Eigen::Map<const Eigen::VectorXd>(motion.q, positions));
   if (motion.h_e != nullptr) {
     model_.tip_torque(motion.q, motion.h_e, known);
   } else {
     std::fill(known, known + model_.equations(), 0.0);
   }
   if (!further_.springs) model_.add_springs(motion.q, known);
+  for (int i = 0; i < model_.equations(); ++i) {
+    double load = known[i];
+    double* const first = entries;
+    const std::vector<Term>& terms = terms_[static_cast<std::size_t>(i)];
+    for (const Term& term : terms) {
+      *entries = entry_of(term, i, motion);
+      load += term.carried * *entries++;
+    }
+    for (std::size_t k = 0; k < terms.size(); ++k) first[k] *= factor_of(terms[k], i, motion, load);
+  }
 }
 
 }  // namespace flatdyn

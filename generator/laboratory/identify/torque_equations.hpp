@@ -2,7 +2,9 @@
 // The equations of the joint torques in π_b, and in parameters that come behind it.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,10 @@ struct FurtherParameters {
   std::shared_ptr<const GravityColumns> gravity{};  // null: gravity counts as exact
   bool delay = false;                               // of the torques, s
   bool springs = false;  // the stiffness k of each joint's spring and k q_0; not with offsets, which say the same
+  // For the law `load`: the parameters, by their names, from which τ_l is computed. Empty: the law's term is left out.
+  std::map<std::string, double> carried{};
+  // T_0, °C: F_v and F_s are those at this temperature, and change with the joint's by F_vT and F_sT for each kelvin.
+  std::optional<double> temperature{};
 };
 
 // A column by which such an unknown is corrected.
@@ -39,8 +45,8 @@ struct Correction {
 };
 
 // Y_b(q, q̇, q̈) π_b + J_eᵀ h_e = τ, (7.81), with one equation per joint, after six of a floating base's force, which are
-// used where the log has it. Behind π_b come the law's further parameter of
-// each joint that has friction (F_a or F_b), or the dictionary's, then the offsets, or k and k q_0 of each joint's
+// used where the log has it. Behind π_b come F_vT and F_sT of each joint, then the law's further parameter of each
+// joint that has friction (F_a, F_b or c), or the dictionary's, then the offsets, or k and k q_0 of each joint's
 // spring, and then corrections: of v by joint (rad/s or m/s), of gravity's direction (GravityColumns), and of the delay
 // (s).
 class TorqueEquations : public EquationModel {
@@ -49,13 +55,16 @@ class TorqueEquations : public EquationModel {
 
   const TorqueModel& model() const { return model_; }
   const FurtherParameters& further() const { return further_; }
-  // The names of all parameters: "I1zz", …, "Fa1", …, "offset1", …, "k1", "kq1", …, "v1", …, "gravity1", …, "delay"
+  // The names of all parameters: "I1zz", …, "FvT1", …, "Fa1", …, "offset1", …, "k1", "kq1", …, "v1", …, "gravity1", …,
+  // "delay"
   const std::vector<std::string>& names() const { return names_; }
   // The corrections, which are the last parameters, and their number.
   const std::vector<Correction>& corrected() const { return corrections_; }
   int corrections() const { return static_cast<int>(corrections_.size()); }
   // The number of parameters between those of friction and the corrections: of offsets or springs.
   int static_parameters() const;
+  // The first parameter of the law, behind π_b and F_vT and F_sT.
+  int first_of_law() const { return first_of_law_; }
   // The file's π_b, its springs, and zeros elsewhere behind it.
   Eigen::VectorXd file_values() const;
   AccelerationRows acceleration_rows() const;
@@ -75,18 +84,26 @@ class TorqueEquations : public EquationModel {
   // An entry of an equation.
   struct Term {
     enum class Kind : std::uint8_t { regressor, constant, friction, gravity, rate, position, relaxed };
+    // Friction is multiplied by 1, |τ_l| or T - T_0.
+    enum class Factor : std::uint8_t { one, load, temperature };
     int column = 0;
     Kind kind = Kind::regressor;
     FrictionEntry friction{};
     int slope = 0;  // of gravity
+    Factor factor = Factor::one;
+    double carried = 0;  // the parameter's value in τ_l; 0 for friction, rotors and what is no torque of the drive
   };
 
   void add_joint(int joint);
+  void add_warmth(int joint);
   void add_law(int joint);
   void add_spring(int joint);
   void add_corrections();
   int add_correction(Correction::Kind kind, int index, std::string name);
   void add_friction(int joint, int column, FrictionEntry::Law law, double factor = 1);
+  void set_carried();
+  double entry_of(const Term& term, int equation, const MeasuredMotion& motion) const;
+  double factor_of(const Term& term, int equation, const MeasuredMotion& motion, double load) const;
   int add_name(std::string name);
   void place_terms();
 
@@ -95,7 +112,9 @@ class TorqueEquations : public EquationModel {
   std::vector<std::string> names_;
   std::vector<Correction> corrections_;
   std::vector<std::vector<Term>> terms_;  // by joint
+  int first_of_law_ = 0;
   mutable std::vector<double> y_;
+  mutable Eigen::MatrixXd of_gravity_;
 };
 
 }  // namespace flatdyn

@@ -4,6 +4,7 @@
 
 #include "laboratory/identify/friction_search.hpp"
 #include "laboratory/identify/identification.hpp"
+#include "laboratory/identify/rest_search.hpp"
 #include "support/practical_bench.hpp"
 
 namespace flatdyn {
@@ -85,6 +86,62 @@ TEST_F(FrictionLaws, SmoothFrictionIsFoundWithItsSpeed) {
   expect_found(samples, FrictionLaw::smooth, "Fs", 1);
 }
 
+// The drives warm up by 15 K during the log, and friction falls by 1 % (viscous) and 0.5 % (Coulomb) for each kelvin.
+// What is found is the friction at 40 °C, which no joint reaches.
+TEST_F(FrictionLaws, FrictionThatFallsWithTheTemperatureIsFound) {
+  constexpr double kViscous = -0.01, kCoulomb = -0.005, kAt = 40;
+  const auto temperature = [](double time, int joint) { return 20 + joint + 15 * (1 - std::exp(-time / 8)); };
+  std::vector<SimulatedSample> samples = bench.motion({});
+  const std::vector<double>& viscous = bench.arm().viscous;
+  for (SimulatedSample& sample : samples) {
+    for (int i = 0; i < 6; ++i) {
+      const double qd = sample.qd(i), per_kelvin = kViscous * viscous[static_cast<std::size_t>(i)] * qd +
+                                                   kCoulomb * std::copysign(coulomb(i), qd);
+      sample.tau(i) += (temperature(sample.time, i) - kAt) * per_kelvin;
+    }
+  }
+  const std::filesystem::path plain = std::filesystem::temp_directory_path() / fmt::format("warm-{}", ::getpid()),
+                              path = plain.string() + ".csv";
+  write_practical_log(plain, bench.arm(), samples, kEncoderStep, 1, 1);
+  {
+    std::ifstream in(plain);
+    std::ofstream out(path);
+    std::string line;
+    for (std::size_t row = 0; std::getline(in, line); ++row) {
+      out << line;
+      for (int i = 0; i < 6; ++i) {
+        out << (row == 0 ? fmt::format(",temperature{} [degC]", i + 1)
+                         : fmt::format(",{:.1f}", temperature(samples[row - 1].time, i)));
+      }
+      out << "\n";
+    }
+  }
+  const TorqueEquations equations(bench.model(), {.temperature = kAt});
+  Progress quiet{true};
+  Diagnostics said;
+  const Measurement measurement =
+      measure(equations, bench.plain().mechanism, {path}, {.temperatures = true}, quiet, said);
+  std::filesystem::remove(plain);
+  std::filesystem::remove(path);
+  EXPECT_TRUE(said.all().empty());
+  const Estimate found = estimate_of(equations, measurement, {});
+  for (const JointFit& fit :
+       fit_quality(measurement.observations, measurement.logs, found.values, equations.acceleration_rows())) {
+    EXPECT_LT(fit.ratio, 1.3);
+  }
+  for (int i = 0; i < 6; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    for (const auto& [stem, truth] :
+         {std::pair{"Fv", viscous[at]}, std::pair{"Fs", coulomb(i)}, std::pair{"FvT", kViscous * viscous[at]},
+          std::pair{"FsT", kCoulomb * coulomb(i)}}) {
+      const std::string name = fmt::format("{}{}", stem, i + 1);
+      const auto k = std::ranges::find(equations.names(), name) - equations.names().begin();
+      EXPECT_NEAR(found.values(k), truth, 3.5 * found.standard_deviations(k)) << name;
+      EXPECT_LT(found.standard_deviations(k), 0.2 * std::abs(truth)) << name;
+    }
+  }
+}
+
 // All speeds of a joint that moves slowly are below v: F_s tanh(q̇/v) is as viscous as F_v q̇, and F_b as constant as
 // F_s.
 TEST_F(FrictionLaws, AreNotToldByAJointThatIsSlowerThanTheirSpeed) {
@@ -122,6 +179,34 @@ TEST_F(FrictionLaws, EveryEntryHasTheValueOfItsLaw) {
     }
   }
   EXPECT_EQ(entry, equations.entries());
+}
+
+// The elbow sticks and slips: below 2 % of its largest speed, its friction is anything.
+TEST_F(FrictionLaws, RowsOfAJointThatCreepsAreLeftOut) {
+  constexpr int kElbow = 2;
+  std::vector<SimulatedSample> samples = bench.motion({});
+  EXPECT_TRUE(better_rest_speeds(bench.equations(), bench.measured(samples, kEncoderStep, 1),
+                                 bench.estimated(bench.measured(samples, kEncoderStep, 1)).values)
+                  .empty());
+  double fastest = 0;
+  for (const SimulatedSample& sample : samples) fastest = std::max(fastest, std::abs(sample.qd(kElbow)));
+  for (SimulatedSample& sample : samples) {
+    const double qd = sample.qd(kElbow);
+    if (std::abs(qd) < 0.02 * fastest) sample.tau(kElbow) -= 2 * coulomb(kElbow) * ((qd > 0) - (qd < 0));
+  }
+  const Measurement before = bench.measured(samples, kEncoderStep, 1);
+  const std::vector<double> speeds = better_rest_speeds(bench.equations(), before, bench.estimated(before).values);
+  ASSERT_EQ(speeds.size(), 6u);
+  for (int i = 0; i < 6; ++i) {
+    const double speed = speeds[static_cast<std::size_t>(i)],
+                 earlier = before.rest_speeds()[static_cast<std::size_t>(i)];
+    EXPECT_EQ(speed > earlier, i == kElbow) << i;
+  }
+  EXPECT_NEAR(speeds[kElbow], 0.03 * fastest, 0.005 * fastest);
+  const Measurement after = bench.measured(samples, kEncoderStep, 1, 1, {.rest_speed = speeds});
+  const Estimate found = bench.estimated(after), early = bench.estimated(before);
+  const int k = bench.place_of("Fs3");
+  EXPECT_GT(std::abs(early.values(k) - bench.truth(k)), 4 * std::abs(found.values(k) - bench.truth(k)));
 }
 
 TEST(FrictionEntry, SlopesAreDerivativesByTheSpeed) {

@@ -48,6 +48,12 @@ constexpr WrongLog kWrongLogs[] = {
     {"unit", [](SimulatedSample& s) { s.tau(3) *= 1000; }, "joint \"wrist_1_joint\": its torques look 99"},
     {"first_torque_sign", [](SimulatedSample& s) { s.tau(1) *= -1; },
      "joint \"shoulder_lift_joint\": its torques look as if their sign were reversed"},
+    {"friction_of_loads",
+     [](SimulatedSample& s) {
+       const double sign = s.qd(1) < 0 ? -1 : 1, carried = s.tau(1) - 8 * s.qd(1) - 9 * sign;  // practical_ur5()
+       s.tau(1) += 0.1 * std::abs(carried) * sign;
+     },
+     "friction looks larger where drives carry more (--friction load"},
     {"offset", [](SimulatedSample& s) { s.tau(1) += 2; }, "joint \"shoulder_lift_joint\": its torques look as if"},
 };
 

@@ -36,7 +36,7 @@ class LogTest : public ::testing::Test {
   std::vector<std::vector<double>> read(const std::string& text, bool torques = true) {
     write(text);
     std::vector<std::vector<double>> samples;
-    LogReader reader(file, planar_arm(), torques, found);
+    LogReader reader(file, planar_arm(), {torques}, found);
     if (found.has_errors()) return samples;
     std::vector<double> channels(static_cast<std::size_t>(reader.layout().channels()));
     while (reader.next(channels.data())) samples.push_back(channels);
@@ -215,7 +215,7 @@ TEST_F(LogTest, SayingStopsAfterTwentyErrors) {
 }
 
 TEST_F(LogTest, AFileThatIsNotThereIsAFailureOfReading) {
-  EXPECT_THROW(LogReader("/nowhere/log.csv", planar_arm(), true, found), Failure);
+  EXPECT_THROW(LogReader("/nowhere/log.csv", planar_arm(), {}, found), Failure);
 }
 
 // The log of a sine whose rates are `scale` times the right ones.

@@ -330,9 +330,9 @@ TEST_F(PartsTest, OfOtherLogsAreRefused) {
 
 TEST_F(PartsTest, OfAnotherVersionAreRefused) {
   const std::string text = part_text(measured({log(simulated(arm(), {.samples = 50}))}), equations(), {});
-  const std::string version = "\"version\":6,";
+  const std::string version = "\"version\":7,";
   ASSERT_NE(text.find(version), std::string::npos);
-  for (const std::string other : {"", "\"version\":5,", "\"version\":\"6\","}) {
+  for (const std::string other : {"", "\"version\":6,", "\"version\":\"7\","}) {
     found = {};
     std::ofstream(folder / "part.json") << std::string(text).replace(text.find(version), version.size(), other);
     merge_parts({folder / "part.json"}, equations(), found);

@@ -101,6 +101,37 @@ TEST_F(NonlinearSearch, FindsLongDelaysOfBothSigns) {
   }
 }
 
+// Friction is 8 to 18 % of the torque that a drive carries, which friction itself and rotors are no part of.
+TEST_F(NonlinearSearch, FindsFrictionThatGrowsWithTheLoad) {
+  const auto share = [](int joint) { return 0.08 + 0.02 * joint; };
+  const auto& [file, joints, middle, viscous, coulomb, armature, noise, settings] = bench.arm();
+  std::vector<int> is_parameter;
+  for (int i = 1; i <= 6; ++i) {
+    const std::vector<std::string>& all = bench.equations().names();
+    is_parameter.push_back(static_cast<int>(std::ranges::count(all, fmt::format("Im{}", i))));
+  }
+  std::vector<SimulatedSample> samples = bench.motion({});
+  for (SimulatedSample& sample : samples) {
+    for (int i = 0; i < 6; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const double sign = sample.qd(i) < 0 ? -1 : 1;
+      const double carried = sample.tau(i) - viscous[at] * sample.qd(i) - coulomb[at] * sign -
+                             is_parameter[at] * armature[at] * sample.qdd(i);
+      sample.tau(i) += share(i) * std::abs(carried) * sign;
+    }
+  }
+  search(samples, {.law = FrictionLaw::load});
+  expect_noise_alone();
+  EXPECT_LT(error_with({0, 0, -9.81}), 1.5);
+  for (int i = 0; i < 6; ++i) {
+    const auto at = std::ranges::find(names, fmt::format("c{}", i + 1)) - names.begin();
+    ASSERT_LT(at, found.values.size());
+    EXPECT_NEAR(found.values(at), share(i), 3.5 * found.standard_deviations(at)) << i;
+    const double told = i < 5 ? 0.03 : 1;  // the last drive carries hardly anything
+    EXPECT_LT(found.standard_deviations(at), told) << i;
+  }
+}
+
 // Each of the unknowns shifts the others, so that one found after the other would be off. The intervals have the
 // uncertainty of all in them.
 TEST_F(NonlinearSearch, FindsAllUnknownsTogether) {

@@ -28,6 +28,10 @@ class ResidualLinesTest : public ::testing::Test {
   std::optional<ResidualLine> line(const Eigen::MatrixXd& left, int joint) const {
     return residual_line(measurement.observations, left.col(joint), joint, false, {measurement.logs[0].filter.band});
   }
+  std::optional<ResidualLine> ripple(int joint) const {
+    const SampleFilter& filter = measurement.logs[0].filter;
+    return fast_ripple(measurement.observations, joint, joint, false, {filter.band}, {1 / filter.dt});
+  }
   std::optional<FrictionChange> change_of(const Eigen::MatrixXd& left, int joint) const {
     const auto number = std::to_string(joint + 1);
     return friction_change(measurement.observations, left.col(joint), joint,
@@ -58,6 +62,18 @@ TEST_F(ResidualLinesTest, FindRippleByTheTurnsOfTheJoint) {
   EXPECT_NEAR(found->rate, 50.5, 0.3);
   EXPECT_NEAR(found->amplitude, 1.5, 0.6);
   EXPECT_FALSE(line(left, 0));
+}
+
+// At 0.5 rad/s it has 24 Hz, and the band is 10 Hz: residuals have nothing of it.
+TEST_F(ResidualLinesTest, FindRippleFasterThanTheBandInWhatTheFilterTakesAway) {
+  const Eigen::MatrixXd left = residuals_of(
+      [](double, SimulatedSample& each) { each.tau(kJoint) += 0.4 * std::sin(300.25 * each.q(kJoint) + 1); });
+  const std::optional<ResidualLine> found = ripple(kJoint);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->rate, 300.25, 0.5);
+  EXPECT_NEAR(found->amplitude, 0.4, 0.05);
+  EXPECT_FALSE(line(left, kJoint));
+  for (const int joint : {0, 1, 3, 4, 5}) EXPECT_FALSE(ripple(joint)) << joint;
 }
 
 TEST_F(ResidualLinesTest, FindAResonanceByItsFrequency) {

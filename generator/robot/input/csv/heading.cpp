@@ -27,6 +27,8 @@ CsvDimension dimension_of(CsvQuantity quantity, int entry, const Mechanism& mech
       return slides ? CsvDimension::length_acceleration : CsvDimension::angle_acceleration;
     case CsvQuantity::tau:
       return slides ? CsvDimension::force : CsvDimension::moment;
+    case CsvQuantity::temperature:
+      return CsvDimension::temperature;
     case CsvQuantity::h_e:
       return entry < kFirstMoment ? CsvDimension::force : CsvDimension::moment;
     case CsvQuantity::g_b:

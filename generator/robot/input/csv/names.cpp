@@ -28,17 +28,29 @@ const std::map<CsvQuantity, std::vector<std::string>>& base_columns() {
 
 // Longer ones first: "qd_r1" begins with "qd", too.
 constexpr std::pair<const char*, CsvQuantity> kStems[] = {
-    {"qdd_r", CsvQuantity::qdd_r}, {"qd_r", CsvQuantity::qd_r}, {"qdd", CsvQuantity::qdd},   {"qd", CsvQuantity::qd},
-    {"tau", CsvQuantity::tau},     {"h_e", CsvQuantity::h_e},   {"pi_b", CsvQuantity::pi_b}, {"q", CsvQuantity::q}};
+    {"qdd_r", CsvQuantity::qdd_r}, {"qd_r", CsvQuantity::qd_r}, {"qdd", CsvQuantity::qdd},
+    {"qd", CsvQuantity::qd},       {"tau", CsvQuantity::tau},   {"h_e", CsvQuantity::h_e},
+    {"pi_b", CsvQuantity::pi_b},   {"q", CsvQuantity::q},       {"temperature", CsvQuantity::temperature},
+    {"ddq", CsvQuantity::qdd},     {"dq", CsvQuantity::qd}};
 
 // Messages use these words.
 std::optional<CsvQuantity> quantity_of_word(const std::string& word) {
-  static const std::map<std::string, CsvQuantity> words = {
-      {"position", CsvQuantity::q},    {"positions", CsvQuantity::q},      {"velocity", CsvQuantity::qd},
-      {"velocities", CsvQuantity::qd}, {"acceleration", CsvQuantity::qdd}, {"accelerations", CsvQuantity::qdd},
-      {"effort", CsvQuantity::tau},    {"efforts", CsvQuantity::tau},      {"torque", CsvQuantity::tau},
-      {"torques", CsvQuantity::tau},   {"name", CsvQuantity::joint_name},  {"q", CsvQuantity::q},
-      {"qd", CsvQuantity::qd},         {"qdd", CsvQuantity::qdd},          {"tau", CsvQuantity::tau}};
+  static const std::map<std::string, CsvQuantity> words = {{"position", CsvQuantity::q},
+                                                           {"positions", CsvQuantity::q},
+                                                           {"velocity", CsvQuantity::qd},
+                                                           {"velocities", CsvQuantity::qd},
+                                                           {"acceleration", CsvQuantity::qdd},
+                                                           {"accelerations", CsvQuantity::qdd},
+                                                           {"effort", CsvQuantity::tau},
+                                                           {"efforts", CsvQuantity::tau},
+                                                           {"torque", CsvQuantity::tau},
+                                                           {"torques", CsvQuantity::tau},
+                                                           {"name", CsvQuantity::joint_name},
+                                                           {"q", CsvQuantity::q},
+                                                           {"qd", CsvQuantity::qd},
+                                                           {"qdd", CsvQuantity::qdd},
+                                                           {"tau", CsvQuantity::tau},
+                                                           {"temperature", CsvQuantity::temperature}};
   const auto found = words.find(word);
   return found == words.end() ? std::nullopt : std::optional(found->second);
 }
@@ -250,6 +262,7 @@ bool is_of_joints(CsvQuantity quantity) {
     case CsvQuantity::tau:
     case CsvQuantity::qd_r:
     case CsvQuantity::qdd_r:
+    case CsvQuantity::temperature:
       return true;
     default:
       return false;

@@ -18,6 +18,7 @@ enum class CsvQuantity {
   qd,
   qdd,
   tau,
+  temperature,  // of a joint's drive, °C
   h_e,
   qd_r,
   qdd_r,

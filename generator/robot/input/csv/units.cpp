@@ -49,6 +49,8 @@ std::vector<Unit> units_of(CsvDimension dimension) {
       return {{"Nm", 1}, {"kNm", 1000}, {"mNm", tenth_to_the(3)}, {"Nmm", tenth_to_the(3)}};
     case CsvDimension::current:
       return {{"A", 1}, {"mA", tenth_to_the(3)}};
+    case CsvDimension::temperature:
+      return {{"degC", 1}, {"C", 1}};
   }
   return {};
 }

@@ -22,7 +22,8 @@ enum class CsvDimension {
   length_acceleration,
   force,
   moment,
-  current
+  current,
+  temperature  // in °C: others do not differ by a factor alone
 };
 
 // The factor that converts a number in this unit to SI: deg is pi/180, exactly. Written as people do: "deg/s^2",
