@@ -16,6 +16,9 @@ std::vector<std::string> plausibility_warnings(const TorqueModel& model, const I
 // Sentences on what the search for unknowns in which the torques are not linear did not find.
 std::vector<std::string> search_warnings(const NonlinearUnknowns& unknowns, const TorqueModel& model);
 
+// A sentence on joints whose temperatures hardly change, so that friction at another one is not told.
+std::vector<std::string> temperature_warnings(const TorqueEquations& equations, const Estimate& estimate);
+
 // Base parameters are written as combinations of parameters in `frames`.
 std::string describe_identification(const TorqueEquations& equations, const Identification& found,
                                     ParameterFrames frames);

@@ -373,6 +373,22 @@ std::vector<std::string> plausibility_warnings(const TorqueModel& model, const I
   return warning_texts;
 }
 
+std::vector<std::string> temperature_warnings(const TorqueEquations& equations, const Estimate& estimate) {
+  const TorqueModel& model = equations.model();
+  std::vector<std::string> names;
+  for (int i = model.first_joint(); i < model.equations() && equations.further().temperature; ++i) {
+    const auto at = std::ranges::find(equations.names(), equations.name_of("FsT", i)) - equations.names().begin();
+    if (at < estimate.standard_deviations.size() && !std::isfinite(estimate.standard_deviations[at])) {
+      names.push_back(model.name_of(i));
+    }
+  }
+  if (names.empty()) return {};
+  return {
+      fmt::format("{}: the log does not tell how friction changes with the temperature, and so no friction at "
+                  "--temperature {:.6g}: give the temperature that the log has, or logs of more than one",
+                  fmt::join(names, ", "), *equations.further().temperature)};
+}
+
 std::vector<std::string> search_warnings(const NonlinearUnknowns& unknowns, const TorqueModel& model) {
   std::vector<std::string> warning_texts;
   for (std::size_t i = 0; i < unknowns.friction_told.size(); ++i) {

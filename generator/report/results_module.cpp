@@ -59,6 +59,10 @@ std::string results_module(const TorqueEquations& equations, const Identificatio
       "from math import nan\n\n",
       kProgramVersion);
   text += "ROBOT = " + quoted_literal(model.mechanism().name) + "\n\n";
+  if (const std::optional<double>& temperature = equations.further().temperature) {
+    text +=
+        fmt::format("# F_v and F_s are those at so many degrees Celsius.\nTEMPERATURE = {}\n\n", literal(*temperature));
+  }
   text += "NAMES = " + tuple_of_all(b, indent, name) + "\n\n";
   text += "# The sums of the links' parameters that they are.\nCOMBINATIONS = " + tuple_of_all(b, indent, combination) +
           "\n\n";

@@ -90,6 +90,8 @@ TEST(Identify, RefusesOptionsWithoutAnEffect) {
        {std::pair<std::string, const char*>{" --validate " + log, "that log is one of --data, too"},
         {" --parameters inertial --friction stribeck",
          "--friction and --temperature have no effect with --parameters inertial"},
+        {" --parameters given --friction load", "no friction is among the parameters"},
+        {" --temperature 300", "must be a number from -100 to 200"},
         {" --gravity off --gravity-direction", "the robot is without gravity"},
         {" --springs --offsets", "--springs cannot be told apart from --offsets"},
         {" --friction asymmetric --offsets", "--friction asymmetric and --offsets cannot be told apart"},

@@ -37,13 +37,17 @@ Eigen::MatrixXd upper_triangle(const ordered_json& list, Eigen::Index size) {
   return upper;
 }
 
+// The settings on which the parameters behind π_b depend.
+ordered_json settings_of_equations(const FurtherParameters& further) {
+  return {{"offsets", further.offsets},
+          {"springs", further.springs},
+          {"friction", static_cast<int>(further.law)},
+          {"temperature", further.temperature ? ordered_json(*further.temperature) : ordered_json()}};
+}
+
 // The settings that all parts must share to be joined.
 ordered_json settings(const StreamOptions& options, const FurtherParameters& further) {
-  ordered_json json = {{"parts", options.parts},
-                       {"offsets", further.offsets},
-                       {"springs", further.springs},
-                       {"friction", static_cast<int>(further.law)}};
-  json["temperature"] = further.temperature ? ordered_json(*further.temperature) : ordered_json();
+  ordered_json json = {{"parts", options.parts}, {"equations", settings_of_equations(further)}};
   json["band"] = options.band ? ordered_json(*options.band) : ordered_json();
   json["rest_speed"] = options.rest_speed;
   json["decimate"] = options.decimate ? ordered_json(*options.decimate) : ordered_json();
@@ -176,6 +180,11 @@ std::optional<Part> read_part(const std::filesystem::path& file, const TorqueEqu
     if (json.at("model") != equations.model().fingerprint()) {
       diagnostics.error(place, "the part was made with another robot, other parameters or another gravity",
                         "give --merge the robot and the options that the parts were made with");
+      return std::nullopt;
+    }
+    if (json.at("settings").at("equations") != settings_of_equations(equations.further())) {
+      diagnostics.error(place, "the part was made with other parameters than these: offsets, springs or friction",
+                        "give --merge the same --offsets, --springs, --friction and --temperature as the parts");
       return std::nullopt;
     }
     const long parts = whole_number(json.at("settings").at("parts"), kMostParts);

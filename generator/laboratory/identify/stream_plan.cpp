@@ -59,6 +59,21 @@ void check_units(const Mechanism& mechanism, const StreamPlan& plan, const std::
   check_time(rates, plan, heading, diagnostics);
 }
 
+// Reports temperatures that no drive has in degrees Celsius.
+void check_temperatures(const StreamPlan& plan, const SurveyedSample& first, Diagnostics& diagnostics) {
+  constexpr double kColdest = -100, kHottest = 200;  // °C
+  const LogLayout& layout = plan.layout();
+  const std::vector<std::string> names = plan.heading.channel_names();
+  for (int i = 0; i < layout.joints && layout.has_temperatures; ++i) {
+    const auto at = static_cast<std::size_t>(layout.temperatures() + i);
+    const double temperature = first.channels[at];
+    if (temperature > kColdest && temperature < kHottest) continue;
+    diagnostics.error(first.place, fmt::format("{} is {:.6g} degrees Celsius", names[at], temperature),
+                      "take 273.15 off kelvins; a column of another unit is not a temperature");
+    return;
+  }
+}
+
 // Three rows per period of the band, of which each is a whole number of strides behind the one before it.
 int default_decimation(double band, double rate) {
   constexpr double kRowsPerBand = 3;
@@ -233,6 +248,7 @@ StreamPlan plan_stream(const std::filesystem::path& log, const Mechanism& mechan
   plan.start = samples.front().channels.front();
   const Place heading{log.string(), 1};
   check_units(mechanism, plan, samples, heading, diagnostics);
+  check_temperatures(plan, samples.front(), diagnostics);
   if (diagnostics.has_errors()) return plan;
   const LogSurvey found = survey(log, plan.heading, plan.clock);
   choose_filter(plan, options, found, heading, diagnostics);

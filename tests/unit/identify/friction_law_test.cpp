@@ -5,6 +5,7 @@
 #include "laboratory/identify/friction_search.hpp"
 #include "laboratory/identify/identification.hpp"
 #include "laboratory/identify/rest_search.hpp"
+#include "report/identification_report.hpp"
 #include "support/practical_bench.hpp"
 
 namespace flatdyn {
@@ -86,24 +87,44 @@ TEST_F(FrictionLaws, SmoothFrictionIsFoundWithItsSpeed) {
   expect_found(samples, FrictionLaw::smooth, "Fs", 1);
 }
 
-// The drives warm up by 15 K during the log, and friction falls by 1 % (viscous) and 0.5 % (Coulomb) for each kelvin.
-// What is found is the friction at 40 °C, which no joint reaches.
-TEST_F(FrictionLaws, FrictionThatFallsWithTheTemperatureIsFound) {
-  constexpr double kViscous = -0.01, kCoulomb = -0.005, kAt = 40;
-  const auto temperature = [](double time, int joint) { return 20 + joint + 15 * (1 - std::exp(-time / 8)); };
-  std::vector<SimulatedSample> samples = bench.motion({});
-  const std::vector<double>& viscous = bench.arm().viscous;
-  for (SimulatedSample& sample : samples) {
-    for (int i = 0; i < 6; ++i) {
-      const double qd = sample.qd(i), per_kelvin = kViscous * viscous[static_cast<std::size_t>(i)] * qd +
-                                                   kCoulomb * std::copysign(coulomb(i), qd);
-      sample.tau(i) += (temperature(sample.time, i) - kAt) * per_kelvin;
+// Logs with a column of temperatures for each joint.
+class WarmLogs : public FrictionLaws {
+ protected:
+  // The estimate of a log at the temperatures, with friction at 40 °C that falls by 1 % (viscous) and 0.5 % (Coulomb)
+  // for each kelvin.
+  Estimate estimated(double (*temperature)(double time, int joint)) {
+    std::vector<SimulatedSample> samples = bench.motion({});
+    for (SimulatedSample& sample : samples) {
+      for (int i = 0; i < 6; ++i) {
+        const double qd = sample.qd(i),
+                     per_kelvin = kViscous * viscous(i) * qd + kCoulomb * std::copysign(coulomb(i), qd);
+        sample.tau(i) += (temperature(sample.time, i) - kAt) * per_kelvin;
+      }
     }
+    write_with_temperatures(samples, temperature);
+    Progress quiet{true};
+    Diagnostics said;
+    measurement = measure(equations, bench.plain().mechanism, {path}, {.temperatures = true}, quiet, said);
+    EXPECT_TRUE(said.all().empty());
+    return estimate_of(equations, measurement, {});
   }
-  const std::filesystem::path plain = std::filesystem::temp_directory_path() / fmt::format("warm-{}", ::getpid()),
-                              path = plain.string() + ".csv";
-  write_practical_log(plain, bench.arm(), samples, kEncoderStep, 1, 1);
-  {
+  double viscous(int joint) const { return bench.arm().viscous[static_cast<std::size_t>(joint)]; }
+  Eigen::Index place_of(const std::string& stem, int joint) const {
+    const std::string name = fmt::format("{}{}", stem, joint + 1);
+    return std::ranges::find(equations.names(), name) - equations.names().begin();
+  }
+  ~WarmLogs() override {
+    std::filesystem::remove(plain);
+    std::filesystem::remove(path);
+  }
+
+  static constexpr double kViscous = -0.01, kCoulomb = -0.005, kAt = 40;
+  TorqueEquations equations{bench.model(), {.temperature = kAt}};
+  Measurement measurement;
+
+ private:
+  void write_with_temperatures(const std::vector<SimulatedSample>& samples, double (*temperature)(double, int)) const {
+    write_practical_log(plain, bench.arm(), samples, kEncoderStep, 1, 1);
     std::ifstream in(plain);
     std::ofstream out(path);
     std::string line;
@@ -116,30 +137,41 @@ TEST_F(FrictionLaws, FrictionThatFallsWithTheTemperatureIsFound) {
       out << "\n";
     }
   }
-  const TorqueEquations equations(bench.model(), {.temperature = kAt});
-  Progress quiet{true};
-  Diagnostics said;
-  const Measurement measurement =
-      measure(equations, bench.plain().mechanism, {path}, {.temperatures = true}, quiet, said);
-  std::filesystem::remove(plain);
-  std::filesystem::remove(path);
-  EXPECT_TRUE(said.all().empty());
-  const Estimate found = estimate_of(equations, measurement, {});
+
+  std::filesystem::path plain = std::filesystem::temp_directory_path() / fmt::format("warm-{}", ::getpid()),
+                        path = plain.string() + ".csv";
+};
+
+// The drives warm up by 15 K. No joint reaches 40 °C, at which friction is found.
+TEST_F(WarmLogs, TellHowFrictionChanges) {
+  const Estimate found = estimated([](double time, int joint) { return 20 + joint + 15 * (1 - std::exp(-time / 8)); });
   for (const JointFit& fit :
        fit_quality(measurement.observations, measurement.logs, found.values, equations.acceleration_rows())) {
     EXPECT_LT(fit.ratio, 1.3);
   }
   for (int i = 0; i < 6; ++i) {
-    const auto at = static_cast<std::size_t>(i);
     for (const auto& [stem, truth] :
-         {std::pair{"Fv", viscous[at]}, std::pair{"Fs", coulomb(i)}, std::pair{"FvT", kViscous * viscous[at]},
+         {std::pair{"Fv", viscous(i)}, std::pair{"Fs", coulomb(i)}, std::pair{"FvT", kViscous * viscous(i)},
           std::pair{"FsT", kCoulomb * coulomb(i)}}) {
-      const std::string name = fmt::format("{}{}", stem, i + 1);
-      const auto k = std::ranges::find(equations.names(), name) - equations.names().begin();
-      EXPECT_NEAR(found.values(k), truth, 3.5 * found.standard_deviations(k)) << name;
-      EXPECT_LT(found.standard_deviations(k), 0.2 * std::abs(truth)) << name;
+      const Eigen::Index k = place_of(stem, i);
+      EXPECT_NEAR(found.values(k), truth, 3.5 * found.standard_deviations(k)) << stem << i;
+      EXPECT_LT(found.standard_deviations(k), 0.2 * std::abs(truth)) << stem << i;
     }
   }
+  EXPECT_TRUE(temperature_warnings(equations, found).empty());
+}
+
+// All at 30 °C: friction at 40 °C is anything.
+TEST_F(WarmLogs, OfOneTemperatureTellNoOther) {
+  const Estimate found = estimated([](double, int) { return 30.0; });
+  for (int i = 0; i < 6; ++i) {
+    for (const char* stem : {"Fv", "Fs", "FvT", "FsT"}) {
+      EXPECT_FALSE(std::isfinite(found.standard_deviations(place_of(stem, i)))) << stem << i;
+    }
+  }
+  const std::vector<std::string> warnings = temperature_warnings(equations, found);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("no friction at --temperature 40"), std::string::npos) << warnings[0];
 }
 
 // All speeds of a joint that moves slowly are below v: F_s tanh(q̇/v) is as viscous as F_v q̇, and F_b as constant as

@@ -342,6 +342,16 @@ TEST_F(PartsTest, OfAnotherVersionAreRefused) {
   }
 }
 
+TEST_F(PartsTest, OfOtherEquationsAreRefused) {
+  std::ofstream(folder / "part.json") << part_text(measured({log(simulated(arm(), {.samples = 50}))}), equations(), {});
+  for (const FurtherParameters& other : {FurtherParameters{.offsets = true}, FurtherParameters{.temperature = 30}}) {
+    found = {};
+    merge_parts({folder / "part.json"}, TorqueEquations(equations().model(), other), found);
+    ASSERT_EQ(found.all().size(), 1u);
+    EXPECT_THAT(found.all()[0].message, ::testing::HasSubstr("other parameters than these"));
+  }
+}
+
 // Numbers of parts that no part file can have.
 TEST_F(PartsTest, OfWhichThereAreTooManyAreNoParts) {
   const auto short_log = log(simulated(arm(), {.samples = 50}));
