@@ -21,8 +21,18 @@
 # source is compiled with both options here. A header is compiled by the targets that link with it: ROUNDED_AS_WRITTEN
 # gives them the options, for all their own sources as well.
 #
+# g++ that tunes for a recent x86 processor, as -march=native tells it to, keeps doubles in general registers and moves
+# them back and forth, which costs up to a third. $CACHE{FLATDYN_TUNING}, -mtune=generic, is given to generated sources,
+# and to the C++ of targets that link with a header; empty: no option.
+#
 # The program is $CACHE{FLATDYN_EXECUTABLE} if set, for example in a cross build to a flatdyn of the build machine; else
 # the installed program, or that of this build.
+
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64|i[3-6]86")
+  set(FLATDYN_TUNING "-mtune=generic" CACHE STRING "options by which g++ and gcc compile generated code; may be empty")
+else()
+  set(FLATDYN_TUNING "" CACHE STRING "options by which g++ and gcc compile generated code; may be empty")
+endif()
 
 set(FLATDYN_EXECUTABLE "" CACHE FILEPATH "flatdyn of the machine that builds; empty: the installed one")
 
@@ -140,7 +150,8 @@ function(flatdyn_generate target)
     add_library(${target} STATIC ${outputs})
     flatdyn_publish_header(${target} PUBLIC ${folder} ${target}.h)
     target_compile_features(${target} PUBLIC c_std_99)
-    target_compile_options(${target} PRIVATE -ffp-contract=off -fno-tree-slp-vectorize)
+    target_compile_options(${target} PRIVATE -ffp-contract=off -fno-tree-slp-vectorize
+                                             "$<$<C_COMPILER_ID:GNU>:${FLATDYN_TUNING}>")
     if(UNIX)
       target_link_libraries(${target} PUBLIC m)
     endif()
@@ -150,7 +161,8 @@ function(flatdyn_generate target)
     add_library(${target} STATIC ${outputs})
     flatdyn_publish_header(${target} PUBLIC ${folder} ${target}.hpp)
     target_compile_features(${target} PUBLIC cxx_std_17)
-    target_compile_options(${target} PRIVATE -ffp-contract=off -fno-tree-slp-vectorize)
+    target_compile_options(${target} PRIVATE -ffp-contract=off -fno-tree-slp-vectorize
+                                             "$<$<CXX_COMPILER_ID:GNU>:${FLATDYN_TUNING}>")
     return()
   endif()
   add_library(${target} INTERFACE)
@@ -158,6 +170,7 @@ function(flatdyn_generate target)
   add_dependencies(${target} ${target}_generate)
   flatdyn_publish_header(${target} INTERFACE ${folder} ${header})
   target_compile_features(${target} INTERFACE cxx_std_17)
+  target_compile_options(${target} INTERFACE "$<$<COMPILE_LANG_AND_ID:CXX,GNU>:${FLATDYN_TUNING}>")
   if(arg_LANGUAGE STREQUAL cuda)
     target_link_libraries(${target} INTERFACE flatdyn::runtime)
   endif()

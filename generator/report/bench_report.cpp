@@ -19,7 +19,7 @@ std::string nanoseconds(double time) {
 
 std::string quartiles_of(const Quartiles& time) { return nanoseconds(time.low) + " .. " + nanoseconds(time.high); }
 
-// A peer's operations and bytes are not known.
+// A peer's operations and bytes are not known, and the bytes where the compiler tunes for this processor.
 ReportFields<BenchRow> bench_fields(const std::string& unit) {
   using Json = ordered_json;
   return {{"  variant", "variant", &BenchRow::variant, "  {}"},
@@ -37,7 +37,7 @@ ReportFields<BenchRow> bench_fields(const std::string& unit) {
           {unit + ": p99", "error.p99", [](auto& row) { return row.absolute.percentile_99; }, "{:.2g}"},
           {"max", "error.max", [](auto& row) { return row.absolute.largest; }, "{:.2g}"},
           {"", "states", &BenchRow::states},
-          {"bytes", "bytes", [](auto& row) { return row.is_peer ? Json() : Json(row.bytes); }},
+          {"bytes", "bytes", [](auto& row) { return row.bytes > 0 ? Json(row.bytes) : Json(); }},
           {"front", "", [](auto& row) { return row.on_front ? "*" : ""; }},
           {"", "front", &BenchRow::on_front}};
 }

@@ -81,8 +81,8 @@ class ModuleWriter {
     page["version"] = std::string(kProgramVersion);
     page["name"] = module_name(mechanism_, options_);
     page["compile"] = fmt::format(
-        "cc -std=c99 -O3 -march=native -ffp-contract=off -fno-tree-slp-vectorize -shared -fPIC {0}.c {0}_batch.c -o "
-        "lib{0}.so -lm",
+        "cc -std=c99 -O3 -march=native -mtune=generic -ffp-contract=off -fno-tree-slp-vectorize -shared -fPIC {0}.c "
+        "{0}_batch.c -o lib{0}.so -lm",
         module_name(mechanism_, options_));
     page["hash"] = std::string(kHashPlaceholder);
     page["library"] = std::string("_library_") + kShortHashPlaceholder;

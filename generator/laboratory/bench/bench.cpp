@@ -177,7 +177,7 @@ class BenchRun {
 
   BenchReport report(const std::vector<BenchCase>& cases, const std::vector<BenchErrors>& errors, const Times& times,
                      const std::vector<long>& sizes) const {
-    BenchReport report{model_.mechanism.name, toolchain_.version(), kBenchFlags, options_.seconds, {}, {},
+    BenchReport report{model_.mechanism.name, toolchain_.version(), bench_flags(), options_.seconds, {}, {},
                        peers_.left_out};
     if (!toolchain_.has_xsimd && !variants_.empty())
       report.left_out.emplace_back("batch, together: they need xsimd (libxsimd-dev)");

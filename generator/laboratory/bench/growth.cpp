@@ -96,7 +96,7 @@ GrowthReport bench_growth(const GrowthOptions& options, Progress& progress) {
   const Toolchain toolchain = find_toolchain();
   const std::vector<int> sizes = sizes_up_to(options.joints);
   const double seconds = options.seconds / static_cast<double>(2 * sizes.size() * options.functions.size());
-  GrowthReport report{toolchain.version(), kBenchFlags, {}};
+  GrowthReport report{toolchain.version(), bench_flags(), {}};
   for (const bool chain : {true, false}) {
     for (const std::string& function : options.functions) {
       GrowthCurve curve{chain ? "chain" : "tree", function, {}};

@@ -16,8 +16,7 @@ namespace {
 BenchPeer reference_peer() {
   return {"reference",
           "reference",
-          std::string(kBenchFlags) +
-              " -ftree-slp-vectorize -DNDEBUG -DEigen=eigen_of_reference $(pkg-config --cflags eigen3)",
+          bench_flags() + " -ftree-slp-vectorize -DNDEBUG -DEigen=eigen_of_reference $(pkg-config --cflags eigen3)",
           "",
           templates::bench_reference_cpp,
           {"inverse_dynamics", "inverse_dynamics_tip_force", "inertia_matrix", "christoffel", "coriolis_matrix",

@@ -74,8 +74,12 @@ BenchProgram::BenchProgram(const BenchSubject& subject, fs::path folder)
 }
 
 void BenchProgram::build() const {
-  std::vector<CompileJob> jobs = {{"sizes", kBenchFlags}, {"robot", kBenchFlags}, {"main", "-std=c++17 -O1"}};
+  std::vector<CompileJob> jobs = {{"sizes", bench_flags()}, {"robot", bench_flags()}, {"main", "-std=c++17 -O1"}};
   std::vector<std::string> linked = {"main", "robot"};
+  if (has_native_cases(subject_)) {
+    jobs.push_back({"native", kNativeFlags});
+    linked.emplace_back("native");
+  }
   std::string libraries;
   for (const BenchPeer& peer : subject_.peers) {
     jobs.push_back({peer.stem, peer.flags});
@@ -87,7 +91,7 @@ void BenchProgram::build() const {
 }
 
 CompilerUsage BenchProgram::compilation() const {
-  return compiler_usage(subject_.toolchain, folder_, {"sizes", kBenchFlags});
+  return compiler_usage(subject_.toolchain, folder_, {"sizes", bench_flags()});
 }
 
 std::map<std::string, std::size_t> BenchProgram::index_by_name() const {
@@ -130,7 +134,7 @@ std::vector<long> BenchProgram::sizes() const {
   const std::map<std::string, long> bytes = bytes_by_symbol(content_of_file(folder_ / "symbols"));
   std::vector<long> sizes;
   for (const BenchCase& each : cases_) {
-    if (each.is_peer) {
+    if (each.is_peer || each.of.is_native) {
       sizes.push_back(0);
       continue;
     }

@@ -36,8 +36,15 @@ std::string states_text(const std::vector<State>& states) {
   return bytes;
 }
 
+// Whether a variant has this property.
+bool has_any(const BenchSubject& subject, bool BenchVariant::*property) {
+  return std::any_of(subject.variants.begin(), subject.variants.end(),
+                     [property](const BenchVariant& variant) { return variant.*property; });
+}
+
 std::vector<std::string> adders(const BenchSubject& subject) {
   std::vector<std::string> names = {"add_robot"};
+  if (has_native_cases(subject)) names.emplace_back("add_native");
   for (const BenchPeer& peer : subject.peers) names.push_back("add_" + peer.stem);
   return names;
 }
@@ -135,12 +142,6 @@ std::string header_of(const AbbreviatedFunctions& functions) {
   return cpp_identifier("robot " + functions.budget) + ".hpp";
 }
 
-// Whether a variant has this property.
-bool has_any(const BenchSubject& subject, bool BenchVariant::*property) {
-  return std::any_of(subject.variants.begin(), subject.variants.end(),
-                     [property](const BenchVariant& variant) { return variant.*property; });
-}
-
 bool has_kernels(const BenchSubject& subject) {
   return std::any_of(subject.variants.begin(), subject.variants.end(),
                      [](const BenchVariant& variant) { return variant.call_mode == CallMode::kernel; });
@@ -158,13 +159,14 @@ data headers_of_robot(const BenchSubject& subject) {
   return list_of(names);
 }
 
-data robot_page(const BenchSubject& subject) {
+// The cases that the compiler tunes for this processor, or the others.
+data robot_page(const BenchSubject& subject, bool native) {
   data singles(data::type::list), staged(data::type::list), lanes(data::type::list), kernels(data::type::list),
       functions(data::type::list);
   for (std::size_t k = 0; k < subject.functions.size(); ++k) {
     for (const BenchVariant& variant : subject.variants) {
       const std::optional<CalledFunction> called = called_function(subject, k, variant);
-      if (!called) continue;
+      if (!called || variant.is_native != native) continue;
       if (variant.call_mode == CallMode::single) singles << single_row(subject, *called, variant);
       if (variant.call_mode == CallMode::staged) staged << staged_row(subject, *called, variant);
       if (variant.call_mode == CallMode::batch) lanes << batch_row(subject, *called, variant);
@@ -174,14 +176,15 @@ data robot_page(const BenchSubject& subject) {
   }
   data page;
   page["robot"] = comment_text(subject.mechanism.name);
+  page["adder"] = std::string(native ? "add_native" : "add_robot");
   std::vector<std::string> headers;
   const bool over_lanes = std::any_of(subject.variants.begin(), subject.variants.end(), needs_xsimd);
-  if (over_lanes && subject.toolchain.has_xsimd) headers = {"flatdyn/batch.hpp", "flatdyn/trigonometry.hpp"};
+  if (!native && over_lanes && subject.toolchain.has_xsimd) headers = {"flatdyn/batch.hpp", "flatdyn/trigonometry.hpp"};
   page["headers"] = list_of(headers);
-  page["robots"] = headers_of_robot(subject);
+  page["robots"] = native ? list_of({kNativeHeader}) : headers_of_robot(subject);
   page["singles"] = data(singles);
   page["staged"] = data(staged);
-  page["steps"] = step_rows(subject);
+  page["steps"] = native ? data(data::type::list) : step_rows(subject);
   page["lanes"] = data(lanes);
   page["kernels"] = data(kernels);
   page["functions"] = data(functions);
@@ -210,10 +213,14 @@ std::string kernels_header(const Mechanism& mechanism, const std::vector<Functio
   return emit_code(mechanism, functions, emit).front().text;
 }
 
+bool has_native_cases(const BenchSubject& subject) {
+  return *kTuning != '\0' && has_any(subject, &BenchVariant::is_native);
+}
+
 std::vector<SourceFile> bench_sources(const BenchSubject& subject) {
   EmitOptions emit;
   emit.name_space = kBenchNamespace;
-  const data main = main_page(subject), robot = robot_page(subject);
+  const data main = main_page(subject), robot = robot_page(subject, false);
   std::vector<SourceFile> files = {
       {"robot.hpp", emit_header(subject.mechanism, subject.functions, emit, subject.stages)},
       {"cases.hpp", rendered(templates::bench_cases_hpp, main)},
@@ -232,6 +239,11 @@ std::vector<SourceFile> bench_sources(const BenchSubject& subject) {
     emit.limbs_in_lanes = true;
     files.push_back({kLimbsHeader, emit_header(subject.mechanism, subject.functions, emit)});
     emit.limbs_in_lanes = false;
+  }
+  if (has_native_cases(subject)) {
+    emit.name_space = kNativeNamespace;
+    files.push_back({kNativeHeader, emit_header(subject.mechanism, subject.functions, emit)});
+    files.push_back({"native.cpp", rendered(templates::bench_robot_cpp, robot_page(subject, true))});
   }
   if (has_any(subject, &BenchVariant::fuses)) {
     emit.name_space = kFusedNamespace;

@@ -18,6 +18,9 @@ struct SourceFile {
 // All files of the program, with the states that it reads.
 std::vector<SourceFile> bench_sources(const BenchSubject& subject);
 
+// Whether native.cpp has cases, which are compiled without kTuning.
+bool has_native_cases(const BenchSubject& subject);
+
 // The header kKernelsHeader: the functions in CUDA, none of them in parts.
 std::string kernels_header(const Mechanism& mechanism, const std::vector<Function>& functions);
 

@@ -47,6 +47,7 @@ std::string name_space_of_budget(const std::string& budget) { return in_robot(cp
 
 std::string name_space_of(const BenchVariant& variant) {
   if (variant.has_lanes) return kLimbsNamespace;
+  if (variant.is_native) return kNativeNamespace;
   if (variant.call_mode == CallMode::kernel) return kKernelsNamespace;
   return variant.fuses ? kFusedNamespace : kBenchNamespace;
 }

@@ -56,6 +56,8 @@ std::optional<CalledFunction> called_function(const BenchSubject& subject, std::
 inline constexpr const char *kFusedNamespace = "robot::fused", *kFusedHeader = "robot_fused.hpp";
 // The same of functions with limbs in the lanes of vectors.
 inline constexpr const char *kLimbsNamespace = "robot::limbs", *kLimbsHeader = "robot_limbs.hpp";
+// The same of functions that are compiled with the compiler's own tuning.
+inline constexpr const char *kNativeNamespace = "robot::native", *kNativeHeader = "robot_native.hpp";
 // The same of the CUDA form.
 inline constexpr const char *kKernelsNamespace = "robot::kernels", *kKernelsHeader = "robot_kernels.cuh";
 // The namespace of a budget's functions: "robot::budget_0_1_".

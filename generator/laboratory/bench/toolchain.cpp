@@ -37,6 +37,8 @@ std::string Toolchain::version() const {
   return text.substr(0, text.find('\n'));
 }
 
+std::string bench_flags() { return *kTuning == '\0' ? kNativeFlags : fmt::format("{} {}", kNativeFlags, kTuning); }
+
 Toolchain find_toolchain() {
   Toolchain toolchain;
   toolchain.compiler = machine_compiler();

@@ -26,7 +26,16 @@ struct Toolchain {
 Toolchain find_toolchain();
 
 // The compiler flags for timed generated code, which round as it is written (docs/generated-code.md).
-inline constexpr const char* kBenchFlags = "-std=c++17 -O3 -march=native -ffp-contract=off -fno-tree-slp-vectorize";
+inline constexpr const char* kNativeFlags = "-std=c++17 -O3 -march=native -ffp-contract=off -fno-tree-slp-vectorize";
+// The flag that suits generated code behind -march=native: g++ that tunes for recent processors keeps doubles in
+// general registers, and moves them back and forth. Empty where it is not known.
+#if defined(__x86_64__) || defined(__i386__)
+inline constexpr const char* kTuning = "-mtune=generic";
+#else
+inline constexpr const char* kTuning = "";
+#endif
+// Both.
+std::string bench_flags();
 
 struct CompileJob {
   std::string stem, flags;

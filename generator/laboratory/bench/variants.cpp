@@ -2,12 +2,14 @@
 #include "laboratory/bench/variants.hpp"
 
 #include "graph/count.hpp"
+#include "laboratory/bench/toolchain.hpp"
 
 namespace flatdyn {
 
 const std::vector<BenchVariant>& bench_variants() {
   static const std::vector<BenchVariant> table = {
       {"double", "double", CallMode::single, SinCosSource::own},
+      {"double-native", "double", CallMode::single, SinCosSource::own, "", false, false, false, true},
       {"double-library", "double", CallMode::single, SinCosSource::library},
       {"double-together", "double", CallMode::single, SinCosSource::together},
       {"double-given", "double", CallMode::single, SinCosSource::given},
@@ -69,6 +71,7 @@ bool asks_for_multiples(const Graph& graph) {
 }  // namespace
 
 bool is_made(const BenchVariant& variant, const Function& function, bool has_xsimd) {
+  if (variant.is_native && *kTuning == '\0') return false;
   const bool has_angles = count_operations(function).trigonometric > 0;
   if (variant.trigonometry == SinCosSource::given && asks_for_multiples(function.graph)) return false;
   return (has_xsimd || !needs_xsimd(variant)) && (has_angles || variant.trigonometry == SinCosSource::own);

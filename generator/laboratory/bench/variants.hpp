@@ -26,6 +26,7 @@ struct BenchVariant {
   bool is_packed = false;   // a batch without the zeros and the mirrored entries of matrices
   bool fuses = false;       // whether the function is one with fused multiply-adds
   bool has_lanes = false;   // whether limbs alike are computed in the lanes of vectors
+  bool is_native = false;   // whether the compiler tunes for this processor, without kTuning
 };
 
 // All variants. The times of the others are compared with the first one's.
