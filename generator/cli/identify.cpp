@@ -11,6 +11,7 @@
 #include "laboratory/identify/instrumental_variables.hpp"
 #include "laboratory/identify/part_file.hpp"
 #include "laboratory/identify/rest_search.hpp"
+#include "laboratory/identify/temperature_survey.hpp"
 #include "laboratory/identify/usable_samples.hpp"
 #include "report/identification_files.hpp"
 #include "report/identification_report.hpp"
@@ -165,8 +166,10 @@ std::vector<TextFile> result_files(const IdentifyArguments& arguments, const Loa
 
 // Finds unknowns in which the torques are not linear, or loads the model if there are none.
 NonlinearFit fit_of_unknowns(IdentifyArguments& arguments, LoadedRobot robot, Logs& logs, Progress& progress) {
-  const NonlinearOptions options{arguments.gravity_direction, arguments.delay,           arguments.further.law,
-                                 arguments.further.offsets,   arguments.further.springs, arguments.further.temperature};
+  const NonlinearOptions options{
+      arguments.gravity_direction,        arguments.delay,           arguments.further.law,
+      arguments.further.offsets,          arguments.further.springs, arguments.further.temperature,
+      arguments.further.even_temperatures};
   if (!options.any()) {
     auto model = std::make_unique<TorqueModel>(robot, arguments.identification.set, progress);
     return {std::move(robot), std::move(model), arguments.further};
@@ -233,6 +236,10 @@ ExitCode identify(IdentifyArguments arguments) {
   require_friction(robot.mechanism, arguments);
   // Settings that cannot be repeated are refused before logs are read.
   if (!arguments.output.empty()) arguments.settings(robot);
+  if (arguments.further.temperature && arguments.part.empty() && arguments.parts.empty()) {
+    arguments.further.even_temperatures = even_temperatures({arguments.logs.begin(), arguments.logs.end()},
+                                                            robot.mechanism, stream, *arguments.further.temperature);
+  }
   Progress progress(arguments.quiet);
   Logs logs(arguments, stream, progress);
   const NonlinearFit fit = fit_of_unknowns(arguments, std::move(robot), logs, progress);
@@ -256,7 +263,7 @@ ExitCode identify(IdentifyArguments arguments) {
   Identification found =
       identification(fit.robot, equations, std::move(measurement), arguments.identification, progress);
   found.unknowns = fit.unknowns;
-  set_deviations(found.unknowns, equations, found.estimate);
+  set_deviations(found.unknowns, equations, found.estimate, found.measurement);
   leave_friction_open(found.estimate, found.unknowns, equations);
   if (!arguments.validation.empty()) validate(found, equations, logs.validation(equations, found.measurement));
   found.warning_texts = plausibility_warnings(model, found);

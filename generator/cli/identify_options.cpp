@@ -217,12 +217,12 @@ void add_identify_options(CLI::App& command, IdentifyArguments& arguments) {
       ->type_name("FILE.csv");
   command
       .add_option("--module", arguments.module,
-                   "the parameters as a Python module: names, values, deviations, covariance, and arrays() of NumPy")
+                  "the parameters as a Python module: names, values, deviations, covariance, and arrays() of NumPy")
       ->check(kNotEmpty)
       ->type_name("FILE.py");
   command
       .add_option("--signals", arguments.signals,
-                   "filtered q, qd, qdd and torques, the model's torques, and which rows were used, as CSV")
+                  "filtered q, qd, qdd and torques, the model's torques, and which rows were used, as CSV")
       ->check(kNotEmpty)
       ->type_name("FILE.csv");
   command.add_option("--part", arguments.part, "read the k-th of N parts of the logs, and write what it says")

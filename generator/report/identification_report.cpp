@@ -201,6 +201,17 @@ std::string speeds_text(const TorqueEquations& equations, const NonlinearUnknown
   return text + "\n";
 }
 
+// The drives whose load has a rotor in it that it may lack.
+std::string load_text(const TorqueEquations& equations) {
+  std::vector<std::string> names;
+  for (const int i : equations.carried_rotors()) names.push_back(equations.name_of("c", i));
+  if (names.empty()) return "";
+  return fmt::format(
+      "{}: the rotor counts as carried, as nothing tells it from the link; where the robot file has it (armature), it "
+      "does not\n",
+      fmt::join(names, ", "));
+}
+
 std::string temperature_text(const FurtherParameters& further) {
   return further.temperature ? fmt::format("F_v and F_s are those at {:.6g} degrees Celsius\n", *further.temperature)
                              : "";
@@ -250,7 +261,7 @@ std::string parameter_table(const TorqueEquations& equations, const Identificati
   const Combinations combinations(model.mechanism(), model.base(), frames);
   return combination_table(heading, rows, combinations) + note_on_frames(model.mechanism(), frames) +
          note_on_names(model.mechanism(), frames) + speeds_text(equations, found.unknowns) +
-         temperature_text(equations.further()) + gravity_text(found.unknowns);
+         temperature_text(equations.further()) + load_text(equations) + gravity_text(found.unknowns);
 }
 
 std::string physical_text(const PhysicalParameters& physical) {

@@ -375,18 +375,30 @@ std::vector<std::string> plausibility_warnings(const TorqueModel& model, const I
 
 std::vector<std::string> temperature_warnings(const TorqueEquations& equations, const Estimate& estimate) {
   const TorqueModel& model = equations.model();
-  std::vector<std::string> names;
+  std::vector<std::string> even, open;
   for (int i = model.first_joint(); i < model.equations() && equations.further().temperature; ++i) {
     const auto at = std::ranges::find(equations.names(), equations.name_of("FsT", i)) - equations.names().begin();
-    if (at < estimate.standard_deviations.size() && !std::isfinite(estimate.standard_deviations[at])) {
-      names.push_back(model.name_of(i));
+    const auto joint = static_cast<std::size_t>(i - model.first_joint());
+    if (joint < equations.further().even_temperatures.size() && equations.further().even_temperatures[joint]) {
+      even.push_back(model.name_of(i));
+    } else if (at < estimate.standard_deviations.size() && !std::isfinite(estimate.standard_deviations[at])) {
+      open.push_back(model.name_of(i));
     }
   }
-  if (names.empty()) return {};
-  return {
-      fmt::format("{}: the log does not tell how friction changes with the temperature, and so no friction at "
-                  "--temperature {:.6g}: give the temperature that the log has, or logs of more than one",
-                  fmt::join(names, ", "), *equations.further().temperature)};
+  std::vector<std::string> texts;
+  if (!even.empty()) {
+    texts.push_back(
+        fmt::format("{}: the temperatures hardly change, and do not tell friction at --temperature {:.6g}: "
+                    "F_v and F_s are those at the temperatures of the log",
+                    fmt::join(even, ", "), *equations.further().temperature));
+  }
+  if (!open.empty()) {
+    texts.push_back(
+        fmt::format("{}: the log does not tell how friction changes with the temperature, and so no friction "
+                    "at --temperature {:.6g}: give the temperature that the log has, or logs of more than one",
+                    fmt::join(open, ", "), *equations.further().temperature));
+  }
+  return texts;
 }
 
 std::vector<std::string> search_warnings(const NonlinearUnknowns& unknowns, const TorqueModel& model) {

@@ -19,18 +19,19 @@ using Eigen::VectorXd;
 class BestReason {
  public:
   BestReason(const TorqueModel& model, const LoadedRobot& robot, const Measurement& measurement,
-             const std::vector<JointFit>& fits)
+             const std::vector<JointFit>& fits, FrictionLaw law)
       : model_(model),
         robot_(robot),
         sample_(model, measurement, fits),
         rows_(sample_.rows()),
         plain_(fit_of(rows_)),
-        noise_(sample_.count()) {
+        noise_(sample_.count()),
+        law_(law) {
     best_.cost = plain_.cost;
   }
 
   std::optional<FitHypothesis> of_all() {
-    for (const LogHypothesis& each : log_hypotheses(robot_, sample_)) {
+    for (const LogHypothesis& each : log_hypotheses(robot_, sample_, law_)) {
       const HypothesisFit fit = each.fit();
       consider({fit.cost, each.is_gain ? oddness(fit.pi) : 0, each.text(fit), each.is_gain});
     }
@@ -150,6 +151,7 @@ class BestReason {
   WeightedEquations rows_;
   HypothesisFit plain_;
   double noise_;
+  FrictionLaw law_;
   Reason best_;  // without a text while there is none
   std::vector<Reason> gains_;
 };
@@ -157,9 +159,10 @@ class BestReason {
 }  // namespace
 
 std::optional<FitHypothesis> best_hypothesis(const TorqueModel& model, const LoadedRobot& robot,
-                                             const Measurement& measurement, const std::vector<JointFit>& fits) {
+                                             const Measurement& measurement, const std::vector<JointFit>& fits,
+                                             FrictionLaw law) {
   constexpr double kMuch = 0.6;
-  BestReason search(model, robot, measurement, fits);
+  BestReason search(model, robot, measurement, fits, law);
   const bool is_suspicious =
       std::any_of(fits.begin(), fits.end(), [](const JointFit& fit) { return fit.is_suspicious(); });
   if (!is_suspicious) return search.of_gravity();

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "laboratory/identify/fit_quality.hpp"
+#include "laboratory/identify/friction_law.hpp"
 #include "laboratory/identify/torque_model.hpp"
 
 namespace flatdyn {
@@ -24,6 +25,7 @@ struct FitHypothesis {
 // explains 0. Of a fit that shows nothing suspicious only gravity that is not in the torques is looked for, because
 // masses whose centres are on the axes explain that, too. Otherwise the search takes a second or two.
 std::optional<FitHypothesis> best_hypothesis(const TorqueModel& model, const LoadedRobot& robot,
-                                             const Measurement& measurement, const std::vector<JointFit>& fits);
+                                             const Measurement& measurement, const std::vector<JointFit>& fits,
+                                             FrictionLaw law = FrictionLaw::coulomb);
 
 }  // namespace flatdyn

@@ -105,7 +105,7 @@ Identification identification(const LoadedRobot& robot, const TorqueEquations& e
   // Readings that were lost are a reason, and would be taken for others.
   if (found.measurement.count.lost > 0 || found.is_starved()) return found;
   progress.step("looking for a reason why the model may not fit");
-  found.hypothesis = best_hypothesis(model, robot, found.measurement, found.fits);
+  found.hypothesis = best_hypothesis(model, robot, found.measurement, found.fits, equations.further().law);
   return found;
 }
 

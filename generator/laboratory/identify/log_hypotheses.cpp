@@ -40,8 +40,8 @@ double smeared_sign(const Instant& t, int joint) {
 
 class HypothesisTable {
  public:
-  HypothesisTable(const LoadedRobot& robot, const RowSample& sample)
-      : robot_(robot), sample_(sample), model_(sample.model()) {
+  HypothesisTable(const LoadedRobot& robot, const RowSample& sample, FrictionLaw law)
+      : robot_(robot), sample_(sample), model_(sample.model()), law_(law) {
     for (int i = 0; i < model_.equations(); ++i) {
       names_.push_back(model_.subject_of(i));
       if (sample.has_rows(i)) with_rows_.push_back(i);
@@ -169,8 +169,8 @@ class HypothesisTable {
     };
     if (!without.empty()) add(lacking, "friction, perhaps rotors, look left out (--parameters full estimates them)");
     if (with.empty()) return;
-    friction_near_rest(with);
-    friction_of_loads(with);
+    if (law_ != FrictionLaw::stribeck) friction_near_rest(with);
+    if (law_ != FrictionLaw::load) friction_of_loads(with);
   }
 
   // Friction that is larger below a speed, a share of each joint's largest one, whose logarithm is unknown.
@@ -305,6 +305,7 @@ class HypothesisTable {
   const LoadedRobot& robot_;
   const RowSample& sample_;
   const TorqueModel& model_;
+  FrictionLaw law_;
   std::vector<std::string> names_;  // by equation
   std::vector<int> with_rows_;      // equations
   std::vector<LogHypothesis> rows_;
@@ -312,8 +313,8 @@ class HypothesisTable {
 
 }  // namespace
 
-std::vector<LogHypothesis> log_hypotheses(const LoadedRobot& robot, const RowSample& sample) {
-  return HypothesisTable(robot, sample).all();
+std::vector<LogHypothesis> log_hypotheses(const LoadedRobot& robot, const RowSample& sample, FrictionLaw law) {
+  return HypothesisTable(robot, sample, law).all();
 }
 
 Hypothesis delay_hypothesis(const RowSample& sample, int first, int end) {

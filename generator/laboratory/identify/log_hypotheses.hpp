@@ -15,8 +15,9 @@ struct LogHypothesis {
   bool is_gain = false;                                   // of one joint's torques, or a change of their sign
 };
 
-// All that there are for the robot, simple ones first. Model, robot and sample live as long as the result.
-std::vector<LogHypothesis> log_hypotheses(const LoadedRobot& robot, const RowSample& sample);
+// All that there are for the robot and are not in the law of friction, simple ones first. Model, robot and sample live
+// as long as the result.
+std::vector<LogHypothesis> log_hypotheses(const LoadedRobot& robot, const RowSample& sample, FrictionLaw law);
 
 // Torques of the equations `first` up to `end` that are late by an unknown time, s. Rows for which the log has no
 // torques at that time count like the others.

@@ -44,6 +44,7 @@ class NonlinearSearch {
     fit_.further.offsets = options.offsets;
     fit_.further.springs = options.springs;
     fit_.further.temperature = options.temperature;
+    fit_.further.even_temperatures = options.even_temperatures;
   }
 
   NonlinearFit run() {
@@ -241,14 +242,33 @@ NonlinearFit nonlinear_fit(LoadedRobot robot, ParameterSet set, const NonlinearO
   return NonlinearSearch(std::move(robot), set, options, logs, progress).run();
 }
 
-void set_deviations(NonlinearUnknowns& unknowns, const TorqueEquations& equations, const Estimate& estimate) {
+namespace {
+
+// The standard deviation, s, by which samples leave open when friction jumps: about a tenth of their step, as logs of
+// delays that are no whole steps show. Without Coulomb friction there are no jumps.
+double deviation_of_jumps(const TorqueEquations& equations, const Measurement& measurement) {
+  constexpr double kShare = 0.1;
+  double dt = 0;
+  for (const MeasuredLog& log : measurement.logs) dt = std::max(dt, log.filter.dt);
+  for (int i = equations.model().first_joint(); i < equations.equations(); ++i) {
+    if (place_of(equations, equations.name_of("Fs", i)) >= 0) return kShare * dt;
+  }
+  return 0;
+}
+
+}  // namespace
+
+void set_deviations(NonlinearUnknowns& unknowns, const TorqueEquations& equations, const Estimate& estimate,
+                    const Measurement& measurement) {
   constexpr double kExact = std::numeric_limits<double>::quiet_NaN();
   unknowns.speed_deviations.assign(equations.further().speeds.size(), kExact);
   std::vector<int> turns;
   for (const Correction& each : equations.corrected()) {
     const double deviation = std::sqrt(estimate.covariance(each.column, each.column));
     if (each.kind == Correction::Kind::gravity) turns.push_back(each.column);
-    if (each.kind == Correction::Kind::delay) unknowns.delay_deviation = deviation;
+    if (each.kind == Correction::Kind::delay) {
+      unknowns.delay_deviation = std::hypot(deviation, deviation_of_jumps(equations, measurement));
+    }
     if (each.kind != Correction::Kind::speed || is_open(unknowns, each)) continue;
     unknowns.speed_deviations[static_cast<std::size_t>(each.index)] = deviation;
   }

@@ -25,7 +25,8 @@ struct NonlinearOptions {
   bool offsets = false;
   bool springs = false;
 
-  std::optional<double> temperature{};  // FurtherParameters::temperature
+  std::optional<double> temperature{};    // FurtherParameters::temperature
+  std::vector<bool> even_temperatures{};  // FurtherParameters::even_temperatures
 
   bool any() const { return gravity || delay || !is_linear(law); }
 };
@@ -66,8 +67,10 @@ struct NonlinearFit {
 NonlinearFit nonlinear_fit(LoadedRobot robot, ParameterSet set, const NonlinearOptions& options,
                            const NonlinearAccess& logs, Progress& progress);
 
-// Sets the standard deviations from the estimate of the equations.
-void set_deviations(NonlinearUnknowns& unknowns, const TorqueEquations& equations, const Estimate& estimate);
+// Sets the standard deviations from the estimate of the equations. That of the delay counts that samples do not tell
+// when within their step friction jumps.
+void set_deviations(NonlinearUnknowns& unknowns, const TorqueEquations& equations, const Estimate& estimate,
+                    const Measurement& measurement);
 
 // Gives infinite standard deviations to the friction parameters that are not determined (`friction_told`).
 void leave_friction_open(Estimate& estimate, const NonlinearUnknowns& unknowns, const TorqueEquations& equations);

@@ -104,7 +104,8 @@ std::optional<ResidualLine> residual_line(const Observations& observations, cons
   }
   if (band <= 0 || span <= 0) return std::nullopt;
   std::optional<ResidualLine> of_turns = best_line(by_turns, kFewestTurns, kMostTurns, kStepOfTurns);
-  const std::optional<ResidualLine> of_time = best_line(by_time, std::max(kLowest * band, kSlowest), band, 1 / (4 * span));
+  const std::optional<ResidualLine> of_time =
+      best_line(by_time, std::max(kLowest * band, kSlowest), band, 1 / (4 * span));
   if (of_turns) of_turns->is_of_turns = true;
   if (!of_turns || (of_time && of_time->share > of_turns->share)) return of_time;
   return of_turns;

@@ -62,8 +62,15 @@ void TorqueEquations::add_joint(int joint) {
   }
 }
 
+bool TorqueEquations::has_even_temperature(int equation) const {
+  const auto joint = static_cast<std::size_t>(equation - model_.first_joint());
+  return equation >= model_.first_joint() && joint < further_.even_temperatures.size() &&
+         further_.even_temperatures[joint];
+}
+
 // (T - T_0) times what F_v and F_s are multiplied by.
 void TorqueEquations::add_warmth(int joint) {
+  if (has_even_temperature(joint)) return;
   std::vector<Term>& terms = terms_[static_cast<std::size_t>(joint)];
   const std::size_t count = terms.size();
   for (std::size_t k = 0; k < count; ++k) {
@@ -100,6 +107,11 @@ void TorqueEquations::add_law(int joint) {
 }
 
 void TorqueEquations::set_carried() {
+  rotors_.assign(terms_.size(), 0);
+  for (int i = model_.first_joint(); i < model_.equations() && further_.law == FrictionLaw::load; ++i) {
+    const bool is_parameter = std::ranges::count(model_.base().columns, index_of(i, Parameter::Im)) > 0;
+    if (!is_parameter) rotors_[static_cast<std::size_t>(i)] = model_.file_rotor(i);
+  }
   for (std::vector<Term>& terms : terms_) {
     for (Term& term : terms) {
       const auto place = static_cast<std::size_t>(term.column);
@@ -117,6 +129,15 @@ void TorqueEquations::add_spring(int joint) {
   std::vector<Term>& terms = terms_[static_cast<std::size_t>(joint)];
   terms.push_back({add_name(name_of("k", joint)), Term::Kind::position});
   terms.push_back({add_name(name_of("kq", joint)), Term::Kind::relaxed});
+}
+
+std::vector<int> TorqueEquations::carried_rotors() const {
+  std::vector<int> result;
+  for (int i = model_.first_joint(); i < model_.equations() && further_.law == FrictionLaw::load; ++i) {
+    const bool is_parameter = std::ranges::count(model_.base().columns, index_of(i, Parameter::Im)) > 0;
+    if (!is_parameter && rotors_[static_cast<std::size_t>(i)] == 0) result.push_back(i);
+  }
+  return result;
 }
 
 int TorqueEquations::static_parameters() const {
@@ -221,7 +242,7 @@ void TorqueEquations::evaluate(const MeasuredMotion& motion, double* entries, do
   }
   if (!further_.springs) model_.add_springs(motion.q, known);
   for (int i = 0; i < model_.equations(); ++i) {
-    double load = known[i];
+    double load = known[i] - rotors_[static_cast<std::size_t>(i)] * motion.qdd[i];
     double* const first = entries;
     const std::vector<Term>& terms = terms_[static_cast<std::size_t>(i)];
     for (const Term& term : terms) {

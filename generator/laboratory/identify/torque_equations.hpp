@@ -34,6 +34,9 @@ struct FurtherParameters {
   std::map<std::string, double> carried{};
   // T_0, °C: F_v and F_s are those at this temperature, and change with the joint's by F_vT and F_sT for each kelvin.
   std::optional<double> temperature{};
+  // By joint, without those of a floating base: temperatures that hardly change, which tell no F_vT and F_sT. Empty:
+  // none is so.
+  std::vector<bool> even_temperatures{};
 };
 
 // A column by which such an unknown is corrected.
@@ -65,6 +68,8 @@ class TorqueEquations : public EquationModel {
   int static_parameters() const;
   // The first parameter of the law, behind π_b and F_vT and F_sT.
   int first_of_law() const { return first_of_law_; }
+  // The equations whose τ_l has the rotor in it, as neither it is a base parameter nor the file has it.
+  std::vector<int> carried_rotors() const;
   // The file's π_b, its springs, and zeros elsewhere behind it.
   Eigen::VectorXd file_values() const;
   AccelerationRows acceleration_rows() const;
@@ -103,6 +108,7 @@ class TorqueEquations : public EquationModel {
   void add_friction(int joint, int column, FrictionEntry::Law law, double factor = 1);
   void set_carried();
   double entry_of(const Term& term, int equation, const MeasuredMotion& motion) const;
+  bool has_even_temperature(int equation) const;
   double factor_of(const Term& term, int equation, const MeasuredMotion& motion, double load) const;
   int add_name(std::string name);
   void place_terms();
@@ -113,6 +119,7 @@ class TorqueEquations : public EquationModel {
   std::vector<Correction> corrections_;
   std::vector<std::vector<Term>> terms_;  // by joint
   int first_of_law_ = 0;
+  std::vector<double> rotors_;  // by equation, kg m² or kg: of the file, where it is no parameter of its own
   mutable std::vector<double> y_;
   mutable Eigen::MatrixXd of_gravity_;
 };

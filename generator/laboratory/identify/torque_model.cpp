@@ -70,6 +70,10 @@ TorqueModel::TorqueModel(const LoadedRobot& model, ParameterSet set, Progress& p
   for (const Number& value : base_values(model.mechanism, base_)) {
     file_values_.push_back(nearest_double(value));
   }
+  const std::vector<Number> of_file = dynamic_parameters(model.mechanism);
+  for (int i = 0; i < model.mechanism.size(); ++i) {
+    file_rotors_.push_back(nearest_double(of_file[static_cast<std::size_t>(index_of(i, Parameter::Im))]));
+  }
   PipelineOptions options;
   options.functions = {"base_regressor", "jacobian"};
   Diagnostics none;

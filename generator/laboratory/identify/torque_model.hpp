@@ -45,6 +45,8 @@ class TorqueModel {
   const BaseParameters& base() const { return base_; }
   // π_b of the robot file, b numbers.
   const std::vector<double>& file_values() const { return file_values_; }
+  // I_m of the robot file, kg m² or kg.
+  double file_rotor(int equation) const { return file_rotors_[static_cast<std::size_t>(equation)]; }
   // The name of parameter k of π_b, and the body that it is of.
   std::string parameter_name_of(int k) const;
   const Body& body_of_parameter(int k) const;
@@ -71,7 +73,7 @@ class TorqueModel {
  private:
   LoadedRobot model_;
   BaseParameters base_;
-  std::vector<double> file_values_;
+  std::vector<double> file_values_, file_rotors_;
   std::vector<std::vector<int>> columns_;
   std::string fingerprint_;
   Eigen::MatrixXd stiffness_;

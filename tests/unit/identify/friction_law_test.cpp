@@ -5,6 +5,7 @@
 #include "laboratory/identify/friction_search.hpp"
 #include "laboratory/identify/identification.hpp"
 #include "laboratory/identify/rest_search.hpp"
+#include "laboratory/identify/temperature_survey.hpp"
 #include "report/identification_report.hpp"
 #include "support/practical_bench.hpp"
 
@@ -90,9 +91,9 @@ TEST_F(FrictionLaws, SmoothFrictionIsFoundWithItsSpeed) {
 // Logs with a column of temperatures for each joint.
 class WarmLogs : public FrictionLaws {
  protected:
-  // The estimate of a log at the temperatures, with friction at 40 °C that falls by 1 % (viscous) and 0.5 % (Coulomb)
-  // for each kelvin.
-  Estimate estimated(double (*temperature)(double time, int joint)) {
+  // Writes a log at the temperatures, with friction at 40 °C that falls by 1 % (viscous) and 0.5 % (Coulomb) for each
+  // kelvin.
+  void write(double (*temperature)(double time, int joint)) const {
     std::vector<SimulatedSample> samples = bench.motion({});
     for (SimulatedSample& sample : samples) {
       for (int i = 0; i < 6; ++i) {
@@ -102,11 +103,17 @@ class WarmLogs : public FrictionLaws {
       }
     }
     write_with_temperatures(samples, temperature);
+  }
+  Estimate estimated_by(const TorqueEquations& by) {
     Progress quiet{true};
     Diagnostics said;
-    measurement = measure(equations, bench.plain().mechanism, {path}, {.temperatures = true}, quiet, said);
+    measurement = measure(by, bench.plain().mechanism, {path}, {.temperatures = true}, quiet, said);
     EXPECT_TRUE(said.all().empty());
-    return estimate_of(equations, measurement, {});
+    return estimate_of(by, measurement, {});
+  }
+  Estimate estimated(double (*temperature)(double time, int joint)) {
+    write(temperature);
+    return estimated_by(equations);
   }
   double viscous(int joint) const { return bench.arm().viscous[static_cast<std::size_t>(joint)]; }
   Eigen::Index place_of(const std::string& stem, int joint) const {
@@ -122,7 +129,6 @@ class WarmLogs : public FrictionLaws {
   TorqueEquations equations{bench.model(), {.temperature = kAt}};
   Measurement measurement;
 
- private:
   void write_with_temperatures(const std::vector<SimulatedSample>& samples, double (*temperature)(double, int)) const {
     write_practical_log(plain, bench.arm(), samples, kEncoderStep, 1, 1);
     std::ifstream in(plain);
@@ -172,6 +178,26 @@ TEST_F(WarmLogs, OfOneTemperatureTellNoOther) {
   const std::vector<std::string> warnings = temperature_warnings(equations, found);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("no friction at --temperature 40"), std::string::npos) << warnings[0];
+}
+
+// What is found then is friction at the log's temperature.
+TEST_F(WarmLogs, ThatAreEvenHaveFrictionAtTheirTemperature) {
+  write([](double time, int joint) { return joint == 2 ? 25 + 10 * std::sin(time) : 30.0; });
+  std::vector<bool> even = even_temperatures({path}, bench.plain().mechanism, {.temperatures = true}, kAt);
+  EXPECT_EQ(even, std::vector<bool>({true, true, false, true, true, true}));
+  const TorqueEquations by(bench.model(), {.temperature = kAt, .even_temperatures = std::move(even)});
+  const Estimate found = estimated_by(by);
+  for (int i = 0; i < 6; ++i) {
+    const double kelvins = i == 2 ? 0 : 30 - kAt;
+    for (const auto& [stem, truth] : {std::pair{"Fv", viscous(i) * (1 + kelvins * kViscous)},
+                                      std::pair{"Fs", coulomb(i) * (1 + kelvins * kCoulomb)}}) {
+      const auto k = std::ranges::find(by.names(), fmt::format("{}{}", stem, i + 1)) - by.names().begin();
+      EXPECT_NEAR(found.values(k), truth, 3.5 * found.standard_deviations(k)) << stem << i;
+    }
+  }
+  const std::vector<std::string> warnings = temperature_warnings(by, found);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("the temperatures hardly change"), std::string::npos) << warnings[0];
 }
 
 // All speeds of a joint that moves slowly are below v: F_s tanh(q̇/v) is as viscous as F_v q̇, and F_b as constant as
