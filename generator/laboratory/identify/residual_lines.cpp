@@ -138,7 +138,7 @@ std::optional<ResidualLine> fast_ripple(const Observations& observations, Index 
 std::optional<FrictionChange> friction_change(const Observations& observations, const VectorXd& residual, Index rate,
                                               double viscous, double coulomb, double least, double correlation) {
   constexpr double kLeastShare = 0.05, kClearly = 40;  // of the friction; of the fit's squares
-  constexpr double kAlike = 0.8;                       // cosine between the change and the friction
+  constexpr double kCosine = 0.8;                      // cosine between the change and the friction
   const std::vector<bool> is_later = second_halves(observations.instants);
   Eigen::Matrix2d halves[2] = {Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Zero()};
   Eigen::Vector2d right[2] = {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
@@ -164,7 +164,7 @@ std::optional<FrictionChange> friction_change(const Observations& observations, 
   const double size = std::sqrt(change.dot(all * change) / friction);
   if (size < kLeastShare || change.dot(covariance.inverse() * change) < kClearly) return std::nullopt;
   const double direction = change.dot(all * Eigen::Vector2d(viscous, coulomb));
-  if (size > 1 || std::abs(direction) < kAlike * size * friction) return std::nullopt;
+  if (size > 1 || std::abs(direction) < kCosine * size * friction) return std::nullopt;
   return FrictionChange{change[0], change[1], direction < 0 ? -size : size};
 }
 

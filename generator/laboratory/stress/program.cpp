@@ -76,7 +76,8 @@ data argument_rows(const State& like, bool quasi_velocities) {
 std::vector<BenchVariant> stress_variants() {
   std::vector<BenchVariant> variants;
   for (const BenchVariant& variant : bench_variants()) {
-    const bool is_whole = variant.call_mode != CallMode::staged && !variant.is_packed && !variant.has_lanes;
+    const bool is_whole =
+        variant.call_mode != CallMode::staged && !variant.is_packed && !variant.has_lanes && !variant.is_native;
     if (is_whole && *variant.budget == '\0') variants.push_back(variant);
   }
   return variants;
