@@ -20,7 +20,7 @@ TEST(SameBits, AreThoseOfThePlainForms) {
   for (const BenchVariant& variant : bench_variants()) {
     if (has_plain_bits(variant)) plain.emplace_back(variant.name);
   }
-  EXPECT_THAT(plain, ElementsAre("double", "float", "cuda-double", "cuda-float"));
+  EXPECT_THAT(plain, ElementsAre("double", "double-native", "float", "cuda-double", "cuda-float"));
 }
 
 TEST(SameBits, DifferInTheLastPlaceAndTheSignOfZero) {

@@ -180,7 +180,7 @@ TEST_F(WarmLogs, OfOneTemperatureTellNoOther) {
   EXPECT_NE(warnings[0].find("no friction at --temperature 40"), std::string::npos) << warnings[0];
 }
 
-// What is found then is friction at the log's temperature.
+// Friction is found at the temperature of the log then.
 TEST_F(WarmLogs, ThatAreEvenHaveFrictionAtTheirTemperature) {
   write([](double time, int joint) { return joint == 2 ? 25 + 10 * std::sin(time) : 30.0; });
   std::vector<bool> even = even_temperatures({path}, bench.plain().mechanism, {.temperatures = true}, kAt);
