@@ -104,6 +104,7 @@ MatrixXd NoiseStructure::correlated(const MatrixXd& rows, Index equation, const 
 }
 
 MatrixXd NoiseStructure::correlated(const MatrixXd& rows, const std::vector<VectorXd>& by_log) const {
+  if (rows.size() == 0) return rows;
   MatrixXd result = MatrixXd::Zero(rows.rows(), rows.cols());
   const std::vector<EquationInstant>& instants = observations_.instants;
   for (std::size_t t = 0; t < instants.size(); ++t) {
@@ -123,6 +124,7 @@ MatrixXd NoiseStructure::correlated(const MatrixXd& rows, const std::vector<Vect
 // All rows of a phase have the same noise. Where not all instants are kept, the mean stands for those of its phase that
 // are not.
 MatrixXd NoiseStructure::repeated(const MatrixXd& rows, Index equation, const std::vector<VectorXd>& by_log) const {
+  if (rows.size() == 0) return rows;
   MatrixXd sums = MatrixXd::Zero(occupied_, rows.cols());
   for (std::size_t phase = 0; phase < phases_.size(); ++phase) {
     if (phases_[phase].instants.empty()) continue;
