@@ -204,6 +204,7 @@ void NoiseSearch::add_own(Index equation, const FitGain& gain, const std::vector
         const NoiseKind& kind = structure_.kinds()[k];
         double& sum = own.of_kinds[static_cast<Index>(k)];
         if (kind.is_repeated || !is_of_repetitions) sum += kind.by_log[log][lag];
+        if (U.cols() == 0) continue;
         sum += U.row(a).dot(added[k].row(b)) - U.row(a).dot(taken[k].row(b)) - taken[k].row(a).dot(U.row(b));
       }
     };
