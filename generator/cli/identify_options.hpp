@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What `flatdyn identify` is asked for, and which of it cannot be.
+// The arguments of `flatdyn identify`, and the checks of those that cannot be together.
 #pragma once
 
 #include <string>

@@ -42,8 +42,9 @@ std::string untold_text(const TorqueEquations& equations, const Estimate& estima
   }
   if (!estimate.hidden.empty()) {
     text +=
-        "\ndirections that noise hides: it could make more of them than the robot file has of anything; along them\n"
-        "values stay near the file's. Standard deviation without that, and parameters of each:\n";
+        "\ndirections that noise hides: it could make more of them than the robot file has of anything, and the log\n"
+        "tells of anything; along them values stay near the file's. Standard deviation without that, and parameters of "
+        "each:\n";
   }
   for (const auto& [deviation, components] : estimate.hidden) {
     text += fmt::format("  {:8.1e} {}\n", deviation, main_parameters(equations, components));

@@ -152,13 +152,13 @@ std::string equation_table(const TorqueModel& model, const Measurement& measurem
 
 // Ripple that does no harm.
 std::string ripple_text(const TorqueModel& model, const Identification& found) {
-  std::string text;
+  if (found.fast_ripples.empty()) return "";
+  std::string text = "Ripple that is faster than the band does no harm, as the filter takes it away:\n";
   for (const auto& [equation, line] : found.fast_ripples) {
-    text += fmt::format(
-        "{} {}: {:.2g} of it are a sine of {:.3g} {} that repeats {:.4g} times in a {}\n",
-        text.empty() ? "Ripple that is faster than the band, and does no harm, by what the filter takes away:\n " : " ",
-        model.name_of(equation), line.share, line.amplitude, model.unit_of(equation), line.rate,
-        model.mechanism().joint(equation).prismatic ? "metre" : "turn");
+    text +=
+        fmt::format("  {}: a sine of {:.3g} {} that repeats {:.4g} times in a {} ({:.2g} of the squares taken away)\n",
+                    model.name_of(equation), line.amplitude, model.unit_of(equation), line.rate,
+                    model.mechanism().joint(equation).prismatic ? "metre" : "turn", line.share);
   }
   return text;
 }

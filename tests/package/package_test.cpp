@@ -162,6 +162,22 @@ TEST(InstalledPackage, LeavesOptionsOfUsersAlone) {
   EXPECT_THAT(project.compilation_of("main.cpp"), HasSubstr("-ffp-contract=off"));
 }
 
+#if defined(__x86_64__) && !defined(__clang__)
+// g++ tunes generated code as it suits it, unless the user has other options for that.
+TEST(InstalledPackage, TunesForGeneratedCode) {
+  Project project("package");
+  const std::string options = fmt::format("-G Ninja -D CMAKE_CXX_COMPILER=g++ -D CMAKE_PREFIX_PATH='{}'", prefix());
+  ASSERT_TRUE(project.configure(options + " -D CMAKE_EXPORT_COMPILE_COMMANDS=ON")) << project.log();
+  for (const char* file : {"main.cpp", "my_arm_as_pair.cpp"}) {
+    EXPECT_THAT(project.compilation_of(file), HasSubstr("-mtune=generic")) << file;
+  }
+  ASSERT_TRUE(project.configure(options + " -D FLATDYN_TUNING=")) << project.log();
+  for (const char* file : {"main.cpp", "my_arm_as_pair.cpp"}) {
+    EXPECT_THAT(project.compilation_of(file), Not(HasSubstr("-mtune"))) << file;
+  }
+}
+#endif
+
 // A library that links with generated code can be installed and found by a third project.
 TEST(InstalledPackage, IsExportedWithItsUsers) {
   Project project("package");

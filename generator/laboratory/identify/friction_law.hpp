@@ -20,7 +20,7 @@ enum class FrictionLaw : std::uint8_t {
 
 // Whether the law has a speed v for each joint, in which it is not linear.
 constexpr bool has_speed(FrictionLaw law) { return law == FrictionLaw::stribeck || law == FrictionLaw::smooth; }
-// Whether all parameters of the law are in π, so that the logs are read once.
+// Whether torques are linear in all parameters of the law, so that the logs are read once.
 constexpr bool is_linear(FrictionLaw law) { return !has_speed(law) && law != FrictionLaw::load; }
 
 }  // namespace flatdyn

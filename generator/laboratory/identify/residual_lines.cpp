@@ -82,10 +82,9 @@ std::vector<bool> second_halves(const std::vector<EquationInstant>& instants) {
 std::optional<ResidualLine> residual_line(const Observations& observations, const VectorXd& residual, Index position,
                                           bool slides, const std::vector<double>& bands) {
   constexpr double kFewestTurns = 8, kMostTurns = 400, kStepOfTurns = 0.1;
-  constexpr double kInBand = 0.7;   // share of the filter's band
-  constexpr double kLowest = 0.15;  // Hz by the band: what is slower may follow the motion
-  constexpr double kSlowest = 2;    // Hz: and so may this
-  constexpr double kLongest = 300;  // s that are looked at
+  constexpr double kInBand = 0.7;                 // share of the filter's band
+  constexpr double kLowest = 0.15, kSlowest = 2;  // Hz by the band, and Hz: slower lines may follow the motion
+  constexpr double kLongest = 300;                // s that are looked at
   std::vector<Reading> by_turns, by_time;
   const int longest = longest_log(observations);
   double span = 0, band = 0, start = 0;

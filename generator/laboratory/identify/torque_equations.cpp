@@ -106,11 +106,14 @@ void TorqueEquations::add_law(int joint) {
   }
 }
 
+bool TorqueEquations::has_rotor_parameter(int equation) const {
+  return std::ranges::count(model_.base().columns, index_of(equation, Parameter::Im)) > 0;
+}
+
 void TorqueEquations::set_carried() {
   rotors_.assign(terms_.size(), 0);
   for (int i = model_.first_joint(); i < model_.equations() && further_.law == FrictionLaw::load; ++i) {
-    const bool is_parameter = std::ranges::count(model_.base().columns, index_of(i, Parameter::Im)) > 0;
-    if (!is_parameter) rotors_[static_cast<std::size_t>(i)] = model_.file_rotor(i);
+    if (!has_rotor_parameter(i)) rotors_[static_cast<std::size_t>(i)] = model_.file_rotor(i);
   }
   for (std::vector<Term>& terms : terms_) {
     for (Term& term : terms) {
@@ -134,8 +137,7 @@ void TorqueEquations::add_spring(int joint) {
 std::vector<int> TorqueEquations::carried_rotors() const {
   std::vector<int> result;
   for (int i = model_.first_joint(); i < model_.equations() && further_.law == FrictionLaw::load; ++i) {
-    const bool is_parameter = std::ranges::count(model_.base().columns, index_of(i, Parameter::Im)) > 0;
-    if (!is_parameter && rotors_[static_cast<std::size_t>(i)] == 0) result.push_back(i);
+    if (!has_rotor_parameter(i) && rotors_[static_cast<std::size_t>(i)] == 0) result.push_back(i);
   }
   return result;
 }

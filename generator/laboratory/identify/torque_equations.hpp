@@ -106,6 +106,8 @@ class TorqueEquations : public EquationModel {
   void add_corrections();
   int add_correction(Correction::Kind kind, int index, std::string name);
   void add_friction(int joint, int column, FrictionEntry::Law law, double factor = 1);
+  // Whether the joint's I_m is a base parameter of its own.
+  bool has_rotor_parameter(int equation) const;
   void set_carried();
   double entry_of(const Term& term, int equation, const MeasuredMotion& motion) const;
   bool has_even_temperature(int equation) const;
