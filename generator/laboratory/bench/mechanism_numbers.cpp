@@ -57,7 +57,29 @@ std::string link_text(const NumberList& number, const Body& body) {
                      number(body.spring_reference));
 }
 
+// The numbers of a text such as "{{1, 2}, {3, 4}}" with blanks between them.
+std::string without_braces(std::string text) {
+  std::erase_if(text, [](char c) { return c == '{' || c == '}' || c == ','; });
+  return text;
+}
+
+std::string link_line(const NumberList& number, const Body& body) {
+  const InertialParameters& of = body.inertia;
+  const std::string lists =
+      fmt::format("{} {} {} {} {} {}", number(joint_rotation(body)), number(body.p), number(of.mass),
+                  number(centre_of_mass(of)), number(central_tensor(of)), number(body.armature));
+  return fmt::format("{} {:d} {} {}\n", body.parent, body.prismatic, body.spherical, without_braces(lists));
+}
+
 }  // namespace
+
+std::string mechanism_file(const Mechanism& mechanism, const SymbolValues& symbols) {
+  const NumberList number(mechanism, symbols);
+  std::string text =
+      fmt::format("{} {} {}\n", mechanism.size(), mechanism.base_bodies(), without_braces(number(mechanism.gravity)));
+  for (const Body& body : mechanism.bodies) text += link_line(number, body);
+  return text;
+}
 
 std::string mechanism_numbers(const Mechanism& mechanism, const SymbolValues& symbols) {
   const NumberList number(mechanism, symbols);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "laboratory/bench/peers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "robot/model/floating_base.hpp"
@@ -55,6 +57,45 @@ BenchPeer dart_peer() {
            "forward_kinematics", "jacobian"}};
 }
 
+// The functions of tests/benchmark/pinocchio/algorithms.hpp.
+const std::set<std::string> kPinocchioFunctions = {"inverse_dynamics",
+                                                   "inertia_matrix",
+                                                   "gravity",
+                                                   "bias",
+                                                   "coriolis_matrix",
+                                                   "forward_dynamics",
+                                                   "inverse_dynamics_derivatives",
+                                                   "forward_dynamics_derivatives"};
+
+// Pinocchio's algorithms, in the library that scripts/bench has compiled for this machine.
+BenchPeer pinocchio_peer(const std::string& folder) {
+  return {"Pinocchio",
+          "pinocchio",
+          fmt::format("-std=c++17 -O3 -I'{}'", folder),
+          fmt::format("'{}/library.o'", folder),
+          templates::bench_pinocchio_cpp,
+          kPinocchioFunctions,
+          "library.hpp",
+          "static pinocchio_peer::Called& of = *pinocchio_peer::called(\"mechanism\", \"{0}\"); "
+          "pinocchio_peer::call(of, x, y);",
+          ""};
+}
+
+// C of Pinocchio's algorithms that another program has recorded. The compiler may contract products and sums, as
+// nothing is promised about its bits.
+BenchPeer recorded_peer(const std::string& name, const std::string& stem, const std::string& folder,
+                        const std::string& arguments) {
+  return {name,
+          stem,
+          bench_flags() + " -ffp-contract=fast",
+          "",
+          templates::bench_pinocchio_cpp,
+          kPinocchioFunctions,
+          stem + "_functions.hpp",
+          stem + "_{0}(" + arguments + ");",
+          fmt::format("'{}/record_{}' mechanism", folder, stem)};
+}
+
 bool is_chain(const Mechanism& mechanism) {
   for (int i = 0; i < mechanism.size(); ++i) {
     if (mechanism.bodies[static_cast<std::size_t>(i)].parent != i - 1) return false;
@@ -106,7 +147,7 @@ std::string unknown_to_dart(const Mechanism& mechanism) {
 void add_peer(BenchPeers& peers, const BenchPeer& peer, bool is_installed, const std::string& package,
               const std::string& unknown) {
   if (!is_installed) {
-    peers.left_out.push_back(peer.name + ": it is not installed (" + package + ")");
+    peers.left_out.push_back(fmt::format("{}: it is not installed ({})", peer.name, package));
   } else if (!unknown.empty()) {
     peers.left_out.push_back(peer.name + ": " + unknown);
   } else {
@@ -132,6 +173,12 @@ BenchPeers find_peers(const Toolchain& toolchain, const Mechanism& mechanism) {
   add_peer(peers, kdl, toolchain.has_kdl, "liborocos-kdl-dev", unknown_to_kdl(mechanism));
   add_peer(peers, mujoco_peer(), toolchain.has_mujoco, "libmujoco-dev", unknown_to_mujoco(mechanism));
   add_peer(peers, dart_peer(), toolchain.has_dart, "libdart-dev", unknown_to_dart(mechanism));
+  const std::string& folder = toolchain.peers_folder;
+  for (const BenchPeer& peer :
+       {pinocchio_peer(folder), recorded_peer("CppADCodeGen", "cppadcodegen", folder, "&x, &y, {{}}"),
+        recorded_peer("CasADi", "casadi", folder, "&x, &y, nullptr, nullptr, 0")}) {
+    add_peer(peers, peer, !folder.empty(), "scripts/bench --peers", unknown_to_others(mechanism));
+  }
   return peers;
 }
 

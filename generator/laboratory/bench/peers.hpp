@@ -19,6 +19,9 @@ struct BenchPeer {
   std::string libraries;            // linker flags
   const char* source;               // template of the source file, with a section per function
   std::set<std::string> functions;  // the functions that it has
+  std::string include = {};         // the header that the source file includes, where its template is shared
+  std::string call = {};            // the statement there that computes a function, {} its name, from x to y
+  std::string recorder = {};        // writes the file `include`, run with the names of functions
 };
 
 struct BenchPeers {
@@ -27,12 +30,16 @@ struct BenchPeers {
 };
 
 // The names of all possible peers.
-inline constexpr const char* kBenchPeers[] = {"reference", "KDL", "MuJoCo", "DART"};
+inline constexpr const char* kBenchPeers[] = {"reference", "KDL",          "MuJoCo", "DART",
+                                              "Pinocchio", "CppADCodeGen", "CasADi"};
 
 // The peers that are installed and can express the whole mechanism.
 BenchPeers find_peers(const Toolchain& toolchain, const Mechanism& mechanism);
 
 // A C++ header with the mechanism's numbers, free symbols replaced by `symbols`.
 std::string mechanism_numbers(const Mechanism& mechanism, const SymbolValues& symbols);
+
+// The same numbers as the file that Pinocchio's peers read: tests/benchmark/pinocchio/mechanism.hpp.
+std::string mechanism_file(const Mechanism& mechanism, const SymbolValues& symbols);
 
 }  // namespace flatdyn

@@ -2,6 +2,7 @@
 #include "laboratory/bench/program.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <sstream>
 
@@ -34,6 +35,15 @@ std::vector<BenchCase> cases_of(const BenchSubject& subject) {
     }
   }
   return cases;
+}
+
+// The names of the functions of the subject that a peer has.
+std::vector<std::string> functions_of(const BenchSubject& subject, const BenchPeer& peer) {
+  std::vector<std::string> names;
+  for (const Function& function : subject.functions) {
+    if (peer.functions.count(function.name) > 0) names.push_back(function.name);
+  }
+  return names;
 }
 
 // Parses lines such as "0000 001a W void robot::gravity<double>(double const*, double*)": sizes by the name before the
@@ -82,6 +92,10 @@ void BenchProgram::build() const {
   }
   std::string libraries;
   for (const BenchPeer& peer : subject_.peers) {
+    if (!peer.recorder.empty()) {
+      record_source(folder_, fmt::format("{} {}", peer.recorder, fmt::join(functions_of(subject_, peer), " ")),
+                    peer.include);
+    }
     jobs.push_back({peer.stem, peer.flags});
     linked.push_back(peer.stem);
     libraries += " " + peer.libraries;

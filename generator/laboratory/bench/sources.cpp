@@ -191,6 +191,25 @@ data robot_page(const BenchSubject& subject, bool native) {
   return page;
 }
 
+// A function that Pinocchio computes: symmetric matrices are its last outputs, of which it writes the upper half.
+data pinocchio_row(const BenchSubject& subject, const BenchPeer& peer, const Function& function) {
+  const bool is_halved = function.name == "inertia_matrix" || function.name == "forward_dynamics_derivatives";
+  const auto n = static_cast<std::size_t>(subject.mechanism.size());
+  std::vector<std::string> inputs;
+  for (const InputKind kind : function.inputs) {
+    if (kind == InputKind::g_b) continue;
+    inputs.push_back("&x." + input_argument(kind, JointCounts(subject.mechanism), function).name);
+  }
+  if (!subject.states[0].of(InputKind::g_b).empty()) inputs.emplace_back("&x.g_b");
+  data row;
+  row["name"] = function.name;
+  row["inputs"] = fmt::format("{}", fmt::join(inputs, ", "));
+  row["whole"] = std::to_string(entry_count(function) - (is_halved ? n * n : 0));
+  row["side"] = std::to_string(is_halved ? n : 0);
+  row["call"] = fmt::format(fmt::runtime(peer.call), function.name);
+  return row;
+}
+
 SourceFile peer_source(const BenchSubject& subject, const BenchPeer& peer) {
   const bool quasi_velocities = subject.mechanism.has_quasi_velocities();
   data page;
@@ -198,9 +217,16 @@ SourceFile peer_source(const BenchSubject& subject, const BenchPeer& peer) {
   page["spherical?"] = subject.mechanism.has_spherical_joints();
   page["velocities"] = input_argument(with_base(InputKind::qd, quasi_velocities), 0).name;
   page["accelerations"] = input_argument(with_base(InputKind::qdd, quasi_velocities), 0).name;
+  data rows(data::type::list);
   for (const Function& function : subject.functions) {
-    if (peer.functions.count(function.name) > 0) page[function.name] = true;
+    if (peer.functions.count(function.name) == 0) continue;
+    page[function.name] = true;
+    if (!peer.call.empty()) rows << pinocchio_row(subject, peer, function);
   }
+  page["peer"] = peer.name;
+  page["stem"] = peer.stem;
+  page["include"] = peer.include;
+  page["functions"] = data(rows);
   return {peer.stem + ".cpp", rendered(peer.source, page)};
 }
 
@@ -229,6 +255,7 @@ std::vector<SourceFile> bench_sources(const BenchSubject& subject) {
       {"usage.cpp", templates::bench_usage_cpp},
       {"sizes.cpp", rendered(templates::bench_sizes_cpp, robot)},
       {"mechanism.hpp", mechanism_numbers(subject.mechanism, subject.symbols)},
+      {"mechanism", mechanism_file(subject.mechanism, subject.symbols)},
       {"states", states_text(subject.states)}};
   for (const AbbreviatedFunctions& each : subject.abbreviated) {
     emit.name_space = name_space_of_budget(each.budget);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cstdlib>
 #include <future>
 #include <sstream>
 
@@ -18,10 +19,10 @@ namespace fs = std::filesystem;
 bool succeeds(const std::string& command) { return run_command(command + " > /dev/null 2>&1", temporary_root()) == 0; }
 
 void compiler_run(const std::string& command, const fs::path& folder, const std::string& log) {
-  if (run_command(fmt::format("export LC_ALL=C; {} > {} 2>&1", command, log), folder) == 0) return;
+  if (run_command(fmt::format("export LC_ALL=C; ({}) > {} 2>&1", command, log), folder) == 0) return;
   const std::string messages = content_of_file(folder / log);
   check_room(folder, messages);
-  throw Failure(FailureKind::bug, fmt::format("{}\ndoes not compile:\n{}", command, messages));
+  throw Failure(FailureKind::bug, fmt::format("{}\nfails:\n{}", command, messages));
 }
 
 std::string compile_command(const Toolchain& toolchain, const CompileJob& job) {
@@ -50,6 +51,8 @@ Toolchain find_toolchain() {
   toolchain.has_kdl = toolchain.has_eigen && succeeds("pkg-config --exists orocos-kdl");
   toolchain.has_mujoco = has_header("mujoco/mujoco.h");
   toolchain.has_dart = toolchain.has_eigen && succeeds("pkg-config --exists dart");
+  const char* const peers = std::getenv("FLATDYN_PEERS");
+  if (peers != nullptr && *peers != '\0') toolchain.peers_folder = fs::absolute(peers).string();
   return toolchain;
 }
 
@@ -61,6 +64,10 @@ void compile_objects(const Toolchain& toolchain, const fs::path& folder, const s
     }));
   }
   for (std::future<void>& each : running) each.get();
+}
+
+void record_source(const fs::path& folder, const std::string& command, const std::string& file) {
+  compiler_run(fmt::format("{} > {}", command, file), folder, file + ".log");
 }
 
 CompilerUsage compiler_usage(const Toolchain& toolchain, const fs::path& folder, const CompileJob& job) {

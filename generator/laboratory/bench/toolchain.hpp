@@ -17,6 +17,8 @@ struct Toolchain {
   bool has_kdl = false;    // Orocos KDL
   bool has_mujoco = false;
   bool has_dart = false;
+  std::string
+      peers_folder;  // $FLATDYN_PEERS: Pinocchio and its recorders, as scripts/bench --peers builds them; or empty
 
   // The version, such as "g++ (Debian 12.2.0-14+deb12u1) 12.2.0".
   std::string version() const;
@@ -44,6 +46,9 @@ struct CompileJob {
 // Compiles folder/STEM.cpp to folder/STEM.o for all jobs in parallel. Throws Failure(bug) with the compiler's messages.
 void compile_objects(const Toolchain& toolchain, const std::filesystem::path& folder,
                      const std::vector<CompileJob>& jobs);
+
+// Runs a command in the folder that prints a source file, and writes it there. Throws Failure(bug) with its messages.
+void record_source(const std::filesystem::path& folder, const std::string& command, const std::string& file);
 
 struct CompilerUsage {
   double seconds = 0;       // processor time, s
