@@ -234,7 +234,8 @@ const std::vector<FunctionRow> kRows = {
      .outputs = {square("dqdd_dq", OutputQuantity::acceleration_per_position),
                  square("dqdd_dqd", OutputQuantity::acceleration_per_rate),
                  square("dqdd_dtau", OutputQuantity::acceleration_per_torque)},
-     .derivation = {.from_choices = derive_forward_dynamics_derivatives},
+     .derivation = {.from_choices = derive_forward_dynamics_derivatives,
+                    .alternatives = {derive_forward_dynamics_derivatives_by_products}},
      .definition = definitions::forward_dynamics_derivatives,
      .reference = references::forward_dynamics_derivatives,
      // The derivatives depend on the inverse of B that comes with them.

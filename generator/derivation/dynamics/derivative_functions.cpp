@@ -86,16 +86,6 @@ Function acceleration_derivatives_function(DerivationContext& context) {
                   std::move(conditions));
 }
 
-// B⁻¹ as it is stored.
-Rows stored_inverse(DerivationContext& context, const std::vector<int>& entries) {
-  const auto n = static_cast<std::size_t>(context.size());
-  Rows inverse(n, std::vector<Number>(n, 0));
-  for (std::size_t k = 0; k < entries.size(); ++k) {
-    if (entries[k] >= 0) inverse[k / n][k % n] = context.derivation.input(InputKind::stored, entries[k]);
-  }
-  return inverse;
-}
-
 // -B⁻¹ times a matrix, whose entries are named.
 Rows less_product(DerivationContext& context, const Rows& inverse, const Rows& matrix, const std::string& name) {
   Derivation& d = context.derivation;
@@ -110,9 +100,12 @@ Rows less_product(DerivationContext& context, const Rows& inverse, const Rows& m
   return result;
 }
 
+struct AccelerationDerivatives {
+  Rows dq, dqd;
+};
+
 // As acceleration_derivatives_function(), with q̈ = B⁻¹ (τ - n) and the columns by products.
-Function derivatives_from_inverse(DerivationContext& context, const std::vector<int>& entries) {
-  const Rows inverse = stored_inverse(context, entries);
+AccelerationDerivatives derivatives_by_products(DerivationContext& context, const Rows& inverse) {
   const std::vector<Number> tau = context.all(InputKind::tau), bias = bias_torques(context);
   std::vector<Number> moving, qdd;
   for (std::size_t i = 0; i < tau.size(); ++i) {
@@ -125,11 +118,37 @@ Function derivatives_from_inverse(DerivationContext& context, const std::vector<
   const Motion motion{context.joint_motion(InputKind::qd),
                       joint_motion(context.mechanism, context.derivation, qdd, "qdd_j"), context.gravity(), true};
   const TorqueDerivatives torques = derivatives_at_coordinates(context, motion, BaseColumns::at_origin_acceleration);
-  Rows dq = less_product(context, inverse, torques.dq, "dtau"),
-       dqd = less_product(context, inverse, torques.dqd, "dtaud");
-  add_rates_of_base_axes(context, motion, dq, dqd);
+  AccelerationDerivatives result{less_product(context, inverse, torques.dq, "dtau"),
+                                 less_product(context, inverse, torques.dqd, "dtaud")};
+  add_rates_of_base_axes(context, motion, result.dq, result.dqd);
+  return result;
+}
+
+Function function_by_products(DerivationContext& context) {
+  const Factorisation B(context.frames, context.inertia());
+  const Rows inverse = B.inverse("a");
+  const AccelerationDerivatives qdd = derivatives_by_products(context, inverse);
   return finished(context,
-                  {derivative_output(context, "dqdd_dq", dq, ""), derivative_output(context, "dqdd_dqd", dqd, "")});
+                  {derivative_output(context, "dqdd_dq", qdd.dq, "row i, column k: of qdd[i] by q[k]"),
+                   derivative_output(context, "dqdd_dqd", qdd.dqd, "row i, column k: of qdd[i] by qd[k]"),
+                   derivative_output(context, "dqdd_dtau", inverse, "the inverse of B")},
+                  conditions_of(context, B));
+}
+
+// B⁻¹ as it is stored.
+Rows stored_inverse(DerivationContext& context, const std::vector<int>& entries) {
+  const auto n = static_cast<std::size_t>(context.size());
+  Rows inverse(n, std::vector<Number>(n, 0));
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    if (entries[k] >= 0) inverse[k / n][k % n] = context.derivation.input(InputKind::stored, entries[k]);
+  }
+  return inverse;
+}
+
+Function derivatives_from_inverse(DerivationContext& context, const std::vector<int>& entries) {
+  const AccelerationDerivatives qdd = derivatives_by_products(context, stored_inverse(context, entries));
+  return finished(context, {derivative_output(context, "dqdd_dq", qdd.dq, ""),
+                            derivative_output(context, "dqdd_dqd", qdd.dqd, "")});
 }
 
 void refuse_loops(const Mechanism& mechanism, const std::string& name) {
@@ -148,6 +167,12 @@ Function derive_inverse_dynamics_derivatives(const Mechanism& mechanism, const C
 Function derive_forward_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices) {
   refuse_loops(mechanism, "forward_dynamics_derivatives");
   return derived(mechanism, choices, acceleration_derivatives_function);
+}
+
+std::optional<Function> derive_forward_dynamics_derivatives_by_products(const Mechanism& mechanism,
+                                                                        const Choices& choices) {
+  refuse_loops(mechanism, "forward_dynamics_derivatives");
+  return derived(mechanism, choices, function_by_products);
 }
 
 Function derive_acceleration_derivatives_from_inverse(const Mechanism& mechanism, const Choices& choices,

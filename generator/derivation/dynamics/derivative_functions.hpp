@@ -2,6 +2,8 @@
 // Derivatives of inverse and forward dynamics as functions, from the mechanism's parameters as they are.
 #pragma once
 
+#include <optional>
+
 #include "derivation/dynamics/derivation_context.hpp"
 
 namespace flatdyn {
@@ -13,6 +15,10 @@ Function derive_inverse_dynamics_derivatives(const Mechanism& mechanism, const C
 
 // The derivatives ∂q̈/∂q, ∂q̈/∂q̇, ∂q̈/∂τ = B⁻¹.
 Function derive_forward_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices);
+
+// The same, with q̈ and the columns as products with B⁻¹. The optional is never empty.
+std::optional<Function> derive_forward_dynamics_derivatives_by_products(const Mechanism& mechanism,
+                                                                        const Choices& choices);
 
 // ∂q̈/∂q, ∂q̈/∂q̇ where B⁻¹ is known, by entry of it (n × n, row by row): the entry k that has its value, read as the
 // input of kind `stored` of index k; -1 if it is zero.
