@@ -18,6 +18,7 @@
 #include "proof/verify/rounded_angles.hpp"
 #include "proof/verify/snap_effect.hpp"
 #include "report/budget_report.hpp"
+#include "report/code_size.hpp"
 #include "report/compile_time.hpp"
 #include "report/describe.hpp"
 #include "report/json_text.hpp"
@@ -341,6 +342,7 @@ std::string tables(const GenerationResult& result, const SnapEffects& effects, c
   if (result.stages) text += describe_stages(*result.stages, arguments.fuses) + "\n";
   if (result.torque_deviation) text += describe_abbreviation(robot, *result.torque_deviation) + "\n";
   text += describe_compile_time(result.functions, result.stages, result.form);
+  text += describe_code_size(result.functions, result.form);
   text += describe_proofs(result.proofs, result.as_read, rounding) + "\n";
   if (!arguments.firmware.empty()) {
     text += fmt::format("a self test for {}: make -C {} run\n", arguments.firmware, arguments.folder);

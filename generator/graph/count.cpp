@@ -43,6 +43,14 @@ OperationCount count_operations(const Function& function) {
   return count;
 }
 
+int count_written_entries(const Function& function) {
+  int entries = 0;
+  for (const Output& output : function.outputs) {
+    for (std::size_t e = 0; e < output.entries.size(); ++e) entries += output.leaves_out(e) ? 0 : 1;
+  }
+  return entries;
+}
+
 std::string to_string(const OperationCount& count) {
   std::string text = fmt::format("{} mul, {} add", count.multiplications, count.additions);
   if (count.fused > 0) text += fmt::format(", {} fma", count.fused);

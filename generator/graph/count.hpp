@@ -22,6 +22,9 @@ struct OperationCount {
 
 OperationCount count_operations(const Function& function);
 
+// The number of entries of the outputs that the function writes: all but those that are left out.
+int count_written_entries(const Function& function);
+
 std::string to_string(const OperationCount& count);  // "314 mul, 309 add, 14 sin/cos"
 
 }  // namespace flatdyn

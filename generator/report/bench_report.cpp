@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "report/code_size.hpp"
 #include "report/cost_json.hpp"
 #include "report/fields.hpp"
 
@@ -96,6 +97,7 @@ ordered_json bench_json(const BenchReport& report) {
     json["functions"].push_back({{"name", function.name},
                                  {"unit", function.unit},
                                  {"operations", operations_json(function.operations)},
+                                 {"estimated_bytes", code_bytes(function.operations, function.written_entries)},
                                  {"variants", objects_of(bench_fields(function.unit), function.rows)}});
   }
   if (report.stages.steps.empty()) return json;

@@ -14,14 +14,6 @@ constexpr double kSecondsPerOperation = 1.5e-4, kSecondsPerEntry = 4e-4;
 constexpr double kInstancesPerScalar = 2;  // of a pair: with sines of its own, and with given ones
 constexpr double kWorthALine = 3;          // s
 
-std::size_t written_entries(const Function& function) {
-  std::size_t entries = 0;
-  for (const Output& output : function.outputs) {
-    for (std::size_t e = 0; e < output.entries.size(); ++e) entries += output.leaves_out(e) ? 0 : 1;
-  }
-  return entries;
-}
-
 // Where the time is spent, and what saves it.
 std::string place_of(const EmitOptions& options) {
   if (!language_row(options.language).is_one_file()) return "once, in its source";
@@ -33,7 +25,7 @@ std::string place_of(const EmitOptions& options) {
 
 double compile_seconds(const Function& function) {
   return kSecondsPerOperation * count_operations(function).arithmetic() +
-         kSecondsPerEntry * static_cast<double>(written_entries(function));
+         kSecondsPerEntry * count_written_entries(function);
 }
 
 std::string describe_compile_time(const std::vector<OptimisedFunction>& functions, const std::optional<Stages>& stages,

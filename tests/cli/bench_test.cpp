@@ -132,6 +132,8 @@ TEST(Bench, MeasuresVariantsAndPeersThatAgree) {
     EXPECT_LE(rows.at("double-staged")["operations"]["mul"], rows.at("double")["operations"]["mul"]);
     if (has_angles) {
       EXPECT_FALSE(rows.at("double-given")["front"]) << "it leaves out part of the work";
+      const double bytes = rows.at("double-given")["bytes"], estimated = function["estimated_bytes"];
+      EXPECT_NEAR(estimated, bytes, 0.3 * bytes + 100) << function["name"];
     }
     for (const auto& [name, row] : rows) EXPECT_EQ(row["peer"], kPeers.count(name) > 0);
   }

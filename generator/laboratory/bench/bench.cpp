@@ -183,7 +183,11 @@ class BenchRun {
       report.left_out.emplace_back("batch, together: they need xsimd (libxsimd-dev)");
     report.left_out.insert(report.left_out.end(), abbreviations_.left_out.begin(), abbreviations_.left_out.end());
     for (const Function& function : functions_) {
-      report.functions.push_back({function.name, units_of(model_.mechanism, function), count_operations(function), {}});
+      report.functions.push_back({function.name,
+                                  units_of(model_.mechanism, function),
+                                  count_operations(function),
+                                  count_written_entries(function),
+                                  {}});
     }
     for (std::size_t k = 0; k < cases.size(); ++k) {
       const std::vector<double>& samples = times.at(cases[k].name(functions_));

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The size of emitted code as machine code. Straight-line code that is larger than the cache for instructions is read
+// from a slower one in each call.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "code/emit/emit_options.hpp"
+#include "functions/planning/optimised_function.hpp"
+#include "graph/count.hpp"
+
+namespace flatdyn {
+
+// Bytes of one function in one scalar, for given sines, by g++ 12 with the flags of `flatdyn bench` on x86-64: 9 per
+// operation and 10 per entry that is written. Functions take 0.73 to 1.15 times as many (docs/benchmark.md, "Sizes").
+int code_bytes(const OperationCount& operations, int written_entries);
+int code_bytes(const Function& function);
+
+// The size from which on a function is larger than the cache for instructions of most processors.
+inline constexpr int kInstructionCache = 32 * 1024;
+
+// A line for people, "larger than the 32 KiB of machine code …: NAME (some 44 KiB)"; nothing if none is, or where
+// another compiler decides.
+std::string describe_code_size(const std::vector<OptimisedFunction>& functions, const EmitOptions& options);
+
+}  // namespace flatdyn
