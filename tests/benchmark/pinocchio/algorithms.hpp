@@ -2,9 +2,9 @@
 // Pinocchio's algorithms of a mechanism, for numbers and for scalars that record operations. Include the header of the
 // scalar before this one.
 //
-// Inputs are those of flatdyn's functions one after the other: q, then qd, then qdd or tau, then g_b of a floating base,
-// where the function takes them. Outputs are flatdyn's, too, but for symmetric matrices: only the upper half is written,
-// row by row, which is what Pinocchio computes.
+// Inputs are those of flatdyn's functions one after the other: q, then qd, then qdd or tau, then g_b of a floating
+// base, where the function takes them. Outputs are flatdyn's, too, but for symmetric matrices: only the upper half is
+// written, row by row, which is what Pinocchio computes.
 #pragma once
 
 #include <pinocchio/algorithm/aba-derivatives.hpp>
@@ -106,9 +106,9 @@ class Algorithms {
     }
     const Link& placed = mechanism.links[link.spherical > 0 ? index - 2 : index];
     const pinocchio::SE3Tpl<Scalar> placement(matrix(placed.R), vector(placed.p));
-    if (link.spherical > 0)
-      return model.addJoint(parent, pinocchio::JointModelSphericalTpl<Scalar>(), placement, name);
-    if (link.prismatic != 0) return model.addJoint(parent, pinocchio::JointModelPrismaticTpl<Scalar, 0, 2>(), placement, name);
+    if (link.spherical > 0) return model.addJoint(parent, pinocchio::JointModelSphericalTpl<Scalar>(), placement, name);
+    if (link.prismatic != 0)
+      return model.addJoint(parent, pinocchio::JointModelPrismaticTpl<Scalar, 0, 2>(), placement, name);
     return model.addJoint(parent, pinocchio::JointModelRevoluteTpl<Scalar, 0, 2>(), placement, name);
   }
 
@@ -187,7 +187,7 @@ template <class Scalar>
 struct Function {
   using Member = void (Algorithms<Scalar>::*)(const Scalar*, Scalar*);
 
-  const char* name;                  // of flatdyn's function
+  const char* name;  // of flatdyn's function
   Member run;
   int parts;                         // q, qd, and qdd or tau: how many of these it takes
   int vectors, matrices, symmetric;  // the numbers of its outputs, in this order
