@@ -42,7 +42,7 @@ struct BenchFunction {
   std::string name;
   std::string unit;  // "N m"
   OperationCount operations;
-  int written_entries = 0;  // of its outputs
+  int written_entries = 0;     // of its outputs
   std::vector<BenchRow> rows;  // fastest first
 };
 
