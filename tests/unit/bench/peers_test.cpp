@@ -46,7 +46,8 @@ TEST(Peers, WhatIsNotInstalledIsLeftOutWithItsPackage) {
   for (const char* line :
        {"reference: it is not installed (libeigen3-dev)", "KDL: it is not installed (liborocos-kdl-dev)",
         "MuJoCo: it is not installed (libmujoco-dev)", "DART: it is not installed (libdart-dev)",
-        "Pinocchio: it is not installed (scripts/bench --peers)", "CasADi: it is not installed (scripts/bench --peers)"}) {
+        "Pinocchio: it is not installed (scripts/bench --peers)",
+        "CasADi: it is not installed (scripts/bench --peers)"}) {
     EXPECT_THAT(peers.left_out, Contains(line));
   }
 }
