@@ -6,6 +6,11 @@
 #include "code/languages/language_table.hpp"
 
 namespace flatdyn {
+namespace {
+
+constexpr int kKibibyte = 1024, kInstructionCache = 32 * kKibibyte;
+
+}  // namespace
 
 int code_bytes(const OperationCount& operations, int written_entries) {
   constexpr int kPerOperation = 9, kPerEntry = 10;
@@ -22,12 +27,12 @@ std::string describe_code_size(const std::vector<OptimisedFunction>& functions, 
   for (const OptimisedFunction& each : functions) {
     const int bytes = code_bytes(each.function);
     if (bytes <= kInstructionCache) continue;
-    large += fmt::format("{}{} (some {} KiB)", large.empty() ? "" : ", ", each.function.name, (bytes + 512) / 1024);
+    large += fmt::format("{}{} (some {} KiB)", large.empty() ? "" : ", ", each.function.name,
+                         (bytes + kKibibyte / 2) / kKibibyte);
   }
   if (large.empty()) return "";
-  return "larger than the 32 KiB of machine code that most processors keep at hand, so that single calls are slower "
-         "and "
-         "batches gain more: " +
+  return "larger than 32 KiB of machine code, which is what most processors keep at hand, so that single calls are "
+         "slowed down: " +
          large + "\n\n";
 }
 

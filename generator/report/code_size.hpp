@@ -17,11 +17,8 @@ namespace flatdyn {
 int code_bytes(const OperationCount& operations, int written_entries);
 int code_bytes(const Function& function);
 
-// The size from which on a function is larger than the cache for instructions of most processors.
-inline constexpr int kInstructionCache = 32 * 1024;
-
-// A line for people, "larger than the 32 KiB of machine code …: NAME (some 44 KiB)"; nothing if none is, or where
-// another compiler decides.
+// A line for people that names functions larger than the cache for instructions of most processors, 32 KiB; nothing if
+// none is, or where nothing is compiled.
 std::string describe_code_size(const std::vector<OptimisedFunction>& functions, const EmitOptions& options);
 
 }  // namespace flatdyn

@@ -25,6 +25,22 @@ TorqueDerivatives derivatives_at_coordinates(DerivationContext& context, const M
   return {folded(tau.dq, "dtau"), folded(tau.dqd, "dtaud")};
 }
 
+struct AccelerationDerivatives {
+  Rows dq, dqd;
+};
+
+std::vector<Output> acceleration_outputs(DerivationContext& context, const AccelerationDerivatives& qdd) {
+  return {derivative_output(context, "dqdd_dq", qdd.dq, "row i, column k: of qdd[i] by q[k]"),
+          derivative_output(context, "dqdd_dqd", qdd.dqd, "row i, column k: of qdd[i] by qd[k]")};
+}
+
+Function acceleration_derivatives(DerivationContext& context, const AccelerationDerivatives& qdd, const Rows& inverse,
+                                  Conditions conditions) {
+  std::vector<Output> outputs = acceleration_outputs(context, qdd);
+  outputs.push_back(derivative_output(context, "dqdd_dtau", inverse, "the inverse of B"));
+  return finished(context, std::move(outputs), std::move(conditions));
+}
+
 // The accelerations A q̈ of all bodies' joints.
 std::vector<Number> accelerations_of_joints(DerivationContext& context, const Factorisation& B) {
   const std::vector<Number> qdd = accelerations(context, B);
@@ -75,15 +91,10 @@ Function acceleration_derivatives_function(DerivationContext& context) {
   const Motion motion{context.joint_motion(InputKind::qd), accelerations_of_joints(context, B), context.gravity(),
                       true};
   const TorqueDerivatives tau = derivatives_at_coordinates(context, motion, BaseColumns::at_origin_acceleration);
-  Rows dq = solved(context, B, tau.dq, "dqdd"), dqd = solved(context, B, tau.dqd, "dqddd");
-  add_rates_of_base_axes(context, motion, dq, dqd);
-  const Rows dtau = B.inverse("a");
-  Conditions conditions = conditions_of(context, B);
-  return finished(context,
-                  {derivative_output(context, "dqdd_dq", dq, "row i, column k: of qdd[i] by q[k]"),
-                   derivative_output(context, "dqdd_dqd", dqd, "row i, column k: of qdd[i] by qd[k]"),
-                   derivative_output(context, "dqdd_dtau", dtau, "the inverse of B")},
-                  std::move(conditions));
+  AccelerationDerivatives qdd{solved(context, B, tau.dq, "dqdd"), solved(context, B, tau.dqd, "dqddd")};
+  add_rates_of_base_axes(context, motion, qdd.dq, qdd.dqd);
+  const Rows inverse = B.inverse("a");
+  return acceleration_derivatives(context, qdd, inverse, conditions_of(context, B));
 }
 
 // -B⁻¹ times a matrix, whose entries are named.
@@ -99,10 +110,6 @@ Rows less_product(DerivationContext& context, const Rows& inverse, const Rows& m
   }
   return result;
 }
-
-struct AccelerationDerivatives {
-  Rows dq, dqd;
-};
 
 // As acceleration_derivatives_function(), with q̈ = B⁻¹ (τ - n) and the columns by products.
 AccelerationDerivatives derivatives_by_products(DerivationContext& context, const Rows& inverse) {
@@ -128,11 +135,7 @@ Function function_by_products(DerivationContext& context) {
   const Factorisation B(context.frames, context.inertia());
   const Rows inverse = B.inverse("a");
   const AccelerationDerivatives qdd = derivatives_by_products(context, inverse);
-  return finished(context,
-                  {derivative_output(context, "dqdd_dq", qdd.dq, "row i, column k: of qdd[i] by q[k]"),
-                   derivative_output(context, "dqdd_dqd", qdd.dqd, "row i, column k: of qdd[i] by qd[k]"),
-                   derivative_output(context, "dqdd_dtau", inverse, "the inverse of B")},
-                  conditions_of(context, B));
+  return acceleration_derivatives(context, qdd, inverse, conditions_of(context, B));
 }
 
 // B⁻¹ as it is stored.
@@ -147,8 +150,7 @@ Rows stored_inverse(DerivationContext& context, const std::vector<int>& entries)
 
 Function derivatives_from_inverse(DerivationContext& context, const std::vector<int>& entries) {
   const AccelerationDerivatives qdd = derivatives_by_products(context, stored_inverse(context, entries));
-  return finished(context, {derivative_output(context, "dqdd_dq", qdd.dq, ""),
-                            derivative_output(context, "dqdd_dqd", qdd.dqd, "")});
+  return finished(context, acceleration_outputs(context, qdd));
 }
 
 void refuse_loops(const Mechanism& mechanism, const std::string& name) {

@@ -57,7 +57,7 @@ BenchPeer dart_peer() {
            "forward_kinematics", "jacobian"}};
 }
 
-// The functions of tests/benchmark/pinocchio/algorithms.hpp.
+// The functions of tests/benchmark/pinocchio/algorithms.hpp, and those with a symmetric output.
 const std::set<std::string> kPinocchioFunctions = {"inverse_dynamics",
                                                    "inertia_matrix",
                                                    "gravity",
@@ -66,6 +66,7 @@ const std::set<std::string> kPinocchioFunctions = {"inverse_dynamics",
                                                    "forward_dynamics",
                                                    "inverse_dynamics_derivatives",
                                                    "forward_dynamics_derivatives"};
+const std::set<std::string> kPinocchioHalved = {"inertia_matrix", "forward_dynamics_derivatives"};
 
 // Pinocchio's algorithms, in the library that scripts/bench has compiled for this machine.
 BenchPeer pinocchio_peer(const std::string& folder) {
@@ -75,6 +76,7 @@ BenchPeer pinocchio_peer(const std::string& folder) {
           fmt::format("'{}/library.o'", folder),
           templates::bench_pinocchio_cpp,
           kPinocchioFunctions,
+          kPinocchioHalved,
           "library.hpp",
           "static pinocchio_peer::Called& of = *pinocchio_peer::called(\"mechanism\", \"{0}\"); "
           "pinocchio_peer::call(of, x, y);",
@@ -91,6 +93,7 @@ BenchPeer recorded_peer(const std::string& name, const std::string& stem, const 
           "",
           templates::bench_pinocchio_cpp,
           kPinocchioFunctions,
+          kPinocchioHalved,
           stem + "_functions.hpp",
           stem + "_{0}(" + arguments + ");",
           fmt::format("'{}/record_{}' mechanism", folder, stem)};

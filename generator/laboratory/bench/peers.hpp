@@ -13,15 +13,16 @@
 namespace flatdyn {
 
 struct BenchPeer {
-  std::string name;                 // in reports
-  std::string stem;                 // stem of its source file; add_STEM() adds its cases
-  std::string flags;                // compiler flags
-  std::string libraries;            // linker flags
-  const char* source;               // template of the source file, with a section per function
-  std::set<std::string> functions;  // the functions that it has
-  std::string include = {};         // the header that the source file includes, where its template is shared
-  std::string call = {};            // the statement there that computes a function, {} its name, from x to y
-  std::string recorder = {};        // writes the file `include`, run with the names of functions
+  std::string name;                   // in reports
+  std::string stem;                   // stem of its source file; add_STEM() adds its cases
+  std::string flags;                  // compiler flags
+  std::string libraries;              // linker flags
+  const char* source;                 // template of the source file, with a section per function
+  std::set<std::string> functions;    // the functions that it has
+  std::set<std::string> halved = {};  // of these: whose last output is symmetric, and of which it writes the upper half
+  std::string include = {};           // the header that the source file includes, where its template is shared
+  std::string call = {};              // the statement there that computes a function, {} its name, from x to y
+  std::string recorder = {};          // writes the file `include`, run with the names of functions
 };
 
 struct BenchPeers {

@@ -191,9 +191,9 @@ data robot_page(const BenchSubject& subject, bool native) {
   return page;
 }
 
-// A function that Pinocchio computes: symmetric matrices are its last outputs, of which it writes the upper half.
+// A function of a peer whose source file calls them all in the same way.
 data pinocchio_row(const BenchSubject& subject, const BenchPeer& peer, const Function& function) {
-  const bool is_halved = function.name == "inertia_matrix" || function.name == "forward_dynamics_derivatives";
+  const bool is_halved = peer.halved.count(function.name) > 0;
   const auto n = static_cast<std::size_t>(subject.mechanism.size());
   std::vector<std::string> inputs;
   for (const InputKind kind : function.inputs) {

@@ -52,7 +52,9 @@ Toolchain find_toolchain() {
   toolchain.has_mujoco = has_header("mujoco/mujoco.h");
   toolchain.has_dart = toolchain.has_eigen && succeeds("pkg-config --exists dart");
   const char* const peers = std::getenv("FLATDYN_PEERS");
-  if (peers != nullptr && *peers != '\0') toolchain.peers_folder = fs::absolute(peers).string();
+  if (peers != nullptr && fs::exists(fs::path(peers) / "library.o")) {
+    toolchain.peers_folder = fs::absolute(peers).string();
+  }
   return toolchain;
 }
 
