@@ -100,6 +100,32 @@ inline constexpr Real effort_limit[joint_count] = {
 
 namespace detail {
 
+// Zeros in entries that follow one another: four at a time, which compilers store in a few
+// instructions, the last four once more where fewer are left. Other scalars have theirs one by one.
+struct Zeros {
+  static constexpr bool are_plain(const float*) noexcept { return true; }
+  static constexpr bool are_plain(const double*) noexcept { return true; }
+  static constexpr bool are_plain(const void*) noexcept { return false; }
+  template <int count, class Scalar>
+  static void store(Scalar* entries) noexcept {
+    constexpr int together = 4;
+    if constexpr (count >= together && are_plain(static_cast<Scalar*>(nullptr))) {
+      const Scalar zeros[together] = {};
+#ifdef __GNUC__
+#pragma GCC unroll 64
+#endif
+      for (int k = 0; k + together < count; k += together) memcpy(entries + k, zeros, sizeof(zeros));
+      memcpy(entries + (count - together), zeros, sizeof(zeros));
+    } else {
+      for (int k = 0; k < count; ++k) entries[k] = Scalar(0.0);
+    }
+  }
+};
+
+}  // namespace detail
+
+namespace detail {
+
 // Checks of the scalar, which every function makes at compile time.
 struct Interface {
   // Integers would lose the fraction. Classes are assumed to have one.
@@ -1637,10 +1663,11 @@ static inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos
   const Scalar c_2_1_6 = t167 + t270;
   c[43] = c_2_1_6;
   c[141] = -c_2_1_6;
-  c[0] = c[29] = c[30] = c[59] = c[60] = c[61] = c[90] = c[91] = Scalar(0.0);
-  c[92] = c[93] = c[122] = c[123] = c[124] = c[125] = c[126] = c[155] = Scalar(0.0);
-  c[156] = c[157] = c[158] = c[159] = c[160] = c[189] = c[190] = c[191] = Scalar(0.0);
-  c[192] = c[193] = c[194] = c[195] = Scalar(0.0);
+  c[0] = c[29] = c[30] = c[59] = c[60] = c[61] = Scalar(0.0);
+  detail::Zeros::store<4>(c + 90);
+  detail::Zeros::store<5>(c + 122);
+  detail::Zeros::store<6>(c + 155);
+  detail::Zeros::store<7>(c + 189);
 }
 
 // The entries of C in coriolis_matrix that are not always zero.

@@ -94,6 +94,32 @@ static inline Scalar sign(const Scalar& x) noexcept {
 
 namespace detail {
 
+// Zeros in entries that follow one another: four at a time, which compilers store in a few
+// instructions, the last four once more where fewer are left. Other scalars have theirs one by one.
+struct Zeros {
+  static constexpr bool are_plain(const float*) noexcept { return true; }
+  static constexpr bool are_plain(const double*) noexcept { return true; }
+  static constexpr bool are_plain(const void*) noexcept { return false; }
+  template <int count, class Scalar>
+  static void store(Scalar* entries) noexcept {
+    constexpr int together = 4;
+    if constexpr (count >= together && are_plain(static_cast<Scalar*>(nullptr))) {
+      const Scalar zeros[together] = {};
+#ifdef __GNUC__
+#pragma GCC unroll 64
+#endif
+      for (int k = 0; k + together < count; k += together) memcpy(entries + k, zeros, sizeof(zeros));
+      memcpy(entries + (count - together), zeros, sizeof(zeros));
+    } else {
+      for (int k = 0; k < count; ++k) entries[k] = Scalar(0.0);
+    }
+  }
+};
+
+}  // namespace detail
+
+namespace detail {
+
 // Checks of the scalar, which every function makes at compile time.
 struct Interface {
   // Integers would lose the fraction. Classes are assumed to have one.
@@ -903,10 +929,11 @@ static inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos
   c[67] = -c_3_2_4;
   c[0] = c[15] = c[20] = c[22] = c[23] = c[24] = c[37] = c[38] = Scalar(0.0);
   c[41] = c[43] = c[45] = c[46] = c[47] = c[58] = c[59] = c[62] = Scalar(0.0);
-  c[69] = c[70] = c[71] = c[72] = c[77] = c[81] = c[83] = c[94] = Scalar(0.0);
-  c[95] = c[96] = c[97] = c[98] = c[103] = c[104] = c[105] = c[107] = Scalar(0.0);
-  c[109] = c[110] = c[114] = c[119] = c[120] = c[121] = c[122] = c[123] = Scalar(0.0);
-  c[124] = c[125] = Scalar(0.0);
+  c[77] = c[81] = c[83] = c[103] = c[104] = c[105] = c[107] = c[109] = Scalar(0.0);
+  c[110] = c[114] = Scalar(0.0);
+  detail::Zeros::store<4>(c + 69);
+  detail::Zeros::store<5>(c + 94);
+  detail::Zeros::store<7>(c + 119);
 }
 
 // The entries of C in coriolis_matrix that are not always zero.

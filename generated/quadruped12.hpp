@@ -102,6 +102,32 @@ inline constexpr Real effort_limit[joint_count] = {
 
 namespace detail {
 
+// Zeros in entries that follow one another: four at a time, which compilers store in a few
+// instructions, the last four once more where fewer are left. Other scalars have theirs one by one.
+struct Zeros {
+  static constexpr bool are_plain(const float*) noexcept { return true; }
+  static constexpr bool are_plain(const double*) noexcept { return true; }
+  static constexpr bool are_plain(const void*) noexcept { return false; }
+  template <int count, class Scalar>
+  static void store(Scalar* entries) noexcept {
+    constexpr int together = 4;
+    if constexpr (count >= together && are_plain(static_cast<Scalar*>(nullptr))) {
+      const Scalar zeros[together] = {};
+#ifdef __GNUC__
+#pragma GCC unroll 64
+#endif
+      for (int k = 0; k + together < count; k += together) memcpy(entries + k, zeros, sizeof(zeros));
+      memcpy(entries + (count - together), zeros, sizeof(zeros));
+    } else {
+      for (int k = 0; k < count; ++k) entries[k] = Scalar(0.0);
+    }
+  }
+};
+
+}  // namespace detail
+
+namespace detail {
+
 // Checks of the scalar, which every function makes at compile time.
 struct Interface {
   // Integers would lose the fraction. Classes are assumed to have one.
@@ -786,20 +812,17 @@ static inline void inertia_matrix(const Scalar* q, Scalar* B, const SinCos& sin_
       Scalar(0.0022644781431582876) * s_2);
   B[0] = Scalar(-0.0005396092213171668) * c_2_3 * c_2_3 - Scalar(0.001231440536717216) * t5 + t6 +
       Scalar(0.0031799702681776175);
-  B[3] = B[4] = B[5] = B[6] = B[7] = B[8] = B[9] = B[10] = Scalar(0.0);
-  B[11] = B[15] = B[16] = B[17] = B[18] = B[19] = B[20] = B[21] = Scalar(0.0);
-  B[22] = B[23] = B[27] = B[28] = B[29] = B[30] = B[31] = B[32] = Scalar(0.0);
-  B[33] = B[34] = B[35] = B[36] = B[37] = B[38] = B[42] = B[43] = Scalar(0.0);
-  B[44] = B[45] = B[46] = B[47] = B[48] = B[49] = B[50] = B[54] = Scalar(0.0);
-  B[55] = B[56] = B[57] = B[58] = B[59] = B[60] = B[61] = B[62] = Scalar(0.0);
-  B[66] = B[67] = B[68] = B[69] = B[70] = B[71] = B[72] = B[73] = Scalar(0.0);
-  B[74] = B[75] = B[76] = B[77] = B[81] = B[82] = B[83] = B[84] = Scalar(0.0);
-  B[85] = B[86] = B[87] = B[88] = B[89] = B[93] = B[94] = B[95] = Scalar(0.0);
-  B[96] = B[97] = B[98] = B[99] = B[100] = B[101] = B[105] = B[106] = Scalar(0.0);
-  B[107] = B[108] = B[109] = B[110] = B[111] = B[112] = B[113] = B[114] = Scalar(0.0);
-  B[115] = B[116] = B[120] = B[121] = B[122] = B[123] = B[124] = B[125] = Scalar(0.0);
-  B[126] = B[127] = B[128] = B[132] = B[133] = B[134] = B[135] = B[136] = Scalar(0.0);
-  B[137] = B[138] = B[139] = B[140] = Scalar(0.0);
+  detail::Zeros::store<9>(B + 3);
+  detail::Zeros::store<9>(B + 15);
+  detail::Zeros::store<12>(B + 27);
+  detail::Zeros::store<9>(B + 42);
+  detail::Zeros::store<9>(B + 54);
+  detail::Zeros::store<12>(B + 66);
+  detail::Zeros::store<9>(B + 81);
+  detail::Zeros::store<9>(B + 93);
+  detail::Zeros::store<12>(B + 105);
+  detail::Zeros::store<9>(B + 120);
+  detail::Zeros::store<9>(B + 132);
   B[26] = B[65] = B[104] = B[143] = Scalar(0.0005426192213171668);
 }
 
@@ -930,118 +953,27 @@ static inline void christoffel(const Scalar* q, Scalar* c, const SinCos& sin_cos
   c[502] = -dI_8_xx;
   c[247] = -dI_5_xx;
   c[1] = -dI_2_xx;
-  c[0] = c[6] = c[7] = c[8] = c[9] = c[10] = c[11] = c[12] = Scalar(0.0);
-  c[13] = c[14] = c[15] = c[16] = c[17] = c[18] = c[19] = c[20] = Scalar(0.0);
-  c[21] = c[22] = c[23] = c[24] = c[25] = c[26] = c[27] = c[28] = Scalar(0.0);
-  c[29] = c[30] = c[31] = c[32] = c[33] = c[34] = c[35] = c[36] = Scalar(0.0);
-  c[37] = c[38] = c[39] = c[40] = c[41] = c[42] = c[43] = c[44] = Scalar(0.0);
-  c[45] = c[46] = c[47] = c[48] = c[49] = c[50] = c[51] = c[52] = Scalar(0.0);
-  c[53] = c[54] = c[55] = c[56] = c[57] = c[58] = c[59] = c[60] = Scalar(0.0);
-  c[61] = c[62] = c[63] = c[64] = c[65] = c[66] = c[67] = c[68] = Scalar(0.0);
-  c[69] = c[70] = c[71] = c[72] = c[73] = c[74] = c[75] = c[76] = Scalar(0.0);
-  c[77] = c[79] = c[80] = c[81] = c[84] = c[85] = c[86] = c[87] = Scalar(0.0);
-  c[88] = c[89] = c[90] = c[91] = c[92] = c[93] = c[94] = c[95] = Scalar(0.0);
-  c[96] = c[97] = c[98] = c[99] = c[100] = c[101] = c[102] = c[103] = Scalar(0.0);
-  c[104] = c[105] = c[106] = c[107] = c[108] = c[109] = c[110] = c[111] = Scalar(0.0);
-  c[112] = c[113] = c[114] = c[115] = c[116] = c[117] = c[118] = c[119] = Scalar(0.0);
-  c[120] = c[121] = c[122] = c[123] = c[124] = c[125] = c[126] = c[127] = Scalar(0.0);
-  c[128] = c[129] = c[130] = c[131] = c[132] = c[133] = c[134] = c[135] = Scalar(0.0);
-  c[136] = c[137] = c[138] = c[139] = c[140] = c[141] = c[142] = c[143] = Scalar(0.0);
-  c[144] = c[145] = c[146] = c[147] = c[148] = c[149] = c[150] = c[151] = Scalar(0.0);
-  c[152] = c[153] = c[154] = c[155] = c[157] = c[159] = c[160] = c[161] = Scalar(0.0);
-  c[162] = c[163] = c[164] = c[165] = c[166] = c[167] = c[168] = c[169] = Scalar(0.0);
-  c[170] = c[171] = c[172] = c[173] = c[174] = c[175] = c[176] = c[177] = Scalar(0.0);
-  c[178] = c[179] = c[180] = c[181] = c[182] = c[183] = c[184] = c[185] = Scalar(0.0);
-  c[186] = c[187] = c[188] = c[189] = c[190] = c[191] = c[192] = c[193] = Scalar(0.0);
-  c[194] = c[195] = c[196] = c[197] = c[198] = c[199] = c[200] = c[201] = Scalar(0.0);
-  c[202] = c[203] = c[204] = c[205] = c[206] = c[207] = c[208] = c[209] = Scalar(0.0);
-  c[210] = c[211] = c[212] = c[213] = c[214] = c[215] = c[216] = c[217] = Scalar(0.0);
-  c[218] = c[219] = c[220] = c[221] = c[222] = c[223] = c[224] = c[225] = Scalar(0.0);
-  c[226] = c[227] = c[228] = c[229] = c[230] = c[231] = c[232] = c[233] = Scalar(0.0);
-  c[234] = c[235] = c[236] = c[237] = c[238] = c[239] = c[240] = c[241] = Scalar(0.0);
-  c[242] = c[243] = c[244] = c[245] = c[246] = c[249] = c[250] = c[251] = Scalar(0.0);
-  c[255] = c[256] = c[257] = c[258] = c[259] = c[260] = c[261] = c[262] = Scalar(0.0);
-  c[263] = c[264] = c[265] = c[266] = c[267] = c[268] = c[269] = c[270] = Scalar(0.0);
-  c[271] = c[272] = c[273] = c[274] = c[275] = c[276] = c[277] = c[278] = Scalar(0.0);
-  c[279] = c[280] = c[281] = c[282] = c[283] = c[284] = c[285] = c[286] = Scalar(0.0);
-  c[287] = c[288] = c[289] = c[290] = c[291] = c[292] = c[293] = c[294] = Scalar(0.0);
-  c[295] = c[296] = c[297] = c[298] = c[299] = c[300] = c[301] = c[302] = Scalar(0.0);
-  c[303] = c[304] = c[305] = c[306] = c[307] = c[308] = c[309] = c[310] = Scalar(0.0);
-  c[311] = c[312] = c[313] = c[314] = c[315] = c[316] = c[317] = c[318] = Scalar(0.0);
-  c[319] = c[320] = c[322] = c[323] = c[324] = c[325] = c[326] = c[327] = Scalar(0.0);
-  c[328] = c[329] = c[330] = c[333] = c[334] = c[335] = c[336] = c[337] = Scalar(0.0);
-  c[338] = c[339] = c[340] = c[341] = c[342] = c[343] = c[344] = c[345] = Scalar(0.0);
-  c[346] = c[347] = c[348] = c[349] = c[350] = c[351] = c[352] = c[353] = Scalar(0.0);
-  c[354] = c[355] = c[356] = c[357] = c[358] = c[359] = c[360] = c[361] = Scalar(0.0);
-  c[362] = c[363] = c[364] = c[365] = c[366] = c[367] = c[368] = c[369] = Scalar(0.0);
-  c[370] = c[371] = c[372] = c[373] = c[374] = c[375] = c[376] = c[377] = Scalar(0.0);
-  c[378] = c[379] = c[380] = c[381] = c[382] = c[383] = c[384] = c[385] = Scalar(0.0);
-  c[386] = c[387] = c[388] = c[389] = c[390] = c[391] = c[392] = c[393] = Scalar(0.0);
-  c[394] = c[395] = c[396] = c[397] = c[398] = c[400] = c[401] = c[402] = Scalar(0.0);
-  c[403] = c[405] = c[406] = c[407] = c[408] = c[409] = c[410] = c[411] = Scalar(0.0);
-  c[412] = c[413] = c[414] = c[415] = c[416] = c[417] = c[418] = c[419] = Scalar(0.0);
-  c[420] = c[421] = c[422] = c[423] = c[424] = c[425] = c[426] = c[427] = Scalar(0.0);
-  c[428] = c[429] = c[430] = c[431] = c[432] = c[433] = c[434] = c[435] = Scalar(0.0);
-  c[436] = c[437] = c[438] = c[439] = c[440] = c[441] = c[442] = c[443] = Scalar(0.0);
-  c[444] = c[445] = c[446] = c[447] = c[448] = c[449] = c[450] = c[451] = Scalar(0.0);
-  c[452] = c[453] = c[454] = c[455] = c[456] = c[457] = c[458] = c[459] = Scalar(0.0);
-  c[460] = c[461] = c[462] = c[463] = c[464] = c[465] = c[466] = c[467] = Scalar(0.0);
-  c[468] = c[469] = c[470] = c[471] = c[472] = c[473] = c[474] = c[475] = Scalar(0.0);
-  c[476] = c[477] = c[478] = c[479] = c[480] = c[481] = c[482] = c[483] = Scalar(0.0);
-  c[484] = c[485] = c[486] = c[487] = c[488] = c[489] = c[490] = c[491] = Scalar(0.0);
-  c[492] = c[493] = c[494] = c[495] = c[496] = c[497] = c[498] = c[499] = Scalar(0.0);
-  c[500] = c[501] = c[504] = c[505] = c[506] = c[507] = c[508] = c[509] = Scalar(0.0);
-  c[513] = c[514] = c[515] = c[516] = c[517] = c[518] = c[519] = c[520] = Scalar(0.0);
-  c[521] = c[522] = c[523] = c[524] = c[525] = c[526] = c[527] = c[528] = Scalar(0.0);
-  c[529] = c[530] = c[531] = c[532] = c[533] = c[534] = c[535] = c[536] = Scalar(0.0);
-  c[537] = c[538] = c[539] = c[540] = c[541] = c[542] = c[543] = c[544] = Scalar(0.0);
-  c[545] = c[546] = c[547] = c[548] = c[549] = c[550] = c[551] = c[552] = Scalar(0.0);
-  c[553] = c[554] = c[555] = c[556] = c[557] = c[558] = c[559] = c[560] = Scalar(0.0);
-  c[561] = c[562] = c[563] = c[564] = c[565] = c[566] = c[567] = c[568] = Scalar(0.0);
-  c[569] = c[570] = c[571] = c[572] = c[574] = c[575] = c[576] = c[577] = Scalar(0.0);
-  c[578] = c[579] = c[580] = c[581] = c[582] = c[583] = c[584] = c[585] = Scalar(0.0);
-  c[586] = c[587] = c[588] = c[591] = c[592] = c[593] = c[594] = c[595] = Scalar(0.0);
-  c[596] = c[597] = c[598] = c[599] = c[600] = c[601] = c[602] = c[603] = Scalar(0.0);
-  c[604] = c[605] = c[606] = c[607] = c[608] = c[609] = c[610] = c[611] = Scalar(0.0);
-  c[612] = c[613] = c[614] = c[615] = c[616] = c[617] = c[618] = c[619] = Scalar(0.0);
-  c[620] = c[621] = c[622] = c[623] = c[624] = c[625] = c[626] = c[627] = Scalar(0.0);
-  c[628] = c[629] = c[630] = c[631] = c[632] = c[633] = c[634] = c[635] = Scalar(0.0);
-  c[636] = c[637] = c[638] = c[639] = c[640] = c[641] = c[642] = c[643] = Scalar(0.0);
-  c[644] = c[645] = c[646] = c[647] = c[648] = c[649] = c[650] = c[652] = Scalar(0.0);
-  c[653] = c[654] = c[655] = c[656] = c[657] = c[658] = c[660] = c[661] = Scalar(0.0);
-  c[662] = c[663] = c[664] = c[665] = c[666] = c[667] = c[668] = c[669] = Scalar(0.0);
-  c[670] = c[671] = c[672] = c[673] = c[674] = c[675] = c[676] = c[677] = Scalar(0.0);
-  c[678] = c[679] = c[680] = c[681] = c[682] = c[683] = c[684] = c[685] = Scalar(0.0);
-  c[686] = c[687] = c[688] = c[689] = c[690] = c[691] = c[692] = c[693] = Scalar(0.0);
-  c[694] = c[695] = c[696] = c[697] = c[698] = c[699] = c[700] = c[701] = Scalar(0.0);
-  c[702] = c[703] = c[704] = c[705] = c[706] = c[707] = c[708] = c[709] = Scalar(0.0);
-  c[710] = c[711] = c[712] = c[713] = c[714] = c[715] = c[716] = c[717] = Scalar(0.0);
-  c[718] = c[719] = c[720] = c[721] = c[722] = c[723] = c[724] = c[725] = Scalar(0.0);
-  c[726] = c[727] = c[728] = c[729] = c[730] = c[731] = c[732] = c[733] = Scalar(0.0);
-  c[734] = c[735] = c[736] = c[737] = c[738] = c[739] = c[740] = c[741] = Scalar(0.0);
-  c[742] = c[743] = c[744] = c[745] = c[746] = c[747] = c[748] = c[749] = Scalar(0.0);
-  c[750] = c[751] = c[752] = c[753] = c[754] = c[755] = c[756] = c[757] = Scalar(0.0);
-  c[758] = c[759] = c[760] = c[761] = c[762] = c[763] = c[764] = c[765] = Scalar(0.0);
-  c[768] = c[769] = c[770] = c[771] = c[772] = c[773] = c[774] = c[775] = Scalar(0.0);
-  c[776] = c[780] = c[781] = c[782] = c[783] = c[784] = c[785] = c[786] = Scalar(0.0);
-  c[787] = c[788] = c[789] = c[790] = c[791] = c[792] = c[793] = c[794] = Scalar(0.0);
-  c[795] = c[796] = c[797] = c[798] = c[799] = c[800] = c[801] = c[802] = Scalar(0.0);
-  c[803] = c[804] = c[805] = c[806] = c[807] = c[808] = c[809] = c[810] = Scalar(0.0);
-  c[811] = c[812] = c[813] = c[814] = c[815] = c[816] = c[817] = c[818] = Scalar(0.0);
-  c[819] = c[820] = c[821] = c[822] = c[823] = c[824] = c[825] = c[826] = Scalar(0.0);
-  c[827] = c[828] = c[829] = c[830] = c[831] = c[832] = c[833] = c[835] = Scalar(0.0);
-  c[836] = c[837] = c[838] = c[839] = c[840] = c[841] = c[842] = c[843] = Scalar(0.0);
-  c[844] = c[845] = c[846] = c[847] = c[848] = c[849] = c[850] = c[851] = Scalar(0.0);
-  c[852] = c[853] = c[854] = c[855] = c[858] = c[859] = c[860] = c[861] = Scalar(0.0);
-  c[862] = c[863] = c[864] = c[865] = c[866] = c[867] = c[868] = c[869] = Scalar(0.0);
-  c[870] = c[871] = c[872] = c[873] = c[874] = c[875] = c[876] = c[877] = Scalar(0.0);
-  c[878] = c[879] = c[880] = c[881] = c[882] = c[883] = c[884] = c[885] = Scalar(0.0);
-  c[886] = c[887] = c[888] = c[889] = c[890] = c[891] = c[892] = c[893] = Scalar(0.0);
-  c[894] = c[895] = c[896] = c[897] = c[898] = c[899] = c[900] = c[901] = Scalar(0.0);
-  c[902] = c[903] = c[904] = c[905] = c[906] = c[907] = c[908] = c[909] = Scalar(0.0);
-  c[910] = c[911] = c[913] = c[914] = c[915] = c[916] = c[917] = c[918] = Scalar(0.0);
-  c[919] = c[920] = c[921] = c[922] = c[924] = c[925] = c[926] = c[927] = Scalar(0.0);
-  c[928] = c[929] = c[930] = c[931] = c[932] = c[933] = c[934] = c[935] = Scalar(0.0);
+  c[0] = c[79] = c[80] = c[81] = c[157] = c[249] = c[250] = c[251] = Scalar(0.0);
+  detail::Zeros::store<72>(c + 6);
+  detail::Zeros::store<72>(c + 84);
+  detail::Zeros::store<88>(c + 159);
+  detail::Zeros::store<66>(c + 255);
+  detail::Zeros::store<9>(c + 322);
+  detail::Zeros::store<66>(c + 333);
+  detail::Zeros::store<4>(c + 400);
+  detail::Zeros::store<97>(c + 405);
+  detail::Zeros::store<6>(c + 504);
+  detail::Zeros::store<60>(c + 513);
+  detail::Zeros::store<15>(c + 574);
+  detail::Zeros::store<60>(c + 591);
+  detail::Zeros::store<7>(c + 652);
+  detail::Zeros::store<106>(c + 660);
+  detail::Zeros::store<9>(c + 768);
+  detail::Zeros::store<54>(c + 780);
+  detail::Zeros::store<21>(c + 835);
+  detail::Zeros::store<54>(c + 858);
+  detail::Zeros::store<10>(c + 913);
+  detail::Zeros::store<12>(c + 924);
 }
 
 // The entries of C in coriolis_matrix that are not always zero.
@@ -1172,20 +1104,18 @@ static inline void coriolis_matrix(const Scalar* q, const Scalar* qd, Scalar* C,
   const Scalar t32 = qd_11 + qd_12;
   C[119] = t31 * t32 - C_12_10;
   C[131] = -t28 * t32;
-  C[3] = C[4] = C[5] = C[6] = C[7] = C[8] = C[9] = C[10] = Scalar(0.0);
-  C[11] = C[15] = C[16] = C[17] = C[18] = C[19] = C[20] = C[21] = Scalar(0.0);
-  C[22] = C[23] = C[26] = C[27] = C[28] = C[29] = C[30] = C[31] = Scalar(0.0);
-  C[32] = C[33] = C[34] = C[35] = C[36] = C[37] = C[38] = C[42] = Scalar(0.0);
-  C[43] = C[44] = C[45] = C[46] = C[47] = C[48] = C[49] = C[50] = Scalar(0.0);
-  C[54] = C[55] = C[56] = C[57] = C[58] = C[59] = C[60] = C[61] = Scalar(0.0);
-  C[62] = C[65] = C[66] = C[67] = C[68] = C[69] = C[70] = C[71] = Scalar(0.0);
-  C[72] = C[73] = C[74] = C[75] = C[76] = C[77] = C[81] = C[82] = Scalar(0.0);
-  C[83] = C[84] = C[85] = C[86] = C[87] = C[88] = C[89] = C[93] = Scalar(0.0);
-  C[94] = C[95] = C[96] = C[97] = C[98] = C[99] = C[100] = C[101] = Scalar(0.0);
-  C[104] = C[105] = C[106] = C[107] = C[108] = C[109] = C[110] = C[111] = Scalar(0.0);
-  C[112] = C[113] = C[114] = C[115] = C[116] = C[120] = C[121] = C[122] = Scalar(0.0);
-  C[123] = C[124] = C[125] = C[126] = C[127] = C[128] = C[132] = C[133] = Scalar(0.0);
-  C[134] = C[135] = C[136] = C[137] = C[138] = C[139] = C[140] = C[143] = Scalar(0.0);
+  C[143] = Scalar(0.0);
+  detail::Zeros::store<9>(C + 3);
+  detail::Zeros::store<9>(C + 15);
+  detail::Zeros::store<13>(C + 26);
+  detail::Zeros::store<9>(C + 42);
+  detail::Zeros::store<9>(C + 54);
+  detail::Zeros::store<13>(C + 65);
+  detail::Zeros::store<9>(C + 81);
+  detail::Zeros::store<9>(C + 93);
+  detail::Zeros::store<13>(C + 104);
+  detail::Zeros::store<9>(C + 120);
+  detail::Zeros::store<9>(C + 132);
 }
 
 // Gravity torques g(q) (7.39).
@@ -1779,14 +1709,12 @@ static inline void jacobian(const Scalar* q, Scalar* J, const SinCos& sin_cos = 
   J[35] = -c_10 * t5;
   J[10] = s_10 * t6 - c_10 * J_P10_y;
   J[11] = s_10 * (t6 + s_10 * t1) - c_10 * (J_P10_y - c_10 * t1);
-  J[0] = J[1] = J[2] = J[3] = J[4] = J[5] = J[6] = J[7] = Scalar(0.0);
-  J[8] = J[9] = J[12] = J[13] = J[14] = J[15] = J[16] = J[17] = Scalar(0.0);
-  J[18] = J[19] = J[20] = J[24] = J[25] = J[26] = J[27] = J[28] = Scalar(0.0);
-  J[29] = J[30] = J[31] = J[32] = J[36] = J[37] = J[38] = J[39] = Scalar(0.0);
-  J[40] = J[41] = J[42] = J[43] = J[44] = J[46] = J[47] = J[48] = Scalar(0.0);
-  J[49] = J[50] = J[51] = J[52] = J[53] = J[54] = J[55] = J[56] = Scalar(0.0);
-  J[57] = J[60] = J[61] = J[62] = J[63] = J[64] = J[65] = J[66] = Scalar(0.0);
-  J[67] = J[68] = J[69] = Scalar(0.0);
+  detail::Zeros::store<10>(J);
+  detail::Zeros::store<9>(J + 12);
+  detail::Zeros::store<9>(J + 24);
+  detail::Zeros::store<9>(J + 36);
+  detail::Zeros::store<12>(J + 46);
+  detail::Zeros::store<10>(J + 60);
   J[45] = Scalar(1.0);
 }
 

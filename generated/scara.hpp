@@ -102,6 +102,32 @@ struct Parameters {
 
 namespace detail {
 
+// Zeros in entries that follow one another: four at a time, which compilers store in a few
+// instructions, the last four once more where fewer are left. Other scalars have theirs one by one.
+struct Zeros {
+  static constexpr bool are_plain(const float*) noexcept { return true; }
+  static constexpr bool are_plain(const double*) noexcept { return true; }
+  static constexpr bool are_plain(const void*) noexcept { return false; }
+  template <int count, class Scalar>
+  static void store(Scalar* entries) noexcept {
+    constexpr int together = 4;
+    if constexpr (count >= together && are_plain(static_cast<Scalar*>(nullptr))) {
+      const Scalar zeros[together] = {};
+#ifdef __GNUC__
+#pragma GCC unroll 64
+#endif
+      for (int k = 0; k + together < count; k += together) memcpy(entries + k, zeros, sizeof(zeros));
+      memcpy(entries + (count - together), zeros, sizeof(zeros));
+    } else {
+      for (int k = 0; k < count; ++k) entries[k] = Scalar(0.0);
+    }
+  }
+};
+
+}  // namespace detail
+
+namespace detail {
+
 // Positive if a sum, rounded, is above its first term. The bits are compared, since compilers that
 // may reorder sums take x + y - x for y.
 template <class Scalar>
@@ -577,11 +603,9 @@ static inline void christoffel(const Parameters<Scalar>& parameters, const Scala
   const Scalar c_2_1_1 = a_1 * s_2 * hc_2_x;
   c[10] = c_2_1_1;
   c[1] = c[2] = -c_2_1_1;
-  c[0] = c[3] = c[4] = c[5] = c[6] = c[7] = c[8] = c[9] = Scalar(0.0);
-  c[11] = c[12] = c[13] = c[14] = c[15] = c[16] = c[17] = c[18] = Scalar(0.0);
-  c[19] = c[20] = c[21] = c[22] = c[23] = c[24] = c[25] = c[26] = Scalar(0.0);
-  c[27] = c[28] = c[29] = c[30] = c[31] = c[32] = c[33] = c[34] = Scalar(0.0);
-  c[35] = c[36] = c[37] = c[38] = c[39] = Scalar(0.0);
+  c[0] = Scalar(0.0);
+  detail::Zeros::store<7>(c + 3);
+  detail::Zeros::store<29>(c + 11);
 }
 
 // The entries of C in coriolis_matrix that are not always zero.

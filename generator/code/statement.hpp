@@ -44,6 +44,12 @@ struct Store {
   Expression value;
 };
 
+// Zeros are stored in the entries of an array from `first` to before `end`.
+struct StoreZeros {
+  std::string array;
+  std::size_t first = 0, end = 0;
+};
+
 // The arrays "sine" and "cosine" are filled for the angles of these indices in an array.
 struct FillSines {
   std::string array;
@@ -125,8 +131,8 @@ struct DefineLanes {
   Expression value;
 };
 
-using Statement = std::variant<Define, Declare, DeclareStage, Store, FillSines, Check, CheckFinite, CheckPositive,
-                               CallPart, Return, Ignore, UseLanes, Gather, DefineLanes>;
+using Statement = std::variant<Define, Declare, DeclareStage, Store, StoreZeros, FillSines, Check, CheckFinite,
+                               CheckPositive, CallPart, Return, Ignore, UseLanes, Gather, DefineLanes>;
 using Statements = std::vector<Statement>;
 
 // A function that only functions of the same file call.

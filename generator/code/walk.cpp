@@ -74,7 +74,13 @@ Names names_in(const Statement& statement) {
       std::visit([&names](const auto& each) { add_names(each, names); }, place);
     }
   }
+  if (const auto* zeros = std::get_if<StoreZeros>(&statement)) names.others.push_back(zeros->array);
   return names;
+}
+
+bool stores_zeros(const Statements& statements) {
+  return std::any_of(statements.begin(), statements.end(),
+                     [](const Statement& each) { return std::holds_alternative<StoreZeros>(each); });
 }
 
 void mark_local_arguments(Statements& statements) {

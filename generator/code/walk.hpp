@@ -12,6 +12,9 @@ namespace flatdyn::code {
 // Whether the operation is anywhere in the statements.
 bool uses(const Statements& statements, Operation operation);
 
+// Whether zeros are stored together anywhere in the statements.
+bool stores_zeros(const Statements& statements);
+
 // The names that a statement reads or stores: of variables; and of arrays, numbers, structures, and `kParameters` for
 // the values of free symbols. In the order of the text, repeated where they are.
 struct Names {

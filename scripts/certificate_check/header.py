@@ -39,6 +39,7 @@ class Header:
         self.begin()
         self.read_constants()
         reader.accept_section("sign", "namespace detail { template <class Scalar> static inline Scalar sign")
+        reader.accept_section("zeros", "namespace detail { struct Zeros")
         reader.accept_section("multiply_add", "namespace detail { void fma")
         reader.expect_section("interface")
         self.has_sines = reader.accept_section("sines", "template <int... joint> struct Joints")

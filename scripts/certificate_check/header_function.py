@@ -7,6 +7,7 @@ import math
 import re
 
 from certificate_check.expressions import parsed, value_of
+from certificate_check.tokens import tokens_of
 
 CHECK = "static_assert(detail::Interface::checked<Scalar>());"
 FUSED = "constexpr detail::MultiplyAdd<Scalar> fma{};"
@@ -57,6 +58,8 @@ class HeaderFunction:
             self.fill_angles(reader)
         elif reader.word() == "sin_cos":
             self.ask(reader)
+        elif reader.accept("detail::Zeros::store<"):
+            self.stored_zeros(reader)
         elif reader.accept("return"):
             if not self.gives_number:
                 reader.fail(f"{self.name} returns a value")
@@ -131,16 +134,34 @@ class HeaderFunction:
         tokens, targets = reader.up_to(";"), []
         while len(tokens) > 5 and tokens[1] == "[" and tokens[3:5] == ["]", "="]:
             array, index = tokens[0], tokens[2]
-            name = f"{array}[{index}]"
-            if array not in self.results or not index.isdigit() or str(int(index)) != index:
-                reader.fail(f"{name} is no entry of an output")
-            if name in targets or any(name in earlier for earlier, _ in self.statements):
-                reader.fail(f"{name} is written twice")
-            targets.append(name)
+            if not index.isdigit() or str(int(index)) != index:
+                reader.fail(f"{array}[{index}] is no entry of an output")
+            self.add_target(targets, array, int(index), reader)
             tokens = tokens[5:]
         if not targets:
             reader.fail("no statement that flatdyn writes")
         self.add(targets, tokens, reader)
+
+    def stored_zeros(self, reader):
+        """Reads "9>(B + 3);", the rest of what stores zeros in entries that follow one another."""
+        count, targets = reader.take_count(), []
+        reader.expect(">(")
+        array = reader.take_name()
+        first = reader.take_count() if reader.accept("+") else 0
+        reader.expect(");")
+        for k in range(first, first + count):
+            self.add_target(targets, array, k, reader)
+        if not targets:
+            reader.fail("no zeros that flatdyn writes")
+        self.add(targets, tokens_of("Scalar(0.0)"), reader)
+
+    def add_target(self, targets, array, index, reader):
+        name = f"{array}[{index}]"
+        if array not in self.results:
+            reader.fail(f"{name} is no entry of an output")
+        if name in targets or any(name in earlier for earlier, _ in self.statements):
+            reader.fail(f"{name} is written twice")
+        targets.append(name)
 
     def add(self, targets, tokens, reader):
         has_written = self.name != "angles" and any("[" in name for names, _ in self.statements for name in names)

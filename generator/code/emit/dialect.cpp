@@ -66,6 +66,8 @@ std::string Dialect::stored(const std::vector<std::string>& places, const std::s
   return fmt::format("{} = {};", fmt::join(places, " = "), value);
 }
 
+std::string Dialect::stored_zeros(const std::string&, std::size_t, std::size_t) const { return ""; }
+
 std::string Dialect::finite(const std::string& number) const {
   return fmt::format("{} * {} < {}", literal(0), number, literal(1));
 }

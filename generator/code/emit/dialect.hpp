@@ -103,6 +103,9 @@ class Dialect {
   virtual std::string declarations(const std::string& begin, const std::vector<std::string>& rests) const;
   // The statement that stores a value in all places, and the one that ends a function with its result.
   virtual std::string stored(const std::vector<std::string>& places, const std::string& value) const;
+  // The statement that stores zeros in entries of an array from `first` to before `end`. Only languages that store them
+  // together are asked.
+  virtual std::string stored_zeros(const std::string& array, std::size_t first, std::size_t end) const;
   virtual std::string returned(const std::string& value) const { return "return " + value + ";"; }
   // The text before a call of a function of the file, and after its arguments.
   virtual std::string call_begin(bool is_returned) const { return is_returned ? "return " : ""; }

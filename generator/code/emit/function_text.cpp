@@ -59,6 +59,7 @@ class FunctionWriter {
     text.uses_excess = body_.uses_excess;
     text.uses_fma = body_.uses_fma;
     text.uses_limbs = body_.uses_limbs;
+    text.uses_zeros = body_.uses_zeros;
     text.uses_trigonometry = body_.uses_trigonometry();
     dialect_.declare(text, {body_, scope_, arguments(), sin_cos_variant_name});
     return text;

@@ -64,7 +64,8 @@ struct FunctionText {
   std::string parts;                             // functions that only a long body calls; else empty
   std::optional<SinCosVariant> sin_cos_variant;  // in C, if sines or cosines are needed
   std::vector<Instance> compiled;  // for C++ in header and source: the instantiations in the source; else empty
-  bool uses_sign = false, uses_sqrt = false, uses_excess = false, uses_fma = false, uses_limbs = false;
+  bool uses_sign = false, uses_sqrt = false, uses_excess = false, uses_fma = false, uses_limbs = false,
+       uses_zeros = false;
   bool uses_trigonometry = false;  // in C++ it then has a template parameter SinCos and an argument of that type
 };
 

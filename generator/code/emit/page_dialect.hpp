@@ -31,7 +31,7 @@ struct CodeContent {
   std::vector<StageText> stages{};     // empty: none were asked for
   std::vector<std::string> exports{};  // the names that the text exports, in order
   bool uses_sign = false, uses_sqrt = false, uses_excess = false, uses_fma = false, uses_trigonometry = false,
-       uses_limbs = false;
+       uses_limbs = false, uses_zeros = false;
 };
 
 class PageDialect : public Dialect {

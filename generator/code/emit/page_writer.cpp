@@ -82,6 +82,7 @@ class PageWriter {
     header["uses_sqrt"] = content_.uses_sqrt;
     header["uses_excess"] = content_.uses_excess;
     header["uses_limbs"] = content_.uses_limbs;
+    header["uses_zeros"] = content_.uses_zeros;
     header["uses_fma"] = content_.uses_fma;
     header["uses_trigonometry"] = content_.uses_trigonometry;
     header["own_sines?"] = content_.uses_trigonometry && options_.sines == Sines::polynomials;
@@ -282,6 +283,7 @@ class PageWriter {
     content_.uses_excess = content_.uses_excess || text.uses_excess;
     content_.uses_fma = content_.uses_fma || text.uses_fma;
     content_.uses_limbs = content_.uses_limbs || text.uses_limbs;
+    content_.uses_zeros = content_.uses_zeros || text.uses_zeros;
     content_.uses_trigonometry = content_.uses_trigonometry || text.uses_trigonometry;
   }
 

@@ -200,6 +200,10 @@ std::string Printer::line(const code::Store& store) const {
   return lines;
 }
 
+std::string Printer::line(const code::StoreZeros& zeros) const {
+  return code_line(dialect_.stored_zeros(zeros.array, zeros.first, zeros.end), dialect_.indent());
+}
+
 std::string Printer::line(const code::FillSines& fill) const { return dialect_.filled_sines(fill.array, fill.angles); }
 
 // & does not branch.

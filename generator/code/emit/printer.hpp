@@ -42,6 +42,7 @@ class Printer : public TextLength {
   std::string line(const code::Declare& declare) const;
   std::string line(const code::DeclareStage& stage) const;
   std::string line(const code::Store& store) const;
+  std::string line(const code::StoreZeros& zeros) const;
   std::string line(const code::FillSines& fill) const;
   std::string line(const code::Check& check) const;
   std::string line(const code::CheckFinite& check) const;

@@ -18,6 +18,7 @@
 #include "code/lower/names.hpp"
 #include "code/lower/parts.hpp"
 #include "code/lower/schedule.hpp"
+#include "code/lower/zeros.hpp"
 #include "code/walk.hpp"
 #include "graph/passes/fuse_products.hpp"
 
@@ -101,6 +102,7 @@ class BodyMaker {
     body.uses_excess = code::uses(body.statements, code::Operation::excess);
     body.uses_fma = code::uses(body.statements, code::Operation::multiply_add);
     body.uses_limbs = limbs_.has_value();
+    body.uses_zeros = code::stores_zeros(body.statements);
     const int longest = scope_.language.longest_function * (limbs_ ? kLongerWithLimbs : 1);
     body.most_lines = (scope_.most_lines > 0 ? scope_.most_lines : longest) - lines_around_;
     return body;
@@ -141,24 +143,24 @@ class BodyMaker {
 
   code::Statements limb_steps() const {
     code::Statements statements = limbs_->given();
-    for (const LimbStep& step : limbs_->steps()) statements.push_back(limb_step(step));
+    for (const LimbStep& step : limbs_->steps()) append(statements, limb_step(step));
     return statements;
   }
 
-  code::Statement limb_step(const LimbStep& step) const {
+  code::Statements limb_step(const LimbStep& step) const {
     switch (step.kind) {
       case LimbStep::Kind::scalar:
-        return definition(step.index);
+        return {definition(step.index)};
       case LimbStep::Kind::stored:
-        return stored_step(schedule_.statements[static_cast<std::size_t>(step.index)]);
+        return stored_steps(schedule_.statements[static_cast<std::size_t>(step.index)]);
       case LimbStep::Kind::limbs:
-        return limbs_->definition(step.index);
+        return {limbs_->definition(step.index)};
       case LimbStep::Kind::gathered:
-        return limbs_->gathered(step.index);
+        return {limbs_->gathered(step.index)};
       case LimbStep::Kind::taken:
         break;
     }
-    return limbs_->taken(step.index);
+    return {limbs_->taken(step.index)};
   }
 
   code::Statements shared_by_parts(int kept) const {
@@ -359,7 +361,8 @@ class BodyMaker {
     code::Statements steps;
     for (const Statement& statement : schedule_.statements) {
       if (is_angle_function(statement)) continue;
-      steps.push_back(statement.targets.empty() ? definition(statement.node) : stored_step(statement, of_parts));
+      append(steps, statement.targets.empty() ? code::Statements{definition(statement.node)}
+                                              : stored_steps(statement, of_parts));
     }
     return steps;
   }
@@ -367,15 +370,16 @@ class BodyMaker {
   code::Statement definition(NodeId id) const { return code::Define{{{variable(id), expressions_.definition(id)}}}; }
 
   // An entry is stored, or the function's value is returned; parts store that, too.
-  code::Statement stored_step(const Statement& statement, bool of_parts = false) const {
+  code::Statements stored_steps(const Statement& statement, bool of_parts = false) const {
     code::Expression value = limbs_ ? limbs_->stored(statement.node) : expressions_.use(statement.node);
     if (returns_value(function_)) {
-      if (of_parts) return code::Store{{code::Number{kResult}}, std::move(value)};
-      return code::Return{std::move(value)};
+      if (of_parts) return {code::Store{{code::Number{kResult}}, std::move(value)}};
+      return {code::Return{std::move(value)}};
     }
     code::Store store{{}, std::move(value)};
     for (const Target& target : statement.targets) store.places.push_back(place_of(target));
-    return store;
+    const bool is_divided = scope_.language.stores_zeros_together && function_.graph.is_zero(statement.node);
+    return is_divided ? zeros_together(std::move(store)) : code::Statements{std::move(store)};
   }
 
   // The place of a target: B[1], or stage.x1.

@@ -16,7 +16,8 @@ struct FunctionBody {
   std::vector<code::Part> parts;          // functions that it calls; none if it is short
   std::vector<Input> inputs;              // the inputs that it reads, without those that an earlier stage has stored
   std::vector<std::string> output_names;  // the outputs' names in the text
-  bool uses_sign = false, uses_sqrt = false, uses_excess = false, uses_fma = false, uses_limbs = false;
+  bool uses_sign = false, uses_sqrt = false, uses_excess = false, uses_fma = false, uses_limbs = false,
+       uses_zeros = false;
   bool uses_positions = false;  // whether it reads entries of q other than for their sines and cosines
   std::vector<int> angles;      // indices of the angles whose sines and cosines it takes
   bool takes_sines = false, takes_cosines = false;

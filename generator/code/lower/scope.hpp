@@ -27,9 +27,10 @@ struct LanguageTraits {
   // Whether each sine and cosine is evaluated by itself, sin(q[2]). Otherwise a function reads all of them from arrays
   // "sine" and "cosine", by index of the angle; it either fills these arrays first, or they are its arguments.
   bool evaluates_sines = false;
-  bool fills_sines = false;  // whether a function fills these arrays
-  bool reads_parts = false;  // whether stored values are entries of outputs, read wherever they are used
-  bool has_lanes = false;    // whether there are vectors with a number of each limb
+  bool fills_sines = false;            // whether a function fills these arrays
+  bool reads_parts = false;            // whether stored values are entries of outputs, read wherever they are used
+  bool stores_zeros_together = false;  // whether zeros in entries that follow one another are stored by a helper
+  bool has_lanes = false;              // whether there are vectors with a number of each limb
   // The number of lines that a function may have before it is written in parts, and the number of its lines outside the
   // body. Compilers optimise best if they see as much as possible.
   int longest_function = 4000;

@@ -164,6 +164,12 @@ void Execution::execute(const code::Store& store) {
   for (const auto& [array, entry] : places) write(array, entry, stored);
 }
 
+void Execution::execute(const code::StoreZeros& zeros) {
+  if (!is_output(zeros.array)) fail("zeros in what is no output");
+  const int zero = value(code::Literal{0});
+  for (std::size_t k = zeros.first; k < zeros.end; ++k) write(zeros.array, static_cast<int>(k), zero);
+}
+
 // Writes an entry, once; only places of values that parts keep are used again.
 void Execution::write(const std::string& array, int entry, int value) {
   const auto found = arrays_.find(array);

@@ -50,6 +50,7 @@ class Execution {
   void execute(const code::Declare& declare);
   void execute(const code::DeclareStage& stage);
   void execute(const code::Store& store);
+  void execute(const code::StoreZeros& zeros);
   void execute(const code::FillSines& fill);
   void execute(const code::Check& check);
   void execute(const code::CheckFinite& check);

@@ -73,6 +73,11 @@ TEST(Printer, StoresEqualEntriesTogether) {
   EXPECT_EQ(printed(cpp(), code::Statement(store)), "  B[1] = B[2] = b_12;\n");
 }
 
+TEST(Printer, StoresZerosTogether) {
+  EXPECT_EQ(printed(cpp(), code::Statement(code::StoreZeros{"B", 3, 12})), "  detail::Zeros::store<9>(B + 3);\n");
+  EXPECT_EQ(printed(cpp(), code::Statement(code::StoreZeros{"B", 0, 4})), "  detail::Zeros::store<4>(B);\n");
+}
+
 TEST(Printer, BeginsAndContinuesTheVerdict) {
   const code::Condition positive = code::Positive{variable("D")};
   EXPECT_EQ(printed(floats_in_c(), code::Statement(code::Check{true, positive})), "  bool valid = D > 0.0f;\n");

@@ -39,8 +39,8 @@ inertia = { xx = 0.1, yy = 0.2, zz = 0.3 }
 inertia_about = "com"
 )";
 
-// A function with a square root, which only those of the operational space have otherwise.
-Function with_a_root() {
+// A function with a square root, which only those of the operational space have otherwise, and zeros in a row.
+Function with_a_root_and_zeros() {
   Function function;
   function.name = "gravity";
   function.inputs = {InputKind::q};
@@ -48,8 +48,10 @@ Function with_a_root() {
   const NodeId square = function.graph.sum({{1, function.graph.product({q, q})}, {1, function.graph.constant(1)}});
   Output g;
   g.name = "g";
-  g.rows = 2;
-  g.entries = {function.graph.sqrt(square), q};
+  g.rows = 18;
+  g.entries.assign(18, function.graph.constant(0));
+  g.entries.front() = function.graph.sqrt(square);
+  g.entries.back() = q;
   function.outputs = {g};
   return function;
 }
@@ -64,7 +66,7 @@ const PrintedCode& code_for(const std::string& robot) {
         std::vector<std::string>{"inverse_dynamics", "inertia_matrix", "forward_dynamics", "kinetic_energy", "gravity"},
         std::vector<std::string>{"inertia_matrix", "forward_dynamics"});
   } else if (robot == "root") {
-    code = std::make_unique<PrintedCode>(model_of_toml(kArm), std::vector<Function>{with_a_root()});
+    code = std::make_unique<PrintedCode>(model_of_toml(kArm), std::vector<Function>{with_a_root_and_zeros()});
   } else if (robot == "base") {
     code = std::make_unique<PrintedCode>(model_of("planar_2r_example_7_2.toml"),
                                          std::vector<std::string>{"inverse_dynamics_base"});

@@ -118,6 +118,11 @@ std::string CppDialect::definition_begin(const code::Table& table) const {
   return fmt::format("inline constexpr {} {}[{}] = {{", type(), table.name, table.length);
 }
 
+std::string CppDialect::stored_zeros(const std::string& array, std::size_t first, std::size_t end) const {
+  return fmt::format("detail::Zeros::store<{}>({}{});", end - first, array,
+                     first == 0 ? "" : fmt::format(" + {}", first));
+}
+
 std::string CppDialect::check_loop(std::size_t first, std::size_t end, const std::string& check) const {
   return code_line(fmt::format("for (int {0} = {1}; {0} < {2}; ++{0}) {3}{4};", code::kCounter, first, end,
                                conditions_continue(), check),
@@ -151,11 +156,13 @@ void CppDialect::write_page(data& page, const CodeContent& content) const {
   page["header_sign?"] = content.uses_sign && !is_pair();
   page["header_sqrt?"] = content.uses_sqrt && !is_pair();
   page["header_excess?"] = content.uses_excess && !is_pair();
+  page["header_zeros?"] = content.uses_zeros && !is_pair();
   page["header_fma?"] = content.uses_fma && !is_pair();
   page["header_limbs?"] = content.uses_limbs && !is_pair();
   page["limb_operators"] = list_of({"+", "-", "*", "/"});
   page["limbs_type"] = without_newline(rendered(templates::limbs_hpp, page));
   page["multiply_add"] = without_newline(rendered(templates::multiply_add_hpp, page));
+  page["zeros"] = without_newline(rendered(templates::zeros_hpp, page));
   page["excess"] = without_newline(rendered(templates::excess_hpp, page));
   page["header_angles?"] = content.uses_trigonometry && !content.scope.angles.empty() && !is_pair();
   page["polynomial_sines"] = without_newline(rendered(templates::polynomial_sines_hpp, page));

@@ -18,7 +18,9 @@ class CppDialect : public PageDialect {
   explicit CppDialect(const EmitOptions& options);
 
   std::vector<std::string> reserved() const override;
-  LanguageTraits traits() const override { return {.fills_sines = true, .has_lanes = true}; }
+  LanguageTraits traits() const override {
+    return {.fills_sines = true, .stores_zeros_together = true, .has_lanes = true};
+  }
   bool encloses_literals() const override { return true; }
   std::string literal(const Rational& value) const override;
   std::string real_literal(const Rational& value) const override;
@@ -29,6 +31,7 @@ class CppDialect : public PageDialect {
   std::string fused_begin() const override;
   // One call for the sines and cosines of all joints, so that they can be evaluated together.
   std::string filled_sines(const std::string& array, const std::set<int>& angles) const override;
+  std::string stored_zeros(const std::string& array, std::size_t first, std::size_t end) const override;
   std::string parameters_argument() const override { return "const Parameters<Scalar>& parameters"; }
   std::string number_output(const std::string& name) const override { return "Scalar& " + name; }
   std::string number_definition(const std::string& name) const override { return name; }

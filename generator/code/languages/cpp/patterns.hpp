@@ -52,6 +52,29 @@ template <class Scalar>
 static inline Scalar sqrt(const Scalar& x) noexcept { using std::sqrt; return sqrt(x); }
 })";
 
+inline constexpr const char* kCppZeros = R"(
+namespace detail {
+struct Zeros {
+  static constexpr bool are_plain(const float*) noexcept { return true; }
+  static constexpr bool are_plain(const double*) noexcept { return true; }
+  static constexpr bool are_plain(const void*) noexcept { return false; }
+  template <int count, class Scalar>
+  static void store(Scalar* entries) noexcept {
+    constexpr int together = 4;
+    if constexpr (count >= together && are_plain(static_cast<Scalar*>(nullptr))) {
+      const Scalar zeros[together] = {};
+#ifdef __GNUC__
+#pragma GCC unroll 64
+#endif
+      for (int k = 0; k + together < count; k += together) memcpy(entries + k, zeros, sizeof(zeros));
+      memcpy(entries + (count - together), zeros, sizeof(zeros));
+    } else {
+      for (int k = 0; k < count; ++k) entries[k] = Scalar(0.0);
+    }
+  }
+};
+})";
+
 inline constexpr const char* kCppExcess = R"(
 namespace detail {
 template <class Scalar>

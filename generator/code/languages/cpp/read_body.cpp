@@ -26,6 +26,7 @@ std::vector<BodyParser::Form> CppBodyParser::forms() {
       {[this] { return is("static_assert"); }, [this] { check_of_scalar(); }},
       {[this] { return is("constexpr"); }, [this] { fused_operation(); }},
       {[this] { return is("sin_cos"); }, [this] { sines(); }},
+      {[this] { return word(2) == "Zeros"; }, [this] { zeros(); }},
       {[this] { return is("detail") || word(1) == "("; }, [this] { part(); }},
       {[] { return true; }, [this] { assignment(); }},
   };
@@ -128,6 +129,18 @@ void CppBodyParser::lanes() {
 void CppBodyParser::part() {
   if (!is_part_) expect_all({"detail", "::"});
   call_of_part(false);
+}
+
+// Reads detail::Zeros::store<9>(B + 3);
+void CppBodyParser::zeros() {
+  expect_all({"detail", "::", "Zeros", "::", "store", "<"});
+  const int count = index();
+  expect_all({">", "("});
+  code::StoreZeros zeros{take()};
+  if (accept("+")) zeros.first = static_cast<std::size_t>(index());
+  zeros.end = zeros.first + static_cast<std::size_t>(count);
+  expect_all({")", ";"});
+  add(std::move(zeros));
 }
 
 // The stage that a member belongs to is *this.

@@ -32,6 +32,7 @@ class CppBodyParser : public BodyParser {
   void type_of_lanes();
   void lanes();
   void part();
+  void zeros();
   code::Expression detail_call();
   code::Expression member();
 

@@ -33,6 +33,7 @@ void CppFile::file() {
   if (is_pair()) source();
   require_helper("sign()", has_sign_, uses({"detail", "::", "sign"}));
   require_helper("sqrt()", has_sqrt_, uses({"detail", "::", "sqrt"}));
+  require_helper("Zeros", has_zeros_, uses({"detail", "::", "Zeros", "::", "store"}));
   require_helper("Excess", has_excess_, uses({"detail", "::", "Excess", "<", "Scalar"}));
   require_helper("MultiplyAdd", has_fma_, uses({"MultiplyAdd", "<", "Scalar", ">", "fma"}));
   require_helper("Limbs", has_limbs_, uses({"detail", "::", "Limbs", "<", "Scalar"}));
@@ -99,6 +100,7 @@ void CppFile::source() {
   expect("namespace $namespace$ {");
   has_sign_ = accept(kCppSign);
   has_sqrt_ = accept(kCppSqrt);
+  has_zeros_ = accept(kCppZeros);
   has_excess_ = accept(kCppExcess);
   has_fma_ = accept(kCppMultiplyAdd);
   has_limbs_ = accept(kCppLimbs);
@@ -168,6 +170,7 @@ void CppFile::helpers() {
   if (!is_pair()) {
     has_sign_ = accept(kCppSign);
     has_sqrt_ = accept(kCppSqrt);
+    has_zeros_ = accept(kCppZeros);
     has_excess_ = accept(kCppExcess);
     has_fma_ = accept(kCppMultiplyAdd);
     has_limbs_ = accept(kCppLimbs);

@@ -25,8 +25,8 @@ class CppFile : public FileReader {
   std::string not_discarded(const FileFunction& function) const;
   void shape_of_array(const EmittedParameter& parameter, const std::string& name);
 
-  bool has_sign_ = false, has_sqrt_ = false, has_excess_ = false, has_fma_ = false, has_limbs_ = false,
-       has_sines_ = false;
+  bool has_sign_ = false, has_sqrt_ = false, has_excess_ = false, has_zeros_ = false, has_fma_ = false,
+       has_limbs_ = false, has_sines_ = false;
 
  private:
   // A function that has been read, as others name it.

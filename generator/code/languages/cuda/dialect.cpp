@@ -250,6 +250,7 @@ LanguageTraits CudaDialect::traits() const {
   LanguageTraits traits = CppDialect::traits();
   traits.lives = Lives::fewest;
   traits.reads_parts = true;
+  traits.stores_zeros_together = false;
   traits.longest_function = std::numeric_limits<int>::max() / 8;
   return traits;
 }
