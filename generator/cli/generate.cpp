@@ -10,6 +10,7 @@
 #include "code/conventions/convention.hpp"
 #include "code/emit/page_writer.hpp"
 #include "code/languages/language_table.hpp"
+#include "code/lower/limbs.hpp"
 #include "delivery/firmware/folder.hpp"
 #include "delivery/python/cuda_module.hpp"
 #include "delivery/python/module.hpp"
@@ -339,10 +340,11 @@ std::string tables(const GenerationResult& result, const SnapEffects& effects, c
   const SnapDetail detail = arguments.verbose ? SnapDetail::each : SnapDetail::one_line;
   std::string text = describe_model(robot, effects, detail) + "\n" +
                      describe_functions(result.functions, symbol_names(robot.mechanism), arguments.fuses) + "\n";
+  text += describe_formulations(result.functions);
   if (result.stages) text += describe_stages(*result.stages, arguments.fuses) + "\n";
   if (result.torque_deviation) text += describe_abbreviation(robot, *result.torque_deviation) + "\n";
   text += describe_compile_time(result.functions, result.stages, result.form);
-  text += describe_code_size(result.functions, result.form);
+  text += describe_code_size(result.functions, result.form, !limbs_of(robot.mechanism).empty());
   text += describe_proofs(result.proofs, result.as_read, rounding) + "\n";
   if (!arguments.firmware.empty()) {
     text += fmt::format("a self test for {}: make -C {} run\n", arguments.firmware, arguments.folder);

@@ -228,6 +228,7 @@ std::optional<Function> closed_variant(const Mechanism& mechanism, const Functio
   closed.outputs.at(0).entries = model.nodes(entries(model));
   if (!model.is_short()) return std::nullopt;
   closed.graph = std::move(model.graph());
+  closed.formulation = "closed form";
   return closed;
 }
 

@@ -37,14 +37,23 @@ struct OutputRow {
   OutputQuantity quantity;
 };
 
-// Exactly one of the first three derives the function.
+// Another formulation of a function, in the words of reports.
+struct Alternative {
+  const char* formulation;
+  std::optional<Function> (*derive)(const Mechanism&, const Choices&);
+};
+
+// Exactly one of the first three derives the function, by the formulation that is named.
 struct DerivationRow {
   Function (*from_choices)(const Mechanism&, const Choices&) = nullptr;
   Function (*from_mechanism)(const Mechanism&) = nullptr;
   Function (*of_link)(const Mechanism&, const LinkFrame&) = nullptr;  // of any link; of the tip by default
   // Other formulations of the same function; which one costs least depends on the robot, and not every robot has them.
-  std::vector<std::optional<Function> (*)(const Mechanism&, const Choices&)> alternatives = {};
+  std::vector<Alternative> alternatives = {};
+  const char* formulation = kRecursion;
   ClosedEntries closed_form = nullptr;  // from Lagrange's equations as expanded polynomials
+
+  bool has_several() const { return !alternatives.empty() || closed_form != nullptr; }
 };
 
 // Properties of a function that commands ask for; all false for most functions.

@@ -51,6 +51,16 @@ int count_written_entries(const Function& function) {
   return entries;
 }
 
+int count_written_zeros(const Function& function) {
+  int zeros = 0;
+  for (const Output& output : function.outputs) {
+    for (std::size_t e = 0; e < output.entries.size(); ++e) {
+      zeros += function.graph.is_zero(output.entries[e]) && !output.leaves_out(e) ? 1 : 0;
+    }
+  }
+  return zeros;
+}
+
 std::string to_string(const OperationCount& count) {
   std::string text = fmt::format("{} mul, {} add", count.multiplications, count.additions);
   if (count.fused > 0) text += fmt::format(", {} fma", count.fused);

@@ -24,6 +24,8 @@ OperationCount count_operations(const Function& function);
 
 // The number of entries of the outputs that the function writes: all but those that are left out.
 int count_written_entries(const Function& function);
+// Those of them that are zero at every state.
+int count_written_zeros(const Function& function);
 
 std::string to_string(const OperationCount& count);  // "314 mul, 309 add, 14 sin/cos"
 

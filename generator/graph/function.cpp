@@ -24,6 +24,7 @@ Function with_graph(const Function& function, Graph graph, const std::vector<Nod
   Function result{.name = function.name,
                   .summary = function.summary,
                   .equation = function.equation,
+                  .formulation = function.formulation,
                   .inputs = function.inputs,
                   .base_parameters = function.base_parameters,
                   .at_rest = function.at_rest,

@@ -34,10 +34,14 @@ struct Output {
   bool is_written() const;  // whether any entry is written
 };
 
+// The formulation of most functions.
+inline constexpr const char* kRecursion = "recursion";
+
 struct Function {
   std::string name;               // "inverse_dynamics"
   std::string summary;            // one line for people
   std::string equation;           // "(7.42)"
+  std::string formulation{};      // the one of several by which it is computed: "articulated bodies"
   std::vector<InputKind> inputs;  // the arguments in order, whether or not every entry is read
   int base_parameters = 0;        // length of pi_b, if that is an input
   bool at_rest = false;           // the function holds for qd = 0 only and does not read qd

@@ -94,11 +94,12 @@ ordered_json bench_json(const BenchReport& report) {
                        {"left_out", report.left_out}};
   json["functions"] = ordered_json::array();
   for (const BenchFunction& function : report.functions) {
-    json["functions"].push_back({{"name", function.name},
-                                 {"unit", function.unit},
-                                 {"operations", operations_json(function.operations)},
-                                 {"estimated_bytes", code_bytes(function.operations, function.written_entries)},
-                                 {"variants", objects_of(bench_fields(function.unit), function.rows)}});
+    json["functions"].push_back(
+        {{"name", function.name},
+         {"unit", function.unit},
+         {"operations", operations_json(function.operations)},
+         {"estimated_bytes", code_bytes(function.operations, function.written_entries, function.written_zeros)},
+         {"variants", objects_of(bench_fields(function.unit), function.rows)}});
   }
   if (report.stages.steps.empty()) return json;
   json["stages"] = {{"functions", report.stages.functions}, {"steps", objects_of(step_fields(), report.stages.steps)}};

@@ -27,6 +27,9 @@ std::string describe_bodies(const Mechanism& mechanism, ParameterFrames frames);
 std::string describe_functions(const std::vector<OptimisedFunction>& functions, const std::vector<std::string>& symbols,
                                bool fuses = false);
 
+// The formulations, other than recursions, that cost less than others of the same functions. Empty if there are none.
+std::string describe_formulations(const std::vector<OptimisedFunction>& functions);
+
 // Stages and their members in the order of the calls: "at", "Configuration::gravity", …, "with", ….
 struct StagePiece {
   std::string name;
@@ -42,8 +45,5 @@ nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& func
                                       bool fuses = false);
 
 std::vector<std::string> symbol_names(const Mechanism& mechanism);
-
-// The number of output entries that are always zero.
-int structural_zeros(const Function& function);
 
 }  // namespace flatdyn

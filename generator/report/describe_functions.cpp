@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "base/diagnostics/table.hpp"
 #include "code/emit/argument_text.hpp"
@@ -13,16 +14,6 @@
 #include "report/describe.hpp"
 
 namespace flatdyn {
-
-int structural_zeros(const Function& function) {
-  int zeros = 0;
-  for (const Output& output : function.outputs) {
-    for (std::size_t e = 0; e < output.entries.size(); ++e) {
-      zeros += function.graph.is_zero(output.entries[e]) && !output.leaves_out(e) ? 1 : 0;
-    }
-  }
-  return zeros;
-}
 
 namespace {
 
@@ -120,12 +111,25 @@ std::string describe_functions(const std::vector<OptimisedFunction>& functions, 
   for (const OptimisedFunction& each : functions) {
     rows.push_back(count_cells(each.function.name, each.function, fuses));
     if (is_searched(functions)) rows.back().insert(rows.back().begin() + 3, before_search(each));
-    for (const int number : {count_operations(each.derived).arithmetic(), structural_zeros(each.function)}) {
+    for (const int number : {count_operations(each.derived).arithmetic(), count_written_zeros(each.function)}) {
       rows.back().push_back(std::to_string(number));
     }
     rows.back().push_back(list_as_counted(inputs_read(each.function), symbols));
   }
   return aligned_table(rows);
+}
+
+std::string describe_formulations(const std::vector<OptimisedFunction>& functions) {
+  std::map<std::string, std::vector<std::string>> by_formulation;
+  for (const OptimisedFunction& each : functions) {
+    const std::string& formulation = each.function.formulation;
+    if (!formulation.empty() && formulation != kRecursion) by_formulation[formulation].push_back(each.function.name);
+  }
+  std::vector<std::string> parts;
+  for (const auto& [formulation, names] : by_formulation) {
+    parts.push_back(fmt::format("{} for {}", formulation, fmt::join(names, ", ")));
+  }
+  return parts.empty() ? "" : fmt::format("cheapest of several formulations: {}\n\n", fmt::join(parts, "; "));
 }
 
 std::vector<StagePiece> stage_pieces(const Stages& stages) {
@@ -165,7 +169,8 @@ nlohmann::ordered_json functions_json(const std::vector<OptimisedFunction>& func
   for (const OptimisedFunction& each : functions) {
     nlohmann::ordered_json item = count_json(each.function.name, each.function, fuses);
     item["operations_as_derived"] = count_operations(each.derived).arithmetic();
-    item["structural_zeros"] = structural_zeros(each.function);
+    if (!each.function.formulation.empty()) item["formulation"] = each.function.formulation;
+    item["structural_zeros"] = count_written_zeros(each.function);
     item["reads"] = list_of_inputs(inputs_read(each.function), symbols, *dialect);
     if (each.function.proven_pivot_share > 0) {
       item["pivots"] = {{"proven_share", each.function.proven_pivot_share}};

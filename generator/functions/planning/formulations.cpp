@@ -233,14 +233,17 @@ void check_function_name(const Mechanism& mechanism, const std::string& name) { 
 std::optional<Function> formulation(const Mechanism& mechanism, const std::string& name, FormulationIndex way,
                                     const Choices& choices) {
   const Request request = parsed(mechanism, name);
-  const auto& alternatives = request.row->derivation.alternatives;
+  const DerivationRow& derivation = request.row->derivation;
   std::optional<Function> result;
   if (way == 0) {
     result = derived_plainly(mechanism, request, choices);
-  } else if (way <= alternatives.size()) {
-    result = alternatives[way - 1](mechanism, choices);
+  } else if (way <= derivation.alternatives.size()) {
+    result = derivation.alternatives[way - 1].derive(mechanism, choices);
   }
   if (!result) return result;
+  if (derivation.has_several()) {
+    result->formulation = way == 0 ? derivation.formulation : derivation.alternatives[way - 1].formulation;
+  }
   result->name = name;
   if (request.row->traits.divides_by_pivots) result->proven_pivot_share = choices.guard.proven_share;
   result->summary = summary_of(request, mechanism);

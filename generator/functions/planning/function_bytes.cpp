@@ -88,6 +88,7 @@ json function_json(const Function& function) {
   return {{"name", function.name},
           {"summary", function.summary},
           {"equation", function.equation},
+          {"formulation", function.formulation},
           {"inputs", function.inputs},
           {"base_parameters", function.base_parameters},
           {"at_rest", function.at_rest},
@@ -106,6 +107,7 @@ Function function_of(const json& value) {
   value.at("name").get_to(function.name);
   value.at("summary").get_to(function.summary);
   value.at("equation").get_to(function.equation);
+  value.at("formulation").get_to(function.formulation);
   value.at("inputs").get_to(function.inputs);
   value.at("base_parameters").get_to(function.base_parameters);
   value.at("at_rest").get_to(function.at_rest);

@@ -187,6 +187,7 @@ class BenchRun {
                                   units_of(model_.mechanism, function),
                                   count_operations(function),
                                   count_written_entries(function),
+                                  count_written_zeros(function),
                                   {}});
     }
     for (std::size_t k = 0; k < cases.size(); ++k) {

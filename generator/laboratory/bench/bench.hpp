@@ -43,6 +43,7 @@ struct BenchFunction {
   std::string unit;  // "N m"
   OperationCount operations;
   int written_entries = 0;     // of its outputs
+  int written_zeros = 0;       // those of them that are zero at every state
   std::vector<BenchRow> rows;  // fastest first
 };
 

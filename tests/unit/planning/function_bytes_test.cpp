@@ -27,6 +27,7 @@ void expect_same(const Function& a, const Function& b) {
   EXPECT_TRUE(has_same_nodes(a, b));
   EXPECT_EQ(to_text(a), to_text(b));
   EXPECT_EQ(a.pivot_scales, b.pivot_scales);
+  EXPECT_EQ(a.formulation, b.formulation);
   EXPECT_EQ(a.proven_pivot_share, b.proven_pivot_share);
   for (std::size_t k = 0; k < a.outputs.size(); ++k) EXPECT_EQ(a.outputs[k].quantity, b.outputs[k].quantity);
 }

@@ -27,19 +27,30 @@ TEST(CodeSize, IsThatOfOperationsAndOfWrittenEntries) {
   OptimisedFunction part = sums("f", 7);
   part.function.outputs[0].left_out.assign(7, true);
   EXPECT_EQ(code_bytes(part.function), 9);
+  Function zeros = sums("f", 7).function;
+  for (std::size_t k = 2; k < 7; ++k) zeros.outputs[0].entries[k] = zeros.graph.constant(0);
+  EXPECT_EQ(code_bytes(zeros), 9 + 2 * 10 + 5 * 2);
 }
 
 TEST(CodeSize, NamesFunctionsThatAreLargerThanTheCache) {
-  const std::string text = describe_code_size({sums("small", 3275), sums("large", 3276)}, {});
+  const std::string text = describe_code_size({sums("small", 3275), sums("large", 3276)}, {}, false);
   EXPECT_THAT(text, HasSubstr("single calls are slowed down: large (some 32 KiB)"));
   EXPECT_THAT(text, Not(HasSubstr("small")));
-  EXPECT_THAT(describe_code_size({sums("small", 3275)}, {}), IsEmpty());
+  EXPECT_THAT(describe_code_size({sums("small", 3275)}, {}, false), IsEmpty());
+}
+
+TEST(CodeSize, SuggestsLanesWhereThereAreLimbs) {
+  EmitOptions options;
+  EXPECT_THAT(describe_code_size({sums("large", 3276)}, options, true), HasSubstr("--limbs lanes"));
+  EXPECT_THAT(describe_code_size({sums("large", 3276)}, options, false), Not(HasSubstr("--limbs lanes")));
+  options.limbs_in_lanes = true;
+  EXPECT_THAT(describe_code_size({sums("large", 3276)}, options, true), Not(HasSubstr("--limbs lanes")));
 }
 
 TEST(CodeSize, IsNothingWhereNothingIsCompiled) {
   EmitOptions options;
   options.language = "javascript";
-  EXPECT_THAT(describe_code_size({sums("large", 10'000)}, options), IsEmpty());
+  EXPECT_THAT(describe_code_size({sums("large", 10'000)}, options, true), IsEmpty());
 }
 
 }  // namespace
