@@ -107,17 +107,21 @@ struct Zeros {
   static constexpr bool are_plain(const double*) noexcept { return true; }
   static constexpr bool are_plain(const void*) noexcept { return false; }
   template <int count, class Scalar>
-  static void store(Scalar* entries) noexcept {
+  [[gnu::always_inline]] static void store(Scalar* entries) noexcept {
     constexpr int together = 4;
-    if constexpr (count >= together && are_plain(static_cast<Scalar*>(nullptr))) {
+    if constexpr (count > 2 * together) {
+      constexpr int half = count / (2 * together) * together;
+      store<half>(entries);
+      store<count - half>(entries + half);
+    } else if constexpr (count >= together && are_plain(static_cast<Scalar*>(nullptr))) {
       const Scalar zeros[together] = {};
-#ifdef __GNUC__
-#pragma GCC unroll 64
-#endif
-      for (int k = 0; k + together < count; k += together) memcpy(entries + k, zeros, sizeof(zeros));
+      memcpy(entries, zeros, sizeof(zeros));
       memcpy(entries + (count - together), zeros, sizeof(zeros));
+    } else if constexpr (count > 1) {
+      store<count / 2>(entries);
+      store<count - count / 2>(entries + count / 2);
     } else {
-      for (int k = 0; k < count; ++k) entries[k] = Scalar(0.0);
+      entries[0] = Scalar(0.0);
     }
   }
 };

@@ -88,7 +88,7 @@ const Mutant kHelpers[] = {
     {"a sign of zero that is one", kBoth, "(x > Scalar(0.0))", "(x >= Scalar(0.0))"},
     {"another square root", kBoth, "using std::sqrt;", "using std::cbrt;", "", "root"},
     {"zeros that are not", kBoth, "Scalar zeros[together] = {};", "Scalar zeros[together] = {1};", "", "root"},
-    {"other scalars whose zeros are not", kBoth, "entries[k] = Scalar(0.0)", "entries[k] = Scalar(1.0)", "", "root"},
+    {"other scalars whose zeros are not", kBoth, "entries[0] = Scalar(0.0)", "entries[0] = Scalar(1.0)", "", "root"},
     {"zeros of any scalar at a time", kBoth, "(const void*) noexcept { return false; }",
      "(const void*) noexcept { return true; }", "", "root"},
     {"a zero less", kBoth, "store<16>(g + 1)", "store<15>(g + 1)", "", "root"},
