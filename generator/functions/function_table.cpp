@@ -14,6 +14,7 @@
 #include "derivation/dynamics/inertia_functions.hpp"
 #include "derivation/dynamics/kinematics_functions.hpp"
 #include "derivation/dynamics/loop_functions.hpp"
+#include "derivation/dynamics/momentum_functions.hpp"
 #include "derivation/dynamics/operational.hpp"
 #include "derivation/dynamics/torque_functions.hpp"
 #include "derivation/parameters/regressor_functions.hpp"
@@ -139,6 +140,24 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_kinetic_energy, .closed_form = closed_kinetic_energy},
      .definition = definitions::kinetic_energy,
      .reference = references::kinetic_energy},
+    {.name = "momentum",
+     .summary = "Generalised momenta B(q) qd",
+     .equation = "",
+     .inputs = {q, qd},
+     .outputs = {per_joint("p", OutputQuantity::joint_momentum)},
+     .derivation = {.from_choices = derive_momentum},
+     .definition = definitions::momentum,
+     .reference = references::momentum,
+     .traits = {.on_request = true}},
+    {.name = "coriolis_transpose_qd",
+     .summary = "C(q, qd)^T qd: what changes the momenta apart from torques, gravity and friction",
+     .equation = "(7.47)",
+     .inputs = {q, qd},
+     .outputs = {per_joint("dp", OutputQuantity::joint_momentum_rate)},
+     .derivation = {.from_choices = derive_coriolis_transpose_qd},
+     .definition = definitions::coriolis_transpose_qd,
+     .reference = references::coriolis_transpose_qd,
+     .traits = {.on_request = true}},
     {.name = "potential_energy",
      .summary = "Potential energy of links and rotors",
      .equation = "(7.36)",

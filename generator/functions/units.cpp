@@ -97,7 +97,10 @@ class OutputUnits {
       case OutputQuantity::position:
         return kMetre;
       case OutputQuantity::joint_torque:
+      case OutputQuantity::joint_momentum_rate:
         return torque(row);
+      case OutputQuantity::joint_momentum:
+        return torque(row) * kSecond;
       case OutputQuantity::joint_inertia:
         return kInertia / (joint(row) * joint(col));
       case OutputQuantity::christoffel_symbol:

@@ -12,6 +12,8 @@ enum class OutputQuantity {
   joint_rate,                 // its derivative by time
   joint_acceleration,         // and the second one
   joint_torque,               // a force for prismatic joints
+  joint_momentum,             // a torque times seconds
+  joint_momentum_rate,        // a torque that is none: what changes momenta
   joint_inertia,              // entries of B
   christoffel_symbol,         // c_ijk
   energy,                     // of the whole robot

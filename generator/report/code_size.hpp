@@ -13,7 +13,7 @@
 namespace flatdyn {
 
 // Bytes of one function in one scalar, for given sines, by g++ 12 with the flags of `flatdyn bench` on x86-64: 9 per
-// operation, 10 per entry that is written, and 2 per zero, which are stored some at a time. Functions take 0.73 to 1.15
+// operation, 10 per entry that is written, and 2 per zero, which are stored some at a time. Functions take 0.74 to 1.22
 // times as many (docs/benchmark.md, "Sizes").
 int code_bytes(const OperationCount& operations, int written_entries, int written_zeros);
 int code_bytes(const Function& function);

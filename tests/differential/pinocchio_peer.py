@@ -148,6 +148,12 @@ class Peer:
     def forward_dynamics(self):
         return [self.rows(pin.aba(self.model, self.data, self.at, self.to_pinocchio(self.v), self.forces()))]
 
+    def momentum(self):
+        return [self.inertia_matrix()[0] @ self.v]
+
+    def coriolis_transpose_qd(self):
+        return [self.coriolis_matrix()[0].T @ self.v]
+
     def kinetic_energy(self):
         return [pin.computeKineticEnergy(self.model, self.data, self.at, self.to_pinocchio(self.v))]
 

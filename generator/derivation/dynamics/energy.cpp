@@ -5,26 +5,10 @@
 
 #include "derivation/dynamics/coordinates.hpp"
 #include "derivation/dynamics/newton_euler.hpp"
+#include "derivation/dynamics/velocities.hpp"
 
 namespace flatdyn {
 namespace {
-
-struct Velocity {
-  Vec3 omega = zero_vector(), v = zero_vector();
-};
-
-Velocity link_velocity(Frames& frames, int i, const Velocity& parent, const Number& qd) {
-  Derivation& d = frames.derivation();
-  const std::string n = frames.label(i);
-  const Vec3 v_o = d.named(parent.v + cross(parent.omega, frames.p(i)), "v_o_" + n);
-  const Vec3 omega = frames.to_child(i, parent.omega, "omega_r_" + n);
-  const Vec3 v = frames.to_child(i, v_o, "v_r_" + n);
-  if (!frames.mechanism().bodies[static_cast<std::size_t>(i)].prismatic) {
-    return {d.named(omega + Vec3{0, 0, qd}, "omega_" + n), v};
-  }
-  const Number q = frames.slide(i);
-  return {omega, d.named(v + Vec3{q * omega[1], -q * omega[0], qd}, "v_" + n)};
-}
 
 // m v² + ω·(Î ω + 2 m r × v): twice the kinetic energy of an augmented link, (7.70).
 Number twice_link_energy(Derivation& d, const InertialParameters& body, const Velocity& link, const std::string& n) {
@@ -52,16 +36,13 @@ Number kinetic_energy(Frames& frames) {
   Derivation& d = frames.derivation();
   const Mechanism& mechanism = frames.mechanism();
   const std::vector<Number> rates = joint_motion(mechanism, d, InputKind::qd);
-  std::vector<Velocity> links;
+  const std::vector<Velocity> links = link_velocities(frames, rates);
   Number twice = 0;
   for (int i = 0; i < mechanism.body_count(); ++i) {
-    const Body& body = mechanism.bodies[static_cast<std::size_t>(i)];
-    const Number& qd = rates[static_cast<std::size_t>(i)];
-    links.push_back(
-        link_velocity(frames, i, body.parent < 0 ? Velocity{} : links[static_cast<std::size_t>(body.parent)], qd));
-    twice += d.named(twice_link_energy(d, frames.inertia(i), links.back(), frames.label(i)), "T_" + frames.label(i));
-    twice +=
-        d.named(twice_rotor_energy(d, body, frames.rotor_axis(i), links, qd, frames.label(i)), "T_m" + frames.label(i));
+    const auto k = static_cast<std::size_t>(i);
+    twice += d.named(twice_link_energy(d, frames.inertia(i), links[k], frames.label(i)), "T_" + frames.label(i));
+    twice += d.named(twice_rotor_energy(d, frames.body(i), frames.rotor_axis(i), links, rates[k], frames.label(i)),
+                     "T_m" + frames.label(i));
   }
   return d.named(d.named(twice, "T_2") / 2, "T");
 }

@@ -28,6 +28,16 @@ auto christoffel_symbols(Point& point) {
   return result;
 }
 
+// Mᵀ x.
+template <class F>
+std::vector<F> times_transposed(const Matrix<F>& M, const std::vector<F>& x) {
+  std::vector<F> result(static_cast<std::size_t>(M.cols()), F(0));
+  for (int i = 0; i < M.rows(); ++i) {
+    for (int j = 0; j < M.cols(); ++j) result[static_cast<std::size_t>(j)] += M(i, j) * x[static_cast<std::size_t>(i)];
+  }
+  return result;
+}
+
 // The acceleration of a floating base on which no force acts, and the torques of the joints, from those of the first
 // six of Lagrange's equations; forces on the base are zero.
 template <class Point, class F = typename Point::F>
@@ -90,6 +100,12 @@ constinit const Definition forward_dynamics = {
 constinit const Definition inverse_dynamics_floating = {
     rules([](auto& at, const Output& output) { return dynamics_of_free_base(at, output); }), kOwnValues,
     [](const Mechanism&, const Function&) { return 14.0; }};
+
+constinit const Definition momentum =
+    defined_as([](auto& at, const Output&) { return times(at.lagrangian.inertia(), at.qd()); });
+
+constinit const Definition coriolis_transpose_qd =
+    defined_as([](auto& at, const Output&) { return times_transposed(at.coriolis_matrix(), at.qd()); });
 
 constinit const Definition kinetic_energy = defined_as([](auto& at, const Output&) {
   return typename std::decay_t<decltype(at)>::Values{at.lagrangian.kinetic_energy(at.qd())};

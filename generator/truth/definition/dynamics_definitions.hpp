@@ -7,6 +7,7 @@
 namespace flatdyn::definitions {
 
 extern const Definition inverse_dynamics, inverse_dynamics_tip_force, inertia_matrix, christoffel, coriolis_matrix,
-    gravity, bias, forward_dynamics, inverse_dynamics_floating, kinetic_energy, potential_energy;
+    gravity, bias, forward_dynamics, inverse_dynamics_floating, momentum, coriolis_transpose_qd, kinetic_energy,
+    potential_energy;
 
 }  // namespace flatdyn::definitions

@@ -121,6 +121,26 @@ constinit const NumericReference forward_dynamics =
 constinit const NumericReference inverse_dynamics_floating = computed_by(
     [](const auto& at) { return dynamics_of_free_base(at); }, [](const At& at) { return magnitude_of_free_base(at); });
 
+constinit const NumericReference momentum = computed_by(
+    [](const auto& at) {
+      auto B = ref::inertia_matrix(at.robot, at.q);
+      return row_by_row((B * at.qd).eval());
+    },
+    [](const At& at) {
+      return row_by_row(ref::VectorX<double>(ref::inertia_magnitude(at.robot, at.q) * at.qd.cwiseAbs()));
+    });
+
+constinit const NumericReference coriolis_transpose_qd = computed_by(
+    [](const auto& at) {
+      auto C = ref::coriolis_matrix(at.robot, at.q, at.qd);
+      return row_by_row((C.transpose() * at.qd).eval());
+    },
+    [](const At& at) {
+      const ref::MatrixX<double> C = ref::coriolis_magnitude(at.robot, at.q, at.qd);
+      return row_by_row(ref::VectorX<double>(C.transpose() * at.qd.cwiseAbs()));
+    },
+    kManyRecursions);
+
 constinit const NumericReference kinetic_energy =
     computed_by([](const auto& at) { return std::vector{ref::kinetic_energy(at.robot, at.q, at.qd)}; },
                 [](const At& at) { return kinetic_magnitude(at); });

@@ -7,6 +7,7 @@
 namespace flatdyn::references {
 
 extern const NumericReference inverse_dynamics, inverse_dynamics_tip_force, inertia_matrix, christoffel,
-    coriolis_matrix, gravity, bias, forward_dynamics, inverse_dynamics_floating, kinetic_energy, potential_energy;
+    coriolis_matrix, gravity, bias, forward_dynamics, inverse_dynamics_floating, momentum, coriolis_transpose_qd,
+    kinetic_energy, potential_energy;
 
 }  // namespace flatdyn::references
