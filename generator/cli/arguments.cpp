@@ -92,6 +92,29 @@ JointPosition fixed_option(const std::string& text) {
   return lock;
 }
 
+// Parses "NAME=LINK,X,Y,Z" or "NAME=LINK,X,Y,Z,ROLL,PITCH,YAW".
+SceneFrame frame_option(const std::string& text) {
+  constexpr std::size_t kOfPosition = 3, kOfPose = 6;
+  const std::size_t sign = text.find('='), comma = text.find(',', sign);
+  std::vector<std::string> numbers;
+  std::istringstream rest(comma == std::string::npos ? "" : text.substr(comma + 1));
+  for (std::string part; std::getline(rest, part, ',');) numbers.push_back(part);
+  const bool is_complete = sign != std::string::npos && sign > 0 && comma > sign + 1 && text.back() != ',';
+  if (!is_complete || (numbers.size() != kOfPosition && numbers.size() != kOfPose)) {
+    throw Failure(FailureKind::usage, fmt::format("--frame: \"{}\" is no frame", text),
+                  "write NAME=LINK,X,Y,Z in m, and ROLL,PITCH,YAW in rad behind them: tool=hand,0,0,0.1,0,0,pi/2");
+  }
+  SceneFrame frame{text.substr(0, sign), {text.substr(sign + 1, comma - sign - 1), {}}};
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const bool is_decimal = is_decimal_text(numbers[k]);
+    const Number number =
+        is_decimal ? decimal_option("--frame", numbers[k]) : expression_option("--frame", numbers[k]);
+    (k < kOfPosition ? frame.xyz[k] : frame.rpy[k - kOfPosition]) = number;
+    if (is_decimal && k >= kOfPosition) frame.decimals[k - kOfPosition] = numbers[k];
+  }
+  return frame;
+}
+
 // The option without a blank before the unit, so that it is one word in the stamp.
 std::string without_blank_before_unit(const std::string& text) {
   const std::size_t sign = text.rfind('=');
@@ -205,6 +228,12 @@ void RobotArguments::add_settings_to(CLI::App& command) {
       ->allow_extra_args(false)
       ->transform(without_blank_before_unit, "")
       ->type_name("JOINT[=POSITION]");
+  command
+      .add_option("--frame", frames,
+                  "a frame NAME that is fixed to a link, at X, Y, Z (m), turned by ROLL, PITCH, YAW (rad) as in URDF; "
+                  "it is a link to all options, and in jacobian:NAME; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("NAME=LINK,X,Y,Z[,ROLL,PITCH,YAW]");
   command
       .add_option("--xacro", xacro, "an argument NAME:=VALUE of a .xacro file, which xacro expands; may be repeated")
       ->allow_extra_args(false)
@@ -375,6 +404,7 @@ std::string RobotArguments::stamp_of_settings(const std::vector<OptimisedFunctio
                 {"--search", searched ? std::to_string(functions.front().search->candidates) : ""},
                 {"--tip", tip},
                 {"--fix", fmt::format("{}", fmt::join(fixed_joints, " --fix "))},
+                {"--frame", fmt::format("{}", fmt::join(frames, " --frame "))},
                 {"--xacro", fmt::format("{}", fmt::join(xacro, " --xacro "))},
                 {"--ignore", fmt::format("{}", fmt::join(ignored, " --ignore "))},
                 {"--model", model_name},
@@ -383,16 +413,16 @@ std::string RobotArguments::stamp_of_settings(const std::vector<OptimisedFunctio
 
 std::vector<std::string> RobotArguments::settings(const LoadedRobot& model) const {
   if (model.robot.file == kStandardInput || !xacro.empty() || !ignored.empty() || !model_name.empty() ||
-      !keyframe.empty()) {
+      !keyframe.empty() || !frames.empty()) {
     throw Failure(FailureKind::usage,
-                  "a robot file cannot name a robot that comes from stdin, or with --xacro, --ignore, --model or "
-                  "--keyframe",
+                  "a robot file cannot name a robot that comes from stdin, or with --xacro, --ignore, --model, "
+                  "--keyframe or --frame",
                   "write the robot to a file first: xacro FILE NAME:=VALUE > robot.urdf");
   }
   const Scene& wanted = model.robot.scene;
-  if (wanted.payload || !wanted.friction || !wanted.springs || !wanted.limits.empty()) {
+  if (wanted.payload || !wanted.frames.empty() || !wanted.friction || !wanted.springs || !wanted.limits.empty()) {
     throw Failure(FailureKind::unsupported,
-                  "a robot file cannot repeat what the scene says of payload, friction, springs and limits",
+                  "a robot file cannot repeat what the scene says of payload, frames, friction, springs and limits",
                   "use a scene with gravity and [locked] only, or write these into the robot file");
   }
   std::vector<std::string> lines;
@@ -453,6 +483,7 @@ PipelineOptions RobotArguments::options() const {
   if (!model_name.empty()) options.read.model = model_name;
   if (!keyframe.empty()) options.read.keyframe = keyframe;
   options.read.scene.locked = fixed_options(fixed_joints);
+  for (const std::string& frame : frames) options.read.scene.frames.push_back(frame_option(frame));
   options.warnings_are_errors = warnings_are_errors;
   options.in_processes = true;
   return options;

@@ -27,6 +27,7 @@ struct RobotArguments : OutputStyle {
   std::string search;
   std::string tip;
   std::vector<std::string> fixed_joints;
+  std::vector<std::string> frames;  // --frame
   std::vector<std::string> xacro;
   std::vector<std::string> ignored;
   bool warnings_are_errors = false;

@@ -186,7 +186,7 @@ GenerationOptions options_of(const HeldFiles& files, const OptionsGiven& given) 
 std::string options_of_robot(const std::string& options) {
   std::string text;
   for (const std::string& word : words_of(options)) {
-    for (const char* name : {"--gravity", "--fix", "--base", "--tip", "--ignore", "--keyframe", "--snap", "--model"}) {
+    for (const char* name : {"--gravity", "--fix", "--frame", "--base", "--tip", "--ignore", "--keyframe", "--snap", "--model"}) {
       if (word.substr(0, word.find('=')) == name) text += (text.empty() ? "" : " ") + word;
     }
   }
@@ -234,7 +234,7 @@ void OptionsGiven::replace_in(RobotArguments& stamped) const {
     replace(this->*each, stamped.*each);
   }
   for (std::vector<std::string> RobotArguments::*const each :
-       {&RobotArguments::fixed_joints, &RobotArguments::xacro, &RobotArguments::ignored}) {
+       {&RobotArguments::fixed_joints, &RobotArguments::frames, &RobotArguments::xacro, &RobotArguments::ignored}) {
     replace_all(this->*each, stamped.*each);
   }
   stamped.warnings_are_errors = warnings_are_errors;

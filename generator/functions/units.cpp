@@ -82,6 +82,9 @@ class OutputUnits {
         return text_of_motion(joint_of_row(row) * kPerSecond);
       case OutputQuantity::joint_acceleration:
         return text_of_motion(joint_of_row(row) * kPerSquareSecond);
+      case OutputQuantity::frame_velocity:
+        return text_of_motion(direction(static_cast<int>(row)) * kPerSecond);
+      case OutputQuantity::frame_acceleration:
       case OutputQuantity::tip_acceleration:
         return text_of_motion(direction(static_cast<int>(row)) * kPerSquareSecond);
       case OutputQuantity::contact_acceleration:

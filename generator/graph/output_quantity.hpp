@@ -23,7 +23,9 @@ enum class OutputQuantity {
   acceleration_per_rate,      // a joint acceleration by a joint rate
   acceleration_per_torque,    // a joint acceleration by a joint torque
   tip_jacobian,               // rows of the tip's twist, linear ones first, by joint rates
-  tip_acceleration,           // linear components first
+  frame_velocity,             // linear components first
+  frame_acceleration,         // linear components first
+  tip_acceleration,           // while joints do not accelerate, linear components first
   task_inertia,               // of the task's directions
   task_force,                 // along the task's directions, a moment where they turn
   joint_rate_per_task,        // a joint rate by a velocity along the task's directions

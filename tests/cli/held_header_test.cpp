@@ -53,6 +53,7 @@ INSTANTIATE_TEST_SUITE_P(
         Held{"robots/rx90.toml", "--max-lines 30 --fma --functions bias,forward_dynamics --namespace my_arm",
              "rx90.hpp"},
         Held{"robots/four_bar.toml", "--sincos library", "four_bar.hpp"},
+        Held{"robots/scara.toml", "--frame tool=link4,0.1,0,0,0,0,pi/4 --functions jacobian:tool", "scara.hpp"},
         Held{"docs/examples/ball_wrist.toml",
              "--scene docs/examples/ball_wrist_limits.toml --functions gravity,inertia_matrix --fix waist=pi/3",
              "ball_wrist.hpp"},

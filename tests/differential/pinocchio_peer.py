@@ -181,6 +181,16 @@ class Peer:
         a = pin.getFrameClassicalAcceleration(self.model, self.data, self.frame(self.tip), WORLD)
         return [self.axes_twice @ a.vector]
 
+    def frame_velocity(self):
+        pin.forwardKinematics(self.model, self.data, self.at, self.to_pinocchio(self.v))
+        return [self.axes_twice @ pin.getFrameVelocity(self.model, self.data, self.frame(self.tip), WORLD).vector]
+
+    def frame_acceleration(self):
+        v, a = self.to_pinocchio(self.v), self.to_pinocchio(self.a)
+        pin.forwardKinematics(self.model, self.data, self.at, v, a)
+        of_frame = pin.getFrameClassicalAcceleration(self.model, self.data, self.frame(self.tip), WORLD)
+        return [self.axes_twice @ of_frame.vector]
+
     def inverse_dynamics_derivatives(self):
         v, a = self.to_pinocchio(self.v), self.to_pinocchio(self.a)
         by_q, by_v, _ = pin.computeRNEADerivatives(self.model, self.data, self.at, v, a)

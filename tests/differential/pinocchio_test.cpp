@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr const char* kOfAnyBase =
     "inverse_dynamics,inverse_dynamics_tip_force,inertia_matrix,coriolis_matrix,gravity,bias,forward_dynamics,"
     "momentum,coriolis_transpose_qd,kinetic_energy,potential_energy,forward_kinematics,jacobian,jacobian_dot_qd,"
-    "inverse_dynamics_derivatives,forward_dynamics_derivatives,regressor";
+    "frame_velocity,frame_acceleration,inverse_dynamics_derivatives,forward_dynamics_derivatives,regressor";
 constexpr const char* kOfFloatingBase =
     ",inverse_dynamics_floating,centroidal_momentum_matrix,centroidal_bias,centre_of_mass,contact_inverse_dynamics";
 constexpr const char* kAtContacts = ",contact_jacobian,contact_bias,constrained_forward_dynamics,contact_impact";

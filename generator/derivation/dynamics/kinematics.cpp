@@ -2,6 +2,7 @@
 #include "derivation/dynamics/kinematics.hpp"
 
 #include "derivation/dynamics/coordinates.hpp"
+#include "derivation/dynamics/velocities.hpp"
 #include "robot/model/spherical_joint.hpp"
 
 namespace flatdyn {
@@ -70,19 +71,24 @@ std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link) {
 
 namespace {
 
-// ω̇ of a body from the joints' own q̇ ω × z, and from their accelerations in closed loops. It is not taken from U,
-// where it is added to ω², which may be far larger.
+// ω̇ of a body from the joints' own q̇ ω × z, and from their accelerations. It is not taken from U, where it is added to
+// ω², which may be far larger.
 Vec3 angular_acceleration(Frames& frames, int body, const std::vector<LinkMotion>& links, const Motion& motion) {
   Derivation& d = frames.derivation();
   Vec3 domega = zero_vector();
   for (const int i : path_to(frames.mechanism(), body)) {
     const auto k = static_cast<std::size_t>(i);
     domega = frames.to_child(i, domega, "domega_f_" + frames.label(i));
-    if (frames.body(i).prismatic || frames.mechanism().is_of_base(i)) continue;
+    if (frames.mechanism().is_of_base(i)) {
+      domega = links[k].domega;  // not given before the base link
+      continue;
+    }
+    if (frames.body(i).prismatic) continue;
     if (const int part = frames.body(i).spherical; part > 0) {
       if (part < kSphericalBodies) continue;
-      const Vec3 w = {motion.qd[k - 2], motion.qd[k - 1], motion.qd[k]};
-      domega = d.named(domega + cross(links[k].omega, w), "domega_q_" + frames.label(i));
+      const Vec3 w = {motion.qd[k - 2], motion.qd[k - 1], motion.qd[k]},
+                 dw = {motion.qdd[k - 2], motion.qdd[k - 1], motion.qdd[k]};
+      domega = d.named(domega + dw + cross(links[k].omega, w), "domega_q_" + frames.label(i));
       continue;
     }
     const Number& qd = motion.qd[k];
@@ -92,18 +98,37 @@ Vec3 angular_acceleration(Frames& frames, int body, const std::vector<LinkMotion
   return domega;
 }
 
-}  // namespace
-
-JacobianColumn jacobian_dot_qd(Frames& frames, const LinkFrame& link) {
+JacobianColumn acceleration_of(Frames& frames, const LinkFrame& link, const Motion& motion) {
   if (link.body < 0) return {};
   Derivation& d = frames.derivation();
-  const std::vector<Number> qd = joint_motion(frames.mechanism(), d, InputKind::qd);
-  const Motion motion{qd, joint_drift(frames.mechanism(), d, InputKind::qd), zero_vector(), false};
   const std::vector<LinkMotion> links = link_motions(frames, motion);
   const LinkMotion& body = links[static_cast<std::size_t>(link.body)];
   const Vec3 ddp = d.named(body.ddp + body.U * link.p, "ddp_e");
   return {to_base(frames, link.body, ddp, "a"),
           to_base(frames, link.body, angular_acceleration(frames, link.body, links, motion), "domega_e")};
+}
+
+}  // namespace
+
+JacobianColumn frame_velocity(Frames& frames, const LinkFrame& link) {
+  if (link.body < 0) return {};
+  Derivation& d = frames.derivation();
+  const auto [omega, v] =
+      link_velocities(frames, joint_motion(frames.mechanism(), d, InputKind::qd))[static_cast<std::size_t>(link.body)];
+  const Vec3 of_origin = d.named(v + cross(omega, d.named(link.p, "p_e")), "v_e");
+  return {to_base(frames, link.body, of_origin, "v"), to_base(frames, link.body, omega, "omega_e")};
+}
+
+JacobianColumn frame_acceleration(Frames& frames, const LinkFrame& link) {
+  const std::vector<Number> qd = joint_motion(frames.mechanism(), frames.derivation(), InputKind::qd),
+                            qdd = joint_motion(frames.mechanism(), frames.derivation(), InputKind::qdd);
+  return acceleration_of(frames, link, {qd, qdd, zero_vector(), false});
+}
+
+JacobianColumn jacobian_dot_qd(Frames& frames, const LinkFrame& link) {
+  const std::vector<Number> qd = joint_motion(frames.mechanism(), frames.derivation(), InputKind::qd),
+                            drift = joint_drift(frames.mechanism(), frames.derivation(), InputKind::qd);
+  return acceleration_of(frames, link, {qd, drift, zero_vector(), false});
 }
 
 Wrench wrench_on_body(Frames& frames, const LinkFrame& link, const Wrench& wrench) {

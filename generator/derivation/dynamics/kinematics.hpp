@@ -22,6 +22,12 @@ Vec3 position(Frames& frames, const LinkFrame& link);
 // that do not move it.
 std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link);
 
+// J q̇: the velocity of the frame's origin, and the frame's angular velocity, in the base frame.
+JacobianColumn frame_velocity(Frames& frames, const LinkFrame& link);
+
+// J q̈ + J̇ q̇: the acceleration of the frame's origin, and the frame's angular acceleration, in the base frame.
+JacobianColumn frame_acceleration(Frames& frames, const LinkFrame& link);
+
 // J̇ q̇: the frame's acceleration while q̈ = 0 (linear, angular), in the base frame.
 JacobianColumn jacobian_dot_qd(Frames& frames, const LinkFrame& link);
 

@@ -31,13 +31,33 @@ Function derive_jacobian(const Mechanism& mechanism, const LinkFrame& link) {
                                           "geometric Jacobian in base axes: linear rows, then angular")});
 }
 
+namespace {
+
+Function of_both_parts(DerivationContext& context, const char* name, const JacobianColumn& value,
+                       const std::string& meaning) {
+  std::vector<Number> entries(value.linear.begin(), value.linear.end());
+  entries.insert(entries.end(), value.angular.begin(), value.angular.end());
+  return finished(context, {vector_output(name, context.nodes(entries), meaning)});
+}
+
+}  // namespace
+
 Function derive_jacobian_dot_qd(const Mechanism& mechanism, const LinkFrame& link) {
   DerivationContext context(mechanism);
-  const JacobianColumn a = jacobian_dot_qd(context.frames, link);
-  std::vector<Number> entries(a.linear.begin(), a.linear.end());
-  entries.insert(entries.end(), a.angular.begin(), a.angular.end());
-  return finished(context, {vector_output("a", context.nodes(entries),
-                                          "(dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2")});
+  return of_both_parts(context, "a", jacobian_dot_qd(context.frames, link),
+                       "(dJ/dt) qd in base axes: linear m/s^2, then angular rad/s^2");
+}
+
+Function derive_frame_velocity(const Mechanism& mechanism, const LinkFrame& link) {
+  DerivationContext context(mechanism);
+  return of_both_parts(context, "v_e", frame_velocity(context.frames, link),
+                       "of the frame, in base axes: linear m/s, then angular rad/s");
+}
+
+Function derive_frame_acceleration(const Mechanism& mechanism, const LinkFrame& link) {
+  DerivationContext context(mechanism);
+  return of_both_parts(context, "a_e", frame_acceleration(context.frames, link),
+                       "of the frame, in base axes: linear m/s^2, then angular rad/s^2");
 }
 
 }  // namespace flatdyn

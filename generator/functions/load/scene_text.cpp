@@ -50,6 +50,7 @@ class SceneText {
     if (scene.error_budget) add("error_budget", scene.error_budget->written);
     for (const SceneLimits& limits : scene.limits) add_limits(limits);
     if (scene.base_limits) add_base_limits(*scene.base_limits);
+    for (const SceneFrame& frame : scene.frames) add_frame(frame);
     for (const SceneContact& contact : scene.contacts) add_contact(contact);
     if (scene.contact_damping != 0) add("contact_damping", number_(to_number(scene.contact_damping)));
     if (!scene.functions.empty()) {
@@ -95,6 +96,12 @@ class SceneText {
     add("payload.inertia", fmt::format("{{xx = {}, yy = {}, zz = {}, xy = {}, xz = {}, yz = {}}} about {}",
                                        number_(I[0][0]), number_(I[1][1]), number_(I[2][2]), number_(I[0][1]),
                                        number_(I[0][2]), number_(I[1][2]), about_com ? "com" : "origin"));
+  }
+
+  void add_frame(const SceneFrame& frame) {
+    if (frame.place.file.empty()) return;  // of --frame
+    add("frame." + frame.name,
+        fmt::format("on link {} at {}, rpy {}", frame.link.name, list(frame.xyz), list(frame.rpy)));
   }
 
   void add_contact(const SceneContact& contact) {

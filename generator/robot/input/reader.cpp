@@ -11,6 +11,7 @@
 #include "robot/input/common/xacro.hpp"
 #include "robot/input/mjcf/reader.hpp"
 #include "robot/input/scene_application.hpp"
+#include "robot/input/scene_frames.hpp"
 #include "robot/input/scene_reader.hpp"
 #include "robot/input/sdf/reader.hpp"
 #include "robot/input/toml/held_joints.hpp"
@@ -58,6 +59,7 @@ void attach(const Attachments& attachments, ReadContext& context, Robot& robot) 
     return link ? find_link(robot, *link, what, context.diagnostics).value_or(robot.tip) : robot.tip;
   };
   robot.tip = last_moving_link(robot);
+  add_frames(context, robot);
   robot.tip = index_of(attachments.tip, "tip, link");
   robot.tip_offset = attachments.tip_offset;
   if (attachments.payload) {

@@ -77,6 +77,13 @@ void add_scene(Scene file, Scene& scene) {
     if (!is_said) locked.push_back(lock);
   }
   scene.locked = std::move(locked);
+  std::vector<SceneFrame> frames = first.frames;
+  for (const SceneFrame& frame : scene.frames) {
+    const bool is_said = std::any_of(frames.begin(), frames.end(),
+                                     [&frame](const SceneFrame& before) { return before.name == frame.name; });
+    if (!is_said || frame.name.empty()) frames.push_back(frame);
+  }
+  scene.frames = std::move(frames);
 }
 
 void apply_to_joints(const Scene& scene, Diagnostics& diagnostics, Robot& robot) {

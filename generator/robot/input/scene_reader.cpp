@@ -120,6 +120,24 @@ std::vector<SceneContact> read_contacts(TomlTable& table, Diagnostics& diagnosti
   return all;
 }
 
+std::vector<SceneFrame> read_frames(TomlTable& table, Diagnostics& diagnostics) {
+  std::vector<SceneFrame> all;
+  for (TomlTable& each : table.tables("frame")) {
+    SceneFrame frame;
+    frame.place = each.place();
+    frame.name = each.text("name").value_or("");
+    if (frame.name.empty()) diagnostics.error(frame.place, "frame: it has no name", "name it: name = \"tool\"");
+    const std::optional<Reference> link = each.reference("link");
+    frame.link = link.value_or(Reference{"", frame.place});
+    if (!link) diagnostics.error(frame.place, "frame: it has no link", "name the one it is on: link = \"hand\"");
+    frame.xyz = each.vector("xyz", Quantity::length, zero_vector());
+    frame.rpy = each.vector("rpy", Quantity::angle, zero_vector());
+    each.reject_unknown_keys();
+    all.push_back(frame);
+  }
+  return all;
+}
+
 Orientation read_orientation(TomlTable& table, Diagnostics& diagnostics) {
   const std::optional<std::string> text = table.text("orientation");
   if (!text) return Orientation::angular_velocity;
@@ -235,6 +253,7 @@ Scene read_scene(const std::string& file, ReadContext& context) {
   scene.task.damping = read_damping(table, "damping", diagnostics);
   scene.task.rows = read_rows(table, scene.task.orientation, diagnostics);
   if (table.is_list("task")) require_some(table.references("task"), table.place_of("task"), "task", diagnostics);
+  scene.frames = read_frames(table, diagnostics);
   scene.contacts = read_contacts(table, diagnostics);
   scene.contact_damping = read_damping(table, "contact_damping", diagnostics);
   scene.functions = table.references("functions");

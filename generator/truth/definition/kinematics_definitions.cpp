@@ -31,6 +31,16 @@ constinit const Definition jacobian =
 constinit const Definition jacobian_dot_qd =
     defined_as([](auto& at, const Output&) { return at.jacobian_dot_qd(at.frame()); });
 
+constinit const Definition frame_velocity =
+    defined_as([](auto& at, const Output&) { return times(at.lagrangian.jacobian(at.frame()), at.qd()); });
+
+constinit const Definition frame_acceleration = defined_as([](auto& at, const Output&) {
+  auto result = times(at.lagrangian.jacobian(at.frame()), at.qdd());
+  const auto more = at.jacobian_dot_qd(at.frame());
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] += more[k];
+  return result;
+});
+
 constinit const Definition external_torque = defined_as(
     [](auto& at, const Output&) { return at.lagrangian.torques_at(at.frame(), at.drawn(InputKind::h_e, 6)); });
 

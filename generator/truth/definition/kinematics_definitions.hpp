@@ -6,6 +6,7 @@
 
 namespace flatdyn::definitions {
 
-extern const Definition forward_kinematics, jacobian, jacobian_dot_qd, external_torque;
+extern const Definition forward_kinematics, jacobian, jacobian_dot_qd, frame_velocity, frame_acceleration,
+    external_torque;
 
 }  // namespace flatdyn::definitions

@@ -30,6 +30,14 @@ std::vector<double> tip_acceleration(const At& at) {
   return {m[0], m[0], m[0], m[1], m[1], m[1]};
 }
 
+std::vector<double> frame_acceleration_magnitude(const At& at) {
+  const std::vector<double> carried = tip_acceleration(at);
+  std::vector<double> entries =
+      row_by_row(ref::VectorX<double>(ref::jacobian_magnitude(at.robot, at.q) * at.qdd.cwiseAbs()));
+  for (std::size_t k = 0; k < entries.size(); ++k) entries[k] += carried[k];
+  return entries;
+}
+
 template <class S>
 ref::VectorX<S> wrench(const ReferencePoint<S>& at) {
   ref::VectorX<S> h(6);
@@ -59,6 +67,18 @@ constinit const NumericReference jacobian =
 constinit const NumericReference jacobian_dot_qd =
     computed_by([](const auto& at) { return row_by_row(ref::jacobian_dot_qd(at.robot, at.q, at.qd)); },
                 [](const At& at) { return tip_acceleration(at); });
+
+constinit const NumericReference frame_velocity =
+    computed_by([](const auto& at) { return row_by_row((ref::jacobian(at.robot, at.q) * at.qd).eval()); },
+                [](const At& at) {
+                  return row_by_row(ref::VectorX<double>(ref::jacobian_magnitude(at.robot, at.q) * at.qd.cwiseAbs()));
+                });
+
+constinit const NumericReference frame_acceleration = computed_by(
+    [](const auto& at) {
+      return row_by_row((ref::jacobian(at.robot, at.q) * at.qdd + ref::jacobian_dot_qd(at.robot, at.q, at.qd)).eval());
+    },
+    [](const At& at) { return frame_acceleration_magnitude(at); });
 
 constinit const NumericReference external_torque = computed_by([](const auto& at) { return torques_of_wrench(at); },
                                                                [](const At& at) { return wrench_magnitude(at); });

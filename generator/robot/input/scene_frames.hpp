@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Frames that a scene, or --frame, fixes to links of a robot that was read.
+#pragma once
+
+#include "robot/input/common/context.hpp"
+
+namespace flatdyn {
+
+// Adds a link without mass for each of the scene's frames, held by a fixed joint: whatever takes the name of a link
+// takes that of the frame, too. Findings if its link is unknown, or if a link has its name.
+void add_frames(ReadContext& context, Robot& robot);
+
+}  // namespace flatdyn
