@@ -1905,25 +1905,25 @@ static inline Scalar kinetic_energy(const Scalar* q, const Scalar* qd,
       Scalar(0.0099214) * omega_r_5_x + Scalar(0.02853) * v_r_4_y;
   const Scalar t17 = Scalar(0.0110896) * t7 - Scalar(0.0523608) * omega_r_5_a_z +
       Scalar(0.0469862) * omega_4_z - Scalar(0.10476) * v_r_4_y - Scalar(0.19305) * v_r_4_x;
-  const Scalar L_4_y = Scalar(0.0009736) * t7 + Scalar(0.10476) * t5 +
-      Scalar(0.0523608) * omega_4_z;
-  const Scalar L_4_x = Scalar(0.0009736) * omega_r_5_a_z - Scalar(0.0110896) * omega_4_z -
-      Scalar(0.0221926) * t7 + Scalar(0.19305) * t5;
+  const Scalar L_4_y = Scalar(0.0009736) * t7 + Scalar(0.0523608) * omega_4_z +
+      Scalar(0.10476) * t5;
+  const Scalar t18 = Scalar(0.0110896) * omega_4_z - Scalar(0.0009736) * omega_r_5_a_z +
+      Scalar(0.0221926) * t7 - Scalar(0.19305) * t5;
   const Scalar L_3_z = Scalar(0.016137) * omega_r_3_x + Scalar(0.0408384) * t8 +
       Scalar(0.24705) * t5 - Scalar(3.44772) * t3 + Scalar(2.0518487) * omega_3_z;
   const Scalar L_3_y = Scalar(0.026176) * omega_r_3_x - Scalar(0.0408384) * omega_3_z +
       Scalar(0.24705) * t1;
-  const Scalar t18 = Scalar(0.026176) * t8 - Scalar(0.016137) * omega_3_z -
+  const Scalar t19 = Scalar(0.026176) * t8 - Scalar(0.016137) * omega_3_z -
       Scalar(1.9036137) * omega_r_3_x + Scalar(3.44772) * t1;
   const Scalar L_2_y = Scalar(0.0444376) * qd_2 + Scalar(0.0684948) * t2;
-  const Scalar t19 = t2 * (Scalar(0.1098692) * qd_2 - Scalar(0.0684948) * t1 +
+  const Scalar t20 = t2 * (Scalar(0.1098692) * qd_2 - Scalar(0.0684948) * t1 +
       Scalar(8.4002222) * t2);
   const Scalar L_2_z = Scalar(0.0444376) * t1 - Scalar(0.1098692) * t2 + Scalar(8.554441) * qd_2;
-  const Scalar t20 = -t13 - t9 * t14 + omega_6_z * t11 - omega_r_5_y * L_5_y + omega_r_5_x * t16 -
-      t1 * L_2_y + omega_5_z * t15 + omega_r_5_a_z * L_4_y + t7 * L_4_x + t8 * L_3_y -
-      omega_4_z * t17 + omega_r_3_x * t18 - omega_3_z * L_3_z + t19 - qd_2 * L_2_z -
+  const Scalar t21 = -t13 - t9 * t14 + omega_6_z * t11 - omega_r_5_y * L_5_y + omega_r_5_x * t16 -
+      t1 * L_2_y + omega_5_z * t15 + omega_r_5_a_z * L_4_y - t7 * t18 + t8 * L_3_y -
+      omega_4_z * t17 + omega_r_3_x * t19 - omega_3_z * L_3_z + t20 - qd_2 * L_2_z -
       Scalar(9.3573967) * qd_1 * qd_1;
-  return Scalar(-0.5) * t20;
+  return Scalar(-0.5) * t21;
 }
 
 // Potential energy of links and rotors (7.36).

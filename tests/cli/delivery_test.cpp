@@ -271,7 +271,7 @@ TEST(Completion, OffersSubcommandsOptionsValuesFilesAndFunctions) {
   EXPECT_EQ(completed("flatdyn generate --sc"), "--scalar --scene ");
   EXPECT_EQ(completed("flatdyn generate --scalar "), "double float ");
   EXPECT_EQ(completed("flatdyn generate robots/pan"), "robots/panda.urdf ");
-  EXPECT_EQ(completed("flatdyn verify --functions gravity,coriolis"), "gravity,coriolis_matrix ");
+  EXPECT_EQ(completed("flatdyn verify --functions gravity,coriolis_m"), "gravity,coriolis_matrix ");
   EXPECT_EQ(completed("flatdyn generate -o robo"), "robots ");
   EXPECT_EQ(completed("flatdyn man gen"), "generate ");
   EXPECT_EQ(completed("flatdyn help ver"), "verify ");

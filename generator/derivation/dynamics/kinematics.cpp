@@ -98,7 +98,7 @@ Vec3 angular_acceleration(Frames& frames, int body, const std::vector<LinkMotion
   return domega;
 }
 
-JacobianColumn acceleration_of(Frames& frames, const LinkFrame& link, const Motion& motion) {
+JacobianColumn acceleration_by(Frames& frames, const LinkFrame& link, const Motion& motion) {
   if (link.body < 0) return {};
   Derivation& d = frames.derivation();
   const std::vector<LinkMotion> links = link_motions(frames, motion);
@@ -122,13 +122,13 @@ JacobianColumn frame_velocity(Frames& frames, const LinkFrame& link) {
 JacobianColumn frame_acceleration(Frames& frames, const LinkFrame& link) {
   const std::vector<Number> qd = joint_motion(frames.mechanism(), frames.derivation(), InputKind::qd),
                             qdd = joint_motion(frames.mechanism(), frames.derivation(), InputKind::qdd);
-  return acceleration_of(frames, link, {qd, qdd, zero_vector(), false});
+  return acceleration_by(frames, link, {qd, qdd, zero_vector(), false});
 }
 
 JacobianColumn jacobian_dot_qd(Frames& frames, const LinkFrame& link) {
   const std::vector<Number> qd = joint_motion(frames.mechanism(), frames.derivation(), InputKind::qd),
                             drift = joint_drift(frames.mechanism(), frames.derivation(), InputKind::qd);
-  return acceleration_of(frames, link, {qd, drift, zero_vector(), false});
+  return acceleration_by(frames, link, {qd, drift, zero_vector(), false});
 }
 
 Wrench wrench_on_body(Frames& frames, const LinkFrame& link, const Wrench& wrench) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A scene: a user's choices for one use of a robot, such as joints held still, gravity, payload, limits and the results
-// needed. They come from a scene file (docs/scene-format.md) and from --gravity, --fix and --frame, which take precedence.
-// Where each is applied: gravity, locked, payload, frames, friction, springs and limits when the robot is read
-// (robot/input/scene_application.hpp); at_rest and outputs to each function (functions/scene/specialise.hpp); the error
-// budget to the mechanism that functions are derived from (functions/scene/abbreviate.hpp).
+// needed. They come from a scene file (docs/scene-format.md) and from --gravity, --fix and --frame, which take
+// precedence. Where each is applied: gravity, locked, payload, frames, friction, springs and limits when the robot is
+// read (robot/input/scene_application.hpp); at_rest and outputs to each function (functions/scene/specialise.hpp); the
+// error budget to the mechanism that functions are derived from (functions/scene/abbreviate.hpp).
 #pragma once
 
 #include <array>
@@ -65,10 +65,10 @@ struct SceneContact {
 struct SceneFrame {
   std::string name;
   Reference link;
-  Vec3 xyz = zero_vector();             // its origin in the link's frame, m
-  Vec3 rpy = zero_vector();             // its roll, pitch and yaw there, R = R_z R_y R_x, rad
-  std::array<std::string, 3> decimals;  // of angles that are not snapped yet: the texts that they were read from
-  Place place;
+  Vec3 xyz = zero_vector();               // its origin in the link's frame, m
+  Vec3 rpy = zero_vector();               // its roll, pitch and yaw there, R = R_z R_y R_x, rad
+  std::array<std::string, 3> decimals{};  // of angles that are not snapped yet: the texts that they were read from
+  Place place{};
 };
 
 // The entries of a function that are needed: "tau[0..2]", "B[shoulder][elbow]".
