@@ -16,6 +16,7 @@
 #include "robot/input/common/expression.hpp"
 #include "robot/input/common/name_list.hpp"
 #include "robot/input/common/units.hpp"
+#include "robot/input/scene_frames.hpp"
 
 namespace flatdyn {
 namespace {
@@ -92,6 +93,29 @@ JointPosition fixed_option(const std::string& text) {
   return lock;
 }
 
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+// Sets entry k of a frame's pose, x to yaw. An angle may be in degrees: 90deg.
+void set_entry(const std::string& text, std::size_t k, SceneFrame& frame) {
+  constexpr int kHalfTurn = 180;
+  const std::size_t angle = k - frame.xyz.size();  // if it is one
+  const std::optional<std::string> degrees = k < frame.xyz.size() ? std::nullopt : number_of_degrees(text);
+  const std::string written = degrees.value_or(text);
+  const bool is_decimal = is_decimal_text(written);
+  const Number number = is_decimal ? decimal_option("--frame", written) : expression_option("--frame", written);
+  if (k < frame.xyz.size()) {
+    frame.xyz[k] = number;
+  } else if (degrees) {
+    frame.rpy[angle] = number * GiNaC::Pi / kHalfTurn;
+  } else {
+    frame.rpy[angle] = number;
+    if (is_decimal) frame.decimals[angle] = written;
+  }
+}
+
 // Parses "NAME=LINK,X,Y,Z" or "NAME=LINK,X,Y,Z,ROLL,PITCH,YAW".
 SceneFrame frame_option(const std::string& text) {
   constexpr std::size_t kOfPosition = 3, kOfPose = 6;
@@ -102,16 +126,15 @@ SceneFrame frame_option(const std::string& text) {
   const bool is_complete = sign != std::string::npos && sign > 0 && comma > sign + 1 && text.back() != ',';
   if (!is_complete || (numbers.size() != kOfPosition && numbers.size() != kOfPose)) {
     throw Failure(FailureKind::usage, fmt::format("--frame: \"{}\" is no frame", text),
-                  "write NAME=LINK,X,Y,Z in m, and ROLL,PITCH,YAW in rad behind them: tool=hand,0,0,0.1,0,0,pi/2");
+                  "write NAME=LINK,X,Y,Z in m, and ROLL,PITCH,YAW in rad behind them: tool=hand,0,0,0.1,0,0,pi/2, or "
+                  "0,0,90deg");
   }
-  SceneFrame frame{text.substr(0, sign), {text.substr(sign + 1, comma - sign - 1), {}}};
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    const bool is_decimal = is_decimal_text(numbers[k]);
-    const Number number =
-        is_decimal ? decimal_option("--frame", numbers[k]) : expression_option("--frame", numbers[k]);
-    (k < kOfPosition ? frame.xyz[k] : frame.rpy[k - kOfPosition]) = number;
-    if (is_decimal && k >= kOfPosition) frame.decimals[k - kOfPosition] = numbers[k];
+  SceneFrame frame{trimmed(text.substr(0, sign)), {trimmed(text.substr(sign + 1, comma - sign - 1)), {}}};
+  if (const std::string problem = problem_of_frame_name(frame.name); !problem.empty()) {
+    throw Failure(FailureKind::usage, fmt::format("--frame: \"{}\": {}", text, problem),
+                  "write it as tool or left tool");
   }
+  for (std::size_t k = 0; k < numbers.size(); ++k) set_entry(numbers[k], k, frame);
   return frame;
 }
 

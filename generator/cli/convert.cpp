@@ -26,6 +26,12 @@ constexpr double kSameTorque = 1e-15;
 
 void check_round_trip(const Conversion& conversion, const RoundTrip& trip) {
   if (trip.is_exact || (!conversion.rounded.empty() && trip.largest < kSameTorque)) return;
+  if (trip.where == "tip") {
+    throw Failure(FailureKind::unsupported,
+                  "the file would be read as a robot with another tip: its format has none, and is read as if the last "
+                  "link, depth-first, were the tip",
+                  "write a TOML file, or take that link: --tip; frames of --frame count as links");
+  }
   throw Failure(FailureKind::unsupported,
                 fmt::format("the file would be read as another robot: {} differs, and torques by {:.2g} of the largest",
                             trip.where, trip.largest),

@@ -186,7 +186,8 @@ GenerationOptions options_of(const HeldFiles& files, const OptionsGiven& given) 
 std::string options_of_robot(const std::string& options) {
   std::string text;
   for (const std::string& word : words_of(options)) {
-    for (const char* name : {"--gravity", "--fix", "--frame", "--base", "--tip", "--ignore", "--keyframe", "--snap", "--model"}) {
+    for (const char* name :
+         {"--gravity", "--fix", "--frame", "--base", "--tip", "--ignore", "--keyframe", "--snap", "--model"}) {
       if (word.substr(0, word.find('=')) == name) text += (text.empty() ? "" : " ") + word;
     }
   }

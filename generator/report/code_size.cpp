@@ -37,7 +37,8 @@ std::string describe_code_size(const std::vector<OptimisedFunction>& functions, 
   const bool suggests_lanes = has_limbs && language.has_lanes && !options.limbs_in_lanes && !options.fuses;
   return "larger than 32 KiB of machine code, which is what most processors keep at hand, so that single calls are "
          "slowed down: " +
-         large + (suggests_lanes ? "; --limbs lanes makes those shorter that compute limbs" : "") + "\n\n";
+         large + (suggests_lanes ? "; --limbs lanes makes those shorter that compute limbs" : "") +
+         (options.limbs_in_lanes ? ", before limbs are computed together" : "") + "\n\n";
 }
 
 }  // namespace flatdyn

@@ -72,7 +72,8 @@ std::string describe_snaps(const std::vector<Snap>& snaps, const SnapEffects& ef
       "within 5 rad/s and 20 rad/s^2, or 1 m, 1 m/s and 10 m/s^2; forces of prismatic joints in N:\n";
   for (std::size_t k = 0; k < snaps.size(); ++k) {
     const Place& place = snaps[k].place;
-    text += fmt::format("  {}:{}: {}\n", place.file, place.line, snap_text(snaps[k], effects.each[k]));
+    const std::string where = place.file.empty() ? "command line" : fmt::format("{}:{}", place.file, place.line);
+    text += fmt::format("  {}: {}\n", where, snap_text(snaps[k], effects.each[k]));
   }
   return text;
 }

@@ -53,6 +53,8 @@ TEST(Frames, OfASceneLeaveTheTipWhereItIs) {
   EXPECT_EQ(json::parse(outcome.out)["tip"], "panda_hand_tcp");
   EXPECT_EQ(evaluated("forward_kinematics:tool", scene),
             evaluated("forward_kinematics:tool", "--frame tool=panda_hand,0,0,0.1034,0,0,pi/2"));
+  EXPECT_EQ(evaluated("forward_kinematics:tool", scene),
+            evaluated("forward_kinematics:tool", "--frame 'tool = panda_hand, 0, 0, 0.1034, 0, 0, 90deg'"));
 }
 
 TEST(Frames, ThatAreNoneAreSaid) {
@@ -65,9 +67,21 @@ TEST(Frames, ThatAreNoneAreSaid) {
                             "tool=panda_hand,0,0,0,0", "tool=panda_hand,0,0,0,"}) {
     refused(frame, "is no frame");
   }
+  refused("a,b=panda_hand,0,0,0", "comma");
+  refused(" =panda_hand,0,0,0", "its name is empty");
+  refused("a --tip b=panda_hand,0,0,0", "looks like an option");
   refused("tool=panda_hand,0,0,up", "is a symbol, which only a file may have");
   refused("tool=panda_hnd,0,0,0", "panda_hand");
   refused("panda_hand=panda_link7,0,0,0", "has this name");
+}
+
+TEST(Frames, BehindTheTipCannotBeConvertedToAFormatWithoutOne) {
+  const Scratch scratch;
+  const std::string convert = "convert -q robots/panda.urdf --frame tool=panda_hand,0,0,1 -o ";
+  const Outcome outcome = run_flatdyn(convert + scratch.path("a.urdf"));
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("a robot with another tip"));
+  EXPECT_EQ(run_flatdyn(convert + scratch.path("a.toml")).code, 0);
 }
 
 }  // namespace

@@ -44,9 +44,18 @@ void add_frame(const SceneFrame& frame, ReadContext& context, Robot& robot) {
 
 }  // namespace
 
+std::string problem_of_frame_name(const std::string& name) {
+  const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
+  if (name.empty() || name.front() == ' ' || name.back() == ' ') return "its name is empty, or has a blank at an end";
+  if (std::any_of(name.begin(), name.end(), is_control)) return "its name has control characters";
+  if (name.find(',') != std::string::npos) return "its name has a comma, which divides the names of functions";
+  return name.find(" --") == std::string::npos ? "" : "its name looks like an option";
+}
+
 void add_frames(ReadContext& context, Robot& robot) {
   for (const SceneFrame& frame : robot.scene.frames) {
-    if (!frame.name.empty() && !frame.link.name.empty()) add_frame(frame, context, robot);  // else said where it is read
+    if (!frame.name.empty() && !frame.link.name.empty())
+      add_frame(frame, context, robot);  // else said where it is read
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "robot/input/scene_frames.hpp"
 #include "robot/input/toml/held_joints.hpp"
 #include "robot/input/toml/parts.hpp"
 #include "robot/model/exact_sign.hpp"
@@ -126,7 +127,9 @@ std::vector<SceneFrame> read_frames(TomlTable& table, Diagnostics& diagnostics) 
     SceneFrame frame;
     frame.place = each.place();
     frame.name = each.text("name").value_or("");
-    if (frame.name.empty()) diagnostics.error(frame.place, "frame: it has no name", "name it: name = \"tool\"");
+    if (const std::string problem = problem_of_frame_name(frame.name); !problem.empty()) {
+      diagnostics.error(frame.place, "frame: " + problem, "name it: name = \"tool\"");
+    }
     const std::optional<Reference> link = each.reference("link");
     frame.link = link.value_or(Reference{"", frame.place});
     if (!link) diagnostics.error(frame.place, "frame: it has no link", "name the one it is on: link = \"hand\"");

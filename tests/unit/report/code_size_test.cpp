@@ -44,7 +44,9 @@ TEST(CodeSize, SuggestsLanesWhereThereAreLimbs) {
   EXPECT_THAT(describe_code_size({sums("large", 3276)}, options, true), HasSubstr("--limbs lanes"));
   EXPECT_THAT(describe_code_size({sums("large", 3276)}, options, false), Not(HasSubstr("--limbs lanes")));
   options.limbs_in_lanes = true;
-  EXPECT_THAT(describe_code_size({sums("large", 3276)}, options, true), Not(HasSubstr("--limbs lanes")));
+  const std::string in_lanes = describe_code_size({sums("large", 3276)}, options, true);
+  EXPECT_THAT(in_lanes, Not(HasSubstr("--limbs lanes")));
+  EXPECT_THAT(in_lanes, HasSubstr("(some 32 KiB), before limbs are computed together"));
 }
 
 TEST(CodeSize, IsNothingWhereNothingIsCompiled) {
