@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 
+#include "base/diagnostics/characters.hpp"
 #include "base/diagnostics/table.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_list.hpp"
@@ -93,11 +94,6 @@ JointPosition fixed_option(const std::string& text) {
   return lock;
 }
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
-  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
-
 // Sets entry k of a frame's pose, x to yaw. An angle may be in degrees: 90deg.
 void set_entry(const std::string& text, std::size_t k, SceneFrame& frame) {
   constexpr int kHalfTurn = 180;
@@ -129,7 +125,9 @@ SceneFrame frame_option(const std::string& text) {
                   "write NAME=LINK,X,Y,Z in m, and ROLL,PITCH,YAW in rad behind them: tool=hand,0,0,0.1,0,0,pi/2, or "
                   "0,0,90deg");
   }
-  SceneFrame frame{trimmed(text.substr(0, sign)), {trimmed(text.substr(sign + 1, comma - sign - 1)), {}}};
+  const std::string name(trimmed(std::string_view(text).substr(0, sign))),
+      link(trimmed(std::string_view(text).substr(sign + 1, comma - sign - 1)));
+  SceneFrame frame{name, {link, {}}};
   if (const std::string problem = problem_of_frame_name(frame.name); !problem.empty()) {
     throw Failure(FailureKind::usage, fmt::format("--frame: \"{}\": {}", text, problem),
                   "write it as tool or left tool");
@@ -315,7 +313,7 @@ void add_functions_option(CLI::App& command, std::vector<std::string>& functions
       if (row.traits.on_request == on_request) rows.push_back({"", row.name, row.summary});
     }
   }
-  command.footer("Functions:\n" + aligned_table(rows) + functions_of_links() + " also take a link: jacobian:LINK.");
+  command.footer("Functions:\n" + aligned_table(rows) + functions_of_links() + "\nalso take a link: jacobian:LINK.");
 }
 
 CLI::Option* add_names_option(CLI::App& command, const std::string& option, std::vector<std::string>& names,

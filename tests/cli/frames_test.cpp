@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// --frame, and [[frame]] of a scene: frames that are fixed to links, and are links to everything else.
+// --frames: base parameters are combinations of the parameters of the file's links, or of canonical ones on request,
+// and every output says which.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,82 +8,81 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
+#include "support/robot_models.hpp"
+#include "support/simulated_log.hpp"
 
 namespace flatdyn::testing {
 namespace {
 
 using nlohmann::json;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
-constexpr int kUsage = 2;
+// Standard DH: the frames of its links are not the canonical ones.
+constexpr const char* kArm = "robots/planar_2r_example_7_2.toml";
+constexpr const char* kCanonical = " --frames canonical";
 
-std::string evaluated(const std::string& function, const std::string& options) {
-  const Outcome outcome = run_flatdyn(fmt::format(
-      "eval -q robots/panda.urdf --function {} --states docs/examples/panda_states.csv {}", function, options));
+const auto kSaysFile = AllOf(HasSubstr("mlx(link1) + m(link1) + m(link2)"), HasSubstr("link frames of the robot file"));
+const auto kSaysCanonical = AllOf(HasSubstr("m1lx + m2"), HasSubstr("canonical frames (z along the joint"));
+
+std::string output_of(const std::string& command) {
+  const Outcome outcome = run_flatdyn(command);
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   return outcome.out;
 }
 
-// The hand's tool centre point is a link of the file: 0.1034 m from the hand along z.
-TEST(Frames, AreWhereALinkOfTheFileIs) {
-  const std::string tool = "--frame tool=panda_hand,0,0,0.1034";
-  for (const char* function : {"forward_kinematics", "jacobian"}) {
-    EXPECT_EQ(evaluated(fmt::format("{}:tool", function), tool),
-              evaluated(fmt::format("{}:panda_hand_tcp", function), ""));
-  }
-  EXPECT_EQ(evaluated("jacobian", tool + " --tip tool"), evaluated("jacobian", "--tip panda_hand_tcp"));
+TEST(Frames, AreThoseOfTheFileInInspect) {
+  const std::string inspect = fmt::format("inspect {} -q --base-parameters", kArm);
+  EXPECT_THAT(output_of(inspect), kSaysFile);
+  EXPECT_THAT(output_of(inspect), HasSubstr("link link1, moved by theta_1\n  m = 55 kg, m r = (-25, 0, 0) kg m"));
+  EXPECT_THAT(output_of(inspect + kCanonical), kSaysCanonical);
+  const json in_file = json::parse(output_of(inspect + " --json"));
+  EXPECT_EQ(in_file.at("frames"), "file");
+  EXPECT_EQ(in_file.at("base_parameters")[0].at("combination"), "m1lx + m2");
+  EXPECT_EQ(in_file.at("base_parameters")[0].at("file_combination"), "mlx(link1) + m(link1) + m(link2)");
+  const json canonical = json::parse(output_of(inspect + " --json" + kCanonical));
+  EXPECT_EQ(canonical.at("frames"), "canonical");
+  EXPECT_FALSE(canonical.at("base_parameters")[0].contains("file_combination"));
 }
 
-TEST(Frames, AreProven) {
-  const Outcome outcome = run_flatdyn(
-      "verify -q --json --states 4 robots/ur5.urdf --frame tool=wrist_3_link,0.1,0,1/7,pi/2,0,1.5707963 "
-      "--frame tip_of_tool=tool,0,0.05,0 --functions "
-      "forward_kinematics:tool,jacobian:tip_of_tool,frame_velocity:tip_of_tool,frame_acceleration:tool");
-  ASSERT_EQ(outcome.code, 0) << outcome.err << outcome.out;
-  for (const json& function : json::parse(outcome.out)["functions"]) EXPECT_TRUE(function["proven"]) << function;
-}
-
-TEST(Frames, OfASceneLeaveTheTipWhereItIs) {
+TEST(Frames, AreThoseOfTheFileInReportsOfAnIdentification) {
   const Scratch scratch;
-  scratch.write("scene.toml",
-                "angles = \"deg\"\n[[frame]]\nname = \"tool\"\nlink = \"panda_hand\"\nxyz = [0, 0, 0.1034]\n"
-                "rpy = [0, 0, 90]\n");
-  const std::string scene = "--scene " + scratch.path("scene.toml");
-  const Outcome outcome = run_flatdyn("inspect -q --json robots/panda.urdf " + scene);
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(json::parse(outcome.out)["tip"], "panda_hand_tcp");
-  EXPECT_EQ(evaluated("forward_kinematics:tool", scene),
-            evaluated("forward_kinematics:tool", "--frame tool=panda_hand,0,0,0.1034,0,0,pi/2"));
-  EXPECT_EQ(evaluated("forward_kinematics:tool", scene),
-            evaluated("forward_kinematics:tool", "--frame 'tool = panda_hand, 0, 0, 0.1034, 0, 0, 90deg'"));
+  write_log(scratch.path("log.csv"), simulated(model_of("planar_2r_example_7_2.toml"), {.samples = 500}));
+  const std::string identify = fmt::format("identify {} --data {}", kArm, scratch.path("log.csv"));
+  EXPECT_THAT(output_of(identify), AllOf(kSaysFile, HasSubstr("\nm1lx  80 ")));
+  EXPECT_THAT(output_of(identify + kCanonical), AllOf(kSaysCanonical, HasSubstr("\nm1lx  80 ")));
+  const json in_file = json::parse(output_of(identify + " --json"));
+  EXPECT_EQ(in_file.at("frames"), "file");
+  EXPECT_EQ(in_file.at("base_parameters")[0].at("combination"), "m1lx + m2");
+  EXPECT_EQ(in_file.at("base_parameters")[0].at("file_combination"), "mlx(link1) + m(link1) + m(link2)");
 }
 
-TEST(Frames, ThatAreNoneAreSaid) {
-  const auto refused = [](const std::string& frame, const char* text) {
-    const Outcome outcome = run_flatdyn(fmt::format("inspect robots/panda.urdf --frame '{}'", frame));
-    EXPECT_EQ(outcome.code, kUsage) << frame;
-    EXPECT_THAT(outcome.err, HasSubstr(text)) << frame;
-  };
-  for (const char* frame : {"tool", "tool=panda_hand", "=panda_hand,0,0,0", "tool=,0,0,0", "tool=panda_hand,0,0",
-                            "tool=panda_hand,0,0,0,0", "tool=panda_hand,0,0,0,"}) {
-    refused(frame, "is no frame");
-  }
-  refused("a,b=panda_hand,0,0,0", "comma");
-  refused(" =panda_hand,0,0,0", "its name is empty");
-  refused("a --tip b=panda_hand,0,0,0", "looks like an option");
-  refused("tool=panda_hand,0,0,up", "is a symbol, which only a file may have");
-  refused("tool=panda_hnd,0,0,0", "panda_hand");
-  refused("panda_hand=panda_link7,0,0,0", "has this name");
+TEST(Frames, AreThoseOfTheFileInHeaders) {
+  const std::string generate = fmt::format("generate {} -q --functions base_regressor -o -", kArm);
+  EXPECT_THAT(output_of(generate), AllOf(kSaysFile, Not(HasSubstr("--frames canonical\n"))));
+  EXPECT_THAT(output_of(generate + kCanonical), AllOf(kSaysCanonical, HasSubstr("--frames canonical\n")));
 }
 
-TEST(Frames, BehindTheTipCannotBeConvertedToAFormatWithoutOne) {
+TEST(Frames, AreThoseOfTheFileOnPages) {
   const Scratch scratch;
-  const std::string convert = "convert -q robots/panda.urdf --frame tool=panda_hand,0,0,1 -o ";
-  const Outcome outcome = run_flatdyn(convert + scratch.path("a.urdf"));
-  EXPECT_EQ(outcome.code, 4);
-  EXPECT_THAT(outcome.err, HasSubstr("a robot with another tip"));
-  EXPECT_EQ(run_flatdyn(convert + scratch.path("a.toml")).code, 0);
+  const std::string report = fmt::format("report {} -q -o {}", kArm, scratch.path("page.html"));
+  output_of(report);
+  EXPECT_THAT(scratch.read("page.html"), kSaysFile);
+  output_of(report + kCanonical);
+  EXPECT_THAT(scratch.read("page.html"), kSaysCanonical);
 }
+
+TEST(Frames, AreThoseOfTheFileInExcite) {
+  const Scratch scratch;
+  const std::string excite = fmt::format("excite {} --evaluations 10 --duration 2 -o {}", kArm, scratch.path());
+  EXPECT_THAT(output_of(excite), HasSubstr("in the link frames of the robot file: m(L)"));
+  EXPECT_THAT(output_of(excite + kCanonical), HasSubstr("in canonical frames (z along"));
+  const json weakest = json::parse(output_of(excite + " --json")).at("weakest")[0];
+  EXPECT_TRUE(weakest.contains("combination") && weakest.contains("file_combination")) << weakest;
+}
+
+TEST(Frames, HaveTwoNames) { EXPECT_EQ(run_flatdyn(fmt::format("inspect {} --frames dh", kArm)).code, 2); }
 
 }  // namespace
 }  // namespace flatdyn::testing

@@ -16,7 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::filesystem::path kSource = FLATDYN_SOURCE_DIR;
+const std::filesystem::path kSources = FLATDYN_SOURCE_DIR;
 
 std::vector<std::string> formats() { return {kRobotFormats.begin(), kRobotFormats.end()}; }
 
@@ -43,7 +43,7 @@ bool has_name(const std::string& text, const std::string& name) {
 
 // The first part of a page, which says what the program is.
 std::string opening_of(const char* file, std::size_t length) {
-  return content_of_file(kSource / file).substr(0, length);
+  return content_of_file(kSources / file).substr(0, length);
 }
 
 void expect_all(const std::string& text, const std::vector<std::string>& names, const char* place) {
@@ -62,12 +62,12 @@ TEST(Formats, AreTheSameWhereverTheyAreListed) {
   EXPECT_THAT(run_flatdyn("inspect --help").out, HasSubstr("robot file: " + robot_formats_text()));
   expect_all(opening_of("README.md", 400), formats(), "README.md");
   expect_all(opening_of("SECURITY.md", 500), formats(), "SECURITY.md");
-  expect_all(between(content_of_file(kSource / "docs/commands/README.md"), "Every command", "It prints"), formats(),
+  expect_all(between(content_of_file(kSources / "docs/commands/README.md"), "Every command", "It prints"), formats(),
              "docs/commands/README.md");
-  const std::string cmake = content_of_file(kSource / "cmake/FlatdynGenerate.cmake");
+  const std::string cmake = content_of_file(kSources / "cmake/FlatdynGenerate.cmake");
   expect_all(between(cmake, "#   ROBOT file", "\n"), formats(), "cmake/FlatdynGenerate.cmake");
   expect_all(between(cmake, "ROBOT is missing", "\n"), formats(), "the message of cmake/FlatdynGenerate.cmake");
-  expect_all(between(content_of_file(kSource / "cmake/DebianPackage.cmake"), "PACKAGE_DESCRIPTION \"", "\")"),
+  expect_all(between(content_of_file(kSources / "cmake/DebianPackage.cmake"), "PACKAGE_DESCRIPTION \"", "\")"),
              formats(), "the Debian package");
 }
 
@@ -84,13 +84,13 @@ TEST(Languages, AreTheSameWhereverTheyAreListed) {
   EXPECT_EQ(std::count(options.begin(), options.end(), ',') + 1, static_cast<std::ptrdiff_t>(names.size()));
   expect_all(opening_of("README.md", 200), names, "README.md");
   expect_all(opening_of("SECURITY.md", 500), names, "SECURITY.md");
-  expect_all(between(content_of_file(kSource / "cmake/DebianPackage.cmake"), "PACKAGE_DESCRIPTION \"", "\")"), names,
+  expect_all(between(content_of_file(kSources / "cmake/DebianPackage.cmake"), "PACKAGE_DESCRIPTION \"", "\")"), names,
              "the Debian package");
 }
 
 // CMake makes libraries to link with, in every language that can be linked.
 TEST(Languages, OfCMakeAreThoseThatLink) {
-  const std::string cmake = content_of_file(kSource / "cmake/FlatdynGenerate.cmake");
+  const std::string cmake = content_of_file(kSources / "cmake/FlatdynGenerate.cmake");
   const std::string listed = between(cmake, "[LANGUAGE ", "]");
   for (const char* name : {"c++", "c", "cuda"}) EXPECT_TRUE(has_name(listed, name)) << listed;
   EXPECT_THAT(cmake, HasSubstr("LANGUAGE is c, c++ or cuda"));
