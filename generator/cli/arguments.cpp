@@ -313,7 +313,9 @@ void add_functions_option(CLI::App& command, std::vector<std::string>& functions
       if (row.traits.on_request == on_request) rows.push_back({"", row.name, row.summary});
     }
   }
-  command.footer("Functions:\n" + aligned_table(rows) + functions_of_links() + "\nalso take a link: jacobian:LINK.");
+  command.footer("Functions:\n" + aligned_table(rows) + functions_of_links() +
+                 "\nalso take a link: jacobian:LINK.\n"
+                 "vjp:, jvp:, jac: and hessian:FUNCTION are its derivatives: docs/derivatives.md.");
 }
 
 CLI::Option* add_names_option(CLI::App& command, const std::string& option, std::vector<std::string>& names,

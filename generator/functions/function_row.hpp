@@ -8,6 +8,7 @@
 
 #include "derivation/closed_functions.hpp"
 #include "derivation/kernel/choices.hpp"
+#include "graph/function_name.hpp"
 #include "truth/definition/definition.hpp"
 #include "truth/reference/numeric_reference.hpp"
 
@@ -28,6 +29,7 @@ enum class Extent {
   springs,          // 2 per joint
   contact_rows,     // the directions that the scene's contacts hold
   contact_points,   // 3 per contact
+  symbols,          // the free symbols of the robot
 };
 
 struct OutputRow {
@@ -84,6 +86,10 @@ struct FunctionRow {
   Definition definition;
   NumericReference reference;
   FunctionTraits traits = {};
+  // Of rows that are made of a function's derivatives: what they are, and the row of the function, by whose definition
+  // and reference they are judged, and from whose derivation they are made.
+  Derivative derivative = Derivative::none;
+  const FunctionRow* differentiated = nullptr;
 
   // Whether the function applies to the robot.
   bool applies_to(const Mechanism& mechanism) const {

@@ -18,6 +18,8 @@
 #include "derivation/dynamics/operational.hpp"
 #include "derivation/dynamics/torque_functions.hpp"
 #include "derivation/parameters/regressor_functions.hpp"
+#include "functions/derivative_rows.hpp"
+#include "graph/function_name.hpp"
 #include "truth/definition/centroidal_definitions.hpp"
 #include "truth/definition/contact_definitions.hpp"
 #include "truth/definition/derivative_definitions.hpp"
@@ -489,9 +491,11 @@ std::vector<InputKind> FunctionRow::inputs_for(const Mechanism& mechanism) const
 const std::vector<FunctionRow>& function_table() { return kRows; }
 
 const FunctionRow* find_row(const std::string& name) {
-  const std::string stem = name.substr(0, name.find(':'));
+  static const DerivativeRows derivatives(kRows);
+  const FunctionName parts = parts_of_name(name);
+  if (parts.derivative != Derivative::none) return derivatives.find(parts.derivative, parts.stem);
   const auto found =
-      std::find_if(kRows.begin(), kRows.end(), [&stem](const FunctionRow& row) { return stem == row.name; });
+      std::find_if(kRows.begin(), kRows.end(), [&parts](const FunctionRow& row) { return parts.stem == row.name; });
   return found == kRows.end() ? nullptr : &*found;
 }
 

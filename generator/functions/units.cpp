@@ -70,6 +70,8 @@ class OutputUnits {
     switch (output_.quantity) {
       case OutputQuantity::none:
         return "";
+      case OutputQuantity::derivative:
+        return "derivative";
       case OutputQuantity::energy:
         return "J";
       case OutputQuantity::parameter:

@@ -9,9 +9,27 @@
 
 namespace flatdyn {
 
-// parameter: a free symbol of the robot; stored: a value that an earlier stage has computed. The others have a row
-// below that says what they are.
-enum class InputKind : std::uint8_t { q, qd, qdd, tau, h_e, parameter, qd_r, qdd_r, pi_b, g_b, v, a, v_r, a_r, stored };
+// weights and direction: of products with derivatives. parameter: a free symbol of the robot; stored: a value that an
+// earlier stage has computed. The others have a row below that says what they are.
+enum class InputKind : std::uint8_t {
+  q,
+  qd,
+  qdd,
+  tau,
+  h_e,
+  parameter,
+  qd_r,
+  qdd_r,
+  pi_b,
+  g_b,
+  v,
+  a,
+  v_r,
+  a_r,
+  weights,
+  direction,
+  stored
+};
 
 // The physical quantity of an argument's entries. Limits, sizes and ranges belong to it.
 enum class ArgumentQuantity : std::uint8_t {
@@ -22,12 +40,23 @@ enum class ArgumentQuantity : std::uint8_t {
   wrench,        // N, then N m
   gravity,       // m/s²
   base_parameter,
+  weight,     // of an output's entry, without a unit
+  direction,  // a rate of change of an argument's entry, in its unit
   symbol,
   stored
 };
 
 // The number of an argument's entries.
-enum class ArgumentLength : std::uint8_t { positions, velocities, wrench, vector, base_parameters, symbols, none };
+enum class ArgumentLength : std::uint8_t {
+  positions,
+  velocities,
+  wrench,
+  vector,
+  base_parameters,
+  own,  // the function says it: Function::own
+  symbols,
+  none
+};
 inline constexpr int kWrenchLength = 6, kVectorLength = 3;
 
 struct ArgumentRow {
@@ -151,6 +180,20 @@ inline constexpr auto kArgumentRows = std::to_array<ArgumentRow>({
      .with_quasi_velocities = InputKind::a_r,
      .is_reference = true,
      .meaning = "derivatives of the entries of v_r"},
+    {.kind = InputKind::weights,
+     .name = "weights",
+     .quantity = ArgumentQuantity::weight,
+     .length = ArgumentLength::own,
+     .in_state = InputKind::weights,
+     .with_quasi_velocities = InputKind::weights,
+     .meaning = "weights"},
+    {.kind = InputKind::direction,
+     .name = "direction",
+     .quantity = ArgumentQuantity::direction,
+     .length = ArgumentLength::own,
+     .in_state = InputKind::direction,
+     .with_quasi_velocities = InputKind::direction,
+     .meaning = "a direction"},
     {.kind = InputKind::stored,
      .name = "stored",
      .quantity = ArgumentQuantity::stored,
@@ -181,6 +224,12 @@ constexpr bool is_of_motion(InputKind kind, ArgumentQuantity quantity) {
   return argument_row(kind).quantity == quantity && !argument_row(kind).is_reference;
 }
 constexpr bool is_velocity(InputKind kind) { return is_of_motion(kind, ArgumentQuantity::velocity); }
+
+// Whether its length depends on the function.
+constexpr bool is_of_function(InputKind kind) {
+  const ArgumentLength length = argument_row(kind).length;
+  return length == ArgumentLength::base_parameters || length == ArgumentLength::own;
+}
 
 // Whether each entry belongs to a joint, or to the base.
 constexpr bool is_by_joint(InputKind kind) {

@@ -27,6 +27,7 @@ Function with_graph(const Function& function, Graph graph, const std::vector<Nod
                   .formulation = function.formulation,
                   .inputs = function.inputs,
                   .base_parameters = function.base_parameters,
+                  .own = function.own,
                   .at_rest = function.at_rest,
                   .task = function.task,
                   .graph = std::move(graph),
@@ -41,6 +42,10 @@ Function with_graph(const Function& function, Graph graph, const std::vector<Nod
   std::for_each(result.validity_conditions.begin(), result.validity_conditions.end(), replace);
   std::for_each(result.pivot_scales.begin(), result.pivot_scales.end(), replace);
   return result;
+}
+
+int own_length(const Function& function, ArgumentLength length) {
+  return length == ArgumentLength::own ? function.own.length : function.base_parameters;
 }
 
 bool has_scale(const Function& function, std::size_t k) {

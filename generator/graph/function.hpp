@@ -37,6 +37,12 @@ struct Output {
 // The formulation of most functions.
 inline constexpr const char* kRecursion = "recursion";
 
+// The argument weights or direction of a product with derivatives, whose length depends on the function.
+struct OwnArgument {
+  int length = 0;
+  std::string meaning;  // "weights of the entries of tau"
+};
+
 struct Function {
   std::string name;               // "inverse_dynamics"
   std::string summary;            // one line for people
@@ -44,6 +50,7 @@ struct Function {
   std::string formulation{};      // the one of several by which it is computed: "articulated bodies"
   std::vector<InputKind> inputs;  // the arguments in order, whether or not every entry is read
   int base_parameters = 0;        // length of pi_b, if that is an input
+  OwnArgument own{};              // weights or direction, if that is an input
   bool at_rest = false;           // the function holds for qd = 0 only and does not read qd
   Task task{};                    // the task of the operational space
   Graph graph;
@@ -66,6 +73,9 @@ struct Function {
 
 // A pivot below 1/(2 kPivotSignificance) units in the last place of its scale is mostly rounding error.
 inline const Rational kPivotSignificance{1, 64};
+
+// The length of an argument that depends on the function.
+int own_length(const Function& function, ArgumentLength length);
 
 // The nodes that must be kept: output entries, validity conditions and pivot scales, in this order.
 std::vector<NodeId> roots(const Function& function);

@@ -47,6 +47,7 @@ Fusion fused(const std::vector<Function>& functions) {
     whole.pivot_scales.insert(whole.pivot_scales.end(), scales.begin(), scales.end());
     inputs.insert(function.inputs.begin(), function.inputs.end());
     whole.base_parameters = std::max(whole.base_parameters, function.base_parameters);
+    if (function.own.length > whole.own.length) whole.own = function.own;
     add_inverted(function, whole);
     whole.name += (whole.name.empty() ? "" : "_") + function.name;
     whole.summary += (whole.summary.empty() ? "" : "; ") + function.summary;
@@ -76,6 +77,7 @@ Function function_of(const Fusion& fusion, std::size_t k) {
           .equation = part.equation,
           .inputs = part.inputs,
           .base_parameters = fusion.function.base_parameters,
+          .own = fusion.function.own,
           .at_rest = part.at_rest,
           .task = part.task,
           .graph = fusion.function.graph,

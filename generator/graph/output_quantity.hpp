@@ -39,6 +39,7 @@ enum class OutputQuantity {
   contact_acceleration,       // of the contacts: linear, and angular where they are surfaces
   contact_force,              // on the robot: forces, and moments where contacts are surfaces
   contact_impulse,            // these, times seconds
+  derivative,                 // of entries of an output by those of arguments, perhaps weighted
 };
 
 }  // namespace flatdyn

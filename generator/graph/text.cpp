@@ -101,6 +101,7 @@ std::string heading(const Function& function) {
   line("equation", function.equation);
   line("inputs", fmt::format("{}", fmt::join(inputs, " ")));
   line("base_parameters", function.base_parameters == 0 ? "" : std::to_string(function.base_parameters));
+  line("own", function.own.length == 0 ? "" : fmt::format("{} {}", function.own.length, function.own.meaning));
   line("at_rest", function.at_rest ? "yes" : "");
   if (!function.task.empty()) {
     line("task", fmt::format("{} {} {}", name_of_orientation(function.task.orientation), function.task.damping.str(),

@@ -19,6 +19,7 @@ TABLES = ("position_lower", "position_upper", "velocity_limit", "acceleration_li
 OF_QUATERNION, OF_ROTATION = (".qw", ".qx", ".qy", ".qz"), (".wx", ".wy", ".wz")
 NUMBER = re.compile(r"\d+\.\d+(?:e[+-]?\d+)?|\d+e[+-]?\d+", re.A)
 LENGTHS = {"h_e": 6, "g_b": 3}
+OWN_LENGTHS = ("weights", "direction")  # each function says how long they are
 
 
 class Header:
@@ -249,13 +250,15 @@ class Header:
             self.reader.fail(f"the shape of {function.name} has other arguments than the function")
         function.arrays, function.results = arrays, results
         if arrays != sorted(arrays, key=ORDER.index) or any(
-                function.shapes[name] != [self.length_of(name)] for name in arrays):
+                function.shapes[name] != [self.length_of(name)] for name in arrays if name not in OWN_LENGTHS):
             self.reader.fail(f"the arguments of {function.name} are in another order, or have other lengths")
 
     # What the text says.
 
     def length_of(self, array):
-        """The number of entries of an argument."""
+        """The number of entries of an argument; the largest of those that depend on the function."""
+        if array in OWN_LENGTHS:
+            return max(each.shapes[array][0] for each in self.functions.values() if array in each.shapes)
         if array in LENGTHS:
             return LENGTHS[array]
         if array == "pi_b":
@@ -284,6 +287,8 @@ class Header:
     def limit(self, argument):
         """The largest size of an argument such as qd_2, or nothing if the header has none."""
         kind, _, index = argument.rpartition("_")
+        if kind in OWN_LENGTHS and index.isdigit():
+            return 1.0
         if kind not in LIMITS or not index.isdigit():
             return None
         entry = int(index) - 1

@@ -12,7 +12,7 @@ from certificate_check.tokens import tokens_of
 CHECK = "static_assert(detail::Interface::checked<Scalar>());"
 FUSED = "constexpr detail::MultiplyAdd<Scalar> fma{};"
 LEAVES = {"sine": "s", "cosine": "c"}
-ORDER = ["q", "g_b", "qd", "v", "qdd", "a", "qd_r", "v_r", "qdd_r", "a_r", "tau", "h_e", "pi_b"]
+ORDER = ["q", "g_b", "qd", "v", "qdd", "a", "qd_r", "v_r", "qdd_r", "a_r", "tau", "h_e", "pi_b", "weights", "direction"]
 TAKEN = {"fma", "sine", "cosine", "angle", "sin_cos", "Scalar", "SinCos", "Joints", "detail"}
 
 

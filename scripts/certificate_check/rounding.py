@@ -13,7 +13,7 @@ from certificate_check.tokens import tokens_of
 
 NAME = "rounding_is_as_written"
 SEEDS = {"q": 1, "qd": 2, "qdd": 3, "tau": 4, "h_e": 5, "qd_r": 7, "qdd_r": 8, "pi_b": 9, "g_b": 10, "v": 11, "a": 12,
-         "v_r": 13, "a_r": 14}
+         "v_r": 13, "a_r": 14, "weights": 15, "direction": 17}
 SEED_OF_TANGENTS = 16
 HASH_OF_NOTHING = 14695981039346656037
 VERDICT = re.compile(r"return hash == \( is_float \? (0x[0-9a-f]{16})u : (0x[0-9a-f]{16})u \) ;")

@@ -79,7 +79,7 @@ TEST_P(FloatingBase, FunctionsAgreeWithTheReference) {
     const Expected here = expected.of(function);
     GraphEvaluator<Real50> graph(function);
     std::vector<State> states = random_states(mechanism_, 3, 7);
-    draw_base_parameters(states, function.base_parameters, 5);
+    draw_own_arguments(states, {function}, 5);
     for (const State& state : states) {
       const auto values = graph(widened<Real50>(state));
       const std::vector<Real50> right = here.exact(state);

@@ -171,7 +171,7 @@ TEST_P(Loops, EveryFunctionIsTheReferences) {
     GraphEvaluator<Real50> graph(function);
     std::vector<State> states =
         with_parameters(random_states(model_.mechanism, costs_many_recursions(function) ? 1 : 4, 11), values.symbols());
-    draw_base_parameters(states, function.base_parameters, 5);
+    draw_own_arguments(states, {function}, 5);
     for (const State& state : states) {
       const auto found = graph(widened<Real50>(state));
       ASSERT_TRUE(found.has_value()) << entry.name;

@@ -236,7 +236,7 @@ TEST_P(Springs, FunctionsAgreeWithTheReference) {
     const Expected here = expected.of(function);
     GraphEvaluator<Real50> graph(function);
     std::vector<State> states = random_states(mechanism_, 3, 7);
-    draw_base_parameters(states, function.base_parameters, 3);
+    draw_own_arguments(states, {function}, 3);
     for (const State& state : with_parameters(states, expected.symbols())) {
       const auto values = graph(widened<Real50>(state));
       const std::vector<Real50> right = here.exact(state);

@@ -11,7 +11,8 @@ namespace {
 
 bool is_known(InputKind kind) {
   const ArgumentRow& row = argument_row(kind);
-  const bool is_array = row.length != ArgumentLength::symbols && row.length != ArgumentLength::none;
+  const bool is_array =
+      row.length != ArgumentLength::symbols && row.length != ArgumentLength::none && row.length != ArgumentLength::own;
   return is_array && !row.is_reference && row.quantity != ArgumentQuantity::base_parameter &&
          row.with_quasi_velocities == kind;
 }

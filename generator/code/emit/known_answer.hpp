@@ -20,8 +20,11 @@ inline constexpr const char *kDoubleAnswer = "0xknown_in_double_", *kFloatAnswer
 inline constexpr const char *kDoubleSines = "0x7b037ac8b2e0683c", *kFloatSines = "0x803948b6889bcc50";
 
 // Seeds of the numbers in an argument, and of the tangents of half angles.
-constexpr std::uint32_t seed_of(InputKind kind) { return static_cast<std::uint32_t>(kind) + 1; }
 inline constexpr std::uint32_t kTangentSeed = 16;
+constexpr std::uint32_t seed_of(InputKind kind) {
+  const auto seed = static_cast<std::uint32_t>(kind) + 1;
+  return seed < kTangentSeed ? seed : seed + 1;
+}
 
 inline constexpr const char* kSymbols = "symbol";  // the array of the robot's free symbols
 

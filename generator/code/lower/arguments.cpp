@@ -6,11 +6,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "graph/function_name.hpp"
+
 namespace flatdyn {
 
 namespace {
 
-int length_of(ArgumentLength length, const JointCounts& counts, int base_parameters) {
+// `own`: the length of an argument whose length depends on the function.
+int length_of(ArgumentLength length, const JointCounts& counts, int own) {
   switch (length) {
     case ArgumentLength::positions:
       return counts.positions;
@@ -21,7 +24,8 @@ int length_of(ArgumentLength length, const JointCounts& counts, int base_paramet
     case ArgumentLength::vector:
       return kVectorLength;
     case ArgumentLength::base_parameters:
-      return base_parameters;
+    case ArgumentLength::own:
+      return own;
     case ArgumentLength::symbols:
     case ArgumentLength::none:
       break;
@@ -31,21 +35,23 @@ int length_of(ArgumentLength length, const JointCounts& counts, int base_paramet
 
 }  // namespace
 
-InputArgument input_argument(InputKind kind, JointCounts counts, int base_parameters) {
+InputArgument input_argument(InputKind kind, JointCounts counts, int own) {
   const ArgumentRow& row = argument_row(kind);
   const bool has_another = counts.has_base() && row.meaning_with_base != nullptr;
   std::string meaning = has_another ? row.meaning_with_base : row.meaning;
   if (counts.spherical) meaning += row.of_spherical_joints;
-  return {row.name, length_of(row.length, counts, base_parameters), std::move(meaning)};
+  return {row.name, length_of(row.length, counts, own), std::move(meaning)};
 }
 
 InputArgument input_argument(InputKind kind, JointCounts counts, const Function& function) {
-  InputArgument argument = input_argument(kind, counts, function.base_parameters);
-  const std::size_t colon = function.name.find(':');
-  if (colon == std::string::npos) return argument;
+  const ArgumentLength length = argument_row(kind).length;
+  InputArgument argument = input_argument(kind, counts, own_length(function, length));
+  if (length == ArgumentLength::own) argument.meaning = function.own.meaning;
+  const std::optional<std::string> link = parts_of_name(function.name).link;
+  if (!link) return argument;
   const std::string tip = "the tip";
   if (const std::size_t at = argument.meaning.find(tip); at != std::string::npos) {
-    argument.meaning.replace(at, tip.size(), fmt::format("link \"{}\"", function.name.substr(colon + 1)));
+    argument.meaning.replace(at, tip.size(), fmt::format("link \"{}\"", *link));
   }
   return argument;
 }

@@ -16,11 +16,11 @@ struct InputArgument {
   std::string meaning;  // "joint velocities, rad/s or m/s"
 };
 
-// The argument for a kind of input. `counts`: lengths of q and q̇; `base_parameters`: length of pi_b. Throws
-// std::logic_error for parameters, which are passed in one struct, and for stored values.
-InputArgument input_argument(InputKind kind, JointCounts counts, int base_parameters = 0);
+// The argument for a kind of input. `counts`: lengths of q and q̇; `own`: that of an argument whose length depends on
+// the function. Throws std::logic_error for parameters, which are passed in one struct, and for stored values.
+InputArgument input_argument(InputKind kind, JointCounts counts, int own = 0);
 
-// An argument of a function, with the name of its link where it is one of a link.
+// An argument of a function, with the length and the meaning that it has there.
 InputArgument input_argument(InputKind kind, JointCounts counts, const Function& function);
 
 // The local variable that an input is read into: "qd_2" for qd[1]; for a parameter, the name of its member.

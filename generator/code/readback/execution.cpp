@@ -293,7 +293,10 @@ int Execution::length_of(InputKind kind) const {
   const ArgumentLength length = argument_row(kind).length;
   if (length == ArgumentLength::wrench) return kWrenchLength;
   if (length == ArgumentLength::vector) return kVectorLength;
-  if (length == ArgumentLength::base_parameters) return like_.base_parameters > 0 ? like_.base_parameters : -1;
+  if (length == ArgumentLength::base_parameters || length == ArgumentLength::own) {
+    const int own = own_length(like_, length);
+    return own > 0 ? own : -1;
+  }
   const ScannedCount* count = text_.count(length == ArgumentLength::positions ? "position_count" : "velocity_count");
   if (count == nullptr) count = text_.count("joint_count");
   return count == nullptr ? -1 : count->value;

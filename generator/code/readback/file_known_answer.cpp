@@ -11,10 +11,12 @@ namespace {
 
 constexpr const char* kSymbolsArray = "symbol";
 
-// Arguments have the seeds 1, 2, … in the order of their table.
+// Arguments have the seeds 1, 2, … in the order of their table, without 16, which is that of tangents.
 int seed_of_input(const std::string& name) {
+  constexpr int kOfTangents = 16;
   const ArgumentRow* row = find_argument(name);
-  return 1 + static_cast<int>(row == nullptr ? InputKind::parameter : row->kind);
+  const int place = 1 + static_cast<int>(row == nullptr ? InputKind::parameter : row->kind);
+  return place < kOfTangents ? place : place + 1;
 }
 
 int results_of(const FileFunction& function) { return static_cast<int>(entry_count(*function.function)); }

@@ -21,7 +21,8 @@ int length_of_input(InputKind kind, const Function& function, const FileContents
     case ArgumentLength::vector:
       return kVectorLength;
     case ArgumentLength::base_parameters:
-      return function.base_parameters;
+    case ArgumentLength::own:
+      return own_length(function, argument_row(kind).length);
     default:
       return contents.velocities.value_or(contents.joints);
   }

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
+#include "functions/deviation/derivative_reference.hpp"
+#include "functions/formulation.hpp"
 #include "functions/function_table.hpp"
+#include "truth/reference/graph_evaluator.hpp"
 #include "truth/reference/operational_values.hpp"
 #include "truth/reference/reference_point.hpp"
 
@@ -13,6 +17,7 @@ namespace flatdyn {
 namespace {
 
 constexpr int kFloatBits = std::numeric_limits<float>::digits;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> absolute(std::vector<double> values) {
   for (double& value : values) value = std::abs(value);
@@ -42,7 +47,43 @@ std::function<std::vector<double>(const State&)> ExpectedValues::in_float(const 
   };
 }
 
+// Of a product of derivatives: in double and in 24 bits, the derivatives of the graph as it is derived.
+Expected ExpectedValues::of_derivatives(const Function& function) const {
+  const auto reference = std::make_shared<DerivativeReference>(robot_, mechanism_, symbols_, function);
+  const auto derived = std::make_shared<Function>(derive_function(mechanism_, function.name));
+  const auto values = [this, derived, graph = std::make_shared<GraphEvaluator<double>>(*derived)](const State& state) {
+    const auto found = (*graph)(with_unit_quaternions(mechanism_, state));
+    return found.value_or(std::vector<double>(entry_count(*derived), kNaN));
+  };
+  const auto values_in_float = [this, derived](const State& state) {
+    const Real50::Precision of_float(kFloatBits);
+    const auto found = GraphEvaluator<Real50>(*derived)(with_unit_quaternions(mechanism_, widened<Real50>(state)));
+    std::vector<double> rounded(entry_count(*derived), kNaN);
+    for (std::size_t k = 0; found && k < rounded.size(); ++k) rounded[k] = (*found)[k].convert_to<double>();
+    return rounded;
+  };
+  return {[reference](const State& s) { return reference->exact(widened<Real50>(s)); },
+          values,
+          [reference](const State& s) { return reference->magnitude(s); },
+          values_in_float,
+          regularity(function),
+          mechanism_.quaternions()};
+}
+
+// Whether the function has a value at a state.
+std::function<bool(const State&)> ExpectedValues::regularity(const Function& function) const {
+  return [this, &function, robot = robot_for_function(function, robot_, rounded_)](const State& s) {
+    if (!is_clear_of_singular_loops(s)) return false;
+    if (function.task.empty()) return true;
+    if (!mechanism_.has_spherical_joints()) return is_regular(robot, vector_of<double>(s.q), function.task);
+    reference::Robot<double> turned = robot;
+    const State rest = without_quaternions(turned, s);
+    return is_regular(turned, vector_of<double>(rest.q), function.task);
+  };
+}
+
 Expected ExpectedValues::of(const Function& function) const {
+  if (row_of(function).differentiated != nullptr) return of_derivatives(function);
   const NumericReference& reference = row_of(function).reference;
   const auto rounded_robot = robot_for_function(function, robot_, rounded_);
   const auto exact = reference.exact({mechanism_, robot_for_function(function, robot_, exact_), symbols_}, function);
@@ -52,16 +93,7 @@ Expected ExpectedValues::of(const Function& function) const {
           rounded,
           [magnitude](const State& s) { return absolute(magnitude(s)); },
           in_float(function),
-          [this, &function, rounded_robot](const State& s) {
-            if (!is_clear_of_singular_loops(s)) return false;
-            if (function.task.empty()) return true;
-            if (!mechanism_.has_spherical_joints()) {
-              return is_regular(rounded_robot, vector_of<double>(s.q), function.task);
-            }
-            reference::Robot<double> turned = rounded_robot;
-            const State rest = without_quaternions(turned, s);
-            return is_regular(turned, vector_of<double>(rest.q), function.task);
-          },
+          regularity(function),
           mechanism_.quaternions()};
 }
 
@@ -81,11 +113,16 @@ std::vector<State> ExpectedValues::with_closed_loops(std::vector<State> states) 
   return states;
 }
 
-bool costs_many_recursions(const Function& function) { return row_of(function).reference.needs_many_recursions; }
+bool costs_many_recursions(const Function& function) {
+  const FunctionRow& row = row_of(function);
+  return row.differentiated != nullptr || row.reference.needs_many_recursions;
+}
 
 std::size_t affordable_states(const Function& function, std::size_t joints, std::size_t wanted) {
-  const bool many = costs_many_recursions(function);
   const std::size_t n = std::max<std::size_t>(1, joints);
+  // A difference has nine values, one difference for each entry of each argument.
+  if (row_of(function).differentiated != nullptr) return std::min(wanted, std::max<std::size_t>(2, 200 / (n * n)));
+  const bool many = costs_many_recursions(function);
   const std::size_t affordable = many ? std::max<std::size_t>(2, 1500 / (n * n)) : std::max<std::size_t>(10, 2000 / n);
   return std::min(wanted, affordable);
 }

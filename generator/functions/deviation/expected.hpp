@@ -37,7 +37,9 @@ class ExpectedValues {
   std::vector<State> with_closed_loops(std::vector<State> states) const;
 
  private:
+  Expected of_derivatives(const Function& function) const;
   std::function<std::vector<double>(const State&)> in_float(const Function& function) const;
+  std::function<bool(const State&)> regularity(const Function& function) const;
   bool is_clear_of_singular_loops(const State& state) const;
 
   const Robot& robot_;

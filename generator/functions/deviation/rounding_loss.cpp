@@ -55,7 +55,11 @@ Expected RoundingCheck::remembered(Expected expected) {
 }
 
 double RoundingCheck::loss(const Function& function) {
-  if (function.name != known_function_) known_.clear();
+  if (function.name != known_function_) {
+    known_.clear();
+    draw_own_arguments(random_, {function}, kSeed);
+    draw_own_arguments(extreme_, {function}, kSeed);
+  }
   known_function_ = function.name;
   RoundingErrorMeter meter(function, remembered(expected_.of(function)), "double");
   return std::max(loss_at(function, meter, random_), loss_at(function, meter, extreme_));

@@ -1,261 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "functions/planning/formulations.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
-#include "base/diagnostics/diagnostics.hpp"
-#include "base/diagnostics/nearest.hpp"
-#include "functions/function_table.hpp"
+#include "functions/function_row.hpp"
 #include "graph/count.hpp"
-#include "robot/model/field_mechanism.hpp"
-#include "robot/model/floating_base.hpp"
 #include "robot/model/inertia_bound.hpp"
 #include "robot/model/rounded_up.hpp"
 
 namespace flatdyn {
-namespace {
-
-const FunctionRow& known_row(const std::string& name) {
-  if (const FunctionRow* row = find_row(name)) return *row;
-  std::vector<std::string> known;
-  for (const FunctionRow& row : function_table()) known.emplace_back(row.name);
-  throw Failure(FailureKind::usage, "unknown function \"" + name + "\"",
-                hint_for_abbreviated(name, known, "functions"));
-}
-
-const LinkFrame& link_of(const Mechanism& mechanism, const std::string& name) {
-  const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
-                                  [&](const LinkFrame& frame) { return frame.link == name; });
-  if (found != mechanism.links.end()) return *found;
-  std::vector<std::string> known;
-  for (const LinkFrame& frame : mechanism.links) known.push_back(frame.link);
-  throw Failure(FailureKind::usage, "no link named \"" + name + "\"", hint_for_unknown(name, known, "links"));
-}
-
-// The function that a name asks for: "jacobian", or "jacobian:hand" for a link.
-struct Request {
-  const FunctionRow* row = nullptr;
-  const LinkFrame* link = nullptr;
-};
-
-Request parsed(const Mechanism& mechanism, const std::string& name) {
-  const std::size_t colon = name.find(':');
-  Request request{&known_row(name.substr(0, colon)), nullptr};
-  if (request.row->traits.needs_rates && mechanism.has_quasi_velocities()) {
-    throw Failure(
-        FailureKind::unsupported,
-        fmt::format("function \"{}\" needs velocities that are derivatives of coordinates; those of {} are not",
-                    request.row->name, mechanism.floating_base ? "a floating base" : "spherical joints"),
-        "leave it out of --functions; coriolis_matrix has C(q, v)");
-  }
-  if (request.row->traits.uses_task && mechanism.floating_base && mechanism.task.rates_are_of_angles()) {
-    throw Failure(FailureKind::unsupported, "a task in Euler angles is not supported for robots with a floating base",
-                  "the base turns, too: take angular_velocity, in base axes");
-  }
-  if (request.row->traits.needs_floating_base && !mechanism.floating_base) {
-    throw Failure(FailureKind::usage,
-                  fmt::format("function \"{}\" is one of robots with a floating base", request.row->name),
-                  "let the base move: --base floating");
-  }
-  if (request.row->traits.needs_contacts && mechanism.contacts.empty()) {
-    throw Failure(FailureKind::usage,
-                  fmt::format("function \"{}\" is about contacts, and there are none", request.row->name),
-                  "name them in a scene: [[contact]] link = \"foot\" (docs/scene-format.md)");
-  }
-  if (colon == std::string::npos) return request;
-  if (request.row->derivation.of_link == nullptr) {
-    throw Failure(FailureKind::usage, fmt::format("function \"{}\" is not one of a link", request.row->name),
-                  "those of a link are " + functions_of_links());
-  }
-  request.link = &link_of(mechanism, name.substr(colon + 1));
-  return request;
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t k = text.find(from); k != std::string::npos; k = text.find(from, k + to.size())) {
-    text.replace(k, from.size(), to);
-  }
-  return text;
-}
-
-// With a floating base or spherical joints, q̈ is a and q̇ is v.
-std::string in_terms_of_base(const std::string& text) { return replaced(replaced(text, "qdd", "a"), "qd", "v"); }
-
-// Said of derivatives by positions with a floating base, which are in its tangent space.
-const char* const kTangentSpace =
-    ". The first columns by q are those of a displacement of the base along its axes (m; it changes nothing), then of "
-    "a turn R exp(S(delta)) about its axes (rad), which turns g_b alone: the numbers in v, and in a or tau, are held "
-    "fixed";
-
-// The same of spherical joints.
-const char* const kTurnsOfChildren =
-    ". Three columns by q of a spherical joint are those of a turn R exp(S(delta)) of the child about its axes (rad): "
-    "the numbers in v, and in a or tau, are held fixed";
-
-bool differentiates_by_position(const FunctionRow& row) {
-  return std::any_of(row.outputs.begin(), row.outputs.end(), [](const OutputRow& output) {
-    return output.quantity == OutputQuantity::torque_per_position ||
-           output.quantity == OutputQuantity::acceleration_per_position;
-  });
-}
-
-// The summary for a robot with springs.
-std::string with_springs(const std::string& summary, const FunctionRow& row) {
-  if (row.traits.leaves_out_springs) return summary + ", without springs";
-  return replaced(replaced(summary, "+ friction", "+ friction + springs"), "Potential energy of links and rotors",
-                  "Potential energy of links, rotors and springs");
-}
-
-// The summary for a robot whose floating base has armature or friction.
-std::string with_base_joint(const std::string& summary, const FunctionRow& row) {
-  if (!row.traits.leaves_out_base_joint) return summary;
-  return summary + ", without the armature and friction of the floating base";
-}
-
-// The summary where contacts are damped: they accelerate by forces.
-std::string with_damping(const std::string& summary, const Rational& damping) {
-  const std::string lambda = fmt::format(", lambda = {}", nearest_double(to_number(damping)));
-  const std::string held = replaced(summary, "the forces f_c that keep", "the damped forces f_c that nearly keep");
-  return replaced(replaced(held, "J_c qdd + b_c = 0", "J_c qdd + b_c = -lambda^2 f_c" + lambda), "J_c qd_after = 0",
-                  "J_c qd_after = -lambda^2 impulse" + lambda);
-}
-
-// The summary "Pose of the tip", or "Pose of link hand".
-std::string summary_of(const Request& request, const Mechanism& mechanism) {
-  const bool floating_base = mechanism.floating_base;
-  std::string summary = request.row->summary;
-  if (mechanism.has_springs()) summary = with_springs(summary, *request.row);
-  if (has_base_joint(mechanism)) summary = with_base_joint(summary, *request.row);
-  if (request.row->traits.needs_contacts && mechanism.contact_damping != 0) {
-    summary = with_damping(summary, mechanism.contact_damping);
-  }
-  if (mechanism.has_quasi_velocities()) summary = in_terms_of_base(summary);
-  if (floating_base && summary.starts_with("(dJ/dt) v of ")) {
-    summary = "Acceleration, while a is zero, of " + summary.substr(std::string("(dJ/dt) v of ").size());
-  }
-  if (differentiates_by_position(*request.row)) {
-    if (floating_base) summary += kTangentSpace;
-    if (mechanism.has_spherical_joints()) summary += kTurnsOfChildren;
-  }
-  const std::string tip = "the tip";
-  const std::size_t place = summary.find(tip);
-  if (request.link != nullptr && place != std::string::npos) {
-    summary.replace(place, tip.size(), "link \"" + request.link->link + "\"");
-  }
-  return summary;
-}
-
-Function derived_plainly(const Mechanism& mechanism, const Request& request, const Choices& choices) {
-  const DerivationRow& row = request.row->derivation;
-  if (row.from_choices != nullptr) return row.from_choices(mechanism, choices);
-  if (row.from_mechanism != nullptr) return row.from_mechanism(mechanism);
-  return row.of_link(mechanism, request.link != nullptr ? *request.link : mechanism.tip);
-}
-
-// Says of an output with entries for v or a of a robot with spherical joints which they are.
-void describe_spherical(Output& output) {
-  switch (output.quantity) {
-    case OutputQuantity::joint_torque:
-      output.meaning += "; of spherical joints the moment in the child's axes";
-      break;
-    case OutputQuantity::joint_acceleration:
-      output.meaning = "derivatives of the entries of v";
-      break;
-    case OutputQuantity::joint_inertia:
-      output.meaning = "inertia matrix, symmetric, rows and columns in the order of v, SI units";
-      break;
-    case OutputQuantity::torque_per_position:
-    case OutputQuantity::acceleration_per_position:
-      output.meaning = replaced(replaced(output.meaning, "by q[k]", "by q, or a turn, along entry k of v"), "then q",
-                                "then joints in the order of v");
-      break;
-    default:
-      break;
-  }
-}
-
-// Says of an output that has entries of a floating base which they are.
-void describe_floating(const OutputRow& row, Output& output) {
-  switch (output.quantity) {
-    case OutputQuantity::joint_torque:
-      output.meaning = "force and moment on the base (base axes, N, N m), then joint torques";
-      break;
-    case OutputQuantity::joint_acceleration:
-      if (row.rows == Extent::positions) break;
-      output.meaning =
-          row.rows == Extent::six ? "derivatives of the first six entries of v" : "derivatives of the entries of v";
-      break;
-    case OutputQuantity::joint_inertia:
-      output.meaning = "inertia matrix, symmetric, rows and columns in the order of v, SI units";
-      break;
-    case OutputQuantity::tip_acceleration:
-      output.meaning = "acceleration while a is zero, for an observer at rest, base axes: linear, then angular";
-      break;
-    case OutputQuantity::torque_per_position:
-      output.meaning = "row i: of tau[i]; columns: displacement of the base, its turn, then q";
-      break;
-    case OutputQuantity::acceleration_per_position:
-      output.meaning = "row i: of a[i]; columns: displacement of the base, its turn, then q";
-      break;
-    default:
-      break;
-  }
-}
-
-// Sets what a row says of its function. Throws Failure(bug) if the derivation has other outputs than the row.
-void describe(const FunctionRow& row, const Mechanism& mechanism, Function& function) {
-  function.equation = row.equation;
-  function.inputs = row.inputs_for(mechanism);
-  const auto is_same = [](const Output& output, const OutputRow& expected) {
-    return output.name == expected.name && output.layout == expected.layout;
-  };
-  if (!std::equal(function.outputs.begin(), function.outputs.end(), row.outputs.begin(), row.outputs.end(), is_same)) {
-    throw Failure(FailureKind::bug, fmt::format("{}: its derivation has other outputs than its row", row.name));
-  }
-  for (std::size_t k = 0; k < row.outputs.size(); ++k) {
-    function.outputs[k].quantity = row.outputs[k].quantity;
-    if (mechanism.has_quasi_velocities()) {
-      function.outputs[k].name = in_terms_of_base(function.outputs[k].name);
-      function.outputs[k].meaning = in_terms_of_base(function.outputs[k].meaning);
-    }
-    if (mechanism.floating_base) describe_floating(row.outputs[k], function.outputs[k]);
-    if (mechanism.has_spherical_joints()) describe_spherical(function.outputs[k]);
-  }
-}
-
-}  // namespace
-
-void check_function_name(const Mechanism& mechanism, const std::string& name) { parsed(mechanism, name); }
-
-std::optional<Function> formulation(const Mechanism& mechanism, const std::string& name, FormulationIndex way,
-                                    const Choices& choices) {
-  const Request request = parsed(mechanism, name);
-  const DerivationRow& derivation = request.row->derivation;
-  std::optional<Function> result;
-  if (way == 0) {
-    result = derived_plainly(mechanism, request, choices);
-  } else if (way <= derivation.alternatives.size()) {
-    result = derivation.alternatives[way - 1].derive(mechanism, choices);
-  }
-  if (!result) return result;
-  if (derivation.has_several()) {
-    result->formulation = way == 0 ? derivation.formulation : derivation.alternatives[way - 1].formulation;
-  }
-  result->name = name;
-  if (request.row->traits.divides_by_pivots) result->proven_pivot_share = choices.guard.proven_share;
-  result->summary = summary_of(request, mechanism);
-  describe(*request.row, mechanism, *result);
-  return result;
-}
 
 PivotGuard pivot_guard(const Mechanism& mechanism, const std::vector<std::string>& names) {
   // In float, a share of 2^-19 counts as lost, and rounding errors of pivots are below 2^-17.
   constexpr double kLeast = 0x1p-15;
   const bool divides = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-    return parsed(mechanism, name).row->traits.divides_by_pivots;
+    return checked_row(mechanism, name).traits.divides_by_pivots;
   });
   if (!divides) return {};
   const double share = scaled_inertia_bound(mechanism);
@@ -263,13 +23,7 @@ PivotGuard pivot_guard(const Mechanism& mechanism, const std::vector<std::string
   return {.proven_share = rounded_down(share, 2)};
 }
 
-bool has_choices(const Mechanism& mechanism, const std::string& name) {
-  return parsed(mechanism, name).row->has_choices();
-}
-
 namespace {
-
-Choices plain_choices(const Mechanism& mechanism) { return uniform_choices(mechanism, Grouping::i_yy); }
 
 std::optional<Formulation> cheapest_formulation(const Mechanism& mechanism, const std::string& name,
                                                 FormulationIndex way, const PivotGuard& guard) {
@@ -304,10 +58,6 @@ std::vector<Formulation> formulations(const Mechanism& mechanism, const std::str
     if (made) result.push_back(std::move(*made));
   }
   return result;
-}
-
-Function derive_function(const Mechanism& mechanism, const std::string& name) {
-  return *formulation(mechanism, name, 0, plain_choices(mechanism));
 }
 
 }  // namespace flatdyn

@@ -9,6 +9,7 @@ namespace flatdyn {
 using nlohmann::json;
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Input, kind, index)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OwnArgument, length, meaning)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OperationCount, additions, multiplications, fused, divisions, trigonometric)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassRecord, pass, before, after, round, seconds)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Output, name, layout, rows, cols, entries, meaning, left_out, quantity)
@@ -91,6 +92,7 @@ json function_json(const Function& function) {
           {"formulation", function.formulation},
           {"inputs", function.inputs},
           {"base_parameters", function.base_parameters},
+          {"own", function.own},
           {"at_rest", function.at_rest},
           {"task", task_json(function.task)},
           {"graph", graph_json(function.graph)},
@@ -110,6 +112,7 @@ Function function_of(const json& value) {
   value.at("formulation").get_to(function.formulation);
   value.at("inputs").get_to(function.inputs);
   value.at("base_parameters").get_to(function.base_parameters);
+  value.at("own").get_to(function.own);
   value.at("at_rest").get_to(function.at_rest);
   function.task = task_of(value.at("task"));
   function.graph = graph_of(value.at("graph"));

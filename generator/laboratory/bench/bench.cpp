@@ -30,9 +30,7 @@ constexpr double kPeerBound = 1e9;
 std::vector<State> states_for(const Mechanism& mechanism, const std::vector<Function>& functions,
                               const SymbolValues& symbols, unsigned seed) {
   std::vector<State> states = with_parameters(random_states(mechanism, kCalledStates, seed), symbols);
-  for (const Function& function : functions) {
-    if (function.base_parameters > 0) draw_base_parameters(states, function.base_parameters, seed);
-  }
+  draw_own_arguments(states, functions, seed);
   return states;
 }
 

@@ -62,7 +62,7 @@ Words sin_cos_argument(const BenchVariant& variant, const std::string& given) {
 void append(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
 
 InputArgument argument_of(const Mechanism& mechanism, const Function& function, InputKind kind) {
-  return input_argument(kind, JointCounts(mechanism), function.base_parameters);
+  return input_argument(kind, JointCounts(mechanism), function);
 }
 
 // The struct of free symbols at state `k`, the first argument of all functions of a robot that has some.

@@ -31,7 +31,7 @@ StateOf<Real50> program_state(const Mechanism& mechanism, const Function& functi
   int input = 0;
   for (const InputKind kind : function.inputs) {
     std::vector<Real50>& entries = state.of(kind);
-    const int length = input_argument(kind, JointCounts(mechanism), function.base_parameters).length;
+    const int length = input_argument(kind, JointCounts(mechanism), function).length;
     entries.resize(static_cast<std::size_t>(length));
     for (int k = 0; k < length; ++k) entries[static_cast<std::size_t>(k)] = number_at(number, input, k);
     ++input;

@@ -217,8 +217,9 @@ class StressRun {
 // The states of a robot, with values of its free symbols and base parameters.
 class StressStates {
  public:
-  StressStates(const Mechanism& mechanism, const ExpectedValues& expected, int base_parameters, unsigned seed)
-      : mechanism_(mechanism), expected_(expected), base_parameters_(base_parameters), seed_(seed) {}
+  StressStates(const Mechanism& mechanism, const ExpectedValues& expected, const std::vector<Function>& functions,
+               unsigned seed)
+      : mechanism_(mechanism), expected_(expected), functions_(functions), seed_(seed) {}
 
   // Random states with closed loops. States near singular ones are dropped; if all are, loops are left open.
   std::vector<State> random(int count, int chunk) const {
@@ -237,21 +238,15 @@ class StressStates {
  private:
   std::vector<State> completed(std::vector<State> states) const {
     states = with_parameters(std::move(states), expected_.symbols());
-    draw_base_parameters(states, base_parameters_, seed_);
+    draw_own_arguments(states, functions_, seed_);
     return states;
   }
 
   const Mechanism& mechanism_;
   const ExpectedValues& expected_;
-  int base_parameters_;
+  const std::vector<Function>& functions_;
   unsigned seed_;
 };
-
-int base_parameters_of(const std::vector<Function>& functions) {
-  int count = 0;
-  for (const Function& function : functions) count = std::max(count, function.base_parameters);
-  return count;
-}
 
 // The number of states that is affordable: fewer if one costs many recursions. Float and double cost a small share of
 // 50 digits.
@@ -319,7 +314,7 @@ StressReport stress(const Robot& robot, const Mechanism& mechanism, const std::v
                     const StressOptions& options, Progress& progress) {
   check_variants(options.variants);
   const ExpectedValues expected(robot, mechanism, options.seed);
-  const StressStates source(mechanism, expected, base_parameters_of(functions), options.seed);
+  const StressStates source(mechanism, expected, functions, options.seed);
   progress.step("compiling all variants of " + mechanism.name);
   const StressProgram program(mechanism, functions, source.random(1, 0).front(), options.variants);
   StressReport report{mechanism.name, options, {}, {}, {}};

@@ -34,6 +34,9 @@ double limit_of(const Mechanism& mechanism, const Input& input) {
       return required_limit(mechanism, input.index, &Limits::effort);
     case ArgumentQuantity::gravity:
       return size_of_gravity(mechanism.gravity);
+    case ArgumentQuantity::weight:
+    case ArgumentQuantity::direction:
+      return 1;
     case ArgumentQuantity::wrench:
       throw Failure(FailureKind::unsupported, "it reads tip forces, which have no limit");
     case ArgumentQuantity::symbol:

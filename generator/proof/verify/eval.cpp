@@ -11,6 +11,7 @@
 
 #include "code/lower/arguments.hpp"
 #include "flatdyn/reference/closed_loops.hpp"
+#include "functions/deviation/derivative_reference.hpp"
 #include "functions/function_table.hpp"
 #include "robot/input/csv/base_gravity.hpp"
 #include "robot/input/csv/positions.hpp"
@@ -25,10 +26,10 @@ namespace {
 // The place of each input in the table: a column, or none.
 class Columns {
  public:
-  Columns(const Mechanism& mechanism, CsvHeading& heading, const std::vector<Input>& inputs, int base_parameters)
+  Columns(const Mechanism& mechanism, CsvHeading& heading, const std::vector<Input>& inputs, const Function& function)
       : mechanism_(mechanism) {
-    for (const Input& input : inputs) add(input.kind, heading, base_parameters);
-    if (mechanism.has_loops()) add(InputKind::q, heading, base_parameters);
+    for (const Input& input : inputs) add(input.kind, heading, function);
+    if (mechanism.has_loops()) add(InputKind::q, heading, function);
     if (sources_.count(InputKind::g_b) > 0) find_orientation(heading);
   }
 
@@ -42,7 +43,7 @@ class Columns {
     const CsvQuantity quantity = quantity_of(input.kind);
     std::vector<std::string> names = {column_name(input, mechanism_)};
     const bool is_of_base = !base_name_of(quantity, input.index, mechanism_).empty();
-    if (is_of_base || input.kind == InputKind::parameter || input.kind == InputKind::pi_b) return names;
+    if (is_of_base || input.kind == InputKind::parameter || is_of_function(input.kind)) return names;
     const std::string stem = stem_of(quantity);
     static constexpr const char* kForceNames[] = {"fx", "fy", "fz", "mx", "my", "mz"};
     names.push_back(input.kind == InputKind::h_e ? kForceNames[k]
@@ -74,10 +75,11 @@ class Columns {
   }
 
  private:
-  void add(InputKind kind, CsvHeading& heading, int base_parameters) {
+  void add(InputKind kind, CsvHeading& heading, const Function& function) {
     if (sources_.count(kind) > 0) return;
     const CsvQuantity quantity = quantity_of(kind);
-    sources_[kind] = kind == InputKind::pi_b ? heading.find(quantity, base_parameters) : heading.find(quantity);
+    const int length = own_length(function, argument_row(kind).length);
+    sources_[kind] = is_of_function(kind) ? heading.find(quantity, length) : heading.find(quantity);
   }
 
   void find_orientation(CsvHeading& heading) {
@@ -127,7 +129,7 @@ std::vector<Input> inputs_of(const Mechanism& mechanism, const Function& functio
   for (const InputKind kind : function.inputs) {
     if (kind == InputKind::parameter) continue;  // they are added below
     if (is_velocity(kind) && function.at_rest) continue;
-    const int length = input_argument(kind, JointCounts(mechanism), function.base_parameters).length;
+    const int length = input_argument(kind, JointCounts(mechanism), function).length;
     for (int i = 0; i < length; ++i) inputs.push_back({kind, i});
   }
   for (std::size_t k = 0; k < mechanism.symbols.size(); ++k)
@@ -170,6 +172,8 @@ class Evaluator {
     if (mechanism_.floating_base) state.g_b.assign(3, S(0));
     state.parameters.assign(mechanism_.symbols.size(), S(0));
     state.pi_b.assign(static_cast<std::size_t>(function_.base_parameters), S(0));
+    state.weights.assign(static_cast<std::size_t>(function_.own.length), S(0));
+    state.direction = state.weights;
     symbols_.assign(mechanism_.symbols.size(), 0);
     for (const Input& input : inputs) {
       const std::optional<CsvSource>& source = columns.find(input);
@@ -202,7 +206,10 @@ class Evaluator {
     // The robot's numbers change only with its symbols.
     if (!reference_ || !symbols_.empty()) {
       reference_ = robot_for_function(function_, robot_, reference_robot<S>(robot_, symbols_));
-      expected_ = row_of(function_).reference.template over<S>()({mechanism_, *reference_, symbols_}, function_);
+      const bool is_product = row_of(function_).differentiated != nullptr;
+      expected_ = is_product
+                      ? by_differences()
+                      : row_of(function_).reference.template over<S>()({mechanism_, *reference_, symbols_}, function_);
     }
     const reference::VectorX<S> q = vector_of(state.q);
     if (mechanism_.has_loops() && !(reference::loop_regularity(*reference_, q) > S(reference::kSingularLoop))) {
@@ -211,8 +218,24 @@ class Evaluator {
     if (!function_.task.empty() && !has_inverse(*reference_, q, function_.task)) return std::nullopt;
     std::vector<S> values = expected_(state);
     // The last entry is the condition of what is inverted.
-    if (!function_.inverted.empty() && !(values.back() > std::numeric_limits<S>::epsilon())) return std::nullopt;
+    const bool has_condition = !function_.inverted.empty() && row_of(function_).differentiated == nullptr;
+    if (has_condition && !(values.back() > std::numeric_limits<S>::epsilon())) return std::nullopt;
     return values;
+  }
+
+  ReferenceFunction<S> by_differences() const {
+    const auto reference = std::make_shared<DerivativeReference>(robot_, mechanism_, symbols_, function_);
+    return [reference](const StateOf<S>& state) {
+      if constexpr (std::is_same_v<S, Real50>) {
+        return reference->exact(state);
+      } else {
+        std::vector<S> values;
+        for (const Real50& value : reference->exact(widened<Real50>(state))) {
+          values.push_back(value.template convert_to<S>());
+        }
+        return values;
+      }
+    };
   }
 
   const Robot& robot_;
@@ -322,7 +345,7 @@ CsvTable evaluate_table(const Robot& robot, const Mechanism& mechanism, const Fu
   const std::vector<Input> inputs = inputs_of(mechanism, function, options.reference);
   CsvTable result = states;
   CsvHeading heading = states.heading(file, mechanism, diagnostics);
-  const Columns columns(mechanism, heading, inputs, function.base_parameters);
+  const Columns columns(mechanism, heading, inputs, function);
   if (!diagnostics.has_errors()) {
     say_what_is_missing(columns, inputs, function, {file, states.heading_line}, diagnostics);
   }

@@ -38,11 +38,8 @@ class Comparison {
         random_(expected_.with_closed_loops(
             with_parameters(random_states(mechanism, options.states, options.seed), expected_.symbols()))),
         edge_(with_parameters(edge_states(mechanism), expected_.symbols())) {
-    for (const Function& function : functions) {
-      if (function.base_parameters == 0) continue;
-      draw_base_parameters(random_, function.base_parameters, options.seed);
-      draw_base_parameters(edge_, function.base_parameters, options.seed);
-    }
+    draw_own_arguments(random_, functions, options.seed);
+    draw_own_arguments(edge_, functions, options.seed);
   }
 
   void compare(const Subject& subject, FunctionReport& report) const {

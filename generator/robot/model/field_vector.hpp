@@ -31,6 +31,7 @@ struct Dual {
   friend Dual operator*(const Dual& a, const Dual& b) {
     return {a.value * b.value, a.value * b.derivative + a.derivative * b.value};
   }
+  Dual& operator*=(const Dual& b) { return *this = *this * b; }
   friend Dual operator/(const Dual& a, const Dual& b) {
     const F quotient = a.value / b.value;
     return {quotient, (a.derivative - quotient * b.derivative) / b.value};

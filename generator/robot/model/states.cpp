@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kPi = 3.141592653589793, kUsualGravity = 9.81;
 // These streams are separate, so that the inputs of the other functions do not depend on them.
-constexpr unsigned kReferenceSeed = 0x7265666e, kBaseSeed = 0x62617365, kGravitySeed = 0x67726176;
+constexpr unsigned kReferenceSeed = 0x7265666e, kBaseSeed = 0x62617365, kGravitySeed = 0x67726176,
+                   kWeightSeed = 0x77656967, kDirectionSeed = 0x64697265;
 
 constexpr int kNoPosition = -1;
 
@@ -216,11 +217,21 @@ State child(const State& parent, const State& other, std::mt19937_64& random, co
   return child;
 }
 
-void draw_base_parameters(std::vector<State>& states, int count, unsigned seed) {
-  Uniform uniform(seed + kBaseSeed);
-  for (State& state : states) {
-    state.pi_b.clear();
-    for (int k = 0; k < count; ++k) state.pi_b.push_back(uniform(-1, 1));
+void draw_own_arguments(std::vector<State>& states, const std::vector<Function>& functions, unsigned seed) {
+  constexpr std::pair<InputKind, unsigned> kKinds[] = {
+      {InputKind::pi_b, kBaseSeed}, {InputKind::weights, kWeightSeed}, {InputKind::direction, kDirectionSeed}};
+  for (const auto& [kind, own_seed] : kKinds) {
+    int count = 0;
+    for (const Function& function : functions) {
+      const auto& inputs = function.inputs;
+      if (std::find(inputs.begin(), inputs.end(), kind) == inputs.end()) continue;
+      count = std::max(count, own_length(function, argument_row(kind).length));
+    }
+    Uniform uniform(seed + own_seed);
+    for (State& state : states) {
+      state.of(kind).clear();
+      for (int k = 0; k < count; ++k) state.of(kind).push_back(uniform(-1, 1));
+    }
   }
 }
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "graph/graph.hpp"
+#include "graph/function.hpp"
 #include "robot/model/mechanism.hpp"
 
 namespace flatdyn {
@@ -24,10 +24,12 @@ struct StateOf {
   std::vector<S> qd_r, qdd_r;                    // reference rates and accelerations
   std::vector<S> pi_b;                           // base parameters
   std::vector<S> g_b;                            // gravity in the axes of a floating base, m/s^2
+  std::vector<S> weights, direction;             // of products with derivatives
 
   const std::vector<S>& of(InputKind kind) const {
-    const std::vector<S>* const members[] = {&q,          &qd,   &qdd,   &tau,  &h_e,
-                                             &parameters, &qd_r, &qdd_r, &pi_b, &g_b};  // in the order of InputKind
+    // In the order of InputKind. The numbers of v, a, v_r and a_r are those of q̇, q̈, q̇_r and q̈_r.
+    const std::vector<S>* const members[] = {&q,    &qd,  &qdd, &tau, &h_e,  &parameters, &qd_r,    &qdd_r,
+                                             &pi_b, &g_b, &qd,  &qdd, &qd_r, &qdd_r,      &weights, &direction};
     return *members[static_cast<std::size_t>(argument_row(kind).in_state)];
   }
   std::vector<S>& of(InputKind kind) { return const_cast<std::vector<S>&>(std::as_const(*this).of(kind)); }
@@ -61,8 +63,9 @@ using State = StateOf<double>;
 template <class S>
 StateOf<S> widened(const State& state) {
   const auto wide = [](const std::vector<double>& v) { return std::vector<S>(v.begin(), v.end()); };
-  return {wide(state.q),          wide(state.qd),   wide(state.qdd),   wide(state.tau),  wide(state.h_e),
-          wide(state.parameters), wide(state.qd_r), wide(state.qdd_r), wide(state.pi_b), wide(state.g_b)};
+  return {wide(state.q),    wide(state.qd),         wide(state.qdd),     wide(state.tau),
+          wide(state.h_e),  wide(state.parameters), wide(state.qd_r),    wide(state.qdd_r),
+          wide(state.pi_b), wide(state.g_b),        wide(state.weights), wide(state.direction)};
 }
 
 // The same state with quaternions, from these entries of q on, that are unit ones to the last place of the type.
@@ -137,8 +140,8 @@ struct StateMutation {
 // the way to those of `other`. So it stays within limits that both respect.
 State child(const State& parent, const State& other, std::mt19937_64& random, const StateMutation& mutation = {});
 
-// Draws `count` base parameters, between -1 and 1, for each of the states.
-void draw_base_parameters(std::vector<State>& states, int count, unsigned seed);
+// Draws what only some functions have, for all of them: base parameters, weights and a direction, between -1 and 1.
+void draw_own_arguments(std::vector<State>& states, const std::vector<Function>& functions, unsigned seed);
 
 // The same states with these values of the robot's free symbols.
 std::vector<State> with_parameters(std::vector<State> states, const std::vector<Number>& values);

@@ -9,6 +9,7 @@
 
 #include "base/diagnostics/diagnostics.hpp"
 #include "graph/function.hpp"
+#include "graph/function_name.hpp"
 #include "robot/model/joint_points.hpp"
 #include "robot/model/quasi_velocities.hpp"
 #include "truth/definition/joint_signs.hpp"
@@ -55,13 +56,12 @@ class DefinitionPoint {
 
   // The frame that the function is about: the tip's, or that of the link in its name.
   const FieldFrame<F>& frame() const {
-    const std::size_t colon = function.name.find(':');
-    if (colon == std::string::npos) return lagrangian.mechanism().tip;
-    const std::string link = function.name.substr(colon + 1);
+    const std::optional<std::string> link = parts_of_name(function.name).link;
+    if (!link) return lagrangian.mechanism().tip;
     for (std::size_t k = 0; k < mechanism.links.size(); ++k) {
-      if (mechanism.links[k].link == link) return lagrangian.mechanism().links[k];
+      if (mechanism.links[k].link == *link) return lagrangian.mechanism().links[k];
     }
-    throw Failure(FailureKind::bug, "no link named \"" + link + "\"");
+    throw Failure(FailureKind::bug, "no link named \"" + *link + "\"");
   }
 
   Values inverse_dynamics() { return torques_at(qdd()); }

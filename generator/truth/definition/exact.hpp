@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graph/function.hpp"
+#include "graph/function_name.hpp"
 #include "robot/model/mechanism.hpp"
 #include "truth/definition/definition.hpp"
 
@@ -42,6 +43,11 @@ struct ExactResult {
 // Compares every output entry with its definition for `mechanism`.
 ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, const Definition& definition,
                           const ExactOptions& options);
+
+// Compares derivatives of a function, entry by entry, with that function over dual numbers. Those of wᵀ J, the
+// contracted Hessian, are given `of` = wᵀ J.
+ExactResult prove_derivatives(const Mechanism& mechanism, const Function& derivatives, const Function& of,
+                              Derivative derivative, const ExactOptions& options);
 
 // Compares two functions with the same outputs, entry by entry, conditions included; for example before and after a
 // pass.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "graph/function.hpp"
+#include "graph/function_name.hpp"
 #include "robot/model/mechanism.hpp"
 #include "robot/model/states.hpp"
 #include "truth/reference/reference_model.hpp"
@@ -47,10 +48,10 @@ struct NumericReference {
 // The robot for a function: a function of a named link ("jacobian:hand") has that link's frame as its tip.
 template <class S>
 reference::Robot<S> robot_for_function(const Function& function, const Robot& written, reference::Robot<S> robot) {
-  const std::size_t colon = function.name.find(':');
-  if (colon == std::string::npos) return robot;
+  const std::optional<std::string> link = parts_of_name(function.name).link;
+  if (!link) return robot;
   for (std::size_t l = 0; l < written.links.size(); ++l) {
-    if (written.links[l].name == function.name.substr(colon + 1)) robot.tip = static_cast<int>(l);
+    if (written.links[l].name == *link) robot.tip = static_cast<int>(l);
   }
   robot.R_tip.setIdentity();
   robot.p_tip.setZero();

@@ -27,11 +27,19 @@ const std::map<CsvQuantity, std::vector<std::string>>& base_columns() {
 }
 
 // Longer ones first: "qd_r1" begins with "qd", too.
-constexpr std::pair<const char*, CsvQuantity> kStems[] = {
-    {"qdd_r", CsvQuantity::qdd_r}, {"qd_r", CsvQuantity::qd_r}, {"qdd", CsvQuantity::qdd},
-    {"qd", CsvQuantity::qd},       {"tau", CsvQuantity::tau},   {"h_e", CsvQuantity::h_e},
-    {"pi_b", CsvQuantity::pi_b},   {"q", CsvQuantity::q},       {"temperature", CsvQuantity::temperature},
-    {"ddq", CsvQuantity::qdd},     {"dq", CsvQuantity::qd}};
+constexpr std::pair<const char*, CsvQuantity> kStems[] = {{"qdd_r", CsvQuantity::qdd_r},
+                                                          {"qd_r", CsvQuantity::qd_r},
+                                                          {"qdd", CsvQuantity::qdd},
+                                                          {"qd", CsvQuantity::qd},
+                                                          {"tau", CsvQuantity::tau},
+                                                          {"h_e", CsvQuantity::h_e},
+                                                          {"pi_b", CsvQuantity::pi_b},
+                                                          {"q", CsvQuantity::q},
+                                                          {"temperature", CsvQuantity::temperature},
+                                                          {"ddq", CsvQuantity::qdd},
+                                                          {"dq", CsvQuantity::qd},
+                                                          {"weights", CsvQuantity::weights},
+                                                          {"direction", CsvQuantity::direction}};
 
 // Messages use these words.
 std::optional<CsvQuantity> quantity_of_word(const std::string& word) {

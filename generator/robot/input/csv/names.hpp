@@ -23,6 +23,8 @@ enum class CsvQuantity {
   qd_r,
   qdd_r,
   pi_b,
+  weights,    // of products with derivatives
+  direction,  // likewise
   g_b,        // gravity in the axes of a floating base
   pose,       // of a floating base: position in the world, then its unit quaternion w, x, y, z
   imu,        // of a floating base: specific force, then angular velocity, in the axes of a link fixed to it
@@ -51,7 +53,7 @@ struct CsvName {
   std::string prefix{};  // of an array, what stands before "position"
 };
 
-// How many entries a quantity has for this robot; 0 for pi_b, whose number does not follow from the robot alone.
+// How many entries a quantity has for this robot; 0 for those number depends on the function.
 int length_of(CsvQuantity quantity, const Mechanism& mechanism);
 // The joint that entry k of a joint's quantity belongs to.
 const Body& joint_of(CsvQuantity quantity, int entry, const Mechanism& mechanism);

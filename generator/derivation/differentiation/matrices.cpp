@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "derivation/differentiation/differentiate.hpp"
+#include "derivation/differentiation/modes.hpp"
+#include "graph/count.hpp"
+
+namespace flatdyn {
+namespace {
+
+// Unit vector number k of a space.
+std::vector<std::optional<NodeId>> unit_direction(int k, const Tangents& tangents, Graph& graph) {
+  std::vector<std::optional<NodeId>> direction(static_cast<std::size_t>(tangents.count()));
+  direction[static_cast<std::size_t>(k)] = graph.constant(1);
+  return direction;
+}
+
+// The derivatives of all entries, by direction.
+using Columns = std::vector<std::vector<NodeId>>;
+
+std::vector<NodeId> entries_of(const Function& function) {
+  std::vector<NodeId> entries;
+  for (const Output& output : function.outputs) {
+    entries.insert(entries.end(), output.entries.begin(), output.entries.end());
+  }
+  return entries;
+}
+
+Columns columns_in_forward_mode(const Function& function, const Tangents& tangents, Graph& graph) {
+  const std::vector<bool> is_used = reachable_from(function.graph, roots(function));
+  Columns columns;
+  for (int k = 0; k < tangents.count(); ++k) {
+    ForwardMode forward(is_used, tangents, unit_direction(k, tangents, graph), graph);
+    columns.emplace_back();
+    for (const NodeId entry : entries_of(function)) columns.back().push_back(forward.rate(entry));
+  }
+  return columns;
+}
+
+Columns columns_in_reverse_mode(const Function& function, const Tangents& tangents, Graph& graph) {
+  const auto nodes = static_cast<std::size_t>(function.graph.size());
+  Columns columns(static_cast<std::size_t>(tangents.count()));
+  for (const NodeId entry : entries_of(function)) {
+    std::vector<std::vector<Term>> weights(nodes);
+    weights[static_cast<std::size_t>(entry)].push_back({1, graph.constant(1)});
+    const std::vector<NodeId> row = ReverseMode(tangents, graph, std::move(weights)).derivatives();
+    for (std::size_t k = 0; k < columns.size(); ++k) columns[k].push_back(row[k]);
+  }
+  return columns;
+}
+
+Function with_matrices(Function function, const Function& of, const Tangents& tangents, const Columns& columns) {
+  function.outputs.clear();
+  std::size_t first = 0;
+  for (const Output& output : of.outputs) {
+    const std::size_t rows = output.entries.size();
+    for (const TangentBlock& block : tangents.blocks()) {
+      std::vector<NodeId> entries;
+      for (std::size_t row = first; row < first + rows; ++row) {
+        for (int k = block.first; k < block.first + block.length; ++k) {
+          entries.push_back(columns[static_cast<std::size_t>(k)][row]);
+        }
+      }
+      const bool is_gradient = output.layout == Layout::scalar;
+      const std::string by = name_of(block);
+      function.outputs.push_back(
+          {.name = fmt::format("d{}_d{}", output.name, by),
+           .layout = is_gradient ? Layout::vector : Layout::matrix,
+           .rows = is_gradient ? block.length : static_cast<int>(rows),
+           .cols = is_gradient ? 1 : block.length,
+           .entries = std::move(entries),
+           .meaning = is_gradient
+                          ? fmt::format("entry k: derivative of {} by {}[k]", output.name, by)
+                          : fmt::format("row i, column k: derivative of entry i of {} by {}[k]", output.name, by),
+           .quantity = OutputQuantity::derivative});
+    }
+    first += rows;
+  }
+  return function;
+}
+
+// Which of two equal second derivatives is computed, where directions commute: that by the first argument along the
+// second one or the other way round, and which half of a symmetric block.
+struct HessianOrder {
+  bool first_by_first = true, is_upper = true;
+};
+
+// Row k, column l: the rate of the weighted derivative by direction k of `a` along direction l of `b`.
+class HessianBlocks {
+ public:
+  // `gradient`: wᵀ J.
+  HessianBlocks(const Function& gradient, const Tangents& tangents, const HessianOrder& order, Graph& graph)
+      : gradient_(entries_of(gradient)), tangents_(tangents), order_(order) {
+    const std::vector<bool> is_used = reachable_from(gradient.graph, roots(gradient));
+    for (int l = 0; l < tangents.count(); ++l) {
+      ForwardMode forward(is_used, tangents, unit_direction(l, tangents, graph), graph);
+      columns_.emplace_back();
+      for (const NodeId entry : gradient_) columns_.back().push_back(forward.rate(entry));
+    }
+  }
+
+  std::vector<NodeId> block(const TangentBlock& a, const TangentBlock& b) const {
+    std::vector<NodeId> entries;
+    for (int k = a.first; k < a.first + a.length; ++k) {
+      for (int l = b.first; l < b.first + b.length; ++l) entries.push_back(entry(k, l, a.first == b.first));
+    }
+    return entries;
+  }
+
+ private:
+  NodeId entry(int k, int l, bool is_of_one_argument) const {
+    const bool is_other_half = order_.is_upper ? k > l : k < l;
+    const bool is_mirrored = is_of_one_argument ? is_other_half : !order_.first_by_first;
+    if (is_mirrored && tangents_.commute()) std::swap(k, l);
+    return columns_[static_cast<std::size_t>(l)][static_cast<std::size_t>(k)];
+  }
+
+  std::vector<NodeId> gradient_;
+  const Tangents& tangents_;
+  HessianOrder order_;
+  Columns columns_;
+};
+
+Function hessian_in_order(const Function& gradient, const Tangents& tangents, const HessianOrder& order) {
+  Function result = gradient;
+  result.outputs.clear();
+  const HessianBlocks hessian(gradient, tangents, order, result.graph);
+  const std::vector<TangentBlock>& blocks = tangents.blocks();
+  for (auto a = blocks.begin(); a != blocks.end(); ++a) {
+    for (auto b = a; b != blocks.end(); ++b) {
+      std::vector<NodeId> entries = hessian.block(*a, *b);
+      if (std::all_of(entries.begin(), entries.end(), [&](NodeId id) { return result.graph.is_zero(id); })) continue;
+      const std::string by_a = name_of(*a), by_b = name_of(*b);
+      result.outputs.push_back(
+          {.name = fmt::format("H_{}_{}", by_a, by_b),
+           .layout = Layout::matrix,
+           .rows = a->length,
+           .cols = b->length,
+           .entries = std::move(entries),
+           .meaning =
+               fmt::format("row k, column l: second derivative by {}[k] and {}[l] of the weighted sum", by_a, by_b),
+           .quantity = OutputQuantity::derivative});
+    }
+  }
+  return result;
+}
+
+Function cheaper(Function a, Function b) {
+  return count_operations(b).arithmetic() < count_operations(a).arithmetic() ? std::move(b) : std::move(a);
+}
+
+}  // namespace
+
+Function jacobian_matrices(const Function& function, const Tangents& tangents) {
+  Function forward = function, reverse = function;
+  const Columns of_forward = columns_in_forward_mode(function, tangents, forward.graph);
+  const Columns of_reverse = columns_in_reverse_mode(function, tangents, reverse.graph);
+  return cheaper(with_matrices(std::move(forward), function, tangents, of_forward),
+                 with_matrices(std::move(reverse), function, tangents, of_reverse));
+}
+
+Function contracted_hessian(const Function& function, const Tangents& tangents) {
+  const Function gradient = vector_times_jacobian(function, tangents);
+  Function best = hessian_in_order(gradient, tangents, {});
+  for (const HessianOrder order : {HessianOrder{true, false}, HessianOrder{false, true}, HessianOrder{false, false}}) {
+    best = cheaper(std::move(best), hessian_in_order(gradient, tangents, order));
+  }
+  return best;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "derivation/differentiation/tangents.hpp"
+
+#include <fmt/format.h>
+
+#include "base/diagnostics/diagnostics.hpp"
+
+namespace flatdyn {
+namespace {
+
+// An entry of a × e_k, as a multiple of an entry of a; 0: it is zero.
+struct CrossEntry {
+  int of = 0, sign = 0;
+};
+
+CrossEntry cross_entry(int entry, int k) {
+  if (entry == k) return {};
+  const int of = 3 - entry - k;
+  return {of, (entry + 1) % 3 == of ? 1 : -1};
+}
+
+}  // namespace
+
+Tangents::Tangents(const Mechanism& mechanism, const std::vector<InputKind>& arguments, int base_parameters)
+    : mechanism_(mechanism) {
+  if (mechanism.has_loops()) {
+    throw Failure(FailureKind::unsupported, "products with derivatives are not supported for robots with closed loops",
+                  "take the functions that are not derivatives");
+  }
+  for (const InputKind kind : arguments) {
+    switch (argument_row(kind).length) {
+      case ArgumentLength::positions:
+      case ArgumentLength::velocities:
+        add(kind, mechanism.size());
+        break;
+      case ArgumentLength::wrench:
+        add(kind, kWrenchLength);
+        break;
+      case ArgumentLength::vector:
+        add(kind, kVectorLength);
+        break;
+      case ArgumentLength::base_parameters:
+        add(kind, base_parameters);
+        break;
+      case ArgumentLength::own:
+      case ArgumentLength::symbols:
+      case ArgumentLength::none:
+        throw Failure(FailureKind::bug, std::string("no directions of argument ") + argument_row(kind).name);
+    }
+  }
+  if (!mechanism.symbols.empty()) add(InputKind::parameter, static_cast<int>(mechanism.symbols.size()));
+}
+
+void Tangents::add(InputKind kind, int length) {
+  blocks_.push_back({kind, count_, length});
+  count_ += length;
+}
+
+std::vector<Tangents::Rate> Tangents::rates_of(const Input& input, Graph& graph) const {
+  std::vector<Rate> rates;
+  for (const TangentBlock& block : blocks_) {
+    if (block.kind == InputKind::q && input.kind == InputKind::q) {
+      add_rates_of_position(input.index, block.first, graph, rates);
+    } else if (block.kind == input.kind) {
+      rates.push_back({graph.constant(1), block.first + input.index});
+    } else if (block.kind == InputKind::q && input.kind == InputKind::g_b) {
+      for (int k = 0; k < kVectorLength; ++k) {  // g_b × δ
+        const CrossEntry entry = cross_entry(input.index, k);
+        if (entry.sign == 0) continue;
+        rates.push_back(
+            {graph.scaled(entry.sign, graph.input({InputKind::g_b, entry.of})), block.first + kVectorLength + k});
+      }
+    }
+  }
+  return rates;
+}
+
+// Of an entry of a quaternion (w, r): ẇ = -½ r · δ, ṙ = ½ (w δ + r × δ).
+void Tangents::add_rates_of_position(int entry, int first, Graph& graph, std::vector<Rate>& rates) const {
+  if (!mechanism_.is_of_quaternion(entry)) {
+    for (int k = mechanism_.base_bodies(); k < mechanism_.size(); ++k) {
+      if (!mechanism_.is_of_spherical(mechanism_.body_of(k)) && mechanism_.position_of(k) == entry) {
+        rates.push_back({graph.constant(1), first + k});
+      }
+    }
+    return;
+  }
+  const int body = mechanism_.body_at(entry), w = mechanism_.quaternion_of(body), own = entry - w - 1;
+  const int first_of_joint = body + 1 - mechanism_.body(body).spherical;
+  const auto half = [&](int of, int sign) {
+    return graph.scaled(Rational(sign, 2), graph.input({InputKind::q, w + of}));
+  };
+  for (int k = 0; k < kVectorLength; ++k) {
+    const int direction = first + first_of_joint + k;
+    if (own < 0) {
+      rates.push_back({half(1 + k, -1), direction});
+    } else if (own == k) {
+      rates.push_back({half(0, 1), direction});
+    } else {
+      const CrossEntry across = cross_entry(own, k);
+      rates.push_back({half(1 + across.of, across.sign), direction});
+    }
+  }
+}
+
+std::string name_of(const TangentBlock& block) {
+  return block.kind == InputKind::parameter ? "parameters" : argument_row(block.kind).name;
+}
+
+std::string words_for(const TangentBlock& block) {
+  return block.kind == InputKind::parameter ? "the parameters" : name_of(block);
+}
+
+std::string words_for(const std::vector<TangentBlock>& blocks) {
+  std::string text;
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    if (k > 0) text += k + 1 == blocks.size() ? ", then " : ", ";
+    text += fmt::format("{} ({})", words_for(blocks[k]), blocks[k].length);
+  }
+  return text;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The directions along which the arguments of a function vary: one number for each entry of an argument. Positions vary
+// in the tangent space, so that there is one for each entry of q̇: three for a spherical joint, whose child turns about
+// its own axes, R ← R exp(S(δ)), and six for a floating base, whose displacement changes nothing and whose turn turns
+// g_b, while the numbers in velocities and accelerations are held.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graph/function.hpp"
+#include "robot/model/mechanism.hpp"
+
+namespace flatdyn {
+
+// The directions of one argument: `length` of them, from number `first` on.
+struct TangentBlock {
+  InputKind kind;
+  int first = 0, length = 0;
+};
+
+class Tangents {
+ public:
+  // Of a function with these arguments, and of the robot's free symbols after them. With closed loops there are none
+  // for q: throws Failure(unsupported).
+  Tangents(const Mechanism& mechanism, const std::vector<InputKind>& arguments, int base_parameters);
+
+  const std::vector<TangentBlock>& blocks() const { return blocks_; }
+  int count() const { return count_; }
+  // Whether second derivatives do not depend on the order of two directions: those along turns do.
+  bool commute() const { return !mechanism_.has_quasi_velocities(); }
+
+  // The rate of an input is Σ factor_k d_k over directions d.
+  struct Rate {
+    NodeId factor;
+    int direction;
+  };
+  std::vector<Rate> rates_of(const Input& input, Graph& graph) const;
+
+ private:
+  void add(InputKind kind, int length);
+  void add_rates_of_position(int entry, int first, Graph& graph, std::vector<Rate>& rates) const;
+
+  const Mechanism& mechanism_;
+  std::vector<TangentBlock> blocks_;
+  int count_ = 0;
+};
+
+// "qd", or "parameters".
+std::string name_of(const TangentBlock& block);
+// "qd", or "the parameters".
+std::string words_for(const TangentBlock& block);
+// "q (7), qd (7), then the parameters (2)", the blocks in their order.
+std::string words_for(const std::vector<TangentBlock>& blocks);
+
+}  // namespace flatdyn

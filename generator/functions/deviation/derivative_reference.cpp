@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "functions/deviation/derivative_reference.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "derivation/differentiation/tangents.hpp"
+#include "functions/formulation.hpp"
+#include "functions/function_table.hpp"
+#include "graph/function_name.hpp"
+#include "truth/reference/acceleration_magnitude.hpp"
+#include "truth/reference/graph_evaluator.hpp"
+#include "truth/reference/magnitude.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr int kNodes = 9;  // of a difference; its error is the step's power of as many
+const char* const kStep = "1e-6";
+const char* const kRounding = "1e-50";
+constexpr int kDigits = 60;  // of a Real50
+
+// The factors of the values at 1, 2, …, kNodes steps whose sum is the derivative at 0, times the step: the derivatives
+// at 0 of Lagrange's polynomials.
+std::vector<Real50> difference_factors() {
+  std::vector<Real50> factors;
+  for (int j = 1; j <= kNodes; ++j) {
+    Real50 factor(0);
+    for (int m = 1; m <= kNodes; ++m) {
+      if (m == j) continue;
+      Real50 term = Real50(1) / Real50(j - m);
+      for (int l = 1; l <= kNodes; ++l) {
+        if (l != j && l != m) term *= Real50(-l) / Real50(j - l);
+      }
+      factor += term;
+    }
+    factors.push_back(factor);
+  }
+  return factors;
+}
+
+// What is known of the function that is differentiated.
+Function without_graph(const Function& derivatives) {
+  Function function;
+  function.name = parts_of_name(derivatives.name).of_whole();
+  for (const InputKind kind : derivatives.inputs) {
+    if (argument_row(kind).length != ArgumentLength::own) function.inputs.push_back(kind);
+  }
+  function.base_parameters = derivatives.base_parameters;
+  function.task = derivatives.task;
+  return function;
+}
+
+// By entry of all matrices, its row among the entries of the function and its column among the directions. Each output
+// is of a block of rows, `own`, and of columns.
+std::vector<std::pair<std::size_t, std::size_t>> places_of(const Function& derivatives, Derivative derivative,
+                                                           const std::vector<TangentBlock>& blocks) {
+  std::vector<std::pair<std::size_t, std::size_t>> places;
+  const auto add = [&places](std::size_t first_row, std::size_t rows, const TangentBlock& block) {
+    for (std::size_t row = first_row; row < first_row + rows; ++row) {
+      for (int k = block.first; k < block.first + block.length; ++k) places.emplace_back(row, k);
+    }
+  };
+  std::size_t output = 0, row = 0;
+  while (derivative == Derivative::jacobian && output < derivatives.outputs.size()) {
+    const std::size_t rows = derivatives.outputs[output].entries.size() / static_cast<std::size_t>(blocks[0].length);
+    for (const TangentBlock& block : blocks) add(row, rows, block);
+    output += blocks.size();
+    row += rows;
+  }
+  for (auto a = blocks.begin(); derivative == Derivative::contracted_hessian && a != blocks.end(); ++a) {
+    for (auto b = a; b != blocks.end() && output < derivatives.outputs.size(); ++b) {
+      if (derivatives.outputs[output].name != "H_" + name_of(*a) + "_" + name_of(*b)) continue;
+      add(static_cast<std::size_t>(a->first), static_cast<std::size_t>(a->length), *b);
+      ++output;
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+DerivativeReference::DerivativeReference(const Robot& robot, const Mechanism& mechanism, const SymbolValues& symbols,
+                                         const Function& derivatives)
+    : robot_(robot),
+      mechanism_(mechanism),
+      symbols_(symbols),
+      function_(without_graph(derivatives)),
+      row_(*row_of(derivatives).differentiated),
+      derivative_(row_of(derivatives).derivative),
+      rounded_(robot_for_function(function_, robot, reference_robot<double>(robot, symbols))) {
+  const Tangents tangents(mechanism, function_.inputs, function_.base_parameters);
+  for (const TangentBlock& block : tangents.blocks()) {
+    for (int entry = 0; entry < block.length; ++entry) directions_.push_back({block.kind, entry});
+  }
+  places_ = places_of(derivatives, derivative_, tangents.blocks());
+  if (derivative_ == Derivative::contracted_hessian) {
+    gradient_ = derive_function(mechanism, name_of_differentiated(derivatives.name));
+  }
+  const auto exact_robot = robot_for_function(function_, robot, reference_robot<Real50>(robot, symbols));
+  exact_ = row_.reference.exact({mechanism_, exact_robot, symbols_}, function_);
+  magnitude_ = row_.reference.magnitude({mechanism_, rounded_, symbols_}, function_);
+}
+
+template <class T>
+std::vector<T> DerivativeReference::in_order(const std::vector<std::vector<T>>& columns) const {
+  std::vector<T> entries;
+  for (const auto& [row, column] : places_) entries.push_back(columns[column][row]);
+  return entries;
+}
+
+std::vector<Real50> DerivativeReference::exact(const StateOf<Real50>& state) const {
+  if (derivative_ == Derivative::jacobian_times_vector) return derivatives_along(state, state.direction);
+  std::vector<Values> columns;
+  for (std::size_t k = 0; k < directions_.size(); ++k) columns.push_back(derivatives_by(state, k));
+  if (derivative_ != Derivative::vector_times_jacobian) return in_order(columns);
+  Values products;
+  for (const Values& column : columns) {
+    Real50 product(0);
+    for (std::size_t e = 0; e < column.size(); ++e) product += state.weights[e] * column[e];
+    products.push_back(product);
+  }
+  return products;
+}
+
+DerivativeReference::Values DerivativeReference::derivatives_by(const StateOf<Real50>& state,
+                                                                std::size_t direction) const {
+  Values weights(directions_.size(), Real50(0));
+  weights[direction] = Real50(1);
+  return derivatives_along(state, weights);
+}
+
+DerivativeReference::Values DerivativeReference::derivatives_along(const StateOf<Real50>& state,
+                                                                   const Values& weights) const {
+  static const std::vector<Real50> factors = difference_factors();
+  const Real50 step(kStep);
+  Values sums, sizes;
+  for (int j = 1; j <= kNodes; ++j) {
+    const Values values = values_at(state, weights, step * Real50(j));
+    sums.resize(values.size(), Real50(0));
+    sizes.resize(values.size(), Real50(0));
+    for (std::size_t e = 0; e < values.size(); ++e) {
+      sums[e] += factors[static_cast<std::size_t>(j - 1)] * values[e];
+      sizes[e] += abs(values[e]);
+    }
+  }
+  // What is left of values that do not change is their rounding.
+  const Real50 rounding(kRounding);
+  for (std::size_t e = 0; e < sums.size(); ++e) {
+    sums[e] = abs(sums[e]) > rounding * sizes[e] ? Real50(sums[e] / step) : Real50(0);
+  }
+  return sums;
+}
+
+DerivativeReference::Values DerivativeReference::values_at(const StateOf<Real50>& state, const Values& weights,
+                                                           const Real50& step) const {
+  StateOf<Real50> moved = state;
+  bool moves_symbols = false;
+  for (std::size_t k = 0; k < directions_.size(); ++k) {
+    if (weights[k] == Real50(0)) continue;
+    moves_symbols = moves_symbols || directions_[k].kind == InputKind::parameter;
+    move(directions_[k], Real50(step * weights[k]), moved);
+  }
+  if (gradient_) {
+    const auto values = GraphEvaluator<Real50>(*gradient_)(with_unit_quaternions(mechanism_, std::move(moved)));
+    return values.value_or(Values(directions_.size(), Real50(std::numeric_limits<double>::quiet_NaN())));
+  }
+  if (!moves_symbols) return exact_(moved);
+  SymbolValues values;
+  for (const Real50& value : moved.parameters) values.push_back(exact_decimal(value.str(kDigits)));
+  const auto robot = robot_for_function(function_, robot_, reference_robot<Real50>(robot_, values));
+  return row_.reference.exact({mechanism_, robot, values}, function_)(moved);
+}
+
+template <class S>
+void DerivativeReference::move(const Direction& direction, const S& distance, StateOf<S>& state) const {
+  if (direction.kind == InputKind::q) {
+    move_position(direction.entry, distance, state);
+  } else {
+    state.of(direction.kind)[static_cast<std::size_t>(direction.entry)] += distance;
+  }
+}
+
+// Entries that turn are moved along the tangent of the turn: ġ_b = g_b × δ, q̇ = ½ q (0, δ).
+template <class S>
+void DerivativeReference::move_position(int k, const S& distance, StateOf<S>& state) const {
+  const auto after = [](std::size_t axis, std::size_t by) { return (axis + by) % 3; };
+  if (mechanism_.is_of_base(k)) {
+    if (k < kVectorLength || !mechanism_.has_base_gravity()) return;
+    const auto axis = static_cast<std::size_t>(k - kVectorLength);
+    const std::vector<S> g = state.g_b;
+    state.g_b[after(axis, 1)] += g[after(axis, 2)] * distance;
+    state.g_b[after(axis, 2)] -= g[after(axis, 1)] * distance;
+    return;
+  }
+  if (!mechanism_.is_of_spherical(mechanism_.body_of(k))) {
+    state.q[static_cast<std::size_t>(mechanism_.position_of(k))] += distance;
+    return;
+  }
+  const int body = mechanism_.body_of(k);
+  const auto axis = static_cast<std::size_t>(mechanism_.body(body).spherical - 1);
+  const auto first = state.q.begin() + mechanism_.quaternion_of(body);
+  const std::vector<S> r(first + 1, first + 4);
+  const S w = *first, half = distance / S(2);
+  const auto vector = first + 1;
+  *first -= r[axis] * half;
+  vector[static_cast<std::ptrdiff_t>(axis)] += w * half;
+  vector[static_cast<std::ptrdiff_t>(after(axis, 1))] += r[after(axis, 2)] * half;
+  vector[static_cast<std::ptrdiff_t>(after(axis, 2))] -= r[after(axis, 1)] * half;
+}
+
+bool DerivativeReference::is_angle(const Direction& direction) const {
+  if (direction.kind != InputKind::q) return false;
+  if (mechanism_.is_of_base(direction.entry)) return direction.entry >= kVectorLength;
+  return !mechanism_.joint(direction.entry).prismatic;
+}
+
+std::vector<double> DerivativeReference::magnitude_along(const State& state, std::size_t direction) const {
+  const Direction& along = directions_[direction];
+  const std::vector<double> here = magnitude_(state);
+  if (is_angle(along)) return here;
+  if (along.kind == InputKind::parameter) {
+    SymbolValues values = symbols_;
+    Number& value = values[static_cast<std::size_t>(along.entry)];
+    value += nearest_double(value) < 0 ? -1 : 1;
+    const auto robot = robot_for_function(function_, robot_, reference_robot<double>(robot_, values));
+    return row_.reference.magnitude({mechanism_, robot, values}, function_)(state);
+  }
+  std::vector<double> there = magnitude_(unit_away(state, along));
+  // The magnitude of a quotient may shrink while an argument grows.
+  if (along.kind == InputKind::q || row_.traits.divides_by_pivots) return there;
+  for (std::size_t e = 0; e < there.size(); ++e) there[e] = std::abs(std::abs(there[e]) - std::abs(here[e]));
+  return there;
+}
+
+// The state that is a unit farther from zero.
+State DerivativeReference::unit_away(const State& state, const Direction& direction) const {
+  double value = 0;
+  if (direction.kind != InputKind::q) {
+    value = state.of(direction.kind)[static_cast<std::size_t>(direction.entry)];
+  } else if (!mechanism_.is_of_base(direction.entry)) {
+    value = state.q[static_cast<std::size_t>(mechanism_.position_of(direction.entry))];
+  }
+  State away = state;
+  move(direction, value < 0 ? -1.0 : 1.0, away);
+  return away;
+}
+
+double DerivativeReference::amplification_at(const State& state) const {
+  if (!row_.traits.divides_by_pivots) return 1;
+  reference::Robot<double> robot = has_base_gravity(rounded_) ? with_base_gravity(rounded_, state) : rounded_;
+  const State rest = without_quaternions(robot, state);
+  const ReferencePoint<double> at(robot, function_, rest);
+  return (absolute_inverse(at) * reference::inertia_magnitude(robot, at.q)).rowwise().sum().maxCoeff();
+}
+
+// Of wᵀ J.
+std::vector<double> DerivativeReference::weighted_magnitude(const State& state) const {
+  const double amplification = amplification_at(state);
+  std::vector<double> result;
+  for (std::size_t k = 0; k < directions_.size(); ++k) {
+    const std::vector<double> along = magnitude_along(state, k);
+    double sum = 0;
+    for (std::size_t e = 0; e < along.size(); ++e) sum += std::abs(state.weights[e] * along[e]);
+    result.push_back(amplification * sum);
+  }
+  return result;
+}
+
+std::vector<double> DerivativeReference::magnitude(const State& state) const {
+  if (derivative_ == Derivative::vector_times_jacobian) return weighted_magnitude(state);
+  std::vector<std::vector<double>> columns;
+  for (std::size_t k = 0; k < directions_.size(); ++k) {
+    if (derivative_ == Derivative::contracted_hessian) {
+      const bool turns = is_angle(directions_[k]) || directions_[k].kind == InputKind::parameter;
+      columns.push_back(weighted_magnitude(turns ? state : unit_away(state, directions_[k])));
+    } else {
+      const double amplification = amplification_at(state);
+      columns.push_back(magnitude_along(state, k));
+      for (double& entry : columns.back()) entry *= amplification;
+    }
+  }
+  if (derivative_ != Derivative::jacobian_times_vector) return in_order(columns);
+  std::vector<double> result(columns[0].size(), 0);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    for (std::size_t e = 0; e < result.size(); ++e) result[e] += std::abs(state.direction[k] * columns[k][e]);
+  }
+  return result;
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What derivatives of a function must be, by differences of the function's own reference in 50 digits, along lines on
+// one side of the state, so that signs are constant. Second derivatives are differences of the first ones as they are
+// derived.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "functions/function_row.hpp"
+#include "robot/model/states.hpp"
+
+namespace flatdyn {
+
+class DerivativeReference {
+ public:
+  // Of what is made of a function's derivatives, such as "vjp:NAME". The robot and the mechanism must outlive this
+  // object.
+  DerivativeReference(const Robot& robot, const Mechanism& mechanism, const SymbolValues& symbols,
+                      const Function& derivatives);
+
+  // The entries of all outputs, to 1e-35 of their magnitude.
+  std::vector<Real50> exact(const StateOf<Real50>& state) const;
+  // The magnitude of their terms. A turn by a small angle changes a term by at most its size times the angle; for what
+  // is no angle, the difference that a unit of it makes is used. Where the function divides by pivots of B, an error of
+  // B is magnified by the largest row of |B⁻¹| |B|.
+  std::vector<double> magnitude(const State& state) const;
+
+ private:
+  // Entry `entry` of an argument, in the tangent space.
+  struct Direction {
+    InputKind kind;
+    int entry;
+  };
+  using Values = std::vector<Real50>;
+
+  // The state that has moved by `distance` along a direction.
+  template <class S>
+  void move(const Direction& direction, const S& distance, StateOf<S>& state) const;
+  template <class S>
+  void move_position(int k, const S& distance, StateOf<S>& state) const;
+  // The derivatives of all entries along directions with these weights.
+  Values derivatives_along(const StateOf<Real50>& state, const Values& weights) const;
+  Values derivatives_by(const StateOf<Real50>& state, std::size_t direction) const;
+  Values values_at(const StateOf<Real50>& state, const Values& weights, const Real50& step) const;
+  std::vector<double> magnitude_along(const State& state, std::size_t direction) const;
+  std::vector<double> weighted_magnitude(const State& state) const;
+  State unit_away(const State& state, const Direction& direction) const;
+  // The entries of matrices from their columns.
+  template <class T>
+  std::vector<T> in_order(const std::vector<std::vector<T>>& columns) const;
+  double amplification_at(const State& state) const;
+  bool is_angle(const Direction& direction) const;
+
+  const Robot& robot_;
+  const Mechanism& mechanism_;
+  SymbolValues symbols_;
+  Function function_;  // that is differentiated, without its graph
+  const FunctionRow& row_;
+  Derivative derivative_;
+  std::vector<std::pair<std::size_t, std::size_t>> places_;  // of entries of matrices: row and column among all
+  std::optional<Function> gradient_;                         // of second derivatives: wᵀ J as it is derived
+  std::vector<Direction> directions_;
+  ReferenceFunction<Real50> exact_;
+  ReferenceFunction<double> magnitude_;
+  reference::Robot<double> rounded_;
+};
+
+}  // namespace flatdyn
