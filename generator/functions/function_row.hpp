@@ -86,8 +86,8 @@ struct FunctionRow {
   Definition definition;
   NumericReference reference;
   FunctionTraits traits = {};
-  // Of rows that are made of a function's derivatives: what they are, and the row of the function, by whose definition
-  // and reference they are judged, and from whose derivation they are made.
+  // Rows of derivatives say which derivatives they are, and have the row of the function, by whose definition and
+  // reference they are judged, and from whose derivation they are made.
   Derivative derivative = Derivative::none;
   const FunctionRow* differentiated = nullptr;
 

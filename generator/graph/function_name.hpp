@@ -8,7 +8,7 @@
 
 namespace flatdyn {
 
-// What is made of a function's derivatives, with J the Jacobian by all of its arguments.
+// The derivatives of functions that are functions, too; J is the Jacobian by all arguments.
 enum class Derivative : std::uint8_t {
   none,                   // the function itself
   jacobian_times_vector,  // J d, "jvp"

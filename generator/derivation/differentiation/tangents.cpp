@@ -75,7 +75,7 @@ std::vector<Tangents::Rate> Tangents::rates_of(const Input& input, Graph& graph)
   return rates;
 }
 
-// Of an entry of a quaternion (w, r): ẇ = -½ r · δ, ṙ = ½ (w δ + r × δ).
+// The rates of an entry of a quaternion (w, r): ẇ = -½ r · δ, ṙ = ½ (w δ + r × δ).
 void Tangents::add_rates_of_position(int entry, int first, Graph& graph, std::vector<Rate>& rates) const {
   if (!mechanism_.is_of_quaternion(entry)) {
     for (int k = mechanism_.base_bodies(); k < mechanism_.size(); ++k) {

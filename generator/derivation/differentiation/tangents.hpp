@@ -21,8 +21,8 @@ struct TangentBlock {
 
 class Tangents {
  public:
-  // Of a function with these arguments, and of the robot's free symbols after them. With closed loops there are none
-  // for q: throws Failure(unsupported).
+  // The directions of a function with these arguments, and of the robot's free symbols after them. With closed loops
+  // there are none for q: throws Failure(unsupported).
   Tangents(const Mechanism& mechanism, const std::vector<InputKind>& arguments, int base_parameters);
 
   const std::vector<TangentBlock>& blocks() const { return blocks_; }

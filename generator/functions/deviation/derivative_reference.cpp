@@ -39,7 +39,7 @@ std::vector<Real50> difference_factors() {
   return factors;
 }
 
-// What is known of the function that is differentiated.
+// The function that is differentiated, as far as it is known without its graph.
 Function without_graph(const Function& derivatives) {
   Function function;
   function.name = parts_of_name(derivatives.name).of_whole();
@@ -144,7 +144,7 @@ DerivativeReference::Values DerivativeReference::derivatives_along(const StateOf
       sizes[e] += abs(values[e]);
     }
   }
-  // What is left of values that do not change is their rounding.
+  // A remainder of values that do not change is their rounding.
   const Real50 rounding(kRounding);
   for (std::size_t e = 0; e < sums.size(); ++e) {
     sums[e] = abs(sums[e]) > rounding * sizes[e] ? Real50(sums[e] / step) : Real50(0);
@@ -254,7 +254,7 @@ double DerivativeReference::amplification_at(const State& state) const {
   return (absolute_inverse(at) * reference::inertia_magnitude(robot, at.q)).rowwise().sum().maxCoeff();
 }
 
-// Of wᵀ J.
+// The magnitude of wᵀ J.
 std::vector<double> DerivativeReference::weighted_magnitude(const State& state) const {
   const double amplification = amplification_at(state);
   std::vector<double> result;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What derivatives of a function must be, by differences of the function's own reference in 50 digits, along lines on
-// one side of the state, so that signs are constant. Second derivatives are differences of the first ones as they are
-// derived.
+// The values that derivatives of a function must have, by differences of the function's own reference in 50 digits,
+// along lines on one side of the state, so that signs are constant. Second derivatives are differences of the first
+// ones as they are derived.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace flatdyn {
 
 class DerivativeReference {
  public:
-  // Of what is made of a function's derivatives, such as "vjp:NAME". The robot and the mechanism must outlive this
+  // `derivatives`: "vjp:NAME", or another derivative of a function. The robot and the mechanism must outlive this
   // object.
   DerivativeReference(const Robot& robot, const Mechanism& mechanism, const SymbolValues& symbols,
                       const Function& derivatives);

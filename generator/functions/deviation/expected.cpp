@@ -47,7 +47,7 @@ std::function<std::vector<double>(const State&)> ExpectedValues::in_float(const 
   };
 }
 
-// Of a product of derivatives: in double and in 24 bits, the derivatives of the graph as it is derived.
+// Derivatives in double and in 24 bits are those of the graph as it is derived.
 Expected ExpectedValues::of_derivatives(const Function& function) const {
   const auto reference = std::make_shared<DerivativeReference>(robot_, mechanism_, symbols_, function);
   const auto derived = std::make_shared<Function>(derive_function(mechanism_, function.name));

@@ -56,7 +56,7 @@ class DualPoint {
     return derivatives_along(unit);
   }
 
-  // What evaluate() asks for.
+  // The arithmetic that evaluate() asks for.
   Scalar constant(const Rational& value) const { return Scalar(arithmetic_.constant(value)); }
   Scalar input(const Input& input) const { return {arithmetic_.input(input), rate_of(input)}; }
   Scalar divide(const Scalar& a, const Scalar& b) const { return a / b; }
@@ -97,7 +97,7 @@ class DualPoint {
     return rate;
   }
 
-  // Of an entry of q: a coordinate's own, or that of a quaternion whose joint turns, q̇ = ½ q (0, δ).
+  // The rate of an entry of q: a coordinate's own, or that of a quaternion whose joint turns, q̇ = ½ q (0, δ).
   F rate_of_position(int entry, int first) const {
     if (!mechanism_.is_of_quaternion(entry)) {
       for (int k = mechanism_.base_bodies(); k < mechanism_.size(); ++k) {
