@@ -17,13 +17,26 @@
 namespace flatdyn {
 namespace {
 
+// Refuses derivatives that there are not; returns if the function itself is unknown.
+void refuse_derivative(const std::string& name, const FunctionName& parts) {
+  if (parts.stem.empty()) {
+    throw Failure(FailureKind::usage, fmt::format("\"{}\" lacks a function", name),
+                  fmt::format("such as {}inverse_dynamics", name));
+  }
+  if (parts_of_name(parts.of_whole()).derivative != Derivative::none) {
+    throw Failure(FailureKind::usage, fmt::format("\"{}\": there are no derivatives of derivatives", name),
+                  "hessian:FUNCTION has second derivatives");
+  }
+  const FunctionRow* row = find_row(parts.stem);
+  if (row == nullptr) return;
+  throw Failure(FailureKind::unsupported, fmt::format("there are no derivatives of \"{}\"", parts.stem),
+                row->traits.needs_loops ? "it is about closed loops" : "it has no arguments that they could be by");
+}
+
 const FunctionRow& known_row(const std::string& name) {
   if (const FunctionRow* row = find_row(name)) return *row;
   const FunctionName parts = parts_of_name(name);
-  if (parts.derivative != Derivative::none && find_row(parts.stem) != nullptr) {
-    throw Failure(FailureKind::unsupported, fmt::format("there are no derivatives of \"{}\"", parts.stem),
-                  "it has no arguments that they could be by, or it is about closed loops");
-  }
+  if (parts.derivative != Derivative::none) refuse_derivative(name, parts);
   std::vector<std::string> known;
   for (const FunctionRow& row : function_table()) known.emplace_back(row.name);
   throw Failure(FailureKind::usage, "unknown function \"" + parts.stem + "\"",
@@ -254,8 +267,19 @@ std::string summary_of_derivative(const Function& function, Derivative derivativ
       break;
   }
   summary += "; signs count as constant";
-  if (mechanism.floating_base) summary += kTangentSpace;
-  if (mechanism.has_spherical_joints()) summary += kTurnsOfChildren;
+  if (!mechanism.has_quasi_velocities()) return summary;
+  summary += ". Derivatives by q are along the entries of v, while the numbers in other arguments are held";
+  if (mechanism.floating_base) {
+    summary +=
+        ": first a displacement of the base along its axes (m; it changes nothing), then a turn R exp(S(delta)) about "
+        "its axes (rad), which turns g_b alone";
+  }
+  if (mechanism.has_spherical_joints()) {
+    summary += "; of a spherical joint they are turns R exp(S(delta)) of the child about its axes (rad)";
+  }
+  if (derivative == Derivative::contracted_hessian) {
+    summary += ". Second derivatives by turns depend on the order: that of the row comes first";
+  }
   return summary;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "base/diagnostics/diagnostics.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -29,6 +31,16 @@ void add_inverted(const Function& function, Function& whole) {
   whole.inverted += (whole.inverted.empty() ? "" : " or ") + function.inverted;
 }
 
+// A fused function has one array of weights, or one direction.
+void refuse_two_meanings(const Function& whole, const Function& function) {
+  const bool have_both = whole.own.length > 0 && function.own.length > 0;
+  if (!have_both || whole.own.meaning == function.own.meaning) return;
+  throw Failure(FailureKind::unsupported,
+                "functions whose weights or directions mean different things cannot be one: \"" + whole.own.meaning +
+                    "\" and \"" + function.own.meaning + "\"",
+                "fuse derivatives with functions that have neither");
+}
+
 }  // namespace
 
 Fusion fused(const std::vector<Function>& functions) {
@@ -47,7 +59,8 @@ Fusion fused(const std::vector<Function>& functions) {
     whole.pivot_scales.insert(whole.pivot_scales.end(), scales.begin(), scales.end());
     inputs.insert(function.inputs.begin(), function.inputs.end());
     whole.base_parameters = std::max(whole.base_parameters, function.base_parameters);
-    if (function.own.length > whole.own.length) whole.own = function.own;
+    refuse_two_meanings(whole, function);
+    if (function.own.length > 0) whole.own = function.own;
     add_inverted(function, whole);
     whole.name += (whole.name.empty() ? "" : "_") + function.name;
     whole.summary += (whole.summary.empty() ? "" : "; ") + function.summary;

@@ -9,6 +9,7 @@ from certificate_check.arithmetic import (EXACT, PLAIN, PRIME, as_written, certi
                                           rounded_to_float)
 from certificate_check.expressions import value_of
 from certificate_check.gappa_scripts import Operations
+from certificate_check.header_function import name_in_header
 from certificate_check.leaves import angle_of, error_of_constant, exact_constant, is_constant, is_sine
 from certificate_check.outputs import Output
 
@@ -21,7 +22,7 @@ class Function:
 
     def __init__(self, row, folder, certificate, header):
         self.name, self.scalar, self.leaves = row["name"], certificate["scalar"], row["leaves"]
-        self.header = header.functions.get(self.name)
+        self.header = header.functions.get(name_in_header(self.name))
         if not self.header:
             raise ValueError(f"the header has no function {self.name}")
         self.header.name_results(row)

@@ -16,6 +16,11 @@ ORDER = ["q", "g_b", "qd", "v", "qdd", "a", "qd_r", "v_r", "qdd_r", "a_r", "tau"
 TAKEN = {"fma", "sine", "cosine", "angle", "sin_cos", "Scalar", "SinCos", "Joints", "detail"}
 
 
+def name_in_header(function):
+    """The C++ name of a function of the certificate: "jacobian_hand" for "jacobian:hand"."""
+    return re.sub(r"[^A-Za-z0-9_]", "_", function)
+
+
 class HeaderFunction:
     """`arrays`: the names of its arguments that are arrays, nothing for one that has no name. `outputs`: the entries that
     it writes, in order, and `size` how many its arguments have room for."""

@@ -31,6 +31,15 @@ TEST(Certify, PrintsProvenBoundsBesideErrorsSeen) {
   EXPECT_THAT(outcome.out, Not(HasSubstr("flatdyn:")));  // nothing is left that Gappa did not prove
 }
 
+TEST(Certify, BoundsDerivativesForWeightsAndDirectionsUpToOne) {
+  const Outcome outcome =
+      run_flatdyn(std::string(kPlanar) + "--states 500 --time-limit 0 --functions vjp:gravity,jvp:gravity,jac:gravity");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* text : {"vjp:gravity: bounds in", "q_bar[0]", "dg[0]", "dg_dq[0]"}) {
+    EXPECT_THAT(outcome.out, HasSubstr(text));
+  }
+}
+
 TEST(Certify, WritesTheHeaderItsCertificateAndScriptsThatGappaAccepts) {
   const Scratch scratch;
   const Outcome outcome = run_flatdyn(kPlanar + std::string("-q --states 5000 -o ") + scratch.path());

@@ -13,6 +13,7 @@
 #include "functions/planning/make_functions.hpp"
 #include "graph/count.hpp"
 #include "graph/function_name.hpp"
+#include "graph/fusion.hpp"
 #include "robot/model/states.hpp"
 #include "support/floating_robots.hpp"
 #include "support/robot_models.hpp"
@@ -164,6 +165,23 @@ TEST(DerivativesCost, OfInverseDynamicsOfThePandaIsASmallMultipleOfTheFunction) 
   EXPECT_LE(count_operations(functions[1]).arithmetic(), 2.5 * own);
   EXPECT_LE(count_operations(functions[2]).arithmetic(), 2.4 * own);
   EXPECT_LE(count_operations(functions[3]).arithmetic(), 12.2 * own);
+}
+
+// Weights of two functions are not the same, even if they are as many.
+TEST(DerivativesFusion, TakesOneMeaningOfWeightsOnly) {
+  const Mechanism mechanism = testing::model_of("scara.toml").mechanism;
+  const Function gravity = derive_function(mechanism, "gravity"),
+                 of_gravity = derive_function(mechanism, "vjp:gravity"),
+                 of_bias = derive_function(mechanism, "vjp:bias");
+  EXPECT_EQ(fused({gravity, of_gravity}).function.own.length, 4);
+  EXPECT_THROW(fused({of_gravity, of_bias}), Failure);
+}
+
+// Springs of the SCARA, which has none, are as linear in q as all springs are.
+TEST(DerivativesHessian, HasAnOutputWhereAllSecondDerivativesAreZero) {
+  const Function zero = derive_function(testing::model_of("scara.toml").mechanism, "hessian:spring_regressor");
+  ASSERT_EQ(zero.outputs.size(), 1U);
+  EXPECT_EQ(zero.outputs[0].name, "H_parameters_parameters");
 }
 
 TEST(DerivativesNames, AreThoseOfFunctionsWithAPrefix) {

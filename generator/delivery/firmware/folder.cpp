@@ -32,7 +32,7 @@ class FolderWriter {
         target_(target),
         dialect_(dialect_of(mechanism, options)) {
     for (const Function& function : functions) {
-      if (function.base_parameters > 0)
+      if (function.base_parameters > 0 || function.own.length > 0)
         throw Failure(FailureKind::unsupported, "--firmware: no self test for " + function.name);
     }
     vectors_ = test_vectors(robot, mechanism, functions, options, progress);

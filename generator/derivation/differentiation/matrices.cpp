@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -66,7 +67,7 @@ Function with_matrices(Function function, const Function& of, const Tangents& ta
         }
       }
       const bool is_gradient = output.layout == Layout::scalar;
-      const std::string by = name_of(block);
+      const std::string by = name_of(block), entry = tangents.words_for_entry(block, "k");
       function.outputs.push_back(
           {.name = fmt::format("d{}_d{}", output.name, by),
            .layout = is_gradient ? Layout::vector : Layout::matrix,
@@ -74,8 +75,8 @@ Function with_matrices(Function function, const Function& of, const Tangents& ta
            .cols = is_gradient ? 1 : block.length,
            .entries = std::move(entries),
            .meaning = is_gradient
-                          ? fmt::format("entry k: derivative of {} by {}[k]", output.name, by)
-                          : fmt::format("row i, column k: derivative of entry i of {} by {}[k]", output.name, by),
+                          ? fmt::format("entry k: derivative of {} by {}", output.name, entry)
+                          : fmt::format("row i, column k: derivative of entry i of {} by {}", output.name, entry),
            .quantity = OutputQuantity::derivative});
     }
     first += rows;
@@ -106,18 +107,23 @@ class HessianBlocks {
   std::vector<NodeId> block(const TangentBlock& a, const TangentBlock& b) const {
     std::vector<NodeId> entries;
     for (int k = a.first; k < a.first + a.length; ++k) {
-      for (int l = b.first; l < b.first + b.length; ++l) entries.push_back(entry(k, l, a.first == b.first));
+      for (int l = b.first; l < b.first + b.length; ++l) {
+        const bool is_mirrored = tangents_.commute(a.kind, b.kind) && is_other_order(k, l, a.first == b.first);
+        entries.push_back(is_mirrored ? rate(l, k) : rate(k, l));
+      }
     }
     return entries;
   }
 
  private:
-  NodeId entry(int k, int l, bool is_of_one_argument) const {
-    const bool is_other_half = order_.is_upper ? k > l : k < l;
-    const bool is_mirrored = is_of_one_argument ? is_other_half : !order_.first_by_first;
-    if (is_mirrored && tangents_.commute()) std::swap(k, l);
-    return columns_[static_cast<std::size_t>(l)][static_cast<std::size_t>(k)];
+  // Whether the other one of two equal derivatives is computed.
+  bool is_other_order(int k, int l, bool are_of_one_argument) const {
+    if (!are_of_one_argument) return !order_.first_by_first;
+    return order_.is_upper ? k > l : k < l;
   }
+
+  // The rate of the derivative by direction k along direction l.
+  NodeId rate(int k, int l) const { return columns_[static_cast<std::size_t>(l)][static_cast<std::size_t>(k)]; }
 
   std::vector<NodeId> gradient_;
   const Tangents& tangents_;
@@ -133,7 +139,10 @@ Function hessian_in_order(const Function& gradient, const Tangents& tangents, co
   for (auto a = blocks.begin(); a != blocks.end(); ++a) {
     for (auto b = a; b != blocks.end(); ++b) {
       std::vector<NodeId> entries = hessian.block(*a, *b);
-      if (std::all_of(entries.begin(), entries.end(), [&](NodeId id) { return result.graph.is_zero(id); })) continue;
+      const bool is_last = std::next(a) == blocks.end();
+      const bool is_zero =
+          std::all_of(entries.begin(), entries.end(), [&](NodeId id) { return result.graph.is_zero(id); });
+      if (is_zero && !(is_last && result.outputs.empty())) continue;
       const std::string by_a = name_of(*a), by_b = name_of(*b);
       result.outputs.push_back(
           {.name = fmt::format("H_{}_{}", by_a, by_b),
@@ -141,8 +150,8 @@ Function hessian_in_order(const Function& gradient, const Tangents& tangents, co
            .rows = a->length,
            .cols = b->length,
            .entries = std::move(entries),
-           .meaning =
-               fmt::format("row k, column l: second derivative by {}[k] and {}[l] of the weighted sum", by_a, by_b),
+           .meaning = fmt::format("row k: derivative of the weighted sum by {}; column l: of that by {}",
+                                  tangents.words_for_entry(*a, "k"), tangents.words_for_entry(*b, "l")),
            .quantity = OutputQuantity::derivative});
     }
   }

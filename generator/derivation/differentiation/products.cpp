@@ -33,7 +33,7 @@ std::string words_for_entries(const Function& function) {
 
 Function jacobian_times_vector(const Function& function, const Tangents& tangents) {
   Function result = beginning_of(function, InputKind::direction, tangents.count(),
-                                 fmt::format("a direction, in units of {}", words_for(tangents.blocks())));
+                                 "a direction: the rates of " + tangents.words_for_all());
   std::vector<std::optional<NodeId>> direction;
   for (int k = 0; k < tangents.count(); ++k) direction.emplace_back(result.graph.input({InputKind::direction, k}));
   ForwardMode forward(reachable_from(function.graph, roots(function)), tangents, direction, result.graph);

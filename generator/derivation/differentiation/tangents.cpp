@@ -24,8 +24,8 @@ CrossEntry cross_entry(int entry, int k) {
 Tangents::Tangents(const Mechanism& mechanism, const std::vector<InputKind>& arguments, int base_parameters)
     : mechanism_(mechanism) {
   if (mechanism.has_loops()) {
-    throw Failure(FailureKind::unsupported, "products with derivatives are not supported for robots with closed loops",
-                  "take the functions that are not derivatives");
+    throw Failure(FailureKind::unsupported, "derivatives of this kind are not supported for robots with closed loops",
+                  "take inverse_dynamics_derivatives or forward_dynamics_derivatives");
   }
   for (const InputKind kind : arguments) {
     switch (argument_row(kind).length) {
@@ -54,6 +54,12 @@ Tangents::Tangents(const Mechanism& mechanism, const std::vector<InputKind>& arg
 void Tangents::add(InputKind kind, int length) {
   blocks_.push_back({kind, count_, length});
   count_ += length;
+}
+
+bool Tangents::commute(InputKind a, InputKind b) const {
+  const auto turns = [](InputKind kind) { return kind == InputKind::q || kind == InputKind::g_b; };
+  const bool are_g_b = a == InputKind::g_b && b == InputKind::g_b;
+  return !mechanism_.has_quasi_velocities() || !turns(a) || !turns(b) || are_g_b;
 }
 
 std::vector<Tangents::Rate> Tangents::rates_of(const Input& input, Graph& graph) const {
@@ -111,11 +117,17 @@ std::string words_for(const TangentBlock& block) {
   return block.kind == InputKind::parameter ? "the parameters" : name_of(block);
 }
 
-std::string words_for(const std::vector<TangentBlock>& blocks) {
+std::string Tangents::words_for_entry(const TangentBlock& block, const std::string& index) const {
+  const bool turns = block.kind == InputKind::q && mechanism_.has_quasi_velocities();
+  return turns ? fmt::format("q, or a turn, along entry {} of v", index) : fmt::format("{}[{}]", name_of(block), index);
+}
+
+std::string Tangents::words_for_all() const {
   std::string text;
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    if (k > 0) text += k + 1 == blocks.size() ? ", then " : ", ";
-    text += fmt::format("{} ({})", words_for(blocks[k]), blocks[k].length);
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    if (k > 0) text += k + 1 == blocks_.size() ? ", then " : ", ";
+    const bool turns = blocks_[k].kind == InputKind::q && mechanism_.has_quasi_velocities();
+    text += fmt::format("{}{} ({})", words_for(blocks_[k]), turns ? " along the entries of v" : "", blocks_[k].length);
   }
   return text;
 }

@@ -27,8 +27,14 @@ class Tangents {
 
   const std::vector<TangentBlock>& blocks() const { return blocks_; }
   int count() const { return count_; }
-  // Whether second derivatives do not depend on the order of two directions: those along turns do.
-  bool commute() const { return !mechanism_.has_quasi_velocities(); }
+  // Whether second derivatives by two arguments do not depend on the order. Those by turns do: of q by itself, and of q
+  // and g_b, which turns with the base.
+  bool commute(InputKind a, InputKind b) const;
+
+  // "qd[k]"; of q, where it has other entries than there are directions, "q, or a turn, along entry k of v".
+  std::string words_for_entry(const TangentBlock& block, const std::string& index) const;
+  // "q (7), qd (7), then the parameters (2)", the blocks in their order.
+  std::string words_for_all() const;
 
   // The rate of an input is Σ factor_k d_k over directions d.
   struct Rate {
@@ -50,7 +56,5 @@ class Tangents {
 std::string name_of(const TangentBlock& block);
 // "qd", or "the parameters".
 std::string words_for(const TangentBlock& block);
-// "q (7), qd (7), then the parameters (2)", the blocks in their order.
-std::string words_for(const std::vector<TangentBlock>& blocks);
 
 }  // namespace flatdyn

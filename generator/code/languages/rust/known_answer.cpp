@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
+#include "base/diagnostics/diagnostics.hpp"
 #include "code/emit/known_answer.hpp"
 #include "code/emit/writer.hpp"
 #include "code/lower/arguments.hpp"
@@ -15,6 +18,7 @@ class RustAnswer {
   RustAnswer(const CodeContent& content, std::size_t indent) : content_(content), indent_(indent) {}
 
   std::string statements() {
+    refuse_two_lengths();
     const KnownState state = known_state(content_);
     for (const KnownArray& each : state.arrays) {
       declare(each.name, each.length);
@@ -33,6 +37,22 @@ class RustAnswer {
   void add(const std::string& statement) { text_ += code_line(statement, indent_); }
   void declare(const std::string& name, std::size_t length) {
     add(fmt::format("let mut {} = [0.0; {}];", name, length));
+  }
+
+  // The self test calls all functions with the same arrays, which have one length in Rust.
+  void refuse_two_lengths() const {
+    std::map<InputKind, const Function*> first;
+    for (const Function& function : content_.functions) {
+      for (const InputKind kind : function.inputs) {
+        if (argument_row(kind).length != ArgumentLength::own) continue;
+        const auto found = first.emplace(kind, &function).first;
+        if (found->second->own.length == function.own.length) continue;
+        throw Failure(FailureKind::unsupported,
+                      fmt::format("--language rust: {} and {} take {} of different lengths", found->second->name,
+                                  function.name, argument_row(kind).name),
+                      "generate them as crates of their own");
+      }
+    }
   }
 
   void parameters() {
