@@ -4,17 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 
-#include "base/diagnostics/characters.hpp"
 #include "base/diagnostics/table.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_list.hpp"
+#include "cli/option_values.hpp"
 #include "cli/output_file.hpp"
 #include "derivation/notation/number_text.hpp"
 #include "functions/function_table.hpp"
 #include "report/toml_string.hpp"
-#include "robot/input/common/expression.hpp"
 #include "robot/input/common/name_list.hpp"
 #include "robot/input/common/units.hpp"
 #include "robot/input/scene_frames.hpp"
@@ -22,119 +20,10 @@
 namespace flatdyn {
 namespace {
 
-// Whether the number is within the range of robot files.
-bool is_reasonable(const GiNaC::numeric& number) {
-  const GiNaC::numeric largest = GiNaC::numeric(10).power(30), magnitude = GiNaC::abs(number);
-  return number.is_zero() || (magnitude <= largest && magnitude * largest >= 1);
-}
 const std::map<std::string, ParameterSet> kParameterSets = {{"inertial", ParameterSet::inertial},
                                                             {"given", ParameterSet::given},
                                                             {"full", ParameterSet::full},
                                                             {"nonzero", ParameterSet::nonzero}};
-
-Number decimal_option(const std::string& option, const std::string& text) {
-  try {
-    const Number number = exact_decimal(text);
-    if (is_reasonable(GiNaC::ex_to<GiNaC::numeric>(number))) return number;
-  } catch (const std::invalid_argument&) {
-  }
-  throw Failure(FailureKind::usage,
-                fmt::format("{}: \"{}\" is not a decimal number between 1e-30 and 1e30", option, text),
-                "write it with digits, as in 0.25 or 1e-4");
-}
-
-// The option's value, at most a quarter of the distance between the multiples of pi/12 to which angles are snapped.
-Number snap_option(const std::string& text) {
-  const Number tolerance = decimal_option("--snap", text);
-  const GiNaC::numeric value = GiNaC::ex_to<GiNaC::numeric>(tolerance);
-  if (value >= 0 && value <= GiNaC::numeric(65, 1000)) return tolerance;
-  throw Failure(FailureKind::usage, fmt::format("--snap: {} rad is no tolerance for angles", text),
-                "0 for none, at most 0.065");
-}
-
-Vec3 vector_option(const std::string& option, const std::string& text) {
-  std::vector<Number> entries;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');) entries.push_back(decimal_option(option, part));
-  if (entries.size() != 3 || text.back() == ',') {
-    throw Failure(FailureKind::usage, fmt::format("{}: \"{}\" is not three numbers", option, text),
-                  "write it as 0,0,-9.81");
-  }
-  return {entries[0], entries[1], entries[2]};
-}
-
-Vec3 gravity_option(const std::string& text) {
-  return text == "off" ? zero_vector() : vector_option("--gravity", text);
-}
-
-Number expression_option(const std::string& option, const std::string& text) {
-  const auto no_symbol = [](std::string_view name, std::size_t column) -> Number {
-    throw ExpressionError("\"" + std::string(name) + "\" is a symbol, which only a file may have", column);
-  };
-  try {
-    const Number value = parse_expression(text, no_symbol);
-    if (is_reasonable(GiNaC::ex_to<GiNaC::numeric>(value.evalf()))) return value;
-    throw Failure(FailureKind::usage, fmt::format("{}: \"{}\" is not between 1e-30 and 1e30", option, text));
-  } catch (const ExpressionError& error) {
-    throw Failure(FailureKind::usage, fmt::format("{}: \"{}\": {}", option, text, error.what()),
-                  "write a number or an expression such as pi/2");
-  }
-}
-
-// Parses "JOINT", "JOINT=POSITION" or "JOINT=ANGLEdeg".
-JointPosition fixed_option(const std::string& text) {
-  const std::size_t sign = text.rfind('=');
-  if (sign == std::string::npos) return {text};
-  JointPosition lock{text.substr(0, sign), 0, text.substr(sign + 1)};
-  const std::optional<std::string> degrees = number_of_degrees(lock.written);
-  const std::string number = degrees.value_or(lock.written);
-  lock.in_degrees = degrees.has_value();
-  lock.is_decimal = is_decimal_text(number);
-  lock.position = lock.is_decimal ? decimal_option("--fix", number) : expression_option("--fix", number);
-  return lock;
-}
-
-// Sets entry k of a frame's pose, x to yaw. An angle may be in degrees: 90deg.
-void set_entry(const std::string& text, std::size_t k, SceneFrame& frame) {
-  constexpr int kHalfTurn = 180;
-  const std::size_t angle = k - frame.xyz.size();  // if it is one
-  const std::optional<std::string> degrees = k < frame.xyz.size() ? std::nullopt : number_of_degrees(text);
-  const std::string written = degrees.value_or(text);
-  const bool is_decimal = is_decimal_text(written);
-  const Number number = is_decimal ? decimal_option("--frame", written) : expression_option("--frame", written);
-  if (k < frame.xyz.size()) {
-    frame.xyz[k] = number;
-  } else if (degrees) {
-    frame.rpy[angle] = number * GiNaC::Pi / kHalfTurn;
-  } else {
-    frame.rpy[angle] = number;
-    if (is_decimal) frame.decimals[angle] = written;
-  }
-}
-
-// Parses "NAME=LINK,X,Y,Z" or "NAME=LINK,X,Y,Z,ROLL,PITCH,YAW".
-SceneFrame frame_option(const std::string& text) {
-  constexpr std::size_t kOfPosition = 3, kOfPose = 6;
-  const std::size_t sign = text.find('='), comma = text.find(',', sign);
-  std::vector<std::string> numbers;
-  std::istringstream rest(comma == std::string::npos ? "" : text.substr(comma + 1));
-  for (std::string part; std::getline(rest, part, ',');) numbers.push_back(part);
-  const bool is_complete = sign != std::string::npos && sign > 0 && comma > sign + 1 && text.back() != ',';
-  if (!is_complete || (numbers.size() != kOfPosition && numbers.size() != kOfPose)) {
-    throw Failure(FailureKind::usage, fmt::format("--frame: \"{}\" is no frame", text),
-                  "write NAME=LINK,X,Y,Z in m, and ROLL,PITCH,YAW in rad behind them: tool=hand,0,0,0.1,0,0,pi/2, or "
-                  "0,0,90deg");
-  }
-  const std::string name(trimmed(std::string_view(text).substr(0, sign))),
-      link(trimmed(std::string_view(text).substr(sign + 1, comma - sign - 1)));
-  SceneFrame frame{name, {link, {}}};
-  if (const std::string problem = problem_of_frame_name(frame.name); !problem.empty()) {
-    throw Failure(FailureKind::usage, fmt::format("--frame: \"{}\": {}", text, problem),
-                  "write it as tool or left tool");
-  }
-  for (std::size_t k = 0; k < numbers.size(); ++k) set_entry(numbers[k], k, frame);
-  return frame;
-}
 
 // The option without a blank before the unit, so that it is one word in the stamp.
 std::string without_blank_before_unit(const std::string& text) {
@@ -142,24 +31,6 @@ std::string without_blank_before_unit(const std::string& text) {
   const std::optional<std::string> degrees =
       sign == std::string::npos ? std::nullopt : number_of_degrees(text.substr(sign + 1));
   return degrees ? text.substr(0, sign + 1) + *degrees + "deg" : text;
-}
-
-std::vector<JointPosition> fixed_options(const std::vector<std::string>& texts) {
-  std::vector<JointPosition> all;
-  for (const std::string& text : texts) {
-    const JointPosition lock = fixed_option(text);
-    const auto before =
-        std::find_if(all.begin(), all.end(), [&lock](const JointPosition& each) { return each.joint == lock.joint; });
-    if (before == all.end()) {
-      all.push_back(lock);
-    } else if (!vanishes(before->position - lock.position) || before->in_degrees != lock.in_degrees) {
-      throw Failure(
-          FailureKind::usage,
-          fmt::format("--fix: joint \"{}\" is held at {} and at {}", lock.joint, before->written, lock.written),
-          "give it one position");
-    }
-  }
-  return all;
 }
 
 // The position as text for a file. A file's expressions are never snapped, so a snapped position is written as the
@@ -172,18 +43,17 @@ std::string position_text(const JointPosition& lock, const Robot& robot) {
   return lock.written;
 }
 
-ErrorBudget error_budget_option(const std::string& text) {
-  const std::optional<ErrorBudget> budget = error_budget(text);
-  if (!budget) {
-    throw Failure(FailureKind::usage, fmt::format("--error-budget: \"{}\" is no error budget", text), kErrorBudgetHint);
-  }
-  return *budget;
-}
-
-SearchLimit search_option(const std::string& text) {
-  const std::optional<SearchLimit> limit = search_limit(text);
-  if (!limit) throw Failure(FailureKind::usage, fmt::format("--search: \"{}\" is no limit", text), kSearchLimitHint);
-  return *limit;
+void add_verbosity_options(CLI::App& command, RobotArguments& arguments) {
+  // The option -Werror as compilers spell it: CLI11 would read -W with the value "error".
+  command
+      .add_option_function<std::string>(
+          "-W", [&arguments](const std::string&) { arguments.warnings_are_errors = true; },
+          "-Werror: warnings are errors")
+      ->type_name("error")
+      ->check([](const std::string& value) { return value == "error" ? "" : "write -Werror"; });
+  command.add_flag("--json", arguments.json, "print JSON on stdout");
+  command.add_flag("-q,--quiet", arguments.quiet, "no notes, no progress, no tables beside files that are written");
+  command.add_flag("-v,--verbose", arguments.verbose, "list what is otherwise told in one line");
 }
 
 }  // namespace
@@ -272,15 +142,7 @@ void RobotArguments::add_settings_to(CLI::App& command) {
   command.add_option("--keyframe", keyframe, "the keyframe of an MJCF file near which its closed loops are closed")
       ->check(kNotEmpty)
       ->type_name("NAME");
-  // The option -Werror as compilers spell it: CLI11 would read -W with the value "error".
-  command
-      .add_option_function<std::string>(
-          "-W", [this](const std::string&) { warnings_are_errors = true; }, "-Werror: warnings are errors")
-      ->type_name("error")
-      ->check([](const std::string& value) { return value == "error" ? "" : "write -Werror"; });
-  command.add_flag("--json", json, "print JSON on stdout");
-  command.add_flag("-q,--quiet", quiet, "no notes, no progress, no tables beside files that are written");
-  command.add_flag("-v,--verbose", verbose, "list what is otherwise told in one line");
+  add_verbosity_options(command, *this);
   const std::vector<CLI::Option*> options = command.get_options({});
   for (std::size_t i = before; i < options.size(); ++i) options[i]->group(kCommonOptions);
 }
