@@ -6,27 +6,24 @@
 #include <algorithm>
 #include <utility>
 
+#include "derivation/differentiation/tangents.hpp"
+
 namespace flatdyn {
 namespace {
 
-// The name of an argument, and how many directions it has.
-struct ArgumentOfRow {
-  const char* name;
-  Extent directions;
-};
-
-ArgumentOfRow argument_of_row(InputKind argument) {
+// The number of directions of an argument.
+Extent directions_of(InputKind argument) {
   switch (argument) {
     case InputKind::h_e:
-      return {argument_row(argument).name, Extent::six};
+      return Extent::six;
     case InputKind::g_b:
-      return {argument_row(argument).name, Extent::three};
+      return Extent::three;
     case InputKind::pi_b:
-      return {argument_row(argument).name, Extent::base_parameters};
+      return Extent::base_parameters;
     case InputKind::parameter:
-      return {"parameters", Extent::symbols};
+      return Extent::symbols;
     default:
-      return {argument_row(argument).name, Extent::joints};
+      return Extent::joints;
   }
 }
 
@@ -58,23 +55,21 @@ std::vector<OutputRow> DerivativeRows::outputs_of(const FunctionRow& of, Derivat
       break;
     case Derivative::vector_times_jacobian:
       for (const InputKind each : arguments) {
-        const ArgumentOfRow by = argument_of_row(each);
-        add(kept(std::string(by.name) + "_bar"), Layout::vector, by.directions, Extent::one);
+        add(kept(name_of({each}) + "_bar"), Layout::vector, directions_of(each), Extent::one);
       }
       break;
     case Derivative::jacobian:
       for (const OutputRow& output : of.outputs) {
         for (const InputKind each : arguments) {
-          const ArgumentOfRow by = argument_of_row(each);
-          add(kept(fmt::format("d{}_d{}", output.name, by.name)), Layout::matrix, output.rows, by.directions);
+          add(kept(fmt::format("d{}_d{}", output.name, name_of({each}))), Layout::matrix, output.rows,
+              directions_of(each));
         }
       }
       break;
     case Derivative::contracted_hessian:
       for (auto a = arguments.begin(); a != arguments.end(); ++a) {
         for (auto b = a; b != arguments.end(); ++b) {
-          const ArgumentOfRow by_a = argument_of_row(*a), by_b = argument_of_row(*b);
-          add(kept(fmt::format("H_{}_{}", by_a.name, by_b.name)), Layout::matrix, by_a.directions, by_b.directions);
+          add(kept(name_of_second_derivatives({*a}, {*b})), Layout::matrix, directions_of(*a), directions_of(*b));
         }
       }
       break;

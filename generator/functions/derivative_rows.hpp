@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The rows of what is made of derivatives, one of each kind for every function that has arguments.
+// The rows of derivatives, one of each kind for every function that has arguments.
 #pragma once
 
 #include <deque>

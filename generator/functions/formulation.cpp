@@ -9,6 +9,7 @@
 #include "base/diagnostics/diagnostics.hpp"
 #include "base/diagnostics/nearest.hpp"
 #include "derivation/differentiation/differentiate.hpp"
+#include "derivation/dynamics/derivative_functions.hpp"
 #include "functions/function_table.hpp"
 #include "graph/function_name.hpp"
 #include "robot/model/field_mechanism.hpp"
@@ -308,6 +309,7 @@ std::optional<Function> formulation(const Mechanism& mechanism, const std::strin
                                     const Choices& choices) {
   const Request request = parsed(mechanism, name);
   if (request.row->differentiated != nullptr) {
+    refuse_derivatives_of_loops(mechanism, name);
     const std::optional<Function> function = formulation(mechanism, parts_of_name(name).of_whole(), way, choices);
     if (!function) return std::nullopt;
     Function made = derivative_of(*function, request.row->derivative, mechanism);

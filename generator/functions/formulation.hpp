@@ -22,7 +22,7 @@ using FormulationIndex = std::size_t;
 inline constexpr FormulationIndex kFormulationCount = 3;  // no function has more
 
 // Derives a function by its name, also "forward_kinematics:LINK", "jacobian:LINK" and "jacobian_dot_qd:LINK" for any
-// named link, and "vjp:NAME" and so on, what is made of its derivatives. nullopt if the formulation does not exist.
+// named link, and its derivatives, such as "vjp:NAME". nullopt if the formulation does not exist.
 // Throws as check_function_name does.
 std::optional<Function> formulation(const Mechanism& mechanism, const std::string& name, FormulationIndex way,
                                     const Choices& choices);

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "functions/function_table.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "base/diagnostics/diagnostics.hpp"
 #include "derivation/dynamics/acceleration_functions.hpp"
 #include "derivation/dynamics/centroidal_functions.hpp"
 #include "derivation/dynamics/contact_functions.hpp"
@@ -18,8 +13,6 @@
 #include "derivation/dynamics/operational.hpp"
 #include "derivation/dynamics/torque_functions.hpp"
 #include "derivation/parameters/regressor_functions.hpp"
-#include "functions/derivative_rows.hpp"
-#include "graph/function_name.hpp"
 #include "truth/definition/centroidal_definitions.hpp"
 #include "truth/definition/contact_definitions.hpp"
 #include "truth/definition/derivative_definitions.hpp"
@@ -479,40 +472,6 @@ const std::vector<FunctionRow> kRows = {
 
 }  // namespace
 
-std::vector<InputKind> FunctionRow::inputs_for(const Mechanism& mechanism) const {
-  std::vector<InputKind> result;
-  for (const InputKind kind : inputs) {
-    if (kind == InputKind::g_b && !mechanism.has_base_gravity()) continue;
-    result.push_back(with_base(kind, mechanism.has_quasi_velocities()));
-  }
-  return result;
-}
-
 const std::vector<FunctionRow>& function_table() { return kRows; }
-
-const FunctionRow* find_row(const std::string& name) {
-  static const DerivativeRows derivatives(kRows);
-  const FunctionName parts = parts_of_name(name);
-  if (parts.derivative != Derivative::none) return derivatives.find(parts.derivative, parts.stem);
-  const auto found =
-      std::find_if(kRows.begin(), kRows.end(), [&parts](const FunctionRow& row) { return parts.stem == row.name; });
-  return found == kRows.end() ? nullptr : &*found;
-}
-
-std::string functions_of_links() {
-  std::vector<std::string> names;
-  for (const FunctionRow& row : function_table()) {
-    if (row.derivation.of_link != nullptr) names.emplace_back(row.name);
-  }
-  const std::string last = names.back();
-  names.pop_back();
-  return fmt::format("{} and {}", fmt::join(names, ", "), last);
-}
-
-const FunctionRow& row_of(const Function& function) {
-  const FunctionRow* row = find_row(function.name);
-  if (row == nullptr) throw Failure(FailureKind::bug, "no row for function \"" + function.name + "\"");
-  return *row;
-}
 
 }  // namespace flatdyn

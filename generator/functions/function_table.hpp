@@ -12,8 +12,8 @@ namespace flatdyn {
 // The table, in the order in which functions are emitted.
 const std::vector<FunctionRow>& function_table();
 
-// The row of a function, by its name with or without a link ("jacobian", "jacobian:hand"), also of what is made of
-// its derivatives ("vjp:jacobian"); null if there is none, as for a fused function.
+// The row of a function, by its name with or without a link ("jacobian", "jacobian:hand"), also of its derivatives
+// ("vjp:jacobian"); null if there is none, as for a fused function.
 const FunctionRow* find_row(const std::string& name);
 
 // "forward_kinematics, jacobian and jacobian_dot_qd": the functions that can be those of any link.

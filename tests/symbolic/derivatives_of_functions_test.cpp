@@ -15,43 +15,14 @@
 #include "graph/function_name.hpp"
 #include "graph/fusion.hpp"
 #include "robot/model/states.hpp"
+#include "support/agreement.hpp"
 #include "support/floating_robots.hpp"
 #include "support/robot_models.hpp"
+#include "support/spherical_robots.hpp"
 #include "support/written_model.hpp"
-#include "truth/reference/graph_evaluator.hpp"
 
 namespace flatdyn {
 namespace {
-
-// A ball on an arm whose base floats.
-constexpr const char* kFloatingBall = R"(
-[base]
-name = "trunk"
-motion = "floating"
-mass = 5
-com = [0.02, 0.01, 0]
-inertia = { xx = 0.1, yy = 0.3, zz = 0.35, xz = 0.02 }
-inertia_about = "com"
-[[link]]
-name = "bob"
-joint = "ball"
-type = "spherical"
-xyz = [0.1, 0.2, 0]
-mass = 1.5
-com = [0, 0.1, -0.4]
-inertia = { xx = 0.02, yy = 0.03, zz = 0.01, xy = 0.002 }
-inertia_about = "com"
-viscous = 0.01
-[[link]]
-joint = "slide"
-type = "prismatic"
-xyz = [0, 0.1, -0.8]
-rpy = [0.4, 0, 0]
-mass = 0.5
-com = [0.1, 0, 0.2]
-inertia = { xx = 0.02, yy = 0.03, zz = 0.01 }
-inertia_about = "com"
-)";
 
 struct DerivativeSubject {
   const char* name;
@@ -96,31 +67,24 @@ TEST_P(Derivatives, AreProven) {
   EXPECT_GT(proven, 20);
 }
 
-TEST_P(Derivatives, AgreeWithDifferencesIn50Digits) {
+void expect_differences(const LoadedRobot& model, const std::vector<std::string>& functions) {
   PipelineOptions options;
-  for (const char* const function : {"gravity", "forward_dynamics"}) {
+  for (const std::string& function : functions) {
     for (const std::string& name : derivatives_of(*find_row(function))) options.functions.push_back(name);
   }
   Progress silent(true);
   Diagnostics none;
-  const ExpectedValues expected(model_.robot, mechanism_, 1);
-  std::vector<State> states = with_parameters(random_states(mechanism_, 1, 7), expected.symbols());
-  const std::vector<Function> functions = functions_of(make_functions(model_, options, silent, none));
-  draw_own_arguments(states, functions, 5);
-  for (const Function& function : functions) {
-    const Expected here = expected.of(function);
-    for (const State& state : states) {
-      const auto values = GraphEvaluator<Real50>(function)(with_unit_quaternions(mechanism_, widened<Real50>(state)));
-      const std::vector<Real50> right = here.exact(state);
-      const std::vector<double> scale = here.scale(state);
-      ASSERT_TRUE(values) << function.name;
-      ASSERT_EQ(values->size(), right.size()) << function.name;
-      for (std::size_t k = 0; k < right.size(); ++k) {
-        const Real50 difference = abs((*values)[k] - right[k]);
-        EXPECT_LE(difference.convert_to<double>(), 1e-35 * std::max(1.0, scale[k])) << function.name << " " << k;
-      }
-    }
-  }
+  const ExpectedValues expected(model.robot, model.mechanism, 1);
+  std::vector<State> states = with_parameters(random_states(model.mechanism, 1, 7), expected.symbols());
+  const std::vector<Function> made = functions_of(make_functions(model, options, silent, none));
+  draw_own_arguments(states, made, 5);
+  for (const Function& function : made) testing::expect_the_reference(expected, model.mechanism, function, states);
+}
+
+TEST_P(Derivatives, AgreeWithDifferencesIn50Digits) { expect_differences(model_, {"gravity", "inverse_dynamics"}); }
+
+TEST(DerivativesOfQuotients, AgreeWithDifferencesIn50Digits) {
+  expect_differences(testing::model_of("finger.toml"), {"forward_dynamics"});
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -129,29 +93,38 @@ INSTANTIATE_TEST_SUITE_P(
         DerivativeSubject{"scara", [] { return testing::model_of("scara.toml"); }, true},
         DerivativeSubject{"finger", [] { return testing::model_of("finger.toml"); }, true},
         DerivativeSubject{"lander", [] { return testing::model_of_toml(testing::kLander); }, false},
-        DerivativeSubject{"floating_ball", [] { return testing::model_of_toml(kFloatingBall); }, false}),
+        DerivativeSubject{"floating_ball",
+                          [] { return testing::model_of_toml(std::string(testing::kTrunk) + testing::kHanging); },
+                          false}),
     [](const auto& each) { return std::string(each.param.name); });
 
-// A product that lacks a term is found, and so is one that is right for another function.
+bool is_proven(const Mechanism& mechanism, const Function& function) {
+  try {
+    return prove_exactly(mechanism, function).equal;
+  } catch (const Failure&) {
+    return false;  // it has another shape
+  }
+}
+
+// An entry of each kind of derivatives has a term too many, they are those of another function, a matrix is missing.
 TEST(DerivativesProof, FindsWhatIsWrong) {
   const Mechanism mechanism = testing::model_of("scara.toml").mechanism;
-  for (const std::string name : {"vjp:inverse_dynamics", "jvp:inverse_dynamics"}) {
+  for (const Derivative derivative : kDerivatives) {
+    const std::string name = prefix_of(derivative) + ":bias";
     Function function = derive_function(mechanism, name);
-    EXPECT_TRUE(prove_exactly(mechanism, function).equal);
-    Function another = derive_function(mechanism, name.substr(0, 4) + "bias");
-    std::swap(function.graph, another.graph);
-    std::swap(function.outputs[0].entries, another.outputs[0].entries);
-    for (std::size_t k = 1; k < function.outputs.size(); ++k) {
-      for (NodeId& entry : function.outputs[k].entries) entry = function.outputs[0].entries[0];
-    }
-    EXPECT_FALSE(prove_exactly(mechanism, function).equal) << name;
+    EXPECT_TRUE(prove_exactly(mechanism, function).equal) << name;
+    NodeId& entry = function.outputs.back().entries.back();
+    entry = function.graph.sum({{1, entry}, {1, function.graph.input({InputKind::q, 0})}});
+    const ExactResult result = prove_exactly(mechanism, function);
+    ASSERT_EQ(result.mismatches.size(), 1U) << name;
+    EXPECT_EQ(result.mismatches[0].output, function.outputs.back().name);
+    Function of_another = derive_function(mechanism, prefix_of(derivative) + ":gravity");
+    of_another.name = prefix_of(derivative) + ":potential_energy";
+    EXPECT_FALSE(is_proven(mechanism, of_another)) << name;
   }
-  Function function = derive_function(mechanism, "vjp:gravity");
-  NodeId& entry = function.outputs[0].entries.back();
-  entry = function.graph.sum({{1, entry}, {1, function.graph.input({InputKind::weights, 0})}});
-  const ExactResult result = prove_exactly(mechanism, function);
-  ASSERT_EQ(result.mismatches.size(), 1U);
-  EXPECT_EQ(result.mismatches[0].output, "q_bar");
+  Function hessian = derive_function(mechanism, "hessian:bias");
+  hessian.outputs.pop_back();
+  EXPECT_FALSE(is_proven(mechanism, hessian));
 }
 
 // Reverse mode needs at most a small multiple of the function's operations, whatever the number of arguments.

@@ -13,6 +13,7 @@
 #include "functions/planning/make_functions.hpp"
 #include "robot/model/floating_base.hpp"
 #include "robot/model/states.hpp"
+#include "support/agreement.hpp"
 #include "support/floating_robots.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
@@ -76,21 +77,9 @@ TEST_P(FloatingBase, FunctionsAgreeWithTheReference) {
   const ExpectedValues expected(model_.robot, mechanism_, 1);
   for (const OptimisedFunction& made : make_functions(model_, options, silent, none)) {
     const Function& function = made.function;
-    const Expected here = expected.of(function);
-    GraphEvaluator<Real50> graph(function);
     std::vector<State> states = random_states(mechanism_, 3, 7);
-    draw_own_arguments(states, {function}, 5);
-    for (const State& state : states) {
-      const auto values = graph(widened<Real50>(state));
-      const std::vector<Real50> right = here.exact(state);
-      const std::vector<double> scale = here.scale(state);
-      ASSERT_TRUE(values) << function.name;
-      ASSERT_EQ(values->size(), right.size()) << function.name;
-      for (std::size_t k = 0; k < right.size(); ++k) {
-        const Real50 difference = abs((*values)[k] - right[k]);
-        EXPECT_LE(difference.convert_to<double>(), 1e-35 * std::max(1.0, scale[k])) << function.name << " " << k;
-      }
-    }
+    draw_own_arguments(states, {&function, 1}, 5);
+    testing::expect_the_reference(expected, mechanism_, function, states);
   }
 }
 

@@ -20,6 +20,7 @@
 #include "laboratory/trajectory/closed_positions.hpp"
 #include "robot/model/assembly.hpp"
 #include "robot/model/states.hpp"
+#include "support/agreement.hpp"
 #include "support/identified_arm.hpp"
 #include "support/spatial_loops.hpp"
 #include "support/written_model.hpp"
@@ -167,21 +168,10 @@ TEST_P(Loops, EveryFunctionIsTheReferences) {
   for (const FunctionRow& entry : function_table()) {
     if (!is_for_loops(entry) || !entry.applies_to(model_.mechanism)) continue;
     const Function function = derive_function(model_.mechanism, entry.name);
-    const Expected expected = values.of(function);
-    GraphEvaluator<Real50> graph(function);
     std::vector<State> states =
         with_parameters(random_states(model_.mechanism, costs_many_recursions(function) ? 1 : 4, 11), values.symbols());
-    draw_own_arguments(states, {function}, 5);
-    for (const State& state : states) {
-      const auto found = graph(widened<Real50>(state));
-      ASSERT_TRUE(found.has_value()) << entry.name;
-      const std::vector<Real50> wanted = expected.exact(state);
-      const std::vector<double> scale = expected.scale(state);
-      for (std::size_t k = 0; k < wanted.size(); ++k) {
-        const auto difference = static_cast<double>(abs((*found)[k] - wanted[k]));
-        EXPECT_LE(difference, 1e-35 * (1 + scale[k])) << entry.name << " " << k;
-      }
-    }
+    draw_own_arguments(states, {&function, 1}, 5);
+    testing::expect_the_reference(values, model_.mechanism, function, states);
   }
 }
 

@@ -15,7 +15,9 @@
 #include "graph/count.hpp"
 #include "robot/model/spherical_joint.hpp"
 #include "robot/model/states.hpp"
+#include "support/agreement.hpp"
 #include "support/robot_models.hpp"
+#include "support/spherical_robots.hpp"
 #include "support/written_model.hpp"
 #include "truth/reference/graph_evaluator.hpp"
 #include "truth/reference/reference_point.hpp"
@@ -26,38 +28,6 @@ namespace {
 LoadedRobot of_file(const std::string& file) {
   return load_robot(std::filesystem::path(FLATDYN_SOURCE_DIR) / "docs" / "examples" / file, {});
 }
-
-constexpr const char* kTrunk = R"([base]
-name = "trunk"
-motion = "floating"
-mass = 5
-com = [0.02, 0.01, 0]
-inertia = { xx = 0.1, yy = 0.3, zz = 0.35, xz = 0.02 }
-inertia_about = "com"
-)";
-
-// Two bodies that hang from another one, which floats.
-constexpr const char* kHanging = R"(
-[[link]]
-name = "bob"
-joint = "ball"
-type = "spherical"
-xyz = [0.1, 0.2, 0]
-mass = 1.5
-com = [0, 0, -0.4]
-inertia = { xx = 0.02, yy = 0.03, zz = 0.01 }
-inertia_about = "com"
-viscous = 0.01
-[[link]]
-joint = "knee"
-xyz = [0, 0.1, -0.8]
-rpy = [0.4, 0, 0]
-mass = 0.5
-com = [0.1, 0, 0.2]
-inertia = { xx = 0.02, yy = 0.03, zz = 0.01 }
-inertia_about = "com"
-motor = { gear_ratio = 20, inertia = 1e-4, carrier = "bob" }
-)";
 
 // Two spherical joints, one on the other, at the end of an arm that turns.
 constexpr const char* kTwoBalls = R"(
@@ -123,19 +93,7 @@ TEST_P(SphericalJoints, FunctionsAgreeWithTheReference) {
   const ExpectedValues expected(model_.robot, mechanism_, 1);
   for (const OptimisedFunction& made : make_functions(model_, {}, silent, none)) {
     const Function& function = made.function;
-    const Expected here = expected.of(function);
-    GraphEvaluator<Real50> graph(function);
-    for (const State& state : random_states(mechanism_, 3, 7)) {
-      const auto values = graph(with_unit_quaternions(mechanism_, widened<Real50>(state)));
-      const std::vector<Real50> right = here.exact(state);
-      const std::vector<double> scale = here.scale(state);
-      ASSERT_TRUE(values) << function.name;
-      ASSERT_EQ(values->size(), right.size()) << function.name;
-      for (std::size_t k = 0; k < right.size(); ++k) {
-        const Real50 difference = abs((*values)[k] - right[k]);
-        EXPECT_LE(difference.convert_to<double>(), 1e-35 * std::max(1.0, scale[k])) << function.name << " " << k;
-      }
-    }
+    testing::expect_the_reference(expected, mechanism_, function, random_states(mechanism_, 3, 7));
   }
 }
 
@@ -158,13 +116,14 @@ TEST_P(SphericalJoints, BaseParametersAreIndependent) {
 
 INSTANTIATE_TEST_SUITE_P(
     Robots, SphericalJoints,
-    ::testing::Values(SphericalSubject{"pendulum", [] { return of_file("spherical_pendulum.toml"); }, true},
-                      SphericalSubject{"wrist", [] { return of_file("ball_wrist.toml"); }, false},
-                      SphericalSubject{"two", [] { return testing::model_of_toml(kTwoBalls); }, false},
-                      SphericalSubject{"floating_pendulum",
-                                       [] { return testing::model_of_toml(std::string(kTrunk) + kHanging); }, true},
-                      SphericalSubject{"floating",
-                                       [] { return testing::model_of_toml(std::string(kTrunk) + kTwoBalls); }, false}),
+    ::testing::Values(
+        SphericalSubject{"pendulum", [] { return of_file("spherical_pendulum.toml"); }, true},
+        SphericalSubject{"wrist", [] { return of_file("ball_wrist.toml"); }, false},
+        SphericalSubject{"two", [] { return testing::model_of_toml(kTwoBalls); }, false},
+        SphericalSubject{"floating_pendulum",
+                         [] { return testing::model_of_toml(std::string(testing::kTrunk) + testing::kHanging); }, true},
+        SphericalSubject{"floating", [] { return testing::model_of_toml(std::string(testing::kTrunk) + kTwoBalls); },
+                         false}),
     [](const auto& each) { return std::string(each.param.name); });
 
 TEST(SphericalPendulum, CostsWhatEulersEquationsDo) {

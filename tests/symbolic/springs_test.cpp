@@ -12,6 +12,7 @@
 #include "functions/planning/formulations.hpp"
 #include "functions/units.hpp"
 #include "robot/model/states.hpp"
+#include "support/agreement.hpp"
 #include "support/robot_models.hpp"
 #include "support/written_model.hpp"
 #include "truth/definition/as_read.hpp"
@@ -233,21 +234,9 @@ TEST_P(Springs, FunctionsAgreeWithTheReference) {
         "inverse_dynamics_derivatives", "forward_dynamics_derivatives", "operational_bias", "inverse_dynamics_base"}) {
     if (!is_made(name)) continue;
     const Function function = *formulation(mechanism_, name, 0, uniform_choices(mechanism_, Grouping::i_yy));
-    const Expected here = expected.of(function);
-    GraphEvaluator<Real50> graph(function);
-    std::vector<State> states = random_states(mechanism_, 3, 7);
-    draw_own_arguments(states, {function}, 3);
-    for (const State& state : with_parameters(states, expected.symbols())) {
-      const auto values = graph(widened<Real50>(state));
-      const std::vector<Real50> right = here.exact(state);
-      const std::vector<double> scale = here.scale(state);
-      ASSERT_TRUE(values) << name;
-      ASSERT_EQ(values->size(), right.size()) << name;
-      for (std::size_t k = 0; k < right.size(); ++k) {
-        const Real50 difference = abs((*values)[k] - right[k]);
-        EXPECT_LE(difference.convert_to<double>(), 1e-35 * std::max(1.0, scale[k])) << name << " " << k;
-      }
-    }
+    std::vector<State> states = with_parameters(random_states(mechanism_, 3, 7), expected.symbols());
+    draw_own_arguments(states, {&function, 1}, 3);
+    testing::expect_the_reference(expected, mechanism_, function, states);
   }
 }
 

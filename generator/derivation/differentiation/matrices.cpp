@@ -32,12 +32,13 @@ std::vector<NodeId> entries_of(const Function& function) {
 }
 
 Columns columns_in_forward_mode(const Function& function, const Tangents& tangents, Graph& graph) {
-  const std::vector<bool> is_used = reachable_from(function.graph, roots(function));
+  const std::vector<NodeId> entries = entries_of(function);
+  const std::vector<bool> is_used = reachable_from(function.graph, entries);
   Columns columns;
   for (int k = 0; k < tangents.count(); ++k) {
     ForwardMode forward(is_used, tangents, unit_direction(k, tangents, graph), graph);
     columns.emplace_back();
-    for (const NodeId entry : entries_of(function)) columns.back().push_back(forward.rate(entry));
+    for (const NodeId entry : entries) columns.back().push_back(forward.rate(entry));
   }
   return columns;
 }
@@ -88,74 +89,52 @@ Function with_matrices(Function function, const Function& of, const Tangents& ta
 // second one or the other way round, and which half of a symmetric block.
 struct HessianOrder {
   bool first_by_first = true, is_upper = true;
+
+  // Whether the derivative by direction k along direction l is taken from the one by l along k.
+  bool is_mirrored(int k, int l, bool are_of_one_argument) const {
+    if (!are_of_one_argument) return !first_by_first;
+    return is_upper ? k > l : k < l;
+  }
 };
 
-// Row k, column l: the rate of the weighted derivative by direction k of `a` along direction l of `b`.
-class HessianBlocks {
- public:
-  // `gradient`: wᵀ J.
-  HessianBlocks(const Function& gradient, const Tangents& tangents, const HessianOrder& order, Graph& graph)
-      : gradient_(entries_of(gradient)), tangents_(tangents), order_(order) {
-    const std::vector<bool> is_used = reachable_from(gradient.graph, roots(gradient));
-    for (int l = 0; l < tangents.count(); ++l) {
-      ForwardMode forward(is_used, tangents, unit_direction(l, tangents, graph), graph);
-      columns_.emplace_back();
-      for (const NodeId entry : gradient_) columns_.back().push_back(forward.rate(entry));
+// Entry (k, l) is the derivative by direction k of `a` along direction l of `b`; `columns`: those of wᵀ J.
+std::vector<NodeId> second_derivatives(const TangentBlock& a, const TangentBlock& b, const Tangents& tangents,
+                                       const HessianOrder& order, const Columns& columns) {
+  const bool commute = tangents.commute(a.kind, b.kind);
+  std::vector<NodeId> entries;
+  for (int k = a.first; k < a.first + a.length; ++k) {
+    for (int l = b.first; l < b.first + b.length; ++l) {
+      const bool is_mirrored = commute && order.is_mirrored(k, l, a.first == b.first);
+      const auto along = static_cast<std::size_t>(is_mirrored ? k : l),
+                 by = static_cast<std::size_t>(is_mirrored ? l : k);
+      entries.push_back(columns[along][by]);
     }
   }
+  return entries;
+}
 
-  std::vector<NodeId> block(const TangentBlock& a, const TangentBlock& b) const {
-    std::vector<NodeId> entries;
-    for (int k = a.first; k < a.first + a.length; ++k) {
-      for (int l = b.first; l < b.first + b.length; ++l) {
-        const bool is_mirrored = tangents_.commute(a.kind, b.kind) && is_other_order(k, l, a.first == b.first);
-        entries.push_back(is_mirrored ? rate(l, k) : rate(k, l));
-      }
-    }
-    return entries;
-  }
-
- private:
-  // Whether the other one of two equal derivatives is computed.
-  bool is_other_order(int k, int l, bool are_of_one_argument) const {
-    if (!are_of_one_argument) return !order_.first_by_first;
-    return order_.is_upper ? k > l : k < l;
-  }
-
-  // The rate of the derivative by direction k along direction l.
-  NodeId rate(int k, int l) const { return columns_[static_cast<std::size_t>(l)][static_cast<std::size_t>(k)]; }
-
-  std::vector<NodeId> gradient_;
-  const Tangents& tangents_;
-  HessianOrder order_;
-  Columns columns_;
-};
-
-Function hessian_in_order(const Function& gradient, const Tangents& tangents, const HessianOrder& order) {
-  Function result = gradient;
-  result.outputs.clear();
-  const HessianBlocks hessian(gradient, tangents, order, result.graph);
+// The matrices for all pairs of arguments, without those that are zero; the last one stays if it is the only one.
+std::vector<Output> hessian_outputs(const Graph& graph, const Tangents& tangents, const HessianOrder& order,
+                                    const Columns& columns) {
   const std::vector<TangentBlock>& blocks = tangents.blocks();
+  std::vector<Output> outputs;
   for (auto a = blocks.begin(); a != blocks.end(); ++a) {
     for (auto b = a; b != blocks.end(); ++b) {
-      std::vector<NodeId> entries = hessian.block(*a, *b);
-      const bool is_last = std::next(a) == blocks.end();
-      const bool is_zero =
-          std::all_of(entries.begin(), entries.end(), [&](NodeId id) { return result.graph.is_zero(id); });
-      if (is_zero && !(is_last && result.outputs.empty())) continue;
-      const std::string by_a = name_of(*a), by_b = name_of(*b);
-      result.outputs.push_back(
-          {.name = fmt::format("H_{}_{}", by_a, by_b),
-           .layout = Layout::matrix,
-           .rows = a->length,
-           .cols = b->length,
-           .entries = std::move(entries),
-           .meaning = fmt::format("row k: derivative of the weighted sum by {}; column l: of that by {}",
-                                  tangents.words_for_entry(*a, "k"), tangents.words_for_entry(*b, "l")),
-           .quantity = OutputQuantity::derivative});
+      std::vector<NodeId> entries = second_derivatives(*a, *b, tangents, order, columns);
+      const bool is_only_one = std::next(a) == blocks.end() && outputs.empty();
+      const bool is_zero = std::all_of(entries.begin(), entries.end(), [&](NodeId id) { return graph.is_zero(id); });
+      if (is_zero && !is_only_one) continue;
+      outputs.push_back({.name = name_of_second_derivatives(*a, *b),
+                         .layout = Layout::matrix,
+                         .rows = a->length,
+                         .cols = b->length,
+                         .entries = std::move(entries),
+                         .meaning = fmt::format("row k: derivative of the weighted sum by {}; column l: of that by {}",
+                                                tangents.words_for_entry(*a, "k"), tangents.words_for_entry(*b, "l")),
+                         .quantity = OutputQuantity::derivative});
     }
   }
-  return result;
+  return outputs;
 }
 
 Function cheaper(Function a, Function b) {
@@ -174,11 +153,15 @@ Function jacobian_matrices(const Function& function, const Tangents& tangents) {
 
 Function contracted_hessian(const Function& function, const Tangents& tangents) {
   const Function gradient = vector_times_jacobian(function, tangents);
-  Function best = hessian_in_order(gradient, tangents, {});
-  for (const HessianOrder order : {HessianOrder{true, false}, HessianOrder{false, true}, HessianOrder{false, false}}) {
-    best = cheaper(std::move(best), hessian_in_order(gradient, tangents, order));
+  Function all = gradient;
+  const Columns columns = columns_in_forward_mode(gradient, tangents, all.graph);
+  std::optional<Function> best;
+  for (const HessianOrder order :
+       {HessianOrder{true, true}, HessianOrder{true, false}, HessianOrder{false, true}, HessianOrder{false, false}}) {
+    all.outputs = hessian_outputs(all.graph, tangents, order, columns);
+    best = best ? cheaper(std::move(*best), all) : all;
   }
-  return best;
+  return *best;
 }
 
 }  // namespace flatdyn

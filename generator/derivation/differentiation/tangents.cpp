@@ -23,10 +23,6 @@ CrossEntry cross_entry(int entry, int k) {
 
 Tangents::Tangents(const Mechanism& mechanism, const std::vector<InputKind>& arguments, int base_parameters)
     : mechanism_(mechanism) {
-  if (mechanism.has_loops()) {
-    throw Failure(FailureKind::unsupported, "derivatives of this kind are not supported for robots with closed loops",
-                  "take inverse_dynamics_derivatives or forward_dynamics_derivatives");
-  }
   for (const InputKind kind : arguments) {
     switch (argument_row(kind).length) {
       case ArgumentLength::positions:
@@ -43,6 +39,7 @@ Tangents::Tangents(const Mechanism& mechanism, const std::vector<InputKind>& arg
         add(kind, base_parameters);
         break;
       case ArgumentLength::own:
+        break;
       case ArgumentLength::symbols:
       case ArgumentLength::none:
         throw Failure(FailureKind::bug, std::string("no directions of argument ") + argument_row(kind).name);
@@ -111,6 +108,10 @@ void Tangents::add_rates_of_position(int entry, int first, Graph& graph, std::ve
 
 std::string name_of(const TangentBlock& block) {
   return block.kind == InputKind::parameter ? "parameters" : argument_row(block.kind).name;
+}
+
+std::string name_of_second_derivatives(const TangentBlock& a, const TangentBlock& b) {
+  return fmt::format("H_{}_{}", name_of(a), name_of(b));
 }
 
 std::string words_for(const TangentBlock& block) {

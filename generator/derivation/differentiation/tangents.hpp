@@ -21,8 +21,8 @@ struct TangentBlock {
 
 class Tangents {
  public:
-  // The directions of a function with these arguments, and of the robot's free symbols after them. With closed loops
-  // there are none for q: throws Failure(unsupported).
+  // The directions of a function with these arguments but weights, and of the robot's free symbols after them. The
+  // robot must not have closed loops.
   Tangents(const Mechanism& mechanism, const std::vector<InputKind>& arguments, int base_parameters);
 
   const std::vector<TangentBlock>& blocks() const { return blocks_; }
@@ -54,6 +54,8 @@ class Tangents {
 
 // "qd", or "parameters".
 std::string name_of(const TangentBlock& block);
+// "H_q_qd", the name of second derivatives.
+std::string name_of_second_derivatives(const TangentBlock& a, const TangentBlock& b);
 // "qd", or "the parameters".
 std::string words_for(const TangentBlock& block);
 

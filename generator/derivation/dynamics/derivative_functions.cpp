@@ -153,27 +153,27 @@ Function derivatives_from_inverse(DerivationContext& context, const std::vector<
   return finished(context, acceleration_outputs(context, qdd));
 }
 
-void refuse_loops(const Mechanism& mechanism, const std::string& name) {
+}  // namespace
+
+void refuse_derivatives_of_loops(const Mechanism& mechanism, const std::string& name) {
   if (!mechanism.has_loops()) return;
   throw Failure(FailureKind::unsupported, name + ": derivatives of robots with closed loops are not supported yet",
                 "leave this function out");
 }
 
-}  // namespace
-
 Function derive_inverse_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices) {
-  refuse_loops(mechanism, "inverse_dynamics_derivatives");
+  refuse_derivatives_of_loops(mechanism, "inverse_dynamics_derivatives");
   return derived(mechanism, choices, torque_derivatives_function);
 }
 
 Function derive_forward_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices) {
-  refuse_loops(mechanism, "forward_dynamics_derivatives");
+  refuse_derivatives_of_loops(mechanism, "forward_dynamics_derivatives");
   return derived(mechanism, choices, acceleration_derivatives_function);
 }
 
 std::optional<Function> derive_forward_dynamics_derivatives_by_products(const Mechanism& mechanism,
                                                                         const Choices& choices) {
-  refuse_loops(mechanism, "forward_dynamics_derivatives");
+  refuse_derivatives_of_loops(mechanism, "forward_dynamics_derivatives");
   return derived(mechanism, choices, function_by_products);
 }
 

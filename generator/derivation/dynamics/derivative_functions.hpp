@@ -25,4 +25,7 @@ std::optional<Function> derive_forward_dynamics_derivatives_by_products(const Me
 Function derive_acceleration_derivatives_from_inverse(const Mechanism& mechanism, const Choices& choices,
                                                       const std::vector<int>& inverse);
 
+// Throws Failure(unsupported) for a robot with closed loops. `name`: of the function.
+void refuse_derivatives_of_loops(const Mechanism& mechanism, const std::string& name);
+
 }  // namespace flatdyn

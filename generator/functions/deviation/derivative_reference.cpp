@@ -4,12 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "derivation/differentiation/tangents.hpp"
 #include "functions/formulation.hpp"
 #include "functions/function_table.hpp"
 #include "graph/function_name.hpp"
 #include "truth/reference/acceleration_magnitude.hpp"
-#include "truth/reference/graph_evaluator.hpp"
 #include "truth/reference/magnitude.hpp"
 
 namespace flatdyn {
@@ -51,33 +49,6 @@ Function without_graph(const Function& derivatives) {
   return function;
 }
 
-// By entry of all matrices, its row among the entries of the function and its column among the directions. Each output
-// is of a block of rows, `own`, and of columns.
-std::vector<std::pair<std::size_t, std::size_t>> places_of(const Function& derivatives, Derivative derivative,
-                                                           const std::vector<TangentBlock>& blocks) {
-  std::vector<std::pair<std::size_t, std::size_t>> places;
-  const auto add = [&places](std::size_t first_row, std::size_t rows, const TangentBlock& block) {
-    for (std::size_t row = first_row; row < first_row + rows; ++row) {
-      for (int k = block.first; k < block.first + block.length; ++k) places.emplace_back(row, k);
-    }
-  };
-  std::size_t output = 0, row = 0;
-  while (derivative == Derivative::jacobian && output < derivatives.outputs.size()) {
-    const std::size_t rows = derivatives.outputs[output].entries.size() / static_cast<std::size_t>(blocks[0].length);
-    for (const TangentBlock& block : blocks) add(row, rows, block);
-    output += blocks.size();
-    row += rows;
-  }
-  for (auto a = blocks.begin(); derivative == Derivative::contracted_hessian && a != blocks.end(); ++a) {
-    for (auto b = a; b != blocks.end() && output < derivatives.outputs.size(); ++b) {
-      if (derivatives.outputs[output].name != "H_" + name_of(*a) + "_" + name_of(*b)) continue;
-      add(static_cast<std::size_t>(a->first), static_cast<std::size_t>(a->length), *b);
-      ++output;
-    }
-  }
-  return places;
-}
-
 }  // namespace
 
 DerivativeReference::DerivativeReference(const Robot& robot, const Mechanism& mechanism, const SymbolValues& symbols,
@@ -93,9 +64,10 @@ DerivativeReference::DerivativeReference(const Robot& robot, const Mechanism& me
   for (const TangentBlock& block : tangents.blocks()) {
     for (int entry = 0; entry < block.length; ++entry) directions_.push_back({block.kind, entry});
   }
-  places_ = places_of(derivatives, derivative_, tangents.blocks());
+  places_ = derivative_places(derivatives, derivative_, tangents).entries;
   if (derivative_ == Derivative::contracted_hessian) {
     gradient_ = derive_function(mechanism, name_of_differentiated(derivatives.name));
+    gradient_at_ = std::make_unique<GraphEvaluator<Real50>>(*gradient_);
   }
   const auto exact_robot = robot_for_function(function_, robot, reference_robot<Real50>(robot, symbols));
   exact_ = row_.reference.exact({mechanism_, exact_robot, symbols_}, function_);
@@ -105,7 +77,7 @@ DerivativeReference::DerivativeReference(const Robot& robot, const Mechanism& me
 template <class T>
 std::vector<T> DerivativeReference::in_order(const std::vector<std::vector<T>>& columns) const {
   std::vector<T> entries;
-  for (const auto& [row, column] : places_) entries.push_back(columns[column][row]);
+  for (const DerivativePlace& place : places_) entries.push_back(columns[place.column][place.row]);
   return entries;
 }
 
@@ -161,8 +133,8 @@ DerivativeReference::Values DerivativeReference::values_at(const StateOf<Real50>
     moves_symbols = moves_symbols || directions_[k].kind == InputKind::parameter;
     move(directions_[k], Real50(step * weights[k]), moved);
   }
-  if (gradient_) {
-    const auto values = GraphEvaluator<Real50>(*gradient_)(with_unit_quaternions(mechanism_, std::move(moved)));
+  if (gradient_at_) {
+    const auto values = (*gradient_at_)(with_unit_quaternions(mechanism_, std::move(moved)));
     return values.value_or(Values(directions_.size(), Real50(std::numeric_limits<double>::quiet_NaN())));
   }
   if (!moves_symbols) return exact_(moved);
@@ -215,9 +187,8 @@ bool DerivativeReference::is_angle(const Direction& direction) const {
   return !mechanism_.joint(direction.entry).prismatic;
 }
 
-std::vector<double> DerivativeReference::magnitude_along(const State& state, std::size_t direction) const {
-  const Direction& along = directions_[direction];
-  const std::vector<double> here = magnitude_(state);
+std::vector<double> DerivativeReference::magnitude_along(const State& state, const std::vector<double>& here,
+                                                         const Direction& along) const {
   if (is_angle(along)) return here;
   if (along.kind == InputKind::parameter) {
     SymbolValues values = symbols_;
@@ -254,36 +225,43 @@ double DerivativeReference::amplification_at(const State& state) const {
   return (absolute_inverse(at) * reference::inertia_magnitude(robot, at.q)).rowwise().sum().maxCoeff();
 }
 
+std::vector<std::vector<double>> DerivativeReference::magnitudes(const State& state) const {
+  const double amplification = amplification_at(state);
+  const std::vector<double> here = magnitude_(state);
+  std::vector<std::vector<double>> columns;
+  for (const Direction& direction : directions_) {
+    columns.push_back(magnitude_along(state, here, direction));
+    for (double& entry : columns.back()) entry = std::abs(amplification * entry);
+  }
+  return columns;
+}
+
 // The magnitude of wᵀ J.
 std::vector<double> DerivativeReference::weighted_magnitude(const State& state) const {
-  const double amplification = amplification_at(state);
   std::vector<double> result;
-  for (std::size_t k = 0; k < directions_.size(); ++k) {
-    const std::vector<double> along = magnitude_along(state, k);
+  for (const std::vector<double>& column : magnitudes(state)) {
     double sum = 0;
-    for (std::size_t e = 0; e < along.size(); ++e) sum += std::abs(state.weights[e] * along[e]);
-    result.push_back(amplification * sum);
+    for (std::size_t e = 0; e < column.size(); ++e) sum += std::abs(state.weights[e]) * column[e];
+    result.push_back(sum);
   }
   return result;
 }
 
 std::vector<double> DerivativeReference::magnitude(const State& state) const {
   if (derivative_ == Derivative::vector_times_jacobian) return weighted_magnitude(state);
-  std::vector<std::vector<double>> columns;
-  for (std::size_t k = 0; k < directions_.size(); ++k) {
-    if (derivative_ == Derivative::contracted_hessian) {
-      const bool turns = is_angle(directions_[k]) || directions_[k].kind == InputKind::parameter;
-      columns.push_back(weighted_magnitude(turns ? state : unit_away(state, directions_[k])));
-    } else {
-      const double amplification = amplification_at(state);
-      columns.push_back(magnitude_along(state, k));
-      for (double& entry : columns.back()) entry *= amplification;
+  if (derivative_ == Derivative::contracted_hessian) {
+    std::vector<std::vector<double>> columns;
+    for (const Direction& direction : directions_) {
+      const bool is_here = is_angle(direction) || direction.kind == InputKind::parameter;
+      columns.push_back(weighted_magnitude(is_here ? state : unit_away(state, direction)));
     }
+    return in_order(columns);
   }
-  if (derivative_ != Derivative::jacobian_times_vector) return in_order(columns);
+  const std::vector<std::vector<double>> columns = magnitudes(state);
+  if (derivative_ == Derivative::jacobian) return in_order(columns);
   std::vector<double> result(columns[0].size(), 0);
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    for (std::size_t e = 0; e < result.size(); ++e) result[e] += std::abs(state.direction[k] * columns[k][e]);
+    for (std::size_t e = 0; e < result.size(); ++e) result[e] += std::abs(state.direction[k]) * columns[k][e];
   }
   return result;
 }

@@ -4,12 +4,14 @@
 // ones as they are derived.
 #pragma once
 
+#include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "functions/function_row.hpp"
 #include "robot/model/states.hpp"
+#include "truth/definition/derivative_places.hpp"
+#include "truth/reference/graph_evaluator.hpp"
 
 namespace flatdyn {
 
@@ -44,7 +46,10 @@ class DerivativeReference {
   Values derivatives_along(const StateOf<Real50>& state, const Values& weights) const;
   Values derivatives_by(const StateOf<Real50>& state, std::size_t direction) const;
   Values values_at(const StateOf<Real50>& state, const Values& weights, const Real50& step) const;
-  std::vector<double> magnitude_along(const State& state, std::size_t direction) const;
+  // By direction, those of the entries of J. `here`: those of the function at the state.
+  std::vector<std::vector<double>> magnitudes(const State& state) const;
+  std::vector<double> magnitude_along(const State& state, const std::vector<double>& here,
+                                      const Direction& along) const;
   std::vector<double> weighted_magnitude(const State& state) const;
   State unit_away(const State& state, const Direction& direction) const;
   // The entries of matrices from their columns.
@@ -59,8 +64,9 @@ class DerivativeReference {
   Function function_;  // that is differentiated, without its graph
   const FunctionRow& row_;
   Derivative derivative_;
-  std::vector<std::pair<std::size_t, std::size_t>> places_;  // of entries of matrices: row and column among all
-  std::optional<Function> gradient_;                         // of second derivatives: wᵀ J as it is derived
+  std::vector<DerivativePlace> places_;  // of the entries of matrices
+  std::optional<Function> gradient_;     // of second derivatives: wᵀ J as it is derived
+  std::unique_ptr<GraphEvaluator<Real50>> gradient_at_;
   std::vector<Direction> directions_;
   ReferenceFunction<Real50> exact_;
   ReferenceFunction<double> magnitude_;

@@ -55,9 +55,10 @@ Expected ExpectedValues::of_derivatives(const Function& function) const {
     const auto found = (*graph)(with_unit_quaternions(mechanism_, state));
     return found.value_or(std::vector<double>(entry_count(*derived), kNaN));
   };
-  const auto values_in_float = [this, derived](const State& state) {
+  const auto values_in_float = [this, derived,
+                                graph = std::make_shared<GraphEvaluator<Real50>>(*derived)](const State& state) {
     const Real50::Precision of_float(kFloatBits);
-    const auto found = GraphEvaluator<Real50>(*derived)(with_unit_quaternions(mechanism_, widened<Real50>(state)));
+    const auto found = (*graph)(with_unit_quaternions(mechanism_, widened<Real50>(state)));
     std::vector<double> rounded(entry_count(*derived), kNaN);
     for (std::size_t k = 0; found && k < rounded.size(); ++k) rounded[k] = (*found)[k].convert_to<double>();
     return rounded;

@@ -57,8 +57,8 @@ Expected RoundingCheck::remembered(Expected expected) {
 double RoundingCheck::loss(const Function& function) {
   if (function.name != known_function_) {
     known_.clear();
-    draw_own_arguments(random_, {function}, kSeed);
-    draw_own_arguments(extreme_, {function}, kSeed);
+    draw_own_arguments(random_, {&function, 1}, kSeed);
+    draw_own_arguments(extreme_, {&function, 1}, kSeed);
   }
   known_function_ = function.name;
   RoundingErrorMeter meter(function, remembered(expected_.of(function)), "double");

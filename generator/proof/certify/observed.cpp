@@ -46,15 +46,6 @@ struct Worst {
 // around that state, where only the roundings differ; and from the worst state so far.
 constexpr StateMutation kAnywhere = {4, 0, 7}, kNearby = {0, 8, 37}, kFurther = {};
 
-// The arguments of a function, without its graph.
-std::vector<Function> arguments_of(const Function& function) {
-  Function result;
-  result.inputs = function.inputs;
-  result.base_parameters = function.base_parameters;
-  result.own = function.own;
-  return {result};
-}
-
 struct Comparison {
   StateSource source;
   LimitOfInput limits;
@@ -68,7 +59,7 @@ struct Comparison {
   // Draws states. In every second one all inputs but positions are at their limits, since errors are larger there.
   std::vector<State> drawn(unsigned seed) const {
     std::vector<State> states = source.draw(kLaneCount, seed);
-    draw_own_arguments(states, arguments_of(function), seed);
+    draw_own_arguments(states, {&function, 1}, seed);
     for (std::size_t k = 1; k < states.size(); k += 2) {
       for (const auto& [input, limit] : limits) {
         double& x = entry(states[k], input);

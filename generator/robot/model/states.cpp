@@ -217,7 +217,7 @@ State child(const State& parent, const State& other, std::mt19937_64& random, co
   return child;
 }
 
-void draw_own_arguments(std::vector<State>& states, const std::vector<Function>& functions, unsigned seed) {
+void draw_own_arguments(std::vector<State>& states, std::span<const Function> functions, unsigned seed) {
   constexpr std::pair<InputKind, unsigned> kKinds[] = {
       {InputKind::pi_b, kBaseSeed}, {InputKind::weights, kWeightSeed}, {InputKind::direction, kDirectionSeed}};
   for (const auto& [kind, own_seed] : kKinds) {

@@ -141,7 +141,7 @@ struct StateMutation {
 State child(const State& parent, const State& other, std::mt19937_64& random, const StateMutation& mutation = {});
 
 // Draws what only some functions have, for all of them: base parameters, weights and a direction, between -1 and 1.
-void draw_own_arguments(std::vector<State>& states, const std::vector<Function>& functions, unsigned seed);
+void draw_own_arguments(std::vector<State>& states, std::span<const Function> functions, unsigned seed);
 
 // The same states with these values of the robot's free symbols.
 std::vector<State> with_parameters(std::vector<State> states, const std::vector<Number>& values);

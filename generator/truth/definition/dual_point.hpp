@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A function at a point of a prime field over dual numbers: its exact derivatives along any direction. How entries of q
-// and g_b change along a direction of the tangent space is written here once more, not taken from the derivation.
+// and g_b change along turns is that of the definitions of derivatives (torque_derivatives.hpp), not of the derivation.
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "derivation/differentiation/tangents.hpp"
 #include "graph/evaluate.hpp"
 #include "graph/mod_p.hpp"
-#include "robot/model/field_vector.hpp"
-#include "robot/model/mechanism.hpp"
+#include "truth/definition/torque_derivatives.hpp"
 
 namespace flatdyn {
 
@@ -19,25 +18,10 @@ class DualPoint {
   using F = ModP<P>;
   using Scalar = Dual<F>;
 
-  // The directions are those of the function's arguments, one after the other, and of the free symbols; of q they are
-  // as many as of q̇. Weights do
-  // not move. All arguments must outlive this object.
-  DualPoint(const Mechanism& mechanism, const Function& function, FieldArithmetic<F>& arithmetic)
-      : mechanism_(mechanism), function_(function), arithmetic_(arithmetic) {
-    for (const InputKind kind : function.inputs) {
-      if (argument_row(kind).length != ArgumentLength::own) add(kind, length_of(kind));
-    }
-    add(InputKind::parameter, static_cast<int>(mechanism.symbols.size()));
-  }
-
-  // The directions of one argument.
-  struct Block {
-    InputKind kind;
-    int first, length;
-  };
-
-  int directions() const { return count_; }
-  const std::vector<Block>& blocks() const { return blocks_; }
+  // Weights, if the function takes some, do not move. All arguments must outlive this object.
+  DualPoint(const Mechanism& mechanism, const Function& function, const Tangents& tangents,
+            FieldArithmetic<F>& arithmetic)
+      : mechanism_(mechanism), function_(function), tangents_(tangents), arithmetic_(arithmetic) {}
 
   // The derivatives of all entries of the outputs along a direction.
   std::vector<F> derivatives_along(const std::vector<F>& direction) {
@@ -49,11 +33,16 @@ class DualPoint {
     }
     return result;
   }
-  // Those along direction k of the space.
-  std::vector<F> derivatives_by(int k) {
-    std::vector<F> unit(static_cast<std::size_t>(count_), F(0));
-    unit[static_cast<std::size_t>(k)] = F(1);
-    return derivatives_along(unit);
+
+  // The same along each direction of the space.
+  std::vector<std::vector<F>> derivatives() {
+    std::vector<std::vector<F>> columns;
+    for (int k = 0; k < tangents_.count(); ++k) {
+      std::vector<F> unit(static_cast<std::size_t>(tangents_.count()), F(0));
+      unit[static_cast<std::size_t>(k)] = F(1);
+      columns.push_back(derivatives_along(unit));
+    }
+    return columns;
   }
 
   // The arithmetic that evaluate() asks for.
@@ -73,60 +62,37 @@ class DualPoint {
   }
 
  private:
-  int length_of(InputKind kind) const {
-    if (is_by_joint(kind)) return mechanism_.size();
-    if (kind == InputKind::h_e) return kWrenchLength;
-    return kind == InputKind::g_b ? kVectorLength : own_length(function_, argument_row(kind).length);
-  }
-  void add(InputKind kind, int length) {
-    blocks_.push_back({kind, count_, length});
-    count_ += length;
-  }
-  F along(int direction) const { return (*direction_)[static_cast<std::size_t>(direction)]; }
-
   F rate_of(const Input& input) const {
     F rate(0);
-    for (const Block& block : blocks_) {
-      if (block.kind == InputKind::q && input.kind == InputKind::q) rate += rate_of_position(input.index, block.first);
-      if (block.kind == InputKind::q && input.kind == InputKind::g_b) {
-        const Vector3<F> turn = {along(block.first + 3), along(block.first + 4), along(block.first + 5)};
-        rate += cross(vector_of(InputKind::g_b, 0), turn)[static_cast<std::size_t>(input.index)];
+    for (const TangentBlock& block : tangents_.blocks()) {
+      if (block.kind == InputKind::q) {
+        for (int k = 0; k < block.length; ++k) rate += rate_by_position(input, k) * along(block.first + k);
+      } else if (block.kind == input.kind) {
+        rate += along(block.first + input.index);
       }
-      if (block.kind == input.kind && input.kind != InputKind::q) rate += along(block.first + input.index);
     }
     return rate;
   }
 
-  // The rate of an entry of q: a coordinate's own, or that of a quaternion whose joint turns, q̇ = ½ q (0, δ).
-  F rate_of_position(int entry, int first) const {
-    if (!mechanism_.is_of_quaternion(entry)) {
-      for (int k = mechanism_.base_bodies(); k < mechanism_.size(); ++k) {
-        if (mechanism_.position_of(k) == entry && !mechanism_.is_of_spherical(mechanism_.body_of(k))) {
-          return along(first + k);
-        }
-      }
-      return F(0);
+  // The rate of an input along direction k of q.
+  F rate_by_position(const Input& input, int k) const {
+    if (input.kind == InputKind::g_b) {
+      const Vector3<F> g = {gravity(0), gravity(1), gravity(2)};
+      return gravity_along(mechanism_, g, k)[static_cast<std::size_t>(input.index)];
     }
-    const int body = mechanism_.body_at(entry);
-    const int joint = body - (mechanism_.body(body).spherical - 1), w = mechanism_.quaternion_of(joint);
-    const Vector3<F> r = vector_of(InputKind::q, w + 1);
-    const Vector3<F> turn = {along(first + joint), along(first + joint + 1), along(first + joint + 2)};
-    const F half = F(1) / F(2);
-    if (entry == w) return -(half * (r[0] * turn[0] + r[1] * turn[1] + r[2] * turn[2]));
-    const auto k = static_cast<std::size_t>(entry - w - 1);
-    return half * (arithmetic_.input({InputKind::q, w}) * turn[k] + cross(r, turn)[k]);
+    if (input.kind != InputKind::q || mechanism_.is_of_base(k)) return F(0);
+    const int body = mechanism_.body_of(k);
+    if (mechanism_.is_of_spherical(body)) return turning(mechanism_, arithmetic_, body).input(input).derivative;
+    return F(mechanism_.position_of(k) == input.index ? 1 : 0);
   }
 
-  Vector3<F> vector_of(InputKind kind, int first) const {
-    return {arithmetic_.input({kind, first}), arithmetic_.input({kind, first + 1}),
-            arithmetic_.input({kind, first + 2})};
-  }
+  F gravity(int k) const { return arithmetic_.input({InputKind::g_b, k}); }
+  F along(int direction) const { return (*direction_)[static_cast<std::size_t>(direction)]; }
 
   const Mechanism& mechanism_;
   const Function& function_;
+  const Tangents& tangents_;
   FieldArithmetic<F>& arithmetic_;
-  std::vector<Block> blocks_;
-  int count_ = 0;
   const std::vector<F>* direction_ = nullptr;
 };
 

@@ -12,6 +12,7 @@
 #include "graph/mod_p.hpp"
 #include "truth/definition/definition_point.hpp"
 #include "truth/definition/degree.hpp"
+#include "truth/definition/derivative_places.hpp"
 #include "truth/definition/dual_point.hpp"
 
 namespace flatdyn {
@@ -141,128 +142,80 @@ ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, 
 
 namespace {
 
-// Compares derivatives with those of a function over dual numbers, at one point.
-template <std::uint64_t P>
-class DerivativeComparison {
- public:
-  using F = ModP<P>;
-
-  DerivativeComparison(const Mechanism& mechanism, const Function& derivatives, const Function& of,
-                       FieldArithmetic<F>& arithmetic, std::set<MismatchKey>& mismatches)
-      : derivatives_(derivatives),
-        of_(of),
-        arithmetic_(arithmetic),
-        values_(evaluate(derivatives, arithmetic)),
-        at_(arithmetic.at_rest()),
-        dual_(mechanism, of, derivatives.at_rest ? at_ : arithmetic),
-        mismatches_(mismatches) {}
-
-  // Returns the number of entries compared.
-  int compare(Derivative derivative) {
-    if (derivative == Derivative::jacobian_times_vector) {
-      compare_rates();
-    } else {
-      for (int k = 0; k < dual_.directions(); ++k) columns_.push_back(dual_.derivatives_by(k));
-    }
-    if (derivative == Derivative::vector_times_jacobian) compare_weighted();
-    if (derivative == Derivative::jacobian) compare_matrices();
-    if (derivative == Derivative::contracted_hessian) compare_hessian();
-    return entries_;
-  }
-
- private:
-  void expect(std::size_t output, std::size_t entry, const F& value) {
-    const Output& own = derivatives_.outputs[output];
-    if (own.leaves_out(entry)) return;
-    ++entries_;
-    if (!(values_[static_cast<std::size_t>(own.entries[entry])] == value)) {
-      mismatches_.emplace(output, static_cast<int>(entry));
-    }
-  }
-
-  void compare_rates() {
-    std::vector<F> direction;
-    for (int k = 0; k < dual_.directions(); ++k) direction.push_back(arithmetic_.input({InputKind::direction, k}));
-    const std::vector<F> rates = dual_.derivatives_along(direction);
-    std::size_t place = 0;
-    for (std::size_t o = 0; o < of_.outputs.size(); ++o) {
-      for (std::size_t e = 0; e < of_.outputs[o].entries.size(); ++e) expect(o, e, rates[place++]);
-    }
-  }
-
-  void compare_weighted() {
-    for (std::size_t b = 0; b < dual_.blocks().size(); ++b) {
-      const auto& block = dual_.blocks()[b];
-      for (int k = 0; k < block.length; ++k) {
-        F sum(0);
-        int entry = 0;
-        for (const F& derivative : column(block.first + k)) {
-          sum += arithmetic_.input({InputKind::weights, entry++}) * derivative;
-        }
-        if (block.length > 0) expect(b, static_cast<std::size_t>(k), sum);
-      }
-    }
-  }
-
-  void compare_matrices() {
-    std::size_t output = 0, first = 0;
-    for (const Output& own : of_.outputs) {
-      for (const auto& block : dual_.blocks()) {
-        if (block.length == 0) continue;
-        std::size_t entry = 0;
-        for (std::size_t row = 0; row < own.entries.size(); ++row) {
-          for (int k = 0; k < block.length; ++k) expect(output, entry++, column(block.first + k)[first + row]);
-        }
-        ++output;
-      }
-      first += own.entries.size();
-    }
-  }
-
-  // Pairs of arguments that have no output must have zeros.
-  void compare_hessian() {
-    std::size_t output = 0;
-    for (auto a = dual_.blocks().begin(); a != dual_.blocks().end(); ++a) {
-      for (auto b = a; b != dual_.blocks().end(); ++b) {
-        if (a->length == 0 || b->length == 0) continue;
-        const std::string name = "H_" + name_of(a->kind) + "_" + name_of(b->kind);
-        const bool is_there = output < derivatives_.outputs.size() && derivatives_.outputs[output].name == name;
-        std::size_t entry = 0;
-        for (int k = a->first; k < a->first + a->length; ++k) {
-          for (int l = b->first; l < b->first + b->length; ++l) {
-            const F& value = column(l)[static_cast<std::size_t>(k)];
-            if (is_there) expect(output, entry++, value);
-            if (!is_there && !(value == F(0))) mismatches_.emplace(derivatives_.outputs.size(), entries_);
-          }
-        }
-        if (is_there) ++output;
-      }
-    }
-  }
-
-  static std::string name_of(InputKind argument) {
-    return argument == InputKind::parameter ? "parameters" : argument_row(argument).name;
-  }
-
-  const std::vector<F>& column(int k) const { return columns_[static_cast<std::size_t>(k)]; }
-
-  const Function &derivatives_, &of_;
-  FieldArithmetic<F>& arithmetic_;
-  std::vector<F> values_;
-  FieldArithmetic<F> at_;  // at rest
-  DualPoint<P> dual_;
-  std::set<MismatchKey>& mismatches_;
-  std::vector<std::vector<F>> columns_;  // by direction
-  int entries_ = 0;
+// A function whose derivatives are compared, and which ones.
+struct Differentiated {
+  const Function& function;
+  Derivative derivative;
+  const Tangents& tangents;
+  const DerivativePlaces& places;
 };
+
+// The entries that the derivatives must have, in order, from the function over dual numbers.
+template <std::uint64_t P>
+std::vector<ModP<P>> expected_derivatives(const Mechanism& mechanism, const Differentiated& of,
+                                          FieldArithmetic<ModP<P>>& arithmetic) {
+  using F = ModP<P>;
+  DualPoint<P> dual(mechanism, of.function, of.tangents, arithmetic);
+  if (of.derivative == Derivative::jacobian_times_vector) {
+    std::vector<F> direction;
+    for (int k = 0; k < of.tangents.count(); ++k) direction.push_back(arithmetic.input({InputKind::direction, k}));
+    return dual.derivatives_along(direction);
+  }
+  const std::vector<std::vector<F>> columns = dual.derivatives();
+  std::vector<F> expected;
+  if (of.derivative == Derivative::vector_times_jacobian) {
+    for (const std::vector<F>& column : columns) {
+      F sum(0);
+      int entry = 0;
+      for (const F& derivative : column) sum += arithmetic.input({InputKind::weights, entry++}) * derivative;
+      expected.push_back(sum);
+    }
+  }
+  for (const DerivativePlace& place : of.places.left_out) {
+    if (columns[place.column][place.row] == F(0)) continue;
+    throw Failure(FailureKind::bug, "a matrix of second derivatives that are not zero is missing");
+  }
+  for (const DerivativePlace& place : of.places.entries) {
+    const std::vector<F>& column = columns[place.column];
+    if (place.row >= column.size()) throw Failure(FailureKind::bug, "a Jacobian has more rows than its function");
+    expected.push_back(column[place.row]);
+  }
+  return expected;
+}
+
+// Compares the entries of all outputs that are not left out, in order; returns how many these are.
+template <class F>
+int compare_entries(const Function& function, const std::vector<F>& values, const std::vector<F>& expected,
+                    std::set<MismatchKey>& mismatches) {
+  int entries = 0;
+  std::size_t place = 0;
+  if (expected.size() != entry_count(function)) {
+    throw Failure(FailureKind::bug, function.name + " has the wrong shape");
+  }
+  for (std::size_t k = 0; k < function.outputs.size(); ++k) {
+    const Output& output = function.outputs[k];
+    for (std::size_t e = 0; e < output.entries.size(); ++e, ++place) {
+      if (output.leaves_out(e)) continue;
+      ++entries;
+      const bool is_right = values[static_cast<std::size_t>(output.entries[e])] == expected[place];
+      if (!is_right) mismatches.emplace(k, static_cast<int>(e));
+    }
+  }
+  return entries;
+}
 
 }  // namespace
 
 ExactResult prove_derivatives(const Mechanism& mechanism, const Function& derivatives, const Function& of,
                               Derivative derivative, const ExactOptions& options) {
   int entries = 0;
+  const Tangents tangents(mechanism, of.inputs, of.base_parameters);
+  const DerivativePlaces places = derivative_places(derivatives, derivative, tangents);
   const auto compare = [&]<std::uint64_t P>(FieldArithmetic<ModP<P>>& arithmetic, std::set<MismatchKey>& mismatches) {
-    entries = DerivativeComparison<P>(mechanism, derivatives, of, arithmetic, mismatches).compare(derivative);
+    const auto values = evaluate(derivatives, arithmetic);
+    auto of_arithmetic = derivatives.at_rest ? arithmetic.at_rest() : arithmetic;
+    const auto expected = expected_derivatives<P>(mechanism, {of, derivative, tangents, places}, of_arithmetic);
+    entries = compare_entries(derivatives, values, expected, mismatches);
   };
   const std::set<MismatchKey> mismatches = at_all_points(options, mechanism.quaternions(), compare);
   const FunctionDegrees own = function_degrees(derivatives), function = function_degrees(of);
