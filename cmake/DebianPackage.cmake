@@ -8,7 +8,7 @@ set(CPACK_PACKAGE_CONTACT "flatdyn developers <flatdyn@users.noreply.github.com>
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "symbolic generator of flat code for robot dynamics")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "flatdyn reads a robot file (URDF, SDF, MJCF or xacro, or TOML with DH
 parameters and motors), derives the robot's dynamics, and writes code
-without dependencies that computes them, in C++, C, CUDA, JavaScript, Rust or
+without dependencies that computes them, in C++, C, CUDA, JavaScript, Rust, CasADi or
 Python: inertia matrix, gravity, inverse and forward dynamics, regressors.
 The code is proven to be equal to the Lagrangian equations of motion, and
 its rounding errors can be certified.")

@@ -74,7 +74,7 @@ Certified certified(const CertifyArguments& arguments, const LoadedRobot& model,
   result.text = emit_header(model.mechanism, functions_of(functions), emit);
   progress.step("proving");
   const std::uint64_t seed = proof_seed({model.input_hash, result.text});
-  prove(effective_mechanism(model), functions, std::nullopt, std::nullopt, seed);
+  prove(effective_mechanism(model), functions, {}, std::nullopt, seed);
   result.functions = functions_of(functions);
   const std::optional<Stages> no_stages;
   const WrittenCode code{model.mechanism, result.functions, no_stages, emit};

@@ -289,6 +289,9 @@ std::vector<GeneratedFile> companions(GenerationResult& result, const GenerateAr
     files.push_back(
         {file_name(robot.mechanism, result.form) + ".d.ts", emit_types(robot.mechanism, functions, result.form)});
   }
+  if (const auto more_files = language_row(result.form.language).more_files; more_files != nullptr) {
+    for (GeneratedFile& file : more_files(robot.mechanism, functions, result.form)) files.push_back(std::move(file));
+  }
   const std::string name = arguments.python ? module_name(robot.mechanism, result.form) : "";
   if (arguments.python && language_row(arguments.language).has_kernels) {
     const CudaPythonModule module = cuda_python_module(robot.mechanism, functions, result.form);

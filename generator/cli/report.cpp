@@ -127,8 +127,7 @@ ExitCode report(const ReportArguments& arguments) {
   std::vector<OptimisedFunction> functions = functions_for(model, options, progress, findings);
   arguments.report(findings);
   progress.step("proving");
-  const std::vector<Proof> proofs =
-      prove(model.mechanism, functions, std::nullopt, std::nullopt, proof_seed({model.input_hash}));
+  const std::vector<Proof> proofs = prove(model.mechanism, functions, {}, std::nullopt, proof_seed({model.input_hash}));
   progress.step("drawing");
   const std::string parameters = arguments.parameters == "given" ? "" : arguments.parameters;
   const std::string frames = arguments.frames == "file" ? "" : arguments.frames;

@@ -11,6 +11,7 @@
 #include "derivation/differentiation/differentiate.hpp"
 #include "derivation/dynamics/derivative_functions.hpp"
 #include "functions/function_table.hpp"
+#include "functions/structured_derivatives.hpp"
 #include "graph/function_name.hpp"
 #include "robot/model/field_mechanism.hpp"
 #include "robot/model/floating_base.hpp"
@@ -248,23 +249,22 @@ void describe(const FunctionRow& row, const Mechanism& mechanism, Function& func
 
 namespace {
 
-std::string summary_of_derivative(const Function& function, Derivative derivative, const Mechanism& mechanism) {
+std::string summary_of_derivative(const std::string& function, Derivative derivative, const Mechanism& mechanism) {
   std::string summary;
   switch (derivative) {
     case Derivative::none:
       break;
     case Derivative::jacobian_times_vector:
-      summary = fmt::format("J d, with J the derivatives of {} by its arguments", function.name);
+      summary = fmt::format("J d, with J the derivatives of {} by its arguments", function);
       break;
     case Derivative::vector_times_jacobian:
-      summary = fmt::format("w^T J, with J the derivatives of {} by its arguments", function.name);
+      summary = fmt::format("w^T J, with J the derivatives of {} by its arguments", function);
       break;
     case Derivative::jacobian:
-      summary = fmt::format("J, the derivatives of {} by its arguments", function.name);
+      summary = fmt::format("J, the derivatives of {} by its arguments", function);
       break;
     case Derivative::contracted_hessian:
-      summary =
-          fmt::format("The second derivatives of {} by its arguments, times weights of its entries", function.name);
+      summary = fmt::format("The second derivatives of {} by its arguments, times weights of its entries", function);
       break;
   }
   summary += "; signs count as constant";
@@ -303,6 +303,28 @@ Function derivative_of(const Function& function, Derivative derivative, const Me
 
 }  // namespace
 
+namespace {
+
+// A derivative of a function, in a formulation of the function, or of what its derivatives are made from.
+std::optional<Function> derivative_in(const Mechanism& mechanism, const FunctionRow& row, const std::string& function,
+                                      FormulationIndex way, const Choices& choices) {
+  const FunctionRow& of = *row.differentiated;
+  if (row.derivative == Derivative::jacobian && has_jacobian_parts(mechanism, of)) {
+    return jacobian_of_parts(mechanism, of, derive_function(mechanism, function), way, choices);
+  }
+  if (is_implicit(mechanism, of, row.derivative)) {
+    if (std::optional<Function> made = implicit_derivative(mechanism, of, row.derivative, way, choices)) return made;
+    // Second derivatives of the graph of forward dynamics take several times as many operations, and long to make.
+    if (row.derivative == Derivative::contracted_hessian) return std::nullopt;
+    --way;
+  }
+  const std::optional<Function> made = formulation(mechanism, function, way, choices);
+  if (!made) return std::nullopt;
+  return derivative_of(*made, row.derivative, mechanism);
+}
+
+}  // namespace
+
 void check_function_name(const Mechanism& mechanism, const std::string& name) { parsed(mechanism, name); }
 
 std::optional<Function> formulation(const Mechanism& mechanism, const std::string& name, FormulationIndex way,
@@ -310,12 +332,12 @@ std::optional<Function> formulation(const Mechanism& mechanism, const std::strin
   const Request request = parsed(mechanism, name);
   if (request.row->differentiated != nullptr) {
     refuse_derivatives_of_loops(mechanism, name);
-    const std::optional<Function> function = formulation(mechanism, parts_of_name(name).of_whole(), way, choices);
-    if (!function) return std::nullopt;
-    Function made = derivative_of(*function, request.row->derivative, mechanism);
-    made.name = name;
-    made.summary = summary_of_derivative(*function, request.row->derivative, mechanism);
-    made.equation = "";
+    const std::string function = parts_of_name(name).of_whole();
+    std::optional<Function> made = derivative_in(mechanism, *request.row, function, way, choices);
+    if (!made) return std::nullopt;
+    made->name = name;
+    made->summary = summary_of_derivative(function, request.row->derivative, mechanism);
+    made->equation = "";
     return made;
   }
   const DerivationRow& derivation = request.row->derivation;

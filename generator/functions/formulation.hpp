@@ -17,9 +17,10 @@ void check_function_name(const Mechanism& mechanism, const std::string& name);
 // The row of the function; throws as check_function_name does.
 const FunctionRow& checked_row(const Mechanism& mechanism, const std::string& name);
 
-// 0: the derivation of the function's row; k: its k-th alternative.
+// 0: the derivation of the function's row; k: its k-th alternative. Derivatives have those of their function, behind
+// those that use the structure of the dynamics.
 using FormulationIndex = std::size_t;
-inline constexpr FormulationIndex kFormulationCount = 3;  // no function has more
+inline constexpr FormulationIndex kFormulationCount = 4;  // no function has more
 
 // Derives a function by its name, also "forward_kinematics:LINK", "jacobian:LINK" and "jacobian_dot_qd:LINK" for any
 // named link, and its derivatives, such as "vjp:NAME". nullopt if the formulation does not exist.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/diagnostics/diagnostics.hpp"
+#include "functions/derivative_names.hpp"
 #include "functions/derivative_rows.hpp"
 #include "functions/function_table.hpp"
 #include "graph/function_name.hpp"
@@ -27,6 +28,10 @@ const FunctionRow* find_row(const std::string& name) {
   const auto found =
       std::find_if(rows.begin(), rows.end(), [&parts](const FunctionRow& row) { return parts.stem == row.name; });
   return found == rows.end() ? nullptr : &*found;
+}
+
+bool has_derivatives(const std::string& function) {
+  return find_row(prefix_of(Derivative::jacobian) + ":" + function) != nullptr || find_row(function) == nullptr;
 }
 
 std::string functions_of_links() {

@@ -76,6 +76,20 @@ struct FunctionTraits {
   bool needs_contacts = false;           // whether it is about the scene's contacts
 };
 
+// A function whose outputs are the derivatives of another one by some of its arguments, a square matrix for each.
+struct JacobianPart {
+  const char* function;
+  std::vector<InputKind> arguments;
+};
+
+// How forward dynamics is differentiated as the solution of inverse dynamics
+// (derivation/differentiation/implicit.hpp).
+struct ImplicitRow {
+  const char* torques = nullptr;  // "inverse_dynamics"; null: it is not such a solution
+  Function (*solution)(const Mechanism&, const Choices&) = nullptr;                           // q̈ and λ
+  std::vector<Function (*)(const Mechanism&, const Choices&)> solution_and_derivatives = {};  // in several formulations
+};
+
 struct FunctionRow {
   const char* name;
   const char* summary;            // one line of help
@@ -86,6 +100,8 @@ struct FunctionRow {
   Definition definition;
   NumericReference reference;
   FunctionTraits traits = {};
+  std::vector<JacobianPart> jacobian_parts = {};  // by all of its arguments but g_b; empty: there are none
+  ImplicitRow implicit = {};
   // Rows of derivatives say which derivatives they are, and have the row of the function, by whose definition and
   // reference they are judged, and from whose derivation they are made.
   Derivative derivative = Derivative::none;

@@ -104,6 +104,22 @@ EmitOptions stamped(const GenerationOptions& options, const GenerationResult& re
   return form;
 }
 
+// The functions that are asked for, and those that the language needs for them.
+FunctionsNeeded functions_needed(const LoadedRobot& robot, const GenerationOptions& options, Diagnostics& findings) {
+  FunctionsNeeded needed{options.functions, {}, ""};
+  if (const auto of_language = language_row(options.form.language).functions_needed; of_language != nullptr) {
+    needed = of_language(robot.mechanism, functions_asked_for(options.functions, robot.robot.scene));
+  }
+  if (!needed.note.empty()) findings.note({robot.robot.file, 0}, needed.note, "");
+  if (!options.fused.empty()) needed.fused.push_back(options.fused);
+  return needed;
+}
+
+PipelineOptions with_functions(PipelineOptions options, const std::vector<std::string>& names) {
+  options.functions = names;
+  return options;
+}
+
 // With the file's name, where conventions do not apply.
 void check_conventions(const LoadedRobot& robot) {
   try {
@@ -132,15 +148,18 @@ std::vector<GenerationResult> generate_code_for(const std::filesystem::path& rob
   const LoadedRobot& robot = result.robot;
   if (options.needs_quasi_velocities) check_conventions(robot);
   // Derive, specialise to the scene, optimise: every function in each of its formulations.
-  result.functions = make_functions(robot, options, progress, result.findings);
-  std::optional<OptimisedFusion> fused;
-  if (!options.fused.empty()) fused = make_fusion(robot, options.fused, progress);
+  const FunctionsNeeded needed = functions_needed(robot, options, result.findings);
+  result.functions = make_functions(robot, with_functions(options, needed.functions), progress, result.findings);
+  std::vector<OptimisedFusion> fused;
+  for (const auto& names : needed.fused) fused.push_back(make_fusion(robot, names, progress));
   if (!options.staged.empty()) result.stages = stages_of(make_fusion(robot, options.staged, progress).fusion);
   if (robot.abbreviation) {
     result.torque_deviation = torque_deviation(robot.mechanism, effective_mechanism(robot), robot.robot.scene.at_rest);
   }
   const std::vector<OptimisedFunction> apart = result.functions;
-  if (fused) result.functions.push_back({fused->fusion.function, fused->derived, fused->passes, {}});
+  for (const OptimisedFusion& each : fused) {
+    result.functions.push_back({each.fusion.function, each.derived, each.passes, {}});
+  }
   // Emit.
   std::vector<GenerationResult> results;
   std::vector<std::string> texts = {robot.input_hash};
@@ -178,6 +197,8 @@ std::vector<Function> functions_of(const GenerationResult& result) { return func
 
 std::vector<Function> functions_of_text(const GenerationResult& result) {
   std::vector<Function> functions = functions_of(result);
+  const auto as_written = language_row(result.form.language).as_written;
+  if (as_written != nullptr) functions = as_written(result.robot.mechanism, functions);
   functions.insert(functions.end(), result.kernel_parts.begin(), result.kernel_parts.end());
   return functions;
 }

@@ -30,7 +30,7 @@ struct GenerationOptions : PipelineOptions {
 // Proven code with everything known about it.
 struct GenerationResult {
   LoadedRobot robot;
-  std::vector<OptimisedFunction> functions;  // the fused one last
+  std::vector<OptimisedFunction> functions;  // fused ones last
   std::optional<Stages> stages;
   std::vector<Proof> proofs;
   AsReadResult as_read;
@@ -55,7 +55,7 @@ std::vector<GenerationResult> generate_code_for(const std::filesystem::path& rob
 
 // The functions of the result, in their order.
 std::vector<Function> functions_of(const GenerationResult& result);
-// The same and, in CUDA, the parts of their kernels: the functions of the text without stages.
+// The functions of the text without stages: these as the language writes them and, in CUDA, the parts of their kernels.
 std::vector<Function> functions_of_text(const GenerationResult& result);
 
 }  // namespace flatdyn

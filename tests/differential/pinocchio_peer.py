@@ -384,7 +384,9 @@ OF_MOTION = ("coriolis_matrix", "bias", "jacobian_dot_qd", "centroidal_bias", "c
 ARGUMENTS = dict.fromkeys(OF_MOTION + ("integrate", "difference"), ("v",)) | {
     "inverse_dynamics": ("v", "a"),
     "inverse_dynamics_tip_force": ("v", "a", "h_e"),
+    "inverse_dynamics_derivatives": ("v", "a"),
     "forward_dynamics": ("v", "tau"),
+    "forward_dynamics_derivatives": ("v", "tau"),
     "constrained_forward_dynamics": ("v", "tau"),
     "contact_inverse_dynamics": ("v", "a"),
 }

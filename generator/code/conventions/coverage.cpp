@@ -41,6 +41,23 @@ bool is_known(OutputQuantity quantity) {
   }
 }
 
+// Derivatives of torques and accelerations hold the numbers in v, a and τ, which are the same in plain conventions.
+bool is_derivative(const Output& output) {
+  switch (output.quantity) {
+    case OutputQuantity::torque_per_position:
+    case OutputQuantity::acceleration_per_position:
+    case OutputQuantity::acceleration_per_rate:
+    case OutputQuantity::acceleration_per_torque:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool has_derivatives(const Function& function) {
+  return std::any_of(function.outputs.begin(), function.outputs.end(), is_derivative);
+}
+
 // Whether an argument or a result has linear and angular parts, as those of the tip and of its task.
 bool has_two_parts(InputKind kind) { return argument_row(kind).quantity == ArgumentQuantity::wrench; }
 bool has_two_parts(const Output& output) {
@@ -125,8 +142,14 @@ std::string why_not(const Function& adapted, const std::vector<Function>& all, c
   const bool knows_all =
       std::all_of(adapted.inputs.begin(), adapted.inputs.end(), [](InputKind kind) { return is_known(kind); }) &&
       std::all_of(adapted.outputs.begin(), adapted.outputs.end(),
-                  [](const Output& output) { return is_known(output.quantity); });
+                  [](const Output& output) { return is_known(output.quantity) || is_derivative(output); });
   if (!knows_all) return "its results are flatdyn's own";
+  if (has_derivatives(adapted) && !convention.is_plain()) {
+    return "derivatives hold the numbers in v, which are others here: take pinocchio or pose";
+  }
+  if (has_derivatives(adapted) && !friction_of_origin(mechanism, convention).is_zero()) {
+    return "the base's friction along the axes of the world has a part in it";
+  }
   if (find_row(adapted.name)->traits.depends_on_gravity_only && adapted.outputs[0].quantity == OutputQuantity::energy) {
     return "it is about the base's origin: add -m g_0^T p to flatdyn's own";
   }

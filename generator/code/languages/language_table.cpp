@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "code/languages/c/language.hpp"
+#include "code/languages/casadi/language.hpp"
 #include "code/languages/cpp/language.hpp"
 #include "code/languages/cuda/language.hpp"
 #include "code/languages/javascript/language.hpp"
@@ -17,7 +18,7 @@ namespace {
 // A module over C, whose row says what it has.
 LanguageRow python_row() {
   LanguageRow row{.option = kPython, .name = "Python"};
-  row.description = "a module for Python over the C form, as by --python";
+  row.description = "a module for Python over the C form (--python)";
   row.endings = c_language().endings;
   return row;
 }
@@ -34,8 +35,8 @@ std::string alternatives(const std::vector<std::string>& items) {
 }  // namespace
 
 const std::vector<LanguageRow>& language_rows() {
-  static const std::vector<LanguageRow> all = {cpp_language(),        c_language(),    cuda_language(),
-                                               javascript_language(), rust_language(), python_row()};
+  static const std::vector<LanguageRow> all = {cpp_language(),  c_language(), cuda_language(),  javascript_language(),
+                                               rust_language(), python_row(), casadi_language()};
   return all;
 }
 

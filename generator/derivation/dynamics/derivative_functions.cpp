@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "derivation/dynamics/derivative_functions.hpp"
 
+#include <utility>
+
 #include "base/diagnostics/diagnostics.hpp"
 #include "derivation/dynamics/accelerations.hpp"
 #include "derivation/dynamics/composite.hpp"
@@ -27,6 +29,7 @@ TorqueDerivatives derivatives_at_coordinates(DerivationContext& context, const M
 
 struct AccelerationDerivatives {
   Rows dq, dqd;
+  std::vector<Number> qdd;
 };
 
 std::vector<Output> acceleration_outputs(DerivationContext& context, const AccelerationDerivatives& qdd) {
@@ -34,17 +37,12 @@ std::vector<Output> acceleration_outputs(DerivationContext& context, const Accel
           derivative_output(context, "dqdd_dqd", qdd.dqd, "row i, column k: of qdd[i] by qd[k]")};
 }
 
-Function acceleration_derivatives(DerivationContext& context, const AccelerationDerivatives& qdd, const Rows& inverse,
-                                  Conditions conditions) {
+// The same and the derivatives by τ.
+std::vector<Output> all_acceleration_outputs(DerivationContext& context, const AccelerationDerivatives& qdd,
+                                             const Rows& inverse) {
   std::vector<Output> outputs = acceleration_outputs(context, qdd);
   outputs.push_back(derivative_output(context, "dqdd_dtau", inverse, "the inverse of B"));
-  return finished(context, std::move(outputs), std::move(conditions));
-}
-
-// The accelerations A q̈ of all bodies' joints.
-std::vector<Number> accelerations_of_joints(DerivationContext& context, const Factorisation& B) {
-  const std::vector<Number> qdd = accelerations(context, B);
-  return joint_motion(context.mechanism, context.derivation, qdd, "qdd_j");
+  return outputs;
 }
 
 // -B⁻¹ times a matrix.
@@ -86,15 +84,20 @@ void add_rates_of_base_axes(DerivationContext& context, const Motion& motion, Ro
 }
 
 // Differentiates B q̈ + n(q, q̇) = τ: B ∂q̈ = -∂(B q̈ + n) at this q̈.
+AccelerationDerivatives derivatives_by_substitution(DerivationContext& context, const Factorisation& B) {
+  const std::vector<Number> qdd = accelerations(context, B);
+  const Motion motion{context.joint_motion(InputKind::qd),
+                      joint_motion(context.mechanism, context.derivation, qdd, "qdd_j"), context.gravity(), true};
+  const TorqueDerivatives tau = derivatives_at_coordinates(context, motion, BaseColumns::at_origin_acceleration);
+  AccelerationDerivatives result{solved(context, B, tau.dq, "dqdd"), solved(context, B, tau.dqd, "dqddd"), qdd};
+  add_rates_of_base_axes(context, motion, result.dq, result.dqd);
+  return result;
+}
+
 Function acceleration_derivatives_function(DerivationContext& context) {
   const Factorisation B(context.frames, context.inertia());
-  const Motion motion{context.joint_motion(InputKind::qd), accelerations_of_joints(context, B), context.gravity(),
-                      true};
-  const TorqueDerivatives tau = derivatives_at_coordinates(context, motion, BaseColumns::at_origin_acceleration);
-  AccelerationDerivatives qdd{solved(context, B, tau.dq, "dqdd"), solved(context, B, tau.dqd, "dqddd")};
-  add_rates_of_base_axes(context, motion, qdd.dq, qdd.dqd);
-  const Rows inverse = B.inverse("a");
-  return acceleration_derivatives(context, qdd, inverse, conditions_of(context, B));
+  const AccelerationDerivatives qdd = derivatives_by_substitution(context, B);
+  return finished(context, all_acceleration_outputs(context, qdd, B.inverse("a")), conditions_of(context, B));
 }
 
 // -B⁻¹ times a matrix, whose entries are named.
@@ -126,7 +129,7 @@ AccelerationDerivatives derivatives_by_products(DerivationContext& context, cons
                       joint_motion(context.mechanism, context.derivation, qdd, "qdd_j"), context.gravity(), true};
   const TorqueDerivatives torques = derivatives_at_coordinates(context, motion, BaseColumns::at_origin_acceleration);
   AccelerationDerivatives result{less_product(context, inverse, torques.dq, "dtau"),
-                                 less_product(context, inverse, torques.dqd, "dtaud")};
+                                 less_product(context, inverse, torques.dqd, "dtaud"), qdd};
   add_rates_of_base_axes(context, motion, result.dq, result.dqd);
   return result;
 }
@@ -135,7 +138,30 @@ Function function_by_products(DerivationContext& context) {
   const Factorisation B(context.frames, context.inertia());
   const Rows inverse = B.inverse("a");
   const AccelerationDerivatives qdd = derivatives_by_products(context, inverse);
-  return acceleration_derivatives(context, qdd, inverse, conditions_of(context, B));
+  return finished(context, all_acceleration_outputs(context, qdd, inverse), conditions_of(context, B));
+}
+
+std::vector<Number> weights_of(DerivationContext& context) {
+  return inputs(context.derivation, InputKind::weights, context.size());
+}
+
+std::vector<Output> solution_outputs(DerivationContext& context, const std::vector<Number>& qdd,
+                                     const std::vector<Number>& lambda) {
+  return {vector_output("qdd", context.nodes(qdd), "joint accelerations"),
+          vector_output("lambda", context.nodes(lambda), "B^-1 times the weights")};
+}
+
+Function with_multipliers(DerivationContext& context, const AccelerationDerivatives& qdd, const Rows& inverse,
+                          Conditions conditions) {
+  const std::vector<Number> weights = weights_of(context);
+  std::vector<Number> lambda;
+  for (std::size_t i = 0; i < inverse.size(); ++i) {
+    const std::string name = "lambda_" + context.frames.label(static_cast<int>(i));
+    lambda.push_back(context.derivation.named(sum_of(inverse[i], weights), name));
+  }
+  std::vector<Output> outputs = solution_outputs(context, qdd.qdd, lambda);
+  for (Output& each : all_acceleration_outputs(context, qdd, inverse)) outputs.push_back(std::move(each));
+  return finished(context, std::move(outputs), std::move(conditions));
 }
 
 // B⁻¹ as it is stored.
@@ -175,6 +201,30 @@ std::optional<Function> derive_forward_dynamics_derivatives_by_products(const Me
                                                                         const Choices& choices) {
   refuse_derivatives_of_loops(mechanism, "forward_dynamics_derivatives");
   return derived(mechanism, choices, function_by_products);
+}
+
+Function derive_acceleration_and_multipliers(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, choices, [](DerivationContext& context) {
+    const Factorisation B(context.frames, context.inertia());
+    const std::vector<Number> qdd = accelerations(context, B), lambda = B.solve(weights_of(context), "lambda");
+    return finished(context, solution_outputs(context, qdd, lambda), conditions_of(context, B));
+  });
+}
+
+Function derive_multipliers_and_derivatives(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, choices, [](DerivationContext& context) {
+    const Factorisation B(context.frames, context.inertia());
+    const AccelerationDerivatives qdd = derivatives_by_substitution(context, B);
+    return with_multipliers(context, qdd, B.inverse("a"), conditions_of(context, B));
+  });
+}
+
+Function derive_multipliers_and_derivatives_by_products(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, choices, [](DerivationContext& context) {
+    const Factorisation B(context.frames, context.inertia());
+    const Rows inverse = B.inverse("a");
+    return with_multipliers(context, derivatives_by_products(context, inverse), inverse, conditions_of(context, B));
+  });
 }
 
 Function derive_acceleration_derivatives_from_inverse(const Mechanism& mechanism, const Choices& choices,

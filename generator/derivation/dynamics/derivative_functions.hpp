@@ -25,6 +25,13 @@ std::optional<Function> derive_forward_dynamics_derivatives_by_products(const Me
 Function derive_acceleration_derivatives_from_inverse(const Mechanism& mechanism, const Choices& choices,
                                                       const std::vector<int>& inverse);
 
+// Derivatives of a weighted sum wᵀ q̈ are made from q̈ and the multipliers λ = B⁻¹ w, where w is the argument weights;
+// second derivatives from the same with the derivatives of q̈ by q, q̇ and τ, by substitution into B = Lᵀ D L or by
+// products with B⁻¹.
+Function derive_acceleration_and_multipliers(const Mechanism& mechanism, const Choices& choices);
+Function derive_multipliers_and_derivatives(const Mechanism& mechanism, const Choices& choices);
+Function derive_multipliers_and_derivatives_by_products(const Mechanism& mechanism, const Choices& choices);
+
 // Throws Failure(unsupported) for a robot with closed loops. `name`: of the function.
 void refuse_derivatives_of_loops(const Mechanism& mechanism, const std::string& name);
 

@@ -7,23 +7,10 @@
 #include "functions/function_table.hpp"
 #include "functions/scene/entries.hpp"
 #include "graph/passes/draft.hpp"
+#include "graph/passes/substitution.hpp"
 
 namespace flatdyn {
 namespace {
-
-std::size_t slot(NodeId id) { return static_cast<std::size_t>(id); }
-
-// The graph with 0 for each velocity, rebuilt in normal form, so that nodes that become 0 or equal are so at once.
-Graph without_velocities(const Graph& graph, std::vector<NodeId>& image) {
-  Graph result;
-  for (NodeId id = 0; id < graph.size(); ++id) {
-    const Node& node = graph[id];
-    const bool is_zero = node.op == Op::input && is_velocity(node.input.kind);
-    image[slot(id)] = is_zero ? result.constant(0) : unfolded_node(result, node, image);
-    copy_name(graph, id, result, image[slot(id)]);
-  }
-  return result;
-}
 
 void leave_out(const std::vector<std::vector<bool>>& wanted, Function& function) {
   const NodeId zero = function.graph.constant(0);
@@ -43,8 +30,13 @@ void leave_out(const std::vector<std::vector<bool>>& wanted, Function& function)
 Function at_rest(const Function& function) {
   const std::vector<InputKind>& inputs = function.inputs;
   if (std::none_of(inputs.begin(), inputs.end(), is_velocity)) return function;
-  std::vector<NodeId> image(slot(function.graph.size()));
-  Graph still = without_velocities(function.graph, image);
+  Graph still;
+  const std::vector<NodeId> image = substituted(
+      function.graph,
+      [](const Input& input, Graph& to) {
+        return is_velocity(input.kind) ? std::optional(to.constant(0)) : std::nullopt;
+      },
+      still);
   Function result = with_graph(function, std::move(still), image);
   result.at_rest = true;
   return without_dead_code(result);

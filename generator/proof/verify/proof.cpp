@@ -40,20 +40,20 @@ std::uint64_t proof_seed(const std::vector<std::string>& contents) {
 }
 
 std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<OptimisedFunction>& functions,
-                         const std::optional<OptimisedFusion>& fused, const std::optional<Stages>& stages,
+                         const std::vector<OptimisedFusion>& fused, const std::optional<Stages>& stages,
                          std::uint64_t seed) {
   std::vector<Proof> proofs;
   for (const OptimisedFunction& each : functions) {
     proofs.push_back(proof_of(mechanism, each.function.name, each.function, seed));
     require_unchanged(each.derived, each.function, seed);
   }
-  if (fused) {
-    const Fusion& fusion = fused->fusion;
+  for (const OptimisedFusion& each : fused) {
+    const Fusion& fusion = each.fusion;
     for (std::size_t k = 0; k < fusion.parts.size(); ++k) {
       const std::string name = fusion.function.name + "::" + fusion.parts[k].name;
       proofs.push_back(proof_of(mechanism, name, function_of(fusion, k), seed));
     }
-    require_unchanged(fused->derived, fusion.function, seed);
+    require_unchanged(each.derived, fusion.function, seed);
   }
   if (stages) {
     for (const Function& member : members_in_full(*stages)) {

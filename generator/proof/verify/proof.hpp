@@ -28,10 +28,10 @@ struct Proof {
 // the points, and the same input has the same ones. Tests may take any seed.
 std::uint64_t proof_seed(const std::vector<std::string>& contents);
 
-// Proves the functions, then the parts of a fused one, then the members of stages. Throws Failure(verification_failed)
+// Proves the functions, then the parts of fused ones, then the members of stages. Throws Failure(verification_failed)
 // for the first that differs. `mechanism`: the one that they are derived from.
 std::vector<Proof> prove(const Mechanism& mechanism, const std::vector<OptimisedFunction>& functions,
-                         const std::optional<OptimisedFusion>& fused, const std::optional<Stages>& stages,
+                         const std::vector<OptimisedFusion>& fused, const std::optional<Stages>& stages,
                          std::uint64_t seed = 1);
 
 // Proves that the mechanism is the robot that it was made from. Throws Failure(verification_failed) if it is not.

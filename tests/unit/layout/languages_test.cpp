@@ -15,9 +15,9 @@ namespace {
 // The lines that ask for the language, or call what only one of them has. Naming it in a comment is allowed.
 std::vector<std::string> questions(const std::vector<SourceFile>& files) {
   static const std::regex kQuestion(
-      R"q(anguage[^"]*"(c\+\+|c|cuda|javascript|rust)"|dynamic_cast<[^>]*Dialect|\b(is|in)_(cuda|lanes|javascript|rust)\b|)q"
-      R"q("code/languages/(c|cpp|cuda|javascript|rust)/|\b(Cpp|C|Cuda|Javascript|Rust|Lanes)Dialect\b|)q"
-      R"q(\b(emit_(c|cpp|cuda|javascript|rust)|(c|cpp|cuda|javascript|rust|lanes)_(reader|language))\()q");
+      R"q(anguage[^"]*"(c\+\+|c|casadi|cuda|javascript|rust)"|dynamic_cast<[^>]*Dialect|\b(is|in)_(cuda|lanes|javascript|rust)\b|)q"
+      R"q("code/languages/(c|casadi|cpp|cuda|javascript|rust)/|\b(Cpp|C|Cuda|Javascript|Rust|Lanes)Dialect\b|)q"
+      R"q(\b(emit_(c|cpp|cuda|javascript|rust)|(c|casadi|cpp|cuda|javascript|rust|lanes)_(reader|language))\()q");
   static const std::regex kComment("//.*");
   std::vector<std::string> found;
   for (const SourceFile& file : files) {

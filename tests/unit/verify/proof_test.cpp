@@ -80,7 +80,7 @@ TEST(Proof, CoversFusedFunctionsAndStages) {
   Progress quiet(true);
   OptimisedFusion fused = make_fusion(model, {"inertia_matrix", "gravity"}, quiet);
   Stages stages = stages_of(make_fusion(model, {"inertia_matrix", "bias", "forward_dynamics"}, quiet).fusion);
-  const std::vector<Proof> proofs = prove(model.mechanism, {}, fused, stages);
+  const std::vector<Proof> proofs = prove(model.mechanism, {}, {fused}, stages);
   std::vector<std::string> names;
   for (const Proof& proof : proofs) names.push_back(proof.function);
   const std::vector<std::string> expected = {"inertia_matrix_gravity::inertia_matrix",
@@ -91,7 +91,7 @@ TEST(Proof, CoversFusedFunctionsAndStages) {
   std::swap(wrong.motion.make.outputs[0].entries.front(), wrong.motion.make.outputs[0].entries.back());
   EXPECT_THROW(prove(model.mechanism, {}, {}, wrong), Failure);
   std::swap(fused.fusion.function.outputs[0].entries.front(), fused.fusion.function.outputs[0].entries.back());
-  EXPECT_THROW(prove(model.mechanism, {}, fused, {}), Failure);
+  EXPECT_THROW(prove(model.mechanism, {}, {fused}, {}), Failure);
 }
 
 }  // namespace

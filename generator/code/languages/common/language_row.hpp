@@ -16,6 +16,14 @@ using DialectOf = std::unique_ptr<const PageDialect>(const Mechanism& mechanism,
 
 using ReaderOf = AnyLanguageReader(const EmitOptions& options);
 
+// A language may need more functions of a robot than are asked for: by name, sets of which each is computed as one, and
+// a sentence that says what is left out.
+struct FunctionsNeeded {
+  std::vector<std::string> functions;
+  std::vector<std::vector<std::string>> fused;
+  std::string note;  // empty: nothing
+};
+
 struct LanguageRow {
   const char *option = "", *name = "";  // the value of --language, "c++", and for people, "C++"
   const char* description = "";         // "a C++17 header"
@@ -27,6 +35,12 @@ struct LanguageRow {
   // functions over arrays of states, a script for pages of the web, and a header in another program's convention.
   DialectOf *types = nullptr, *batch = nullptr, *page_script = nullptr;
   ReaderOf* batch_reader = nullptr;  // reads that source behind the first of the files
+  // Likewise: the functions that it needs for those that are asked for, the form in which its text has them, and files
+  // around that text.
+  FunctionsNeeded (*functions_needed)(const Mechanism& mechanism, const std::vector<std::string>& asked) = nullptr;
+  std::vector<Function> (*as_written)(const Mechanism& mechanism, const std::vector<Function>& functions) = nullptr;
+  std::vector<GeneratedFile> (*more_files)(const Mechanism& mechanism, const std::vector<Function>& functions,
+                                           const EmitOptions& options) = nullptr;
   ConventionHeader (*convention_header)(const Mechanism& mechanism, const std::vector<Function>& functions,
                                         const EmitOptions& options, const Convention& convention) = nullptr;
   bool has_pair = false;             // header and source on request

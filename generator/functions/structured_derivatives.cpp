@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "functions/structured_derivatives.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/diagnostics/diagnostics.hpp"
+#include "derivation/differentiation/derivative_outputs.hpp"
+#include "derivation/differentiation/implicit.hpp"
+#include "graph/fusion.hpp"
+
+namespace flatdyn {
+namespace {
+
+constexpr int kAxes = 3;
+
+// The directions of an argument that one of the parts has a square matrix for.
+const TangentBlock* block_of(const Tangents& tangents, InputKind argument) {
+  const std::vector<TangentBlock>& blocks = tangents.blocks();
+  const auto found =
+      std::find_if(blocks.begin(), blocks.end(), [&](const TangentBlock& each) { return each.kind == argument; });
+  return found == blocks.end() ? nullptr : &*found;
+}
+
+// The columns along the directions of an argument, from a matrix of its derivatives.
+void take_columns(const Output& matrix, const TangentBlock& block, JacobianColumns& columns) {
+  if (matrix.cols != block.length) throw Failure(FailureKind::bug, matrix.name + " has the wrong shape");
+  for (int k = 0; k < block.length; ++k) {
+    std::vector<NodeId>& column = columns[static_cast<std::size_t>(block.first + k)];
+    for (int i = 0; i < matrix.rows; ++i) {
+      column.push_back(matrix.entries[static_cast<std::size_t>(i * matrix.cols + k)]);
+    }
+  }
+}
+
+// g_b acts as an acceleration of the base the other way: τ depends on v̇ - g_b, of which τ = B a + … holds v̇ among the
+// first entries of a. So ∂τ/∂g_b is minus the first columns of B; and while τ is held, ∂v̇/∂g_b is the unit matrix.
+void take_columns_of_gravity(bool is_of_acceleration, const Tangents& tangents, Graph& graph,
+                             JacobianColumns& columns) {
+  const TangentBlock* block = block_of(tangents, InputKind::g_b);
+  if (block == nullptr) return;
+  const TangentBlock* acceleration = block_of(tangents, InputKind::a);
+  const std::size_t rows = columns.front().size();
+  for (int k = 0; k < kAxes; ++k) {
+    std::vector<NodeId>& column = columns[static_cast<std::size_t>(block->first + k)];
+    for (std::size_t i = 0; i < rows; ++i) {
+      column.push_back(is_of_acceleration
+                           ? graph.constant(i == static_cast<std::size_t>(k) ? 1 : 0)
+                           : graph.scaled(-1, columns[static_cast<std::size_t>(acceleration->first + k)][i]));
+    }
+  }
+}
+
+}  // namespace
+
+bool has_jacobian_parts(const Mechanism& mechanism, const FunctionRow& row) {
+  return !row.jacobian_parts.empty() && mechanism.symbols.empty();
+}
+
+std::optional<Function> jacobian_of_parts(const Mechanism& mechanism, const FunctionRow& row, const Function& of,
+                                          FormulationIndex way, const Choices& choices) {
+  std::vector<Function> parts;
+  for (const JacobianPart& part : row.jacobian_parts) {
+    std::optional<Function> made = formulation(mechanism, part.function, parts.empty() ? way : 0, choices);
+    if (!made) return std::nullopt;
+    parts.push_back(std::move(*made));
+  }
+  Function whole = fused(parts).function;
+  whole.formulation = parts.front().formulation;
+  whole.proven_pivot_share = parts.front().proven_pivot_share;
+  const Tangents tangents(mechanism, of.inputs, of.base_parameters);
+  JacobianColumns columns(static_cast<std::size_t>(tangents.count()));
+  std::size_t output = 0;
+  for (const JacobianPart& part : row.jacobian_parts) {
+    for (const InputKind argument : part.arguments) {
+      const TangentBlock* block = block_of(tangents, with_base(argument, mechanism.has_quasi_velocities()));
+      if (block == nullptr) throw Failure(FailureKind::bug, std::string(part.function) + " has other arguments");
+      take_columns(whole.outputs[output++], *block, columns);
+    }
+  }
+  const bool is_of_acceleration = row.outputs.front().quantity == OutputQuantity::joint_acceleration;
+  take_columns_of_gravity(is_of_acceleration, tangents, whole.graph, columns);
+  whole.inputs = of.inputs;
+  whole.outputs = jacobian_outputs(of, tangents, columns);
+  return whole;
+}
+
+bool is_implicit(const Mechanism& mechanism, const FunctionRow& row, Derivative derivative) {
+  const bool is_weighted =
+      derivative == Derivative::vector_times_jacobian || derivative == Derivative::contracted_hessian;
+  return is_weighted && row.implicit.torques != nullptr && mechanism.symbols.empty();
+}
+
+std::optional<Function> implicit_derivative(const Mechanism& mechanism, const FunctionRow& row, Derivative derivative,
+                                            FormulationIndex way, const Choices& choices) {
+  const bool is_second = derivative == Derivative::contracted_hessian;
+  const auto& ways = row.implicit.solution_and_derivatives;
+  if (way >= (is_second ? ways.size() : 1)) return std::nullopt;
+  Function solution = (is_second ? ways[way] : row.implicit.solution)(mechanism, choices);
+  const Function torques = *formulation(mechanism, row.implicit.torques, 0, choices);
+  const std::vector<InputKind> arguments = row.inputs_for(mechanism);
+  solution.inputs = arguments;
+  solution.inputs.push_back(InputKind::weights);
+  const std::string acceleration = argument_row(with_base(InputKind::qdd, mechanism.has_quasi_velocities())).name;
+  solution.own = {mechanism.size(), "weights of the entries of " + acceleration};
+  solution.outputs.front().name = acceleration;
+  solution.formulation = "multipliers B^-1 w";
+  solution.proven_pivot_share = choices.guard.proven_share;
+  const Tangents tangents(mechanism, arguments, 0), of_torques(mechanism, torques.inputs, 0);
+  const ImplicitAcceleration implicit{solution, torques, tangents, of_torques};
+  return is_second ? weighted_second_derivatives(implicit) : weighted_derivatives(implicit);
+}
+
+}  // namespace flatdyn

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Derivatives of inverse and forward dynamics that use their structure, and cost less than derivatives of their graphs.
+// Those by free symbols are not among them.
+#pragma once
+
+#include <optional>
+
+#include "derivation/kernel/choices.hpp"
+#include "functions/formulation.hpp"
+#include "graph/function.hpp"
+#include "robot/model/mechanism.hpp"
+
+namespace flatdyn {
+
+// Whether the Jacobian is there in parts (FunctionRow::jacobian_parts).
+bool has_jacobian_parts(const Mechanism& mechanism, const FunctionRow& row);
+
+// The matrices of jac:FUNCTION from their parts, the first of which is derived in formulation `way`; nullopt if it has
+// none such. `of`: the function.
+std::optional<Function> jacobian_of_parts(const Mechanism& mechanism, const FunctionRow& row, const Function& of,
+                                          FormulationIndex way, const Choices& choices);
+
+// Whether a weighted sum is differentiated as that of an implicit function (FunctionRow::implicit).
+bool is_implicit(const Mechanism& mechanism, const FunctionRow& row, Derivative derivative);
+
+// wᵀ J or the contracted Hessian, with the solution in formulation `way`; nullopt if it has none such.
+std::optional<Function> implicit_derivative(const Mechanism& mechanism, const FunctionRow& row, Derivative derivative,
+                                            FormulationIndex way, const Choices& choices);
+
+}  // namespace flatdyn
