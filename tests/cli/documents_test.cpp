@@ -29,6 +29,9 @@ std::vector<std::string> lines_of(const fs::path& page) {
   return lines;
 }
 
+const fs::path kPythonOfPeers =
+    fs::path(FLATDYN_SOURCE_DIR) / "build" / "peers" / "bin";  // Python with numpy and CasADi
+
 // A user's folder: robots/, docs/ and runtime/ are in it, outputs go beside them, and flatdyn is on the PATH.
 class UsersFolder {
  public:
@@ -41,8 +44,9 @@ class UsersFolder {
   // Runs a command as it stands on the page.
   Outcome run(const std::string& command) const {
     const std::string path = fs::path(FLATDYN_PROGRAM).parent_path().string();
-    const int status = std::system(
-        fmt::format("cd '{}' && PATH='{}':\"$PATH\" && {{ {}\n}} > log 2> err", folder_.path(), path, command).c_str());
+    const int status = std::system(fmt::format("cd '{}' && PATH='{}':'{}':\"$PATH\" && {{ {}\n}} > log 2> err",
+                                               folder_.path(), path, kPythonOfPeers.string(), command)
+                                       .c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, folder_.read("log"), folder_.read("err")};
   }
 
@@ -54,8 +58,8 @@ class UsersFolder {
 };
 
 // The prefixes of commands in a code block.
-constexpr const char* kPrompts[] = {"    flatdyn ", "    make -C out", "    cd out && cc ", "    g++ ",
-                                    "    ./",       "    node ",       "    cargo "};
+constexpr const char* kPrompts[] = {"    flatdyn ", "    make -C out", "    cd out && cc ", "    cc ",     "    g++ ",
+                                    "    ./",       "    node ",       "    cargo ",        "    python3 "};
 const std::string kPrints = "    → ";  // prefix of the expected output of the command before it
 
 bool is_command(const std::string& line) {
@@ -128,6 +132,8 @@ class Page : public ::testing::TestWithParam<const char*> {};
 TEST_P(Page, HasCommandsThatRunAndPrintWhatItSays) {
   const bool needs_cargo = std::string(GetParam()) == "rust.md";
   if (needs_cargo && std::system("cargo --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "cargo is not installed";
+  const bool needs_peers = std::string(GetParam()) == "control.md";
+  if (needs_peers && !fs::exists(kPythonOfPeers)) GTEST_SKIP() << "build/peers is not there: scripts/setup makes it";
   Reading reading(GetParam());
   for (const std::string& line : lines_of(kDocs / GetParam())) reading.read(line);
   EXPECT_GT(reading.commands(), 0);
@@ -153,13 +159,13 @@ TEST(TrajectoryFormat, HasAnExampleThatRuns) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Documents, Page,
-                         ::testing::Values("../README.md", "casadi.md", "derivatives.md", "example-7-2.md",
-                                           "figure-7-15.md", "firmware.md", "generated-code.md", "javascript.md",
-                                           "loops.md", "python.md", "rust.md", "tutorial.md", "problems/7-01.md",
-                                           "problems/7-02.md", "problems/7-03.md", "problems/7-04.md",
-                                           "problems/7-05.md", "problems/7-07.md", "problems/7-08.md",
-                                           "problems/7-09.md", "problems/7-10.md", "problems/7-11.md",
-                                           "problems/7-12.md"),
+                         ::testing::Values("../README.md", "casadi.md", "control.md", "derivatives.md",
+                                           "example-7-2.md", "figure-7-15.md", "firmware.md", "generated-code.md",
+                                           "javascript.md", "loops.md", "python.md", "rust.md", "tutorial.md",
+                                           "problems/7-01.md", "problems/7-02.md", "problems/7-03.md",
+                                           "problems/7-04.md", "problems/7-05.md", "problems/7-07.md",
+                                           "problems/7-08.md", "problems/7-09.md", "problems/7-10.md",
+                                           "problems/7-11.md", "problems/7-12.md"),
                          [](const auto& test) {
                            std::string name = fs::path(test.param).stem().string();
                            for (char& c : name) c = c == '-' ? '_' : c;
