@@ -159,23 +159,25 @@ void example_7_2_adj1_inverse_dynamics_given(const double sine[2], const double 
   const double qdd_1 = qdd[0], qdd_2 = qdd[1];
   const double weights_1 = weights[0], weights_2 = weights[1];
   const double s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
+  const double t1 = 50.0 * s_2;
   const double omega_2_z = qd_1 + qd_2;
-  const double t1 = s_2 * omega_2_z * weights_1;
-  adj_qd[1] = -50.0 * t1;
+  const double t2 = omega_2_z * weights_1 * t1;
+  adj_qd[1] = -t2;
+  const double t3 = 25.0 * weights_1;
   const double N_2_z_bar = weights_1 + weights_2;
-  const double domega_2_z_bar = 22.5 * N_2_z_bar + 25.0 * c_2 * weights_1;
+  const double domega_2_z_bar = 22.5 * N_2_z_bar + c_2 * t3;
   adj_qdd[1] = weights_1 + domega_2_z_bar + 100.0 * weights_2;
-  const double t2 = c_2 * N_2_z_bar;
-  adj_qdd[0] = weights_2 + 25.0 * t2 + domega_2_z_bar + 177.51 * weights_1;
-  adj_qd[0] = 50.0 * s_2 * qd_1 * N_2_z_bar - 50.0 * t1;
-  const double c_1_bar = 245.25 * t2 + 784.8 * weights_1;
-  adj_q[0] = -245.25 * c_1 * s_2 * N_2_z_bar - s_1 * c_1_bar;
+  const double t4 = 25.0 * N_2_z_bar;
+  adj_qdd[0] = weights_2 + c_2 * t4 + domega_2_z_bar + 177.51 * weights_1;
+  adj_qd[0] = qd_1 * N_2_z_bar * t1 - t2;
   const double ddp_o_2_y = 9.81 * c_1 + qdd_1;
   const double domega_2_z = qdd_1 + qdd_2;
-  const double c_2_bar = 25.0 * ddp_o_2_y * N_2_z_bar + 25.0 * domega_2_z * weights_1;
+  const double c_2_bar = ddp_o_2_y * t4 + domega_2_z * t3;
   const double ddp_o_2_x = 9.81 * s_1 - qd_1 * qd_1;
-  const double t3 = c_2 * (25.0 * ddp_o_2_x * N_2_z_bar + 25.0 * omega_2_z * omega_2_z * weights_1);
-  adj_q[1] = -s_2 * c_2_bar - t3;
+  adj_q[1] = -s_2 * c_2_bar - c_2 * (ddp_o_2_x * t4 + omega_2_z * omega_2_z * t3);
+  const double t5 = 245.25 * N_2_z_bar;
+  const double c_1_bar = c_2 * t5 + 784.8 * weights_1;
+  adj_q[0] = -c_1 * s_2 * t5 - s_1 * c_1_bar;
 }
 
 void example_7_2_adj1_inverse_dynamics(const double q[2], const double qd[2], const double qdd[2],
@@ -186,9 +188,8 @@ void example_7_2_adj1_inverse_dynamics(const double q[2], const double qd[2], co
   example_7_2_adj1_inverse_dynamics_given(sine, cosine, qd, qdd, weights, adj_q, adj_qd, adj_qdd);
 }
 
-// The second derivatives of inverse_dynamics by its arguments, times weights of its entries; signs
-// count as constant; J, the derivatives of inverse_dynamics by its arguments; signs count as
-// constant.
+// The derivatives of adj1_inverse_dynamics: second derivatives of the weighted sum of the entries
+// of inverse_dynamics, and J^T; signs count as constant.
 void example_7_2_jac_adj1_inverse_dynamics_given(const double sine[2], const double cosine[2],
     const double qd[2], const double qdd[2], const double weights[2],
     double jac_adj_q_q[restrict 4], double jac_adj_q_qd[restrict 2],
@@ -200,41 +201,50 @@ void example_7_2_jac_adj1_inverse_dynamics_given(const double sine[2], const dou
   const double qdd_1 = qdd[0], qdd_2 = qdd[1];
   const double weights_1 = weights[0], weights_2 = weights[1];
   const double s_1 = sine[0], c_1 = cosine[0], s_2 = sine[1], c_2 = cosine[1];
-  jac_adj_qdd_adj_tau[1] = jac_adj_qdd_adj_tau[2] = 25.0 * c_2 + 23.5;
-  jac_adj_qdd_adj_tau[0] = 50.0 * c_2 + 200.01;
-  const double N_2_z_bar = weights_1 + weights_2;
-  const double t1 = s_1 * s_2 * N_2_z_bar;
-  jac_adj_q_q[1] = jac_adj_q_q[2] = 245.25 * t1 - 245.25 * c_1 * c_2 * N_2_z_bar;
-  const double t2 = s_2 * weights_1;
-  jac_adj_q_qdd[1] = jac_adj_qdd_q[1] = -25.0 * t2;
+  const double t1 = 25.0 * weights_1;
+  const double t2 = s_2 * t1;
+  jac_adj_q_qdd[1] = jac_adj_qdd_q[1] = -t2;
+  const double t3 = 50.0 * s_2;
+  const double kappa_2_1_z = qd_1 * t3;
+  jac_adj_qd_adj_tau[2] = kappa_2_1_z;
+  const double t4 = 25.0 * c_2;
+  jac_adj_qdd_adj_tau[1] = jac_adj_qdd_adj_tau[2] = t4 + 23.5;
+  const double t5 = 50.0 * c_2;
+  jac_adj_qdd_adj_tau[0] = t5 + 200.01;
   const double omega_2_z = qd_1 + qd_2;
-  const double t3 = c_2 * omega_2_z * weights_1;
-  jac_adj_q_qd[1] = jac_adj_qd_q[1] = -50.0 * t3;
-  jac_adj_qd_qd[1] = jac_adj_qd_qd[2] = jac_adj_qd_qd[3] = -50.0 * t2;
-  const double t4 = s_2 * qd_1;
-  jac_adj_qd_adj_tau[2] = 50.0 * t4;
-  const double t5 = s_2 * omega_2_z;
-  jac_adj_qd_adj_tau[0] = 50.0 * t4 - 50.0 * t5;
-  jac_adj_qd_adj_tau[1] = -50.0 * t5;
-  const double t6 = s_2 * N_2_z_bar;
-  jac_adj_q_qdd[0] = jac_adj_qdd_q[0] = -25.0 * t2 - 25.0 * t6;
-  jac_adj_q_qd[0] = jac_adj_qd_q[0] = 50.0 * c_2 * qd_1 * N_2_z_bar - 50.0 * t3;
-  jac_adj_qd_qd[0] = 50.0 * t6 - 50.0 * t2;
-  const double t7 = c_1 * s_2;
-  jac_adj_q_adj_tau[2] = -245.25 * t7 - 245.25 * s_1 * c_2;
-  const double c_1_bar = 245.25 * c_2 * N_2_z_bar + 784.8 * weights_1;
-  jac_adj_q_q[0] = 245.25 * t1 - c_1 * c_1_bar;
-  const double hc_1_x = 25.0 * c_2 + 80.0;
-  jac_adj_q_adj_tau[0] = -245.25 * t7 - 9.81 * s_1 * hc_1_x;
+  const double t6 = omega_2_z * weights_1 * t5;
+  jac_adj_q_qd[1] = jac_adj_qd_q[1] = -t6;
+  const double t7 = weights_1 * t3;
+  jac_adj_qd_qd[1] = jac_adj_qd_qd[2] = jac_adj_qd_qd[3] = -t7;
+  const double t8 = omega_2_z * t3;
+  jac_adj_qd_adj_tau[0] = kappa_2_1_z - t8;
+  jac_adj_qd_adj_tau[1] = -t8;
+  const double t9 = 245.25 * c_2;
+  const double N_2_z_bar = weights_1 + weights_2;
+  const double t10 = N_2_z_bar * t9;
+  const double t11 = 245.25 * s_2;
+  const double t12 = s_1 * N_2_z_bar * t11;
+  jac_adj_q_q[1] = jac_adj_q_q[2] = t12 - c_1 * t10;
+  const double t13 = 25.0 * N_2_z_bar;
+  jac_adj_q_qdd[0] = jac_adj_qdd_q[0] = -t2 - s_2 * t13;
+  jac_adj_q_qd[0] = jac_adj_qd_q[0] = qd_1 * N_2_z_bar * t5 - t6;
+  jac_adj_qd_qd[0] = N_2_z_bar * t3 - t7;
+  const double t14 = c_1 * t11;
+  jac_adj_q_adj_tau[2] = -t14 - s_1 * t9;
+  const double c_1_bar = t10 + 784.8 * weights_1;
+  jac_adj_q_q[0] = t12 - c_1 * c_1_bar;
+  const double hc_1_x = t4 + 80.0;
+  const double t15 = 9.81 * s_1;
+  jac_adj_q_adj_tau[0] = -t14 - t15 * hc_1_x;
+  const double t16 = qd_1 * qd_1 - t15;
   const double ddp_o_2_y = 9.81 * c_1 + qdd_1;
-  const double t8 = 9.81 * s_1 - qd_1 * qd_1;
-  const double ddp_2_x = c_2 * t8 + s_2 * ddp_o_2_y;
+  const double ddp_2_x = s_2 * ddp_o_2_y - c_2 * t16;
   jac_adj_q_adj_tau[3] = -25.0 * ddp_2_x;
+  const double t17 = omega_2_z * omega_2_z;
   const double domega_2_z = qdd_1 + qdd_2;
-  const double c_2_bar = 25.0 * ddp_o_2_y * N_2_z_bar + 25.0 * domega_2_z * weights_1;
-  const double t9 = s_2 * (25.0 * t8 * N_2_z_bar + 25.0 * omega_2_z * omega_2_z * weights_1);
-  jac_adj_q_q[3] = t9 - c_2 * c_2_bar;
-  jac_adj_q_adj_tau[1] = -25.0 * (ddp_2_x + s_2 * domega_2_z) - 25.0 * c_2 * omega_2_z * omega_2_z;
+  const double c_2_bar = ddp_o_2_y * t13 + domega_2_z * t1;
+  jac_adj_q_q[3] = -c_2 * c_2_bar - s_2 * (t16 * t13 - t17 * t1);
+  jac_adj_q_adj_tau[1] = -25.0 * (ddp_2_x + s_2 * domega_2_z) - t17 * t4;
   jac_adj_qdd_adj_tau[3] = 122.5;
 }
 
@@ -301,9 +311,8 @@ void example_7_2_adj1_inertia_matrix(const double q[2], const double weights[4],
   example_7_2_adj1_inertia_matrix_given(sine, cosine, weights, adj_q);
 }
 
-// The second derivatives of inertia_matrix by its arguments, times weights of its entries; signs
-// count as constant; J, the derivatives of inertia_matrix by its arguments; signs count as
-// constant.
+// The derivatives of adj1_inertia_matrix: second derivatives of the weighted sum of the entries of
+// inertia_matrix, and J^T; signs count as constant.
 void example_7_2_jac_adj1_inertia_matrix_given(const double sine[2], const double cosine[2],
     const double weights[4], double jac_adj_q_q[restrict 1], double jac_adj_q_adj_B[restrict 3]) {
   const double weights_1 = weights[0], weights_2 = weights[1], weights_3 = weights[2];
@@ -428,5 +437,5 @@ bool example_7_2_rounding_is_as_written(void) {
   hash = example_7_2_hash_of(result, 2, hash);
   example_7_2_jac_adj1_inertia_matrix_given(sine, cosine, weights, result, &result[1]);
   hash = example_7_2_hash_of(result, 4, hash);
-  return hash == 0x55a07c1af9058fa1u;
+  return hash == 0xfab28de596a8d28au;
 }

@@ -102,7 +102,7 @@ void example_7_2_jac_inverse_dynamics_given(const double sine[2], const double c
 //   adj_q[2]    out  derivatives of the weighted sum by q
 //   adj_qd[2]   out  derivatives of the weighted sum by qd
 //   adj_qdd[2]  out  derivatives of the weighted sum by qdd
-// Reads q[0..1], qd[0..1], qdd[0..1], weights[0..1]. Operations: 34 mul, 17 add, 4 sin/cos.
+// Reads q[0..1], qd[0..1], qdd[0..1], weights[0..1]. Operations: 28 mul, 17 add, 4 sin/cos.
 void example_7_2_adj1_inverse_dynamics(const double q[2], const double qd[2], const double qdd[2],
     const double weights[2], double adj_q[2], double adj_qd[2], double adj_qdd[2]);
 // The same from sine[k] = sin(q[k]) and cosine[k] = cos(q[k]) of the caller's, k = 0..1.
@@ -110,9 +110,8 @@ void example_7_2_adj1_inverse_dynamics_given(const double sine[2], const double 
     const double qd[2], const double qdd[2], const double weights[2], double adj_q[2],
     double adj_qd[2], double adj_qdd[2]);
 
-// The second derivatives of inverse_dynamics by its arguments, times weights of its entries; signs
-// count as constant; J, the derivatives of inverse_dynamics by its arguments; signs count as
-// constant.
+// The derivatives of adj1_inverse_dynamics: second derivatives of the weighted sum of the entries
+// of inverse_dynamics, and J^T; signs count as constant.
 //   q[2]                    in   joint positions, rad or m
 //   qd[2]                   in   joint velocities, rad/s or m/s
 //   qdd[2]                  in   joint accelerations, rad/s^2 or m/s^2
@@ -135,7 +134,7 @@ void example_7_2_adj1_inverse_dynamics_given(const double sine[2], const double 
 //                                entries that are not always zero, column by column
 //   jac_adj_qdd_adj_tau[4]  out  derivatives of tau by qdd, transposed, 2 x 2: the entries that are
 //                                not always zero, column by column
-// Reads q[0..1], qd[0..1], qdd[0..1], weights[0..1]. Operations: 64 mul, 23 add, 4 sin/cos.
+// Reads q[0..1], qd[0..1], qdd[0..1], weights[0..1]. Operations: 42 mul, 23 add, 4 sin/cos.
 void example_7_2_jac_adj1_inverse_dynamics(const double q[2], const double qd[2],
     const double qdd[2], const double weights[2], double jac_adj_q_q[4], double jac_adj_q_qd[2],
     double jac_adj_q_qdd[2], double jac_adj_q_adj_tau[4], double jac_adj_qd_q[2],
@@ -177,9 +176,8 @@ void example_7_2_adj1_inertia_matrix(const double q[2], const double weights[4],
 void example_7_2_adj1_inertia_matrix_given(const double sine[2], const double cosine[2],
     const double weights[4], double adj_q[2]);
 
-// The second derivatives of inertia_matrix by its arguments, times weights of its entries; signs
-// count as constant; J, the derivatives of inertia_matrix by its arguments; signs count as
-// constant.
+// The derivatives of adj1_inertia_matrix: second derivatives of the weighted sum of the entries of
+// inertia_matrix, and J^T; signs count as constant.
 //   q[2]                in   joint positions, rad or m
 //   weights[4]          in   weights of the entries of B, row by row
 //   jac_adj_q_q[1]      out  second derivatives of the weighted sum by q, q, 2 x 2: the entries
@@ -196,9 +194,9 @@ void example_7_2_jac_adj1_inertia_matrix_given(const double sine[2], const doubl
 // Whether the source of this header was compiled so that every operation is rounded as it is
 // written, to nearest: compilers fuse products into sums unless they are given -ffp-contract=off
 // (gcc 12 needs -fno-tree-slp-vectorize, too), and x87 registers or -freciprocal-math change more.
-// The rounding errors that certificates bound assume that this is true. All functions are called at one state, with sines and cosines given, and
-// the bits of their results compared with those of arithmetic as it is written, in the calling
-// thread.
+// The rounding errors that certificates bound assume that this is true. All functions are called at
+// one state, with sines and cosines given, and the bits of their results compared with those of
+// arithmetic as it is written, in the calling thread.
 EXAMPLE_7_2_NODISCARD bool example_7_2_rounding_is_as_written(void);
 
 #ifdef __cplusplus

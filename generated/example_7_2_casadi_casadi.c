@@ -32,6 +32,10 @@
 #define CASADI_SYMBOL_EXPORT
 #endif
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef double casadi_real;
 typedef long long int casadi_int;
 
@@ -91,6 +95,7 @@ static const casadi_int* const inverse_dynamics_patterns_in[] = {s0, s0, s0};
 static const casadi_int* const inverse_dynamics_patterns_out[] = {s0};
 QUERIES(inverse_dynamics, 3, 1, 2)
 
+
 CASADI_SYMBOL_EXPORT int inverse_dynamics(const casadi_real** arg, casadi_real** res,
     casadi_int* iw, casadi_real* w, int mem) {
   (void)iw;
@@ -105,6 +110,7 @@ static const char* const jac_inverse_dynamics_names_out[] = {
 static const casadi_int* const jac_inverse_dynamics_patterns_in[] = {s0, s0, s0, s1};
 static const casadi_int* const jac_inverse_dynamics_patterns_out[] = {s2, s3, s2};
 QUERIES(jac_inverse_dynamics, 4, 3, 11)
+
 
 CASADI_SYMBOL_EXPORT int jac_inverse_dynamics(const casadi_real** arg, casadi_real** res,
     casadi_int* iw, casadi_real* w, int mem) {
@@ -121,6 +127,7 @@ static const char* const adj1_inverse_dynamics_names_out[] = {"adj_q", "adj_qd",
 static const casadi_int* const adj1_inverse_dynamics_patterns_in[] = {s0, s0, s0, s1, s0};
 static const casadi_int* const adj1_inverse_dynamics_patterns_out[] = {s0, s0, s0};
 QUERIES(adj1_inverse_dynamics, 5, 3, 6)
+
 
 CASADI_SYMBOL_EXPORT int adj1_inverse_dynamics(const casadi_real** arg, casadi_real** res,
     casadi_int* iw, casadi_real* w, int mem) {
@@ -144,6 +151,7 @@ static const casadi_int* const jac_adj1_inverse_dynamics_patterns_out[] = {
     s2, s4, s4, s5, s2, s6, s2, s5, s5, s3, s6, s5, s5, s5, s2};
 QUERIES(jac_adj1_inverse_dynamics, 8, 15, 27)
 
+
 CASADI_SYMBOL_EXPORT int jac_adj1_inverse_dynamics(const casadi_real** arg, casadi_real** res,
     casadi_int* iw, casadi_real* w, int mem) {
   (void)iw;
@@ -161,6 +169,7 @@ static const casadi_int* const inertia_matrix_patterns_in[] = {s0};
 static const casadi_int* const inertia_matrix_patterns_out[] = {s2};
 QUERIES(inertia_matrix, 1, 1, 4)
 
+
 CASADI_SYMBOL_EXPORT int inertia_matrix(const casadi_real** arg, casadi_real** res, casadi_int* iw,
     casadi_real* w, int mem) {
   (void)iw;
@@ -175,6 +184,7 @@ static const casadi_int* const jac_inertia_matrix_patterns_in[] = {s0, s5};
 static const casadi_int* const jac_inertia_matrix_patterns_out[] = {s7};
 QUERIES(jac_inertia_matrix, 2, 1, 3)
 
+
 CASADI_SYMBOL_EXPORT int jac_inertia_matrix(const casadi_real** arg, casadi_real** res,
     casadi_int* iw, casadi_real* w, int mem) {
   (void)iw;
@@ -188,6 +198,7 @@ static const char* const adj1_inertia_matrix_names_out[] = {"adj_q"};
 static const casadi_int* const adj1_inertia_matrix_patterns_in[] = {s0, s5, s2};
 static const casadi_int* const adj1_inertia_matrix_patterns_out[] = {s0};
 QUERIES(adj1_inertia_matrix, 3, 1, 2)
+
 
 CASADI_SYMBOL_EXPORT int adj1_inertia_matrix(const casadi_real** arg, casadi_real** res,
     casadi_int* iw, casadi_real* w, int mem) {
@@ -204,6 +215,7 @@ static const casadi_int* const jac_adj1_inertia_matrix_patterns_in[] = {s0, s5, 
 static const casadi_int* const jac_adj1_inertia_matrix_patterns_out[] = {s8, s9, s10};
 QUERIES(jac_adj1_inertia_matrix, 4, 3, 4)
 
+
 CASADI_SYMBOL_EXPORT int jac_adj1_inertia_matrix(const casadi_real** arg, casadi_real** res,
     casadi_int* iw, casadi_real* w, int mem) {
   (void)iw;
@@ -212,3 +224,7 @@ CASADI_SYMBOL_EXPORT int jac_adj1_inertia_matrix(const casadi_real** arg, casadi
       wanted(res[2], w + 1));
   return 0;
 }
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif

@@ -272,9 +272,9 @@ void planar_2r_jacobian_dot_qd_given(const planar_2r_parameters* parameters, con
 // Whether the source of this header was compiled so that every operation is rounded as it is
 // written, to nearest: compilers fuse products into sums unless they are given -ffp-contract=off
 // (gcc 12 needs -fno-tree-slp-vectorize, too), and x87 registers or -freciprocal-math change more.
-// The rounding errors that certificates bound assume that this is true. All functions are called at one state, with sines and cosines given, and
-// the bits of their results compared with those of arithmetic as it is written, in the calling
-// thread.
+// The rounding errors that certificates bound assume that this is true. All functions are called at
+// one state, with sines and cosines given, and the bits of their results compared with those of
+// arithmetic as it is written, in the calling thread.
 PLANAR_2R_NODISCARD bool planar_2r_rounding_is_as_written(void);
 
 #ifdef __cplusplus

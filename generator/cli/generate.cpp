@@ -54,9 +54,14 @@ struct GenerateArguments : RobotArguments {
 };
 
 const CLI::Validator kFileName(
-    [](const std::string& text) {
+    [](const std::string& text) -> std::string {
       const bool is_name = !text.empty() && text.find('/') == std::string::npos;
-      return is_name ? "" : "\"" + text + "\" is no name of a file: write it without folder, which is -o's";
+      if (!is_name) return "\"" + text + "\" is no name of a file: write it without folder, which is -o's";
+      const bool is_safe =
+          text.front() != '-' && std::none_of(text.begin(), text.end(), [](char c) {
+            return static_cast<unsigned char>(c) < ' ' || std::string_view("\"'\\$`").find(c) != std::string_view::npos;
+          });
+      return is_safe ? "" : "a name of files has no quotes, no \\, $ and `, no control characters, and no - in front";
     },
     "");
 

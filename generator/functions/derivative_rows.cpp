@@ -38,6 +38,8 @@ bool has_weights(Derivative derivative) {
 const char* DerivativeRows::kept(std::string text) { return texts_.emplace_back(std::move(text)).c_str(); }
 
 std::vector<OutputRow> DerivativeRows::outputs_of(const FunctionRow& of, Derivative derivative) {
+  std::vector<OutputRow> differentiated = of.outputs;
+  if (std::string(differentiated.back().name) == kCondition) differentiated.pop_back();
   std::vector<InputKind> arguments = of.inputs;
   arguments.push_back(InputKind::parameter);
   std::vector<OutputRow> outputs;
@@ -48,7 +50,7 @@ std::vector<OutputRow> DerivativeRows::outputs_of(const FunctionRow& of, Derivat
     case Derivative::none:
       break;
     case Derivative::jacobian_times_vector:
-      for (OutputRow output : of.outputs) {
+      for (OutputRow output : differentiated) {
         output.name = kept(std::string("d") + output.name);
         outputs.push_back(output);
       }
@@ -59,7 +61,7 @@ std::vector<OutputRow> DerivativeRows::outputs_of(const FunctionRow& of, Derivat
       }
       break;
     case Derivative::jacobian:
-      for (const OutputRow& output : of.outputs) {
+      for (const OutputRow& output : differentiated) {
         for (const InputKind each : arguments) {
           add(kept(fmt::format("d{}_d{}", output.name, name_of({each}))), Layout::matrix, output.rows,
               directions_of(each));

@@ -14,7 +14,7 @@ ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, 
   const Function of = derive_function(mechanism, name_of_differentiated(function.name));
   const ExactResult before = prove_exactly(mechanism, of, options);
   if (!before.equal) return before;
-  ExactResult result = prove_derivatives(mechanism, function, of, row.derivative, options);
+  ExactResult result = prove_derivatives(mechanism, function, without_condition(of), row.derivative, options);
   constexpr double kEither = 1;  // of the two may be wrong
   result.failure_log2 = std::min(0.0, std::max(before.failure_log2, result.failure_log2) + kEither);
   return result;

@@ -284,7 +284,8 @@ std::string summary_of_derivative(const std::string& function, Derivative deriva
   return summary;
 }
 
-Function derivative_of(const Function& function, Derivative derivative, const Mechanism& mechanism) {
+Function derivative_of(const Function& whole, Derivative derivative, const Mechanism& mechanism) {
+  const Function function = without_condition(whole);
   const Tangents tangents(mechanism, function.inputs, function.base_parameters);
   switch (derivative) {
     case Derivative::none:
@@ -312,6 +313,10 @@ std::optional<Function> derivative_in(const Mechanism& mechanism, const Function
   if (row.derivative == Derivative::jacobian && has_jacobian_parts(mechanism, of)) {
     return jacobian_of_parts(mechanism, of, derive_function(mechanism, function), way, choices);
   }
+  if (row.derivative == Derivative::jacobian && is_held(mechanism, of)) {
+    if (way > 0) return std::nullopt;
+    return held_jacobian(mechanism, of, without_condition(derive_function(mechanism, function)), choices);
+  }
   if (is_implicit(mechanism, of, row.derivative)) {
     if (std::optional<Function> made = implicit_derivative(mechanism, of, row.derivative, way, choices)) return made;
     // Second derivatives of the graph of forward dynamics take several times as many operations, and long to make.
@@ -324,6 +329,11 @@ std::optional<Function> derivative_in(const Mechanism& mechanism, const Function
 }
 
 }  // namespace
+
+Function without_condition(Function function) {
+  if (!function.outputs.empty() && function.outputs.back().name == kCondition) function.outputs.pop_back();
+  return function;
+}
 
 void check_function_name(const Mechanism& mechanism, const std::string& name) { parsed(mechanism, name); }
 

@@ -28,6 +28,9 @@ inline constexpr FormulationIndex kFormulationCount = 4;  // no function has mor
 std::optional<Function> formulation(const Mechanism& mechanism, const std::string& name, FormulationIndex way,
                                     const Choices& choices);
 
+// The function as far as it is differentiated: without kCondition.
+Function without_condition(Function function);
+
 // Whether the function's cost depends on choices.
 bool has_choices(const Mechanism& mechanism, const std::string& name);
 

@@ -102,6 +102,8 @@ struct FunctionRow {
   FunctionTraits traits = {};
   std::vector<JacobianPart> jacobian_parts = {};  // by all of its arguments but g_b; empty: there are none
   ImplicitRow implicit = {};
+  // For a motion while contacts hold: q̈, forces, and how these change (derivation/differentiation/held.hpp).
+  Function (*held_motion)(const Mechanism&, const Choices&) = nullptr;
   // Rows of derivatives say which derivatives they are, and have the row of the function, by whose definition and
   // reference they are judged, and from whose derivation they are made.
   Derivative derivative = Derivative::none;

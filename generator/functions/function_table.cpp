@@ -379,7 +379,8 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_constrained_forward_dynamics},
      .definition = definitions::constrained_forward_dynamics,
      .reference = references::constrained_forward_dynamics,
-     .traits = {.on_request = true, .divides_by_pivots = true, .needs_contacts = true}},
+     .traits = {.on_request = true, .divides_by_pivots = true, .needs_contacts = true},
+     .held_motion = derive_held_motion_and_sensitivities},
     {.name = "contact_inverse_dynamics",
      .summary = "tau for given qdd, and the smallest forces f_c at the scene's contacts that carry the base: B qdd + "
                 "bias = tau + J_c^T f_c",

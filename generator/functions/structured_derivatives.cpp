@@ -6,6 +6,7 @@
 
 #include "base/diagnostics/diagnostics.hpp"
 #include "derivation/differentiation/derivative_outputs.hpp"
+#include "derivation/differentiation/held.hpp"
 #include "derivation/differentiation/implicit.hpp"
 #include "graph/fusion.hpp"
 
@@ -51,10 +52,23 @@ void take_columns_of_gravity(bool is_of_acceleration, const Tangents& tangents, 
   }
 }
 
+template <class Property>
+bool base_has(const Mechanism& mechanism, Property property) {
+  for (int k = 0; k < mechanism.base_bodies(); ++k) {
+    if (property(mechanism.body(k))) return true;
+  }
+  return false;
+}
+
+// Whether gravity acts on a floating base as an acceleration does. It does not act on armature.
+bool gravity_is_acceleration(const Mechanism& mechanism) {
+  return !mechanism.has_base_gravity() || !base_has(mechanism, [](const Body& body) { return body.armature != 0; });
+}
+
 }  // namespace
 
 bool has_jacobian_parts(const Mechanism& mechanism, const FunctionRow& row) {
-  return !row.jacobian_parts.empty() && mechanism.symbols.empty();
+  return !row.jacobian_parts.empty() && mechanism.symbols.empty() && gravity_is_acceleration(mechanism);
 }
 
 std::optional<Function> jacobian_of_parts(const Mechanism& mechanism, const FunctionRow& row, const Function& of,
@@ -88,7 +102,8 @@ std::optional<Function> jacobian_of_parts(const Mechanism& mechanism, const Func
 bool is_implicit(const Mechanism& mechanism, const FunctionRow& row, Derivative derivative) {
   const bool is_weighted =
       derivative == Derivative::vector_times_jacobian || derivative == Derivative::contracted_hessian;
-  return is_weighted && row.implicit.torques != nullptr && mechanism.symbols.empty();
+  return is_weighted && row.implicit.torques != nullptr && mechanism.symbols.empty() &&
+         gravity_is_acceleration(mechanism);
 }
 
 std::optional<Function> implicit_derivative(const Mechanism& mechanism, const FunctionRow& row, Derivative derivative,
@@ -109,6 +124,26 @@ std::optional<Function> implicit_derivative(const Mechanism& mechanism, const Fu
   const Tangents tangents(mechanism, arguments, 0), of_torques(mechanism, torques.inputs, 0);
   const ImplicitAcceleration implicit{solution, torques, tangents, of_torques};
   return is_second ? weighted_second_derivatives(implicit) : weighted_derivatives(implicit);
+}
+
+bool is_held(const Mechanism& mechanism, const FunctionRow& row) {
+  return row.held_motion != nullptr && mechanism.symbols.empty() &&
+         !base_has(mechanism, [](const Body& body) { return body.armature != 0 || body.viscous != 0; });
+}
+
+Function held_jacobian(const Mechanism& mechanism, const FunctionRow& row, const Function& of, const Choices& choices) {
+  const Function solution = row.held_motion(mechanism, choices),
+                 torques = *formulation(mechanism, "inverse_dynamics_derivatives", 0, choices);
+  Function contacts = fused({*formulation(mechanism, "contact_jacobian", 0, choices),
+                             *formulation(mechanism, "contact_bias", 0, choices)})
+                          .function;
+  contacts.outputs.erase(contacts.outputs.begin());  // the contacts' positions
+  const Tangents tangents(mechanism, of.inputs, of.base_parameters);
+  auto [function, columns] = held_derivatives(mechanism, {solution, torques, contacts, tangents});
+  function.inputs = of.inputs;
+  function.proven_pivot_share = choices.guard.proven_share;
+  function.outputs = jacobian_outputs(of, tangents, columns);
+  return function;
 }
 
 }  // namespace flatdyn

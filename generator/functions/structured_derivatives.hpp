@@ -20,6 +20,12 @@ bool has_jacobian_parts(const Mechanism& mechanism, const FunctionRow& row);
 std::optional<Function> jacobian_of_parts(const Mechanism& mechanism, const FunctionRow& row, const Function& of,
                                           FormulationIndex way, const Choices& choices);
 
+// Whether the Jacobian is that of a motion while contacts hold (FunctionRow::held_motion).
+bool is_held(const Mechanism& mechanism, const FunctionRow& row);
+
+// Its matrices. `of`: the function.
+Function held_jacobian(const Mechanism& mechanism, const FunctionRow& row, const Function& of, const Choices& choices);
+
 // Whether a weighted sum is differentiated as that of an implicit function (FunctionRow::implicit).
 bool is_implicit(const Mechanism& mechanism, const FunctionRow& row, Derivative derivative);
 

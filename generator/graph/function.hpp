@@ -34,6 +34,10 @@ struct Output {
   bool is_written() const;  // whether any entry is written
 };
 
+// The output that says how near a problem is to having no solution. Functions that have it have it last, and it is not
+// differentiated.
+inline constexpr const char* kCondition = "condition";
+
 // The formulation of most functions.
 inline constexpr const char* kRecursion = "recursion";
 

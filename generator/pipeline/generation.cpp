@@ -111,7 +111,8 @@ FunctionsNeeded functions_needed(const LoadedRobot& robot, const GenerationOptio
     needed = of_language(robot.mechanism, functions_asked_for(options.functions, robot.robot.scene));
   }
   if (!needed.note.empty()) findings.note({robot.robot.file, 0}, needed.note, "");
-  if (!options.fused.empty()) needed.fused.push_back(options.fused);
+  const bool is_new = std::find(needed.fused.begin(), needed.fused.end(), options.fused) == needed.fused.end();
+  if (!options.fused.empty() && is_new) needed.fused.push_back(options.fused);
   return needed;
 }
 

@@ -159,6 +159,38 @@ TEST_F(Casadi, DerivesARobotWithAFloatingBase) {
   run_peer("derivatives ./librobot.so inverse_dynamics forward_dynamics");
 }
 
+// A scene that asks for some entries only, and one that holds still: what is left out, and velocities, have no
+// derivatives.
+TEST_F(Casadi, DerivesWhatASceneLeaves) {
+  write_file(folder_.path() / "parts.toml",
+             "[outputs]\ninverse_dynamics = [\"tau[0]\"]\ninertia_matrix = [\"B[1]\"]\n");
+  const std::string arm = robot("planar_2r_example_7_2.toml");
+  for (const char* scene : {"--scene parts.toml", "--scene still.toml"}) {
+    write_file(folder_.path() / "still.toml", "static = true\n");
+    ASSERT_NO_FATAL_FAILURE(generate(fmt::format("{} {}", arm, scene),
+                                     "jac:inverse_dynamics,vjp:inverse_dynamics,jvp:inverse_dynamics,"
+                                     "hessian:inverse_dynamics,inertia_matrix"));
+    ASSERT_NO_FATAL_FAILURE(compile("-O0"));
+    run_peer("derivatives ./librobot.so inverse_dynamics inertia_matrix");
+  }
+}
+
+// CasADi's names have no prefix.
+TEST_F(Casadi, NamesThatAreEqualAreRefused) {
+  const std::string command =
+      fmt::format("{} generate {} --language casadi --functions gravity -q -o . --namespace jac",
+                  shell_word(FLATDYN_PROGRAM), robot("planar_2r_example_7_2.toml"));
+  EXPECT_EQ(run_command(command + " 2> log", folder_.path()), 2);
+  EXPECT_NE(content_of_file(folder_.path() / "log").find("\"jac_gravity\""), std::string::npos);
+}
+
+// A fused function is one of CasADi, too, even of derivatives.
+TEST_F(Casadi, HasFusedFunctions) {
+  ASSERT_NO_FATAL_FAILURE(generate(robot("planar_2r_example_7_2.toml") + " --fuse jac:gravity,vjp:gravity", "gravity"));
+  const std::string text = content_of_file(folder_.path() / "robot_casadi.c");
+  EXPECT_NE(text.find("QUERIES(jac_gravity_vjp_gravity, 2, 2, "), std::string::npos);
+}
+
 TEST_F(Casadi, SolvesTheProblemThatItsOwnExpressionsSolve) {
   ASSERT_NO_FATAL_FAILURE(generate(robot("panda.urdf"), "inverse_dynamics,forward_dynamics"));
   ASSERT_NO_FATAL_FAILURE(compile("-O2"));

@@ -94,6 +94,14 @@ TEST_P(AtContacts, FunctionsAreProven) {
   }
 }
 
+// From the equations of the held motion or, where the base has armature, from its graph; `condition` has none.
+TEST_P(AtContacts, JacobianOfTheHeldMotionIsProven) {
+  const Function jacobian = derive_function(model_.mechanism, "jac:constrained_forward_dynamics");
+  const ExactResult result = prove_exactly(model_.mechanism, jacobian, {.points = 1});
+  EXPECT_TRUE(result.equal) << result.summary();
+  EXPECT_EQ(jacobian.outputs.size(), 2 * (jacobian.inputs.size()));
+}
+
 TEST_P(AtContacts, FunctionsAgreeWithTheReference) {
   PipelineOptions options;
   options.functions = functions();

@@ -98,6 +98,15 @@ INSTANTIATE_TEST_SUITE_P(
                           false}),
     [](const auto& each) { return std::string(each.param.name); });
 
+// Gravity does not act on armature, so that it is no acceleration of the base.
+TEST(DerivativesOfStructure, AreProvenWhereTheBaseHasArmature) {
+  const Mechanism mechanism = testing::model_of_toml(testing::heavy_satellite()).mechanism;
+  for (const char* name : {"jac:inverse_dynamics", "jac:forward_dynamics", "vjp:forward_dynamics"}) {
+    const ExactResult result = prove_exactly(mechanism, derive_function(mechanism, name), {.points = 1});
+    EXPECT_TRUE(result.equal) << name << ": " << result.summary();
+  }
+}
+
 bool is_proven(const Mechanism& mechanism, const Function& function) {
   try {
     return prove_exactly(mechanism, function).equal;
@@ -138,6 +147,20 @@ TEST(DerivativesCost, OfInverseDynamicsOfThePandaIsASmallMultipleOfTheFunction) 
   EXPECT_LE(count_operations(functions[1]).arithmetic(), 2.5 * own);
   EXPECT_LE(count_operations(functions[2]).arithmetic(), 2.4 * own);
   EXPECT_LE(count_operations(functions[3]).arithmetic(), 12.2 * own);
+}
+
+// Derivatives of accelerations are made from those of torques at the solution.
+TEST(DerivativesCost, OfForwardDynamicsIsThatOfTheirStructure) {
+  PipelineOptions options;
+  options.functions = {"jac:inverse_dynamics", "jac:forward_dynamics", "vjp:forward_dynamics",
+                       "hessian:forward_dynamics"};
+  Progress silent(true);
+  Diagnostics none;
+  const auto functions = functions_of(make_functions(testing::model_of("ur5.urdf"), options, silent, none));
+  EXPECT_LE(count_operations(functions[0]).arithmetic(), 960);
+  EXPECT_LE(count_operations(functions[1]).arithmetic(), 1880);
+  EXPECT_LE(count_operations(functions[2]).arithmetic(), 960);
+  EXPECT_LE(count_operations(functions[3]).arithmetic(), 4300);
 }
 
 // Weights of two functions are not the same, even if they are as many.

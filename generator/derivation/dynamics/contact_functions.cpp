@@ -154,6 +154,19 @@ Function contact_inverse_dynamics_at(DerivationContext& context) {
   return function;
 }
 
+// The accelerations and forces while the contacts hold.
+std::vector<Output> held_motion(DerivationContext& context, const ContactSpace& contacts) {
+  const std::vector<Number> tau = context.all(InputKind::tau);
+  std::vector<Number> b = bias_torques(context);
+  for (std::size_t k = 0; k < b.size(); ++k) {
+    b[k] = context.derivation.named(tau[k] - b[k], "b_" + context.frames.label(static_cast<int>(k)));
+  }
+  const ContactSpace::Solution solution = contacts.accelerations(b, contact_drift(context));
+  return {
+      vector_output("qdd", context.nodes(solution.motion), "joint accelerations, rad/s^2 (m/s^2 for prismatic joints)"),
+      force_output(context, solution.forces)};
+}
+
 }  // namespace
 
 Function derive_contact_jacobian(const Mechanism& mechanism, const Choices& choices) {
@@ -178,19 +191,22 @@ Function derive_contact_bias(const Mechanism& mechanism, const Choices& choices)
 Function derive_constrained_forward_dynamics(const Mechanism& mechanism, const Choices& choices) {
   return derived_with_forces(mechanism, choices, [](DerivationContext& context) {
     const ContactSpace contacts(context);
-    const std::vector<Number> tau = context.all(InputKind::tau);
-    std::vector<Number> b = bias_torques(context);
-    for (std::size_t k = 0; k < b.size(); ++k) {
-      b[k] = context.derivation.named(tau[k] - b[k], "b_" + context.frames.label(static_cast<int>(k)));
-    }
-    const ContactSpace::Solution solution = contacts.accelerations(b, contact_drift(context));
-    return with_contacts(
-        context.mechanism,
-        finished(context,
-                 {vector_output("qdd", context.nodes(solution.motion),
-                                "joint accelerations, rad/s^2 (m/s^2 for prismatic joints)"),
-                  force_output(context, solution.forces), condition_output(context, contacts.condition())},
-                 contacts.conditions()));
+    std::vector<Output> outputs = held_motion(context, contacts);
+    outputs.push_back(condition_output(context, contacts.condition()));
+    return with_contacts(context.mechanism, finished(context, std::move(outputs), contacts.conditions()));
+  });
+}
+
+Function derive_held_motion_and_sensitivities(const Mechanism& mechanism, const Choices& choices) {
+  return derived_with_forces(mechanism, choices, [](DerivationContext& context) {
+    const ContactSpace contacts(context);
+    std::vector<Output> outputs = held_motion(context, contacts);
+    const ContactSpace::Sensitivities by = contacts.sensitivities();
+    const int n = context.size(), rows = static_cast<int>(by.Lambda.size());
+    outputs.push_back(matrix_output("P", n, n, context.nodes(by.P), "of the accelerations by torques"));
+    outputs.push_back(matrix_output("Q", n, rows, context.nodes(by.Q), "of the accelerations by the drift, negative"));
+    outputs.push_back(matrix_output("Lambda", rows, rows, context.nodes(by.Lambda), "of the forces by it, negative"));
+    return with_contacts(context.mechanism, finished(context, std::move(outputs), contacts.conditions()));
   });
 }
 

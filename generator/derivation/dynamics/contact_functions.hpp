@@ -16,6 +16,9 @@ Function derive_contact_bias(const Mechanism& mechanism, const Choices& choices)
 // q̈ and the contacts' forces for given joint torques, with contacts that are not accelerated.
 Function derive_constrained_forward_dynamics(const Mechanism& mechanism, const Choices& choices);
 
+// q̈ and the forces, and how they change with torques and with the contacts' drift (ContactSpace::Sensitivities).
+Function derive_held_motion_and_sensitivities(const Mechanism& mechanism, const Choices& choices);
+
 // Joint torques for a given motion of a robot with a floating base, and those forces at the contacts that are the
 // smallest, Σ |f|² + |n|² in N and N m: the base's force and moment are distributed as if every contact were a point of
 // the same mass.

@@ -144,6 +144,28 @@ ContactSpace::Solution ContactSpace::accelerations(std::vector<Number> b, const 
   return {forces, B_.finished(with_forces(y, forces), "qdd")};
 }
 
+ContactSpace::Sensitivities ContactSpace::sensitivities() const {
+  Derivation& d = context_.derivation;
+  const std::size_t n = J_.front().size();
+  Sensitivities result{B_.inverse("a"), Rows(n, std::vector<Number>(size(), 0)), factors_.inverse("lambda")};
+  Rows U;  // B⁻¹ Jᵀ, by row of J
+  for (std::size_t i = 0; i < size(); ++i) U.push_back(B_.finished(Y_[i], "u_" + label(static_cast<int>(i))));
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::string of_row = "_" + context_.frames.label(static_cast<int>(k)) + "_";
+    for (std::size_t i = 0; i < size(); ++i) {
+      Number sum = 0;
+      for (std::size_t j = 0; j < size(); ++j) sum += U[j][k] * result.Lambda[j][i];
+      result.Q[k][i] = d.named(sum, "q" + of_row + label(static_cast<int>(i)));
+    }
+    for (std::size_t l = 0; l <= k; ++l) {
+      Number entry = result.P[k][l];
+      for (std::size_t i = 0; i < size(); ++i) entry -= result.Q[k][i] * U[i][l];
+      result.P[k][l] = result.P[l][k] = d.named(entry, "p" + of_row + context_.frames.label(static_cast<int>(l)));
+    }
+  }
+  return result;
+}
+
 ContactSpace::Solution ContactSpace::after_impact(const std::vector<Number>& velocity) const {
   std::vector<Number> needed;
   for (std::size_t i = 0; i < size(); ++i) {

@@ -40,6 +40,13 @@ class ContactSpace {
   };
   Solution accelerations(std::vector<Number> b, const std::vector<Number>& drift) const;
 
+  // The derivatives of these: of the motion P by b and -Q by the drift, of the forces -Qᵀ and -Λ. P and Λ = M^-1 are
+  // symmetric.
+  struct Sensitivities {
+    Rows P, Q, Lambda;
+  };
+  Sensitivities sensitivities() const;
+
   // The velocity after an impact, from that before it, and the impulses that stop the contacts.
   Solution after_impact(const std::vector<Number>& velocity) const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "functions/deviation/derivative_reference.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -89,7 +90,8 @@ std::vector<Real50> DerivativeReference::exact(const StateOf<Real50>& state) con
   Values products;
   for (const Values& column : columns) {
     Real50 product(0);
-    for (std::size_t e = 0; e < column.size(); ++e) product += state.weights[e] * column[e];
+    const std::size_t entries = std::min(column.size(), state.weights.size());  // kCondition has no weight
+    for (std::size_t e = 0; e < entries; ++e) product += state.weights[e] * column[e];
     products.push_back(product);
   }
   return products;
@@ -241,7 +243,8 @@ std::vector<double> DerivativeReference::weighted_magnitude(const State& state) 
   std::vector<double> result;
   for (const std::vector<double>& column : magnitudes(state)) {
     double sum = 0;
-    for (std::size_t e = 0; e < column.size(); ++e) sum += std::abs(state.weights[e]) * column[e];
+    const std::size_t entries = std::min(column.size(), state.weights.size());
+    for (std::size_t e = 0; e < entries; ++e) sum += std::abs(state.weights[e]) * column[e];
     result.push_back(sum);
   }
   return result;

@@ -5,9 +5,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <memory>
+#include <set>
 
+#include "base/diagnostics/diagnostics.hpp"
 #include "base/diagnostics/version.hpp"
 #include "code/emit/page.hpp"
 #include "code/emit/page_writer.hpp"
@@ -87,8 +88,7 @@ class Call {
   std::string body() const {
     std::string text = "  (void)iw;\n  (void)mem;\n";
     if (text_ == nullptr) return "  (void)arg;\n  (void)res;\n  (void)w;\n" + text + "  return 0;\n";
-    const bool has_arguments = !function_.inputs.empty();
-    if (!has_arguments) text = "  (void)arg;\n" + text;
+    if (!reads_arguments_) text = "  (void)arg;\n" + text;
     text += statements_;
     const bool can_fail = text_->returns == "bool";
     text += list_line((can_fail ? "return " : "") + text_->name + "(", arguments_, can_fail ? ") ? 0 : 1;" : ");",
@@ -108,6 +108,7 @@ class Call {
 
   void add_parameters(const std::string& type) {
     if (function_.parameters < 0) return;
+    reads_arguments_ = true;
     statements_ += fmt::format("  {} parameters;\n", type);
     statements_ += fmt::format("  memcpy(&parameters, given(arg[{}]), sizeof parameters);\n", function_.parameters);
     arguments_.emplace_back("&parameters");
@@ -118,6 +119,7 @@ class Call {
       arguments_.emplace_back("zeros");
       return;
     }
+    reads_arguments_ = true;
     if (array.is_argument()) {
       arguments_.push_back(fmt::format("given(arg[{}])", array.pieces.front().argument));
       return;
@@ -143,6 +145,7 @@ class Call {
   std::string statements_;
   std::vector<std::string> arguments_;
   int numbers_ = 0;
+  bool reads_arguments_ = false;
 };
 
 class CasadiFile {
@@ -157,6 +160,7 @@ class CasadiFile {
       if (each.code) code.push_back(*each.code);
     }
     texts_ = function_texts(*dialect_, mechanism, code, options);
+    refuse_equal_names();
   }
 
   std::string text() {
@@ -180,6 +184,18 @@ class CasadiFile {
   }
 
  private:
+  // CasADi's names have no prefix, so that two of them, or one and a name of the C form, may be the same.
+  void refuse_equal_names() const {
+    std::set<std::string> names;
+    for (const FunctionText& text : texts_) names.insert(text.name);
+    for (const CasadiFunction& each : functions_) {
+      if (names.insert(each.name).second) continue;
+      throw Failure(FailureKind::usage,
+                    fmt::format("--language casadi: two functions of the library are \"{}\"", each.name),
+                    "leave one of them out, or choose another --namespace");
+    }
+  }
+
   // The arguments and results of a function.
   static std::string signature_of(const CasadiFunction& function) {
     return function.name + list_of_arguments(function.inputs) + " -> " + list_of_arguments(function.outputs);
@@ -222,6 +238,8 @@ class CasadiFile {
     item["head"] = without_newline(list_line(
         fmt::format("CASADI_SYMBOL_EXPORT int {}(", function.name),
         {"const casadi_real** arg", "casadi_real** res", "casadi_int* iw", "casadi_real* w", "int mem"}, ") {", 0));
+    item["undifferentiated?"] = function.undifferentiated.has_value();
+    item["undifferentiated"] = std::to_string(function.undifferentiated.value_or(0));
     item["numbers"] = std::to_string(call.numbers());
     item["body"] = without_newline(call.body());
     return item;

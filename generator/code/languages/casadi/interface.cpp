@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "base/diagnostics/diagnostics.hpp"
 #include "code/lower/arguments.hpp"
-#include "graph/function_name.hpp"
 #include "graph/passes/substitution.hpp"
 #include "robot/model/identifiers.hpp"
 
@@ -26,6 +26,7 @@ struct Variable {
   InputKind kind;
   std::string name;
   int length = 0, directions_before = 0;
+  bool is_read = true;  // velocities are not where a scene holds at rest, which derivatives by them must not deny
 
   int directions() const { return directions_before + length; }
 };
@@ -35,13 +36,17 @@ struct Differentiated {
   const Function& function;
   std::vector<Variable> variables;
   std::vector<Sparsity> outputs;
+
+  bool is_differentiated(std::size_t output) const { return function.outputs[output].name != kCondition; }
+  int entries_of(std::size_t output) const { return outputs[output].rows * outputs[output].cols; }
 };
 
 std::vector<Variable> variables_of(const Mechanism& mechanism, const Function& function) {
   std::vector<Variable> variables;
   for (const InputKind kind : function.inputs) {
     const InputArgument argument = input_argument(kind, JointCounts(mechanism), function);
-    variables.push_back({kind, argument.name, argument.length, kind == InputKind::q ? mechanism.base_bodies() : 0});
+    variables.push_back({kind, argument.name, argument.length, kind == InputKind::q ? mechanism.base_bodies() : 0,
+                         !(function.at_rest && is_velocity(kind))});
   }
   if (!mechanism.symbols.empty()) {
     variables.push_back({InputKind::parameter, "parameters", static_cast<int>(mechanism.symbols.size())});
@@ -77,32 +82,9 @@ NodeMatrix columns_from(const NodeMatrix& matrix, int first) {
   return result;
 }
 
-// The matrix whose row k is row k of `rows` when these count the entries of an output column by column.
-NodeMatrix with_rows_column_by_column(const NodeMatrix& rows, const Sparsity& output) {
-  NodeMatrix result(rows.rows, rows.cols);
-  for (int i = 0; i < output.rows; ++i) {
-    for (int j = 0; j < output.cols; ++j) {
-      for (int k = 0; k < rows.cols; ++k) result.at(j * output.rows + i, k) = rows.at(i * output.cols + j, k);
-    }
-  }
-  return result;
-}
-
-// dY/dX by the entries of X.
-NodeMatrix jacobian(const Differentiated& of, const Function& derivatives, std::size_t output, const Variable& by) {
-  const std::string& name = of.function.outputs[output].name;
-  const Output& found = output_of(derivatives, fmt::format("d{}_d{}", name, by.name));
-  NodeMatrix matrix(static_cast<int>(found.entries.size()) / by.directions(), by.directions());
-  for (int i = 0; i < matrix.rows; ++i) {
-    for (int k = 0; k < matrix.cols; ++k) {
-      matrix.at(i, k) = found.entries[static_cast<std::size_t>(i * matrix.cols + k)];
-    }
-  }
-  return with_rows_column_by_column(columns_from(matrix, by.directions_before), of.outputs[output]);
-}
-
 // The second derivatives by the entries of X and Z; of two that are the other way round, their transpose.
 std::optional<NodeMatrix> second_derivatives(const Function& derivatives, const Variable& x, const Variable& z) {
+  if (!x.is_read || !z.is_read) return std::nullopt;
   const auto matrix = [&](const Variable& a, const Variable& b) -> std::optional<NodeMatrix> {
     const Output* found = find_output(derivatives, fmt::format("H_{}_{}", a.name, b.name));
     if (found == nullptr) return std::nullopt;
@@ -141,6 +123,12 @@ class Written {
                               : fmt::format("{}, {} x {}: the entries that are not always zero, column by column",
                                             meaning, matrix.rows, matrix.cols)});
   }
+  void summarise(std::string summary) { code_.summary = std::move(summary); }
+  NodeMatrix zeros(int rows, int cols) {
+    NodeMatrix matrix(rows, cols);
+    std::fill(matrix.entries.begin(), matrix.entries.end(), code_.graph.constant(0));
+    return matrix;
+  }
   void add_zeros(const std::string& name, int rows, int cols) {
     result_.outputs.push_back({name, without_entries(rows, cols)});
   }
@@ -178,8 +166,10 @@ class Written {
       for (int k = 0; k < (has_weights ? outputs : variables); ++k) {
         const auto at = static_cast<std::size_t>(k);
         if (!has_weights) array.length += of.variables[at].directions_before;
+        if (has_weights && !of.is_differentiated(at)) continue;
         const int length = has_weights ? of.outputs[at].count() : of.variables[at].length;
-        if (length > 0) array.pieces.push_back({variables + outputs + k, array.length, length});
+        const bool is_passed = length > 0 && (has_weights || of.variables[at].is_read);
+        if (is_passed) array.pieces.push_back({variables + outputs + k, array.length, length});
         array.length += length;
       }
       return array;
@@ -195,12 +185,56 @@ class Written {
   CasadiFunction result_;
 };
 
+// dY/dX by the entries of X, with a row for each entry of Y, column by column; nullopt if it is zero. Entries of Y that
+// are not stored, be they always zero or left out by a scene, have rows of zeros.
+std::optional<NodeMatrix> jacobian(const Differentiated& of, const Function& derivatives, std::size_t output,
+                                   const Variable& by, Written& written) {
+  if (!of.is_differentiated(output) || !by.is_read) return std::nullopt;
+  const Output& found = output_of(derivatives, fmt::format("d{}_d{}", of.function.outputs[output].name, by.name));
+  const Sparsity& stored = of.outputs[output];
+  NodeMatrix matrix = written.zeros(of.entries_of(output), by.length);
+  for (int j = 0; j < stored.cols; ++j) {
+    const auto column = static_cast<std::size_t>(j);
+    for (int n = stored.column_begin[column]; n < stored.column_begin[column + 1]; ++n) {
+      const int i = stored.row[static_cast<std::size_t>(n)], row = i * stored.cols + j;
+      for (int k = 0; k < by.length; ++k) {
+        const int place = row * by.directions() + by.directions_before + k;
+        matrix.at(j * stored.rows + i, k) = found.entries[static_cast<std::size_t>(place)];
+      }
+    }
+  }
+  return matrix;
+}
+
+// Copies a graph with the weights at other places, and without those whose place is -1. If there are none such, every
+// operation stays as the passes left it.
+std::vector<NodeId> with_weights_at(const std::vector<int>& places, const Graph& from, Graph& to) {
+  const auto place_of = [&places](const Input& input) { return places[static_cast<std::size_t>(input.index)]; };
+  const auto is_weight = [&from](NodeId id) {
+    return from[id].op == Op::input && from[id].input.kind == InputKind::weights;
+  };
+  bool leaves_out = false;
+  for (NodeId id = 0; id < from.size(); ++id) leaves_out |= is_weight(id) && place_of(from[id].input) < 0;
+  const auto image_of = [&place_of](const Input& input, Graph& graph) -> std::optional<NodeId> {
+    if (input.kind != InputKind::weights) return std::nullopt;
+    return place_of(input) < 0 ? graph.constant(0) : graph.input({InputKind::weights, place_of(input)});
+  };
+  if (leaves_out) return substituted(from, image_of, to);
+  std::vector<NodeId> image;
+  for (NodeId id = 0; id < from.size(); ++id) {
+    image.push_back(is_weight(id) ? *image_of(from[id].input, to) : to.copy(from[id], image));
+    copy_name(from, id, to, image.back());
+  }
+  return image;
+}
+
 // The weights that CasADi gives are those of the entries that are not always zero, column by column; those of the
 // function are of all entries, row by row.
 Function with_weights_of_nonzeros(const Function& function, const Differentiated& of) {
   std::vector<int> places(static_cast<std::size_t>(function.own.length), -1);
   int before = 0, place = 0;
-  for (const Sparsity& sparsity : of.outputs) {
+  for (std::size_t output = 0; output < of.outputs.size() && of.is_differentiated(output); ++output) {
+    const Sparsity& sparsity = of.outputs[output];
     for (int j = 0; j < sparsity.cols; ++j) {
       for (int k = sparsity.column_begin[static_cast<std::size_t>(j)];
            k < sparsity.column_begin[static_cast<std::size_t>(j + 1)]; ++k) {
@@ -210,13 +244,8 @@ Function with_weights_of_nonzeros(const Function& function, const Differentiated
     }
     before += sparsity.rows * sparsity.cols;
   }
-  const auto image_of = [&places](const Input& input, Graph& to) -> std::optional<NodeId> {
-    if (input.kind != InputKind::weights) return std::nullopt;
-    const int own = places[static_cast<std::size_t>(input.index)];
-    return own < 0 ? to.constant(0) : to.input({InputKind::weights, own});
-  };
   Graph graph;
-  const std::vector<NodeId> image = substituted(function.graph, image_of, graph);
+  const std::vector<NodeId> image = with_weights_at(places, function.graph, graph);
   Function result = with_graph(function, std::move(graph), image);
   result.own.length = place;
   return result;
@@ -226,7 +255,11 @@ CasadiFunction itself(const Differentiated& of) {
   Written written(of.function, casadi_name(of.function.name));
   written.add_inputs(of.variables);
   for (const Output& output : of.function.outputs) written.add(output.name, matrix_of(output), output.meaning);
-  return written.finished(of);
+  CasadiFunction function = written.finished(of);
+  for (std::size_t k = 0; k < of.outputs.size(); ++k) {
+    if (!of.is_differentiated(k)) function.undifferentiated = k;
+  }
+  return function;
 }
 
 CasadiFunction jacobian_function(const Differentiated& of, const Function& derivatives) {
@@ -236,8 +269,12 @@ CasadiFunction jacobian_function(const Differentiated& of, const Function& deriv
   for (std::size_t k = 0; k < of.outputs.size(); ++k) {
     const std::string& name = of.function.outputs[k].name;
     for (const Variable& by : of.variables) {
-      written.add(fmt::format("{}{}_{}", kJacobian, name, by.name), jacobian(of, derivatives, k, by),
-                  fmt::format("derivatives of {} by {}", name, by.name));
+      const std::string jacobian_name = fmt::format("{}{}_{}", kJacobian, name, by.name);
+      if (const auto matrix = jacobian(of, derivatives, k, by, written)) {
+        written.add(jacobian_name, *matrix, fmt::format("derivatives of {} by {}", name, by.name));
+      } else {
+        written.add_zeros(jacobian_name, of.entries_of(k), by.length);
+      }
     }
   }
   return written.finished(of);
@@ -257,8 +294,10 @@ CasadiFunction adjoint_function(const Differentiated& of, const Function& produc
   add_weights(of, written);
   for (const Variable& by : of.variables) {
     const NodeMatrix all = matrix_of(output_of(code, by.name + "_bar"));
-    written.add(kAdjoint + by.name, columns_from(all.transposed(), by.directions_before).transposed(),
-                dense(by.length, 1), fmt::format("derivatives of the weighted sum by {}", by.name));
+    written.add(
+        kAdjoint + by.name,
+        by.is_read ? columns_from(all.transposed(), by.directions_before).transposed() : written.zeros(by.length, 1),
+        dense(by.length, 1), fmt::format("derivatives of the weighted sum by {}", by.name));
   }
   return written.finished(of);
 }
@@ -270,7 +309,9 @@ CasadiFunction forward_function(const Differentiated& of, const Function& produc
   written.add_inputs(of.variables, kForward);
   for (std::size_t k = 0; k < of.outputs.size(); ++k) {
     const std::string& name = of.function.outputs[k].name;
-    written.add(kForward + name, matrix_of(output_of(product, "d" + name)), of.outputs[k], "rate of " + name);
+    const NodeMatrix rates = of.is_differentiated(k) ? matrix_of(output_of(product, "d" + name))
+                                                     : written.zeros(of.outputs[k].rows, of.outputs[k].cols);
+    written.add(kForward + name, rates, of.outputs[k], "rate of " + name);
   }
   return written.finished(of);
 }
@@ -279,6 +320,10 @@ CasadiFunction forward_function(const Differentiated& of, const Function& produc
 CasadiFunction adjoint_jacobian_function(const Differentiated& of, const Function& both) {
   const Function code = with_weights_of_nonzeros(both, of);
   Written written(code, "jac_adj1_" + casadi_name(of.function.name));
+  written.summarise(fmt::format(
+      "The derivatives of adj1_{0}: second derivatives of the weighted sum of the entries of {0}, and J^T; signs count "
+      "as constant",
+      casadi_name(of.function.name)));
   written.add_inputs(of.variables);
   add_weights(of, written);
   for (const Variable& x : of.variables)
@@ -300,8 +345,12 @@ CasadiFunction adjoint_jacobian_function(const Differentiated& of, const Functio
     }
     for (std::size_t k = 0; k < of.outputs.size(); ++k) {
       const std::string& output = of.function.outputs[k].name;
-      written.add(name + kAdjoint + output, jacobian(of, code, k, x).transposed(),
-                  fmt::format("derivatives of {} by {}, transposed", output, x.name));
+      if (const auto matrix = jacobian(of, code, k, x, written)) {
+        written.add(name + kAdjoint + output, matrix->transposed(),
+                    fmt::format("derivatives of {} by {}, transposed", output, x.name));
+      } else {
+        written.add_zeros(name + kAdjoint + output, x.length, of.entries_of(k));
+      }
     }
   }
   return written.finished(of);
@@ -313,14 +362,17 @@ std::string casadi_name(const std::string& function) { return cpp_identifier(fun
 
 std::vector<CasadiFunction> casadi_functions(const Mechanism& mechanism, const std::vector<Function>& functions) {
   std::vector<CasadiFunction> result;
+  std::set<std::string> written_with_their_function;
   for (const Function& each : functions) {
-    if (parts_of_name(each.name).derivative != Derivative::none) continue;
+    if (written_with_their_function.contains(each.name)) continue;
     const Differentiated of = differentiated(mechanism, each);
     result.push_back(itself(of));
     const auto add = [&](const std::string& name, const auto& written) {
       const auto found = std::find_if(functions.begin(), functions.end(),
                                       [&name](const Function& function) { return function.name == name; });
-      if (found != functions.end()) result.push_back(written(of, *found));
+      if (found == functions.end()) return;
+      result.push_back(written(of, *found));
+      written_with_their_function.insert(name);
     };
     add("jac:" + each.name, jacobian_function);
     add("vjp:" + each.name, adjoint_function);

@@ -39,8 +39,9 @@ struct CasadiFunction {
   std::vector<CasadiArgument> inputs, outputs;
   // The function of the C form: each output that has entries, as a vector of these. None if no output has any.
   std::optional<Function> code;
-  std::vector<AssembledArray> arguments;  // of the C form, in order, without the parameters
-  int parameters = -1;                    // the number of CasADi's argument that is the parameters, or -1
+  std::optional<std::size_t> undifferentiated;  // the output that has no derivatives
+  std::vector<AssembledArray> arguments;        // of the C form, in order, without the parameters
+  int parameters = -1;                          // the number of CasADi's argument that is the parameters, or -1
 };
 
 // The functions in CasADi's form, without those that are only part of others.
