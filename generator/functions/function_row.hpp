@@ -30,6 +30,7 @@ enum class Extent {
   contact_rows,     // the directions that the scene's contacts hold
   contact_points,   // 3 per contact
   symbols,          // the free symbols of the robot
+  link_rows,        // 3 per link
 };
 
 struct OutputRow {

@@ -43,6 +43,7 @@ class Peer:
         self.tip, self.base = tip, 6 if floating else 0
         # Pinocchio orders children by their names, flatdyn by their places in the file.
         tree = xml.etree.ElementTree.parse(robot)
+        self.links = [link.get("name") for link in tree.getroot().findall("link")]
         joints = [joint for joint in tree.iter("joint") if joint.get("type") not in (None, "fixed")]
         self.joints = [self.model.getJointId(joint.get("name")) for joint in joints]
         velocities = [self.model.joints[i].idx_v for i in self.joints]
@@ -170,6 +171,12 @@ class Peer:
         pin.framesForwardKinematics(self.model, self.data, self.at)
         place = self.data.oMf[self.frame(self.tip)]
         return [self.axes @ place.rotation, self.axes @ (place.translation - self.origin)]
+
+    def link_poses(self):
+        pin.framesForwardKinematics(self.model, self.data, self.at)
+        places = [self.data.oMf[self.frame(link)] for link in self.links]
+        return [np.vstack([self.axes @ place.rotation for place in places]),
+                np.concatenate([self.axes @ (place.translation - self.origin) for place in places])]
 
     def jacobian(self, link=None):
         frame = self.frame(link or self.tip)

@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 // Functions that robots with any base have, those of a floating base, and those at contacts.
 constexpr const char* kOfAnyBase =
     "inverse_dynamics,inverse_dynamics_tip_force,inertia_matrix,coriolis_matrix,gravity,bias,forward_dynamics,"
-    "momentum,coriolis_transpose_qd,kinetic_energy,potential_energy,forward_kinematics,jacobian,jacobian_dot_qd,"
+    "momentum,coriolis_transpose_qd,kinetic_energy,potential_energy,forward_kinematics,link_poses,jacobian,jacobian_"
+    "dot_qd,"
     "frame_velocity,frame_acceleration,inverse_dynamics_derivatives,forward_dynamics_derivatives,regressor";
 constexpr const char* kOfFloatingBase =
     ",inverse_dynamics_floating,centroidal_momentum_matrix,centroidal_bias,centre_of_mass,contact_inverse_dynamics";
@@ -90,6 +91,7 @@ constexpr ConventionFunction kInConvention[] = {{"inverse_dynamics", 4},
                                                 {"inverse_dynamics_derivatives", 5},
                                                 {"forward_dynamics_derivatives", 6},
                                                 {"forward_kinematics", 3},
+                                                {"link_poses", 3},
                                                 {"jacobian", 2},
                                                 {"jacobian_dot_qd", 3},
                                                 {"centroidal_momentum_matrix", 2},

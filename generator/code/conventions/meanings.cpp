@@ -83,9 +83,12 @@ std::string meaning_of_output(const Output& output, const Convention& convention
       return with_replaced(output.meaning, "base axes", "world axes");
     case OutputQuantity::number:
       if (output.layout != Layout::matrix) return output.meaning;
-      return "rotation matrix of the frame, from its axes to world axes";
+      if (output.rows == 3) return "rotation matrix of the frame, from its axes to world axes";
+      return with_replaced(with_replaced(output.meaning, "in the base frame", "from their axes to world axes"),
+                           "base frame", "world");
     case OutputQuantity::position:
       if (output.name == "p_c") return "position of each contact in the world, m";
+      if (output.name == "p" && output.rows != 3) return with_replaced(output.meaning, "base frame", "world");
       return output.name == "r_G" ? "centre of mass in the world, m" : "position of the frame's origin in the world, m";
     case OutputQuantity::tip_jacobian:
       return output.rows == 3 ? "velocity of the centre of mass by v, world axes"

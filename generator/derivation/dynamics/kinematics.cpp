@@ -38,6 +38,28 @@ SymbolicPose pose(Frames& frames, const LinkFrame& link) {
   return {transpose(columns), position(frames, link)};
 }
 
+std::vector<SymbolicPose> link_poses(Frames& frames) {
+  Derivation& d = frames.derivation();
+  const Mechanism& mechanism = frames.mechanism();
+  std::vector<SymbolicPose> bodies;
+  for (int i = 0; i < mechanism.body_count(); ++i) {
+    const int parent = frames.body(i).parent;
+    const SymbolicPose before = parent < 0 ? SymbolicPose{} : bodies[static_cast<std::size_t>(parent)];
+    const std::string n = frames.label(i);
+    SymbolicPose here;
+    const Vec3 along = before.R * frames.p(i) + frames.slide(i) * (before.R * frames.axis_in_parent(i));
+    here.p = d.named(before.p + along, "p_" + n);
+    for (std::size_t k = 0; k < 3; ++k) here.R[k] = frames.to_child(i, before.R[k], "R_" + n + std::to_string(k));
+    bodies.push_back(here);
+  }
+  std::vector<SymbolicPose> links;
+  for (const LinkFrame& link : mechanism.links) {
+    const SymbolicPose body = link.body < 0 ? SymbolicPose{} : bodies[static_cast<std::size_t>(link.body)];
+    links.push_back({body.R * link.R, body.p + body.R * link.p});
+  }
+  return links;
+}
+
 Vec3 position(Frames& frames, const LinkFrame& link) { return point_in_base(frames, link.body, link.p, "p"); }
 
 std::vector<JacobianColumn> jacobian(Frames& frames, const LinkFrame& link) {

@@ -15,6 +15,9 @@ struct SymbolicPose {
 // The pose of a link's frame in the base frame.
 SymbolicPose pose(Frames& frames, const LinkFrame& link);
 
+// The poses of all links' frames in the base frame, from the base outwards.
+std::vector<SymbolicPose> link_poses(Frames& frames);
+
 // The position of a link's frame in the base frame, m.
 Vec3 position(Frames& frames, const LinkFrame& link);
 

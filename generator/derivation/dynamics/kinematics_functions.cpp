@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "derivation/dynamics/kinematics_functions.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "derivation/dynamics/kinematics.hpp"
 
 namespace flatdyn {
@@ -15,6 +18,26 @@ Function derive_forward_kinematics(const Mechanism& mechanism, const LinkFrame& 
   for (const Number& entry : result.p) p.push_back(context.node(entry));
   return finished(context, {matrix_output("R", 3, 3, R, "rotation matrix of the frame in the base frame"),
                             vector_output("p", p, "position of the frame's origin in the base frame, m")});
+}
+
+Function derive_link_poses(const Mechanism& mechanism) {
+  DerivationContext context(mechanism);
+  std::vector<NodeId> R, p;
+  for (const SymbolicPose& pose : link_poses(context.frames)) {
+    for (const Vec3& row : pose.R) {
+      for (const Number& entry : row) R.push_back(context.node(entry));
+    }
+    for (const Number& entry : pose.p) p.push_back(context.node(entry));
+  }
+  std::vector<std::string> names;
+  for (const LinkFrame& link : mechanism.links) names.push_back(link.link);
+  const std::string order = fmt::format("{}", fmt::join(names, ", "));
+  const int rows = static_cast<int>(p.size());
+  return finished(
+      context,
+      {matrix_output("R", rows, 3, R,
+                     "rotation matrices of the links' frames in the base frame, three rows each: " + order),
+       vector_output("p", p, "positions of their origins in the base frame, m, three entries each, in this order")});
 }
 
 Function derive_jacobian(const Mechanism& mechanism, const LinkFrame& link) {

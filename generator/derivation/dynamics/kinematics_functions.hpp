@@ -7,6 +7,7 @@
 namespace flatdyn {
 
 Function derive_forward_kinematics(const Mechanism& mechanism, const LinkFrame& link);
+Function derive_link_poses(const Mechanism& mechanism);
 Function derive_jacobian(const Mechanism& mechanism, const LinkFrame& link);
 Function derive_jacobian_dot_qd(const Mechanism& mechanism, const LinkFrame& link);
 Function derive_frame_velocity(const Mechanism& mechanism, const LinkFrame& link);

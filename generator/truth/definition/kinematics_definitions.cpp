@@ -25,6 +25,16 @@ constinit const Definition forward_kinematics = defined_as([](auto& at, const Ou
   return output.name == "p" ? position(pose) : rotation(pose);
 });
 
+constinit const Definition link_poses = defined_as([](auto& at, const Output& output) {
+  decltype(position(at.lagrangian.pose(at.frame()))) entries;
+  for (const auto& frame : at.lagrangian.mechanism().links) {
+    const auto pose = at.lagrangian.pose(frame);
+    const auto more = output.name == "p" ? position(pose) : rotation(pose);
+    entries.insert(entries.end(), more.begin(), more.end());
+  }
+  return entries;
+});
+
 constinit const Definition jacobian =
     defined_as([](auto& at, const Output&) { return at.lagrangian.jacobian(at.frame()).entries(); });
 

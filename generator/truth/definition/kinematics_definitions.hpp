@@ -6,7 +6,7 @@
 
 namespace flatdyn::definitions {
 
-extern const Definition forward_kinematics, jacobian, jacobian_dot_qd, frame_velocity, frame_acceleration,
+extern const Definition forward_kinematics, link_poses, jacobian, jacobian_dot_qd, frame_velocity, frame_acceleration,
     external_torque;
 
 }  // namespace flatdyn::definitions

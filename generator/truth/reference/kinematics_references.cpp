@@ -18,6 +18,30 @@ std::vector<S> pose_entries(const ReferencePoint<S>& at) {
   return entries;
 }
 
+template <class S>
+std::vector<S> poses_of_links(const ReferencePoint<S>& at) {
+  std::vector<S> rotations, positions;
+  for (const ref::Pose<S>& pose : ref::link_poses(at.robot, at.q)) {
+    const std::vector<S> rows = row_by_row(pose.R);
+    rotations.insert(rotations.end(), rows.begin(), rows.end());
+    positions.insert(positions.end(), pose.p.data(), pose.p.data() + 3);
+  }
+  rotations.insert(rotations.end(), positions.begin(), positions.end());
+  return rotations;
+}
+
+std::vector<double> magnitude_of_poses(const At& at) {
+  ref::Robot<double> robot = at.robot;
+  robot.R_tip.setIdentity();
+  robot.p_tip.setZero();
+  std::vector<double> entries(9 * robot.links.size(), 1.0);
+  for (std::size_t l = 0; l < robot.links.size(); ++l) {
+    robot.tip = static_cast<int>(l);
+    entries.insert(entries.end(), 3, ref::reach(robot, at.q));
+  }
+  return entries;
+}
+
 // Entries of rotations have magnitude 1; positions and moment arms have that of the path to the tip.
 std::vector<double> pose_magnitude(const At& at) {
   std::vector<double> entries(9, 1.0);
@@ -59,6 +83,9 @@ std::vector<double> wrench_magnitude(const At& at) {
 
 constinit const NumericReference forward_kinematics =
     computed_by([](const auto& at) { return pose_entries(at); }, [](const At& at) { return pose_magnitude(at); });
+
+constinit const NumericReference link_poses =
+    computed_by([](const auto& at) { return poses_of_links(at); }, [](const At& at) { return magnitude_of_poses(at); });
 
 constinit const NumericReference jacobian =
     computed_by([](const auto& at) { return row_by_row(ref::jacobian(at.robot, at.q)); },

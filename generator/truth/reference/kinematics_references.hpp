@@ -6,7 +6,7 @@
 
 namespace flatdyn::references {
 
-extern const NumericReference forward_kinematics, jacobian, jacobian_dot_qd, frame_velocity, frame_acceleration,
-    external_torque;
+extern const NumericReference forward_kinematics, link_poses, jacobian, jacobian_dot_qd, frame_velocity,
+    frame_acceleration, external_torque;
 
 }  // namespace flatdyn::references

@@ -154,7 +154,9 @@ class AdaptorWriter {
       case OutputQuantity::torque_per_rate:
         return is_plain_ ? "" : turning(name) + fmt::format("base.both_from_core({});", name);
       case OutputQuantity::number:
-        return output.layout == Layout::matrix ? fmt::format("base.turn_frame({});", name) : "";
+        if (output.layout != Layout::matrix) return "";
+        if (output.rows == 3) return fmt::format("base.turn_frame({});", name);
+        return fmt::format("for (int k = 0; k < {}; k += 9) base.turn_frame({} + k);", 3 * output.rows, name);
       case OutputQuantity::contact_force:
       case OutputQuantity::contact_impulse:
       case OutputQuantity::contact_acceleration:
