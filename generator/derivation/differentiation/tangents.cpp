@@ -59,7 +59,7 @@ bool Tangents::commute(InputKind a, InputKind b) const {
   return !mechanism_.has_quasi_velocities() || !turns(a) || !turns(b) || are_g_b;
 }
 
-std::vector<Tangents::Rate> Tangents::rates_of(const Input& input, Graph& graph) const {
+std::vector<Tangents::Rate> Tangents::rates_of(Input input, Graph& graph) const {
   std::vector<Rate> rates;
   for (const TangentBlock& block : blocks_) {
     if (block.kind == InputKind::q && input.kind == InputKind::q) {

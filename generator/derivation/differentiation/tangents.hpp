@@ -41,7 +41,7 @@ class Tangents {
     NodeId factor;
     int direction;
   };
-  std::vector<Rate> rates_of(const Input& input, Graph& graph) const;
+  std::vector<Rate> rates_of(Input input, Graph& graph) const;  // the input may be one of the graph's
 
  private:
   void add(InputKind kind, int length);
