@@ -7,6 +7,7 @@
 #include "cli/commands.hpp"
 #include "cli/delivery.hpp"
 #include "cli/held_header.hpp"
+#include "cli/option_values.hpp"
 #include "code/conventions/convention.hpp"
 #include "code/emit/page_writer.hpp"
 #include "code/languages/language_table.hpp"
@@ -52,18 +53,6 @@ struct GenerateArguments : RobotArguments {
   bool has_lanes() const { return limbs == "lanes"; }
   bool is_to_stdout() const { return folder == kStdout; }
 };
-
-const CLI::Validator kFileName(
-    [](const std::string& text) -> std::string {
-      const bool is_name = !text.empty() && text.find('/') == std::string::npos;
-      if (!is_name) return "\"" + text + "\" is no name of a file: write it without folder, which is -o's";
-      const bool is_safe =
-          text.front() != '-' && std::none_of(text.begin(), text.end(), [](char c) {
-            return static_cast<unsigned char>(c) < ' ' || std::string_view("\"'\\$`").find(c) != std::string_view::npos;
-          });
-      return is_safe ? "" : "a name of files has no quotes, no \\, $ and `, no control characters, and no - in front";
-    },
-    "");
 
 // The options that shape the output, as they go into its stamp.
 std::string stamp_of(const GenerateArguments& arguments, const std::vector<OptimisedFunction>& functions) {
@@ -455,7 +444,7 @@ void add_code_options(CLI::App* command, const std::shared_ptr<GenerateArguments
       ->check(kNotEmpty)
       ->type_name("NAME");
   command->add_option("--name", arguments->file_name, "name of the files, without folder; default: the robot's name")
-      ->check(kFileName)
+      ->check(file_name_fault)
       ->type_name("NAME");
   command
       ->add_option("--max-lines", arguments->most_lines,

@@ -157,4 +157,15 @@ SearchLimit search_option(const std::string& text) {
   return *limit;
 }
 
+std::string file_name_fault(const std::string& text) {
+  if (text.empty() || text.find('/') != std::string::npos) {
+    return "\"" + text + "\" is no name of a file: write it without folder, which is -o's";
+  }
+  const bool is_safe =
+      text.front() != '-' && std::none_of(text.begin(), text.end(), [](char c) {
+        return static_cast<unsigned char>(c) < ' ' || std::string_view("\"'\\$`").find(c) != std::string_view::npos;
+      });
+  return is_safe ? "" : "a name of files has no quotes, no \\, $ and `, no control characters, and no - in front";
+}
+
 }  // namespace flatdyn

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Values of options that are written in the words of robots, from their text. All throw Failure(usage) for other text,
-// with the option's name.
+// Values of options that are written in the words of robots, from their text. Those that return a value throw
+// Failure(usage) for other text, with the option's name.
 #pragma once
 
 #include <string>
@@ -22,5 +22,8 @@ std::vector<JointPosition> fixed_options(const std::vector<std::string>& texts);
 // --error-budget and --search.
 ErrorBudget error_budget_option(const std::string& text);
 SearchLimit search_option(const std::string& text);
+
+// --name: what is wrong with it as the name of files that compilers and shells are given; empty: nothing.
+std::string file_name_fault(const std::string& text);
 
 }  // namespace flatdyn
