@@ -10,6 +10,7 @@
 
 #include "base/system/process.hpp"
 #include "base/system/temporary_folder.hpp"
+#include "support/floating_robots.hpp"
 
 namespace flatdyn {
 namespace {
@@ -135,24 +136,9 @@ TEST_F(Casadi, DerivesARobotWithFreeSymbols) {
   run_peer("derivatives ./librobot.so inertia_matrix forward_dynamics");
 }
 
-// A body that floats, with a hinge and a slide behind it.
-constexpr const char* kFloating = R"(<robot name="floating">
-  <link name="body"><inertial><origin xyz="0.02 0.03 -0.04"/><mass value="3.5"/>
-    <inertia ixx="0.05" iyy="0.07" izz="0.06" ixy="0.003" ixz="-0.004" iyz="0.002"/></inertial></link>
-  <joint name="hinge" type="continuous"><parent link="body"/><child link="arm"/>
-    <origin xyz="0.2 0.1 -0.1" rpy="-0.4 0.2 0.9"/><axis xyz="-0.36 0.48 0.8"/><dynamics damping="0.3"/></joint>
-  <link name="arm"><inertial><origin xyz="-0.04 0.06 0.01"/><mass value="1.2"/>
-    <inertia ixx="0.012" iyy="0.009" izz="0.011" ixy="-0.001" ixz="0.0005" iyz="0.0008"/></inertial></link>
-  <joint name="slide" type="prismatic"><parent link="arm"/><child link="finger"/>
-    <origin xyz="0.3 0 0" rpy="0.2 0.3 0.4"/><axis xyz="1 0 0"/>
-    <limit lower="-2" upper="2" velocity="3" effort="50"/></joint>
-  <link name="finger"><inertial><origin xyz="0.05 0.01 -0.02"/><mass value="0.3"/>
-    <inertia ixx="0.0005" iyy="0.0009" izz="0.0008" ixy="0.0001" ixz="0" iyz="0.00005"/></inertial></link>
-</robot>)";
-
 TEST_F(Casadi, DerivesARobotWithAFloatingBase) {
-  write_file(folder_.path() / "floating.urdf", kFloating);
-  ASSERT_NO_FATAL_FAILURE(generate("floating.urdf --base floating",
+  write_file(folder_.path() / "satellite.toml", testing::kSatellite);
+  ASSERT_NO_FATAL_FAILURE(generate("satellite.toml",
                                    "inverse_dynamics,jac:forward_dynamics,vjp:forward_dynamics,jvp:forward_dynamics,"
                                    "hessian:forward_dynamics"));
   ASSERT_NO_FATAL_FAILURE(compile("-O0"));

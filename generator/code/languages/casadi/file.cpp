@@ -27,7 +27,7 @@ using kainjow::mustache::data;
 constexpr const char* kLibrary =
     "cc -O3 -march=native -mtune=generic -fno-tree-slp-vectorize -shared -fPIC {0}.c {0}_casadi.c -o lib{0}.so -lm";
 
-// "q[7]", "B[7x7]", "jac_tau_q[7x7, 42 of them]".
+// "q[7]", "B[7x7]", "C[7x7, 42 stored]".
 std::string text_of(const CasadiArgument& argument) {
   const Sparsity& shape = argument.sparsity;
   const std::string size = shape.cols == 1 ? std::to_string(shape.rows) : fmt::format("{}x{}", shape.rows, shape.cols);

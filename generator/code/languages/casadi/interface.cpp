@@ -26,7 +26,7 @@ struct Variable {
   InputKind kind;
   std::string name;
   int length = 0, directions_before = 0;
-  bool is_read = true;  // velocities are not where a scene holds at rest, which derivatives by them must not deny
+  bool is_read = true;  // false for velocities where a scene holds at rest: derivatives by them are zero then
 
   int directions() const { return directions_before + length; }
 };
@@ -132,6 +132,15 @@ class Written {
   void add_zeros(const std::string& name, int rows, int cols) {
     result_.outputs.push_back({name, without_entries(rows, cols)});
   }
+  // `matrix`: none if it is zero.
+  void add(const std::string& name, const std::optional<NodeMatrix>& matrix, int rows, int cols,
+           const std::string& meaning) {
+    if (matrix) {
+      add(name, *matrix, meaning);
+    } else {
+      add_zeros(name, rows, cols);
+    }
+  }
   void add_input(const std::string& name, const Sparsity& sparsity) { result_.inputs.push_back({name, sparsity}); }
   void add_inputs(const std::vector<Variable>& variables, const std::string& before = "") {
     for (const Variable& each : variables) add_input(before + each.name, dense(each.length, 1));
@@ -159,18 +168,24 @@ class Written {
 
  private:
   AssembledArray array_for(InputKind kind, const Differentiated& of) const {
-    AssembledArray array;
     const int variables = static_cast<int>(of.variables.size()), outputs = static_cast<int>(of.outputs.size());
-    if (kind == InputKind::weights || kind == InputKind::direction) {
-      const bool has_weights = kind == InputKind::weights;
-      for (int k = 0; k < (has_weights ? outputs : variables); ++k) {
+    AssembledArray array;
+    if (kind == InputKind::weights) {
+      for (int k = 0; k < outputs; ++k) {
         const auto at = static_cast<std::size_t>(k);
-        if (!has_weights) array.length += of.variables[at].directions_before;
-        if (has_weights && !of.is_differentiated(at)) continue;
-        const int length = has_weights ? of.outputs[at].count() : of.variables[at].length;
-        const bool is_passed = length > 0 && (has_weights || of.variables[at].is_read);
-        if (is_passed) array.pieces.push_back({variables + outputs + k, array.length, length});
-        array.length += length;
+        if (of.is_differentiated(at)) append({variables + outputs + k, array.length, of.outputs[at].count()}, array);
+      }
+      return array;
+    }
+    if (kind == InputKind::direction) {
+      for (int k = 0; k < variables; ++k) {
+        const Variable& each = of.variables[static_cast<std::size_t>(k)];
+        array.length += each.directions_before;
+        if (each.is_read) {
+          append({variables + outputs + k, array.length, each.length}, array);
+        } else {
+          array.length += each.length;
+        }
       }
       return array;
     }
@@ -179,6 +194,11 @@ class Written {
       if (each.kind == kind) return {each.length, {{k, 0, each.length}}};
     }
     throw Failure(FailureKind::bug, code_.name + " has an argument that its function has not");
+  }
+
+  static void append(const AssembledArray::Piece& piece, AssembledArray& array) {
+    if (piece.length > 0) array.pieces.push_back(piece);
+    array.length += piece.length;
   }
 
   Function code_;
@@ -269,12 +289,8 @@ CasadiFunction jacobian_function(const Differentiated& of, const Function& deriv
   for (std::size_t k = 0; k < of.outputs.size(); ++k) {
     const std::string& name = of.function.outputs[k].name;
     for (const Variable& by : of.variables) {
-      const std::string jacobian_name = fmt::format("{}{}_{}", kJacobian, name, by.name);
-      if (const auto matrix = jacobian(of, derivatives, k, by, written)) {
-        written.add(jacobian_name, *matrix, fmt::format("derivatives of {} by {}", name, by.name));
-      } else {
-        written.add_zeros(jacobian_name, of.entries_of(k), by.length);
-      }
+      written.add(fmt::format("{}{}_{}", kJacobian, name, by.name), jacobian(of, derivatives, k, by, written),
+                  of.entries_of(k), by.length, fmt::format("derivatives of {} by {}", name, by.name));
     }
   }
   return written.finished(of);
@@ -331,26 +347,18 @@ CasadiFunction adjoint_jacobian_function(const Differentiated& of, const Functio
   for (const Variable& x : of.variables) {
     const std::string name = fmt::format("jac_adj_{}_", x.name);
     for (const Variable& z : of.variables) {
-      const std::optional<NodeMatrix> second = second_derivatives(code, x, z);
-      if (second) {
-        written.add(name + z.name, *second,
-                    fmt::format("second derivatives of the weighted sum by {}, {}", x.name, z.name));
-      } else {
-        written.add_zeros(name + z.name, x.length, z.length);
-      }
+      written.add(name + z.name, second_derivatives(code, x, z), x.length, z.length,
+                  fmt::format("second derivatives of the weighted sum by {}, {}", x.name, z.name));
     }
     for (std::size_t k = 0; k < of.outputs.size(); ++k) {
-      const Sparsity& output = of.outputs[k];
-      written.add_zeros(name + kOutput + of.function.outputs[k].name, x.length, output.rows * output.cols);
+      written.add_zeros(name + kOutput + of.function.outputs[k].name, x.length, of.entries_of(k));
     }
     for (std::size_t k = 0; k < of.outputs.size(); ++k) {
       const std::string& output = of.function.outputs[k].name;
-      if (const auto matrix = jacobian(of, code, k, x, written)) {
-        written.add(name + kAdjoint + output, matrix->transposed(),
-                    fmt::format("derivatives of {} by {}, transposed", output, x.name));
-      } else {
-        written.add_zeros(name + kAdjoint + output, x.length, of.entries_of(k));
-      }
+      std::optional<NodeMatrix> matrix = jacobian(of, code, k, x, written);
+      if (matrix) matrix = matrix->transposed();
+      written.add(name + kAdjoint + output, matrix, x.length, of.entries_of(k),
+                  fmt::format("derivatives of {} by {}, transposed", output, x.name));
     }
   }
   return written.finished(of);
