@@ -100,9 +100,6 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
-// With a floating base or spherical joints, q̈ is a and q̇ is v.
-std::string in_terms_of_base(const std::string& text) { return replaced(replaced(text, "qdd", "a"), "qd", "v"); }
-
 // Said of derivatives by positions with a floating base, which are in its tangent space.
 const char* const kTangentSpace =
     ". The first columns by q are those of a displacement of the base along its axes (m; it changes nothing), then of "
@@ -151,7 +148,7 @@ std::string summary_of(const Request& request, const Mechanism& mechanism) {
   if (request.row->traits.needs_contacts && mechanism.contact_damping != 0) {
     summary = with_damping(summary, mechanism.contact_damping);
   }
-  if (mechanism.has_quasi_velocities()) summary = in_terms_of_base(summary);
+  summary = in_coordinates(summary, mechanism);
   if (floating_base && summary.starts_with("(dJ/dt) v of ")) {
     summary = "Acceleration, while a is zero, of " + summary.substr(std::string("(dJ/dt) v of ").size());
   }
@@ -236,10 +233,8 @@ void describe(const FunctionRow& row, const Mechanism& mechanism, Function& func
   }
   for (std::size_t k = 0; k < row.outputs.size(); ++k) {
     function.outputs[k].quantity = row.outputs[k].quantity;
-    if (mechanism.has_quasi_velocities()) {
-      function.outputs[k].name = in_terms_of_base(function.outputs[k].name);
-      function.outputs[k].meaning = in_terms_of_base(function.outputs[k].meaning);
-    }
+    function.outputs[k].name = in_coordinates(function.outputs[k].name, mechanism);
+    function.outputs[k].meaning = in_coordinates(function.outputs[k].meaning, mechanism);
     if (mechanism.floating_base) describe_floating(row.outputs[k], function.outputs[k]);
     if (mechanism.has_spherical_joints()) describe_spherical(function.outputs[k]);
   }
@@ -302,26 +297,22 @@ Function derivative_of(const Function& whole, Derivative derivative, const Mecha
   return function;
 }
 
-}  // namespace
-
-namespace {
-
 // A derivative of a function, in a formulation of the function, or of what its derivatives are made from.
 std::optional<Function> derivative_in(const Mechanism& mechanism, const FunctionRow& row, const std::string& function,
                                       FormulationIndex way, const Choices& choices) {
   const FunctionRow& of = *row.differentiated;
   if (row.derivative == Derivative::jacobian && has_jacobian_parts(mechanism, of)) {
-    return jacobian_of_parts(mechanism, of, derive_function(mechanism, function), way, choices);
+    return jacobian_of_parts(mechanism, of, way, choices);
   }
   if (row.derivative == Derivative::jacobian && is_held(mechanism, of)) {
     if (way > 0) return std::nullopt;
-    return held_jacobian(mechanism, of, without_condition(derive_function(mechanism, function)), choices);
+    return held_jacobian(mechanism, of, choices);
   }
   if (is_implicit(mechanism, of, row.derivative)) {
     if (std::optional<Function> made = implicit_derivative(mechanism, of, row.derivative, way, choices)) return made;
     // Second derivatives of the graph of forward dynamics take several times as many operations, and long to make.
     if (row.derivative == Derivative::contracted_hessian) return std::nullopt;
-    --way;
+    --way;  // the first formulation is that of the multipliers, the others are those of the graph
   }
   const std::optional<Function> made = formulation(mechanism, function, way, choices);
   if (!made) return std::nullopt;
@@ -329,6 +320,10 @@ std::optional<Function> derivative_in(const Mechanism& mechanism, const Function
 }
 
 }  // namespace
+
+std::string in_coordinates(const std::string& text, const Mechanism& mechanism) {
+  return mechanism.has_quasi_velocities() ? replaced(replaced(text, "qdd", "a"), "qd", "v") : text;
+}
 
 Function without_condition(Function function) {
   if (!function.outputs.empty() && function.outputs.back().name == kCondition) function.outputs.pop_back();

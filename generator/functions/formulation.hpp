@@ -28,6 +28,9 @@ inline constexpr FormulationIndex kFormulationCount = 4;  // no function has mor
 std::optional<Function> formulation(const Mechanism& mechanism, const std::string& name, FormulationIndex way,
                                     const Choices& choices);
 
+// The text about a robot's coordinates: with a floating base or spherical joints, q̈ is a and q̇ is v.
+std::string in_coordinates(const std::string& text, const Mechanism& mechanism);
+
 // The function as far as it is differentiated: without kCondition.
 Function without_condition(Function function);
 

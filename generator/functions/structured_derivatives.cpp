@@ -15,14 +15,6 @@ namespace {
 
 constexpr int kAxes = 3;
 
-// The directions of an argument that one of the parts has a square matrix for.
-const TangentBlock* block_of(const Tangents& tangents, InputKind argument) {
-  const std::vector<TangentBlock>& blocks = tangents.blocks();
-  const auto found =
-      std::find_if(blocks.begin(), blocks.end(), [&](const TangentBlock& each) { return each.kind == argument; });
-  return found == blocks.end() ? nullptr : &*found;
-}
-
 // The columns along the directions of an argument, from a matrix of its derivatives.
 void take_columns(const Output& matrix, const TangentBlock& block, JacobianColumns& columns) {
   if (matrix.cols != block.length) throw Failure(FailureKind::bug, matrix.name + " has the wrong shape");
@@ -38,9 +30,9 @@ void take_columns(const Output& matrix, const TangentBlock& block, JacobianColum
 // first entries of a. So ∂τ/∂g_b is minus the first columns of B; and while τ is held, ∂v̇/∂g_b is the unit matrix.
 void take_columns_of_gravity(bool is_of_acceleration, const Tangents& tangents, Graph& graph,
                              JacobianColumns& columns) {
-  const TangentBlock* block = block_of(tangents, InputKind::g_b);
+  const TangentBlock* block = tangents.find(InputKind::g_b);
   if (block == nullptr) return;
-  const TangentBlock* acceleration = block_of(tangents, InputKind::a);
+  const TangentBlock* acceleration = tangents.find(InputKind::a);
   const std::size_t rows = columns.front().size();
   for (int k = 0; k < kAxes; ++k) {
     std::vector<NodeId>& column = columns[static_cast<std::size_t>(block->first + k)];
@@ -50,6 +42,11 @@ void take_columns_of_gravity(bool is_of_acceleration, const Tangents& tangents, 
                            : graph.scaled(-1, columns[static_cast<std::size_t>(acceleration->first + k)][i]));
     }
   }
+}
+
+// A vector, as far as its derivatives need to know of it.
+Output shape_of(const std::string& name, int rows) {
+  return {.name = name, .rows = rows, .entries = std::vector<NodeId>(static_cast<std::size_t>(rows)), .meaning = ""};
 }
 
 template <class Property>
@@ -71,8 +68,8 @@ bool has_jacobian_parts(const Mechanism& mechanism, const FunctionRow& row) {
   return !row.jacobian_parts.empty() && mechanism.symbols.empty() && gravity_is_acceleration(mechanism);
 }
 
-std::optional<Function> jacobian_of_parts(const Mechanism& mechanism, const FunctionRow& row, const Function& of,
-                                          FormulationIndex way, const Choices& choices) {
+std::optional<Function> jacobian_of_parts(const Mechanism& mechanism, const FunctionRow& row, FormulationIndex way,
+                                          const Choices& choices) {
   std::vector<Function> parts;
   for (const JacobianPart& part : row.jacobian_parts) {
     std::optional<Function> made = formulation(mechanism, part.function, parts.empty() ? way : 0, choices);
@@ -82,20 +79,21 @@ std::optional<Function> jacobian_of_parts(const Mechanism& mechanism, const Func
   Function whole = fused(parts).function;
   whole.formulation = parts.front().formulation;
   whole.proven_pivot_share = parts.front().proven_pivot_share;
-  const Tangents tangents(mechanism, of.inputs, of.base_parameters);
+  whole.inputs = row.inputs_for(mechanism);
+  const Tangents tangents(mechanism, whole.inputs, 0);
   JacobianColumns columns(static_cast<std::size_t>(tangents.count()));
   std::size_t output = 0;
   for (const JacobianPart& part : row.jacobian_parts) {
     for (const InputKind argument : part.arguments) {
-      const TangentBlock* block = block_of(tangents, with_base(argument, mechanism.has_quasi_velocities()));
+      const TangentBlock* block = tangents.find(with_base(argument, mechanism.has_quasi_velocities()));
       if (block == nullptr) throw Failure(FailureKind::bug, std::string(part.function) + " has other arguments");
       take_columns(whole.outputs[output++], *block, columns);
     }
   }
   const bool is_of_acceleration = row.outputs.front().quantity == OutputQuantity::joint_acceleration;
   take_columns_of_gravity(is_of_acceleration, tangents, whole.graph, columns);
-  whole.inputs = of.inputs;
-  whole.outputs = jacobian_outputs(of, tangents, columns);
+  const std::string result = in_coordinates(row.outputs.front().name, mechanism);
+  whole.outputs = jacobian_outputs({shape_of(result, mechanism.size())}, tangents, columns);
   return whole;
 }
 
@@ -116,7 +114,7 @@ std::optional<Function> implicit_derivative(const Mechanism& mechanism, const Fu
   const std::vector<InputKind> arguments = row.inputs_for(mechanism);
   solution.inputs = arguments;
   solution.inputs.push_back(InputKind::weights);
-  const std::string acceleration = argument_row(with_base(InputKind::qdd, mechanism.has_quasi_velocities())).name;
+  const std::string acceleration = in_coordinates(row.outputs.front().name, mechanism);
   solution.own = {mechanism.size(), "weights of the entries of " + acceleration};
   solution.outputs.front().name = acceleration;
   solution.formulation = "multipliers B^-1 w";
@@ -131,18 +129,24 @@ bool is_held(const Mechanism& mechanism, const FunctionRow& row) {
          !base_has(mechanism, [](const Body& body) { return body.armature != 0 || body.viscous != 0; });
 }
 
-Function held_jacobian(const Mechanism& mechanism, const FunctionRow& row, const Function& of, const Choices& choices) {
+Function held_jacobian(const Mechanism& mechanism, const FunctionRow& row, const Choices& choices) {
   const Function solution = row.held_motion(mechanism, choices),
                  torques = *formulation(mechanism, "inverse_dynamics_derivatives", 0, choices);
   Function contacts = fused({*formulation(mechanism, "contact_jacobian", 0, choices),
                              *formulation(mechanism, "contact_bias", 0, choices)})
                           .function;
   contacts.outputs.erase(contacts.outputs.begin());  // the contacts' positions
-  const Tangents tangents(mechanism, of.inputs, of.base_parameters);
+  const std::vector<InputKind> arguments = row.inputs_for(mechanism);
+  const Tangents tangents(mechanism, arguments, 0);
   auto [function, columns] = held_derivatives(mechanism, {solution, torques, contacts, tangents});
-  function.inputs = of.inputs;
+  function.inputs = arguments;
   function.proven_pivot_share = choices.guard.proven_share;
-  function.outputs = jacobian_outputs(of, tangents, columns);
+  std::vector<Output> shapes;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::string name = in_coordinates(row.outputs[k].name, mechanism);
+    shapes.push_back(shape_of(name, solution.outputs[k].rows));
+  }
+  function.outputs = jacobian_outputs(shapes, tangents, columns);
   return function;
 }
 

@@ -16,15 +16,15 @@ namespace flatdyn {
 bool has_jacobian_parts(const Mechanism& mechanism, const FunctionRow& row);
 
 // The matrices of jac:FUNCTION from their parts, the first of which is derived in formulation `way`; nullopt if it has
-// none such. `of`: the function.
-std::optional<Function> jacobian_of_parts(const Mechanism& mechanism, const FunctionRow& row, const Function& of,
-                                          FormulationIndex way, const Choices& choices);
+// none such.
+std::optional<Function> jacobian_of_parts(const Mechanism& mechanism, const FunctionRow& row, FormulationIndex way,
+                                          const Choices& choices);
 
 // Whether the Jacobian is that of a motion while contacts hold (FunctionRow::held_motion).
 bool is_held(const Mechanism& mechanism, const FunctionRow& row);
 
-// Its matrices. `of`: the function.
-Function held_jacobian(const Mechanism& mechanism, const FunctionRow& row, const Function& of, const Choices& choices);
+// Its matrices.
+Function held_jacobian(const Mechanism& mechanism, const FunctionRow& row, const Choices& choices);
 
 // Whether a weighted sum is differentiated as that of an implicit function (FunctionRow::implicit).
 bool is_implicit(const Mechanism& mechanism, const FunctionRow& row, Derivative derivative);

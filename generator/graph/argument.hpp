@@ -224,6 +224,7 @@ constexpr bool is_of_motion(InputKind kind, ArgumentQuantity quantity) {
   return argument_row(kind).quantity == quantity && !argument_row(kind).is_reference;
 }
 constexpr bool is_velocity(InputKind kind) { return is_of_motion(kind, ArgumentQuantity::velocity); }
+constexpr bool is_acceleration(InputKind kind) { return is_of_motion(kind, ArgumentQuantity::acceleration); }
 
 // Whether its length depends on the function.
 constexpr bool is_of_function(InputKind kind) {

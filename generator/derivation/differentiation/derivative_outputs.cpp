@@ -62,10 +62,11 @@ std::vector<Output> gradient_outputs(const std::vector<NodeId>& derivatives, con
   return outputs;
 }
 
-std::vector<Output> jacobian_outputs(const Function& of, const Tangents& tangents, const JacobianColumns& columns) {
+std::vector<Output> jacobian_outputs(const std::vector<Output>& of, const Tangents& tangents,
+                                     const JacobianColumns& columns) {
   std::vector<Output> outputs;
   std::size_t first = 0;
-  for (const Output& output : of.outputs) {
+  for (const Output& output : of) {
     const std::size_t rows = output.entries.size();
     for (const TangentBlock& block : tangents.blocks()) {
       std::vector<NodeId> entries;

@@ -22,8 +22,10 @@ std::string words_for_entries(const Function& function);
 std::vector<Output> gradient_outputs(const std::vector<NodeId>& derivatives, const Tangents& tangents,
                                      const std::string& entries);
 
-// J as a matrix for each output of the function `of` and each argument; of a scalar output its gradient.
-std::vector<Output> jacobian_outputs(const Function& of, const Tangents& tangents, const JacobianColumns& columns);
+// J as a matrix for each output of a function and each argument; of a scalar output its gradient. `of`: these outputs,
+// by name, layout and number of entries.
+std::vector<Output> jacobian_outputs(const std::vector<Output>& of, const Tangents& tangents,
+                                     const JacobianColumns& columns);
 
 // Which of two equal second derivatives is computed, where directions commute: that by the first argument along the
 // second one or the other way round, and which half of a symmetric block.

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "derivation/differentiation/held.hpp"
 
-#include <algorithm>
-#include <array>
 #include <utility>
 
+#include "derivation/differentiation/at_solution.hpp"
 #include "derivation/differentiation/differentiate.hpp"
-#include "graph/passes/substitution.hpp"
 
 namespace flatdyn {
 namespace {
@@ -65,19 +63,7 @@ class HeldColumns {
 
  private:
   std::vector<Output> at_solution(const Function& function) {
-    const Output &a = held_.solution.outputs[0], &f = held_.solution.outputs[1];
-    const auto image_of = [&](const Input& input, Graph&) -> std::optional<NodeId> {
-      const auto k = static_cast<std::size_t>(input.index);
-      if (input.kind == InputKind::qdd || input.kind == InputKind::a) return a.entries[k];
-      if (input.kind == InputKind::weights) return f.entries[k];
-      return std::nullopt;
-    };
-    const std::vector<NodeId> image = substituted(function.graph, image_of, function_.graph);
-    std::vector<Output> outputs = function.outputs;
-    for (Output& output : outputs) {
-      for (NodeId& entry : output.entries) entry = image[static_cast<std::size_t>(entry)];
-    }
-    return outputs;
+    return outputs_at(function, held_.solution.outputs[0].entries, held_.solution.outputs[1].entries, graph());
   }
 
   std::vector<NodeId> column(InputKind kind, int k) {

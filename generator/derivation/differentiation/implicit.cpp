@@ -4,23 +4,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "derivation/differentiation/at_solution.hpp"
 #include "derivation/differentiation/derivative_outputs.hpp"
 #include "derivation/differentiation/differentiate.hpp"
-#include "graph/passes/substitution.hpp"
 
 namespace flatdyn {
 namespace {
 
 constexpr int kAxes = 3;
-
-bool is_acceleration(InputKind kind) { return kind == InputKind::qdd || kind == InputKind::a; }
-
-const TangentBlock* find_block(const Tangents& tangents, InputKind kind) {
-  const std::vector<TangentBlock>& blocks = tangents.blocks();
-  const auto found =
-      std::find_if(blocks.begin(), blocks.end(), [kind](const TangentBlock& each) { return each.kind == kind; });
-  return found == blocks.end() ? nullptr : &*found;
-}
 
 // A function of the derivatives of inverse dynamics, at the accelerations and with the multipliers -λ, over the graph
 // of the solution.
@@ -28,18 +19,9 @@ class AtSolution {
  public:
   AtSolution(const ImplicitAcceleration& acceleration, const Function& of_torques)
       : acceleration_(acceleration), result_(acceleration.solution) {
-    const std::vector<NodeId>&qdd = result_.outputs[0].entries, &lambda = result_.outputs[1].entries;
-    const auto image_of = [&](const Input& input, Graph& to) -> std::optional<NodeId> {
-      const auto k = static_cast<std::size_t>(input.index);
-      if (is_acceleration(input.kind)) return qdd[k];
-      if (input.kind == InputKind::weights) return to.scaled(-1, lambda[k]);
-      return std::nullopt;
-    };
-    const std::vector<NodeId> image = substituted(of_torques.graph, image_of, result_.graph);
-    outputs_ = of_torques.outputs;
-    for (Output& output : outputs_) {
-      for (NodeId& entry : output.entries) entry = image[static_cast<std::size_t>(entry)];
-    }
+    std::vector<NodeId> multipliers;
+    for (const NodeId lambda : result_.outputs[1].entries) multipliers.push_back(result_.graph.scaled(-1, lambda));
+    outputs_ = outputs_at(of_torques, result_.outputs[0].entries, multipliers, result_.graph);
   }
 
   const std::vector<NodeId>* entries(const std::string& name) const {
@@ -55,8 +37,8 @@ class AtSolution {
 
   // -((λᵀ B)_k) q̈_l.
   NodeId cross(const TangentBlock& a, int k, const TangentBlock& b, int l) {
-    const InputKind kind = find_block(acceleration_.of_torques, InputKind::a) ? InputKind::a : InputKind::qdd;
-    const TangentBlock& by = *find_block(acceleration_.of_torques, kind);
+    const TangentBlock* a_of_base = acceleration_.of_torques.find(InputKind::a);
+    const TangentBlock& by = a_of_base != nullptr ? *a_of_base : *acceleration_.of_torques.find(InputKind::qdd);
     std::vector<Term> terms;
     for (int i = 0; i < by.length; ++i) {
       const NodeId rate = entry(name_of_second_derivatives(a, by), k, i, by.length);

@@ -58,8 +58,10 @@ Function cheaper(Function a, Function b) {
 
 Function jacobian_matrices(const Function& function, const Tangents& tangents) {
   Function forward = function, reverse = function;
-  forward.outputs = jacobian_outputs(function, tangents, columns_in_forward_mode(function, tangents, forward.graph));
-  reverse.outputs = jacobian_outputs(function, tangents, columns_in_reverse_mode(function, tangents, reverse.graph));
+  forward.outputs =
+      jacobian_outputs(function.outputs, tangents, columns_in_forward_mode(function, tangents, forward.graph));
+  reverse.outputs =
+      jacobian_outputs(function.outputs, tangents, columns_in_reverse_mode(function, tangents, reverse.graph));
   return cheaper(std::move(forward), std::move(reverse));
 }
 

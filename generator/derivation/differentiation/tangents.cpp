@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/diagnostics/diagnostics.hpp"
 
 namespace flatdyn {
@@ -51,6 +53,12 @@ Tangents::Tangents(const Mechanism& mechanism, const std::vector<InputKind>& arg
 void Tangents::add(InputKind kind, int length) {
   blocks_.push_back({kind, count_, length});
   count_ += length;
+}
+
+const TangentBlock* Tangents::find(InputKind argument) const {
+  const auto found = std::find_if(blocks_.begin(), blocks_.end(),
+                                  [argument](const TangentBlock& block) { return block.kind == argument; });
+  return found == blocks_.end() ? nullptr : &*found;
 }
 
 bool Tangents::commute(InputKind a, InputKind b) const {

@@ -27,6 +27,8 @@ class Tangents {
 
   const std::vector<TangentBlock>& blocks() const { return blocks_; }
   int count() const { return count_; }
+  // The directions of an argument; null if the function does not have it.
+  const TangentBlock* find(InputKind argument) const;
   // Whether second derivatives by two arguments do not depend on the order. Those by turns do: of q by itself, and of q
   // and g_b, which turns with the base.
   bool commute(InputKind a, InputKind b) const;

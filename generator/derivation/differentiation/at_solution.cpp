@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "derivation/differentiation/at_solution.hpp"
+
+#include <optional>
+
+#include "graph/passes/substitution.hpp"
+
+namespace flatdyn {
+
+std::vector<Output> outputs_at(const Function& function, const std::vector<NodeId>& accelerations,
+                               const std::vector<NodeId>& weights, Graph& graph) {
+  const auto image_of = [&](const Input& input, Graph&) -> std::optional<NodeId> {
+    const auto k = static_cast<std::size_t>(input.index);
+    if (is_acceleration(input.kind)) return accelerations[k];
+    if (input.kind == InputKind::weights) return weights[k];
+    return std::nullopt;
+  };
+  const std::vector<NodeId> image = substituted(function.graph, image_of, graph);
+  std::vector<Output> outputs = function.outputs;
+  for (Output& output : outputs) {
+    for (NodeId& entry : output.entries) entry = image[static_cast<std::size_t>(entry)];
+  }
+  return outputs;
+}
+
+}  // namespace flatdyn
