@@ -168,7 +168,7 @@ void example_7_2_jac_inertia_matrix_given(const double sine[2], const double cos
 
 // w^T J, with J the derivatives of inertia_matrix by its arguments; signs count as constant.
 //   q[2]        in   joint positions, rad or m
-//   weights[4]  in   weights of the entries of B, row by row
+//   weights[4]  in   weights of the entries of B, column by column
 //   adj_q[2]    out  derivatives of the weighted sum by q
 // Reads q[1], weights[0..2]. Operations: 3 mul, 2 add, 1 sin/cos. Always zero: adj_q[0].
 void example_7_2_adj1_inertia_matrix(const double q[2], const double weights[4], double adj_q[2]);
@@ -179,7 +179,7 @@ void example_7_2_adj1_inertia_matrix_given(const double sine[2], const double co
 // The derivatives of adj1_inertia_matrix: second derivatives of the weighted sum of the entries of
 // inertia_matrix, and J^T; signs count as constant.
 //   q[2]                in   joint positions, rad or m
-//   weights[4]          in   weights of the entries of B, row by row
+//   weights[4]          in   weights of the entries of B, column by column
 //   jac_adj_q_q[1]      out  second derivatives of the weighted sum by q, q, 2 x 2: the entries
 //                            that are not always zero, column by column
 //   jac_adj_q_adj_B[3]  out  derivatives of B by q, transposed, 2 x 4: the entries that are not

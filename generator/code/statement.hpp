@@ -50,10 +50,14 @@ struct StoreZeros {
   std::size_t first = 0, end = 0;
 };
 
-// The arrays "sine" and "cosine" are filled for the angles of these indices in an array.
+// The arrays of sines and cosines are filled for the angles of these indices in an array.
+inline constexpr const char *kSines = "sine", *kCosines = "cosine", *kAngles = "angle";
 struct FillSines {
   std::string array;
-  std::set<int> angles;
+  std::set<int> angles{};
+  std::string sines = kSines, cosines = kCosines;
+  // Whether the function has computed the angles, so that no caller can have given their sines.
+  bool is_computed = false;
 };
 
 // The variable of a function's verdict, and the counter of loops.

@@ -75,6 +75,9 @@ Names names_in(const Statement& statement) {
     }
   }
   if (const auto* zeros = std::get_if<StoreZeros>(&statement)) names.others.push_back(zeros->array);
+  if (const auto* fill = std::get_if<FillSines>(&statement)) {
+    names.others.insert(names.others.end(), {fill->array, fill->sines, fill->cosines});
+  }
   return names;
 }
 

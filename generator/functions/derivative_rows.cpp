@@ -20,6 +20,8 @@ Extent directions_of(InputKind argument) {
       return Extent::three;
     case InputKind::pi_b:
       return Extent::base_parameters;
+    case InputKind::h:
+      return Extent::one;
     case InputKind::parameter:
       return Extent::symbols;
     default:
@@ -27,7 +29,10 @@ Extent directions_of(InputKind argument) {
   }
 }
 
-bool has_derivatives(const FunctionRow& row) { return !row.inputs.empty() && !row.traits.needs_loops; }
+// Those of the derivatives of steps would be second derivatives of long functions.
+bool has_derivatives(const FunctionRow& row) {
+  return !row.inputs.empty() && !row.traits.needs_loops && !std::string(row.name).starts_with("step_derivatives:");
+}
 
 bool has_weights(Derivative derivative) {
   return derivative == Derivative::vector_times_jacobian || derivative == Derivative::contracted_hessian;

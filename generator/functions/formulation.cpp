@@ -70,6 +70,11 @@ Request parsed(const Mechanism& mechanism, const std::string& name) {
                     request.row->name, mechanism.floating_base ? "a floating base" : "spherical joints"),
         "leave it out of --functions; coriolis_matrix has C(q, v)");
   }
+  if (request.row->traits.refuses_loops && mechanism.has_loops()) {
+    throw Failure(FailureKind::unsupported,
+                  fmt::format("function \"{}\" is not there for robots with closed loops", request.row->name),
+                  "step the independent joints with forward_dynamics, and close the loops with loop_step");
+  }
   if (request.row->traits.uses_task && mechanism.floating_base && mechanism.task.rates_are_of_angles()) {
     throw Failure(FailureKind::unsupported, "a task in Euler angles is not supported for robots with a floating base",
                   "the base turns, too: take angular_velocity, in base axes");

@@ -21,6 +21,7 @@ enum class Extent {
   six,
   joints,           // n, the number of coordinates
   joint_pairs,      // n (n + 1) / 2
+  states,           // 2 n: positions, then their rates
   positions,        // the entries of q: with closed loops, those of dependent joints, too
   loop_equations,   // the entries of Φ
   task_rows,        // the directions of the task
@@ -75,6 +76,9 @@ struct FunctionTraits {
   bool leaves_out_springs = false;       // whether it is about torques without those of springs
   bool leaves_out_base_joint = false;    // whether armature and friction of a floating base have no part in it
   bool needs_contacts = false;           // whether it is about the scene's contacts
+  bool leaves_rest = false;              // whether it needs velocities although it starts at rest
+  bool refuses_loops = false;            // whether it is there for robots without closed loops only
+  bool has_gaps = false;                 // whether it has no value at some states, where its reference returns NaN
 };
 
 // A function whose outputs are the derivatives of another one by some of its arguments, a square matrix for each.
@@ -115,7 +119,7 @@ struct FunctionRow {
     const bool has_base = mechanism.floating_base || !traits.needs_floating_base,
                has_rates = !mechanism.has_quasi_velocities() || !traits.needs_rates,
                has_contacts = !mechanism.contacts.empty() || !traits.needs_contacts,
-               has_loops = mechanism.has_loops() || !traits.needs_loops;
+               has_loops = mechanism.has_loops() ? !traits.refuses_loops : !traits.needs_loops;
     return has_base && has_rates && has_contacts && has_loops;
   }
   // The arguments for this robot: with a floating base or spherical joints v and a for q̇ and q̈, and g_b if the base

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "functions/function_table.hpp"
 
+#include <algorithm>
+
 #include "derivation/dynamics/acceleration_functions.hpp"
 #include "derivation/dynamics/centroidal_functions.hpp"
 #include "derivation/dynamics/contact_functions.hpp"
@@ -13,6 +15,7 @@
 #include "derivation/dynamics/operational.hpp"
 #include "derivation/dynamics/torque_functions.hpp"
 #include "derivation/parameters/regressor_functions.hpp"
+#include "functions/step_rows.hpp"
 #include "truth/definition/centroidal_definitions.hpp"
 #include "truth/definition/contact_definitions.hpp"
 #include "truth/definition/derivative_definitions.hpp"
@@ -486,8 +489,21 @@ const std::vector<FunctionRow> kRows = {
                 .leaves_out_base_joint = true}},
 };
 
+// Steps come after forward dynamics and its derivatives.
+std::vector<FunctionRow> with_steps(std::vector<FunctionRow> rows) {
+  const auto place = std::find_if(rows.begin(), rows.end(), [](const FunctionRow& row) {
+    return std::string(row.name) == "forward_dynamics_derivatives";
+  });
+  const std::vector<FunctionRow> steps = step_rows();
+  rows.insert(place + 1, steps.begin(), steps.end());
+  return rows;
+}
+
 }  // namespace
 
-const std::vector<FunctionRow>& function_table() { return kRows; }
+const std::vector<FunctionRow>& function_table() {
+  static const std::vector<FunctionRow> rows = with_steps(kRows);
+  return rows;
+}
 
 }  // namespace flatdyn

@@ -9,8 +9,9 @@
 
 namespace flatdyn {
 
-// weights and direction: of products with derivatives. parameter: a free symbol of the robot; stored: a value that an
-// earlier stage has computed. The others have a row below that says what they are.
+// weights and direction: of products with derivatives. h: the length of a step in time; qd_end: rates at its end.
+// parameter: a free symbol of the
+// robot; stored: a value that an earlier stage has computed. The others have a row below that says what they are.
 enum class InputKind : std::uint8_t {
   q,
   qd,
@@ -28,6 +29,8 @@ enum class InputKind : std::uint8_t {
   a_r,
   weights,
   direction,
+  h,
+  qd_end,
   stored
 };
 
@@ -42,6 +45,7 @@ enum class ArgumentQuantity : std::uint8_t {
   base_parameter,
   weight,     // of an output's entry, without a unit
   direction,  // a rate of change of an argument's entry, in its unit
+  duration,   // s
   symbol,
   stored
 };
@@ -54,6 +58,7 @@ enum class ArgumentLength : std::uint8_t {
   vector,
   base_parameters,
   own,  // the function says it: Function::own
+  one,
   symbols,
   none
 };
@@ -194,6 +199,21 @@ inline constexpr auto kArgumentRows = std::to_array<ArgumentRow>({
      .in_state = InputKind::direction,
      .with_quasi_velocities = InputKind::direction,
      .meaning = "a direction"},
+    {.kind = InputKind::h,
+     .name = "h",
+     .quantity = ArgumentQuantity::duration,
+     .length = ArgumentLength::one,
+     .in_state = InputKind::h,
+     .with_quasi_velocities = InputKind::h,
+     .meaning = "length of the step, s"},
+    {.kind = InputKind::qd_end,
+     .name = "qd_end",
+     .quantity = ArgumentQuantity::velocity,
+     .length = ArgumentLength::velocities,
+     .in_state = InputKind::qd_end,
+     .with_quasi_velocities = InputKind::qd_end,
+     .is_reference = true,
+     .meaning = "joint velocities at the end of the step, rad/s or m/s, as far as they are known"},
     {.kind = InputKind::stored,
      .name = "stored",
      .quantity = ArgumentQuantity::stored,

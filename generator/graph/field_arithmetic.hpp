@@ -97,6 +97,19 @@ class FieldArithmetic {
     }
   }
 
+  // The cosine and sine of factor · angle: a whole multiple by the addition theorems, any other one is an angle of its
+  // own.
+  CirclePoint point_of_multiple(const Rational& factor, const F& angle) const {
+    constexpr int kMost = 1000000;
+    if (denominator(factor) != 1 || abs(factor) > kMost) return point(constant(factor) * angle);
+    const CirclePoint turned = multiple(point(angle), abs(factor).numerator_modulo(~std::uint64_t{0}));
+    return factor < 0 ? conjugate(turned) : turned;
+  }
+
+  static CirclePoint add(const CirclePoint& a, const CirclePoint& b) {
+    return {a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s};
+  }
+
  private:
   F drawn_input(const Input& input) const {
     const auto kind = static_cast<std::uint64_t>(input.kind);
@@ -119,10 +132,6 @@ class FieldArithmetic {
   }
 
   static CirclePoint conjugate(const CirclePoint& a) { return {a.c, -a.s}; }
-  static CirclePoint add(const CirclePoint& a, const CirclePoint& b) {
-    return {a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s};
-  }
-
   static CirclePoint multiple(CirclePoint a, std::uint64_t times) {
     CirclePoint total = {F(1), F(0)};
     for (; times > 0; times >>= 1) {
@@ -132,8 +141,8 @@ class FieldArithmetic {
     return total;
   }
 
-  // The cosine and sine of any angle. Whole-number coefficients in it are expanded by the addition theorems; k·x with
-  // any other k is an angle of its own. The result does not depend on how sums of angles are nested.
+  // The cosine and sine of any angle, as a sum of multiples of inputs, or a multiple of anything else. The result does
+  // not depend on how sums of angles are nested.
   CirclePoint point(const Graph& graph, NodeId angle, const F& value) const {
     CirclePoint total = {F(1), F(0)};
     add_angles(graph, angle, Rational(1), value, total);
@@ -149,14 +158,13 @@ class FieldArithmetic {
         total = add(total, point(constant(factor * node.value)));
         return;
       }
+      if (is_scaled(node)) {
+        const Rational& coefficient = node.terms[0].coefficient;
+        return add_angles(graph, node.terms[0].node, factor * coefficient, value / constant(coefficient), total);
+      }
     }
     const F base = node.op == Op::input ? input(node.input) : value;
-    if (denominator(factor) != 1 || abs(factor) > 1000000) {
-      total = add(total, point(constant(factor) * base));
-      return;
-    }
-    const CirclePoint turned = multiple(point(base), abs(factor).numerator_modulo(~std::uint64_t{0}));
-    total = add(total, factor < 0 ? conjugate(turned) : turned);
+    total = add(total, point_of_multiple(factor, base));
   }
 
   // Whether the angle is a sum, possibly nested, of inputs.

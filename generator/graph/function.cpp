@@ -67,6 +67,14 @@ bool always_holds(const Function& function, std::size_t k) {
   return graph.is_constant(scale) && graph[id].value >= safe_share * graph[scale].value;
 }
 
+bool computes_angles(const Function& function) {
+  const std::vector<bool> alive = reachable_from(function.graph, roots(function));
+  for (NodeId id = 0; id < function.graph.size(); ++id) {
+    if (alive[static_cast<std::size_t>(id)] && is_of_computed_angle(function.graph, id)) return true;
+  }
+  return false;
+}
+
 std::size_t entry_count(const Function& function) {
   std::size_t count = 0;
   for (const Output& output : function.outputs) count += output.entries.size();

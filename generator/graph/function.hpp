@@ -96,6 +96,9 @@ bool compares_pivots(const Function& function);
 // Whether condition k holds without being computed: it is a positive constant, in float, too.
 bool always_holds(const Function& function, std::size_t k);
 
+// Whether it takes sines or cosines of angles that it computes, such as those after a part of a step.
+bool computes_angles(const Function& function);
+
 // The number of entries of all outputs.
 std::size_t entry_count(const Function& function);
 

@@ -28,7 +28,9 @@ FunctionName parts_of_name(const std::string& name) {
     parts.derivative = derivative;
     rest = name.substr(beginning.size());
   }
-  const std::size_t colon = rest.find(':');
+  // The method of a step is part of its function's name: "step:rk4".
+  const bool names_method = rest.starts_with("step:") || rest.starts_with("step_derivatives:");
+  const std::size_t colon = names_method ? std::string::npos : rest.find(':');
   parts.stem = rest.substr(0, colon);
   if (colon != std::string::npos) parts.link = rest.substr(colon + 1);
   return parts;

@@ -24,7 +24,7 @@ std::string prefix_of(Derivative derivative);
 // "vjp:jacobian:hand": the product "vjp" of the derivatives of "jacobian" of link "hand".
 struct FunctionName {
   Derivative derivative = Derivative::none;
-  std::string stem;                 // "jacobian"
+  std::string stem;                 // "jacobian", "step:semi_implicit_euler"
   std::optional<std::string> link;  // "hand"
 
   // The name of the function itself.

@@ -241,9 +241,15 @@ NodeId Graph::sign(NodeId argument) {
     return scaled(factor, sign(dot.node));
   }
   if ((*this)[argument].op == Op::sign) return argument;
-  // A sum and its multiples have the same sign. The multiple with whole coefficients and no common divisor represents
-  // them all.
-  if (const Rational divisor = common_divisor((*this)[argument]); divisor != 1) {
+  // A sum of inputs, or of sums, and its multiples have the same sign. The multiple with whole coefficients and no
+  // common divisor represents them all. Other sums stay as they are: proofs know them by their values.
+  const std::vector<Term>& parts = (*this)[argument].terms;
+  const bool is_plain = std::all_of(parts.begin(), parts.end(), [this](const Term& term) {
+    const Op op = (*this)[term.node].op;
+    return op == Op::input || op == Op::sum;
+  });
+  const Rational divisor = is_plain ? common_divisor((*this)[argument]) : Rational(1);
+  if (divisor != 1) {
     std::vector<Term> terms = (*this)[argument].terms;
     for (Term& term : terms) term.coefficient /= divisor;
     return sign(sum(std::move(terms), (*this)[argument].value / divisor));
@@ -346,6 +352,24 @@ Term angle_of(const Graph& graph, NodeId id) {
   const Term term = graph.is_scaled(angle) ? graph[angle].terms.front() : Term{1, angle};
   if (graph[term.node].op != Op::input) throw std::logic_error("sine or cosine of what is no multiple of an input");
   return term;
+}
+
+bool is_of_computed_angle(const Graph& graph, NodeId id) {
+  if (graph[id].op != Op::sin && graph[id].op != Op::cos) return false;
+  const NodeId angle = graph[id].operands.front();
+  return graph[graph.is_scaled(angle) ? graph[angle].terms.front().node : angle].op != Op::input;
+}
+
+std::vector<int> rounds_of_sines(const Graph& graph) {
+  std::vector<int> rounds;
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    int round = 0;
+    for (const NodeId operand : operands_of(graph[id])) {
+      round = std::max(round, rounds[static_cast<std::size_t>(operand)]);
+    }
+    rounds.push_back(round + (is_of_computed_angle(graph, id) ? 1 : 0));
+  }
+  return rounds;
 }
 
 std::vector<NodeId> operands_of(const Node& node) {

@@ -128,6 +128,11 @@ inline void copy_name(const Graph& from, NodeId id, Graph& to, NodeId image) { t
 // The angle of a sine or cosine as a multiple of an input.
 Term angle_of(const Graph& graph, NodeId id);  // throws std::logic_error if it is not such a multiple
 
+// Whether a node is the sine or cosine of an angle that the function computes, rather than of a multiple of an input.
+bool is_of_computed_angle(const Graph& graph, NodeId id);
+// By node: the number of sines of computed angles, each of an angle that depends on the one before, behind its value.
+std::vector<int> rounds_of_sines(const Graph& graph);
+
 // All operands of a node, whatever its op, for traversals.
 std::vector<NodeId> operands_of(const Node& node);
 

@@ -3,6 +3,7 @@
 # the Python of build/peers. Every public function of the module has to have its counterpart here. Prints the largest
 # difference of each result, of its largest entry, and fails where one is above its limit.
 import argparse
+import copy
 import ctypes
 import importlib
 import inspect
@@ -79,6 +80,7 @@ class Peer:
         self.q = rng.uniform(-1, 1, len(self.joints))
         self.v, self.a, self.tau = rng.uniform(-2, 2, n), rng.uniform(-5, 5, n), rng.uniform(-10, 10, n)
         self.h_e = rng.uniform(-10, 10, 6)
+        self.h, self.qd_end = rng.uniform(0.001, 0.02, 1), self.v + rng.uniform(-0.2, 0.2, n)
         self.pose = pin.SE3.Random() if self.base else pin.SE3.Identity()
         if self.base:
             turn = rng.normal(size=4)
@@ -89,12 +91,23 @@ class Peer:
         self.axes = np.eye(3) if in_world else self.pose.rotation.T
         self.origin = np.zeros(3) if in_world else self.pose.translation
         self.axes_twice = np.kron(np.eye(2), self.axes)
+        self.place()
+
+    def place(self):
+        """Pinocchio's configuration from the pose and q."""
         self.at = np.empty(self.model.nq)
         if self.base:
             self.at[:7] = pin.SE3ToXYZQUAT(self.pose)
         for i, x in zip(self.joints, self.q):
             k, size = self.model.joints[i].idx_q, self.model.joints[i].nq
             self.at[k : k + size] = x if size == 1 else (np.cos(x), np.sin(x))  # two for a continuous joint
+
+    def at_motion(self, q, v, a=None):
+        """The same robot, with a fixed base, at another motion."""
+        there = copy.copy(self)
+        there.q, there.v, there.a = q, v, a
+        there.place()
+        return there
 
     def configuration(self):
         """q of the convention: Pinocchio's pose, and joints in the order of the file."""
@@ -208,6 +221,76 @@ class Peer:
         by_q, by_v, inverse = pin.computeABADerivatives(self.model, self.data, self.at, v, self.forces())
         inverse = self.square(np.triu(inverse) + np.triu(inverse, 1).T)
         return [self.square(by_q), self.square(by_v) - inverse * self.viscous, inverse]
+
+    # Steps of length h, by the formulas of the methods.
+    def step_semi_implicit_euler(self):
+        v = self.v + self.h * self.forward_dynamics()[0]
+        return [self.q + self.h * v, v]
+
+    def step_derivatives_semi_implicit_euler(self):
+        one = np.eye(len(self.q))
+        by_q, by_v, by_tau = self.forward_dynamics_derivatives()
+        rates = self.h * np.hstack([by_q, by_v, by_tau]) + np.hstack([0 * one, one, 0 * one])
+        return self.halves(self.h * rates + np.hstack([one, 0 * one, 0 * one]), rates)
+
+    def halves(self, positions, rates):
+        """A and B from rows by q, v and tau."""
+        n = 2 * len(self.q)
+        rows = np.vstack([positions, rates])
+        return [rows[:, :n], rows[:, n:]]
+
+    def runge_kutta(self, change):
+        """The state after a step of the classical method for x' = change(x)."""
+        x = self.q, self.v
+        h = self.h
+        after = lambda part, k: tuple(a + part * b for a, b in zip(x, k))
+        k1 = change(x)
+        k2 = change(after(h / 2, k1))
+        k3 = change(after(h / 2, k2))
+        k4 = change(after(h, k3))
+        return [a + h / 6 * (b + 2 * c + 2 * d + e) for a, b, c, d, e in zip(x, k1, k2, k3, k4)]
+
+    def step_rk4(self):
+        return self.runge_kutta(lambda x: (x[1], self.at_motion(*x).forward_dynamics()[0]))
+
+    def step_derivatives_rk4(self):
+        n, h = len(self.q), self.h
+        zero, one = np.zeros((n, n)), np.eye(n)
+        first = np.hstack([one, zero, zero]), np.hstack([zero, one, zero])
+        by_tau = np.hstack([zero, zero, one])
+        states, changes = [(self.q, self.v)], []
+        positions, rates = first
+        for part, weight in ((h / 2, h / 6), (h / 2, h / 3), (h, h / 3), (0 * h, h / 6)):
+            q, v = states[-1]
+            here = self.at_motion(q, v)
+            by_q, by_v, inverse = here.forward_dynamics_derivatives()
+            changes.append((weight, rates, by_q @ positions + by_v @ rates + inverse @ by_tau))
+            positions, rates = first[0] + part * rates, first[1] + part * changes[-1][2]
+            states.append((self.q + part * v, self.v + part * here.forward_dynamics()[0]))
+        after = [x + sum(weight * change[k] for weight, *change in changes) for k, x in enumerate(first)]
+        return self.halves(*after)
+
+    def middle(self):
+        v = (self.v + self.qd_end) / 2
+        return self.at_motion(self.q + self.h / 2 * v, v, (self.qd_end - self.v) / self.h)
+
+    def newton(self, middle):
+        by_q, by_v = middle.inverse_dynamics_derivatives()
+        return middle.inertia_matrix()[0] + self.h / 2 * by_v + self.h**2 / 4 * by_q
+
+    def step_implicit_midpoint(self):
+        middle = self.middle()
+        residual = middle.inverse_dynamics()[0] - self.tau
+        v = self.qd_end - self.h * np.linalg.solve(self.newton(middle), residual)
+        return [self.q + self.h / 2 * (self.v + v), v, residual]
+
+    def step_derivatives_implicit_midpoint(self):
+        middle, one = self.middle(), np.eye(len(self.q))
+        K = self.newton(middle)
+        by_q = middle.inverse_dynamics_derivatives()[0]
+        right = np.hstack([-self.h * by_q, 2 * middle.inertia_matrix()[0] - K, self.h * one])
+        rates = np.linalg.solve(K, right)
+        return self.halves(self.h / 2 * rates + np.hstack([one, self.h / 2 * one, 0 * one]), rates)
 
     def regressor(self):
         v, a = self.to_pinocchio(self.v), self.to_pinocchio(self.a)
@@ -359,7 +442,7 @@ class Differences:
             assert x.shape == y.shape or x.size == y.size, (key, x.shape, y.shape)
             difference = np.abs(x.reshape(y.shape) - y).max() / np.abs(y).max()
             self.largest[key] = np.maximum(self.largest.get(key, 0), difference)  # nan stays
-            solved = name in SOLUTIONS or name.startswith("constrained")
+            solved = name in SOLUTIONS or name.startswith(("constrained", "step"))
             self.limits[key] = SOLVED if solved else CLOSE
 
     def report(self):
@@ -375,7 +458,7 @@ def compare_module(module, peer, rng):
     different = Differences()
     for _ in range(STATES):
         peer.move(rng, in_world=False)
-        given = {name: getattr(peer, name) for name in ("q", "v", "a", "tau", "g_b", "h_e")}
+        given = {name: getattr(peer, name) for name in ("q", "v", "a", "tau", "g_b", "h_e", "h", "qd_end")}
         given |= {"qd": peer.v, "qdd": peer.a}
         for function in functions:
             name, link = function.__name__, []

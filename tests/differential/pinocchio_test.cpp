@@ -24,6 +24,9 @@ constexpr const char* kOfAnyBase =
     "frame_velocity,frame_acceleration,inverse_dynamics_derivatives,forward_dynamics_derivatives,regressor";
 constexpr const char* kOfFloatingBase =
     ",inverse_dynamics_floating,centroidal_momentum_matrix,centroidal_bias,centre_of_mass,contact_inverse_dynamics";
+constexpr const char* kOfFixedBase =
+    ",step:semi_implicit_euler,step_derivatives:semi_implicit_euler,step:rk4,step_derivatives:rk4,"
+    "step:implicit_midpoint,step_derivatives:implicit_midpoint";
 constexpr const char* kAtContacts = ",contact_jacobian,contact_bias,constrained_forward_dynamics,contact_impact";
 
 // A tree with every type of joint, names out of alphabetical order, axes at any angle, and friction. A link is fixed.
@@ -181,7 +184,7 @@ class Pinocchio : public ::testing::TestWithParam<RobotForPinocchio> {
 
 TEST_P(Pinocchio, AgreesWithEmittedCode) {
   std::string functions = std::string(kOfAnyBase) + ",external_torque:" + GetParam().tip;
-  if (GetParam().floating) functions += kOfFloatingBase;
+  functions += GetParam().floating ? kOfFloatingBase : kOfFixedBase;
   if (!GetParam().contacts.empty()) functions += kAtContacts;
   ASSERT_NO_FATAL_FAILURE(generate("--python", functions));
   ASSERT_NO_FATAL_FAILURE(

@@ -32,7 +32,7 @@ std::vector<Function> functions_to_compare(const LoadedRobot& model) {
   if (is_large) options.functions = {"inverse_dynamics", "gravity", "jacobian"};
   const bool is_quick = std::getenv("FLATDYN_ALL_FUNCTIONS") == nullptr;
   if (!is_large && is_quick && model.mechanism.size() > 4) {
-    options.functions = {"inverse_dynamics", "inertia_matrix", "forward_dynamics", "potential_energy"};
+    options.functions = {"inverse_dynamics", "inertia_matrix", "forward_dynamics", "potential_energy", "step:rk4"};
   }
   Progress quiet(true);
   Diagnostics left_out;
@@ -106,6 +106,7 @@ std::string program(const LoadedRobot& model, const std::vector<Function>& funct
     for (const char* array : {"q", "qd", "qdd", "tau", "h_e"}) {
       text += fmt::format("  for ({0}& x : {1}) x = {0}(drawn() * 2);\n", scalar, array);
     }
+    text += fmt::format("  const {0} h[1] = {{{0}(drawn() / 64)}};\n", scalar);
     text += testing::given_sines(model.mechanism, scalar, "whole");
     if (symbols > 0) {
       std::vector<std::string> values;
@@ -174,7 +175,8 @@ TEST(CFormsInputs, MayBeOneArray) {
       "#include <stdio.h>\n#include <string.h>\n#include \"ur5.h\"\nint main(void) {\n  const double one[6] = {0.3, "
       "-1, 2, "
       "0.5, 1, -2}, q[6] = {0.3, -1, 2, 0.5, 1, -2}, qd[6] = {0.3, -1, 2, 0.5, 1, -2}, "
-      "qdd[6] = {0.3, -1, 2, 0.5, 1, -2}, tau[6] = {0.3, -1, 2, 0.5, 1, -2};\n  static double a[99], b[99];\n  bool "
+      "qdd[6] = {0.3, -1, 2, 0.5, 1, -2}, tau[6] = {0.3, -1, 2, 0.5, 1, -2}, h[1] = {0.3};\n  static double a[99], "
+      "b[99];\n  bool "
       "valid = true;\n";
   for (const Function& function : functions) {
     if (returns_value(function)) continue;
@@ -183,9 +185,18 @@ TEST(CFormsInputs, MayBeOneArray) {
       apart.push_back(input_argument(kind, 0).name);
       together.emplace_back("one");
     }
+    std::vector<std::string> in_a, in_b;
+    std::size_t before = 0;
+    for (const Output& output : function.outputs) {
+      in_a.push_back(fmt::format("a + {}", before));
+      in_b.push_back(fmt::format("b + {}", before));
+      before += output.entries.size();
+    }
+    apart.insert(apart.end(), in_a.begin(), in_a.end());
+    together.insert(together.end(), in_b.begin(), in_b.end());
     const std::string name = "in_double_" + cpp_identifier(function.name);
     const char* const receiver = function.validity_conditions.empty() ? "" : "valid &= ";
-    program += fmt::format("  {3}{0}({1}, a);\n  {3}{0}({2}, b);\n  if (memcmp(a, b, sizeof a)) puts(\"{0}\");\n", name,
+    program += fmt::format("  {3}{0}({1});\n  {3}{0}({2});\n  if (memcmp(a, b, sizeof a)) puts(\"{0}\");\n", name,
                            joined(apart), joined(together), receiver);
   }
   write(folder.path() / "main.c", program + "  puts(\"done\");\n  return !valid;\n}\n");

@@ -21,7 +21,7 @@ std::string Dialect::fused(const std::string& a, const std::string& b, const std
   return fmt::format("fma({}, {}, {})", a, b, c);
 }
 
-std::string Dialect::filled_sines(const std::string&, const std::set<int>&) const { return ""; }
+std::string Dialect::filled_sines(const code::FillSines&) const { return ""; }
 
 std::string Dialect::input(const std::string& name, std::size_t) const { return "const " + scalar_ + "* " + name; }
 

@@ -72,8 +72,8 @@ class Dialect {
 
   // A sine or cosine that is evaluated by itself. `function`: "sin" or "cos"; `angle`: "q[2]".
   virtual std::string angle_function(const std::string& function, const std::string& angle) const;
-  // The statements that fill the arrays of sines and cosines for the angles of these indices in an array.
-  virtual std::string filled_sines(const std::string& array, const std::set<int>& angles) const;
+  // The statements that fill arrays of sines and cosines.
+  virtual std::string filled_sines(const code::FillSines& fill) const;
   // Whether a function that needs sines and cosines has a variant with a name of its own that takes them as arguments.
   virtual bool has_given_variants() const { return false; }
 

@@ -61,6 +61,7 @@ class FunctionWriter {
     text.uses_limbs = body_.uses_limbs;
     text.uses_zeros = body_.uses_zeros;
     text.uses_trigonometry = body_.uses_trigonometry();
+    text.computes_sines = computes_angles(function_);
     dialect_.declare(text, {body_, scope_, arguments(), sin_cos_variant_name});
     return text;
   }

@@ -67,6 +67,7 @@ struct FunctionText {
   bool uses_sign = false, uses_sqrt = false, uses_excess = false, uses_fma = false, uses_limbs = false,
        uses_zeros = false;
   bool uses_trigonometry = false;  // in C++ it then has a template parameter SinCos and an argument of that type
+  bool computes_sines = false;     // whether it asks for sines and cosines of angles that it computes
 };
 
 // Whether a kernel can be launched over arrays of its results: its outputs have entries.

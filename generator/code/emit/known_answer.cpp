@@ -19,7 +19,9 @@ class AnswerWriter {
  public:
   AnswerWriter(const CodeContent& content, const AnswerStyle& style)
       : content_(content), style_(style), state_(known_state(content)) {
-    for (std::size_t k = 0; k < content.texts.size(); ++k) add_call(content.functions[k], content.texts[k]);
+    for (std::size_t k = 0; k < content.texts.size(); ++k) {
+      if (!computes_angles(content.functions[k])) add_call(content.functions[k], content.texts[k]);
+    }
   }
 
   std::string statements() const {
@@ -44,7 +46,9 @@ class AnswerWriter {
     return fmt::format("{}[{}]", name, std::max<std::size_t>(length, 1));
   }
 
-  bool asks_sines() const { return state_.angles > 0; }
+  // Where functions take sines and cosines as arrays, a helper fills these, whoever needs them; in C++ they are a
+  // constant of this function.
+  bool asks_sines() const { return state_.angles > 0 && (style_.given.empty() || asks_given_); }
 
   std::string call(const std::string& text) const { return code_line(style_.prefix + text + ";", kStatementIndent); }
 
@@ -65,6 +69,7 @@ class AnswerWriter {
   void add_call(const Function& function, const FunctionText& text) {
     const std::size_t results = entry_count(function);
     const bool is_variant = style_.given.empty() && text.sin_cos_variant;
+    asks_given_ = asks_given_ || text.uses_trigonometry;
     const bool returns_verdict = !returns_value(function) && !function.validity_conditions.empty();
     const std::string begin = returns_value(function) ? fmt::format("{}[0] = ", kResults)
                               : returns_verdict       ? "(void)"
@@ -108,6 +113,7 @@ class AnswerWriter {
   const AnswerStyle& style_;
   KnownState state_;
   std::string calls_;
+  bool asks_given_ = false;  // whether any of these functions takes a source of sines and cosines
 };
 
 }  // namespace
@@ -120,8 +126,9 @@ KnownState known_state(const CodeContent& content) {
   for (std::size_t k = 0; k < content.texts.size(); ++k) {
     const Function& function = content.functions[k];
     const FunctionText& text = content.texts[k];
+    if (text.uses_trigonometry || text.computes_sines) state.angles = content.scope.angle_count();
+    if (computes_angles(function)) continue;
     for (std::size_t i = 0; i < text.inputs.size(); ++i) note(function.inputs[i], text.inputs[i].length);
-    if (text.uses_trigonometry) state.angles = content.scope.angle_count();
     state.most_results = std::max(state.most_results, entry_count(function));
   }
   for (const auto& [kind, length] : lengths) {

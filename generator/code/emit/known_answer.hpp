@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The call of every function at one known state, by which emitted code finds out whether it is executed as it is
 // written: the bits of all results make a hash, which the text states. All numbers of the state are exact in float, and
-// sines and cosines are made of them, so that nothing depends on a library.
+// sines and cosines are made of them, so that nothing depends on a library. Functions that take sines of angles which
+// they compute are left out.
 #pragma once
 
 #include <cstdint>

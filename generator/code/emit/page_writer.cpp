@@ -284,7 +284,7 @@ class PageWriter {
     content_.uses_fma = content_.uses_fma || text.uses_fma;
     content_.uses_limbs = content_.uses_limbs || text.uses_limbs;
     content_.uses_zeros = content_.uses_zeros || text.uses_zeros;
-    content_.uses_trigonometry = content_.uses_trigonometry || text.uses_trigonometry;
+    content_.uses_trigonometry = content_.uses_trigonometry || text.uses_trigonometry || text.computes_sines;
   }
 
   // Writes close_loops(), if all functions that it calls are emitted.

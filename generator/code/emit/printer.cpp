@@ -204,7 +204,7 @@ std::string Printer::line(const code::StoreZeros& zeros) const {
   return code_line(dialect_.stored_zeros(zeros.array, zeros.first, zeros.end), dialect_.indent());
 }
 
-std::string Printer::line(const code::FillSines& fill) const { return dialect_.filled_sines(fill.array, fill.angles); }
+std::string Printer::line(const code::FillSines& fill) const { return dialect_.filled_sines(fill); }
 
 // & does not branch.
 std::string Printer::condition(const code::Condition& condition) const {

@@ -108,6 +108,7 @@ void fill_in_known_answers(const Mechanism& mechanism, const std::vector<Functio
   const EmittedText text(whole, language);
   std::vector<StraightLine> operations;
   for (std::size_t k = 0; k < functions.size(); ++k) {
+    if (computes_angles(functions[k])) continue;
     operations.push_back(with_given_sines(text.operations(k, functions[k])));
   }
   const int angles = mechanism.position_count() + static_cast<int>(multiples_of_positions(mechanism).size());

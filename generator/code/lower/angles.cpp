@@ -10,11 +10,8 @@
 #include "robot/model/field_mechanism.hpp"
 
 namespace flatdyn {
-namespace {
 
-constexpr const char* kAngles = "angle";
-
-}  // namespace
+using code::kAngles;
 
 std::vector<MultipleOfPosition> multiples_of_positions(const Mechanism& mechanism) {
   std::vector<MultipleOfPosition> multiples;

@@ -8,6 +8,7 @@
 
 #include "code/expression.hpp"
 #include "code/lower/scope.hpp"
+#include "code/statement.hpp"
 #include "graph/graph.hpp"
 #include "robot/model/mechanism.hpp"
 
@@ -17,7 +18,7 @@ namespace flatdyn {
 inline constexpr const char* kFunctionOfAngles = "angles";
 
 // The arrays of sines and cosines.
-inline constexpr const char *kSines = "sine", *kCosines = "cosine";
+using code::kCosines, code::kSines;
 
 // The angles beyond those of q.
 std::vector<MultipleOfPosition> multiples_of_positions(const Mechanism& mechanism);

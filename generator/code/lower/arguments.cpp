@@ -26,6 +26,8 @@ int length_of(ArgumentLength length, const JointCounts& counts, int own) {
     case ArgumentLength::base_parameters:
     case ArgumentLength::own:
       return own;
+    case ArgumentLength::one:
+      return 1;
     case ArgumentLength::symbols:
     case ArgumentLength::none:
       break;

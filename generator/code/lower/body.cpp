@@ -18,6 +18,7 @@
 #include "code/lower/names.hpp"
 #include "code/lower/parts.hpp"
 #include "code/lower/schedule.hpp"
+#include "code/lower/sine_rounds.hpp"
 #include "code/lower/zeros.hpp"
 #include "code/walk.hpp"
 #include "graph/passes/fuse_products.hpp"
@@ -46,13 +47,14 @@ std::vector<Input> arguments_read(const Function& function) {
   return inputs;
 }
 
-NameTable names_in_scope(const Function& function, const Scope& scope) {
+NameTable names_in_scope(const Function& function, const Scope& scope, const SineRounds& rounds) {
   std::set<std::string> taken = scope.names;
   taken.insert(scope.stored.begin(), scope.stored.end());
   for (InputKind kind : function.inputs) taken.insert(input_argument(kind, 0).name);
   taken.insert({code::kParameters, "sin_cos", kSines, kCosines, angle_array(scope)});
   if (!function.validity_conditions.empty()) taken.insert({code::kValid, code::kCounter});
   taken.insert({kKept, kPivots, kStored, kResult});
+  for (std::string& name : rounds.names()) taken.insert(std::move(name));
   return NameTable(taken);
 }
 
@@ -72,9 +74,10 @@ class BodyMaker {
         inputs_(arguments_read(function)),
         is_fused_(fused_products(function, scope)),
         schedule_(make_schedule(function, is_fused_, scope.language.lives)),
-        limb_plan_(limb_plan(function, scope.limbs, schedule_)),
+        rounds_(function.graph, schedule_),
+        limb_plan_(rounds_.count() == 0 ? limb_plan(function, scope.limbs, schedule_) : std::nullopt),
         expressions_(function.graph, variables_, scope.fuses ? is_fused_ : std::vector<bool>(), &read_in_place_) {
-    NameTable names = names_in_scope(function, scope);
+    NameTable names = names_in_scope(function, scope, rounds_);
     for (const Output& output : function_.outputs) output_names_.push_back(names.unique(output.name));
     variables_ = name_variables(function_, schedule_, scope_.parameters, scope_.stored, names);
     find_entries_read();
@@ -163,8 +166,17 @@ class BodyMaker {
     return {limbs_->taken(step.index)};
   }
 
+  // The arrays of sines of computed angles, which parts share.
+  code::Declare arrays_of_rounds() const {
+    code::Declare all;
+    for (std::size_t round = 0; round < rounds_.count() && !scope_.language.evaluates_sines; ++round) {
+      for (code::Declare::Array& each : rounds_.arrays(round).arrays) all.arrays.push_back(std::move(each));
+    }
+    return all;
+  }
+
   code::Statements shared_by_parts(int kept) const {
-    code::Declare shared;
+    code::Declare shared = arrays_of_rounds();
     if (kept > 0) shared.arrays.push_back({kKept, static_cast<std::size_t>(kept)});
     if (const std::size_t pivots = pivots_to_check(function_).size(); pivots > 0) {
       shared.arrays.push_back({kPivots, pivots});
@@ -221,6 +233,9 @@ class BodyMaker {
       list.push_back({Role::input, input.name, static_cast<std::size_t>(input.length)});
     }
     for (const char* name : {kSines, kCosines}) list.push_back({Role::input, name, scope_.angle_count()});
+    for (const code::Declare::Array& each : arrays_of_rounds().arrays) {
+      list.push_back({Role::output, each.name, *each.length});
+    }
     list.push_back({Role::output, kKept});  // its length is known when all parts are
     list.push_back({Role::output, kPivots, pivots_to_check(function_).size()});
     list.push_back({Role::number, kResult, 1});
@@ -252,10 +267,15 @@ class BodyMaker {
     });
   }
 
-  // Whether the statement makes a variable of a sine or a cosine.
+  // Whether the statement makes a variable of a sine or a cosine of an angle that is given.
   bool is_angle_function(const Statement& statement) const {
     const Op op = function_.graph[statement.node].op;
-    return statement.targets.empty() && (op == Op::sin || op == Op::cos);
+    return statement.targets.empty() && (op == Op::sin || op == Op::cos) && !is_of_computed_angle(statement);
+  }
+
+  // The same of an angle that is computed.
+  bool is_of_computed_angle(const Statement& statement) const {
+    return statement.targets.empty() && flatdyn::is_of_computed_angle(function_.graph, statement.node);
   }
 
   bool is_variable(NodeId id) const { return schedule_.is_variable[static_cast<std::size_t>(id)]; }
@@ -356,14 +376,45 @@ class BodyMaker {
     return {code::DeclareStage{scope_.made, output_names_[0]}};
   }
 
-  // The steps without sines and cosines.
+  // The steps without sines and cosines of given angles.
   code::Statements steps(bool of_parts) const {
     code::Statements steps;
+    std::size_t rounds = 0;
     for (const Statement& statement : schedule_.statements) {
       if (is_angle_function(statement)) continue;
+      if (is_of_computed_angle(statement)) {
+        if (rounds_.round_of(statement.node) == rounds) append(steps, round_steps(rounds++, of_parts));
+        continue;
+      }
       append(steps, statement.targets.empty() ? code::Statements{definition(statement.node)}
                                               : stored_steps(statement, of_parts));
     }
+    return steps;
+  }
+
+  // A round of sines and cosines: one by one, or all together in arrays, which parts share.
+  code::Statements round_steps(std::size_t round, bool of_parts) const {
+    code::Statements steps;
+    if (scope_.language.evaluates_sines) {
+      for (const NodeId id : rounds_.sines(round)) {
+        const code::Operation operation = is_sine(id) ? code::Operation::sine : code::Operation::cosine;
+        const code::Call value{operation, {expressions_.use(function_.graph[id].operands[0])}};
+        steps.emplace_back(code::Define{{{variable(id), value}}});
+      }
+      return steps;
+    }
+    if (!of_parts) steps.emplace_back(rounds_.arrays(round));
+    append(steps, rounds_.filling(round, expressions_));
+    code::Define values;
+    for (const NodeId id : rounds_.sines(round)) {
+      code::Define::Constant value{variable(id), rounds_.entry(id)};
+      if (of_parts) {
+        steps.emplace_back(code::Define{{std::move(value)}});
+      } else {
+        values.constants.push_back(std::move(value));
+      }
+    }
+    if (!of_parts) steps.emplace_back(std::move(values));
     return steps;
   }
 
@@ -403,6 +454,7 @@ class BodyMaker {
   std::vector<Input> inputs_;
   std::vector<bool> is_fused_;  // by node
   Schedule schedule_;
+  SineRounds rounds_;
   std::optional<LimbPlan> limb_plan_;
   std::vector<std::string> output_names_;
   VariableNames variables_;

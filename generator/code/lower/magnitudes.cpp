@@ -10,6 +10,8 @@ double magnitude_of(InputKind kind) {
   switch (argument_row(kind).quantity) {
     case ArgumentQuantity::velocity:
       return 3;
+    case ArgumentQuantity::duration:
+      return 0.01;
     case ArgumentQuantity::acceleration:
     case ArgumentQuantity::torque:
     case ArgumentQuantity::wrench:

@@ -44,6 +44,10 @@ std::map<NodeId, std::string> names_of_entries(const Function& function) {
 std::string wanted_name(const Graph& graph, NodeId id, const std::map<NodeId, std::string>& entries) {
   if (const std::string* given = graph.name(id)) return *given;
   const Node& node = graph[id];
+  if (is_of_computed_angle(graph, id)) {
+    const std::string* angle = graph.name(node.operands[0]);
+    return angle == nullptr ? "" : (node.op == Op::sin ? "sin_" : "cos_") + *angle;
+  }
   if (node.op == Op::sin || node.op == Op::cos) {
     return (node.op == Op::sin ? "s_" : "c_") + std::to_string(graph[angle_of(graph, id).node].input.index + 1);
   }

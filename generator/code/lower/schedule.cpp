@@ -87,6 +87,7 @@ class Scheduler {
     }
     for (NodeId id = graph_.size() - 1; id >= 0; --id) {
       if (!at(alive_, id)) continue;
+      if (is_of_computed_angle(graph_, id)) at(uses_, graph_[id].operands[0]) += 2;  // the angle becomes a variable
       if (is_trigonometric(graph_[id])) continue;  // its angle is written where the sine is computed
       const int uses = is_written_in_place(id) ? at(uses_, id) : 1;
       for_each_operand(graph_[id], [this, uses](NodeId operand) { at(uses_, operand) += uses; });
@@ -150,7 +151,8 @@ class Scheduler {
     std::map<std::tuple<NodeId, int>, NodeId> by_angle;  // puts sine and cosine of one angle side by side
     for (NodeId id = 0; id < graph_.size(); ++id) {
       const Node& node = graph_[id];
-      if (at(alive_, id) && is_trigonometric(node)) by_angle[{node.operands[0], node.op == Op::sin ? 0 : 1}] = id;
+      const bool is_given = is_trigonometric(node) && !is_of_computed_angle(graph_, id);
+      if (at(alive_, id) && is_given) by_angle[{node.operands[0], node.op == Op::sin ? 0 : 1}] = id;
     }
     for (const auto& [angle, id] : by_angle) visit(id);
   }
@@ -197,7 +199,8 @@ class Scheduler {
 void reorder(const Function& function, Lives lives, Schedule& schedule) {
   std::vector<Statement>& all = schedule.statements;
   const auto is_sine = [&function](const Statement& statement) {
-    return statement.targets.empty() && is_trigonometric(function.graph[statement.node]);
+    return statement.targets.empty() && is_trigonometric(function.graph[statement.node]) &&
+           !is_of_computed_angle(function.graph, statement.node);
   };
   const auto is_computed = [&function](const Statement& statement) {
     return statement.targets.empty() || !function.graph.is_constant(statement.node);
@@ -214,11 +217,28 @@ void reorder(const Function& function, Lives lives, Schedule& schedule) {
   }
 }
 
+// Puts all sines of computed angles that can be evaluated together side by side, sines and cosines of an angle in turn:
+// a round of them follows all that does not need it.
+void order_rounds(const Graph& graph, Schedule& schedule) {
+  const std::vector<int> rounds = rounds_of_sines(graph);
+  if (std::all_of(rounds.begin(), rounds.end(), [](int round) { return round == 0; })) return;
+  const auto key = [&](const Statement& statement) {
+    const NodeId id = statement.node;
+    const int round = rounds[static_cast<std::size_t>(id)];
+    if (!statement.targets.empty() || !is_of_computed_angle(graph, id))
+      return std::tuple(round, true, NodeId(0), false);
+    return std::tuple(round, false, graph[id].operands[0], graph[id].op == Op::cos);
+  };
+  std::stable_sort(schedule.statements.begin(), schedule.statements.end(),
+                   [&key](const Statement& a, const Statement& b) { return key(a) < key(b); });
+}
+
 }  // namespace
 
 Schedule make_schedule(const Function& function, const std::vector<bool>& is_fused, Lives lives) {
   Schedule schedule = Scheduler(function, is_fused, lives).run();
   reorder(function, lives, schedule);
+  order_rounds(function.graph, schedule);
   return schedule;
 }
 

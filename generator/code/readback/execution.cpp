@@ -21,6 +21,18 @@ bool is_taken_by_language(const std::string& name) {
   return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 
+// The number of the round that an array of computed angles, sine_2, belongs to; 0: it is none.
+int round_of_sines(const std::string& array) {
+  constexpr std::size_t kMostDigits = 4;
+  const std::size_t end = array.rfind('_');
+  if (end == std::string::npos) return 0;
+  const std::string kind = array.substr(0, end), digits = array.substr(end + 1);
+  const bool is_kind = kind == code::kAngles || kind == code::kSines || kind == code::kCosines;
+  const bool is_number =
+      !digits.empty() && digits.size() <= kMostDigits && digits.find_first_not_of("0123456789") == std::string::npos;
+  return is_kind && is_number && digits.front() != '0' ? std::stoi(digits) : 0;
+}
+
 bool may_follow_checks(const code::Statement& statement) {
   return std::holds_alternative<code::Check>(statement) || std::holds_alternative<code::CheckFinite>(statement) ||
          std::holds_alternative<code::CheckPositive>(statement) || std::holds_alternative<code::Return>(statement);
@@ -131,6 +143,11 @@ void Execution::execute(const code::Define& define) {
 void Execution::execute(const code::Declare& declare_arrays) {
   for (const code::Declare::Array& each : declare_arrays.arrays) {
     const std::string& name = each.name;
+    if (round_of_sines(name) > 0) {
+      if (!each.length) fail("an array without a length");
+      declare(name, static_cast<int>(*each.length));
+      continue;
+    }
     const bool is_of_sines = name == "sine" || name == "cosine";
     const bool is_of_angles = is_of_sines || (name == "angle" && text_.count("angle_count") != nullptr);
     const bool is_shared = name == kKeptArray || name == kPivotsArray || name == kResultArray;
@@ -181,12 +198,30 @@ void Execution::write(const std::string& array, int entry, int value) {
 }
 
 void Execution::execute(const code::FillSines& fill) {
+  if (fill.is_computed) return fill_computed(fill);
+  if (fill.sines != code::kSines || fill.cosines != code::kCosines) fail("sines and cosines in another place");
   const std::string angles = text_.count("angle_count") == nullptr ? "q" : "angle";
   if (is_in_part() || fill.array != angles) fail("sines and cosines in another place");
   for (const char* array : {"sine", "cosine"}) {
     if (frame_.locals.count(array) == 0) fail(fmt::format("no array {}", array));
   }
   for (const int k : fill.angles) ask_for_sine(angles, k);
+}
+
+// Sines and cosines of angles that the function has computed, in arrays of one round, all of which are filled.
+void Execution::fill_computed(const code::FillSines& fill) {
+  const int round = round_of_sines(fill.array);
+  const std::string number = "_" + std::to_string(round);
+  const bool is_round = round > 0 && fill.array == code::kAngles + number && fill.sines == code::kSines + number &&
+                        fill.cosines == code::kCosines + number;
+  if (!is_round || !is_visible(fill.array)) fail("sines and cosines of an unknown array");
+  const int length = arrays_.at(fill.array).length;
+  if (static_cast<int>(fill.angles.size()) != length) fail("another number of angles");
+  for (const int k : fill.angles) {
+    const int angle = written_entry(fill.array, k);
+    write(fill.sines, k, lines_.sine(k, angle));
+    write(fill.cosines, k, lines_.cosine(k, angle));
+  }
 }
 
 void Execution::ask_for_sine(const std::string& angles, int k) {
@@ -293,6 +328,7 @@ int Execution::length_of(InputKind kind) const {
   const ArgumentLength length = argument_row(kind).length;
   if (length == ArgumentLength::wrench) return kWrenchLength;
   if (length == ArgumentLength::vector) return kVectorLength;
+  if (length == ArgumentLength::one) return 1;
   if (length == ArgumentLength::base_parameters || length == ArgumentLength::own) {
     const int own = own_length(like_, length);
     return own > 0 ? own : -1;

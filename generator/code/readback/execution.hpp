@@ -75,6 +75,7 @@ class Execution {
   void require_full_use(const char* array) const;
   std::vector<int> entries_of(const Output& output, const std::string& name) const;
   void ask_for_sine(const std::string& angles, int k);
+  void fill_computed(const code::FillSines& fill);
   int angle_at(int operation) const;
   void check_entry(const std::string& output, int entry);
   void require_all_checked() const;

@@ -62,6 +62,7 @@ std::vector<KnownInput> known_inputs(const FileContents& contents) {
   };
   if (!contents.parameters.empty()) note(kSymbolsArray, static_cast<int>(contents.parameters.size()));
   for (const FileFunction& function : contents.functions) {
+    if (computes_angles(*function.function)) continue;
     for (const EmittedParameter& parameter : parameters_of(function, contents)) {
       if (parameter.kind == EmittedParameter::Kind::input) note(parameter.name, parameter.length);
     }

@@ -20,6 +20,8 @@ int length_of_input(InputKind kind, const Function& function, const FileContents
       return kWrenchLength;
     case ArgumentLength::vector:
       return kVectorLength;
+    case ArgumentLength::one:
+      return 1;
     case ArgumentLength::base_parameters:
     case ArgumentLength::own:
       return own_length(function, argument_row(kind).length);
@@ -241,6 +243,17 @@ void FileReader::take_part_body(const std::string& name) {
   const auto part = text_.parts().find(name);
   if (part == text_.parts().end() || !parts_read_.insert(name).second) fail("no part " + name);
   take_body(part->second);
+}
+
+std::vector<std::string> FileReader::arrays_of_sine_rounds() const {
+  constexpr int kMostRounds = 8;
+  std::vector<std::string> arrays;
+  for (int round = 1; round <= kMostRounds; ++round) {
+    for (const char* array : {code::kAngles, code::kSines, code::kCosines}) {
+      arrays.push_back(fmt::format("{}_{}", array, round));
+    }
+  }
+  return arrays;
 }
 
 void FileReader::take_parameters_of_part(const std::vector<std::string>& patterns) {

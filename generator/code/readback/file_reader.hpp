@@ -66,6 +66,8 @@ class FileReader : protected TokenCursor {
   // Whether the token is a member of a struct, such as a free symbol among the parameters, whose name may be any.
   bool is_member(std::size_t at) const;
 
+  // The arrays that parts share for sines and cosines of angles that the function computes, round by round.
+  std::vector<std::string> arrays_of_sine_rounds() const;
   // Takes the parameters of a part, which are some of these, in their order, and the bracket at their end.
   void take_parameters_of_part(const std::vector<std::string>& patterns);
 

@@ -40,6 +40,9 @@ Tangents::Tangents(const Mechanism& mechanism, const std::vector<InputKind>& arg
       case ArgumentLength::base_parameters:
         add(kind, base_parameters);
         break;
+      case ArgumentLength::one:
+        add(kind, 1);
+        break;
       case ArgumentLength::own:
         break;
       case ArgumentLength::symbols:

@@ -114,8 +114,14 @@ Rows less_product(DerivationContext& context, const Rows& inverse, const Rows& m
   return result;
 }
 
-// As acceleration_derivatives_function(), with q̈ = B⁻¹ (τ - n) and the columns by products.
-AccelerationDerivatives derivatives_by_products(DerivationContext& context, const Rows& inverse) {
+// q̈ = B⁻¹ (τ - n) as a motion, and the derivatives of the torques at it.
+struct TorquesAtSolution {
+  std::vector<Number> qdd;
+  Motion motion;
+  TorqueDerivatives torques;
+};
+
+TorquesAtSolution torques_at_solution(DerivationContext& context, const Rows& inverse) {
   const std::vector<Number> tau = context.all(InputKind::tau), bias = bias_torques(context);
   std::vector<Number> moving, qdd;
   for (std::size_t i = 0; i < tau.size(); ++i) {
@@ -125,9 +131,15 @@ AccelerationDerivatives derivatives_by_products(DerivationContext& context, cons
     const std::string name = "qdd_" + context.frames.label(static_cast<int>(i));
     qdd.push_back(context.derivation.named(sum_of(inverse[i], moving), name));
   }
-  const Motion motion{context.joint_motion(InputKind::qd),
-                      joint_motion(context.mechanism, context.derivation, qdd, "qdd_j"), context.gravity(), true};
-  const TorqueDerivatives torques = derivatives_at_coordinates(context, motion, BaseColumns::at_origin_acceleration);
+  Motion motion{context.joint_motion(InputKind::qd), joint_motion(context.mechanism, context.derivation, qdd, "qdd_j"),
+                context.gravity(), true};
+  TorqueDerivatives torques = derivatives_at_coordinates(context, motion, BaseColumns::at_origin_acceleration);
+  return {qdd, std::move(motion), std::move(torques)};
+}
+
+// As acceleration_derivatives_function(), with the columns by products.
+AccelerationDerivatives derivatives_by_products(DerivationContext& context, const Rows& inverse) {
+  const auto [qdd, motion, torques] = torques_at_solution(context, inverse);
   AccelerationDerivatives result{less_product(context, inverse, torques.dq, "dtau"),
                                  less_product(context, inverse, torques.dqd, "dtaud"), qdd};
   add_rates_of_base_axes(context, motion, result.dq, result.dqd);
@@ -139,6 +151,18 @@ Function function_by_products(DerivationContext& context) {
   const Rows inverse = B.inverse("a");
   const AccelerationDerivatives qdd = derivatives_by_products(context, inverse);
   return finished(context, all_acceleration_outputs(context, qdd, inverse), conditions_of(context, B));
+}
+
+Function function_at_solution(DerivationContext& context) {
+  const Factorisation B(context.frames, context.inertia());
+  const Rows inverse = B.inverse("a");
+  const TorquesAtSolution at = torques_at_solution(context, inverse);
+  return finished(context,
+                  {vector_output("qdd", context.nodes(at.qdd), "joint accelerations"),
+                   derivative_output(context, "dtau_dq", at.torques.dq, "row i, column k: of tau[i] by q[k]"),
+                   derivative_output(context, "dtau_dqd", at.torques.dqd, "row i, column k: of tau[i] by qd[k]"),
+                   derivative_output(context, "dqdd_dtau", inverse, "the inverse of B")},
+                  conditions_of(context, B));
 }
 
 std::vector<Number> weights_of(DerivationContext& context) {
@@ -201,6 +225,10 @@ std::optional<Function> derive_forward_dynamics_derivatives_by_products(const Me
                                                                         const Choices& choices) {
   refuse_derivatives_of_loops(mechanism, "forward_dynamics_derivatives");
   return derived(mechanism, choices, function_by_products);
+}
+
+Function derive_torque_derivatives_at_solution(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, choices, function_at_solution);
 }
 
 Function derive_acceleration_and_multipliers(const Mechanism& mechanism, const Choices& choices) {

@@ -73,8 +73,14 @@ Expected ExpectedValues::of_derivatives(const Function& function) const {
 
 // Whether the function has a value at a state.
 std::function<bool(const State&)> ExpectedValues::regularity(const Function& function) const {
-  return [this, &function, robot = robot_for_function(function, robot_, rounded_)](const State& s) {
+  const reference::Robot<double> robot = robot_for_function(function, robot_, rounded_);
+  const FunctionRow& row = row_of(function);
+  const bool has_gaps = row.traits.has_gaps && row.differentiated == nullptr;
+  ReferenceFunction<double> reference;
+  if (has_gaps) reference = row.reference.in_double({mechanism_, robot, symbols_}, function);
+  return [this, &function, robot, has_gaps, reference](const State& s) {
     if (!is_clear_of_singular_loops(s)) return false;
+    if (has_gaps) return !std::isnan(reference(s).front());
     if (function.task.empty()) return true;
     if (!mechanism_.has_spherical_joints()) return is_regular(robot, vector_of<double>(s.q), function.task);
     reference::Robot<double> turned = robot;

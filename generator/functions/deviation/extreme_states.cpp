@@ -31,7 +31,7 @@ State uniform_state(const Mechanism& mechanism, double q, double rate) {
   State state;
   state.q.assign(static_cast<std::size_t>(mechanism.position_count()), q);
   turn_spherical_joints(mechanism, q, state);
-  for (std::vector<double>* rates : {&state.qd, &state.qdd, &state.tau, &state.qd_r, &state.qdd_r}) {
+  for (std::vector<double>* rates : {&state.qd, &state.qdd, &state.tau, &state.qd_r, &state.qdd_r, &state.qd_end}) {
     rates->assign(n, rate);
   }
   state.h_e.assign(state.h_e.size(), rate);
@@ -51,7 +51,8 @@ std::vector<State> extreme_states(const Mechanism& mechanism, int count, unsigne
       state.q[i] = choice(mechanism.joint_at(static_cast<int>(i)).prismatic ? kSlides : kAngles);
     }
     if (mechanism.has_spherical_joints()) turn_spherical_joints(mechanism, choice(kAngles), state);
-    for (std::vector<double>* rates : {&state.qd, &state.qdd, &state.tau, &state.h_e, &state.qd_r, &state.qdd_r}) {
+    for (std::vector<double>* rates :
+         {&state.qd, &state.qdd, &state.tau, &state.h_e, &state.qd_r, &state.qdd_r, &state.qd_end}) {
       for (double& rate : *rates) rate = choice(kRates);
     }
     states.push_back(std::move(state));

@@ -67,7 +67,9 @@ Function with_outputs(const Function& function, const Mechanism& mechanism, cons
 
 Function specialised(const Function& function, const Mechanism& mechanism, const Scene& scene,
                      Diagnostics& diagnostics) {
-  Function result = scene.at_rest ? at_rest(function) : function;
+  const FunctionRow* row = find_row(function.name);
+  const bool is_still = scene.at_rest && (row == nullptr || !row->traits.leaves_rest);
+  Function result = is_still ? at_rest(function) : function;
   for (const SceneOutputs& wanted : scene.outputs) {
     if (wanted.function.name == function.name) result = with_outputs(result, mechanism, wanted, diagnostics);
   }

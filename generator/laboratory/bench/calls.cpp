@@ -8,7 +8,6 @@
 
 #include "code/emit/sections.hpp"
 #include "code/lower/arguments.hpp"
-#include "graph/count.hpp"
 #include "robot/model/identifiers.hpp"
 
 namespace flatdyn {
@@ -22,8 +21,6 @@ std::string joined(const Words& words) { return fmt::format("{}", fmt::join(word
 std::string scalar_type(const BenchVariant& variant) {
   return variant.call_mode == CallMode::batch ? fmt::format("flatdyn::Lanes<{}>", variant.scalar) : variant.scalar;
 }
-
-bool has_angles(const Function& function) { return count_operations(function).trigonometric > 0; }
 
 std::string given_type(const BenchVariant& variant) {
   return fmt::format("{}::GivenSinCos<{}>", name_space_of(variant), scalar_type(variant));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "laboratory/bench/variants.hpp"
 
-#include "graph/count.hpp"
 #include "laboratory/bench/toolchain.hpp"
 
 namespace flatdyn {
@@ -59,22 +58,31 @@ bool is_whole_call(const BenchVariant& variant) {
 
 namespace {
 
-// The given sines are those of the entries of q, so a function of multiples cannot use them.
-bool asks_for_multiples(const Graph& graph) {
+// The given sines are those of the entries of q, so a function of other angles cannot use them.
+bool asks_for_other_angles(const Graph& graph) {
   for (NodeId id = 0; id < graph.size(); ++id) {
     const bool is_asked = graph[id].op == Op::sin || graph[id].op == Op::cos;
-    if (is_asked && angle_of(graph, id).coefficient != 1) return true;
+    if (is_asked && (is_of_computed_angle(graph, id) || angle_of(graph, id).coefficient != 1)) return true;
   }
   return false;
 }
 
 }  // namespace
 
+bool has_angles(const Function& function) {
+  const std::vector<bool> alive = reachable_from(function.graph, roots(function));
+  for (NodeId id = 0; id < function.graph.size(); ++id) {
+    const Op op = function.graph[id].op;
+    const bool is_asked = op == Op::sin || op == Op::cos;
+    if (alive[static_cast<std::size_t>(id)] && is_asked && !is_of_computed_angle(function.graph, id)) return true;
+  }
+  return false;
+}
+
 bool is_made(const BenchVariant& variant, const Function& function, bool has_xsimd) {
   if (variant.is_native && *kTuning == '\0') return false;
-  const bool has_angles = count_operations(function).trigonometric > 0;
-  if (variant.trigonometry == SinCosSource::given && asks_for_multiples(function.graph)) return false;
-  return (has_xsimd || !needs_xsimd(variant)) && (has_angles || variant.trigonometry == SinCosSource::own);
+  if (variant.trigonometry == SinCosSource::given && asks_for_other_angles(function.graph)) return false;
+  return (has_xsimd || !needs_xsimd(variant)) && (has_angles(function) || variant.trigonometry == SinCosSource::own);
 }
 
 }  // namespace flatdyn

@@ -39,6 +39,8 @@ bool needs_xsimd(const BenchVariant& variant);
 bool has_plain_bits(const BenchVariant& variant);
 // Whether the call does the whole work.
 bool is_whole_call(const BenchVariant& variant);
+// Whether the function takes a source of sines and cosines: it asks for those of angles that it does not compute.
+bool has_angles(const Function& function);
 // Whether the variant applies to the function, and the machine has what it needs.
 bool is_made(const BenchVariant& variant, const Function& function, bool has_xsimd);
 

@@ -168,7 +168,7 @@ class Evaluator {
     const std::vector<S> zero(static_cast<std::size_t>(mechanism_.size()), S(0));
     StateOf<S> state;
     state.q.assign(static_cast<std::size_t>(mechanism_.position_count()), S(0));
-    state.qd = state.qdd = state.tau = state.qd_r = state.qdd_r = zero;
+    state.qd = state.qdd = state.tau = state.qd_r = state.qdd_r = state.qd_end = zero;
     if (mechanism_.floating_base) state.g_b.assign(3, S(0));
     state.parameters.assign(mechanism_.symbols.size(), S(0));
     state.pi_b.assign(static_cast<std::size_t>(function_.base_parameters), S(0));
@@ -217,8 +217,10 @@ class Evaluator {
     }
     if (!function_.task.empty() && !has_inverse(*reference_, q, function_.task)) return std::nullopt;
     std::vector<S> values = expected_(state);
+    if (row_of(function_).traits.has_gaps && values.front() != values.front()) return std::nullopt;
     // The last entry is the condition of what is inverted.
-    const bool has_condition = !function_.inverted.empty() && row_of(function_).differentiated == nullptr;
+    const bool has_condition = function_.outputs.back().name == kCondition && !function_.inverted.empty() &&
+                               row_of(function_).differentiated == nullptr;
     if (has_condition && !(values.back() > std::numeric_limits<S>::epsilon())) return std::nullopt;
     return values;
   }

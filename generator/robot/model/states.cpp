@@ -12,9 +12,11 @@ namespace flatdyn {
 namespace {
 
 constexpr double kPi = 3.141592653589793, kUsualGravity = 9.81;
+constexpr double kShortStep = 1e-3, kLongStep = 2e-2;  // s
+constexpr double kChangeOfRate = 0.2;                  // rad/s or m/s, over a step
 // These streams are separate, so that the inputs of the other functions do not depend on them.
 constexpr unsigned kReferenceSeed = 0x7265666e, kBaseSeed = 0x62617365, kGravitySeed = 0x67726176,
-                   kWeightSeed = 0x77656967, kDirectionSeed = 0x64697265;
+                   kWeightSeed = 0x77656967, kDirectionSeed = 0x64697265, kStepSeed = 0x73746570;
 
 constexpr int kNoPosition = -1;
 
@@ -164,7 +166,7 @@ StateSource::StateSource(const Mechanism& mechanism) {
 
 std::vector<State> StateSource::draw(int count, unsigned seed) const {
   Uniform uniform(seed), reference(seed + kReferenceSeed), orientation(seed + kGravitySeed),
-      of_joints(seed + kQuaternionSeed);
+      of_joints(seed + kQuaternionSeed), step(seed + kStepSeed);
   std::vector<State> states;
   for (int k = 0; k < count; ++k) {
     State state;
@@ -175,7 +177,7 @@ std::vector<State> StateSource::draw(int count, unsigned seed) const {
       if (joint.position != kNoPosition) draw_position(static_cast<std::size_t>(joint.position));
       for (const InputKind kind : kMotionKinds) {
         const ArgumentRow& row = argument_row(kind);
-        if (row.length != ArgumentLength::velocities) continue;
+        if (row.length != ArgumentLength::velocities || kind == InputKind::qd_end) continue;
         const double own = size_in(joint.range, row.quantity), other = size_in(kReferenceRange, row.quantity);
         state.of(kind).push_back(row.is_reference ? reference(-other, other) : symmetric(own));
       }
@@ -184,6 +186,8 @@ std::vector<State> StateSource::draw(int count, unsigned seed) const {
     for (const int p : dependent_) draw_position(static_cast<std::size_t>(p));
     for (const int first : quaternions_) draw_quaternion(state.q, static_cast<std::size_t>(first), of_joints);
     if (gravity_ > 0) state.g_b = in_any_direction(gravity_, orientation);
+    state.h = {step(kShortStep, kLongStep)};
+    for (const double qd : state.qd) state.qd_end.push_back(qd + step(-1, 1) * kChangeOfRate);
     states.push_back(std::move(state));
   }
   return states;
@@ -256,6 +260,7 @@ std::vector<State> edge_states(const Mechanism& mechanism) {
       state.tau.assign(n, 1.0);
       state.qd_r.assign(n, -qd);
       state.qdd_r.assign(n, 1.0);
+      state.qd_end.assign(n, qd);
       if (mechanism.floating_base) state.g_b = {0.0, 0.0, -magnitude_of_gravity(mechanism.gravity)};
       states.push_back(std::move(state));
     }

@@ -25,11 +25,13 @@ struct StateOf {
   std::vector<S> pi_b;                           // base parameters
   std::vector<S> g_b;                            // gravity in the axes of a floating base, m/s^2
   std::vector<S> weights, direction;             // of products with derivatives
+  std::vector<S> h = {S(1) / S(128)};            // the length of a step, s,
+  std::vector<S> qd_end;                         // and rates at its end
 
   const std::vector<S>& of(InputKind kind) const {
     // In the order of InputKind. The numbers of v, a, v_r and a_r are those of q̇, q̈, q̇_r and q̈_r.
-    const std::vector<S>* const members[] = {&q,    &qd,  &qdd, &tau, &h_e,  &parameters, &qd_r,    &qdd_r,
-                                             &pi_b, &g_b, &qd,  &qdd, &qd_r, &qdd_r,      &weights, &direction};
+    const std::vector<S>* const members[] = {&q,   &qd, &qdd, &tau,  &h_e,   &parameters, &qd_r,      &qdd_r, &pi_b,
+                                             &g_b, &qd, &qdd, &qd_r, &qdd_r, &weights,    &direction, &h,     &qd_end};
     return *members[static_cast<std::size_t>(argument_row(kind).in_state)];
   }
   std::vector<S>& of(InputKind kind) { return const_cast<std::vector<S>&>(std::as_const(*this).of(kind)); }
@@ -63,9 +65,9 @@ using State = StateOf<double>;
 template <class S>
 StateOf<S> widened(const State& state) {
   const auto wide = [](const std::vector<double>& v) { return std::vector<S>(v.begin(), v.end()); };
-  return {wide(state.q),    wide(state.qd),         wide(state.qdd),     wide(state.tau),
-          wide(state.h_e),  wide(state.parameters), wide(state.qd_r),    wide(state.qdd_r),
-          wide(state.pi_b), wide(state.g_b),        wide(state.weights), wide(state.direction)};
+  return {wide(state.q),          wide(state.qd),        wide(state.qdd),   wide(state.tau),   wide(state.h_e),
+          wide(state.parameters), wide(state.qd_r),      wide(state.qdd_r), wide(state.pi_b),  wide(state.g_b),
+          wide(state.weights),    wide(state.direction), wide(state.h),     wide(state.qd_end)};
 }
 
 // The same state with quaternions, from these entries of q on, that are unit ones to the last place of the type.

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "truth/reference/derivative_references.hpp"
 
-#include "flatdyn/reference/derivatives.hpp"
 #include "truth/reference/acceleration_magnitude.hpp"
 #include "truth/reference/magnitude.hpp"
 
-namespace flatdyn::references {
+namespace flatdyn {
+
+reference::AccelerationDerivatives<double> acceleration_derivative_magnitudes(const ReferencePoint<double>& at) {
+  using Matrix = reference::MatrixX<double>;
+  const Matrix inverse = absolute_inverse(at), inertia = reference::inertia_magnitude(at.robot, at.q);
+  const auto d = reference::forward_dynamics_derivatives(at.robot, at.q, at.qd, at.tau);
+  const Matrix by_q = reference::position_derivative_magnitude(at.robot, at.q, at.qd, acceleration_magnitude(at));
+  const Matrix by_qd = reference::rate_derivative_magnitude(at.robot, at.q, at.qd);
+  return {inverse * (by_q + inertia * d.dq.cwiseAbs()), inverse * (by_qd + inertia * d.dqd.cwiseAbs()),
+          inverse * inertia * d.dtau.cwiseAbs()};
+}
+
+namespace references {
 namespace {
 
 namespace ref = reference;
@@ -28,19 +39,6 @@ std::vector<double> torque_derivative_magnitude(const At& at) {
                                       ref::rate_derivative_magnitude(at.robot, at.q, at.qd)});
 }
 
-// The magnitude for ∂q̈ = -B⁻¹ ∂(B q̈ + n): the effect of an error as large as the terms of B ∂q̈ + ∂(B q̈ + n),
-// including that of q̈ itself.
-std::vector<double> acceleration_derivative_magnitude(const At& at) {
-  using Matrix = ref::MatrixX<double>;
-  const Matrix inverse = absolute_inverse(at), inertia = ref::inertia_magnitude(at.robot, at.q);
-  const auto d = ref::forward_dynamics_derivatives(at.robot, at.q, at.qd, at.tau);
-  const Matrix by_q = ref::position_derivative_magnitude(at.robot, at.q, at.qd, acceleration_magnitude(at));
-  const Matrix by_qd = ref::rate_derivative_magnitude(at.robot, at.q, at.qd);
-  return one_after_the_other<double>({inverse * (by_q + inertia * d.dq.cwiseAbs()),
-                                      inverse * (by_qd + inertia * d.dqd.cwiseAbs()),
-                                      inverse * inertia * d.dtau.cwiseAbs()});
-}
-
 }  // namespace
 
 constinit const NumericReference inverse_dynamics_derivatives = computed_by(
@@ -48,6 +46,10 @@ constinit const NumericReference inverse_dynamics_derivatives = computed_by(
 
 constinit const NumericReference forward_dynamics_derivatives =
     computed_by([](const auto& at) { return acceleration_entries(at); },
-                [](const At& at) { return acceleration_derivative_magnitude(at); });
+                [](const At& at) {
+                  const auto d = acceleration_derivative_magnitudes(at);
+                  return one_after_the_other<double>({d.dq, d.dqd, d.dtau});
+                });
 
-}  // namespace flatdyn::references
+}  // namespace references
+}  // namespace flatdyn

@@ -2,10 +2,18 @@
 // Derivatives of inverse and forward dynamics by the reference.
 #pragma once
 
-#include "truth/reference/numeric_reference.hpp"
+#include "flatdyn/reference/derivatives.hpp"
+#include "truth/reference/reference_point.hpp"
 
-namespace flatdyn::references {
+namespace flatdyn {
+
+// The magnitudes for ∂q̈ = -B⁻¹ ∂(B q̈ + n): the effect of an error as large as the terms of B ∂q̈ + ∂(B q̈ + n),
+// including that of q̈ itself.
+reference::AccelerationDerivatives<double> acceleration_derivative_magnitudes(const ReferencePoint<double>& at);
+
+namespace references {
 
 extern const NumericReference inverse_dynamics_derivatives, forward_dynamics_derivatives;
 
-}  // namespace flatdyn::references
+}  // namespace references
+}  // namespace flatdyn

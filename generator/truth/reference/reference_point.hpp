@@ -15,7 +15,9 @@ struct ReferencePoint {
         q(vector_of<S>(state.q)),
         qd(vector_of<S>(state.qd)),
         qdd(vector_of<S>(state.qdd)),
-        tau(vector_of<S>(state.tau)) {
+        tau(vector_of<S>(state.tau)),
+        step(state.h.at(0)),
+        qd_end(vector_of<S>(state.qd_end)) {
     const reference::VectorX<S> h = vector_of<S>(state.h_e);
     h_e.f_e = h.template head<3>();
     h_e.mu_e = h.template tail<3>();
@@ -25,6 +27,8 @@ struct ReferencePoint {
   const Task& task;
   reference::VectorX<S> q, qd, qdd, tau;
   reference::Environment<S> h_e;
+  S step;                        // the length of a step, s,
+  reference::VectorX<S> qd_end;  // and rates at its end
 };
 
 // Whether the gravity that acts on a robot is that of the state, in axes of its floating base.

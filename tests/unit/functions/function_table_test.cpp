@@ -53,6 +53,8 @@ int extent_of(Extent extent, const Mechanism& mechanism, const Function& functio
       return static_cast<int>(mechanism.symbols.size());
     case Extent::link_rows:
       return 3 * static_cast<int>(mechanism.links.size());
+    case Extent::states:
+      return 2 * mechanism.size();
     case Extent::springs:
       return 2 * static_cast<int>(mechanism.bodies_on_one_axis().size());
   }

@@ -50,9 +50,32 @@ TEST_F(Schedules, AskForAllSinesAndCosinesFirstInOneCall) {
             "  y[0] = c_1 * c_3;\n");
 }
 
-TEST_F(Schedules, LeaveSumsOfAnglesToTheDerivation) {
-  const NodeId sum = build.plus({build.q(0), build.q(1)});
-  EXPECT_THROW(body({build.graph.sin(sum)}), std::logic_error);
+// All sines and cosines that can be computed at a time are, and those of angles that depend on them come later.
+TEST_F(Schedules, ComputeSinesOfComputedAnglesInRounds) {
+  Graph& graph = build.graph;
+  const NodeId a = build.plus({build.q(0), build.q(1)}), b = build.plus({build.q(0), build.number("1")});
+  const NodeId c = build.plus({build.q(1), graph.sin(a)});
+  EXPECT_EQ(body({graph.cos(a), graph.sin(b), graph.sin(c), graph.cos(build.q(1))}),
+            "  const Scalar q_1 = q[0], q_2 = q[1];\n"
+            "  Scalar sine[joint_count], cosine[joint_count];\n"
+            "  sin_cos(q, Joints<1>(), sine, cosine);\n"
+            "  const Scalar c_2 = cosine[1];\n"
+            "  y[3] = c_2;\n"
+            "  const Scalar t1 = q_1 + q_2;\n"
+            "  const Scalar t2 = q_1 + Scalar(1.0);\n"
+            "  Scalar angle_1[2], sine_1[2], cosine_1[2];\n"
+            "  angle_1[0] = t1;\n"
+            "  angle_1[1] = t2;\n"
+            "  DefaultSinCos()(angle_1, Joints<0, 1>(), sine_1, cosine_1);\n"
+            "  const Scalar t3 = sine_1[0], t4 = cosine_1[0], t5 = sine_1[1];\n"
+            "  y[0] = t4;\n"
+            "  y[1] = t5;\n"
+            "  const Scalar t6 = t3 + q_2;\n"
+            "  Scalar angle_2[1], sine_2[1], cosine_2[1];\n"
+            "  angle_2[0] = t6;\n"
+            "  DefaultSinCos()(angle_2, Joints<0>(), sine_2, cosine_2);\n"
+            "  const Scalar t7 = sine_2[0];\n"
+            "  y[2] = t7;\n");
 }
 
 TEST_F(Schedules, StoreEqualEntriesTogetherAndZerosLast) {

@@ -117,10 +117,11 @@ std::string CDialect::sized(const Argument& argument, bool restricts) const {
                      restricts && !is_input ? "restrict " : "", argument.length);
 }
 
-std::string CDialect::filled_sines(const std::string& array, const std::set<int>& angles) const {
+std::string CDialect::filled_sines(const code::FillSines& fill) const {
   std::string text;
-  for (const auto& [first, last] : runs_of(angles)) {
-    text += code_line(fmt::format("{}({}, {}, {}, sine, cosine);", global("sines_and_cosines"), array, first, last),
+  for (const auto& [first, last] : runs_of(fill.angles)) {
+    text += list_line(global("sines_and_cosines("),
+                      {fill.array, std::to_string(first), std::to_string(last), fill.sines, fill.cosines}, ");",
                       kStatementIndent);
   }
   return text;

@@ -32,7 +32,7 @@ class CDialect : public PageDialect {
   std::optional<std::string> excess(const std::string& sum, const std::string& term) const override;
   std::string fused(const std::string& a, const std::string& b, const std::string& c) const override;
   std::string parameter(const std::string& member) const override;
-  std::string filled_sines(const std::string& array, const std::set<int>& angles) const override;
+  std::string filled_sines(const code::FillSines& fill) const override;
   bool has_given_variants() const override { return true; }
   // Definitions declare outputs `restrict`; declarations, which C++ reads too, do not.
   std::string output(const std::string& name, std::size_t length) const override;

@@ -53,13 +53,18 @@ void CBodyParser::arrays() {
 void CBodyParser::sines() {
   take();
   expect("(");
-  code::FillSines fill{take(), {}};
+  code::FillSines fill{take()};
   expect(",");
   const int first = index();
   expect(",");
   const int last = index();
-  expect_all({",", "sine", ",", "cosine", ")", ";"});
-  if (last < first || last >= text_.count_of_angles().value) fail("no such joints");
+  expect(",");
+  fill.sines = take();
+  expect(",");
+  fill.cosines = take();
+  expect_all({")", ";"});
+  fill.is_computed = fill.sines != code::kSines;
+  if (last < first || (!fill.is_computed && last >= text_.count_of_angles().value)) fail("no such joints");
   for (int k = first; k <= last; ++k) fill.angles.insert(k);
   add(std::move(fill));
 }

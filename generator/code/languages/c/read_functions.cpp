@@ -149,6 +149,7 @@ void CFile::part(const FileFunction& function, const ScannedFunction& asking) {
   for (const InputKind kind : function.function->inputs)
     possible.push_back(input + std::string(argument_row(kind).name));
   for (const char* each : {"sine", "cosine"}) possible.push_back(input + each);
+  for (const std::string& each : arrays_of_sine_rounds()) possible.push_back(output + each);
   for (const char* each : {"kept", "pivots", "result"}) possible.push_back(output + each);
   for (const ScannedFunction::Parameter& each : asking.parameters) {
     if (each.is_output) possible.push_back(output + each.name);

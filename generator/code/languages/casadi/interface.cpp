@@ -248,6 +248,17 @@ std::vector<NodeId> with_weights_at(const std::vector<int>& places, const Graph&
   return image;
 }
 
+// "weights of the entries of tau", "weights of the stored entries of R, column by column, then of p".
+std::string meaning_of_weights(const Differentiated& of) {
+  std::string text, stored;
+  for (std::size_t k = 0; k < of.outputs.size() && of.is_differentiated(k); ++k) {
+    const Sparsity& sparsity = of.outputs[k];
+    text += (k > 0 ? ", then of " : "") + of.function.outputs[k].name + (sparsity.cols > 1 ? ", column by column" : "");
+    if (sparsity.count() < sparsity.rows * sparsity.cols) stored = "stored ";
+  }
+  return "weights of the " + stored + "entries of " + text;
+}
+
 // The weights that CasADi gives are those of the entries that are not always zero, column by column; those of the
 // function are of all entries, row by row.
 Function with_weights_of_nonzeros(const Function& function, const Differentiated& of) {
@@ -267,7 +278,7 @@ Function with_weights_of_nonzeros(const Function& function, const Differentiated
   Graph graph;
   const std::vector<NodeId> image = with_weights_at(places, function.graph, graph);
   Function result = with_graph(function, std::move(graph), image);
-  result.own.length = place;
+  result.own = {place, meaning_of_weights(of)};
   return result;
 }
 

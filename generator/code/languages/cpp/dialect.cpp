@@ -88,8 +88,9 @@ std::string CppDialect::limbs_definition(int lanes) const {
   return fmt::format("using {0}{1} = detail::{0}<Scalar, {1}>;", kLimbs, lanes);
 }
 
-std::string CppDialect::filled_sines(const std::string& array, const std::set<int>& angles) const {
-  return code_line(fmt::format("sin_cos({}, Joints<{}>(), sine, cosine);", array, fmt::join(angles, ", ")),
+std::string CppDialect::filled_sines(const code::FillSines& fill) const {
+  return code_line(fmt::format("{}({}, Joints<{}>(), {}, {});", fill.is_computed ? "DefaultSinCos()" : "sin_cos",
+                               fill.array, fmt::join(fill.angles, ", "), fill.sines, fill.cosines),
                    kStatementIndent);
 }
 

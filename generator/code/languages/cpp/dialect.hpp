@@ -30,7 +30,7 @@ class CppDialect : public PageDialect {
   std::optional<std::string> excess(const std::string& sum, const std::string& term) const override;
   std::string fused_begin() const override;
   // One call for the sines and cosines of all joints, so that they can be evaluated together.
-  std::string filled_sines(const std::string& array, const std::set<int>& angles) const override;
+  std::string filled_sines(const code::FillSines& fill) const override;
   std::string stored_zeros(const std::string& array, std::size_t first, std::size_t end) const override;
   std::string parameters_argument() const override { return "const Parameters<Scalar>& parameters"; }
   std::string number_output(const std::string& name) const override { return "Scalar& " + name; }

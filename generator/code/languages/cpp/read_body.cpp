@@ -25,7 +25,7 @@ std::vector<BodyParser::Form> CppBodyParser::forms() {
       {[this] { return word(1) == "<"; }, [this] { stage(); }},
       {[this] { return is("static_assert"); }, [this] { check_of_scalar(); }},
       {[this] { return is("constexpr"); }, [this] { fused_operation(); }},
-      {[this] { return is("sin_cos"); }, [this] { sines(); }},
+      {[this] { return is("sin_cos") || is("DefaultSinCos"); }, [this] { sines(); }},
       {[this] { return word(2) == "Zeros"; }, [this] { zeros(); }},
       {[this] { return is("detail") || word(1) == "("; }, [this] { part(); }},
       {[] { return true; }, [this] { assignment(); }},
@@ -68,17 +68,27 @@ void CppBodyParser::stage() {
   add(std::move(stage));
 }
 
-// Reads sin_cos(q, Joints<1, 2>(), sine, cosine);
+// Reads sin_cos(q, Joints<1, 2>(), sine, cosine); or DefaultSinCos()(angle_1, Joints<0, 1>(), sine_1, cosine_1);
 void CppBodyParser::sines() {
-  expect_all({"sin_cos", "("});
-  code::FillSines fill{take(), {}};
+  code::FillSines fill;
+  fill.is_computed = accept("DefaultSinCos");
+  if (fill.is_computed) {
+    expect_all({"(", ")", "("});
+  } else {
+    expect_all({"sin_cos", "("});
+  }
+  fill.array = take();
   expect_all({",", "Joints", "<"});
   do {
     const int k = index();
     if (!fill.angles.empty() && k <= *fill.angles.rbegin()) fail("joints in another order");
     fill.angles.insert(k);
   } while (accept(","));
-  expect_all({">", "(", ")", ",", "sine", ",", "cosine", ")", ";"});
+  expect_all({">", "(", ")", ","});
+  fill.sines = take();
+  expect(",");
+  fill.cosines = take();
+  expect_all({")", ";"});
   add(std::move(fill));
 }
 

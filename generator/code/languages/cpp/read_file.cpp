@@ -226,7 +226,7 @@ void CppFile::known_answer() {
   KnownAnswerWords words{"Scalar", "detail::", "Parameters<Scalar>", "GivenSinCos<Scalar>", false};
   std::vector<KnownCall> calls;
   for (const Known& known : known_) {
-    if (!known.stage.empty()) continue;
+    if (!known.stage.empty() || computes_angles(*known.function->function)) continue;
     words.asks_sines = words.asks_sines || known.has_sin_cos;
     KnownCall call{known.function, known.function->name, {}};
     for (const EmittedParameter& each : parameters_of(*known.function, contents_)) {

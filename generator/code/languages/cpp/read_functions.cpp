@@ -115,10 +115,9 @@ void CppFile::part(const FileFunction& function) {
   } else {
     for (const InputKind kind : function.function->inputs)
       possible.push_back("const Scalar* " + std::string(argument_row(kind).name));
-    for (const char* each :
-         {"const Scalar* sine", "const Scalar* cosine", "Scalar* kept", "Scalar* pivots", "Scalar& result"}) {
-      possible.emplace_back(each);
-    }
+    for (const char* each : {"const Scalar* sine", "const Scalar* cosine"}) possible.emplace_back(each);
+    for (const std::string& each : arrays_of_sine_rounds()) possible.push_back("Scalar* " + each);
+    for (const char* each : {"Scalar* kept", "Scalar* pivots", "Scalar& result"}) possible.emplace_back(each);
     const std::string output = function.made.empty() ? "Scalar* " : function.made + "<Scalar>& ";
     for (const std::string& each : names_of_outputs(function)) possible.push_back(output + each);
   }

@@ -127,14 +127,14 @@ std::string RustDialect::fused(const std::string& a, const std::string& b, const
   return fmt::format("multiply_add({}, {}, {})", a, b, c);
 }
 
-std::string RustDialect::filled_sines(const std::string& array, const std::set<int>& angles) const {
+std::string RustDialect::filled_sines(const code::FillSines& fill) const {
   std::string text;
-  for (const auto& [first, last] : runs_of(angles)) {
+  for (const auto& [first, last] : runs_of(fill.angles)) {
     const auto from = static_cast<std::size_t>(first), end = static_cast<std::size_t>(last) + 1;
-    text += list_line(
-        "sines_and_cosines(",
-        {"&" + range(array, from, end), "&mut " + range(kSines, from, end), "&mut " + range(kCosines, from, end)}, ");",
-        indent());
+    text += list_line("sines_and_cosines(",
+                      {"&" + range(fill.array, from, end), "&mut " + range(fill.sines, from, end),
+                       "&mut " + range(fill.cosines, from, end)},
+                      ");", indent());
   }
   return text;
 }
@@ -231,8 +231,9 @@ void RustDialect::write_page(data& page, const CodeContent& content) const {
   page["is_float"] = is_float();
   page["most_angle"] = std::string(is_float() ? "6400.0" : "1e5");
   page["hash_of_sines"] = std::string(is_float() ? kFloatSines : kDoubleSines);
-  page["known_answer?"] = !content.texts.empty();
-  page["known_answer"] = without_newline(rust_known_answer(content, indent()));
+  const std::string answer = rust_known_answer(content, indent());
+  page["known_answer?"] = !answer.empty();
+  page["known_answer"] = without_newline(answer);
   page["answer"] = std::string(is_float() ? kFloatAnswer : kDoubleAnswer);
   const char* const polynomials =
       is_float() ? templates::polynomials_of_floats_rs : templates::polynomials_of_doubles_rs;

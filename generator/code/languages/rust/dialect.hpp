@@ -25,7 +25,7 @@ class RustDialect : public PageDialect {
   std::string sign(const std::string& of) const override { return "sign(" + of + ")"; }
   std::string sqrt(const std::string& of) const override { return "sqrt(" + of + ")"; }
   std::string fused(const std::string& a, const std::string& b, const std::string& c) const override;
-  std::string filled_sines(const std::string& array, const std::set<int>& angles) const override;
+  std::string filled_sines(const code::FillSines& fill) const override;
   bool has_given_variants() const override { return true; }
 
   std::string input(const std::string& name, std::size_t length) const override;

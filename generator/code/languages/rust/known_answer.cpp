@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "base/diagnostics/diagnostics.hpp"
@@ -29,7 +30,9 @@ class RustAnswer {
       add(fmt::format("fill_sines(&mut sine, &mut cosine, black_box({}));", kTangentSeed));
     }
     parameters();
-    for (std::size_t k = 0; k < content_.texts.size(); ++k) call(content_.functions[k], content_.texts[k]);
+    for (std::size_t k = 0; k < content_.texts.size(); ++k) {
+      if (!computes_angles(content_.functions[k])) call(content_.functions[k], content_.texts[k]);
+    }
     return std::move(text_);
   }
 
@@ -104,7 +107,8 @@ class RustAnswer {
 }  // namespace
 
 std::string rust_known_answer(const CodeContent& content, std::size_t indent) {
-  return content.texts.empty() ? "" : RustAnswer(content, indent).statements();
+  const bool calls_none = std::all_of(content.functions.begin(), content.functions.end(), computes_angles);
+  return calls_none ? "" : RustAnswer(content, indent).statements();
 }
 
 }  // namespace flatdyn

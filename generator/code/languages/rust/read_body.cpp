@@ -120,14 +120,16 @@ class RustBodyParser : public BodyParser {
   void sines() {
     expect_all({"sines_and_cosines", "(", "&"});
     const Range angles = range();
-    for (const char* name : {"sine", "cosine"}) {
+    code::FillSines fill{angles.array};
+    for (std::string* name : {&fill.sines, &fill.cosines}) {
       expect_all({",", "&", "mut"});
       const Range other = range();
-      if (other.array != name || other.first != angles.first || other.end != angles.end) fail("other sines");
+      if (other.first != angles.first || other.end != angles.end) fail("other sines");
+      *name = other.array;
     }
     expect_all({")", ";"});
-    if (angles.end > text_.count_of_angles().value) fail("no such joints");
-    code::FillSines fill{angles.array, {}};
+    fill.is_computed = fill.sines != code::kSines;
+    if (!fill.is_computed && angles.end > text_.count_of_angles().value) fail("no such joints");
     for (int k = angles.first; k < angles.end; ++k) fill.angles.insert(k);
     add(std::move(fill));
   }

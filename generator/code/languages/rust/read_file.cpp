@@ -243,7 +243,9 @@ void RustFile::part(const FileFunction& function, const ScannedFunction& asking)
   for (const char* each : {"sine", "cosine"}) {
     possible.push_back(fmt::format("{}: {}", each, array_type(contents_.angles)));
   }
-  for (const char* each : {"kept", "pivots"}) {
+  std::vector<std::string> shared = arrays_of_sine_rounds();
+  shared.insert(shared.end(), {"kept", "pivots"});
+  for (const std::string& each : shared) {
     if (const std::string type = type_of_shared(each, given_of(function), asking); !type.empty()) {
       possible.push_back(fmt::format("{}: &mut {}", each, type));
     }
@@ -260,7 +262,7 @@ void RustFile::part(const FileFunction& function, const ScannedFunction& asking)
 }
 
 // The type of an array that the function declares for its parts: [f64; 12]. Empty: it declares none.
-std::string RustFile::type_of_shared(const char* array, const ScannedFunction* given,
+std::string RustFile::type_of_shared(const std::string& array, const ScannedFunction* given,
                                      const ScannedFunction& asking) const {
   const ScannedFunction& body = given != nullptr ? *given : asking;
   for (std::size_t k = body.begin; k + 6 < body.end; ++k) {
@@ -272,7 +274,11 @@ std::string RustFile::type_of_shared(const char* array, const ScannedFunction* g
 
 // Takes rounding_is_as_written() and what it calls.
 void RustFile::known_answer() {
-  const bool has_functions = !contents_.functions.empty();
+  std::vector<FileFunction> called;
+  for (const FileFunction& each : contents_.functions) {
+    if (!computes_angles(*each.function)) called.push_back(each);
+  }
+  const bool has_functions = !called.empty();
   if (has_functions) {
     expect(kRustFill);
     if (has_sines_) expect(kRustFillSines);
@@ -297,7 +303,7 @@ void RustFile::known_answer() {
                     contents_.angles, kSeedOfTangents));
   }
   known_parameters();
-  for (const FileFunction& each : contents_.functions) known_call(each);
+  for (const FileFunction& each : called) known_call(each);
   expect("hash ==");
   if (!is_hash(take() + "u")) fail("a hash expected");
   expect("}");

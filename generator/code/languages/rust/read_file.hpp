@@ -33,7 +33,8 @@ class RustFile : public FileReader {
   void signature(const FileFunction& function, const std::string& name, bool takes_sines, const ScannedFunction& body);
   const ScannedFunction* given_of(const FileFunction& function) const;
   void require_used(const ScannedFunction& body, const std::string& name) const;
-  std::string type_of_shared(const char* array, const ScannedFunction* given, const ScannedFunction& asking) const;
+  std::string type_of_shared(const std::string& array, const ScannedFunction* given,
+                             const ScannedFunction& asking) const;
   void known_parameters();
   void known_call(const FileFunction& function);
   const ScannedFunction& scanned(const std::string& name) const;

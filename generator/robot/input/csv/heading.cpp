@@ -21,6 +21,7 @@ CsvDimension dimension_of(CsvQuantity quantity, int entry, const Mechanism& mech
       return slides ? CsvDimension::length : CsvDimension::angle;
     case CsvQuantity::qd:
     case CsvQuantity::qd_r:
+    case CsvQuantity::qd_end:
       return slides ? CsvDimension::length_rate : CsvDimension::angle_rate;
     case CsvQuantity::qdd:
     case CsvQuantity::qdd_r:

@@ -13,6 +13,7 @@ namespace flatdyn {
 namespace {
 
 constexpr int kWrench = 6;
+constexpr const char* kStepLength = "h";
 
 // The columns of a floating base, by quantity.
 const std::map<CsvQuantity, std::vector<std::string>>& base_columns() {
@@ -27,7 +28,8 @@ const std::map<CsvQuantity, std::vector<std::string>>& base_columns() {
 }
 
 // Longer ones first: "qd_r1" begins with "qd", too.
-constexpr std::pair<const char*, CsvQuantity> kStems[] = {{"qdd_r", CsvQuantity::qdd_r},
+constexpr std::pair<const char*, CsvQuantity> kStems[] = {{"qd_end", CsvQuantity::qd_end},
+                                                          {"qdd_r", CsvQuantity::qdd_r},
                                                           {"qd_r", CsvQuantity::qd_r},
                                                           {"qdd", CsvQuantity::qdd},
                                                           {"qd", CsvQuantity::qd},
@@ -131,6 +133,13 @@ bool read_symbol(CsvName& column, const Mechanism& mechanism) {
     return true;
   }
   return false;
+}
+
+bool read_step_length(CsvName& column) {
+  if (column.name != kStepLength) return false;
+  column.quantity = CsvQuantity::h;
+  column.entry = 0;
+  return true;
 }
 
 bool read_time(CsvName& column) {
@@ -247,6 +256,8 @@ int length_of(CsvQuantity quantity, const Mechanism& mechanism) {
     case CsvQuantity::pose:
     case CsvQuantity::imu:
       return mechanism.floating_base ? static_cast<int>(base_columns().at(quantity).size()) : 0;
+    case CsvQuantity::h:
+      return 1;
     case CsvQuantity::symbol:
       return static_cast<int>(mechanism.symbols.size());
     default:
@@ -270,6 +281,7 @@ bool is_of_joints(CsvQuantity quantity) {
     case CsvQuantity::tau:
     case CsvQuantity::qd_r:
     case CsvQuantity::qdd_r:
+    case CsvQuantity::qd_end:
     case CsvQuantity::temperature:
       return true;
     default:
@@ -278,6 +290,7 @@ bool is_of_joints(CsvQuantity quantity) {
 }
 
 std::string base_name_of(CsvQuantity quantity, int entry, const Mechanism& mechanism) {
+  if (quantity == CsvQuantity::h) return kStepLength;
   const auto found = base_columns().find(quantity);
   const bool is_of_base = mechanism.floating_base && found != base_columns().end();
   if (!is_of_base || entry >= static_cast<int>(found->second.size())) return "";
@@ -294,6 +307,7 @@ CsvQuantity quantity_of(InputKind kind) {
   const InputKind in_state = argument_row(kind).in_state;
   if (in_state == InputKind::parameter) return CsvQuantity::symbol;
   if (in_state == InputKind::g_b) return CsvQuantity::g_b;
+  if (in_state == InputKind::h) return CsvQuantity::h;
   const std::string stem = argument_row(in_state).name;
   const auto* found =
       std::find_if(std::begin(kStems), std::end(kStems), [&](const auto& each) { return each.first == stem; });
@@ -317,8 +331,9 @@ std::optional<int> entry_of_joint(CsvQuantity quantity, const std::string& joint
 CsvName read_csv_name(const std::string& entry, const Mechanism& mechanism) {
   CsvName column;
   std::tie(column.name, column.unit) = split_unit(entry);
-  if (read_symbol(column, mechanism) || read_time(column) || read_wrench(column) || read_base(column, mechanism) ||
-      read_joint(column, mechanism) || read_number(column) || read_message(column, mechanism)) {
+  if (read_symbol(column, mechanism) || read_step_length(column) || read_time(column) || read_wrench(column) ||
+      read_base(column, mechanism) || read_joint(column, mechanism) || read_number(column) ||
+      read_message(column, mechanism)) {
     return column;
   }
   read_array(column);

@@ -25,6 +25,8 @@ enum class CsvQuantity {
   pi_b,
   weights,    // of products with derivatives
   direction,  // likewise
+  h,          // the length of a step in time, s
+  qd_end,     // joint rates at its end
   g_b,        // gravity in the axes of a floating base
   pose,       // of a floating base: position in the world, then its unit quaternion w, x, y, z
   imu,        // of a floating base: specific force, then angular velocity, in the axes of a link fixed to it
@@ -62,7 +64,8 @@ std::string entry_name_of(CsvQuantity quantity, int entry, const Mechanism& mech
 bool is_of_joints(CsvQuantity quantity);
 // "q" of the columns q1, …
 std::string stem_of(CsvQuantity quantity);
-// The name of a column that is about a floating base: "base_vx", "base_dwz", "base_nx"; empty for other entries.
+// The name of a column that has no number: "base_vx", "base_dwz" or "base_nx" about a floating base, "h"; empty for
+// other entries.
 std::string base_name_of(CsvQuantity quantity, int entry, const Mechanism& mechanism);
 // The quantity of a column with an input of functions, and its name by number: "q1", "base_vx", "qd7", "m1".
 CsvQuantity quantity_of(InputKind kind);
