@@ -31,8 +31,11 @@ void refuse_derivative(const std::string& name, const FunctionName& parts) {
   }
   const FunctionRow* row = find_row(parts.stem);
   if (row == nullptr) return;
+  const bool is_of_step = parts.stem.starts_with("step_derivatives:");
   throw Failure(FailureKind::unsupported, fmt::format("there are no derivatives of \"{}\"", parts.stem),
-                row->traits.needs_loops ? "it is about closed loops" : "it has no arguments that they could be by");
+                is_of_step                ? "hessian:step:METHOD has second derivatives"
+                : row->traits.needs_loops ? "it is about closed loops"
+                                          : "it has no arguments that they could be by");
 }
 
 const FunctionRow& known_row(const std::string& name) {
@@ -40,7 +43,10 @@ const FunctionRow& known_row(const std::string& name) {
   const FunctionName parts = parts_of_name(name);
   if (parts.derivative != Derivative::none) refuse_derivative(name, parts);
   std::vector<std::string> known;
-  for (const FunctionRow& row : function_table()) known.emplace_back(row.name);
+  for (const FunctionRow& row : function_table()) {
+    const bool is_meant = !parts.stem.starts_with("step") || std::string(row.name).starts_with("step");
+    if (is_meant) known.emplace_back(row.name);
+  }
   throw Failure(FailureKind::usage, "unknown function \"" + parts.stem + "\"",
                 hint_for_abbreviated(parts.stem, known, "functions"));
 }
@@ -68,7 +74,9 @@ Request parsed(const Mechanism& mechanism, const std::string& name) {
         FailureKind::unsupported,
         fmt::format("function \"{}\" needs velocities that are derivatives of coordinates; those of {} are not",
                     request.row->name, mechanism.floating_base ? "a floating base" : "spherical joints"),
-        "leave it out of --functions; coriolis_matrix has C(q, v)");
+        !request.row->traits.leaves_rest ? "leave it out of --functions; coriolis_matrix has C(q, v)"
+        : mechanism.floating_base        ? "hold the base still: --base fixed, or step the state with forward_dynamics"
+                                         : "step the state with forward_dynamics");
   }
   if (request.row->traits.refuses_loops && mechanism.has_loops()) {
     throw Failure(FailureKind::unsupported,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "functions/function_table.hpp"
 
-#include <algorithm>
-
 #include "derivation/dynamics/acceleration_functions.hpp"
 #include "derivation/dynamics/centroidal_functions.hpp"
 #include "derivation/dynamics/contact_functions.hpp"
@@ -488,16 +486,6 @@ const std::vector<FunctionRow> kRows = {
                 .leaves_out_springs = true,
                 .leaves_out_base_joint = true}},
 };
-
-// Steps come after forward dynamics and its derivatives.
-std::vector<FunctionRow> with_steps(std::vector<FunctionRow> rows) {
-  const auto place = std::find_if(rows.begin(), rows.end(), [](const FunctionRow& row) {
-    return std::string(row.name) == "forward_dynamics_derivatives";
-  });
-  const std::vector<FunctionRow> steps = step_rows();
-  rows.insert(place + 1, steps.begin(), steps.end());
-  return rows;
-}
 
 }  // namespace
 

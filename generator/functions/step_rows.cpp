@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "functions/step_rows.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include "derivation/dynamics/step_derivative_functions.hpp"
 #include "derivation/dynamics/step_functions.hpp"
 #include "truth/definition/step_definitions.hpp"
@@ -20,8 +23,6 @@ const std::vector<OutputRow> kNextState = {
 const std::vector<OutputRow> kStateDerivatives = {
     {"A", Layout::matrix, Extent::states, Extent::states, OutputQuantity::derivative},
     {"B", Layout::matrix, Extent::states, Extent::joints, OutputQuantity::derivative}};
-
-}  // namespace
 
 std::vector<FunctionRow> step_rows() {
   return {
@@ -121,6 +122,17 @@ std::vector<FunctionRow> step_rows() {
                   .refuses_loops = true,
                   .has_gaps = true}},
   };
+}
+
+}  // namespace
+
+std::vector<FunctionRow> with_steps(std::vector<FunctionRow> rows) {
+  const auto place = std::find_if(rows.begin(), rows.end(), [](const FunctionRow& row) {
+    return std::string(row.name) == "forward_dynamics_derivatives";
+  });
+  const std::vector<FunctionRow> steps = step_rows();
+  rows.insert(place + 1, steps.begin(), steps.end());
+  return rows;
 }
 
 }  // namespace flatdyn

@@ -8,6 +8,7 @@
 
 namespace flatdyn {
 
-std::vector<FunctionRow> step_rows();
+// The rows of a table with these behind those of forward dynamics and its derivatives.
+std::vector<FunctionRow> with_steps(std::vector<FunctionRow> rows);
 
 }  // namespace flatdyn

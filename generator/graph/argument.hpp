@@ -10,8 +10,8 @@
 namespace flatdyn {
 
 // weights and direction: of products with derivatives. h: the length of a step in time; qd_end: rates at its end.
-// parameter: a free symbol of the
-// robot; stored: a value that an earlier stage has computed. The others have a row below that says what they are.
+// parameter: a free symbol of the robot; stored: a value that an earlier stage has computed. The others have a row
+// below that says what they are.
 enum class InputKind : std::uint8_t {
   q,
   qd,

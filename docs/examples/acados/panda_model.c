@@ -2,7 +2,7 @@
 /* The dynamics of the Panda as acados asks for them, by generated functions: the state is x = (q, qd), the control
  * u = tau, and the parameter p = h is the length of a step, which discrete dynamics need. acados' own generator writes
  * functions of these names from CasADi's expressions; these have the same arguments and results, column by column, and
- * all of their entries are stored. Each returns 0, or 1 where forward dynamics have no value.
+ * all of their entries are stored. Each returns 0, or 1 where forward dynamics have no value or p is not given.
  *
  * Explicit dynamics are xdot = (qd, qdd(q, qd, tau)). Implicit dynamics are 0 = (xdot_q - qd, tau(q, qd, xdot_qd) - u):
  * no matrix is inverted. Discrete dynamics are a step of the classical Runge-Kutta method. */
@@ -180,7 +180,7 @@ INTERFACE(impl_dae_jac_x_xdot_u_z) {
 
 static int discrete_dynamics(const double** arg, double* phi) {
   const double* x = given(arg[0]);
-  return !panda_step_rk4(x, x + N, given(arg[1]), given(arg[2]), phi, phi + N);
+  return !arg[2] || !panda_step_rk4(x, x + N, given(arg[1]), given(arg[2]), phi, phi + N);
 }
 
 static const casadi_int* const dyn_disc_phi_fun_in[] = {of_x, of_u, of_p};
@@ -196,7 +196,7 @@ static const casadi_int* const dyn_disc_phi_fun_jac_out[] = {of_x, of_jac_ux};
 INTERFACE(dyn_disc_phi_fun_jac) {
   ignore(iw, w, mem);
   const double* x = given(arg[0]);
-  int failed = res[0] ? discrete_dynamics(arg, res[0]) : 0;
+  int failed = !arg[2] || (res[0] && discrete_dynamics(arg, res[0]));
   if (!res[1]) return failed;
   double A[NX * NX], B[NX * NU];
   failed |= !panda_step_derivatives_rk4(x, x + N, given(arg[1]), given(arg[2]), A, B);

@@ -183,8 +183,8 @@ class FunctionWriter {
     const double share = function_.proven_pivot_share;
     if (share == 0) return "";
     return fmt::format(
-        ". Proven: {} each pivot of B is at least {:.2g} of the size of its terms, so that rounding cannot cancel it",
-        scope_.proven_positions, share);
+        ". Proven: {} each pivot of {} is at least {:.2g} of the size of its terms, so that rounding cannot cancel it",
+        scope_.proven_positions, function_.inverted.empty() ? "B" : "it", share);
   }
 
   const Function& function_;

@@ -11,7 +11,7 @@
 namespace flatdyn {
 
 // The matrix of Newton's method, in words.
-inline constexpr const char* kNewtonMatrix = "B + h/2 dtau_dqd + h^2/4 dtau_dq";
+inline constexpr const char* kNewtonMatrix = "the inertia matrix + h/2 dtau_dqd + h^2/4 dtau_dq";
 
 // The torques for q̇' = qd_end at the middle of a step, and how they change, as nodes of a function without outputs.
 struct Midpoint {

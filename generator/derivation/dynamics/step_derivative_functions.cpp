@@ -13,6 +13,9 @@
 namespace flatdyn {
 namespace {
 
+// The matrix that accelerations divide by; an output is called B here.
+constexpr const char* kInertiaMatrix = "the inertia matrix";
+
 // A stage: the derivatives of the torques at its q̈, and B⁻¹.
 struct TorquesAtStage {
   SquareMatrices::Entries by_q, by_qd, inverse;
@@ -128,6 +131,7 @@ Function semi_implicit_derivatives(Function function) {
   const RowsAfterStep positions{m.sum(one, m.scaled(h, rates.by_q)), m.scaled(h, rates.by_qd),
                                 m.scaled(h, rates.by_tau)};
   function.outputs = derivative_outputs(m.size(), positions, rates);
+  function.inverted = kInertiaMatrix;
   return function;
 }
 
@@ -147,7 +151,9 @@ Function runge_kutta_derivatives(Function at_solution) {
   }
   const BackwardChain chain(stages, at, n);
   const RowsAfterStep positions = chain.positions(), rates = chain.rates();
-  return stages.finished(derivative_outputs(n, positions, rates));
+  Function function = stages.finished(derivative_outputs(n, positions, rates));
+  function.inverted = kInertiaMatrix;
+  return function;
 }
 
 // K ∂q̇' = -h ∂τ/∂q ∂q + (B - h/2 ∂τ/∂q̇ - h²/4 ∂τ/∂q) ∂q̇ + h ∂τ with K from the midpoint.

@@ -16,8 +16,10 @@ namespace {
 
 constexpr int kNodes = 9;  // of a difference; its error is the step's power of as many
 const char* const kStep = "1e-6";
+const char* const kShortStep = "1e-9";  // of functions of a step in time, which may be as short as a millisecond
 const char* const kRounding = "1e-50";
-constexpr int kDigits = 60;  // of a Real50
+const char* const kRoundingOfSteps = "1e-46";  // which solve equations
+constexpr int kDigits = 60;                    // of a Real50
 
 // The factors of the values at 1, 2, …, kNodes steps whose sum is the derivative at 0, times the step: the derivatives
 // at 0 of Lagrange's polynomials.
@@ -36,6 +38,13 @@ std::vector<Real50> difference_factors() {
     factors.push_back(factor);
   }
   return factors;
+}
+
+// The magnitudes of derivatives by the length h of a step: terms have at most this power of h, or of 1/h.
+std::vector<double> by_step_length(std::vector<double> magnitudes, double h) {
+  constexpr double kPower = 8;
+  for (double& each : magnitudes) each *= kPower / std::abs(h);
+  return magnitudes;
 }
 
 // The function that is differentiated, as far as it is known without its graph.
@@ -107,7 +116,9 @@ DerivativeReference::Values DerivativeReference::derivatives_by(const StateOf<Re
 DerivativeReference::Values DerivativeReference::derivatives_along(const StateOf<Real50>& state,
                                                                    const Values& weights) const {
   static const std::vector<Real50> factors = difference_factors();
-  const Real50 step(kStep);
+  const bool is_of_step =
+      std::find(function_.inputs.begin(), function_.inputs.end(), InputKind::h) != function_.inputs.end();
+  const Real50 step(is_of_step ? kShortStep : kStep);
   Values sums, sizes;
   for (int j = 1; j <= kNodes; ++j) {
     const Values values = values_at(state, weights, step * Real50(j));
@@ -119,7 +130,7 @@ DerivativeReference::Values DerivativeReference::derivatives_along(const StateOf
     }
   }
   // A remainder of values that do not change is their rounding.
-  const Real50 rounding(kRounding);
+  const Real50 rounding(is_of_step ? kRoundingOfSteps : kRounding);
   for (std::size_t e = 0; e < sums.size(); ++e) {
     sums[e] = abs(sums[e]) > rounding * sizes[e] ? Real50(sums[e] / step) : Real50(0);
   }
@@ -192,6 +203,7 @@ bool DerivativeReference::is_angle(const Direction& direction) const {
 std::vector<double> DerivativeReference::magnitude_along(const State& state, const std::vector<double>& here,
                                                          const Direction& along) const {
   if (is_angle(along)) return here;
+  if (along.kind == InputKind::h) return by_step_length(here, state.h.front());
   if (along.kind == InputKind::parameter) {
     SymbolValues values = symbols_;
     Number& value = values[static_cast<std::size_t>(along.entry)];

@@ -75,9 +75,10 @@ Expected ExpectedValues::of_derivatives(const Function& function) const {
 std::function<bool(const State&)> ExpectedValues::regularity(const Function& function) const {
   const reference::Robot<double> robot = robot_for_function(function, robot_, rounded_);
   const FunctionRow& row = row_of(function);
-  const bool has_gaps = row.traits.has_gaps && row.differentiated == nullptr;
+  const FunctionRow& of = row.differentiated == nullptr ? row : *row.differentiated;
+  const bool has_gaps = row.traits.has_gaps;
   ReferenceFunction<double> reference;
-  if (has_gaps) reference = row.reference.in_double({mechanism_, robot, symbols_}, function);
+  if (has_gaps) reference = of.reference.in_double({mechanism_, robot, symbols_}, function);
   return [this, &function, robot, has_gaps, reference](const State& s) {
     if (!is_clear_of_singular_loops(s)) return false;
     if (has_gaps) return !std::isnan(reference(s).front());

@@ -82,6 +82,16 @@ void note_lost_pivots(const LoadedRobot& model, const std::vector<Plan>& plans, 
                 "give the links between its joints their inertia");
 }
 
+// Notes that steps are made for velocities, too, although the scene is at rest.
+void note_steps_from_rest(const LoadedRobot& model, const std::vector<std::string>& names, Diagnostics& findings) {
+  if (!model.robot.scene.at_rest) return;
+  for (const std::string& name : names) {
+    if (!find_row(name)->traits.leaves_rest) continue;
+    findings.note({model.robot.file, 0},
+                  name + " is made in full, although the scene holds still: a step may leave rest", "");
+  }
+}
+
 // Refuses a function that divides by zero at every position: links may move inertia each, but not enough together.
 void refuse_division_by_zero(const Function& function) {
   constexpr std::uint64_t kAttempts = 64;  // the square root of a random number is there at half of the points
@@ -215,6 +225,7 @@ std::vector<OptimisedFunction> make_functions(const LoadedRobot& model, const Pi
     }
   }
   note_lost_pivots(model, plans, findings);
+  note_steps_from_rest(model, names, findings);
   if (options.warnings_are_errors && findings.has_warnings()) throw BadInput(FailureKind::input, findings);
   if (options.search) {
     progress.step("searching for better choices");

@@ -260,7 +260,10 @@ Singularity singularity_of(const Mechanism& mechanism, const Function& function)
     return {"a closed loop is singular here, or the inertia matrix not positive definite",
             "leave such positions out, or let other joints be the dependent ones"};
   }
-  if (!function.inverted.empty()) {
+  if (row_of(function).traits.has_gaps) {
+    return {"Newton's matrix has a pivot that is not positive here, or h is 0", "take a shorter step, which is not 0"};
+  }
+  if (row_of(function).traits.needs_contacts) {
     return {"the contacts' forces are not determined here", "leave such positions out, or take other contacts"};
   }
   if (!function.task.empty()) return {"the tip's task is singular here", "leave such positions out"};

@@ -37,7 +37,7 @@ void CppFile::file() {
   require_helper("Excess", has_excess_, uses({"detail", "::", "Excess", "<", "Scalar"}));
   require_helper("MultiplyAdd", has_fma_, uses({"MultiplyAdd", "<", "Scalar", ">", "fma"}));
   require_helper("Limbs", has_limbs_, uses({"detail", "::", "Limbs", "<", "Scalar"}));
-  require_helper("LibrarySinCos", has_sines_, uses({"sin_cos"}));
+  require_helper("LibrarySinCos", has_sines_, uses({"sin_cos"}) || uses({"DefaultSinCos", "(", ")", "("}));
 }
 
 // Takes the sines and cosines by polynomials.

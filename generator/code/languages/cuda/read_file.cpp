@@ -55,7 +55,7 @@ void CudaFile::file() {
   require_helper("Excess", has_excess_, uses({"detail", "::", "Excess", "<", "Scalar"}));
   require_helper("MultiplyAdd", has_fma_, uses({"MultiplyAdd", "<", "Scalar", ">", "fma"}));
   require_helper("stored()", has_stored_, uses({"detail", "::", "stored"}));
-  require_helper("LibrarySinCos", has_sines_, uses({"sin_cos"}));
+  require_helper("LibrarySinCos", has_sines_, uses({"sin_cos"}) || uses({"DefaultSinCos", "(", ")", "("}));
 }
 
 // Takes the sines and cosines by polynomials.
