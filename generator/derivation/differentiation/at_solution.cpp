@@ -15,12 +15,7 @@ std::vector<Output> outputs_at(const Function& function, const std::vector<NodeI
     if (input.kind == InputKind::weights) return weights[k];
     return std::nullopt;
   };
-  const std::vector<NodeId> image = substituted(function.graph, image_of, graph);
-  std::vector<Output> outputs = function.outputs;
-  for (Output& output : outputs) {
-    for (NodeId& entry : output.entries) entry = image[static_cast<std::size_t>(entry)];
-  }
-  return outputs;
+  return substituted_outputs(function, image_of, graph);
 }
 
 }  // namespace flatdyn

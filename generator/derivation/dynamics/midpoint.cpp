@@ -38,24 +38,16 @@ MotionOfNodes motion_in_the_middle(Midpoint& step) {
   return motion;
 }
 
-// The entries of a function's output for a motion.
-std::vector<std::vector<NodeId>> outputs_for(const Function& of, const MotionOfNodes& motion, Graph& graph) {
-  const std::vector<NodeId> image = substituted(
-      of.graph,
-      [&motion](const Input& input, Graph&) -> std::optional<NodeId> {
-        const auto k = static_cast<std::size_t>(input.index);
-        if (input.kind == InputKind::q) return motion.q[k];
-        if (input.kind == InputKind::qd) return motion.qd[k];
-        if (input.kind == InputKind::qdd) return motion.qdd[k];
-        return std::nullopt;
-      },
-      graph);
-  std::vector<std::vector<NodeId>> outputs;
-  for (const Output& output : of.outputs) {
-    std::vector<NodeId>& entries = outputs.emplace_back();
-    for (const NodeId entry : output.entries) entries.push_back(image[static_cast<std::size_t>(entry)]);
-  }
-  return outputs;
+// A function's outputs for a motion.
+std::vector<Output> outputs_for(const Function& of, const MotionOfNodes& motion, Graph& graph) {
+  const auto image_of = [&motion](const Input& input, Graph&) -> std::optional<NodeId> {
+    const auto k = static_cast<std::size_t>(input.index);
+    if (input.kind == InputKind::q) return motion.q[k];
+    if (input.kind == InputKind::qd) return motion.qd[k];
+    if (input.kind == InputKind::qdd) return motion.qdd[k];
+    return std::nullopt;
+  };
+  return substituted_outputs(of, image_of, graph);
 }
 
 }  // namespace
@@ -79,11 +71,11 @@ Midpoint midpoint(const Mechanism& mechanism, const Choices& choices) {
   step.h = graph.input({InputKind::h, 0});
   step.half = graph.scaled(Rational(1, 2), step.h);
   const MotionOfNodes motion = motion_in_the_middle(step);
-  step.tau = outputs_for(torques, motion, graph).at(0);
+  step.tau = outputs_for(torques, motion, graph).at(0).entries;
   const auto derivatives = outputs_for(derive_inverse_dynamics_derivatives(mechanism, choices), motion, graph);
-  step.by_q = derivatives.at(0);
-  step.by_qd = derivatives.at(1);
-  step.inertia = outputs_for(derive_inertia_matrix(mechanism, choices), motion, graph).at(0);
+  step.by_q = derivatives.at(0).entries;
+  step.by_qd = derivatives.at(1).entries;
+  step.inertia = outputs_for(derive_inertia_matrix(mechanism, choices), motion, graph).at(0).entries;
   return step;
 }
 

@@ -16,4 +16,13 @@ std::vector<NodeId> substituted(const Graph& from, const InputImage& image_of, G
   return image;
 }
 
+std::vector<Output> substituted_outputs(const Function& from, const InputImage& image_of, Graph& to) {
+  const std::vector<NodeId> image = substituted(from.graph, image_of, to);
+  std::vector<Output> outputs = from.outputs;
+  for (Output& output : outputs) {
+    for (NodeId& entry : output.entries) entry = image[static_cast<std::size_t>(entry)];
+  }
+  return outputs;
+}
+
 }  // namespace flatdyn

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "graph/graph.hpp"
+#include "graph/function.hpp"
 
 namespace flatdyn {
 
@@ -16,5 +16,8 @@ using InputImage = std::function<std::optional<NodeId>(const Input& input, Graph
 // Adds all nodes of `from` to `to` in normal form, so that nodes that become 0 or equal are so at once. Returns the
 // node in `to` of each.
 std::vector<NodeId> substituted(const Graph& from, const InputImage& image_of, Graph& to);
+
+// The same of a function's graph; returns its outputs in `to`.
+std::vector<Output> substituted_outputs(const Function& from, const InputImage& image_of, Graph& to);
 
 }  // namespace flatdyn
