@@ -48,8 +48,9 @@ std::vector<OutputRow> DerivativeRows::outputs_of(const FunctionRow& of, Derivat
   std::vector<InputKind> arguments = of.inputs;
   arguments.push_back(InputKind::parameter);
   std::vector<OutputRow> outputs;
-  const auto add = [&outputs](const char* name, Layout layout, Extent rows, Extent cols) {
-    outputs.push_back({name, layout, rows, cols, OutputQuantity::derivative});
+  const auto add = [&outputs](const char* name, Layout layout, Extent rows, Extent cols,
+                              bool of_floating_base = false) {
+    outputs.push_back({name, layout, rows, cols, OutputQuantity::derivative, of_floating_base});
   };
   switch (derivative) {
     case Derivative::none:
@@ -69,7 +70,7 @@ std::vector<OutputRow> DerivativeRows::outputs_of(const FunctionRow& of, Derivat
       for (const OutputRow& output : differentiated) {
         for (const InputKind each : arguments) {
           add(kept(fmt::format("d{}_d{}", output.name, name_of({each}))), Layout::matrix, output.rows,
-              directions_of(each));
+              directions_of(each), output.of_floating_base);
         }
       }
       break;

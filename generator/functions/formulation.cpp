@@ -74,9 +74,7 @@ Request parsed(const Mechanism& mechanism, const std::string& name) {
         FailureKind::unsupported,
         fmt::format("function \"{}\" needs velocities that are derivatives of coordinates; those of {} are not",
                     request.row->name, mechanism.floating_base ? "a floating base" : "spherical joints"),
-        !request.row->traits.leaves_rest ? "leave it out of --functions; coriolis_matrix has C(q, v)"
-        : mechanism.floating_base        ? "hold the base still: --base fixed, or step the state with forward_dynamics"
-                                         : "step the state with forward_dynamics");
+        "leave it out of --functions; coriolis_matrix has C(q, v)");
   }
   if (request.row->traits.refuses_loops && mechanism.has_loops()) {
     throw Failure(FailureKind::unsupported,
@@ -210,6 +208,7 @@ void describe_spherical(Output& output) {
 void describe_floating(const OutputRow& row, Output& output) {
   switch (output.quantity) {
     case OutputQuantity::joint_torque:
+      if (std::string(row.name) == "residual") break;
       output.meaning = "force and moment on the base (base axes, N, N m), then joint torques";
       break;
     case OutputQuantity::joint_acceleration:
@@ -241,14 +240,15 @@ void describe(const FunctionRow& row, const Mechanism& mechanism, Function& func
   const auto is_same = [](const Output& output, const OutputRow& expected) {
     return output.name == expected.name && output.layout == expected.layout;
   };
-  if (!std::equal(function.outputs.begin(), function.outputs.end(), row.outputs.begin(), row.outputs.end(), is_same)) {
+  const std::vector<OutputRow> outputs = row.outputs_for(mechanism);
+  if (!std::equal(function.outputs.begin(), function.outputs.end(), outputs.begin(), outputs.end(), is_same)) {
     throw Failure(FailureKind::bug, fmt::format("{}: its derivation has other outputs than its row", row.name));
   }
-  for (std::size_t k = 0; k < row.outputs.size(); ++k) {
-    function.outputs[k].quantity = row.outputs[k].quantity;
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    function.outputs[k].quantity = outputs[k].quantity;
     function.outputs[k].name = in_coordinates(function.outputs[k].name, mechanism);
     function.outputs[k].meaning = in_coordinates(function.outputs[k].meaning, mechanism);
-    if (mechanism.floating_base) describe_floating(row.outputs[k], function.outputs[k]);
+    if (mechanism.floating_base) describe_floating(outputs[k], function.outputs[k]);
     if (mechanism.has_spherical_joints()) describe_spherical(function.outputs[k]);
   }
 }

@@ -20,6 +20,16 @@ std::vector<InputKind> FunctionRow::inputs_for(const Mechanism& mechanism) const
   return result;
 }
 
+std::vector<OutputRow> FunctionRow::outputs_for(const Mechanism& mechanism) const {
+  std::vector<OutputRow> result;
+  for (const OutputRow& output : outputs) {
+    const bool is_there = mechanism.floating_base || !output.of_floating_base,
+               has_entries = output.rows != Extent::positions || mechanism.position_count() > 0;
+    if (is_there && has_entries) result.push_back(output);
+  }
+  return result;
+}
+
 const FunctionRow* find_row(const std::string& name) {
   const std::vector<FunctionRow>& rows = function_table();
   static const DerivativeRows derivatives(rows);

@@ -18,6 +18,7 @@ namespace flatdyn {
 enum class Extent {
   one,
   three,
+  four,
   six,
   joints,           // n, the number of coordinates
   joint_pairs,      // n (n + 1) / 2
@@ -39,6 +40,7 @@ struct OutputRow {
   Layout layout;
   Extent rows, cols;
   OutputQuantity quantity;
+  bool of_floating_base = false;  // whether it is there for robots with a floating base only
 };
 
 // Another formulation of a function, in the words of reports.
@@ -125,6 +127,8 @@ struct FunctionRow {
   // The arguments for this robot: with a floating base or spherical joints v and a for q̇ and q̈, and g_b if the base
   // floats and there is gravity.
   std::vector<InputKind> inputs_for(const Mechanism& mechanism) const;
+  // The outputs for this robot.
+  std::vector<OutputRow> outputs_for(const Mechanism& mechanism) const;
   // Whether its cost depends on choices of frames and units.
   bool has_choices() const { return derivation.from_choices != nullptr; }
 };

@@ -19,17 +19,15 @@ FunctionRow step(const char* name, const char* summary, DerivationRow derivation
   return {.name = name,
           .summary = summary,
           .equation = "",
-          .inputs = {InputKind::q, InputKind::qd, InputKind::tau, InputKind::h},
-          .outputs = {{"q_next", Layout::vector, Extent::joints, Extent::one, OutputQuantity::joint_position},
-                      {"qd_next", Layout::vector, Extent::joints, Extent::one, OutputQuantity::joint_rate}},
+          .inputs = {InputKind::q, InputKind::qd, InputKind::tau, InputKind::g_b, InputKind::h},
+          .outputs = {{"q_next", Layout::vector, Extent::positions, Extent::one, OutputQuantity::joint_position},
+                      {"qd_next", Layout::vector, Extent::joints, Extent::one, OutputQuantity::joint_rate},
+                      {"displacement", Layout::vector, Extent::three, Extent::one, OutputQuantity::position, true},
+                      {"turn", Layout::vector, Extent::four, Extent::one, OutputQuantity::number, true}},
           .derivation = std::move(derivation),
           .definition = definition,
           .reference = reference,
-          .traits = {.on_request = true,
-                     .divides_by_pivots = true,
-                     .needs_rates = true,
-                     .leaves_rest = true,
-                     .refuses_loops = true}};
+          .traits = {.on_request = true, .divides_by_pivots = true, .leaves_rest = true, .refuses_loops = true}};
 }
 
 // The derivatives A and B of a step.
@@ -74,7 +72,7 @@ FunctionRow midpoint_derivatives_row() {
 std::vector<FunctionRow> step_rows() {
   return {
       step("step:semi_implicit_euler",
-           "A step of length h with constant torques: qd_next = qd + h qdd(q, qd, tau), q_next = q + h qd_next",
+           "A step of length h with constant torques: qd_next = qd + h qdd(q, qd, tau), then q_next along h qd_next",
            {.from_choices = derive_semi_implicit_step,
             .alternatives = {{"articulated bodies", derive_semi_implicit_step_by_articulated_bodies},
                              {"B = L^T D L of composite bodies", derive_semi_implicit_step_by_composite_bodies}},

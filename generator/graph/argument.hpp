@@ -31,6 +31,7 @@ enum class InputKind : std::uint8_t {
   direction,
   h,
   qd_end,
+  v_end,
   stored
 };
 
@@ -211,9 +212,17 @@ inline constexpr auto kArgumentRows = std::to_array<ArgumentRow>({
      .quantity = ArgumentQuantity::velocity,
      .length = ArgumentLength::velocities,
      .in_state = InputKind::qd_end,
-     .with_quasi_velocities = InputKind::qd_end,
+     .with_quasi_velocities = InputKind::v_end,
      .is_reference = true,
      .meaning = "joint velocities at the end of the step, rad/s or m/s, as far as they are known"},
+    {.kind = InputKind::v_end,
+     .name = "v_end",
+     .quantity = ArgumentQuantity::velocity,
+     .length = ArgumentLength::velocities,
+     .in_state = InputKind::qd_end,
+     .with_quasi_velocities = InputKind::v_end,
+     .is_reference = true,
+     .meaning = "velocities at the end of the step, with entries as those of v, as far as they are known"},
     {.kind = InputKind::stored,
      .name = "stored",
      .quantity = ArgumentQuantity::stored,

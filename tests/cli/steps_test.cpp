@@ -26,6 +26,30 @@ TEST(StepFunctions, AreThereByThemselvesInEveryLanguage) {
   }
 }
 
+// The base's displacement and turn are outputs, and velocities are v in every name.
+TEST(StepFunctions, MoveAFloatingBaseInEveryLanguage) {
+  const Scratch folder;
+  for (const char* language : {"c++", "c++ --form pair", "c", "cuda", "javascript", "rust"}) {
+    const Outcome outcome =
+        run_flatdyn(fmt::format("generate docs/examples/floating_body.toml --language {} --functions "
+                                "step:rk4,step:implicit_midpoint,step_derivatives:semi_implicit_euler -o '{}'",
+                                language, folder.path()));
+    EXPECT_EQ(outcome.code, 0) << language << ": " << outcome.err;
+  }
+  const std::string header = folder.read("body.h");
+  EXPECT_THAT(header, HasSubstr("const double v_end[6]"));
+  EXPECT_THAT(header, HasSubstr("double displacement[3], double turn[4], double residual[6]"));
+}
+
+TEST(StepFunctions, TakeQuaternionsFromATable) {
+  const Scratch folder;
+  folder.write("states.csv", "q1,q2,q3,q4,qd1,qd2,qd3,tau1,tau2,tau3,h\n0.8,0,0.6,0,1,2,3,0,0,0,0\n");
+  const Outcome still = run_flatdyn(fmt::format(
+      "eval docs/examples/spherical_pendulum.toml --states '{}' --function step:rk4", folder.path("states.csv")));
+  EXPECT_EQ(still.code, 0) << still.err;
+  EXPECT_THAT(still.out, HasSubstr("0.8,0,0.6,0,1,2,3"));
+}
+
 TEST(StepFunctions, AreMadeInFullWhereTheSceneIsAtRest) {
   const Scratch folder;
   folder.write("still.toml", "static = true\n");
@@ -54,8 +78,8 @@ TEST(StepFunctions, SayWhatIsRefused) {
   const auto generated = [&folder](const std::string& what) {
     return run_flatdyn(fmt::format("generate {} -o '{}'", what, folder.path()));
   };
-  const Outcome floating = generated("robots/quadruped12.urdf --base floating --functions step:rk4");
-  EXPECT_THAT(floating.err, HasSubstr("--base fixed"));
+  const Outcome loops = generated("robots/four_bar.toml --functions step:rk4");
+  EXPECT_THAT(loops.err, HasSubstr("loop_step"));
   const Outcome unknown = generated(fmt::format("{} --functions step:euler", kTwoLinks));
   EXPECT_THAT(unknown.err, HasSubstr("step:semi_implicit_euler"));
   EXPECT_THAT(unknown.err, Not(HasSubstr("inverse_dynamics")));

@@ -81,7 +81,7 @@ class Peer(Steps):
         self.q = rng.uniform(-1, 1, len(self.joints))
         self.v, self.a, self.tau = rng.uniform(-2, 2, n), rng.uniform(-5, 5, n), rng.uniform(-10, 10, n)
         self.h_e = rng.uniform(-10, 10, 6)
-        self.h, self.qd_end = rng.uniform(0.001, 0.02, 1), self.v + rng.uniform(-0.2, 0.2, n)
+        self.h, self.v_end = rng.uniform(0.001, 0.02, 1), self.v + rng.uniform(-0.2, 0.2, n)
         self.pose = pin.SE3.Random() if self.base else pin.SE3.Identity()
         if self.base:
             turn = rng.normal(size=4)
@@ -104,7 +104,7 @@ class Peer(Steps):
             self.at[k : k + size] = x if size == 1 else (np.cos(x), np.sin(x))  # two for a continuous joint
 
     def at_motion(self, q, v, a=None):
-        """The same robot, with a fixed base, at another motion."""
+        """The same robot at another motion."""
         there = copy.copy(self)
         there.q, there.v, there.a = q, v, a
         there.place()
@@ -389,8 +389,8 @@ def compare_module(module, peer, rng):
     different = Differences()
     for _ in range(STATES):
         peer.move(rng, in_world=False)
-        given = {name: getattr(peer, name) for name in ("q", "v", "a", "tau", "g_b", "h_e", "h", "qd_end")}
-        given |= {"qd": peer.v, "qdd": peer.a}
+        given = {name: getattr(peer, name) for name in ("q", "v", "a", "tau", "g_b", "h_e", "h", "v_end")}
+        given |= {"qd": peer.v, "qdd": peer.a, "qd_end": peer.v_end}
         for function in functions:
             name, link = function.__name__, []
             if name.startswith("external_torque_"):

@@ -78,6 +78,11 @@ bool has_two_parts(const Function& function) {
          std::any_of(function.outputs.begin(), function.outputs.end(), has_parts);
 }
 
+bool returns_positions(const Function& function) {
+  return std::any_of(function.outputs.begin(), function.outputs.end(),
+                     [](const Output& output) { return output.quantity == OutputQuantity::joint_position; });
+}
+
 bool takes(const Function& function, InputKind kind) {
   return std::find(function.inputs.begin(), function.inputs.end(), kind) != function.inputs.end();
 }
@@ -135,6 +140,9 @@ std::string why_not(const Function& adapted, const std::vector<Function>& all, c
   if (find_row(adapted.name) == nullptr) return "it is a fused function";
   if (!is_whole(adapted)) return "the scene leaves out some of its entries";
   if (!mechanism.floating_base) {
+    if (has_other_quaternions(convention, mechanism) && returns_positions(adapted)) {
+      return "its quaternions are flatdyn's own";
+    }
     if (!convention.angular_first || !has_two_parts(adapted)) return "";
     return "with a fixed base, velocities and forces of the tip keep flatdyn's order";
   }

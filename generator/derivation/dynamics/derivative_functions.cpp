@@ -157,11 +157,16 @@ Function function_at_solution(DerivationContext& context) {
   const Factorisation B(context.frames, context.inertia());
   const Rows inverse = B.inverse("a");
   const TorquesAtSolution at = torques_at_solution(context, inverse);
+  const std::vector<Number> zeros(inverse.size(), 0);
+  Rows by_turn(inverse.size(), zeros), by_velocity = by_turn;
+  add_rates_of_base_axes(context, at.motion, by_turn, by_velocity);
   return finished(context,
                   {vector_output("qdd", context.nodes(at.qdd), "joint accelerations"),
                    derivative_output(context, "dtau_dq", at.torques.dq, "row i, column k: of tau[i] by q[k]"),
                    derivative_output(context, "dtau_dqd", at.torques.dqd, "row i, column k: of tau[i] by qd[k]"),
-                   derivative_output(context, "dqdd_dtau", inverse, "the inverse of B")},
+                   derivative_output(context, "dqdd_dtau", inverse, "the inverse of B"),
+                   derivative_output(context, "axes_dq", by_turn, "what turning axes of the base add to q̈ by q"),
+                   derivative_output(context, "axes_dqd", by_velocity, "what turning axes of the base add to q̈ by q̇")},
                   conditions_of(context, B));
 }
 

@@ -25,7 +25,9 @@ std::optional<Function> derive_forward_dynamics_derivatives_by_products(const Me
 Function derive_acceleration_derivatives_from_inverse(const Mechanism& mechanism, const Choices& choices,
                                                       const std::vector<int>& inverse);
 
-// q̈ = B⁻¹ (τ - n), the derivatives ∂τ/∂q and ∂τ/∂q̇ of inverse dynamics at this q̈, and B⁻¹: for a fixed base.
+// q̈ = B⁻¹ (τ - n), the derivatives ∂τ/∂q and ∂τ/∂q̇ of inverse dynamics at this q̈, and B⁻¹. With a floating base these
+// hold v̇ + ω × v - g_b fixed in the place of v̇, and two more matrices are what its turning axes add to -B⁻¹ ∂τ/∂q and
+// to -B⁻¹ ∂τ/∂q̇ for the derivatives of q̈; they are zero with a fixed base.
 Function derive_torque_derivatives_at_solution(const Mechanism& mechanism, const Choices& choices);
 
 // Derivatives of a weighted sum wᵀ q̈ are made from q̈ and the multipliers λ = B⁻¹ w, where w is the argument weights;

@@ -10,27 +10,30 @@
 
 namespace flatdyn {
 
-Stages::Stages(Function of) : of_(std::move(of)), result_(of_) {
+Stages::Stages(const Mechanism& mechanism, Function of)
+    : of_(std::move(of)), result_(of_), chart_(mechanism, result_.graph) {
   result_.graph = Graph();
   result_.outputs.clear();
   result_.validity_conditions.clear();
   result_.pivot_scales.clear();
 }
 
-std::vector<NodeId> Stages::arguments(InputKind kind) {
-  std::vector<NodeId> nodes;
-  for (int k = 0; k < of_.outputs.at(0).rows; ++k) nodes.push_back(graph().input({kind, k}));
-  return nodes;
-}
-
-std::vector<std::vector<NodeId>> Stages::outputs_at(const std::vector<NodeId>& q, const std::vector<NodeId>& qd) {
+std::vector<Stages::Entries> Stages::outputs_at(const StepChart::Positions& positions, const Entries& qd) {
   ++stages_;
   const std::vector<NodeId> image = substituted(
       of_.graph,
       [&](const Input& input, Graph&) -> std::optional<NodeId> {
-        if (input.kind == InputKind::q) return q[static_cast<std::size_t>(input.index)];
-        if (input.kind == InputKind::qd) return qd[static_cast<std::size_t>(input.index)];
-        return std::nullopt;
+        const auto k = static_cast<std::size_t>(input.index);
+        switch (argument_row(input.kind).in_state) {
+          case InputKind::q:
+            return positions.q[k];
+          case InputKind::qd:
+            return qd[k];
+          case InputKind::g_b:
+            return positions.g_b[k];
+          default:
+            return std::nullopt;
+        }
       },
       graph());
   const auto add_images = [&image](const std::vector<NodeId>& from, std::vector<NodeId>& to) {
@@ -38,20 +41,36 @@ std::vector<std::vector<NodeId>> Stages::outputs_at(const std::vector<NodeId>& q
   };
   add_images(of_.validity_conditions, result_.validity_conditions);
   add_images(of_.pivot_scales, result_.pivot_scales);
-  std::vector<std::vector<NodeId>> outputs;
+  std::vector<Entries> outputs;
   for (const Output& output : of_.outputs) add_images(output.entries, outputs.emplace_back());
   return outputs;
 }
 
-std::vector<NodeId> Stages::after(const std::string& name, const std::vector<NodeId>& x, const Rational& factor,
-                                  const std::vector<NodeId>& rate) {
+Stages::Entries Stages::along(const Rational& factor, const Entries& x) {
   const NodeId part = graph().scaled(factor, step_length());
-  std::vector<NodeId> result;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    result.push_back(graph().sum({{1, x[k]}, {1, graph().product({part, rate[k]})}}));
-    graph().set_name(result.back(), fmt::format("{}_stage{}_{}", name, stages_ + 1, k + 1));
-  }
+  Entries result;
+  for (const NodeId entry : x) result.push_back(graph().product({part, entry}));
   return result;
+}
+
+Stages::Entries Stages::rates_after(const Entries& qd, const Rational& factor, const Entries& qdd) {
+  Entries result = along(factor, qdd);
+  for (std::size_t k = 0; k < qd.size(); ++k) result[k] = graph().sum({{1, qd[k]}, {1, result[k]}});
+  name_all("qd", result);
+  return result;
+}
+
+StepChart::Positions Stages::positions_after(const Entries& change, const StepChart::Turns& turns) {
+  StepChart::Positions positions = chart_.after(change, turns);
+  name_all("q", positions.q);
+  name_all("g_b", positions.g_b);
+  return positions;
+}
+
+void Stages::name_all(const char* stem, const Entries& entries) {
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    graph().set_name(entries[k], fmt::format("{}_stage{}_{}", stem, stages_ + 1, k + 1));
+  }
 }
 
 Function Stages::finished(std::vector<Output> outputs) {

@@ -30,8 +30,9 @@ struct StateOf {
 
   const std::vector<S>& of(InputKind kind) const {
     // In the order of InputKind. The numbers of v, a, v_r and a_r are those of q̇, q̈, q̇_r and q̈_r.
-    const std::vector<S>* const members[] = {&q,   &qd, &qdd, &tau,  &h_e,   &parameters, &qd_r,      &qdd_r, &pi_b,
-                                             &g_b, &qd, &qdd, &qd_r, &qdd_r, &weights,    &direction, &h,     &qd_end};
+    const std::vector<S>* const members[] = {&q,       &qd,        &qdd, &tau,    &h_e,   &parameters, &qd_r,
+                                             &qdd_r,   &pi_b,      &g_b, &qd,     &qdd,   &qd_r,       &qdd_r,
+                                             &weights, &direction, &h,   &qd_end, &qd_end};
     return *members[static_cast<std::size_t>(argument_row(kind).in_state)];
   }
   std::vector<S>& of(InputKind kind) { return const_cast<std::vector<S>&>(std::as_const(*this).of(kind)); }

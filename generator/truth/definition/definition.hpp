@@ -41,6 +41,9 @@ struct Definition {
   // The degree of the comparison relative to the Lagrangian's (see truth/definition/degree.hpp).
   double (*degree_factor)(const Mechanism&, const Function&);
   bool is_over_parameters = false;  // whether the comparison is linear in the parameters, as that of a regressor
+  // Whether the function's own values are compared as they are, with expected ones in which they have no part: then
+  // the degrees of both add.
+  bool is_apart = false;
 };
 
 }  // namespace flatdyn

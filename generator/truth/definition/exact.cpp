@@ -134,8 +134,9 @@ ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, 
   const MechanismDegrees lagrangian =
       definition.is_over_parameters ? regressor_degrees(mechanism) : lagrangian_degrees(mechanism);
   const FunctionDegrees own = function_degrees(function);
+  const double factor = degree_factor(mechanism, function, definition), of_own = own.numerator + own.denominator;
   const double degree = in_drawn_values(
-      degree_factor(mechanism, function, definition) * (lagrangian.degree + own.numerator + own.denominator),
+      definition.is_apart ? 2 * factor * lagrangian.degree + of_own : factor * (lagrangian.degree + of_own),
       drawn_angles(function, mechanism), lagrangian.reciprocals);
   return finished(function, mismatches, entries, degree, options);
 }

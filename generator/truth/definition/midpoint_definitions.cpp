@@ -5,44 +5,57 @@
 #include "truth/definition/acceleration_derivatives.hpp"
 #include "truth/definition/elimination_over_field.hpp"
 #include "truth/definition/rules.hpp"
-#include "truth/definition/stage_arithmetic.hpp"
 #include "truth/definition/step_definitions.hpp"
+#include "truth/definition/step_point.hpp"
 
 namespace flatdyn::definitions {
 namespace {
 
-// The middle of a step: the torques there, how they change, and the matrix of Newton's method.
+// The middle of a step: the torques there, how they change, and the matrix of Newton's method. Derivatives are those of
+// step_point.hpp, with q̇' held fixed.
 template <class F>
 struct MiddleOfStep {
   F h, half;
   std::vector<F> qd, qd_end, residual;
-  Matrix<F> by_q, by_qd, inertia, newton;
+  Matrix<F> inertia, newton, change_of_torques;
 };
+
+// factor (a + b).
+template <class F>
+std::vector<F> scaled_sum(const F& factor, const std::vector<F>& a, const std::vector<F>& b) {
+  std::vector<F> result;
+  for (std::size_t k = 0; k < a.size(); ++k) result.push_back(factor * (a[k] + b[k]));
+  return result;
+}
 
 template <class Point, class F = typename Point::F>
 MiddleOfStep<F> middle_of_step(const Point& at) {
-  const int n = at.mechanism.size();
-  const F h = at.arithmetic.input({InputKind::h, 0}), half = h / F(2);
-  MiddleOfStep<F> step{h, half, at.qd(), at.drawn(InputKind::qd_end), {}, {}, {}, {}, {}};
-  std::vector<F> q = at.drawn(InputKind::q), qd, qdd;
-  for (std::size_t k = 0; k < q.size(); ++k) {
-    qd.push_back((step.qd[k] + step.qd_end[k]) / F(2));
-    qdd.push_back((step.qd_end[k] - step.qd[k]) / h);
-    q[k] += half * qd[k];
-  }
-  StageArithmetic<F> arithmetic(at.arithmetic, q, qd, qdd, F(2));  // q̇ + q̇' for their mean
+  const Mechanism& mechanism = at.mechanism;
+  const int n = mechanism.size();
+  const F h = step_length(at), half = h / F(2);
+  MiddleOfStep<F> step{h, half, at.qd(), at.drawn(InputKind::qd_end), {}, {}, {}, {}};
+  const std::vector<F> w = scaled_sum(half, step.qd, step.qd_end), qd = scaled_sum(F(1) / F(2), step.qd, step.qd_end);
+  std::vector<F> qdd;
+  for (std::size_t k = 0; k < qd.size(); ++k) qdd.push_back((step.qd_end[k] - step.qd[k]) / h);
+  const PositionsOfStep<F> positions =
+      positions_after(mechanism, positions_before(at), change_to_the_middle(mechanism, w));
+  StageArithmetic<F> arithmetic(at.arithmetic, positions, qd, qdd, F(2));  // q̇ + q̇' for their mean
   const std::vector<F> none;
-  DefinitionPoint<StageArithmetic<F>> middle(at.mechanism, at.function, arithmetic, none);
-  step.residual = middle.inverse_dynamics();
-  const std::vector<F> tau = at.drawn(InputKind::tau);
-  for (std::size_t k = 0; k < tau.size(); ++k) step.residual[k] += -tau[k];
-  step.by_q = Matrix<F>(n, torque_derivatives_by_position(middle, qdd));
-  step.by_qd = Matrix<F>(n, torque_derivatives_by_rate(middle));
+  DefinitionPoint<StageArithmetic<F>> middle(mechanism, at.function, arithmetic, none);
+  step.residual = moved(middle.inverse_dynamics(), -F(1), at.drawn(InputKind::tau));
   step.inertia = middle.lagrangian.inertia();
+  const Matrix<F> by_q(n, torque_derivatives_by_position(middle, qdd)), by_qd(n, torque_derivatives_by_rate(middle));
+  const Matrix<F> of_rates = derivatives_of_argument<F>(n, StepArgument::rate), zero(n, 3 * n);
+  const Matrix<F> positions_by = derivatives_after(
+      mechanism, w, moved(zero, half, of_rates),
+      [](const Mechanism& m, std::vector<Dual<F>> numbers) { return change_to_the_middle(m, std::move(numbers)); });
+  // By q̇ as by q̇', but for the acceleration.
+  const Matrix<F> by_motion = moved(times(by_q, positions_by), F(1) / F(2), times(by_qd, of_rates));
   step.newton = step.inertia;
   for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < n; ++k) step.newton(i, k) += half * (step.by_qd(i, k) + half * step.by_q(i, k));
+    for (int k = 0; k < n; ++k) step.newton(i, k) += h * by_motion(i, n + k);
   }
+  step.change_of_torques = moved(by_motion, -(F(1) / h), times(step.inertia, of_rates));
   return step;
 }
 
@@ -50,46 +63,30 @@ template <class Point>
 typename Point::Values after_newton_iteration(const Point& at, const Output& output) {
   const auto step = middle_of_step(at);
   if (output.quantity == OutputQuantity::joint_torque) return step.residual;
-  auto rates = step.qd_end;
-  const auto change = solution(step.newton, step.residual);
-  for (std::size_t k = 0; k < rates.size(); ++k) rates[k] += -(step.h * change[k]);
-  if (output.quantity == OutputQuantity::joint_rate) return rates;
-  auto positions = at.drawn(InputKind::q);
-  for (std::size_t k = 0; k < rates.size(); ++k) positions[k] += step.half * (step.qd[k] + rates[k]);
-  return positions;
+  const auto rates = moved(step.qd_end, -step.h, solution(step.newton, step.residual));
+  return after_step(at, output, change_along(at.mechanism, scaled_sum(step.half, step.qd, rates)), rates);
 }
 
 template <class Point>
 typename Point::Values midpoint_derivatives(const Point& at, const Output& output) {
   using F = typename Point::F;
   const auto step = middle_of_step(at);
-  const int n = at.mechanism.size(), first = output.cols == n ? 2 * n : 0;
-  Matrix<F> right(n, 3 * n);
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < n; ++k) {
-      right(i, k) = -(step.h * step.by_q(i, k));
-      right(i, n + k) = step.inertia(i, k) - step.half * (step.by_qd(i, k) + step.half * step.by_q(i, k));
-    }
-    right(i, 2 * n + i) = step.h;
-  }
+  const int n = at.mechanism.size();
+  const Matrix<F> of_rates = derivatives_of_argument<F>(n, StepArgument::rate),
+                  of_torques = derivatives_of_argument<F>(n, StepArgument::torque), zero(n, 3 * n);
+  const Matrix<F> right = moved(zero, step.h, moved(of_torques, -F(1), step.change_of_torques));
   const Matrix<F> rates = solution(step.newton, right);
-  std::vector<F> result;
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < output.cols; ++k) {
-      F entry = step.half * rates(i, first + k);
-      if (first + k == i) entry += F(1);
-      if (first + k == n + i) entry += step.half;
-      result.push_back(entry);
-    }
-  }
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < output.cols; ++k) result.push_back(rates(i, first + k));
-  }
-  return result;
+  const Matrix<F> change = moved(zero, step.half, moved(of_rates, F(1), rates));
+  const Matrix<F> positions = derivatives_after(
+      at.mechanism, scaled_sum(step.half, step.qd, step.qd_end), change,
+      [](const Mechanism& m, std::vector<Dual<F>> numbers) { return change_along(m, std::move(numbers)); });
+  return state_derivatives(output, positions, rates);
 }
 
 // Solutions have n factors of the matrix, each with the derivatives of the torques.
-double degree_of_iteration(const Mechanism& mechanism, const Function&) { return 4 + 6.0 * mechanism.size(); }
+double degree_of_iteration(const Mechanism& mechanism, const Function&) {
+  return (4 + 6.0 * mechanism.size()) * (mechanism.has_quasi_velocities() ? 2 : 1);
+}
 
 }  // namespace
 
@@ -97,12 +94,14 @@ constinit const Definition midpoint_step = {
     .expected = rules([](auto& at, const Output& output) { return after_newton_iteration(at, output); }),
     .found = kOwnValues,
     .degree_factor = degree_of_iteration,
+    .is_apart = true,
 };
 
 constinit const Definition midpoint_step_derivatives = {
     .expected = rules([](auto& at, const Output& output) { return midpoint_derivatives(at, output); }),
     .found = kOwnValues,
     .degree_factor = degree_of_iteration,
+    .is_apart = true,
 };
 
 }  // namespace flatdyn::definitions

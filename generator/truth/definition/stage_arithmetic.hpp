@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "graph/field_arithmetic.hpp"
+#include "truth/definition/step_motion.hpp"
 
 namespace flatdyn {
 
@@ -17,16 +18,25 @@ class StageArithmetic {
   // `field` must outlive this object.
   // `scale`: positive; the sign of x is drawn for scale · x, as a Graph takes the sign of a multiple of a sum to be
   // that of the sum.
-  StageArithmetic(const FieldArithmetic<F>& field, std::vector<F> q, std::vector<F> qd, std::vector<F> qdd = {},
-                  const F& scale = F(1))
-      : field_(field), q_(std::move(q)), qd_(std::move(qd)), qdd_(std::move(qdd)), scale_(scale) {}
+  StageArithmetic(const FieldArithmetic<F>& field, PositionsOfStep<F> positions, std::vector<F> qd,
+                  std::vector<F> qdd = {}, const F& scale = F(1))
+      : field_(field), positions_(std::move(positions)), qd_(std::move(qd)), qdd_(std::move(qdd)), scale_(scale) {}
 
   F constant(const Rational& value) const { return field_.constant(value); }
   F input(const Input& input) const {
-    if (input.kind == InputKind::q) return q_[static_cast<std::size_t>(input.index)];
-    if (input.kind == InputKind::qd) return qd_[static_cast<std::size_t>(input.index)];
-    if (input.kind == InputKind::qdd) return qdd_.at(static_cast<std::size_t>(input.index));
-    return field_.input(input);
+    const auto k = static_cast<std::size_t>(input.index);
+    switch (argument_row(input.kind).in_state) {
+      case InputKind::q:
+        return positions_.q[k];
+      case InputKind::g_b:
+        return positions_.g_b[k];
+      case InputKind::qd:
+        return qd_[k];
+      case InputKind::qdd:
+        return qdd_.at(k);
+      default:
+        return field_.input(input);
+    }
   }
   F divide(const F& a, const F& b) const { return field_.divide(a, b); }
   F sin(const Graph& graph, NodeId angle, const F&) const { return point(graph, angle).s; }
@@ -50,7 +60,8 @@ class StageArithmetic {
   }
 
   const FieldArithmetic<F>& field_;
-  std::vector<F> q_, qd_, qdd_;
+  PositionsOfStep<F> positions_;
+  std::vector<F> qd_, qdd_;
   F scale_;
 };
 

@@ -6,7 +6,7 @@
 
 #include "flatdyn/reference/derivatives.hpp"
 #include "truth/reference/magnitude.hpp"
-#include "truth/reference/reference_point.hpp"
+#include "truth/reference/step_motion.hpp"
 #include "truth/reference/step_references.hpp"
 
 namespace flatdyn::references {
@@ -21,15 +21,25 @@ struct Middle {
   explicit Middle(const ReferencePoint<S>& at)
       : half(at.step / S(2)),
         qd((at.qd + at.qd_end) / S(2)),
-        q(at.q + half * qd),
         qdd((at.qd_end - at.qd) / at.step),
-        residual(ref::inverse_dynamics(at.robot, q, qd, qdd) - at.tau),
-        by(ref::inverse_dynamics_derivatives(at.robot, q, qd, qdd)),
-        inertia(ref::inertia_matrix(at.robot, q)),
-        newton(inertia + half * (by.dqd + half * by.dq)) {}
+        there(at, change_to_the_middle<S>(at.robot, at.step * qd)),
+        tangents(tangents_to_the_middle<S>(at.robot, at.step * qd)),
+        residual(ref::inverse_dynamics(there.at.robot, there.at.q, qd, qdd) - at.tau),
+        by(ref::inverse_dynamics_derivatives(there.at.robot, there.at.q, qd, qdd)),
+        inertia(ref::inertia_matrix(there.at.robot, there.at.q)),
+        newton(inertia + by_motion(by.dq, by.dqd, tangents)) {}
+
+  // Half of the step's length times the derivatives by a velocity that moves the middle.
+  ref::MatrixX<S> by_motion(const ref::MatrixX<S>& dq, const ref::MatrixX<S>& dqd, const Tangents<S>& by_w) const {
+    const ref::MatrixX<S> through_positions = S(2) * half * (dq * by_w.by_change);
+    return half * (dqd + through_positions);
+  }
 
   S half;
-  ref::VectorX<S> qd, q, qdd, residual;
+  ref::VectorX<S> qd, qdd;
+  PointAfter<S> there;
+  Tangents<S> tangents;
+  ref::VectorX<S> residual;
   ref::Derivatives<S> by;
   ref::MatrixX<S> inertia, newton;
 };
@@ -56,32 +66,36 @@ std::vector<S> no_value(Eigen::Index entries) {
   return std::vector<S>(static_cast<std::size_t>(entries), std::numeric_limits<S>::quiet_NaN());
 }
 
+// The number of entries of a step's outputs, with the residual.
+template <class S>
+Eigen::Index size_of_step(const ReferencePoint<S>& at) {
+  constexpr Eigen::Index kOfBase = 3 + 4;
+  return at.given_q.size() + 2 * at.qd.size() + (at.robot.floating_base ? kOfBase : 0);
+}
+
 template <class S>
 std::vector<S> after_iteration(const ReferencePoint<S>& at) {
   const Middle<S> middle(at);
-  if (!has_positive_pivots<S>(middle.newton)) return no_value<S>(3 * at.q.size());
+  if (!has_positive_pivots<S>(middle.newton)) return no_value<S>(size_of_step(at));
   const ref::VectorX<S> rates = at.qd_end - at.step * quotient<S>(middle.newton, middle.residual);
-  const ref::VectorX<S> positions = at.q + middle.half * (at.qd + rates);
-  return one_after_the_other<S>({positions, rates, middle.residual});
+  std::vector<S> entries = after_step<S>(at, change_along<S>(at.robot, middle.half * (at.qd + rates)), rates);
+  entries.insert(entries.end(), middle.residual.begin(), middle.residual.end());
+  return entries;
 }
 
-// A and B from the rows of rates, with 1 and h/2 that are added to rows of positions.
+// A and B from the rows of rates.
 template <class S>
-std::vector<S> derivative_entries(const ref::MatrixX<S>& rates, const S& half) {
-  const Eigen::Index n = rates.rows();
-  ref::MatrixX<S> positions = half * rates, A(2 * n, 2 * n), B(2 * n, n);
-  positions.leftCols(n) += ref::MatrixX<S>::Identity(n, n);
-  positions.middleCols(n, n) += half * ref::MatrixX<S>::Identity(n, n);
-  A << positions.leftCols(2 * n), rates.leftCols(2 * n);
-  B << positions.rightCols(n), rates.rightCols(n);
-  return one_after_the_other<S>({A, B});
+std::vector<S> derivative_entries(const ref::MatrixX<S>& rates, const S& half, const Tangents<S>& tangents) {
+  const ref::MatrixX<S> change = half * (unit_part<S>(rates.rows(), 1) + rates);
+  return state_derivatives<S>(derivatives_after<S>(tangents, change), rates);
 }
 
 template <class S>
 ref::MatrixX<S> right_side(const ReferencePoint<S>& at, const Middle<S>& middle) {
-  const Eigen::Index n = at.q.size();
+  const Eigen::Index n = at.qd.size();
   ref::MatrixX<S> right(n, 3 * n);
-  right << -at.step * middle.by.dq, middle.inertia - middle.half * (middle.by.dqd + middle.half * middle.by.dq),
+  right << -at.step * (middle.by.dq * middle.tangents.by_position),
+      middle.inertia - middle.by_motion(middle.by.dq, middle.by.dqd, middle.tangents),
       at.step * ref::MatrixX<S>::Identity(n, n);
   return right;
 }
@@ -89,8 +103,9 @@ ref::MatrixX<S> right_side(const ReferencePoint<S>& at, const Middle<S>& middle)
 template <class S>
 std::vector<S> midpoint_derivatives(const ReferencePoint<S>& at) {
   const Middle<S> middle(at);
-  if (!has_positive_pivots<S>(middle.newton)) return no_value<S>(6 * at.q.size() * at.q.size());
-  return derivative_entries<S>(quotient<S>(middle.newton, right_side(at, middle)), middle.half);
+  if (!has_positive_pivots<S>(middle.newton)) return no_value<S>(6 * at.qd.size() * at.qd.size());
+  return derivative_entries<S>(quotient<S>(middle.newton, right_side(at, middle)), middle.half,
+                               tangents_along<S>(at.robot, at.step * middle.qd));
 }
 
 // The sizes of the terms of the derivatives, and of the matrices made of them.
@@ -98,13 +113,16 @@ struct MiddleMagnitude {
   explicit MiddleMagnitude(const At& at)
       : middle(at),
         inverse(middle.newton.inverse().cwiseAbs()),
-        by_q(ref::position_derivative_magnitude(at.robot, middle.q, middle.qd, middle.qdd)),
-        by_qd(ref::rate_derivative_magnitude(at.robot, middle.q, middle.qd)),
-        inertia(ref::inertia_magnitude(at.robot, middle.q)),
-        newton(inertia + middle.half * (by_qd + middle.half * by_q)) {}
+        tangents(size_of_tangents_to_the_middle(at.robot, at.step / 2 * (at.qd.cwiseAbs() + at.qd_end.cwiseAbs()))),
+        by_q(ref::position_derivative_magnitude(middle.there.at.robot, middle.there.at.q, middle.qd, middle.qdd)),
+        by_qd(ref::rate_derivative_magnitude(middle.there.at.robot, middle.there.at.q, middle.qd)),
+        inertia(ref::inertia_magnitude(middle.there.at.robot, middle.there.at.q)),
+        newton(inertia + middle.by_motion(by_q, by_qd, tangents)) {}
 
   Middle<double> middle;
-  ref::MatrixX<double> inverse, by_q, by_qd, inertia, newton;
+  ref::MatrixX<double> inverse;
+  Tangents<double> tangents;
+  ref::MatrixX<double> by_q, by_qd, inertia, newton;
 };
 
 // Errors of the motion in the middle change the torques as derivatives say.
@@ -113,23 +131,28 @@ std::vector<double> iteration_magnitude(const At& at) {
   const MiddleMagnitude size(at);
   const Middle<double>& middle = size.middle;
   const Vector rate = (at.qd.cwiseAbs() + at.qd_end.cwiseAbs()) / 2, acceleration = 2 / at.step * rate;
-  const Vector position = at.q.cwiseAbs() + middle.half * rate;
-  const Vector residual = ref::torque_magnitude(at.robot, middle.q, middle.qd, acceleration) + at.tau.cwiseAbs() +
+  const Vector position = position_magnitude(at) + middle.half * rate;
+  const At& there = middle.there.at;
+  const Vector residual = ref::torque_magnitude(there.robot, there.q, middle.qd, acceleration) + at.tau.cwiseAbs() +
                           size.by_q * position + size.by_qd * rate;
   const Vector change = quotient<double>(middle.newton, middle.residual).cwiseAbs();
   const Vector rates = at.qd_end.cwiseAbs() + at.step * (size.inverse * (residual + size.newton * change));
-  const Vector positions = at.q.cwiseAbs() + middle.half * (at.qd.cwiseAbs() + rates);
-  return one_after_the_other<double>({positions, rates, residual});
+  std::vector<double> entries = step_magnitude(at, middle.half * (at.qd.cwiseAbs() + rates), rates);
+  entries.insert(entries.end(), residual.begin(), residual.end());
+  return entries;
 }
 
 std::vector<double> midpoint_derivative_magnitude(const At& at) {
   const MiddleMagnitude size(at);
   const Middle<double>& middle = size.middle;
-  const Eigen::Index n = at.q.size();
+  const Eigen::Index n = at.qd.size();
   ref::MatrixX<double> right(n, 3 * n);
-  right << at.step * size.by_q, size.newton, at.step * ref::MatrixX<double>::Identity(n, n);
+  right << at.step * (size.by_q * size.tangents.by_position), size.newton,
+      at.step * ref::MatrixX<double>::Identity(n, n);
   const ref::MatrixX<double> own = quotient<double>(middle.newton, right_side(at, middle)).cwiseAbs();
-  return derivative_entries<double>(size.inverse * (right + size.newton * own), middle.half);
+  return derivative_entries<double>(
+      size.inverse * (right + size.newton * own), middle.half,
+      size_of_tangents_along(at.robot, middle.half * (at.qd.cwiseAbs() + at.qd_end.cwiseAbs())));
 }
 
 }  // namespace

@@ -2,6 +2,22 @@
 #include "truth/reference/reference_point.hpp"
 
 namespace flatdyn {
+namespace {
+
+// q with quaternions that are unit ones to the last place.
+template <class S>
+reference::VectorX<S> with_unit_quaternions(const reference::Robot<S>& robot, reference::VectorX<S> q) {
+  Eigen::Index entry = 0;
+  for (const reference::Joint<S>& joint : robot.joints) {
+    if (joint.index < 0) continue;
+    const bool is_spherical = joint.type == reference::JointType::spherical;
+    if (is_spherical) q.template segment<4>(entry).normalize();
+    entry += is_spherical ? 4 : 1;
+  }
+  return q;
+}
+
+}  // namespace
 
 template <class S>
 reference::Robot<S> with_base_gravity(reference::Robot<S> robot, const StateOf<S>& state) {
@@ -23,7 +39,9 @@ ReferenceFunction<S> reference_of(EntriesAt<S> entries, const ReferenceModel<S>&
     if (reference::has_spherical_joints(robot)) {
       reference::Robot<S> turned = has_base_gravity(robot) ? with_base_gravity(robot, state) : robot;
       const StateOf<S> rest = without_quaternions(turned, state);
-      return entries(ReferencePoint<S>(turned, function, rest));
+      ReferencePoint<S> point(turned, function, rest);
+      point.given_q = with_unit_quaternions(robot, vector_of<S>(state.q));
+      return entries(point);
     }
     if (!has_base_gravity(robot)) return entries(ReferencePoint<S>(robot, function, state));
     return entries(ReferencePoint<S>(with_base_gravity(robot, state), function, state));

@@ -17,18 +17,33 @@ struct ReferencePoint {
         qdd(vector_of<S>(state.qdd)),
         tau(vector_of<S>(state.tau)),
         step(state.h.at(0)),
-        qd_end(vector_of<S>(state.qd_end)) {
+        qd_end(vector_of<S>(state.qd_end)),
+        given_q(q) {
     const reference::VectorX<S> h = vector_of<S>(state.h_e);
     h_e.f_e = h.template head<3>();
     h_e.mu_e = h.template tail<3>();
   }
+  // The same with another robot, which must outlive this object.
+  ReferencePoint(const reference::Robot<S>& robot_in, const ReferencePoint& at)
+      : robot(robot_in),
+        task(at.task),
+        q(at.q),
+        qd(at.qd),
+        qdd(at.qdd),
+        tau(at.tau),
+        h_e(at.h_e),
+        step(at.step),
+        qd_end(at.qd_end),
+        given_q(at.given_q) {}
+  ReferencePoint(const ReferencePoint&) = default;
 
   const reference::Robot<S>& robot;
   const Task& task;
   reference::VectorX<S> q, qd, qdd, tau;
   reference::Environment<S> h_e;
-  S step;                        // the length of a step, s,
-  reference::VectorX<S> qd_end;  // and rates at its end
+  S step;                         // the length of a step, s,
+  reference::VectorX<S> qd_end;   // and rates at its end
+  reference::VectorX<S> given_q;  // q with the quaternions of spherical joints
 };
 
 // Whether the gravity that acts on a robot is that of the state, in axes of its floating base.
