@@ -317,6 +317,9 @@ std::optional<Function> derivative_in(const Mechanism& mechanism, const Function
   if (row.derivative == Derivative::jacobian && has_jacobian_parts(mechanism, of)) {
     return jacobian_of_parts(mechanism, of, way, choices);
   }
+  if (row.derivative == Derivative::jacobian && has_state_derivatives(mechanism, of)) {
+    return jacobian_of_step(mechanism, of, way, choices);
+  }
   if (row.derivative == Derivative::jacobian && is_held(mechanism, of)) {
     if (way > 0) return std::nullopt;
     return held_jacobian(mechanism, of, choices);

@@ -108,6 +108,8 @@ struct FunctionRow {
   NumericReference reference;
   FunctionTraits traits = {};
   std::vector<JacobianPart> jacobian_parts = {};  // by all of its arguments but g_b; empty: there are none
+  // The function that returns A and B, if it is a step: its derivatives by q, q̇ and τ.
+  const char* state_derivatives = nullptr;
   ImplicitRow implicit = {};
   // For a motion while contacts hold: q̈, forces, and how these change (derivation/differentiation/held.hpp).
   Function (*held_motion)(const Mechanism&, const Choices&) = nullptr;

@@ -69,15 +69,23 @@ FunctionRow midpoint_derivatives_row() {
   return row;
 }
 
+FunctionRow with_derivatives(FunctionRow row, const char* name) {
+  row.state_derivatives = name;
+  return row;
+}
+
 std::vector<FunctionRow> step_rows() {
   return {
-      step("step:semi_implicit_euler",
-           "A step of length h with constant torques: qd_next = qd + h qdd(q, qd, tau), then q_next along h qd_next",
-           {.from_choices = derive_semi_implicit_step,
-            .alternatives = {{"articulated bodies", derive_semi_implicit_step_by_articulated_bodies},
-                             {"B = L^T D L of composite bodies", derive_semi_implicit_step_by_composite_bodies}},
-            .formulation = "B = L^T D L"},
-           definitions::semi_implicit_step, references::semi_implicit_step),
+      with_derivatives(
+          step(
+              "step:semi_implicit_euler",
+              "A step of length h with constant torques: qd_next = qd + h qdd(q, qd, tau), then q_next along h qd_next",
+              {.from_choices = derive_semi_implicit_step,
+               .alternatives = {{"articulated bodies", derive_semi_implicit_step_by_articulated_bodies},
+                                {"B = L^T D L of composite bodies", derive_semi_implicit_step_by_composite_bodies}},
+               .formulation = "B = L^T D L"},
+              definitions::semi_implicit_step, references::semi_implicit_step),
+          "step_derivatives:semi_implicit_euler"),
       derivatives("step_derivatives:semi_implicit_euler",
                   "The derivatives A and B of step:semi_implicit_euler by the state (q, qd) and by tau; Coulomb "
                   "friction counts as constant",
@@ -85,12 +93,15 @@ std::vector<FunctionRow> step_rows() {
                    .alternatives = {{"products with B^-1", derive_semi_implicit_step_derivatives_by_products}},
                    .formulation = "substitution into B = L^T D L"},
                   definitions::semi_implicit_step_derivatives, references::semi_implicit_step_derivatives),
-      step("step:rk4", "A step of length h with constant torques by the classical Runge-Kutta method of fourth order",
-           {.from_choices = derive_runge_kutta_step,
-            .alternatives = {{"articulated bodies", derive_runge_kutta_step_by_articulated_bodies},
-                             {"B = L^T D L of composite bodies", derive_runge_kutta_step_by_composite_bodies}},
-            .formulation = "B = L^T D L"},
-           definitions::runge_kutta_step, references::runge_kutta_step),
+      with_derivatives(
+          step("step:rk4",
+               "A step of length h with constant torques by the classical Runge-Kutta method of fourth order",
+               {.from_choices = derive_runge_kutta_step,
+                .alternatives = {{"articulated bodies", derive_runge_kutta_step_by_articulated_bodies},
+                                 {"B = L^T D L of composite bodies", derive_runge_kutta_step_by_composite_bodies}},
+                .formulation = "B = L^T D L"},
+               definitions::runge_kutta_step, references::runge_kutta_step),
+          "step_derivatives:rk4"),
       derivatives("step_derivatives:rk4",
                   "The derivatives A and B of step:rk4 by the state (q, qd) and by tau; Coulomb friction counts as "
                   "constant",

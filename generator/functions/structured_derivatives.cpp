@@ -6,6 +6,7 @@
 
 #include "base/diagnostics/diagnostics.hpp"
 #include "derivation/differentiation/derivative_outputs.hpp"
+#include "derivation/differentiation/differentiate.hpp"
 #include "derivation/differentiation/held.hpp"
 #include "derivation/differentiation/implicit.hpp"
 #include "graph/fusion.hpp"
@@ -94,6 +95,39 @@ std::optional<Function> jacobian_of_parts(const Mechanism& mechanism, const Func
   take_columns_of_gravity(is_of_acceleration, tangents, whole.graph, columns);
   const std::string result = in_coordinates(row.outputs.front().name, mechanism);
   whole.outputs = jacobian_outputs({shape_of(result, mechanism.size())}, tangents, columns);
+  return whole;
+}
+
+bool has_state_derivatives(const Mechanism& mechanism, const FunctionRow& row) {
+  return row.state_derivatives != nullptr && mechanism.symbols.empty() && !mechanism.has_quasi_velocities();
+}
+
+std::optional<Function> jacobian_of_step(const Mechanism& mechanism, const FunctionRow& row, FormulationIndex way,
+                                         const Choices& choices) {
+  std::optional<Function> state = formulation(mechanism, row.state_derivatives, way, choices);
+  const std::optional<Function> step = formulation(mechanism, row.name, 0, choices);
+  if (!state || !step) return std::nullopt;
+  const Function by_length = jacobian_matrices(*step, Tangents(mechanism, {InputKind::h}, 0));
+  const Fusion both = fused({*state, by_length});
+  Function whole = function_of(both, 0);
+  const Output A = whole.outputs.at(0), B = whole.outputs.at(1);
+  whole.inputs = row.inputs_for(mechanism);
+  const Tangents tangents(mechanism, whole.inputs, 0);
+  const auto column = [&](InputKind argument, int k) { return tangents.find(argument)->first + k; };
+  JacobianColumns columns(static_cast<std::size_t>(tangents.count()));
+  const auto take = [&columns](const Output& matrix, int from, int to) {
+    for (int i = 0; i < matrix.rows; ++i) {
+      const auto entry = static_cast<std::size_t>(i * matrix.cols + from);
+      columns[static_cast<std::size_t>(to)].push_back(matrix.entries[entry]);
+    }
+  };
+  for (int k = 0; k < mechanism.size(); ++k) {
+    take(A, k, column(InputKind::q, k));
+    take(A, mechanism.size() + k, column(InputKind::qd, k));
+    take(B, k, column(InputKind::tau, k));
+  }
+  for (const Output& part : function_of(both, 1).outputs) take(part, 0, column(InputKind::h, 0));
+  whole.outputs = jacobian_outputs(step->outputs, tangents, columns);
   return whole;
 }
 

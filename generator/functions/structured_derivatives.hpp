@@ -12,6 +12,12 @@
 
 namespace flatdyn {
 
+// Whether the Jacobian is that of a step by its state, with a column by the step's length.
+bool has_state_derivatives(const Mechanism& mechanism, const FunctionRow& row);
+// It, from a formulation of A and B; nullopt: there is no such formulation.
+std::optional<Function> jacobian_of_step(const Mechanism& mechanism, const FunctionRow& row, FormulationIndex way,
+                                         const Choices& choices);
+
 // Whether the Jacobian is there in parts (FunctionRow::jacobian_parts).
 bool has_jacobian_parts(const Mechanism& mechanism, const FunctionRow& row);
 

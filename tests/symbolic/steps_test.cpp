@@ -10,6 +10,7 @@
 #include "functions/exact_proof.hpp"
 #include "functions/formulation.hpp"
 #include "functions/function_table.hpp"
+#include "graph/count.hpp"
 #include "graph/tape.hpp"
 #include "support/robot_models.hpp"
 
@@ -127,6 +128,21 @@ TEST(ImplicitMidpoint, ConvergesToASymmetricStep) {
   };
   const std::vector<double> start = {0.3, -0.8, 1.5, 0.4};
   EXPECT_LT(distance(solved(solved(start, h), -h), start), 1e-12);
+}
+
+// Made from A and B, with a column by h; the graph of the step alone would take several times as many operations.
+TEST(JacobiansOfSteps, AreThoseOfTheStateAndTheStepLength) {
+  const Mechanism mechanism = testing::model_of("ur5.urdf").mechanism;
+  for (const std::string method : {"semi_implicit_euler", "rk4"}) {
+    const Function jacobian = derive_function(mechanism, "jac:step:" + method);
+    const ExactResult result = prove_exactly(mechanism, jacobian, {.points = 1});
+    EXPECT_TRUE(result.equal) << method << ": " << result.summary();
+    const auto count = [&mechanism](const std::string& name) {
+      return count_operations(derive_function(mechanism, name)).arithmetic();
+    };
+    EXPECT_LT(count_operations(jacobian).arithmetic(),
+              count("step_derivatives:" + method) + 4 * count("step:" + method));
+  }
 }
 
 TEST(StepsOf, OtherRobotsAreRefused) {
