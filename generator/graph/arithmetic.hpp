@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Arithmetic over real numbers for evaluate(): the built-in floating-point types, and any multiprecision type whose
-// sin, cos and sqrt are found by ADL.
+// sin, cos, sqrt and tanh are found by ADL.
 #pragma once
 
 #include <cmath>
@@ -34,6 +34,10 @@ class RealArithmetic {
   T sqrt(const T& x) const {
     using std::sqrt;
     return sqrt(x);
+  }
+  T tanh(const T& x) const {
+    using std::tanh;
+    return tanh(x);
   }
 
  private:

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "graph/rational_tanh.hpp"
+
 namespace flatdyn {
 namespace {
 
@@ -24,6 +26,11 @@ void add_node(const Node& node, OperationCount& count) {
     case Op::sin:
     case Op::cos:
       ++count.trigonometric;
+      break;
+    case Op::tanh:
+      count.additions += TanhConstants::kAdditions;
+      count.multiplications += TanhConstants::kMultiplications;
+      count.divisions += TanhConstants::kDivisions;
       break;
     case Op::constant:
     case Op::input:

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "graph/function.hpp"
+#include "graph/rational_tanh.hpp"
 
 namespace flatdyn {
 
@@ -19,6 +20,7 @@ namespace flatdyn {
 //   Scalar cos(const Graph&, NodeId angle, const Scalar& angle_value)
 //   Scalar sign(const Scalar&)
 //   Scalar sqrt(const Scalar&)
+//   Scalar tanh(const Scalar&)     without it, rational_tanh() is taken
 template <class Arithmetic>
 std::vector<typename Arithmetic::Scalar> evaluate(const Function& function, Arithmetic& arithmetic) {
   using Scalar = typename Arithmetic::Scalar;
@@ -62,6 +64,9 @@ std::vector<typename Arithmetic::Scalar> evaluate(const Function& function, Arit
         break;
       case Op::sqrt:
         at(id) = arithmetic.sqrt(at(node.operands[0]));
+        break;
+      case Op::tanh:
+        at(id) = tanh_in(arithmetic, at(node.operands[0]));
         break;
     }
   }

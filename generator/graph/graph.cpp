@@ -269,6 +269,17 @@ NodeId Graph::sqrt(NodeId argument) {
   return intern(std::move(node));
 }
 
+NodeId Graph::tanh(NodeId argument) {
+  if (is_zero(argument)) return argument;
+  if (is_scaled(argument) && (*this)[argument].terms.front().coefficient < 0) {
+    return scaled(-1, tanh(scaled(-1, argument)));
+  }
+  Node node;
+  node.op = Op::tanh;
+  node.operands = {argument};
+  return intern(std::move(node));
+}
+
 NodeId Graph::copy(const Node& node, const std::vector<NodeId>& image) {
   const auto at = [&image](NodeId id) { return image[static_cast<std::size_t>(id)]; };
   switch (node.op) {
@@ -296,6 +307,8 @@ NodeId Graph::copy(const Node& node, const std::vector<NodeId>& image) {
       return sign(at(node.operands[0]));
     case Op::sqrt:
       return sqrt(at(node.operands[0]));
+    case Op::tanh:
+      return tanh(at(node.operands[0]));
   }
   throw std::logic_error("graph: a node of no known kind");
 }
@@ -395,7 +408,7 @@ bool is_bounded(const Graph& graph, NodeId id) {
   for (; id >= 0; --id) {
     const Node& node = graph[id];
     if (!used[static_cast<std::size_t>(id)]) continue;
-    if (node.op == Op::sin || node.op == Op::cos || node.op == Op::sign) continue;
+    if (node.op == Op::sin || node.op == Op::cos || node.op == Op::sign || node.op == Op::tanh) continue;
     if (node.op == Op::input) return false;
     for (const NodeId operand : operands_of(node)) used[static_cast<std::size_t>(operand)] = true;
   }

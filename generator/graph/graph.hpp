@@ -39,7 +39,7 @@ struct Term {
   bool operator==(const Term&) const = default;
 };
 
-enum class Op : std::uint8_t { constant, input, sum, product, quotient, sin, cos, sign, sqrt };
+enum class Op : std::uint8_t { constant, input, sum, product, quotient, sin, cos, sign, sqrt, tanh };
 
 // One operation. `op` decides which members are used:
 //   constant  value
@@ -53,6 +53,8 @@ enum class Op : std::uint8_t { constant, input, sum, product, quotient, sin, cos
 //   quotient  operands[0] / operands[1]; neither is a scaled node, the denominator is not a constant
 //   sin, cos, sign   of operands[0], which is not scaled by a negative number (sign: not scaled at all); sign(0) = 0
 //   sqrt      of operands[0], which is not 0 and not 1
+//   tanh      of operands[0], which is not 0 and not scaled by a negative number. Nothing emits it: the last pass
+//             replaces it (graph/passes/expand_tanh.hpp).
 struct Node {
   Op op = Op::constant;
   Rational value = 0;
@@ -82,6 +84,7 @@ class Graph {
   NodeId cos(NodeId angle);
   NodeId sign(NodeId argument);
   NodeId sqrt(NodeId argument);
+  NodeId tanh(NodeId argument);
 
   // As sum and product, but operands that are scaled nodes or products stay as they are instead of being folded in.
   // Passes use them to keep such a node as an operand where several uses share it, and to copy their results.
@@ -139,7 +142,8 @@ std::vector<NodeId> operands_of(const Node& node);
 // Which nodes `roots` reach: element `id` tells whether any of them uses node `id`.
 std::vector<bool> reachable_from(const Graph& graph, const std::vector<NodeId>& roots);
 
-// Whether a node depends on inputs by their sines, cosines and signs alone, so that large inputs do not make it large.
+// Whether a node depends on inputs by their sines, cosines, signs and tanh alone, so that large inputs do not make it
+// large.
 bool is_bounded(const Graph& graph, NodeId id);
 
 }  // namespace flatdyn

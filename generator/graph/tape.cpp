@@ -71,6 +71,8 @@ class TapeWriter {
         return add(Code::sign, cell_of(node.operands[0]));
       case Op::sqrt:
         return add(Code::sqrt, cell_of(node.operands[0]));
+      case Op::tanh:
+        return add(Code::tanh, cell_of(node.operands[0]));
     }
     return 0;  // there is no other op
   }
@@ -156,6 +158,9 @@ bool TapeOf<S>::run(const TapeInputsOf<S>& given, std::span<S> results) {
         break;
       case Code::sqrt:
         x[to] = std::sqrt(x[a]);
+        break;
+      case Code::tanh:
+        x[to] = std::tanh(x[a]);
         break;
     }
   }

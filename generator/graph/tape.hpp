@@ -41,7 +41,7 @@ class TapeOf {
   bool run(const TapeInputsOf<S>& given, std::span<S> results);
 
  private:
-  enum class Code : std::uint8_t { add, subtract, multiply, add_multiple, divide, sin, cos, sign, sqrt };
+  enum class Code : std::uint8_t { add, subtract, multiply, add_multiple, divide, sin, cos, sign, sqrt, tanh };
   struct Instruction {
     Code code;
     std::uint32_t to, a, b, c;  // indices of cells; c for add_multiple only: to = a + b c

@@ -52,6 +52,8 @@ std::string operation_text(const Node& node) {
       return "sign " + node_name(node.operands[0]);
     case Op::sqrt:
       return "sqrt " + node_name(node.operands[0]);
+    case Op::tanh:
+      return "tanh " + node_name(node.operands[0]);
   }
   return "";
 }

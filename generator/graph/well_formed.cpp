@@ -57,9 +57,9 @@ Complaint check_unary(const Graph& graph, const Node& node) {
   } else if (node.op == Op::sign) {
     if (graph.is_constant(operand) || graph.is_scaled(operand)) return "the sign of a constant or a scaled node";
   } else if (graph.is_zero(operand)) {
-    return "sin or cos of 0";
+    return "sin, cos or tanh of 0";
   } else if (graph.is_scaled(operand) && graph[operand].terms[0].coefficient < 0) {
-    return "sin or cos of a negative angle";
+    return "sin, cos or tanh of a negative angle";
   }
   return {};
 }
@@ -76,6 +76,7 @@ Complaint check_node(const Graph& graph, const Node& node) {
     case Op::cos:
     case Op::sign:
     case Op::sqrt:
+    case Op::tanh:
       return check_unary(graph, node);
     case Op::constant:
     case Op::input:

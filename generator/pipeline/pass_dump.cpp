@@ -25,6 +25,7 @@ bool is_asked_for(const std::vector<std::string>& names, const std::string& name
 void check_pass_names(const std::vector<std::string>& names) {
   std::vector<std::string> known = {kDerived, kAll};
   for (const Pass& pass : pass_table()) known.emplace_back(pass.name);
+  known.emplace_back(last_pass().name);
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     throw Failure(FailureKind::usage, fmt::format("--dump-after: there is no pass \"{}\"", name),

@@ -54,6 +54,9 @@ inline Function mutant(const Function& function, NodeId victim, MutantKind mutat
       case Op::sqrt:
         moved.push_back(g.sqrt(operands[0]));
         break;
+      case Op::tanh:
+        moved.push_back(g.tanh(operands[0]));
+        break;
     }
   }
   return with_graph(function, std::move(g), moved);

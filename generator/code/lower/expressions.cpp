@@ -36,6 +36,8 @@ Expression NodeExpressions::definition(NodeId id) const {
       return code::Call{code::Operation::sign, {use(node.operands[0])}};
     case Op::sqrt:
       return code::Call{code::Operation::sqrt, {use(node.operands[0])}};
+    case Op::tanh:
+      break;  // expanded
     case Op::sin:
     case Op::cos:
     case Op::input:

@@ -55,6 +55,7 @@ std::vector<double> typical_magnitudes(const Graph& graph) {
         magnitude = kSine;
         break;
       case Op::sign:
+      case Op::tanh:
         break;
       case Op::sqrt:
         magnitude = std::sqrt(at(node.operands[0]));

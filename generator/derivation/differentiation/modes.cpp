@@ -59,6 +59,9 @@ std::vector<Slope> slopes_of(NodeId id, Graph& graph) {
     case Op::sqrt:
       slopes.push_back({operand(0), Rational(1, 2), graph.quotient(graph.constant(1), id)});
       break;
+    case Op::tanh:
+      slopes.push_back({operand(0), 1, graph.sum({{-1, graph.product({id, id})}}, 1)});
+      break;
   }
   return slopes;
 }

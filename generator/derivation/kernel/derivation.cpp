@@ -13,7 +13,8 @@ namespace {
 [[noreturn]] void cannot_import(const Number& expression) {
   std::ostringstream text;
   text << "expression cannot cross into the graph: " << expression;
-  throw Failure(FailureKind::unsupported, text.str(), "use rational expressions, sin and cos of the free symbols");
+  throw Failure(FailureKind::unsupported, text.str(),
+                "use rational expressions, sin, cos and tanh of the free symbols");
 }
 
 // The text of an expression; it does not depend on the order in which GiNaC keeps operands.
@@ -109,6 +110,10 @@ Number Derivation::sqrt(const Number& argument, const std::string& name) {
   return name_node(graph_.sqrt(node(argument)), name);
 }
 
+Number Derivation::tanh(const Number& argument, const std::string& name) {
+  return name_node(graph_.tanh(node(argument)), name);
+}
+
 Number Derivation::quotient(const Number& numerator, const Number& denominator, const std::string& name) {
   const NodeId above = node(numerator);
   return name_node(graph_.quotient(above, node(denominator)), name);
@@ -145,6 +150,7 @@ NodeId Derivation::import_foreign(const Number& factor) {
   const std::string name = GiNaC::is_a<GiNaC::function>(factor) ? GiNaC::ex_to<GiNaC::function>(factor).get_name() : "";
   if (name == "sin") return graph_.sin(node(factor.op(0)));
   if (name == "cos") return graph_.cos(node(factor.op(0)));
+  if (name == "tanh") return graph_.tanh(node(factor.op(0)));
   cannot_import(factor);
 }
 

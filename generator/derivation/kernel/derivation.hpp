@@ -30,6 +30,7 @@ class Derivation {
   Number cos(const Number& angle, const std::string& name);
   Number sign(const Number& argument, const std::string& name);
   Number sqrt(const Number& argument, const std::string& name);
+  Number tanh(const Number& argument, const std::string& name);
   Number quotient(const Number& numerator, const Number& denominator, const std::string& name);
 
   // The node that has the value of an expression.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "graph/passes/draft.hpp"
+#include "graph/passes/expand_tanh.hpp"
 #include "graph/passes/like_terms.hpp"
 #include "graph/passes/quotients.hpp"
 #include "graph/passes/rescale.hpp"
@@ -27,22 +28,30 @@ const std::vector<Pass>& pass_table() {
   return table;
 }
 
+const Pass& last_pass() {
+  static const Pass pass = {"expand_tanh", "tanh by sums, products, quotients and signs", expand_tanh};
+  return pass;
+}
+
 Function run_passes(Function function, std::vector<PassRecord>* record, const PassObserver& observer) {
   using Clock = std::chrono::steady_clock;
   constexpr int kRounds = 4;
-  for (int round = 1; round <= kRounds; ++round) {
+  int round = 1;
+  const auto run = [&](const Pass& pass) {
+    PassRecord done{pass.name, count_operations(function), {}, round, 0};
+    const Clock::time_point start = Clock::now();
+    function = pass.run(function);
+    done.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    done.after = count_operations(function);
+    if (observer) observer(done, function);
+    if (record != nullptr) record->push_back(std::move(done));
+  };
+  for (;; ++round) {
     const int cost_before = cost(function);
-    for (const Pass& pass : pass_table()) {
-      PassRecord done{pass.name, count_operations(function), {}, round, 0};
-      const Clock::time_point start = Clock::now();
-      function = pass.run(function);
-      done.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-      done.after = count_operations(function);
-      if (observer) observer(done, function);
-      if (record != nullptr) record->push_back(std::move(done));
-    }
-    if (!is_worth_repeating(cost_before, cost(function))) break;
+    for (const Pass& pass : pass_table()) run(pass);
+    if (round == kRounds || !is_worth_repeating(cost_before, cost(function))) break;
   }
+  if (has_tanh(function)) run(last_pass());
   return function;
 }
 

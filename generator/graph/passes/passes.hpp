@@ -21,6 +21,9 @@ struct Pass {
 // The passes in the order in which they are run.
 const std::vector<Pass>& pass_table();
 
+// The pass that is run once, after all of them, on functions with tanh.
+const Pass& last_pass();
+
 struct PassRecord {
   std::string pass;
   OperationCount before, after;
@@ -31,7 +34,7 @@ struct PassRecord {
 // Called with the record of a pass and the function that it has left.
 using PassObserver = std::function<void(const PassRecord&, const Function&)>;
 
-// Runs the whole table, repeatedly until the cost no longer falls enough (at most a few times).
+// Runs the whole table, repeatedly until the cost no longer falls enough (at most a few times), then the last pass.
 Function run_passes(Function function, std::vector<PassRecord>* record = nullptr, const PassObserver& observer = {});
 
 }  // namespace flatdyn

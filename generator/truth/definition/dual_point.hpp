@@ -60,6 +60,10 @@ class DualPoint {
     const F root = arithmetic_.sqrt(x.value);
     return {root, x.derivative / (root + root)};
   }
+  Scalar tanh(const Scalar& x) const {
+    const F value = rational_tanh(arithmetic_, x.value);
+    return {value, (F(1) - value * value) * x.derivative};
+  }
 
  private:
   F rate_of(const Input& input) const {

@@ -43,6 +43,7 @@ class StageArithmetic {
   F cos(const Graph& graph, NodeId angle, const F&) const { return point(graph, angle).c; }
   F sign(const F& x) const { return field_.sign(scale_ * x); }
   F sqrt(const F& x) const { return field_.sqrt(x); }
+  F tanh(const F& x) const { return rational_tanh(field_, x); }
 
  private:
   using CirclePoint = typename FieldArithmetic<F>::CirclePoint;

@@ -2,6 +2,7 @@
 #include "unit/graph/function_text.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -69,6 +70,9 @@ Node sum_of_words(const std::vector<std::string>& words) {
   return node;
 }
 
+const std::map<std::string, Op> kUnary = {
+    {"sin", Op::sin}, {"cos", Op::cos}, {"sign", Op::sign}, {"sqrt", Op::sqrt}, {"tanh", Op::tanh}};
+
 Node node_of_words(const std::vector<std::string>& words) {
   Node node;
   const std::string& first = words.at(0);
@@ -77,8 +81,8 @@ Node node_of_words(const std::vector<std::string>& words) {
     node.op = Op::input;
     const std::size_t bracket = first.find('[');
     node.input = {kind_of(first.substr(0, bracket)), std::stoi(first.substr(bracket + 1))};
-  } else if (first == "sin" || first == "cos" || first == "sign" || first == "sqrt") {
-    node.op = first == "sin" ? Op::sin : first == "cos" ? Op::cos : first == "sign" ? Op::sign : Op::sqrt;
+  } else if (const auto unary = kUnary.find(first); unary != kUnary.end()) {
+    node.op = unary->second;
     node.operands = {node_of(words.at(1))};
   } else if (is_infix) {
     node.op = words[1] == "*" ? Op::product : Op::quotient;

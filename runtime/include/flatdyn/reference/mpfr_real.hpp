@@ -120,6 +120,7 @@ class MpfrReal {
   friend MpfrReal abs(const MpfrReal& x) { return of(mpfr_abs, x); }
   friend MpfrReal sqrt(const MpfrReal& x) { return of(mpfr_sqrt, x); }
   friend MpfrReal sin(const MpfrReal& x) { return of(mpfr_sin, x); }
+  friend MpfrReal tanh(const MpfrReal& x) { return of(mpfr_tanh, x); }
   friend MpfrReal cos(const MpfrReal& x) { return of(mpfr_cos, x); }
   friend MpfrReal acos(const MpfrReal& x) { return of(mpfr_acos, x); }
   friend MpfrReal exp(const MpfrReal& x) { return of(mpfr_exp, x); }
