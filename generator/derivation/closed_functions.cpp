@@ -5,6 +5,7 @@
 #include <array>
 
 #include "derivation/closed_form/closed_form.hpp"
+#include "derivation/dynamics/dry_friction.hpp"
 #include "derivation/kernel/derivation.hpp"
 #include "derivation/notation/readable_sum.hpp"
 
@@ -81,7 +82,9 @@ class ClosedModel {
   Number velocity_torque(int i) {
     const Body& body = mechanism_.joint(i);  // coupled joints have no friction here
     Number sum = body.viscous * qd(i);
-    if (!vanishes(body.coulomb)) sum += body.coulomb * derivation_.sign(qd(i), label("sgn", {i}));
+    for (const DryFrictionTerm& term : dry_friction_terms(derivation_, body, qd(i), std::to_string(i + 1))) {
+      sum += term.coefficient * term.value;
+    }
     for (int k = 0; k < n(); ++k) {
       for (int j = 0; j <= k; ++j) sum += (j == k ? 1 : 2) * c(i, j, k) * qd(j) * qd(k);
     }
@@ -178,7 +181,7 @@ std::vector<Number> per_joint(int n, const Torque& torque) {
 // Whether a joint that follows others has friction or a spring, which the closed form does not support.
 bool has_coupled_forces(const Mechanism& mechanism) {
   return mechanism.is_coupled() && std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(), [](const Body& body) {
-           return !vanishes(body.viscous) || !vanishes(body.coulomb) || !vanishes(body.stiffness);
+           return !vanishes(body.viscous) || body.has_dry_friction() || !vanishes(body.stiffness);
          });
 }
 

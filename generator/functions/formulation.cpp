@@ -66,9 +66,21 @@ struct Request {
   const LinkFrame* link = nullptr;
 };
 
+void refuse_friction_that_is_not_linear(const Mechanism& mechanism, const FunctionRow& row) {
+  const auto body = std::find_if(mechanism.bodies.begin(), mechanism.bodies.end(),
+                                 [](const Body& each) { return !each.dry.is_linear(); });
+  const bool is_of_parameters = (row.differentiated != nullptr ? *row.differentiated : row).needs_linear_friction();
+  if (body == mechanism.bodies.end() || !is_of_parameters) return;
+  throw Failure(FailureKind::unsupported,
+                fmt::format("function \"{}\": friction of joint \"{}\" ({}) is no multiple of F_s", row.name,
+                            body->joint, body->dry.has_excess() ? "static" : "forward, backward"),
+                "leave it out of --functions, or leave friction out by a scene with friction = false");
+}
+
 Request parsed(const Mechanism& mechanism, const std::string& name) {
   const FunctionName parts = parts_of_name(name);
   Request request{&known_row(name), nullptr};
+  refuse_friction_that_is_not_linear(mechanism, *request.row);
   if (request.row->traits.needs_rates && mechanism.has_quasi_velocities()) {
     throw Failure(
         FailureKind::unsupported,
@@ -142,6 +154,26 @@ std::string with_base_joint(const std::string& summary, const FunctionRow& row) 
   return summary + ", without the armature and friction of the floating base";
 }
 
+enum class SmoothJoints { none, some, all };
+
+// Which of the joints with dry friction have smooth friction.
+SmoothJoints smooth_joints(const Mechanism& mechanism) {
+  const auto is_smooth = [](const Body& body) { return body.has_dry_friction() && body.dry.is_smooth(); };
+  const auto jumps = [](const Body& body) { return body.has_dry_friction() && !body.dry.is_smooth(); };
+  const auto& bodies = mechanism.bodies;
+  if (std::none_of(bodies.begin(), bodies.end(), is_smooth)) return SmoothJoints::none;
+  return std::any_of(bodies.begin(), bodies.end(), jumps) ? SmoothJoints::some : SmoothJoints::all;
+}
+
+// The summary for a robot with smooth friction, which has a derivative.
+std::string with_smooth_friction(const std::string& summary, const Mechanism& mechanism) {
+  const SmoothJoints smooth = smooth_joints(mechanism);
+  if (smooth == SmoothJoints::none) return summary;
+  const std::string constant = "Coulomb friction counts as constant";
+  if (smooth == SmoothJoints::all) return replaced(summary, "; " + constant, "");
+  return replaced(summary, constant, "Coulomb friction that is not smooth counts as constant");
+}
+
 // The summary where contacts are damped: they accelerate by forces.
 std::string with_damping(const std::string& summary, const Rational& damping) {
   const std::string lambda = fmt::format(", lambda = {}", nearest_double(to_number(damping)));
@@ -156,6 +188,7 @@ std::string summary_of(const Request& request, const Mechanism& mechanism) {
   std::string summary = request.row->summary;
   if (mechanism.has_springs()) summary = with_springs(summary, *request.row);
   if (has_base_joint(mechanism)) summary = with_base_joint(summary, *request.row);
+  summary = with_smooth_friction(summary, mechanism);
   if (request.row->traits.needs_contacts && mechanism.contact_damping != 0) {
     summary = with_damping(summary, mechanism.contact_damping);
   }
@@ -275,7 +308,7 @@ std::string summary_of_derivative(const std::string& function, Derivative deriva
       summary = fmt::format("The second derivatives of {} by its arguments, times weights of its entries", function);
       break;
   }
-  summary += "; signs count as constant";
+  if (smooth_joints(mechanism) != SmoothJoints::all) summary += "; signs count as constant";
   if (!mechanism.has_quasi_velocities()) return summary;
   summary += ". Derivatives by q are along the entries of v, while the numbers in other arguments are held";
   if (mechanism.floating_base) {

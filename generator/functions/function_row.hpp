@@ -2,6 +2,7 @@
 // All that is known about a function before a robot is: one row of the table.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -125,6 +126,14 @@ struct FunctionRow {
                has_contacts = !mechanism.contacts.empty() || !traits.needs_contacts,
                has_loops = mechanism.has_loops() ? !traits.refuses_loops : !traits.needs_loops;
     return has_base && has_rates && has_contacts && has_loops;
+  }
+  // Whether it is about the factors of the dynamic parameters, so that friction has to be F_s times one of them.
+  bool needs_linear_friction() const {
+    const auto is_of_parameters = [](const OutputRow& output) {
+      return output.quantity == OutputQuantity::torque_per_parameter || output.quantity == OutputQuantity::parameter;
+    };
+    return traits.leaves_out_springs && (std::any_of(outputs.begin(), outputs.end(), is_of_parameters) ||
+                                         std::find(inputs.begin(), inputs.end(), InputKind::pi_b) != inputs.end());
   }
   // The arguments for this robot: with a floating base or spherical joints v and a for q̇ and q̈, and g_b if the base
   // floats and there is gravity.

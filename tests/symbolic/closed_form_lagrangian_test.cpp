@@ -21,6 +21,7 @@ struct TableArithmetic {
   F divide(const F& a, const F& b) const { return a / b; }
   F sin(const Graph&, NodeId, const F&) const { throw std::logic_error("no symbolic angle here"); }
   F cos(const Graph&, NodeId, const F&) const { throw std::logic_error("no symbolic angle here"); }
+  F tanh(const F&) const { throw std::logic_error("no friction here"); }
 
   std::vector<F> values;
 };

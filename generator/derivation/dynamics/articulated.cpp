@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "derivation/dynamics/articulated.hpp"
 
+#include "derivation/dynamics/dry_friction.hpp"
 #include "derivation/dynamics/factorisation.hpp"
 #include "robot/model/spherical_joint.hpp"
 
@@ -159,9 +160,7 @@ class ArticulatedRecursion {
     if (!motion_.passive) return tau;
     tau -= spring_torque(frames_, i);
     tau -= d_.named(moving.viscous, "F_v" + frames_.label(i)) * qd(i);
-    if (!vanishes(moving.coulomb))
-      tau -= d_.named(moving.coulomb, "F_s" + frames_.label(i)) * d_.sign(qd(i), "sgn_" + frames_.label(i));
-    return tau;
+    return tau - dry_friction(d_, moving, qd(i), frames_.label(i));
   }
 
   // Lets joint i move freely, and adds the remaining inertia of the body to its parent.

@@ -2,6 +2,7 @@
 #include "derivation/dynamics/derivatives.hpp"
 
 #include "derivation/dynamics/composite.hpp"
+#include "derivation/dynamics/dry_friction.hpp"
 #include "derivation/dynamics/momenta.hpp"
 #include "robot/model/floating_base.hpp"
 #include "robot/model/spherical_joint.hpp"
@@ -146,10 +147,17 @@ class TorqueDerivation {
       row = {{d_.named(row.wrench.f, "f_" + n), d_.named(row.wrench.mu, "mu_" + n)}, d_.named(row.kappa, "kappa_" + n)};
       const bool has_passive = i == k && motion_.passive;
       const Number stiffness = has_passive ? d_.named(body.stiffness, "k_" + frames_.label(i)) : Number(0);
-      const Number damping = has_passive ? d_.named(body.viscous, "F_v" + frames_.label(i)) : Number(0);
+      const Number damping = has_passive ? friction_slope(i) : Number(0);
       set(result_.dq, i, k, times(row, field_of_position(k)) + stiffness, "dtau_");
       set(result_.dqd, i, k, times(row, field_of_rate(k)) + damping, "dtaud_");
     }
+  }
+
+  // The derivative of the friction of joint i by its rate.
+  Number friction_slope(int i) {
+    const Body& body = frames_.body(i);
+    return d_.named(body.viscous, "F_v" + frames_.label(i)) +
+           dry_friction_slope(d_, body, motion_.qd[static_cast<std::size_t>(i)], frames_.label(i));
   }
 
   // Transforms a row from the origin of frame k to that of its parent.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "derivation/dynamics/newton_euler.hpp"
 
+#include "derivation/dynamics/dry_friction.hpp"
 #include "robot/model/spherical_joint.hpp"
 
 namespace flatdyn {
@@ -290,7 +291,7 @@ Number joint_torque(Frames& frames, int i, const Wrench& wrench, const std::vect
   tau += d.named(reflected_inertia(body), "I_r" + n) * own_acceleration(frames, i, motion);
   if (motion.passive) {
     tau += d.named(body.viscous, "F_v" + n) * motion.qd[k];
-    if (!vanishes(body.coulomb)) tau += d.named(body.coulomb, "F_s" + n) * d.sign(motion.qd[k], "sgn_" + n);
+    tau += dry_friction(d, body, motion.qd[k], n);
     tau += spring_torque(frames, i);
   }
   return d.named(tau, "tau_" + n);

@@ -13,7 +13,8 @@ Mechanism without_own_torques(Mechanism mechanism) {
   for (Body& body : mechanism.bodies) {
     body.inertia = {};
     body.rotor.reset();
-    body.armature = body.viscous = body.coulomb = body.stiffness = 0;
+    body.armature = body.stiffness = 0;
+    body.leave_out_friction();
   }
   return mechanism;
 }

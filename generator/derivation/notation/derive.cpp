@@ -287,7 +287,9 @@ class Deriver {
     if (!mechanism_.is_coupled()) {
       const Body& body = mechanism_.joint(i);
       const std::string& rate = entries_[at(i)].velocity;
-      return {{rate, body.viscous}, {sign_of(rate), body.coulomb}};
+      std::vector<std::pair<std::string, Number>> terms = {{rate, body.viscous}};
+      add_dry_friction(body, rate, 1, terms);
+      return terms;
     }
     std::vector<std::pair<std::string, Number>> terms;
     const Rows A = mechanism_.rate_coupling();
@@ -297,9 +299,41 @@ class Deriver {
       terms.emplace_back(entries_[at(k)].velocity, viscous);
     }
     for (std::size_t r = 0; r < A.size(); ++r) {
-      terms.emplace_back(sign_of(rate_text(A[r])), A[r][at(i)] * mechanism_.bodies[r].coulomb);
+      add_dry_friction(mechanism_.bodies[r], rate_text(A[r]), A[r][at(i)], terms);
     }
     return terms;
+  }
+
+  // Adds the terms of a joint's dry friction, times a factor.
+  void add_dry_friction(const Body& body, const std::string& rate, const Number& factor,
+                        std::vector<std::pair<std::string, Number>>& terms) {
+    const DryFriction& dry = body.dry;
+    const std::string s = direction_of(dry, rate), still = dry.is_smooth() ? tanh_of(value_text(dry.offset), dry) : "";
+    terms.emplace_back(vanishes(dry.at_rest) ? s : "(" + s + " - " + still + ")", factor * body.coulomb);
+    if (dry.has_excess()) {
+      const std::string ratio = in_brackets(rate) + "/" + value_text(dry.stribeck_speed);
+      terms.emplace_back(s + "/(1 + (" + ratio + ")^2)", factor * dry.excess);
+    }
+    terms.emplace_back(s + "^2", factor * dry.asymmetry);
+  }
+
+  std::string direction_of(const DryFriction& dry, const std::string& rate) {
+    if (!dry.is_smooth()) return sign_of(rate);
+    return tanh_of(vanishes(dry.offset) ? rate : rate + " + " + value_text(dry.offset), dry);
+  }
+
+  std::string tanh_of(const std::string& shifted, const DryFriction& dry) {
+    const char* const name = formatter_.notation() == Notation::latex ? "\\tanh(" : "tanh(";
+    return name + in_brackets(shifted) + "/" + value_text(dry.speed) + ")";
+  }
+
+  std::string value_text(const Number& value) {
+    return in_brackets(formatter_.text(readable(value).sum, GroupBy::parameters));
+  }
+
+  // In brackets, if it is more than one word.
+  static std::string in_brackets(const std::string& text) {
+    return text.find(' ') == std::string::npos ? text : "(" + text + ")";
   }
 
   // The terms of springs of equation i: functions of position, each with its coefficient.
@@ -349,7 +383,7 @@ class Deriver {
 
   bool has_friction_or_springs() const {
     return std::any_of(mechanism_.bodies.begin(), mechanism_.bodies.end(), [](const Body& body) {
-      return !vanishes(body.viscous) || !vanishes(body.coulomb) || !vanishes(body.stiffness);
+      return !vanishes(body.viscous) || body.has_dry_friction() || !vanishes(body.stiffness);
     });
   }
 

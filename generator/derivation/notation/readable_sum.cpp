@@ -94,8 +94,10 @@ FactorKind kind_of(const GiNaC::symbol& symbol, const Mechanism& mechanism) {
 // All constants of a body that may be expressions.
 std::vector<Number> constants_of(const Body& body) {
   const InertialParameters& inertia = body.inertia;
-  std::vector<Number> constants = {body.viscous, body.coulomb,   body.armature,
-                                   inertia.mass, body.stiffness, body.spring_reference};
+  std::vector<Number> constants = {
+      body.viscous,          body.coulomb,    body.armature,      inertia.mass,   body.stiffness,
+      body.spring_reference, body.dry.excess, body.dry.asymmetry, body.dry.speed, body.dry.stribeck_speed,
+      body.dry.offset};
   for (const PlanarRotation& turn : {body.beta, body.alpha, body.theta}) {
     constants.push_back(turn.c);
     constants.push_back(turn.s);

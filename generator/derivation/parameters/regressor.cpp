@@ -2,6 +2,7 @@
 #include "derivation/parameters/regressor.hpp"
 
 #include "derivation/dynamics/centres.hpp"
+#include "derivation/dynamics/dry_friction.hpp"
 #include "derivation/dynamics/twists.hpp"
 
 namespace flatdyn {
@@ -73,7 +74,7 @@ class Columns {
         entries[jj] = motion_.qd_r[jj];
         return entries;
       case Parameter::Fs:
-        entries[jj] = frames_.derivation().sign(motion_.qd_r[jj], "sgn_" + frames_.label(j));
+        entries[jj] = sliding_sign(frames_.derivation(), frames_.body(j), motion_.qd_r[jj], frames_.label(j));
         return entries;
       default:
         break;

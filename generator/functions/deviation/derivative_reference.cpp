@@ -40,6 +40,17 @@ std::vector<Real50> difference_factors() {
   return factors;
 }
 
+std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& each : values) each *= factor;
+  return values;
+}
+
+// By how much magnitudes differ.
+std::vector<double> difference(std::vector<double> there, const std::vector<double>& here) {
+  for (std::size_t e = 0; e < there.size(); ++e) there[e] = std::abs(std::abs(there[e]) - std::abs(here[e]));
+  return there;
+}
+
 // The magnitudes of derivatives by the length h of a step: terms have at most this power of h, or of 1/h.
 std::vector<double> by_step_length(std::vector<double> magnitudes, double h) {
   constexpr double kPower = 8;
@@ -59,6 +70,23 @@ Function without_graph(const Function& derivatives) {
   return function;
 }
 
+reference::Robot<double> with_slopes(reference::Robot<double> robot) {
+  for (reference::Joint<double>& joint : robot.joints) {
+    joint.viscous = std::abs(joint.viscous) + reference::dry_friction_slope_magnitude(joint);
+  }
+  return robot;
+}
+
+double steepness_of(const reference::Robot<double>& robot) {
+  double steepness = 1;
+  for (const reference::Joint<double>& joint : robot.joints) {
+    for (const double speed : {joint.dry.speed, joint.dry.stribeck_speed}) {
+      if (speed > 0) steepness = std::max(steepness, 1 / speed);
+    }
+  }
+  return steepness;
+}
+
 }  // namespace
 
 DerivativeReference::DerivativeReference(const Robot& robot, const Mechanism& mechanism, const SymbolValues& symbols,
@@ -69,7 +97,9 @@ DerivativeReference::DerivativeReference(const Robot& robot, const Mechanism& me
       function_(without_graph(derivatives)),
       row_(*row_of(derivatives).differentiated),
       derivative_(row_of(derivatives).derivative),
-      rounded_(robot_for_function(function_, robot, reference_robot<double>(robot, symbols))) {
+      rounded_(robot_for_function(function_, robot, reference_robot<double>(robot, symbols))),
+      steep_(with_slopes(rounded_)),
+      steepness_(steepness_of(rounded_)) {
   const Tangents tangents(mechanism, function_.inputs, function_.base_parameters);
   for (const TangentBlock& block : tangents.blocks()) {
     for (int entry = 0; entry < block.length; ++entry) directions_.push_back({block.kind, entry});
@@ -82,6 +112,7 @@ DerivativeReference::DerivativeReference(const Robot& robot, const Mechanism& me
   const auto exact_robot = robot_for_function(function_, robot, reference_robot<Real50>(robot, symbols));
   exact_ = row_.reference.exact({mechanism_, exact_robot, symbols_}, function_);
   magnitude_ = row_.reference.magnitude({mechanism_, rounded_, symbols_}, function_);
+  steep_magnitude_ = row_.reference.magnitude({mechanism_, steep_, symbols_}, function_);
 }
 
 template <class T>
@@ -209,13 +240,13 @@ std::vector<double> DerivativeReference::magnitude_along(const State& state, con
     Number& value = values[static_cast<std::size_t>(along.entry)];
     value += nearest_double(value) < 0 ? -1 : 1;
     const auto robot = robot_for_function(function_, robot_, reference_robot<double>(robot_, values));
-    return row_.reference.magnitude({mechanism_, robot, values}, function_)(state);
+    return scaled(row_.reference.magnitude({mechanism_, robot, values}, function_)(state), steepness_);
   }
-  std::vector<double> there = magnitude_(unit_away(state, along));
+  const bool is_rate = is_velocity(along.kind);
+  std::vector<double> there = (is_rate ? steep_magnitude_ : magnitude_)(unit_away(state, along));
   // The magnitude of a quotient may shrink while an argument grows.
   if (along.kind == InputKind::q || row_.traits.divides_by_pivots) return there;
-  for (std::size_t e = 0; e < there.size(); ++e) there[e] = std::abs(std::abs(there[e]) - std::abs(here[e]));
-  return there;
+  return difference(std::move(there), is_rate ? steep_magnitude_(state) : here);
 }
 
 // The state that is a unit farther from zero.
@@ -268,7 +299,9 @@ std::vector<double> DerivativeReference::magnitude(const State& state) const {
     std::vector<std::vector<double>> columns;
     for (const Direction& direction : directions_) {
       const bool is_here = is_angle(direction) || direction.kind == InputKind::parameter;
-      columns.push_back(weighted_magnitude(is_here ? state : unit_away(state, direction)));
+      const bool is_steep = is_velocity(direction.kind) || direction.kind == InputKind::parameter;
+      columns.push_back(
+          scaled(weighted_magnitude(is_here ? state : unit_away(state, direction)), is_steep ? steepness_ : 1));
     }
     return in_order(columns);
   }

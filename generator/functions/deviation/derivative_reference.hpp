@@ -25,7 +25,8 @@ class DerivativeReference {
   // The entries of all outputs, to 1e-35 of their magnitude.
   std::vector<Real50> exact(const StateOf<Real50>& state) const;
   // The magnitude of their terms. A turn by a small angle changes a term by at most its size times the angle; for what
-  // is no angle, the difference that a unit of it makes is used. Where the function divides by pivots of B, an error of
+  // is no angle, the difference that a unit of it makes is used. With smooth friction, derivatives by rates and symbols
+  // may be larger by 1/speed. Where the function divides by pivots of B, an error of
   // B is magnified by the largest row of |B⁻¹| |B|.
   std::vector<double> magnitude(const State& state) const;
 
@@ -71,6 +72,9 @@ class DerivativeReference {
   ReferenceFunction<Real50> exact_;
   ReferenceFunction<double> magnitude_;
   reference::Robot<double> rounded_;
+  reference::Robot<double> steep_;  // whose viscous friction has the largest slopes of smooth friction as well
+  ReferenceFunction<double> steep_magnitude_;
+  double steepness_ = 1;  // 1/speed of the smooth friction that changes fastest
 };
 
 }  // namespace flatdyn

@@ -41,6 +41,11 @@ std::string rotor_text(const NumberList& number, const Body& body) {
                      number(rotor.axis));
 }
 
+std::string dry_friction_text(const NumberList& number, const DryFriction& dry) {
+  return fmt::format("{{{}, {}, {}, {}, {}}}", number(dry.speed), number(dry.offset), number(dry.excess),
+                     number(dry.stribeck_speed), number(dry.asymmetry));
+}
+
 // The constant rotation between the frames of a link and of its parent; for the first body of a spherical joint that
 // between the axes of the joint and of the parent.
 Mat3 joint_rotation(const Body& body) {
@@ -50,11 +55,11 @@ Mat3 joint_rotation(const Body& body) {
 
 std::string link_text(const NumberList& number, const Body& body) {
   const InertialParameters& of = body.inertia;
-  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", body.parent, body.prismatic,
+  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", body.parent, body.prismatic,
                      body.spherical, number(joint_rotation(body)), number(body.p), number(of.mass),
                      number(centre_of_mass(of)), number(central_tensor(of)), number(body.viscous), number(body.coulomb),
                      number(body.armature), rotor_text(number, body), number(body.stiffness),
-                     number(body.spring_reference));
+                     number(body.spring_reference), dry_friction_text(number, body.dry));
 }
 
 // The numbers of a text such as "{{1, 2}, {3, 4}}" with blanks between them.

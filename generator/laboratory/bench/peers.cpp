@@ -117,7 +117,7 @@ bool any_body(const Mechanism& mechanism, Has has) {
 // is none.
 std::string unknown_to_others(const Mechanism& mechanism) {
   if (any_body(mechanism, [](const Body& body) { return body.rotor.has_value(); })) return "it knows no rotors";
-  const auto has_friction = [](const Body& body) { return !body.viscous.is_zero() || !body.coulomb.is_zero(); };
+  const auto has_friction = [](const Body& body) { return !body.viscous.is_zero() || body.has_dry_friction(); };
   if (any_body(mechanism, has_friction)) return "its friction is another one";
   if (has_base_armature(mechanism)) return "its base moves freely, without armature";
   if (mechanism.has_springs()) return "its springs are not part of it";

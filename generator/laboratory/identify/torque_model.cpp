@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "code/languages/emit.hpp"
 #include "derivation/notation/number_text.hpp"
 #include "functions/planning/make_functions.hpp"
@@ -38,6 +40,17 @@ void refuse_base_joint(const Mechanism& mechanism) {
                 "a real base has neither: write <freejoint/>, or leave armature, viscous and coulomb out of [base]");
 }
 
+// Its laws are those that identification searches for.
+void refuse_friction_by_rate(const Mechanism& mechanism) {
+  const auto body = std::find_if(mechanism.bodies.begin(), mechanism.bodies.end(),
+                                 [](const Body& each) { return each.dry.is_smooth() || !each.dry.is_linear(); });
+  if (body == mechanism.bodies.end()) return;
+  throw Failure(
+      FailureKind::unsupported,
+      fmt::format("measured motion: friction of joint \"{}\" that is not F_s sgn(qd) is not supported", body->joint),
+      "leave out coulomb_speed, static and backward: identify --friction smooth estimates a speed");
+}
+
 std::vector<std::vector<int>> nonzero_columns(const Function& regressor) {
   const Output& y = regressor.outputs.front();
   std::vector<std::vector<int>> columns(static_cast<std::size_t>(y.rows));
@@ -65,6 +78,7 @@ TorqueModel::TorqueModel(const LoadedRobot& model, ParameterSet set, Progress& p
     : model_(with_mechanism(model, with_parameter_set(model.mechanism, set))) {
   require_numbers(model.robot, "measured motion");
   refuse_base_joint(model.mechanism);
+  refuse_friction_by_rate(model.mechanism);
   const LoadedRobot derived = as_derived(model_);
   base_ = base_parameters(derived.mechanism);
   for (const Number& value : base_values(model.mechanism, base_)) {

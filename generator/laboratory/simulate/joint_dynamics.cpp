@@ -9,19 +9,22 @@
 namespace flatdyn {
 namespace {
 
-LoadedRobot without_dry_friction(LoadedRobot model) {
+LoadedRobot without_friction_that_jumps(LoadedRobot model) {
   require_numbers(model.robot, "a simulation");
-  for (Body& body : model.mechanism.bodies) body.coulomb = 0;
+  for (Body& body : model.mechanism.bodies) {
+    if (!body.dry.is_smooth()) body.coulomb = 0;
+  }
   return model;
 }
 
 }  // namespace
 
 JointDynamics::JointDynamics(const LoadedRobot& model, Progress& progress)
-    : model_(without_dry_friction(without_scene_restrictions(model))), closed_(model_) {
-  const JointFriction friction = joint_friction(model.mechanism);
-  viscous_ = vector_of(friction.viscous);
-  coulomb_ = vector_of(friction.coulomb);
+    : model_(without_friction_that_jumps(without_scene_restrictions(model))),
+      closed_(model_),
+      friction_(joint_friction(model.mechanism)) {
+  viscous_ = vector_of(friction_.viscous);
+  coulomb_ = vector_of(friction_.coulomb);
   if (has_base_armature(model.mechanism)) base_armature_ = nearest_double(model.mechanism.bodies.front().armature);
   terms_.emplace(make_fusion(model_, {"inertia_matrix", "bias"}, progress).fusion.function);
   const std::vector<Function> functions =
@@ -35,6 +38,15 @@ JointDynamics::JointDynamics(const LoadedRobot& model, Progress& progress)
   gravity_in_world_ = {nearest_double(g_0[0]), nearest_double(g_0[1]), nearest_double(g_0[2])};
   g_b_ = gravity_in_world_;
   w_.assign(model_.mechanism.spherical.size(), 1);
+}
+
+Eigen::VectorXd JointDynamics::smooth_friction(const Eigen::VectorXd& qd) const {
+  Eigen::VectorXd torque = viscous_.cwiseProduct(qd);
+  for (const SmoothFriction& each : friction_.smooth) {
+    const auto k = static_cast<Eigen::Index>(each.coordinate);
+    torque(k) += each.torque(qd(k));
+  }
+  return torque;
 }
 
 void JointDynamics::turn_base(const Eigen::Quaterniond& orientation) {

@@ -9,11 +9,12 @@
 #include "functions/load/loaded_robot.hpp"
 #include "graph/tape.hpp"
 #include "laboratory/trajectory/closed_positions.hpp"
+#include "robot/model/joint_friction.hpp"
 
 namespace flatdyn {
 
-// B(q) and n(q, q̇) = C q̇ + F_v q̇ + k (q - q_0) + g: all of B q̈ + n = τ except dry friction, which is no function of
-// the state.
+// B(q) and n(q, q̇) = C q̇ + F_v q̇ + k (q - q_0) + g, with smooth dry friction: all of B q̈ + n = τ except friction that
+// jumps at rest, which is no function of the state.
 struct MotionTerms {
   Eigen::MatrixXd B;  // n × n, kg m^2 (kg for prismatic joints)
   Eigen::VectorXd n;  // n, N m (N)
@@ -28,7 +29,9 @@ class JointDynamics {
   const Mechanism& mechanism() const { return model_.mechanism; }
   Eigen::Index joints() const { return viscous_.size(); }      // entries of q̇
   const Eigen::VectorXd& viscous() const { return viscous_; }  // F_v, N m s (N s/m)
-  const Eigen::VectorXd& coulomb() const { return coulomb_; }  // F_s, N m (N)
+  const Eigen::VectorXd& coulomb() const { return coulomb_; }  // F_s of friction that jumps, N m (N)
+  // F_v q̇ and smooth dry friction, which n has.
+  Eigen::VectorXd smooth_friction(const Eigen::VectorXd& qd) const;
   // The armature of a floating base, added to the first six entries of B's diagonal, kg and kg m^2.
   double base_armature() const { return base_armature_; }
 
@@ -53,8 +56,9 @@ class JointDynamics {
   TapeInputs inputs(const double* q, const double* qd);
   void place_spherical_joints(const double* q);
 
-  LoadedRobot model_;  // without dry friction
+  LoadedRobot model_;  // without friction that jumps
   ClosedPositions closed_;
+  JointFriction friction_;
   Eigen::VectorXd viscous_, coulomb_;
   double base_armature_ = 0;
   std::optional<Tape> terms_, gravity_, potential_;

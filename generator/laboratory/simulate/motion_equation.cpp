@@ -179,7 +179,7 @@ void MotionEquation::operator()(const MotionState& x, MotionState& dx, double t)
   derivative.head(n_) = qd;
   derivative.segment(n_, n_) = now.qdd;
   derivative(2 * n_) = qd.dot(tau_);
-  derivative(2 * n_ + 1) = qd.dot(dynamics_.viscous().cwiseProduct(qd) - now.lambda);
+  derivative(2 * n_ + 1) = qd.dot(dynamics_.smooth_friction(qd) - now.lambda);
   turn_by_rates(x, dx);
   if (has_base()) move_base(x, now, dx);
 }

@@ -38,7 +38,7 @@ class MotionEquation {
   double next_knot(double t) const { return law_.next_knot(t); }
   void start_law(const MotionState& x, double t);  // TorqueLaw::start()
   const Contacts& contacts() const { return contacts_; }
-  const Eigen::VectorXd& viscous() const { return dynamics_.viscous(); }
+  Eigen::VectorXd smooth_friction(const Eigen::VectorXd& qd) const { return dynamics_.smooth_friction(qd); }
   long evaluations() const { return evaluations_; }
 
   MotionState initial_state() const;

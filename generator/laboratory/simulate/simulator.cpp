@@ -188,7 +188,7 @@ class Simulator {
                          qd,
                          now.qdd,
                          equation_.tau(),
-                         now.lambda - equation_.viscous().cwiseProduct(qd),
+                         now.lambda - equation_.smooth_friction(qd),
                          equation_.kinetic_energy(x),
                          equation_.potential_energy(x),
                          x[energies],

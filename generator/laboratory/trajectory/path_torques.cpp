@@ -25,6 +25,14 @@ PathTorques::PathTorques(const LoadedRobot& model, bool tip_force, Progress& pro
   for (const Function& function : derive_numeric_functions(model, names, "a trajectory", progress))
     tapes_.emplace_back(function);
   friction_ = joint_friction(model.mechanism);
+  refuse_smooth_friction();
+}
+
+// Smooth friction depends on the pace, and not in proportion to it.
+void PathTorques::refuse_smooth_friction() const {
+  if (friction_.smooth.empty()) return;
+  throw Failure(FailureKind::unsupported, "smooth friction (coulomb_speed) is not supported here",
+                "leave out coulomb_speed: friction that jumps at rest is bounded there");
 }
 
 void PathTorques::run(const TrajectoryPoint& point) {

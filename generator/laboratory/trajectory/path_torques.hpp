@@ -28,7 +28,7 @@ struct PathCoefficients {
 
 class PathTorques {
  public:
-  // Throws Failure(unsupported) for a robot with free symbols.
+  // Throws Failure(unsupported) for a robot with free symbols or smooth friction.
   PathTorques(const LoadedRobot& model, bool tip_force, Progress& progress);
 
   // The coefficients at each point. Not thread-safe.
@@ -38,6 +38,7 @@ class PathTorques {
 
  private:
   void run(const TrajectoryPoint& point);
+  void refuse_smooth_friction() const;
 
   std::size_t n_;
   ClosedPositions closed_;

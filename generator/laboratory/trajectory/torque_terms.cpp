@@ -67,7 +67,7 @@ TorqueTerms::TorqueTerms(const LoadedRobot& model, bool tip_force, Progress& pro
     if (!g.graph.is_zero(g.outputs[0].entries[at])) terms_.push_back({TermKind::gravity, i, -1, -1, at});
     if (has_springs_) terms_.push_back({TermKind::spring, i, -1, -1, at});
     if (friction_.viscous[at] != 0) terms_.push_back({TermKind::viscous, i, -1, -1, at});
-    if (friction_.coulomb[at] != 0) terms_.push_back({TermKind::coulomb, i, -1, -1, at});
+    if (friction_.coulomb[at] != 0 || friction_.is_smooth_at(at)) terms_.push_back({TermKind::coulomb, i, -1, -1, at});
     if (tip_force) terms_.push_back({TermKind::tip_force, i, -1, -1, at});
   }
 }
@@ -105,7 +105,7 @@ double TorqueTerms::value_of(const TorqueTerm& term, const TrajectoryPoint& poin
     case TermKind::viscous:
       return friction_.viscous[i] * point.qd[i];
     case TermKind::coulomb:
-      return friction_.coulomb[i] * sign(point.qd[i]);
+      return friction_.coulomb[i] * sign(point.qd[i]) + friction_.smooth_torque(i, point.qd[i]);
     case TermKind::spring:
       return results_[kAtRest][term.entry] - results_[kGravity][term.entry];
     case TermKind::tip_force:

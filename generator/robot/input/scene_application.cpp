@@ -86,6 +86,15 @@ void add_scene(Scene file, Scene& scene) {
   scene.frames = std::move(frames);
 }
 
+// At rest its tanh would be that of a number, which proofs do not know from the one that is subtracted.
+void refuse_offset_at_rest(const Joint& joint, Diagnostics& diagnostics) {
+  const DryFrictionLaw& law = joint.law;
+  if (!law.offset || !law.speed || has_symbols(law.offset->number) || has_symbols(law.speed->number)) return;
+  diagnostics.unsupported(law.offset->place,
+                          "joint \"" + joint.name + "\": coulomb_offset is not supported in a scene at rest",
+                          "leave it out: at rest there is no friction, with and without it");
+}
+
 void apply_to_joints(const Scene& scene, Diagnostics& diagnostics, Robot& robot) {
   const Units units{scene.degrees, false, true};
   for (const SceneLimits& wanted : scene.limits) {
@@ -97,7 +106,11 @@ void apply_to_joints(const Scene& scene, Diagnostics& diagnostics, Robot& robot)
     if (joint != nullptr) joint->current_to_torque = wanted.current_to_torque;
   }
   for (Joint& joint : robot.joints) {
-    if (!scene.friction) joint.viscous.number = joint.coulomb.number = 0;
+    if (scene.friction && scene.at_rest) refuse_offset_at_rest(joint, diagnostics);
+    if (!scene.friction) {
+      joint.viscous.number = joint.coulomb.number = 0;
+      joint.law = {};
+    }
     if (!scene.springs) joint.stiffness.number = 0;
   }
   if (!scene.friction) robot.base_joint.viscous.number = robot.base_joint.coulomb.number = 0;

@@ -37,6 +37,23 @@ struct Rotor {
   Vec3 axis = zero_vector();  // z_m in the frame of the carrier, unit
 };
 
+// How the dry friction of a joint depends on its rate ω: F_s (s - s_0) + E s/(1 + (ω/v_s)²) + D s², where s is sgn(ω)
+// or, with a speed v_0, tanh((ω + φ)/v_0). F_s is Body::coulomb; what is 0 is not there.
+struct DryFriction {
+  Number speed = 0;           // v_0, rad/s or m/s
+  Number offset = 0;          // φ, rad/s or m/s
+  Number at_rest = 0;         // s_0 = tanh(φ/v_0)
+  Number excess = 0;          // E = F_st - F_s, N m or N: what friction at rest has more
+  Number stribeck_speed = 0;  // v_s, rad/s or m/s
+  Number asymmetry = 0;       // D, N m or N: half of what friction forward has more than backward
+
+  bool is_smooth() const { return !vanishes(speed); }
+  bool has_excess() const { return !vanishes(excess); }
+  bool is_asymmetric() const { return !vanishes(asymmetry); }
+  // Whether it is F_s times a function of the rate.
+  bool is_linear() const { return !has_excess() && !is_asymmetric(); }
+};
+
 // Body i, moved by joint i. Its frame in frame parent: displacement p, then Rz(beta) Rx(alpha) Rz(theta + q) for a
 // revolute joint; p, then Rz(beta) Rx(alpha) Rz(theta), then q along z for a prismatic one. A spherical joint is three
 // bodies (robot/model/spherical_joint.hpp).
@@ -62,6 +79,13 @@ struct Body {
   int spherical = 0;
   bool is_tendon = false;  // joint i is the length of a tendon (robot/model/tendon.hpp): the body has no inertia
   std::optional<Number> current_to_torque{};  // of the drive of joint i, N m/A or N/A
+  DryFriction dry{};
+
+  bool has_dry_friction() const { return !vanishes(coulomb) || !dry.is_linear(); }
+  void leave_out_friction() {
+    viscous = coulomb = 0;
+    dry = {};
+  }
 };
 
 // The unit of the joint's torque or force.

@@ -48,6 +48,22 @@ InertialParameters without_residues(InertialParameters body, const Number& reach
   return body;
 }
 
+// F_s and how friction depends on the rate.
+void set_dry_friction(const Joint& joint, Body& body) {
+  const DryFrictionLaw& law = joint.law;
+  const auto number = [](const std::optional<Value>& value) { return value ? rationalised(value->number) : Number(0); };
+  body.coulomb = rationalised(joint.coulomb.number);
+  if (law.backward) {
+    body.dry.asymmetry = ((body.coulomb - number(law.backward)) / 2).expand();
+    body.coulomb = ((body.coulomb + number(law.backward)) / 2).expand();
+  }
+  body.dry.speed = number(law.speed);
+  body.dry.offset = number(law.offset);
+  if (law.offset && law.speed) body.dry.at_rest = rationalised(GiNaC::tanh(body.dry.offset / body.dry.speed));
+  if (law.static_friction) body.dry.excess = (number(law.static_friction) - body.coulomb).expand();
+  body.dry.stribeck_speed = number(law.stribeck_speed);
+}
+
 Body make_body(const RawTree& tree, const std::vector<Placement>& placements, std::size_t i) {
   const Joint& joint = tree.robot.joints[static_cast<std::size_t>(tree.joint_of[i])];
   Body body;
@@ -71,7 +87,7 @@ Body make_body(const RawTree& tree, const std::vector<Placement>& placements, st
   body.p = displacement(tree, placements, i);
   body.armature = rationalised(joint.armature.number);
   body.viscous = rationalised(joint.viscous.number);
-  body.coulomb = rationalised(joint.coulomb.number);
+  set_dry_friction(joint, body);
   body.limits = joint.limits;
   if (joint.current_to_torque) body.current_to_torque = rationalised(joint.current_to_torque->number);
   body.stiffness = rationalised(joint.stiffness.number);

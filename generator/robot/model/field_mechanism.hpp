@@ -34,6 +34,12 @@ struct FieldFrame {
 };
 
 template <class F>
+struct FieldDryFriction {
+  F speed, offset, at_rest, excess, stribeck_speed, asymmetry;
+  bool is_smooth = false, has_excess = false;
+};
+
+template <class F>
 struct FieldBody {
   int parent;
   bool prismatic;
@@ -43,6 +49,7 @@ struct FieldBody {
   std::optional<FieldRotor<F>> rotor;
   F armature, viscous, coulomb;
   F stiffness, spring_reference;
+  FieldDryFriction<F> dry;
 };
 
 template <class F>
@@ -164,7 +171,7 @@ class NumberMap {
     if (GiNaC::is_a<GiNaC::add>(a)) return folded(a, F(0), [](F& total, const F& next) { total += next; });
     if (GiNaC::is_a<GiNaC::mul>(a)) return folded(a, F(1), [](F& total, const F& next) { total = total * next; });
     if (GiNaC::is_a<GiNaC::power>(a)) return power(a);
-    if (GiNaC::is_a<GiNaC::function>(a)) return sine_or_cosine(a);
+    if (GiNaC::is_a<GiNaC::function>(a)) return value_of_function(a);
     cannot_map(a);
   }
 
@@ -184,10 +191,11 @@ class NumberMap {
     return exponent < 0 ? arithmetic_.divide(F(1), result) : result;
   }
 
-  F sine_or_cosine(const Number& a) const {
+  F value_of_function(const Number& a) const {
+    const std::string name = GiNaC::ex_to<GiNaC::function>(a).get_name();
+    if (name == "tanh") return tanh_in(arithmetic_, (*this)(a.op(0)));
     Graph graph;
     const NodeId angle = linear_angle(a.op(0), symbols_, graph);
-    const std::string name = GiNaC::ex_to<GiNaC::function>(a).get_name();
     if (name == "sin") return arithmetic_.sin(graph, angle, (*this)(a.op(0)));
     if (name == "cos") return arithmetic_.cos(graph, angle, (*this)(a.op(0)));
     cannot_map(a);
@@ -267,6 +275,11 @@ class MechanismMap {
     R = with_columns_cycled(times(R, rotation_of_quaternion<F>({entry(0), entry(1), entry(2), entry(3)})));
   }
 
+  FieldDryFriction<F> mapped(const DryFriction& dry) const {
+    return {number_(dry.speed),          number_(dry.offset),    number_(dry.at_rest), number_(dry.excess),
+            number_(dry.stribeck_speed), number_(dry.asymmetry), dry.is_smooth(),      dry.has_excess()};
+  }
+
   FieldBody<F> mapped(const Body& body) const {
     FieldBody<F> result{body.parent,
                         body.prismatic,
@@ -278,7 +291,8 @@ class MechanismMap {
                         number_(body.viscous),
                         number_(body.coulomb),
                         number_(body.stiffness),
-                        number_(body.spring_reference)};
+                        number_(body.spring_reference),
+                        mapped(body.dry)};
     if (body.rotor) {
       result.rotor = FieldRotor<F>{body.rotor->carrier, number_(body.rotor->gear_ratio), number_(body.rotor->inertia),
                                    mapped(body.rotor->axis)};

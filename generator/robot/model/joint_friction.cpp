@@ -53,17 +53,61 @@ Leader leader_of(const Mechanism& mechanism, std::size_t body) {
                 "leave it out (viscous = 0, coulomb = 0), or give the joint a coordinate of its own");
 }
 
+SmoothFriction smooth_friction(const Body& body, std::size_t coordinate, double factor) {
+  const DryFriction& dry = body.dry;
+  return {coordinate,
+          factor,
+          nearest_double(body.coulomb),
+          nearest_double(dry.speed),
+          nearest_double(dry.offset),
+          nearest_double(dry.excess),
+          nearest_double(dry.stribeck_speed),
+          nearest_double(dry.asymmetry)};
+}
+
+[[noreturn]] void refuse_uneven(const Body& body) {
+  throw Failure(FailureKind::unsupported,
+                fmt::format("friction of joint \"{}\", which changes with the speed or the direction and jumps at "
+                            "rest, is not supported here",
+                            body.joint),
+                "make it smooth: coulomb_speed = ...");
+}
+
 }  // namespace
+
+double SmoothFriction::torque(double rate) const {
+  const double omega = factor * rate, s = std::tanh((omega + offset) / speed);
+  double at_joint = coulomb * (s - std::tanh(offset / speed)) + asymmetry * s * s;
+  if (excess != 0) at_joint += excess * s / (1 + omega * omega / (stribeck_speed * stribeck_speed));
+  return factor * at_joint;
+}
+
+bool JointFriction::is_smooth_at(std::size_t coordinate) const {
+  return std::any_of(smooth.begin(), smooth.end(),
+                     [coordinate](const SmoothFriction& each) { return each.coordinate == coordinate; });
+}
+
+double JointFriction::smooth_torque(std::size_t coordinate, double rate) const {
+  double sum = 0;
+  for (const SmoothFriction& each : smooth) sum += each.coordinate == coordinate ? each.torque(rate) : 0;
+  return sum;
+}
 
 JointFriction joint_friction(const Mechanism& mechanism) {
   const auto n = static_cast<std::size_t>(mechanism.size());
-  JointFriction friction{std::vector<double>(n, 0), std::vector<double>(n, 0)};
+  JointFriction friction{std::vector<double>(n, 0), std::vector<double>(n, 0), {}};
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     const Body& body = mechanism.bodies[i];
-    if (vanishes(body.viscous) && vanishes(body.coulomb)) continue;
+    if (vanishes(body.viscous) && !body.has_dry_friction()) continue;
     const auto [k, factor] = leader_of(mechanism, i);
     friction.viscous[k] += factor * factor * nearest_double(body.viscous);
-    friction.coulomb[k] += std::abs(factor) * nearest_double(body.coulomb);
+    if (body.dry.is_smooth()) {
+      friction.smooth.push_back(smooth_friction(body, k, factor));
+    } else if (body.dry.is_linear()) {
+      friction.coulomb[k] += std::abs(factor) * nearest_double(body.coulomb);
+    } else {
+      refuse_uneven(body);
+    }
   }
   return friction;
 }

@@ -54,6 +54,18 @@ struct Coupled {
   Place place;
 };
 
+// How the dry friction of a joint depends on its speed, as written; what is not given is a constant F_s against the
+// motion. Friction is F_s s, where s is sgn(q̇), or smooth with a speed v_0: tanh((q̇ + φ)/v_0) - tanh(φ/v_0).
+struct DryFrictionLaw {
+  std::optional<Value> speed;            // v_0, rad/s or m/s
+  std::optional<Value> offset;           // φ, rad/s or m/s
+  std::optional<Value> static_friction;  // F_st at rest, which falls to F_s: F_s + (F_st - F_s)/(1 + (q̇/v_s)²)
+  std::optional<Value> stribeck_speed;   // v_s, rad/s or m/s
+  std::optional<Value> backward;         // F_m for q̇ < 0; F_s is that for q̇ > 0
+
+  bool is_given() const { return speed || offset || static_friction || stribeck_speed || backward; }
+};
+
 // Child link frame = parent link frame · origin · motion(axis, q) · link_offset. A joint that is held keeps its motion.
 // URDF and modified DH: link_offset is the identity. Standard DH: origin is the identity.
 struct Joint {
@@ -77,6 +89,7 @@ struct Joint {
   Value spring_reference;                    // q_0, the joint's position where the spring exerts nothing, rad or m
   bool is_tendon = false;                    // a tendon's length (robot/model/tendon.hpp)
   std::optional<Value> current_to_torque{};  // the drive's gain, N m/A or N/A; logs may have its current
+  DryFrictionLaw law{};
 };
 
 // A closed chain, cut at the joint that closes it: a point of one link coincides with a point of another, and if there

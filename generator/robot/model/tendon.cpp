@@ -27,6 +27,7 @@ std::string unused_link_name(const std::string& wanted, const Robot& robot) {
 bool is_idle(const Joint& joint) {
   if (!joint.is_tendon) return false;
   const Value* const forces[] = {&joint.stiffness, &joint.viscous, &joint.coulomb, &joint.armature};
+  if (joint.law.static_friction || joint.law.backward) return joint.type == JointType::fixed;
   return joint.type == JointType::fixed ||
          std::all_of(std::begin(forces), std::end(forces), [](const Value* force) { return vanishes(force->number); });
 }

@@ -163,6 +163,9 @@ void check_spherical(const Joint& joint, Diagnostics& diagnostics) {
     diagnostics.unsupported(place, fmt::format("{}: {} of a spherical joint is not supported", named(joint), what),
                             "leave it out; viscous friction and limits of velocity, acceleration and effort are known");
   };
+  for (const auto* value : {&joint.law.speed, &joint.law.offset, &joint.law.static_friction, &joint.law.backward}) {
+    if (*value) return refuse((*value)->place, "Coulomb friction");
+  }
   if (!is_exact_zero(joint.coulomb.number)) refuse(joint.coulomb.place, "Coulomb friction");
   if (!is_exact_zero(joint.armature.number)) refuse(joint.armature.place, "the armature");
   if (!is_exact_zero(joint.stiffness.number)) refuse(joint.stiffness.place, "the stiffness");
@@ -218,6 +221,51 @@ void check_base_joint(BaseJoint& joint, Diagnostics& diagnostics) {
   check_not_negative(joint.armature, "the base: armature", "reflected inertia is not negative", diagnostics);
 }
 
+void check_speed(const Joint& joint, const std::optional<Value>& speed, const char* key, Diagnostics& diagnostics) {
+  if (!speed || has_symbols(speed->number) || (!is_negative(speed->number) && !is_exact_zero(speed->number))) return;
+  diagnostics.error(speed->place, fmt::format("{}: {} is not positive", named(joint), key),
+                    "it is the speed, rad/s or m/s, around which friction changes; leave it out for none");
+}
+
+// Which keys of friction need others.
+void check_keys_of_dry_friction(const Joint& joint, Diagnostics& diagnostics) {
+  const DryFrictionLaw& law = joint.law;
+  const auto refuse = [&](const Value& at, const std::string& what, const char* hint) {
+    diagnostics.error(at.place, named(joint) + ": " + what, hint);
+  };
+  if (law.offset && !law.speed) {
+    refuse(*law.offset, "coulomb_offset has no effect without coulomb_speed", "write coulomb_speed = ... as well");
+  }
+  if (law.static_friction && !law.stribeck_speed) {
+    refuse(*law.static_friction, "static friction is given without stribeck_speed",
+           "write stribeck_speed = ..., at which it has fallen half of the way to coulomb");
+  }
+  if (law.stribeck_speed && !law.static_friction) {
+    refuse(*law.stribeck_speed, "stribeck_speed has no effect without static", "write static = ..., or leave it out");
+  }
+  const bool is_uneven = law.offset || law.backward;
+  if (law.static_friction && is_uneven) {
+    refuse(
+        *law.static_friction,
+        std::string("static is not supported together with ") + (law.offset ? "coulomb_offset" : "forward, backward"),
+        "leave out one of them");
+  } else if (law.offset && law.backward) {
+    refuse(*law.offset, "coulomb_offset is not supported together with forward, backward", "leave out one of them");
+  }
+}
+
+void check_dry_friction(Joint& joint, Diagnostics& diagnostics) {
+  const char* const against = "friction acts against the motion: write it positive";
+  DryFrictionLaw& law = joint.law;
+  if (law.static_friction)
+    check_not_negative(*law.static_friction, named(joint) + ": static friction", against, diagnostics);
+  if (law.backward)
+    check_not_negative(*law.backward, named(joint) + ": Coulomb friction backward", against, diagnostics);
+  check_speed(joint, law.speed, "coulomb_speed", diagnostics);
+  check_speed(joint, law.stribeck_speed, "stribeck_speed", diagnostics);
+  check_keys_of_dry_friction(joint, diagnostics);
+}
+
 void check_joint(Joint& joint, bool in_degrees, Diagnostics& diagnostics) {
   if (joint.type == JointType::fixed) return;
   if (joint.type == JointType::spherical) {
@@ -229,6 +277,7 @@ void check_joint(Joint& joint, bool in_degrees, Diagnostics& diagnostics) {
                      "friction acts against the motion: write it positive", diagnostics);
   check_not_negative(joint.coulomb, named(joint) + ": Coulomb friction",
                      "friction acts against the motion: write it positive", diagnostics);
+  check_dry_friction(joint, diagnostics);
   check_not_negative(joint.armature, named(joint) + ": armature", "reflected inertia is not negative", diagnostics);
   check_not_negative(joint.stiffness, named(joint) + ": stiffness", "a spring pulls back to where it is relaxed",
                      diagnostics);

@@ -12,7 +12,7 @@ namespace flatdyn {
 // ∂τ/∂q̇.
 template <class Point>
 auto torque_derivatives_by_rate(Point& at) {
-  auto result = torques_by_rate(at.lagrangian, at.qd());
+  auto result = torques_by_rate(at.lagrangian, at.qd(), at.signs());
   if (at.mechanism.has_quasi_velocities()) {
     add_drift_by_rate(at.mechanism, at.lagrangian.inertia(), at.qd(), result);
   }

@@ -358,13 +358,34 @@ class NumberComparison {
     differences_.compare(subject, found, value, abs(value));
   }
 
+  // F_s, the mean of both directions, and how friction depends on the rate.
+  void compare_dry_friction(const std::string& name, const FieldBody<Real>& body, const Joint& joint) {
+    const DryFrictionLaw& law = joint.law;
+    const auto compare = [&](const std::string& what, const Real& found, const Real& expected) {
+      differences_.compare(name + ": its " + what, found, expected, abs(expected));
+    };
+    const auto value = [this](const std::optional<Value>& given) {
+      return given ? numbers_.number(given->number) : Real(0);
+    };
+    const Real forward = numbers_.number(joint.coulomb.number), backward = law.backward ? value(law.backward) : forward;
+    const Real mean = (forward + backward) / 2;
+    compare("Coulomb friction", body.coulomb, mean);
+    compare("asymmetric friction", body.dry.asymmetry, (forward - backward) / 2);
+    compare("speed of Coulomb friction", body.dry.speed, value(law.speed));
+    compare("offset of Coulomb friction", body.dry.offset, value(law.offset));
+    compare("static friction", body.dry.excess + body.coulomb,
+            law.static_friction ? value(law.static_friction) : body.coulomb);
+    compare("Stribeck speed", body.dry.stribeck_speed, value(law.stribeck_speed));
+    if (law.offset) compare("offset's friction", body.dry.at_rest, tanh(value(law.offset) / value(law.speed)));
+  }
+
   void compare_joint(std::size_t i) {
     const Joint& joint = written(i);
     const FieldBody<Real>& body = found_.bodies[body_of(i)];
     const std::string name = joint_name(joint);
     compare_own(name + ": its armature", body.armature, joint.armature);
     compare_own(name + ": its viscous friction", body.viscous, joint.viscous);
-    compare_own(name + ": its Coulomb friction", body.coulomb, joint.coulomb);
+    compare_dry_friction(name, body, joint);
     compare_own(name + ": its stiffness", body.stiffness, joint.stiffness);
     if (!vanishes(joint.stiffness.number)) {
       const Real reference = numbers_.number(joint.spring_reference.number);

@@ -47,6 +47,7 @@ struct DegreeArithmetic {
   }
   Degree sin(const Graph& graph, NodeId angle, const Degree&) const { return Degree::of(angle_degree(graph, angle)); }
   Degree cos(const Graph& graph, NodeId angle, const Degree&) const { return Degree::of(angle_degree(graph, angle)); }
+  Degree tanh(const Degree&) const { return Degree::of(1); }  // degree_of_dry_friction() counts it
 
   double reciprocals = 0;
 };
@@ -135,6 +136,21 @@ class RationalDegreeArithmetic {
   std::shared_ptr<Denominators> denominators_ = std::make_shared<Denominators>();
 };
 
+// The denominators of smooth signs and of their Stribeck weights count as reciprocals, and so do the numerators of
+// smooth signs, which count as drawn values.
+double degree_of_dry_friction(const Mechanism& mechanism) {
+  RationalDegreeArithmetic arithmetic;
+  const RationalDegree sign = rational_tanh(arithmetic, arithmetic.input({}));
+  double of_sign = sign.numerator;
+  for (const auto& [k, exponent] : sign.exponents) of_sign += exponent * arithmetic.denominators()[k];
+  double total = 0;
+  for (const Body& body : mechanism.bodies) {
+    if (body.dry.is_smooth()) total += (vanishes(body.dry.offset) ? 2 : 3) * of_sign;  // of sums over a speed, and s_0
+    if (body.dry.has_excess()) total += 4;
+  }
+  return total;
+}
+
 // The degrees of every body's joint position: of the cosine and sine of a sum of multiples of coordinates.
 std::vector<JointPoint<Degree>> joint_degrees(const Mechanism& mechanism) {
   std::vector<JointPoint<Degree>> degrees;
@@ -183,7 +199,7 @@ MechanismDegrees lagrangian_degrees(const Mechanism& mechanism) {
   for (const FieldFrame<Degree>& link : lagrangian.mechanism().links) {
     for (const Degree& entry : lagrangian.jacobian_dot_qd(link, rates)) largest += entry;
   }
-  return {largest.value(), arithmetic.reciprocals};
+  return {largest.value(), arithmetic.reciprocals + degree_of_dry_friction(mechanism)};
 }
 
 double in_drawn_values(double degree, double angles, double reciprocals) {
@@ -220,7 +236,7 @@ MechanismDegrees regressor_degrees(const Mechanism& mechanism) {
   for (const ParameterForm& form : base.combination) {
     for (const auto& [index, coefficient] : form) factor += number(coefficient);
   }
-  return {(largest * factor).value(), arithmetic.reciprocals};
+  return {(largest * factor).value(), arithmetic.reciprocals + degree_of_dry_friction(mechanism)};
 }
 
 FunctionDegrees function_degrees(const Function& function) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "robot/model/field_loops.hpp"
+#include "truth/definition/dry_friction.hpp"
 
 namespace flatdyn {
 
@@ -83,12 +84,13 @@ class Lagrangian {
     return at_coordinates(mechanism_, g);
   }
 
-  // The friction torques F_v qd + F_s sgn(qd). The caller gives the signs of all joints' rates.
+  // The friction torques F_v qd + F_s sgn(qd), and what else friction has. The caller gives the signs of all joints'
+  // rates, smooth ones where friction is smooth.
   Values friction(const Values& qd, const Values& sign_qd) const {
     Values result;
     for (const F& rate : joint_values(mechanism_, qd)) {
       const FieldBody<F>& body = mechanism_.bodies[result.size()];
-      result.push_back(body.viscous * rate + body.coulomb * sign_qd[result.size()]);
+      result.push_back(body.viscous * rate + dry_friction(body, rate, sign_qd[result.size()]));
     }
     return at_coordinates(mechanism_, result);
   }

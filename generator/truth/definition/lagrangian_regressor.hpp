@@ -29,7 +29,7 @@ class LagrangianRegressor {
   Matrix<F> regressor(const Values& qd, const Values& qdd, const Values& sign) const {
     const Values rates = joint_values(mechanism_, qd);
     Matrix<F> Y = without_friction(rates, accelerations(rates, qd, qdd), true);
-    add_friction(rates, sign, Y);
+    add_friction(rates, less_at_rest(sign), Y);
     return rows_at_coordinates(mechanism_, Y);
   }
 
@@ -47,7 +47,7 @@ class LagrangianRegressor {
     for (int i = 0; i < Y.rows(); ++i) {
       for (int k = 0; k < Y.cols(); ++k) Y(i, k) += half * (sum(i, k) + -first(i, k) + -second(i, k));
     }
-    add_friction(rates_r, sign_r, Y);
+    add_friction(rates_r, less_at_rest(sign_r), Y);
     return rows_at_coordinates(mechanism_, Y);
   }
 
@@ -209,6 +209,12 @@ class LagrangianRegressor {
     const Column<D> velocity = total(columns(motion, rotor->carrier), motion.qd);
     const D energy = dot(velocity.angular, rotor->axis) * rotor->gear_ratio * motion.qd[static_cast<std::size_t>(j)];
     Y(i, kPerJoint * j + kRotor) += -energy.derivative;
+  }
+
+  // s - s_0, for friction that is F_s times it.
+  Values less_at_rest(Values sign) const {
+    for (std::size_t i = 0; i < sign.size(); ++i) sign[i] += -mechanism_.bodies[i].dry.at_rest;
+    return sign;
   }
 
   static void add_friction(const Values& rate, const Values& sign, Matrix<F>& Y) {

@@ -33,6 +33,7 @@ struct ConstantArithmetic {
   Scalar cos(const Graph& graph, NodeId angle, const Scalar& value) const {
     return Scalar(field.cos(graph, angle, value.value));
   }
+  Scalar tanh(const Scalar& x) const { return Scalar(tanh_in(field, x.value)); }
 };
 
 template <class F>
@@ -98,17 +99,21 @@ Matrix<F> torques_by_position(const Mechanism& mechanism, Arithmetic& arithmetic
   return result;
 }
 
-// ∂τ/∂q̇: C q̇ is a quadratic form with the coefficients c_ijk = c_ikj, so its derivative is 2 C.
+// ∂τ/∂q̇: C q̇ is a quadratic form with the coefficients c_ijk = c_ikj, so its derivative is 2 C. `sign_qd`: by body's
+// joint.
 template <class F>
-Matrix<F> torques_by_rate(Lagrangian<F>& lagrangian, const std::vector<F>& qd) {
+Matrix<F> torques_by_rate(Lagrangian<F>& lagrangian, const std::vector<F>& qd, const std::vector<F>& sign_qd) {
   Matrix<F> result = lagrangian.coriolis_matrix(qd);
   for (int i = 0; i < result.rows(); ++i) {
     for (int k = 0; k < result.cols(); ++k) result(i, k) += result(i, k);
   }
   const MechanismOver<F>& mechanism = lagrangian.mechanism();
   Matrix<F> friction(mechanism.body_count(), mechanism.body_count());
+  const std::vector<F> rates = joint_values(mechanism, qd);
   for (int i = 0; i < mechanism.body_count(); ++i) {
-    friction(i, i) = mechanism.bodies[static_cast<std::size_t>(i)].viscous;
+    const auto k = static_cast<std::size_t>(i);
+    const FieldBody<F>& body = mechanism.bodies[k];
+    friction(i, i) = body.viscous + dry_friction_slope(body, rates[k], sign_qd[k]);
   }
   friction = at_coordinates(mechanism, friction);
   for (int i = 0; i < result.rows(); ++i) {

@@ -13,6 +13,13 @@ double spring_magnitude(const Joint<double>& joint, double q) {
   return std::abs(joint.stiffness) * (q + std::abs(joint.spring_q_0));
 }
 
+// That of the dry friction of a joint that moves.
+double dry_friction_magnitude(const Joint<double>& joint) {
+  const DryFriction<double>& dry = joint.dry;
+  const double at_rest = dry.speed > 0 ? std::abs(std::tanh(dry.offset / dry.speed)) : 0;
+  return std::abs(joint.coulomb) * (1 + at_rest) + std::abs(dry.excess) + std::abs(dry.asymmetry);
+}
+
 // Adds that of a floating base's own armature and friction.
 void add_magnitude_of_base(const Robot<double>& robot, const VectorX<double>& qd, const VectorX<double>& qdd,
                            bool friction, VectorX<double>& tau) {
@@ -56,7 +63,7 @@ VectorX<double> torque_magnitude_of_tree(const Robot<double>& robot, const Vecto
       continue;
     }
     tau[joint.index] += std::abs(joint.armature) * a;
-    if (options.friction) tau[joint.index] += std::abs(joint.viscous) * v + (v > 0 ? std::abs(joint.coulomb) : 0);
+    if (options.friction) tau[joint.index] += std::abs(joint.viscous) * v + (v > 0 ? dry_friction_magnitude(joint) : 0);
     if (options.springs) tau[joint.index] += spring_magnitude(joint, entry_of(joint, q));
     const Rotor<double>& rotor = joint.rotor;
     const MotionMagnitude& carrier = motions[static_cast<std::size_t>(rotor.carrier)];
@@ -172,11 +179,22 @@ MatrixX<double> position_derivative_magnitude(const Robot<double>& robot, const 
   return A.transpose() * result * A;
 }
 
+double dry_friction_slope_magnitude(const Joint<double>& joint) {
+  const DryFriction<double>& dry = joint.dry;
+  double magnitude = 0;
+  if (dry.speed > 0) {
+    magnitude = (std::abs(joint.coulomb) + std::abs(dry.excess) + 2 * std::abs(dry.asymmetry)) / dry.speed;
+  }
+  if (dry.stribeck_speed > 0) magnitude += std::abs(dry.excess) / dry.stribeck_speed;
+  return magnitude;
+}
+
 MatrixX<double> rate_derivative_magnitude(const Robot<double>& robot, const VectorX<double>& q,
                                           const VectorX<double>& qd) {
   VectorX<double> viscous = VectorX<double>::Zero(robot.base_size() + robot.joint_count());
   for (const Joint<double>& joint : robot.joints) {
-    viscous.segment(std::max(joint.index, 0), joint.size()).setConstant(std::abs(joint.viscous));
+    viscous.segment(std::max(joint.index, 0), joint.size())
+        .setConstant(std::abs(joint.viscous) + dry_friction_slope_magnitude(joint));
   }
   viscous.head(robot.base_size()).setConstant(std::abs(robot.base_viscous));
   MatrixX<double> friction = viscous.asDiagonal();

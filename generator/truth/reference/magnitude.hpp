@@ -35,7 +35,10 @@ MatrixX<double> coriolis_magnitude(const Robot<double>& robot, const VectorX<dou
 MatrixX<double> position_derivative_magnitude(const Robot<double>& robot, const VectorX<double>& q,
                                               const VectorX<double>& qd, const VectorX<double>& qdd);
 
-// The magnitude of the derivatives by q̇: 2 C and viscous friction.
+// The magnitude of the derivative of a joint's dry friction by its rate.
+double dry_friction_slope_magnitude(const Joint<double>& joint);
+
+// The magnitude of the derivatives by q̇: 2 C and friction.
 MatrixX<double> rate_derivative_magnitude(const Robot<double>& robot, const VectorX<double>& q,
                                           const VectorX<double>& qd);
 

@@ -132,7 +132,7 @@ class Converter {
         result.axis = unit(joint.axis);
         add_offset(j, result);
         result.viscous = number(joint.viscous.number);
-        result.coulomb = number(joint.coulomb.number);
+        add_dry_friction(joint, result);
         result.armature = number(joint.armature.number);
         result.stiffness = number(joint.stiffness.number);
         result.spring_q_0 = number(joint.spring_reference.number) - number(position_[j].offset);
@@ -143,6 +143,16 @@ class Converter {
       result_.joints.push_back(std::move(result));
       attach_joints_of(joint.child);
     }
+  }
+
+  // F_s, and how friction depends on the rate, as the file gives it.
+  void add_dry_friction(const Joint& joint, reference::Joint<S>& result) const {
+    const auto value = [this](const std::optional<Value>& given) { return given ? number(given->number) : S(0); };
+    const DryFrictionLaw& law = joint.law;
+    const S forward = number(joint.coulomb.number), backward = law.backward ? value(law.backward) : forward;
+    result.coulomb = (forward + backward) / S(2);
+    result.dry = {value(law.speed), value(law.offset), S(0), value(law.stribeck_speed), (forward - backward) / S(2)};
+    if (law.static_friction) result.dry.excess = value(law.static_friction) - result.coulomb;
   }
 
   // Makes the motion of a joint that is held still a part of the transform before it.

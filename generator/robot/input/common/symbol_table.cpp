@@ -31,6 +31,8 @@ std::string with_article(Quantity quantity) {
       return "a Coulomb friction";
     case Quantity::stiffness:
       return "a stiffness";
+    case Quantity::speed:
+      return "a speed";
     case Quantity::other:
       return "a value";
   }
@@ -56,6 +58,8 @@ const char* unit_of(Quantity quantity) {
       return "N m or N";
     case Quantity::stiffness:
       return "N m/rad or N/m";
+    case Quantity::speed:
+      return "rad/s or m/s";
     case Quantity::gear_ratio:
     case Quantity::other:
       return "";

@@ -24,6 +24,7 @@ enum class Quantity {
   viscous_friction,
   coulomb_friction,
   stiffness,
+  speed,
   other,  // not tracked
 };
 

@@ -59,8 +59,8 @@ Motor motor_with_defaults(const Place& place) {
 void check_fixed(const TomlTable& table, const ReadContext& context, Joint& joint) {
   if (joint.type != JointType::fixed || is_held(joint.name, context)) return;
   if (context.diagnostics.only_unsupported()) return;  // it is fixed only because its type is not supported
-  for (const char* key :
-       {"viscous", "coulomb", "armature", "stiffness", "spring_reference", "position", "current_to_torque"}) {
+  for (const char* key : {"viscous", "coulomb", "coulomb_speed", "coulomb_offset", "static", "stribeck_speed",
+                          "armature", "stiffness", "spring_reference", "position", "current_to_torque"}) {
     if (!table.has(key)) continue;
     context.diagnostics.error(table.place_of(key), table.what() + ": " + key + " has no effect on a fixed joint",
                               "leave it out, or give the joint the type it has");
@@ -173,11 +173,32 @@ std::optional<Value> read_gain(TomlTable& table, std::string_view key, Diagnosti
   return std::nullopt;
 }
 
+void read_coulomb(TomlTable& table, Joint& joint) {
+  DryFrictionLaw& law = joint.law;
+  if (table.is_table("coulomb")) {
+    TomlTable both = *table.table("coulomb");
+    joint.coulomb = both.number_or_zero("forward", Quantity::coulomb_friction);
+    law.backward = both.number_or_zero("backward", Quantity::coulomb_friction);
+    both.reject_unknown_keys();
+  } else if (auto coulomb = table.number("coulomb", Quantity::coulomb_friction)) {
+    joint.coulomb = *coulomb;
+    law.backward.reset();
+  }
+}
+
+void read_friction_law(TomlTable& table, Joint& joint) {
+  DryFrictionLaw& law = joint.law;
+  replace_if_given(law.speed, table.number("coulomb_speed", Quantity::speed));
+  replace_if_given(law.offset, table.number("coulomb_offset", Quantity::speed));
+  replace_if_given(law.static_friction, table.number("static", Quantity::coulomb_friction));
+  replace_if_given(law.stribeck_speed, table.number("stribeck_speed", Quantity::speed));
+}
+
 void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint, MotorCarriers& carriers) {
   std::optional<Reference> carrier;
   if (auto coupled = table.linear_position("position", joint.type)) joint.coupled = *coupled;
   if (auto viscous = table.number("viscous", Quantity::viscous_friction)) joint.viscous = *viscous;
-  if (auto coulomb = table.number("coulomb", Quantity::coulomb_friction)) joint.coulomb = *coulomb;
+  read_coulomb(table, joint);
   const Quantity reflected = joint.type == JointType::prismatic ? Quantity::mass : Quantity::inertia;
   if (auto armature = table.number("armature", reflected)) joint.armature = *armature;
   read_spring(table, context, joint);
@@ -193,6 +214,7 @@ void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint,
     replace_if_given(joint.limits.acceleration, limits.acceleration);
     replace_if_given(joint.limits.effort, limits.effort);
   }
+  read_friction_law(table, joint);
   check_fixed(table, context, joint);
   settle_armature(table, context, joint);
   if (joint.motor && carrier) carriers.add(joint.name, *carrier, table.what() + ", motor, carrier");

@@ -327,8 +327,10 @@ class TomlReader {
     tendon.stiffness = row.number("stiffness", Quantity::other).value_or(none);
     tendon.spring_reference = row.number("spring_reference", Quantity::other).value_or(none);
     tendon.viscous = row.number("viscous", Quantity::other).value_or(none);
-    tendon.coulomb = row.number("coulomb", Quantity::other).value_or(none);
+    tendon.coulomb = none;
+    read_coulomb(row, tendon);
     tendon.armature = row.number("armature", Quantity::other).value_or(none);
+    read_friction_law(row, tendon);
     row.reject_unknown_keys();
     if (!row.has("length")) {
       diagnostics_.error(row.place(), row.what() + " has no length", "write length = \"0.5*left + 0.5*right\"");

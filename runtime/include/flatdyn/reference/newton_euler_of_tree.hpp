@@ -40,6 +40,20 @@ S sign(const S& x) {
   return S((x > S(0)) - (x < S(0)));
 }
 
+// The dry friction of a joint at a rate.
+template <class S>
+S dry_friction(const Joint<S>& joint, const S& v) {
+  using std::tanh;
+  const DryFriction<S>& dry = joint.dry;
+  const bool smooth = dry.speed > S(0);
+  const S s = smooth ? S(tanh((v + dry.offset) / dry.speed)) : sign(v);
+  S torque = joint.coulomb * s + dry.asymmetry * s * s;
+  if (smooth) torque -= joint.coulomb * S(tanh(dry.offset / dry.speed));
+  if (!(dry.stribeck_speed > S(0))) return torque;
+  const S ratio = v / dry.stribeck_speed;
+  return torque + dry.excess * s / (S(1) + ratio * ratio);
+}
+
 // ω̇ × r + ω × (ω × r): the acceleration of a point at r relative to the frame's origin.
 template <class S>
 Vector3<S> swing(const Vector3<S>& omega, const Vector3<S>& domega, const Vector3<S>& r) {
@@ -184,7 +198,7 @@ VectorX<S> torques_of_tree(const Robot<S>& robot, const VectorX<S>& q, const Vec
     }
     const S &v = qd[joint.index], &a = qdd[joint.index];
     tau[joint.index] += joint.armature * a;
-    if (environment.friction) tau[joint.index] += joint.viscous * v + joint.coulomb * sign(v);
+    if (environment.friction) tau[joint.index] += joint.viscous * v + dry_friction(joint, v);
     if (environment.springs) tau[joint.index] += joint.stiffness * (q[joint.index] - joint.spring_q_0);
     const Rotor<S>& rotor = joint.rotor;
     const LinkMotion<S>& carrier = motions[static_cast<std::size_t>(rotor.carrier)];

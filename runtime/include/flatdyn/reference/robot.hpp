@@ -40,6 +40,17 @@ struct Rotor {
 
 enum class JointType { fixed, revolute, prismatic, spherical };
 
+// How the dry friction of a joint depends on its rate v: F_s (s - s_0) + E s/(1 + (v/v_s)²) + D s², where s is sgn(v)
+// or, with a speed v_0, tanh((v + φ)/v_0), and s_0 is tanh(φ/v_0).
+template <class S>
+struct DryFriction {
+  S speed = S(0);           // v_0; 0: a sign
+  S offset = S(0);          // φ
+  S excess = S(0);          // E
+  S stribeck_speed = S(0);  // v_s; 0: no excess
+  S asymmetry = S(0);       // D
+};
+
 // A joint. The child frame in the parent frame is (R_0, p_0) · motion(axis, q) · (R_1, p_1). A spherical joint turns by
 // its orientation; it has three entries of q̇, the angular velocity of the child relative to the parent, along the axes
 // that the frame has after turning, and three of q̈ and τ. Three zeros stand for its position among those of the joints.
@@ -56,6 +67,7 @@ struct Joint {
   S stiffness = S(0);   // k of a spring, N m/rad or N/m
   S spring_q_0 = S(0);  // the joint's position where the spring exerts nothing, less a coupled one's constant part
   Matrix3<S> orientation = Matrix3<S>::Identity();  // of a spherical joint
+  DryFriction<S> dry;
 
   // The number of its entries of q̇.
   int size() const { return index < 0 ? 0 : type == JointType::spherical ? 3 : 1; }

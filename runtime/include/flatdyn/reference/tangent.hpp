@@ -47,6 +47,11 @@ struct Tangent {
     using std::sin;
     return Tangent(cos(a.value), -sin(a.value) * a.slope);
   }
+  friend Tangent tanh(const Tangent& a) {
+    using std::tanh;
+    const S value = tanh(a.value);
+    return Tangent(value, (S(1) - value * value) * a.slope);
+  }
 };
 
 // The same robot over tangents, with all of its numbers constant. For robots without closed loops.
@@ -67,22 +72,24 @@ Robot<Tangent<S>> with_tangents(const Robot<S>& robot) {
     }
   }
   for (const Joint<S>& a : robot.joints) {
-    result.joints.push_back({a.type,
-                             a.parent,
-                             a.child,
-                             a.index,
-                             matrix(a.R_0),
-                             matrix(a.R_1),
-                             vector(a.p_0),
-                             vector(a.p_1),
-                             vector(a.axis),
-                             T(a.viscous),
-                             T(a.coulomb),
-                             T(a.armature),
-                             {a.rotor.carrier, T(a.rotor.gear_ratio), T(a.rotor.inertia), vector(a.rotor.axis)},
-                             T(a.stiffness),
-                             T(a.spring_q_0),
-                             matrix(a.orientation)});
+    result.joints.push_back(
+        {a.type,
+         a.parent,
+         a.child,
+         a.index,
+         matrix(a.R_0),
+         matrix(a.R_1),
+         vector(a.p_0),
+         vector(a.p_1),
+         vector(a.axis),
+         T(a.viscous),
+         T(a.coulomb),
+         T(a.armature),
+         {a.rotor.carrier, T(a.rotor.gear_ratio), T(a.rotor.inertia), vector(a.rotor.axis)},
+         T(a.stiffness),
+         T(a.spring_q_0),
+         matrix(a.orientation),
+         {T(a.dry.speed), T(a.dry.offset), T(a.dry.excess), T(a.dry.stribeck_speed), T(a.dry.asymmetry)}});
   }
   result.root = robot.root;
   result.gravity = vector(robot.gravity);
