@@ -109,6 +109,7 @@ std::string describe_tendons(const Mechanism& mechanism, const std::vector<std::
     }
     add("F_v", body.viscous);
     add("F_s", body.coulomb);
+    add("smooth around", body.dry.speed);
     add("armature", body.armature);
     text += "\n";
   }
@@ -246,6 +247,18 @@ nlohmann::ordered_json canonical_json(const Body& body, const NumberText& text) 
   return json;
 }
 
+// Adds what friction is beyond F_s sgn(q̇), if it is.
+void add_dry_friction_json(const DryFriction& dry, const NumberText& text, nlohmann::ordered_json& joint) {
+  const auto add = [&](const char* key, const Number& value) {
+    if (!vanishes(value)) joint[key] = number_json(value, text);
+  };
+  add("coulomb_speed", dry.speed);
+  add("coulomb_offset", dry.offset);
+  add("static_excess", dry.excess);
+  add("stribeck_speed", dry.stribeck_speed);
+  add("coulomb_asymmetry", dry.asymmetry);
+}
+
 nlohmann::ordered_json joint_json(const Body& body, const NumberText& text) {
   nlohmann::ordered_json joint = {
       {"name", body.joint}, {"type", type_of(body)}, {"link", body.link}, {"parent", body.parent}};
@@ -259,6 +272,7 @@ nlohmann::ordered_json joint_json(const Body& body, const NumberText& text) {
   add_limit("effort", body.limits.effort);
   joint["viscous_friction"] = number_json(body.viscous, text);
   joint["coulomb_friction"] = number_json(body.coulomb, text);
+  add_dry_friction_json(body.dry, text, joint);
   joint["armature"] = number_json(body.armature, text);
   if (!vanishes(body.stiffness)) {
     joint["stiffness"] = number_json(body.stiffness, text);

@@ -96,10 +96,26 @@ std::string inertia_text(const InertialParameters& b, const NumberText& number) 
                      moment_text(central_tensor(b), number));
 }
 
+// Says what friction is beyond F_s sgn(q̇).
+std::string dry_friction_text(const Body& body, const NumberText& number) {
+  const DryFriction& dry = body.dry;
+  const std::string unit = torque_unit(body), speed = body.prismatic ? "m/s" : "rad/s";
+  std::string text;
+  const auto add = [&](const char* what, const Number& value, const std::string& of) {
+    if (!vanishes(value)) text += fmt::format(", {} {} {}", what, number(value), of);
+  };
+  add("smooth around", dry.speed, speed);
+  add("offset by", dry.offset, speed);
+  add("at rest more by", dry.excess, unit);
+  add("Stribeck speed", dry.stribeck_speed, speed);
+  add("forward more, backward less by", dry.asymmetry, unit);
+  return text;
+}
+
 std::string friction_text(const Body& body, const Mechanism& mechanism, const NumberText& number) {
   const std::string unit = torque_unit(body), rate = body.prismatic ? " s/m" : " s/rad";
-  std::string text = fmt::format("  friction F_v = {} {}{}, F_s = {} {}\n", number(body.viscous), unit, rate,
-                                 number(body.coulomb), unit);
+  std::string text = fmt::format("  friction F_v = {} {}{}, F_s = {} {}{}\n", number(body.viscous), unit, rate,
+                                 number(body.coulomb), unit, dry_friction_text(body, number));
   if (!vanishes(body.armature)) text += fmt::format("  reflected inertia {}\n", number(body.armature));
   if (!vanishes(body.stiffness)) {
     text += fmt::format("  spring k = {} {}{}, q_0 = {} {}{}\n", number(body.stiffness), unit,

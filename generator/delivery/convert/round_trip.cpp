@@ -67,6 +67,14 @@ class NumberCollector {
     for (const Vec3& axis : *loop.axes) add(name + ", axes", axis);
   }
 
+  void add_dry_friction(const std::string& name, const DryFriction& dry) {
+    add(name + "speed", dry.speed);
+    add(name + "offset", dry.offset);
+    add(name + "excess", dry.excess);
+    add(name + "Stribeck speed", dry.stribeck_speed);
+    add(name + "asymmetry", dry.asymmetry);
+  }
+
   void add(const Body& body) {
     // The name has all that is no number.
     const std::string name = "joint \"" + body.joint + "\" on body " + std::to_string(body.parent) +
@@ -81,6 +89,7 @@ class NumberCollector {
     add(name + ", armature", body.armature);
     add(name + ", friction", body.viscous);
     add(name + ", friction", body.coulomb);
+    add_dry_friction(name + ", friction, ", body.dry);
     add(name + ", spring", body.stiffness);
     add(name + ", spring", body.spring_reference);
     const Limits& limits = body.limits;

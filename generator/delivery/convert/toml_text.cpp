@@ -189,8 +189,28 @@ class TomlWriter {
     }
   }
 
+  void write_dry_friction(const Joint& joint, const std::string& what) {
+    const DryFrictionLaw& law = joint.law;
+    const std::string coulomb = what + ", coulomb";
+    if (law.backward) {
+      add("coulomb", fmt::format("{{ forward = {}, backward = {} }}", number(joint.coulomb.number, coulomb),
+                                 number(law.backward->number, coulomb)));
+    } else {
+      write_values({{"coulomb", &joint.coulomb}}, what);
+    }
+    const auto write = [&](const char* key, const std::optional<Value>& value) {
+      if (value) add(key, number(value->number, what + ", " + key));
+    };
+    write("coulomb_speed", law.speed);
+    write("coulomb_offset", law.offset);
+    write("static", law.static_friction);
+    write("stribeck_speed", law.stribeck_speed);
+  }
+
   void write_motion(const Joint& joint, const std::string& what) {
-    write_values({{"viscous", &joint.viscous}, {"coulomb", &joint.coulomb}, {"armature", &joint.armature}}, what);
+    write_values({{"viscous", &joint.viscous}}, what);
+    write_dry_friction(joint, what);
+    write_values({{"armature", &joint.armature}}, what);
     if (!vanishes(joint.stiffness.number)) {
       write_values({{"stiffness", &joint.stiffness}, {"spring_reference", &joint.spring_reference}}, what);
     }
@@ -214,12 +234,13 @@ class TomlWriter {
     text_ += "\n[[tendon]]\n";
     add("name", toml_string(tendon.name));
     add("length", position_of(*tendon.coupled));
+    const std::string what = "tendon \"" + tendon.name + "\"";
     write_values({{"stiffness", &tendon.stiffness},
                   {"spring_reference", &tendon.spring_reference},
-                  {"viscous", &tendon.viscous},
-                  {"coulomb", &tendon.coulomb},
-                  {"armature", &tendon.armature}},
-                 "tendon \"" + tendon.name + "\"");
+                  {"viscous", &tendon.viscous}},
+                 what);
+    write_dry_friction(tendon, what);
+    write_values({{"armature", &tendon.armature}}, what);
   }
 
   // "2*'elbow' + 1/3": rational numbers are written exactly, multiples of pi as such.

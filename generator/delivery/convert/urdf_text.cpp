@@ -74,6 +74,7 @@ class UrdfWriter {
     const std::string whose = " of joint \"" + joint.name + "\"";
     if (joint.type == JointType::spherical) refuse(joint.place, "that joint \"" + joint.name + "\" is spherical");
     if (joint.is_tendon) return refuse(joint.place, "a tendon, \"" + joint.name + "\"");
+    if (joint.law.is_given()) refuse(joint.coulomb.place, "how friction changes with the rate" + whose);
     if (joint.motor) refuse(joint.motor->place, "what the motor" + whose + " does to the link that carries it");
     if (joint.held && !vanishes(joint.held->position))
       refuse(joint.place, "the position of a joint that is held" + whose);
