@@ -68,6 +68,10 @@ PartInFile part_in_file(const Joint& joint, ElementsOfFiles& elements) {
   NumbersOfPart numbers(joint.name, elements);
   numbers.add("joint", joint.place, {});
   add_friction_and_armature(joint, numbers);
+  numbers.add("speed of Coulomb friction", joint.law.speed, {"coulomb_speed"});
+  numbers.add("offset of Coulomb friction", joint.law.offset, {"coulomb_offset"});
+  numbers.add("static friction", joint.law.static_friction, {"static"});
+  numbers.add("Stribeck speed", joint.law.stribeck_speed, {"stribeck_speed"});
   if (joint.motor) numbers.add("motor", joint.motor->place, {});
   numbers.add("stiffness", joint.stiffness, {"stiffness", "spring_stiffness"});
   if (!vanishes(joint.stiffness.number)) {

@@ -67,7 +67,7 @@ struct Joint {
   S stiffness = S(0);   // k of a spring, N m/rad or N/m
   S spring_q_0 = S(0);  // the joint's position where the spring exerts nothing, less a coupled one's constant part
   Matrix3<S> orientation = Matrix3<S>::Identity();  // of a spherical joint
-  DryFriction<S> dry;
+  DryFriction<S> dry = {};
 
   // The number of its entries of q̇.
   int size() const { return index < 0 ? 0 : type == JointType::spherical ? 3 : 1; }
