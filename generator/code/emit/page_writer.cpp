@@ -86,6 +86,7 @@ class PageWriter {
     header["uses_fma"] = content_.uses_fma;
     header["uses_trigonometry"] = content_.uses_trigonometry;
     header["own_sines?"] = content_.uses_trigonometry && options_.sines == Sines::polynomials;
+    header["computed_angles?"] = std::any_of(functions_.begin(), functions_.end(), computes_angles);
     header["library_sines?"] = options_.sines == Sines::library;
     header["uses_math"] = content_.uses_trigonometry || content_.uses_sqrt || content_.uses_fma || uses_infinity();
     header["licence"] = licence_comment();

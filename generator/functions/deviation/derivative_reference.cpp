@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kNodes = 9;  // of a difference; its error is the step's power of as many
 const char* const kStep = "1e-6";
-const char* const kShortStep = "1e-9";  // of functions of a step in time, which may be as short as a millisecond
+const char* const kShortStep = "1e-9";      // of functions of a step in time, which may be as short as a millisecond
+const char* const kShortestStep = "1e-13";  // by its length: at high speed angles change a thousand times as fast
 const char* const kRounding = "1e-50";
 const char* const kRoundingOfSteps = "1e-46";  // which solve equations
 constexpr int kDigits = 60;                    // of a Real50
@@ -51,10 +52,13 @@ std::vector<double> difference(std::vector<double> there, const std::vector<doub
   return there;
 }
 
-// The magnitudes of derivatives by the length h of a step: terms have at most this power of h, or of 1/h.
-std::vector<double> by_step_length(std::vector<double> magnitudes, double h) {
+// The magnitudes of derivatives by the length h of a step: terms have at most this power of h, or of 1/h, and sines of
+// angles that are proportional to it, the first entries.
+std::vector<double> by_step_length(std::vector<double> magnitudes, std::size_t positions, double h) {
   constexpr double kPower = 8;
-  for (double& each : magnitudes) each *= kPower / std::abs(h);
+  double angle = 0;
+  for (std::size_t k = 0; k < positions; ++k) angle = std::max(angle, magnitudes[k]);
+  for (double& each : magnitudes) each *= (kPower + angle) / std::abs(h);
   return magnitudes;
 }
 
@@ -113,6 +117,27 @@ DerivativeReference::DerivativeReference(const Robot& robot, const Mechanism& me
   exact_ = row_.reference.exact({mechanism_, exact_robot, symbols_}, function_);
   magnitude_ = row_.reference.magnitude({mechanism_, rounded_, symbols_}, function_);
   steep_magnitude_ = row_.reference.magnitude({mechanism_, steep_, symbols_}, function_);
+  const bool has_columns = derivative_ == Derivative::jacobian || derivative_ == Derivative::vector_times_jacobian;
+  if (!has_columns || row_.state_derivatives == nullptr || mechanism.has_quasi_velocities()) return;
+  state_derivatives_ = function_;
+  state_derivatives_.name = row_.state_derivatives;
+  const NumericReference& state = row_of(state_derivatives_).reference;
+  state_exact_ = state.exact({mechanism_, exact_robot, symbols_}, state_derivatives_);
+  state_magnitude_ = state.magnitude({mechanism_, rounded_, symbols_}, state_derivatives_);
+}
+
+template <class T>
+void DerivativeReference::take_state_derivatives(const std::vector<T>& entries,
+                                                 std::vector<std::vector<T>>& columns) const {
+  const auto n = static_cast<std::size_t>(mechanism_.size());
+  for (std::size_t k = 0; k < directions_.size(); ++k) {
+    const auto [kind, number] = directions_[k];
+    if (kind != InputKind::q && kind != InputKind::qd && kind != InputKind::tau) continue;
+    const bool is_of_B = kind == InputKind::tau;
+    const std::size_t first = is_of_B ? 4 * n * n : 0, cols = is_of_B ? n : 2 * n,
+                      column = static_cast<std::size_t>(number) + (kind == InputKind::qd ? n : 0);
+    for (std::size_t i = 0; i < 2 * n; ++i) columns[k][i] = entries[first + i * cols + column];
+  }
 }
 
 template <class T>
@@ -126,6 +151,7 @@ std::vector<Real50> DerivativeReference::exact(const StateOf<Real50>& state) con
   if (derivative_ == Derivative::jacobian_times_vector) return derivatives_along(state, state.direction);
   std::vector<Values> columns;
   for (std::size_t k = 0; k < directions_.size(); ++k) columns.push_back(derivatives_by(state, k));
+  if (state_exact_) take_state_derivatives(state_exact_(state), columns);
   if (derivative_ != Derivative::vector_times_jacobian) return in_order(columns);
   Values products;
   for (const Values& column : columns) {
@@ -149,7 +175,8 @@ DerivativeReference::Values DerivativeReference::derivatives_along(const StateOf
   static const std::vector<Real50> factors = difference_factors();
   const bool is_of_step =
       std::find(function_.inputs.begin(), function_.inputs.end(), InputKind::h) != function_.inputs.end();
-  const Real50 step(is_of_step ? kShortStep : kStep);
+  const bool is_by_length = is_of_step && weights[length_direction()] != Real50(0);
+  const Real50 step(is_by_length ? kShortestStep : is_of_step ? kShortStep : kStep);
   Values sums, sizes;
   for (int j = 1; j <= kNodes; ++j) {
     const Values values = values_at(state, weights, step * Real50(j));
@@ -186,6 +213,12 @@ DerivativeReference::Values DerivativeReference::values_at(const StateOf<Real50>
   for (const Real50& value : moved.parameters) values.push_back(exact_decimal(value.str(kDigits)));
   const auto robot = robot_for_function(function_, robot_, reference_robot<Real50>(robot_, values));
   return row_.reference.exact({mechanism_, robot, values}, function_)(moved);
+}
+
+std::size_t DerivativeReference::length_direction() const {
+  const auto is_length = [](const Direction& direction) { return direction.kind == InputKind::h; };
+  return static_cast<std::size_t>(std::find_if(directions_.begin(), directions_.end(), is_length) -
+                                  directions_.begin());
 }
 
 template <class S>
@@ -234,7 +267,7 @@ bool DerivativeReference::is_angle(const Direction& direction) const {
 std::vector<double> DerivativeReference::magnitude_along(const State& state, const std::vector<double>& here,
                                                          const Direction& along) const {
   if (is_angle(along)) return here;
-  if (along.kind == InputKind::h) return by_step_length(here, state.h.front());
+  if (along.kind == InputKind::h) return by_step_length(here, state.q.size(), state.h.front());
   if (along.kind == InputKind::parameter) {
     SymbolValues values = symbols_;
     Number& value = values[static_cast<std::size_t>(along.entry)];
@@ -245,7 +278,7 @@ std::vector<double> DerivativeReference::magnitude_along(const State& state, con
   const bool is_rate = is_velocity(along.kind);
   std::vector<double> there = (is_rate ? steep_magnitude_ : magnitude_)(unit_away(state, along));
   // The magnitude of a quotient may shrink while an argument grows.
-  if (along.kind == InputKind::q || row_.traits.divides_by_pivots) return there;
+  if (along.kind == InputKind::q || row_.traits.divides_by_pivots || row_.traits.has_gaps) return there;
   return difference(std::move(there), is_rate ? steep_magnitude_(state) : here);
 }
 
@@ -278,6 +311,7 @@ std::vector<std::vector<double>> DerivativeReference::magnitudes(const State& st
     columns.push_back(magnitude_along(state, here, direction));
     for (double& entry : columns.back()) entry = std::abs(amplification * entry);
   }
+  if (state_magnitude_) take_state_derivatives(state_magnitude_(state), columns);
   return columns;
 }
 

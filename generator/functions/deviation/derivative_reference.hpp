@@ -53,6 +53,11 @@ class DerivativeReference {
                                       const Direction& along) const;
   std::vector<double> weighted_magnitude(const State& state) const;
   State unit_away(const State& state, const Direction& direction) const;
+  // A and B of a step, as they are computed by a reference of their own, instead of the columns by q, q̇ and τ.
+  template <class T>
+  void take_state_derivatives(const std::vector<T>& entries, std::vector<std::vector<T>>& columns) const;
+  // The direction of a step's length.
+  std::size_t length_direction() const;
   // The entries of matrices from their columns.
   template <class T>
   std::vector<T> in_order(const std::vector<std::vector<T>>& columns) const;
@@ -74,6 +79,9 @@ class DerivativeReference {
   reference::Robot<double> rounded_;
   reference::Robot<double> steep_;  // whose viscous friction has the largest slopes of smooth friction as well
   ReferenceFunction<double> steep_magnitude_;
+  Function state_derivatives_;             // of a step: the function that returns A and B, without its graph,
+  ReferenceFunction<Real50> state_exact_;  // and its reference; empty: there is none
+  ReferenceFunction<double> state_magnitude_;
   double steepness_ = 1;  // 1/speed of the smooth friction that changes fastest
 };
 
