@@ -39,7 +39,8 @@ std::vector<std::string> derivatives_of(const FunctionRow& row) {
 class Derivatives : public ::testing::TestWithParam<DerivativeSubject> {
  protected:
   bool has(const FunctionRow& row) const {
-    const bool takes_long = std::string(row.name).ends_with("_derivatives") || row.traits.uses_base_parameters;
+    const bool takes_long =
+        std::string(row.name).ends_with("_derivatives") || row.traits.uses_base_parameters || row.traits.leaves_rest;
     const bool is_singular = row.traits.uses_task && mechanism_.size() < 6;
     return row.applies_to(mechanism_) && find_row(derivatives_of(row)[0]) != nullptr && !is_singular &&
            (GetParam().has_all_functions || !takes_long);

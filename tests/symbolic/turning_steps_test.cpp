@@ -46,6 +46,14 @@ TEST_P(TurningSteps, AreProvenAndRefutedWhereTheyAreWrong) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, TurningSteps, ::testing::Values("spherical_pendulum.toml", "floating_body.toml"));
 
+TEST(DerivativesOfTurningSteps, AreProvenAlongTurns) {
+  const Mechanism mechanism = example("spherical_pendulum.toml");
+  for (const char* name : {"vjp:step:rk4", "jac:step:semi_implicit_euler", "jvp:step:implicit_midpoint"}) {
+    const ExactResult result = prove_exactly(mechanism, derive_function(mechanism, name), {.points = 1});
+    EXPECT_TRUE(result.equal) << name << ": " << result.summary();
+  }
+}
+
 // The state of a body with a ball joint in the world.
 struct Flight {
   Eigen::Vector3d place{0, 0, 0};
