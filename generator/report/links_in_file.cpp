@@ -106,9 +106,12 @@ std::string dry_friction_text(const Body& body, const NumberText& number) {
   };
   add("smooth around", dry.speed, speed);
   add("offset by", dry.offset, speed);
-  add("at rest more by", dry.excess, unit);
+  if (dry.has_excess()) add("static", body.coulomb + dry.excess, unit);
   add("Stribeck speed", dry.stribeck_speed, speed);
-  add("forward more, backward less by", dry.asymmetry, unit);
+  if (!vanishes(dry.asymmetry)) {
+    text += fmt::format(": {} forward, {} backward", number(body.coulomb + dry.asymmetry),
+                        number(body.coulomb - dry.asymmetry));
+  }
   return text;
 }
 

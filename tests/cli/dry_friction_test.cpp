@@ -85,7 +85,7 @@ TEST_F(DryFriction, IsSaid) {
   ASSERT_EQ(run("generate -q", "--functions inverse_dynamics_derivatives -o " + scratch.path("out")).code, 0);
   EXPECT_THAT(scratch.read("out/arm.hpp"), Not(HasSubstr("counts as constant")));
   EXPECT_THAT(run("inspect").out, HasSubstr("F_s = 0.8 N m, smooth around 0.05 rad/s, offset by 0.02 rad/s"));
-  EXPECT_THAT(run("inspect").out, HasSubstr("forward more, backward less by 0.125 N"));
+  EXPECT_THAT(run("inspect").out, HasSubstr(": 0.5 forward, 0.25 backward"));
   EXPECT_THAT(run("derive").out, HasSubstr("tanh((qd_1 + 0.02)/0.05)"));
   EXPECT_EQ(json::parse(run("inspect", "--json").out)["joints"][0]["coulomb_speed"], 0.05);
 }
