@@ -63,7 +63,7 @@ TEST(HowToAdd, AFunctionThatTheProgramThenVerifies) {
   fs::copy(fs::path(FLATDYN_SOURCE_DIR) / "docs/examples/inertial_torque/generator", folder / "generator",
            fs::copy_options::recursive);
   for (const std::string& block : blocks_of(content(FLATDYN_SOURCE_DIR "/docs/how-to-add.md"))) {
-    if (block.starts_with("#include")) insert_before(rows, "#include \"base/diagnostics/", block);
+    if (block.starts_with("#include")) insert_before(rows, "#include \"derivation/dynamics/acceleration", block);
     if (block.starts_with("    {.name")) insert_before(rows, "};\n\n}  // namespace", block);
   }
   write(table, rows);
