@@ -49,8 +49,8 @@ struct Tangent {
   }
   friend Tangent tanh(const Tangent& a) {
     using std::tanh;
-    const S value = tanh(a.value);
-    return Tangent(value, (S(1) - value * value) * a.slope);
+    const S t = tanh(a.value);
+    return Tangent(t, (S(1) - t * t) * a.slope);
   }
 };
 
