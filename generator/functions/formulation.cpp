@@ -241,7 +241,6 @@ void describe_spherical(Output& output) {
 void describe_floating(const OutputRow& row, Output& output) {
   switch (output.quantity) {
     case OutputQuantity::joint_torque:
-      if (std::string(row.name) == "residual") break;
       output.meaning = "force and moment on the base (base axes, N, N m), then joint torques";
       break;
     case OutputQuantity::joint_acceleration:

@@ -54,7 +54,7 @@ FunctionRow midpoint_row() {
                     "One Newton iteration from qd_end for a step of length h with constant torques by "
                     "the implicit midpoint rule",
                     {.from_choices = derive_midpoint_step}, definitions::midpoint_step, references::midpoint_step));
-  row.outputs.push_back({"residual", Layout::vector, Extent::joints, Extent::one, OutputQuantity::joint_torque});
+  row.outputs.push_back({"residual", Layout::vector, Extent::joints, Extent::one, OutputQuantity::joint_momentum_rate});
   return row;
 }
 

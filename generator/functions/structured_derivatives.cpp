@@ -16,13 +16,13 @@ namespace {
 
 constexpr int kAxes = 3;
 
-// The columns along the directions of an argument, from a matrix of its derivatives.
-void take_columns(const Output& matrix, const TangentBlock& block, JacobianColumns& columns) {
-  if (matrix.cols != block.length) throw Failure(FailureKind::bug, matrix.name + " has the wrong shape");
+// The columns along the directions of an argument, from those of a matrix of derivatives that start with number `from`.
+void take_columns(const Output& matrix, int from, const TangentBlock& block, JacobianColumns& columns) {
+  if (matrix.cols < from + block.length) throw Failure(FailureKind::bug, matrix.name + " has the wrong shape");
   for (int k = 0; k < block.length; ++k) {
     std::vector<NodeId>& column = columns[static_cast<std::size_t>(block.first + k)];
     for (int i = 0; i < matrix.rows; ++i) {
-      column.push_back(matrix.entries[static_cast<std::size_t>(i * matrix.cols + k)]);
+      column.push_back(matrix.entries[static_cast<std::size_t>(i * matrix.cols + from + k)]);
     }
   }
 }
@@ -88,7 +88,7 @@ std::optional<Function> jacobian_of_parts(const Mechanism& mechanism, const Func
     for (const InputKind argument : part.arguments) {
       const TangentBlock* block = tangents.find(with_base(argument, mechanism.has_quasi_velocities()));
       if (block == nullptr) throw Failure(FailureKind::bug, std::string(part.function) + " has other arguments");
-      take_columns(whole.outputs[output++], *block, columns);
+      take_columns(whole.outputs[output++], 0, *block, columns);
     }
   }
   const bool is_of_acceleration = row.outputs.front().quantity == OutputQuantity::joint_acceleration;
@@ -113,20 +113,11 @@ std::optional<Function> jacobian_of_step(const Mechanism& mechanism, const Funct
   const Output A = whole.outputs.at(0), B = whole.outputs.at(1);
   whole.inputs = row.inputs_for(mechanism);
   const Tangents tangents(mechanism, whole.inputs, 0);
-  const auto column = [&](InputKind argument, int k) { return tangents.find(argument)->first + k; };
   JacobianColumns columns(static_cast<std::size_t>(tangents.count()));
-  const auto take = [&columns](const Output& matrix, int from, int to) {
-    for (int i = 0; i < matrix.rows; ++i) {
-      const auto entry = static_cast<std::size_t>(i * matrix.cols + from);
-      columns[static_cast<std::size_t>(to)].push_back(matrix.entries[entry]);
-    }
-  };
-  for (int k = 0; k < mechanism.size(); ++k) {
-    take(A, k, column(InputKind::q, k));
-    take(A, mechanism.size() + k, column(InputKind::qd, k));
-    take(B, k, column(InputKind::tau, k));
-  }
-  for (const Output& part : function_of(both, 1).outputs) take(part, 0, column(InputKind::h, 0));
+  take_columns(A, 0, *tangents.find(InputKind::q), columns);
+  take_columns(A, mechanism.size(), *tangents.find(InputKind::qd), columns);
+  take_columns(B, 0, *tangents.find(InputKind::tau), columns);
+  for (const Output& part : function_of(both, 1).outputs) take_columns(part, 0, *tangents.find(InputKind::h), columns);
   whole.outputs = jacobian_outputs(step->outputs, tangents, columns);
   return whole;
 }

@@ -13,7 +13,7 @@ enum class OutputQuantity {
   joint_acceleration,         // and the second one
   joint_torque,               // a force for prismatic joints
   joint_momentum,             // a torque times seconds
-  joint_momentum_rate,        // a torque that is none: what changes momenta
+  joint_momentum_rate,        // a torque that is none: what changes momenta, or is left of an equation
   joint_inertia,              // entries of B
   christoffel_symbol,         // c_ijk
   energy,                     // of the whole robot

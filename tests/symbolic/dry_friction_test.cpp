@@ -15,6 +15,7 @@
 #include "support/agreement.hpp"
 #include "support/mutants.hpp"
 #include "support/robot_models.hpp"
+#include "support/simple_robots.hpp"
 #include "support/written_model.hpp"
 #include "truth/definition/as_read.hpp"
 
@@ -119,51 +120,11 @@ static = 0.5
 stribeck_speed = 0.1
 )";
 
-const char* const kRubbedLoop = R"(name = "four_bar"
-gravity = [0, -9.81, 0]
-[[link]]
-joint = "crank"
-mass = 1
-com = [0.1, 0, 0]
-coulomb = 0.5
-coulomb_speed = 0.1
-[[link]]
-joint = "coupler"
-xyz = [0.2, 0, 0]
-mass = 1
-com = [0.25, 0, 0]
-coulomb = 0.2
-coulomb_speed = 0.3
-[[link]]
-joint = "rocker"
-parent = "base"
-xyz = [0.5, 0, 0]
-mass = 1
-com = [0.2, 0, 0]
-[[loop]]
-links = ["link2", "link3"]
-from = [0.5, 0, 0]
-to = [0.4, 0, 0]
-dependent = ["coupler", "rocker"]
-)";
+const std::string kRubbedLoop =
+    testing::four_bar_with("coulomb = 0.5\ncoulomb_speed = 0.1", "coulomb = 0.2\ncoulomb_speed = 0.3");
 
-const char* const kRubbedBird = R"(name = "bird"
-[base]
-motion = "floating"
-mass = 1.5
-com = [0.01, 0.02, -0.03]
-inertia = { xx = 0.02, yy = 0.03, zz = 0.04, xy = 0.001 }
-inertia_about = "com"
-[[link]]
-joint = "wing"
-xyz = [0.1, 0.2, 0]
-mass = 0.3
-com = [0.2, 0.1, 0]
-coulomb = 0.3
-coulomb_speed = 0.2
-static = 0.4
-stribeck_speed = 0.1
-)";
+const std::string kRubbedBird =
+    testing::bird_with("coulomb = 0.3\ncoulomb_speed = 0.2\nstatic = 0.4\nstribeck_speed = 0.1\n");
 
 struct RubbedRobot {
   const char* name;
@@ -246,7 +207,8 @@ TEST_P(DryFrictionOfRobots, FunctionsAgreeWithTheReference) {
 INSTANTIATE_TEST_SUITE_P(Robots, DryFrictionOfRobots,
                          ::testing::Values(RubbedRobot{"arm", kRubbedArm}, RubbedRobot{"offsets", kArmWithOffsets},
                                            RubbedRobot{"signs", kArmWithSigns}, RubbedRobot{"coupled", kRubbedHand},
-                                           RubbedRobot{"loop", kRubbedLoop}, RubbedRobot{"floating", kRubbedBird}),
+                                           RubbedRobot{"loop", kRubbedLoop.c_str()},
+                                           RubbedRobot{"floating", kRubbedBird.c_str()}),
                          [](const auto& each) { return std::string(each.param.name); });
 
 // A sign that flips, a term that is lost and a wrong operand, in what the passes leave.

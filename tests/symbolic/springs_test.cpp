@@ -14,6 +14,7 @@
 #include "robot/model/states.hpp"
 #include "support/agreement.hpp"
 #include "support/robot_models.hpp"
+#include "support/simple_robots.hpp"
 #include "support/written_model.hpp"
 #include "truth/definition/as_read.hpp"
 #include "truth/reference/graph_evaluator.hpp"
@@ -92,58 +93,17 @@ position = "c - a + 0.1"
 )";
 
 // A four-bar linkage that is no parallelogram, with springs at a joint that leads and at one that follows.
-const char* const kLoop = R"(name = "four_bar"
-gravity = [0, -9.81, 0]
-[[link]]
-joint = "crank"
-mass = 1
-com = [0.1, 0, 0]
-stiffness = 5
-spring_reference = 0.4
-[[link]]
-joint = "coupler"
-xyz = [0.2, 0, 0]
-mass = 1
-com = [0.25, 0, 0]
-stiffness = 7
-spring_reference = -0.3
-[[link]]
-joint = "rocker"
-parent = "base"
-xyz = [0.5, 0, 0]
-mass = 1
-com = [0.2, 0, 0]
-[[loop]]
-links = ["link2", "link3"]
-from = [0.5, 0, 0]
-to = [0.4, 0, 0]
-dependent = ["coupler", "rocker"]
-)";
+const std::string kLoop =
+    testing::four_bar_with("stiffness = 5\nspring_reference = 0.4", "stiffness = 7\nspring_reference = -0.3");
 
-const char* const kFloating = R"(name = "bird"
-[base]
-motion = "floating"
-mass = 1.5
-com = [0.01, 0.02, -0.03]
-inertia = { xx = 0.02, yy = 0.03, zz = 0.04, xy = 0.001 }
-inertia_about = "com"
-[[link]]
-joint = "wing"
-xyz = [0.1, 0.2, 0]
-mass = 0.3
-com = [0.2, 0.1, 0]
-inertia = { xx = 0.003, yy = 0.004, zz = 0.005 }
-inertia_about = "com"
-stiffness = 6
-spring_reference = 0.25
-[[link]]
+const std::string kFloating = testing::bird_with("stiffness = 6\nspring_reference = 0.25\n", R"([[link]]
 joint = "tail"
 parent = "base"
 type = "prismatic"
 xyz = [-0.2, 0, 0]
 mass = 0.2
 stiffness = 40
-)";
+)");
 
 // Tendons over joints of two limbs and of one, with springs, friction and armature.
 const char* const kTendons = R"(
@@ -242,7 +202,8 @@ TEST_P(Springs, FunctionsAgreeWithTheReference) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, Springs,
                          ::testing::Values(SprungRobot{"arm", kArm}, SprungRobot{"coupled", kCoupled},
-                                           SprungRobot{"loop", kLoop}, SprungRobot{"floating", kFloating},
+                                           SprungRobot{"loop", kLoop.c_str()},
+                                           SprungRobot{"floating", kFloating.c_str()},
                                            SprungRobot{"tendons", kTendonsOnAFixedBase.c_str()},
                                            SprungRobot{"tendons_floating", kTendonsOnAFloatingBase.c_str()}),
                          [](const auto& each) { return std::string(each.param.name); });

@@ -25,7 +25,7 @@ StepChart::StepChart(const Mechanism& mechanism, Graph& graph) : mechanism_(mech
     parts_.push_back({static_cast<std::size_t>(first), mechanism.quaternion_of(first)});
   }
   for (int k = 0; k < mechanism.size(); ++k) {
-    const bool is_rate = !mechanism.is_of_base(k) && !mechanism.is_around_pose(mechanism.body_of(k));
+    const bool is_rate = !mechanism.is_around_pose(mechanism.body_of(k));
     position_of_.push_back(is_rate ? mechanism.position_of(k) : -1);
   }
 }

@@ -30,7 +30,13 @@ class BackwardChain {
   using Entries = SquareMatrices::Entries;
 
   BackwardChain(Stages& stages, const RungeKutta& step)
-      : stages_(stages), m_(stages.graph(), static_cast<int>(step.rates.size())), step_(step) {}
+      : stages_(stages), m_(stages.graph(), static_cast<int>(step.rates.size())), step_(step) {
+    const StepChart& chart = stages.chart();
+    for (const RungeKutta::Stage& stage : step.stages) {
+      positions_.push_back(chart.tangents(stage.change, stage.turns));
+      changes_.push_back(chart.tangents_of_rates(stage.change, stage.turns, stage.rates));
+    }
+  }
 
   RowsAfterStep rates() {
     RowsAfterStep rows{m_.zero(), unit(), m_.zero()};
@@ -60,9 +66,8 @@ class BackwardChain {
       add(by_rates_of_change, along(RungeKutta::weight(k), by_change));
       add(by_accelerations, along(RungeKutta::weight(k), by_velocity));
       const RungeKutta::Stage& stage = step_.stages[k];
-      const StepChart& chart = stages_.chart();
-      const StepChart::Tangents positions = chart.tangents(stage.change, stage.turns);
-      const StepChart::RateTangents changes = chart.tangents_of_rates(stage.change, stage.turns, stage.rates);
+      const StepChart::Tangents& positions = positions_[k];
+      const StepChart::RateTangents& changes = changes_[k];
       const Entries by_torques = m_.product(by_accelerations, stage.outputs[3]);
       const auto through_accelerations = [&](const Entries& of_torques, const Entries& of_axes) {
         return m_.sum(m_.product(by_accelerations, of_axes), m_.product(by_torques, of_torques), -1);
@@ -85,6 +90,8 @@ class BackwardChain {
   Stages& stages_;
   SquareMatrices m_;
   const RungeKutta& step_;
+  std::vector<StepChart::Tangents> positions_;    // by stage
+  std::vector<StepChart::RateTangents> changes_;  // by stage
 };
 
 // A and B from their halves.
@@ -139,7 +146,7 @@ Function semi_implicit_derivatives(const Mechanism& mechanism, const Choices& ch
   const StepChart chart(mechanism, graph);
   const SquareMatrices m(graph, mechanism.size());
   const NodeId h = graph.input({InputKind::h, 0});
-  StepChart::Entries change(static_cast<std::size_t>(m.size()), h);
+  StepChart::Entries change;  // joints of one axis need none
   if (chart.has_turns()) change = change_of_positions(chart, derive_forward_dynamics(mechanism, choices), graph);
   const std::vector<Output>& of = function.outputs;
   const RowsAfterStep rates{m.scaled(h, of[0].entries),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What languages have instead of tanh: sums, products, quotients and signs.
+// The last pass writes tanh by sums, products, quotients and signs, which all languages have.
 #pragma once
 
 #include "graph/function.hpp"

@@ -62,7 +62,7 @@ MiddleOfStep<F> middle_of_step(const Point& at) {
 template <class Point>
 typename Point::Values after_newton_iteration(const Point& at, const Output& output) {
   const auto step = middle_of_step(at);
-  if (output.quantity == OutputQuantity::joint_torque) return step.residual;
+  if (output.quantity == OutputQuantity::joint_momentum_rate) return step.residual;
   const auto rates = moved(step.qd_end, -step.h, solution(step.newton, step.residual));
   return after_step(at, output, change_along(at.mechanism, scaled_sum(step.half, step.qd, rates)), rates);
 }

@@ -51,20 +51,25 @@ struct StageOfStep {
 };
 
 template <class Point, class F = typename Point::F>
-RatesOfState<F> rates_at(const Point& at, const StateOfStep<F>& state) {
-  StageOfStep<Point> stage(at, state);
-  return {rates_in_chart(at.mechanism, state.change, state.qd),
+RatesOfState<F> rates_of(StageOfStep<Point>& stage, const StateOfStep<F>& state) {
+  return {rates_in_chart(stage.mechanism, state.change, state.qd),
           solution(stage.there.lagrangian.inertia(), stage.there.net_torques()),
           {},
           {}};
 }
 
 template <class Point, class F = typename Point::F>
+RatesOfState<F> rates_at(const Point& at, const StateOfStep<F>& state) {
+  StageOfStep<Point> stage(at, state);
+  return rates_of(stage, state);
+}
+
+template <class Point, class F = typename Point::F>
 RatesOfState<F> rates_and_derivatives_at(const Point& at, const StateOfStep<F>& state) {
   const Mechanism& mechanism = at.mechanism;
   const int n = mechanism.size();
-  RatesOfState<F> rates = rates_at(at, state);
   StageOfStep<Point> stage(at, state);
+  RatesOfState<F> rates = rates_of(stage, state);
   const Matrix<F> dpositions =
       derivatives_after(mechanism, state.change, state.dchange,
                         [](const Mechanism& m, std::vector<Dual<F>> c) { return change_in_chart(m, std::move(c)); });

@@ -63,7 +63,7 @@ inline std::vector<TurningPart> turning_parts(const Mechanism& mechanism) {
 }
 
 inline bool is_joint_of_one_axis(const Mechanism& mechanism, int k) {
-  return !mechanism.is_of_base(k) && !mechanism.is_around_pose(mechanism.body_of(k));
+  return !mechanism.is_around_pose(mechanism.body_of(k));
 }
 
 template <class S>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the definitions of steps share: the state before a step at a point of a field, the outputs after it, and how
+// The definitions of steps share this: the state before a step at a point of a field, the outputs after it, and how
 // they change with that state and τ.
 #pragma once
 
