@@ -31,7 +31,7 @@ Extent directions_of(InputKind argument) {
 
 // Those of the derivatives of steps would be second derivatives of long functions.
 bool has_derivatives(const FunctionRow& row) {
-  return !row.inputs.empty() && !row.traits.needs_loops && !std::string(row.name).starts_with("step_derivatives:");
+  return !row.inputs.empty() && !std::string(row.name).starts_with("step_derivatives:");
 }
 
 bool has_weights(Derivative derivative) {

@@ -8,8 +8,8 @@
 
 #include "base/diagnostics/diagnostics.hpp"
 #include "base/diagnostics/nearest.hpp"
+#include "derivation/differentiation/differentiable.hpp"
 #include "derivation/differentiation/differentiate.hpp"
-#include "derivation/dynamics/derivative_functions.hpp"
 #include "functions/function_table.hpp"
 #include "functions/structured_derivatives.hpp"
 #include "graph/function_name.hpp"
@@ -32,10 +32,9 @@ void refuse_derivative(const std::string& name, const FunctionName& parts) {
   const FunctionRow* row = find_row(parts.stem);
   if (row == nullptr) return;
   const bool is_of_step = parts.stem.starts_with("step_derivatives:");
-  throw Failure(FailureKind::unsupported, fmt::format("there are no derivatives of \"{}\"", parts.stem),
-                is_of_step                ? "hessian:step:METHOD has second derivatives"
-                : row->traits.needs_loops ? "it is about closed loops"
-                                          : "it has no arguments that they could be by");
+  throw Failure(
+      FailureKind::unsupported, fmt::format("there are no derivatives of \"{}\"", parts.stem),
+      is_of_step ? "hessian:step:METHOD has second derivatives" : "it has no arguments that they could be by");
 }
 
 const FunctionRow& known_row(const std::string& name) {
@@ -308,6 +307,7 @@ std::string summary_of_derivative(const std::string& function, Derivative deriva
       break;
   }
   if (smooth_joints(mechanism) != SmoothJoints::all) summary += "; signs count as constant";
+  if (mechanism.has_loops()) summary += ". Derivatives by q are by the independent joints, along which the others move";
   if (!mechanism.has_quasi_velocities()) return summary;
   summary += ". Derivatives by q are along the entries of v, while the numbers in other arguments are held";
   if (mechanism.floating_base) {
@@ -324,22 +324,20 @@ std::string summary_of_derivative(const std::string& function, Derivative deriva
   return summary;
 }
 
-Function derivative_of(const Function& whole, Derivative derivative, const Mechanism& mechanism) {
-  const Function function = without_condition(whole);
-  const Tangents tangents(mechanism, function.inputs, function.base_parameters);
+Function derivative_of(const Differentiable& of, Derivative derivative) {
   switch (derivative) {
     case Derivative::none:
       break;
     case Derivative::jacobian_times_vector:
-      return jacobian_times_vector(function, tangents);  // its outputs have the quantities of the function's
+      return jacobian_times_vector(of.function(), of.tangents());  // its outputs have the quantities of the function's
     case Derivative::vector_times_jacobian:
-      return vector_times_jacobian(function, tangents);
+      return vector_times_jacobian(of.function(), of.tangents());
     case Derivative::jacobian:
-      return jacobian_matrices(function, tangents);
+      return jacobian_matrices(of.function(), of.tangents());
     case Derivative::contracted_hessian:
-      return contracted_hessian(function, tangents);
+      return contracted_hessian(of.function(), of.tangents());
   }
-  return function;
+  return of.function();
 }
 
 // A derivative of a function, in a formulation of the function, or of what its derivatives are made from.
@@ -364,7 +362,8 @@ std::optional<Function> derivative_in(const Mechanism& mechanism, const Function
   }
   const std::optional<Function> made = formulation(mechanism, function, way, choices);
   if (!made) return std::nullopt;
-  return derivative_of(*made, row.derivative, mechanism);
+  const Differentiable whole(mechanism, without_condition(*made), made->inputs, choices);
+  return whole.finished(derivative_of(whole, row.derivative));
 }
 
 }  // namespace
@@ -384,7 +383,6 @@ std::optional<Function> formulation(const Mechanism& mechanism, const std::strin
                                     const Choices& choices) {
   const Request request = parsed(mechanism, name);
   if (request.row->differentiated != nullptr) {
-    refuse_derivatives_of_loops(mechanism, name);
     const std::string function = parts_of_name(name).of_whole();
     std::optional<Function> made = derivative_in(mechanism, *request.row, function, way, choices);
     if (!made) return std::nullopt;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "functions/function_table.hpp"
 
+#include "derivation/differentiation/along_loops.hpp"
 #include "derivation/dynamics/acceleration_functions.hpp"
 #include "derivation/dynamics/centroidal_functions.hpp"
 #include "derivation/dynamics/contact_functions.hpp"
@@ -132,7 +133,7 @@ const std::vector<FunctionRow> kRows = {
      .jacobian_parts = {{"forward_dynamics_derivatives", {q, qd, tau}}},
      .implicit = {"inverse_dynamics",
                   derive_acceleration_and_multipliers,
-                  {derive_multipliers_and_derivatives, derive_multipliers_and_derivatives_by_products}}},
+                  {multipliers_and_derivatives, derive_multipliers_and_derivatives_by_products}}},
     {.name = "kinetic_energy",
      .summary = "Kinetic energy of links and rotors",
      .equation = "(7.31)",
@@ -273,7 +274,7 @@ const std::vector<FunctionRow> kRows = {
      .inputs = {q, g_b, qd, qdd},
      .outputs = {square("dtau_dq", OutputQuantity::torque_per_position),
                  square("dtau_dqd", OutputQuantity::torque_per_rate)},
-     .derivation = {.from_choices = derive_inverse_dynamics_derivatives},
+     .derivation = {.from_choices = inverse_dynamics_derivatives},
      .definition = definitions::inverse_dynamics_derivatives,
      .reference = references::inverse_dynamics_derivatives,
      .traits = {.on_request = true}},
@@ -284,7 +285,7 @@ const std::vector<FunctionRow> kRows = {
      .outputs = {square("dqdd_dq", OutputQuantity::acceleration_per_position),
                  square("dqdd_dqd", OutputQuantity::acceleration_per_rate),
                  square("dqdd_dtau", OutputQuantity::acceleration_per_torque)},
-     .derivation = {.from_choices = derive_forward_dynamics_derivatives,
+     .derivation = {.from_choices = forward_dynamics_derivatives,
                     .alternatives = {{"products with B^-1", derive_forward_dynamics_derivatives_by_products}},
                     .formulation = "substitution into B = L^T D L"},
      .definition = definitions::forward_dynamics_derivatives,

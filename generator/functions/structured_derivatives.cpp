@@ -133,10 +133,11 @@ std::optional<Function> implicit_derivative(const Mechanism& mechanism, const Fu
                                             FormulationIndex way, const Choices& choices) {
   const bool is_second = derivative == Derivative::contracted_hessian;
   const auto& ways = row.implicit.solution_and_derivatives;
-  if (way >= (is_second ? ways.size() : 1)) return std::nullopt;
+  const bool has_several = is_second && !mechanism.has_loops();
+  if (way >= (has_several ? ways.size() : 1)) return std::nullopt;
   Function solution = (is_second ? ways[way] : row.implicit.solution)(mechanism, choices);
-  const Function torques = *formulation(mechanism, row.implicit.torques, 0, choices);
-  const std::vector<InputKind> arguments = row.inputs_for(mechanism);
+  Function inverse_dynamics = *formulation(mechanism, row.implicit.torques, 0, choices);
+  const std::vector<InputKind> arguments = row.inputs_for(mechanism), of_torques = inverse_dynamics.inputs;
   solution.inputs = arguments;
   solution.inputs.push_back(InputKind::weights);
   const std::string acceleration = in_coordinates(row.outputs.front().name, mechanism);
@@ -144,13 +145,14 @@ std::optional<Function> implicit_derivative(const Mechanism& mechanism, const Fu
   solution.outputs.front().name = acceleration;
   solution.formulation = "multipliers B^-1 w";
   solution.proven_pivot_share = choices.guard.proven_share;
-  const Tangents tangents(mechanism, arguments, 0), of_torques(mechanism, torques.inputs, 0);
-  const ImplicitAcceleration implicit{solution, torques, tangents, of_torques};
+  const Tangents tangents(mechanism, arguments, 0);
+  const Differentiable torques(mechanism, std::move(inverse_dynamics), of_torques, choices);
+  const ImplicitAcceleration implicit{solution, torques, tangents};
   return is_second ? weighted_second_derivatives(implicit) : weighted_derivatives(implicit);
 }
 
 bool is_held(const Mechanism& mechanism, const FunctionRow& row) {
-  return row.held_motion != nullptr && mechanism.symbols.empty() &&
+  return row.held_motion != nullptr && mechanism.symbols.empty() && !mechanism.has_loops() &&
          !base_has(mechanism, [](const Body& body) { return body.armature != 0 || body.viscous != 0; });
 }
 

@@ -144,10 +144,9 @@ class DryFrictionOfRobots : public ::testing::TestWithParam<RubbedRobot> {
 
   bool is_made(const std::string& name) const {
     const FunctionRow& row = *find_row(name);
-    const bool is_refused = mechanism_.has_loops() && name.ends_with("dynamics_derivatives");
     const bool is_linear = std::all_of(mechanism_.bodies.begin(), mechanism_.bodies.end(),
                                        [](const Body& body) { return body.dry.is_linear(); });
-    return row.applies_to(mechanism_) && !is_refused && (is_linear || !row.needs_linear_friction());
+    return row.applies_to(mechanism_) && (is_linear || !row.needs_linear_friction());
   }
   void expect_proof(const Function& function, int points = 2) const {
     const ExactResult result = prove_exactly(mechanism_, function, {.points = points});

@@ -149,10 +149,7 @@ class Loops : public ::testing::TestWithParam<const char*> {
   const SymbolValues symbols_ = random_symbol_values(model_.robot, 3);
 };
 
-bool is_for_loops(const FunctionRow& entry) {
-  const bool is_derivative = std::string(entry.name).ends_with("_derivatives");  // refused for loops
-  return !is_derivative && !entry.traits.uses_task;
-}
+bool is_for_loops(const FunctionRow& entry) { return !entry.traits.uses_task; }
 
 TEST_P(Loops, EveryFunctionIsTheLagrangians) {
   for (const FunctionRow& entry : function_table()) {
@@ -162,7 +159,7 @@ TEST_P(Loops, EveryFunctionIsTheLagrangians) {
   }
 }
 
-// In 50 digits, at positions where the loops are open: the reference knows of derivatives nothing but accelerations.
+// In 50 digits, at positions where the loops are open.
 TEST_P(Loops, EveryFunctionIsTheReferences) {
   const ExpectedValues values(model_.robot, model_.mechanism, 7);
   for (const FunctionRow& entry : function_table()) {

@@ -158,10 +158,9 @@ class Springs : public ::testing::TestWithParam<SprungRobot> {
   LoadedRobot model_ = testing::model_of_toml(GetParam().text);
   const Mechanism& mechanism_ = model_.mechanism;
 
-  // Derivatives are not there with closed loops, and the task takes all joints of these arms.
+  // The task takes all joints of these arms.
   bool is_made(const std::string& name) const {
-    const bool is_refused = mechanism_.has_loops() && name.ends_with("dynamics_derivatives");
-    return find_row(name)->applies_to(mechanism_) && !is_refused && name != "null_space_torque";
+    return find_row(name)->applies_to(mechanism_) && name != "null_space_torque";
   }
 };
 

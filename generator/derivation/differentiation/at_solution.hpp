@@ -8,9 +8,9 @@
 
 namespace flatdyn {
 
-// Adds a function to a graph, with these nodes in the place of its accelerations and of its argument weights. Returns
-// its outputs.
+// Adds a function to the graph of another one, with these nodes of it in the place of its accelerations and of its
+// argument weights. Returns its outputs. The loops that it needs are required of the other one, too.
 std::vector<Output> outputs_at(const Function& function, const std::vector<NodeId>& accelerations,
-                               const std::vector<NodeId>& weights, Graph& graph);
+                               const std::vector<NodeId>& weights, Function& to);
 
 }  // namespace flatdyn

@@ -63,7 +63,7 @@ class HeldColumns {
 
  private:
   std::vector<Output> at_solution(const Function& function) {
-    return outputs_at(function, held_.solution.outputs[0].entries, held_.solution.outputs[1].entries, graph());
+    return outputs_at(function, held_.solution.outputs[0].entries, held_.solution.outputs[1].entries, function_);
   }
 
   std::vector<NodeId> column(InputKind kind, int k) {

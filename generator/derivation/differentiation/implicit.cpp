@@ -21,7 +21,7 @@ class AtSolution {
       : acceleration_(acceleration), result_(acceleration.solution) {
     std::vector<NodeId> multipliers;
     for (const NodeId lambda : result_.outputs[1].entries) multipliers.push_back(result_.graph.scaled(-1, lambda));
-    outputs_ = outputs_at(of_torques, result_.outputs[0].entries, multipliers, result_.graph);
+    outputs_ = outputs_at(of_torques, result_.outputs[0].entries, multipliers, result_);
   }
 
   const std::vector<NodeId>* entries(const std::string& name) const {
@@ -37,8 +37,8 @@ class AtSolution {
 
   // -((λᵀ B)_k) q̈_l.
   NodeId cross(const TangentBlock& a, int k, const TangentBlock& b, int l) {
-    const TangentBlock* a_of_base = acceleration_.of_torques.find(InputKind::a);
-    const TangentBlock& by = a_of_base != nullptr ? *a_of_base : *acceleration_.of_torques.find(InputKind::qdd);
+    const TangentBlock* a_of_base = acceleration_.torques.tangents().find(InputKind::a);
+    const TangentBlock& by = a_of_base != nullptr ? *a_of_base : *acceleration_.torques.tangents().find(InputKind::qdd);
     std::vector<Term> terms;
     for (int i = 0; i < by.length; ++i) {
       const NodeId rate = entry(name_of_second_derivatives(a, by), k, i, by.length);
@@ -73,7 +73,8 @@ class AtSolution {
 }  // namespace
 
 Function weighted_derivatives(const ImplicitAcceleration& acceleration) {
-  AtSolution at(acceleration, vector_times_jacobian(acceleration.torques, acceleration.of_torques));
+  const Differentiable& torques = acceleration.torques;
+  AtSolution at(acceleration, torques.finished(vector_times_jacobian(torques.function(), torques.tangents())));
   std::vector<NodeId> derivatives;
   for (const TangentBlock& block : acceleration.tangents.blocks()) {
     const std::vector<NodeId>& entries =
@@ -87,7 +88,8 @@ Function weighted_derivatives(const ImplicitAcceleration& acceleration) {
 }
 
 Function weighted_second_derivatives(const ImplicitAcceleration& acceleration) {
-  AtSolution at(acceleration, contracted_hessian(acceleration.torques, acceleration.of_torques));
+  const Differentiable& torques = acceleration.torques;
+  AtSolution at(acceleration, torques.finished(contracted_hessian(torques.function(), torques.tangents())));
   Graph& graph = at.result().graph;
   const std::vector<TangentBlock>& blocks = acceleration.tangents.blocks();
   const auto count = static_cast<std::size_t>(acceleration.tangents.count());

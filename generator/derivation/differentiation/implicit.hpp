@@ -6,7 +6,7 @@
 // which follow from τ(q, q̇, q̈(q, q̇, τ)) = τ, differentiated once and twice. (λᵀ B)_k is not zero for q alone.
 #pragma once
 
-#include "derivation/differentiation/tangents.hpp"
+#include "derivation/differentiation/differentiable.hpp"
 
 namespace flatdyn {
 
@@ -14,8 +14,8 @@ namespace flatdyn {
 struct ImplicitAcceleration {
   // Outputs q̈ and λ and, for second derivatives, those of q̈ by q, q̇ and τ, square matrices; its last argument is w.
   const Function& solution;
-  const Function& torques;  // inverse dynamics
-  const Tangents &tangents, &of_torques;
+  const Differentiable& torques;  // inverse dynamics, by all of its arguments
+  const Tangents& tangents;
 };
 
 // wᵀ ∂q̈, with the outputs of vector_times_jacobian().

@@ -65,6 +65,10 @@ const TangentBlock* Tangents::find(InputKind argument) const {
 }
 
 bool Tangents::commute(InputKind a, InputKind b) const {
+  if (mechanism_.has_loops() && a != b) {
+    const auto is_one = [a, b](InputKind kind) { return a == kind || b == kind; };
+    if (is_one(InputKind::q) && is_one(InputKind::parameter)) return false;
+  }
   const auto turns = [](InputKind kind) { return kind == InputKind::q || kind == InputKind::g_b; };
   const bool are_g_b = a == InputKind::g_b && b == InputKind::g_b;
   return !mechanism_.has_quasi_velocities() || !turns(a) || !turns(b) || are_g_b;
@@ -89,8 +93,21 @@ std::vector<Tangents::Rate> Tangents::rates_of(Input input, Graph& graph) const 
   return rates;
 }
 
+void Tangents::add_rates_along_loops(int entry, int first, const Graph& graph, std::vector<Rate>& rates) const {
+  if (motion_.empty()) throw Failure(FailureKind::bug, "derivatives along closed loops need the loops' motion");
+  const auto independent = static_cast<int>(mechanism_.independent.size());
+  for (int a = 0; a < independent; ++a) {
+    const NodeId rate = motion_[static_cast<std::size_t>(entry * independent + a)];
+    if (!graph.is_zero(rate)) rates.push_back({rate, first + mechanism_.base_bodies() + a});
+  }
+}
+
 // The rates of an entry of a quaternion (w, r): ẇ = -½ r · δ, ṙ = ½ (w δ + r × δ).
 void Tangents::add_rates_of_position(int entry, int first, Graph& graph, std::vector<Rate>& rates) const {
+  if (mechanism_.has_loops()) {
+    add_rates_along_loops(entry, first, graph, rates);
+    return;
+  }
   if (!mechanism_.is_of_quaternion(entry)) {
     for (int k = mechanism_.base_bodies(); k < mechanism_.size(); ++k) {
       if (!mechanism_.is_of_spherical(mechanism_.body_of(k)) && mechanism_.position_of(k) == entry) {

@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "base/diagnostics/diagnostics.hpp"
 #include "derivation/dynamics/accelerations.hpp"
 #include "derivation/dynamics/composite.hpp"
 #include "derivation/dynamics/derivatives.hpp"
@@ -180,15 +179,21 @@ std::vector<Output> solution_outputs(DerivationContext& context, const std::vect
           vector_output("lambda", context.nodes(lambda), "B^-1 times the weights")};
 }
 
-Function with_multipliers(DerivationContext& context, const AccelerationDerivatives& qdd, const Rows& inverse,
-                          Conditions conditions) {
+// q̈ and λ.
+std::vector<Output> outputs_with_multipliers(DerivationContext& context, const std::vector<Number>& qdd,
+                                             const Rows& inverse) {
   const std::vector<Number> weights = weights_of(context);
   std::vector<Number> lambda;
   for (std::size_t i = 0; i < inverse.size(); ++i) {
     const std::string name = "lambda_" + context.frames.label(static_cast<int>(i));
     lambda.push_back(context.derivation.named(sum_of(inverse[i], weights), name));
   }
-  std::vector<Output> outputs = solution_outputs(context, qdd.qdd, lambda);
+  return solution_outputs(context, qdd, lambda);
+}
+
+Function with_multipliers(DerivationContext& context, const AccelerationDerivatives& qdd, const Rows& inverse,
+                          Conditions conditions) {
+  std::vector<Output> outputs = outputs_with_multipliers(context, qdd.qdd, inverse);
   for (Output& each : all_acceleration_outputs(context, qdd, inverse)) outputs.push_back(std::move(each));
   return finished(context, std::move(outputs), std::move(conditions));
 }
@@ -210,25 +215,17 @@ Function derivatives_from_inverse(DerivationContext& context, const std::vector<
 
 }  // namespace
 
-void refuse_derivatives_of_loops(const Mechanism& mechanism, const std::string& name) {
-  if (!mechanism.has_loops()) return;
-  throw Failure(FailureKind::unsupported, name + ": derivatives of robots with closed loops are not supported yet",
-                "leave this function out");
-}
-
 Function derive_inverse_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices) {
-  refuse_derivatives_of_loops(mechanism, "inverse_dynamics_derivatives");
   return derived(mechanism, choices, torque_derivatives_function);
 }
 
 Function derive_forward_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices) {
-  refuse_derivatives_of_loops(mechanism, "forward_dynamics_derivatives");
   return derived(mechanism, choices, acceleration_derivatives_function);
 }
 
 std::optional<Function> derive_forward_dynamics_derivatives_by_products(const Mechanism& mechanism,
                                                                         const Choices& choices) {
-  refuse_derivatives_of_loops(mechanism, "forward_dynamics_derivatives");
+  if (mechanism.has_loops()) return std::nullopt;
   return derived(mechanism, choices, function_by_products);
 }
 
@@ -257,6 +254,17 @@ Function derive_multipliers_and_derivatives_by_products(const Mechanism& mechani
     const Factorisation B(context.frames, context.inertia());
     const Rows inverse = B.inverse("a");
     return with_multipliers(context, derivatives_by_products(context, inverse), inverse, conditions_of(context, B));
+  });
+}
+
+Function derive_multipliers_and_inverse(const Mechanism& mechanism, const Choices& choices) {
+  return derived(mechanism, choices, [](DerivationContext& context) {
+    const Factorisation B(context.frames, context.inertia());
+    const std::vector<Number> qdd = accelerations(context, B);
+    const Rows inverse = B.inverse("a");
+    std::vector<Output> outputs = outputs_with_multipliers(context, qdd, inverse);
+    outputs.push_back(derivative_output(context, "dqdd_dtau", inverse, "the inverse of B"));
+    return finished(context, std::move(outputs), conditions_of(context, B));
   });
 }
 

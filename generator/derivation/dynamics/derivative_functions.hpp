@@ -8,7 +8,8 @@
 
 namespace flatdyn {
 
-// Both throw Failure(unsupported) for robots with closed loops.
+// All of these that return derivatives are for robots without closed loops (derivation/differentiation/along_loops.hpp
+// has the others').
 
 // The derivatives ∂τ/∂q, ∂τ/∂q̇.
 Function derive_inverse_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices);
@@ -16,7 +17,7 @@ Function derive_inverse_dynamics_derivatives(const Mechanism& mechanism, const C
 // The derivatives ∂q̈/∂q, ∂q̈/∂q̇, ∂q̈/∂τ = B⁻¹.
 Function derive_forward_dynamics_derivatives(const Mechanism& mechanism, const Choices& choices);
 
-// The same, with q̈ and the columns as products with B⁻¹. The optional is never empty.
+// The same, with q̈ and the columns as products with B⁻¹. nullopt for robots with closed loops.
 std::optional<Function> derive_forward_dynamics_derivatives_by_products(const Mechanism& mechanism,
                                                                         const Choices& choices);
 
@@ -37,7 +38,7 @@ Function derive_acceleration_and_multipliers(const Mechanism& mechanism, const C
 Function derive_multipliers_and_derivatives(const Mechanism& mechanism, const Choices& choices);
 Function derive_multipliers_and_derivatives_by_products(const Mechanism& mechanism, const Choices& choices);
 
-// Throws Failure(unsupported) for a robot with closed loops. `name`: of the function.
-void refuse_derivatives_of_loops(const Mechanism& mechanism, const std::string& name);
+// q̈, λ = B⁻¹ w and B⁻¹.
+Function derive_multipliers_and_inverse(const Mechanism& mechanism, const Choices& choices);
 
 }  // namespace flatdyn

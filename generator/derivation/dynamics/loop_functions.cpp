@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "derivation/dynamics/loop_functions.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "base/diagnostics/diagnostics.hpp"
-#include "derivation/loops/loops.hpp"
 #include "robot/model/loop_closure.hpp"
 
 namespace flatdyn {
@@ -60,6 +62,26 @@ Function derive_loop_motion(const Mechanism& mechanism) {
   for (std::size_t k = 0; k < accelerations.size(); ++k) accelerations[k] += drift[k];
   return finished(context, {vector_output("rates", context.nodes(rates), "dq/dt of every entry of q"),
                             vector_output("accelerations", context.nodes(accelerations), "its derivative")});
+}
+
+LoopRates derive_loop_rates(const Mechanism& mechanism, const Choices& choices) {
+  const Mechanism described = chosen(mechanism, choices);
+  DerivationContext context(described, axes_of(choices));
+  LoopRates rates;
+  rates.G = context.nodes(loops_of(context).motion());
+  rates.conditions = loops_of(context).conditions();
+  rates.graph = std::move(context.derivation.graph());
+  return rates;
+}
+
+void require_loop(Function& function, NodeId value, NodeId scale) {
+  const auto of_loops = function.validity_conditions.end() - function.loop_conditions;
+  if (std::find(of_loops, function.validity_conditions.end(), value) != function.validity_conditions.end()) return;
+  Conditions conditions{std::move(function.validity_conditions), std::move(function.pivot_scales)};
+  conditions.append({{value}, {scale}});
+  function.validity_conditions = std::move(conditions.validity_conditions);
+  function.pivot_scales = std::move(conditions.pivot_scales);
+  ++function.loop_conditions;
 }
 
 }  // namespace flatdyn

@@ -10,17 +10,19 @@
 #include "graph/function_name.hpp"
 #include "truth/reference/acceleration_magnitude.hpp"
 #include "truth/reference/magnitude.hpp"
+#include "truth/reference/motion_magnitude.hpp"
 
 namespace flatdyn {
 namespace {
 
 constexpr int kNodes = 9;  // of a difference; its error is the step's power of as many
 const char* const kStep = "1e-6";
-const char* const kShortStep = "1e-9";      // of functions of a step in time, which may be as short as a millisecond
+const char* const kShortStep =
+    "1e-9";  // of steps in time, which may be as short as a millisecond, and near singular loops
 const char* const kShortestStep = "1e-13";  // by its length: at high speed angles change a thousand times as fast
 const char* const kRounding = "1e-50";
-const char* const kRoundingOfSteps = "1e-46";  // which solve equations
-constexpr int kDigits = 60;                    // of a Real50
+const char* const kRoundingOfSolutions = "1e-46";  // of equations that steps and closed loops solve
+constexpr int kDigits = 60;                        // of a Real50
 
 // The factors of the values at 1, 2, …, kNodes steps whose sum is the derivative at 0, times the step: the derivatives
 // at 0 of Lagrange's polynomials.
@@ -44,6 +46,11 @@ std::vector<Real50> difference_factors() {
 std::vector<double> scaled(std::vector<double> values, double factor) {
   for (double& each : values) each *= factor;
   return values;
+}
+
+std::vector<double> sum(std::vector<double> a, const std::vector<double>& b) {
+  for (std::size_t e = 0; e < a.size(); ++e) a[e] += b[e];
+  return a;
 }
 
 // By how much magnitudes differ.
@@ -176,7 +183,8 @@ DerivativeReference::Values DerivativeReference::derivatives_along(const StateOf
   const bool is_of_step =
       std::find(function_.inputs.begin(), function_.inputs.end(), InputKind::h) != function_.inputs.end();
   const bool is_by_length = is_of_step && weights[length_direction()] != Real50(0);
-  const Real50 step(is_by_length ? kShortestStep : is_of_step ? kShortStep : kStep);
+  const bool is_sensitive = is_of_step || mechanism_.has_loops();
+  const Real50 step(is_by_length ? kShortestStep : is_sensitive ? kShortStep : kStep);
   Values sums, sizes;
   for (int j = 1; j <= kNodes; ++j) {
     const Values values = values_at(state, weights, step * Real50(j));
@@ -188,7 +196,7 @@ DerivativeReference::Values DerivativeReference::derivatives_along(const StateOf
     }
   }
   // A remainder of values that do not change is their rounding.
-  const Real50 rounding(is_of_step ? kRoundingOfSteps : kRounding);
+  const Real50 rounding(is_sensitive ? kRoundingOfSolutions : kRounding);
   for (std::size_t e = 0; e < sums.size(); ++e) {
     sums[e] = abs(sums[e]) > rounding * sizes[e] ? Real50(sums[e] / step) : Real50(0);
   }
@@ -242,6 +250,10 @@ void DerivativeReference::move_position(int k, const S& distance, StateOf<S>& st
     state.g_b[after(axis, 2)] -= g[after(axis, 1)] * distance;
     return;
   }
+  if (mechanism_.has_loops()) {
+    move_along_loops(k - mechanism_.base_bodies(), distance, state);
+    return;
+  }
   if (!mechanism_.is_of_spherical(mechanism_.body_of(k))) {
     state.q[static_cast<std::size_t>(mechanism_.position_of(k))] += distance;
     return;
@@ -258,6 +270,20 @@ void DerivativeReference::move_position(int k, const S& distance, StateOf<S>& st
   vector[static_cast<std::ptrdiff_t>(after(axis, 2))] -= r[after(axis, 1)] * half;
 }
 
+// All joints move along the tangent of the motion of an independent one.
+template <class S>
+void DerivativeReference::move_along_loops(int independent, const S& distance, StateOf<S>& state) const {
+  const auto robot = reference_robot<S>(robot_, symbols_);
+  const reference::VectorX<S> q = Eigen::Map<const reference::VectorX<S>>(state.q.data(),
+                                                                          static_cast<Eigen::Index>(state.q.size())),
+                              moved = q + distance * reference::loop_motion<S>(robot, q).col(independent);
+  state.q.assign(moved.begin(), moved.end());
+}
+
+bool DerivativeReference::is_along_loops(const Direction& direction) const {
+  return direction.kind == InputKind::q && mechanism_.has_loops() && !mechanism_.is_of_base(direction.entry);
+}
+
 bool DerivativeReference::is_angle(const Direction& direction) const {
   if (direction.kind != InputKind::q) return false;
   if (mechanism_.is_of_base(direction.entry)) return direction.entry >= kVectorLength;
@@ -266,6 +292,7 @@ bool DerivativeReference::is_angle(const Direction& direction) const {
 
 std::vector<double> DerivativeReference::magnitude_along(const State& state, const std::vector<double>& here,
                                                          const Direction& along) const {
+  if (is_along_loops(along)) return magnitude_along_loops(state, along.entry - mechanism_.base_bodies(), magnitude_);
   if (is_angle(along)) return here;
   if (along.kind == InputKind::h) return by_step_length(here, state.q.size(), state.h.front());
   if (along.kind == InputKind::parameter) {
@@ -273,13 +300,41 @@ std::vector<double> DerivativeReference::magnitude_along(const State& state, con
     Number& value = values[static_cast<std::size_t>(along.entry)];
     value += nearest_double(value) < 0 ? -1 : 1;
     const auto robot = robot_for_function(function_, robot_, reference_robot<double>(robot_, values));
-    return scaled(row_.reference.magnitude({mechanism_, robot, values}, function_)(state), steepness_);
+    std::vector<double> there = row_.reference.magnitude({mechanism_, robot, values}, function_)(state);
+    if (mechanism_.has_loops()) there = sum(std::move(there), scaled(here, growth_by_symbol(state, along.entry)));
+    return scaled(std::move(there), steepness_);
   }
   const bool is_rate = is_velocity(along.kind);
   std::vector<double> there = (is_rate ? steep_magnitude_ : magnitude_)(unit_away(state, along));
   // The magnitude of a quotient may shrink while an argument grows.
   if (along.kind == InputKind::q || row_.traits.divides_by_pivots || row_.traits.has_gaps) return there;
   return difference(std::move(there), is_rate ? steep_magnitude_(state) : here);
+}
+
+// A joint that slides changes a magnitude by the difference that a unit of it makes.
+std::vector<double> DerivativeReference::magnitude_along_loops(
+    const State& state, int independent, const std::function<std::vector<double>(const State&)>& magnitude) const {
+  const reference::VectorX<double> q =
+      Eigen::Map<const reference::VectorX<double>>(state.q.data(), static_cast<Eigen::Index>(state.q.size()));
+  const std::vector<double> here = magnitude(state);
+  std::vector<double> result = scaled(here, reference::loop_motion_growth(rounded_, q)[independent]);
+  const reference::VectorX<double> rates = reference::loop_motion_magnitude(rounded_, q).col(independent);
+  for (int p = 0; p < mechanism_.position_count(); ++p) {
+    if (!mechanism_.body(mechanism_.body_at(p)).prismatic) continue;
+    State away = state;
+    away.q[static_cast<std::size_t>(p)] += q[p] < 0 ? -1 : 1;
+    const std::vector<double> there = difference(magnitude(away), here);
+    for (std::size_t e = 0; e < result.size(); ++e) result[e] += rates[p] * there[e];
+  }
+  return result;
+}
+
+// A change of a length by a share of it changes the equations of loops by as much, whose solution may be sensitive.
+double DerivativeReference::growth_by_symbol(const State& state, int symbol) const {
+  const double value = std::abs(nearest_double(symbols_[static_cast<std::size_t>(symbol)]));
+  const reference::VectorX<double> q =
+      Eigen::Map<const reference::VectorX<double>>(state.q.data(), static_cast<Eigen::Index>(state.q.size()));
+  return value > 0 ? reference::loop_motion_growth(rounded_, q).maxCoeff() / value : 0;
 }
 
 // The state that is a unit farther from zero.
@@ -331,7 +386,12 @@ std::vector<double> DerivativeReference::magnitude(const State& state) const {
   if (derivative_ == Derivative::vector_times_jacobian) return weighted_magnitude(state);
   if (derivative_ == Derivative::contracted_hessian) {
     std::vector<std::vector<double>> columns;
+    const auto weighted = [this](const State& at) { return weighted_magnitude(at); };
     for (const Direction& direction : directions_) {
+      if (is_along_loops(direction)) {
+        columns.push_back(magnitude_along_loops(state, direction.entry - mechanism_.base_bodies(), weighted));
+        continue;
+      }
       const bool is_here = is_angle(direction) || direction.kind == InputKind::parameter;
       const bool is_steep = is_velocity(direction.kind) || direction.kind == InputKind::parameter;
       columns.push_back(

@@ -4,6 +4,7 @@
 // ones as they are derived.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -43,6 +44,8 @@ class DerivativeReference {
   void move(const Direction& direction, const S& distance, StateOf<S>& state) const;
   template <class S>
   void move_position(int k, const S& distance, StateOf<S>& state) const;
+  template <class S>
+  void move_along_loops(int independent, const S& distance, StateOf<S>& state) const;
   // The derivatives of all entries along directions with these weights.
   Values derivatives_along(const StateOf<Real50>& state, const Values& weights) const;
   Values derivatives_by(const StateOf<Real50>& state, std::size_t direction) const;
@@ -51,6 +54,11 @@ class DerivativeReference {
   std::vector<std::vector<double>> magnitudes(const State& state) const;
   std::vector<double> magnitude_along(const State& state, const std::vector<double>& here,
                                       const Direction& along) const;
+  // That by an independent joint of closed loops, of what has this magnitude at a state.
+  std::vector<double> magnitude_along_loops(const State& state, int independent,
+                                            const std::function<std::vector<double>(const State&)>& magnitude) const;
+  // How fast terms may change with a symbol that is a length of closed loops, relative to their magnitude.
+  double growth_by_symbol(const State& state, int symbol) const;
   std::vector<double> weighted_magnitude(const State& state) const;
   State unit_away(const State& state, const Direction& direction) const;
   // A and B of a step, as they are computed by a reference of their own, instead of the columns by q, q̇ and τ.
@@ -63,6 +71,7 @@ class DerivativeReference {
   std::vector<T> in_order(const std::vector<std::vector<T>>& columns) const;
   double amplification_at(const State& state) const;
   bool is_angle(const Direction& direction) const;
+  bool is_along_loops(const Direction& direction) const;
 
   const Robot& robot_;
   const Mechanism& mechanism_;

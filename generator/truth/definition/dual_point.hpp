@@ -3,11 +3,13 @@
 // and g_b change along turns is that of the definitions of derivatives (torque_derivatives.hpp), not of the derivation.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "derivation/differentiation/tangents.hpp"
 #include "graph/evaluate.hpp"
 #include "graph/mod_p.hpp"
+#include "robot/model/joint_points.hpp"
 #include "truth/definition/torque_derivatives.hpp"
 
 namespace flatdyn {
@@ -85,9 +87,18 @@ class DualPoint {
       return gravity_along(mechanism_, g, k)[static_cast<std::size_t>(input.index)];
     }
     if (input.kind != InputKind::q || mechanism_.is_of_base(k)) return F(0);
+    if (mechanism_.has_loops()) return along_loops()(input.index, k - mechanism_.base_bodies());
     const int body = mechanism_.body_of(k);
     if (mechanism_.is_of_spherical(body)) return turning(mechanism_, arithmetic_, body).input(input).derivative;
     return F(mechanism_.position_of(k) == input.index ? 1 : 0);
+  }
+
+  // G: how all entries of q move along with the independent ones.
+  const Matrix<F>& along_loops() const {
+    if (!along_loops_) {
+      along_loops_ = loop_motion(mechanism_over(mechanism_, arithmetic_), joint_points(mechanism_, arithmetic_));
+    }
+    return *along_loops_;
   }
 
   F gravity(int k) const { return arithmetic_.input({InputKind::g_b, k}); }
@@ -98,6 +109,7 @@ class DualPoint {
   const Tangents& tangents_;
   FieldArithmetic<F>& arithmetic_;
   const std::vector<F>* direction_ = nullptr;
+  mutable std::optional<Matrix<F>> along_loops_;
 };
 
 }  // namespace flatdyn

@@ -72,12 +72,13 @@ ConstantArithmetic<Arithmetic> turning(const Mechanism& mechanism, Arithmetic& a
 
 // ∂τ/∂q, column by column: τ over dual numbers, with dc = -s dq, ds = c dq. A floating base's displacement changes
 // nothing, and its turn changes gravity in its axes, while the components of velocities and accelerations are held; so
-// are they where the link of a spherical joint turns.
+// are they where the link of a spherical joint turns. With closed loops, all joints move along with the independent
+// ones.
 template <class Arithmetic, class F = typename Arithmetic::Scalar>
 Matrix<F> torques_by_position(const Mechanism& mechanism, Arithmetic& arithmetic, const FieldState<F>& state) {
   using D = Dual<F>;
   const auto constant = [](const std::vector<F>& values) { return std::vector<D>(values.begin(), values.end()); };
-  const MechanismOver<F> constants = mechanism_over(mechanism, arithmetic);
+  const MechanismOver<F> constants = closed_at(mechanism_over(mechanism, arithmetic), state.q);
   Matrix<F> result(mechanism.size(), mechanism.size());
   for (int k = 0; k < mechanism.size(); ++k) {
     ConstantArithmetic<Arithmetic> over_duals = turning(mechanism, arithmetic, k);

@@ -175,8 +175,12 @@ MatrixX<double> position_derivative_magnitude(const Robot<double>& robot, const 
     if (joint.index >= 0) result(joint.index, joint.index) += std::abs(joint.stiffness);
   }
   if (robot.coupling.size() == 0) return result;
-  const MatrixX<double> A = rate_coupling(robot).cwiseAbs();
-  return A.transpose() * result * A;
+  const MatrixX<double> A = detail::motion_magnitude(robot, q);
+  result = MatrixX<double>(A.transpose() * result * A);
+  if (!robot.loops.empty()) {
+    result.rightCols(robot.size() - robot.base_size()) += A.transpose() * here * loop_motion_growth(robot, q);
+  }
+  return result;
 }
 
 double dry_friction_slope_magnitude(const Joint<double>& joint) {
@@ -199,7 +203,7 @@ MatrixX<double> rate_derivative_magnitude(const Robot<double>& robot, const Vect
   viscous.head(robot.base_size()).setConstant(std::abs(robot.base_viscous));
   MatrixX<double> friction = viscous.asDiagonal();
   if (robot.coupling.size() > 0) {
-    const MatrixX<double> A = rate_coupling(robot).cwiseAbs();
+    const MatrixX<double> A = detail::motion_magnitude(robot, q);
     friction = MatrixX<double>(A.transpose() * friction * A);
   }
   return 2 * coriolis_magnitude(robot, q, qd) + friction;

@@ -153,6 +153,11 @@ MatrixX<double> loop_motion_magnitude(const Robot<double>& robot, const VectorX<
   return result;
 }
 
+Eigen::RowVectorXd loop_motion_growth(const Robot<double>& robot, const VectorX<double>& q) {
+  const MatrixX<double> G = loop_motion_magnitude(robot, q);
+  return (1 + G.maxCoeff()) * G.colwise().sum();
+}
+
 namespace detail {
 
 MatrixX<double> motion_magnitude(const Robot<double>& robot, const VectorX<double>& q) {

@@ -11,6 +11,10 @@ namespace flatdyn::reference {
 // The magnitude of G.
 MatrixX<double> loop_motion_magnitude(const Robot<double>& robot, const VectorX<double>& q);
 
+// By independent joint, how fast terms may change that have G as a factor, relative to their magnitude: all joints move
+// along, and so does G, whose equations may be ill-conditioned.
+Eigen::RowVectorXd loop_motion_growth(const Robot<double>& robot, const VectorX<double>& q);
+
 // The magnitude of γ.
 VectorX<double> loop_drift_magnitude(const Robot<double>& robot, const VectorX<double>& q, const VectorX<double>& qd);
 

@@ -35,7 +35,10 @@ std::vector<Asked> by_function(const std::vector<std::string>& names) {
 
 // Why there are no derivatives by the entries of q; empty: there are.
 std::string obstacle(const Mechanism& mechanism) {
-  if (mechanism.has_loops()) return "derivatives of robots with closed loops are not supported yet";
+  if (mechanism.has_loops()) {
+    return "CasADi derives by the entries of q, and derivatives of robots with closed loops are by the independent "
+           "joints, along which the others move";
+  }
   if (!mechanism.has_spherical_joints()) return "";
   return "CasADi derives by the entries of q, and derivatives of spherical joints are by turns, not by the entries of "
          "quaternions";

@@ -10,7 +10,8 @@ namespace flatdyn::reference {
 // Derivatives by q (per rad or m) and by q̇ (per rad/s or m/s): row i for entry i, column k for joint k. With a floating
 // base, the first six columns by q are those of its displacement along its axes and of its turn about them, R ← R
 // exp(S(δ)), with the components of velocities, accelerations and forces in its axes held fixed; so are the three
-// columns of a spherical joint, which turn its child.
+// columns of a spherical joint, which turn its child. With closed loops, columns are those of the independent joints,
+// with which the others move along.
 template <class S>
 struct Derivatives {
   MatrixX<S> dq, dqd;
@@ -64,12 +65,14 @@ Derivatives<S> inverse_dynamics_derivatives(const Robot<S>& robot, const VectorX
   };
   VectorX<T> q_t = constant(q), qd_t = constant(qd);
   const VectorX<T> qdd_t = constant(qdd);
+  const MatrixX<S> along =
+      robot.loops.empty() ? MatrixX<S>(MatrixX<S>::Identity(q.size(), n - base)) : MatrixX<S>(loop_motion(robot, q));
   Derivatives<S> result{MatrixX<S>::Zero(n, n), MatrixX<S>(n, n)};
   for (Eigen::Index k = base / 2; k < n; ++k) {
-    if (k >= base) q_t[k - base].slope = S(1);
+    for (Eigen::Index p = 0; p < q.size(); ++p) q_t[p].slope = k < base ? S(0) : along(p, k - base);
     result.dq.col(k) = slope(inverse_dynamics(turned_along<S>(lifted, k), q_t, qd_t, qdd_t));
-    if (k >= base) q_t[k - base].slope = S(0);
   }
+  for (Eigen::Index p = 0; p < q.size(); ++p) q_t[p].slope = S(0);
   for (Eigen::Index k = 0; k < n; ++k) {
     qd_t[k].slope = S(1);
     result.dqd.col(k) = slope(inverse_dynamics(lifted, q_t, qd_t, qdd_t));

@@ -97,6 +97,21 @@ Robot<Tangent<S>> with_tangents(const Robot<S>& robot) {
   result.R_tip = matrix(robot.R_tip);
   result.p_tip = vector(robot.p_tip);
   result.coupling = robot.coupling.template cast<T>();
+  result.independent = robot.independent;
+  for (const Loop<S>& loop : robot.loops) {
+    Loop<T> lifted;
+    for (std::size_t k = 0; k < 2; ++k) {
+      lifted.links[k] = loop.links[k];
+      lifted.points[k] = vector(loop.points[k]);
+      lifted.across[k] = vector(loop.across[k]);
+    }
+    lifted.carrier = loop.carrier;
+    lifted.axes = matrix(loop.axes);
+    lifted.axis = vector(loop.axis);
+    lifted.rows = loop.rows;
+    lifted.dependent = loop.dependent;
+    result.loops.push_back(std::move(lifted));
+  }
   result.floating_base = robot.floating_base;
   result.base_armature = T(robot.base_armature);
   result.base_viscous = T(robot.base_viscous);
