@@ -106,6 +106,11 @@ Request parsed(const Mechanism& mechanism, const std::string& name) {
                   fmt::format("function \"{}\" is about contacts, and there are none", request.row->name),
                   "name them in a scene: [[contact]] link = \"foot\" (docs/scene-format.md)");
   }
+  if (request.row->traits.needs_cones && mechanism.cone_rows() == 0) {
+    throw Failure(FailureKind::usage,
+                  fmt::format("function \"{}\" is about friction, and no contact has any", request.row->name),
+                  "write friction = 0.6 in [[contact]] of the scene (docs/scene-format.md)");
+  }
   if (!parts.link) return request;
   if (request.row->derivation.of_link == nullptr) {
     throw Failure(FailureKind::usage, fmt::format("function \"{}\" is not one of a link", request.row->name),

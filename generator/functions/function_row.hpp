@@ -32,6 +32,7 @@ enum class Extent {
   springs,          // 2 per joint
   contact_rows,     // the directions that the scene's contacts hold
   contact_points,   // 3 per contact
+  cone_rows,        // the conditions of friction at the scene's contacts
   symbols,          // the free symbols of the robot
   link_rows,        // 3 per link
 };
@@ -79,6 +80,7 @@ struct FunctionTraits {
   bool leaves_out_springs = false;       // whether it is about torques without those of springs
   bool leaves_out_base_joint = false;    // whether armature and friction of a floating base have no part in it
   bool needs_contacts = false;           // whether it is about the scene's contacts
+  bool needs_cones = false;              // whether it is about their friction
   bool leaves_rest = false;              // whether it needs velocities although it starts at rest
   bool refuses_loops = false;            // whether it is there for robots without closed loops only
   bool has_gaps = false;                 // whether it has no value at some states, where its reference returns NaN
@@ -124,8 +126,9 @@ struct FunctionRow {
     const bool has_base = mechanism.floating_base || !traits.needs_floating_base,
                has_rates = !mechanism.has_quasi_velocities() || !traits.needs_rates,
                has_contacts = !mechanism.contacts.empty() || !traits.needs_contacts,
+               has_cones = mechanism.cone_rows() > 0 || !traits.needs_cones,
                has_loops = mechanism.has_loops() ? !traits.refuses_loops : !traits.needs_loops;
-    return has_base && has_rates && has_contacts && has_loops;
+    return has_base && has_rates && has_contacts && has_cones && has_loops;
   }
   // Whether it is about the factors of the dynamic parameters, so that friction has to be F_s times one of them.
   bool needs_linear_friction() const {

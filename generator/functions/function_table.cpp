@@ -4,7 +4,6 @@
 #include "derivation/differentiation/along_loops.hpp"
 #include "derivation/dynamics/acceleration_functions.hpp"
 #include "derivation/dynamics/centroidal_functions.hpp"
-#include "derivation/dynamics/contact_functions.hpp"
 #include "derivation/dynamics/derivative_functions.hpp"
 #include "derivation/dynamics/energy_functions.hpp"
 #include "derivation/dynamics/inertia_functions.hpp"
@@ -14,9 +13,10 @@
 #include "derivation/dynamics/operational.hpp"
 #include "derivation/dynamics/torque_functions.hpp"
 #include "derivation/parameters/regressor_functions.hpp"
+#include "functions/contact_rows.hpp"
+#include "functions/output_rows.hpp"
 #include "functions/step_rows.hpp"
 #include "truth/definition/centroidal_definitions.hpp"
-#include "truth/definition/contact_definitions.hpp"
 #include "truth/definition/derivative_definitions.hpp"
 #include "truth/definition/dynamics_definitions.hpp"
 #include "truth/definition/kinematics_definitions.hpp"
@@ -24,7 +24,6 @@
 #include "truth/definition/operational_definitions.hpp"
 #include "truth/definition/regressor_definitions.hpp"
 #include "truth/reference/centroidal_references.hpp"
-#include "truth/reference/contact_references.hpp"
 #include "truth/reference/derivative_references.hpp"
 #include "truth/reference/dynamics_references.hpp"
 #include "truth/reference/kinematics_references.hpp"
@@ -38,22 +37,6 @@ namespace {
 constexpr InputKind q = InputKind::q, qd = InputKind::qd, qdd = InputKind::qdd, tau = InputKind::tau,
                     h_e = InputKind::h_e, g_b = InputKind::g_b, pi_b = InputKind::pi_b, qd_r = InputKind::qd_r,
                     qdd_r = InputKind::qdd_r;
-
-constexpr OutputRow scalar(const char* name, OutputQuantity quantity) {
-  return {name, Layout::scalar, Extent::one, Extent::one, quantity};
-}
-constexpr OutputRow vector(const char* name, Extent rows, OutputQuantity quantity) {
-  return {name, Layout::vector, rows, Extent::one, quantity};
-}
-constexpr OutputRow matrix(const char* name, Extent rows, Extent cols, OutputQuantity quantity) {
-  return {name, Layout::matrix, rows, cols, quantity};
-}
-constexpr OutputRow per_joint(const char* name, OutputQuantity quantity) {
-  return vector(name, Extent::joints, quantity);
-}
-constexpr OutputRow square(const char* name, OutputQuantity quantity) {
-  return matrix(name, Extent::joints, Extent::joints, quantity);
-}
 
 const std::vector<FunctionRow> kRows = {
     {.name = "inverse_dynamics",
@@ -361,62 +344,6 @@ const std::vector<FunctionRow> kRows = {
      .definition = definitions::centre_of_mass,
      .reference = references::centre_of_mass,
      .traits = {.on_request = true, .needs_floating_base = true, .leaves_out_base_joint = true}},
-    {.name = "contact_jacobian",
-     .summary = "Positions of the scene's contacts, and the Jacobian J_c of their velocities",
-     .equation = "(7.14), (7.15)",
-     .inputs = {q},
-     .outputs = {vector("p_c", Extent::contact_points, OutputQuantity::position),
-                 matrix("J_c", Extent::contact_rows, Extent::joints, OutputQuantity::contact_jacobian)},
-     .derivation = {.from_choices = derive_contact_jacobian},
-     .definition = definitions::contact_jacobian,
-     .reference = references::contact_jacobian,
-     .traits = {.on_request = true, .needs_contacts = true}},
-    {.name = "contact_bias",
-     .summary = "b_c: J_c qdd + b_c is the acceleration of the scene's contacts",
-     .equation = "",
-     .inputs = {q, qd},
-     .outputs = {vector("b_c", Extent::contact_rows, OutputQuantity::contact_acceleration)},
-     .derivation = {.from_choices = derive_contact_bias},
-     .definition = definitions::contact_bias,
-     .reference = references::contact_bias,
-     .traits = {.on_request = true, .needs_contacts = true}},
-    {.name = "constrained_forward_dynamics",
-     .summary = "qdd and the forces f_c that keep the scene's contacts from accelerating: B qdd + bias = tau + J_c^T "
-                "f_c, J_c qdd + b_c = 0",
-     .equation = "",
-     .inputs = {q, g_b, qd, tau},
-     .outputs = {per_joint("qdd", OutputQuantity::joint_acceleration),
-                 vector("f_c", Extent::contact_rows, OutputQuantity::contact_force),
-                 vector("condition", Extent::one, OutputQuantity::number)},
-     .derivation = {.from_choices = derive_constrained_forward_dynamics},
-     .definition = definitions::constrained_forward_dynamics,
-     .reference = references::constrained_forward_dynamics,
-     .traits = {.on_request = true, .divides_by_pivots = true, .needs_contacts = true},
-     .held_motion = derive_held_motion_and_sensitivities},
-    {.name = "contact_inverse_dynamics",
-     .summary = "tau for given qdd, and the smallest forces f_c at the scene's contacts that carry the base: B qdd + "
-                "bias = tau + J_c^T f_c",
-     .equation = "",
-     .inputs = {q, g_b, qd, qdd},
-     .outputs = {per_joint("tau", OutputQuantity::joint_torque),
-                 vector("f_c", Extent::contact_rows, OutputQuantity::contact_force),
-                 vector("condition", Extent::one, OutputQuantity::number)},
-     .derivation = {.from_choices = derive_contact_inverse_dynamics},
-     .definition = definitions::contact_inverse_dynamics,
-     .reference = references::contact_inverse_dynamics,
-     .traits = {.on_request = true, .needs_floating_base = true, .needs_contacts = true}},
-    {.name = "contact_impact",
-     .summary = "The rates after an impact that stops the scene's contacts: B (qd_after - qd) = J_c^T impulse, J_c "
-                "qd_after = 0",
-     .equation = "",
-     .inputs = {q, qd},
-     .outputs = {per_joint("qd_after", OutputQuantity::joint_rate),
-                 vector("impulse", Extent::contact_rows, OutputQuantity::contact_impulse),
-                 vector("condition", Extent::one, OutputQuantity::number)},
-     .derivation = {.from_choices = derive_contact_impact},
-     .definition = definitions::contact_impact,
-     .reference = references::contact_impact,
-     .traits = {.on_request = true, .divides_by_pivots = true, .needs_contacts = true}},
     {.name = "regressor",
      .summary = "Y(q, qd, qdd) with tau = Y pi, 13 parameters per joint, of its link with the rotors that it "
                 "carries, in and about the frame that flatdyn inspect shows",
@@ -491,7 +418,7 @@ const std::vector<FunctionRow> kRows = {
 }  // namespace
 
 const std::vector<FunctionRow>& function_table() {
-  static const std::vector<FunctionRow> rows = with_steps(kRows);
+  static const std::vector<FunctionRow> rows = with_contacts(with_steps(kRows));
   return rows;
 }
 

@@ -30,8 +30,10 @@ struct TouchingRobot {
 constexpr const char* kFourFeet = R"(
 [[contact]]
 link = "FL_FOOT"
+friction = 0.6
 [[contact]]
 link = "FR_FOOT"
+friction = 0.4
 [[contact]]
 link = "HL_FOOT"
 [[contact]]
@@ -43,9 +45,13 @@ constexpr const char* kHandAndPanel = R"(
 link = "link2"
 type = "surface"
 position = [0.1, 0.2, -0.3]
+friction = 0.7
+size = [0.2, 0.1]
 [[contact]]
 link = "link3"
 position = [0, 0.5, 0.1]
+friction = 0.3
+normal = "link"
 )";
 // More than the arm can follow.
 constexpr const char* kTwoHandles = R"(
@@ -53,6 +59,7 @@ contact_damping = 0.1
 [[contact]]
 link = "link6"
 position = [0, 0.1, 0.2]
+friction = 0.5
 [[contact]]
 name = "other"
 link = "link6"

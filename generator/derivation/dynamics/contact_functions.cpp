@@ -14,16 +14,6 @@ namespace {
 
 constexpr std::size_t kAround = 3, kBaseRows = 6;
 
-// Contacts are points of links in metres, whose axes are those that the functions about them compute.
-Choices at_the_contacts(Choices choices, const Mechanism& mechanism) {
-  for (const Contact& contact : mechanism.contacts) {
-    if (contact.frame.body < 0) continue;
-    choices.joints[static_cast<std::size_t>(contact.frame.body)].axes = Axes::turning;
-  }
-  choices.length_unit = 1;
-  return choices;
-}
-
 Function derived_at_contacts(const Mechanism& mechanism, const Choices& choices,
                              const std::function<Function(DerivationContext&)>& derive) {
   return derived(mechanism, at_the_contacts(choices, mechanism), derive);

@@ -27,6 +27,15 @@ std::vector<int> full_matrix(std::size_t size) {
 
 }  // namespace
 
+Choices at_the_contacts(Choices choices, const Mechanism& mechanism) {
+  for (const Contact& contact : mechanism.contacts) {
+    if (contact.frame.body < 0) continue;
+    choices.joints[static_cast<std::size_t>(contact.frame.body)].axes = Axes::turning;
+  }
+  choices.length_unit = 1;
+  return choices;
+}
+
 std::vector<Vec3> contact_positions(DerivationContext& context) {
   std::vector<Vec3> positions;
   for (const Contact& contact : context.mechanism.contacts) {

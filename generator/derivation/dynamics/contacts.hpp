@@ -11,6 +11,9 @@
 
 namespace flatdyn {
 
+// Choices in which contacts are points of links in metres, whose axes are those that the functions about them compute.
+Choices at_the_contacts(Choices choices, const Mechanism& mechanism);
+
 // The position of each contact from the base frame's origin, base axes, m.
 std::vector<Vec3> contact_positions(DerivationContext& context);
 

@@ -304,6 +304,11 @@ std::vector<double> DerivativeReference::magnitude_along(const State& state, con
     if (mechanism_.has_loops()) there = sum(std::move(there), scaled(here, growth_by_symbol(state, along.entry)));
     return scaled(std::move(there), steepness_);
   }
+  if (along.kind == InputKind::g_b && row_.traits.needs_cones) {  // the direction of g_b turns by δ / |g_b|
+    double square = 0;
+    for (const double entry : state.g_b) square += entry * entry;
+    return scaled(here, 2 / std::sqrt(square));
+  }
   const bool is_rate = is_velocity(along.kind);
   std::vector<double> there = (is_rate ? steep_magnitude_ : magnitude_)(unit_away(state, along));
   // The magnitude of a quotient may shrink while an argument grows.

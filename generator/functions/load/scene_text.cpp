@@ -107,6 +107,12 @@ class SceneText {
   void add_contact(const SceneContact& contact) {
     add("contact." + contact.name, fmt::format("{} of link {} at {}", contact.is_surface ? "surface" : "point",
                                                contact.link.name, list(contact.position)));
+    if (!contact.friction) return;
+    const std::string name = "contact." + contact.name + ".";
+    add(name + "friction", number_(*contact.friction));
+    if (contact.is_surface)
+      add(name + "size", fmt::format("[{}, {}]", number_(contact.size[0]), number_(contact.size[1])));
+    if (!contact.is_surface) add(name + "normal", contact.is_against_gravity ? "against gravity" : "z of the link");
   }
 
   void add_base_limits(const BaseLimits& limits) {

@@ -88,6 +88,55 @@ std::optional<BaseLimits> read_base_limits(TomlTable& table, Diagnostics& diagno
   return limits;
 }
 
+std::optional<Number> read_friction(TomlTable& table, Diagnostics& diagnostics) {
+  const std::optional<std::vector<Value>> friction = table.numbers("friction", 1);
+  if (!friction) return std::nullopt;
+  if (nearest_double(friction->front().number) > 0) return friction->front().number;
+  diagnostics.error(table.place_of("friction"), "contact: friction is not positive",
+                    "write the coefficient of friction: friction = 0.6; without it, forces have no limit");
+  return std::nullopt;
+}
+
+// Length and width of a surface whose friction is limited.
+void read_size(TomlTable& table, SceneContact& contact, Diagnostics& diagnostics) {
+  const auto size = table.has("size") ? table.numbers("size", 2) : std::nullopt;
+  if (!contact.is_surface || !contact.friction) {
+    if (!table.has("size")) return;
+    diagnostics.error(table.place_of("size"), "contact: only a surface with friction has a size",
+                      "write type = \"surface\" and friction = 0.6, or leave it out");
+    return;
+  }
+  if (!table.has("size")) {
+    diagnostics.error(contact.place, "contact: the surface has friction, but no size",
+                      "write its length along x and its width along y of the link, m: size = [0.2, 0.1]");
+    return;
+  }
+  if (!size) return;
+  for (std::size_t k = 0; k < 2; ++k) {
+    contact.size[k] = (*size)[k].number;
+    if (nearest_double(contact.size[k]) > 0) continue;
+    diagnostics.error(table.place_of("size"), "contact: the size of the surface is not positive",
+                      "write its length along x and its width along y of the link, m: size = [0.2, 0.1]");
+    return;
+  }
+}
+
+void read_cone(TomlTable& table, SceneContact& contact, Diagnostics& diagnostics) {
+  contact.friction = read_friction(table, diagnostics);
+  read_size(table, contact, diagnostics);
+  const bool is_given = table.has("normal");
+  const std::string normal = read_choice(table, "normal", {"gravity", "link"}, diagnostics);
+  contact.is_against_gravity = !contact.is_surface && normal != "link";
+  if (is_given && !contact.friction && !table.has("friction")) {
+    diagnostics.error(table.place_of("normal"), "contact: a normal without friction has no effect",
+                      "write friction = 0.6, too, or leave it out");
+  }
+  if (is_given && contact.is_surface && normal == "gravity") {
+    diagnostics.error(table.place_of("normal"), "contact: the normal of a surface is the z axis of its link",
+                      "leave it out; where the link has other axes, name a [[frame]] as the link");
+  }
+}
+
 // A point, in the link's frame, or a surface.
 SceneContact read_contact(TomlTable& table, Diagnostics& diagnostics) {
   SceneContact contact;
@@ -103,6 +152,7 @@ SceneContact read_contact(TomlTable& table, Diagnostics& diagnostics) {
   }
   contact.position = table.vector("position", Quantity::length, zero_vector());
   contact.is_surface = read_choice(table, "type", {"point", "surface"}, diagnostics) == "surface";
+  read_cone(table, contact, diagnostics);
   table.reject_unknown_keys();
   return contact;
 }

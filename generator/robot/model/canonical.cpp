@@ -179,8 +179,11 @@ void add_contacts(const RawTree& tree, const std::vector<Placement>& placements,
     const Transform point{identity_matrix(), rationalised(contact.position)};
     const Transform pose = compose(final_pose(tree, placements, contact.index), point);
     const auto link = static_cast<std::size_t>(contact.index);
-    mechanism.contacts.push_back(
-        {contact.name, {tree.robot.links[link].name, tree.body_of[link], pose.R, pose.p}, contact.is_surface});
+    mechanism.contacts.push_back({contact.name,
+                                  {tree.robot.links[link].name, tree.body_of[link], pose.R, pose.p},
+                                  contact.is_surface,
+                                  cone_of(contact),
+                                  contact.is_against_gravity});
   }
   mechanism.contact_damping = scene.contact_damping;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "robot/model/body.hpp"
+#include "robot/model/friction_cone.hpp"
 #include "robot/model/scene.hpp"
 
 namespace flatdyn {
@@ -15,6 +16,10 @@ struct Contact {
   std::string name;
   LinkFrame frame;
   bool is_surface = false;  // whether the body cannot turn, either
+  // The conditions of friction, if the scene says any, in axes whose z is the normal: those of the link or, against
+  // gravity, with x and y of the base frame mirrored to it (derivation/dynamics/friction_cones.hpp).
+  std::vector<ConeRow> cone{};
+  bool is_against_gravity = false;
 
   // The directions that it holds: velocities along x, y, z of the base frame, and for a surface rotations about them.
   int rows() const { return is_surface ? 6 : 3; }
@@ -28,8 +33,9 @@ struct MechanismScene {
   std::vector<Contact> contacts;
   Rational contact_damping = 0;
 
-  // The rows of all contacts' Jacobian.
+  // The rows of all contacts' Jacobian, and those of their friction cones.
   int contact_rows() const;
+  int cone_rows() const;
 };
 
 }  // namespace flatdyn

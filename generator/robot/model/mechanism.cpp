@@ -13,6 +13,12 @@ int MechanismScene::contact_rows() const {
   return rows;
 }
 
+int MechanismScene::cone_rows() const {
+  std::size_t rows = 0;
+  for (const Contact& contact : contacts) rows += contact.cone.size();
+  return static_cast<int>(rows);
+}
+
 std::vector<int> path_to(const BodyTree& tree, int body, int from) {
   std::vector<int> path;
   for (; body != from; body = tree.body(body).parent) path.push_back(body);

@@ -55,8 +55,11 @@ struct BaseLimits {
 struct SceneContact {
   std::string name;  // the link's, if it is not given
   Reference link;
-  Vec3 position = zero_vector();  // in the link's frame, m
-  bool is_surface = false;        // whether the link cannot turn, either
+  Vec3 position = zero_vector();     // in the link's frame, m
+  bool is_surface = false;           // whether the link cannot turn, either
+  std::optional<Number> friction{};  // μ; nullopt: its forces have no limit
+  std::array<Number, 2> size{0, 0};  // of a surface with friction: length along x and width along y of the link, m
+  bool is_against_gravity = false;   // the normal: against gravity, or the link's z
   Place place;
   int index = -1;  // of the link, once the robot is read
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "truth/definition/contact_definitions.hpp"
 
+#include <utility>
+
 #include "truth/definition/elimination_over_field.hpp"
 #include "truth/definition/rules.hpp"
 
@@ -88,6 +90,29 @@ class ContactDefinition {
   Values velocities_after() const { return sum_of(point_.qd(), moved_by(impulses())); }
   F condition() const { return condition_of(mobility()); }
 
+  // Each row in the axes t_1, t_2, n of its contact.
+  Values cones() const {
+    const int cols = point_.mechanism.contact_rows();
+    Values entries;
+    int first = 0;
+    for (std::size_t c = 0; c < point_.mechanism.contacts.size(); ++c) {
+      const Contact& contact = point_.mechanism.contacts[c];
+      for (const ConeRow& row : contact.cone) {
+        const Matrix3<F> R = contact.is_against_gravity ? against_gravity() : point_.lagrangian.pose(frames()[c]).R;
+        Values all(static_cast<std::size_t>(cols), F(0));
+        for (int k = 0; k < contact.rows(); ++k) {
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            const F value = point_.arithmetic.constant(to_rational(row[axis + (k < 3 ? 0 : 3)]));
+            all[static_cast<std::size_t>(first + k)] += R[static_cast<std::size_t>(k % 3)][axis] * value;
+          }
+        }
+        entries.insert(entries.end(), all.begin(), all.end());
+      }
+      first += contact.rows();
+    }
+    return entries;
+  }
+
   // The smallest forces that carry the base: Aᵀ (A Aᵀ)^-1 w with A = the base's rows of Jᵀ.
   Values smallest_forces() const {
     const Matrix<F> A = rows_of_base();
@@ -115,6 +140,40 @@ class ContactDefinition {
   }
 
  private:
+  const std::vector<FieldFrame<F>>& frames() const { return point_.lagrangian.mechanism().contacts; }
+
+  // The columns H e_x, H e_y, n, with H x = x - v (v·x) / (1 - σ n_z) and v = n - σ e_z, a mirror as σ is a sign.
+  Matrix3<F> against_gravity() const {
+    const auto [n, down] = normal();
+    const Vector3<F> v = {n[0], n[1], n[2] + -down};
+    const F share = F(1) / (F(1) + -(down * n[2]));
+    Matrix3<F> axes;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 2; ++k) axes[i][k] = F(i == k ? 1 : 0) + -(share * v[i] * v[k]);
+      axes[i][2] = n[i];
+    }
+    return axes;
+  }
+
+  // -g_b / |g_b|, and the sign of g_b along z. That of numbers is along an axis, and has no root to be drawn.
+  std::pair<Vector3<F>, F> normal() const {
+    const F half = F(1) / F(2);
+    if (point_.mechanism.has_base_gravity()) {
+      const Vector3<F>& g = point_.lagrangian.mechanism().gravity;
+      const F length = point_.arithmetic.sqrt(dot(g, g));
+      return {{-(g[0] / length), -(g[1] / length), -(g[2] / length)},
+              point_.arithmetic.sign(point_.arithmetic.sign(g[2]) + half)};
+    }
+    Vector3<F> n;
+    F down(1);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double g = nearest_double(point_.mechanism.gravity[k]);
+      n[k] = g < 0 ? F(1) : g > 0 ? -F(1) : F(0);
+      if (k == 2 && g < 0) down = -F(1);
+    }
+    return {n, down};
+  }
+
   static Matrix<F> jacobian_of(Point& point) {
     Matrix<F> J(point.mechanism.contact_rows(), point.mechanism.size());
     int first = 0;
@@ -204,5 +263,7 @@ constinit const Definition contact_impact = of_contacts(
       return output.name == "impulse" ? contacts.impulses() : contacts.velocities_after();
     },
     contact_degree);
+
+constinit const Definition friction_cones = defined_as([](auto& at, const Output&) { return contacts_at(at).cones(); });
 
 }  // namespace flatdyn::definitions

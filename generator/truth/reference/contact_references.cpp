@@ -152,6 +152,24 @@ std::vector<double> inverse_dynamics_terms(const At& at) {
       {tau_terms, force_terms, as_vector(condition_terms(moments, square_terms.bottomRightCorner<3, 3>()))});
 }
 
+// Each entry is a sum of three numbers times entries of a rotation or a mirror.
+RealMatrix cone_terms(const At& at) {
+  RealMatrix terms(0, ref::contact_rows(at.robot));
+  Eigen::Index first = 0;
+  for (const ref::Contact<double>& contact : at.robot.contacts) {
+    for (const std::array<double, 6>& row : contact.cone) {
+      terms.conservativeResize(terms.rows() + 1, Eigen::NoChange);
+      terms.bottomRows(1).setZero();
+      for (Eigen::Index k = 0; k < contact.rows(); ++k) {
+        const std::size_t own = k < 3 ? 0 : 3;
+        terms(terms.rows() - 1, first + k) = std::abs(row[own]) + std::abs(row[own + 1]) + std::abs(row[own + 2]);
+      }
+    }
+    first += contact.rows();
+  }
+  return terms;
+}
+
 }  // namespace
 
 constinit const NumericReference contact_jacobian = computed_by([](const auto& at) { return jacobian_entries(at); },
@@ -170,5 +188,9 @@ constinit const NumericReference contact_inverse_dynamics = computed_by(
 
 constinit const NumericReference contact_impact = computed_by(
     [](const auto& at) { return impact_entries(at); }, [](const At& at) { return ContactMagnitude(at).impact(); });
+
+constinit const NumericReference friction_cones =
+    computed_by([](const auto& at) { return row_by_row(ref::friction_cones(at.robot, at.q)); },
+                [](const At& at) { return row_by_row(cone_terms(at)); });
 
 }  // namespace flatdyn::references

@@ -7,6 +7,6 @@
 namespace flatdyn::references {
 
 extern const NumericReference contact_jacobian, contact_bias, constrained_forward_dynamics, contact_inverse_dynamics,
-    contact_impact;
+    contact_impact, friction_cones;
 
 }  // namespace flatdyn::references

@@ -61,7 +61,8 @@ class Converter {
     result_.tip = robot_.tip;
     std::tie(result_.R_tip, result_.p_tip) = pose(robot_.tip_offset);
     for (const SceneContact& contact : robot_.scene.contacts) {
-      result_.contacts.push_back({contact.index, vector(contact.position), contact.is_surface});
+      result_.contacts.push_back(
+          {contact.index, vector(contact.position), contact.is_surface, cone_of(contact), contact.is_against_gravity});
     }
     result_.contact_damping = number(to_number(robot_.scene.contact_damping));
     return result_;
@@ -70,6 +71,15 @@ class Converter {
  private:
   using Vector = reference::Vector3<S>;
   using Matrix = reference::Matrix3<S>;
+
+  std::vector<std::array<S, 6>> cone_of(const SceneContact& contact) const {
+    std::vector<std::array<S, 6>> rows;
+    for (const ConeRow& row : flatdyn::cone_of(contact)) {
+      rows.emplace_back();
+      for (std::size_t k = 0; k < row.size(); ++k) rows.back()[k] = number(row[k]);
+    }
+    return rows;
+  }
 
   S number(const Number& a) const { return to_scalar<S>(a, values_); }
   Vector vector(const Vec3& v) const { return {number(v[0]), number(v[1]), number(v[2])}; }

@@ -49,6 +49,8 @@ int extent_of(Extent extent, const Mechanism& mechanism, const Function& functio
       return base_parameters(mechanism).size();
     case Extent::contact_rows:
       return mechanism.contact_rows();
+    case Extent::cone_rows:
+      return mechanism.cone_rows();
     case Extent::contact_points:
       return 3 * static_cast<int>(mechanism.contacts.size());
     case Extent::symbols:

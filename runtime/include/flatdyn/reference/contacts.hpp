@@ -63,6 +63,41 @@ VectorX<S> contact_drift(const Robot<S>& robot, const VectorX<S>& q, const Vecto
   return drift;
 }
 
+// Axes t_1, t_2, n with n against gravity: t_1 and t_2 are x and y of the base frame in the mirror that takes its z
+// axis to n or to -n, whichever is farther away.
+template <class S>
+Matrix3<S> axes_against_gravity(const Robot<S>& robot) {
+  const Vector3<S> n = -robot.gravity / robot.gravity.norm();
+  const Vector3<S> v = n - (robot.gravity[2] < S(0) ? S(-1) : S(1)) * Vector3<S>::UnitZ();
+  const Matrix3<S> mirror = Matrix3<S>::Identity() - S(2) / v.squaredNorm() * v * v.transpose();
+  Matrix3<S> axes;
+  axes << mirror.col(0), mirror.col(1), n;
+  return axes;
+}
+
+// A with A f <= 0 where friction holds all contacts.
+template <class S>
+MatrixX<S> friction_cones(const Robot<S>& robot, const VectorX<S>& q) {
+  Eigen::Index rows = 0, row = 0;
+  for (const Contact<S>& contact : robot.contacts) rows += static_cast<Eigen::Index>(contact.cone.size());
+  MatrixX<S> A = MatrixX<S>::Zero(rows, contact_rows(robot));
+  std::size_t next = 0;
+  for_each_contact(robot, [&](const Robot<S>& there, Eigen::Index first, Eigen::Index length) {
+    const Contact<S>& contact = robot.contacts[next++];
+    if (contact.cone.empty()) return;
+    const Matrix3<S> axes = contact.is_against_gravity ? axes_against_gravity(robot) : Matrix3<S>(tip_pose(there, q).R);
+    for (const std::array<S, 6>& condition : contact.cone) {
+      for (Eigen::Index k = 0; k < length; k += 3) {
+        const auto at = static_cast<std::size_t>(k);
+        const Vector3<S> own(condition[at], condition[at + 1], condition[at + 2]);
+        A.row(row).segment(first + k, 3) = (axes * own).transpose();
+      }
+      ++row;
+    }
+  });
+  return A;
+}
+
 // J, B^-1 and M = J B^-1 Jᵀ + λ² 1.
 template <class S>
 struct ContactSpace {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <array>
 #include <vector>
 
 namespace flatdyn::reference {
@@ -94,6 +95,10 @@ struct Contact {
   int link = 0;
   Vector3<S> point = Vector3<S>::Zero();  // in the link's frame, m
   bool is_surface = false;                // whether the link cannot turn, either
+  // Conditions of friction, row · (force, moment) <= 0, in axes of the contact: the link's or, where its normal is
+  // against gravity, those of axes_against_gravity().
+  std::vector<std::array<S, 6>> cone = {};
+  bool is_against_gravity = false;
 
   int rows() const { return is_surface ? 6 : 3; }
 };
