@@ -106,6 +106,11 @@ Request parsed(const Mechanism& mechanism, const std::string& name) {
                   fmt::format("function \"{}\" is about contacts, and there are none", request.row->name),
                   "name them in a scene: [[contact]] link = \"foot\" (docs/scene-format.md)");
   }
+  if (request.row->traits.needs_load_friction && !mechanism.has_load_friction()) {
+    throw Failure(FailureKind::usage,
+                  fmt::format("function \"{}\" is about friction of loads, and no joint has any", request.row->name),
+                  "write load_friction = 0.05 at a joint of a TOML file (docs/robot-format/toml.md)");
+  }
   if (request.row->traits.needs_cones && mechanism.cone_rows() == 0) {
     throw Failure(FailureKind::usage,
                   fmt::format("function \"{}\" is about friction, and no contact has any", request.row->name),
@@ -178,6 +183,16 @@ std::string with_smooth_friction(const std::string& summary, const Mechanism& me
   return replaced(summary, constant, "Coulomb friction that is not smooth counts as constant");
 }
 
+// The summary for a robot whose drives lose a share of their torque.
+std::string with_load_friction(const std::string& summary, const FunctionRow& row) {
+  const bool has_torques = std::find(row.inputs.begin(), row.inputs.end(), InputKind::tau) != row.inputs.end() ||
+                           std::any_of(row.outputs.begin(), row.outputs.end(), [](const OutputRow& output) {
+                             return output.quantity == OutputQuantity::joint_torque;
+                           });
+  if (row.traits.needs_load_friction || !has_torques) return summary;
+  return summary + "; tau is at the joints, without load_friction of the drives (drive_torque)";
+}
+
 // The summary where contacts are damped: they accelerate by forces.
 std::string with_damping(const std::string& summary, const Rational& damping) {
   const std::string lambda = fmt::format(", lambda = {}", nearest_double(to_number(damping)));
@@ -193,6 +208,7 @@ std::string summary_of(const Request& request, const Mechanism& mechanism) {
   if (mechanism.has_springs()) summary = with_springs(summary, *request.row);
   if (has_base_joint(mechanism)) summary = with_base_joint(summary, *request.row);
   summary = with_smooth_friction(summary, mechanism);
+  if (mechanism.has_load_friction()) summary = with_load_friction(summary, *request.row);
   if (request.row->traits.needs_contacts && mechanism.contact_damping != 0) {
     summary = with_damping(summary, mechanism.contact_damping);
   }
@@ -269,6 +285,11 @@ void describe_floating(const OutputRow& row, Output& output) {
   }
 }
 
+// Says of derivatives by q with closed loops by what they are.
+void describe_along_loops(Output& output) {
+  output.meaning = replaced(output.meaning, "by q[k]", "by independent joint k, along which the others move");
+}
+
 // Sets what a row says of its function. Throws Failure(bug) if the derivation has other outputs than the row.
 void describe(const FunctionRow& row, const Mechanism& mechanism, Function& function) {
   function.equation = row.equation;
@@ -286,6 +307,7 @@ void describe(const FunctionRow& row, const Mechanism& mechanism, Function& func
     function.outputs[k].meaning = in_coordinates(function.outputs[k].meaning, mechanism);
     if (mechanism.floating_base) describe_floating(outputs[k], function.outputs[k]);
     if (mechanism.has_spherical_joints()) describe_spherical(function.outputs[k]);
+    if (mechanism.has_loops() && differentiates_by_position(row)) describe_along_loops(function.outputs[k]);
   }
 }
 

@@ -81,6 +81,7 @@ struct FunctionTraits {
   bool leaves_out_base_joint = false;    // whether armature and friction of a floating base have no part in it
   bool needs_contacts = false;           // whether it is about the scene's contacts
   bool needs_cones = false;              // whether it is about their friction
+  bool needs_load_friction = false;      // whether it is about drives that lose a share of their torque
   bool leaves_rest = false;              // whether it needs velocities although it starts at rest
   bool refuses_loops = false;            // whether it is there for robots without closed loops only
   bool has_gaps = false;                 // whether it has no value at some states, where its reference returns NaN
@@ -126,9 +127,10 @@ struct FunctionRow {
     const bool has_base = mechanism.floating_base || !traits.needs_floating_base,
                has_rates = !mechanism.has_quasi_velocities() || !traits.needs_rates,
                has_contacts = !mechanism.contacts.empty() || !traits.needs_contacts,
+               has_loads = mechanism.has_load_friction() || !traits.needs_load_friction,
                has_cones = mechanism.cone_rows() > 0 || !traits.needs_cones,
                has_loops = mechanism.has_loops() ? !traits.refuses_loops : !traits.needs_loops;
-    return has_base && has_rates && has_contacts && has_cones && has_loops;
+    return has_base && has_rates && has_contacts && has_cones && has_loads && has_loops;
   }
   // Whether it is about the factors of the dynamic parameters, so that friction has to be F_s times one of them.
   bool needs_linear_friction() const {

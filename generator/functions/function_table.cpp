@@ -8,6 +8,7 @@
 #include "derivation/dynamics/energy_functions.hpp"
 #include "derivation/dynamics/inertia_functions.hpp"
 #include "derivation/dynamics/kinematics_functions.hpp"
+#include "derivation/dynamics/load_friction.hpp"
 #include "derivation/dynamics/loop_functions.hpp"
 #include "derivation/dynamics/momentum_functions.hpp"
 #include "derivation/dynamics/operational.hpp"
@@ -101,6 +102,25 @@ const std::vector<FunctionRow> kRows = {
      .derivation = {.from_choices = derive_bias, .closed_form = closed_bias},
      .definition = definitions::bias,
      .reference = references::bias},
+    {.name = "drive_torque",
+     .summary = "tau_d = tau + c |tau| s(qd): the torques that drives need whose friction grows with the load",
+     .equation = "",
+     .inputs = {qd, tau},
+     .outputs = {per_joint("tau_d", OutputQuantity::joint_torque)},
+     .derivation = {.from_choices = derive_drive_torque},
+     .definition = definitions::drive_torque,
+     .reference = references::drive_torque,
+     .traits = {.on_request = true, .needs_load_friction = true}},
+    {.name = "torque_from_drive",
+     .summary =
+         "The torques that joints get from drives whose friction grows with the load: drive_torque solved for tau",
+     .equation = "",
+     .inputs = {qd, tau},
+     .outputs = {per_joint("tau_j", OutputQuantity::joint_torque)},
+     .derivation = {.from_choices = derive_torque_from_drive},
+     .definition = definitions::torque_from_drive,
+     .reference = references::torque_from_drive,
+     .traits = {.on_request = true, .needs_load_friction = true}},
     {.name = "forward_dynamics",
      .summary = "qdd from B(q) qdd = tau - bias(q, qd)",
      .equation = "(7.115)",

@@ -19,7 +19,7 @@ FunctionRow step(const char* name, const char* summary, DerivationRow derivation
   return {.name = name,
           .summary = summary,
           .equation = "",
-          .inputs = {InputKind::q, InputKind::qd, InputKind::tau, InputKind::g_b, InputKind::h},
+          .inputs = {InputKind::q, InputKind::g_b, InputKind::qd, InputKind::tau, InputKind::h},
           .outputs = {{"q_next", Layout::vector, Extent::positions, Extent::one, OutputQuantity::joint_position},
                       {"qd_next", Layout::vector, Extent::joints, Extent::one, OutputQuantity::joint_rate},
                       {"displacement", Layout::vector, Extent::three, Extent::one, OutputQuantity::position, true},

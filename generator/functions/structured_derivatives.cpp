@@ -63,6 +63,32 @@ bool gravity_is_acceleration(const Mechanism& mechanism) {
   return !mechanism.has_base_gravity() || !base_has(mechanism, [](const Body& body) { return body.armature != 0; });
 }
 
+// Functions as one, which requires of each loop once, at the end, that it is not singular.
+Function whole_of(const std::vector<Function>& parts) {
+  const Fusion fusion = fused(parts);
+  std::vector<Function> separate;
+  for (std::size_t k = 0; k < parts.size(); ++k) separate.push_back(function_of(fusion, k));
+  Function whole = fusion.function;
+  Conditions conditions;
+  for (const Function& part : separate) {
+    Conditions own{part.validity_conditions, part.pivot_scales};
+    const std::size_t pivots = part.validity_conditions.size() - static_cast<std::size_t>(part.loop_conditions);
+    own.validity_conditions.resize(pivots);
+    own.pivot_scales.resize(std::min(pivots, own.pivot_scales.size()));
+    conditions.append(own);
+  }
+  whole.validity_conditions = std::move(conditions.validity_conditions);
+  whole.pivot_scales = std::move(conditions.pivot_scales);
+  whole.loop_conditions = 0;
+  for (const Function& part : separate) {
+    for (std::size_t k = part.validity_conditions.size() - static_cast<std::size_t>(part.loop_conditions);
+         k < part.validity_conditions.size(); ++k) {
+      require_loop(whole, part.validity_conditions[k], part.pivot_scales[k]);
+    }
+  }
+  return whole;
+}
+
 }  // namespace
 
 bool has_jacobian_parts(const Mechanism& mechanism, const FunctionRow& row) {
@@ -77,7 +103,7 @@ std::optional<Function> jacobian_of_parts(const Mechanism& mechanism, const Func
     if (!made) return std::nullopt;
     parts.push_back(std::move(*made));
   }
-  Function whole = fused(parts).function;
+  Function whole = whole_of(parts);
   whole.formulation = parts.front().formulation;
   whole.proven_pivot_share = parts.front().proven_pivot_share;
   whole.inputs = row.inputs_for(mechanism);

@@ -257,6 +257,7 @@ void add_dry_friction_json(const DryFriction& dry, const NumberText& text, nlohm
   add("static_excess", dry.excess);
   add("stribeck_speed", dry.stribeck_speed);
   add("coulomb_asymmetry", dry.asymmetry);
+  add("load_friction", dry.load);
 }
 
 nlohmann::ordered_json joint_json(const Body& body, const NumberText& text) {

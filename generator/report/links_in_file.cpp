@@ -108,6 +108,7 @@ std::string dry_friction_text(const Body& body, const NumberText& number) {
   add("offset by", dry.offset, speed);
   if (dry.has_excess()) add("static", body.coulomb + dry.excess, unit);
   add("Stribeck speed", dry.stribeck_speed, speed);
+  add("of loads", dry.load, "|tau|");
   if (!vanishes(dry.asymmetry)) {
     text += fmt::format(": {} forward, {} backward", number(body.coulomb + dry.asymmetry),
                         number(body.coulomb - dry.asymmetry));

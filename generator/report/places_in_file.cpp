@@ -72,6 +72,7 @@ PartInFile part_in_file(const Joint& joint, ElementsOfFiles& elements) {
   numbers.add("offset of Coulomb friction", joint.law.offset, {"coulomb_offset"});
   numbers.add("static friction", joint.law.static_friction, {"static"});
   numbers.add("Stribeck speed", joint.law.stribeck_speed, {"stribeck_speed"});
+  numbers.add("friction of loads", joint.law.load, {"load_friction"});
   if (joint.motor) numbers.add("motor", joint.motor->place, {});
   numbers.add("stiffness", joint.stiffness, {"stiffness", "spring_stiffness"});
   if (!vanishes(joint.stiffness.number)) {

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "base/diagnostics/diagnostics.hpp"
+#include "flatdyn/reference/load_friction.hpp"
 #include "functions/deviation/expected.hpp"
 #include "functions/exact_proof.hpp"
 #include "functions/function_table.hpp"
@@ -18,6 +20,7 @@
 #include "support/simple_robots.hpp"
 #include "support/written_model.hpp"
 #include "truth/definition/as_read.hpp"
+#include "truth/reference/reference_model.hpp"
 
 namespace flatdyn {
 namespace {
@@ -209,6 +212,67 @@ INSTANTIATE_TEST_SUITE_P(Robots, DryFrictionOfRobots,
                                            RubbedRobot{"loop", kRubbedLoop.c_str()},
                                            RubbedRobot{"floating", kRubbedBird.c_str()}),
                          [](const auto& each) { return std::string(each.param.name); });
+
+// Drives that lose a share of their torque: one that is smooth, one with a sign, one whose share is a symbol.
+constexpr const char* kGearedArm = R"(name = "geared"
+[[link]]
+joint = "shoulder"
+mass = 3
+com = [0.2, 0, 0]
+viscous = 0.5
+coulomb = 1.2
+coulomb_speed = 0.05
+load_friction = 0.08
+[[link]]
+joint = "elbow"
+xyz = [0.5, 0, 0]
+mass = 2
+com = [0.2, 0, 0]
+load_friction = 0.3
+[[link]]
+joint = "wrist"
+xyz = [0.4, 0, 0]
+axis = [1, 0, 0]
+mass = 1
+com = [0.1, 0.02, 0]
+load_friction = "loss"
+)";
+
+TEST(LoadFriction, IsProvenAndAgreesWithTheReference) {
+  const LoadedRobot model = testing::model_of_toml(kGearedArm);
+  const ExpectedValues values(model.robot, model.mechanism, 7);
+  for (const char* name : {"drive_torque", "torque_from_drive", "jac:drive_torque", "vjp:torque_from_drive"}) {
+    const Function function = derive_function(model.mechanism, name);
+    EXPECT_TRUE(prove_exactly(model.mechanism, function).equal) << name;
+    std::vector<State> states = with_parameters(random_states(model.mechanism, 4, 11), values.symbols());
+    draw_own_arguments(states, {&function, 1}, 5);
+    testing::expect_the_reference(values, model.mechanism, function, states);
+  }
+}
+
+// One function undoes the other, in each of the four quadrants, and the drive takes more where it drives.
+TEST(LoadFriction, IsUndone) {
+  const LoadedRobot model = testing::model_of_toml(kGearedArm);
+  const SymbolValues symbols = random_symbol_values(model.robot, 3);
+  const auto robot = reference_robot<double>(model.robot, symbols);
+  for (const double rate : {-0.7, -0.01, 0.0, 0.02, 0.9}) {
+    for (const double torque : {-4.0, -0.1, 0.0, 3.0}) {
+      const reference::VectorX<double> qd = reference::VectorX<double>::Constant(3, rate),
+                                       tau = reference::VectorX<double>::Constant(3, torque),
+                                       drive = reference::drive_torque(robot, qd, tau);
+      EXPECT_NEAR((reference::torque_from_drive(robot, qd, drive) - tau).norm(), 0, 1e-14);
+      for (int k = 0; k < 3; ++k) EXPECT_GE((drive[k] - tau[k]) * rate, 0) << rate << " " << torque;
+      EXPECT_NEAR(drive[1], torque + 0.3 * std::abs(torque) * ((rate > 0) - (rate < 0)), 1e-14);
+    }
+  }
+}
+
+TEST(LoadFriction, IsOfRobotsThatHaveIt) {
+  EXPECT_THROW(derive_function(testing::model_of("scara.toml").mechanism, "drive_torque"), Failure);
+  EXPECT_THROW(derive_function(testing::model_of_toml(testing::four_bar_with("load_friction = 0.1", "")).mechanism,
+                               "drive_torque"),
+               Failure);
+}
 
 // A sign that flips, a term that is lost and a wrong operand, in what the passes leave.
 TEST(DryFriction, EveryWrongOperationIsFound) {

@@ -73,6 +73,7 @@ class NumberCollector {
     add(name + "excess", dry.excess);
     add(name + "Stribeck speed", dry.stribeck_speed);
     add(name + "asymmetry", dry.asymmetry);
+    add(name + "share of the load", dry.load);
   }
 
   void add(const Body& body) {

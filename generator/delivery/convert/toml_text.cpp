@@ -205,6 +205,7 @@ class TomlWriter {
     write("coulomb_offset", law.offset);
     write("static", law.static_friction);
     write("stribeck_speed", law.stribeck_speed);
+    write("load_friction", law.load);
   }
 
   void write_motion(const Joint& joint, const std::string& what) {

@@ -190,7 +190,7 @@ class ModuleWriter {
     if (loops == function.validity_conditions.size()) return "a closed loop is within 1e-6 of being singular";
     const std::string inverted = function.inverted.empty() ? "B" : function.inverted;
     return inverted + " is not positive definite" + (function.task.empty() ? "" : ", or the task is singular") +
-           (loops > 0 ? ", or a closed loop" : "");
+           (loops > 0 ? ", or a closed loop is within 1e-6 of being singular" : "");
   }
 
   // Whether the C form has close_loops(), which it has if both of these functions are generated.

@@ -148,6 +148,7 @@ std::string words_for(const TangentBlock& block) {
 
 std::string Tangents::words_for_entry(const TangentBlock& block, const std::string& index) const {
   const bool turns = block.kind == InputKind::q && mechanism_.has_quasi_velocities();
+  if (block.kind == InputKind::q && mechanism_.has_loops() && !turns) return fmt::format("independent joint {}", index);
   return turns ? fmt::format("q, or a turn, along entry {} of v", index) : fmt::format("{}[{}]", name_of(block), index);
 }
 
@@ -156,7 +157,12 @@ std::string Tangents::words_for_all() const {
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     if (k > 0) text += k + 1 == blocks_.size() ? ", then " : ", ";
     const bool turns = blocks_[k].kind == InputKind::q && mechanism_.has_quasi_velocities();
-    text += fmt::format("{}{} ({})", words_for(blocks_[k]), turns ? " along the entries of v" : "", blocks_[k].length);
+    const bool follows = blocks_[k].kind == InputKind::q && mechanism_.has_loops() && !turns;
+    text += fmt::format("{}{} ({})", words_for(blocks_[k]),
+                        turns     ? " along the entries of v"
+                        : follows ? " along the independent joints"
+                                  : "",
+                        blocks_[k].length);
   }
   return text;
 }

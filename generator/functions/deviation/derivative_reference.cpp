@@ -309,6 +309,7 @@ std::vector<double> DerivativeReference::magnitude_along(const State& state, con
     for (const double entry : state.g_b) square += entry * entry;
     return scaled(here, 2 / std::sqrt(square));
   }
+  if (is_velocity(along.kind) && row_.traits.needs_load_friction) return scaled(here, steepness_);
   const bool is_rate = is_velocity(along.kind);
   std::vector<double> there = (is_rate ? steep_magnitude_ : magnitude_)(unit_away(state, along));
   // The magnitude of a quotient may shrink while an argument grows.

@@ -46,6 +46,7 @@ struct DryFriction {
   Number excess = 0;          // E = F_st - F_s, N m or N: what friction at rest has more
   Number stribeck_speed = 0;  // v_s, rad/s or m/s
   Number asymmetry = 0;       // D, N m or N: half of what friction forward has more than backward
+  Number load = 0;            // c: the drive loses c |τ| s (derivation/dynamics/load_friction.hpp)
 
   bool is_smooth() const { return !vanishes(speed); }
   bool has_excess() const { return !vanishes(excess); }

@@ -62,6 +62,7 @@ void set_dry_friction(const Joint& joint, Body& body) {
   if (law.offset && law.speed) body.dry.at_rest = rationalised(GiNaC::tanh(body.dry.offset / body.dry.speed));
   if (law.static_friction) body.dry.excess = (number(law.static_friction) - body.coulomb).expand();
   body.dry.stribeck_speed = number(law.stribeck_speed);
+  body.dry.load = number(law.load);
 }
 
 Body make_body(const RawTree& tree, const std::vector<Placement>& placements, std::size_t i) {

@@ -35,7 +35,7 @@ struct FieldFrame {
 
 template <class F>
 struct FieldDryFriction {
-  F speed, offset, at_rest, excess, stribeck_speed, asymmetry;
+  F speed, offset, at_rest, excess, stribeck_speed, asymmetry, load;
   bool is_smooth = false, has_excess = false;
 };
 
@@ -276,8 +276,15 @@ class MechanismMap {
   }
 
   FieldDryFriction<F> mapped(const DryFriction& dry) const {
-    return {number_(dry.speed),          number_(dry.offset),    number_(dry.at_rest), number_(dry.excess),
-            number_(dry.stribeck_speed), number_(dry.asymmetry), dry.is_smooth(),      dry.has_excess()};
+    return {number_(dry.speed),
+            number_(dry.offset),
+            number_(dry.at_rest),
+            number_(dry.excess),
+            number_(dry.stribeck_speed),
+            number_(dry.asymmetry),
+            number_(dry.load),
+            dry.is_smooth(),
+            dry.has_excess()};
   }
 
   FieldBody<F> mapped(const Body& body) const {

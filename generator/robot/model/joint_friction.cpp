@@ -73,6 +73,11 @@ SmoothFriction smooth_friction(const Body& body, std::size_t coordinate, double 
                 "make it smooth: coulomb_speed = ...");
 }
 
+[[noreturn]] void refuse_load(const Body& body) {
+  throw Failure(FailureKind::unsupported, fmt::format("joint \"{}\": load_friction is not supported here", body.joint),
+                "leave it out, and let drive_torque of the generated code add it to torques");
+}
+
 }  // namespace
 
 double SmoothFriction::torque(double rate) const {
@@ -98,6 +103,7 @@ JointFriction joint_friction(const Mechanism& mechanism) {
   JointFriction friction{std::vector<double>(n, 0), std::vector<double>(n, 0), {}};
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     const Body& body = mechanism.bodies[i];
+    if (!vanishes(body.dry.load)) refuse_load(body);
     if (vanishes(body.viscous) && !body.has_dry_friction()) continue;
     const auto [k, factor] = leader_of(mechanism, i);
     friction.viscous[k] += factor * factor * nearest_double(body.viscous);

@@ -31,7 +31,7 @@ struct JointFriction {
 
 // Throws Failure(unsupported) if a joint that follows several coordinates, or one that a closed loop moves, has
 // friction: it does not belong to a single coordinate. So it does for friction that has a sign, and is another one at
-// other speeds or in the other direction.
+// other speeds or in the other direction, and for load_friction.
 JointFriction joint_friction(const Mechanism& mechanism);
 
 }  // namespace flatdyn

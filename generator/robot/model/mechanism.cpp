@@ -38,6 +38,10 @@ bool BodyTree::has_springs() const {
   return std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return !vanishes(body.stiffness); });
 }
 
+bool Mechanism::has_load_friction() const {
+  return std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return !vanishes(body.dry.load); });
+}
+
 bool Mechanism::has_prismatic_joint() const {
   return std::any_of(bodies.begin() + base_bodies(), bodies.end(), [](const Body& body) { return body.prismatic; });
 }

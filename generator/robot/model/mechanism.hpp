@@ -68,6 +68,7 @@ struct Mechanism : BodyTree, Chart, MechanismScene {
   const Body& joint(int k) const { return body(body_of(k)); }
   // The bodies that joints of one axis move, which may have springs.
   std::vector<int> bodies_on_one_axis() const;
+  bool has_load_friction() const;    // whether a drive loses a share of the torque that it passes on
   bool has_prismatic_joint() const;  // not counting the motion of a floating base
   // Whether entries of q or q̇ are lengths, so that the unit of length is not free.
   bool has_lengths() const { return floating_base || has_prismatic_joint(); }

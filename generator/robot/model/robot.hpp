@@ -62,8 +62,9 @@ struct DryFrictionLaw {
   std::optional<Value> static_friction;  // F_st at rest, which falls to F_s: F_s + (F_st - F_s)/(1 + (q̇/v_s)²)
   std::optional<Value> stribeck_speed;   // v_s, rad/s or m/s
   std::optional<Value> backward;         // F_m for q̇ < 0; F_s is that for q̇ > 0
+  std::optional<Value> load;             // c, the share of its torque that the drive loses: c |τ| s
 
-  bool is_given() const { return speed || offset || static_friction || stribeck_speed || backward; }
+  bool is_given() const { return speed || offset || static_friction || stribeck_speed || backward || load; }
 };
 
 // Child link frame = parent link frame · origin · motion(axis, q) · link_offset. A joint that is held keeps its motion.

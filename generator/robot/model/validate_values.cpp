@@ -166,6 +166,7 @@ void check_spherical(const Joint& joint, Diagnostics& diagnostics) {
   for (const auto* value : {&joint.law.speed, &joint.law.offset, &joint.law.static_friction, &joint.law.backward}) {
     if (*value) return refuse((*value)->place, "Coulomb friction");
   }
+  if (joint.law.load) refuse(joint.law.load->place, "load_friction");
   if (!is_exact_zero(joint.coulomb.number)) refuse(joint.coulomb.place, "Coulomb friction");
   if (!is_exact_zero(joint.armature.number)) refuse(joint.armature.place, "the armature");
   if (!is_exact_zero(joint.stiffness.number)) refuse(joint.stiffness.place, "the stiffness");
@@ -254,6 +255,37 @@ void check_keys_of_dry_friction(const Joint& joint, Diagnostics& diagnostics) {
   }
 }
 
+// A drive that loses all of its torque would not move.
+void check_load_friction(const Joint& joint, Diagnostics& diagnostics) {
+  const DryFrictionLaw& law = joint.law;
+  if (!law.load) return;
+  if (law.offset) {
+    diagnostics.error(law.load->place, named(joint) + ": load_friction is not supported together with coulomb_offset",
+                      "leave out one of them");
+  }
+  if (has_symbols(law.load->number)) return;
+  const double share = nearest_double(law.load->number);
+  if (0 <= share && share < 1) return;
+  diagnostics.error(law.load->place, fmt::format("{}: load_friction is {}", named(joint), decimal(law.load->number)),
+                    "it is the share of its torque that the drive loses: from 0 to less than 1");
+}
+
+// Keys without effect, and a law that nobody means.
+void warn_of_dry_friction(const Joint& joint, Diagnostics& diagnostics) {
+  const DryFrictionLaw& law = joint.law;
+  const Number& coulomb = joint.coulomb.number;
+  const bool has_friction = !is_exact_zero(coulomb) || law.backward || law.static_friction || law.load;
+  if (law.speed && !has_friction) {
+    diagnostics.warning(law.speed->place, named(joint) + ": coulomb_speed has no effect without coulomb",
+                        "write coulomb = ... as well, or leave it out");
+  }
+  if (!law.static_friction || has_symbols(law.static_friction->number) || has_symbols(coulomb)) return;
+  const Number& at_rest = law.static_friction->number;
+  if (is_negative(at_rest) || !is_negative(at_rest - coulomb)) return;
+  diagnostics.warning(law.static_friction->place, named(joint) + ": static friction is less than coulomb",
+                      "friction usually falls from static to coulomb as the joint begins to move");
+}
+
 void check_dry_friction(Joint& joint, Diagnostics& diagnostics) {
   const char* const against = "friction acts against the motion: write it positive";
   DryFrictionLaw& law = joint.law;
@@ -264,6 +296,8 @@ void check_dry_friction(Joint& joint, Diagnostics& diagnostics) {
   check_speed(joint, law.speed, "coulomb_speed", diagnostics);
   check_speed(joint, law.stribeck_speed, "stribeck_speed", diagnostics);
   check_keys_of_dry_friction(joint, diagnostics);
+  check_load_friction(joint, diagnostics);
+  warn_of_dry_friction(joint, diagnostics);
 }
 
 void check_joint(Joint& joint, bool in_degrees, Diagnostics& diagnostics) {

@@ -376,6 +376,7 @@ class NumberComparison {
     compare("static friction", body.dry.excess + body.coulomb,
             law.static_friction ? value(law.static_friction) : body.coulomb);
     compare("Stribeck speed", body.dry.stribeck_speed, value(law.stribeck_speed));
+    compare("friction of loads", body.dry.load, value(law.load));
     if (law.offset) compare("offset's friction", body.dry.at_rest, tanh(value(law.offset) / value(law.speed)));
   }
 

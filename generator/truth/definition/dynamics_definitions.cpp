@@ -79,6 +79,37 @@ constinit const Definition coriolis_matrix =
 
 constinit const Definition gravity = defined_as([](auto& at, const Output&) { return at.lagrangian.gravity(); });
 
+namespace {
+
+// By coordinate, c s: the share of its torque that the drive loses.
+template <class Point>
+typename Point::Values lost_shares(Point& at) {
+  typename Point::Values shares = at.signs();
+  for (std::size_t k = 0; k < shares.size(); ++k) shares[k] = at.lagrangian.mechanism().bodies[k].dry.load * shares[k];
+  return shares;
+}
+
+}  // namespace
+
+constinit const Definition drive_torque = defined_as([](auto& at, const Output&) {
+  auto tau = at.drawn(InputKind::tau);
+  const auto shares = lost_shares(at);
+  for (std::size_t k = 0; k < tau.size(); ++k) tau[k] += shares[k] * at.arithmetic.sign(tau[k]) * tau[k];
+  return tau;
+});
+
+// It undoes the above, where signs are 1 or -1: of τ_d as of τ.
+constinit const Definition torque_from_drive = defined_as([](auto& at, const Output&) {
+  using F = typename std::decay_t<decltype(at)>::F;
+  auto tau = at.drawn(InputKind::tau);
+  const auto shares = lost_shares(at);
+  for (std::size_t k = 0; k < tau.size(); ++k) {
+    const F lost = shares[k] * at.arithmetic.sign(tau[k]) * tau[k];
+    tau[k] = (tau[k] + -lost) / (F(1) + -(shares[k] * shares[k]));
+  }
+  return tau;
+});
+
 constinit const Definition bias = defined_as([](auto& at, const Output&) { return at.bias(); });
 
 // B q̈ is compared with τ - n, without denominators; single accelerations are compared with B⁻¹ (τ - n).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "truth/reference/dynamics_references.hpp"
 
+#include "flatdyn/reference/load_friction.hpp"
 #include "truth/reference/acceleration_magnitude.hpp"
 #include "truth/reference/magnitude.hpp"
 
@@ -25,6 +26,17 @@ namespace ref = reference;
 using At = ReferencePoint<double>;
 
 ref::VectorX<double> no_motion(const At& at) { return ref::VectorX<double>::Zero(at.robot.size()); }
+
+// Those of τ + c |τ| s, or of what it is solved for.
+std::vector<double> drive_magnitude(const At& at) {
+  const ref::VectorX<double> shares = ref::detail::lost_shares(at.robot, at.qd).cwiseAbs();
+  return row_by_row(ref::VectorX<double>(at.tau.cwiseAbs().cwiseProduct((shares.array() + 1).matrix())));
+}
+
+std::vector<double> magnitude_from_drive(const At& at) {
+  const ref::VectorX<double> shares = ref::detail::lost_shares(at.robot, at.qd).cwiseAbs();
+  return row_by_row(ref::VectorX<double>(at.tau.cwiseAbs().array() / (1 - shares.array())));
+}
 
 // T = ½ q̇ᵀ B q̇ with magnitudes.
 std::vector<double> kinetic_magnitude(const At& at) {
@@ -109,6 +121,14 @@ constinit const NumericReference gravity = computed_by(
     [](const At& at) {
       return row_by_row(ref::torque_magnitude(at.robot, at.q, no_motion(at), no_motion(at), {.springs = false}));
     });
+
+constinit const NumericReference drive_torque =
+    computed_by([](const auto& at) { return row_by_row(ref::drive_torque(at.robot, at.qd, at.tau)); },
+                [](const At& at) { return drive_magnitude(at); });
+
+constinit const NumericReference torque_from_drive =
+    computed_by([](const auto& at) { return row_by_row(ref::torque_from_drive(at.robot, at.qd, at.tau)); },
+                [](const At& at) { return magnitude_from_drive(at); });
 
 constinit const NumericReference bias =
     computed_by([](const auto& at) { return row_by_row(ref::bias(at.robot, at.q, at.qd)); },

@@ -12,11 +12,23 @@
 
 namespace flatdyn {
 
+namespace {
+
+// Whether a symbol is in a load_friction, which has to be less than 1.
+bool is_share(const FreeSymbol& symbol, const Robot& robot) {
+  return std::any_of(robot.joints.begin(), robot.joints.end(), [&symbol](const Joint& joint) {
+    return joint.law.load && joint.law.load->number.has(symbol.symbol);
+  });
+}
+
+}  // namespace
+
 SymbolValues random_symbol_values(const Robot& robot, unsigned seed) {
   std::mt19937 engine(seed);
   SymbolValues values;
   for (std::size_t k = 0; k < robot.symbols.size(); ++k) {
-    values.push_back(GiNaC::numeric(long(engine() % 900 + 100), 512));
+    const long denominator = is_share(robot.symbols[k], robot) ? 2048 : 512;
+    values.push_back(GiNaC::numeric(long(engine() % 900 + 100), denominator));
   }
   return values;
 }
@@ -161,7 +173,8 @@ class Converter {
     const DryFrictionLaw& law = joint.law;
     const S forward = number(joint.coulomb.number), backward = law.backward ? value(law.backward) : forward;
     result.coulomb = (forward + backward) / S(2);
-    result.dry = {value(law.speed), value(law.offset), S(0), value(law.stribeck_speed), (forward - backward) / S(2)};
+    result.dry = {value(law.speed),          value(law.offset),           S(0),
+                  value(law.stribeck_speed), (forward - backward) / S(2), value(law.load)};
     if (law.static_friction) result.dry.excess = value(law.static_friction) - result.coulomb;
   }
 

@@ -12,9 +12,9 @@ namespace flatdyn {
 
 namespace {
 
-constexpr std::array<const char*, 9> kKeysOfCoordinates = {"viscous",        "coulomb",   "coulomb_speed",
-                                                           "coulomb_offset", "static",    "stribeck_speed",
-                                                           "armature",       "stiffness", "spring_reference"};
+constexpr std::array<const char*, 10> kKeysOfCoordinates = {
+    "viscous",        "coulomb",       "coulomb_speed", "coulomb_offset", "static",
+    "stribeck_speed", "load_friction", "armature",      "stiffness",      "spring_reference"};
 constexpr std::array<const char*, 5> kKeysOfLimits = {"lower", "upper", "velocity", "acceleration", "effort"};
 constexpr std::array<const char*, 2> kKeysOfOneCoordinate = {"position", "motor"};
 

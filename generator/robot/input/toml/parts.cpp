@@ -173,10 +173,15 @@ std::optional<Value> read_gain(TomlTable& table, std::string_view key, Diagnosti
   return std::nullopt;
 }
 
-void read_coulomb(TomlTable& table, Joint& joint) {
+void read_coulomb(TomlTable& table, ReadContext& context, Joint& joint) {
   DryFrictionLaw& law = joint.law;
   if (table.is_table("coulomb")) {
     TomlTable both = *table.table("coulomb");
+    for (const char* const key : {"forward", "backward"}) {
+      if (both.has(key)) continue;
+      context.diagnostics.error(both.place(), both.what() + ": " + key + " is missing",
+                                "write coulomb = { forward = 0.5, backward = 0.4 }, or one number for both");
+    }
     joint.coulomb = both.number_or_zero("forward", Quantity::coulomb_friction);
     law.backward = both.number_or_zero("backward", Quantity::coulomb_friction);
     both.reject_unknown_keys();
@@ -192,13 +197,14 @@ void read_friction_law(TomlTable& table, Joint& joint) {
   replace_if_given(law.offset, table.number("coulomb_offset", Quantity::speed));
   replace_if_given(law.static_friction, table.number("static", Quantity::coulomb_friction));
   replace_if_given(law.stribeck_speed, table.number("stribeck_speed", Quantity::speed));
+  replace_if_given(law.load, table.number("load_friction", Quantity::other));
 }
 
 void read_joint_properties(TomlTable& table, ReadContext& context, Joint& joint, MotorCarriers& carriers) {
   std::optional<Reference> carrier;
   if (auto coupled = table.linear_position("position", joint.type)) joint.coupled = *coupled;
   if (auto viscous = table.number("viscous", Quantity::viscous_friction)) joint.viscous = *viscous;
-  read_coulomb(table, joint);
+  read_coulomb(table, context, joint);
   const Quantity reflected = joint.type == JointType::prismatic ? Quantity::mass : Quantity::inertia;
   if (auto armature = table.number("armature", reflected)) joint.armature = *armature;
   read_spring(table, context, joint);

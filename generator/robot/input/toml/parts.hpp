@@ -59,9 +59,9 @@ Limits read_limits(TomlTable& table, JointType type);
 // has no such number.
 std::optional<Value> read_gain(TomlTable& table, std::string_view key, Diagnostics& diagnostics);
 
-// coulomb of a joint or tendon; then coulomb_speed, coulomb_offset, static and stribeck_speed. What is not there stays
-// as it is.
-void read_coulomb(TomlTable& table, Joint& joint);
+// coulomb of a joint or tendon; then coulomb_speed, coulomb_offset, static, stribeck_speed and load_friction. What is
+// not there stays as it is.
+void read_coulomb(TomlTable& table, ReadContext& context, Joint& joint);
 void read_friction_law(TomlTable& table, Joint& joint);
 
 // viscous, dry friction, armature, stiffness, spring_reference, limits, motor of a [[link]] or [[joint]]; what is not

@@ -328,7 +328,7 @@ class TomlReader {
     tendon.spring_reference = row.number("spring_reference", Quantity::other).value_or(none);
     tendon.viscous = row.number("viscous", Quantity::other).value_or(none);
     tendon.coulomb = none;
-    read_coulomb(row, tendon);
+    read_coulomb(row, context_, tendon);
     tendon.armature = row.number("armature", Quantity::other).value_or(none);
     read_friction_law(row, tendon);
     row.reject_unknown_keys();

@@ -50,6 +50,7 @@ struct DryFriction {
   S excess = S(0);          // E
   S stribeck_speed = S(0);  // v_s; 0: no excess
   S asymmetry = S(0);       // D
+  S load = S(0);            // c, the share of its torque that the drive loses
 };
 
 // A joint. The child frame in the parent frame is (R_0, p_0) · motion(axis, q) · (R_1, p_1). A spherical joint turns by

@@ -72,24 +72,24 @@ Robot<Tangent<S>> with_tangents(const Robot<S>& robot) {
     }
   }
   for (const Joint<S>& a : robot.joints) {
-    result.joints.push_back(
-        {a.type,
-         a.parent,
-         a.child,
-         a.index,
-         matrix(a.R_0),
-         matrix(a.R_1),
-         vector(a.p_0),
-         vector(a.p_1),
-         vector(a.axis),
-         T(a.viscous),
-         T(a.coulomb),
-         T(a.armature),
-         {a.rotor.carrier, T(a.rotor.gear_ratio), T(a.rotor.inertia), vector(a.rotor.axis)},
-         T(a.stiffness),
-         T(a.spring_q_0),
-         matrix(a.orientation),
-         {T(a.dry.speed), T(a.dry.offset), T(a.dry.excess), T(a.dry.stribeck_speed), T(a.dry.asymmetry)}});
+    result.joints.push_back({a.type,
+                             a.parent,
+                             a.child,
+                             a.index,
+                             matrix(a.R_0),
+                             matrix(a.R_1),
+                             vector(a.p_0),
+                             vector(a.p_1),
+                             vector(a.axis),
+                             T(a.viscous),
+                             T(a.coulomb),
+                             T(a.armature),
+                             {a.rotor.carrier, T(a.rotor.gear_ratio), T(a.rotor.inertia), vector(a.rotor.axis)},
+                             T(a.stiffness),
+                             T(a.spring_q_0),
+                             matrix(a.orientation),
+                             {T(a.dry.speed), T(a.dry.offset), T(a.dry.excess), T(a.dry.stribeck_speed),
+                              T(a.dry.asymmetry), T(a.dry.load)}});
   }
   result.root = robot.root;
   result.gravity = vector(robot.gravity);
