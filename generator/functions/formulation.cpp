@@ -334,14 +334,18 @@ std::string summary_of_derivative(const std::string& function, Derivative deriva
       break;
   }
   if (smooth_joints(mechanism) != SmoothJoints::all) summary += "; signs count as constant";
-  if (mechanism.has_loops()) summary += ". Derivatives by q are by the independent joints, along which the others move";
-  if (!mechanism.has_quasi_velocities()) return summary;
+  const bool has_entries_of_v = mechanism.has_quasi_velocities();
+  if (mechanism.has_loops() && !has_entries_of_v) {
+    summary += ". Derivatives by q are by the independent joints, along which the others move";
+  }
+  if (!has_entries_of_v) return summary;
   summary += ". Derivatives by q are along the entries of v, while the numbers in other arguments are held";
   if (mechanism.floating_base) {
     summary +=
         ": first a displacement of the base along its axes (m; it changes nothing), then a turn R exp(S(delta)) about "
         "its axes (rad), which turns g_b alone";
   }
+  if (mechanism.has_loops()) summary += "; then the independent joints, along which the others move";
   if (mechanism.has_spherical_joints()) {
     summary += "; of a spherical joint they are turns R exp(S(delta)) of the child about its axes (rad)";
   }

@@ -2,26 +2,47 @@
 #include "report/proof_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flatdyn {
+namespace {
+
+// Functions whose degree is too large for the primes: they are equal at random points, and that is all.
+std::string without_bound(const std::vector<Proof>& proofs) {
+  std::vector<std::string> texts;
+  for (const Proof& proof : proofs) {
+    if (!proof.result.is_weak()) continue;
+    texts.push_back(fmt::format("{} (at {} random points)", proof.function, proof.result.points));
+  }
+  if (texts.empty()) return "";
+  return fmt::format(", but without a bound of that probability, as their degree is too large, for {}",
+                     fmt::join(texts, ", "));
+}
+
+}  // namespace
 
 std::string describe_proofs(const std::vector<Proof>& proofs, const AsReadResult& as_read,
                             const std::string& constants) {
   if (proofs.empty()) return "proven: nothing, as there is no function";
   int entries = 0;
-  double worst = proofs.front().result.failure_log2;
+  double worst = std::numeric_limits<double>::lowest();
   for (const Proof& proof : proofs) {
     entries += proof.result.entries;
-    worst = std::max(worst, proof.result.failure_log2);
+    if (!proof.result.is_weak()) worst = std::max(worst, proof.result.failure_log2);
   }
+  const bool all_weak =
+      std::all_of(proofs.begin(), proofs.end(), [](const Proof& each) { return each.result.is_weak(); });
+  const std::string bound =
+      all_weak ? "" : fmt::format(", each wrong with probability below 2^{:.0f}", std::ceil(worst));
   return fmt::format(
-      "proven in exact arithmetic: all {} entries of {} function{} are what the Lagrangian says, each wrong with "
-      "probability below 2^{:.0f}; the Lagrangian is that of {}; the text, read back, says the same with constants "
-      "rounded to {}",
-      entries, proofs.size(), proofs.size() == 1 ? "" : "s", std::ceil(worst), describe_as_read(as_read), constants);
+      "proven in exact arithmetic: all {} entries of {} function{} are what the Lagrangian says{}{}; the Lagrangian is "
+      "that of {}; the text, read back, says the same with constants rounded to {}",
+      entries, proofs.size(), proofs.size() == 1 ? "" : "s", bound, without_bound(proofs), describe_as_read(as_read),
+      constants);
 }
 
 std::string describe_as_read(const AsReadResult& as_read) {

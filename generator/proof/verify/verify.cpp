@@ -175,9 +175,13 @@ std::string to_text(const VerifyReport& report) {
                     short_number(f.reference.percentile_99), f.passed ? "ok" : "FAILED"});
   }
   std::string text = aligned_table(rows);
-  text += fmt::format(
-      "\nexactly: against the Lagrangian modulo primes; a wrong function passes with probability below 2^{:.0f}\n",
-      report.failure_log2);
+  text += report.failure_log2 > kWeakLog2
+              ? "\nexactly: against the Lagrangian modulo primes, at random points; degrees are too large to bound the "
+                "probability that a wrong function passes\n"
+              : fmt::format(
+                    "\nexactly: against the Lagrangian modulo primes; a wrong function passes with probability "
+                    "below 2^{:.0f}\n",
+                    report.failure_log2);
   text += fmt::format("the Lagrangian: {} the robot as read: {}\n", report.as_read.holds ? "that of" : "NOT that of",
                       report.as_read.summary());
   text += "50 digits: largest relative difference from the recursive Newton-Euler reference\n";

@@ -73,6 +73,19 @@ std::set<MismatchKey> at_all_points(const ExactOptions& options, const std::vect
   return mismatches;
 }
 
+// log2 of the probability that a difference of this degree is not seen at one point.
+double unseen_log2(double degree) { return std::log2(std::max(1.0, degree)) - kLog2Prime; }
+
+// With as many points as the degree asks for.
+ExactOptions with_enough_points(ExactOptions options, const Function& function, double degree) {
+  constexpr int kMostPoints = 8, kPrimes = 3;
+  const double per_point = unseen_log2(degree), entries = static_cast<double>(entry_count(function));
+  if (options.points < 2 || per_point >= 0) return options;
+  const double points = (kEnoughLog2 - std::log2(std::max(1.0, entries))) / per_point;
+  options.points = std::clamp(static_cast<int>(std::ceil(points / kPrimes)), options.points, kMostPoints);
+  return options;
+}
+
 ExactResult finished(const Function& function, const std::set<MismatchKey>& mismatches, int entries, double degree,
                      const ExactOptions& options) {
   ExactResult result;
@@ -81,8 +94,7 @@ ExactResult finished(const Function& function, const std::set<MismatchKey>& mism
   result.primes = 3;
   result.points = result.primes * options.points;
   result.degree_bound = degree;
-  const double per_point = std::log2(std::max(1.0, degree)) - kLog2Prime;
-  result.failure_log2 = std::min(0.0, std::log2(std::max(1, entries)) + per_point * result.points);
+  result.failure_log2 = std::min(0.0, std::log2(std::max(1, entries)) + unseen_log2(degree) * result.points);
   result.mismatches = describe(function, mismatches);
   return result;
 }
@@ -121,7 +133,7 @@ int compare_at(DefinitionPoint<ModPArithmetic<P>>& point, const Definition& defi
 }  // namespace
 
 ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, const Definition& definition,
-                          const ExactOptions& options) {
+                          const ExactOptions& asked) {
   int entries = 0;
   const auto compare = [&]<std::uint64_t P>(FieldArithmetic<ModP<P>>& arithmetic, std::set<MismatchKey>& mismatches) {
     const auto values = evaluate(function, arithmetic);
@@ -130,7 +142,6 @@ ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, 
     DefinitionPoint<ModPArithmetic<P>> point(mechanism, function, lagrangian_arithmetic, values);
     entries = compare_at<P>(point, definition, mismatches);
   };
-  const std::set<MismatchKey> mismatches = at_all_points(options, mechanism.quaternions(), compare);
   const MechanismDegrees lagrangian =
       definition.is_over_parameters ? regressor_degrees(mechanism) : lagrangian_degrees(mechanism);
   const FunctionDegrees own = function_degrees(function);
@@ -138,6 +149,8 @@ ExactResult prove_exactly(const Mechanism& mechanism, const Function& function, 
   const double degree = in_drawn_values(
       definition.is_apart ? 2 * factor * lagrangian.degree + of_own : factor * (lagrangian.degree + of_own),
       drawn_angles(function, mechanism), lagrangian.reciprocals);
+  const ExactOptions options = with_enough_points(asked, function, degree);
+  const std::set<MismatchKey> mismatches = at_all_points(options, mechanism.quaternions(), compare);
   return finished(function, mismatches, entries, degree, options);
 }
 
@@ -208,7 +221,7 @@ int compare_entries(const Function& function, const std::vector<F>& values, cons
 }  // namespace
 
 ExactResult prove_derivatives(const Mechanism& mechanism, const Function& derivatives, const Function& of,
-                              Derivative derivative, const ExactOptions& options) {
+                              Derivative derivative, const ExactOptions& asked) {
   int entries = 0;
   const Tangents tangents(mechanism, of.inputs, of.base_parameters);
   const DerivativePlaces places = derivative_places(derivatives, derivative, tangents);
@@ -218,15 +231,15 @@ ExactResult prove_derivatives(const Mechanism& mechanism, const Function& deriva
     const auto expected = expected_derivatives<P>(mechanism, {of, derivative, tangents, places}, of_arithmetic);
     entries = compare_entries(derivatives, values, expected, mismatches);
   };
-  const std::set<MismatchKey> mismatches = at_all_points(options, mechanism.quaternions(), compare);
   const FunctionDegrees own = function_degrees(derivatives), function = function_degrees(of);
   // A derivative of N / D has the numerator N' D - N D' over D², times a weight and a rate.
-  const double degree = 2 * (function.numerator + function.denominator) + 2;
+  const double expected = 2 * (function.numerator + function.denominator) + 2;
   const double angles = drawn_angles(derivatives, mechanism) + drawn_angles(of, mechanism);
-  return finished(derivatives, mismatches, entries,
-                  std::max(root_factor(derivatives), root_factor(of)) *
-                      in_drawn_values(degree + own.numerator + own.denominator, angles, 0),
-                  options);
+  const double degree = std::max(root_factor(derivatives), root_factor(of)) *
+                        in_drawn_values(expected + own.numerator + own.denominator, angles, 0);
+  const ExactOptions options = with_enough_points(asked, derivatives, degree);
+  const std::set<MismatchKey> mismatches = at_all_points(options, mechanism.quaternions(), compare);
+  return finished(derivatives, mismatches, entries, degree, options);
 }
 
 ExactResult prove_equal(const Function& a, const Function& b, const ExactOptions& options) {
@@ -270,9 +283,10 @@ std::string ExactResult::summary() const {
     return fmt::format("{} of {} entries differ, the first is {}[{}, {}]", mismatches.size(), entries, first.output,
                        first.row, first.col);
   }
-  return fmt::format(
-      "{} entries equal at {} points modulo {} primes; degree at most {:.3g}; wrong with probability below 2^{:.0f}",
-      entries, points, primes, degree_bound, std::ceil(failure_log2));
+  const std::string equal_at = fmt::format("{} entries equal at {} points modulo {} primes; degree at most {:.3g}",
+                                           entries, points, primes, degree_bound);
+  if (is_weak()) return equal_at + ", too large to bound the probability of an error";
+  return fmt::format("{}; wrong with probability below 2^{:.0f}", equal_at, std::ceil(failure_log2));
 }
 
 }  // namespace flatdyn

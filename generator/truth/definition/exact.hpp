@@ -17,8 +17,14 @@ namespace flatdyn {
 
 struct ExactOptions {
   std::uint64_t seed = 1;
-  int points = 2;  // per prime; there are three primes
+  // Per prime, of which there are three. With two or more, functions of large degree get up to eight, until
+  // failure_log2 is at most kEnoughLog2.
+  int points = 2;
 };
+
+inline constexpr double kEnoughLog2 = -60;
+// A bound above this one says too little to be called a proof: the degree is near the primes or beyond them.
+inline constexpr double kWeakLog2 = -40;
 
 struct ExactMismatch {
   std::string output;  // "B"; "positive" for conditions
@@ -33,6 +39,8 @@ struct ExactResult {
   int primes = 0;
   double degree_bound = 0;  // D: bound of the degree of any difference's numerator in the values drawn
   double failure_log2 = 0;  // log2 of the probability that a difference stays unseen: entries · (D/p)^points
+
+  bool is_weak() const { return failure_log2 > kWeakLog2; }
   std::vector<ExactMismatch> mismatches;
 
   // The result in words: "49 entries equal at 6 points modulo 3 primes; degree at most 132; wrong with probability
