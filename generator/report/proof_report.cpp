@@ -19,7 +19,7 @@ std::string without_bound(const std::vector<Proof>& proofs) {
     texts.push_back(fmt::format("{} (at {} random points)", proof.function, proof.result.points));
   }
   if (texts.empty()) return "";
-  return fmt::format(", but without a bound of that probability, as their degree is too large, for {}",
+  return fmt::format("; the probability of a mistake has no bound, because of too large a degree, for {}",
                      fmt::join(texts, ", "));
 }
 

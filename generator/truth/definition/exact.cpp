@@ -78,11 +78,11 @@ double unseen_log2(double degree) { return std::log2(std::max(1.0, degree)) - kL
 
 // With as many points as the degree asks for.
 ExactOptions with_enough_points(ExactOptions options, const Function& function, double degree) {
-  constexpr int kMostPoints = 8, kPrimes = 3;
+  constexpr int kPrimes = 3;
   const double per_point = unseen_log2(degree), entries = static_cast<double>(entry_count(function));
-  if (options.points < 2 || per_point >= 0) return options;
+  if (options.most_points <= options.points || per_point >= 0) return options;
   const double points = (kEnoughLog2 - std::log2(std::max(1.0, entries))) / per_point;
-  options.points = std::clamp(static_cast<int>(std::ceil(points / kPrimes)), options.points, kMostPoints);
+  options.points = std::clamp(static_cast<int>(std::ceil(points / kPrimes)), options.points, options.most_points);
   return options;
 }
 

@@ -17,10 +17,12 @@ namespace flatdyn {
 
 struct ExactOptions {
   std::uint64_t seed = 1;
-  // Per prime, of which there are three. With two or more, functions of large degree get up to eight, until
-  // failure_log2 is at most kEnoughLog2.
-  int points = 2;
+  int points = 2;  // per prime; there are three primes
+  // Functions of large degree get up to as many, until failure_log2 is at most kEnoughLog2.
+  int most_points = 0;
 };
+
+inline constexpr int kMostPoints = 8;
 
 inline constexpr double kEnoughLog2 = -60;
 // A bound above this one says too little to be called a proof: the degree is near the primes or beyond them.
