@@ -10,7 +10,7 @@ namespace {
 
 // One point modulo each prime: a difference stays unseen with a probability of about 2^-150, but for functions of large
 // degree, which take more.
-ExactOptions quick(std::uint64_t seed) { return {seed, 1, kMostPoints}; }
+ExactOptions quick(std::uint64_t seed) { return {seed, 1, kEnoughPoints}; }
 
 [[noreturn]] void refuse(const std::string& why) {
   throw Failure(FailureKind::verification_failed, why,

@@ -22,7 +22,7 @@ struct ExactOptions {
   int most_points = 0;
 };
 
-inline constexpr int kMostPoints = 8;
+inline constexpr int kEnoughPoints = 8;
 
 inline constexpr double kEnoughLog2 = -60;
 // A bound above this one says too little to be called a proof: the degree is near the primes or beyond them.
