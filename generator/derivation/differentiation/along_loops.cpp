@@ -7,12 +7,13 @@
 #include "derivation/differentiation/differentiable.hpp"
 #include "derivation/differentiation/differentiate.hpp"
 #include "derivation/dynamics/derivative_functions.hpp"
+#include "derivation/dynamics/square_matrices.hpp"
 #include "derivation/dynamics/torque_functions.hpp"
 
 namespace flatdyn {
 namespace {
 
-// By q and by velocities.
+// The derivatives of inverse dynamics by q and by velocities.
 Function torque_derivatives_along_loops(const Mechanism& mechanism, const Choices& choices) {
   const InputKind velocity = with_base(InputKind::qd, mechanism.has_quasi_velocities());
   const Differentiable torques(mechanism, derive_inverse_dynamics(mechanism, choices), {InputKind::q, velocity},
@@ -25,22 +26,6 @@ Function torque_derivatives_along_loops(const Mechanism& mechanism, const Choice
   return result;
 }
 
-// -B⁻¹ M.
-std::vector<NodeId> less_solved(const Output& inverse, const Output& M, Graph& graph) {
-  const auto at = [&M](int row, int col) { return static_cast<std::size_t>(row * M.cols + col); };
-  std::vector<NodeId> entries;
-  for (int i = 0; i < M.rows; ++i) {
-    for (int k = 0; k < M.cols; ++k) {
-      std::vector<Term> sum;
-      for (int j = 0; j < M.rows; ++j) {
-        sum.push_back({-1, graph.product({inverse.entries[at(i, j)], M.entries[at(j, k)]})});
-      }
-      entries.push_back(graph.sum(std::move(sum)));
-    }
-  }
-  return entries;
-}
-
 // Differentiates B q̈ + n(q, q̇) = τ: B ∂q̈ = -∂(B q̈ + n) at this q̈.
 Function multipliers_and_derivatives_along_loops(const Mechanism& mechanism, const Choices& choices) {
   Function result = derive_multipliers_and_inverse(mechanism, choices);
@@ -48,12 +33,13 @@ Function multipliers_and_derivatives_along_loops(const Mechanism& mechanism, con
   const std::vector<Output> torques =
       outputs_at(torque_derivatives_along_loops(mechanism, choices), qdd.entries, {}, result);
   const int n = mechanism.size();
-  result.outputs = {qdd, lambda,
-                    matrix_output("dqdd_dq", n, n, less_solved(inverse, torques[0], result.graph),
-                                  "row i, column k: of qdd[i] by q[k]"),
-                    matrix_output("dqdd_dqd", n, n, less_solved(inverse, torques[1], result.graph),
-                                  "row i, column k: of qdd[i] by qd[k]"),
-                    inverse};
+  const SquareMatrices m(result.graph, n);
+  const auto accelerations = [&](const Output& of_torques) {
+    return m.product(m.scaled(result.graph.constant(-1), inverse.entries), of_torques.entries);
+  };
+  result.outputs = {
+      qdd, lambda, matrix_output("dqdd_dq", n, n, accelerations(torques[0]), "row i, column k: of qdd[i] by q[k]"),
+      matrix_output("dqdd_dqd", n, n, accelerations(torques[1]), "row i, column k: of qdd[i] by qd[k]"), inverse};
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "functions/formulation.hpp"
 #include "functions/function_table.hpp"
@@ -120,8 +121,8 @@ DerivativeReference::DerivativeReference(const Robot& robot, const Mechanism& me
     gradient_ = derive_function(mechanism, name_of_differentiated(derivatives.name));
     gradient_at_ = std::make_unique<GraphEvaluator<Real50>>(*gradient_);
   }
-  const auto exact_robot = robot_for_function(function_, robot, reference_robot<Real50>(robot, symbols));
-  exact_ = row_.reference.exact({mechanism_, exact_robot, symbols_}, function_);
+  exact_robot_ = robot_for_function(function_, robot, reference_robot<Real50>(robot, symbols));
+  exact_ = row_.reference.exact({mechanism_, exact_robot_, symbols_}, function_);
   magnitude_ = row_.reference.magnitude({mechanism_, rounded_, symbols_}, function_);
   steep_magnitude_ = row_.reference.magnitude({mechanism_, steep_, symbols_}, function_);
   const bool has_columns = derivative_ == Derivative::jacobian || derivative_ == Derivative::vector_times_jacobian;
@@ -129,7 +130,7 @@ DerivativeReference::DerivativeReference(const Robot& robot, const Mechanism& me
   state_derivatives_ = function_;
   state_derivatives_.name = row_.state_derivatives;
   const NumericReference& state = row_of(state_derivatives_).reference;
-  state_exact_ = state.exact({mechanism_, exact_robot, symbols_}, state_derivatives_);
+  state_exact_ = state.exact({mechanism_, exact_robot_, symbols_}, state_derivatives_);
   state_magnitude_ = state.magnitude({mechanism_, rounded_, symbols_}, state_derivatives_);
 }
 
@@ -273,10 +274,15 @@ void DerivativeReference::move_position(int k, const S& distance, StateOf<S>& st
 // All joints move along the tangent of the motion of an independent one.
 template <class S>
 void DerivativeReference::move_along_loops(int independent, const S& distance, StateOf<S>& state) const {
-  const auto robot = reference_robot<S>(robot_, symbols_);
+  const reference::Robot<S>* robot = nullptr;
+  if constexpr (std::is_same_v<S, double>) {
+    robot = &rounded_;
+  } else {
+    robot = &exact_robot_;
+  }
   const reference::VectorX<S> q = Eigen::Map<const reference::VectorX<S>>(state.q.data(),
                                                                           static_cast<Eigen::Index>(state.q.size())),
-                              moved = q + distance * reference::loop_motion<S>(robot, q).col(independent);
+                              moved = q + distance * reference::loop_motion<S>(*robot, q).col(independent);
   state.q.assign(moved.begin(), moved.end());
 }
 

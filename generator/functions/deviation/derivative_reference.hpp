@@ -85,6 +85,7 @@ class DerivativeReference {
   std::vector<Direction> directions_;
   ReferenceFunction<Real50> exact_;
   ReferenceFunction<double> magnitude_;
+  reference::Robot<Real50> exact_robot_;
   reference::Robot<double> rounded_;
   reference::Robot<double> steep_;  // whose viscous friction has the largest slopes of smooth friction as well
   ReferenceFunction<double> steep_magnitude_;

@@ -98,7 +98,7 @@ constinit const Definition drive_torque = defined_as([](auto& at, const Output&)
   return tau;
 });
 
-// It undoes the above, where signs are 1 or -1: of τ_d as of τ.
+// It undoes drive_torque. The signs of τ_d and τ are the same.
 constinit const Definition torque_from_drive = defined_as([](auto& at, const Output&) {
   using F = typename std::decay_t<decltype(at)>::F;
   auto tau = at.drawn(InputKind::tau);

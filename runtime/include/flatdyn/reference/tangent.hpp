@@ -54,7 +54,25 @@ struct Tangent {
   }
 };
 
-// The same robot over tangents, with all of its numbers constant. For robots without closed loops.
+// The same loop over tangents, with all of its numbers constant.
+template <class S>
+Loop<Tangent<S>> with_tangents(const Loop<S>& loop) {
+  using T = Tangent<S>;
+  Loop<T> result;
+  for (std::size_t k = 0; k < 2; ++k) {
+    result.links[k] = loop.links[k];
+    result.points[k] = loop.points[k].template cast<T>();
+    result.across[k] = loop.across[k].template cast<T>();
+  }
+  result.carrier = loop.carrier;
+  result.axes = loop.axes.template cast<T>();
+  result.axis = loop.axis.template cast<T>();
+  result.rows = loop.rows;
+  result.dependent = loop.dependent;
+  return result;
+}
+
+// The same robot over tangents, with all of its numbers constant.
 template <class S>
 Robot<Tangent<S>> with_tangents(const Robot<S>& robot) {
   using T = Tangent<S>;
@@ -98,20 +116,7 @@ Robot<Tangent<S>> with_tangents(const Robot<S>& robot) {
   result.p_tip = vector(robot.p_tip);
   result.coupling = robot.coupling.template cast<T>();
   result.independent = robot.independent;
-  for (const Loop<S>& loop : robot.loops) {
-    Loop<T> lifted;
-    for (std::size_t k = 0; k < 2; ++k) {
-      lifted.links[k] = loop.links[k];
-      lifted.points[k] = vector(loop.points[k]);
-      lifted.across[k] = vector(loop.across[k]);
-    }
-    lifted.carrier = loop.carrier;
-    lifted.axes = matrix(loop.axes);
-    lifted.axis = vector(loop.axis);
-    lifted.rows = loop.rows;
-    lifted.dependent = loop.dependent;
-    result.loops.push_back(std::move(lifted));
-  }
+  for (const Loop<S>& loop : robot.loops) result.loops.push_back(with_tangents(loop));
   result.floating_base = robot.floating_base;
   result.base_armature = T(robot.base_armature);
   result.base_viscous = T(robot.base_viscous);
